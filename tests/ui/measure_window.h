@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QPolygonF>
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "tests/ui/gestures.h"
@@ -83,6 +85,18 @@ struct MeasureWindow : Journey {
   const Measurement& last() { return all().back(); }
   glm::dvec3 patient(QPointF p, ViewId id = axialViewId) {
     return view(id)->plane()->patientFromPixel({p.x(), p.y()});
+  }
+  /// These places moved and enlarged, so that the longer side of their box is twice `mm`, its middle there in
+  /// the patient: they lie in the volume however large views are.
+  std::vector<QPointF> placesWithin(std::vector<QPointF> places, glm::dvec3 pMiddle, double mm,
+                                    ViewId id = axialViewId) {
+    const SlicePlane plane = *view(id)->plane();
+    const QRectF box = QPolygonF(QList<QPointF>(places.begin(), places.end())).boundingRect();
+    const glm::dvec2 middle = plane.pixelFromPatient(pMiddle);
+    const double larger = 2 * mm / plane.mmPerPixel / std::max(box.width(), box.height());
+    for (QPointF& p : places)
+      p = (QPointF(middle.x, middle.y) + larger * (p - box.center())).toPoint();  // as the mouse is
+    return places;
   }
   void choose(ShapeKind kind) {
     child<QAction>((std::string(ruleOf(kind).name) + "Tool").c_str())->trigger();

@@ -41,7 +41,7 @@ int lockedStudies() {
   Hand hand(w.window);
   auto* button = w.child<QToolButton>("linkButton");
   hand.click(button);
-  QMenu* menu = button->menu();
+  QMenu* menu = button->defaultAction()->menu();
   for (QAction* action : menu->actions())
     if (action->objectName() == QLatin1String("lockHere")) hand.choose(menu, action);
   const double apart = w.z(left) - w.z(right);

@@ -47,7 +47,7 @@ int goToSlice() {
   Reading r;
   r.hand.key(Qt::Key_G);
   r.hand.type(QStringLiteral("7"));
-  DONE(r.place().index == 6);
+  DONE(std::abs(r.session().series()->volume->geometry().voxelFromPatient(r.crosshair().at).z - 6) < 1e-6);
   return r.hand.steps();
 }
 
@@ -79,7 +79,8 @@ int windowByDrag() {
 int windowOfRegion() {
   Reading r;
   r.hand.menu({"viewMenu"}, "regionWindowTool");
-  r.hand.drag(r.w.view(), {60, 60}, {120, 120});
+  const QPointF middle(r.w.view()->rect().center());
+  r.hand.drag(r.w.view(), middle - QPointF(50, 50), middle + QPointF(50, 50));  // the ball and air
   DONE(r.window().has_value());
   return r.hand.steps();
 }
@@ -128,7 +129,7 @@ int removeTable() {
   Journey w({path});
   DONE(w.settle());
   Hand hand(w.window);
-  hand.menu({"viewMenu"}, "removeTable");
+  hand.menu({"editMenu"}, "removeTable");
   SOON(!w.window.session().workspace().series.begin()->second.mask.empty());
   return hand.steps();
 }

@@ -83,7 +83,7 @@ void TestCrossLines::theCrosshairToolTakesAllOfThem() {
   Lines w;
   w.child<QAction>("crosshairTool")->trigger();
   const glm::dvec3 before = w.cursor();
-  const QPoint on = w.below(0.14);
+  const QPoint on = (w.crossing() + QPointF(0, 23)).toPoint();  // where other tools take hold of none
   drag(w.view(), on, on + QPoint(30, 12));
   const glm::dvec3 moved = w.cursor() - before;
   QVERIFY(moved.x != 0);

@@ -44,6 +44,8 @@ struct FusedWindow : MeasureWindow {
   void fuse(const Series* over) {
     session().change(QStringLiteral("Overlay"), withOverlay(session().workspace(), axialViewId, over));
   }
+  // In both volumes.
+  std::vector<QPointF> placesInBoth(ShapeKind kind) { return placesWithin(placesOf(kind), {0, 0, 0}, 6); }
   Result<Measured> both(const Measurement& m) {
     Result<Measured> numbers = measured(m);
     if (!ruleOf(m.shape.kind).region) return numbers;
@@ -86,7 +88,7 @@ void TestFusedRegions::everyRegionIsOfBoth_data() {
 void TestFusedRegions::everyRegionIsOfBoth() {
   QFETCH(int, kind);
   FusedWindow w;
-  w.draw(ShapeKind(kind), placesOf(ShapeKind(kind)));
+  w.draw(ShapeKind(kind), w.placesInBoth(ShapeKind(kind)));
   QCOMPARE(w.all().size(), std::size_t(1));
   const Result<Measured> wanted = w.both(w.last());
   QVERIFY(wanted->values && wanted->other->values && wanted->other->peak);
@@ -105,8 +107,9 @@ void TestFusedRegions::everyRegionIsOfBoth() {
 
 void TestFusedRegions::csvNamesBoth() {
   FusedWindow w;
-  w.draw(ShapeKind::rectangle, placesOf(ShapeKind::rectangle));
+  w.draw(ShapeKind::rectangle, w.placesInBoth(ShapeKind::rectangle));
   const Result<Measured> wanted = w.both(w.last());
+  QVERIFY(wanted->values && wanted->other->values && wanted->other->peak);
   QTRY_COMPARE_WITH_TIMEOUT(w.drawn(w.last().id).text, measuredLines(w.last().shape, wanted), longest);
   w.child<QAction>("copyMeasurementsCsv")->trigger();
   const QStringList lines = QGuiApplication::clipboard()->text().split(QStringLiteral("\r\n"));
@@ -126,7 +129,7 @@ void TestFusedRegions::hiddenNamesAreHiddenInNumbersThatAreThere() {
   file->series.path = "/data/Doe_PET.nii";
   file->series.description.clear();
   FusedWindow w(file);
-  w.draw(ShapeKind::rectangle, placesOf(ShapeKind::rectangle));
+  w.draw(ShapeKind::rectangle, w.placesInBoth(ShapeKind::rectangle));
   const auto said = [&] { return w.drawn(w.last().id).text.join(u'\n') + w.listed() + w.csv(); };
   const QString name = QStringLiteral("Doe_PET.nii");
   QTRY_COMPARE_WITH_TIMEOUT(said().count(name), 3, longest);
@@ -140,7 +143,7 @@ void TestFusedRegions::hiddenNamesAreHiddenInNumbersThatAreThere() {
 
 void TestFusedRegions::withoutTheOverlayItIsOfOne() {
   FusedWindow w;
-  w.draw(ShapeKind::ellipse, placesOf(ShapeKind::ellipse));
+  w.draw(ShapeKind::ellipse, w.placesInBoth(ShapeKind::ellipse));
   const Measurement drawn = w.last();
   const QStringList both = measuredLines(drawn.shape, w.both(drawn));
   const QStringList one = measuredLines(drawn.shape, w.measured(drawn));

@@ -36,7 +36,7 @@ struct HangingWindow : Journey {
     const ProjectionView view = projection(cell);
     return in(cell) ? QString::fromStdString(view.laterality + " " + view.viewPosition) : QString();
   }
-  // Once the frames of all cells are there and as large as each other.
+  // Once the frames of all cells are there, as large as each other and at the edges.
   bool facesEachOther(int cells) {
     return QTest::qWaitFor(
         [&] {
@@ -47,8 +47,9 @@ struct HangingWindow : Journey {
             if (view->frame()->key.index != flatLookOf(view->state()).frame) return false;
             if (std::abs(view->plane()->mmPerPixel / frameView(0)->plane()->mmPerPixel - 1) > 1e-6)
               return false;
+            if (wallOff(n) >= 0.5) return false;
           }
-          return wallOff(0) < 0.5;
+          return true;
         },
         longest);
   }
@@ -268,11 +269,11 @@ void TestHanging::framesFaceEachOtherInViewsOfAnotherSize() {
     moved.flats.edit(moved.series).panMm.x += 1;
   });
   const FlatLook byHand = flatLookOf(w.workspace().view(firstCell + 3));
+  const glm::ivec2 before = w.frameView(0)->plane()->size;
   w.window.resize(1300, 640);
   const auto areAtTheEdge = [&] {
     return w.frameView(0)->width() > 0 && w.wallOff(0) < 0.5 && w.wallOff(1) < 0.5 && w.wallOff(2) < 0.5;
   };
-  const glm::ivec2 before = w.frameView(0)->plane()->size;
   QTRY_VERIFY_WITH_TIMEOUT(w.frameView(0)->plane()->size != before, longest);
   QVERIFY(QTest::qWaitFor(areAtTheEdge, longest));
   QVERIFY(flatLookOf(w.workspace().view(firstCell + 3)) == byHand);

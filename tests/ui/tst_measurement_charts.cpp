@@ -45,6 +45,10 @@ struct ChartWindow : MeasureWindow {
         half(std::round(12 / plane.mmPerPixel), 0);
     return {centre - half, centre + half};
   }
+  // Half in the ball, half in the air beside it.
+  std::vector<QPointF> atItsEdge(const std::vector<QPointF>& places) {
+    return placesWithin(places, {-5, -2, 4}, 6);
+  }
   LoadedSeriesPtr seriesOf(const Measurement& m) { return session().seriesNamed(m.series); }
   MeasuredChart profile(const Measurement& m, Interpolation how = Interpolation::linear) {
     const LoadedSeriesPtr series = seriesOf(m);
@@ -157,12 +161,14 @@ void TestMeasurementCharts::nearestIsAsThePlaneShows() {
 void TestMeasurementCharts::aRegionHasItsHistogram() {
   ChartWindow w;
   w.chart.open();
-  w.draw(ellipse, placesOf(ellipse));
+  const std::vector<QPointF> places = w.atItsEdge(placesOf(ellipse));
+  w.draw(ellipse, places);
   const MeasuredChart wanted = w.histogram(w.last());
   QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == wanted, longest);
   QCOMPARE(wanted.yTitle, QStringLiteral("Voxels"));
+  QVERIFY(!wanted.lines.empty());
   // An edge is dragged: the chart is of what it holds now.
-  drag(w.view(), {131, 111}, {150, 140});
+  drag(w.view(), places[1], places[1] + QPointF(19, 29));
   const MeasuredChart larger = w.histogram(w.last());
   QVERIFY(!(larger == wanted));
   QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == larger, longest);
@@ -173,12 +179,15 @@ void TestMeasurementCharts::aRegionHasItsHistogram() {
 void TestMeasurementCharts::itFollowsTheSelection() {
   ChartWindow w;
   w.chart.open();
-  w.draw(length, {{50, 150}, {130, 150}});
-  w.draw(rectangle, {{60, 60}, {120, 110}});
+  const std::vector<QPointF> p =
+      w.atItsEdge({{50, 150}, {130, 150}, {60, 60}, {120, 110}, {90, 150}, {20, 180}});
+  w.draw(length, {p[0], p[1]});
+  w.draw(rectangle, {p[2], p[3]});
+  QVERIFY(!w.histogram(w.all()[1]).lines.empty() && !w.profile(w.all()[0]).lines.empty());
   QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == w.histogram(w.all()[1]), longest);
-  QTest::mouseClick(w.view(), Qt::LeftButton, {}, {90, 150});
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, p[4].toPoint());
   QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == w.profile(w.all()[0]), longest);
-  QTest::mouseClick(w.view(), Qt::LeftButton, {}, {20, 180});
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, p[5].toPoint());
   QVERIFY(w.chart.shown().lines.empty());
   QVERIFY(w.chart.said().startsWith(QStringLiteral("Select a length")));
 }
@@ -188,8 +197,9 @@ void TestMeasurementCharts::itFollowsTheSelection() {
 void TestMeasurementCharts::aChartIsOfWhatIsSelected() {
   ChartWindow w;
   w.chart.open();
-  w.draw(length, {{50, 150}, {130, 150}});
-  w.draw(rectangle, {{60, 60}, {120, 110}});
+  const std::vector<QPointF> p = w.atItsEdge({{50, 150}, {130, 150}, {60, 60}, {120, 110}});
+  w.draw(length, {p[0], p[1]});
+  w.draw(rectangle, {p[2], p[3]});
   const Measurement line = w.all()[0], box = w.all()[1];
   const int notHere = box.id + 1;
   w.session().change(QStringLiteral("test"), [&](Workspace& now) {
@@ -236,7 +246,7 @@ void TestMeasurementCharts::behindAnotherTabNothingIsWorkedOut() {
 void TestMeasurementCharts::csvIsCopied() {
   ChartWindow w;
   w.chart.open();
-  w.draw(length, {{70, 60}, {131, 111}});
+  w.draw(length, w.atItsEdge(placesOf(length)));
   auto* copy = w.child<QToolButton>("chartCopy");
   QTRY_VERIFY_WITH_TIMEOUT(copy->isEnabled(), longest);
   QTest::mouseClick(copy, Qt::LeftButton);

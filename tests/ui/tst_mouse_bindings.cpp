@@ -76,7 +76,9 @@ void pinch(QWidget* on, QPointF at, double share) {
 void doGesture(QWidget* on, const MouseSlot& slot, const std::string& bound) {
   if (slot.input == MouseInput::wheel)
     return bound == "pan" ? slide(on, {12, -9}, slot.held) : wheel(on, 1, slot.held);
-  if (slot.input != MouseInput::move) return drag(on, {62, 72}, {92, 40}, buttonOf(slot.input), slot.held);
+  // The ball is opaque: its curve can be made less so alone.
+  const QPoint to(92, bound == "curve" ? 104 : 40);
+  if (slot.input != MouseInput::move) return drag(on, {62, 72}, to, buttonOf(slot.input), slot.held);
   const QPointF at(70, 60);
   QMouseEvent move(QEvent::MouseMove, at, on->mapToGlobal(at), Qt::NoButton, Qt::NoButton, slot.held);
   QCoreApplication::sendEvent(on, &move);

@@ -85,7 +85,7 @@ void TestPictureRuns::numbersAreThoseOfThePicture() {
   MeasureWindow w(ballIn("A"));
   w.session().keep(pet);
   w.session().change(QStringLiteral("test"), withOverlay(w.session().workspace(), axialViewId, &pet->series));
-  w.draw(ShapeKind::rectangle, {{70, 60}, {131, 111}});
+  w.draw(ShapeKind::rectangle, w.placesWithin(placesOf(ShapeKind::rectangle), {0, 0, 0}, 6));
   w.session().select(0);
   QTRY_VERIFY_WITH_TIMEOUT(w.view()->isMeasured(), longest);
   QVERIFY(w.drawn(w.last().id).text.join(u'\n').contains(QStringLiteral("SUVpeak")));

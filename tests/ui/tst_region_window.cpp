@@ -14,8 +14,10 @@ namespace {
 
 // Values of a series as `value` says at each patient place.
 LoadedSeriesPtr seriesBy(const std::function<double(glm::dvec3)>& value) {
-  auto series =
-      std::make_shared<LoadedSeries>(*seriesOf(volumeOf<std::int16_t>({48, 48, 8}, glm::dmat3(1), value)));
+  const glm::ivec3 size{48, 48, 8};
+  const glm::dvec3 middle = (glm::dvec3(size) - 1.0) / 2.0;  // voxel, at the patient's origin
+  auto series = std::make_shared<LoadedSeries>(*seriesOf(volumeOf<std::int16_t>(
+      size, glm::dmat3(1), [&](glm::dvec3 pVoxel) { return value(pVoxel - middle); })));
   series->series.acquired = series->volume->geometry();
   series->valueSpread = 1000;
   return series;

@@ -113,10 +113,12 @@ void ViewActions::makeGridChooser(QMenu* menu, QToolButton* button) {
   field->setDefaultWidget(chooser);
   bench_.window.addAction(field);
   bench_.addAction(field, {{"layoutMenu", 10, 10}});
-  connect(field, &QAction::triggered, this, [menu, button, chooser] {
+  // Later: a menu closes once one of its own actions was triggered, by a key too.
+  const auto openMenu = [menu, button, chooser] {
     menu->popup(button->mapToGlobal(button->rect().bottomLeft()));
     chooser->setFocus(Qt::ShortcutFocusReason);
-  });
+  };
+  connect(field, &QAction::triggered, this, openMenu, Qt::QueuedConnection);
   connect(menu, &QMenu::aboutToShow, chooser, [this, chooser] {
     const Layout now = session_.workspace().layout;
     comparesSeries(now) ? chooser->light(now.rows, now.columns) : chooser->light(0, 0);

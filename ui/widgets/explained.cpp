@@ -9,6 +9,8 @@ Explained::Explained(QWidget* panel) : sentence_(plainLabel()) {
   sentence_->setWordWrap(true);
   sentence_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   sentence_->setMargin(8);
+  // Word by word under each other it would make the window as tall as that.
+  sentence_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   sentence_->setEnabled(false);  // as grey as what it stands for
   addWidget(panel);
   addWidget(sentence_);
