@@ -225,8 +225,10 @@ void DockLayout::shareRoom() {
 void DockLayout::restore() {
   const QSettings settings;
   const QRect screen = QApplication::primaryScreen()->availableGeometry();
-  window_.resize(std::min(1440, screen.width()), std::min(900, screen.height()));
   reset();
+  // As docks stood under each other while they were made, the window would be too tall for any screen.
+  window_.layout()->activate();
+  window_.resize(std::min(1440, screen.width()), std::min(900, screen.height()));
   const bool isPlaced =
       window_.restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
   QList<QRect> screens;
