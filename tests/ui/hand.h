@@ -6,7 +6,9 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QTest>
+#include <QTimer>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
@@ -82,6 +84,16 @@ class Hand {
     for (QAction* action : open->actions())
       if (action->objectName() == QLatin1String(entry)) return choose(open, action);
     QFAIL(entry);
+  }
+  /// By a button that opens a menu at once, which waits until that is closed.
+  void menuOf(QToolButton* button, const char* entry) {
+    QMenu* menu = button->menu() ? button->menu() : button->defaultAction()->menu();
+    QTimer::singleShot(100, menu, [this, menu, entry] {
+      for (QAction* action : menu->actions())
+        if (action->objectName() == QLatin1String(entry)) choose(menu, action);
+      menu->close();
+    });
+    click(button);
   }
   /// An entry of a menu that is open.
   void choose(QMenu* open, QAction* entry) {

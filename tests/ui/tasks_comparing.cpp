@@ -39,11 +39,7 @@ int linkedScrolling() {
 int lockedStudies() {
   TwoSeries w(ballIn("A"), ballIn("B"));
   Hand hand(w.window);
-  auto* button = w.child<QToolButton>("linkButton");
-  hand.click(button);
-  QMenu* menu = button->defaultAction()->menu();
-  for (QAction* action : menu->actions())
-    if (action->objectName() == QLatin1String("lockHere")) hand.choose(menu, action);
+  hand.menuOf(w.child<QToolButton>("linkButton"), "lockHere");
   const double apart = w.z(left) - w.z(right);
   wheel(w.view(left), -3);
   DONE(w.z(left) - w.z(right) == apart);
@@ -115,17 +111,14 @@ int fusionOpacity() {
 }
 
 int suvMax() {
-  PetCt w;
-  DONE(w.isFused());
-  Hand hand(w.window);
-  w.window.session().setFocus(axialViewId);
+  MeasureWindow w(petIn("A"));
   w.view()->setFocus();
+  Hand hand(w.window);
   hand.key(Qt::Key_E);
   const QPointF middle(w.view()->rect().center());
   hand.drag(w.view(), middle - QPointF(20, 20), middle + QPointF(20, 20));
-  SOON(std::ranges::any_of(w.view()->drawnMeasurements(), [](const DrawnMeasurement& m) {
-    return m.text.contains(QStringLiteral("SUVmax"));
-  }));
+  SOON(w.all().size() == 1 &&
+       w.drawn(w.last().id).text.join(QLatin1Char('\n')).contains(QStringLiteral("SUVmax")));
   return hand.steps();
 }
 

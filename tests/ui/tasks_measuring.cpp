@@ -51,9 +51,7 @@ int exportNumbers() {
   m.w.child<QDockWidget>("measurementsDock")->raise();
   QCoreApplication::processEvents();
   auto* copy = m.w.child<QToolButton>("measurementCopy");
-  m.hand.click(copy);
-  for (QAction* action : copy->menu()->actions())
-    if (action->objectName() == QLatin1String("copyMeasurementsCsv")) m.hand.choose(copy->menu(), action);
+  m.hand.menuOf(copy, "copyMeasurementsCsv");
   DONE(QGuiApplication::clipboard()->text().contains(QStringLiteral("length")));
   return m.hand.steps();
 }

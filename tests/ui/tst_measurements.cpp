@@ -275,7 +275,7 @@ void TestMeasurements::hoverTellsHowSure() {
   QCOMPARE(w.view()->cursor().shape(), Qt::SizeAllCursor);
   hover(w.view(), {50, 50});
   QCOMPARE(w.view()->cursor().shape(), Qt::PointingHandCursor);
-  hover(w.view(), {w.view()->width() - 30.0, 30});
+  hover(w.view(), {30, w.view()->height() * 0.75});
   QCOMPARE(w.view()->cursor().shape(), Qt::ArrowCursor);
   QVERIFY(!hovered.last().value(0).toString().contains(QStringLiteral("Length")));
 }

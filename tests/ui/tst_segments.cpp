@@ -278,6 +278,7 @@ void TestSegments::theLabelsMoveWithDiscardedWork() {
     Journey w;
     QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("offerBar")->isVisible(), longest);
     QTest::mouseClick(w.child<QWidget>("offerRefuse"), Qt::LeftButton);
+    discard(w);
     auto* earlier = w.child<QMenu>("earlierMenu");
     QTRY_COMPARE_WITH_TIMEOUT(earlier->actions().size(), 1, longest);
     earlier->actions().front()->trigger();

@@ -301,9 +301,9 @@ void StudyListing::showOpened(const Series& series, OpenHow how) {
         bench_.document.opener.inLayoutOf(withoutOtherPatients(session_.workspace(), series), series));
   }
   bench_.document.opener.show(series);
-  if (how != OpenHow::instead || !showsAnything(session_.workspace())) return;
-  showBrowser(false);
+  if (how != OpenHow::instead) return;
   browser_->clearSearch();
+  if (showsAnything(session_.workspace())) showBrowser(false);
 }
 
 // The next view to compare: the first empty one, else the one behind the focus.

@@ -12,11 +12,11 @@ namespace {
 const QString folder = QStringLiteral(":/docs/");
 
 // In the order in which a user would read them.
-const QStringList pages{QStringLiteral("window.md"),   QStringLiteral("import.md"),
-                        QStringLiteral("accuracy.md"), QStringLiteral("performance.md"),
-                        QStringLiteral("picture.md"),  QStringLiteral("slices.md"),
-                        QStringLiteral("measure.md"),  QStringLiteral("protocols.md"),
-                        QStringLiteral("design.md"),   QStringLiteral("kernels.md")};
+const QStringList pages{
+    QStringLiteral("window.md"),      QStringLiteral("import.md"),    QStringLiteral("accuracy.md"),
+    QStringLiteral("performance.md"), QStringLiteral("picture.md"),   QStringLiteral("slices.md"),
+    QStringLiteral("measure.md"),     QStringLiteral("protocols.md"), QStringLiteral("tasks.md"),
+    QStringLiteral("design.md"),      QStringLiteral("kernels.md")};
 
 // The page's first heading.
 QString titleOf(const QString& page) {
