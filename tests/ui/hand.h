@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -28,7 +29,7 @@ class Hand {
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
     ++steps_;
     QWidget* focus = QApplication::focusWidget();
-    QTest::keyClick(focus ? focus : &window_, key, modifiers);
+    QTest::keyClick(focus && focus->isVisible() ? focus : &window_, key, modifiers);
   }
   /// A text in the field that has the keyboard, in place of what stands there, and Enter.
   void type(const QString& text) {
@@ -38,6 +39,18 @@ class Hand {
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, text);
     QTest::keyClick(field, Qt::Key_Return);
+  }
+  /// A path in the file dialog that is open, and Enter.
+  void answer(const QString& path) {
+    ++steps_;
+    for (QFileDialog* open : window_.findChildren<QFileDialog*>()) {
+      if (!open->isVisible()) continue;
+      auto* name = open->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+      name->setText(path);
+      QTest::keyClick(name, Qt::Key_Return);
+      return;
+    }
+    QFAIL("no file dialog is open");
   }
   void click(QWidget* on, QPointF at, Qt::KeyboardModifiers modifiers = {},
              Qt::MouseButton button = Qt::LeftButton) {
