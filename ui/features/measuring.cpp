@@ -62,7 +62,7 @@ void Measuring::makeActions() {
     auto* action = new QAction(tool.text + key, group);
     action->setObjectName(name + QStringLiteral("Tool"));
     action->setCheckable(true);
-    action->setToolTip(tipOf(*action));
+    action->setToolTip(toolTipOf(tipOf(*action)));
     action->setProperty("iconName", QStringLiteral("measure-") + name);
     connect(action, &QAction::triggered, this, [this, &tool](bool on) {
       if (!on) return grid_.restoreTool();

@@ -4,6 +4,7 @@
 #include "ui/features/feature.h"
 #include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 
@@ -22,7 +23,7 @@ class ToolsInFocus : public Feature {
 ToolsInFocus::ToolsInFocus(Workbench& bench) : Feature(bench) {
   connect(&bench_, &Workbench::made, this, [this] {
     for (const auto& [name, action] : bench_.actions)
-      if (!keysOf(*action).isEmpty()) action->setToolTip(tipOf(*action));
+      if (!keysOf(*action).isEmpty()) action->setToolTip(toolTipOf(tipOf(*action)));
     show();
   });
   connect(&session_, &Session::workspaceChanged, this,

@@ -2,6 +2,7 @@
 
 #include "ui/features/action_text.h"
 #include "ui/features/feature.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 
@@ -28,7 +29,7 @@ void Undo::add(const char* name, QAction* action, QKeySequence::StandardKey key)
   action->setProperty("iconName", QLatin1String(name));
   // Its text, which else is its tool tip, names what was done to what.
   connect(action, &QAction::changed, action, [action] {
-    if (action->toolTip() != tipOf(*action)) action->setToolTip(tipOf(*action));
+    if (action->toolTip() != toolTipOf(tipOf(*action))) action->setToolTip(toolTipOf(tipOf(*action)));
   });
   bench_.addAction(action, {{"editMenu", 10}, {"toolBar", 10, 20}});
 }

@@ -285,8 +285,8 @@ void CineBar::showNumbers() {
   place_->setMaximum(what.count() - 1);
   place_->setValue(what.place());
   if (place_->accessibleName() != what.noun()) place_->setAccessibleName(what.noun());
-  if (const QString tip = toolTipOf({what.noun(), what.axis()}); place_->toolTip() != tip)
-    place_->setToolTip(tip);
+  const QStringList said{what.noun(), what.axis()};
+  if (place_->toolTip() != toolTipOf(said)) place_->setToolTip(toolTipOf(said));
   number_->setNumber(numberOf(what.place()), 1, what.count());
   const auto show = [this](TypedNumber* field, int place, int from, int to) {
     const auto [least, most] = std::minmax({numberOf(from), numberOf(to)});

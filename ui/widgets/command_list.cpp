@@ -1,4 +1,5 @@
 #include "ui/widgets/command_list.h"
+#include "ui/widgets/plain_text.h"
 
 #include <QBoxLayout>
 #include <QHeaderView>
@@ -76,7 +77,7 @@ void CommandList::setRows(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     auto* item = new QTreeWidgetItem({row.text, row.path, row.keys});
     item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
-    item->setToolTip(0, row.text);
+    item->setToolTip(0, toolTipOf(row.text));
     if (!row.canBeChosen) item->setFlags(Qt::NoItemFlags);
     list_->addTopLevelItem(item);
   }
