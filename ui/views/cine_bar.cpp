@@ -89,7 +89,7 @@ TypedNumber* CineBar::addNumber(const char* name, const QString& tip, int width)
   connect(field, &TypedNumber::typed, this, giveKeysBack);
   connect(field, &TypedNumber::givenUp, this, giveKeysBack);
   connect(field, &TypedNumber::refused, this, [field](const QString& why) {
-    QToolTip::showText(field->mapToGlobal(QPoint(0, -2 * barHeight)), toolTipOf(why), field);
+    QToolTip::showText(field->mapToGlobal(QPoint(0, -2 * barHeight)), toolTipOf(why));
   });
   return field;
 }
