@@ -3,8 +3,8 @@
 #include <QClipboard>
 #include <QPrintDialog>
 #include <QPushButton>
-#include <QUrl>
 #include <QTemporaryDir>
+#include <QUrl>
 
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/hand.h"
