@@ -36,6 +36,16 @@ int linkedScrolling() {
   return hand.steps();
 }
 
+int lockedStudies() {
+  TwoSeries w(ballIn("A"), ballIn("B"));
+  Hand hand(w.window);
+  hand.menuOf(w.child<QToolButton>("linkButton"), "lockHere");
+  const double apart = w.z(left) - w.z(right);
+  wheel(w.view(left), -3);
+  DONE(std::abs(w.z(left) - w.z(right) - apart) < 1e-9);
+  return hand.steps();
+}
+
 int automaticWindow() {
   MeasureWindow w;
   w.view()->setFocus();
@@ -142,8 +152,9 @@ int prior() {
 }  // namespace
 
 std::vector<Task> comparingTasks() {
-  return {{15, twoSeries}, {16, linkedScrolling}, {18, referenceLines}, {20, automaticWindow},
-          {21, fuse},      {22, fusionOpacity},   {23, suvMax},         {24, rotatingProjection},
+  return {{15, twoSeries},      {16, linkedScrolling}, {17, lockedStudies},
+          {18, referenceLines}, {20, automaticWindow}, {21, fuse},
+          {22, fusionOpacity},  {23, suvMax},          {24, rotatingProjection},
           {33, prior}};
 }
 

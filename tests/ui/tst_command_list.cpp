@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QTreeWidget>
 
+#include "tests/ui/clean_settings.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/command_list.h"
@@ -41,14 +42,9 @@ struct CommandWindow : MeasureWindow {
 
 }  // namespace
 
-class TestCommandList : public QObject {
+class TestCommandList : public CleanSettings {
   Q_OBJECT
  private Q_SLOTS:
-  void init() {
-    QSettings().clear();
-    openAlone();
-  }
-  void cleanup() { init(); }
   void itHoldsAllCommands();
   void wordsAreFoundAnywhere_data();
   void wordsAreFoundAnywhere();
@@ -85,6 +81,7 @@ void TestCommandList::itHoldsAllCommands() {
   QCOMPARE(w.rowOf("Length")->text(1), QStringLiteral("View > Measure"));
   QCOMPARE(w.rowOf("Lights")->text(1), QStringLiteral("View > Panels"));
   QCOMPARE(w.rowOf("One view")->text(2), QStringLiteral("Alt+1"));
+  QCOMPARE(w.rowOf("Lock here")->text(1), QStringLiteral("View > Link"));
 }
 
 void TestCommandList::wordsAreFoundAnywhere_data() {

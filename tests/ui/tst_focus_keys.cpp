@@ -5,8 +5,10 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "tests/ui/clean_settings.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
+#include "ui/widgets/plain_text.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -30,14 +32,9 @@ struct Focus : MeasureWindow {
 
 }  // namespace
 
-class TestFocusKeys : public QObject {
+class TestFocusKeys : public CleanSettings {
   Q_OBJECT
  private Q_SLOTS:
-  void init() {
-    QSettings().clear();
-    openAlone();
-  }
-  void cleanup() { init(); }
   void tabGoesRoundTheViews_data();
   void tabGoesRoundTheViews();
   void tabLeavesAViewThatIsAlone();
@@ -211,7 +208,7 @@ void TestFocusKeys::toolTipsNameKeys() {
       ++named;
     }
   QVERIFY(named > 5);
-  QVERIFY(w.child<QAction>("lengthTool")->toolTip().contains(QStringLiteral("(D)")));
+  QCOMPARE(w.child<QAction>("lengthTool")->toolTip(), toolTipOf(QStringLiteral("Length (D)")));
   drag(w.view(), {60, 70}, {90, 70});  // what undo is called now
   QVERIFY(w.child<QAction>("undo")->toolTip().contains(QStringLiteral("Ctrl+Z")));
 }

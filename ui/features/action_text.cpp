@@ -3,8 +3,6 @@
 #include <QAction>
 #include <QStringList>
 
-#include "ui/widgets/plain_text.h"
-
 namespace volumen {
 
 QString textOf(const QAction& action) {
@@ -23,7 +21,7 @@ QString keysOf(const QAction& action) {
 
 QString tipOf(const QAction& action) {
   const QString keys = keysOf(action);
-  return toolTipOf(keys.isEmpty() ? textOf(action) : QStringLiteral("%1 (%2)").arg(textOf(action), keys));
+  return keys.isEmpty() ? textOf(action) : QStringLiteral("%1 (%2)").arg(textOf(action), keys);
 }
 
 }  // namespace volumen

@@ -11,7 +11,7 @@ QString textOf(const QAction& action);
 /// Its keys as they are written on the keyboard, "Ctrl+Z, F2"; empty: it has none. Also of one whose key a
 /// view hears itself, which stands in its text behind a tabulator.
 QString keysOf(const QAction& action);
-/// A tool tip that names its keys: "Reset view (F)".
+/// What its tool tip says, which names its keys: "Reset view (F)"; plain text.
 QString tipOf(const QAction& action);
 
 }  // namespace volumen

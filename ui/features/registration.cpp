@@ -34,7 +34,11 @@ Registration::Registration(Workbench& bench) : Feature(bench), registrar_(bench.
   QMenu* menu = makeLinkMenu(
       session_, [this] { registerViews(); }, &bench_.window);
   bench_.menus.addMenu(menu, {{"viewMenu", 60, 70}});
-  bench_.addMenuButton("linkButton", 30)->setDefaultAction(menu->menuAction());
+  for (QAction* action : menu->actions())
+    if (!action->isSeparator()) bench_.addAction(action, {});
+  QToolButton* button = bench_.addMenuButton("linkButton", 30);
+  button->setDefaultAction(menu->menuAction());
+  button->setPopupMode(QToolButton::InstantPopup);  // the action made it one that opens by its arrow alone
   connect(&registrar_, &RegistrationJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   connect(&registrar_, &RegistrationJobs::found, this,
           [this](const std::string& from, const std::string& to, const Rigid& toFromFrom) {
