@@ -1,14 +1,12 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <algorithm>
-#include <map>
 #include <set>
 
+#include "ui/features/facing_views.h"
 #include "ui/features/feature.h"
-#include "ui/views/frame_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/edit_workspace.h"
-#include "ui/workspace/facing.h"
 #include "ui/workspace/own_protocols.h"
 #include "ui/workspace/patients.h"
 #include "ui/workspace/text.h"
@@ -16,24 +14,6 @@
 namespace volumen {
 
 namespace {
-
-// The frames of cells, and the views that show them.
-struct HungFrames {
-  std::vector<FacingFrame> frames;
-  std::vector<ViewId> ids;
-};
-
-// How facing left the views.
-struct FacedViews {
-  HangingProtocol protocol;
-  std::map<ViewId, std::pair<SeriesKey, FlatLook>> looks;
-};
-
-bool wantsFrames(const HangingProtocol& protocol) {
-  return protocol.sameScale || std::ranges::any_of(protocol.cells, [](const ProtocolCell& cell) {
-           return cell.chestWall != ChestWall::anywhere;
-         });
-}
 
 // Studies hung by rules: those that fit what is open, by a menu and by keys; mammograms and pairs of X-ray
 // pictures as they are opened; and what is on screen kept as a rule.
@@ -54,10 +34,6 @@ class HangingProtocols : public Feature {
   void hangAwaited();
   bool mayHang(const Series& opened) const;
   void forgetClosed();
-  std::optional<HungFrames> framesOf(const HangingProtocol& protocol) const;
-  Workspace facedNow(const HungFrames& hung);
-  void face();
-  void faceAgain();
   void askName();
   void save(const QString& text);
   void tellProblems();
@@ -70,16 +46,14 @@ class HangingProtocols : public Feature {
   std::set<std::string> hungByItself_;                 // UIDs of studies that are open
   std::vector<std::shared_ptr<const Study>> awaited_;  // opened, to be hung as they are shown
   std::shared_ptr<bool> openedTogether_;               // of the one that was opened last
-  std::optional<Layout> gridByItself_;                 // what one was hung in by itself, last of all
-  // What waits for its frames, to turn and enlarge them: the protocol, and the views as it hung them.
-  std::optional<HangingProtocol> waiting_;
-  SharedList<ViewState> hungViews_;
-  std::set<FrameKey> unreadable_;  // since it was hung
-  std::optional<FacedViews> faced_;
+  FacingViews facing_;
+  std::optional<Layout> gridByItself_;  // what one was hung in by itself, last of all
 };
 
 HangingProtocols::HangingProtocols(Workbench& bench)
-    : Feature(bench), menu_(bench.addMenu("protocolMenu", tr("Hanging protocols"), {{"viewMenu", 60, 52}})) {
+    : Feature(bench),
+      menu_(bench.addMenu("protocolMenu", tr("Hanging protocols"), {{"viewMenu", 60, 52}})),
+      facing_(session_, grid_, bench.document.frames, this) {
   makeActions();
   connect(menu_, &QMenu::aboutToShow, this, &HangingProtocols::fillMenu);
   const Loader* loader = &bench_.document.loader;
@@ -99,18 +73,6 @@ HangingProtocols::HangingProtocols(Workbench& bench)
     });
   });
   connect(&open_, &OpenStudies::changed, this, &HangingProtocols::forgetClosed);
-  // After the views have taken the frame, or have their places.
-  const auto faceSoon = [this] {
-    if (waiting_) QMetaObject::invokeMethod(this, &HangingProtocols::face, Qt::QueuedConnection);
-    if (faced_) QMetaObject::invokeMethod(this, &HangingProtocols::faceAgain, Qt::QueuedConnection);
-  };
-  const FrameService* frames = &bench_.document.frames;
-  connect(frames, &FrameService::ready, this, faceSoon);
-  connect(frames, &FrameService::failed, this, [this, faceSoon](int, const FrameKey& key) {
-    unreadable_.insert(key);
-    faceSoon();
-  });
-  connect(&grid_, &ViewGrid::arranged, this, faceSoon);
   tellProblems();
 }
 
@@ -208,71 +170,12 @@ void HangingProtocols::hang(const HangingProtocol& protocol) {
   lastStudy_ = currentStudy();
   gridByItself_.reset();
   session_.endGesture();
-  waiting_.reset();
-  faced_.reset();
-  unreadable_.clear();
+  facing_.forget();
   bench_.action("maximise")->setChecked(false);
   session_.change(tr("Hang as %1").arg(shownText(protocol.name)),
                   hung(session_.workspace(), protocol, *around), hungKey);
   session_.endGesture();
-  if (!wantsFrames(protocol)) return;
-  waiting_ = protocol;
-  hungViews_ = session_.workspace().views;
-  QMetaObject::invokeMethod(this, &HangingProtocols::face, Qt::QueuedConnection);
-}
-
-// None: not all that can be read are there.
-std::optional<HungFrames> HangingProtocols::framesOf(const HangingProtocol& protocol) const {
-  const Workspace& workspace = session_.workspace();
-  const std::vector<ViewId> views = viewsOnScreen(workspace);
-  HungFrames hung;
-  for (std::size_t n = 0; n < std::min(views.size(), protocol.cells.size()); ++n) {
-    const ViewState& state = workspace.view(views[n]);
-    if (state.series.empty() || !showsFrames(state.kind)) continue;
-    const FlatLook look = flatLookOf(state);
-    const FrameKey key{state.series, look.frame, look.presentation.path};
-    if (unreadable_.contains(key)) continue;
-    const auto* view = grid_.viewAs<FrameView>(views[n]);
-    if (!view || !view->frame() || view->frame()->key != key) return {};
-    const QSize pixels = view->pixels();
-    hung.frames.push_back(
-        {view->frame(), look, {pixels.width(), pixels.height()}, protocol.cells[n].chestWall});
-    hung.ids.push_back(views[n]);
-  }
-  return hung;
-}
-
-// What lies otherwise than facing left it stays.
-Workspace HangingProtocols::facedNow(const HungFrames& hung) {
-  const std::vector<FlatLook> looks = facingLooks(hung.frames, faced_->protocol.sameScale);
-  Workspace after = session_.workspace();
-  for (std::size_t n = 0; n < hung.ids.size(); ++n) {
-    const ViewId id = hung.ids[n];
-    const SeriesKey series = after.view(id).series;
-    const auto left = faced_->looks.find(id);
-    if (left != faced_->looks.end() && left->second != std::pair(series, hung.frames[n].look)) continue;
-    if (looks[n] != hung.frames[n].look) after.editView(id).flats.editOrAdd(series) = looks[n];
-    faced_->looks[id] = {series, looks[n]};
-  }
-  return after;
-}
-
-// Mammograms face each other, and sizes are the same, once all frames are there; unless views were changed
-// meanwhile.
-void HangingProtocols::face() {
-  if (!waiting_) return;
-  if (session_.workspace().views != hungViews_) return waiting_.reset();
-  const std::optional<HungFrames> hung = framesOf(*waiting_);
-  if (!hung) return;
-  faced_ = FacedViews{*waiting_, {}};
-  waiting_.reset();
-  session_.change(tr("Hang as %1").arg(shownText(faced_->protocol.name)), facedNow(*hung), facedKey);
-}
-
-// Where views are larger or smaller by now: no step.
-void HangingProtocols::faceAgain() {
-  if (!faced_ || session_.workspace().layout != faced_->protocol.layout) return;
-  if (const std::optional<HungFrames> hung = framesOf(faced_->protocol)) session_.adapt(facedNow(*hung));
+  facing_.begin(protocol);
 }
 
 // What readers want at once: where the study was opened as such, and only the first time. Of several that are

@@ -1,0 +1,105 @@
+#include "ui/features/facing_views.h"
+
+#include <algorithm>
+
+#include "ui/views/frame_view.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/edit_workspace.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+bool wantsFrames(const HangingProtocol& protocol) {
+  return protocol.sameScale || std::ranges::any_of(protocol.cells, [](const ProtocolCell& cell) {
+           return cell.chestWall != ChestWall::anywhere;
+         });
+}
+
+}  // namespace
+
+FacingViews::FacingViews(Session& session, ViewGrid& grid, const FrameService& frames, QObject* parent)
+    : QObject(parent), session_(session), grid_(grid) {
+  connect(&frames, &FrameService::ready, this, &FacingViews::soon);
+  connect(&frames, &FrameService::failed, this, [this](int, const FrameKey& key) {
+    unreadable_.insert(key);
+    soon();
+  });
+  connect(&grid_, &ViewGrid::arranged, this, &FacingViews::soon);
+}
+
+// After the views have taken the frame, or have their places.
+void FacingViews::soon() {
+  if (waiting_) QMetaObject::invokeMethod(this, &FacingViews::face, Qt::QueuedConnection);
+  if (faced_) QMetaObject::invokeMethod(this, &FacingViews::faceAgain, Qt::QueuedConnection);
+}
+
+void FacingViews::forget() {
+  waiting_.reset();
+  faced_.reset();
+  unreadable_.clear();
+}
+
+void FacingViews::begin(const HangingProtocol& protocol) {
+  if (!wantsFrames(protocol)) return;
+  waiting_ = protocol;
+  hungViews_ = session_.workspace().views;
+  soon();
+}
+
+// None: not all that can be read are there.
+std::optional<FacingViews::HungFrames> FacingViews::framesOf(const HangingProtocol& protocol) const {
+  const Workspace& workspace = session_.workspace();
+  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  HungFrames hung;
+  for (std::size_t n = 0; n < std::min(views.size(), protocol.cells.size()); ++n) {
+    const ViewState& state = workspace.view(views[n]);
+    if (state.series.empty() || !showsFrames(state.kind)) continue;
+    const FlatLook look = flatLookOf(state);
+    const FrameKey key{state.series, look.frame, look.presentation.path};
+    if (unreadable_.contains(key)) continue;
+    const auto* view = grid_.viewAs<FrameView>(views[n]);
+    if (!view || !view->frame() || view->frame()->key != key) return {};
+    const QSize pixels = view->pixels();
+    hung.frames.push_back(
+        {view->frame(), look, {pixels.width(), pixels.height()}, protocol.cells[n].chestWall});
+    hung.ids.push_back(views[n]);
+  }
+  return hung;
+}
+
+// What lies otherwise than facing left it stays.
+Workspace FacingViews::facedNow(const HungFrames& hung) {
+  const std::vector<FlatLook> looks = facingLooks(hung.frames, faced_->protocol.sameScale);
+  Workspace after = session_.workspace();
+  for (std::size_t n = 0; n < hung.ids.size(); ++n) {
+    const ViewId id = hung.ids[n];
+    const SeriesKey series = after.view(id).series;
+    const auto left = faced_->looks.find(id);
+    if (left != faced_->looks.end() && left->second != std::pair(series, hung.frames[n].look)) continue;
+    if (looks[n] != hung.frames[n].look) after.editView(id).flats.editOrAdd(series) = looks[n];
+    faced_->looks[id] = {series, looks[n]};
+  }
+  return after;
+}
+
+// Mammograms face each other, and sizes are the same, once all frames are there; unless views were changed
+// meanwhile.
+void FacingViews::face() {
+  if (!waiting_) return;
+  if (session_.workspace().views != hungViews_) return waiting_.reset();
+  const std::optional<HungFrames> hung = framesOf(*waiting_);
+  if (!hung) return;
+  faced_ = FacedViews{*waiting_, {}};
+  waiting_.reset();
+  session_.change(tr("Hang as %1").arg(shownText(faced_->protocol.name)), facedNow(*hung), facedKey);
+}
+
+// Where views are larger or smaller by now: no step.
+void FacingViews::faceAgain() {
+  if (!faced_ || session_.workspace().layout != faced_->protocol.layout) return;
+  if (const std::optional<HungFrames> hung = framesOf(faced_->protocol)) session_.adapt(facedNow(*hung));
+}
+
+}  // namespace volumen
