@@ -1,5 +1,6 @@
 // Guards where the lines of planes are taken hold of, so that a drag that means the picture moves no plane,
 // and that they can be hidden.
+#include "tests/ui/clean_settings.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/flat_plane.h"
@@ -22,14 +23,9 @@ struct Lines : MeasureWindow {
 
 }  // namespace
 
-class TestCrossLines : public QObject {
+class TestCrossLines : public CleanSettings {
   Q_OBJECT
  private Q_SLOTS:
-  void init() {
-    QSettings().clear();
-    openAlone();
-  }
-  void cleanup() { init(); }
   void onlyOuterPartsAreTakenHoldOf_data();
   void onlyOuterPartsAreTakenHoldOf();
   void theCrossingIsFreeWhereverItIs();

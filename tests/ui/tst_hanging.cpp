@@ -1,98 +1,12 @@
-// Guards hanging protocols and priors in the window: mammograms face each other as they are opened, keys and
-// the menu go through what fits, what is on screen is kept as a protocol, and the same series of an earlier
-// day stands beside; each one step. Real events.
-#include <QFile>
+// Guards hanging protocols in the window: mammograms face each other as they are opened, keys and the menu go
+// through what fits, what is on screen is kept as a protocol; each one step. Real events.
 #include <QInputDialog>
-#include <QMenu>
 
-#include "io/files/preset_files.h"
-#include "tests/ui/gestures.h"
-#include "tests/ui/hung_studies.h"
-#include "tests/ui/journey.h"
+#include "tests/ui/hanging_window.h"
 #include "tests/unit/suite.h"
-#include "ui/views/view_grid.h"
-#include "ui/widgets/banner.h"
-#include "ui/workspace/hanging_protocol.h"
 
 using namespace volumen;
 using namespace volumen::tests;
-
-namespace {
-
-constexpr ViewId firstCell = firstComparedId;
-
-struct HangingWindow : Journey {
-  using Journey::Journey;
-
-  Session& session() { return window.session(); }
-  const Workspace& workspace() { return session().workspace(); }
-  const Series* in(int cell) { return seriesIn(workspace(), firstCell + cell); }
-  FrameView* frameView(int cell) { return window.views()->viewAs<FrameView>(firstCell + cell); }
-  ProjectionView projection(int cell) {
-    const SeriesPicture picture = pictureIn(workspace(), firstCell + cell);
-    return picture ? projectionOf(*picture.series, picture.frame) : ProjectionView();
-  }
-  QString told(int cell) {
-    const ProjectionView view = projection(cell);
-    return in(cell) ? QString::fromStdString(view.laterality + " " + view.viewPosition) : QString();
-  }
-  // Once the frames of all cells are there, as large as each other and at the edges.
-  bool facesEachOther(int cells) {
-    return QTest::qWaitFor(
-        [&] {
-          for (int n = 0; n < cells; ++n) {
-            const FrameView* view = frameView(n);
-            if (!view || !view->isVisible() || !view->frame() || !view->plane()) return false;
-            if (view->frame()->key.series != view->state().series) return false;
-            if (view->frame()->key.index != flatLookOf(view->state()).frame) return false;
-            if (std::abs(view->plane()->mmPerPixel / frameView(0)->plane()->mmPerPixel - 1) > 1e-6)
-              return false;
-            if (wallOff(n) >= 0.5) return false;
-          }
-          return true;
-        },
-        longest);
-  }
-  // How far the outer edge of the column at the chest wall is from the inner edge of its cell, pixels.
-  double wallOff(int cell) {
-    const FrameView* view = frameView(cell);
-    const VoxelGeometry& geometry = view->frame()->geometry();
-    const bool rowsLeadToIt = view->frame()->rowSide == "P";
-    const double i = rowsLeadToIt ? geometry.size.x - 0.5 : -0.5;
-    const double middle = (geometry.size.y - 1) / 2.0;
-    const double x = view->plane()->pixelFromPatient(geometry.patientFromVoxel({i, middle, 0})).x;
-    return std::abs(x - (projection(cell).laterality == "R" ? view->plane()->size.x : 0));
-  }
-  QStringList offered() {
-    auto* menu = child<QMenu>("protocolMenu");
-    menu->popup({10, 10});
-    QStringList names;
-    for (const QAction* action : menu->actions())
-      if (action->isCheckable()) names << action->text();
-    menu->close();
-    return names;
-  }
-  QString complaint() { return child<Banner>("banner")->sentence(); }
-};
-
-// With both open, and the later one on screen.
-struct TwoDaysWindow : HangingWindow {
-  explicit TwoDaysWindow(const TwoDays& days) : HangingWindow(QStringList{days.now, days.before}) {}
-  bool isOpen() {
-    return QTest::qWaitFor([&] { return window.document().open.volumes().size() == 2 && session().series(); },
-                           longest);
-  }
-  bool showsInCell(int cell, const char* day) {
-    return QTest::qWaitFor(
-        [&] {
-          const LoadedSeriesPtr shown = session().seriesOf(firstCell + cell);
-          return shown && shown->series.studyDate == day;
-        },
-        longest);
-  }
-};
-
-}  // namespace
 
 class TestHanging : public QObject {
   Q_OBJECT
@@ -112,10 +26,6 @@ class TestHanging : public QObject {
   void anotherStudyBeginsWithItsFirst();
   void theMenuHangsAndSaves();
   void withoutAStudyThereIsASentence();
-  void allThatIsMissingComesWhileOneScrolls();
-  void thePriorStandsBeside();
-  void withoutAPriorThereIsASentence();
-  void theSecondViewFillsByItself();
 };
 
 void TestHanging::mammogramsFaceEachOther_data() {
@@ -169,8 +79,7 @@ void TestHanging::whatIsOpenedNextIsHung() {
   next.patient = patient;
   QVERIFY(first.write() && next.write());
   HangingWindow w({first.folder.path()});
-  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
-  QVERIFY(w.facesEachOther(4));
+  QVERIFY(w.isHungInFour());
   if (isGridChosen) w.child<QAction>("layoutTwo")->trigger();
   if (isClosed) {
     w.session().closeAll(w.window.document().open.everything());
@@ -191,28 +100,20 @@ void TestHanging::aGridThatWasChosenStays() {
   const Mammograms data;
   QVERIFY(data.write());
   HangingWindow w;
-  w.session().change(QStringLiteral("Layout"), withLayout(w.workspace(), Layout::two));
-  w.window.open({data.folder.path()});
-  QTRY_VERIFY_WITH_TIMEOUT(w.in(0) != nullptr, longest);
-  QTest::qWait(100);
+  QVERIFY(w.opensIntoAChosenGrid(data.folder.path()));
   QCOMPARE(w.workspace().layout, Layout::two);
 }
 
 // It is not in memory as its study is opened.
 void TestHanging::aVolumeIsHungOnceItIsShown() {
-  HangingProtocol mine;
-  mine.name = "Mine", mine.automatic = true, mine.when.rule.modality = "CT";
-  mine.series.resize(1);
-  mine.series[0].name = "any";
-  mine.cells.resize(2);
-  for (ProtocolCell& cell : mine.cells) cell.series = "any";
+  HangingProtocol mine = twoOfAny();
+  mine.automatic = true, mine.when.rule.modality = "CT";
   mine.cells[1].picture = CellPicture::coronal;
   QVERIFY(writePresetFile(mine.name, protocolToJson(mine), protocolFolder()));
   const TwoDays days;
   QVERIFY(days.write());
   HangingWindow w(QStringList{days.now});
-  for (const PresetFile& file : readPresetFiles(protocolFolder()))
-    QFile::remove(QString::fromStdString(file.path));
+  removeOwnProtocols();
   QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::two, longest);
   QVERIFY(w.in(0) && w.in(1));
   QCOMPARE(w.workspace().view(firstCell + 1).kind, ViewKind::coronal);
@@ -223,10 +124,7 @@ void TestHanging::aFrameThatCannotBeReadStopsNoOther() {
   QVERIFY(data.write(BreastSeries::ofEach));
   // Where the reader chose a grid one picture alone is read; the R CC is gone before it is.
   HangingWindow w;
-  w.session().change(QStringLiteral("Layout"), withLayout(w.workspace(), Layout::two));
-  w.window.open({data.folder.path()});
-  QTRY_VERIFY_WITH_TIMEOUT(w.in(0) != nullptr, longest);
-  QTest::qWait(100);
+  QVERIFY(w.opensIntoAChosenGrid(data.folder.path()));
   QVERIFY(w.told(0) != QStringLiteral("R CC"));
   QVERIFY(QFile::remove(data.folder.filePath(QStringLiteral("1"))));
   w.child<QAction>("nextProtocol")->trigger();
@@ -240,11 +138,8 @@ void TestHanging::aFrameThatCannotBeReadStopsNoOther() {
 }
 
 void TestHanging::aClickMeanwhileMakesNoSecondStep() {
-  const Mammograms data;
-  QVERIFY(data.write());
-  HangingWindow w({data.folder.path()});
-  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
-  QVERIFY(w.facesEachOther(4));
+  MammogramsWindow w;
+  QVERIFY(w.isOpen());
   const int steps = w.session().undoStack().count();
   w.child<QAction>("nextProtocol")->trigger();
   w.session().setFocus(firstCell + 1);
@@ -257,11 +152,8 @@ void TestHanging::aClickMeanwhileMakesNoSecondStep() {
 }
 
 void TestHanging::framesFaceEachOtherInViewsOfAnotherSize() {
-  const Mammograms data;
-  QVERIFY(data.write());
-  HangingWindow w({data.folder.path()});
-  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
-  QVERIFY(w.facesEachOther(4));
+  MammogramsWindow w;
+  QVERIFY(w.isOpen());
   const int steps = w.session().undoStack().count();
   // One was moved by hand: it stays as it is.
   w.session().change(QStringLiteral("Pan"), [&](Workspace& workspace) {
@@ -290,14 +182,10 @@ void TestHanging::aMaximisedViewIsLeft() {
   QFETCH(QByteArray, action);
   const TwoDays days;
   QVERIFY(days.write());
-  HangingProtocol mine;
-  mine.name = "Mine", mine.series.resize(1), mine.cells.resize(2);
-  mine.series[0].name = "any";
-  for (ProtocolCell& cell : mine.cells) cell.series = "any";
+  const HangingProtocol mine = twoOfAny();
   QVERIFY(writePresetFile(mine.name, protocolToJson(mine), protocolFolder()));
   TwoDaysWindow w(days);
-  for (const PresetFile& file : readPresetFiles(protocolFolder()))
-    QFile::remove(QString::fromStdString(file.path));
+  removeOwnProtocols();
   QVERIFY(w.isOpen());
   w.child<QAction>("maximise")->trigger();
   QVERIFY(w.child<QAction>("maximise")->isChecked());
@@ -307,11 +195,8 @@ void TestHanging::aMaximisedViewIsLeft() {
 }
 
 void TestHanging::keysGoThroughWhatFits() {
-  const Mammograms data;
-  QVERIFY(data.write());
-  HangingWindow w({data.folder.path()});
-  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
-  QVERIFY(w.facesEachOther(4));
+  MammogramsWindow w;
+  QVERIFY(w.isOpen());
   const auto press = [&](Qt::Key key, const char* first, int cells) {
     const int steps = w.session().undoStack().count();
     QTest::keyClick(&w.window, key, Qt::AltModifier);
@@ -343,11 +228,8 @@ void TestHanging::anotherStudyBeginsWithItsFirst() {
 }
 
 void TestHanging::theMenuHangsAndSaves() {
-  const Mammograms data;
-  QVERIFY(data.write());
-  HangingWindow w({data.folder.path()});
-  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().layout, Layout::four, longest);
-  QVERIFY(w.facesEachOther(4));
+  MammogramsWindow w;
+  QVERIFY(w.isOpen());
   const QStringList expected{QStringLiteral("Mammograms"), QStringLiteral("Mammograms, CC"),
                              QStringLiteral("Mammograms, MLO")};
   QCOMPARE(w.offered(), expected);
@@ -380,88 +262,6 @@ void TestHanging::withoutAStudyThereIsASentence() {
   QVERIFY(w.complaint().startsWith(QStringLiteral("No hanging protocol fits")));
   w.child<QAction>("saveProtocol")->trigger();
   QCOMPARE(w.complaint(), QStringLiteral("Open a series first."));
-}
-
-void TestHanging::allThatIsMissingComesWhileOneScrolls() {
-  const QTemporaryDir folder;
-  QStringList paths;
-  for (const char* day : {"20260301", "20250301", "20240301", "20230301"}) {
-    paths << folder.filePath(QLatin1String(day));
-    QVERIFY(TwoDays::writeDay(paths.back(), day));
-  }
-  HangingWindow w(paths);
-  const auto volumes = [&] { return w.window.document().open.volumes(); };
-  QTRY_VERIFY_WITH_TIMEOUT(volumes().size() == 4 && w.session().series(), longest);
-  QTRY_VERIFY_WITH_TIMEOUT(!w.window.document().loader.isBusy(), longest);
-  const SeriesKey shown = keyOf(w.session().series()->series);
-  Workspace four = withLayout(w.workspace(), Layout::four);
-  four = withSeries(std::move(four), firstCell, w.session().series()->series, {});
-  std::vector<SeriesKey> wanted;
-  for (const Series* series : volumes()) {
-    if (keyOf(*series) == shown) continue;
-    wanted.push_back(keyOf(*series));
-    four = withSeries(std::move(four), firstCell + int(wanted.size()), *series, {});
-  }
-  four.focus = firstCell + 2;
-  QSignalSpy began(&w.window.document().loader, &Loader::loadBegan);
-  QSignalSpy givenUp(&w.window.document().loader, &Loader::loadGivenUp);
-  w.session().change(QStringLiteral("Compare"), four);
-  int turned = 0;
-  const auto haveCome = [&] {
-    wheel(w.window.views()->viewAs<FlatView>(firstCell), turned++ % 2 ? 1 : -1);
-    return std::ranges::all_of(wanted,
-                               [&](const SeriesKey& key) { return w.session().seriesNamed(key) != nullptr; });
-  };
-  QVERIFY(QTest::qWaitFor(haveCome, longest));
-  QVERIFY2(turned > 1, "the wheel was turned while they came");
-  QCOMPARE(givenUp.count(), 0);
-  QCOMPARE(began.count(), 3);
-  const std::size_t order[] = {1, 0, 2};  // the view in focus first
-  for (int n = 0; n < 3; ++n) QVERIFY(keyOf(began[n][0].value<Series>()) == wanted[order[n]]);
-}
-
-void TestHanging::thePriorStandsBeside() {
-  const TwoDays days;
-  QVERIFY(days.write());
-  TwoDaysWindow w(days);
-  QVERIFY(w.isOpen());
-  const Workspace before = w.workspace();
-  const int steps = w.session().undoStack().count();
-  QTest::keyClick(&w.window, Qt::Key_7, Qt::AltModifier);
-  QCOMPARE(w.workspace().layout, Layout::two);
-  QVERIFY(w.showsInCell(0, "20260301") && w.showsInCell(1, "20240215"));
-  QCOMPARE(w.workspace().focus, firstCell);
-  const auto dateOf = [&](int cell) {
-    return w.window.views()->viewAs<FlatView>(firstCell + cell)->overlays().date;
-  };
-  QCOMPARE(dateOf(0), QStringLiteral("2026-03-01"));
-  QCOMPARE(dateOf(1), QStringLiteral("2024-02-15"));
-  w.shot("prior");
-  QCOMPARE(w.session().undoStack().count(), steps + 1);
-  w.child<QAction>("undo")->trigger();
-  QVERIFY(w.workspace().views == before.views && w.workspace().layout == before.layout);
-}
-
-void TestHanging::withoutAPriorThereIsASentence() {
-  const TwoDays days;
-  QVERIFY(days.write());
-  HangingWindow w(QStringList{days.before});
-  QTRY_VERIFY_WITH_TIMEOUT(w.session().series() != nullptr, longest);
-  const Workspace before = w.workspace();
-  w.child<QAction>("comparePrior")->trigger();
-  QVERIFY(w.complaint().startsWith(QStringLiteral("No earlier study")));
-  QVERIFY(w.workspace() == before);
-}
-
-void TestHanging::theSecondViewFillsByItself() {
-  const TwoDays days;
-  QVERIFY(days.write());
-  TwoDaysWindow w(days);
-  QVERIFY(w.isOpen());
-  const int steps = w.session().undoStack().count();
-  w.child<QAction>("layoutTwo")->trigger();
-  QVERIFY(w.showsInCell(0, "20260301") && w.showsInCell(1, "20240215"));
-  QCOMPARE(w.session().undoStack().count(), steps + 1);
 }
 
 VOLUMEN_TEST(TestHanging);

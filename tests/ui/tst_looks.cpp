@@ -12,6 +12,7 @@
 #include <QToolButton>
 
 #include "tests/fixtures/fixtures.h"
+#include "tests/ui/clean_settings.h"
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
@@ -91,14 +92,9 @@ QStringList flaws(const QMainWindow& window) {
 
 }  // namespace
 
-class TestLooks : public QObject {
+class TestLooks : public tests::CleanSettings {
   Q_OBJECT
  private Q_SLOTS:
-  void init() {
-    QSettings().clear();
-    tests::openAlone();
-  }
-  void cleanup() { init(); }
   void thePictureHasTheRoom_data();
   void thePictureHasTheRoom();
   void nothingOverlapsOrIsCutOff_data();

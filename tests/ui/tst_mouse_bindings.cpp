@@ -1,75 +1,22 @@
 // Guards what the mouse does by presets and by a person's own choices: every row of every preset by real
-// events in slices and in 3D, checked for what it changed; trackpads; what is kept, and what in the file is
-// no binding.
+// events in slices and in 3D, checked for what it changed; what is kept, and what in the file is no binding.
 #include <QComboBox>
-#include <QMenu>
-#include <QNativeGestureEvent>
-#include <QPointingDevice>
 
-#include "tests/ui/measure_window.h"
+#include "tests/ui/clean_settings.h"
+#include "tests/ui/mouse_gestures.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/mouse_table.h"
 #include "ui/panels/preferences_dialog.h"
-#include "ui/tools/mouse_bindings.h"
-#include "ui/workspace/flat_plane.h"
 
 using namespace volumen;
 using namespace volumen::tests;
 
 namespace {
 
-// What a gesture can change in the axial view.
-struct FlatSeen {
-  std::optional<Window> window;
-  FlatLook look;
-  glm::dvec3 at{0};
-
-  explicit FlatSeen(MeasureWindow& w) {
-    const ViewState& state = w.view()->state();
-    window = w.session().workspace().series.at(state.series).window;
-    look = flatLookOf(state);
-    at = crosshairOf(w.session().workspace(), axialViewId, *w.view()->shown()).at;
-  }
-};
-
-// What was done, as actions are called; the voxels are 1 mm.
-std::string doneBetween(const FlatSeen& before, const FlatSeen& after) {
-  std::string done;
-  if (before.look.slabMm != after.look.slabMm) done += "slab ";
-  if (before.look.zoom != after.look.zoom)
-    done += "zoom ";
-  else if (before.look.panMm != after.look.panMm)
-    done += "pan ";
-  if (before.window != after.window) done += "window ";
-  const glm::dvec3 moved = after.at - before.at;
-  if (moved.x != 0 || moved.y != 0)
-    done += "crosshair ";
-  else if (std::abs(moved.z) > 9.5)
-    done += "fast ";
-  else if (moved.z != 0)
-    done += "scroll ";
-  return done.empty() ? "none" : done.substr(0, done.size() - 1);
-}
-
 Qt::MouseButton buttonOf(MouseInput input) {
   return input == MouseInput::left    ? Qt::LeftButton
          : input == MouseInput::right ? Qt::RightButton
                                       : Qt::MiddleButton;
-}
-
-// Two fingers go over a trackpad.
-void slide(QWidget* on, QPoint pixels, Qt::KeyboardModifiers keys) {
-  const QPointF middle(on->width() / 2.0, on->height() / 2.0);
-  QWheelEvent event(middle, on->mapToGlobal(middle), pixels, pixels * 4, Qt::NoButton, keys,
-                    Qt::NoScrollPhase, false);
-  QCoreApplication::sendEvent(on, &event);
-}
-
-// They go apart by a share of their distance.
-void pinch(QWidget* on, QPointF at, double share) {
-  QNativeGestureEvent event(Qt::ZoomNativeGesture, QPointingDevice::primaryPointingDevice(), 2, at, at,
-                            on->mapToGlobal(at), share, {});
-  QCoreApplication::sendEvent(on, &event);
 }
 
 // The gesture of a slot; of what two fingers do, by them.
@@ -97,17 +44,12 @@ void backTo(Session& session, int step) {
 
 }  // namespace
 
-class TestMouseBindings : public QObject {
+class TestMouseBindings : public CleanSettings {
   Q_OBJECT
  private Q_SLOTS:
-  void init() {
-    QSettings().clear();
-    openAlone();
-  }
-  void cleanup() { init(); }
-  void everyRowOfAPresetInSlices_data() { addPresets(); }
+  void everyRowOfAPresetInSlices_data() { addMousePresets(); }
   void everyRowOfAPresetInSlices();
-  void everyRowOfAPresetIn3D_data() { addPresets(); }
+  void everyRowOfAPresetIn3D_data() { addMousePresets(); }
   void everyRowOfAPresetIn3D();
   void rowsOfPresetsAreThoseOfSlots();
   void presetsAreWhatTheySay_data();
@@ -118,31 +60,12 @@ class TestMouseBindings : public QObject {
   void aPresetIsChosenWhole();
   void whatIsChosenIsKept();
   void nonsenseInTheFileIsPassedOver();
-  void aPinchZooms_data() { addPresets(); }
-  void aPinchZooms();
-  void twoFingersPan();
-  void aRightClickOpensTheMenuAllTheSame_data();
-  void aRightClickOpensTheMenuAllTheSame();
-  void aBoxIsTheLeftButtons();
-  void aDragEndsWithItsButton();
-  void aWheelWithShiftLeavesTheCrosshair();
-  void theFirstKeyCounts();
-
- private:
-  static void addPresets() {
-    QTest::addColumn<QByteArray>("preset");
-    for (const MousePreset& preset : mousePresets())
-      QTest::newRow(preset.name.c_str()) << QByteArray(preset.name.c_str());
-  }
-  static void choose(Session& session, const QByteArray& preset) {
-    session.prefer(withMousePreset(session.preferences(), preset.toStdString()));
-  }
 };
 
 void TestMouseBindings::everyRowOfAPresetInSlices() {
   QFETCH(QByteArray, preset);
   MeasureWindow w;
-  choose(w.session(), preset);
+  chooseMousePreset(w.session(), preset);
   for (const MouseSlot& slot : slotsOf(MousePlace::flat)) {
     const std::string bound = boundTo(w.session().preferences(), slot);
     const int step = w.session().undoStack().index();
@@ -158,7 +81,7 @@ void TestMouseBindings::everyRowOfAPresetInSlices() {
 void TestMouseBindings::everyRowOfAPresetIn3D() {
   QFETCH(QByteArray, preset);
   MeasureWindow w;
-  choose(w.session(), preset);
+  chooseMousePreset(w.session(), preset);
   const std::map<std::string, QString> steps{{"chosen", QStringLiteral("Rotate")},
                                              {"pan", QStringLiteral("Pan")},
                                              {"zoom", QStringLiteral("Zoom")},
@@ -323,126 +246,6 @@ void TestMouseBindings::nonsenseInTheFileIsPassedOver() {
   const FlatSeen before(w);
   drag(w.view(), {62, 72}, {92, 40}, Qt::RightButton);
   QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("zoom"));
-}
-
-void TestMouseBindings::aBoxIsTheLeftButtons() {
-  for (const MouseSlot& slot : mouseSlots()) {
-    const std::vector<MouseAction>& all = mouseActions(slot);
-    const bool isOffered = std::ranges::find(all, "regionWindow", &MouseAction::word) != all.end();
-    QCOMPARE(isOffered, slot.place == MousePlace::flat && slot.input == MouseInput::left);
-  }
-  MeasureWindow w;
-  Preferences old;
-  old.mouseBindings["flat.middle"] = "regionWindow";
-  w.session().prefer(old);
-  const FlatSeen before(w);
-  drag(w.view(), {62, 72}, {92, 40}, Qt::MiddleButton);
-  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("pan"));
-}
-
-void TestMouseBindings::aDragEndsWithItsButton() {
-  MeasureWindow w;
-  const auto zoom = [&] { return flatLookOf(w.view()->state()).zoom; };
-  const auto moveTo = [&](int y) {
-    QTest::mouseEvent(QTest::MouseMove, w.view(), Qt::RightButton, {}, {62, y});
-  };
-  const int steps = w.session().undoStack().index();
-  QTest::mousePress(w.view(), Qt::RightButton, {}, {62, 72});
-  moveTo(92);
-  const double first = zoom();
-  QVERIFY(first != 1);
-  QTest::mouseClick(w.view(), Qt::LeftButton, {}, {62, 92});
-  moveTo(122);
-  const double second = zoom();
-  QVERIFY2(second != first, "the right button is still held");
-  QTest::mouseRelease(w.view(), Qt::RightButton, {}, {62, 122});
-  moveTo(150);
-  QCOMPARE(zoom(), second);
-  QCOMPARE(w.session().undoStack().index(), steps + 1);
-}
-
-// A hand on the wheel trembles; the crosshair follows the pointer once that goes somewhere.
-void TestMouseBindings::aWheelWithShiftLeavesTheCrosshair() {
-  MeasureWindow w;
-  const MouseSlot slot{MousePlace::flat, MouseInput::move, Qt::ShiftModifier};
-  const auto moveTo = [&](QPointF at) {
-    QMouseEvent move(QEvent::MouseMove, at, w.view()->mapToGlobal(at), Qt::NoButton, Qt::NoButton, slot.held);
-    QCoreApplication::sendEvent(w.view(), &move);
-  };
-  const QPointF middle(w.view()->width() / 2.0, w.view()->height() / 2.0), near = middle + QPointF(3, 2);
-  hover(w.view(), near);
-  const FlatSeen before(w);
-  moveTo(near + QPointF(2, 2));
-  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("none"));
-  wheel(w.view(), 1, Qt::ShiftModifier);
-  moveTo(near);
-  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("fast"));
-  moveTo(middle + QPointF(30, 20));
-  QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("crosshair"));
-  const FlatSeen there(w);
-  moveTo(middle + QPointF(32, 20));  // it goes on in small moves
-  QCOMPARE(doneBetween(there, FlatSeen(w)), std::string("crosshair"));
-}
-
-void TestMouseBindings::aPinchZooms() {
-  QFETCH(QByteArray, preset);
-  MeasureWindow w;
-  choose(w.session(), preset);
-  const QPointF at(70, 60);
-  const glm::dvec3 under = w.patient(at);
-  pinch(w.view(), at, 0.25);
-  pinch(w.view(), at, -0.1);
-  QVERIFY(std::abs(flatLookOf(w.view()->state()).zoom - 1.25 * 0.9) < 1e-9);
-  QVERIFY2(glm::length(w.patient(at) - under) < 1e-9, "what is between the fingers stays");
-  w.session().endGesture();
-  w.undo();
-  QCOMPARE(flatLookOf(w.view()->state()).zoom, 1.0);
-  const double height = w.window.view()->camera().height;
-  pinch(w.window.view(), at, 0.25);
-  QVERIFY(std::abs(w.window.view()->camera().height * 1.25 / height - 1) < 1e-6);
-  pinch(w.window.view(), at, -5);
-  QVERIFY2(w.window.view()->camera().height > 0, "nothing turns inside out");
-}
-
-void TestMouseBindings::twoFingersPan() {
-  MeasureWindow w;
-  choose(w.session(), "trackpad");
-  const QPointF at(70, 60);
-  const glm::dvec3 under = w.patient(at);
-  slide(w.view(), {12, -9}, {});
-  slide(w.view(), {3, 4}, {});
-  QVERIFY2(glm::length(w.patient(at + QPointF(15, -5)) - under) < 1e-9, "it follows the fingers");
-  w.session().endGesture();
-  w.undo();
-  QVERIFY(glm::length(w.patient(at) - under) < 1e-9);
-  const FlatSeen before(w);
-  wheel(w.view(), -1);
-  QVERIFY2(doneBetween(before, FlatSeen(w)) == "scroll", "a wheel has no pixels to pan by");
-}
-
-void TestMouseBindings::aRightClickOpensTheMenuAllTheSame_data() { addPresets(); }
-
-void TestMouseBindings::aRightClickOpensTheMenuAllTheSame() {
-  QFETCH(QByteArray, preset);
-  MeasureWindow w;
-  choose(w.session(), preset);
-  QTest::mouseClick(w.view(), Qt::RightButton, {}, {60, 60});
-  auto* menu = w.child<QMenu>("flatMenu");
-  QVERIFY(menu && menu->isVisible());
-  menu->close();
-  QTest::mouseClick(w.window.view(), Qt::RightButton, {}, {60, 60});
-  menu = w.child<QMenu>("volumeMenu");
-  QVERIFY(menu && menu->isVisible());
-  menu->close();
-  drag(w.view(), {60, 60}, {90, 90}, Qt::RightButton);
-  for (const QMenu* open : w.window.findChildren<QMenu*>(QStringLiteral("flatMenu")))
-    QVERIFY2(!open->isVisible(), "a drag is no click");
-}
-
-void TestMouseBindings::theFirstKeyCounts() {
-  QCOMPARE(heldOf(Qt::ControlModifier | Qt::ShiftModifier), Qt::ShiftModifier);
-  QCOMPARE(heldOf(Qt::AltModifier | Qt::ControlModifier), Qt::ControlModifier);
-  QCOMPARE(heldOf(Qt::KeypadModifier), Qt::NoModifier);
 }
 
 VOLUMEN_TEST(TestMouseBindings);

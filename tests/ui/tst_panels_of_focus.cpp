@@ -6,6 +6,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 
+#include "tests/ui/clean_settings.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
@@ -36,14 +37,9 @@ QString sentenceOf(Journey& w, const char* dock) {
 
 }  // namespace
 
-class TestPanelsOfFocus : public QObject {
+class TestPanelsOfFocus : public CleanSettings {
   Q_OBJECT
  private Q_SLOTS:
-  void init() {
-    QSettings().clear();
-    openAlone();
-  }
-  void cleanup() { init(); }
   void tabsFollowTheKindOfView();
   void aChosenTabComesBackWithItsKind();
   void whatIsAboutBothStays();

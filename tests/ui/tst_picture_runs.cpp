@@ -18,6 +18,21 @@
 using namespace volumen;
 using namespace volumen::tests;
 
+namespace {
+
+// Of pictures so large that they take their time.
+bool isSavingStack(MeasureWindow& w, const QString& folder) {
+  if (!QTest::qWaitFor([&] { return !w.view()->picture().isNull(); }, longest)) return false;
+  PictureDialog* dialog = ask(w, "saveStack");
+  dialog->findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(wide);
+  set(dialog, "pictureWidth", 3000);
+  accept(dialog);
+  answer(w, "pictureFilesDialog", folder);
+  return QTest::qWaitFor([&] { return w.child<QWidget>("cancelTask")->isVisible(); }, longest);
+}
+
+}  // namespace
+
 class TestPictureRuns : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -101,13 +116,7 @@ void TestPictureRuns::numbersAreThoseOfThePicture() {
 void TestPictureRuns::whatIsCancelledLeavesNothing() {
   const QTemporaryDir folder;
   MeasureWindow w(ballSeries(96, 30));
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  PictureDialog* dialog = ask(w, "saveStack");
-  dialog->findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(wide);
-  set(dialog, "pictureWidth", 3000);
-  accept(dialog);
-  answer(w, "pictureFilesDialog", folder.path());
-  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("cancelTask")->isVisible(), longest);
+  QVERIFY(isSavingStack(w, folder.path()));
   QVERIFY(w.child<QLabel>("taskText")->text().startsWith(QStringLiteral("Saving pictures")));
   QTest::mouseClick(w.child<QWidget>("cancelTask"), Qt::LeftButton);
   QTRY_COMPARE_WITH_TIMEOUT(w.child<Banner>("banner")->sentence(),
@@ -147,13 +156,7 @@ void TestPictureRuns::whatIsBeingWrittenIsWrittenToItsEnd() {
 void TestPictureRuns::theWindowAsksBeforePicturesAreLost() {
   const QTemporaryDir folder;
   MeasureWindow w(ballSeries(96, 30));
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  PictureDialog* dialog = ask(w, "saveStack");
-  dialog->findChild<QComboBox*>(QStringLiteral("pictureSize"))->setCurrentIndex(wide);
-  set(dialog, "pictureWidth", 3000);
-  accept(dialog);
-  answer(w, "pictureFilesDialog", folder.path());
-  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("cancelTask")->isVisible(), longest);
+  QVERIFY(isSavingStack(w, folder.path()));
   QVERIFY(!w.window.close());
   auto* box = w.child<QMessageBox>("closeBox");
   QVERIFY(box->text().contains(QStringLiteral("pictures that are being written")));

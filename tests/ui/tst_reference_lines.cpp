@@ -1,5 +1,6 @@
 // Guards the lines of other views' planes: in compared layouts, through links between frames of reference,
 // over frames, of first and last slices; switched by action, key and preference.
+#include "tests/ui/clean_settings.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
@@ -33,14 +34,9 @@ int greenPixels(const QImage& image) {
 
 }  // namespace
 
-class TestReferenceLines : public QObject {
+class TestReferenceLines : public CleanSettings {
   Q_OBJECT
  private Q_SLOTS:
-  void init() {
-    QSettings().clear();
-    openAlone();
-  }
-  void cleanup() { init(); }
   void aPlaneOfTheSameFrameIsALine();
   void aLineFollowsItsPlane();
   void otherFramesNeedALink();
