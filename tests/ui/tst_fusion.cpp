@@ -69,6 +69,7 @@ class TestFusion : public QObject {
   void seriesOpenInTheirUsualLayout();
   void aLayoutThatWasChosenComesBack();
   void petOpensOverItsCt();
+  void aStudyOfBothOpensFused();
   void overlaysAreChosenMixedAndUndone();
   void anotherFrameOfReferenceIsNoOverlay();
   void colourMapsAreShown();
@@ -156,6 +157,26 @@ void TestFusion::petOpensOverItsCt() {
   for (int n = 0; n < 3; ++n) w.child<QAction>("undo")->trigger();
   QCOMPARE(w.modality(w.workspace().view(sceneViewId).series), std::string("CT"));
   QVERIFY(w.look(axialViewId).overlay.empty());
+}
+
+void TestFusion::aStudyOfBothOpensFused() {
+  const std::string data = tests::dataPath("pet-ct");
+  NEED_DATA(data);
+  const UsualLayouts usual;
+  Journey w({QString::fromStdString(data)});
+  const auto modalityOf = [&](const SeriesKey& key) {
+    const Workspace& workspace = w.window.session().workspace();
+    return key.empty() ? std::string() : workspace.series.at(key).series->modality;
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
+  const Workspace& workspace = w.window.session().workspace();
+  QCOMPARE(modalityOf(workspace.view(sceneViewId).series), std::string("PT"));
+  for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId}) {
+    QCOMPARE(modalityOf(workspace.view(id).series), std::string("CT"));
+    QCOMPARE(modalityOf(flatLookOf(workspace.view(id)).overlay), std::string("PT"));
+    QTRY_VERIFY_WITH_TIMEOUT(!w.window.views()->viewAs<FlatView>(id)->picture().isNull(), longest);
+  }
+  QVERIFY2(!w.child<QAction>("undo")->isEnabled(), "opening is no step");
 }
 
 void TestFusion::overlaysAreChosenMixedAndUndone() {

@@ -60,7 +60,7 @@ void Opener::showFrames(const Series& series) {
 
 void Opener::showFirst(const Study& study, const std::optional<Scene>& scene) {
   if (const Result<std::size_t> largest = chooseSeries(study, {}); largest && !study.volumes.empty()) {
-    const Series& series = study.volumes[*largest];
+    const Series& series = scene ? study.volumes[*largest] : petOver(study.volumes[*largest], study);
     return opensAsPictures(series) && !scene ? showFrames(series) : loader_.load(series, scene);
   }
   if (const std::vector<Series> frames = frameSeries(study); !frames.empty()) showFrames(frames.front());
@@ -84,6 +84,14 @@ const Series* Opener::ctUnder(const Series& pet) const {
         (!found || voxels(*series) > voxels(*found)))
       found = series;
   return found;
+}
+
+const Series& Opener::petOver(const Series& ct, const Study& study) const {
+  for (const Series& series : study.volumes) {
+    const Series* under = series.modality == "PT" && isUsefulVolume(series) ? ctUnder(series) : nullptr;
+    if (under && keyOf(*under) == keyOf(ct)) return series;
+  }
+  return ct;
 }
 
 Workspace Opener::inLayoutOf(Workspace workspace, const Series& series) const {

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/widgets/untinted_icon.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -147,11 +148,7 @@ void PresetBar::showChosen() {
 void PresetBar::showThumbnail(const QString& name, const QImage& image) {
   const int n = box_->findData(name);
   if (n < 0) return;
-  QIcon icon;
-  // Not tinted in the row that is selected.
-  for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected})
-    icon.addPixmap(QPixmap::fromImage(image), mode);
-  box_->setItemIcon(n, icon);
+  box_->setItemIcon(n, untintedIcon(image));
 }
 
 void PresetBar::askName() {

@@ -9,6 +9,7 @@
 
 #include "ui/panels/study_model.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/widgets/untinted_icon.h"
 #include "ui/workspace/dragged_series.h"
 #include "ui/workspace/indexed_text.h"
 #include "ui/workspace/text.h"
@@ -87,7 +88,7 @@ void SeriesStrip::showNames() {
 void SeriesStrip::setThumbnail(std::int64_t series, const QImage& thumbnail) {
   made_.insert(series);
   for (int n = 0; n < count() && !thumbnail.isNull(); ++n)
-    if (choiceOf(item(n)).series == series) item(n)->setIcon(QPixmap::fromImage(thumbnail));
+    if (choiceOf(item(n)).series == series) item(n)->setIcon(untintedIcon(thumbnail));
 }
 
 IndexedChoice SeriesStrip::choiceOf(const QListWidgetItem* item) const {

@@ -15,6 +15,7 @@
 #include "ui/data/frame_series.h"
 #include "ui/panels/studies_panel_roles.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/widgets/untinted_icon.h"
 #include "ui/workspace/dragged_series.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
@@ -202,7 +203,7 @@ void StudiesPanel::addSeries(const OpenStudy& opened, std::vector<std::size_t> r
 void StudiesPanel::setThumbnail(const Series& series, const QImage& thumbnail) {
   for (QTreeWidgetItemIterator it(tree_); *it; ++it)
     if (const Series* listed = seriesOf(*it); listed && standsFor(*listed, series))
-      (*it)->setIcon(0, QPixmap::fromImage(thumbnail));
+      (*it)->setIcon(0, untintedIcon(thumbnail));
 }
 
 void StudiesPanel::showMenu(QPoint position) {
@@ -313,8 +314,8 @@ void StudiesPanel::markShown(const Series& shown, const VolumePtr& volume) {
         (*it)->setData(0, stepRole, qulonglong(openedOf(*it)->numberOf(*step)));
     tree_->setCurrentItem(*it);
     if (volume && !opensAsFrames(shown))
-      (*it)->setIcon(0, QPixmap::fromImage(
-                            squareThumbnail(thumbnailOf(*volume, shown.unit, thumbnailEdge), thumbnailEdge)));
+      (*it)->setIcon(
+          0, untintedIcon(squareThumbnail(thumbnailOf(*volume, shown.unit, thumbnailEdge), thumbnailEdge)));
   }
 }
 
