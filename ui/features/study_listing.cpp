@@ -19,11 +19,6 @@ namespace volumen {
 
 namespace {
 
-// Under which a study of a source stands among what is open.
-QString placeOf(const StudySource& source, std::int64_t study) {
-  return QStringLiteral("%1:%2").arg(source.key()).arg(study);
-}
-
 bool showsAnything(const Workspace& workspace) {
   return std::ranges::any_of(viewsOnScreen(workspace),
                              [&](ViewId id) { return !workspace.view(id).series.empty(); });
@@ -180,7 +175,7 @@ void StudyListing::connectSource(StudySource& source) {
   connect(
       &source, &StudySource::filesFound, this,
       [this, &source](const IndexedChoice& choice, const std::vector<std::string>& files,
-                      const OpenIntent& intent) { openFound(placeOf(source, choice.study), files, intent); });
+                      const OpenIntent& intent) { openFound(source.placeOf(choice.study), files, intent); });
   connect(&source, &StudySource::failed, this, [this](const QString& sentence) { warn(sentence); });
   connect(&source, &StudySource::noticed, this,
           [this](const QString& sentence) { bench_.banner.add(sentence); });
@@ -260,6 +255,7 @@ void StudyListing::showFound(const QString& place, const std::shared_ptr<const S
   if (const auto asked = asked_.extract(place)) filesOf_[place] = asked.mapped();
   bench_.document.opener.list(place, study);
   if (!study->refused.empty()) bench_.banner.add(unreadText(*study), refusedTexts(study->refused));
+  if (intent.how == OpenHow::listed) return;
   waiting_.push_back({place, study, intent});
   showNext();
 }
