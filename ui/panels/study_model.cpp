@@ -49,6 +49,8 @@ QString studyCell(const IndexedStudy& study, StudyColumn column) {
       return shownText(study.sex);
     case StudyColumn::accession:
       return idText(study.accessionNumber);
+    case StudyColumn::institution:
+      return institutionText(study.institution);
     case StudyColumn::images:
       break;
   }
@@ -63,6 +65,7 @@ QString seriesCell(const IndexedSeries& series, StudyColumn column) {
     case StudyColumn::birthDate:
     case StudyColumn::sex:
     case StudyColumn::accession:
+    case StudyColumn::institution:
       return {};
     case StudyColumn::date:
       return dateText(series.date);
@@ -228,7 +231,7 @@ int StudyModel::rowCount(const QModelIndex& parent) const {
   return known == series_.end() ? 0 : int(known->second->size());
 }
 
-int StudyModel::columnCount(const QModelIndex&) const { return int(StudyColumn::accession) + 1; }
+int StudyModel::columnCount(const QModelIndex&) const { return int(StudyColumn::institution) + 1; }
 
 bool StudyModel::hasChildren(const QModelIndex& parent) const {
   if (parent.isValid() && parent.column() == 0 && kindOf(parent) == RowKind::study)
@@ -258,6 +261,7 @@ QString StudyModel::patientCell(const ListedPatient& patient, StudyColumn column
     case StudyColumn::sex:
       return studyCell(first, column);
     case StudyColumn::accession:
+    case StudyColumn::institution:
       return patient.studies.size() == 1 ? studyCell(first, column) : QString();
     case StudyColumn::date:
       return dateText(patient.date);
@@ -321,9 +325,9 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
   if (role == Qt::TextAlignmentRole)
     return int((StudyColumn(section) == StudyColumn::images ? Qt::AlignRight : Qt::AlignLeft) |
                Qt::AlignVCenter);
-  const QString names[] = {tr("Name"),       tr("ID"),          tr("Date"),
-                           tr("Modality"),   tr("Description"), tr("Images"),
-                           tr("Birth date"), tr("Sex"),         tr("Accession number")};
+  const QString names[] = {
+      tr("Name"),   tr("ID"),         tr("Date"), tr("Modality"),         tr("Description"),
+      tr("Images"), tr("Birth date"), tr("Sex"),  tr("Accession number"), tr("Institution")};
   return role == Qt::DisplayRole ? names[section] : QVariant();
 }
 
