@@ -65,6 +65,8 @@ class StudyListing : public Feature {
   void showNext();
   void showChosen(const Study& study, const OpenIntent& intent);
   void showOpened(const Series& series, OpenHow how);
+  void giveWay();
+  void comeBack();
   void focusNextView();
 
   StudySources& sources_ = bench_.document.sources;
@@ -78,6 +80,7 @@ class StudyListing : public Feature {
   };
   std::deque<Waiting> waiting_;
   bool listedOnce_ = false;                              // since the program began
+  bool gaveWay_ = false;                                 // to what is being loaded
   std::map<QString, std::vector<std::string>> filesOf_;  // what studies that are open were made of
   std::map<QString, std::vector<std::string>> asked_;    // what they are being read from
 };
@@ -97,6 +100,8 @@ StudyListing::StudyListing(Workbench& bench)
   connect(loader, &Loader::idle, this, &StudyListing::showNext, Qt::QueuedConnection);
   connect(loader, &Loader::seriesLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
   connect(loader, &Loader::notLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
+  for (const auto ended : {&Loader::idle, &Loader::loadGivenUp})
+    connect(loader, ended, this, &StudyListing::comeBack, Qt::QueuedConnection);
   browser_->refresh();
 }
 
@@ -297,9 +302,22 @@ void StudyListing::showOpened(const Series& series, OpenHow how) {
         bench_.document.opener.inLayoutOf(withoutOtherPatients(session_.workspace(), series), series));
   }
   bench_.document.opener.show(series);
-  if (how != OpenHow::instead) return;
-  browser_->clearSearch();
-  if (showsAnything(session_.workspace())) showBrowser(false);
+  if (how == OpenHow::instead) browser_->clearSearch();
+  if (how == OpenHow::instead || !showsAnything(session_.workspace())) giveWay();
+}
+
+// To what is shown, or to the first image of what is being loaded.
+void StudyListing::giveWay() {
+  const bool any = showsAnything(session_.workspace());
+  if (!any && !bench_.document.loader.isLoading()) return;
+  gaveWay_ = !any;
+  showBrowser(false);
+}
+
+// Where that came to nothing.
+void StudyListing::comeBack() {
+  if (bench_.document.loader.isLoading() || !std::exchange(gaveWay_, false)) return;
+  if (!showsAnything(session_.workspace())) showBrowser(true);
 }
 
 // The next view to compare: the first empty one, else the one behind the focus.
