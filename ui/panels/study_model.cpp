@@ -5,6 +5,7 @@
 #include <QMimeData>
 #include <QPalette>
 #include <algorithm>
+#include <tuple>
 
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/dragged_series.h"
@@ -168,6 +169,15 @@ IndexedChoice StudyModel::choiceAt(const QModelIndex& index) const {
   const IndexedStudy* study = studyAt(index);
   const IndexedSeries* series = seriesAt(index);
   return study ? IndexedChoice{study->id, series ? series->id : 0} : IndexedChoice{};
+}
+
+QModelIndex StudyModel::latestOf(const QModelIndex& index) const {
+  const ListedPatient* patient = patientAt(index);
+  if (!patient || patient->studies.size() < 2) return index;
+  const auto latest = std::ranges::max_element(patient->studies, [](const auto& a, const auto& b) {
+    return std::tie(a.date, a.time) < std::tie(b.date, b.time);
+  });
+  return this->index(int(latest - patient->studies.begin()), 0, index.siblingAtColumn(0));
 }
 
 std::vector<std::int64_t> StudyModel::studiesOf(const QModelIndex& index) const {
