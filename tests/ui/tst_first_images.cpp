@@ -3,6 +3,7 @@
 #include <QSemaphore>
 #include <QTemporaryDir>
 #include <QTreeView>
+#include <atomic>
 
 #include "io/export/dicom_series.h"
 #include "io/index/index.h"
@@ -18,6 +19,7 @@ namespace {
 // A window whose loads end when they are let go.
 struct SlowLoads {
   QSemaphore gate;
+  std::atomic<int> came = 0;  // to the gate
   Journey w;
 
   explicit SlowLoads(const char* path) : SlowLoads(QString::fromStdString(dataPath(path))) {}
@@ -31,6 +33,7 @@ struct SlowLoads {
     Services services = realServices();
     if (!indexFolder.empty()) services.indexFolder = indexFolder;
     services.makeScene = [this, real = services.makeScene](const std::string& preset, const Volume& volume) {
+      ++came;
       gate.acquire();
       return real(preset, volume);
     };
@@ -168,6 +171,7 @@ void TestFirstImages::theListOfStudiesGivesWayToIt() {
   doubleClick();
   QVERIFY(s.appears());
   QVERIFY(!browser->isVisible());
+  QTRY_COMPARE_WITH_TIMEOUT(s.came.load(), 1, longest);
   s.loader().cancel();
   QTRY_VERIFY_WITH_TIMEOUT(browser->isVisible() && !s.image()->isVisible(), longest);
   s.gate.release(1);  // what was given up ends
