@@ -3,6 +3,7 @@
 #include <QMenu>
 
 #include "tests/ui/frames_window.h"
+#include "tests/ui/hanging_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/banner.h"
@@ -49,6 +50,7 @@ class TestWindowAlone : public QObject {
   void withoutItTheViewHasThatOfTheSeries();
   void linksLeaveItAlone();
   void itIsKeptInTheSession();
+  void aProtocolShowsLungAndSoftTissue();
   void framesHaveOneToo();
   void coloursHaveNone();
 };
@@ -147,6 +149,30 @@ void TestWindowAlone::itIsKeptInTheSession() {
   const auto kept = flatLookOf(back->workspace.view(left)).windowAlone;
   QVERIFY(kept && kept->window == lung);
   QVERIFY(!flatLookOf(back->workspace.view(right)).windowAlone);
+}
+
+void TestWindowAlone::aProtocolShowsLungAndSoftTissue() {
+  const TwoDays days;
+  QVERIFY(TwoDays::writeDay(days.now, "20260301"));
+  HangingWindow w(QStringList{days.now});
+  QTRY_VERIFY_WITH_TIMEOUT(w.session().series() && !w.window.document().loader.isBusy(), longest);
+  const Workspace before = w.workspace();
+  const int steps = w.session().undoStack().index();
+  auto* menu = w.child<QMenu>("protocolMenu");
+  menu->popup({10, 10});
+  for (QAction* action : menu->actions())
+    if (action->text() == QStringLiteral("CT, lung and soft tissue")) action->trigger();
+  menu->close();
+  const auto said = [&](int cell) {
+    const auto* view = w.window.views()->viewAs<FlatView>(firstCell + cell);
+    return view && view->shown() ? view->overlays().bottomRight : QString();
+  };
+  QTRY_COMPARE_WITH_TIMEOUT(said(0), QStringLiteral("Lung  W 1500 L -600 (this view)"), longest);
+  QTRY_COMPARE_WITH_TIMEOUT(said(1), QStringLiteral("Abdomen  W 400 L 40 (this view)"), longest);
+  QVERIFY(w.in(0) && w.in(1) && keyOf(*w.in(0)) == keyOf(*w.in(1)));
+  QCOMPARE(w.session().undoStack().index(), steps + 1);
+  w.child<QAction>("undo")->trigger();
+  QVERIFY(w.workspace().views == before.views && w.workspace().series == before.series);
 }
 
 void TestWindowAlone::framesHaveOneToo() {
