@@ -15,7 +15,7 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr Window lung{-600, 1500}, first{500, 1000};
+constexpr Window ofLung{-600, 1500}, ofBall{500, 1000};
 
 // One series in both views, the left one with a window alone.
 struct AloneWindow : TwoSeries {
@@ -60,14 +60,14 @@ void TestWindowAlone::oneSeriesIsSeenByTwoWindows() {
   AloneWindow w;
   QVERIFY(w.child<QAction>("windowAlone")->isChecked());
   QTest::keyClick(w.view(left), Qt::Key_6);
-  QVERIFY(w.alone(left) && w.alone(left)->window == lung);
+  QVERIFY(w.alone(left) && w.alone(left)->window == ofLung);
   QVERIFY(!w.ofSeries(left));
-  QTRY_VERIFY_WITH_TIMEOUT(std::abs(w.air(left) - linearGrey(0, lung)) <= 1, longest);
-  QTRY_VERIFY_WITH_TIMEOUT(std::abs(w.air(right) - linearGrey(0, first)) <= 1, longest);
+  QTRY_VERIFY_WITH_TIMEOUT(std::abs(w.air(left) - linearGrey(0, ofLung)) <= 1, longest);
+  QTRY_VERIFY_WITH_TIMEOUT(std::abs(w.air(right) - linearGrey(0, ofBall)) <= 1, longest);
   QCOMPARE(w.view(left)->overlays().bottomRight, QStringLiteral("Lung  W 1500 L -600 (this view)"));
   QCOMPARE(w.view(right)->overlays().bottomRight, QStringLiteral("W 1000 L 500"));
   const auto larger = w.view(left)->requestFor({64, 64});
-  QVERIFY2(larger && larger->layers[0].grey.window == lung, "a picture of another size has it, too");
+  QVERIFY2(larger && larger->layers[0].grey.window == ofLung, "a picture of another size has it, too");
   QTest::mouseClick(w.view(right), Qt::LeftButton, {}, {100, 100});
   QVERIFY(!w.child<QAction>("windowAlone")->isChecked());
   w.shot("window-alone");
@@ -99,7 +99,7 @@ void TestWindowAlone::allThatSetsAWindowSetsThatOfTheView() {
   act(w);
   QVERIFY(w.alone(left) && w.alone(left)->window);
   QVERIFY(!w.ofSeries(left) && !w.alone(right));
-  QVERIFY(w.view(right)->windowShown() == first);
+  QVERIFY(w.view(right)->windowShown() == ofBall);
   QCOMPARE(w.session().undoStack().index(), steps + 1);
   w.press("undo");
   QVERIFY(w.workspace() == before);
@@ -110,7 +110,7 @@ void TestWindowAlone::withoutItTheViewHasThatOfTheSeries() {
   QTest::keyClick(w.view(left), Qt::Key_6);
   QTest::keyClick(w.view(right), Qt::Key_5);
   QVERIFY2(w.ofSeries(right) == Window({400, 2000}), "that of the view at the right is the series'");
-  QVERIFY(w.view(left)->windowShown() == lung);
+  QVERIFY(w.view(left)->windowShown() == ofLung);
   QTest::mouseClick(w.view(left), Qt::RightButton, {}, {100, 100});
   const Workspace before = w.workspace();
   auto* menu = w.child<QMenu>("flatMenu");
@@ -130,9 +130,9 @@ void TestWindowAlone::linksLeaveItAlone() {
   w.press("linkWindow");
   QTest::keyClick(w.view(right), Qt::Key_5);
   QVERIFY(w.ofSeries(right) == Window({400, 2000}));
-  QVERIFY(w.view(left)->windowShown() == first);
+  QVERIFY(w.view(left)->windowShown() == ofBall);
   QTest::keyClick(w.view(left), Qt::Key_6);
-  QVERIFY(w.view(left)->windowShown() == lung);
+  QVERIFY(w.view(left)->windowShown() == ofLung);
   QVERIFY(w.view(right)->windowShown() == Window({400, 2000}));
 }
 
@@ -147,7 +147,7 @@ void TestWindowAlone::itIsKeptInTheSession() {
   });
   QVERIFY2(back, back ? "" : back.message().c_str());
   const auto kept = flatLookOf(back->workspace.view(left)).windowAlone;
-  QVERIFY(kept && kept->window == lung);
+  QVERIFY(kept && kept->window == ofLung);
   QVERIFY(!flatLookOf(back->workspace.view(right)).windowAlone);
 }
 
