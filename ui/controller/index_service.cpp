@@ -40,6 +40,7 @@ Result<ChosenFiles> chosenFiles(Index& index, const IndexedChoice& choice, OpenH
 // The index finds words; whose they are is compared here.
 std::vector<IndexedStudy> studiesOfPatient(const Index& index, const std::string& id,
                                            const std::string& name) {
+  if (id.empty() && name.empty()) return {};
   StudyQuery query;
   query.words = id.empty() ? name : id;
   Result<std::vector<IndexedStudy>> found = index.studies(query);
