@@ -79,6 +79,7 @@ class TestComparePrior : public QObject {
   void aLaterOneThatIsListedIsTold();
   void filesThatAreGoneAreTold_data();
   void filesThatAreGoneAreTold();
+  void anOlderOneStandsForWhatIsGone();
   void theSecondViewFillsByItself();
 };
 
@@ -212,6 +213,18 @@ void TestComparePrior::filesThatAreGoneAreTold() {
   QTRY_VERIFY_WITH_TIMEOUT(w.complaint().startsWith(QStringLiteral("The files of an earlier study")),
                            longest);
   QVERIFY(w.workspace().views == before);
+}
+
+// And it is told that there is a later one.
+void TestComparePrior::anOlderOneStandsForWhatIsGone() {
+  const ListedDays all({QStringLiteral("20260301"), QStringLiteral("20240215"), QStringLiteral("20220215")});
+  QVERIFY(all.write());
+  QVERIFY(QDir(all.pathOf(QStringLiteral("20240215"))).removeRecursively());
+  ListedWindow w(all, {QStringLiteral("20260301")});
+  QVERIFY(w.isOpen());
+  w.comparePrior();
+  QVERIFY(w.shows(1, "20220215") && w.shows(0, "20260301"));
+  QVERIFY(w.complaint().startsWith(QStringLiteral("The files of an earlier study")));
 }
 
 void TestComparePrior::theSecondViewFillsByItself() {

@@ -1,6 +1,7 @@
 #include "ui/workspace/priors.h"
 
 #include <deque>
+#include <utility>
 
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
@@ -44,7 +45,7 @@ class Priors : public Feature {
   void openNext();
   void lookInto(const QString& place);
   SeriesPicture current() const;
-  void tellNone();
+  void tellAway();
   void tellLater();
   void offerRegistration(const Series& current, const Series& prior);
 
@@ -144,11 +145,13 @@ void Priors::openNext() {
     tell(tr("Opening an earlier study of this patient from the list of studies."));
     return next.source->open({next.study.id, 0}, OpenHow::listed);
   }
-  if (wanted_->after.empty() || wanted_->isAway)
-    tellNone();
-  else if (!wanted_->place.isEmpty())
-    tell(tr("The later study of this patient holds no such series."));
-  wanted_.reset();
+  const Wanted all = *std::exchange(wanted_, {});
+  if (all.isAway) return tellAway();
+  if (all.after.empty())
+    return warn(
+        tr("No earlier study of this patient with such a series is open or in the list of studies: open one "
+           "from its folder (Ctrl+O), or import it (Ctrl+I)."));
+  if (!all.place.isEmpty()) tell(tr("The later study of this patient holds no such series."));
 }
 
 void Priors::lookInto(const QString& place) {
@@ -161,8 +164,10 @@ void Priors::lookInto(const QString& place) {
   wanted_->isAway = wanted_->isAway || pictures.empty();
   const SeriesPicture found = mostLike(shown, pictures);
   if (!found) return openNext();
+  const bool isLaterAway = wanted_->isAway;
   wanted_.reset();
   show(shown, found);
+  if (isLaterAway) tellAway();
 }
 
 // What is wanted a prior of; none: it is not on screen any more.
@@ -175,14 +180,10 @@ SeriesPicture Priors::current() const {
   return {};
 }
 
-void Priors::tellNone() {
-  if (wanted_->isAway)
-    return warn(
-        tr("The files of an earlier study of this patient are not there now: connect the disk or network "
-           "folder that holds them, or import the folder from where they are."));
+void Priors::tellAway() {
   warn(
-      tr("No earlier study of this patient with such a series is open or in the list of studies: open one "
-         "from its folder (Ctrl+O), or import it (Ctrl+I)."));
+      tr("The files of an earlier study of this patient are not there now: connect the disk or network "
+         "folder that holds them, or import the folder from where they are."));
 }
 
 void Priors::tellLater() {
