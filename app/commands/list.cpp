@@ -51,6 +51,7 @@ Json toJson(const Listed& listed, bool withSeries) {
       {"time", s.time},
       {"description", s.description},
       {"accessionNumber", s.accessionNumber},
+      {"institution", s.institution},
       {"modalities", s.modalities},
       {"seriesCount", s.series},
       {"images", s.images},

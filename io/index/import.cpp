@@ -35,6 +35,7 @@ Result<ImportReport> Import::run(const std::vector<ImportRoot>& roots) {
   for (const ImportRoot& root : roots)
     if (Status done = importBelow(root); !done) return done.error();
   if (Status done = readStale(); !done) return done.error();
+  if (Status done = readInstitutions(); !done) return done.error();
   report_.cancelled = cancel_.cancelled();
   return std::move(report_);
 }
@@ -241,6 +242,28 @@ Status Import::readStale() {
     taken.clear();
   }
   return db_.takeStatus();
+}
+
+/// Of studies that were imported before the index knew it: from one file each that is there.
+Status Import::readInstitutions() {
+  std::vector<std::pair<std::int64_t, std::string>> files;  // of a study
+  for (Rows rows =
+           db_.run("SELECT t.id, d.path, f.name FROM study t JOIN series s ON s.study_id = t.id JOIN file"
+                   " f ON f.series_id = s.id JOIN folder d ON d.id = f.folder_id WHERE t.institution IS"
+                   " NULL AND t.forgotten_at = '' GROUP BY t.id");
+       rows.next();)
+    files.emplace_back(rows.number(0), FileOnDisk{rows.bytes(1), rows.bytes(2), {}}.path());
+  std::vector<std::pair<std::int64_t, std::string>> known;  // of a study
+  for (std::size_t n = 0; n < files.size() && !cancel_.cancelled(); ++n) {
+    if (progress_) progress_("reading institutions", n, files.size());
+    const auto& [study, path] = files[n];
+    if (exists(path)) known.emplace_back(study, furtherIdentity(path).institution);
+  }
+  if (known.empty()) return db_.takeStatus();
+  db_.begin();
+  for (const auto& [study, institution] : known) writer_.setInstitution(study, institution);
+  writer_.finish();
+  return db_.commit();
 }
 
 /// What was forgotten, or has had no files, for more than a day goes for good.

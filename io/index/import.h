@@ -49,6 +49,7 @@ class Import {
   Status writeUnreadable(const FilesBelow& below);
   Status writeGone();
   Status readStale();
+  Status readInstitutions();
   std::vector<FileOnDisk> filesOf(std::int64_t series);
   Status purge();
 

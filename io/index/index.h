@@ -30,7 +30,8 @@ struct IndexedStudy {
   std::int64_t id = 0;  ///< in the index
   std::string patientName, patientId, birthDate, sex;
   std::string studyUid, date, time, description, accessionNumber;
-  std::string modalities;  ///< "CT, PT": of its series, sorted
+  std::string institution;  ///< where it was made; not known of what an older program imported before
+  std::string modalities;   ///< "CT, PT": of its series, sorted
   int series = 0, images = 0;
   int warnings = 0;        ///< of its series
   bool offline = false;    ///< none of its files is there now
@@ -41,8 +42,8 @@ struct IndexedStudy {
 
 enum class StudyOrder { date, patient, modality, imported, opened };
 
-/// What `studies` gives: those that have every word of `words` in name, ID, date, modality or a description,
-/// in any script, without regard to case and accents.
+/// What `studies` gives: those that have every word of `words` in name, ID, date, accession number,
+/// institution, modality or a description, in any script, without regard to case and accents.
 struct StudyQuery {
   std::string words;  ///< as typed; empty: all
   StudyOrder order = StudyOrder::date;

@@ -43,7 +43,8 @@ std::vector<IndexedStudy> matching(Database& db, const std::string& words) {
   const std::string first = patterns.empty() ? "%" : patterns[0];
   for (Rows rows = db.run(
            "SELECT id, patient_name, patient_id, birth_date, sex, uid, date, time, description, accession,"
-           " imported_at, opened_at FROM study WHERE words LIKE ? ESCAPE '\\' AND forgotten_at = '' AND "
+           " imported_at, opened_at, institution FROM study WHERE words LIKE ? ESCAPE '\\' AND forgotten_at "
+           "= '' AND "
            "empty_at = ''",
            first);
        rows.next();) {
@@ -53,6 +54,7 @@ std::vector<IndexedStudy> matching(Database& db, const std::string& words) {
     s.sex = rows.text(4);
     s.studyUid = rows.text(5), s.date = rows.text(6), s.time = rows.text(7), s.description = rows.text(8);
     s.accessionNumber = rows.text(9), s.importedAt = rows.text(10), s.openedAt = rows.text(11);
+    s.institution = rows.text(12);
     studies.push_back(std::move(s));
   }
   for (std::size_t n = 1; n < patterns.size(); ++n)

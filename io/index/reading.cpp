@@ -7,16 +7,19 @@
 #include "io/open.h"
 
 namespace volumen {
-namespace {
 
 FurtherIdentity furtherIdentity(const std::string& path) {
   FurtherIdentity further;
   const Result<std::vector<dicom::AttributeLine>> lines = dicom::listAttributes(path);
   if (!lines) return further;
   const std::pair<const char*, std::string FurtherIdentity::*> wanted[] = {
-      {"(0008,0021)", &FurtherIdentity::seriesDate}, {"(0008,0030)", &FurtherIdentity::studyTime},
-      {"(0008,0031)", &FurtherIdentity::seriesTime}, {"(0008,0050)", &FurtherIdentity::accessionNumber},
-      {"(0010,0030)", &FurtherIdentity::birthDate},  {"(0010,0040)", &FurtherIdentity::sex}};
+      {"(0008,0080)", &FurtherIdentity::institution},
+      {"(0008,0021)", &FurtherIdentity::seriesDate},
+      {"(0008,0030)", &FurtherIdentity::studyTime},
+      {"(0008,0031)", &FurtherIdentity::seriesTime},
+      {"(0008,0050)", &FurtherIdentity::accessionNumber},
+      {"(0010,0030)", &FurtherIdentity::birthDate},
+      {"(0010,0040)", &FurtherIdentity::sex}};
   for (const dicom::AttributeLine& line : *lines)
     for (const auto& [tag, field] : wanted)
       if (line.depth == 0 && line.tag == tag) further.*field = line.value;
@@ -25,6 +28,8 @@ FurtherIdentity furtherIdentity(const std::string& path) {
     further.*field = dicom::dateOrTime(further.*field);
   return further;
 }
+
+namespace {
 
 /// The files that nothing of a study names: copies of pictures that it left out.
 std::vector<std::string> unnamed(const std::vector<std::string>& paths, const Study& study,

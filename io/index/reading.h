@@ -22,8 +22,11 @@ struct FileOnDisk {
 
 /// What a study says beside SeriesIdentity: of the first file of a series, raw text.
 struct FurtherIdentity {
-  std::string birthDate, sex, accessionNumber, studyTime, seriesDate, seriesTime;
+  std::string birthDate, sex, accessionNumber, institution, studyTime, seriesDate, seriesTime;
 };
+
+/// Of a DICOM file; empty where it cannot be read.
+FurtherIdentity furtherIdentity(const std::string& path);
 
 /// A series that was read, ready to be written.
 struct ReadSeries : FoundSeries {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t applicationId = 0x766f6c75;  // "volu"
 
-const std::array<SchemaStep, 2> indexSchema{
+const std::array<SchemaStep, 3> indexSchema{
     SchemaStep{
         "CREATE TABLE folder(id INTEGER PRIMARY KEY, path BLOB NOT NULL UNIQUE, device INTEGER NOT NULL)",
         "CREATE TABLE study(id INTEGER PRIMARY KEY, key BLOB NOT NULL UNIQUE, uid TEXT NOT NULL,"
@@ -48,7 +48,9 @@ const std::array<SchemaStep, 2> indexSchema{
         "INSERT INTO series_folder SELECT DISTINCT series_id, folder_id FROM file WHERE series_id IS NOT "
         "NULL",
         "CREATE INDEX file_refused ON file(folder_id) WHERE reason <> ''",
-    }};
+    },
+    // NULL: not known yet; the next import reads it (Import::readInstitutions).
+    SchemaStep{"ALTER TABLE study ADD COLUMN institution TEXT"}};
 
 const std::array<SchemaStep, 1> thumbnailSchema{SchemaStep{
     "CREATE TABLE thumbnail(key BLOB PRIMARY KEY, made_of BLOB NOT NULL, png BLOB NOT NULL) WITHOUT ROWID"}};

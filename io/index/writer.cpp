@@ -68,14 +68,17 @@ std::int64_t Writer::studyId(const ReadSeries& series, std::int64_t known) {
       series.isDicom ? s.studyDescription : orElse(s.studyDescription, fileName(series.files[0].path));
   const std::int64_t id = db_.number(
       "INSERT INTO study(key, uid, patient_name, patient_id, birth_date, sex, date, time, description,"
-      " accession, imported_at) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(key) DO UPDATE SET"
+      " accession, institution, imported_at) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(key) DO"
+      " UPDATE SET"
       " birth_date = IFNULL(NULLIF(excluded.birth_date, ''), birth_date),"
       " sex = IFNULL(NULLIF(excluded.sex, ''), sex), date = IFNULL(NULLIF(excluded.date, ''), date),"
       " time = IFNULL(NULLIF(excluded.time, ''), time),"
       " description = IFNULL(NULLIF(excluded.description, ''), description),"
-      " accession = IFNULL(NULLIF(excluded.accession, ''), accession), forgotten_at = '' RETURNING id",
+      " accession = IFNULL(NULLIF(excluded.accession, ''), accession),"
+      " institution = IFNULL(NULLIF(excluded.institution, ''), institution), forgotten_at = '' RETURNING id",
       Blob{key}, s.studyUid, s.patientName, s.patientId, series.further.birthDate, series.further.sex,
-      s.studyDate, series.further.studyTime, description, series.further.accessionNumber, timeNow());
+      s.studyDate, series.further.studyTime, description, series.further.accessionNumber,
+      series.further.institution, timeNow());
   studies_.insert(id);
   return id;
 }
@@ -165,6 +168,11 @@ void Writer::write(const std::vector<FileOnDisk>& files, const ReadFiles& read) 
   for (const auto& [path, file] : others) writeOther(*file, reasons[path]);
 }
 
+void Writer::setInstitution(std::int64_t study, const std::string& institution) {
+  db_.run("UPDATE study SET institution = ? WHERE id = ?", institution, study);
+  studies_.insert(study);
+}
+
 void Writer::move(std::int64_t file, const FileOnDisk& to) {
   const std::int64_t series = db_.number("SELECT series_id FROM file WHERE id = ?", file);
   db_.run("DELETE FROM file WHERE folder_id = ? AND name = ? AND id <> ?", folderId(to.folder), Blob{to.name},
@@ -240,11 +248,12 @@ void Writer::finishSeries(std::int64_t series) {
 /// turn up elsewhere.
 void Writer::finishStudy(std::int64_t study) {
   std::string words;
-  if (Rows rows = db_.run(
-          "SELECT patient_name, patient_id, date, description, accession FROM study WHERE id = ?", study);
+  if (Rows rows = db_.run("SELECT patient_name, patient_id, date, description, accession, institution FROM "
+                          "study WHERE id = ?",
+                          study);
       rows.next())
     words = rows.text(0) + " " + rows.text(1) + " " + rows.text(2) + " " + withDashes(rows.text(2)) + " " +
-            rows.text(3) + " " + rows.text(4);
+            rows.text(3) + " " + rows.text(4) + " " + rows.text(5);
   std::set<std::string> ofSeries;
   std::int64_t count = 0;
   for (Rows rows = db_.run("SELECT modality, description FROM series WHERE study_id = ?", study); rows.next();

@@ -18,6 +18,8 @@ class Writer {
   void write(const std::vector<FileOnDisk>& files, const ReadFiles& read);
   /// A file that is in no series: refused, with its reason, or no image.
   void writeOther(const FileOnDisk& file, const std::string& reason);
+  /// Where a study of the index was made.
+  void setInstitution(std::int64_t study, const std::string& institution);
   /// A file is at another place now; what is known of it stays.
   void move(std::int64_t file, const FileOnDisk& to);
   /// A file is no longer there.

@@ -146,18 +146,21 @@ void TestBrowser::furtherColumnsSort_data() {
   QTest::newRow("birth date") << int(StudyColumn::birthDate) << texts({"b", "c", "a"});
   QTest::newRow("sex") << int(StudyColumn::sex) << texts({"a", "b", "c"});
   QTest::newRow("accession number") << int(StudyColumn::accession) << texts({"c", "a", "b"});
+  QTest::newRow("institution") << int(StudyColumn::institution) << texts({"b", "a", "c"});
 }
 
 void TestBrowser::furtherColumnsSort() {
   QFETCH(int, column);
   QFETCH(QStringList, ascending);
   std::vector<IndexedStudy> studies(3);
-  const char* const values[][4] = {
-      {"a", "19800101", "F", "7"}, {"b", "19500630", "M", "9"}, {"c", "19721224", "O", "3"}};
+  const char* const values[][5] = {{"a", "19800101", "F", "7", "North"},
+                                   {"b", "19500630", "M", "9", "Hill"},
+                                   {"c", "19721224", "O", "3", "south"}};
   for (std::size_t n = 0; n < 3; ++n) {
     studies[n].id = std::int64_t(n + 1);
     studies[n].patientName = values[n][0], studies[n].birthDate = values[n][1];
     studies[n].sex = values[n][2], studies[n].accessionNumber = values[n][3];
+    studies[n].institution = values[n][4];
   }
   for (const bool isAscending : {true, false}) {
     QStringList names;
@@ -189,17 +192,20 @@ void TestBrowser::columnsAreChosenAndKept() {
   {
     BrowserWindow w(*studies_);
     QVERIFY(w.shows({doe, mueller, yamada}));
-    for (const StudyColumn column : {StudyColumn::birthDate, StudyColumn::sex, StudyColumn::accession})
+    for (const StudyColumn column :
+         {StudyColumn::birthDate, StudyColumn::sex, StudyColumn::accession, StudyColumn::institution})
       QVERIFY(isHidden(w, column));
     chosen(w.tree()->header()->viewport(), {40, 5}, "Birth date");
     QVERIFY(!isHidden(w, StudyColumn::birthDate));
+    chosen(w.tree()->header()->viewport(), {40, 5}, "Institution");
+    QVERIFY(!isHidden(w, StudyColumn::institution));
     chosen(w.tree()->viewport(), w.tree()->visualRect(w.row("Doe")).center(), "ID");
     QVERIFY(isHidden(w, StudyColumn::id));
     w.shot("browser-columns");
   }
   BrowserWindow w(*studies_);
-  QVERIFY(!isHidden(w, StudyColumn::birthDate) && isHidden(w, StudyColumn::id) &&
-          isHidden(w, StudyColumn::sex));
+  QVERIFY(!isHidden(w, StudyColumn::birthDate) && !isHidden(w, StudyColumn::institution) &&
+          isHidden(w, StudyColumn::id) && isHidden(w, StudyColumn::sex));
   QVERIFY(!isHidden(w, StudyColumn::name));
   QSettings().remove(QStringLiteral("studyColumns"));
 }

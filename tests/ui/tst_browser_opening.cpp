@@ -1,5 +1,6 @@
 // Guards the study browser of the window, by real events: what is opened from it, where, and that patients
 // stay apart.
+#include <QHeaderView>
 #include <QMimeData>
 #include <QUndoStack>
 
@@ -56,8 +57,9 @@ void TestBrowserOpening::aStudyIsOpened_data() {
   QTest::newRow("Enter in the search field") << QStringLiteral("search") << QByteArray("Venous");
   QTest::newRow("double-click on a patient with one study")
       << QStringLiteral("patient") << QByteArray("Venous");
-  QTest::newRow("double-click on a patient of several studies: the one that stands first")
+  QTest::newRow("double-click on a patient of several studies: the latest")
       << QStringLiteral("patients") << QByteArray("Bone");
+  QTest::newRow("the same where the oldest stands first") << QStringLiteral("oldest") << QByteArray("Bone");
 }
 
 void TestBrowserOpening::aStudyIsOpened() {
@@ -70,6 +72,19 @@ void TestBrowserOpening::aStudyIsOpened() {
   if (how == QStringLiteral("study")) w.doubleClick(w.row("Head", 4));
   if (how == QStringLiteral("patient")) w.doubleClick(w.row("Müller"));
   if (how == QStringLiteral("patients")) w.doubleClick(w.row("Doe"));
+  if (how == QStringLiteral("oldest")) {
+    QHeaderView* header = w.tree()->header();
+    while (header->sortIndicatorSection() != 2 || header->sortIndicatorOrder() != Qt::AscendingOrder)
+      QTest::mouseClick(header->viewport(), Qt::LeftButton, {},
+                        {header->sectionViewportPosition(2) + 10, header->height() / 2});
+    QVERIFY(w.shows({yamada, mueller, QStringLiteral("Doe, Jane")}));
+    const QModelIndex patient = w.row("Doe");
+    QCOMPARE(patient.model()->index(0, 4, patient).data().toString(), QStringLiteral("Follow-up"));
+    w.click(w.row("Müller"));
+    w.click(patient);
+    QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 2, longest);
+    w.doubleClick(patient);
+  }
   if (how == QStringLiteral("enter")) QTest::keyClick(w.tree(), Qt::Key_Return);
   if (how == QStringLiteral("series")) {
     w.tree()->setExpanded(w.row("Head", 4), true);

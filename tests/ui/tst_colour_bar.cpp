@@ -81,6 +81,7 @@ void TestColourBar::petBeginsAtSevenSuv() {
   QVERIFY2(isNear(window.centre, centre) && isNear(window.width, width),
            qPrintable(QString::number(window.width)));
   QVERIFY2(isNear(over.centre, centre) && isNear(over.width, std::abs(width)), "never inverted over another");
+  QVERIFY2(windowToCome(series->series, series->window) == window, "known before its values are");
   SeriesState set;
   set.window = Window{1, 2};
   QCOMPARE(flatWindow(set, *series), (Window{1, 2}));

@@ -1,7 +1,12 @@
 // Guards that there is something to look at while a series is being loaded: its middle slice, which scrolls,
 // gone once the views show the series or the load was given up.
 #include <QSemaphore>
+#include <QTemporaryDir>
+#include <QTreeView>
+#include <atomic>
 
+#include "io/export/dicom_series.h"
+#include "io/index/index.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/two_series.h"
 #include "ui/views/first_image.h"
@@ -14,16 +19,21 @@ namespace {
 // A window whose loads end when they are let go.
 struct SlowLoads {
   QSemaphore gate;
+  std::atomic<int> came = 0;  // to the gate
   Journey w;
 
-  explicit SlowLoads(const char* path) : w({}, services()) {
+  explicit SlowLoads(const char* path) : SlowLoads(QString::fromStdString(dataPath(path))) {}
+  explicit SlowLoads(const QString& path, const std::string& indexFolder = {})
+      : w({}, services(indexFolder)) {
     openAlone(false);
-    w.window.open({QString::fromStdString(dataPath(path))});
+    if (!path.isEmpty()) w.window.open({path});
   }
   ~SlowLoads() { gate.release(100); }
-  Services services() {
+  Services services(const std::string& indexFolder) {
     Services services = realServices();
+    if (!indexFolder.empty()) services.indexFolder = indexFolder;
     services.makeScene = [this, real = services.makeScene](const std::string& preset, const Volume& volume) {
+      ++came;
       gate.acquire();
       return real(preset, volume);
     };
@@ -44,6 +54,26 @@ struct SlowLoads {
   FlatView* flat() { return qobject_cast<FlatView*>(w.window.views()->viewShown()); }
 };
 
+// A CT of -1000 to 1000 HU from side to side, whose files have these windows.
+Status writeCt(const QString& folder, const std::vector<Window>& windows) {
+  VolumeParts parts;
+  parts.geometry.size = {64, 64, 48};
+  parts.geometry.patientFromVoxelStep *= 2;
+  std::vector<std::int16_t> values;
+  for (int n = 0; n < 64 * 64 * 48; ++n) values.push_back(std::int16_t(-1000 + 2000 * (n % 64) / 63));
+  parts.values = std::move(values);
+  parts.attributes.modality = "CT";
+  parts.attributes.windows = windows;
+  std::vector<std::string> warnings;
+  const Result<VolumePtr> volume = Volume::make(std::move(parts), warnings);
+  if (!volume) return volume.error();
+  DicomSeriesTags tags;
+  tags.patientName = "Doe^Jane", tags.patientId = "77", tags.studyDate = "20260301",
+  tags.description = "Chest";
+  const auto written = writeDicomSeries(**volume, tags, folder.toStdString());
+  return written ? Status() : Status(written.error());
+}
+
 constexpr const char* chest = "ct-chest-lidc0314-138";
 
 }  // namespace
@@ -54,6 +84,9 @@ class TestFirstImages : public QObject {
   void cleanup() { openAlone(); }
   void theMiddleSliceIsThereBeforeTheVolume();
   void theWheelScrollsIt();
+  void theWindowIsThatOfTheVolume_data();
+  void theWindowIsThatOfTheVolume();
+  void theListOfStudiesGivesWayToIt();
   void itGoesOnceTheViewsShowTheSeries();
   void itGoesWithTheLoad_data();
   void itGoesWithTheLoad();
@@ -86,6 +119,66 @@ void TestFirstImages::theWheelScrollsIt() {
   QTRY_VERIFY_WITH_TIMEOUT(s.image()->index() == 72 && s.image()->picture() != middle, longest);
   wheel(s.image(), 1000);
   QTRY_COMPARE_WITH_TIMEOUT(s.image()->index(), 0, longest);
+}
+
+void TestFirstImages::theWindowIsThatOfTheVolume_data() {
+  QTest::addColumn<bool>("hasWindows");
+  QTest::newRow("that of the files") << true;
+  QTest::newRow("40 / 400 where files have none") << false;
+}
+
+// Nothing jumps as the volume comes.
+void TestFirstImages::theWindowIsThatOfTheVolume() {
+  QFETCH(bool, hasWindows);
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("ct"));
+  const std::vector<Window> windows{{-600, 1500}, {50, 350}};
+  const Status written = writeCt(path, hasWindows ? windows : std::vector<Window>());
+  QVERIFY2(written, written ? "" : written.message().c_str());
+  SlowLoads s(path);
+  std::optional<GreyMapping> seen;
+  connect(&s.w.window.document().slices, &SliceService::ready, s.image(), [&](const SlicePicture& picture) {
+    if (picture.request.view == firstImageId) seen = picture.request.layers[0].grey;
+  });
+  QVERIFY(s.appears());
+  QVERIFY(seen && seen->window == (hasWindows ? windows[0] : Window{40, 400}));
+  QVERIFY(!s.loaded().empty());
+  const GreyMapping then = s.flat()->requestFor({64, 64})->layers[0].grey;
+  QVERIFY(then.window == seen->window && then.function == seen->function && then.inverted == seen->inverted);
+}
+
+// Double-click on a study while nothing is open: the list does not hide it, and is there again where the load
+// is given up.
+void TestFirstImages::theListOfStudiesGivesWayToIt() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("ct"));
+  const std::string home = folder.filePath(QStringLiteral("home")).toStdString();
+  QVERIFY(writeCt(path, {}));
+  {
+    Result<Index> index = Index::open(home);
+    QVERIFY(index && index->import({path.toStdString()}));
+  }
+  SlowLoads s(QString(), home);
+  auto* browser = s.w.child<QWidget>("studyBrowser");
+  auto* tree = s.w.child<QTreeView>("browserTree");
+  const auto doubleClick = [&] {
+    const QModelIndex row = tree->model()->index(tree->model()->rowCount() - 1, 0);
+    const QPoint at = tree->visualRect(row).center();
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(tree->viewport(), Qt::LeftButton, {}, at);
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(browser->isVisible() && tree->model()->rowCount() > 0, longest);
+  doubleClick();
+  QVERIFY(s.appears());
+  QVERIFY(!browser->isVisible());
+  QTRY_COMPARE_WITH_TIMEOUT(s.came.load(), 1, longest);
+  s.loader().cancel();
+  QTRY_VERIFY_WITH_TIMEOUT(browser->isVisible() && !s.image()->isVisible(), longest);
+  s.gate.release(1);  // what was given up ends
+  doubleClick();
+  QVERIFY(s.appears());
+  QVERIFY(!s.loaded().empty());
+  QVERIFY(!browser->isVisible());
 }
 
 void TestFirstImages::itGoesOnceTheViewsShowTheSeries() {

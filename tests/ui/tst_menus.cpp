@@ -77,7 +77,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Maximise view; Full screen; Light theme; Hide names; Layout >; Hanging protocols >; "
       "Compare with prior; Show in this view >; Turn and size >; "
       "Link >; "
-      "Measure >; Window presets >; Interpolate between voxels; "
+      "Measure >; Window presets >; Window of this view alone; Interpolate between voxels; "
       "Crosshair lines; Reference lines; Reference lines of first and last slices; Slab >; Colour map >; PET "
       "values >; Overlay "
       ">; DICOM attributes...; "

@@ -37,6 +37,18 @@ Result<ChosenFiles> chosenFiles(Index& index, const IndexedChoice& choice, OpenH
   return chosen;
 }
 
+// The index finds words; whose they are is compared here.
+std::vector<IndexedStudy> studiesOfPatient(const Index& index, const std::string& id,
+                                           const std::string& name) {
+  if (id.empty() && name.empty()) return {};
+  StudyQuery query;
+  query.words = id.empty() ? name : id;
+  Result<std::vector<IndexedStudy>> found = index.studies(query);
+  if (!found) return {};
+  std::erase_if(*found, [&](const IndexedStudy& s) { return s.patientId != id || s.patientName != name; });
+  return std::move(*found);
+}
+
 // A series without one is no failure: its files are offline, or hold no picture.
 Result<QImage> thumbnailImage(Index& index, std::int64_t series) {
   const Result<Thumbnail> png = index.thumbnail(series);
@@ -114,6 +126,18 @@ void IndexService::series(std::int64_t study) {
       queries_, [study](Index& index, const Job&) { return index.series(study); },
       [this, study](std::vector<IndexedSeries> found) {
         Q_EMIT seriesListed(study, std::make_shared<const std::vector<IndexedSeries>>(std::move(found)));
+      });
+}
+
+void IndexService::studiesOf(const std::string& patientId, const std::string& patientName) {
+  queries_.lane.run(
+      {},
+      [this, patientId, patientName](const Job&) {
+        const Index* index = indexOf(queries_);
+        return index ? studiesOfPatient(*index, patientId, patientName) : std::vector<IndexedStudy>();
+      },
+      [this, patientId, patientName](const std::vector<IndexedStudy>& studies) {
+        Q_EMIT patientListed(patientId, patientName, studies);
       });
 }
 

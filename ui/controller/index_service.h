@@ -22,6 +22,7 @@ class IndexService : public StudySource {
 
   void list(const StudyListRequest& request) override;
   void series(std::int64_t study) override;
+  void studiesOf(const std::string& patientId, const std::string& patientName) override;
   void wantThumbnails(const std::vector<std::int64_t>& series) override;
   /// Remembers that the study was opened, too.
   void open(const IndexedChoice& choice, OpenHow how) override;

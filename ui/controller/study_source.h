@@ -31,12 +31,17 @@ class StudySource : public QObject {
   virtual QString key() const = 0;
   /// For people.
   virtual QString name() const = 0;
+  /// Under which a study of it stands among what is open.
+  QString placeOf(std::int64_t study) const { return QStringLiteral("%1:%2").arg(key()).arg(study); }
 
   /// Ends in listed(), or in unavailable() where there is nothing to ask. Of what is asked meanwhile the
   /// newest alone need be answered.
   virtual void list(const StudyListRequest& request) = 0;
   /// Ends in seriesListed().
   virtual void series(std::int64_t study) = 0;
+  /// Ends in patientListed(): all studies of a patient of this ID and name, in no order; none where they
+  /// cannot be asked for. Here: there are none.
+  virtual void studiesOf(const std::string& patientId, const std::string& patientName);
   /// Ends in thumbnailMade() for each; those wanted before and not begun are given up. Here: there are none.
   virtual void wantThumbnails(const std::vector<std::int64_t>& series);
   /// Ends in filesFound(), once the files of the study are on this machine.
@@ -56,6 +61,8 @@ class StudySource : public QObject {
   /// The answer to this request.
   void listed(const volumen::StudyListRequest& request, const volumen::StudyListPtr& list);
   void seriesListed(qint64 study, const volumen::SeriesListPtr& series);
+  void patientListed(const std::string& patientId, const std::string& patientName,
+                     const std::vector<volumen::IndexedStudy>& studies);
   /// Null: there is none.
   void thumbnailMade(qint64 series, const QImage& thumbnail);
   /// The files of the study of a choice, and what was asked for, with the series of the choice.

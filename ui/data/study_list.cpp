@@ -64,6 +64,8 @@ SortKey studyKey(const IndexedStudy& study, StudyColumn by, const SortKeys& keys
       return keys(study.sex);
     case StudyColumn::accession:
       return keys(study.accessionNumber);
+    case StudyColumn::institution:
+      return keys(study.institution);
     case StudyColumn::images:
       break;
   }
@@ -149,6 +151,7 @@ std::vector<IndexedSeries> sortedSeries(std::vector<IndexedSeries> series, const
       case StudyColumn::birthDate:
       case StudyColumn::sex:
       case StudyColumn::accession:
+      case StudyColumn::institution:
         break;
     }
     return keys({});

@@ -9,7 +9,18 @@
 namespace volumen {
 
 /// The columns of the study browser, by which it can be sorted.
-enum class StudyColumn { name, id, date, modality, description, images, birthDate, sex, accession };
+enum class StudyColumn {
+  name,
+  id,
+  date,
+  modality,
+  description,
+  images,
+  birthDate,
+  sex,
+  accession,
+  institution
+};
 
 /// The studies of one patient, as they stand below each other.
 struct ListedPatient {

@@ -41,6 +41,7 @@ const std::vector<FeatureEntry>& features() {
       {"flat tools", makeFlatTools},
       {"picture turns", makePictureTurns},
       {"windows", makeWindowChoices},
+      {"window alone", makeWindowAlone},
       {"study list", makeStudyListing},
       {"plane lines", makePlaneLines},
       {"tools in focus", makeToolsInFocus},

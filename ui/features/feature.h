@@ -83,5 +83,6 @@ std::unique_ptr<Feature> makeUndo(Workbench& bench);
 std::unique_ptr<Feature> makeViewActions(Workbench& bench);
 std::unique_ptr<Feature> makeViewPictures(Workbench& bench);
 std::unique_ptr<Feature> makeWindowChoices(Workbench& bench);
+std::unique_ptr<Feature> makeWindowAlone(Workbench& bench);
 
 }  // namespace volumen

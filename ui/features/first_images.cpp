@@ -7,6 +7,7 @@
 #include "ui/views/first_image.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/time_points.h"
+#include "ui/workspace/view_window.h"
 
 namespace volumen {
 
@@ -28,6 +29,7 @@ class FirstImages : public Feature {
   void endOf(const SeriesKey& series);
   void look();
   void lookSoon();
+  SeriesState stateOfIt() const;
   View* viewOfIt() const;
   const QWidget* takenByIt() const;
   bool hasNothing(const View& view) const;
@@ -47,7 +49,7 @@ FirstImages::FirstImages(Workbench& bench)
   soon_.setInterval(0);
   connect(&moment_, &QTimer::timeout, this, [this] {
     look();
-    if (series_) image_->begin(series_);
+    if (series_) image_->begin(stateOfIt());
   });
   connect(&soon_, &QTimer::timeout, this, &FirstImages::look);
   connect(image_, &FirstImage::appears, this, &FirstImages::look);
@@ -94,6 +96,20 @@ void FirstImages::endOf(const SeriesKey& series) {
 // Once all views have heard of it.
 void FirstImages::lookSoon() {
   if (series_) soon_.start();
+}
+
+// What is known of how it will be seen.
+SeriesState FirstImages::stateOfIt() const {
+  const Workspace& workspace = session_.workspace();
+  const View* view = viewOfIt();
+  const auto known = workspace.series.find(keyOf(*series_));
+  SeriesState state;
+  if (view)
+    state = seriesStateIn(workspace, view->id());
+  else if (known != workspace.series.end())
+    state = known->second;
+  state.series = series_;
+  return state;
 }
 
 // The view that has the series in its place, the one in focus before others; null: none has.

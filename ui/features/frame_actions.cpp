@@ -11,6 +11,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
+#include "ui/workspace/view_window.h"
 
 namespace volumen {
 
@@ -45,10 +46,9 @@ void FrameActions::makeActions() {
   connect(add("ownWindows", tr("Each image its own window")), &QAction::triggered, this, [this](bool on) {
     session_.endGesture();
     session_.change(tr("Each image its own window"), [&](Workspace& w) {
-      SeriesState& state = w.series.edit(w.view(framesViewOf(w.focus)).series);
-      state.frameWindow = on ? FrameWindow::ofEach : FrameWindow::ofSeries;
-      state.window.reset();
-      state.namedGrey = 0;
+      const ViewId view = framesViewOf(w.focus);
+      w.series.edit(w.view(view).series).frameWindow = on ? FrameWindow::ofEach : FrameWindow::ofSeries;
+      setWindow(w, view, ChosenWindow());
     });
   });
   connect(add("overlaysAndShutters", tr("Overlays and shutters")), &QAction::triggered, this,

@@ -3,7 +3,9 @@
 #include "ui/data/frame_series.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/key_images.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/view_window.h"
 
 namespace volumen {
 
@@ -27,9 +29,7 @@ Workspace withPresentation(Workspace workspace, ViewId view, const DerivedKey& p
   look.presentation = presentation;
   look.inverted = false;
   makeWhole(look);
-  SeriesState& series = workspace.series.edit(state.series);
-  series.window.reset();
-  series.namedGrey = 0;
+  setWindow(workspace, view, ChosenWindow());
   return workspace;
 }
 

@@ -181,7 +181,8 @@ void HangingProtocols::hang(const HangingProtocol& protocol) {
 // What readers want at once: where the study was opened as such, and only the first time. Of several that are
 // opened together one is shown.
 void HangingProtocols::await(const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
-  if (intent.scene || !intent.seriesUid.empty() || intent.how == OpenHow::beside) return;
+  if (intent.scene || !intent.seriesUid.empty()) return;
+  if (intent.how == OpenHow::beside || intent.how == OpenHow::listed) return;
   if (intent.isShown && (!*intent.isShown || intent.isShown == openedTogether_)) return;
   openedTogether_ = intent.isShown;
   awaited_.push_back(study);

@@ -13,6 +13,7 @@
 #include "ui/workspace/frame_look.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/view_window.h"
 
 namespace volumen {
 
@@ -64,7 +65,7 @@ QString fileName(const Series& series, bool namesHidden) {
 // Whether all pictures of a view have the window of the first one.
 bool sharesWindow(const PictureStop& stop) {
   const ViewState& view = stop.workspace.view(stop.view);
-  const SeriesState& state = stop.workspace.series.at(view.series);
+  const SeriesState state = seriesStateIn(stop.workspace, stop.view);
   return !showsFrames(view.kind) || state.window || !hasOwnWindows(state, *state.series);
 }
 

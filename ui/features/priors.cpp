@@ -1,22 +1,55 @@
 #include "ui/workspace/priors.h"
 
+#include <deque>
+#include <utility>
+
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/links.h"
+#include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 
 namespace volumen {
 
 namespace {
 
-// The series in focus beside the same one of an earlier day.
+// The series in focus beside the same one of an earlier day: of a study that is open, else of one that a
+// source of studies lists, which is opened for it.
 class Priors : public Feature {
  public:
   explicit Priors(Workbench& bench);
 
  private:
+  struct Listed {
+    StudySource* source;
+    IndexedStudy study;
+  };
+  // A picture whose prior is looked for.
+  struct Wanted {
+    SeriesKey series;
+    int frame = -1;
+    std::string after{};           // day of the prior that is open; empty: none is
+    bool mayOpen = true;           // else it is only told that there is a later one
+    int answers = 0;               // of sources, still to come
+    std::deque<Listed> studies{};  // that may hold it, the latest first
+    bool isAway = false;           // files of one of them are not there
+    QString place{};               // of the one that is being opened; empty: none was yet
+    bool isRead = false;           // from its files, which are here
+  };
+
   void compare();
+  void show(const SeriesPicture& current, const SeriesPicture& prior);
+  void askSources(const Series& series);
+  void take(StudySource& source, const std::string& patientId, const std::string& patientName,
+            const std::vector<IndexedStudy>& studies);
+  void openNext();
+  void lookInto(const QString& place);
+  SeriesPicture current() const;
+  void tellAway();
+  void tellLater();
   void offerRegistration(const Series& current, const Series& prior);
+
+  std::optional<Wanted> wanted_;
 };
 
 Priors::Priors(Workbench& bench) : Feature(bench) {
@@ -27,24 +60,136 @@ Priors::Priors(Workbench& bench) : Feature(bench) {
                     false,
                     [this](bool) { compare(); },
                     {{"viewMenu", 60, 54}}});
+  for (const auto& each : bench_.document.sources.all()) {
+    StudySource* source = each.get();
+    connect(source, &StudySource::patientListed, this,
+            [this, source](const std::string& id, const std::string& name,
+                           const std::vector<IndexedStudy>& studies) { take(*source, id, name, studies); });
+    connect(source, &StudySource::filesFound, this,
+            [this, source](const IndexedChoice& choice, const std::vector<std::string>&,
+                           const OpenIntent& intent) {
+              if (!wanted_ || wanted_->place != source->placeOf(choice.study)) return;
+              if (intent.how != OpenHow::listed) return wanted_.reset();  // it was opened by hand
+              wanted_->isRead = true;
+            });
+    connect(source, &StudySource::failed, this, [this] {
+      if (wanted_ && !wanted_->place.isEmpty()) wanted_.reset();
+    });
+  }
+  connect(&open_, &OpenStudies::added, this, &Priors::lookInto);
+  // Cancelled, or it could not be read.
+  connect(&bench_.document.loader, &Loader::idle, this, [this] {
+    if (wanted_ && wanted_->isRead) wanted_.reset();
+  });
 }
 
+// What is open is shown at once; a later one that is listed is opened where the open one stands there
+// already.
 void Priors::compare() {
   const Workspace& workspace = session_.workspace();
   const SeriesPicture shown = pictureIn(workspace, workspace.focus);
   if (!shown) return warn(tr("Click a view that shows a series first."));
-  const SeriesPicture found = priorOf(shown, open_.pictures());
-  if (!found)
-    return warn(
-        tr("No earlier study of this patient with such a series is open: open one first, from the "
-           "list of studies (Ctrl+B) or from its folder (Ctrl+O)."));
-  const Series current = *shown.series, prior = *found.series;
+  const Series series = *shown.series;
+  wanted_ = Wanted{keyOf(series), shown.frame};
+  if (const SeriesPicture found = priorOf(shown, open_.pictures())) {
+    wanted_->after = found.series->studyDate;
+    wanted_->mayOpen = std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId id) {
+      return workspace.view(id).series == keyOf(*found.series);
+    });
+    show(shown, found);
+  }
+  askSources(series);
+}
+
+void Priors::show(const SeriesPicture& current, const SeriesPicture& prior) {
+  const Series left = *current.series, right = *prior.series;
   session_.endGesture();
   bench_.action("maximise")->setChecked(false);
-  session_.change(tr("Compare with prior"),
-                  withTimePointsOf(comparedWithPrior(workspace, shown, found), prior, open_.volumes()));
+  session_.change(
+      tr("Compare with prior"),
+      withTimePointsOf(comparedWithPrior(session_.workspace(), current, prior), right, open_.volumes()));
   session_.endGesture();
-  offerRegistration(current, prior);
+  offerRegistration(left, right);
+}
+
+void Priors::askSources(const Series& series) {
+  const auto& sources = bench_.document.sources.all();
+  wanted_->answers = int(sources.size());
+  for (const auto& source : sources) source->studiesOf(series.patientId, series.patientName);
+}
+
+// One that was asked for something else meanwhile answers that, too: whose the studies are is compared.
+void Priors::take(StudySource& source, const std::string& patientId, const std::string& patientName,
+                  const std::vector<IndexedStudy>& studies) {
+  const SeriesPicture now = current();
+  if (!now || !wanted_->answers) return;
+  if (now.series->patientId != patientId || now.series->patientName != patientName) return;
+  for (const IndexedStudy& study : unopenedPriors(*now.series, studies, open_.pictures(), wanted_->after))
+    wanted_->studies.push_back({&source, study});
+  if (--wanted_->answers > 0) return;
+  std::ranges::stable_sort(wanted_->studies,
+                           [](const Listed& a, const Listed& b) { return a.study.date > b.study.date; });
+  if (wanted_->mayOpen) return openNext();
+  if (!wanted_->studies.empty()) tellLater();
+  wanted_.reset();
+}
+
+void Priors::openNext() {
+  while (!wanted_->studies.empty()) {
+    const Listed next = wanted_->studies.front();
+    wanted_->studies.pop_front();
+    wanted_->isAway = wanted_->isAway || next.study.offline;
+    if (next.study.offline) continue;
+    wanted_->place = next.source->placeOf(next.study.id);
+    wanted_->isRead = false;
+    tell(tr("Opening an earlier study of this patient from the list of studies."));
+    return next.source->open({next.study.id, 0}, OpenHow::listed);
+  }
+  const Wanted all = *std::exchange(wanted_, {});
+  if (all.isAway) return tellAway();
+  if (all.after.empty())
+    return warn(
+        tr("No earlier study of this patient with such a series is open or in the list of studies: open one "
+           "from its folder (Ctrl+O), or import it (Ctrl+I)."));
+  if (!all.place.isEmpty()) tell(tr("The later study of this patient holds no such series."));
+}
+
+void Priors::lookInto(const QString& place) {
+  if (!wanted_ || wanted_->place != place) return;
+  const SeriesPicture shown = current();
+  if (!shown) return wanted_.reset();
+  std::vector<const Series*> pictures;
+  const OpenStudy* opened = open_.find(place);
+  for (std::size_t n = 0; const Series* series = opened->seriesAt(n); ++n) pictures.push_back(series);
+  wanted_->isAway = wanted_->isAway || pictures.empty();
+  const SeriesPicture found = mostLike(shown, pictures);
+  if (!found) return openNext();
+  const bool isLaterAway = wanted_->isAway;
+  wanted_.reset();
+  show(shown, found);
+  if (isLaterAway) tellAway();
+}
+
+// What is wanted a prior of; none: it is not on screen any more.
+SeriesPicture Priors::current() const {
+  if (!wanted_) return {};
+  const Workspace& workspace = session_.workspace();
+  for (const ViewId id : viewsOnScreen(workspace))
+    if (const Series* series = seriesIn(workspace, id); series && keyOf(*series) == wanted_->series)
+      return {series, wanted_->frame};
+  return {};
+}
+
+void Priors::tellAway() {
+  warn(
+      tr("The files of an earlier study of this patient are not there now: connect the disk or network "
+         "folder that holds them, or import the folder from where they are."));
+}
+
+void Priors::tellLater() {
+  tell(namesHidden() ? tr("The list of studies holds a later prior: Alt+7 again opens it.")
+                     : tr("The list of studies holds a later prior, of %1: Alt+7 again opens it.")
+                           .arg(dateText(wanted_->studies.front().study.date)));
 }
 
 // Positions of two days are comparable only where they are in one frame of reference.

@@ -19,11 +19,6 @@ namespace volumen {
 
 namespace {
 
-// Under which a study of a source stands among what is open.
-QString placeOf(const StudySource& source, std::int64_t study) {
-  return QStringLiteral("%1:%2").arg(source.key()).arg(study);
-}
-
 bool showsAnything(const Workspace& workspace) {
   return std::ranges::any_of(viewsOnScreen(workspace),
                              [&](ViewId id) { return !workspace.view(id).series.empty(); });
@@ -70,6 +65,8 @@ class StudyListing : public Feature {
   void showNext();
   void showChosen(const Study& study, const OpenIntent& intent);
   void showOpened(const Series& series, OpenHow how);
+  void giveWay();
+  void comeBack();
   void focusNextView();
 
   StudySources& sources_ = bench_.document.sources;
@@ -83,6 +80,7 @@ class StudyListing : public Feature {
   };
   std::deque<Waiting> waiting_;
   bool listedOnce_ = false;                              // since the program began
+  bool gaveWay_ = false;                                 // to what is being loaded
   std::map<QString, std::vector<std::string>> filesOf_;  // what studies that are open were made of
   std::map<QString, std::vector<std::string>> asked_;    // what they are being read from
 };
@@ -102,6 +100,8 @@ StudyListing::StudyListing(Workbench& bench)
   connect(loader, &Loader::idle, this, &StudyListing::showNext, Qt::QueuedConnection);
   connect(loader, &Loader::seriesLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
   connect(loader, &Loader::notLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
+  for (const auto ended : {&Loader::idle, &Loader::loadGivenUp})
+    connect(loader, ended, this, &StudyListing::comeBack, Qt::QueuedConnection);
   browser_->refresh();
 }
 
@@ -180,7 +180,7 @@ void StudyListing::connectSource(StudySource& source) {
   connect(
       &source, &StudySource::filesFound, this,
       [this, &source](const IndexedChoice& choice, const std::vector<std::string>& files,
-                      const OpenIntent& intent) { openFound(placeOf(source, choice.study), files, intent); });
+                      const OpenIntent& intent) { openFound(source.placeOf(choice.study), files, intent); });
   connect(&source, &StudySource::failed, this, [this](const QString& sentence) { warn(sentence); });
   connect(&source, &StudySource::noticed, this,
           [this](const QString& sentence) { bench_.banner.add(sentence); });
@@ -260,6 +260,7 @@ void StudyListing::showFound(const QString& place, const std::shared_ptr<const S
   if (const auto asked = asked_.extract(place)) filesOf_[place] = asked.mapped();
   bench_.document.opener.list(place, study);
   if (!study->refused.empty()) bench_.banner.add(unreadText(*study), refusedTexts(study->refused));
+  if (intent.how == OpenHow::listed) return;
   waiting_.push_back({place, study, intent});
   showNext();
 }
@@ -301,9 +302,22 @@ void StudyListing::showOpened(const Series& series, OpenHow how) {
         bench_.document.opener.inLayoutOf(withoutOtherPatients(session_.workspace(), series), series));
   }
   bench_.document.opener.show(series);
-  if (how != OpenHow::instead) return;
-  browser_->clearSearch();
-  if (showsAnything(session_.workspace())) showBrowser(false);
+  if (how == OpenHow::instead) browser_->clearSearch();
+  if (how == OpenHow::instead || !showsAnything(session_.workspace())) giveWay();
+}
+
+// To what is shown, or to the first image of what is being loaded.
+void StudyListing::giveWay() {
+  const bool any = showsAnything(session_.workspace());
+  if (!any && !bench_.document.loader.isLoading()) return;
+  gaveWay_ = !any;
+  showBrowser(false);
+}
+
+// Where that came to nothing.
+void StudyListing::comeBack() {
+  if (bench_.document.loader.isLoading() || !std::exchange(gaveWay_, false)) return;
+  if (!showsAnything(session_.workspace())) showBrowser(true);
 }
 
 // The next view to compare: the first empty one, else the one behind the focus.

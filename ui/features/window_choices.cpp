@@ -37,6 +37,7 @@ WindowChoices::WindowChoices(Workbench& bench) : Feature(bench) {
     menu->addActions(choicesOf(menu, bench_.flatViewInFocus()));
     if (menu->isEmpty()) menu->addAction(tr("Click a slice or a frame first."))->setEnabled(false);
     menu->addSeparator();
+    menu->addAction(bench_.action("windowAlone"));
     menu->addAction(bench_.action("regionWindowTool"));
     menu->addAction(bench_.action("editWindows"));
   });

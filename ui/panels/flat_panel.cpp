@@ -12,6 +12,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/view_window.h"
 
 namespace volumen {
 
@@ -294,8 +295,7 @@ void FlatPanel::setWindow(WindowEnds ends) {
   if (!shown_) return;
   const QString what = tr("Window");
   session_.change(
-      what, [&](Workspace& w) { w.series.edit(w.view(shown_->view).series).window = windowBetween(ends); },
-      what);
+      what, [&](Workspace& w) { volumen::setWindow(w, shown_->view, windowBetween(ends)); }, what);
 }
 
 void FlatPanel::setOverlayWindow(WindowEnds ends) {

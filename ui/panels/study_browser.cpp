@@ -192,9 +192,9 @@ void StudyBrowser::restore(const TreeState& state) {
   tree_->verticalScrollBar()->setValue(state.scrolled);
 }
 
-// Of a patient those of the study that stands first.
+// Of a patient those of the latest study; of the group of those opened last those of the first.
 void StudyBrowser::showSeriesOf(const QModelIndex& index) {
-  const IndexedStudy* study = model_->studyAt(index);
+  const IndexedStudy* study = model_->studyAt(model_->latestOf(index));
   if (!study && index.isValid()) study = model_->studyAt(model_->index(0, 0, index.siblingAtColumn(0)));
   if (!study) return strip_->showStudy(0, nullptr);
   if (study->id == strip_->study()) return;
@@ -233,9 +233,9 @@ void StudyBrowser::open(const IndexedChoice& choice, bool isOffline, bool beside
 
 void StudyBrowser::openCurrent(bool beside) { openBest(tree_->currentIndex(), beside); }
 
-// Of a patient the study that stands first.
+// Of a patient the latest study, of the group of those opened last the first.
 void StudyBrowser::openBest(const QModelIndex& row, bool beside) {
-  QModelIndex index = row.siblingAtColumn(0);
+  QModelIndex index = model_->latestOf(row.siblingAtColumn(0));
   if (!model_->studyAt(index) && index.isValid()) index = model_->index(0, 0, index);
   if (const IndexedStudy* study = model_->studyAt(index)) {
     const IndexedSeries* series = model_->seriesAt(index);

@@ -25,7 +25,7 @@ void StudyBrowser::makeSourceBox() {
 
 void StudyBrowser::makeSearchRow() {
   search_->setObjectName(QStringLiteral("browserSearch"));
-  search_->setPlaceholderText(tr("Search by name, ID, date, modality or description"));
+  search_->setPlaceholderText(tr("Search by name, ID, date, institution, modality or description"));
   search_->setAccessibleName(tr("Search all studies"));
   search_->setClearButtonEnabled(true);
   import_->setObjectName(QStringLiteral("browserImport"));

@@ -25,7 +25,8 @@ constexpr ColumnRow columnTable[] = {{StudyColumn::name, "name", "Somebody, Anyo
                                      {StudyColumn::images, "images", "10,000", true},
                                      {StudyColumn::birthDate, "birthDate", "0000-00-00", false},
                                      {StudyColumn::sex, "sex", "Sex", false},
-                                     {StudyColumn::accession, "accession", "Accession number", false}};
+                                     {StudyColumn::accession, "accession", "Accession number", false},
+                                     {StudyColumn::institution, "institution", "University Hospital", false}};
 
 // Whose study it is stands in every row.
 bool canBeHidden(const ColumnRow& row) { return row.column != StudyColumn::name; }

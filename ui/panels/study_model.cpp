@@ -5,6 +5,7 @@
 #include <QMimeData>
 #include <QPalette>
 #include <algorithm>
+#include <tuple>
 
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/dragged_series.h"
@@ -49,6 +50,8 @@ QString studyCell(const IndexedStudy& study, StudyColumn column) {
       return shownText(study.sex);
     case StudyColumn::accession:
       return idText(study.accessionNumber);
+    case StudyColumn::institution:
+      return institutionText(study.institution);
     case StudyColumn::images:
       break;
   }
@@ -63,6 +66,7 @@ QString seriesCell(const IndexedSeries& series, StudyColumn column) {
     case StudyColumn::birthDate:
     case StudyColumn::sex:
     case StudyColumn::accession:
+    case StudyColumn::institution:
       return {};
     case StudyColumn::date:
       return dateText(series.date);
@@ -167,6 +171,15 @@ IndexedChoice StudyModel::choiceAt(const QModelIndex& index) const {
   return study ? IndexedChoice{study->id, series ? series->id : 0} : IndexedChoice{};
 }
 
+QModelIndex StudyModel::latestOf(const QModelIndex& index) const {
+  const ListedPatient* patient = patientAt(index);
+  if (!patient || patient->studies.size() < 2) return index;
+  const auto latest = std::ranges::max_element(patient->studies, [](const auto& a, const auto& b) {
+    return std::tie(a.date, a.time) < std::tie(b.date, b.time);
+  });
+  return this->index(int(latest - patient->studies.begin()), 0, index.siblingAtColumn(0));
+}
+
 std::vector<std::int64_t> StudyModel::studiesOf(const QModelIndex& index) const {
   if (!index.isValid() || isRecentGroup(index) || kindOf(index) == RowKind::series) return {};
   if (kindOf(index) == RowKind::study) return {studyAt(index)->id};
@@ -228,7 +241,7 @@ int StudyModel::rowCount(const QModelIndex& parent) const {
   return known == series_.end() ? 0 : int(known->second->size());
 }
 
-int StudyModel::columnCount(const QModelIndex&) const { return int(StudyColumn::accession) + 1; }
+int StudyModel::columnCount(const QModelIndex&) const { return int(StudyColumn::institution) + 1; }
 
 bool StudyModel::hasChildren(const QModelIndex& parent) const {
   if (parent.isValid() && parent.column() == 0 && kindOf(parent) == RowKind::study)
@@ -258,6 +271,7 @@ QString StudyModel::patientCell(const ListedPatient& patient, StudyColumn column
     case StudyColumn::sex:
       return studyCell(first, column);
     case StudyColumn::accession:
+    case StudyColumn::institution:
       return patient.studies.size() == 1 ? studyCell(first, column) : QString();
     case StudyColumn::date:
       return dateText(patient.date);
@@ -321,9 +335,9 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
   if (role == Qt::TextAlignmentRole)
     return int((StudyColumn(section) == StudyColumn::images ? Qt::AlignRight : Qt::AlignLeft) |
                Qt::AlignVCenter);
-  const QString names[] = {tr("Name"),       tr("ID"),          tr("Date"),
-                           tr("Modality"),   tr("Description"), tr("Images"),
-                           tr("Birth date"), tr("Sex"),         tr("Accession number")};
+  const QString names[] = {
+      tr("Name"),   tr("ID"),         tr("Date"), tr("Modality"),         tr("Description"),
+      tr("Images"), tr("Birth date"), tr("Sex"),  tr("Accession number"), tr("Institution")};
   return role == Qt::DisplayRole ? names[section] : QVariant();
 }
 

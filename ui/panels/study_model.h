@@ -45,6 +45,8 @@ class StudyModel : public QAbstractItemModel {
   const IndexedSeries* seriesAt(const QModelIndex& index) const;
   /// The study, or the series; {0, 0} for groups and patients of several studies.
   IndexedChoice choiceAt(const QModelIndex& index) const;
+  /// Of a patient of several studies the row of the latest; else the row itself.
+  QModelIndex latestOf(const QModelIndex& index) const;
   /// All studies of a patient; else the one of the row. None of a series.
   std::vector<std::int64_t> studiesOf(const QModelIndex& index) const;
   bool isRecentGroup(const QModelIndex& index) const;

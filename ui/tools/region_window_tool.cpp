@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/tools/tool.h"
+#include "ui/workspace/view_window.h"
 #include "ui/workspace/windows.h"
 #include "viewer/slice/slice.h"
 
@@ -57,9 +58,8 @@ class RegionWindowDrag : public Drag {
     const auto window = windowOfValues(valuesIn(press_, box), press_.window, *press_.series);
     if (!window) return true;
     press_.session.endGesture();
-    press_.session.change(QCoreApplication::translate("volumen", "Window from region"), [&](Workspace& w) {
-      w.series.edit(keyOf(press_.series->series)).window = *window;
-    });
+    press_.session.change(QCoreApplication::translate("volumen", "Window from region"),
+                          [&](Workspace& w) { setWindow(w, press_.view, window); });
     return true;
   }
 

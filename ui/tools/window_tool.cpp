@@ -1,6 +1,7 @@
 #include <QCoreApplication>
 
 #include "ui/tools/tool.h"
+#include "ui/workspace/view_window.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
@@ -17,7 +18,7 @@ class WindowDrag : public Drag {
     const Window window = draggedWindow(press_.window, {moved.x(), moved.y()}, *press_.series);
     const QString text = QCoreApplication::translate("volumen", "Window");
     press_.session.change(
-        text, [&](Workspace& w) { w.series.edit(keyOf(press_.series->series)).window = window; }, text);
+        text, [&](Workspace& w) { setWindow(w, press_.view, window); }, text);
   }
 
  private:

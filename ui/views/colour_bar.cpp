@@ -6,6 +6,7 @@
 #include "ui/tools/tool.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "ui/workspace/view_window.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
@@ -105,8 +106,9 @@ void setBarWindow(Session& session, const ColourBar& bar, const Window& window) 
   session.change(
       text,
       [&](Workspace& w) {
+        if (!bar.over) return setWindow(w, bar.view, window);
         SeriesState& state = w.series.edit(keyOf(bar.series->series));
-        state.window = bar.over ? windowOfOverlay(window, state, *bar.series) : window;
+        state.window = windowOfOverlay(window, state, *bar.series);
       },
       text);
 }

@@ -12,6 +12,7 @@ namespace volumen {
 
 /// What a bar of colours stands for: a series over another, or one that is shown in colours itself.
 struct ColourBar {
+  ViewId view = 0;  ///< where it stands
   LoadedSeriesPtr series;
   ColourMap map = ColourMap::grey;
   Window window;  ///< in use, stored values; inverted: the lowest value is on top
@@ -32,7 +33,7 @@ bool isOnBarEnd(const QRectF& area, QPointF p);
 /// Drags the end of the bar that is there, as a scale: so many heights of the bar are so many times its
 /// window; Shift: fine, Ctrl: fast. The other end stays. Null: there is none.
 std::unique_ptr<Drag> beginBarEnd(Session& session, const QRectF& area, const ColourBar& bar, QPointF at);
-/// Gives its series a window; edits in a gesture are one step.
+/// Gives what it stands for a window; edits in a gesture are one step.
 void setBarWindow(Session& session, const ColourBar& bar, const Window& window);
 
 }  // namespace volumen

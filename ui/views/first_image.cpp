@@ -24,11 +24,12 @@ FirstImage::FirstImage(FrameService& frames, SliceService& slices, QWidget* pare
   connect(&slices_, &SliceService::ready, this, &FirstImage::takePicture);
 }
 
-void FirstImage::begin(const std::shared_ptr<const Series>& series) {
+void FirstImage::begin(const SeriesState& state) {
   end();
-  const int count = frameCount(*series);
+  const int count = frameCount(*state.series);
   if (count == 0) return;
-  series_ = series;
+  state_ = state;
+  series_ = state.series;
   go(count / 2, 1);
 }
 
@@ -64,10 +65,20 @@ void FirstImage::askForPicture() {
   const QSize size = this->size() * devicePixelRatioF();
   const SlicePlane plane =
       flatPlane(view, FlatLook(), frame_->geometry(), Crosshair(), {size.width(), size.height()});
-  SeriesState state;
-  state.series = series_;
-  const SliceLayer layer{frame_->slice->volume, frameGrey(state, FlatLook(), *frame_)};
+  const SliceLayer layer{frame_->slice->volume, frameGrey(shownState(), FlatLook(), *frame_), state_.colours};
   slices_.request({firstImageId, {layer}, plane, frame_});
+}
+
+// With the window that the volume will have.
+SeriesState FirstImage::shownState() const {
+  SeriesState state = state_;
+  const std::vector<NamedGrey>& greys = frame_->seriesGreys.empty() ? frame_->greys : frame_->seriesGreys;
+  // Where the frame has other values than the volume, its own way is the best there is.
+  if (state.window || greys.empty() || frame_->slice->series.unit != series_->unit) return state;
+  const NamedGrey& first = greys.front();
+  const bool isWindow = !first.ofValues && first.mapping.table.grey.empty();
+  state.window = windowToCome(*series_, isWindow ? std::optional(first.mapping.window) : std::nullopt);
+  return state;
 }
 
 void FirstImage::takePicture(const SlicePicture& picture) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "ui/controller/slice_service.h"
+#include "ui/workspace/workspace.h"
 
 namespace volumen {
 
@@ -19,8 +20,9 @@ class FirstImage : public QWidget {
  public:
   FirstImage(FrameService& frames, SliceService& slices, QWidget* parent);
 
-  /// Shows a slice once it is read, unless that comes after end().
-  void begin(const std::shared_ptr<const Series>& series);
+  /// Shows a slice of the series of a state as its volume will be seen, as far as that is known by then; once
+  /// it is read, unless that comes after end().
+  void begin(const SeriesState& state);
   void end();
   /// Of what is on screen, from 0.
   int index() const { return frame_ ? frame_->key.index : 0; }
@@ -40,10 +42,12 @@ class FirstImage : public QWidget {
   void takeFrame(int view, const LoadedFramePtr& frame);
   void takePicture(const SlicePicture& picture);
   void askForPicture();
+  SeriesState shownState() const;
 
   FrameService& frames_;
   SliceService& slices_;
-  std::shared_ptr<const Series> series_;  // null: it has ended
+  SeriesState state_;
+  std::shared_ptr<const Series> series_;  // of it; null: it has ended
   int wanted_ = 0;
   double wheelRest_ = 0;  // notches not yet scrolled
   LoadedFramePtr frame_;

@@ -8,6 +8,7 @@
 #include "ui/views/cine_bar.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/view_window.h"
 
 namespace volumen {
 
@@ -56,7 +57,7 @@ SlicePlane FlatView::fittedPlane(const Workspace& workspace, QSize pixels) const
                    {pixels.width(), pixels.height()});
 }
 
-const SeriesState& FlatView::seriesState() const { return session_.workspace().series.at(state().series); }
+SeriesState FlatView::seriesState() const { return seriesStateIn(session_.workspace(), id()); }
 
 void FlatView::askForPicture() {
   askForLens();

@@ -193,7 +193,10 @@ class FlatView : public View {
   /// What is there to be dragged, on screen alone.
   virtual void paintHandles(QPainter& /*painter*/) const {}
 
-  const SeriesState& seriesState() const;
+  /// What holds for its series in this view (ui/workspace/view_window).
+  SeriesState seriesState() const;
+  /// These words about the window, and that it is of this view alone where it is.
+  QString windowLine(const QString& words) const;
   std::optional<SlicePress> pressAt(QPointF p) const;
   /// Of the segmentations over the picture.
   std::vector<SegmentLayer> segmentLayers() const;

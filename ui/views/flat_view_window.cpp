@@ -6,12 +6,17 @@
 #include "ui/widgets/window_edit.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "ui/workspace/view_window.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
 
 std::optional<Window> FlatView::windowShown() const {
   return shown() && hasWindow() ? std::optional(greyWindow()) : std::nullopt;
+}
+
+QString FlatView::windowLine(const QString& words) const {
+  return flatLookOf(state()).windowAlone ? tr("%1 (this view)").arg(words) : words;
 }
 
 // Where the numbers of the window stand; empty: nowhere, there are none.
@@ -31,7 +36,7 @@ void FlatView::typeWindow() {
     if (!this->shown()) return;
     session_.endGesture();
     session_.change(tr("Window"), [&](Workspace& w) {
-      w.series.edit(state().series).window = storedWindow({typed.centre, sign * typed.width}, shown->series);
+      setWindow(w, id(), storedWindow({typed.centre, sign * typed.width}, shown->series));
     });
   });
   connect(edit, &WindowEdit::closed, this, [this] { setFocus(); });

@@ -15,6 +15,7 @@
 #include "ui/workspace/presented_frame.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/view_window.h"
 
 namespace volumen {
 
@@ -163,7 +164,7 @@ SliceRequest FrameView::requestOf(const SlicePlane& plane) const {
 }
 
 Window FrameView::greyWindow() const {
-  const SeriesState& series = seriesState();
+  const SeriesState series = seriesState();
   return series.window.value_or(frameGrey(series, flatLookOf(state()), *frame_).window);
 }
 
@@ -223,9 +224,9 @@ void FrameView::chooseWindow(int number) {
   if (!shown()) return;
   const std::vector<GreyChoice> choices = greyChoices(*frame_, seriesState(), session_.preferences().windows);
   if (number >= int(choices.size())) return;
+  const GreyChoice& choice = choices[std::size_t(number)];
   session_.change(tr("Window"), [&](Workspace& w) {
-    SeriesState& state = w.series.edit(this->state().series);
-    state = withGrey(state, choices[std::size_t(number)]);
+    setWindow(w, id(), ChosenWindow{choice.window, choice.namedGrey});
   });
 }
 
@@ -293,7 +294,7 @@ Overlays FrameView::overlays() const {
   texts.add(CornerItem::mark, QStringList{presentationText(), keyImageText()});
   Overlays o = cornersOf(texts);
   o.isLate = cine_->isLate();
-  o.bottomRight = greyText(seriesState(), look, *frame_, session_.preferences().windows);
+  o.bottomRight = windowLine(greyText(seriesState(), look, *frame_, session_.preferences().windows));
   o.warning = failure_;
   if (hasMm(*frame_)) o.mmPerPixel = now.mmPerPixel * devicePixelRatioF();
   const auto side = [&](glm::dvec3 direction) {

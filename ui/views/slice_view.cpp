@@ -15,6 +15,7 @@
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 #include "ui/workspace/value_text.h"
+#include "ui/workspace/view_window.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
@@ -239,9 +240,8 @@ void SliceView::chooseWindow(int number) {
   if (!shown) return;
   const std::vector<NamedWindow> choices = windowChoices(*shown, session_.preferences().windows);
   if (number >= int(choices.size())) return;
-  session_.change(tr("Window"), [&](Workspace& w) {
-    w.series.edit(keyOf(shown->series)).window = choices[std::size_t(number)].window;
-  });
+  session_.change(tr("Window"),
+                  [&](Workspace& w) { setWindow(w, id(), choices[std::size_t(number)].window); });
 }
 
 PictureSeen SliceView::pictureSeen() const {
@@ -294,7 +294,7 @@ Overlays SliceView::overlays() const {
               tr("with %1, %2 %").arg(seriesText(over->series)).arg(std::lround(100 * look.overlayOpacity)));
   texts.add(CornerItem::mark, keyImageText());
   Overlays o = cornersOf(texts);
-  o.bottomRight = namedWindow(window, shown->series, session_.preferences().windows);
+  o.bottomRight = windowLine(namedWindow(window, shown->series, session_.preferences().windows));
   if (!shown->volume->geometry().calibrated) return o;
   const auto letters = [known = knowsSides(shown->series)](glm::dvec3 d) {
     return known ? QString::fromStdString(sideLetters(d)) : QString();

@@ -16,9 +16,9 @@ std::optional<ColourBar> SliceView::colourBar() const {
   const FlatLook look = flatLookOf(state());
   const auto& all = session_.workspace().series;
   if (const LoadedSeriesPtr over = session_.seriesNamed(look.overlay))
-    return ColourBar{over, look.overlayColours, overlayWindow(all.at(look.overlay), *over), true};
+    return ColourBar{id(), over, look.overlayColours, overlayWindow(all.at(look.overlay), *over), true};
   if (seriesState().colours == ColourMap::grey) return {};
-  return ColourBar{shown(), seriesState().colours, flatWindow(seriesState(), *shown()), false};
+  return ColourBar{id(), shown(), seriesState().colours, flatWindow(seriesState(), *shown()), false};
 }
 
 void SliceView::paintColours(QPainter& painter) const {

@@ -10,6 +10,7 @@
 #include "ui/workspace/links.h"
 #include "ui/workspace/time_points.h"
 #include "ui/workspace/value_text.h"
+#include "ui/workspace/view_window.h"
 
 namespace volumen {
 
@@ -152,7 +153,7 @@ std::string wantedText(const std::string& names) {
 }
 
 Workspace withCell(Workspace workspace, ViewId id, const ProtocolCell& cell, const SeriesPicture& picture,
-                   const Series* over) {
+                   const Series* over, bool windowAlone) {
   const Series& series = *picture.series;
   const SeriesKey key = keyOf(series);
   makeEmpty(workspace.editView(id), {});
@@ -180,8 +181,21 @@ Workspace withCell(Workspace workspace, ViewId id, const ProtocolCell& cell, con
   look.slabMm = asFrames ? 0 : cell.slabMm;
   look.slabMode = cell.slabMode;
   look.inverted = cell.inverted;
-  if (cell.window) workspace.series.edit(key).window = storedWindow(*cell.window, series);
+  if (windowAlone) workspace = withWindowAlone(std::move(workspace), id, true);
+  if (cell.window) setWindow(workspace, id, storedWindow(*cell.window, series));
   return workspace;
+}
+
+// Whether another cell shows the series of this one by another window.
+bool hasWindowAlone(const HangingProtocol& protocol, const std::vector<SeriesPicture>& found,
+                    std::size_t cell) {
+  if (!protocol.cells[cell].window) return false;
+  for (std::size_t n = 0; n < found.size(); ++n)
+    if (found[n] && keyOf(*found[n].series) == keyOf(*found[cell].series) &&
+        protocol.cells[n].picture != CellPicture::scene &&
+        protocol.cells[n].window != protocol.cells[cell].window)
+      return true;
+  return false;
 }
 
 std::vector<const Series*> allOf(const PatientStudies& studies) {
@@ -262,7 +276,8 @@ Workspace hung(Workspace workspace, const HangingProtocol& protocol, const Patie
     }
     const ProtocolCell& cell = protocol.cells[n];
     const Series* over = cell.over.empty() ? nullptr : pictureFor(protocol, studies, cell.over, 1).series;
-    workspace = withCell(std::move(workspace), views[n], cell, picture, over);
+    workspace =
+        withCell(std::move(workspace), views[n], cell, picture, over, hasWindowAlone(protocol, found, n));
     workspace = withTimePointsOf(std::move(workspace), *picture.series, allOf(studies));
     if (!first) first = views[n];
   }

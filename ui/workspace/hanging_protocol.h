@@ -49,8 +49,10 @@ struct ProtocolCell {
   std::string series;  ///< names, "lung|soft": the first one that there is; empty: nothing
   int which = 1;       ///< of several series that fit: the first, the second, ...
   CellPicture picture = CellPicture::asAcquired;  ///< `scene` where the 3D look of the series is known
-  std::optional<Window> window;  ///< in the numbers on screen; of the series wherever it is shown
-  std::string over;              ///< the name of a series over it; empty: none
+  /// In the numbers on screen; of the series wherever it is shown, but of this view alone where another cell
+  /// shows that series by another window, or as it is.
+  std::optional<Window> window;
+  std::string over;  ///< the name of a series over it; empty: none
   double slabMm = 0;
   SlabMode slabMode = SlabMode::max;
   bool inverted = false;

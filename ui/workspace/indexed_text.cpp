@@ -35,6 +35,10 @@ QString idText(const std::string& id) {
   return namesHidden() && !id.empty() ? tr("(ID hidden)") : shownText(id);
 }
 
+QString institutionText(const std::string& institution) {
+  return namesHidden() && !institution.empty() ? tr("(institution hidden)") : shownText(institution);
+}
+
 QString seriesNameText(const IndexedSeries& series) {
   const QString number = shownText(series.number);
   return number.isEmpty() ? tr("Series") : tr("Series %1").arg(number);
@@ -71,6 +75,7 @@ QStringList everythingOf(const IndexedStudy& study) {
   lines << dateText(study.date) + QLatin1Char(' ') + shownText(study.description);
   if (!namesHidden() && !study.accessionNumber.empty())
     lines << tr("Accession number %1").arg(shownText(study.accessionNumber));
+  if (!namesHidden()) lines << shownText(study.institution);
   lines << (study.series == 1 ? tr("1 series") : tr("%1 series").arg(counted(study.series)));
   lines << warningsText(study.warnings);
   if (study.offline) lines << offlineText();

@@ -13,6 +13,9 @@ QString patientNameText(const std::string& name);
 /// An ID as a person may read it; "(ID hidden)".
 QString idText(const std::string& id);
 
+/// Where a study was made; "(institution hidden)".
+QString institutionText(const std::string& institution);
+
 /// "Series 3"; "Series" where it has no number.
 QString seriesNameText(const IndexedSeries& series);
 

@@ -139,7 +139,8 @@ Workspace withWindowsFollowed(const Workspace& before, Workspace after) {
   if (!after.links.window) return after;
   const SeriesKey focus = after.view(after.focus).series;
   std::set<SeriesKey> shown;
-  for (const ViewId id : slicesOnScreen(after)) shown.insert(after.view(id).series);
+  for (const ViewId id : slicesOnScreen(after))
+    if (!flatLookOf(after.view(id)).windowAlone) shown.insert(after.view(id).series);
   const auto changed = [&](const SeriesKey& key) {
     const auto was = before.series.find(key);
     return was != before.series.end() && was->second.window != after.series.at(key).window;

@@ -167,6 +167,23 @@ SeriesPicture priorOf(const SeriesPicture& picture, const std::vector<const Seri
   return {};
 }
 
+std::vector<IndexedStudy> unopenedPriors(const Series& series, const std::vector<IndexedStudy>& listed,
+                                         const std::vector<const Series*>& open, const std::string& after) {
+  std::vector<IndexedStudy> found;
+  if (!isKnownPatient(series)) return found;
+  for (const IndexedStudy& study : listed) {
+    const bool isOpen = std::ranges::any_of(open, [&](const Series* s) {
+      return areOfOnePatient(*s, series) && s->studyUid == study.studyUid && s->studyDate == study.date;
+    });
+    const bool isOfPatient = study.patientId == series.patientId && study.patientName == series.patientName;
+    const bool isBetween = study.date > after && study.date < series.studyDate;  // nor without a date
+    const bool isOfModality = series.modality.empty() || hasWord(study.modalities, "=" + series.modality);
+    if (isOfPatient && isBetween && isOfModality && !isOpen) found.push_back(study);
+  }
+  std::ranges::stable_sort(found, std::greater(), &IndexedStudy::date);
+  return found;
+}
+
 SeriesPicture likelySecond(const Workspace& workspace, const SeriesPicture& picture,
                            const std::vector<const Series*>& open) {
   const Series& series = *picture.series;

@@ -3,6 +3,7 @@
 #include <QString>
 #include <vector>
 
+#include "io/index/index.h"
 #include "ui/workspace/workspace.h"
 
 namespace volumen {
@@ -44,6 +45,12 @@ SeriesPicture mostLike(const SeriesPicture& picture, const std::vector<const Ser
 
 /// The same picture of the latest study before that holds one; no series: none is open.
 SeriesPicture priorOf(const SeriesPicture& picture, const std::vector<const Series*>& open);
+
+/// Of studies that are listed those that may hold such a picture of before and are not open, the latest
+/// first: of the patient, of the modality, earlier than the series and later than `after` ("YYYYMMDD"; empty:
+/// however early).
+std::vector<IndexedStudy> unopenedPriors(const Series& series, const std::vector<IndexedStudy>& listed,
+                                         const std::vector<const Series*>& open, const std::string& after);
 
 /// What is most likely wanted beside a series: of its study and plane another weighting or kernel, in the
 /// same frame of reference; else its prior; no series: nothing.

@@ -8,6 +8,7 @@
 #include "ui/workspace/hanging_protocol.h"
 #include "ui/workspace/patients.h"
 #include "ui/workspace/value_text.h"
+#include "ui/workspace/view_window.h"
 
 namespace volumen {
 
@@ -100,7 +101,7 @@ class ProtocolMaker {
     cell.picture = pictureOf(view.kind, *series);
     if (showsScene(view.kind)) return cell;
     const FlatLook look = flatLookOf(view);
-    if (const auto& window = workspace_.series.at(view.series).window)
+    if (const auto window = seriesStateIn(workspace_, id).window)
       if (const Window shown = shownWindow(*window, *series); canBeKept(shown)) cell.window = shown;
     cell.slabMm = std::min(look.slabMm, 1000.0);
     cell.slabMode = look.slabMode;

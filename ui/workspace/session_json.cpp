@@ -77,6 +77,12 @@ void fields(Fields& f, Lasso& lasso) {
 }
 
 template <class Fields>
+void fields(Fields& f, ChosenWindow& chosen) {
+  f("window", chosen.window);
+  f("namedGrey", chosen.namedGrey, {0, 1e6});
+}
+
+template <class Fields>
 void fields(Fields& f, SeriesState& s) {
   std::vector<Lasso> lassos;
   for (const auto& lasso : s.mask.lassos) lassos.push_back(*lasso);
@@ -173,6 +179,7 @@ void fields(Fields& f, FlatLook& look) {
   f("overlayColours", look.overlayColours, colourWords);
   f("overlayOpacity", look.overlayOpacity, {0, 1});
   f("presentation", look.presentation);
+  f("windowAlone", look.windowAlone);
 }
 
 template <class Fields>

@@ -26,6 +26,12 @@ std::optional<Window> uptakeWindow(const Series& series) {
   return Window{mostUptake / 2 / scale.factor, mostUptake / scale.factor};
 }
 
+// As its modality is read: bright is much.
+Window inUsualSense(const Series& series, const Window& window) {
+  const double width = std::abs(window.width);
+  return {window.centre, series.modality == "PT" ? -width : width};
+}
+
 // Least width that a drag makes, as a share of the spread of values.
 constexpr double finest = 1.0 / 4000;
 
@@ -37,9 +43,14 @@ Window windowInUse(const Scene& scene, const LoadedSeries& series) {
 
 Window flatWindow(const SeriesState& state, const LoadedSeries& series) {
   const Window first = uptakeWindow(series.series).value_or(series.flatWindow.value_or(series.window));
-  const Window own{first.centre, std::abs(first.width)};
-  const bool inverted = series.series.modality == "PT";
-  return state.window.value_or(inverted ? Window{own.centre, -own.width} : own);
+  return state.window.value_or(inUsualSense(series.series, first));
+}
+
+std::optional<Window> windowToCome(const Series& series, const std::optional<Window>& ofFile) {
+  std::optional<Window> first = uptakeWindow(series);
+  if (!first) first = ofFile;
+  if (!first && isHounsfield(series)) first = softTissueWindow;
+  return first ? std::optional(inUsualSense(series, *first)) : std::nullopt;
 }
 
 Window overlayWindow(const SeriesState& state, const LoadedSeries& series) {

@@ -20,6 +20,9 @@ Window windowInUse(const Scene& scene, const LoadedSeries& series);
 /// Of flat views: the one that was set, else 0 to 7 SUVbw of PET where that is known, else the series' own;
 /// inverted for PET.
 Window flatWindow(const SeriesState& state, const LoadedSeries& series);
+/// flatWindow() of a series that is not loaded, where nothing was set; `ofFile`: the first window of its
+/// files. None: its values must be known.
+std::optional<Window> windowToCome(const Series& series, const std::optional<Window>& ofFile);
 /// Of a series over another: the same, never inverted.
 Window overlayWindow(const SeriesState& state, const LoadedSeries& series);
 /// What SeriesState::window is where a series is to have this window over another: inverted where it is by

@@ -49,6 +49,13 @@ struct SceneLook {
   bool operator==(const SceneLook& o) const { return scene == o.scene && sameValue(preset, o.preset); }
 };
 
+/// The window that was chosen for what flat views show.
+struct ChosenWindow {
+  std::optional<Window> window;  ///< a negative width is inverted; none: the series' own
+  int namedGrey = 0;             ///< of frames without such a window: which of the file's own
+  bool operator==(const ChosenWindow&) const = default;
+};
+
 /// How one flat view shows one series.
 struct FlatLook {
   glm::dvec2 panMm{0};  ///< where the picture's centre lies from the volume's, along right and down
@@ -64,6 +71,7 @@ struct FlatLook {
   ColourMap overlayColours = ColourMap::hotIron;
   double overlayOpacity = 0.5;
   DerivedKey presentation{};  ///< of frames: the presentation state that those it names are shown by
+  std::optional<ChosenWindow> windowAlone{};  ///< of this view; none: that of the series (SeriesState)
   bool operator==(const FlatLook&) const = default;
 };
 
@@ -83,9 +91,10 @@ enum class FrameWindow { usual, ofSeries, ofEach };
 /// What holds for a series in every view.
 struct SeriesState {
   std::shared_ptr<const Series> series;
-  Mask mask;                     ///< what was taken away from it
-  std::optional<Window> window;  ///< of flat views; a negative width is inverted; none: the series' own
-  int namedGrey = 0;             ///< of frames without such a window: which of the file's own
+  Mask mask;  ///< what was taken away from it
+  /// Of flat views that have none alone: what ChosenWindow says.
+  std::optional<Window> window;
+  int namedGrey = 0;
   FrameWindow frameWindow = FrameWindow::usual;
   ColourMap colours = ColourMap::grey;
   /// What a session knows of a series that was not found again: it is not loaded, `series` only names it.
@@ -168,7 +177,7 @@ struct Links {
   bool scroll = true;   ///< position and directions, by frame of reference
   bool zoom = false;    ///< mm per pixel
   bool pan = false;     ///< the patient's point in the middle
-  bool window = false;  ///< within one modality and unit
+  bool window = false;  ///< within one modality and unit; not of views that have one alone
   bool operator==(const Links&) const = default;
 };
 

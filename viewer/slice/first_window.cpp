@@ -9,9 +9,6 @@ namespace volumen {
 
 namespace {
 
-// From air to metal HU are so far apart that nearly all of them at once look flat.
-constexpr Window softTissue{.centre = 40, .width = 400};
-
 // Of pictures whose background is exactly 0, such as diffusion and its maps, the few brightest voxels would
 // leave the rest nearly black.
 std::optional<ValueRange> aboveBackground(const Volume& volume) {
@@ -42,7 +39,8 @@ ValueRange mostValues(const Volume& volume, const std::string& unit) {
 Window firstWindow(const Volume& volume, const std::string& unit) {
   for (const Window& window : volume.attributes().windows)
     if (window.width > 0) return window;
-  if (unit == "HU") return softTissue;
+  // From air to metal HU are so far apart that nearly all of them at once look flat.
+  if (unit == "HU") return softTissueWindow;
   const ValueRange range = mostValues(volume, unit);
   const double width = range.high - range.low;
   return {.centre = (range.low + range.high) / 2, .width = width > 0 ? width : 1};

@@ -30,6 +30,7 @@ void IndexFolder::add(const MadeFile& file) const {
                             (file.series + "." + std::to_string(1000 + file.slice)).c_str());
     data.putAndInsertString(DCM_PatientBirthDate, "19700102");
     data.putAndInsertString(DCM_AccessionNumber, "A77");
+    data.putAndInsertString(DCM_InstitutionName, "Hôpital Saint-Louis");
   };
   writeDicom(path, picture);
 }
@@ -71,8 +72,9 @@ std::string contentsOf(const Index& index) {
   for (const IndexedStudy& s : studiesIn(index)) {
     std::ostringstream out;
     out << s.patientName << '|' << s.patientId << '|' << s.birthDate << '|' << s.sex << '|' << s.studyUid
-        << '|' << s.date << '|' << s.description << '|' << s.accessionNumber << '|' << s.modalities << '|'
-        << s.series << '|' << s.images << '|' << s.warnings << '|' << s.offline << '\n';
+        << '|' << s.date << '|' << s.description << '|' << s.accessionNumber << '|' << s.institution << '|'
+        << s.modalities << '|' << s.series << '|' << s.images << '|' << s.warnings << '|' << s.offline
+        << '\n';
     std::vector<std::string> lines;
     for (const IndexedSeries& series : seriesIn(index, s.id)) {
       std::ostringstream line;

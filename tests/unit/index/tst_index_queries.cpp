@@ -114,6 +114,7 @@ void TestIndexQueries::wordsFind_data() {
   row("mr", {});
   row("knee", {wang});
   row("A77", {muller, strasse, wang});
+  row("hopital louis", {muller, strasse, wang});
   row("muller wang", {});
   row("ct knee 2026 wang", {wang});
 }
@@ -183,6 +184,7 @@ void TestIndexQueries::factsAreKept() {
   QCOMPARE(s.patientName, std::string("Test^Patient"));
   QCOMPARE(s.birthDate, std::string("19700102"));
   QCOMPARE(s.accessionNumber, std::string("A77"));
+  QCOMPARE(s.institution, std::string("Hôpital Saint-Louis"));
   QCOMPARE(s.date, std::string("20261124"));
   QCOMPARE(s.description, std::string("Head"));
   QCOMPARE(s.modalities, std::string("CT"));

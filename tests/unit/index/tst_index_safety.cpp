@@ -65,6 +65,7 @@ class TestIndexSafety : public QObject {
   void wholeIsNot_data();
   void wholeIsNot();
   void olderSchemaIsUpdated();
+  void institutionsAreReadLater();
   void killedImportGoesOn();
   void twoProgramsAtOnce();
   void threadsReadWhileOneWrites();
@@ -161,7 +162,7 @@ void TestIndexSafety::olderSchemaIsUpdated() {
   fs::create_directories(folder.index());
   fs::create_directories(folder.data());
   const std::string path = folder.index() + "/index.sqlite";
-  makeSchema(path, indexSteps().size() - 1);
+  makeSchema(path, 1);
   {
     const auto db = Database::open(path);
     (*db)->run("INSERT INTO folder(id, path, device) VALUES(1, ?, 1)", Blob{folder.data()});
@@ -183,6 +184,42 @@ void TestIndexSafety::olderSchemaIsUpdated() {
   const auto db = Database::open(path);
   QCOMPARE((*db)->number("PRAGMA user_version"), std::int64_t(indexSteps().size()));
   QCOMPARE((*db)->number("SELECT COUNT(*) FROM series_folder"), std::int64_t(1));
+}
+
+// An index of before institutions: it keeps all that it knows, and the next import of anything reads one file
+// a study, where that is there.
+void TestIndexSafety::institutionsAreReadLater() {
+  const IndexFolder folder;
+  folder.add({"a/1", "A", "1.1", "1.1.1", 0});
+  folder.add({"a/2", "A", "1.1", "1.1.1", 1});
+  folder.add({"b/1", "B", "1.2", "1.2.1", 0});
+  folder.add({"c/1", "C", "1.3", "1.3.1", 0});
+  folder.import();
+  const std::string expected = tests::contentsOf(folder.open());
+  QVERIFY(folder.open().opened(studiesIn(folder.open()).at(0).id).ok());
+  {
+    const auto db = Database::open(folder.index() + "/index.sqlite");
+    (*db)->run("ALTER TABLE study DROP COLUMN institution");
+    (*db)->run("UPDATE study SET words = 'a'");
+    (*db)->runOnce("PRAGMA user_version = 2");
+    QVERIFY((*db)->takeStatus().ok());
+  }
+  fs::rename(folder.data("b"), folder.data("") + "-away");
+  {
+    const Index index = folder.open();
+    QCOMPARE(index.notice(), std::string());
+    const std::vector<IndexedStudy> all = studiesIn(index);
+    QCOMPARE(all.size(), std::size_t(3));
+    QVERIFY(std::ranges::all_of(all, [](const IndexedStudy& s) { return s.institution.empty(); }));
+    QCOMPARE(std::ranges::count(all, std::string(), &IndexedStudy::openedAt), std::ptrdiff_t(2));
+  }
+  const ImportReport report = folder.import("c");
+  QVERIFY(report.unchanged == 1 && report.added == 0 && report.changed == 0);
+  QCOMPARE(studiesIn(folder.open(), {.words = "louis hopital"}).size(), std::size_t(2));
+  fs::rename(folder.data("") + "-away", folder.data("b"));
+  folder.import("c");
+  QCOMPARE(studiesIn(folder.open(), {.words = "louis hopital"}).size(), std::size_t(3));
+  QCOMPARE(tests::contentsOf(folder.open()), expected);
 }
 
 // The program is killed again and again, each time a little later; VOLUMEN_KILLS sets how often.

@@ -151,6 +151,9 @@ FlatLook anyFlat(Chance& chance, const SeriesKey& overlay) {
   look.overlay = overlay;
   look.overlayColours = ColourMap(chance.below(4));
   look.overlayOpacity = chance.below(101) / 100.0;
+  if (chance.oneIn(3)) look.windowAlone.emplace().namedGrey = chance.below(4);
+  if (look.windowAlone && chance.oneIn(2))
+    look.windowAlone->window = Window{anyNumber(chance), -chance.power(-3, 5)};
   if (chance.oneIn(3)) look.presentation = {"/data/pr" + anyText(chance), anyText(chance)};
   return look;
 }

@@ -42,6 +42,7 @@ class TestHungStudies : public QObject {
   void cellsHoldTheirSeries_data();
   void cellsHoldTheirSeries();
   void aStudyIsHung();
+  void oneSeriesHasTwoWindows();
   void aStackIsHungByItsPictures();
   void emptyCellsSayWhatTheyWant();
   void whatIsShownIsAProtocol();
@@ -155,6 +156,37 @@ void TestHungStudies::aStudyIsHung() {
   // Where that is not known, slices as acquired.
   const Workspace bone = hung({}, protocolNamed(known, "CT, bone"), chest.studies());
   QVERIFY(bone.view(firstComparedId + 3).kind == ViewKind::axial);
+}
+
+// Each cell its own, where the windows of one series differ; else the series has it.
+void TestHungStudies::oneSeriesHasTwoWindows() {
+  const KnownProtocols known = knownProtocols();
+  const HangingProtocol& both = protocolNamed(known, "CT, lung and soft tissue");
+  const ViewId left = firstComparedId, right = firstComparedId + 1;
+  const auto aloneIn = [](const Workspace& w, ViewId id) { return flatLookOf(w.view(id)).windowAlone; };
+  const OpenPictures one({{"CT", "Thorax", "CHEST"}});
+  const SeriesKey key = keyOf(one.series[0]);
+  const Workspace first = hung({}, both, one.studies());
+  QVERIFY(first.view(left).series == key && first.view(right).series == key);
+  QVERIFY(aloneIn(first, left) && aloneIn(first, left)->window == Window({-600, 1500}));
+  QVERIFY(aloneIn(first, right) && aloneIn(first, right)->window == Window({40, 400}));
+  QVERIFY(!first.series.at(key).window);
+  const HangingProtocol kept = protocolOf(first, "Mine", one.pictures());
+  QVERIFY(kept.cells[0].window == both.cells[0].window && kept.cells[1].window == both.cells[1].window);
+  const Workspace again = hung(first, protocolNamed(known, "CT, lung"), one.studies());
+  QVERIFY(!aloneIn(again, left) && !aloneIn(again, right));
+  QVERIFY(again.series.at(key).window == Window({-600, 1500}));
+  // A cell that says nothing shows it as it is.
+  HangingProtocol half = kept;
+  half.cells[0].window.reset();
+  const Workspace halves = hung({}, half, one.studies());
+  QVERIFY(!aloneIn(halves, left) && aloneIn(halves, right) && !halves.series.at(key).window);
+  // Two kernels are two series.
+  const OpenPictures two({{"CT", "Soft tissue 1.0", "CHEST"}, {"CT", "Lung 1.0", "CHEST"}});
+  const Workspace kernels = hung({}, both, two.studies());
+  QVERIFY(!aloneIn(kernels, left) && !aloneIn(kernels, right));
+  QVERIFY(kernels.series.at(keyOf(two.series[1])).window == Window({-600, 1500}));
+  QVERIFY(kernels.series.at(keyOf(two.series[0])).window == Window({40, 400}));
 }
 
 // A cell of a stack shows its picture as acquired.

@@ -59,6 +59,7 @@ class TestPriors : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void earlierStudiesOfThePatient();
+  void listedStudiesThatMayHoldOne();
   void theSameSeriesIsFound_data();
   void theSameSeriesIsFound();
   void likenessIsAShareOfAHundred();
@@ -93,6 +94,38 @@ void TestPriors::earlierStudiesOfThePatient() {
   Series nobody = s.series[0], before = s.series[1];
   nobody.patientId = nobody.patientName = before.patientId = before.patientName = "";
   QVERIFY(studiesAround({&nobody, &before}, nobody).priors.empty());
+}
+
+void TestPriors::listedStudiesThatMayHoldOne() {
+  const PriorStudies open({{"20260102", "T1"}, {"20240102", "T1"}});
+  const auto listed = [](const char* day, const char* modalities, const char* patient = "7",
+                         const char* name = "Doe") {
+    IndexedStudy study;
+    study.patientId = patient, study.patientName = name, study.date = day, study.modalities = modalities;
+    study.studyUid = std::string("1.2.") + patient + "." + day;
+    return study;
+  };
+  const std::vector<IndexedStudy> all{listed("20230102", "MR"),
+                                      listed("20250102", "CT, MR"),
+                                      listed("20240102", "MR"),
+                                      listed("20260102", "MR"),
+                                      listed("20270102", "MR"),
+                                      listed("20220102", "CT, MRS"),
+                                      listed("20230302", "MR", "8"),
+                                      listed("20230402", "MR", "7", "Roe"),
+                                      listed("", "MR")};
+  const auto found = [&](const Series& series, const std::string& after) {
+    QStringList days;
+    for (const IndexedStudy& study : unopenedPriors(series, all, open.open(), after))
+      days << QString::fromStdString(study.date);
+    return days.join(QLatin1Char(' '));
+  };
+  QCOMPARE(found(open.series[0], ""), QStringLiteral("20250102 20230102"));
+  QCOMPARE(found(open.series[0], "20240102"), QStringLiteral("20250102"));
+  QCOMPARE(found(open.series[1], ""), QStringLiteral("20230102"));
+  Series nobody = open.series[0];
+  nobody.patientId = nobody.patientName = "";
+  QCOMPARE(found(nobody, ""), QString());
 }
 
 void TestPriors::theSameSeriesIsFound_data() {

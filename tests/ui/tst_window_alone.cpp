@@ -1,0 +1,202 @@
+// Guards that a view may have a window alone: one series stands beside itself by two windows, and all that
+// sets a window sets that of the view. Real events.
+#include <QMenu>
+
+#include "tests/ui/frames_window.h"
+#include "tests/ui/hanging_window.h"
+#include "tests/ui/two_series.h"
+#include "tests/unit/suite.h"
+#include "ui/widgets/banner.h"
+#include "ui/workspace/session_json.h"
+#include "ui/workspace/view_window.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+constexpr Window ofLung{-600, 1500}, ofBall{500, 1000};
+
+// One series in both views, the left one with a window alone.
+struct AloneWindow : TwoSeries {
+  explicit AloneWindow(const LoadedSeriesPtr& a = ballIn("A")) : AloneWindow(a, a) {}
+  AloneWindow(const LoadedSeriesPtr& a, const LoadedSeriesPtr& b) : TwoSeries(a, b) { press("windowAlone"); }
+
+  std::optional<ChosenWindow> alone(ViewId id) { return flatLookOf(workspace().view(id)).windowAlone; }
+  std::optional<Window> ofSeries(ViewId id) {
+    return workspace().series.at(workspace().view(id).series).window;
+  }
+  // The grey of the air beside the ball as it is on screen.
+  int air(ViewId id) {
+    const SlicePlane now = plane(id);
+    const glm::dvec2 p = now.pixelFromPatient(now.centre + 13.0 * now.right);
+    return qGray(view(id)->picture().pixel(int(p.x), int(p.y)));
+  }
+};
+
+// LINEAR of DICOM (PS3.3 C.11.2.1.2.1), of 255.
+double linearGrey(double value, Window window) {
+  return 255 * std::clamp((value - (window.centre - 0.5)) / (window.width - 1) + 0.5, 0.0, 1.0);
+}
+
+}  // namespace
+
+class TestWindowAlone : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void oneSeriesIsSeenByTwoWindows();
+  void allThatSetsAWindowSetsThatOfTheView_data();
+  void allThatSetsAWindowSetsThatOfTheView();
+  void withoutItTheViewHasThatOfTheSeries();
+  void linksLeaveItAlone();
+  void itIsKeptInTheSession();
+  void aProtocolShowsLungAndSoftTissue();
+  void framesHaveOneToo();
+  void coloursHaveNone();
+};
+
+// The bound is one step of grey, for rounding.
+void TestWindowAlone::oneSeriesIsSeenByTwoWindows() {
+  AloneWindow w;
+  QVERIFY(w.child<QAction>("windowAlone")->isChecked());
+  QTest::keyClick(w.view(left), Qt::Key_6);
+  QVERIFY(w.alone(left) && w.alone(left)->window == ofLung);
+  QVERIFY(!w.ofSeries(left));
+  QTRY_VERIFY_WITH_TIMEOUT(std::abs(w.air(left) - linearGrey(0, ofLung)) <= 1, longest);
+  QTRY_VERIFY_WITH_TIMEOUT(std::abs(w.air(right) - linearGrey(0, ofBall)) <= 1, longest);
+  QCOMPARE(w.view(left)->overlays().bottomRight, QStringLiteral("Lung  W 1500 L -600 (this view)"));
+  QCOMPARE(w.view(right)->overlays().bottomRight, QStringLiteral("W 1000 L 500"));
+  const auto larger = w.view(left)->requestFor({64, 64});
+  QVERIFY2(larger && larger->layers[0].grey.window == ofLung, "a picture of another size has it, too");
+  QTest::mouseClick(w.view(right), Qt::LeftButton, {}, {100, 100});
+  QVERIFY(!w.child<QAction>("windowAlone")->isChecked());
+  w.shot("window-alone");
+}
+
+void TestWindowAlone::allThatSetsAWindowSetsThatOfTheView_data() {
+  using Act = std::function<void(AloneWindow&)>;
+  QTest::addColumn<Act>("act");
+  const auto row = [](const char* name, const Act& act) { QTest::newRow(name) << act; };
+  row("a drag", [](AloneWindow& w) { drag(w.view(left), {100, 100}, {140, 130}); });
+  row("a digit", [](AloneWindow& w) { QTest::keyClick(w.view(left), Qt::Key_5); });
+  row("the box of a region", [](AloneWindow& w) {
+    w.press("regionWindowTool");
+    const QPointF middle = QRectF(w.view(left)->rect()).center();
+    drag(w.view(left), middle - QPointF(60, 60), middle + QPointF(60, 60));
+  });
+  row("a name of the menu", [](AloneWindow& w) {
+    auto* menu = w.child<QMenu>("windowMenu");
+    Q_EMIT menu->aboutToShow();
+    menu->actions().at(3)->trigger();
+  });
+}
+
+void TestWindowAlone::allThatSetsAWindowSetsThatOfTheView() {
+  QFETCH(std::function<void(AloneWindow&)>, act);
+  AloneWindow w;
+  const Workspace before = w.workspace();
+  const int steps = w.session().undoStack().index();
+  act(w);
+  QVERIFY(w.alone(left) && w.alone(left)->window);
+  QVERIFY(!w.ofSeries(left) && !w.alone(right));
+  QVERIFY(w.view(right)->windowShown() == ofBall);
+  QCOMPARE(w.session().undoStack().index(), steps + 1);
+  w.press("undo");
+  QVERIFY(w.workspace() == before);
+}
+
+void TestWindowAlone::withoutItTheViewHasThatOfTheSeries() {
+  AloneWindow w;
+  QTest::keyClick(w.view(left), Qt::Key_6);
+  QTest::keyClick(w.view(right), Qt::Key_5);
+  QVERIFY2(w.ofSeries(right) == Window({400, 2000}), "that of the view at the right is the series'");
+  QVERIFY(w.view(left)->windowShown() == ofLung);
+  QTest::mouseClick(w.view(left), Qt::RightButton, {}, {100, 100});
+  const Workspace before = w.workspace();
+  auto* menu = w.child<QMenu>("flatMenu");
+  QVERIFY(menu && menu->isVisible());
+  QAction* entry = w.child<QAction>("windowAlone");
+  QVERIFY(menu->actions().contains(entry) && entry->isChecked());
+  menu->close();
+  entry->trigger();
+  QVERIFY(!w.alone(left) && !entry->isChecked());
+  QVERIFY(w.view(left)->windowShown() == Window({400, 2000}));
+  w.press("undo");
+  QVERIFY(w.workspace() == before && entry->isChecked());
+}
+
+void TestWindowAlone::linksLeaveItAlone() {
+  AloneWindow w(ballIn("A"), ballIn("B"));
+  w.press("linkWindow");
+  QTest::keyClick(w.view(right), Qt::Key_5);
+  QVERIFY(w.ofSeries(right) == Window({400, 2000}));
+  QVERIFY(w.view(left)->windowShown() == ofBall);
+  QTest::keyClick(w.view(left), Qt::Key_6);
+  QVERIFY(w.view(left)->windowShown() == ofLung);
+  QVERIFY(w.view(right)->windowShown() == Window({400, 2000}));
+}
+
+void TestWindowAlone::itIsKeptInTheSession() {
+  AloneWindow w;
+  QTest::keyClick(w.view(left), Qt::Key_6);
+  const Workspace& now = w.workspace();
+  const Result<std::string> text = sessionToJson(now, "");
+  QVERIFY2(text, text ? "" : text.message().c_str());
+  const auto back = sessionFromJson(*text, [&](const SavedSeries& saved) {
+    return now.series.at({saved.series.path, saved.series.id}).series;
+  });
+  QVERIFY2(back, back ? "" : back.message().c_str());
+  const auto kept = flatLookOf(back->workspace.view(left)).windowAlone;
+  QVERIFY(kept && kept->window == ofLung);
+  QVERIFY(!flatLookOf(back->workspace.view(right)).windowAlone);
+}
+
+void TestWindowAlone::aProtocolShowsLungAndSoftTissue() {
+  const TwoDays days;
+  QVERIFY(TwoDays::writeDay(days.now, "20260301"));
+  HangingWindow w(QStringList{days.now});
+  QTRY_VERIFY_WITH_TIMEOUT(w.session().series() && !w.window.document().loader.isBusy(), longest);
+  const Workspace before = w.workspace();
+  const int steps = w.session().undoStack().index();
+  auto* menu = w.child<QMenu>("protocolMenu");
+  menu->popup({10, 10});
+  for (QAction* action : menu->actions())
+    if (action->text() == QStringLiteral("CT, lung and soft tissue")) action->trigger();
+  menu->close();
+  const auto said = [&](int cell) {
+    const auto* view = w.window.views()->viewAs<FlatView>(firstCell + cell);
+    return view && view->shown() ? view->overlays().bottomRight : QString();
+  };
+  QTRY_COMPARE_WITH_TIMEOUT(said(0), QStringLiteral("Lung  W 1500 L -600 (this view)"), longest);
+  QTRY_COMPARE_WITH_TIMEOUT(said(1), QStringLiteral("Abdomen  W 400 L 40 (this view)"), longest);
+  QVERIFY(w.in(0) && w.in(1) && keyOf(*w.in(0)) == keyOf(*w.in(1)));
+  QCOMPARE(w.session().undoStack().index(), steps + 1);
+  w.child<QAction>("undo")->trigger();
+  QVERIFY(w.workspace().views == before.views && w.workspace().series == before.series);
+}
+
+void TestWindowAlone::framesHaveOneToo() {
+  NEED_DATA(dataPath("dicom-2d"));
+  Frames w({"cr-hip-mono2-jpeg12.dcm"});
+  QVERIFY(w.shows());
+  w.child<QAction>("windowAlone")->trigger();
+  QVERIFY(w.after([&] { drag(w.view(), {100, 100}, {140, 130}); }));
+  const SeriesState& series = w.workspace().series.at(w.view()->state().series);
+  QVERIFY(!series.window && w.look().windowAlone && w.look().windowAlone->window);
+  QVERIFY(w.view()->windowShown() == w.look().windowAlone->window);
+  QVERIFY(w.press(Qt::Key_0));
+  QVERIFY2(w.look().windowAlone == ChosenWindow(), "automatic, and still alone");
+}
+
+void TestWindowAlone::coloursHaveNone() {
+  NEED_DATA(dataPath("dicom-2d"));
+  Frames w({"sc-rgb-41.dcm"});
+  QVERIFY(w.shows());
+  const Workspace before = w.workspace();
+  w.child<QAction>("windowAlone")->trigger();
+  QVERIFY(w.child<Banner>("banner")->sentence().startsWith(QStringLiteral("Colours are shown as they are")));
+  QVERIFY(w.workspace() == before && !w.child<QAction>("windowAlone")->isChecked());
+}
+
+VOLUMEN_TEST(TestWindowAlone);
+#include "tst_window_alone.moc"

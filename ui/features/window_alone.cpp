@@ -1,0 +1,59 @@
+#include <QMenu>
+
+#include "ui/features/feature.h"
+#include "ui/views/flat_view.h"
+#include "ui/workspace/view_window.h"
+
+namespace volumen {
+
+namespace {
+
+// The slice or frame in focus with a window of its own, so that one series stands beside itself by two.
+class WindowAlone : public Feature {
+ public:
+  explicit WindowAlone(Workbench& bench);
+
+ private:
+  void setAlone(bool alone);
+  void follow();
+
+  QAction* action_;
+};
+
+WindowAlone::WindowAlone(Workbench& bench)
+    : Feature(bench),
+      action_(bench.addAction(
+          {"windowAlone", tr("Window of this view alone"), {}, "", true, {}, {{"viewMenu", 60, 86}}})) {
+  connect(action_, &QAction::triggered, this, &WindowAlone::setAlone);
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (showsOther(before, after)) follow();
+          });
+  connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* menu) { menu->addAction(action_); });
+  follow();
+}
+
+void WindowAlone::setAlone(bool alone) {
+  const FlatView* view = bench_.flatViewInFocus();
+  follow();  // a click has changed its mark
+  if (!view || !view->shown()) return warn(tr("Click a slice or a frame first."));
+  if (view->windows().empty()) return warn(tr("Colours are shown as they are: there is no window to set."));
+  session_.endGesture();
+  session_.change(action_->text(), withWindowAlone(session_.workspace(), view->id(), alone));
+  session_.endGesture();
+}
+
+void WindowAlone::follow() {
+  const Workspace& workspace = session_.workspace();
+  const ViewId id = showsFrames(workspace, workspace.focus) ? framesViewOf(workspace.focus) : workspace.focus;
+  const ViewState& view = workspace.view(id);
+  const bool isShown = isFlat(view.kind) && seriesIn(workspace, id);
+  action_->setEnabled(isShown);
+  action_->setChecked(isShown && flatLookOf(view).windowAlone);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeWindowAlone(Workbench& bench) { return std::make_unique<WindowAlone>(bench); }
+
+}  // namespace volumen
