@@ -113,8 +113,14 @@ std::unique_ptr<Drag> beginShape(const SlicePress& press) {
 }
 
 template <ShapeKind kind>
+std::unique_ptr<SceneDrag> beginShapeInScene(const ScenePress& press) {
+  return beginSurfaceShape(press, kind);
+}
+
+template <ShapeKind kind>
 Tool measuringTool(int key) {
-  return {ruleOf(kind).name, kindText(kind), Qt::CrossCursor, beginShape<kind>, nullptr, key, true};
+  const auto inScene = ruleOf(kind).inScene ? beginShapeInScene<kind> : nullptr;
+  return {ruleOf(kind).name, kindText(kind), Qt::CrossCursor, beginShape<kind>, inScene, key, true};
 }
 
 Tool labelTool() {

@@ -62,7 +62,9 @@ void VolumeView::seriesExchanged(bool another) {
 
 void VolumeView::workspaceChanged(const Workspace& before) {
   const Workspace& now = session_.workspace();
-  if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout)
+  if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout ||
+      before.measurements != now.measurements || before.selected != now.selected ||
+      before.measurementsShown != now.measurementsShown)
     canvas_->update();
   const ViewState& then = before.view(id());
   const auto look = then.scenes.find(state().series);
@@ -162,7 +164,7 @@ void VolumeView::setPicture(const QImage& image, const QString& caption,
 void VolumeView::setTool(const Tool& tool) {
   tool_ = &tool;
   letGo();
-  setCursor(tool.cursor);
+  setCursor(drawing_ ? drawing_->cursor : tool.cursor);
 }
 
 Camera VolumeView::camera() const { return cameraInUse(scene(), series()->volume->geometry(), size()); }

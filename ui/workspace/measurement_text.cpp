@@ -6,6 +6,7 @@
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "viewer/measure/lengths.h"
 
 namespace volumen {
 
@@ -99,6 +100,16 @@ QStringList regionLines(const Measured& m) {
   const QString unit = unitText(m.valueUnit);
   return lines << meanText(*m.values, unit) << limitsText(*m.values, m.peak, unit)
                << countText(m.values->n, m.frame.has_value());
+}
+
+// How deep points lie that were picked in 3D depends on the curve that they were seen with.
+QString surfaceText(double softMm, const Series& series) {
+  constexpr double least = 0.1;  // below that the voxels matter more
+  const QString unit = series.acquired.calibrated ? tr(" mm") : tr(" px");
+  const double twoU = 2 * std::sqrt(depthVariance(softMm));
+  const QString depth = twoU < least ? tr("within %1").arg(QString::number(least) + unit)
+                                     : QStringLiteral("\u00b1 %1").arg(shortNumberText(twoU) + unit);
+  return tr(", on the surface as it was seen in 3D (depth %1)").arg(depth);
 }
 
 // "23.4 \u00d7 12.1 mm (283.1 mm\u00b2)"; "Ratio 0.48", "Heart 130.2, thorax 271 mm".
@@ -202,6 +213,7 @@ QString detailText(const Measurement& measurement, const Result<Measured>& measu
   const std::string unit = !measured ? "" : measured->lines ? measured->lines->unit : measured->unit;
   if (unit == "px" || unit == "px^2") text += tr(", not calibrated");
   if (measured && (measured->values || measured->voxel)) text += unitNote(series);
+  if (measurement.shape.softMm) text += surfaceText(*measurement.shape.softMm, series);
   if (ruleOf(measurement.shape.kind).numberless) return text;
   QString source = sourceText(measurement, series);
   if (measured && measured->other) source += tr(" and %1").arg(shownText(measured->other->source));

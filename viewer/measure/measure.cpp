@@ -20,7 +20,7 @@ std::string inGridUnit(const VoxelGeometry& geometry, const char* calibrated, co
 }
 
 Result<Measured> measureLength(const Shape& shape, const VoxelGeometry& geometry) {
-  const Length length = lengthOf(shape.points, geometry);
+  const Length length = lengthOf(shape.points, geometry, shape.softMm.value_or(0));
   Measured measured;
   measured.number = length.mm;
   measured.plusMinus = length.plusMinus;

@@ -186,6 +186,7 @@ Shape readShape(JsonFields fields) {
     if (shape.frame && ruleOf(shape.kind).region) shape.plane.emplace();
     if (shape.frame) return fields.refuseOthers(), shape;
     if (auto plane = fields.object("plane")) shape.plane = readPlane(*plane);
+    if (fields.raw("softMm")) fields.read("softMm", shape.softMm.emplace(0));
   }
   fields.refuseOthers();
   return shape;
@@ -204,6 +205,7 @@ ordered_json shapeToJson(const Shape& shape) {
     out["plane"] = {{"centre", numbers(shape.plane->centre)},
                     {"right", numbers(shape.plane->right)},
                     {"down", numbers(shape.plane->down)}};
+  if (shape.softMm) out["softMm"] = *shape.softMm;
   return out;
 }
 
