@@ -24,7 +24,7 @@ constexpr int widthForNumber = 190, widthForWays = 250, widthForRate = 320, widt
 }  // namespace
 
 CineBar::CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, QWidget* parent)
-    : QWidget(parent), session_(session), view_(view) {
+    : QWidget(parent), session_(session), view_(view), steps_(session.undoStack().index()) {
   auto time = std::make_unique<PlayedTimePoints>(session, view, std::move(isDrawn));
   time_ = time.get();
   all_.push_back(std::move(time));
@@ -56,6 +56,7 @@ CineBar::CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, Q
             if (isOvertaken(before, after)) giveUp();
             look();
           });
+  connect(&session_.undoStack(), &QUndoStack::indexChanged, this, &CineBar::seeSteps);
   connect(qApp, &QApplication::focusChanged, this, [this](const QWidget* was, QWidget* now) {
     if (isAncestorOf(was)) look();
     if (isAncestorOf(now)) takeFocus(now);
@@ -192,6 +193,7 @@ void CineBar::togglePlay() {
   if (!what) return;
   session_.endGesture();
   played_ = what;
+  played_->begin(steps_);
   player_ = new CinePlayer(*what, round_);
   player_->setParent(this);
   connect(player_, &CinePlayer::over, this, &CineBar::stop);
@@ -221,16 +223,21 @@ void CineBar::giveUp() {
   played_->giveUp();
 }
 
-// Whether something else than the player changed what would be written as it goes on: steps of both would
-// take turns. A clip writes where it ends alone.
+// Whether something else than the player went to another place or plane of what is played; whatever else is
+// changed lets it go on. A clip writes where it ends alone.
 bool CineBar::isOvertaken(const Workspace& before, const Workspace& after) const {
   if (!player_ || player_->isGoing()) return false;
   if (played_->keepsTime())
     return flatLookOf(before.view(view_)).frame != flatLookOf(after.view(view_)).frame;
-  Workspace same = before;
-  same.focus = after.focus;
-  same.selected = after.selected;
-  return same != after;
+  return before.view(view_).kind != after.view(view_).kind || !player_->isWhereItWent();
+}
+
+// Undoing ends it: as it went on, what was undone could not be done again.
+void CineBar::seeSteps(int steps) {
+  const bool isUndone = std::exchange(steps_, steps) > steps;
+  if (!isUndone || !player_ || player_->isGoing() || played_->keepsTime()) return;
+  giveUp();
+  look();
 }
 
 void CineBar::tellShown(int place) {

@@ -70,6 +70,7 @@ class CineBar : public QWidget {
   void endPlayer();
   void giveUp();
   bool isOvertaken(const Workspace& before, const Workspace& after) const;
+  void seeSteps(int steps);
   void setRound(const CineRound& round);
   void showNumbers();
   void showChoices();
@@ -78,6 +79,7 @@ class CineBar : public QWidget {
 
   Session& session_;
   const ViewId view_;
+  int steps_;                                   // to undo, by now
   std::vector<std::unique_ptr<Playable>> all_;  // what is preferred first
   PlayedTimePoints* time_;
   Playable* chosen_ = nullptr;  // by hand

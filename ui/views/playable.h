@@ -32,6 +32,8 @@ class Playable {
   virtual bool isClip() const { return false; }
   /// Goes there by hand; in a gesture that is one step to undo.
   virtual void goTo(int place) = 0;
+  /// It begins to be played, after so many steps to undo.
+  virtual void begin(int /*steps*/) {}
   /// Goes there as it is played.
   virtual void play(int place) { goTo(place); }
   /// Whether the place before is on screen, and this one can be.

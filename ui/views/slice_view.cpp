@@ -55,11 +55,16 @@ class SliceView::Stack : public Playable {
   bool hasNumbers() const override { return !view_.isAlongSlices() || !view_.shown()->series.regular; }
   SeriesKey source() const override { return view_.state().series; }
   Cine cine() const override { return {view_.seriesState().series->cine.framesPerSecond, {}, false}; }
+  void begin(int steps) override { stepsBefore_ = steps; }
   void goTo(int place) override { view_.moveTo(place); }
+  void play(int place) override {
+    view_.session_.playOn(stepsBefore_, [this, place] { goTo(place); });
+  }
   bool isReady(int) const override { return view_.isAtRest(); }
 
  private:
   SliceView& view_;
+  int stepsBefore_ = 0;  // to undo, as it began to be played
 };
 
 SliceView::SliceView(const ViewParts& parts, ViewId id, QWidget* parent) : FlatView(parts, id, parent) {
