@@ -1,7 +1,9 @@
 // Guards the bar in the window that plays stacks: ranges, speeds, back and forth, what hands do meanwhile,
 // where it comes and what it covers.
 #include <QSlider>
+#include <QTextDocumentFragment>
 #include <QToolButton>
+#include <QToolTip>
 
 #include "tests/ui/stack_window.h"
 #include "tests/unit/suite.h"
@@ -54,7 +56,8 @@ class TestCineBar : public QObject {
   void theBarCoversNothing();
   void theBarComesWhereThePointerRests();
   void wrongNumbersChangeNothing();
-  void noNumbersWhereSlicesAreMissing();
+  void whereSlicesAreMissingTheFileCounts();
+  void aSliceOffTheGridHasNoPlace();
   void aFieldBringsItsViewIntoFocus();
   void aPlayerEndsWithWhatItPlays();
   void keysChangeTheSpeedTheirWay_data();
@@ -304,8 +307,8 @@ void TestCineBar::wrongNumbersChangeNothing() {
   QVERIFY(w.view()->overlays().topRight.contains(QStringLiteral("3 / 31")));
 }
 
-// The 16th of 31 that are drawn is no file's.
-void TestCineBar::noNumbersWhereSlicesAreMissing() {
+// The 16th of 31 that are drawn, from below, is no file's.
+void TestCineBar::whereSlicesAreMissingTheFileCounts() {
   CineWindow w;
   auto series = std::make_shared<LoadedSeries>(*stackSeries(31));
   Series& known = series->series;
@@ -317,8 +320,58 @@ void TestCineBar::noNumbersWhereSlicesAreMissing() {
   known.sopInstanceUids.pop_back();
   w.session().show(series);
   QVERIFY(w.showBar());
-  for (const char* name : {"cineNumber", "cineFirst", "cineLast"}) QVERIFY2(!w.seen<QLineEdit>(name), name);
-  QVERIFY(w.seen<QLineEdit>("cineRate") && w.seen<QSlider>("cinePlace"));
+  const auto stands = [&](const char* name) {
+    const auto* field = w.seen<QLineEdit>(name);
+    return field ? field->text() : QStringLiteral("it is not there");
+  };
+  QCOMPARE(stands("cineFirst"), QStringLiteral("30"));
+  QCOMPARE(stands("cineLast"), QStringLiteral("1"));
+  for (const auto& [number, place] : {std::pair(15, 16), {1, 30}, {30, 0}, {16, 14}}) {
+    w.type(w.seen<QLineEdit>("cineNumber"), QString::number(number));
+    QCOMPARE(w.place(), place);
+    QVERIFY(w.showBar());
+    QCOMPARE(stands("cineNumber"), QString::number(number));
+    QVERIFY(w.view()->overlays().topRight.contains(QStringLiteral("%1 / 30").arg(number)));
+  }
+  QTest::keyClick(w.view(), Qt::Key_Down);
+  QCOMPARE(w.place(), 15);
+  QVERIFY2(stands("cineNumber").isEmpty(), "it lies between two of the file");
+  w.type(w.seen<QLineEdit>("cineFirst"), QStringLiteral("17"));
+  QVERIFY(w.showBar());
+  w.type(w.seen<QLineEdit>("cineLast"), QStringLiteral("14"));
+  QVERIFY(w.showBar());
+  QCOMPARE(w.bar()->round().first, 13);
+  QCOMPARE(w.bar()->round().last, 17);
+  QTest::mouseClick(w.seen<QToolButton>("cinePlay"), Qt::LeftButton);
+  const std::vector<int> places = w.played(7);  // through the one that has no number
+  QVERIFY(places.size() >= 7);
+  for (std::size_t n = 1; n < places.size(); ++n)
+    QCOMPARE(places[n], places[n - 1] == 17 ? 13 : places[n - 1] + 1);
+}
+
+// The eighth of the file lies between two places of the grid that is drawn.
+void TestCineBar::aSliceOffTheGridHasNoPlace() {
+  CineWindow w;
+  auto series = std::make_shared<LoadedSeries>(*stackSeries(31));
+  Series& known = series->series;
+  known.regular = Series::Regular{known.acquired, 1, {}};
+  for (int n = 0; n < 31; ++n) known.regular->copies.push_back(n == 7 ? -1 : n);
+  w.session().show(series);
+  QVERIFY(w.showBar());
+  w.type(w.seen<QLineEdit>("cineNumber"), QStringLiteral("9"));
+  const int place = w.place();
+  QVERIFY(w.showBar());
+  const CineRound round = w.bar()->round();
+  for (const char* name : {"cineNumber", "cineFirst", "cineLast"}) {
+    const QString stood = w.seen<QLineEdit>(name)->text();
+    w.type(w.seen<QLineEdit>(name), QStringLiteral("8"));
+    QCOMPARE(w.place(), place);
+    QVERIFY(w.bar()->round() == round);
+    QCOMPARE(QTextDocumentFragment::fromHtml(QToolTip::text()).toPlainText(),
+             QStringLiteral("Slice 8 is not in the volume."));
+    QVERIFY(w.showBar());
+    QCOMPARE(w.seen<QLineEdit>(name)->text(), stood);
+  }
 }
 
 void TestCineBar::aFieldBringsItsViewIntoFocus() {

@@ -63,8 +63,8 @@ class CineBar : public QWidget {
   QToolButton* addButton(const char* name, const QString& text, const QString& tip, bool checkable);
   TypedNumber* addNumber(const char* name, const QString& tip, int width);
   Playable* current() const;
-  int numberOf(int place) const;
-  int placeOf(int number) const;
+  std::optional<int> placeTyped(const TypedNumber& field, int number);
+  static void refuse(const TypedNumber& field, const QString& why);
   void goTo(int place);
   void takeFocus(QWidget* field);
   void endPlayer();

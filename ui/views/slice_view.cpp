@@ -44,15 +44,16 @@ class SliceView::Stack : public Playable {
   QString noun() const override { return tr("Slice"); }
   int count() const override { return view_.shown() ? view_.place().count : 0; }
   int place() const override { return view_.place().index; }
-  // As the file counts its slices.
-  bool countsDown() const override {
-    if (!view_.isAlongSlices()) return false;
-    Crosshair first = crosshairOf(view_.session_.workspace(), view_.id(), *view_.shown());
-    first.at = view_.pointOn(0);
-    return stackPlace(view_.shown()->volume->geometry(), view_.state().kind, first).index > 0;
+  int numberCount() const override { return isOfFile() ? view_.shown()->series.acquired.size.z : count(); }
+  int numberOf(int place) const override {
+    if (!view_.isAlongSlices()) return place + 1;
+    const int slice = countsDown() ? count() - 1 - place : place;
+    if (!isOfFile()) return slice + 1;
+    const std::vector<int>& copies = view_.shown()->series.regular->copies;
+    return slice >= 0 && slice < int(copies.size()) ? copies[std::size_t(slice)] + 1 : 0;
   }
-  // Where slices lie unevenly or are missing, those that are drawn are not those of the file.
-  bool hasNumbers() const override { return !view_.isAlongSlices() || !view_.shown()->series.regular; }
+  int number() const override { return view_.numbers().now; }
+  std::optional<int> placeOf(int number) const override { return view_.placeOf(number); }
   SeriesKey source() const override { return view_.state().series; }
   Cine cine() const override { return {view_.seriesState().series->cine.framesPerSecond, {}, false}; }
   void begin(int steps) override { stepsBefore_ = steps; }
@@ -63,6 +64,15 @@ class SliceView::Stack : public Playable {
   bool isReady(int) const override { return view_.isAtRest(); }
 
  private:
+  // Whether slices lie unevenly or are missing, so that those that are drawn are not those of the file.
+  bool isOfFile() const { return view_.isAlongSlices() && view_.shown()->series.regular; }
+  // The file may count its slices against the wheel.
+  bool countsDown() const {
+    Crosshair first = crosshairOf(view_.session_.workspace(), view_.id(), *view_.shown());
+    first.at = view_.pointOn(0);
+    return stackPlace(view_.shown()->volume->geometry(), view_.state().kind, first).index > 0;
+  }
+
   SliceView& view_;
   int stepsBefore_ = 0;  // to undo, as it began to be played
 };
