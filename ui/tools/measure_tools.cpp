@@ -134,11 +134,19 @@ Tool labelTool() {
 
 std::vector<Tool> measuringTools() {
   using enum ShapeKind;
-  return {
-      measuringTool<length>(Qt::Key_D),  measuringTool<polyline>(0),      measuringTool<bidirectional>(0),
-      measuringTool<angle>(Qt::Key_A),   measuringTool<cobb>(0),          measuringTool<cardiothoracic>(0),
-      measuringTool<ellipse>(Qt::Key_E), measuringTool<rectangle>(0),     measuringTool<freehand>(0),
-      measuringTool<probe>(Qt::Key_P),   measuringTool<arrow>(Qt::Key_T), labelTool()};
+  return {measuringTool<length>(Qt::Key_D),
+          measuringTool<polyline>(0),
+          measuringTool<bidirectional>(0),
+          measuringTool<angle>(Qt::Key_A),
+          measuringTool<cobb>(0),
+          measuringTool<legAxis>(0),
+          measuringTool<cardiothoracic>(0),
+          measuringTool<ellipse>(Qt::Key_E),
+          measuringTool<rectangle>(0),
+          measuringTool<freehand>(0),
+          measuringTool<probe>(Qt::Key_P),
+          measuringTool<arrow>(Qt::Key_T),
+          labelTool()};
 }
 
 }  // namespace volumen

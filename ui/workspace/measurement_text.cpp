@@ -126,6 +126,17 @@ QStringList twoLinesText(ShapeKind kind, const Measured& m) {
       word};
 }
 
+// "5.8\u00b0 varus", "HKA 174.2\u00b0"; what reads as straight is neither varus nor valgus.
+QStringList legAxisText(const Measured& m) {
+  constexpr double straight = 0.05;
+  const QString number = withUnit(m.number, m.unit);
+  const bool isNamed = m.leg->bend != LegAxis::Bend::unknown && m.number >= straight;
+  const QString bent = !isNamed                              ? number
+                       : m.leg->bend == LegAxis::Bend::varus ? tr("%1 varus").arg(number)
+                                                             : tr("%1 valgus").arg(number);
+  return {bent, tr("HKA %1").arg(withUnit(m.leg->hka, m.unit))};
+}
+
 }  // namespace
 
 QString kindText(ShapeKind kind) {
@@ -140,6 +151,8 @@ QString kindText(ShapeKind kind) {
       return tr("Cobb angle");
     case ShapeKind::bidirectional:
       return tr("Long and short axis");
+    case ShapeKind::legAxis:
+      return tr("Leg axis");
     case ShapeKind::cardiothoracic:
       return tr("Cardiothoracic ratio");
     case ShapeKind::ellipse:
@@ -179,6 +192,7 @@ QStringList measuredLines(const Shape& shape, const Result<Measured>& measured) 
   if (ruleOf(shape.kind).numberless) return {};
   if (!measured) return {shownText(measured.message())};
   if (ruleOf(shape.kind).region) return regionLines(*measured);
+  if (measured->leg) return legAxisText(*measured);
   if (measured->lines) return twoLinesText(shape.kind, *measured);
   QStringList lines{extentText(*measured)};
   if (measured->frame) lines = frameLines(*measured->frame, std::move(lines));

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "viewer/measure/leg_axis.h"
 #include "viewer/measure/lengths.h"
 #include "viewer/measure/outline.h"
 #include "viewer/measure/two_lines.h"
@@ -91,6 +92,8 @@ Result<Measured> measureByKind(const Shape& shape, const Volume& volume, const s
     case ShapeKind::angle:
     case ShapeKind::cobb:
       return measureAngle(shape);
+    case ShapeKind::legAxis:
+      return measureLegAxis(shape.points, 0);
     case ShapeKind::bidirectional:
       if (const Status right = checkRightAngle(shape.points); !right) return right.error();
       return measureTwoLines(shape, volume.geometry(), inGridUnit(volume.geometry(), "mm", "px"));

@@ -21,6 +21,7 @@ constexpr ShapeRule rules[] = {
      "the ends of the long axis, then those of the short one at right angles to it", false, true},
     {ShapeKind::cardiothoracic, "cardiothoracic", 4, 4,
      "the ends of the heart's width, then those of the thorax's", false, true},
+    {ShapeKind::legAxis, "legAxis", 3, 3, "the centres of hip, knee and ankle", false},
     {ShapeKind::ellipse, "ellipse", 2, 2, "two opposite corners of the box around it", true},
     {ShapeKind::rectangle, "rectangle", 2, 2, "two opposite corners", true},
     {ShapeKind::freehand, "freehand", 3, mostPoints, "its corners in order; the last is joined to the first",

@@ -17,6 +17,7 @@ enum class ShapeKind {
   angle,
   cobb,
   bidirectional,   ///< the longest diameter and the longest one at right angles to it (RECIST 1.1, WHO)
+  legAxis,         ///< the mechanical axis of a leg: hip, knee and ankle
   cardiothoracic,  ///< the widths of heart and thorax (Danzer, Am J Med Sci 1919; 157: 513)
   ellipse,
   rectangle,

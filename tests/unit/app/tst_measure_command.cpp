@@ -72,6 +72,8 @@ void TestMeasureCommand::numbersOfEveryKind_data() {
       R"({"number": 135, "unit": "degrees"})");
   row("Cobb", R"({"kind": "cobb", "points": [[2, 0, 0], [0, 0, 0], [5, 5, 0], [8, 8, 0]]})",
       R"({"number": 45, "unit": "degrees"})");
+  row("leg axis", R"({"kind": "legAxis", "points": [[0, 0, 9], [0, 0, 0], [3, 0, -3]]})",
+      R"({"number": 45, "unit": "degrees", "hka": 135})");
   row("axes", R"({"kind": "bidirectional", "points": [[0, 0, 0], [8, 0, 0], [3, -1, 0], [3, 2, 0]]})",
       R"({"number": 8, "unit": "mm", "short": 3, "product": 24, "productUnit": "mm^2"})");
   row("axes that are none",
