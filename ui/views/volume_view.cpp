@@ -3,6 +3,7 @@
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/canvas.h"
 #include "ui/views/cine_bar.h"
+#include "ui/views/drawn_measurement.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/series_text.h"
@@ -159,6 +160,8 @@ void VolumeView::setPicture(const QImage& image, const QString& caption,
   error_ = std::move(error);
   makeErrorImage();
   canvas_->update();
+  // Texts of measurements make room for the caption.
+  if (!drawnMeasurements().empty()) tellPointed();
 }
 
 void VolumeView::setTool(const Tool& tool) {

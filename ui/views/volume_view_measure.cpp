@@ -108,7 +108,6 @@ void VolumeView::showCursorAt(QPointF position) {
 }
 
 QString VolumeView::measurementText(QPointF position) const {
-  if (drawing_ || drag_) return {};
   const std::vector<DrawnMeasurement> drawn = drawnMeasurements();
   const auto hit = hitAt(drawn, position);
   const Measurement* m = hit ? findMeasurement(session_.workspace(), hit->drawn->id) : nullptr;

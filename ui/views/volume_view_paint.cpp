@@ -124,7 +124,9 @@ void VolumeView::paintShown(QPainter& painter) const {
   Overlays over = overlays();
   if (errorShown_) over.topRight << errorImage_.legend;
   paintCrosshair(painter);
+  painter.save();
   paintMeasurements(painter, drawnMeasurements());
+  painter.restore();
   if (drag_ && drag_->drawsOver()) drag_->paint(painter, QWidget::size());
   paintOverlays(painter, over, overlayArea());
 }
