@@ -66,6 +66,9 @@ void TestMeasureCommand::numbersOfEveryKind_data() {
   };
   row("length", R"({"kind": "length", "points": [[0, 0, 0], [3, 4, 0]]})",
       R"({"number": 5, "unit": "mm", "plusMinus": 0.8164965809277260})");
+  // (1 + 1) / 12 + 2 * 1.5^2 / 3 at both ends
+  row("length on a soft surface", R"({"kind": "length", "points": [[0, 0, 0], [3, 4, 0]], "softMm": 1.5})",
+      R"({"number": 5, "unit": "mm", "plusMinus": 2.5819888974716112})");
   row("polyline", R"({"kind": "polyline", "points": [[0, 0, 0], [3, 4, 0], [3, 4, 2]]})",
       R"({"number": 7, "unit": "mm", "plusMinus": 1.1547005383792515})");
   row("angle", R"({"kind": "angle", "points": [[2, 0, 0], [0, 0, 0], [-3, 3, 0]]})",
@@ -280,6 +283,13 @@ void TestMeasureCommand::refused_data() {
   row("a plane on a frame",
       R"([{"kind": "probe", "points": [[0, 0]], "frame": {"instance": "1"}, "plane": {}}])",
       "[0].plane is unknown; the fields here are kind, name, frame, points");
+  row("softness below nothing", R"([{"kind": "length", "points": [[0, 0, 0], [1, 0, 0]], "softMm": -1}])",
+      "[0].softMm must be a number");
+  row("softness on a frame",
+      R"([{"kind": "probe", "points": [[0, 0]], "frame": {"instance": "1"}, "softMm": 1}])",
+      "[0].softMm is unknown");
+  row("two points of a leg", R"([{"kind": "legAxis", "points": [[0, 0, 0], [1, 0, 0]]}])",
+      "[0].points must hold 3");
   row("a field twice", R"([{"kind": "volume", "kind": "probe"}])", "given twice");
 }
 
