@@ -217,7 +217,7 @@ void CineBar::showNumbers() {
   };
   show(first_, first, {numberOnTheWay(what, 0, round_.last), last});
   show(last_, last, {first, numberOnTheWay(what, what.count() - 1, round_.first)});
-  rate_->setNumber(round_.rate, leastRate, mostRate, 2);
+  rate_->setNumber(round_.rate, std::min(leastRate, round_.rate), mostRate, 2);
   makeRoom();
 }
 
