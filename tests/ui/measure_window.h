@@ -28,6 +28,8 @@ inline std::vector<QPointF> placesOf(ShapeKind kind) {
       return {{60, 60}, {120, 90}, {100, 150}};
     case ShapeKind::cobb:
       return {{60, 60}, {130, 70}, {60, 140}, {120, 160}};
+    case ShapeKind::legAxis:
+      return {{90, 50}, {110, 100}, {96, 150}};
     case ShapeKind::bidirectional:
       return {{60, 60}, {140, 60}, {100, 40}, {100, 90}};
     case ShapeKind::cardiothoracic:
@@ -45,9 +47,9 @@ inline std::vector<QPointF> placesOf(ShapeKind kind) {
 
 /// All that a tool draws and then gives way to the one before; the arrow last, which asks for its text.
 inline const std::vector<ShapeKind> drawnKinds{
-    ShapeKind::length,   ShapeKind::polyline,       ShapeKind::bidirectional, ShapeKind::angle,
-    ShapeKind::cobb,     ShapeKind::cardiothoracic, ShapeKind::ellipse,       ShapeKind::rectangle,
-    ShapeKind::freehand, ShapeKind::probe,          ShapeKind::arrow};
+    ShapeKind::length,    ShapeKind::polyline, ShapeKind::bidirectional,  ShapeKind::angle,
+    ShapeKind::cobb,      ShapeKind::legAxis,  ShapeKind::cardiothoracic, ShapeKind::ellipse,
+    ShapeKind::rectangle, ShapeKind::freehand, ShapeKind::probe,          ShapeKind::arrow};
 
 /// As radiologists draw it: lines and boxes by drags, the rest of an angle and of a polyline by clicks. The
 /// tool is in hand.

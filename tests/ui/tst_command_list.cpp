@@ -2,9 +2,12 @@
 // click, without a mouse; what cannot be done is grey and does nothing.
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
+#include <QTemporaryDir>
 #include <QTreeWidget>
 
 #include "tests/ui/clean_settings.h"
+#include "tests/ui/hanging_window.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/command_list.h"
@@ -58,6 +61,11 @@ class TestCommandList : public CleanSettings {
   void keysThatAreNoCommandsAreFound();
   void lettersAreTypedNotDone();
   void itActsOnTheViewThatHadTheKeys();
+  void aWindowIsFoundByItsName();
+  void aPresetIsFoundByItsName();
+  void aSeriesIsFoundByItsName();
+  void aProtocolIsFoundByItsName();
+  void whatWasOpenedIsFoundThoughItsMenuIsFilledAgain();
 };
 
 void TestCommandList::itHoldsAllCommands() {
@@ -215,6 +223,86 @@ void TestCommandList::itActsOnTheViewThatHadTheKeys() {
   QTest::keyClick(w.search(), Qt::Key_Return);
   QVERIFY(flatLookOf(w.view()->state()).turn.mirrored);
   QVERIFY(!flatLookOf(w.view(coronalViewId)->state()).turn.mirrored);
+}
+
+void TestCommandList::aWindowIsFoundByItsName() {
+  CommandWindow w;
+  w.type("lung window");
+  QCOMPARE(w.texts(0).mid(0, 2),
+           (QStringList{QStringLiteral("Lung"), QStringLiteral("View > Window presets")}));
+  QVERIFY2(!w.rowOf("Click a slice or a frame first."), "what only says why is no command");
+  QTest::keyClick(w.search(), Qt::Key_Return);
+  QCOMPARE(w.session().workspace().series.at(w.view()->state().series).window,
+           std::optional(Window{-600, 1500}));
+  w.session().setFocus(sceneViewId);
+  w.window.view()->setFocus();
+  w.open();
+  w.type("lung window");
+  QVERIFY2(!w.row(0), "3D has none");
+}
+
+void TestCommandList::aPresetIsFoundByItsName() {
+  CommandWindow w;
+  w.type("presets ct-lung");
+  QCOMPARE(w.texts(0).mid(0, 2), (QStringList{QStringLiteral("CT-Lung"), QStringLiteral("3D presets")}));
+  QTest::keyClick(w.search(), Qt::Key_Return);
+  QTRY_COMPARE_WITH_TIMEOUT(w.session().undoStack().undoText(), QStringLiteral("Preset CT-Lung"), longest);
+}
+
+void TestCommandList::aSeriesIsFoundByItsName() {
+  CommandWindow w;
+  QTest::keyClick(w.search(), Qt::Key_Escape);
+  const LoadedSeriesPtr first = w.session().series();
+  auto other = std::make_shared<LoadedSeries>(*ballSeries(24, 8));
+  other->series.description = "Pair & half";
+  auto study = std::make_shared<Study>();
+  study->volumes = {first->series, other->series};
+  w.window.document().open.add(QStringLiteral("/data"), study);
+  w.session().show(other, axialViewId);
+  w.session().show(first, axialViewId);
+  QCOMPARE(w.view()->state().series, keyOf(first->series));
+  w.view()->setFocus();
+  w.open();
+  w.type("show series pair half");
+  QVERIFY(w.row(0) && w.row(0)->text(0).contains(QStringLiteral("Pair & half")));
+  QTest::keyClick(w.search(), Qt::Key_Return);
+  QTRY_COMPARE(seriesIn(w.session().workspace(), w.session().workspace().focus)->description,
+               other->series.description);
+}
+
+void TestCommandList::aProtocolIsFoundByItsName() {
+  MammogramsWindow w;
+  QVERIFY(w.isWritten);
+  QVERIFY(w.isHungInFour());
+  w.frameView(0)->setFocus();
+  QTest::keyClick(w.frameView(0), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* search = w.child<QLineEdit>("commandSearch");
+  QTest::keyClicks(search, QStringLiteral("hanging mammograms, cc"));
+  const auto* rows = w.child<QTreeWidget>("commandRows");
+  QVERIFY(rows->topLevelItem(0));
+  QCOMPARE(rows->topLevelItem(0)->text(0), QStringLiteral("Mammograms, CC"));
+  QCOMPARE(rows->topLevelItem(0)->text(1), QStringLiteral("View > Hanging protocols"));
+  QTest::keyClick(search, Qt::Key_Return);
+  QTRY_COMPARE(w.session().undoStack().undoText(), QStringLiteral("Hang as Mammograms, CC"));
+}
+
+// The menu is filled again once it is known which of the files are still there.
+void TestCommandList::whatWasOpenedIsFoundThoughItsMenuIsFilledAgain() {
+  const QTemporaryDir folder;
+  CommandWindow w;
+  QTest::keyClick(w.search(), Qt::Key_Escape);
+  w.window.document().recent.add(folder.path());
+  w.view()->setFocus();
+  w.open();
+  w.type("open recent");
+  QCOMPARE(w.texts(0).mid(0, 2), (QStringList{folder.path(), QStringLiteral("File > Open recent")}));
+  QMenu* menu = w.child<QMenu>("recentMenu");
+  const QPointer<QAction> before = menu->actions().value(0);
+  Q_EMIT w.window.document().recent.changed();
+  QVERIFY2(!before, "it was filled again");
+  QTest::keyClick(w.search(), Qt::Key_Return);
+  QVERIFY(!w.list()->isVisible());
+  QTRY_VERIFY2(!w.child<Banner>("banner")->sentence().isEmpty(), "the folder is empty, which was found out");
 }
 
 VOLUMEN_TEST(TestCommandList);

@@ -193,9 +193,9 @@ void TestFocusKeys::toolsOfTheViewInFocusAreLit() {
   QStringList wanted = lit.split(QLatin1Char(' '));
   wanted.sort();
   QCOMPARE(enabled, wanted);
-  const bool measures = view == axialViewId;
-  QCOMPARE(w.child<QAction>("lengthTool")->isEnabled(), measures);
-  QCOMPARE(w.child<QToolButton>("measureButton")->isEnabled(), measures);
+  QVERIFY2(w.child<QToolButton>("measureButton")->isEnabled(), "lengths and angles are of both");
+  QVERIFY(w.child<QAction>("lengthTool")->isEnabled() && w.child<QAction>("angleTool")->isEnabled());
+  QCOMPARE(w.child<QAction>("ellipseTool")->isEnabled(), view == axialViewId);
 }
 
 void TestFocusKeys::toolTipsNameKeys() {

@@ -87,6 +87,8 @@ void TestPick::halfOfASlabsOpacityIsItsPlace() {
   const double whole = -std::expm1(-mu * side), depth = -std::log1p(-whole / 2) / mu;
   QVERIFY2(std::abs(hit->pPatient->y - (-side / 2.0 + depth)) < 0.01,
            qPrintable(QString::number(hit->pPatient->y)));
+  const double soft = (std::log1p(-whole / 4) - std::log1p(-0.75 * whole)) / mu;
+  QVERIFY2(std::abs(hit->softMm - soft) < 0.01, qPrintable(QString::number(hit->softMm)));
 }
 
 void TestPick::theSlabBeginsAtTheClipAndTheEye() {

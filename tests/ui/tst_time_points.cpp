@@ -83,6 +83,7 @@ class TestTimePoints : public QObject {
   void memoryWithoutRoomLoadsNothingAhead();
   void theSliderIsThereWhereThereAreSeveral();
   void aClipRunsInTime();
+  void itRunsOnWhileSomethingElseIsChanged();
   void theListHasOneRow();
   void theSliderIsIn3dToo();
   void bothNeighboursAreLoadedAhead();
@@ -195,6 +196,25 @@ void TestTimePoints::aClipRunsInTime() {
   QTest::keyClick(w.view(), Qt::Key_C);
   QCOMPARE(w.view()->plane()->centre, place);
   QCOMPARE(w.session().undoStack().count(), before + 1);
+}
+
+void TestTimePoints::itRunsOnWhileSomethingElseIsChanged() {
+  Perfusion w(path_);
+  QVERIFY(w.opened());
+  QVERIFY(w.shows(100));
+  w.session().setFocus(axialViewId);
+  w.view()->setFocus();
+  const int before = w.session().undoStack().index();
+  QTest::keyClick(w.view(), Qt::Key_C);
+  QVERIFY(w.shows(200));
+  drag(w.view(coronalViewId), {60, 60}, {90, 80});
+  const QString changed = w.session().undoStack().undoText();
+  for (const int value : {300, 400, 100}) QVERIFY(w.shows(value));
+  QVERIFY(w.view()->isPlaying());
+  QTest::mouseClick(w.view()->findChild<QAbstractButton*>(QStringLiteral("cinePlay")), Qt::LeftButton);
+  QVERIFY(!w.view()->isPlaying());
+  QCOMPARE(w.session().undoStack().index(), before + 2);
+  QCOMPARE(w.session().undoStack().undoText(), changed);
 }
 
 // One row says how many there are, whichever is shown; what is listed elsewhere follows.

@@ -42,6 +42,7 @@ class TestWorkspace : public QObject {
   void layoutsKeepTheFocusOnScreen_data();
   void layoutsKeepTheFocusOnScreen();
   void randomStepsAreUndoneToTheByte();
+  void whatPlaysOnBelongsToTheStepBefore();
   void theOldestSeriesGoFirst();
   void whatIsOnScreenStays();
   void aSeriesThatWentIsAskedForAgain();
@@ -197,6 +198,52 @@ void TestWorkspace::randomStepsAreUndoneToTheByte() {
     session.undoStack().redo();
     QVERIFY2(session.workspace() == history[n], qPrintable(QString::number(n)));
   }
+}
+
+void TestWorkspace::whatPlaysOnBelongsToTheStepBefore() {
+  Session session;
+  session.show(tests::ballSeries());
+  brighten(session, 0.9);
+  const auto steps = [&] { return session.undoStack().index(); };
+  const int atStart = steps();
+  const auto play = [&](double intensity) {
+    session.playOn(atStart, [&] {
+      session.edit(
+          QStringLiteral("Played"), [&](Scene& s) { s.lights[0].intensity = intensity; },
+          QStringLiteral("Played"));
+    });
+  };
+  const Workspace start = session.workspace();
+  play(0.1);
+  QCOMPARE(steps(), atStart + 1);
+  play(0.2);
+  const Workspace played = session.workspace();
+  session.edit(
+      QStringLiteral("Mode"), [](Scene& s) { s.mode = Mode::mip; }, QStringLiteral("Mode"));
+  play(0.3);
+  session.edit(
+      QStringLiteral("Mode"), [](Scene& s) { s.mode = Mode::minip; }, QStringLiteral("Mode"));
+  play(0.4);
+  const Workspace last = session.workspace();
+  QCOMPARE(steps(), atStart + 2);
+  QCOMPARE(session.undoStack().undoText(), QStringLiteral("Mode"));
+  session.undoStack().undo();
+  QVERIFY(session.workspace() == played);
+  session.undoStack().undo();
+  QVERIFY(session.workspace() == start);
+  session.undoStack().redo();
+  session.undoStack().redo();
+  QVERIFY(session.workspace() == last);
+  // Back where it began nothing is left of it, and the step before keeps out of it.
+  session.undoStack().undo();
+  session.undoStack().undo();
+  play(0.1);
+  play(0.9);
+  QCOMPARE(steps(), atStart);
+  play(0.2);
+  QCOMPARE(steps(), atStart + 1);
+  session.undoStack().undo();
+  QVERIFY(session.workspace() == start);
 }
 
 void TestWorkspace::theOldestSeriesGoFirst() {

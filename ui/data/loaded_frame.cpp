@@ -42,9 +42,10 @@ std::vector<std::uint8_t> allOverlays(const Frame& frame) {
 }
 
 // What tools and texts ask of a series.
-LoadedSeriesPtr sliceOf(const Series& series, const Frame& frame, VolumePtr volume) {
+LoadedSeriesPtr sliceOf(const Series& series, int index, const Frame& frame, VolumePtr volume) {
   auto slice = std::make_shared<LoadedSeries>();
   static_cast<SeriesIdentity&>(slice->series) = series;
+  slice->series.laterality = projectionOf(series, index).laterality;
   slice->series.id = series.id;
   slice->series.path = series.path;
   slice->series.format = series.format;
@@ -92,7 +93,7 @@ Result<LoadedFramePtr> shownFrame(const Series& series, const FrameKey& key, Fra
     if (!made) return made.error();
     *volume = *made;
   }
-  shown->slice = sliceOf(series, frame, values);
+  shown->slice = sliceOf(series, key.index, frame, values);
   shown->greys = std::move(frame.greys);
   shown->seriesGreys = std::move(seriesGreys);
   shown->pixel = frame.pixel;

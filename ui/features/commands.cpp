@@ -1,6 +1,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPointer>
 #include <algorithm>
 #include <set>
 
@@ -16,7 +17,7 @@ namespace {
 
 // Something that can be searched for: an action, or a key that is none's.
 struct Command {
-  QAction* action = nullptr;
+  QPointer<QAction> action;
   CommandList::Row row;
   std::string folded{};  // what its words are looked for in
 };
@@ -30,13 +31,16 @@ class Commands : public Feature {
   void open();
   void collect();
   void add(QAction* action, const QString& path);
-  void addMenu(const QMenu& menu, const QString& path);
+  void addMenu(QMenu& menu, const QString& path);
+  void run(const Command& chosen);
   void show(const QString& typed);
   void noteUse(QAction* action);
 
   CommandList* list_;
-  std::vector<Command> all_;         // while the list is open
-  std::set<const QAction*> wanted_;  // those that belong in it, but for those that are there
+  QMenu more_;                      // what stands in no menu of the window
+  std::vector<Command> all_;        // while the list is open
+  std::set<const QAction*> own_;    // actions that features own, which are there where they are grey, too
+  std::set<const QAction*> taken_;  // those that are in it
   std::vector<Command> shown_;
   std::vector<const QAction*> used_;  // the last one first
 };
@@ -50,7 +54,7 @@ Commands::Commands(Workbench& bench) : Feature(bench), list_(new CommandList(&be
                     [this](bool) { open(); },
                     {{"helpMenu"}}});
   connect(list_, &CommandList::typed, this, &Commands::show);
-  connect(list_, &CommandList::chosen, this, [this](int row) { shown_[std::size_t(row)].action->trigger(); });
+  connect(list_, &CommandList::chosen, this, [this](int row) { run(Command(shown_[std::size_t(row)])); });
   connect(&bench_, &Workbench::made, this, [this] {
     for (const auto& [name, action] : bench_.actions)
       connect(action, &QAction::triggered, this, [this, action = action] { noteUse(action); });
@@ -71,12 +75,17 @@ void Commands::open() {
 // In the order of the menus, then what stands in none of them, then the keys.
 void Commands::collect() {
   all_.clear();
-  wanted_.clear();
+  own_.clear();
+  taken_.clear();
   for (const auto& [name, action] : bench_.actions)
-    if (!action->menu()) wanted_.insert(action);
-  for (const auto& [name, dock] : bench_.docks) wanted_.insert(dock.widget->toggleViewAction());
+    if (!action->menu()) own_.insert(action);
+  for (const auto& [name, dock] : bench_.docks) own_.insert(dock.widget->toggleViewAction());
   for (const QAction* title : bench_.window.menuBar()->actions())
     if (title->menu()) addMenu(*title->menu(), textOf(*title));
+  for (QObject* menu : QObjectList(more_.children()))
+    if (qobject_cast<QMenu*>(menu)) delete menu;
+  Q_EMIT bench_.commandsOpen(&more_);
+  for (QAction* action : more_.actions()) addMenu(*action->menu(), textOf(*action));
   for (const auto& [name, action] : bench_.actions) add(action, {});
   for (const KeyRow& row : keyRows())
     all_.push_back({nullptr, {row.text, tr("Mouse and keys"), row.keys, false}});
@@ -86,17 +95,30 @@ void Commands::collect() {
                                 .toStdString());
 }
 
+// Of what menus fill themselves with, only what can be done: the rest says why there is nothing.
 void Commands::add(QAction* action, const QString& path) {
-  if (wanted_.erase(action) == 0) return;
+  const bool isOwn = own_.contains(action);
+  if (action->menu() || action->isSeparator() || (!isOwn && !action->isEnabled())) return;
+  if (textOf(*action).isEmpty() || !taken_.insert(action).second) return;
   all_.push_back({action, {textOf(*action), path, keysOf(*action), action->isEnabled()}});
 }
 
-void Commands::addMenu(const QMenu& menu, const QString& path) {
+void Commands::addMenu(QMenu& menu, const QString& path) {
+  Q_EMIT menu.aboutToShow();  // which fills it
   for (QAction* action : menu.actions())
     if (action->menu())
       addMenu(*action->menu(), path + QStringLiteral(" > ") + textOf(*action));
     else
       add(action, path);
+}
+
+// A menu that was filled again since has another action of the same name.
+void Commands::run(const Command& chosen) {
+  if (chosen.action) return chosen.action->trigger();
+  collect();
+  for (const Command& command : all_)
+    if (command.action && command.row.text == chosen.row.text && command.row.path == chosen.row.path)
+      return command.action->trigger();
 }
 
 // Those in which every word is found; what was used last comes first where nothing is typed.
@@ -109,7 +131,7 @@ void Commands::show(const QString& typed) {
   shown_.clear();
   std::ranges::copy_if(all_, std::back_inserter(shown_), isFound);
   const auto rank = [&](const Command& command) {
-    return std::ranges::find(used_, command.action) - used_.begin();
+    return std::ranges::find(used_, command.action.data()) - used_.begin();
   };
   if (words.empty()) std::ranges::stable_sort(shown_, {}, rank);
   std::vector<CommandList::Row> rows;

@@ -44,13 +44,16 @@ Measuring::Measuring(Workbench& bench) : Feature(bench) {
   auto* panel = new MeasurementsPanel(session_, bench_.document.measurer);
   bench_.addDock(
       {"measurements", tr("Measure"), panel, {Qt::RightDockWidgetArea, 50, true, Workbench::About::flat}});
+  bench_.forEachVolumeView([this](VolumeView* view) {
+    connect(view, &VolumeView::missed, this, [this](const QString& sentence) { tell(sentence); });
+  });
   connect(panel, &MeasurementsPanel::jumpRequested, this, &Measuring::showMeasurement);
   connect(panel, &MeasurementsPanel::saved, this,
           [this](const QString& path) { tell(tr("Saved %1").arg(path)); });
   connect(panel, &MeasurementsPanel::failed, this, [this](const QString& sentence) { warn(sentence); });
 }
 
-// Their keys mean views in 3D: flat views hear them themselves, the menu only tells them.
+// Most of their keys mean views in 3D: views hear them themselves, the menu only tells them.
 void Measuring::makeActions() {
   QMenu* measures = bench_.addMenu("measureMenu", tr("Measure"), {});
   auto* group = new QActionGroup(&bench_.window);

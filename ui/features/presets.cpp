@@ -1,3 +1,5 @@
+#include <QMenu>
+
 #include "ui/controller/preset_thumbnails.h"
 #include "ui/features/feature.h"
 #include "ui/panels/preset_bar.h"
@@ -14,6 +16,8 @@ class Presets : public Feature {
   explicit Presets(Workbench& bench);
 
  private:
+  void choose(const QString& name);
+  void addCommands(QMenu* more);
   void connectThumbnails();
   void drawThumbnails();
   void forgetThumbnails();
@@ -30,8 +34,8 @@ Presets::Presets(Workbench& bench)
       bar_(new PresetBar(session_, bench.services.presets)) {
   bench_.menus.addWidget(bar_, {"toolBar", 30});
   Loader& loader = bench_.document.loader;
-  connect(bar_, &PresetBar::presetChosen, &loader,
-          [this, &loader](const QString& name) { loader.makePreset(name, session_.series()->volume); });
+  connect(bar_, &PresetBar::presetChosen, this, &Presets::choose);
+  connect(&bench_, &Workbench::commandsOpen, this, &Presets::addCommands);
   connect(&loader, &Loader::presetReady, this,
           [this](const QString& name, const Scene& scene, const VolumePtr& volume) {
             if (session_.series() && session_.series()->volume == volume)
@@ -40,6 +44,20 @@ Presets::Presets(Workbench& bench)
   connect(bar_, &PresetBar::failed, this, [this](const QString& sentence) { warn(sentence); });
   connectThumbnails();
   tellProblems();
+}
+
+void Presets::choose(const QString& name) {
+  if (session_.series()) bench_.document.loader.makePreset(name, session_.series()->volume);
+}
+
+void Presets::addCommands(QMenu* more) {
+  if (!session_.series()) return;
+  QMenu* menu = more->addMenu(tr("3D presets"));
+  for (const std::string& preset : bar_->names()) {
+    QString text = shownText(preset);
+    menu->addAction(text.replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                    [this, name = QString::fromStdString(preset)] { choose(name); });
+  }
 }
 
 void Presets::connectThumbnails() {

@@ -7,6 +7,7 @@
 #include "ui/panels/study_model.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 
@@ -21,6 +22,7 @@ class Studies : public Feature {
  private:
   void connectSession();
   void markShown();
+  void addCommands(QMenu* more);
   void showDropped(const QMimeData& what);
   void closeAll(const Unlisted& listed);
   void showAttributes(const Series& series);
@@ -46,6 +48,7 @@ Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(ope
                     {{"viewMenu", 60, 135}}});
   connect(&bench_, &Workbench::sliceMenuOpens, this,
           [this](QMenu* menu) { menu->addAction(bench_.action("attributes")); });
+  connect(&bench_, &Workbench::commandsOpen, this, &Studies::addCommands);
   connect(panel_, &StudiesPanel::removeRequested, &session_, &Session::close);
   connect(panel_, &StudiesPanel::closeAllRequested, this, &Studies::closeAll);
   connect(&grid_, &ViewGrid::dropped, this, &Studies::showDropped);
@@ -71,6 +74,18 @@ void Studies::markShown() {
   if (!series) return;
   const LoadedSeriesPtr inMemory = session_.seriesOf(session_.workspace().focus);
   panel_->markShown(*series, inMemory ? inMemory->volume : nullptr);
+}
+
+// The series that are open, by name.
+void Studies::addCommands(QMenu* more) {
+  QMenu* menu = more->addMenu(tr("Show series"));
+  for (const Series* series : open_.pictures()) {
+    QString text = seriesText(*series);
+    menu->addAction(text.replace(QLatin1Char('&'), QStringLiteral("&&")), this, [this, key = keyOf(*series)] {
+      for (const Series* listed : open_.pictures())
+        if (keyOf(*listed) == key) return bench_.document.opener.show(*listed);
+    });
+  }
 }
 
 void Studies::showDropped(const QMimeData& what) {

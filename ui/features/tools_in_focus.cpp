@@ -37,14 +37,15 @@ void ToolsInFocus::show() {
   const Workspace& workspace = session_.workspace();
   const ViewKind kind = workspace.view(workspace.focus).kind;
   const bool isFlatView = isFlat(kind) || showsFrames(workspace, workspace.focus);
+  const bool isScene = !isFlatView && showsScene(kind);
   const std::vector<const Tool*> of3D = chosenSceneTools();
   for (const Tool& tool : tools()) {
     const auto action = bench_.actions.find(QLatin1String(tool.name) + QStringLiteral("Tool"));
     if (action == bench_.actions.end()) continue;
-    const bool isOf3D = std::ranges::find(of3D, &tool) != of3D.end();
-    action->second->setEnabled((isFlatView && tool.inSlices) || (!isFlatView && isOf3D && showsScene(kind)));
+    const bool isOf3D = std::ranges::find(of3D, &tool) != of3D.end() || (tool.draws() && tool.inScene);
+    action->second->setEnabled((isFlatView && tool.inSlices) || (isScene && isOf3D));
   }
-  bench_.action("measure")->setEnabled(isFlatView);
+  bench_.action("measure")->setEnabled(isFlatView || isScene);
 }
 
 }  // namespace

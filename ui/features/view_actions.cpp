@@ -195,6 +195,9 @@ void ViewActions::showVolumeMenu(QPoint global) {
   addKinds(menu);
   menu->addSeparator();
   menu->addActions(tools_->actions());
+  for (const Tool& tool : tools())
+    if (tool.draws() && tool.inScene)
+      menu->addAction(bench_.actions.at(QLatin1String(tool.name) + QStringLiteral("Tool")));
   menu->addSeparator();
   for (const char* name : {"removeTable", "resetScissors", "resetView"})
     menu->addAction(bench_.actions.at(QLatin1String(name)));

@@ -179,6 +179,8 @@ class Workbench : public QObject, public WindowParts {
   void objectChosen(const volumen::DerivedObjectPtr& object);
   /// A menu over slices or frames is about to open: features add what they have for it.
   void sliceMenuOpens(QMenu* menu, volumen::FlatView* view);
+  /// The list of commands opens: features add a menu of what they have that stands in no menu.
+  void commandsOpen(QMenu* more);
 };
 
 }  // namespace volumen

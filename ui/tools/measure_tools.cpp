@@ -113,8 +113,14 @@ std::unique_ptr<Drag> beginShape(const SlicePress& press) {
 }
 
 template <ShapeKind kind>
+std::unique_ptr<SceneDrag> beginShapeInScene(const ScenePress& press) {
+  return beginSurfaceShape(press, kind);
+}
+
+template <ShapeKind kind>
 Tool measuringTool(int key) {
-  return {ruleOf(kind).name, kindText(kind), Qt::CrossCursor, beginShape<kind>, nullptr, key, true};
+  const auto inScene = ruleOf(kind).inScene ? beginShapeInScene<kind> : nullptr;
+  return {ruleOf(kind).name, kindText(kind), Qt::CrossCursor, beginShape<kind>, inScene, key, true};
 }
 
 Tool labelTool() {
@@ -128,11 +134,19 @@ Tool labelTool() {
 
 std::vector<Tool> measuringTools() {
   using enum ShapeKind;
-  return {
-      measuringTool<length>(Qt::Key_D),  measuringTool<polyline>(0),      measuringTool<bidirectional>(0),
-      measuringTool<angle>(Qt::Key_A),   measuringTool<cobb>(0),          measuringTool<cardiothoracic>(0),
-      measuringTool<ellipse>(Qt::Key_E), measuringTool<rectangle>(0),     measuringTool<freehand>(0),
-      measuringTool<probe>(Qt::Key_P),   measuringTool<arrow>(Qt::Key_T), labelTool()};
+  return {measuringTool<length>(Qt::Key_D),
+          measuringTool<polyline>(0),
+          measuringTool<bidirectional>(0),
+          measuringTool<angle>(Qt::Key_A),
+          measuringTool<cobb>(0),
+          measuringTool<legAxis>(0),
+          measuringTool<cardiothoracic>(0),
+          measuringTool<ellipse>(Qt::Key_E),
+          measuringTool<rectangle>(0),
+          measuringTool<freehand>(0),
+          measuringTool<probe>(Qt::Key_P),
+          measuringTool<arrow>(Qt::Key_T),
+          labelTool()};
 }
 
 }  // namespace volumen

@@ -40,6 +40,12 @@ struct SlicePress {
   }
 };
 
+/// A place of what is seen in 3D.
+struct SurfacePoint {
+  glm::dvec3 pPatient;  ///< mm
+  double softMm;        ///< Shape::softMm
+};
+
 /// A 3D view when the mouse was pressed, as far as tools know it.
 struct ScenePress {
   Session& session;
@@ -54,6 +60,10 @@ struct ScenePress {
   std::function<void(const QString& text, const Camera& camera)> moveCamera;
   /// Takes away what was drawn around.
   std::function<void(const Lasso& lasso)> cut;
+  /// What is seen at a place of the view, whatever moved its camera since; none: nothing.
+  std::function<std::optional<SurfacePoint>(QPointF p)> surfaceAt{};
+  /// Says that nothing is seen there that could be measured on.
+  std::function<void(QPointF p)> missed{};
 
   const Camera& camera() const { return *scene.camera; }
   /// What turns and moves go about.
@@ -93,12 +103,17 @@ const std::vector<Tool>& tools();
 const Tool& toolNamed(std::string_view name);
 /// The tool of a key in slices; null: it is none's.
 const Tool* sliceToolOfKey(int key);
-/// Those of 3D that have a key: they are chosen for the left button.
+/// Those of 3D that have a key and draw nothing: they are chosen for the left button.
 std::vector<const Tool*> chosenSceneTools();
 
 std::unique_ptr<SceneDrag> beginRotate(const ScenePress& press);
 std::unique_ptr<SceneDrag> beginCurve(const ScenePress& press);
 std::unique_ptr<SceneDrag> beginScissors(const ScenePress& press);
+/// Draws a measurement on what is seen; null, and missed(), where nothing is.
+std::unique_ptr<SceneDrag> beginSurfaceShape(const ScenePress& press, ShapeKind kind);
+/// Moves a point of a measurement, seen there, over what is seen.
+std::unique_ptr<SceneDrag> beginSurfacePoint(const ScenePress& press, int measurement, std::size_t point,
+                                             QPointF seenAt);
 std::unique_ptr<SceneDrag> beginScenePan(const ScenePress& press);
 std::unique_ptr<SceneDrag> beginSceneZoom(const ScenePress& press);
 std::unique_ptr<Drag> beginWindow(const SlicePress& press);

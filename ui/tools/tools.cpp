@@ -50,7 +50,7 @@ const Tool* sliceToolOfKey(int key) {
 std::vector<const Tool*> chosenSceneTools() {
   std::vector<const Tool*> chosen;
   for (const Tool& tool : tools())
-    if (tool.inScene && tool.key) chosen.push_back(&tool);
+    if (tool.inScene && tool.key && !tool.draws()) chosen.push_back(&tool);
   return chosen;
 }
 

@@ -1,10 +1,8 @@
 #include "ui/views/cine_bar.h"
 
 #include <QApplication>
-#include <QHBoxLayout>
 #include <QMouseEvent>
 #include <QSignalBlocker>
-#include <QToolTip>
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -21,10 +19,18 @@ constexpr double usualRates[] = {1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 40, 50, 60, 
 // The least width in which a control is there, logical pixels.
 constexpr int widthForNumber = 190, widthForWays = 250, widthForRate = 320, widthForRange = 420;
 
+// The number of the first place on the way to another that has one; 0: none has.
+int numberOnTheWay(const Playable& what, int from, int to) {
+  const int step = from <= to ? 1 : -1;
+  for (int place = from; place != to; place += step)
+    if (const int number = what.numberOf(place)) return number;
+  return what.numberOf(to);
+}
+
 }  // namespace
 
 CineBar::CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, QWidget* parent)
-    : QWidget(parent), session_(session), view_(view) {
+    : QWidget(parent), session_(session), view_(view), steps_(session.undoStack().index()) {
   auto time = std::make_unique<PlayedTimePoints>(session, view, std::move(isDrawn));
   time_ = time.get();
   all_.push_back(std::move(time));
@@ -56,6 +62,7 @@ CineBar::CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, Q
             if (isOvertaken(before, after)) giveUp();
             look();
           });
+  connect(&session_.undoStack(), &QUndoStack::indexChanged, this, &CineBar::seeSteps);
   connect(qApp, &QApplication::focusChanged, this, [this](const QWidget* was, QWidget* now) {
     if (isAncestorOf(was)) look();
     if (isAncestorOf(now)) takeFocus(now);
@@ -66,90 +73,6 @@ CineBar::CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, Q
 
 // Fields lose their focus after it is gone.
 CineBar::~CineBar() { disconnect(qApp, nullptr, this, nullptr); }
-
-QToolButton* CineBar::addButton(const char* name, const QString& text, const QString& tip, bool checkable) {
-  auto* button = new QToolButton(this);
-  button->setObjectName(QLatin1String(name));
-  button->setText(text);
-  button->setToolTip(toolTipOf(tip));
-  button->setAccessibleName(tip);
-  button->setCheckable(checkable);
-  button->setFocusPolicy(Qt::TabFocus);
-  button->setFixedHeight(barHeight - 2);
-  layout()->addWidget(button);
-  return button;
-}
-
-TypedNumber* CineBar::addNumber(const char* name, const QString& tip, int width) {
-  auto* field = new TypedNumber(name, tip, this);
-  field->setFixedSize(width, barHeight - 2);
-  field->setFrame(false);
-  layout()->addWidget(field);
-  const auto giveKeysBack = [this] { parentWidget()->setFocus(); };
-  connect(field, &TypedNumber::typed, this, giveKeysBack);
-  connect(field, &TypedNumber::givenUp, this, giveKeysBack);
-  connect(field, &TypedNumber::refused, this, [field](const QString& why) {
-    QToolTip::showText(field->mapToGlobal(QPoint(0, -2 * barHeight)), toolTipOf(why));
-  });
-  return field;
-}
-
-void CineBar::makeControls() {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(4, 1, 12, 1);  // beside the bar of the stack
-  row->setSpacing(3);
-  row->setSizeConstraint(QLayout::SetNoConstraint);
-  play_ = addButton("cinePlay", QStringLiteral("\u25b6"), tr("Play or stop (C)"), false);
-  what_ = addButton("cineWhat", {}, tr("What is played"), false);
-  place_ = new QSlider(Qt::Horizontal, this);
-  place_->setObjectName(QStringLiteral("cinePlace"));
-  place_->setFocusPolicy(Qt::NoFocus);  // the view has keys for it
-  place_->setMaximum(0);
-  place_->setPageStep(1);
-  row->addWidget(place_, 1);
-  number_ = addNumber("cineNumber", tr("Number shown"), 38);
-  first_ = addNumber("cineFirst", tr("First one played"), 34);
-  last_ = addNumber("cineLast", tr("Last one played"), 34);
-  rate_ = addNumber("cineRate", tr("Speed, a second (+ and -)"), 38);
-  back_ = addButton("cineBack", QStringLiteral("\u21c4"), tr("Back and forth"), true);
-  loop_ = addButton("cineLoop", QStringLiteral("\u21bb"), tr("Again and again"), true);
-}
-
-void CineBar::connectControls() {
-  connect(play_, &QToolButton::clicked, this, [this] {
-    session_.setFocus(view_);  // what is played is loaded ahead there
-    togglePlay();
-  });
-  connect(what_, &QToolButton::clicked, this, [this] {
-    stop();
-    const Playable* now = current();
-    for (const auto& other : all_)
-      if (other.get() != now && other->count() > 1) chosen_ = other.get();
-    look();
-  });
-  connect(place_, &QSlider::valueChanged, this, &CineBar::goTo);
-  connect(place_, &QSlider::sliderPressed, this, [this] { session_.endGesture(); });
-  connect(place_, &QSlider::sliderReleased, this, [this] { session_.endGesture(); });
-  connect(number_, &TypedNumber::typed, this, [this](double number) {
-    session_.endGesture();
-    goTo(placeOf(int(number)));
-    session_.endGesture();
-  });
-  const auto change = [this](auto edit) {
-    return [this, edit](auto value) {
-      CineRound round = round_;
-      edit(round, value);
-      setRound(round);
-    };
-  };
-  connect(first_, &TypedNumber::typed, this,
-          change([this](CineRound& r, double n) { r.first = placeOf(int(n)); }));
-  connect(last_, &TypedNumber::typed, this,
-          change([this](CineRound& r, double n) { r.last = placeOf(int(n)); }));
-  connect(rate_, &TypedNumber::typed, this, change([](CineRound& r, double n) { r.rate = n; }));
-  connect(back_, &QToolButton::toggled, this, change([](CineRound& r, bool on) { r.backAndForth = on; }));
-  connect(loop_, &QToolButton::toggled, this, change([](CineRound& r, bool on) { r.loops = on; }));
-}
 
 void CineBar::add(std::unique_ptr<Playable> what, bool before) {
   all_.insert(before ? all_.begin() : all_.end(), std::move(what));
@@ -168,13 +91,6 @@ Playable* CineBar::current() const {
   return first;
 }
 
-int CineBar::numberOf(int place) const {
-  const Playable& what = *current();
-  return what.countsDown() ? what.count() - place : place + 1;
-}
-
-int CineBar::placeOf(int number) const { return numberOf(number - 1) - 1; }  // it is its own inverse
-
 void CineBar::endPlayer() {
   if (CinePlayer* last = std::exchange(player_, nullptr)) last->end();
 }
@@ -192,6 +108,7 @@ void CineBar::togglePlay() {
   if (!what) return;
   session_.endGesture();
   played_ = what;
+  played_->begin(steps_);
   player_ = new CinePlayer(*what, round_);
   player_->setParent(this);
   connect(player_, &CinePlayer::over, this, &CineBar::stop);
@@ -221,16 +138,21 @@ void CineBar::giveUp() {
   played_->giveUp();
 }
 
-// Whether something else than the player changed what would be written as it goes on: steps of both would
-// take turns. A clip writes where it ends alone.
+// Whether something else than the player went to another place or plane of what is played; whatever else is
+// changed lets it go on. A clip writes where it ends alone.
 bool CineBar::isOvertaken(const Workspace& before, const Workspace& after) const {
   if (!player_ || player_->isGoing()) return false;
   if (played_->keepsTime())
     return flatLookOf(before.view(view_)).frame != flatLookOf(after.view(view_)).frame;
-  Workspace same = before;
-  same.focus = after.focus;
-  same.selected = after.selected;
-  return same != after;
+  return before.view(view_).kind != after.view(view_).kind || !player_->isWhereItWent();
+}
+
+// Undoing ends it: as it went on, what was undone could not be done again.
+void CineBar::seeSteps(int steps) {
+  const bool isUndone = std::exchange(steps_, steps) > steps;
+  if (!isUndone || !player_ || player_->isGoing() || played_->keepsTime()) return;
+  giveUp();
+  look();
 }
 
 void CineBar::tellShown(int place) {
@@ -287,14 +209,15 @@ void CineBar::showNumbers() {
   if (place_->accessibleName() != what.noun()) place_->setAccessibleName(what.noun());
   const QStringList said{what.noun(), what.axis()};
   if (place_->toolTip() != toolTipOf(said)) place_->setToolTip(toolTipOf(said));
-  number_->setNumber(numberOf(what.place()), 1, what.count());
-  const auto show = [this](TypedNumber* field, int place, int from, int to) {
-    const auto [least, most] = std::minmax({numberOf(from), numberOf(to)});
-    field->setNumber(numberOf(place), least, most);
+  number_->setNumber(what.number(), 1, what.numberCount());
+  const int first = numberOnTheWay(what, round_.first, round_.last),
+            last = numberOnTheWay(what, round_.last, round_.first);
+  const auto show = [](TypedNumber* field, int number, std::pair<int, int> limits) {
+    field->setNumber(number, std::min(limits.first, limits.second), std::max(limits.first, limits.second));
   };
-  show(first_, round_.first, 0, round_.last);
-  show(last_, round_.last, round_.first, what.count() - 1);
-  rate_->setNumber(round_.rate, leastRate, mostRate, 2);
+  show(first_, first, {numberOnTheWay(what, 0, round_.last), last});
+  show(last_, last, {first, numberOnTheWay(what, what.count() - 1, round_.first)});
+  rate_->setNumber(round_.rate, std::min(leastRate, round_.rate), mostRate, 2);
   makeRoom();
 }
 
@@ -336,12 +259,10 @@ void CineBar::resizeEvent(QResizeEvent* event) {
 
 // For what makes sense, the most important first.
 void CineBar::makeRoom() {
-  const Playable* what = current();
-  const bool hasNumbers = what && what->hasNumbers();
-  number_->setVisible(hasNumbers && width() >= widthForNumber);
+  number_->setVisible(width() >= widthForNumber);
   for (QToolButton* way : {back_, loop_}) way->setVisible(width() >= widthForWays);
   rate_->setVisible(width() >= widthForRate);
-  for (TypedNumber* end : {first_, last_}) end->setVisible(hasNumbers && width() >= widthForRange);
+  for (TypedNumber* end : {first_, last_}) end->setVisible(width() >= widthForRange);
 }
 
 // What is under it is not meant.

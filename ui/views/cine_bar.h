@@ -63,13 +63,14 @@ class CineBar : public QWidget {
   QToolButton* addButton(const char* name, const QString& text, const QString& tip, bool checkable);
   TypedNumber* addNumber(const char* name, const QString& tip, int width);
   Playable* current() const;
-  int numberOf(int place) const;
-  int placeOf(int number) const;
+  std::optional<int> placeTyped(const TypedNumber& field, int number);
+  static void refuse(const TypedNumber& field, const QString& why);
   void goTo(int place);
   void takeFocus(QWidget* field);
   void endPlayer();
   void giveUp();
   bool isOvertaken(const Workspace& before, const Workspace& after) const;
+  void seeSteps(int steps);
   void setRound(const CineRound& round);
   void showNumbers();
   void showChoices();
@@ -78,6 +79,7 @@ class CineBar : public QWidget {
 
   Session& session_;
   const ViewId view_;
+  int steps_;                                   // to undo, by now
   std::vector<std::unique_ptr<Playable>> all_;  // what is preferred first
   PlayedTimePoints* time_;
   Playable* chosen_ = nullptr;  // by hand

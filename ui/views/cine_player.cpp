@@ -56,7 +56,7 @@ void CinePlayer::show() {
 
 void CinePlayer::tick() {
   const double now = clock_(), passed = now - std::exchange(seen_, now);
-  if (what_.place() != asked_) {
+  if (!isWhereItWent()) {
     Q_EMIT over();
     return;
   }

@@ -23,6 +23,8 @@ class CinePlayer : public QObject {
   bool isBackwards() const { return track_.isBackwards(); }
   /// Whether it is going to a place right now.
   bool isGoing() const { return isGoing_; }
+  /// Whether what is shown is where it went last: nothing else went to another place.
+  bool isWhereItWent() const { return what_.place() == asked_; }
   /// Looks no more, and is deleted later: it may be looking.
   void end();
   /// Looks at the clock, as its timer does.

@@ -184,6 +184,39 @@ DrawnMeasurement drawnMeasurement(const Measurement& ofDocument, const SlicePlan
   return drawn;
 }
 
+DrawnMeasurement drawnInScene(const Measurement& measurement,
+                              const std::function<std::optional<QPointF>(glm::dvec3 pPatient)>& seenAt,
+                              bool selected) {
+  DrawnMeasurement drawn;
+  const Shape& shape = measurement.shape;
+  drawn.id = measurement.id;
+  drawn.kind = shape.kind;
+  drawn.whole = true;
+  drawn.selected = selected;
+  if (shape.frame || !ruleOf(shape.kind).inScene) return drawn;
+  QPolygonF line;
+  for (const glm::dvec3 p : shape.points) {
+    const std::optional<QPointF> at = seenAt(p);
+    if (!at) return drawn;
+    if (selected) drawn.handles.push_back({std::size_t(line.size()), *at});
+    line << *at;
+  }
+  drawn.middle = seenAt(middleOf(shape)).value_or(line.front());
+  drawn.lines.push_back(std::move(line));
+  return drawn;
+}
+
+void placeBeside(const Overlays& written, std::vector<DrawnMeasurement>& drawn, const QRectF& area,
+                 const QFont& font) {
+  if (drawn.empty()) return;
+  const PlacedOverlays placed = placeOverlays(written, area, font);
+  std::vector<QRectF> taken{placed.scaleBar};
+  for (const PlacedText& text : placed.texts) taken.push_back(text.rect);
+  const QRectF inside = area.adjusted(4, 4, -4, -4);
+  placeLegend(drawn, inside, taken, QFontMetricsF(font));
+  placeTexts(drawn, inside, taken, QFontMetricsF(font));
+}
+
 void placeLegend(std::vector<DrawnMeasurement>& drawn, const QRectF& area, const std::vector<QRectF>& taken,
                  const QFontMetricsF& metrics) {
   std::vector<DrawnMeasurement*> told;

@@ -4,18 +4,21 @@
 #include <QPainter>
 #include <QPolygonF>
 #include <QStringList>
+#include <functional>
+#include <optional>
 #include <vector>
 
+#include "ui/overlays/overlays.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/measurement.h"
 
 namespace volumen {
 
-/// A measurement as it is seen in a flat view. Logical pixels of the view.
+/// A measurement as it is seen in a view. Logical pixels of the view.
 struct DrawnMeasurement {
   int id = 0;
   ShapeKind kind = ShapeKind::length;
-  bool whole = false;  ///< all of it lies in the view's plane; else what the plane cuts
+  bool whole = false;  ///< all of it lies in a flat view's plane; else what the plane cuts
   bool selected = false;
   std::vector<QPolygonF> lines;  ///< a line of one point is a mark
   struct Handle {
@@ -36,6 +39,17 @@ struct DrawnMeasurement {
 /// Without its text.
 DrawnMeasurement drawnMeasurement(const Measurement& measurement, const SlicePlane& plane,
                                   const VoxelGeometry& geometry, double pixelRatio, bool selected);
+
+/// The measurement in a 3D view, where places in the patient are seen at `seenAt` (none: behind the eye);
+/// without lines where its kind is not seen there, or part of it lies behind the eye. What is in front of it
+/// does not hide it. Without its text.
+DrawnMeasurement drawnInScene(const Measurement& measurement,
+                              const std::function<std::optional<QPointF>(glm::dvec3 pPatient)>& seenAt,
+                              bool selected);
+
+/// placeLegend() and placeTexts() beside what is written over the picture.
+void placeBeside(const Overlays& written, std::vector<DrawnMeasurement>& drawn, const QRectF& area,
+                 const QFont& font);
 
 /// Where a view is small and several have a text: gives each a letter and a line in a legend, at an edge of
 /// `area` where nothing is `taken`; which depends on nothing else. Where there is no room they keep their

@@ -45,13 +45,7 @@ std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
     for (const Measurement* m : measurements()) add(*m, m->id == workspace.selected);
   if (const Measurement* m = drag_ ? drag_->drawing() : nullptr; m && m->shape.frame == shapeFrame())
     add(*m, true, drag_->isMeasured());
-  if (drawn.empty()) return drawn;
-  const PlacedOverlays placed = placeOverlays(overlays(), overlayArea(), font());
-  std::vector<QRectF> taken{placed.scaleBar};
-  for (const PlacedText& text : placed.texts) taken.push_back(text.rect);
-  const QRectF area = overlayArea().adjusted(4, 4, -4, -4);
-  placeLegend(drawn, area, taken, QFontMetricsF(font()));
-  placeTexts(drawn, area, taken, QFontMetricsF(font()));
+  if (!drawn.empty()) placeBeside(overlays(), drawn, overlayArea(), font());
   return drawn;
 }
 

@@ -105,6 +105,7 @@ class Sight {
   double valueAt(double t) const { return valueAtVoxel(volume_, voxelAt(t)); }
   Pick pickAt(double t) const { return {line_.origin + t * line_.direction, valueAt(t)}; }
   double extinctionAt(double t) const;
+  double placeOf(double opacity, const std::vector<double>& depths) const;
 
   const Scene& scene_;
   const Volume& volume_;
@@ -132,7 +133,14 @@ std::optional<Pick> Sight::surface() const {
   }
   const double opacity = -std::expm1(-whole);
   if (opacity < 0.05) return {};
-  double left = -std::log1p(-opacity / 2);  // until half of the opacity
+  Pick found = pickAt(placeOf(opacity / 2, depths));
+  found.softMm = std::max(0.0, placeOf(0.75 * opacity, depths) - placeOf(0.25 * opacity, depths));
+  return found;
+}
+
+// Where that much opacity is reached, by the optical depths of the steps.
+double Sight::placeOf(double opacity, const std::vector<double>& depths) const {
+  double left = -std::log1p(-opacity);
   std::size_t n = 0;
   while (n + 1 < depths.size() && depths[n] < left) left -= depths[n++];
   // Again in fine steps, from the step before, which may begin to be visible behind its middle.
@@ -144,7 +152,7 @@ std::optional<Pick> Sight::surface() const {
     left -= depth;
     if (depth > 0) at = t;
   }
-  return pickAt(at);
+  return at;
 }
 
 std::optional<Pick> Sight::extreme() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "io/study/cine.h"
 #include "ui/data/series_key.h"
@@ -21,10 +22,15 @@ class Playable {
   virtual int count() const = 0;
   /// Which one is shown, or was asked for last.
   virtual int place() const = 0;
-  /// Whether the last place is called number 1, and not the first.
-  virtual bool countsDown() const { return false; }
-  /// Whether its places are numbered one after the other.
-  virtual bool hasNumbers() const { return true; }
+  /// How many numbers there are. Of slices they are those of the file: places between them have none, and
+  /// some may have no place.
+  virtual int numberCount() const { return count(); }
+  /// The number of a place, from 1; 0: it has none.
+  virtual int numberOf(int place) const { return place + 1; }
+  /// That of what is shown, likewise.
+  virtual int number() const { return numberOf(place()); }
+  /// The place of a number; none: it has no place.
+  virtual std::optional<int> placeOf(int number) const { return number - 1; }
   /// What it is made of: how it is played holds until that is another one.
   virtual SeriesKey source() const = 0;
   virtual Cine cine() const = 0;
@@ -32,6 +38,8 @@ class Playable {
   virtual bool isClip() const { return false; }
   /// Goes there by hand; in a gesture that is one step to undo.
   virtual void goTo(int place) = 0;
+  /// It begins to be played, after so many steps to undo.
+  virtual void begin(int /*steps*/) {}
   /// Goes there as it is played.
   virtual void play(int place) { goTo(place); }
   /// Whether the place before is on screen, and this one can be.

@@ -44,6 +44,10 @@ void PlayedTimePoints::goTo(int place) {
   session_.change(text, withTimePoint(session_.workspace(), view_, steps_[std::size_t(place)]), text);
 }
 
+void PlayedTimePoints::play(int place) {
+  session_.playOn(stepsBefore_, [this, place] { goTo(place); });
+}
+
 bool PlayedTimePoints::isReady(int place) const {
   const bool needsNoVolume = showsFrames(session_.workspace().view(view_).kind);
   const bool isHere = place < count() && session_.seriesNamed(steps_[std::size_t(place)]);

@@ -25,7 +25,9 @@ class PlayedTimePoints : public Playable {
   SeriesKey source() const override { return steps_.empty() ? SeriesKey{} : steps_.front(); }
   Cine cine() const override;
   bool isClip() const override { return count() > 1; }
+  void begin(int steps) override { stepsBefore_ = steps; }
   void goTo(int place) override;
+  void play(int place) override;
   bool isReady(int place) const override;
 
  private:
@@ -34,6 +36,7 @@ class PlayedTimePoints : public Playable {
   const std::function<bool()> isDrawn_;
   std::vector<SeriesKey> steps_;
   QString axis_;
+  int stepsBefore_ = 0;  // to undo, as it began to be played
 };
 
 }  // namespace volumen

@@ -45,22 +45,37 @@ class SliceView::Stack : public Playable {
   QString noun() const override { return tr("Slice"); }
   int count() const override { return view_.shown() ? view_.place().count : 0; }
   int place() const override { return view_.place().index; }
-  // As the file counts its slices.
-  bool countsDown() const override {
-    if (!view_.isAlongSlices()) return false;
+  int numberCount() const override { return isOfFile() ? view_.shown()->series.acquired.size.z : count(); }
+  int numberOf(int place) const override {
+    if (!view_.isAlongSlices()) return place + 1;
+    const int slice = countsDown() ? count() - 1 - place : place;
+    if (!isOfFile()) return slice + 1;
+    const std::vector<int>& copies = view_.shown()->series.regular->copies;
+    return slice >= 0 && slice < int(copies.size()) ? copies[std::size_t(slice)] + 1 : 0;
+  }
+  int number() const override { return view_.numbers().now; }
+  std::optional<int> placeOf(int number) const override { return view_.placeOf(number); }
+  SeriesKey source() const override { return view_.state().series; }
+  Cine cine() const override { return {view_.seriesState().series->cine.framesPerSecond, {}, false}; }
+  void begin(int steps) override { stepsBefore_ = steps; }
+  void goTo(int place) override { view_.moveTo(place); }
+  void play(int place) override {
+    view_.session_.playOn(stepsBefore_, [this, place] { goTo(place); });
+  }
+  bool isReady(int) const override { return view_.isAtRest(); }
+
+ private:
+  // Whether slices lie unevenly or are missing, so that those that are drawn are not those of the file.
+  bool isOfFile() const { return view_.isAlongSlices() && view_.shown()->series.regular; }
+  // The file may count its slices against the wheel.
+  bool countsDown() const {
     Crosshair first = crosshairOf(view_.session_.workspace(), view_.id(), *view_.shown());
     first.at = view_.pointOn(0);
     return stackPlace(view_.shown()->volume->geometry(), view_.state().kind, first).index > 0;
   }
-  // Where slices lie unevenly or are missing, those that are drawn are not those of the file.
-  bool hasNumbers() const override { return !view_.isAlongSlices() || !view_.shown()->series.regular; }
-  SeriesKey source() const override { return view_.state().series; }
-  Cine cine() const override { return {view_.seriesState().series->cine.framesPerSecond, {}, false}; }
-  void goTo(int place) override { view_.moveTo(place); }
-  bool isReady(int) const override { return view_.isAtRest(); }
 
- private:
   SliceView& view_;
+  int stepsBefore_ = 0;  // to undo, as it began to be played
 };
 
 SliceView::SliceView(const ViewParts& parts, ViewId id, QWidget* parent) : FlatView(parts, id, parent) {

@@ -76,6 +76,9 @@ View* ViewGrid::viewOf(ViewId id, ViewFamily family) {
   if (auto* flat = qobject_cast<FlatView*>(view)) connectFlat(flat, family);
   if (auto* volume = qobject_cast<VolumeView*>(view)) {
     volume->setTool(*sceneTool_);
+    volume->setFlatTool(*tool_);
+    connect(volume, &VolumeView::toolWanted, this, &ViewGrid::setTool);
+    connect(volume, &VolumeView::toolDone, this, &ViewGrid::restoreTool);
     volume->setErrorShown(errorShown_);
     Q_EMIT volumeViewMade(volume);
   }
@@ -106,6 +109,7 @@ void ViewGrid::requestPictures() {
 
 void ViewGrid::setSceneTool(const Tool& tool) {
   sceneTool_ = &tool;
+  if (tool_->draws() && tool_->inScene) restoreTool();
   each<VolumeView>([&](VolumeView& view) { view.setTool(tool); });
 }
 
@@ -118,6 +122,7 @@ void ViewGrid::setTool(const Tool& tool) {
   tool_ = &tool;
   if (!tool.draws()) toolBefore_ = tool_;
   each<FlatView>([&](FlatView& view) { view.setTool(tool); });
+  each<VolumeView>([&](VolumeView& view) { view.setFlatTool(tool); });
   Q_EMIT toolChanged();
 }
 

@@ -45,7 +45,7 @@ class ViewGrid : public QWidget {
   /// What the left button does in 3D views.
   void setSceneTool(const Tool& tool);
   void setErrorShown(bool shown);
-  /// What the left button does in flat views.
+  /// What the left button does in flat views, and in 3D where it draws there, too.
   void setTool(const Tool& tool);
   const Tool& tool() const { return *tool_; }
   /// Whether flat views show the clip box of the 3D scene where it is the whole volume, too.

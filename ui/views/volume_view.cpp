@@ -3,6 +3,7 @@
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/canvas.h"
 #include "ui/views/cine_bar.h"
+#include "ui/views/drawn_measurement.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/series_text.h"
@@ -62,7 +63,9 @@ void VolumeView::seriesExchanged(bool another) {
 
 void VolumeView::workspaceChanged(const Workspace& before) {
   const Workspace& now = session_.workspace();
-  if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout)
+  if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout ||
+      before.measurements != now.measurements || before.selected != now.selected ||
+      before.measurementsShown != now.measurementsShown)
     canvas_->update();
   const ViewState& then = before.view(id());
   const auto look = then.scenes.find(state().series);
@@ -157,12 +160,14 @@ void VolumeView::setPicture(const QImage& image, const QString& caption,
   error_ = std::move(error);
   makeErrorImage();
   canvas_->update();
+  // Texts of measurements make room for the caption.
+  if (!drawnMeasurements().empty()) tellPointed();
 }
 
 void VolumeView::setTool(const Tool& tool) {
   tool_ = &tool;
   letGo();
-  setCursor(tool.cursor);
+  setCursor(drawing_ ? drawing_->cursor : tool.cursor);
 }
 
 Camera VolumeView::camera() const { return cameraInUse(scene(), series()->volume->geometry(), size()); }

@@ -14,6 +14,7 @@
 namespace volumen {
 
 class CineBar;
+struct DrawnMeasurement;
 class OrientationCube;
 class WarningBadge;
 
@@ -39,6 +40,10 @@ class VolumeView : public View {
   const QImage& shown() const;
   void setTool(const Tool& tool);
   const Tool& tool() const { return *tool_; }
+  /// The tool in hand in flat views: where it draws in 3D as well, the left button does that first.
+  void setFlatTool(const Tool& tool);
+  /// The measurements that are seen, the one that is being drawn last.
+  std::vector<DrawnMeasurement> drawnMeasurements() const;
 
   /// The camera in use: the scene's, or the one fitted to this view.
   Camera camera() const;
@@ -59,6 +64,12 @@ class VolumeView : public View {
   void drawn(const volumen::ScreenPicture& picture);
   /// Something was drawn around with the scissors.
   void lassoDrawn(const volumen::SeriesKey& series, const volumen::Lasso& lasso);
+  /// The key of a tool that draws was pressed.
+  void toolWanted(const volumen::Tool& tool);
+  /// A measurement was drawn, and no other is wanted.
+  void toolDone();
+  /// Why nothing can be measured where the pointer is, a sentence.
+  void missed(const QString& sentence);
 
  protected:
   void seriesExchanged(bool another) override;
@@ -70,6 +81,7 @@ class VolumeView : public View {
   void mousePressEvent(QMouseEvent*) override;
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
   void wheelEvent(QWheelEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
   bool event(QEvent*) override;
@@ -79,6 +91,14 @@ class VolumeView : public View {
   const Tool* toolFor(const QMouseEvent& event) const;
   ScenePress pressAt(QPointF position, Qt::KeyboardModifiers keys);
   void zoomAt(QPointF position, double factor);
+  void tellMissed(QPointF position);
+  std::unique_ptr<SceneDrag> pressMeasurement(const ScenePress& press);
+  void releaseShape(const QMouseEvent& event);
+  bool pressMeasuringKey(const QKeyEvent& event);
+  void showCursorAt(QPointF position);
+  QString measurementText(QPointF position) const;
+  /// Whether a drag draws a measurement, which lasts over several presses.
+  bool isDrawing() const { return drag_ && drag_->drawing(); }
   /// Ends a drag; what it did to the workspace stays.
   void letGo();
   /// Ends a drag as if it had not been.
@@ -96,6 +116,8 @@ class VolumeView : public View {
   void paintEvent(QPaintEvent*) override {}  // its canvas is over all of it
   void paintCanvas(QPainter& painter) const;
   void paintCrosshair(QPainter& painter) const;
+  /// Where a place is seen; none: behind the eye.
+  std::optional<QPointF> seenAtPlace(const Camera& camera, glm::dvec3 pPatient) const;
   /// Of the same frame of reference.
   bool planesOnScreen() const;
   void makeErrorImage();
@@ -118,13 +140,15 @@ class VolumeView : public View {
   ErrorImage errorImage_;  // of it, where errorShown_
   bool errorShown_ = false;
   const Tool* tool_ = &toolNamed("rotate");
+  const Tool* drawing_ = nullptr;  // what setFlatTool() gave it to draw
   QTimer wheelEnd_;
   std::map<int, double> fitMm_;  // height of fitted cameras, by the number of undo steps when they came
 
   // Of the gesture under way.
   std::unique_ptr<SceneDrag> drag_;
   QPointF pressedAt_;
-  int stepsAtPress_ = 0;  // of the undo stack
+  bool pressedShape_ = false;  // a measurement, not what lies behind it
+  int stepsAtPress_ = 0;       // of the undo stack
 };
 
 }  // namespace volumen

@@ -20,6 +20,7 @@ glm::dvec2 toVec(QPointF p) { return {p.x(), p.y()}; }
 const Tool* VolumeView::toolFor(const QMouseEvent& event) const {
   const bool isLeft = event.button() == Qt::LeftButton;
   if (!isLeft && event.button() != Qt::MiddleButton && event.button() != Qt::RightButton) return nullptr;
+  if (isLeft && drawing_) return drawing_;
   // In projections Shift makes the window fine.
   if (isLeft && tool_ == &toolNamed("curve") && scene().mode != Mode::composite) return tool_;
   const std::string bound =
@@ -38,26 +39,44 @@ ScenePress VolumeView::pressAt(QPointF position, Qt::KeyboardModifiers keys) {
                    keys,
                    hit ? hit->pPatient : std::nullopt,
                    [this](const QString& text, const Camera& camera) { editCamera(text, camera); },
-                   [this](const Lasso& lasso) { Q_EMIT lassoDrawn(state().series, lasso); }};
+                   [this](const Lasso& lasso) { Q_EMIT lassoDrawn(state().series, lasso); },
+                   [this](QPointF p) -> std::optional<SurfacePoint> {
+                     const std::optional<Pick> at = pickAt(p);
+                     if (!at || !at->pPatient) return {};
+                     return SurfacePoint{*at->pPatient, at->softMm};
+                   },
+                   [this](QPointF p) { tellMissed(p); }};
   press.scene.camera = camera();
   return press;
 }
 
 void VolumeView::mousePressEvent(QMouseEvent* event) {
   View::mousePressEvent(event);
+  if (isDrawing() && event->button() == Qt::LeftButton) {
+    drag_->press(event->position());
+    return canvas_->update();
+  }
   if (!series() || drag_) return;
   pressedAt_ = event->position();
+  pressedShape_ = false;
   const Tool* tool = toolFor(*event);
   if (!tool) return;
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();
-  drag_ = tool->inScene(pressAt(event->position(), event->modifiers()));
+  const ScenePress press = pressAt(event->position(), event->modifiers());
+  // What is drawn around may begin on a measurement.
+  const bool isHand = event->button() == Qt::LeftButton && tool == tool_ && tool != &toolNamed("scissors");
+  if (isHand) drag_ = pressMeasurement(press);
+  if (!drag_) drag_ = tool->inScene(press);
+  if (isDrawing()) canvas_->update();
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_) {
     drag_->moveTo(event->position(), event->modifiers());
-    if (drag_->drawsOver()) canvas_->update();
+    if (drag_->drawsOver() || drag_->drawing()) canvas_->update();
+  } else {
+    showCursorAt(event->position());
   }
   pointAt(event->position());
 }
@@ -70,14 +89,16 @@ void VolumeView::letGo() {
 }
 
 void VolumeView::giveUp() {
-  const int steps = stepsAtPress_;
+  // What is being drawn is no step yet: those since its first point are of the camera, and stay.
+  const int steps = isDrawing() ? session_.undoStack().index() : stepsAtPress_;
   letGo();
   while (session_.undoStack().index() > steps) session_.undoStack().undo();
 }
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
+  if (isDrawing()) return releaseShape(*event);
   const bool isStill = (event->position() - pressedAt_).manhattanLength() < 3;
-  const bool clicked = drag_ && drag_->pointsWhereStill() && isStill;
+  const bool clicked = drag_ && drag_->pointsWhereStill() && isStill && !pressedShape_;
   const bool wantsMenu =
       event->button() == Qt::RightButton && isStill && (drag_ || (series() && !toolFor(*event)));
   // What is cut may exchange the volume, which gives up drags.
@@ -96,7 +117,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
 
 void VolumeView::wheelEvent(QWheelEvent* event) {
   pointAt(event->position());
-  if (!series() || drag_) return;
+  if (!series() || (drag_ && !isDrawing())) return;
   const MouseSlot slot{MousePlace::scene, MouseInput::wheel, heldOf(event->modifiers())};
   const std::string bound = boundTo(session_.preferences(), slot);
   if (bound == "none") return;
@@ -137,6 +158,7 @@ bool VolumeView::event(QEvent* event) {
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && drag_) return giveUp();
+  if (pressMeasuringKey(*event)) return;
   const int right = (event->key() == Qt::Key_Right) - (event->key() == Qt::Key_Left);
   const int down = (event->key() == Qt::Key_Down) - (event->key() == Qt::Key_Up);
   if (!series() || (right == 0 && down == 0)) return View::keyPressEvent(event);

@@ -5,6 +5,7 @@
 
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/cine_bar.h"
+#include "ui/views/drawn_measurement.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
@@ -19,6 +20,7 @@
 namespace volumen {
 
 QString VolumeView::textAt(QPointF position) const {
+  if (const QString measured = measurementText(position); !measured.isEmpty()) return measured;
   const std::optional<Pick> hit = pickAt(position);
   if (!hit) return {};
   const LoadedSeriesPtr shown = series();
@@ -64,21 +66,28 @@ bool VolumeView::planesOnScreen() const {
          });
 }
 
+std::optional<QPointF> VolumeView::seenAtPlace(const Camera& camera, glm::dvec3 pPatient) const {
+  const SightLine middle = sightLine(camera, size(), size() / 2.0);
+  if (camera.projection == Projection::perspective &&
+      glm::dot(pPatient - middle.origin, middle.direction) <= 0)
+    return {};
+  const glm::dvec2 p = seenAt(camera, size(), pPatient);
+  return QPointF(p.x, p.y);
+}
+
 // Where the planes on screen meet.
 void VolumeView::paintCrosshair(QPainter& painter) const {
   if (!planesOnScreen()) return;
   constexpr double gap = 4, arm = 11;  // logical pixels
   const Camera seen = camera();
   const glm::dvec3 at = crosshairOf(session_.workspace(), *series()).at;
-  const SightLine middle = sightLine(seen, size(), size() / 2.0);
-  if (seen.projection == Projection::perspective && glm::dot(at - middle.origin, middle.direction) <= 0)
-    return;
-  const glm::dvec2 p = seenAt(seen, size(), at);
+  const std::optional<QPointF> p = seenAtPlace(seen, at);
+  if (!p) return;
   for (const auto& [colour, width] :
        {std::pair(QColor(Qt::black), 3.0), std::pair(QColor(0xf5, 0xd9, 0x4a), 1.0)}) {
     painter.setPen(QPen(colour, width));
     for (const QPointF d : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-      painter.drawLine(QPointF(p.x, p.y) + gap * d, QPointF(p.x, p.y) + arm * d);
+      painter.drawLine(*p + gap * d, *p + arm * d);
   }
 }
 
@@ -115,6 +124,9 @@ void VolumeView::paintShown(QPainter& painter) const {
   Overlays over = overlays();
   if (errorShown_) over.topRight << errorImage_.legend;
   paintCrosshair(painter);
+  painter.save();
+  paintMeasurements(painter, drawnMeasurements());
+  painter.restore();
   if (drag_ && drag_->drawsOver()) drag_->paint(painter, QWidget::size());
   paintOverlays(painter, over, overlayArea());
 }

@@ -22,7 +22,6 @@ NumberEdit::NumberEdit(const QString& noun, int now, int count, QWidget* parent)
   said_->setObjectName(QStringLiteral("placeNumberSaid"));
   field_->setFixedWidth(numberWidth);
   field_->setNumber(now, 1, count);
-  if (now < 1) field_->clear();
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(6, 2, 6, 2);
   row->setSpacing(4);

@@ -20,12 +20,14 @@ QString TypedNumber::textOf(double number) const {
   return text;
 }
 
+QString TypedNumber::stands() const { return number_ < least_ ? QString() : textOf(number_); }
+
 void TypedNumber::setNumber(double number, double least, double most, int decimals) {
   number_ = number;
   least_ = least;
   most_ = most;
   decimals_ = decimals;
-  if (!hasFocus() && text() != textOf(number_)) setText(textOf(number_));
+  if (!hasFocus() && text() != stands()) setText(stands());
 }
 
 std::optional<double> TypedNumber::number() const {
@@ -52,7 +54,7 @@ bool TypedNumber::event(QEvent* event) {
 
 void TypedNumber::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {
-    setText(textOf(number_));
+    setText(stands());
     Q_EMIT givenUp();
     return;
   }
@@ -70,7 +72,7 @@ void TypedNumber::keyPressEvent(QKeyEvent* event) {
 void TypedNumber::focusOutEvent(QFocusEvent* event) {
   QLineEdit::focusOutEvent(event);
   if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason)
-    setText(textOf(number_));
+    setText(stands());
 }
 
 }  // namespace volumen

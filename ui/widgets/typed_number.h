@@ -12,8 +12,8 @@ class TypedNumber : public QLineEdit {
  public:
   TypedNumber(const char* objectName, const QString& name, QWidget* parent = nullptr);
 
-  /// The number that stands there unless it is being typed; shown to so many decimals, of which those that
-  /// are 0 are left out.
+  /// The number that stands there unless it is being typed, below `least` none; shown to so many decimals, of
+  /// which those that are 0 are left out.
   void setNumber(double number, double least, double most, int decimals = 0);
   /// Why what stands there cannot be set; empty: it can.
   QString whyNot() const;
@@ -32,6 +32,7 @@ class TypedNumber : public QLineEdit {
 
  private:
   QString textOf(double number) const;
+  QString stands() const;
   std::optional<double> number() const;
 
   double number_ = 0, least_ = 0, most_ = 0;

@@ -20,7 +20,7 @@ bool EditWorkspace::mergeWith(const QUndoCommand* later) {
   const bool fillsRoom = mergeKey_ == roomMadeKey && next.mergeKey_ == seriesShownKey;
   const bool faces = mergeKey_ == hungKey && next.mergeKey_ == facedKey;
   const bool continues = !mergeKey_.isEmpty() && next.mergeKey_ == mergeKey_ && next.gesture_ == gesture_;
-  if (!fillsRoom && !faces && !continues) return false;
+  if (!fillsRoom && !faces && !continues && next.mergeKey_ != playedOnKey) return false;
   if (fillsRoom) {
     setText(next.text());
     mergeKey_.clear();

@@ -13,6 +13,9 @@ inline const QString roomMadeKey = QStringLiteral("room made"), seriesShownKey =
 /// The same for a step that hangs a study, and that which turns its pictures once they are there.
 inline const QString hungKey = QStringLiteral("hung"), facedKey = QStringLiteral("faced");
 
+/// The merge key of what plays on: the step before takes it in, whatever that is.
+inline const QString playedOnKey = QStringLiteral("played on");
+
 /// The one undo command: the workspace before and after. They share what is the same in both, so no property
 /// needs a class of its own.
 class EditWorkspace : public QUndoCommand {

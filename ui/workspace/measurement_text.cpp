@@ -6,6 +6,7 @@
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "viewer/measure/lengths.h"
 
 namespace volumen {
 
@@ -101,6 +102,16 @@ QStringList regionLines(const Measured& m) {
                << countText(m.values->n, m.frame.has_value());
 }
 
+// How deep points lie that were picked in 3D depends on the curve that they were seen with.
+QString surfaceText(double softMm, const Series& series) {
+  constexpr double least = 0.1;  // below that the voxels matter more
+  const QString unit = series.acquired.calibrated ? tr(" mm") : tr(" px");
+  const double twoU = 2 * std::sqrt(depthVariance(softMm));
+  const QString depth = twoU < least ? tr("within %1").arg(QString::number(least) + unit)
+                                     : QStringLiteral("\u00b1 %1").arg(shortNumberText(twoU) + unit);
+  return tr(", on the surface as it was seen in 3D (depth %1)").arg(depth);
+}
+
 // "23.4 \u00d7 12.1 mm (283.1 mm\u00b2)"; "Ratio 0.48", "Heart 130.2, thorax 271 mm".
 QStringList twoLinesText(ShapeKind kind, const Measured& m) {
   const TwoLines& lines = *m.lines;
@@ -113,6 +124,17 @@ QStringList twoLinesText(ShapeKind kind, const Measured& m) {
   return {
       tr("%1 \u00d7 %2 (%3)").arg(first, second, withUnit(lines.first * lines.second, lines.unit + "^2")) +
       word};
+}
+
+// "5.8\u00b0 varus", "HKA 174.2\u00b0"; what reads as straight is neither varus nor valgus.
+QStringList legAxisText(const Measured& m) {
+  constexpr double straight = 0.05;
+  const QString number = withUnit(m.number, m.unit);
+  const bool isNamed = m.leg->bend != LegAxis::Bend::unknown && m.number >= straight;
+  const QString bent = !isNamed                              ? number
+                       : m.leg->bend == LegAxis::Bend::varus ? tr("%1 varus").arg(number)
+                                                             : tr("%1 valgus").arg(number);
+  return {bent, tr("HKA %1").arg(withUnit(m.leg->hka, m.unit))};
 }
 
 }  // namespace
@@ -129,6 +151,8 @@ QString kindText(ShapeKind kind) {
       return tr("Cobb angle");
     case ShapeKind::bidirectional:
       return tr("Long and short axis");
+    case ShapeKind::legAxis:
+      return tr("Leg axis");
     case ShapeKind::cardiothoracic:
       return tr("Cardiothoracic ratio");
     case ShapeKind::ellipse:
@@ -168,6 +192,7 @@ QStringList measuredLines(const Shape& shape, const Result<Measured>& measured) 
   if (ruleOf(shape.kind).numberless) return {};
   if (!measured) return {shownText(measured.message())};
   if (ruleOf(shape.kind).region) return regionLines(*measured);
+  if (measured->leg) return legAxisText(*measured);
   if (measured->lines) return twoLinesText(shape.kind, *measured);
   QStringList lines{extentText(*measured)};
   if (measured->frame) lines = frameLines(*measured->frame, std::move(lines));
@@ -202,6 +227,7 @@ QString detailText(const Measurement& measurement, const Result<Measured>& measu
   const std::string unit = !measured ? "" : measured->lines ? measured->lines->unit : measured->unit;
   if (unit == "px" || unit == "px^2") text += tr(", not calibrated");
   if (measured && (measured->values || measured->voxel)) text += unitNote(series);
+  if (measurement.shape.softMm) text += surfaceText(*measurement.shape.softMm, series);
   if (ruleOf(measurement.shape.kind).numberless) return text;
   QString source = sourceText(measurement, series);
   if (measured && measured->other) source += tr(" and %1").arg(shownText(measured->other->source));

@@ -117,7 +117,11 @@ std::optional<int> frameMeant(const Series& series, const ShapeFrame& name) {
 }
 
 FramePixels pixelsOf(const LoadedFrame& frame) {
-  return {frame.slice->volume, frame.green, frame.blue, frame.pixel, frame.regions};
+  const std::string& side = frame.slice->series.laterality;
+  const char rows = frame.rowSide.empty() ? ' ' : frame.rowSide.front();
+  const bool isKnown = (side == "L" || side == "R") && (rows == 'L' || rows == 'R');
+  const int outwards = !isKnown ? 0 : side.front() == rows ? 1 : -1;
+  return {frame.slice->volume, frame.green, frame.blue, frame.pixel, frame.regions, outwards};
 }
 
 int addMeasurement(Session& session, const SeriesKey& series, const Shape& shape) {

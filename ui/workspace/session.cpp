@@ -163,12 +163,19 @@ void Session::change(const QString& text, Workspace after, const QString& mergeK
   push(text, withLinksFollowed(workspace_, std::move(after), viewSizes_), mergeKey);
 }
 
+void Session::playOn(int steps, const std::function<void()>& edit) {
+  playsOn_ = undoStack_.index() > steps;
+  edit();
+  playsOn_ = false;
+}
+
 void Session::adapt(const Workspace& after) {
   if (after != workspace_) setWorkspace(after);
 }
 
 void Session::push(const QString& text, Workspace after, const QString& mergeKey) {
-  undoStack_.push(new EditWorkspace(*this, text, std::move(after), mergeKey, gesture_));
+  const QString& key = playsOn_ ? playedOnKey : mergeKey;
+  undoStack_.push(new EditWorkspace(*this, text, std::move(after), key, gesture_));
 }
 
 void Session::change(const QString& text, const std::function<void(Workspace&)>& edit,

@@ -94,6 +94,11 @@ class Session : public QObject {
   void change(const QString& text, Workspace after, const QString& mergeKey = {});
   void change(const QString& text, const std::function<void(Workspace&)>& edit, const QString& mergeKey = {});
 
+  /// Calls `edit`, whose changes belong to the last step where one came after the first `steps`, else to one
+  /// of their own: what plays by itself stays one step, and so does what is changed meanwhile, whose step
+  /// then leads back to where it was played as that began.
+  void playOn(int steps, const std::function<void()>& edit);
+
   /// Makes `after` the workspace without a step: what follows from how large views are alone.
   void adapt(const Workspace& after);
 
@@ -162,6 +167,7 @@ class Session : public QObject {
   QUndoStack undoStack_;
   ViewSizes viewSizes_;
   int gesture_ = 0;
+  bool playsOn_ = false;                         // a change belongs to the last step
   std::optional<SeriesKey> loading_, askedFor_;  // the one in work, by whomever; the last of seriesNeeded()
   std::set<SeriesKey> notLoaded_;                // of those on screen: they did not come
 };

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "viewer/measure/leg_axis.h"
 #include "viewer/measure/lengths.h"
 #include "viewer/measure/outline.h"
 #include "viewer/measure/two_lines.h"
@@ -158,6 +159,10 @@ Result<Measured> angleOn(const Shape& shape, const Scale& scale, const FramePixe
   return numberOf(*angle, "degrees");
 }
 
+Result<Measured> legAxisOn(const Shape& shape, const Scale& scale, const FramePixels& frame) {
+  return measureLegAxis(scaled(shape, scale.mm ? scale.size : frame.pixel.mm).points, frame.outwards);
+}
+
 // At right angles is what is seen so.
 Result<Measured> twoLinesOn(const Shape& shape, const Scale& scale, const FramePixels& frame) {
   if (shape.kind == ShapeKind::bidirectional)
@@ -175,6 +180,8 @@ Result<Measured> measureByKind(const Shape& shape, const Scale& scale, const Fra
     case ShapeKind::angle:
     case ShapeKind::cobb:
       return angleOn(shape, scale, frame);
+    case ShapeKind::legAxis:
+      return legAxisOn(shape, scale, frame);
     case ShapeKind::bidirectional:
     case ShapeKind::cardiothoracic:
       return twoLinesOn(shape, scale, frame);

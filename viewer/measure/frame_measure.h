@@ -11,6 +11,8 @@ struct FramePixels {
   VolumePtr green, blue;  ///< null: grey
   PixelSize pixel;
   std::vector<UltrasoundRegion> regions;
+  int outwards = 0;  ///< of a picture of one side: 1 where rows lead away from the middle of the body, -1
+                     ///< towards it; 0: not known
 
   bool colour() const { return green != nullptr; }
 };

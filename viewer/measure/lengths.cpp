@@ -9,7 +9,7 @@
 
 namespace volumen {
 
-Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometry) {
+Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometry, double softMm) {
   const glm::dvec3 spacing = geometry.spacing();
   const double longest = std::max({spacing.x, spacing.y, spacing.z});
   double sum = 0, variance = 0;
@@ -18,10 +18,12 @@ Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometr
     const double mm = glm::length(segment);
     const double extent = mm > 0 ? voxelAlong(geometry, segment / mm) : longest;
     sum += mm;
-    variance += 2 * extent * extent / 12;
+    variance += 2 * (extent * extent / 12 + depthVariance(softMm));
   }
   return {sum, 2 * std::sqrt(variance)};
 }
+
+double depthVariance(double softMm) { return softMm * softMm / 3; }
 
 Result<double> angleBetween(glm::dvec3 a, glm::dvec3 b) {
   if (glm::length(a) == 0 || glm::length(b) == 0)

@@ -15,8 +15,13 @@ struct Length {
 
 /// The length of a line through patient points. u^2 sums (s^2 + s^2)/12 over the segments, one term for each
 /// end: s is the voxel's extent along the segment, 1 / |inverse(L) d|; the longest spacing where the segment
-/// has no length and so no direction.
-Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometry);
+/// has no length and so no direction. `softMm` (Shape::softMm) adds depthVariance() to each term, whatever
+/// way the line of sight went.
+Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometry, double softMm = 0);
+
+/// The variance, mm^2, of a place that is as likely anywhere in a stretch whose middle half is `softMm` long:
+/// (2 softMm)^2 / 12.
+double depthVariance(double softMm);
 
 /// The angle between two directions of any length, 0 to 180 degrees. None (an Error) where one has no length.
 Result<double> angleBetween(glm::dvec3 a, glm::dvec3 b);

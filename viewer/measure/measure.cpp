@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "viewer/measure/leg_axis.h"
 #include "viewer/measure/lengths.h"
 #include "viewer/measure/outline.h"
 #include "viewer/measure/two_lines.h"
@@ -20,7 +21,7 @@ std::string inGridUnit(const VoxelGeometry& geometry, const char* calibrated, co
 }
 
 Result<Measured> measureLength(const Shape& shape, const VoxelGeometry& geometry) {
-  const Length length = lengthOf(shape.points, geometry);
+  const Length length = lengthOf(shape.points, geometry, shape.softMm.value_or(0));
   Measured measured;
   measured.number = length.mm;
   measured.plusMinus = length.plusMinus;
@@ -91,6 +92,8 @@ Result<Measured> measureByKind(const Shape& shape, const Volume& volume, const s
     case ShapeKind::angle:
     case ShapeKind::cobb:
       return measureAngle(shape);
+    case ShapeKind::legAxis:
+      return measureLegAxis(shape.points, 0);
     case ShapeKind::bidirectional:
       if (const Status right = checkRightAngle(shape.points); !right) return right.error();
       return measureTwoLines(shape, volume.geometry(), inGridUnit(volume.geometry(), "mm", "px"));

@@ -41,6 +41,14 @@ struct TwoLines {
   std::string unit;  ///< "mm", "px"
 };
 
+/// A leg by the centres of hip, knee and ankle.
+struct LegAxis {
+  /// To which side the knee is bent: varus is outwards of the line from hip to ankle.
+  enum class Bend { unknown, varus, valgus };
+  double hka = 180;  ///< the angle at the knee, degrees
+  Bend bend = Bend::unknown;
+};
+
 /// What another series says in a region.
 struct OtherValues {
   std::string source;  ///< what names it; empty: nobody said
@@ -51,12 +59,13 @@ struct OtherValues {
 
 /// What a shape measures (slices.md 4).
 struct Measured {
-  double number = 0;  ///< length, the long axis, angle, ratio, area, the probe's value (of colours none), the
-                      ///< voxels' volume
+  double number = 0;  ///< length, the long axis, angle, how far a leg is from straight, ratio, area, the
+                      ///< probe's value (of colours none), the voxels' volume
   std::string unit;   ///< "mm", "degrees", "mm^2", "ml", the probe's own; where the grid is not calibrated
                       ///< "px", "px^2" and "voxels" stand for what has mm in it; empty: none
   std::optional<double> plusMinus;        ///< of lengths, in their unit
   std::optional<TwoLines> lines;          ///< of axes and ratios
+  std::optional<LegAxis> leg;             ///< of leg axes
   std::optional<ValueStatistics> values;  ///< of regions; none: no voxel inside
   std::optional<ValuePeak> peak;          ///< of regions in volumes of SUV: SUVpeak
   std::string source;                     ///< what names the series of `values` where there is `other`

@@ -12,14 +12,16 @@ namespace {
 constexpr std::size_t mostPoints = 2000;
 
 constexpr ShapeRule rules[] = {
-    {ShapeKind::length, "length", 2, 2, "its two ends", false},
+    {ShapeKind::length, "length", 2, 2, "its two ends", false, false, false, true},
     {ShapeKind::polyline, "polyline", 2, mostPoints, "its corners in order", false},
-    {ShapeKind::angle, "angle", 3, 3, "the end of one arm, the vertex, the end of the other", false},
+    {ShapeKind::angle, "angle", 3, 3, "the end of one arm, the vertex, the end of the other", false, false,
+     false, true},
     {ShapeKind::cobb, "cobb", 4, 4, "the ends of one line, then those of the other", false, true},
     {ShapeKind::bidirectional, "bidirectional", 4, 4,
      "the ends of the long axis, then those of the short one at right angles to it", false, true},
     {ShapeKind::cardiothoracic, "cardiothoracic", 4, 4,
      "the ends of the heart's width, then those of the thorax's", false, true},
+    {ShapeKind::legAxis, "legAxis", 3, 3, "the centres of hip, knee and ankle", false},
     {ShapeKind::ellipse, "ellipse", 2, 2, "two opposite corners of the box around it", true},
     {ShapeKind::rectangle, "rectangle", 2, 2, "two opposite corners", true},
     {ShapeKind::freehand, "freehand", 3, mostPoints, "its corners in order; the last is joined to the first",
@@ -52,6 +54,7 @@ Status checkPlane(const ShapePlane& plane) {
 Status checkFrame(const Shape& shape) {
   if (shape.frame->number < 0) return Error{"frame.number must not be below 0."};
   if (shape.kind == ShapeKind::volume) return Error{"frame: a volume is not measured on a frame."};
+  if (shape.softMm) return Error{"softMm: nothing is picked in 3D on a frame."};
   if (shape.plane && *shape.plane != ShapePlane{}) return Error{"plane: a frame is its own plane."};
   return {};
 }
@@ -82,6 +85,8 @@ Status checkShape(const Shape& shape) {
     if (const Status valid = checkPlane(*shape.plane); !valid) return valid;
   if (shape.frame)
     if (const Status valid = checkFrame(shape); !valid) return valid;
+  if (shape.softMm && !(*shape.softMm >= 0 && *shape.softMm <= largestCoordinate))
+    return Error{"softMm must be a number of mm from 0 to 1e9."};
   if (!(shape.range.low <= shape.range.high)) return Error{"range must be [low, high], low not above high."};
   return {};
 }

@@ -17,6 +17,7 @@ enum class ShapeKind {
   angle,
   cobb,
   bidirectional,   ///< the longest diameter and the longest one at right angles to it (RECIST 1.1, WHO)
+  legAxis,         ///< the mechanical axis of a leg: hip, knee and ankle
   cardiothoracic,  ///< the widths of heart and thorax (Danzer, Am J Med Sci 1919; 157: 513)
   ellipse,
   rectangle,
@@ -52,6 +53,8 @@ struct Shape {
   std::optional<ShapePlane> plane;  ///< regions need one; on a frame the plane of its rows and columns
   ValueRange range;  ///< of `volume`: the segment's values, ends included; they may be infinite
   std::optional<ShapeFrame> frame;  ///< none: it is drawn in the patient
+  std::optional<double> softMm{};   /**< its points were picked in 3D: the softest of them lies in a surface
+                                       whose   middle half of opacity takes so many mm of the line of sight */
   bool operator==(const Shape&) const = default;
 };
 
@@ -64,6 +67,7 @@ struct ShapeRule {
   bool region;               ///< an area on a plane
   bool twoLines = false;     ///< the first two points are the ends of one, the others of the other
   bool numberless = false;   ///< it points at something, and says its name
+  bool inScene = false;      ///< drawn and seen in 3D, too
 };
 
 /// All kinds.
@@ -72,7 +76,8 @@ const ShapeRule& ruleOf(ShapeKind kind);
 
 /// An Error that names the field where the number of points is not the kind's, a number is not finite, a
 /// region has no plane, directions are not orthogonal unit vectors (within 1e-6), the range is upside down,
-/// or a shape of a frame has a number below 0, a plane other than ShapePlane{} or is a volume.
+/// `softMm` is below 0, or a shape of a frame has one, a number below 0, a plane other than ShapePlane{} or
+/// is a volume.
 Status checkShape(const Shape& shape);
 
 }  // namespace volumen

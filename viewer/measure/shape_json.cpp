@@ -121,6 +121,11 @@ void addTwoLines(ordered_json& out, ShapeKind kind, const TwoLines& lines) {
   out["productUnit"] = lines.unit + "^2";
 }
 
+void addLegAxis(ordered_json& out, const LegAxis& leg) {
+  out["hka"] = leg.hka;
+  if (leg.bend != LegAxis::Bend::unknown) out["bend"] = leg.bend == LegAxis::Bend::varus ? "varus" : "valgus";
+}
+
 void addRegion(ordered_json& out, const Measured& m) {
   if (m.frame && m.frame->colour) return;
   out[m.frame ? "pixels" : "voxels"] = m.values ? m.values->n : 0;
@@ -186,6 +191,7 @@ Shape readShape(JsonFields fields) {
     if (shape.frame && ruleOf(shape.kind).region) shape.plane.emplace();
     if (shape.frame) return fields.refuseOthers(), shape;
     if (auto plane = fields.object("plane")) shape.plane = readPlane(*plane);
+    if (fields.raw("softMm")) fields.read("softMm", shape.softMm.emplace(0));
   }
   fields.refuseOthers();
   return shape;
@@ -204,6 +210,7 @@ ordered_json shapeToJson(const Shape& shape) {
     out["plane"] = {{"centre", numbers(shape.plane->centre)},
                     {"right", numbers(shape.plane->right)},
                     {"down", numbers(shape.plane->down)}};
+  if (shape.softMm) out["softMm"] = *shape.softMm;
   return out;
 }
 
@@ -243,6 +250,7 @@ ordered_json measuredToJson(const Shape& shape, const Result<Measured>& measured
   out["unit"] = unitText(measured->unit);
   if (measured->frame) addFrame(out, *measured->frame);
   if (measured->plusMinus) out["plusMinus"] = *measured->plusMinus;
+  if (measured->leg) addLegAxis(out, *measured->leg);
   if (measured->lines) addTwoLines(out, shape.kind, *measured->lines);
   if (ruleOf(shape.kind).region) addRegion(out, *measured);
   if (measured->voxel) addProbe(out, shape, *measured);

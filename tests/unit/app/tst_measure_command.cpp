@@ -66,12 +66,17 @@ void TestMeasureCommand::numbersOfEveryKind_data() {
   };
   row("length", R"({"kind": "length", "points": [[0, 0, 0], [3, 4, 0]]})",
       R"({"number": 5, "unit": "mm", "plusMinus": 0.8164965809277260})");
+  // (1 + 1) / 12 + 2 * 1.5^2 / 3 at both ends
+  row("length on a soft surface", R"({"kind": "length", "points": [[0, 0, 0], [3, 4, 0]], "softMm": 1.5})",
+      R"({"number": 5, "unit": "mm", "plusMinus": 2.5819888974716112})");
   row("polyline", R"({"kind": "polyline", "points": [[0, 0, 0], [3, 4, 0], [3, 4, 2]]})",
       R"({"number": 7, "unit": "mm", "plusMinus": 1.1547005383792515})");
   row("angle", R"({"kind": "angle", "points": [[2, 0, 0], [0, 0, 0], [-3, 3, 0]]})",
       R"({"number": 135, "unit": "degrees"})");
   row("Cobb", R"({"kind": "cobb", "points": [[2, 0, 0], [0, 0, 0], [5, 5, 0], [8, 8, 0]]})",
       R"({"number": 45, "unit": "degrees"})");
+  row("leg axis", R"({"kind": "legAxis", "points": [[0, 0, 9], [0, 0, 0], [3, 0, -3]]})",
+      R"({"number": 45, "unit": "degrees", "hka": 135})");
   row("axes", R"({"kind": "bidirectional", "points": [[0, 0, 0], [8, 0, 0], [3, -1, 0], [3, 2, 0]]})",
       R"({"number": 8, "unit": "mm", "short": 3, "product": 24, "productUnit": "mm^2"})");
   row("axes that are none",
@@ -278,6 +283,13 @@ void TestMeasureCommand::refused_data() {
   row("a plane on a frame",
       R"([{"kind": "probe", "points": [[0, 0]], "frame": {"instance": "1"}, "plane": {}}])",
       "[0].plane is unknown; the fields here are kind, name, frame, points");
+  row("softness below nothing", R"([{"kind": "length", "points": [[0, 0, 0], [1, 0, 0]], "softMm": -1}])",
+      "[0].softMm must be a number");
+  row("softness on a frame",
+      R"([{"kind": "probe", "points": [[0, 0]], "frame": {"instance": "1"}, "softMm": 1}])",
+      "[0].softMm is unknown");
+  row("two points of a leg", R"([{"kind": "legAxis", "points": [[0, 0, 0], [1, 0, 0]]}])",
+      "[0].points must hold 3");
   row("a field twice", R"([{"kind": "volume", "kind": "probe"}])", "given twice");
 }
 

@@ -17,6 +17,8 @@ class TestLengths : public QObject {
   void sumsItsSegments();
   void isOffByTheVoxelsAlongIt_data();
   void isOffByTheVoxelsAlongIt();
+  void aSoftSurfaceAddsToBothEnds_data();
+  void aSoftSurfaceAddsToBothEnds();
   void aVoxelIsAsLongAsItsStepOnEveryGrid_data();
   void aVoxelIsAsLongAsItsStepOnEveryGrid();
   void angles_data();
@@ -69,6 +71,29 @@ void TestLengths::isOffByTheVoxelsAlongIt() {
   QFETCH(double, squares);
   const Length length = lengthOf(points, grid({0.5, 0, 0, 0, 0.8, 0, 0, 0, 2.5}));
   QVERIFY(near(length.plusMinus, 2 * std::sqrt(squares / 12)));
+}
+
+void TestLengths::aSoftSurfaceAddsToBothEnds_data() {
+  QTest::addColumn<double>("softMm");
+  QTest::newRow("hard") << 0.0;
+  QTest::newRow("a tenth") << 0.1;
+  QTest::newRow("fog") << 8.0;
+}
+
+// The middle half of an even stretch of 2 d mm is d mm; its variance is d^2 / 3, here by adding it up.
+void TestLengths::aSoftSurfaceAddsToBothEnds() {
+  QFETCH(double, softMm);
+  constexpr int parts = 10000;
+  double variance = 0;
+  for (int n = 0; n < parts; ++n) {
+    const double at = 2 * softMm * ((n + 0.5) / parts - 0.5);
+    variance += at * at / parts;
+  }
+  const dvec3 ends[] = {dvec3(0), dvec3(0, 0, 9)};
+  const Length length = lengthOf(ends, grid(glm::dmat3(0.7)), softMm);
+  QCOMPARE(length.mm, 9.0);
+  const double wanted = 2 * std::sqrt(2 * (0.7 * 0.7 / 12 + variance));
+  QVERIFY(std::abs(length.plusMinus - wanted) < 1e-7 * wanted);
 }
 
 void TestLengths::aVoxelIsAsLongAsItsStepOnEveryGrid_data() {

@@ -69,6 +69,7 @@ void TestMeasure::numbersAndUnits_data() {
   row(polyline, {{0, 0, 0}, {3, 4, 0}, {3, 4, 2}}, 7, "mm", "px");
   row(angle, {{2, 0, 0}, {0, 0, 0}, {0, 3, 0}}, 90, "degrees", "degrees");
   row(cobb, {{0, 0, 0}, {1, 0, 0}, {5, 5, 0}, {4, 6, 0}}, 45, "degrees", "degrees");
+  row(legAxis, {{0, 0, 4}, {0, 0, 0}, {3, 0, -3}}, 45, "degrees", "degrees");
   row(ellipse, {{-2, -1, 0}, {2, 1, 0}}, 2 * std::acos(-1.0), "mm^2", "px^2");
   row(rectangle, {{-2, -1, 0}, {2, 1, 0}}, 8, "mm^2", "px^2");
   row(freehand, {{-2, -1, 0}, {2, -1, 0}, {2, 1, 0}}, 4, "mm^2", "px^2");

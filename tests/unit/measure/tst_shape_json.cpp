@@ -27,6 +27,9 @@ void TestShapeJson::whatIsWrittenIsRead_data() {
     if (rule.kind == ShapeKind::volume) shape.range = {-infinity, third};
     QTest::newRow(rule.name) << shape;
   }
+  Shape picked{ShapeKind::length, "", {{0, 0, third}, {1, 2, 3}}, {}, {}, {}};
+  picked.softMm = third;
+  QTest::newRow("picked in 3D") << picked;
   QTest::newRow("no name") << Shape{ShapeKind::probe, "", {{0, 0, 0}}, {}, {}, {}};
 }
 

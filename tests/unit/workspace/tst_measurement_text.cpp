@@ -59,6 +59,8 @@ class TestMeasurementText : public QObject {
   void asCsv();
   void asCsvOfTwoSeriesAndTwoLines();
   void handlesKeepBoxes();
+  void theSideOfAFrameIsKnown_data();
+  void theSideOfAFrameIsKnown();
 };
 
 void TestMeasurementText::numbersRead_data() {
@@ -128,6 +130,16 @@ void TestMeasurementText::linesSayNumbersWithUnits_data() {
   atDetector.frame = FrameReading{"at detector", false, {}, {}, {}};
   row("ratio of a radiograph", cardiothoracic, atDetector,
       "Ratio 0.48|Heart 130.2, thorax 269 mm (at detector)");
+  Measured leg = numberOf(5.8, "degrees");
+  leg.leg = LegAxis{174.2, LegAxis::Bend::unknown};
+  row("a leg of no known side", legAxis, leg, "5.8\u00b0|HKA 174.2\u00b0");
+  leg.leg->bend = LegAxis::Bend::varus;
+  row("varus", legAxis, leg, "5.8\u00b0 varus|HKA 174.2\u00b0");
+  leg.leg->bend = LegAxis::Bend::valgus;
+  row("valgus", legAxis, leg, "5.8\u00b0 valgus|HKA 174.2\u00b0");
+  leg.number = 0.04;
+  leg.leg->hka = 179.96;
+  row("a straight leg", legAxis, leg, "0.0\u00b0|HKA 180.0\u00b0");
   row("label", label, Error{"A label has no number."}, "");
   row("no number", angle, Error{"There is no angle."}, "There is no angle.");
   row("arrow", arrow, Error{"An arrow has no number."}, "");
@@ -248,6 +260,34 @@ void TestMeasurementText::handlesKeepBoxes() {
     QVERIFY(holds(handles[n] + glm::dvec3(0.5, 0.25, 0)));
   }
   QVERIFY(withHandleAt(box, 9, {0, 0, 0}) == box);
+}
+
+void TestMeasurementText::theSideOfAFrameIsKnown_data() {
+  QTest::addColumn<QString>("laterality");
+  QTest::addColumn<QString>("rowSide");
+  QTest::addColumn<int>("outwards");
+  const auto row = [](const char* name, const char* laterality, const char* rowSide, int outwards) {
+    QTest::newRow(name) << QString::fromLatin1(laterality) << QString::fromLatin1(rowSide) << outwards;
+  };
+  row("the left one, rows to the left", "L", "L", 1);
+  row("the right one, rows to the left", "R", "L", -1);
+  row("the right one, rows to the right", "R", "RF", 1);
+  row("from the side", "L", "P", 0);
+  row("both", "B", "L", 0);
+  row("of no side", "", "L", 0);
+  row("rows of no side", "L", "", 0);
+}
+
+void TestMeasurementText::theSideOfAFrameIsKnown() {
+  QFETCH(QString, laterality);
+  QFETCH(QString, rowSide);
+  QFETCH(int, outwards);
+  auto slice = std::make_shared<LoadedSeries>();
+  slice->series.laterality = laterality.toStdString();
+  LoadedFrame frame;
+  frame.slice = slice;
+  frame.rowSide = rowSide.toStdString();
+  QCOMPARE(pixelsOf(frame).outwards, outwards);
 }
 
 VOLUMEN_TEST(TestMeasurementText);

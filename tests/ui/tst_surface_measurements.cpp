@@ -1,0 +1,359 @@
+// Guards slices.md 4 in 3D: lengths and angles between places of the surface that is seen, by real mouse and
+// key events, against rays that meet a ball; what else the window does with them.
+#include <QLabel>
+#include <cmath>
+
+#include "tests/fixtures/small_volumes.h"
+#include "tests/ui/measure_window.h"
+#include "tests/unit/suite.h"
+#include "ui/workspace/camera_moves.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/session_json.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+constexpr double ballRadius = 12;  // mm about the origin
+// What the picture's surface may lie off the ball: values are linear between voxels of 1 mm, which moves them
+// by h^2 / (4 R) = 0.02 mm at most, and half of the opacity is reached ln 2 / 13.9 = 0.05 mm inside; twice
+// that for lines that meet it at a slant.
+constexpr double offTheBall = 0.15;
+
+// Values that fall by 100 a mm from the middle, 500 on the ball; all of it is opaque.
+LoadedSeriesPtr opaqueBall() {
+  auto series = std::make_shared<LoadedSeries>(*ballSeries(2, 1));
+  series->volume = volumeOf<float>({40, 40, 40}, glm::dmat3(1), [](glm::dvec3 p) {
+    return 500 + 100 * (ballRadius - glm::length(p - 19.5));
+  });
+  series->firstScene.transferFunction.points = {{500, {1, 1, 1}, 0.0}, {500, {1, 1, 1}, 1.0}};
+  return series;
+}
+
+struct SurfaceWindow : MeasureWindow {
+  SurfaceWindow() : MeasureWindow(opaqueBall()) { session().setFocus(sceneViewId); }
+
+  VolumeView* scene() { return window.view(); }
+  glm::dvec2 sceneSize() { return {double(scene()->width()), double(scene()->height())}; }
+  // The pixel in which a place of the patient is seen.
+  QPointF pixelOf(glm::dvec3 p) {
+    const glm::dvec2 at = seenAt(scene()->camera(), sceneSize(), p);
+    return QPointF(at.x, at.y).toPoint();
+  }
+  // Where the line of sight of a pixel meets the ball first.
+  glm::dvec3 onBall(QPointF p) {
+    const SightLine line = sightLine(scene()->camera(), sceneSize(), {p.x(), p.y()});
+    const double b = glm::dot(line.origin, line.direction),
+                 c = glm::dot(line.origin, line.origin) - ballRadius * ballRadius;
+    return line.origin + (-b - std::sqrt(b * b - c)) * line.direction;
+  }
+  void click(QPointF p, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseClick(scene(), Qt::LeftButton, keys, p.toPoint());
+  }
+  void drawLength(QPointF from, QPointF to) {
+    choose(ShapeKind::length);
+    drag(scene(), from, to);
+  }
+  // What is seen of the measurement drawn last; without lines where nothing is.
+  DrawnMeasurement seenLast() {
+    for (const DrawnMeasurement& d : scene()->drawnMeasurements())
+      if (d.id == last().id) return d;
+    return {};
+  }
+  QString told() { return child<QLabel>("toldText")->text(); }
+  bool isMeasuring() { return window.views()->tool().measuring; }
+};
+
+bool areNear(glm::dvec3 a, glm::dvec3 b) { return glm::length(a - b) < offTheBall; }
+
+}  // namespace
+
+class TestSurfaceMeasurements : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aLengthLiesOnTheSurface_data();
+  void aLengthLiesOnTheSurface();
+  void anAngleTakesThreeClicks();
+  void theCameraMayMoveBetweenClicks();
+  void whereNothingIsSeenASentenceSaysSo_data();
+  void whereNothingIsSeenASentenceSaysSo();
+  void anEndIsNotLeftOffTheSurface();
+  void aPointIsDraggedOverTheSurface();
+  void aClickSelectsAndDeleteRemoves();
+  void keysChooseAndPutAway();
+  void theSliceThroughBothEndsShowsIt();
+  void itSaysHowDeepItMayLie();
+  void theSessionKeepsIt();
+};
+
+void TestSurfaceMeasurements::aLengthLiesOnTheSurface_data() {
+  QTest::addColumn<int>("projection");
+  QTest::addColumn<bool>("byClicks");
+  QTest::newRow("parallel, a drag") << int(Projection::parallel) << false;
+  QTest::newRow("parallel, two clicks") << int(Projection::parallel) << true;
+  QTest::newRow("perspective, a drag") << int(Projection::perspective) << false;
+  QTest::newRow("perspective, two clicks") << int(Projection::perspective) << true;
+}
+
+void TestSurfaceMeasurements::aLengthLiesOnTheSurface() {
+  QFETCH(int, projection);
+  QFETCH(bool, byClicks);
+  SurfaceWindow w;
+  const Camera camera = withProjection(w.scene()->camera(), Projection(projection));
+  w.session().edit(QStringLiteral("camera"), [&](Scene& s) { s.camera = camera; });
+  const Workspace before = w.session().workspace();
+  const int steps = w.session().undoStack().index();
+  const QPointF from = w.pixelOf({-6, -10, 3}), to = w.pixelOf({7, -9, -2});
+  w.choose(ShapeKind::length);
+  QVERIFY(w.isMeasuring());
+  if (byClicks) {
+    w.click(from);
+    QVERIFY(w.all().empty());
+    hover(w.scene(), to);
+    QCOMPARE(w.scene()->drawnMeasurements().size(), std::size_t(1));
+    QVERIFY2(w.scene()->drawnMeasurements()[0].text.value(0).endsWith(QStringLiteral(" mm")),
+             "its number follows the hand");
+    w.click(to);
+  } else {
+    drag(w.scene(), from, to);
+  }
+  QCOMPARE(w.all().size(), std::size_t(1));
+  QVERIFY2(!w.isMeasuring(), "the tool before is back");
+  const Measurement m = w.last();
+  QVERIFY(m.shape.kind == ShapeKind::length && checkShape(m.shape).ok());
+  QVERIFY(areNear(m.shape.points[0], w.onBall(from)) && areNear(m.shape.points[1], w.onBall(to)));
+  const double mm = glm::length(w.onBall(to) - w.onBall(from));
+  QVERIFY(std::abs(w.measured(m)->number - mm) < 2 * offTheBall);
+  QCOMPARE(w.session().workspace().selected, m.id);
+  const DrawnMeasurement seen = w.seenLast();
+  QCOMPARE(seen.text, measuredLines(m.shape, w.measured(m)));
+  QCOMPARE(seen.handles.size(), std::size_t(2));
+  // A point is seen where it was picked, to what rounds off on the way through the patient.
+  QVERIFY((seen.handles[0].at - from).manhattanLength() < 1e-6);
+  QVERIFY((seen.handles[1].at - to).manhattanLength() < 1e-6);
+  QCOMPARE(w.session().undoStack().index(), steps + 1);
+  w.undo();
+  QVERIFY(w.session().workspace().measurements == before.measurements);
+  w.redo();
+  QVERIFY(w.last() == m);
+}
+
+void TestSurfaceMeasurements::anAngleTakesThreeClicks() {
+  SurfaceWindow w;
+  const QPointF arm = w.pixelOf({-6, -10, 0}), vertex = w.pixelOf({0, -12, 0}),
+                other = w.pixelOf({0, -10, 6});
+  w.choose(ShapeKind::angle);
+  w.click(arm);
+  w.click(vertex);
+  QVERIFY(w.all().empty());
+  w.click(other);
+  QCOMPARE(w.all().size(), std::size_t(1));
+  const glm::dvec3 a = w.onBall(arm) - w.onBall(vertex), b = w.onBall(other) - w.onBall(vertex);
+  const double degrees = std::acos(glm::dot(a, b) / glm::length(a) / glm::length(b)) * 180 / std::acos(-1.0);
+  // 0.1 mm at either end of arms of 6 mm.
+  QVERIFY(std::abs(w.measured(w.last())->number - degrees) < 4);
+  QCOMPARE(w.seenLast().lines.size(), std::size_t(1));
+  QCOMPARE(w.seenLast().lines[0].size(), qsizetype(3));
+}
+
+// From the front to the side, which the front does not show.
+void TestSurfaceMeasurements::theCameraMayMoveBetweenClicks() {
+  SurfaceWindow w;
+  w.choose(ShapeKind::length);
+  const QPointF front = w.pixelOf({0, -12, 0});
+  const glm::dvec3 first = w.onBall(front);
+  w.click(front);
+  const int steps = w.session().undoStack().index();
+  for (int n = 0; n < 18; ++n) QTest::keyClick(w.scene(), Qt::Key_Left);
+  wheel(w.scene(), 1);
+  const int moved = w.session().undoStack().index();
+  QVERIFY(moved > steps);
+  const QPointF side = w.pixelOf({0, 0, 3});
+  const glm::dvec3 second = w.onBall(side);
+  QVERIFY2(std::abs(second.y) < 3 && std::abs(second.x) > 10, "what lay at the side is in front");
+  w.click(side + QPointF(8, 0));
+  QCOMPARE(w.all().size(), std::size_t(1));
+  QVERIFY(areNear(w.last().shape.points[0], first));
+  QVERIFY(areNear(w.last().shape.points[1], w.onBall(side + QPointF(8, 0))));
+  QCOMPARE(w.session().undoStack().index(), moved + 1);
+  w.choose(ShapeKind::length);
+  w.click(side);
+  QTest::keyClick(w.scene(), Qt::Key_Left);
+  const Camera turned = w.scene()->camera();
+  QTest::keyClick(w.scene(), Qt::Key_Escape);
+  QVERIFY2(w.scene()->camera() == turned, "what is given up is what was drawn");
+  QCOMPARE(w.all().size(), std::size_t(1));
+  QCOMPARE(w.scene()->drawnMeasurements().size(), std::size_t(1));
+}
+
+void TestSurfaceMeasurements::whereNothingIsSeenASentenceSaysSo_data() {
+  QTest::addColumn<int>("mode");
+  QTest::addColumn<QString>("sentence");
+  QTest::newRow("beside the ball")
+      << int(Mode::composite)
+      << QStringLiteral("Nothing is seen there: click on a visible surface to measure in 3D.");
+  QTest::newRow("in a mean") << int(Mode::average)
+                             << QStringLiteral(
+                                    "A mean has no surface: choose another projection to measure in 3D.");
+}
+
+void TestSurfaceMeasurements::whereNothingIsSeenASentenceSaysSo() {
+  QFETCH(int, mode);
+  QFETCH(QString, sentence);
+  SurfaceWindow w;
+  w.session().edit(QStringLiteral("mode"), [&](Scene& s) { s.mode = Mode(mode); });
+  const Workspace before = w.session().workspace();
+  w.choose(ShapeKind::length);
+  w.click(w.pixelOf({17, -12, 17}));
+  QCOMPARE(w.told(), sentence);
+  QVERIFY(w.scene()->drawnMeasurements().empty());
+  QVERIFY(w.session().workspace() == before);
+  QVERIFY2(w.isMeasuring(), "for another try");
+}
+
+void TestSurfaceMeasurements::anEndIsNotLeftOffTheSurface() {
+  SurfaceWindow w;
+  const QPointF from = w.pixelOf({0, -12, 0}), beside = w.pixelOf({17, -12, 17}), to = w.pixelOf({6, -10, 0});
+  w.choose(ShapeKind::length);
+  drag(w.scene(), from, beside);
+  QVERIFY(w.all().empty());
+  QVERIFY(w.told().startsWith(QStringLiteral("Nothing is seen there")));
+  w.click(to);
+  QCOMPARE(w.all().size(), std::size_t(1));
+  QVERIFY(areNear(w.last().shape.points[0], w.onBall(from)));
+  QVERIFY(areNear(w.last().shape.points[1], w.onBall(to)));
+}
+
+void TestSurfaceMeasurements::aPointIsDraggedOverTheSurface() {
+  SurfaceWindow w;
+  w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
+  QCOMPARE(w.all().size(), std::size_t(1));
+  const Workspace before = w.session().workspace();
+  const int steps = w.session().undoStack().index();
+  const QPointF end = w.seenLast().handles[1].at, elsewhere = w.pixelOf({2, -11, -7});
+  drag(w.scene(), end, elsewhere);
+  QVERIFY(areNear(w.last().shape.points[1], w.onBall(elsewhere)));
+  QVERIFY(w.last().shape.points[0] == before.measurements[0].shape.points[0]);
+  QCOMPARE(w.session().undoStack().index(), steps + 1);
+  w.undo();
+  QVERIFY(w.session().workspace() == before);
+  // Beyond the edge of what is seen it stays where it was on it.
+  QTest::mousePress(w.scene(), Qt::LeftButton, {}, end.toPoint());
+  QTest::mouseEvent(QTest::MouseMove, w.scene(), Qt::LeftButton, {}, w.pixelOf({17, -12, 17}).toPoint());
+  QVERIFY(w.last() == before.measurements[0]);
+  QTest::mouseEvent(QTest::MouseMove, w.scene(), Qt::LeftButton, {}, elsewhere.toPoint());
+  QVERIFY(w.last() != before.measurements[0]);
+  QTest::keyClick(w.scene(), Qt::Key_Escape);
+  QVERIFY(w.session().workspace() == before);
+  QTest::mouseRelease(w.scene(), Qt::LeftButton, {}, elsewhere.toPoint());
+  QVERIFY(w.session().workspace() == before);
+}
+
+void TestSurfaceMeasurements::aClickSelectsAndDeleteRemoves() {
+  SurfaceWindow w;
+  const QPointF from = w.pixelOf({-8, -8, 0}), to = w.pixelOf({8, -8, 0});
+  w.drawLength(from, to);
+  const int id = w.last().id;
+  QCOMPARE(w.all().size(), std::size_t(1));
+  w.session().select(0);
+  const Workspace before = w.session().workspace();
+  const QPointF middle = (from + to) / 2;
+  w.click(middle);
+  QCOMPARE(w.session().workspace().selected, id);
+  QVERIFY2(w.session().workspace().crosshairs == before.crosshairs,
+           "the line was meant, not what lies behind it");
+  w.click(middle + QPointF(0, 25));
+  QCOMPARE(w.session().workspace().selected, 0);
+  w.click(middle);
+  QTest::keyClick(w.scene(), Qt::Key_Delete);
+  QVERIFY(w.all().empty());
+  w.undo();
+  QCOMPARE(w.last().id, id);
+}
+
+void TestSurfaceMeasurements::keysChooseAndPutAway() {
+  SurfaceWindow w;
+  w.scene()->setFocus();
+  QTest::keyClick(w.scene(), Qt::Key_D);
+  QVERIFY(w.child<QAction>("lengthTool")->isChecked());
+  QTest::keyClick(w.scene(), Qt::Key_Escape);
+  QVERIFY(!w.isMeasuring());
+  QTest::keyClick(w.scene(), Qt::Key_D);
+  QTest::keyClick(w.scene(), Qt::Key_L);
+  QCOMPARE(viewName(w.scene()->camera()), std::string("left"));
+  QVERIFY2(w.isMeasuring(), "the view was turned, nothing else");
+  w.child<QAction>("rotateTool")->trigger();
+  QVERIFY2(!w.isMeasuring(), "another tool was taken");
+  w.choose(ShapeKind::length);
+  w.click(w.pixelOf({0, 0, 5}), Qt::ShiftModifier);
+  w.click(w.pixelOf({0, 0, -5}), Qt::ShiftModifier);
+  QCOMPARE(w.all().size(), std::size_t(1));
+  QVERIFY2(w.isMeasuring(), "Shift keeps it");
+}
+
+// Both ends in one row of pixels, seen from the front, are at one height of the patient.
+void TestSurfaceMeasurements::theSliceThroughBothEndsShowsIt() {
+  SurfaceWindow w;
+  QTest::keyClick(w.scene(), Qt::Key_A);
+  QCOMPARE(viewName(w.scene()->camera()), std::string("anterior"));
+  const QPointF from = w.pixelOf({-6, -10, 3});
+  w.drawLength(from, QPointF(w.pixelOf({7, -9, 3}).x(), from.y()));
+  const Measurement m = w.last();
+  QVERIFY(std::abs(m.shape.points[0].z - m.shape.points[1].z) < 1e-6);
+  QVERIFY(std::abs(m.shape.points[0].x - m.shape.points[1].x) > 10);
+  moveCrosshair(w.session(), axialViewId, *w.session().series(), QStringLiteral("there"), m.shape.points[0]);
+  const DrawnMeasurement there = w.drawn(m.id);
+  QVERIFY(there.whole);
+  QCOMPARE(there.text, w.seenLast().text);
+  glm::dvec3 away = m.shape.points[0];
+  away.z += 5;
+  moveCrosshair(w.session(), axialViewId, *w.session().series(), QStringLiteral("away"), away);
+  QVERIFY(w.drawn(m.id).lines.empty());
+  w.draw(ShapeKind::length, placesOf(ShapeKind::length));
+  QCOMPARE(w.all().size(), std::size_t(2));
+  QVERIFY2(!w.last().shape.softMm, "it was drawn in a slice");
+  QCOMPARE(w.seenLast().text, measuredLines(w.last().shape, w.measured(w.last())));
+  w.draw(ShapeKind::ellipse, placesOf(ShapeKind::ellipse));
+  QVERIFY2(w.seenLast().lines.empty(), "regions belong to their slices");
+}
+
+void TestSurfaceMeasurements::itSaysHowDeepItMayLie() {
+  SurfaceWindow w;
+  const QPointF from = w.pixelOf({-6, -10, 3}), to = w.pixelOf({7, -9, -2});
+  w.drawLength(from, to);
+  const auto detail = [&] {
+    return detailText(w.last(), w.measured(w.last()), w.session().series()->series);
+  };
+  QVERIFY(w.last().shape.softMm);
+  QVERIFY2(detail().contains(QStringLiteral("on the surface as it was seen in 3D (depth within 0.1 mm)")),
+           qPrintable(detail()));
+  const double hard = *w.measured(w.last())->plusMinus;
+  // Half of the light is stopped in ln 2 / 0.105 = 6.6 mm: the place is about as sharp.
+  w.session().edit(QStringLiteral("fog"), [](Scene& s) {
+    for (CurvePoint& p : s.transferFunction.points) p.opacity *= 0.1;
+  });
+  w.drawLength(from, to);
+  QCOMPARE(w.all().size(), std::size_t(2));
+  QVERIFY(*w.last().shape.softMm > 2);
+  QVERIFY2(detail().contains(QStringLiteral("(depth \u00b1 ")), qPrintable(detail()));
+  QVERIFY(*w.measured(w.last())->plusMinus > hard + 2);
+  hover(w.scene(), w.seenLast().handles[0].at);
+  QCOMPARE(w.child<QLabel>("hoverText")->text(), detail());
+}
+
+void TestSurfaceMeasurements::theSessionKeepsIt() {
+  SurfaceWindow w;
+  w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
+  const Workspace& now = w.session().workspace();
+  const auto text = sessionToJson(now, {}, {});
+  QVERIFY(text.ok());
+  const auto series = now.series.begin()->second.series;
+  const auto again = sessionFromJson(*text, [&](const SavedSeries&) { return series; });
+  QVERIFY2(again.ok(), again.ok() ? "" : again.message().c_str());
+  QVERIFY(again->workspace.measurements == now.measurements);
+  QVERIFY(again->workspace.measurements[0].shape.softMm == w.last().shape.softMm);
+}
+
+VOLUMEN_TEST(TestSurfaceMeasurements);
+#include "tst_surface_measurements.moc"

@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ui/tools/tool.h"
+#include "ui/workspace/measurements.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr double clickOnSurface = 3;  // logical pixels; a shorter way is a click and no drag
+
+// Draws a shape point by point on what is seen. The last point follows the pointer, and stays where it was
+// while nothing is seen there, until it is released away from the one before: by a drag as by two clicks.
+class SurfaceShapeDrag : public SceneDrag {
+ public:
+  SurfaceShapeDrag(const ScenePress& press, ShapeKind kind) : press_(press), rule_(ruleOf(kind)) {
+    drawn_.id = -1 - press.view;  // none of the workspace's
+    drawn_.series = keyOf(press.series->series);
+    drawn_.shape.kind = kind;
+    points_ = {*press.surfaceAt(press.at), *press.surfaceAt(press.at)};
+    placed_ = press.at;
+    putPoints();
+  }
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override { follow(p); }
+  void press(QPointF p) override { follow(p); }
+
+  bool release(QPointF p, Qt::KeyboardModifiers) override {
+    const bool isOnSurface = follow(p);
+    if (std::hypot(p.x() - placed_.x(), p.y() - placed_.y()) < clickOnSurface) return false;
+    if (!isOnSurface) return press_.missed(p), false;
+    if (points_.size() == rule_.most) {
+      addMeasurement(press_.session, drawn_.series, drawn_.shape);
+      return true;
+    }
+    points_.push_back(points_.back());
+    placed_ = p;
+    putPoints();
+    return false;
+  }
+
+  const Measurement* drawing() const override { return &drawn_; }
+
+ private:
+  bool follow(QPointF p) {
+    const std::optional<SurfacePoint> at = press_.surfaceAt(p);
+    if (at) points_.back() = *at;
+    putPoints();
+    return at.has_value();
+  }
+
+  void putPoints() {
+    double softest = 0;
+    drawn_.shape.points.clear();
+    for (const SurfacePoint& point : points_) {
+      drawn_.shape.points.push_back(point.pPatient);
+      softest = std::max(softest, point.softMm);
+    }
+    drawn_.shape.softMm = softest;
+  }
+
+  const ScenePress press_;
+  const ShapeRule& rule_;
+  Measurement drawn_;
+  std::vector<SurfacePoint> points_;
+  QPointF placed_;  // where the last point but one was put
+};
+
+// Moves a point of a measurement over what is seen, by as much as the pointer.
+class SurfacePointDrag : public SceneDrag {
+ public:
+  SurfacePointDrag(const ScenePress& press, int measurement, std::size_t point, QPointF seenAt)
+      : press_(press), id_(measurement), point_(point), fromPress_(seenAt - press.at) {}
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override {
+    const std::optional<SurfacePoint> at = press_.surfaceAt(p + fromPress_);
+    if (!at) return;
+    editMeasurement(press_.session, id_, tr("Change measurement"), [&](Measurement& m) {
+      m.shape = withHandleAt(m.shape, point_, at->pPatient);
+      m.shape.softMm = std::max(m.shape.softMm.value_or(0), at->softMm);
+    });
+  }
+
+ private:
+  const ScenePress press_;
+  const int id_;
+  const std::size_t point_;
+  const QPointF fromPress_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneDrag> beginSurfaceShape(const ScenePress& press, ShapeKind kind) {
+  if (!press.surfaceAt(press.at)) return press.missed(press.at), nullptr;
+  return std::make_unique<SurfaceShapeDrag>(press, kind);
+}
+
+std::unique_ptr<SceneDrag> beginSurfacePoint(const ScenePress& press, int measurement, std::size_t point,
+                                             QPointF seenAt) {
+  return std::make_unique<SurfacePointDrag>(press, measurement, point, seenAt);
+}
+
+}  // namespace volumen

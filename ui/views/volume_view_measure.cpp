@@ -1,0 +1,120 @@
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <algorithm>
+
+#include "ui/views/drawn_measurement.h"
+#include "ui/views/latin_key.h"
+#include "ui/views/volume_view.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/measurement_text.h"
+#include "ui/workspace/measurements.h"
+
+namespace volumen {
+
+namespace {
+
+// Of one that is still being drawn once it has all its points. Those that are seen in 3D take no time.
+QStringList textInScene(const Measurement& m, const LoadedSeries& series) {
+  QStringList text;
+  if (!m.shape.name.empty()) text << nameText(m);
+  if (checkShape(m.shape))
+    text << measuredLines(m.shape, measure(m.shape, *series.volume, series.series.unit));
+  return text;
+}
+
+}  // namespace
+
+void VolumeView::setFlatTool(const Tool& tool) {
+  drawing_ = tool.draws() && tool.inScene ? &tool : nullptr;
+  if (isDrawing()) letGo();
+  setCursor(drawing_ ? drawing_->cursor : tool_->cursor);
+}
+
+std::vector<DrawnMeasurement> VolumeView::drawnMeasurements() const {
+  std::vector<DrawnMeasurement> drawn;
+  const LoadedSeriesPtr shown = series();
+  if (!shown) return drawn;
+  const Workspace& workspace = session_.workspace();
+  const Camera seen = camera();
+  const auto add = [&](const Measurement& m, bool selected) {
+    DrawnMeasurement one = drawnInScene(
+        m, [&](glm::dvec3 p) { return seenAtPlace(seen, p); }, selected);
+    if (one.lines.empty()) return;
+    one.text = textInScene(m, *shown);
+    drawn.push_back(std::move(one));
+  };
+  if (workspace.measurementsShown)
+    for (const Measurement* m : measurementsIn(workspace, frameOfReference(shown->series)))
+      add(*m, m->id == workspace.selected);
+  if (isDrawing()) add(*drag_->drawing(), true);
+  if (!drawn.empty()) placeBeside(overlays(), drawn, overlayArea(), font());
+  return drawn;
+}
+
+void VolumeView::tellMissed(QPointF position) {
+  const std::optional<Pick> hit = pickAt(position);
+  Q_EMIT missed(hit ? tr("A mean has no surface: choose another projection to measure in 3D.")
+                    : tr("Nothing is seen there: click on a visible surface to measure in 3D."));
+}
+
+// Selects what is under the press; its points can be moved.
+std::unique_ptr<SceneDrag> VolumeView::pressMeasurement(const ScenePress& press) {
+  const std::vector<DrawnMeasurement> drawn = drawnMeasurements();
+  const auto hit = hitAt(drawn, press.at);
+  pressedShape_ = hit.has_value();
+  session_.select(hit ? hit->drawn->id : 0);
+  if (!hit || hit->part != MeasurementPart::handle) return nullptr;
+  return beginSurfacePoint(press, hit->drawn->id, hit->handle, hit->drawn->handles[hit->handle].at);
+}
+
+void VolumeView::releaseShape(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton) return;
+  auto drag = std::move(drag_);
+  const bool isDone = drag->release(event.position(), event.modifiers());
+  if (!isDone) drag_ = std::move(drag);
+  canvas_->update();
+  if (isDone && !(event.modifiers() & Qt::ShiftModifier)) Q_EMIT toolDone();
+}
+
+// A click is the next point however soon it follows.
+void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && drawing_) return mousePressEvent(event);
+  View::mouseDoubleClickEvent(event);
+}
+
+// The keys of tools that draw, of putting them away and of deleting; false: the key means nothing here.
+bool VolumeView::pressMeasuringKey(const QKeyEvent& event) {
+  if (event.key() == Qt::Key_Delete) {
+    const bool isSeen = std::ranges::any_of(drawnMeasurements(), &DrawnMeasurement::selected);
+    if (isSeen && !drag_) deleteMeasurement(session_, session_.workspace().selected);
+    return isSeen;
+  }
+  if (event.key() == Qt::Key_Escape && drawing_ && !drag_) {
+    Q_EMIT toolDone();
+    return true;
+  }
+  if (event.modifiers() & ~Qt::ShiftModifier) return false;
+  const auto tool = std::ranges::find_if(tools(), [key = latinKey(event)](const Tool& t) {
+    return t.draws() && t.inScene && t.key != 0 && t.key == key;
+  });
+  if (tool != tools().end()) Q_EMIT toolWanted(*tool);
+  return tool != tools().end();
+}
+
+void VolumeView::showCursorAt(QPointF position) {
+  if (drawing_) return;
+  const std::vector<DrawnMeasurement> drawn = drawnMeasurements();
+  setCursor(hitAt(drawn, position) ? Qt::PointingHandCursor : tool_->cursor);
+}
+
+QString VolumeView::measurementText(QPointF position) const {
+  const std::vector<DrawnMeasurement> drawn = drawnMeasurements();
+  const auto hit = hitAt(drawn, position);
+  const Measurement* m = hit ? findMeasurement(session_.workspace(), hit->drawn->id) : nullptr;
+  if (!m) return {};
+  const LoadedSeriesPtr taken = session_.seriesNamed(m->series);
+  return taken ? detailText(*m, measure(m->shape, *taken->volume, taken->series.unit), taken->series)
+               : nameText(*m);
+}
+
+}  // namespace volumen
