@@ -8,6 +8,7 @@
 #include "viewer/measure/lengths.h"
 #include "viewer/measure/outline.h"
 #include "viewer/measure/two_lines.h"
+#include "viewer/slice/smooth_curve.h"
 
 namespace volumen {
 
@@ -105,6 +106,14 @@ Measured lengthOn(const Shape& shape, const Scale& scale) {
   return measured;
 }
 
+Result<Measured> curveOn(const Shape& shape, const Scale& scale) {
+  const Result<SmoothCurve> curve = SmoothCurve::through(scaled(shape, scale.size).points);
+  if (!curve) return curve.error();
+  Measured measured = lengthOn(shape, scale);
+  measured.number = curve->length();
+  return measured;
+}
+
 Measured regionOn(const Shape& shape, const Scale& scale, const FramePixels& frame) {
   Measured measured = numberOf(areaOf(outlineOf(scaled(shape, scale.size))), scale.mm ? "mm^2" : "px^2");
   if (!frame.colour())
@@ -172,6 +181,8 @@ Result<Measured> measureByKind(const Shape& shape, const Scale& scale, const Fra
     case ShapeKind::length:
     case ShapeKind::polyline:
       return lengthOn(shape, scale);
+    case ShapeKind::openCurve:
+      return curveOn(shape, scale);
     case ShapeKind::angle:
     case ShapeKind::cobb:
       return angleOn(shape, scale, frame);

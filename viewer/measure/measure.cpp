@@ -9,6 +9,7 @@
 #include "viewer/measure/outline.h"
 #include "viewer/measure/two_lines.h"
 #include "viewer/slice/plane.h"
+#include "viewer/slice/smooth_curve.h"
 
 namespace volumen {
 
@@ -25,6 +26,14 @@ Result<Measured> measureLength(const Shape& shape, const VoxelGeometry& geometry
   measured.number = length.mm;
   measured.plusMinus = length.plusMinus;
   measured.unit = inGridUnit(geometry, "mm", "px");
+  return measured;
+}
+
+Result<Measured> measureCurve(const Shape& shape, const VoxelGeometry& geometry) {
+  const Result<SmoothCurve> curve = SmoothCurve::through(shape.points);
+  if (!curve) return curve.error();
+  Result<Measured> measured = measureLength(shape, geometry);
+  measured->number = curve->length();
   return measured;
 }
 
@@ -88,6 +97,8 @@ Result<Measured> measureByKind(const Shape& shape, const Volume& volume, const s
     case ShapeKind::length:
     case ShapeKind::polyline:
       return measureLength(shape, volume.geometry());
+    case ShapeKind::openCurve:
+      return measureCurve(shape, volume.geometry());
     case ShapeKind::angle:
     case ShapeKind::cobb:
       return measureAngle(shape);

@@ -14,6 +14,7 @@ namespace volumen {
 enum class ShapeKind {
   length,
   polyline,
+  openCurve,  ///< a smooth curve through its points (SmoothCurve)
   angle,
   cobb,
   bidirectional,   ///< the longest diameter and the longest one at right angles to it (RECIST 1.1, WHO)
@@ -64,6 +65,7 @@ struct ShapeRule {
   bool region;               ///< an area on a plane
   bool twoLines = false;     ///< the first two points are the ends of one, the others of the other
   bool numberless = false;   ///< it points at something, and says its name
+  bool acrossSlices = false;  ///< its points may lie on different planes, each of which shows its part
 };
 
 /// All kinds.
