@@ -70,6 +70,10 @@ Result<Series> curvedSeries(const Series& source, const CurvedRecipe& recipe, co
 
 const Series& sourceOf(const Series& series) { return series.curved ? *series.curved->source : series; }
 
+Result<Series> madeLike(const Series& model, const Series& source) {
+  return model.curved ? curvedSeries(source, model.curved->recipe, model.curved->name) : source;
+}
+
 Result<Loaded> loadCurved(const Series& series, VolumePtr source, const Progress& progress,
                           const CancelToken& cancel) {
   if (!source) {

@@ -15,6 +15,10 @@ Result<Series> curvedSeries(const Series& source, const CurvedRecipe& recipe, co
 /// The series that is to be loaded, and looked for, to have this one: its source, or itself.
 const Series& sourceOf(const Series& series);
 
+/// The series that is made of `source` as `model` was made of its own: itself, or laid out along the same
+/// curve. An Error as of curvedSeries().
+Result<Series> madeLike(const Series& model, const Series& source);
+
 /// The volume of a series along a curve. `source`: the drawn volume of its source; null: it is read. An Error
 /// names the file and why, or says what is wrong with the curve.
 Result<Loaded> loadCurved(const Series& series, VolumePtr source, const Progress& progress = {},

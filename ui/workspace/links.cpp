@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "ui/workspace/curved_links.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/value_text.h"
 
@@ -198,6 +199,7 @@ std::optional<SeriesOver> seriesOver(const Workspace& workspace, const SeriesKey
 
 Workspace withLinksFollowed(const Workspace& before, Workspace after, const ViewSizes& sizes) {
   after = withPositionsFollowed(before, std::move(after));
+  after = withCurvesFollowed(before, std::move(after));
   after = withLooksFollowed(before, std::move(after), sizes);
   return withWindowsFollowed(before, std::move(after));
 }
