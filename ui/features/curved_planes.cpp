@@ -8,6 +8,8 @@ namespace volumen {
 
 namespace {
 
+constexpr double usualWidth = 50;  // mm
+
 // A curve that was drawn, laid out flat: beside its slices the straightened and the stretched plane and the
 // cross-sections.
 class CurvedPlanes : public Feature {
@@ -23,22 +25,15 @@ class CurvedPlanes : public Feature {
 };
 
 CurvedPlanes::CurvedPlanes(Workbench& bench) : Feature(bench) {
-  bench_.addMenu("curvedMenu", tr("Show curved plane"), {{"measureMenu", 90, 10}});
-  constexpr int widths[] = {20, 50, 100};  // mm
-  for (const int mm : widths) {
-    const std::string name = "showCurved" + std::to_string(mm);
-    const double halfWidth = mm / 2.0;
-    bench_.addAction({name.c_str(),
-                      tr("Curved plane, %1 mm wide").arg(mm),
-                      {},
-                      "",
-                      false,
-                      [this, halfWidth](bool) { show(halfWidth); },
-                      {{"curvedMenu", 10}}});
-  }
+  const auto add = [this](const char* name, const QString& text, double mm, const Place& place) {
+    bench_.addAction({name, text, {}, "", false, [this, mm](bool) { show(mm / 2); }, {place}});
+  };
+  add("showCurvedPlane", tr("Show curved plane"), usualWidth, {"measureMenu", 90, 10});
+  bench_.addMenu("curvedMenu", tr("Curved plane of another width"), {{"measureMenu", 90, 20}});
+  add("showCurvedPlane20", tr("Curved plane 20 mm wide"), 20, {"curvedMenu", 10});
+  add("showCurvedPlane100", tr("Curved plane 100 mm wide"), 100, {"curvedMenu", 10, 10});
   connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* menu) {
-    if (curveMeant(session_.workspace()))
-      menu->addMenu(bench_.window.findChild<QMenu*>(QStringLiteral("curvedMenu")));
+    if (curveMeant(session_.workspace())) menu->addAction(bench_.action("showCurvedPlane"));
   });
   connect(&bench_.document.loader, &Loader::loadBegan, this, [this](const Series& series) {
     loading_ = series.curved ? std::optional(keyOf(series)) : std::nullopt;
