@@ -106,11 +106,11 @@ Measured lengthOn(const Shape& shape, const Scale& scale) {
   return measured;
 }
 
-Result<Measured> curveOn(const Shape& shape, const Scale& scale) {
-  const Result<SmoothCurve> curve = SmoothCurve::through(scaled(shape, scale.size).points);
-  if (!curve) return curve.error();
+// Where all its points are one there is no curve, and its length is 0.
+Measured curveOn(const Shape& shape, const Scale& scale) {
   Measured measured = lengthOn(shape, scale);
-  measured.number = curve->length();
+  if (const auto curve = SmoothCurve::through(scaled(shape, scale.size).points))
+    measured.number = curve->length();
   return measured;
 }
 

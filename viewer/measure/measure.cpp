@@ -29,11 +29,10 @@ Result<Measured> measureLength(const Shape& shape, const VoxelGeometry& geometry
   return measured;
 }
 
+// Where all its points are one there is no curve, and its length is 0.
 Result<Measured> measureCurve(const Shape& shape, const VoxelGeometry& geometry) {
-  const Result<SmoothCurve> curve = SmoothCurve::through(shape.points);
-  if (!curve) return curve.error();
   Result<Measured> measured = measureLength(shape, geometry);
-  measured->number = curve->length();
+  if (const auto curve = SmoothCurve::through(shape.points)) measured->number = curve->length();
   return measured;
 }
 
