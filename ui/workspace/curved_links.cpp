@@ -1,6 +1,7 @@
 #include "ui/workspace/curved_links.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <map>
 #include <vector>
 
@@ -30,6 +31,12 @@ std::map<SeriesKey, std::vector<const Series*>> curvedOnScreen(const Workspace& 
   return found;
 }
 
+// The voxel's place that is nearest to a point.
+glm::dvec3 within(const VoxelGeometry& geometry, glm::dvec3 p) {
+  const glm::dvec3 last(geometry.size - 1);
+  return geometry.patientFromVoxel(glm::clamp(geometry.voxelFromPatient(p), glm::dvec3(0), last));
+}
+
 Result<CurvedGrid> gridOf(const Series& series) {
   return CurvedGrid::make(series.curved->recipe, drawnGeometry(sourceOf(series)));
 }
@@ -54,7 +61,8 @@ Workspace withCurvesFollowed(const Workspace& before, Workspace after) {
     for (const Series* series : all) {
       if (first != all.end() && series == *first) continue;
       if (const Result<CurvedGrid> grid = gridOf(*series))
-        after.crosshairs.editOrAdd(frameOfReference(*series)).at = grid->curvedFromPatient(at);
+        after.crosshairs.editOrAdd(frameOfReference(*series)).at =
+            within(grid->geometry(), grid->curvedFromPatient(at));
     }
   }
   return after;

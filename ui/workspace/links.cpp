@@ -221,8 +221,11 @@ Workspace withScrollLinked(Workspace workspace, bool linked) {
 std::vector<ViewId> viewsOfOtherFrames(const Workspace& workspace) {
   std::vector<ViewId> views = slicesOnScreen(workspace);
   if (std::ranges::find(views, workspace.focus) == views.end()) return {};
+  // What lies along a curve is related to nothing by a shift or a turn.
+  const auto isCurved = [&](ViewId id) { return seriesIn(workspace, id)->curved.has_value(); };
+  if (isCurved(workspace.focus)) return {};
   const std::string own = frameIn(workspace, workspace.focus);
-  std::erase_if(views, [&](ViewId id) { return frameIn(workspace, id) == own; });
+  std::erase_if(views, [&](ViewId id) { return frameIn(workspace, id) == own || isCurved(id); });
   return views;
 }
 

@@ -111,7 +111,7 @@ void fields(Fields& f, SavedCurve& curve) {
   f("name", curve.name);
   f("kind", recipe.kind, curvedWords);
   f("points", points);
-  f("ruled", recipe.ruled, {-1, 1});
+  f("ruled", recipe.ruled, {-1 - 1e-6, 1 + 1e-6});
   f("halfWidth", recipe.halfWidth, {1e-3, 1e4});
   recipe.points.clear();
   for (const SavedPlace& place : points) recipe.points.push_back(place.at);
