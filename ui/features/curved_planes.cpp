@@ -38,10 +38,14 @@ CurvedPlanes::CurvedPlanes(Workbench& bench) : Feature(bench) {
   connect(&bench_.document.loader, &Loader::loadBegan, this, [this](const Series& series) {
     loading_ = series.curved ? std::optional(keyOf(series)) : std::nullopt;
   });
-  const auto ended = [this] { loading_.reset(); };
-  connect(&bench_.document.loader, &Loader::seriesLoaded, this, ended);
+  // The next one may have begun by then.
+  const auto ended = [this](const SeriesKey& series) {
+    if (loading_ == series) loading_.reset();
+  };
+  connect(&bench_.document.loader, &Loader::seriesLoaded, this,
+          [ended](const LoadedSeriesPtr& series) { ended(keyOf(series->series)); });
   connect(&bench_.document.loader, &Loader::notLoaded, this, ended);
-  connect(&bench_.document.loader, &Loader::loadGivenUp, this, ended);
+  connect(&bench_.document.loader, &Loader::loadGivenUp, this, [this] { loading_.reset(); });
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace&, const Workspace& now) { giveUpUndone(now); });
 }
@@ -65,7 +69,9 @@ glm::dvec3 CurvedPlanes::normalInFocus() const {
 
 // What is loaded for a step that was undone would be shown all the same.
 void CurvedPlanes::giveUpUndone(const Workspace& now) {
-  if (loading_ && !now.series.contains(*loading_)) bench_.document.loader.cancelLoad();
+  if (!loading_ || now.series.contains(*loading_)) return;
+  loading_.reset();
+  bench_.document.loader.cancelLoad();
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ std::map<SeriesKey, std::vector<const Series*>> curvedOnScreen(const Workspace& 
 }
 
 // The voxel's place that is nearest to a point.
-glm::dvec3 within(const VoxelGeometry& geometry, glm::dvec3 p) {
+glm::dvec3 nearestIn(const VoxelGeometry& geometry, glm::dvec3 p) {
   const glm::dvec3 last(geometry.size - 1);
   return geometry.patientFromVoxel(glm::clamp(geometry.voxelFromPatient(p), glm::dvec3(0), last));
 }
@@ -62,7 +62,7 @@ Workspace withCurvesFollowed(const Workspace& before, Workspace after) {
       if (first != all.end() && series == *first) continue;
       if (const Result<CurvedGrid> grid = gridOf(*series))
         after.crosshairs.editOrAdd(frameOfReference(*series)).at =
-            within(grid->geometry(), grid->curvedFromPatient(at));
+            nearestIn(grid->geometry(), grid->curvedFromPatient(at));
     }
   }
   return after;

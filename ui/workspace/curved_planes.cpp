@@ -13,7 +13,7 @@ namespace volumen {
 
 namespace {
 
-void put(Workspace& workspace, ViewId id, const Series& series, ViewKind kind) {
+void showIn(Workspace& workspace, ViewId id, const Series& series, ViewKind kind) {
   ViewState& view = workspace.editView(id);
   view.series = keyOf(series);
   view.kind = kind;
@@ -91,11 +91,11 @@ Workspace withCurvedPlanes(Workspace workspace, const CurvedPair& pair) {
   const std::vector<ViewId> views = viewsOnScreen(workspace);
   addSeries(workspace, pair.straightened);
   addSeries(workspace, pair.stretched);
-  put(workspace, views[0], source, kind);
+  showIn(workspace, views[0], source, kind);
   workspace.editView(views[0]).flats.editOrAdd(keyOf(source)) = look;
-  put(workspace, views[1], pair.straightened, ViewKind::coronal);
-  put(workspace, views[2], pair.stretched, ViewKind::coronal);
-  put(workspace, views[3], pair.straightened, ViewKind::axial);
+  showIn(workspace, views[1], pair.straightened, ViewKind::coronal);
+  showIn(workspace, views[2], pair.stretched, ViewKind::coronal);
+  showIn(workspace, views[3], pair.straightened, ViewKind::axial);
   workspace.focus = views[3];
   return workspace;
 }
