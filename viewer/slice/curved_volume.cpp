@@ -18,7 +18,8 @@ namespace {
 
 using glm::dmat3, glm::dvec3;
 
-constexpr double upright = 0.7;  // of a unit vector's z: it runs along the patient rather than across
+constexpr double smallestVoxel = 1e-6;  // mm
+constexpr double upright = 0.7;         // of a unit vector's z: it runs along the patient rather than across
 
 dvec3 meanOf(const std::vector<dvec3>& points) {
   return std::accumulate(points.begin(), points.end(), dvec3(0)) / double(points.size());
@@ -78,6 +79,7 @@ EvenSamples samplesWithin(Reach reach, double distance) {
 
 Status checkRecipe(const CurvedRecipe& recipe, const VoxelGeometry& source) {
   if (!source.calibrated) return Error{"The series is not calibrated: a curved plane needs lengths in mm."};
+  if (recipe.points.size() > CurvedGrid::mostPoints) return Error{"A curve has at most 2000 points."};
   if (!(recipe.halfWidth > 0 && recipe.halfWidth <= CurvedGrid::longest))
     return Error{"A curved plane reaches more than 0 mm and at most 10 m across its curve."};
   if (!(std::abs(glm::length(recipe.ruled) - 1) < 1e-6))
@@ -132,7 +134,7 @@ Result<CurvedGrid> CurvedGrid::make(const CurvedRecipe& recipe, const VoxelGeome
   if (!curve) return curve.error();
   const dvec3 spacing = source.spacing();
   double step = std::min({spacing.x, spacing.y, spacing.z});
-  if (!(step > 0 && step <= longest)) return Error{"The voxels of the series have no size."};
+  if (!(step >= smallestVoxel && step <= longest)) return Error{"The voxels of the series have no size."};
   if (curve->length() < step)
     return Error{"The curve is shorter than a voxel: set its points further apart."};
   if (curve->length() > longest) return Error{"The curve is longer than 10 m."};
@@ -141,6 +143,7 @@ Result<CurvedGrid> CurvedGrid::make(const CurvedRecipe& recipe, const VoxelGeome
   grid.length_ = curve->length();
   const Reach across{-recipe.halfWidth, recipe.halfWidth};
   const Reach down = isStretched ? alongRuled(source, meanOf(recipe.points), recipe.ruled) : across;
+  step = std::max(step, grid.length_ / mostSections);
   for (;;) {
     const double voxels = (across.mm() / step + 1) * (down.mm() / step + 1) * (grid.length_ / step + 1);
     if (voxels <= mostVoxels) break;

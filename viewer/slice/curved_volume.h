@@ -41,12 +41,14 @@ glm::dvec3 ruledDirection(const std::vector<glm::dvec3>& points, glm::dvec3 othe
 /// cross-section are true, any other only near the curve.
 class CurvedGrid {
  public:
-  /// Voxels are as large as the source's smallest spacing, larger where there would be more than mostVoxels;
-  /// along the curve they are stretched a little so that its two ends have a cross-section each. An Error
-  /// where SmoothCurve has one, the curve is shorter than a voxel or longer than `longest`, as seen along
-  /// `ruled` too, a number of the recipe makes no sense, or the source is not calibrated.
+  /// Voxels are as large as the source's smallest spacing, larger where there would be more than mostVoxels
+  /// or mostSections; along the curve they are stretched a little so that its two ends have a cross-section
+  /// each. An Error where SmoothCurve has one, there are more than mostPoints, the curve is shorter than a
+  /// voxel or longer than `longest`, as seen along `ruled` too, a number of the recipe makes no sense, or the
+  /// source is not calibrated.
   static Result<CurvedGrid> make(const CurvedRecipe& recipe, const VoxelGeometry& source);
-  static constexpr double mostVoxels = 1 << 26;
+  static constexpr double mostVoxels = 1 << 26, mostSections = 1 << 15;
+  static constexpr std::size_t mostPoints = 2000;
   static constexpr double longest = 10000, mostAlongRuled = 100;  ///< mm
 
   /// Slices k are the cross-sections, from the start of the curve on.

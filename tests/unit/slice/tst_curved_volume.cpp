@@ -346,6 +346,10 @@ void TestCurvedVolume::largeOnesBecomeCoarser() {
       QVERIFY(std::abs(g.spacing().x / g.spacing().z - 1) < 0.01);
       if (spacing == 1) QVERIFY(std::abs(g.spacing().x - 1) < 1e-9);
     }
+  // Thin ones, too: of a long curve there are no more cross-sections than can be held.
+  const CurvedGrid thin =
+      gridOf(recipeOf(CurvedKind::straightened, {{0, 0, 0}, {5000, 0, 0}}, 0.001), boxOf(0.001));
+  QVERIFY(double(thin.sections().size()) < CurvedGrid::mostSections + 2);
 }
 
 void TestCurvedVolume::aTurnBackIsFinite() {
@@ -377,6 +381,7 @@ void TestCurvedVolume::whatCannotBeLaidOutIsRefused_data() {
   row("no number, stretched", {3, nan}, "1e9 mm", true);
   row("shorter than a voxel", {3, 3.5}, "shorter than a voxel");
   row("longer than a building", {-9000, 9000}, "longer than 10 m");
+  row("more points than a hand sets", QList<double>(2001, 3), "2000 points");
   row("seen along its own line", {-9, 0, 9}, "two different places", true);
   row("no width", {3, 9}, "across", false, 0);
   row("a width that is no number", {3, 9}, "across", false, nan);
