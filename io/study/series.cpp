@@ -23,4 +23,8 @@ ProjectionView projectionOf(const Series& series, int frame) {
   return series.projections[std::size_t(frame)];
 }
 
+bool CurvedFrom::operator==(const CurvedFrom& other) const {
+  return (source == other.source || *source == *other.source) && recipe == other.recipe && name == other.name;
+}
+
 }  // namespace volumen

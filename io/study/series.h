@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/study/cine.h"
+#include "io/study/curved_from.h"
 #include "io/study/identity.h"
 #include "io/study/suv.h"
 #include "io/study/unread.h"
@@ -67,6 +68,8 @@ struct Series : SeriesIdentity {
 
   std::string notVolume;  ///< why these are only frames: a sentence; empty: it is a volume
   Cine cine;              ///< of frames
+
+  std::optional<CurvedFrom> curved;  ///< it is no file's: another series, resampled along a curve
   bool operator==(const Series&) const = default;
 };
 

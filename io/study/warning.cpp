@@ -6,9 +6,9 @@
 namespace volumen {
 
 const char* kindName(WarningKind kind) {
-  static constexpr const char* names[] = {"other",         "missingSlices", "unevenSlices",
-                                          "sheared",       "offLine",       "noDirections",
-                                          "notCalibrated", "unread",        "notSeparated"};
+  static constexpr const char* names[] = {"other",        "missingSlices", "unevenSlices",  "sheared",
+                                          "offLine",      "noDirections",  "notCalibrated", "unread",
+                                          "notSeparated", "curved"};
   return names[int(kind)];
 }
 
@@ -28,7 +28,8 @@ std::vector<std::string> shortWarnings(const std::vector<Warning>& warnings) {
                                           "Directions not known",
                                           "Not calibrated",
                                           "Slices not read",
-                                          "Slices may not belong together"};
+                                          "Slices may not belong together",
+                                          "Curved: measure along or across it"};
   std::vector<std::string> texts;
   for (const Warning& w : changingPicture(warnings))
     if (std::ranges::find(texts, words[int(w.kind)]) == texts.end()) texts.push_back(words[int(w.kind)]);

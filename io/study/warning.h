@@ -16,7 +16,8 @@ enum class WarningKind {
   noDirections,   ///< left and right, front and back are a guess
   notCalibrated,  ///< lengths and directions are not known
   unread,         ///< files of it could not be read
-  notSeparated    ///< several pictures at one place, and nothing in the files tells which belong together
+  notSeparated,   ///< several pictures at one place, and nothing in the files tells which belong together
+  curved          ///< resampled along a curve: lengths off it are not true
 };
 
 /// What is to be known of a series: one sentence, mm and file names.

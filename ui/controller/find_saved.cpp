@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "io/curved.h"
 #include "io/study/study.h"
 #include "ui/data/frame_series.h"
 
@@ -10,7 +11,8 @@ namespace volumen {
 
 namespace {
 
-bool hasName(const Series& series, const Series& name) {
+bool hasName(const Series& series, const Series& saved) {
+  const Series& name = sourceOf(saved);
   return series.id == name.id || (!name.seriesUid.empty() && series.seriesUid == name.seriesUid);
 }
 
@@ -26,7 +28,7 @@ const Series* findSaved(const std::vector<Series>& all, const SavedSeries& saved
   const Series* found = nullptr;
   for (const Series& series : all) {
     if (!hasName(series, saved.series) || proofOf(series) != saved.proof) continue;
-    if (series.id == saved.series.id) return &series;
+    if (series.id == sourceOf(saved.series).id) return &series;
     if (!found) found = &series;
   }
   return found;

@@ -9,7 +9,7 @@ struct Study;
 /// The series of a study, and the frames of what is none.
 std::vector<Series> allSeriesOf(const Study& study);
 
-/// The series that is what it was, by its UID or id and what tells that it is the same; ids may have changed
+/// The series that is what it was, of one along a curve its source, by its UID or id and what tells that it is the same; ids may have changed
 /// with what lies beside it. Null: none is.
 const Series* findSaved(const std::vector<Series>& all, const SavedSeries& saved);
 

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <utility>
 
+#include "io/curved.h"
 #include "io/index/index_path.h"
 #include "io/load.h"
 #include "io/open.h"
@@ -35,8 +36,11 @@ Result<std::shared_ptr<const Study>> shared(Result<Study> study) {
   return std::make_shared<const Study>(std::move(*study));
 }
 
-Result<LoadedSeriesPtr> loadShown(const Series& series, const MakeScene& makeScene, const Job& job) {
-  Result<Loaded> loaded = loadSeries(series, job.progress(), job.cancel());
+// `source`: of a series along a curve the volume that it is made of, where that is in memory.
+Result<LoadedSeriesPtr> loadShown(const Series& series, const VolumePtr& source, const MakeScene& makeScene,
+                                  const Job& job) {
+  Result<Loaded> loaded = series.curved ? loadCurved(series, source, job.progress(), job.cancel())
+                                        : loadSeries(series, job.progress(), job.cancel());
   if (!loaded) return loaded.error();
   job.tell(Loader::tr("preparing the display"), -1);
   auto shown = std::make_shared<LoadedSeries>();
@@ -142,7 +146,8 @@ void Loader::begin(const Series& series, bool isAhead) {
   isAhead_ = isAhead;
   loadJob_ = load_.run(
       {tr("Opening"), seriesText(series)},
-      [series, makeScene = makeScene_](const Job& job) { return loadShown(series, makeScene, job); },
+      [series, source = series.curved ? held_(keyOf(sourceOf(series))) : nullptr,
+       makeScene = makeScene_](const Job& job) { return loadShown(series, source, makeScene, job); },
       [this, key = keyOf(series)](const Result<LoadedSeriesPtr>& shown) { take(key, shown); },
       [this] { cancelled(); });
   if (!isAhead) Q_EMIT loadBegan(series);

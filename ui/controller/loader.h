@@ -22,6 +22,8 @@ class Loader : public QObject {
  public:
   Loader(Jobs& jobs, MakeScene makeScene, QObject* parent = nullptr);
 
+  /// Where the volume of a series is found that is in memory already; it gives null where it is not.
+  void useHeld(std::function<VolumePtr(const SeriesKey&)> held) { held_ = std::move(held); }
   void open(const QString& path, const OpenIntent& intent = {});
   /// The same for files that are not one path: ends in filesOpened() by the name given.
   void openFiles(const QString& name, const std::vector<std::string>& files, const OpenIntent& intent = {});
@@ -69,6 +71,7 @@ class Loader : public QObject {
   void cancelled();
 
   const MakeScene makeScene_;
+  std::function<VolumePtr(const SeriesKey&)> held_ = [](const SeriesKey&) { return VolumePtr(); };
   std::optional<SeriesKey> loading_;
   int loadJob_ = 0;
   std::optional<Scene> scene_;  // to show what is being loaded by

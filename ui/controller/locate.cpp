@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "io/curved.h"
 #include "io/index/index_path.h"
 #include "ui/controller/find_saved.h"
 #include "ui/workspace/moved.h"
@@ -32,10 +33,12 @@ Result<Located> locate(const MissingObjects& missing, const std::string& folder,
     located.problems << tr("%1 was not found in %2.").arg(name, pathText(folder));
   };
   for (const SavedSeries& saved : missing.series)
-    if (const Series* found = findSaved(all, saved))
-      located.series.emplace_back(keyOf(saved.series), *found);
-    else
+    if (const Series* found = findSaved(all, saved)) {
+      if (const Result<Series> made = madeLike(saved.series, *found))
+        located.series.emplace_back(keyOf(saved.series), *made);
+    } else {
       tellMissing(seriesText(saved.series));
+    }
   for (const SavedObject& saved : missing.derived)
     if (const DerivedObject* found = findSaved(*located.study, saved))
       located.derived.emplace_back(saved.key, keyOf(*found));

@@ -16,6 +16,8 @@ namespace {
 // Of a region about one for each edge of its outline and voxel of its box, and one for each pair of edges.
 double stepsOf(const Shape& shape, const VoxelGeometry& geometry) {
   if (shape.kind == ShapeKind::volume) return std::numeric_limits<double>::infinity();
+  constexpr double stepsAPiece = 256;  // of a curve
+  if (shape.kind == ShapeKind::openCurve) return stepsAPiece * double(shape.points.size());
   if (!ruleOf(shape.kind).region || !checkShape(shape)) return double(shape.points.size());
   const Outline outline = outlineOf(shape);
   const glm::dvec3 spacing = geometry.spacing();

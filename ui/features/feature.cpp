@@ -30,6 +30,7 @@ const std::vector<FeatureEntry>& features() {
       {"snapshots", makeSnapshots},
       {"measuring", makeMeasuring},
       {"measurement charts", makeMeasurementCharts},
+      {"curved planes", makeCurvedPlanes},
       {"registration", makeRegistration},
       {"hanging protocols", makeHangingProtocols},
       {"priors", makePriors},

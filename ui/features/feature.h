@@ -45,6 +45,7 @@ const std::vector<FeatureEntry>& features();
 
 std::unique_ptr<Feature> makeAccuracy(Workbench& bench);
 std::unique_ptr<Feature> makeCommands(Workbench& bench);
+std::unique_ptr<Feature> makeCurvedPlanes(Workbench& bench);
 std::unique_ptr<Feature> makeDockLayout(Workbench& bench);
 std::unique_ptr<Feature> makeDrawing(Workbench& bench);
 std::unique_ptr<Feature> makeFirstImages(Workbench& bench);

@@ -45,7 +45,7 @@ std::vector<KeyRow> keyRows() {
           "straight")},
       {tr("D, A, E, P, T in a slice"),
        tr("measure: length, angle, ellipse, probe, arrow with text; the tool before comes back after one "
-          "measurement (Shift keeps it), Enter or a double-click ends a polyline, Esc gives up, Delete "
+          "measurement (Shift keeps it), Enter or a double-click ends a polyline or a curve, Esc gives up, Delete "
           "removes what is selected, W changes the window again")},
       {tr("In the list of studies"),
        tr("Enter opens, Ctrl+Enter opens beside, Delete removes from the list")},

@@ -43,7 +43,12 @@ class Scrolling : public QScrollArea {
 Document::Document(const Services& services)
     : sources(services.makeSources(services.indexFolder, jobs)),
       drawService(services.makeDraw),
-      loader(jobs, services.makeScene) {}
+      loader(jobs, services.makeScene) {
+  loader.useHeld([this](const SeriesKey& key) {
+    const LoadedSeriesPtr held = session.pool().find({key, {}});
+    return held ? held->volume : nullptr;
+  });
+}
 
 Workbench::Workbench(const Services& theServices, Document& theDocument, const WindowParts& parts)
     : WindowParts(parts), services(theServices), document(theDocument), menus(parts.window) {

@@ -9,6 +9,7 @@ class QPainter;
 namespace volumen {
 
 struct Measurement;
+struct SlicePlane;
 
 /// What is seen through a lens.
 struct Enlarged {
@@ -35,6 +36,10 @@ class Drag {
   virtual bool isMeasured() const { return true; }
   /// The lens that it holds; none: it holds none.
   virtual std::optional<Enlarged> enlarged() const { return {}; }
+  /// Whether the view may be scrolled under it: what it draws reaches across slices.
+  virtual bool scrolls() const { return false; }
+  /// Of one that scrolls: the plane that the view shows now, in device pixels.
+  virtual void planeChanged(const SlicePlane&) {}
   /// So many notches of the wheel, up is positive; whether they mean something to it.
   virtual bool wheel(double /*notches*/) { return false; }
 };

@@ -1,5 +1,6 @@
 #include <QCoreApplication>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "ui/tools/tool.h"
 #include "ui/workspace/measurement_text.h"
@@ -51,13 +52,15 @@ class ShapeDrag : public Drag {
   }
 
   bool finish() override {
-    if (rule_.kind != ShapeKind::polyline) return false;
+    if (rule_.kind != ShapeKind::polyline && rule_.kind != ShapeKind::openCurve) return false;
     points().pop_back();
     places_.pop_back();
     return points().size() < rule_.fewest || complete();
   }
 
   const Measurement* drawing() const override { return &drawn_; }
+  bool scrolls() const override { return rule_.acrossSlices && !press_.frame; }
+  void planeChanged(const SlicePlane& plane) override { press_.plane = plane; }
 
  private:
   std::vector<glm::dvec3>& points() { return drawn_.shape.points; }
@@ -88,8 +91,11 @@ class ShapeDrag : public Drag {
     return from + across * (QPointF::dotProduct(p - from, across) / QPointF::dotProduct(across, across));
   }
 
-  // Logical pixels from the last point but one to the last.
+  // Logical pixels from the last point but one to the last; from slice to slice as many as it is far.
   double lastSegment() const {
+    const std::vector<glm::dvec3>& p = drawn_.shape.points;
+    if (scrolls())
+      return glm::distance(p[p.size() - 2], p.back()) / (press_.plane.mmPerPixel * press_.pixelRatio);
     const QPointF way = places_.back() - places_[places_.size() - 2];
     return std::hypot(way.x(), way.y());
   }
@@ -100,7 +106,7 @@ class ShapeDrag : public Drag {
     return true;
   }
 
-  const SlicePress press_;
+  SlicePress press_;
   const ShapeRule& rule_;
   Measurement drawn_;
   std::vector<QPointF> places_;  // of its points
@@ -134,19 +140,13 @@ Tool labelTool() {
 
 std::vector<Tool> measuringTools() {
   using enum ShapeKind;
-  return {measuringTool<length>(Qt::Key_D),
-          measuringTool<polyline>(0),
-          measuringTool<bidirectional>(0),
-          measuringTool<angle>(Qt::Key_A),
-          measuringTool<cobb>(0),
-          measuringTool<legAxis>(0),
-          measuringTool<cardiothoracic>(0),
-          measuringTool<ellipse>(Qt::Key_E),
-          measuringTool<rectangle>(0),
-          measuringTool<freehand>(0),
-          measuringTool<probe>(Qt::Key_P),
-          measuringTool<arrow>(Qt::Key_T),
-          labelTool()};
+  return {measuringTool<length>(Qt::Key_D),  measuringTool<polyline>(0),
+          measuringTool<openCurve>(0),       measuringTool<bidirectional>(0),
+          measuringTool<angle>(Qt::Key_A),   measuringTool<cobb>(0),
+          measuringTool<legAxis>(0),         measuringTool<cardiothoracic>(0),
+          measuringTool<ellipse>(Qt::Key_E), measuringTool<rectangle>(0),
+          measuringTool<freehand>(0),        measuringTool<probe>(Qt::Key_P),
+          measuringTool<arrow>(Qt::Key_T),   labelTool()};
 }
 
 }  // namespace volumen

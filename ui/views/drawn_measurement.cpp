@@ -3,6 +3,7 @@
 #include <QLineF>
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "ui/workspace/measurements.h"
 #include "viewer/measure/shape_cut.h"
@@ -15,6 +16,7 @@ namespace {
 constexpr double handleReach = 7, lineReach = 5, markReach = 8;
 constexpr double textGaps[] = {8, 40, 90, 150};  // between a shape and its text, the nearest that is free
 constexpr double textFrame = 2;                  // about a text's letters
+constexpr double anyDistance = 1e9;              // mm
 
 double squared(QPointF p) { return QPointF::dotProduct(p, p); }
 
@@ -168,8 +170,10 @@ DrawnMeasurement drawnMeasurement(const Measurement& ofDocument, const SlicePlan
     const glm::dvec2 at = plane.pixelFromPatient(p) / pixelRatio;
     return QPointF(at.x, at.y);
   };
+  const bool isAcross = ruleOf(shape.kind).acrossSlices;
   const double half = seenWithin(plane, geometry);
-  const ShapeCut cut = cutOf(shape, plane, half);
+  // While it is drawn all of it is seen from any slice.
+  const ShapeCut cut = cutOf(shape, plane, isAcross && measurement.id < 0 ? anyDistance : half);
   drawn.whole = cut.whole;
   for (const std::vector<glm::dvec3>& line : cut.lines) {
     QPolygonF& points = drawn.lines.emplace_back();
@@ -178,9 +182,11 @@ DrawnMeasurement drawnMeasurement(const Measurement& ofDocument, const SlicePlan
   if (drawn.lines.empty()) return drawn;
   drawn.middle = pixel(middleOf(shape));
   if (measurement.textOffset) drawn.textMiddle = pixel(middleOf(shape) + *measurement.textOffset);
-  if (!selected || !cut.whole) return drawn;
+  if (!selected || (!cut.whole && !isAcross)) return drawn;
   const std::vector<glm::dvec3> handles = handlesOf(shape);
-  for (std::size_t n = 0; n < handles.size(); ++n) drawn.handles.push_back({n, pixel(handles[n])});
+  for (std::size_t n = 0; n < handles.size(); ++n)
+    if (cut.whole || std::abs(glm::dot(handles[n] - plane.centre, plane.normal())) <= half)
+      drawn.handles.push_back({n, pixel(handles[n])});
   return drawn;
 }
 

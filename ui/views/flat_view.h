@@ -259,6 +259,7 @@ class FlatView : public View {
   std::optional<MeasurementHit> measurementAt(QPointF p) const;
   std::unique_ptr<Drag> pressMeasurement(const SlicePress& press);
   void endDrag(Qt::KeyboardModifiers keys);
+  void seeDrag();
   bool letGo();
   bool liesAsDrawn() const;
   void askForName(int id);

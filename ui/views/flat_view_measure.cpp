@@ -38,7 +38,8 @@ std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
     DrawnMeasurement one =
         drawnMeasurement(m, *now, shown->volume->geometry(), devicePixelRatioF(), selected);
     if (one.lines.empty()) return;
-    if (measured && (one.whole || m.id < 0)) one.text = textOf(m, measurer_);
+    const bool isTold = one.whole || m.id < 0 || ruleOf(m.shape.kind).acrossSlices;
+    if (measured && isTold) one.text = textOf(m, measurer_);
     drawn.push_back(std::move(one));
   };
   if (workspace.measurementsShown)
@@ -66,7 +67,8 @@ std::optional<MeasurementHit> FlatView::measurementAt(QPointF p) const {
   const Measurement* m = hit ? findMeasurement(session_.workspace(), hit->drawn->id) : nullptr;
   if (!m) return {};
   const glm::dvec3 text = pressAt(p)->shapePointAt(hit->drawn->textRect.center());
-  return MeasurementHit{m->id, hit->part, hit->handle, text - middleOf(m->shape), hit->drawn->whole};
+  const bool isMovable = hit->drawn->whole || hit->part == MeasurementPart::handle;
+  return MeasurementHit{m->id, hit->part, hit->handle, text - middleOf(m->shape), isMovable};
 }
 
 std::unique_ptr<Drag> FlatView::pressMeasurement(const SlicePress& press) {

@@ -38,6 +38,7 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   if (tool && tool->draws()) stop();
   if (!drag_) pressedAt_ = event->position();
   const auto press = pressAt(event->position());
+  seeDrag();
   if (drag_ && event->button() == dragButton_) drag_->press(event->position());
   if (!press || drag_) return;
   dragButton_ = event->button();
@@ -56,6 +57,7 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
 
 void FlatView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_) {
+    seeDrag();
     drag_->moveTo(event->position(), event->modifiers());
     if (drag_ && drag_->drawing()) update();
     askForLens();
@@ -66,6 +68,11 @@ void FlatView::mouseMoveEvent(QMouseEvent* event) {
   tellEdges(event->position());
   showCursorAt(event->position());
   pointAt(event->position());
+}
+
+// What goes on across slices sees the one that is shown.
+void FlatView::seeDrag() {
+  if (const auto now = drag_ && drag_->scrolls() ? plane() : std::nullopt) drag_->planeChanged(*now);
 }
 
 bool FlatView::movesCrosshair(Qt::KeyboardModifiers keys) const {
@@ -93,6 +100,7 @@ QString FlatView::textAt(QPointF position) const {
 
 void FlatView::mouseReleaseEvent(QMouseEvent* event) {
   if (drag_ && event->button() != dragButton_) return;
+  seeDrag();
   if (drag_ && drag_->drawing() && !drag_->release(event->position(), event->modifiers())) return update();
   const bool isClick = (event->position() - pressedAt_).manhattanLength() < QApplication::startDragDistance();
   const bool wantsMenu =
@@ -108,7 +116,7 @@ void FlatView::wheelEvent(QWheelEvent* event) {
   // Alt and Shift make a wheel horizontal on some systems.
   const double notches = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
   if (drag_ && drag_->wheel(notches)) return askForLens();
-  if (!press || drag_) return;
+  if (!press || (drag_ && !drag_->scrolls())) return;
   const MouseSlot slot{MousePlace::flat, MouseInput::wheel, heldOf(event->modifiers())};
   const std::string bound = boundTo(session_.preferences(), slot);
   wheelEnd_.start();
@@ -124,6 +132,10 @@ void FlatView::wheelEvent(QWheelEvent* event) {
   wheelRest_ -= steps;
   if (bound == "slab") return makeThicker(-steps);
   scroll(steps);
+  if (!drag_) return;
+  seeDrag();
+  drag_->moveTo(event->position(), event->modifiers());
+  update();
 }
 
 double FlatView::wheelSign() const { return session_.preferences().wheelInverted ? -1 : 1; }

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "ui/workspace/camera_moves.h"
+#include "ui/workspace/curved_text.h"
 #include "ui/workspace/key_images.h"
 #include "ui/workspace/link_text.h"
 #include "ui/workspace/measurement_text.h"
@@ -205,6 +206,24 @@ PlaneNumber planeNumber(const Series& series, const VoxelGeometry& drawn, ViewKi
   return {true, QStringLiteral("%1 / %2").arg(place.index + 1).arg(place.count)};
 }
 
+namespace {
+
+// Of a series that is laid out along a curve.
+CornerTexts curvedCorner(const Workspace& workspace, const ViewState& state, const LoadedSeries& shown,
+                         const SlicePlane& plane, const PlaneNumber& number, CornerTexts texts) {
+  const FlatLook look = flatLookOf(state);
+  texts.add(CornerItem::plane, curvedPlaneText(shown.series, plane));
+  texts.add(CornerItem::number, number.text);
+  if (isOfEarlierCurve(workspace, shown.series)) texts.add(CornerItem::mask, tr("of an earlier curve"));
+  texts.add(CornerItem::mask, maskTexts(workspace.series.at(state.series).mask));
+  texts.add(CornerItem::turn, turnText(look.turn));
+  texts.add(CornerItem::position, curvedPlaceText(shown.series, plane));
+  if (look.slabMm > 0) texts.add(CornerItem::slab, slabText(look));
+  return texts;
+}
+
+}  // namespace
+
 CornerTexts slicesCorner(const Workspace& workspace, ViewId view, const LoadedSeries& shown,
                          const SlicePlane& plane) {
   const ViewState& state = workspace.view(view);
@@ -214,6 +233,7 @@ CornerTexts slicesCorner(const Workspace& workspace, ViewId view, const LoadedSe
   const PlaneNumber number =
       planeNumber(shown.series, geometry, state.kind, crosshairOf(workspace, view, shown), plane);
   CornerTexts texts = seriesCorner(shown.series);
+  if (shown.series.curved) return curvedCorner(workspace, state, shown, plane, number, std::move(texts));
   const QString thickness = thicknessText(shown.series);
   const bool knownSides = knowsSides(shown.series);
   const QString acquired = number.reformatted && knownSides ? planeText(shown.series.acquired) : QString();

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "ui/workspace/curved_links.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/value_text.h"
 
@@ -199,6 +200,7 @@ std::optional<SeriesOver> seriesOver(const Workspace& workspace, const SeriesKey
 
 Workspace withLinksFollowed(const Workspace& before, Workspace after, const ViewSizes& sizes) {
   after = withPositionsFollowed(before, std::move(after));
+  after = withCurvesFollowed(before, std::move(after));
   after = withLooksFollowed(before, std::move(after), sizes);
   return withWindowsFollowed(before, std::move(after));
 }
@@ -220,8 +222,11 @@ Workspace withScrollLinked(Workspace workspace, bool linked) {
 std::vector<ViewId> viewsOfOtherFrames(const Workspace& workspace) {
   std::vector<ViewId> views = slicesOnScreen(workspace);
   if (std::ranges::find(views, workspace.focus) == views.end()) return {};
+  // What lies along a curve is related to nothing by a shift or a turn.
+  const auto isCurved = [&](ViewId id) { return seriesIn(workspace, id)->curved.has_value(); };
+  if (isCurved(workspace.focus)) return {};
   const std::string own = frameIn(workspace, workspace.focus);
-  std::erase_if(views, [&](ViewId id) { return frameIn(workspace, id) == own; });
+  std::erase_if(views, [&](ViewId id) { return frameIn(workspace, id) == own || isCurved(id); });
   return views;
 }
 

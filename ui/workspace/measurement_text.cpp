@@ -145,6 +145,8 @@ QString kindText(ShapeKind kind) {
       return tr("Length");
     case ShapeKind::polyline:
       return tr("Polyline");
+    case ShapeKind::openCurve:
+      return tr("Curve");
     case ShapeKind::angle:
       return tr("Angle");
     case ShapeKind::cobb:

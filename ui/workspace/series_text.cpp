@@ -40,7 +40,7 @@ QString sizeText(const VoxelGeometry& g) {
 
 bool knowsSides(const Series& series) {
   const auto isUnknown = [](const Warning& w) { return w.kind == WarningKind::noDirections; };
-  return series.acquired.calibrated && std::ranges::none_of(series.warnings, isUnknown);
+  return series.acquired.calibrated && !series.curved && std::ranges::none_of(series.warnings, isUnknown);
 }
 
 QString planeText(const VoxelGeometry& geometry) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/curved.h"
 #include "io/zip_archive.h"
 #include "ui/workspace/moved.h"
 
@@ -13,9 +14,10 @@ std::string relativeTo(const std::string& folder, const std::string& path) {
 }
 
 SeriesEntry entryOf(const SeriesState& state, const std::string& folder) {
-  const Series& series = *state.series;
+  const Series& series = sourceOf(*state.series);
   const MissingSeries known = state.missing.value_or(MissingSeries{proofOf(series), foldersOf(series)});
-  SeriesEntry entry{{series, {}, known.folders, known.proof}, state};
+  SeriesEntry entry{{series, {}, known.folders, known.proof}, {}, state};
+  if (const auto& curved = state.series->curved) entry.curve = {curved->name, curved->recipe};
   if (series.format == "phantom") return entry;
   std::string& path = entry.saved.series.path;
   path = lastingPath(path);
@@ -46,10 +48,17 @@ Workspace withObjectsFound(Workspace workspace, const std::vector<SavedObject>& 
 SeriesState stateOf(SeriesEntry entry, const FindSeries& find) {
   entry.saved.series.acquired = entry.saved.proof.geometry;
   entry.saved.series.valueType = entry.saved.proof.valueType;
-  entry.state.series = find ? find(entry.saved) : nullptr;
-  if (entry.state.series) return entry.state;
+  const auto along = [&](const Series& source) {
+    return entry.curve ? curvedSeries(source, entry.curve->recipe, entry.curve->name) : source;
+  };
+  if (const auto found = find ? find(entry.saved) : nullptr)
+    if (Result<Series> series = along(*found)) {
+      entry.state.series = std::make_shared<const Series>(std::move(*series));
+      return entry.state;
+    }
   entry.state.missing = {entry.saved.proof, entry.saved.folders};
-  entry.state.series = std::make_shared<const Series>(std::move(entry.saved.series));
+  const Result<Series> series = along(entry.saved.series);
+  entry.state.series = std::make_shared<const Series>(series ? *series : entry.saved.series);
   return entry.state;
 }
 

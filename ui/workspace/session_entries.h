@@ -7,9 +7,16 @@
 
 namespace volumen {
 
+/// How a series lies along a curve.
+struct SavedCurve {
+  std::string name;
+  CurvedRecipe recipe;
+};
+
 /// A series of a session: what finds it again, and its state.
 struct SeriesEntry {
-  SavedSeries saved;
+  SavedSeries saved;                ///< of one along a curve: its source
+  std::optional<SavedCurve> curve;  ///< that it lies along; none: it is one of files
   SeriesState state;
 };
 

@@ -80,6 +80,11 @@ class FieldWriter {
   void operator()(const char* name, std::optional<T>& value) {
     json_[name] = value ? objectOf(*value, pathOf(name)) : Json();
   }
+  /// Left out where there is none.
+  template <class T>
+  void unlessNone(const char* name, std::optional<T>& value) {
+    if (value) json_[name] = objectOf(*value, pathOf(name));
+  }
   template <class T>
   void operator()(const char* name, std::shared_ptr<const T>& value) {
     std::optional<T> copy = value ? std::optional<T>(*value) : std::nullopt;
@@ -166,6 +171,10 @@ class FieldReader {
       read(*object, item);
       value = std::move(item);
     }
+  }
+  template <class T>
+  void unlessNone(const char* name, std::optional<T>& value) {
+    (*this)(name, value);
   }
   template <class T>
   void operator()(const char* name, std::shared_ptr<const T>& value) {

@@ -101,6 +101,28 @@ void fields(Fields& f, SavedFolder& folder) {
   f("path", folder.path);
 }
 
+struct SavedPlace {
+  glm::dvec3 at{0};
+};
+template <class Fields>
+void fields(Fields& f, SavedPlace& place) {
+  f("at", place.at, lengths);
+}
+
+template <class Fields>
+void fields(Fields& f, SavedCurve& curve) {
+  CurvedRecipe& recipe = curve.recipe;
+  std::vector<SavedPlace> points;
+  for (const glm::dvec3 p : recipe.points) points.push_back({p});
+  f("name", curve.name);
+  f("kind", recipe.kind, curvedWords);
+  f("points", points);
+  f("ruled", recipe.ruled, {-1 - 1e-6, 1 + 1e-6});
+  f("halfWidth", recipe.halfWidth, {1e-3, 1e4});
+  recipe.points.clear();
+  for (const SavedPlace& place : points) recipe.points.push_back(place.at);
+}
+
 template <class Fields>
 void fields(Fields& f, SeriesEntry& s) {
   f("path", s.saved.series.path);
@@ -117,6 +139,9 @@ void fields(Fields& f, SeriesEntry& s) {
   f("valueType", s.saved.proof.valueType);
   f("files", s.saved.proof.files, {0, 1e9});
   f("instances", s.saved.proof.instances);
+  f.unlessNone("curve", s.curve);
+  f.require("curve", !s.curve || CurvedGrid::make(s.curve->recipe, s.saved.proof.geometry).ok(),
+            "must be one that the series can be laid out along");
   fields(f, s.state);
 }
 

@@ -15,6 +15,8 @@ inline const Words<DerivedKind> regionWords{{"contours", DerivedKind::contours},
 inline const Words<DerivedKind> derivedWords{{"presentation", DerivedKind::presentation},
                                              {"contours", DerivedKind::contours},
                                              {"segmentation", DerivedKind::segmentation}};
+inline const Words<CurvedKind> curvedWords{{"straightened", CurvedKind::straightened},
+                                           {"stretched", CurvedKind::stretched}};
 inline const Words<Aim> aimWords{{"level", Aim::level}, {"time", Aim::time}, {"error", Aim::error}};
 
 inline Words<ViewKind> namedKinds() {

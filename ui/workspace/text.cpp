@@ -73,7 +73,7 @@ QString seriesText(const Series& series) {
   QStringList parts;
   if (!series.modality.empty()) parts << shownText(series.modality);
   QString description = shownText(series.description);
-  const bool isFile = series.format != "DICOM" && series.format != "phantom";
+  const bool isFile = series.format != "DICOM" && series.format != "phantom" && !series.curved;
   if (isFile && hidden && description.isEmpty()) description = tr("(file name hidden)");
   // What programs write into the description of a file is seldom its name.
   if (isFile ? !hidden : description.isEmpty() && series.format == "phantom")

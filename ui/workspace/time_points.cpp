@@ -49,6 +49,7 @@ auto orderOf(const Series& series) {
 bool areTimePoints(const Series& a, const Series& b) {
   if (!areOfOnePatient(a, b)) return false;
   if (a.id == b.id && a.path == b.path) return true;
+  if (a.curved || b.curved) return false;
   if (!a.notVolume.empty() || !b.notVolume.empty() || a.format != b.format || a.path != b.path ||
       a.seriesUid != b.seriesUid || a.studyUid != b.studyUid || !onOneGrid(a.acquired, b.acquired))
     return false;

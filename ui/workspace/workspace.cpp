@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/curved.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/time_points.h"
 
@@ -157,11 +158,17 @@ std::string frameOfReference(const Series& series) {
 }
 
 Workspace withFound(Workspace workspace, const Series& series) {
-  const auto state = workspace.series.find(keyOf(series));
-  if (state == workspace.series.end() || !state->second.missing) return workspace;
-  SeriesState& found = workspace.series.edit(keyOf(series));
-  found.series = std::make_shared<const Series>(series);
-  found.missing.reset();
+  // With what is laid out along curves through it.
+  workspace.series.editIf(
+      [&](const auto& entry) {
+        const SeriesState& state = entry.second;
+        return state.missing && keyOf(sourceOf(*state.series)) == keyOf(series) &&
+               madeLike(*state.series, series);
+      },
+      [&](SeriesState& state) {
+        state.series = std::make_shared<const Series>(*madeLike(*state.series, series));
+        state.missing.reset();
+      });
   return workspace;
 }
 

@@ -9,6 +9,7 @@
 #include "viewer/measure/lengths.h"
 #include "viewer/measure/outline.h"
 #include "viewer/measure/two_lines.h"
+#include "viewer/slice/smooth_curve.h"
 
 namespace volumen {
 
@@ -106,6 +107,14 @@ Measured lengthOn(const Shape& shape, const Scale& scale) {
   return measured;
 }
 
+// Where all its points are one there is no curve, and its length is 0.
+Measured curveOn(const Shape& shape, const Scale& scale) {
+  Measured measured = lengthOn(shape, scale);
+  if (const auto curve = SmoothCurve::through(scaled(shape, scale.size).points))
+    measured.number = curve->length();
+  return measured;
+}
+
 Measured regionOn(const Shape& shape, const Scale& scale, const FramePixels& frame) {
   Measured measured = numberOf(areaOf(outlineOf(scaled(shape, scale.size))), scale.mm ? "mm^2" : "px^2");
   if (!frame.colour())
@@ -177,6 +186,8 @@ Result<Measured> measureByKind(const Shape& shape, const Scale& scale, const Fra
     case ShapeKind::length:
     case ShapeKind::polyline:
       return lengthOn(shape, scale);
+    case ShapeKind::openCurve:
+      return curveOn(shape, scale);
     case ShapeKind::angle:
     case ShapeKind::cobb:
       return angleOn(shape, scale, frame);

@@ -10,6 +10,7 @@
 #include "viewer/measure/outline.h"
 #include "viewer/measure/two_lines.h"
 #include "viewer/slice/plane.h"
+#include "viewer/slice/smooth_curve.h"
 
 namespace volumen {
 
@@ -26,6 +27,13 @@ Result<Measured> measureLength(const Shape& shape, const VoxelGeometry& geometry
   measured.number = length.mm;
   measured.plusMinus = length.plusMinus;
   measured.unit = inGridUnit(geometry, "mm", "px");
+  return measured;
+}
+
+// Where all its points are one there is no curve, and its length is 0.
+Result<Measured> measureCurve(const Shape& shape, const VoxelGeometry& geometry) {
+  Result<Measured> measured = measureLength(shape, geometry);
+  if (const auto curve = SmoothCurve::through(shape.points)) measured->number = curve->length();
   return measured;
 }
 
@@ -89,6 +97,8 @@ Result<Measured> measureByKind(const Shape& shape, const Volume& volume, const s
     case ShapeKind::length:
     case ShapeKind::polyline:
       return measureLength(shape, volume.geometry());
+    case ShapeKind::openCurve:
+      return measureCurve(shape, volume.geometry());
     case ShapeKind::angle:
     case ShapeKind::cobb:
       return measureAngle(shape);

@@ -14,6 +14,13 @@ constexpr std::size_t mostPoints = 2000;
 constexpr ShapeRule rules[] = {
     {ShapeKind::length, "length", 2, 2, "its two ends", false, false, false, true},
     {ShapeKind::polyline, "polyline", 2, mostPoints, "its corners in order", false},
+    {.kind = ShapeKind::openCurve,
+     .name = "openCurve",
+     .fewest = 2,
+     .most = mostPoints,
+     .points = "that it runs through, in order",
+     .region = false,
+     .acrossSlices = true},
     {ShapeKind::angle, "angle", 3, 3, "the end of one arm, the vertex, the end of the other", false, false,
      false, true},
     {ShapeKind::cobb, "cobb", 4, 4, "the ends of one line, then those of the other", false, true},

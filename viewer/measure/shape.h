@@ -14,6 +14,7 @@ namespace volumen {
 enum class ShapeKind {
   length,
   polyline,
+  openCurve,  ///< a smooth curve through its points (SmoothCurve)
   angle,
   cobb,
   bidirectional,   ///< the longest diameter and the longest one at right angles to it (RECIST 1.1, WHO)
@@ -62,12 +63,13 @@ struct Shape {
 struct ShapeRule {
   ShapeKind kind;
   const char* name;
-  std::size_t fewest, most;  ///< points
-  const char* points;        ///< what they are, in words
-  bool region;               ///< an area on a plane
-  bool twoLines = false;     ///< the first two points are the ends of one, the others of the other
-  bool numberless = false;   ///< it points at something, and says its name
-  bool inScene = false;      ///< drawn and seen in 3D, too
+  std::size_t fewest, most;   ///< points
+  const char* points;         ///< what they are, in words
+  bool region;                ///< an area on a plane
+  bool twoLines = false;      ///< the first two points are the ends of one, the others of the other
+  bool numberless = false;    ///< it points at something, and says its name
+  bool inScene = false;       ///< drawn and seen in 3D, too
+  bool acrossSlices = false;  ///< its points may lie on different planes, each of which shows its part
 };
 
 /// All kinds.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "viewer/measure/outline.h"
+#include "viewer/slice/smooth_curve.h"
 
 namespace volumen {
 
@@ -18,6 +19,7 @@ using glm::dvec3;
 // A point of this share of the slab's half beyond its limit counts as on it, so that rounding never hides a
 // shape that was drawn halfway between two slices.
 constexpr double rounding = 2e-6;
+constexpr double samePlace = 1e-6;  // mm
 
 // A layer of space about a plane.
 struct Layer {
@@ -45,7 +47,10 @@ std::optional<std::vector<dvec3>> clipped(dvec3 a, dvec3 b, const Layer& layer) 
 
 // The lines that a shape without an inside is made of; of one that is still being drawn as far as it goes.
 std::vector<std::vector<dvec3>> linesOf(const Shape& shape) {
+  constexpr int partsAPiece = 16;
   const auto& p = shape.points;
+  if (shape.kind == ShapeKind::openCurve && p.size() > 2)
+    if (const Result<SmoothCurve> curve = SmoothCurve::through(p)) return {curve->line(partsAPiece)};
   if (ruleOf(shape.kind).twoLines && p.size() > 2) return {{p[0], p[1]}, {p.begin() + 2, p.end()}};
   return {p};
 }
@@ -55,7 +60,13 @@ ShapeCut cutOfLines(const Shape& shape, const Layer& layer) {
   for (const std::vector<dvec3>& line : linesOf(shape)) {
     if (line.size() == 1 && layer.holds(line[0])) cut.lines.push_back(line);
     for (std::size_t n = 1; n < line.size(); ++n)
-      if (auto part = clipped(line[n - 1], line[n], layer)) cut.lines.push_back(std::move(*part));
+      if (auto part = clipped(line[n - 1], line[n], layer)) {
+        if (ruleOf(shape.kind).acrossSlices && !cut.lines.empty() &&
+            glm::distance(cut.lines.back().back(), part->front()) < samePlace)
+          cut.lines.back().push_back(part->back());
+        else
+          cut.lines.push_back(std::move(*part));
+      }
   }
   return cut;
 }

@@ -17,6 +17,7 @@ class TestMeasure : public QObject {
  private Q_SLOTS:
   void numbersAndUnits_data();
   void numbersAndUnits();
+  void curvesAreAsLongAsTheyAreSmooth();
   void regionsAreFreeOfNaN();
   void probesTheNearestVoxel_data();
   void probesTheNearestVoxel();
@@ -67,6 +68,7 @@ void TestMeasure::numbersAndUnits_data() {
   using enum ShapeKind;
   row(length, {{0, 0, 0}, {3, 4, 0}}, 5, "mm", "px");
   row(polyline, {{0, 0, 0}, {3, 4, 0}, {3, 4, 2}}, 7, "mm", "px");
+  row(openCurve, {{0, 0, 0}, {3, 4, 0}}, 5, "mm", "px");
   row(angle, {{2, 0, 0}, {0, 0, 0}, {0, 3, 0}}, 90, "degrees", "degrees");
   row(cobb, {{0, 0, 0}, {1, 0, 0}, {5, 5, 0}, {4, 6, 0}}, 45, "degrees", "degrees");
   row(legAxis, {{0, 0, 4}, {0, 0, 0}, {3, 0, -3}}, 45, "degrees", "degrees");
@@ -92,6 +94,20 @@ void TestMeasure::numbersAndUnits() {
   QCOMPARE(found->plusMinus.has_value(), unit == QLatin1String("mm"));
   QCOMPARE(found->values.has_value(), unit == QLatin1String("mm^2"));
   QCOMPARE(found->voxel.has_value(), unit == QLatin1String("HU"));
+}
+
+// Longer than the line through its corners, and a quarter of a circle of 10 mm to a thousandth.
+void TestMeasure::curvesAreAsLongAsTheyAreSmooth() {
+  std::vector<dvec3> quarter;
+  for (int n = 0; n <= 6; ++n)
+    quarter.emplace_back(10 * std::cos(n * std::acos(-1.0) / 12), 10 * std::sin(n * std::acos(-1.0) / 12), 4);
+  const auto numberOf = [](ShapeKind kind, const std::vector<dvec3>& points) {
+    return measure(shapeOf(kind, points), *ramp(), "HU")->number;
+  };
+  const double length = numberOf(ShapeKind::openCurve, quarter);
+  QVERIFY(length > numberOf(ShapeKind::polyline, quarter));
+  QVERIFY2(std::abs(length / (5 * std::acos(-1.0)) - 1) < 1e-3, qPrintable(QString::number(length)));
+  QCOMPARE(numberOf(ShapeKind::openCurve, {{1, 2, 3}, {1, 2, 3}}), 0.0);
 }
 
 void TestMeasure::regionsAreFreeOfNaN() {

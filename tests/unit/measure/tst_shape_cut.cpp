@@ -34,6 +34,7 @@ class TestShapeCut : public QObject {
   void cutByAnotherPlane();
   void anEllipsesEdge();
   void aThickSlabShowsMore();
+  void aCurveIsSmoothInEveryPlane();
 };
 
 void TestShapeCut::seenOnItsSlice_data() {
@@ -150,6 +151,26 @@ void TestShapeCut::aThickSlabShowsMore() {
   plane.slabMm = 10;
   QCOMPARE(seenWithin(plane, geometry), 5.0);
   QCOMPARE(seenWithin(sagittalAt(0), geometry), 0.5);
+}
+
+// In its own plane all of it, in parts; where a plane cuts it one line for each crossing, which joins its
+// parts.
+void TestShapeCut::aCurveIsSmoothInEveryPlane() {
+  const Shape flat = shapeOf(ShapeKind::openCurve, {{0, 0, 4}, {5, 5, 4}, {10, 0, 4}});
+  const ShapeCut whole = cutOf(flat, axialAt(4), 1);
+  QVERIFY(whole.whole);
+  QCOMPARE(whole.lines.size(), std::size_t(1));
+  QVERIFY(whole.lines[0].size() > 20);
+  QVERIFY(whole.lines[0].front() == flat.points.front());
+  QVERIFY(glm::distance(whole.lines[0].back(), flat.points.back()) < 1e-9);
+  // Up through the plane and down again, 8 mm apart.
+  const Shape arch =
+      shapeOf(ShapeKind::openCurve, {{-6, 0, -12}, {-4, 0, 0}, {0, 0, 9}, {4, 0, 0}, {6, 0, -12}});
+  const ShapeCut cut = cutOf(arch, axialAt(0), 1);
+  QVERIFY(!cut.whole);
+  QCOMPARE(cut.lines.size(), std::size_t(2));
+  for (const std::vector<dvec3>& line : cut.lines)
+    for (const dvec3 p : line) QVERIFY(std::abs(p.z) < 1 + 1e-5 && std::abs(std::abs(p.x) - 4) < 1);
 }
 
 VOLUMEN_TEST(TestShapeCut);

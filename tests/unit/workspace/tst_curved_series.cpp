@@ -1,0 +1,205 @@
+// Guards series along curves in the workspace: what names them, what is kept of them in a session with and
+// without their source, and that positions follow each other.
+#include <glm/geometric.hpp>
+
+#include "io/curved.h"
+#include "tests/unit/suite.h"
+#include "ui/workspace/curved_links.h"
+#include "ui/workspace/curved_planes.h"
+#include "ui/workspace/curved_text.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/measurements.h"
+#include "ui/workspace/series_text.h"
+#include "ui/workspace/session_json.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
+
+using namespace volumen;
+using glm::dvec3;
+
+class TestCurvedSeries : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theyAreNamedAfterTheirCurve();
+  void eachCurveIsASeriesOfItsOwn();
+  void stretchedFromThePatientsRight();
+  void whatWasLaidOutBeforeGivesWay();
+  void aSessionKeepsThem();
+  void withoutTheirSourceTheyAreMissingUntilItIsFound();
+  void aCurveThatCannotBeIsRefusedInASession_data();
+  void aCurveThatCannotBeIsRefusedInASession();
+  void positionsFollow();
+};
+
+namespace {
+
+const std::vector<dvec3> arch{{-24, 0, 3}, {-16, -14, 3}, {0, -18, 3}, {16, -14, 3}, {24, 0, 3}};
+
+Series head() {
+  Series series;
+  series.path = "/data/head", series.id = "2.25.1", series.seriesUid = "2.25.1";
+  series.format = "DICOM";
+  series.frameOfReferenceUid = "2.25.7";
+  series.modality = "CT", series.unit = "HU", series.patientName = "Doe^Jane", series.studyUid = "2.25.2";
+  series.acquired.size = {64, 64, 40};
+  series.acquired.patientFromVoxelStep = {{1, 0, 0}, {0, 1, 0}, {0, 0, 2}};
+  series.acquired.origin = {-31.5, -31.5, -39};
+  series.valueType = "int16";
+  return series;
+}
+
+// A head with a curve, whose planes are not yet shown.
+Workspace withCurve(const std::vector<dvec3>& points = arch) {
+  Workspace workspace;
+  workspace.series.editOrAdd(keyOf(head())).series = std::make_shared<const Series>(head());
+  workspace.measurements.push_back({3, keyOf(head()), {ShapeKind::openCurve, "", points, {}, {}, {}}, {}});
+  workspace.selected = 3;
+  return workspace;
+}
+
+CurvedPair pairIn(const Workspace& workspace, double halfWidth = 25) {
+  return *curvedPair(workspace, *curveMeant(workspace), {0, 0, 1}, halfWidth);
+}
+
+Workspace shownIn(const Workspace& workspace) { return withCurvedPlanes(workspace, pairIn(workspace)); }
+
+SavedSession readAgain(const Workspace& workspace, bool isThere) {
+  const auto text = sessionToJson(workspace, "/sessions");
+  if (!text) throw std::runtime_error(text.message());
+  const auto read = sessionFromJson(*text, [&](const SavedSeries& saved) {
+    return isThere && saved.series.id == head().id ? std::make_shared<const Series>(head()) : nullptr;
+  });
+  if (!read) throw std::runtime_error(read.message());
+  return *read;
+}
+
+}  // namespace
+
+void TestCurvedSeries::theyAreNamedAfterTheirCurve() {
+  Workspace workspace = withCurve();
+  const CurvedPair pair = pairIn(workspace);
+  QCOMPARE(seriesText(pair.straightened), QStringLiteral("CT Curve 3, straightened"));
+  QCOMPARE(seriesText(pair.stretched), QStringLiteral("CT Curve 3, stretched"));
+  QCOMPARE(patientText(pair.stretched), patientText(head()));
+  QCOMPARE(pair.stretched.unit, std::string("HU"));
+  QVERIFY(!knowsSides(pair.straightened) && knowsSides(head()));
+  QVERIFY(!areTimePoints(pair.straightened, pair.stretched));
+  QVERIFY(pair.straightened.warnings.size() == 1 &&
+          pair.straightened.warnings[0].kind == WarningKind::curved);
+  workspace.measurements.editIf([](const Measurement&) { return true; },
+                                [](Measurement& m) { m.shape.name = "LAD"; });
+  QCOMPARE(seriesText(pairIn(workspace).stretched), QStringLiteral("CT LAD, stretched"));
+}
+
+void TestCurvedSeries::eachCurveIsASeriesOfItsOwn() {
+  const CurvedPair pair = pairIn(withCurve());
+  QVERIFY(keyOf(pair.straightened) != keyOf(pair.stretched));
+  QVERIFY(keyOf(pair.straightened) != keyOf(head()));
+  QVERIFY(frameOfReference(pair.straightened) != frameOfReference(pair.stretched));
+  QVERIFY(keyOf(pairIn(withCurve()).stretched) == keyOf(pair.stretched));
+  QVERIFY(pairIn(withCurve()).stretched == pair.stretched);
+  QVERIFY(keyOf(pairIn(withCurve(), 24).stretched) != keyOf(pair.stretched));
+  std::vector<dvec3> moved = arch;
+  moved[2].y += 1e-9;
+  QVERIFY(keyOf(pairIn(withCurve(moved)).stretched) != keyOf(pair.stretched));
+}
+
+// As pictures lie, whichever way the hand went; the straightened one begins where the hand began.
+void TestCurvedSeries::stretchedFromThePatientsRight() {
+  std::vector<dvec3> back(arch.rbegin(), arch.rend());
+  const CurvedPair pair = pairIn(withCurve(back));
+  QVERIFY(pair.stretched.curved->recipe.points == arch);
+  QVERIFY(pair.straightened.curved->recipe.points == back);
+  QVERIFY(!isOfEarlierCurve(withCurve(back), pair.stretched));
+  QVERIFY(!isOfEarlierCurve(withCurve(back), pair.straightened));
+  std::vector<dvec3> moved = back;
+  moved[1].x += 1;
+  QVERIFY(isOfEarlierCurve(withCurve(moved), pair.stretched));
+}
+
+void TestCurvedSeries::whatWasLaidOutBeforeGivesWay() {
+  Workspace workspace = shownIn(withCurve());
+  QCOMPARE(workspace.series.size(), std::size_t(3));
+  const SeriesKey first = keyOf(pairIn(workspace).stretched);
+  workspace = withCurvedPlanes(workspace, pairIn(workspace, 10));
+  QCOMPARE(workspace.series.size(), std::size_t(3));
+  QVERIFY(!workspace.series.contains(first));
+  // What something was measured on stays.
+  const SeriesKey second = keyOf(pairIn(workspace, 10).stretched);
+  workspace.measurements.push_back({9, second, {ShapeKind::probe, "", {{0, 0, 0}}, {}, {}, {}}, {}});
+  workspace = withCurvedPlanes(workspace, pairIn(workspace, 15));
+  QCOMPARE(workspace.series.size(), std::size_t(4));
+  QVERIFY(workspace.series.contains(second));
+}
+
+void TestCurvedSeries::aSessionKeepsThem() {
+  Workspace workspace = shownIn(withCurve());
+  workspace.crosshairs.editOrAdd(frameOfReference(pairIn(workspace).stretched)).at = {20, 1, 3};
+  workspace.selected = 0;  // in no session
+  QVERIFY(readAgain(workspace, true).workspace == workspace);
+}
+
+void TestCurvedSeries::withoutTheirSourceTheyAreMissingUntilItIsFound() {
+  Workspace workspace = shownIn(withCurve());
+  workspace.selected = 0;
+  const SeriesKey stretched = workspace.view(workspace.focus - 1).series;
+  const Workspace read = readAgain(workspace, false).workspace;
+  QVERIFY(read.series.at(stretched).missing && read.series.at(keyOf(head())).missing);
+  QVERIFY(read.series.at(stretched).series->curved.has_value());
+  QVERIFY(read.views == workspace.views);
+  // Saved again it says the same.
+  QCOMPARE(QString::fromStdString(*sessionToJson(read, "/sessions")),
+           QString::fromStdString(*sessionToJson(workspace, "/sessions")));
+  QVERIFY(withFound(read, head()) == workspace);
+}
+
+void TestCurvedSeries::aCurveThatCannotBeIsRefusedInASession_data() {
+  QTest::addColumn<QString>("from");
+  QTest::addColumn<QString>("to");
+  QTest::newRow("no such kind") << QStringLiteral("\"kind\": \"stretched\"")
+                                << QStringLiteral("\"kind\": \"bent\"");
+  QTest::newRow("no direction") << QStringLiteral("\"ruled\"") << QStringLiteral("\"ruler\"");
+  QTest::newRow("no width") << QStringLiteral("\"halfWidth\": 25.0") << QStringLiteral("\"halfWidth\": 0");
+  QTest::newRow("no place") << QStringLiteral("\"at\"") << QStringLiteral("\"to\"");
+}
+
+void TestCurvedSeries::aCurveThatCannotBeIsRefusedInASession() {
+  QFETCH(QString, from);
+  QFETCH(QString, to);
+  QString text = QString::fromStdString(*sessionToJson(shownIn(withCurve()), "/sessions"));
+  QVERIFY2(text.contains(from), qPrintable(text.left(3000)));
+  text.replace(from, to);
+  const auto read = sessionFromJson(text.toStdString(), {});
+  QVERIFY(!read);
+  QVERIFY2(QString::fromStdString(read.message()).contains(QStringLiteral("curve")), read.message().c_str());
+}
+
+void TestCurvedSeries::positionsFollow() {
+  const Workspace before = shownIn(withCurve());
+  const CurvedPair pair = pairIn(before);
+  const std::string source = frameOfReference(head()), straight = frameOfReference(pair.straightened),
+                    stretched = frameOfReference(pair.stretched);
+  const CurvedGrid grid = *CurvedGrid::make(pair.straightened.curved->recipe, head().acquired);
+  Workspace moved = before;
+  const dvec3 at(2, -3, grid.geometry().patientFromVoxel({0, 0, 12}).z);
+  moved.crosshairs.editOrAdd(straight).at = at;
+  const Workspace after = withCurvesFollowed(before, moved);
+  const dvec3 inPatient = grid.patientFromCurved(at);
+  QVERIFY(glm::distance(after.crosshairs.at(source).at, inPatient) < 1e-9);
+  QVERIFY(after.crosshairs.at(straight).at == at);
+  QVERIFY(std::abs(after.crosshairs.at(stretched).at.x - 12 * grid.geometry().spacing().z) < 0.5);
+  // Far off the curve they stay within what was laid out.
+  Workspace far = after;
+  far.crosshairs.edit(source).at = {500, 500, 500};
+  far = withCurvesFollowed(after, far);
+  const dvec3 x = grid.geometry().voxelFromPatient(far.crosshairs.at(straight).at);
+  for (int a = 0; a < 3; ++a) QVERIFY(x[a] > -1e-6 && x[a] < grid.geometry().size[a] - 1 + 1e-6);
+  Workspace apart = before;
+  apart.links.scroll = false;
+  Workspace alone = apart;
+  alone.crosshairs.editOrAdd(straight).at = at;
+  QVERIFY(withCurvesFollowed(apart, alone) == alone);
+}
+
+VOLUMEN_TEST(TestCurvedSeries);
+#include "tst_curved_series.moc"

@@ -1,0 +1,81 @@
+#include <QMenu>
+
+#include "ui/features/feature.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/curved_planes.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr double usualWidth = 50;  // mm
+
+// A curve that was drawn, laid out flat: beside its slices the straightened and the stretched plane and the
+// cross-sections.
+class CurvedPlanes : public Feature {
+ public:
+  explicit CurvedPlanes(Workbench& bench);
+
+ private:
+  void show(double halfWidth);
+  glm::dvec3 normalInFocus() const;
+  void giveUpUndone(const Workspace& now);
+
+  std::optional<SeriesKey> loading_;  // of those along curves
+};
+
+CurvedPlanes::CurvedPlanes(Workbench& bench) : Feature(bench) {
+  const auto add = [this](const char* name, const QString& text, double mm, const Place& place) {
+    bench_.addAction({name, text, {}, "", false, [this, mm](bool) { show(mm / 2); }, {place}});
+  };
+  add("showCurvedPlane", tr("Show curved plane"), usualWidth, {"measureMenu", 90, 10});
+  bench_.addMenu("curvedMenu", tr("Curved plane of another width"), {{"measureMenu", 90, 20}});
+  add("showCurvedPlane20", tr("Curved plane 20 mm wide"), 20, {"curvedMenu", 10});
+  add("showCurvedPlane100", tr("Curved plane 100 mm wide"), 100, {"curvedMenu", 10, 10});
+  connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* menu) {
+    if (curveMeant(session_.workspace())) menu->addAction(bench_.action("showCurvedPlane"));
+  });
+  connect(&bench_.document.loader, &Loader::loadBegan, this, [this](const Series& series) {
+    loading_ = series.curved ? std::optional(keyOf(series)) : std::nullopt;
+  });
+  // The next one may have begun by then.
+  const auto ended = [this](const SeriesKey& series) {
+    if (loading_ == series) loading_.reset();
+  };
+  connect(&bench_.document.loader, &Loader::seriesLoaded, this,
+          [ended](const LoadedSeriesPtr& series) { ended(keyOf(series->series)); });
+  connect(&bench_.document.loader, &Loader::notLoaded, this, ended);
+  connect(&bench_.document.loader, &Loader::loadGivenUp, this, [this] { loading_.reset(); });
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace&, const Workspace& now) { giveUpUndone(now); });
+}
+
+void CurvedPlanes::show(double halfWidth) {
+  const Measurement* curve = curveMeant(session_.workspace());
+  if (!curve) return warn(tr("Draw a curve first: choose Measure > Curve and click its points in slices."));
+  const Result<CurvedPair> pair = curvedPair(session_.workspace(), *curve, normalInFocus(), halfWidth);
+  if (!pair) return warn(QString::fromStdString(pair.message()));
+  session_.endGesture();
+  session_.change(tr("Show curved plane"), withCurvedPlanes(session_.workspace(), *pair));
+  session_.endGesture();
+}
+
+// Of the slices that keys are for; the patient's axis where there are none.
+glm::dvec3 CurvedPlanes::normalInFocus() const {
+  const FlatView* view = bench_.flatViewInFocus();
+  const std::optional<SlicePlane> plane = view && view->shown() ? view->plane() : std::nullopt;
+  return plane ? plane->normal() : glm::dvec3(0, 0, 1);
+}
+
+// What is loaded for a step that was undone would be shown all the same.
+void CurvedPlanes::giveUpUndone(const Workspace& now) {
+  if (!loading_ || now.series.contains(*loading_)) return;
+  loading_.reset();
+  bench_.document.loader.cancelLoad();
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeCurvedPlanes(Workbench& bench) { return std::make_unique<CurvedPlanes>(bench); }
+
+}  // namespace volumen

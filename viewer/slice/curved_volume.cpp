@@ -1,0 +1,261 @@
+#include "viewer/slice/curved_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "viewer/slice/slice.h"
+
+namespace volumen {
+
+namespace {
+
+using glm::dmat3, glm::dvec3;
+
+constexpr double smallestVoxel = 1e-6;  // mm
+constexpr double upright = 0.7;         // of a unit vector's z: it runs along the patient rather than across
+
+dvec3 meanOf(const std::vector<dvec3>& points) {
+  return std::accumulate(points.begin(), points.end(), dvec3(0)) / double(points.size());
+}
+
+// A vector without its part along a unit vector, as long as 1; `otherwise` where nothing is left of it.
+dvec3 acrossOf(dvec3 v, dvec3 along, dvec3 otherwise) {
+  const dvec3 across = v - along * glm::dot(v, along);
+  return glm::length(across) > 1e-9 ? glm::normalize(across) : otherwise;
+}
+
+// Some unit vector at right angles to a unit vector.
+dvec3 anyAcross(dvec3 along) {
+  return acrossOf(std::abs(along.z) < upright ? dvec3(0, 0, 1) : dvec3(1, 0, 0), along, {});
+}
+
+dvec3 withLargestAboveZero(dvec3 v) {
+  int largest = 0;
+  for (int a = 1; a < 3; ++a)
+    if (std::abs(v[a]) > std::abs(v[largest]) + 1e-9) largest = a;
+  return v[largest] < 0 ? -v : v;
+}
+
+// The points' feet on the plane at right angles to a unit vector through their mean.
+std::vector<dvec3> flattened(std::vector<dvec3> points, dvec3 along) {
+  const dvec3 mean = meanOf(points);
+  for (dvec3& p : points) p -= along * glm::dot(p - mean, along);
+  return points;
+}
+
+// mm along a direction.
+struct Reach {
+  double low, high;
+  double mm() const { return high - low; }
+};
+
+// How far the box of a volume reaches along a unit vector from a place, as far as a curved volume does.
+Reach alongRuled(const VoxelGeometry& source, dvec3 from, dvec3 ruled) {
+  Reach reach{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const dvec3& corner : source.boxCorners()) {
+    const double mm = glm::dot(corner - from, ruled);
+    reach = {std::min(reach.low, mm), std::max(reach.high, mm)};
+  }
+  constexpr double most = CurvedGrid::mostAlongRuled;
+  return {std::clamp(reach.low, -most, 0.0), std::clamp(reach.high, 0.0, most)};
+}
+
+// Evenly spaced samples, one of them at 0.
+struct EvenSamples {
+  double first;  // mm
+  int count;
+};
+EvenSamples samplesWithin(Reach reach, double distance) {
+  const double from = std::ceil(reach.low / distance - 1e-9), to = std::floor(reach.high / distance + 1e-9);
+  return {from * distance, int(to - from) + 1};
+}
+
+Status checkRecipe(const CurvedRecipe& recipe, const VoxelGeometry& source) {
+  if (!source.calibrated) return Error{"The series is not calibrated: a curved plane needs lengths in mm."};
+  if (recipe.points.size() > CurvedGrid::mostPoints) return Error{"A curve has at most 2000 points."};
+  if (!(recipe.halfWidth > 0 && recipe.halfWidth <= CurvedGrid::longest))
+    return Error{"A curved plane reaches more than 0 mm and at most 10 m across its curve."};
+  if (!(std::abs(glm::length(recipe.ruled) - 1) < 1e-6))
+    return Error{"The direction that a curved plane is stretched along is no unit vector."};
+  return {};
+}
+
+// Each frame follows from the one before by two reflections (Wang et al. 2008, table I).
+dvec3 carried(dvec3 right, const CurvedGrid::Section& from, const CurvedGrid::Section& to) {
+  const auto reflect = [](dvec3 v, dvec3 mirror) {
+    const double squared = glm::dot(mirror, mirror);
+    return squared > 0 ? v - mirror * (2 * glm::dot(mirror, v) / squared) : v;
+  };
+  const dvec3 way = to.at - from.at;
+  const dvec3 turn = to.along - reflect(from.along, way);
+  return acrossOf(reflect(reflect(right, way), turn), to.along, anyAcross(to.along));
+}
+
+}  // namespace
+
+dvec3 ruledDirection(const std::vector<dvec3>& points, dvec3 otherwise) {
+  const dvec3 mean = meanOf(points);
+  dvec3 furthest(0);
+  for (const dvec3 p : points)
+    if (glm::length(p - mean) > glm::length(furthest)) furthest = p - mean;
+  if (glm::length(furthest) == 0) return glm::normalize(otherwise);
+  // The eigenvector of the smallest eigenvalue of the points' spread, by turning the basis (Jacobi).
+  dmat3 spread(0), basis(1);
+  for (const dvec3 p : points) spread += glm::outerProduct(p - mean, p - mean);
+  for (int sweep = 0; sweep < 30; ++sweep)
+    for (const auto& [i, j] : {std::pair(0, 1), {0, 2}, {1, 2}}) {
+      const double angle = 0.5 * std::atan2(2 * spread[i][j], spread[j][j] - spread[i][i]);
+      dmat3 turn(1);
+      turn[i][i] = turn[j][j] = std::cos(angle);
+      turn[i][j] = -std::sin(angle), turn[j][i] = std::sin(angle);
+      spread = glm::transpose(turn) * spread * turn;
+      basis = basis * turn;
+    }
+  int order[] = {0, 1, 2};
+  std::ranges::sort(order, {}, [&](int n) { return spread[n][n]; });
+  const bool isLine = spread[order[1]][order[1]] <= 1e-6 * spread[order[2]][order[2]];
+  if (!isLine) return withLargestAboveZero(glm::normalize(basis[order[0]]));
+  const dvec3 along = glm::normalize(furthest);
+  return withLargestAboveZero(acrossOf(otherwise, along, anyAcross(along)));
+}
+
+Result<CurvedGrid> CurvedGrid::make(const CurvedRecipe& recipe, const VoxelGeometry& source) {
+  if (const Status valid = checkRecipe(recipe, source); !valid) return valid.error();
+  const bool isStretched = recipe.kind == CurvedKind::stretched;
+  if (recipe.points.empty()) return Error{"A curve needs points at two different places: set another one."};
+  auto curve = SmoothCurve::through(isStretched ? flattened(recipe.points, recipe.ruled) : recipe.points);
+  if (!curve) return curve.error();
+  const dvec3 spacing = source.spacing();
+  double step = std::min({spacing.x, spacing.y, spacing.z});
+  if (!(step >= smallestVoxel && step <= longest)) return Error{"The voxels of the series have no size."};
+  if (curve->length() < step)
+    return Error{"The curve is shorter than a voxel: set its points further apart."};
+  if (curve->length() > longest) return Error{"The curve is longer than 10 m."};
+  CurvedGrid grid;
+  grid.recipe_ = recipe;
+  grid.length_ = curve->length();
+  const Reach across{-recipe.halfWidth, recipe.halfWidth};
+  const Reach down = isStretched ? alongRuled(source, meanOf(recipe.points), recipe.ruled) : across;
+  step = std::max(step, grid.length_ / mostSections);
+  for (;;) {
+    const double voxels = (across.mm() / step + 1) * (down.mm() / step + 1) * (grid.length_ / step + 1);
+    if (voxels <= mostVoxels) break;
+    step *= std::max(1.01, std::cbrt(voxels / mostVoxels));
+  }
+  grid.setSections(*curve, step);
+  grid.setFrames();
+  const EvenSamples i = samplesWithin(across, step), j = samplesWithin(down, step);
+  const double alongStep = grid.length_ / double(grid.sections_.size() - 1);
+  grid.geometry_.size = {i.count, j.count, int(grid.sections_.size())};
+  grid.geometry_.patientFromVoxelStep = grid.axes_ * dmat3(step, 0, 0, 0, step, 0, 0, 0, alongStep);
+  grid.geometry_.origin = grid.axes_ * dvec3(i.first, j.first, 0);
+  return grid;
+}
+
+void CurvedGrid::setSections(const SmoothCurve& curve, double step) {
+  const int parts = std::max(1, int(std::lround(length_ / step)));
+  for (int n = 0; n <= parts; ++n) {
+    const double s = length_ * n / parts;
+    sections_.push_back({curve.at(s), {}, {}, curve.tangent(s)});
+  }
+}
+
+void CurvedGrid::setFrames() {
+  if (recipe_.kind == CurvedKind::stretched) {
+    axes_ = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+    for (Section& section : sections_)
+      section.down = recipe_.ruled, section.right = glm::cross(section.down, section.along);
+    return;
+  }
+  Section& first = sections_.front();
+  if (first.along.z < upright) axes_ = {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  // As pictures lie: the patient's left on the right, or the head on top.
+  first.right = std::abs(first.along.z) < upright ? glm::cross(anyAcross(first.along), first.along)
+                                                  : anyAcross(first.along);
+  for (std::size_t n = 1; n < sections_.size(); ++n)
+    sections_[n].right = carried(sections_[n - 1].right, sections_[n - 1], sections_[n]);
+  for (Section& section : sections_) section.down = glm::cross(section.along, section.right);
+}
+
+dvec3 CurvedGrid::patientFromCurved(dvec3 p) const {
+  const dvec3 local = glm::transpose(axes_) * p;
+  const double last = double(sections_.size() - 1), step = length_ / last;
+  const double n = std::clamp(std::round(local.z / step), 0.0, last);
+  const Section& section = sections_[std::size_t(n)];
+  return section.at + section.right * local.x + section.down * local.y + section.along * (local.z - n * step);
+}
+
+dvec3 CurvedGrid::curvedFromPatient(dvec3 pPatient) const {
+  const auto distance = [&](const Section& section) {
+    dvec3 way = pPatient - section.at;
+    if (recipe_.kind == CurvedKind::stretched) way -= recipe_.ruled * glm::dot(way, recipe_.ruled);
+    return glm::dot(way, way);
+  };
+  const auto nearest = std::ranges::min_element(sections_, {}, distance);
+  const dvec3 way = pPatient - nearest->at;
+  const double step = length_ / double(sections_.size() - 1);
+  const double s = double(nearest - sections_.begin()) * step + glm::dot(way, nearest->along);
+  return axes_ *
+         dvec3(glm::dot(way, nearest->right), glm::dot(way, nearest->down), std::clamp(s, 0.0, length_));
+}
+
+namespace {
+
+// The plane of a cross-section, a pixel for each voxel of the grid.
+SlicePlane planeOf(const CurvedGrid::Section& section, const VoxelGeometry& grid) {
+  const dvec3 first = glm::inverse(grid.patientFromVoxelStep) * grid.origin, mm = grid.spacing();
+  SlicePlane plane;
+  plane.right = section.right, plane.down = section.down;
+  plane.centre = section.at + section.right * ((first.x + (grid.size.x - 1) / 2.0) * mm.x) +
+                 section.down * ((first.y + (grid.size.y - 1) / 2.0) * mm.y);
+  plane.mmPerPixel = mm.x;
+  plane.size = {grid.size.x, grid.size.y};
+  return plane;
+}
+
+// The padding of a source, else a value below all of these.
+ValueRange paddingFor(const Volume& source, float least) {
+  const float below = std::nextafter(std::floor(least) - 1, -std::numeric_limits<float>::infinity());
+  return source.attributes().padding.value_or(ValueRange{below, below});
+}
+
+}  // namespace
+
+Result<VolumePtr> curvedVolume(const Volume& source, const CurvedRecipe& recipe,
+                               const std::function<void(std::size_t, std::size_t)>& progress,
+                               const CancelToken& cancel) {
+  const Result<CurvedGrid> grid = CurvedGrid::make(recipe, source.geometry());
+  if (!grid) return grid.error();
+  VolumeParts parts;
+  parts.geometry = grid->geometry();
+  std::vector<float> values;
+  values.reserve(std::size_t(parts.geometry.voxelCount()));
+  for (std::size_t n = 0; n < grid->sections().size(); ++n) {
+    const Result<SliceValues> slice =
+        resampleSlice(source, planeOf(grid->sections()[n], parts.geometry), 0, cancel);
+    if (!slice) return slice.error();
+    values.insert(values.end(), slice->values.begin(), slice->values.end());
+    if (progress) progress(n + 1, grid->sections().size());
+  }
+  float least = std::numeric_limits<float>::infinity();
+  for (const float v : values)
+    if (v < least) least = v;  // not where there is none
+  if (std::isinf(least)) return Error{"The curve lies outside the series: set its points within it."};
+  const ValueRange padding = paddingFor(source, least);
+  std::ranges::replace_if(
+      values, [](float v) { return std::isnan(v); }, float(padding.low));
+  parts.values = std::move(values);
+  parts.attributes = source.attributes();
+  parts.attributes.padding = padding;
+  std::vector<std::string> warnings;
+  return Volume::make(std::move(parts), warnings);
+}
+
+}  // namespace volumen
