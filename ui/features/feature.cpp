@@ -42,6 +42,7 @@ const std::vector<FeatureEntry>& features() {
       {"picture turns", makePictureTurns},
       {"windows", makeWindowChoices},
       {"study list", makeStudyListing},
+      {"second window", makeSecondWindow},
       {"plane lines", makePlaneLines},
       {"tools in focus", makeToolsInFocus},
       {"focus keys", makeFocusKeys},

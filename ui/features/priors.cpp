@@ -40,6 +40,7 @@ void Priors::compare() {
            "list of studies (Ctrl+B) or from its folder (Ctrl+O)."));
   const Series current = *shown.series, prior = *found.series;
   session_.endGesture();
+  session_.setFocus(mainFocusOf(workspace));
   bench_.action("maximise")->setChecked(false);
   session_.change(tr("Compare with prior"),
                   withTimePointsOf(comparedWithPrior(workspace, shown, found), prior, open_.volumes()));

@@ -227,8 +227,7 @@ bool CineBar::isOvertaken(const Workspace& before, const Workspace& after) const
   if (!player_ || player_->isGoing()) return false;
   if (played_->keepsTime())
     return flatLookOf(before.view(view_)).frame != flatLookOf(after.view(view_)).frame;
-  Workspace same = before;
-  same.focus = after.focus;
+  Workspace same = withFocusOf(before, after);
   same.selected = after.selected;
   return same != after;
 }

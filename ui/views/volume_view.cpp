@@ -62,7 +62,8 @@ void VolumeView::seriesExchanged(bool another) {
 
 void VolumeView::workspaceChanged(const Workspace& before) {
   const Workspace& now = session_.workspace();
-  if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout)
+  if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout ||
+      before.second != now.second)
     canvas_->update();
   const ViewState& then = before.view(id());
   const auto look = then.scenes.find(state().series);
