@@ -133,7 +133,7 @@ void FrameActions::showFrameActions() {
 }
 
 void FrameActions::showSliceMenu(FlatView* view, QPoint global) {
-  auto* menu = new QMenu(&bench_.window);
+  auto* menu = new QMenu(view->window());
   menu->setObjectName(QStringLiteral("flatMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   auto* frames = qobject_cast<FrameView*>(view);

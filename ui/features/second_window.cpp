@@ -77,8 +77,10 @@ void SecondWindowFeature::follow() {
   action_->setChecked(isOpen);
   if (!bench_.window.isVisible() || isOpen == window_.isVisible()) return;
   if (isOpen) place();
+  window_.setAttribute(Qt::WA_ShowWithoutActivating, !isInSecond(session_.workspace().focus));
   window_.setVisible(isOpen);
   grid_.takeKeys();
+  grid_.viewShown()->activateWindow();
 }
 
 // On another screen than the main window, all of that; else over half of it.

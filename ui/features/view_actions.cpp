@@ -200,7 +200,7 @@ void ViewActions::addKinds(QMenu* menu) const {
 }
 
 void ViewActions::showVolumeMenu(QPoint global) {
-  auto* menu = new QMenu(&bench_.window);
+  auto* menu = new QMenu(grid_.viewShown()->window());
   menu->setObjectName(QStringLiteral("volumeMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   addKinds(menu);

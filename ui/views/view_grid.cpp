@@ -146,16 +146,19 @@ void ViewGrid::connectView(View* view) {
           [this, view](QPoint global) { Q_EMIT menuRequested(view, global); });
 }
 
+// Whether it is the window in which the view in focus does not stand.
+bool ViewGrid::isOtherActive() const {
+  return (isInSecond(viewShown()->id()) ? window() : second_.get())->isActiveWindow();
+}
+
 bool ViewGrid::hasKeys() const {
   const View* view = viewShown();
-  const QWidget* now = view->window()->focusWidget();
-  const QWidget* other = isInSecond(view->id()) ? window() : second_.get();
-  return now && view->parentWidget()->isAncestorOf(now) && !other->isActiveWindow();
+  return view->parentWidget()->isAncestorOf(view->window()->focusWidget()) && !isOtherActive();
 }
 
 void ViewGrid::takeKeys() {
   View* view = viewShown();
-  view->window()->activateWindow();
+  if (isOtherActive()) view->window()->activateWindow();
   view->setFocus();
 }
 

@@ -99,6 +99,7 @@ class ViewGrid : public QWidget {
   bool goToNext(bool second, bool next);
   void arrange();
   void arrange(QWidget& area, const std::vector<ViewId>& ids, Layout layout);
+  bool isOtherActive() const;
   ViewId idForKeys(bool second, const std::vector<ViewId>& ids) const;
   ViewFamily familyOf(ViewId id) const { return rowOf(session_.workspace().view(id).kind).family; }
   /// Calls it with all views of class V that were made.
