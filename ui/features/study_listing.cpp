@@ -194,6 +194,7 @@ void StudyListing::connectSource(StudySource& source) {
 void StudyListing::showBrowser(bool on) {
   QAction* action = bench_.actions.at(QStringLiteral("showBrowser"));
   action->setChecked(on);
+  if (!on && isInSecond(session_.workspace().focus)) grid_.takeKeys();
   arrangeBrowser();
   if (!on) return;
   browser_->refresh();

@@ -213,7 +213,7 @@ void View::focusInEvent(QFocusEvent* event) {
   QWidget::focusInEvent(event);
   const bool isOtherWindow = isInSecond(id_) != isInSecond(session_.workspace().focus);
   if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
-      (event->reason() == Qt::ActiveWindowFocusReason && isOtherWindow))
+      (event->reason() == Qt::ActiveWindowFocusReason && isOtherWindow && isVisible()))
     session_.setFocus(id_);
 }
 

@@ -58,6 +58,7 @@ ViewGrid::ViewGrid(Session& session, DrawService& drawService, SliceService& sli
             if (families(before) != families(after) || before.layout != after.layout ||
                 before.second != after.second || before.focus != after.focus)
               arrange();
+            if (isInSecond(before.focus) != isInSecond(after.focus) && isOtherActive()) takeKeys();
           });
   connect(second_.get(), &ViewWindow::resized, this, qOverload<>(&ViewGrid::arrange));
   arrange();
@@ -158,7 +159,12 @@ bool ViewGrid::hasKeys() const {
 
 void ViewGrid::takeKeys() {
   View* view = viewShown();
-  if (isOtherActive()) view->window()->activateWindow();
+  if (isOtherActive()) {
+    // What is hidden there while it has the keys would give them to whatever comes next.
+    View* left = viewShownIn(!isInSecond(view->id()));
+    if (left->isVisible()) left->setFocus();
+    view->window()->activateWindow();
+  }
   view->setFocus();
 }
 
@@ -240,11 +246,6 @@ void ViewGrid::arrange() {
     arrange(*second_, idsShown(true), workspace.second.layout);
   else
     secondKeys_ = nullptr;
-  // The keys go with the focus to the other window.
-  const bool inSecond = isInSecond(workspace.focus);
-  const View* left = viewShownIn(!inSecond);
-  const QWidget* now = left->window()->focusWidget();
-  if (secondKeys_ && left->window()->isActiveWindow() && left->parentWidget()->isAncestorOf(now)) takeKeys();
   Q_EMIT arranged();
 }
 
