@@ -75,7 +75,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Key image; Previous key image; Next key image; |; "
       "Use OpenGL (usually slower without a GPU); Show error map; |; "
       "Maximise view; Full screen; Light theme; Hide names; Layout >; Hanging protocols >; "
-      "Compare with prior; Show in this view >; Turn and size >; "
+      "Compare with prior; Second window; Show in this view >; Turn and size >; "
       "Link >; "
       "Measure >; Window presets >; Window of this view alone; Interpolate between voxels; "
       "Crosshair lines; Reference lines; Reference lines of first and last slices; Slab >; Colour map >; PET "

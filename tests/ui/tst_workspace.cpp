@@ -126,7 +126,7 @@ void TestWorkspace::layoutsKeepTheFocusOnScreen() {
   const Layout first = allLayouts()[std::size_t(from)], second = allLayouts()[std::size_t(to)];
   QCOMPARE(*layoutNamed(layoutName(second)), second);
   Workspace workspace;
-  for (ViewId focus = 0; focus < viewCount; ++focus) {
+  for (ViewId focus = 0; focus < firstSecondId; ++focus) {
     workspace.focus = focus;
     const Workspace after = withLayout(withLayout(workspace, first), second);
     const auto views = viewsOnScreen(after);

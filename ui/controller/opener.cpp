@@ -67,9 +67,11 @@ void Opener::showFirst(const Study& study, const std::optional<Scene>& scene) {
 }
 
 void Opener::chooseLayout(Layout layout) {
-  if (const LoadedSeriesPtr shown = session_.seriesOf(session_.workspace().focus))
+  const Workspace& workspace = session_.workspace();
+  if (isInSecond(workspace.focus)) return session_.change(tr("Layout"), withSecondLayout(workspace, layout));
+  if (const LoadedSeriesPtr shown = session_.seriesOf(workspace.focus))
     layoutsChosen_[layoutKey(shown->series)] = layout;
-  session_.change(tr("Layout"), withLikelySecond(withLayout(session_.workspace(), layout), open_.pictures()));
+  session_.change(tr("Layout"), withLikelySecond(withLayout(workspace, layout), open_.pictures()));
 }
 
 // The CT that a PET is read over: of its study and frame of reference, the one with most voxels.
@@ -95,6 +97,7 @@ const Series& Opener::petOver(const Series& ct, const Study& study) const {
 }
 
 Workspace Opener::inLayoutOf(Workspace workspace, const Series& series) const {
+  if (isInSecond(workspace.focus)) return workspace;
   const auto chosen = layoutsChosen_.find(layoutKey(series));
   const QString kept = QSettings().value(layoutKey(series)).toString();
   const auto layout =

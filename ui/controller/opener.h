@@ -29,10 +29,11 @@ class Opener : public QObject {
   /// What a series brings with it: the layout of its modality, unless series are being compared; where it was
   /// never shown before its time points, and the CT under a PET.
   Session::Arrange arrangedFor(const Series& series) const;
-  /// In the layout that was chosen last for the modality of the series, else in the usual one.
+  /// The main window in the layout that was chosen last for the modality of the series, else in the usual
+  /// one; as it is where the series comes into the second window.
   Workspace inLayoutOf(Workspace workspace, const Series& series) const;
-  /// Shares the window so from now on, with all of the modality in focus; of views to compare the first empty
-  /// one shows what is most likely wanted there (withLikelySecond()).
+  /// Shares the window in focus so from now on; the main one with all of the modality in focus, and of views
+  /// to compare the first empty one shows what is most likely wanted there (withLikelySecond()).
   void chooseLayout(Layout layout);
   /// Keeps the layouts that were chosen for the next start.
   void keepLayouts() const;

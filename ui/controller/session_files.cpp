@@ -22,8 +22,7 @@ SessionFiles::~SessionFiles() { lane_.wait(); }
 bool SessionFiles::modified() const {
   if (!written_) return !session_.workspace().series.empty();
   if (session_.workspace() == *written_) return false;
-  Workspace now = session_.workspace();
-  now.focus = written_->focus;
+  Workspace now = withFocusOf(session_.workspace(), *written_);
   now.closed = written_->closed;
   now.unlisted = written_->unlisted;
   return now != *written_;

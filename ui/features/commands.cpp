@@ -9,6 +9,7 @@
 #include "ui/features/action_text.h"
 #include "ui/features/feature.h"
 #include "ui/features/key_table.h"
+#include "ui/views/view_grid.h"
 #include "ui/widgets/command_list.h"
 
 namespace volumen {
@@ -69,6 +70,8 @@ void Commands::noteUse(QAction* action) {
 
 void Commands::open() {
   collect();
+  QWidget* window = grid_.viewShown()->window();
+  if (list_->parentWidget() != window) list_->setParent(window);
   list_->open();
 }
 

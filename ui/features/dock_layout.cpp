@@ -4,7 +4,6 @@
 #include <QMenu>
 #include <QScreen>
 #include <QSettings>
-#include <QStyle>
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -51,6 +50,9 @@ class DockLayout : public Feature {
  private:
   void makeActions();
   void setMaximised(bool alone);
+  void setDocksHidden(bool hidden);
+  QWidget& windowInFocus() const { return *grid_.viewShown()->window(); }
+  void showStates();
   void fillMenu();
   Tabs docksAt(Qt::DockWidgetArea area) const;
   std::vector<Tabs> tabsSeen() const;
@@ -79,7 +81,9 @@ DockLayout::DockLayout(Workbench& bench) : Feature(bench), window_(bench.window)
   connect(&grid_, &ViewGrid::maximiseRequested, bench_.action("maximise"), &QAction::toggle);
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
-            if (showsOther(before, after)) followFocus();
+            if (!showsOther(before, after)) return;
+            showStates();
+            followFocus();
           });
   window_.installEventFilter(this);
 }
@@ -104,21 +108,36 @@ void DockLayout::makeActions() {
        {tr("F11")},
        "",
        true,
-       [this](bool on) { window_.setWindowState(window_.windowState().setFlag(Qt::WindowFullScreen, on)); },
+       [this](bool on) {
+         QWidget& window = windowInFocus();
+         window.setWindowState(window.windowState().setFlag(Qt::WindowFullScreen, on));
+       },
        {{"viewMenu", 60, 20}}},
       {"resetLayout", tr("Reset layout"), {}, "", false, [this](bool) { reset(); }}};
   for (const Workbench::ActionEntry& entry : table) bench_.addAction(entry);
   bench_.action("leaveMaximised")->setEnabled(false);
 }
 
-// Tools and the status line stay.
+// In its own window. That of the panels is all for it, but for tools and the status line.
 void DockLayout::setMaximised(bool alone) {
-  if (alone) before_ = window_.saveState();
-  grid_.setAlone(alone);
-  for (const auto& [name, dock] : bench_.docks) dock.widget->setVisible(!alone);
-  if (!alone) window_.restoreState(before_);
+  const ViewId focus = session_.workspace().focus;
   bench_.action("leaveMaximised")->setEnabled(alone);
+  if (grid_.isAlone(focus) == alone) return;  // the focus went to the other window
+  if (alone && !isInSecond(focus)) before_ = window_.saveState();
+  grid_.setAlone(focus, alone);
+  if (!isInSecond(focus)) setDocksHidden(alone);
   followFocus();
+}
+
+void DockLayout::setDocksHidden(bool hidden) {
+  for (const auto& [name, dock] : bench_.docks) dock.widget->setVisible(!hidden);
+  if (!hidden) window_.restoreState(before_);
+}
+
+// What the actions say of the window in focus.
+void DockLayout::showStates() {
+  bench_.action("maximise")->setChecked(grid_.isAlone(session_.workspace().focus));
+  bench_.action("fullScreen")->setChecked(windowInFocus().isFullScreen());
 }
 
 void DockLayout::fillMenu() {
@@ -153,7 +172,7 @@ std::vector<Tabs> DockLayout::tabsSeen() const {
 void DockLayout::followFocus() {
   const Workspace& workspace = session_.workspace();
   const ViewState& view = workspace.view(workspace.focus);
-  if (view.series.empty() || !window_.isVisible() || bench_.action("maximise")->isChecked()) return;
+  if (view.series.empty() || !window_.isVisible() || grid_.isAlone(sceneViewId)) return;
   const bool isScene = showsScene(view.kind) && !showsFrames(workspace, workspace.focus);
   const auto now = isScene ? Workbench::About::scene : Workbench::About::flat;
   if (kind_ == now) return;
@@ -231,13 +250,7 @@ void DockLayout::restore() {
   window_.resize(std::min(1440, screen.width()), std::min(900, screen.height()));
   const bool isPlaced =
       window_.restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-  QList<QRect> screens;
-  const int title = window_.style()->pixelMetric(QStyle::PM_TitleBarHeight);
-  for (const QScreen* each : QApplication::screens())
-    screens << each->availableGeometry().adjusted(0, title, 0, 0);
-  // It may have been kept on another screen.
-  if (isPlaced && !window_.isMaximized() && !window_.isFullScreen())
-    window_.setGeometry(onScreen(window_.geometry(), screens));
+  if (isPlaced) putOnScreen(window_);
   isKept_ =
       window_.restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), layoutVersion);
   const QStringList folded = settings.value(QStringLiteral("window/folded")).toStringList();
@@ -248,7 +261,10 @@ void DockLayout::restore() {
 }
 
 void DockLayout::keep() {
-  bench_.action("maximise")->setChecked(false);
+  if (grid_.isAlone(sceneViewId)) {
+    grid_.setAlone(sceneViewId, false);
+    setDocksHidden(false);
+  }
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), window_.saveGeometry());
   settings.setValue(QStringLiteral("window/layout"), window_.saveState(layoutVersion));

@@ -51,7 +51,7 @@ void FacingViews::begin(const HangingProtocol& protocol) {
 // None: not all that can be read are there.
 std::optional<FacingViews::HungFrames> FacingViews::framesOf(const HangingProtocol& protocol) const {
   const Workspace& workspace = session_.workspace();
-  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  const std::vector<ViewId> views = viewsInMain(workspace);
   HungFrames hung;
   for (std::size_t n = 0; n < std::min(views.size(), protocol.cells.size()); ++n) {
     const ViewState& state = workspace.view(views[n]);

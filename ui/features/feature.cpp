@@ -44,6 +44,7 @@ const std::vector<FeatureEntry>& features() {
       {"windows", makeWindowChoices},
       {"window alone", makeWindowAlone},
       {"study list", makeStudyListing},
+      {"second window", makeSecondWindow},
       {"plane lines", makePlaneLines},
       {"tools in focus", makeToolsInFocus},
       {"focus keys", makeFocusKeys},

@@ -73,6 +73,7 @@ std::unique_ptr<Feature> makePriors(Workbench& bench);
 std::unique_ptr<Feature> makeDerivedObjects(Workbench& bench);
 std::unique_ptr<Feature> makeRegistration(Workbench& bench);
 std::unique_ptr<Feature> makeScenes(Workbench& bench);
+std::unique_ptr<Feature> makeSecondWindow(Workbench& bench);
 std::unique_ptr<Feature> makeSegmenting(Workbench& bench);
 std::unique_ptr<Feature> makeSessions(Workbench& bench);
 std::unique_ptr<Feature> makeSnapshots(Workbench& bench);

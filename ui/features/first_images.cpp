@@ -130,7 +130,8 @@ const QWidget* FirstImages::takenByIt() const {
   const Workspace& workspace = session_.workspace();
   for (const ViewId id : viewsOnScreen(workspace))
     if (flatLookOf(workspace.view(id)).overlay == keyOf(*series_)) return nullptr;
-  if (const QWidget* page = bench_.pages.currentWidget(); page != &grid_) return page;
+  const QWidget* page = bench_.pages.currentWidget();
+  if (page != &grid_ && !isInSecond(workspace.focus)) return page;
   const View* view = grid_.viewShown();
   const Series* shown = seriesIn(workspace, view->id());
   return shown && areTimePoints(*shown, *series_) ? nullptr : view;
@@ -151,7 +152,13 @@ void FirstImages::look() {
   isInView_ = isInView_ || view;
   if (const auto* flat = qobject_cast<const FlatView*>(view))
     connect(flat, &FlatView::settled, this, &FirstImages::lookSoon, Qt::UniqueConnection);
-  image_->setGeometry(QRect(over->mapTo(&bench_.pages, QPoint(0, 0)), over->size()));
+  QWidget* ground = bench_.pages.isAncestorOf(over) ? static_cast<QWidget*>(&bench_.pages) : over->window();
+  if (image_->parentWidget() != ground) {
+    const bool isSeen = !image_->isHidden();
+    image_->setParent(ground);
+    image_->setVisible(isSeen);
+  }
+  image_->setGeometry(QRect(over->mapTo(ground, QPoint(0, 0)), over->size()));
   image_->raise();
 }
 

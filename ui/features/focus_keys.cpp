@@ -23,7 +23,8 @@ QWidget* fieldIn(QWidget* part) {
   return nullptr;
 }
 
-// F6 and Shift+F6: from the views to the list of studies, to each panel that is seen, and around.
+// F6 and Shift+F6: from the views to the list of studies, to each panel that is seen, to the views of the
+// second window, and around.
 class FocusKeys : public Feature {
  public:
   explicit FocusKeys(Workbench& bench);
@@ -56,21 +57,28 @@ std::vector<QWidget*> FocusKeys::parts() const {
     return std::pair(at.x(), at.y());
   });
   all.insert(all.end(), docks.begin(), docks.end());
+  if (grid_.secondWindow().isVisible()) all.push_back(&grid_.secondWindow());
   return all;
 }
 
 void FocusKeys::go(int step) {
   const std::vector<QWidget*> all = parts();
-  const QWidget* now = bench_.window.focusWidget();
+  const bool inSecond = grid_.secondWindow().isActiveWindow();
+  const QWidget* now = inSecond ? grid_.secondWindow().focusWidget() : bench_.window.focusWidget();
   const auto at =
       std::ranges::find_if(all, [&](const QWidget* part) { return now && part->isAncestorOf(now); });
   const int count = int(all.size());
   const int from = at == all.end() ? (step > 0 ? -1 : 0) : int(at - all.begin());
   for (int n = 1; n <= count; ++n) {
     QWidget* part = all[std::size_t(((from + n * step) % count + count) % count)];
+    const bool isSecond = part == &grid_.secondWindow();
     const bool isViews = part == &bench_.pages && bench_.pages.currentWidget() == &grid_;
-    QWidget* field = isViews ? grid_.viewShown() : fieldIn(part);
-    if (field) return field->setFocus(Qt::ShortcutFocusReason);
+    View* view = isSecond || isViews ? grid_.viewShownIn(isSecond) : nullptr;
+    QWidget* field = view ? view : fieldIn(part);
+    if (!field) continue;
+    if (view && isSecond != isInSecond(session_.workspace().focus)) session_.setFocus(view->id());
+    field->window()->activateWindow();
+    return field->setFocus(Qt::ShortcutFocusReason);
   }
 }
 

@@ -86,9 +86,10 @@ void FrameActions::connectFrames() {
           [this](const Workspace& before, const Workspace& after) {
             if (!showsOther(before, after)) return;
             showFrameActions();
-            const bool isAlone = showsFrames(after, after.focus) && viewsOnScreen(after).size() == 1;
+            const std::vector<ViewId> views = viewsInMain(after);
+            const bool isAlone = views.size() == 1 && showsFrames(after, views.front());
             if (before.layout == after.layout || !isAlone || after.layout == Layout::one) return;
-            const Series* series = seriesIn(after, after.focus);
+            const Series* series = seriesIn(after, views.front());
             if (!series) return;
             const QString why =
                 series->notVolume.empty() ? tr("View > Show as frames is on") : shownText(series->notVolume);
@@ -132,7 +133,7 @@ void FrameActions::showFrameActions() {
 }
 
 void FrameActions::showSliceMenu(FlatView* view, QPoint global) {
-  auto* menu = new QMenu(&bench_.window);
+  auto* menu = new QMenu(view->window());
   menu->setObjectName(QStringLiteral("flatMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   auto* frames = qobject_cast<FrameView*>(view);

@@ -171,6 +171,7 @@ void HangingProtocols::hang(const HangingProtocol& protocol) {
   gridByItself_.reset();
   session_.endGesture();
   facing_.forget();
+  session_.setFocus(mainFocusOf(session_.workspace()));
   bench_.action("maximise")->setChecked(false);
   session_.change(tr("Hang as %1").arg(shownText(protocol.name)),
                   hung(session_.workspace(), protocol, *around), hungKey);
@@ -207,9 +208,10 @@ void HangingProtocols::hangAwaited() {
     }
 }
 
-// Not into a grid that was chosen for this patient.
+// Not into a grid that was chosen for this patient, nor where it was opened in the second window.
 bool HangingProtocols::mayHang(const Series& opened) const {
   const Workspace& workspace = session_.workspace();
+  if (isInSecond(workspace.focus)) return false;
   if (!comparesSeries(workspace.layout) || gridByItself_ == workspace.layout) return true;
   return std::ranges::any_of(patientsOnScreen(workspace),
                              [&](const Series* other) { return !areOfOnePatient(*other, opened); });

@@ -2,6 +2,7 @@
 
 #include "ui/features/feature.h"
 #include "ui/views/latin_key.h"
+#include "ui/views/view_grid.h"
 
 namespace volumen {
 
@@ -10,7 +11,10 @@ namespace {
 // Keys that no shortcut hears: letters of other scripts by their places, and the keypad.
 class Keys : public Feature {
  public:
-  explicit Keys(Workbench& bench) : Feature(bench) { bench_.window.installEventFilter(this); }
+  explicit Keys(Workbench& bench) : Feature(bench) {
+    bench_.window.installEventFilter(this);
+    grid_.secondWindow().installEventFilter(this);
+  }
 
   bool eventFilter(QObject* window, QEvent* event) override;
 
@@ -21,7 +25,7 @@ class Keys : public Feature {
 
 bool Keys::eventFilter(QObject* window, QEvent* event) {
   if (event->type() != QEvent::KeyPress) return Feature::eventFilter(window, event);
-  const QWidget* focus = bench_.window.focusWidget();
+  const QWidget* focus = static_cast<QWidget*>(window)->focusWidget();
   const bool isTyping = focus && focus->testAttribute(Qt::WA_InputMethodEnabled);
   const auto& key = static_cast<const QKeyEvent&>(*event);
   return !isTyping && (triggerByPlace(key) || triggerByKeypad(key));

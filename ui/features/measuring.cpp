@@ -104,7 +104,7 @@ void Measuring::showOnFrame(const Measurement& m) {
   Workspace after = withFrames(now, found == onScreen.end() ? now.focus : *found, *series);
   const ViewId view = found == onScreen.end() ? framesViewOf(now.focus) : *found;
   after.editView(view).flats.editOrAdd(m.series).frame = *frame;
-  after.focus = view;
+  after = withFocus(std::move(after), view);
   after.measurementsShown = true;
   after.selected = m.id;
   session_.change(tr("Go to measurement"), after);

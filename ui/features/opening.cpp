@@ -7,6 +7,7 @@
 
 #include "io/files/session_file.h"
 #include "ui/features/feature.h"
+#include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 
 namespace volumen {
@@ -38,8 +39,11 @@ Opening::Opening(Workbench& bench) : Feature(bench) {
   connect(&recent, &RecentFiles::changed, this, &Opening::showRecent);
   showRecent();
   connect(&bench_, &Workbench::openRequested, this, &Opening::open);
-  bench_.window.setAcceptDrops(true);
-  bench_.window.installEventFilter(this);
+  for (QWidget* window :
+       {static_cast<QWidget*>(&bench_.window), static_cast<QWidget*>(&grid_.secondWindow())}) {
+    window->setAcceptDrops(true);
+    window->installEventFilter(this);
+  }
 }
 
 void Opening::makeActions() {

@@ -40,8 +40,7 @@ Pages::Pages(Workbench& bench) : Feature(bench), start_(new StartPage) {
           });
   connect(&bench_, &Workbench::otherShown, this, [this] {
     choose();
-    const bool hasKeys = grid_.isAncestorOf(bench_.window.focusWidget());
-    if (bench_.pages.currentWidget() == &grid_ && !hasKeys) grid_.setFocus();
+    if (bench_.pages.currentWidget() == &grid_ && !grid_.hasKeys()) grid_.takeKeys();
   });
 }
 

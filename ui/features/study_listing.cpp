@@ -9,6 +9,7 @@
 #include "ui/data/frame_series.h"
 #include "ui/features/feature.h"
 #include "ui/panels/study_browser.h"
+#include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/indexed_text.h"
@@ -193,15 +194,17 @@ void StudyListing::connectSource(StudySource& source) {
 void StudyListing::showBrowser(bool on) {
   QAction* action = bench_.actions.at(QStringLiteral("showBrowser"));
   action->setChecked(on);
+  if (!on && isInSecond(session_.workspace().focus)) grid_.takeKeys();
   arrangeBrowser();
   if (!on) return;
   browser_->refresh();
   browser_->setFocus();
+  if (grid_.secondWindow().isActiveWindow()) bench_.window.activateWindow();
 }
 
 void StudyListing::arrangeBrowser() {
-  const bool isShown = bench_.actions.at(QStringLiteral("showBrowser"))->isChecked() &&
-                       !bench_.actions.at(QStringLiteral("maximise"))->isChecked();
+  const bool isShown =
+      bench_.actions.at(QStringLiteral("showBrowser"))->isChecked() && !grid_.isAlone(sceneViewId);
   const bool any = showsAnything(session_.workspace());
   const bool wereBoth = browser_->isVisibleTo(&bench_.split) && bench_.pages.isVisibleTo(&bench_.split);
   browser_->setVisible(isShown);
@@ -297,6 +300,7 @@ void StudyListing::showOpened(const Series& series, OpenHow how) {
   const auto isOther = [&](const Series* other) { return !areOfOnePatient(*other, series); };
   const std::vector<const Series*> patients = patientsOnScreen(session_.workspace());
   if (how == OpenHow::instead && std::ranges::any_of(patients, isOther)) {
+    session_.setFocus(mainFocusOf(session_.workspace()));
     session_.makeRoom(
         tr("Close %1").arg(patientText(*patients.front())),
         bench_.document.opener.inLayoutOf(withoutOtherPatients(session_.workspace(), series), series));
@@ -324,11 +328,11 @@ void StudyListing::comeBack() {
 void StudyListing::focusNextView() {
   const Workspace& workspace = session_.workspace();
   if (!showsAnything(workspace)) return;
-  if (!comparesSeries(workspace.layout)) {
+  if (!comparesSeries(layoutOf(workspace, workspace.focus))) {
     session_.endGesture();
     session_.change(tr("Layout"), withLayout(workspace, Layout::two));
   }
-  const std::vector<ViewId> views = viewsOnScreen(session_.workspace());
+  const std::vector<ViewId> views = viewsBeside(session_.workspace(), session_.workspace().focus);
   const auto isEmpty = [&](ViewId id) { return session_.workspace().view(id).series.empty(); };
   const auto empty = std::ranges::find_if(views, isEmpty);
   const auto focus = std::ranges::find(views, session_.workspace().focus);

@@ -14,6 +14,13 @@ namespace volumen {
 
 namespace {
 
+// That of the window in focus, as it is chosen.
+Layout layoutInFocus(const Workspace& workspace) {
+  const Layout layout = layoutOf(workspace, workspace.focus);
+  const bool isOne = isInSecond(workspace.focus) && layout == SecondWindow().layout;
+  return isOne ? Layout::one : layout;
+}
+
 // How views share the window, what each shows and from where, and what a drag does in 3D; and the menu over
 // 3D.
 class ViewActions : public Feature {
@@ -90,12 +97,14 @@ void ViewActions::makeLayouts() {
   for (const auto& [layout, name, text, key] : table) {
     QAction* action =
         group->addAction(bench_.addAction({name, text, {key}, "", true, {}, {{"layoutMenu", 10}}}));
-    action->setChecked(layout == session_.workspace().layout);
+    action->setChecked(layout == layoutInFocus(session_.workspace()));
     connect(action, &QAction::triggered, this,
             [this, layout = layout] { bench_.document.opener.chooseLayout(layout); });
     connect(&session_, &Session::workspaceChanged, action,
             [action, layout = layout](const Workspace&, const Workspace& after) {
-              action->setChecked(after.layout == layout);
+              action->setChecked(layoutInFocus(after) == layout);
+              // The second window holds no group.
+              action->setEnabled(!isInSecond(after.focus) || layout == Layout::one || comparesSeries(layout));
             });
   }
   makeGridChooser(menu, button);
@@ -114,13 +123,15 @@ void ViewActions::makeGridChooser(QMenu* menu, QToolButton* button) {
   bench_.window.addAction(field);
   bench_.addAction(field, {{"layoutMenu", 10, 10}});
   // Later: a menu closes once one of its own actions was triggered, by a key too.
-  const auto openMenu = [menu, button, chooser] {
-    menu->popup(button->mapToGlobal(button->rect().bottomLeft()));
+  const auto openMenu = [this, menu, button, chooser] {
+    const QWidget* window = grid_.viewShown()->window();
+    menu->popup(window == &bench_.window ? button->mapToGlobal(button->rect().bottomLeft())
+                                         : window->mapToGlobal(QPoint(0, 0)));
     chooser->setFocus(Qt::ShortcutFocusReason);
   };
   connect(field, &QAction::triggered, this, openMenu, Qt::QueuedConnection);
   connect(menu, &QMenu::aboutToShow, chooser, [this, chooser] {
-    const Layout now = session_.workspace().layout;
+    const Layout now = layoutOf(session_.workspace(), session_.workspace().focus);
     comparesSeries(now) ? chooser->light(now.rows, now.columns) : chooser->light(0, 0);
   });
   connect(chooser, &GridChooser::chosen, this, [this, menu](int rows, int columns) {
@@ -189,7 +200,7 @@ void ViewActions::addKinds(QMenu* menu) const {
 }
 
 void ViewActions::showVolumeMenu(QPoint global) {
-  auto* menu = new QMenu(&bench_.window);
+  auto* menu = new QMenu(grid_.viewShown()->window());
   menu->setObjectName(QStringLiteral("volumeMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   addKinds(menu);

@@ -149,7 +149,7 @@ void View::paintEvent(QPaintEvent*) {
 QString View::dateBeside() const { return dateToTellApart(session_.workspace(), id_); }
 
 void View::paintInvitation(QPainter& painter) const {
-  if (!state().series.empty() || !comparesSeries(session_.workspace().layout)) return;
+  if (!state().series.empty() || !comparesSeries(layoutOf(session_.workspace(), id_))) return;
   const QRect area = rect().adjusted(8, 8, -8, -8);
   painter.setFont(font());
   painter.setPen(QColor(0xd7, 0xdc, 0xe2));
@@ -166,7 +166,7 @@ void View::paintFocus(QPainter& painter) const {
 
 // The views of a group show one series together.
 void View::showDropMark(bool on) {
-  const bool together = id_ < firstComparedId && viewsOnScreen(session_.workspace()).size() > 1;
+  const bool together = id_ < firstComparedId && viewsInMain(session_.workspace()).size() > 1;
   if (on) dropMark_->tell(together ? tr("Show in these views") : tr("Show here"));
   dropMark_->setGeometry(rect());
   dropMark_->setVisible(on);
@@ -208,10 +208,12 @@ void View::keyPressEvent(QKeyEvent* event) {
   Q_EMIT menuRequested(mapToGlobal(rect().center()));
 }
 
-// Tab came here from a panel: the frame goes where the keys are.
+// Tab came here from a panel, or the system from the other window: the frame goes where the keys are.
 void View::focusInEvent(QFocusEvent* event) {
   QWidget::focusInEvent(event);
-  if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
+  const bool isOtherWindow = isInSecond(id_) != isInSecond(session_.workspace().focus);
+  if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
+      (event->reason() == Qt::ActiveWindowFocusReason && isOtherWindow && isVisible()))
     session_.setFocus(id_);
 }
 

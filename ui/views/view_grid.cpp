@@ -42,7 +42,8 @@ ViewGrid::ViewGrid(Session& session, DrawService& drawService, SliceService& sli
       session_(session),
       parts_{session, drawService, slices, frames, measurer, derived},
       tool_(&toolNamed("window")),
-      toolBefore_(tool_) {
+      toolBefore_(tool_),
+      second_(std::make_unique<ViewWindow>([this](bool next) { return goToNext(true, next); })) {
   setObjectName(QStringLiteral("viewGrid"));
   setMinimumSize(200, 200);
   volumeView(sceneViewId);
@@ -53,10 +54,13 @@ ViewGrid::ViewGrid(Session& session, DrawService& drawService, SliceService& sli
               for (const ViewId id : viewsOnScreen(w)) all.emplace_back(id, rowOf(w.view(id).kind).family);
               return all;
             };
+            if (!after.second.shown) std::erase_if(alone_, isInSecond);
             if (families(before) != families(after) || before.layout != after.layout ||
-                before.focus != after.focus)
+                before.second != after.second || before.focus != after.focus)
               arrange();
+            if (isInSecond(before.focus) != isInSecond(after.focus) && isOtherActive()) takeKeys();
           });
+  connect(second_.get(), &ViewWindow::resized, this, qOverload<>(&ViewGrid::arrange));
   arrange();
 }
 
@@ -67,7 +71,7 @@ VolumeView* ViewGrid::volumeView(ViewId id) {
 View* ViewGrid::viewOf(ViewId id, ViewFamily family) {
   View*& view = views_[{id, family}];
   if (view) return view;
-  view = makeView(family, parts_, id, this);
+  view = makeView(family, parts_, id, isInSecond(id) ? static_cast<QWidget*>(second_.get()) : this);
   connectView(view);
   if (auto* slices = qobject_cast<SliceView*>(view)) {
     slices->setClipShown(clipShown_);
@@ -148,13 +152,35 @@ void ViewGrid::connectView(View* view) {
           [this, view](QPoint global) { Q_EMIT menuRequested(view, global); });
 }
 
+// Whether it is the window in which the view in focus does not stand.
+bool ViewGrid::isOtherActive() const {
+  return (isInSecond(viewShown()->id()) ? window() : second_.get())->isActiveWindow();
+}
+
+bool ViewGrid::hasKeys() const {
+  const View* view = viewShown();
+  return view->parentWidget()->isAncestorOf(view->window()->focusWidget()) && !isOtherActive();
+}
+
+void ViewGrid::takeKeys() {
+  View* view = viewShown();
+  if (isOtherActive()) {
+    // What is hidden there while it has the keys would give them to whatever comes next.
+    View* left = viewShownIn(!isInSecond(view->id()));
+    if (left->isVisible()) left->setFocus();
+    view->window()->activateWindow();
+  }
+  view->setFocus();
+}
+
 QImage ViewGrid::capture() const {
-  const double ratio = devicePixelRatioF();
-  QImage image((QSizeF(size()) * ratio).toSize(), QImage::Format_RGB32);
+  const QWidget* area = viewShown()->parentWidget();
+  const double ratio = area->devicePixelRatioF();
+  QImage image((QSizeF(area->size()) * ratio).toSize(), QImage::Format_RGB32);
   image.fill(palette().color(QPalette::Window));
   QPainter painter(&image);
   for (const auto& [place, view] : views_) {
-    if (!view->isVisible()) continue;
+    if (!view->isVisible() || view->parentWidget() != area) continue;
     QImage seen = view->capture();
     seen.setDevicePixelRatio(1);
     painter.drawImage((QPointF(view->pos()) * ratio).toPoint(), seen);
@@ -180,55 +206,86 @@ std::unique_ptr<FlatView> ViewGrid::unseenView(Session& session, FrameService& f
 
 QStringList ViewGrid::warningsShown() const {
   QStringList all;
+  const QWidget* area = viewShown()->parentWidget();
   for (const auto& [place, view] : views_)
-    if (view->isVisible()) all << view->warningsShown();
+    if (view->isVisible() && view->parentWidget() == area) all << view->warningsShown();
   all.removeDuplicates();
   return all;
 }
 
-void ViewGrid::setAlone(bool alone) {
-  alone_ = alone ? std::optional(session_.workspace().focus) : std::nullopt;
+void ViewGrid::setAlone(ViewId view, bool alone) {
+  std::erase_if(alone_, [view](ViewId id) { return isInSecond(id) == isInSecond(view); });
+  if (alone) alone_.insert(view);
   arrange();
 }
 
-std::vector<ViewId> ViewGrid::idsShown() const {
-  std::vector<ViewId> ids = viewsOnScreen(session_.workspace());
-  if (alone_ && std::ranges::find(ids, *alone_) != ids.end()) ids = {*alone_};
+bool ViewGrid::isAlone(ViewId view) const {
+  return std::ranges::any_of(alone_, [view](ViewId id) { return isInSecond(id) == isInSecond(view); });
+}
+
+std::vector<ViewId> ViewGrid::idsShown(bool second) const {
+  const Workspace& workspace = session_.workspace();
+  const std::vector<ViewId> ids = second ? viewsInSecond(workspace) : viewsInMain(workspace);
+  for (const ViewId alone : alone_)
+    if (std::ranges::find(ids, alone) != ids.end()) return {alone};
   return ids;
 }
 
 bool ViewGrid::focusNextPrevChild(bool next) {
-  const std::vector<ViewId> ids = idsShown();
+  return goToNext(false, next) || QWidget::focusNextPrevChild(next);
+}
+
+bool ViewGrid::goToNext(bool second, bool next) {
+  const std::vector<ViewId> ids = idsShown(second);
   const auto at = std::ranges::find(ids, session_.workspace().focus);
-  if (ids.size() < 2 || at == ids.end() || window()->focusWidget() != viewOf(*at))
-    return QWidget::focusNextPrevChild(next);
+  if (ids.size() < 2 || at == ids.end() || viewOf(*at)->window()->focusWidget() != viewOf(*at)) return false;
   const std::size_t step = next ? 1 : ids.size() - 1;
   session_.setFocus(ids[(std::size_t(at - ids.begin()) + step) % ids.size()]);
   return true;
 }
 
 void ViewGrid::arrange() {
-  const std::vector<ViewId> ids = idsShown();
-  const std::vector<QRect> places = placesOf(session_.workspace().layout, ids.size(), size());
+  const Workspace& workspace = session_.workspace();
+  arrange(*this, idsShown(false), workspace.layout);
+  if (workspace.second.shown)
+    arrange(*second_, idsShown(true), workspace.second.layout);
+  else
+    secondKeys_ = nullptr;
+  Q_EMIT arranged();
+}
+
+// The view in focus, or the one that was in focus last in its window, where it is on screen.
+ViewId ViewGrid::idForKeys(bool second, const std::vector<ViewId>& ids) const {
+  const Workspace& workspace = session_.workspace();
+  const bool isLeft = second && secondKeys_ && !isInSecond(workspace.focus);
+  const ViewId wanted = isLeft ? secondKeys_->id() : second ? workspace.focus : mainFocusOf(workspace);
+  return std::ranges::find(ids, wanted) == ids.end() ? ids.front() : wanted;
+}
+
+// The views of one window, on what they lie on.
+void ViewGrid::arrange(QWidget& area, const std::vector<ViewId>& ids, Layout layout) {
+  const std::vector<QRect> places = placesOf(layout, ids.size(), area.size());
   for (std::size_t n = 0; n < ids.size(); ++n) {
     View* view = viewOf(ids[n]);
     view->setGeometry(places[n]);
     view->show();
   }
-  // Keys are for what is on screen.
-  const ViewId focus = session_.workspace().focus;
-  View* const keys = viewOf(std::ranges::find(ids, focus) == ids.end() ? ids.front() : focus);
-  setFocusProxy(keys);
-  const QWidget* now = window()->focusWidget();
-  const bool hasKeys = now && isAncestorOf(now);
+  const bool isSecond = &area == second_.get();
+  View* const keys = viewOf(idForKeys(isSecond, ids));
+  if (isSecond)
+    secondKeys_ = keys;
+  else
+    setFocusProxy(keys);
+  const QWidget* now = area.window()->focusWidget();
+  const bool hasKeys = now ? area.isAncestorOf(now) : isSecond;
   if (hasKeys && now != keys) keys->setFocus();
   // Last: a view that is hidden gives its keys to whatever comes next in the window.
   for (const auto& [place, view] : views_)
-    if (std::ranges::find(ids, place.first) == ids.end() || place.second != familyOf(place.first))
+    if (view->parentWidget() == &area &&
+        (std::ranges::find(ids, place.first) == ids.end() || place.second != familyOf(place.first)))
       view->hide();
   // One that is hidden while a field in it is open takes them back first.
-  if (hasKeys && window()->focusWidget() != keys) keys->setFocus();
-  Q_EMIT arranged();
+  if (hasKeys && area.window()->focusWidget() != keys) keys->setFocus();
 }
 
 void ViewGrid::resizeEvent(QResizeEvent*) { arrange(); }

@@ -4,14 +4,17 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "ui/views/frame_view.h"
 #include "ui/views/slice_view.h"
+#include "ui/views/view_window.h"
 #include "ui/views/volume_view.h"
 
 namespace volumen {
 
-/// The views of the workspace, as its layout places them; made when they are first shown.
+/// The views of the workspace, as its layouts place them, those of the second window there; made when they
+/// are first shown.
 class ViewGrid : public QWidget {
   Q_OBJECT
  public:
@@ -28,9 +31,20 @@ class ViewGrid : public QWidget {
     const auto view = views_.find({id, familyOf(id)});
     return view == views_.end() ? nullptr : qobject_cast<V*>(view->second);
   }
-  /// The view in focus, or the one that takes all of the place.
-  View* viewShown() const { return static_cast<View*>(focusProxy()); }
-  /// What is seen of all views on screen (View::capture), as they lie beside each other.
+  /// The view in focus, or the one that takes all of the place in its window.
+  View* viewShown() const { return viewShownIn(isInSecond(session_.workspace().focus)); }
+  /// The one of the second window, where that is open, or of the main one that keys are for while it is
+  /// active.
+  View* viewShownIn(bool second) const {
+    return second && secondKeys_ ? secondKeys_ : static_cast<View*>(focusProxy());
+  }
+  /// The second window, whether it is shown or not.
+  ViewWindow& secondWindow() const { return *second_; }
+  /// Whether the view in focus has the keys, or a control on it.
+  bool hasKeys() const;
+  /// Gives them to it, in whichever window it stands.
+  void takeKeys();
+  /// What is seen of all views of the window in focus (View::capture), as they lie beside each other.
   QImage capture() const;
   /// A hidden view of this id over another session, whose numbers `measurer` has, with what the views here
   /// share; null of 3D.
@@ -38,8 +52,10 @@ class ViewGrid : public QWidget {
                                        ViewId id) const;
   /// What is not as it seems in any of them, each sentence once.
   QStringList warningsShown() const;
-  /// Shows the view in focus alone, or all of the layout again.
-  void setAlone(bool alone);
+  /// Shows this view alone in its window, or all of the window's layout again.
+  void setAlone(ViewId view, bool alone);
+  /// Whether one view is shown alone in the window in which this one stands.
+  bool isAlone(ViewId view) const;
   /// Has the 3D views on screen drawn again, as the draw service does by now.
   void requestPictures();
   /// What the left button does in 3D views.
@@ -79,8 +95,12 @@ class ViewGrid : public QWidget {
   View* viewOf(ViewId id, ViewFamily family);
   void connectView(View* view);
   void connectFlat(FlatView* flat, ViewFamily family);
-  std::vector<ViewId> idsShown() const;
+  std::vector<ViewId> idsShown(bool second) const;
+  bool goToNext(bool second, bool next);
   void arrange();
+  void arrange(QWidget& area, const std::vector<ViewId>& ids, Layout layout);
+  bool isOtherActive() const;
+  ViewId idForKeys(bool second, const std::vector<ViewId>& ids) const;
   ViewFamily familyOf(ViewId id) const { return rowOf(session_.workspace().view(id).kind).family; }
   /// Calls it with all views of class V that were made.
   template <class V, class Call>
@@ -97,7 +117,9 @@ class ViewGrid : public QWidget {
   std::map<std::pair<ViewId, ViewFamily>, View*> views_;
   bool clipShown_ = false;
   std::optional<VolumeRange> segment_;
-  std::optional<ViewId> alone_;
+  std::set<ViewId> alone_;  // one a window
+  View* secondKeys_ = nullptr;
+  std::unique_ptr<ViewWindow> second_;  // and the views in it
 };
 
 }  // namespace volumen

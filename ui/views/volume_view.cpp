@@ -64,8 +64,8 @@ void VolumeView::seriesExchanged(bool another) {
 void VolumeView::workspaceChanged(const Workspace& before) {
   const Workspace& now = session_.workspace();
   if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout ||
-      before.measurements != now.measurements || before.selected != now.selected ||
-      before.measurementsShown != now.measurementsShown)
+      before.second != now.second || before.measurements != now.measurements ||
+      before.selected != now.selected || before.measurementsShown != now.measurementsShown)
     canvas_->update();
   const ViewState& then = before.view(id());
   const auto look = then.scenes.find(state().series);

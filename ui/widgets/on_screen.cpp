@@ -1,5 +1,10 @@
 #include "ui/widgets/on_screen.h"
 
+#include <QGuiApplication>
+#include <QScreen>
+#include <QStyle>
+#include <QWidget>
+
 #include <algorithm>
 
 namespace volumen {
@@ -15,6 +20,15 @@ QRect onScreen(QRect window, const QList<QRect>& screens) {
   window.moveLeft(std::clamp(window.left(), screen.left(), screen.right() + 1 - window.width()));
   window.moveTop(std::clamp(window.top(), screen.top(), screen.bottom() + 1 - window.height()));
   return window;
+}
+
+void putOnScreen(QWidget& window) {
+  if (window.isMaximized() || window.isFullScreen()) return;
+  QList<QRect> screens;
+  const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight);
+  for (const QScreen* each : QGuiApplication::screens())
+    screens << each->availableGeometry().adjusted(0, title, 0, 0);
+  window.setGeometry(onScreen(window.geometry(), screens));
 }
 
 }  // namespace volumen

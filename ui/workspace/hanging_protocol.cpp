@@ -265,7 +265,7 @@ Workspace hung(Workspace workspace, const HangingProtocol& protocol, const Patie
   workspace.layout = protocol.layout;
   workspace.focus = firstComparedId;
   const std::vector<SeriesPicture> found = picturesOfCells(protocol, studies);
-  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  const std::vector<ViewId> views = viewsInMain(workspace);
   std::optional<ViewId> first;
   for (std::size_t n = 0; n < views.size(); ++n) {
     const SeriesPicture picture = n < found.size() ? found[n] : SeriesPicture();

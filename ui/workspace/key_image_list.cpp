@@ -63,6 +63,7 @@ QString keyImageName(const ListedKeyImage& image) {
 
 PictureStop viewOfKeyImage(Workspace workspace, const ListedKeyImage& image, const LoadedSeriesPtr& shown) {
   workspace.layout = Layout::one;
+  workspace.second = {};
   workspace.focus = axialViewId;
   const std::optional<int> slice = drawnSlice(*image.series, image.index);
   if (!shown || opensAsFrames(*image.series) || !slice) {

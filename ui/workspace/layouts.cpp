@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "ui/workspace/flat_plane.h"
@@ -14,14 +15,18 @@ struct LayoutEntry {
   std::vector<ViewId> views;  // empty: the one in focus
 };
 
+std::vector<ViewId> cellsFrom(ViewId first, Layout grid) {
+  std::vector<ViewId> views(std::size_t(grid.rows * grid.columns));
+  std::iota(views.begin(), views.end(), first);
+  return views;
+}
+
 LayoutEntry gridEntry(int rows, int columns) {
   const Layout layout{Layout::Kind::grid, rows, columns};
   const std::string name = layout == Layout::two    ? "two"
                            : layout == Layout::four ? "four"
                                                     : std::to_string(rows) + "x" + std::to_string(columns);
-  std::vector<ViewId> views(std::size_t(rows * columns));
-  std::iota(views.begin(), views.end(), firstComparedId);
-  return {layout, name, views};
+  return {layout, name, cellsFrom(firstComparedId, layout)};
 }
 
 std::vector<LayoutEntry> layoutTable() {
@@ -70,16 +75,65 @@ std::optional<Layout> layoutNamed(const std::string& name) {
   return {};
 }
 
-std::vector<ViewId> viewsOnScreen(const Workspace& workspace) {
+std::vector<ViewId> viewsInMain(const Workspace& workspace) {
   const auto& views = std::ranges::find(layouts(), workspace.layout, &LayoutEntry::layout)->views;
-  const ViewId first = views.empty() ? workspace.focus : views.front();
+  const ViewId first = views.empty() ? mainFocusOf(workspace) : views.front();
   if (first < firstComparedId && showsFrames(workspace, first)) return {axialViewId};
-  if (views.empty()) return {workspace.focus};
+  if (views.empty()) return {first};
   // Acquired slices come first.
   std::vector<ViewId> ordered = views;
   const auto flat = std::ranges::find(ordered, axialViewId);
   if (flat != ordered.end()) std::swap(*flat, *std::ranges::find(ordered, acquiredViewOf(workspace)));
   return ordered;
+}
+
+std::vector<ViewId> viewsInSecond(const Workspace& workspace) {
+  const SecondWindow& second = workspace.second;
+  return second.shown ? cellsFrom(firstSecondId, second.layout) : std::vector<ViewId>();
+}
+
+std::vector<ViewId> viewsBeside(const Workspace& workspace, ViewId view) {
+  return isInSecond(view) ? viewsInSecond(workspace) : viewsInMain(workspace);
+}
+
+std::vector<ViewId> viewsOnScreen(const Workspace& workspace) {
+  std::vector<ViewId> views = viewsInMain(workspace);
+  std::ranges::copy(viewsInSecond(workspace), std::back_inserter(views));
+  return views;
+}
+
+Layout layoutOf(const Workspace& workspace, ViewId view) {
+  return isInSecond(view) ? workspace.second.layout : workspace.layout;
+}
+
+ViewId mainFocusOf(const Workspace& workspace) {
+  return isInSecond(workspace.focus) ? workspace.second.mainFocus : workspace.focus;
+}
+
+Workspace withFocus(Workspace workspace, ViewId view) {
+  workspace.second.mainFocus = isInSecond(view) ? mainFocusOf(workspace) : SecondWindow().mainFocus;
+  workspace.focus = view;
+  return workspace;
+}
+
+Workspace withFocusOf(Workspace workspace, const Workspace& other) {
+  workspace.focus = other.focus;
+  workspace.second.mainFocus = other.second.mainFocus;
+  return workspace;
+}
+
+Workspace withSecondLayout(Workspace workspace, Layout layout) {
+  workspace.second.layout = comparesSeries(layout) ? layout : SecondWindow().layout;
+  const std::vector<ViewId> views = viewsInSecond(workspace);
+  const bool isLost = isInSecond(workspace.focus) && std::ranges::find(views, workspace.focus) == views.end();
+  return isLost ? withFocus(std::move(workspace), firstSecondId) : workspace;
+}
+
+Workspace withSecondShown(Workspace workspace, bool shown) {
+  workspace.second.shown = shown;
+  if (shown) return withFocus(std::move(workspace), firstSecondId);
+  const ViewId focus = mainFocusOf(workspace);
+  return withFocus(std::move(workspace), focus);
 }
 
 Layout usualLayout(const Series& series) {
@@ -96,7 +150,7 @@ Workspace withUsualLayout(Workspace workspace, const Series& series) {
 }
 
 Workspace withSlicesInFocus(Workspace workspace) {
-  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  const std::vector<ViewId> views = viewsInMain(workspace);
   const ViewId slices = acquiredViewOf(workspace);
   if (workspace.focus < firstComparedId && std::ranges::find(views, slices) != views.end())
     workspace.focus = slices;

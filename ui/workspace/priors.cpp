@@ -60,7 +60,7 @@ int seriesNumberOf(const Series& series) {
 }
 
 SeriesPicture firstCompared(const Workspace& workspace) {
-  for (const ViewId id : viewsOnScreen(workspace))
+  for (const ViewId id : viewsInMain(workspace))
     if (const SeriesPicture picture = pictureIn(workspace, id)) return picture;
   return {};
 }
@@ -210,7 +210,7 @@ Workspace withLikelySecond(Workspace workspace, const std::vector<const Series*>
   const SeriesPicture first = firstCompared(workspace);
   if (!first) return workspace;
   const SeriesPicture second = likelySecond(workspace, first, open);
-  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  const std::vector<ViewId> views = viewsInMain(workspace);
   const auto empty =
       std::ranges::find_if(views, [&](ViewId id) { return workspace.view(id).series.empty(); });
   if (!second || empty == views.end()) return workspace;

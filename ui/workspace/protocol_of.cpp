@@ -134,7 +134,7 @@ void keepFacing(HangingProtocol& protocol, const HangingProtocol& last, const Wo
                 const PatientStudies& studies) {
   if (protocol.layout != last.layout) return;
   const std::vector<SeriesPicture> hung = picturesOfCells(last, studies);
-  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  const std::vector<ViewId> views = viewsInMain(workspace);
   bool allStand = true;
   for (std::size_t n = 0; n < std::min({hung.size(), views.size(), protocol.cells.size()}); ++n) {
     const SeriesPicture shown = pictureIn(workspace, views[n]);
@@ -152,7 +152,7 @@ HangingProtocol protocolOf(const Workspace& workspace, const std::string& name,
                            const std::vector<const Series*>& open, const HangingProtocol* last) {
   const PatientStudies studies = studiesShown(workspace, open);
   ProtocolMaker maker(workspace, studies);
-  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  const std::vector<ViewId> views = viewsInMain(workspace);
   for (const ViewId id : views) maker.protocol.cells.push_back(maker.cellOf(id));
   HangingProtocol& protocol = maker.protocol;
   protocol.name = name;

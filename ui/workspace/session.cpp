@@ -139,6 +139,7 @@ void Session::close(const std::vector<SeriesKey>& series, const std::vector<Deri
 void Session::closeAll(const Unlisted& listed) {
   Workspace empty;
   empty.layout = workspace_.layout;
+  empty.second = workspace_.second;
   empty.goal = workspace_.goal;
   Workspace after = replacedBy(workspace_, empty);
   Unlisted& unlisted = after.unlisted.edit();
@@ -240,9 +241,7 @@ bool Session::presetModified() const {
 void Session::setFocus(ViewId view) {
   if (view == workspace_.focus) return;
   endGesture();
-  Workspace after = workspace_;
-  after.focus = view;
-  setWorkspace(after);
+  setWorkspace(withFocus(workspace_, view));
 }
 
 void Session::select(int measurement) {

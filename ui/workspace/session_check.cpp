@@ -43,9 +43,13 @@ void checkViews(JsonFields& json, const Workspace& workspace) {
     if (!workspace.series.contains(workspace.keyImages[n].series))
       json.refuse(json.pathOf("keyImages", n) + ".series", "must be the number of a series");
   checkSegments(json, workspace);
-  const std::vector<ViewId> shown = viewsOnScreen(workspace);
-  if (std::ranges::find(shown, workspace.focus) == shown.end())
+  const auto isIn = [](const std::vector<ViewId>& views, ViewId id) {
+    return std::ranges::find(views, id) != views.end();
+  };
+  if (!isIn(viewsOnScreen(workspace), workspace.focus))
     json.refuse("focus", "must be a view of the layout");
+  else if (!isIn(viewsInMain(workspace), mainFocusOf(workspace)))
+    json.refuse("second.mainFocus", "must be a view of the layout");
 }
 
 }  // namespace volumen

@@ -51,6 +51,11 @@ class FieldWriter {
   void unlessEmpty(const char* name, std::string& value) {
     if (!value.empty()) json_[name] = value;
   }
+  /// Left out where it is as at first.
+  template <class T>
+  void unlessFirst(const char* name, T& value) {
+    if (value != T()) (*this)(name, value);
+  }
   void operator()(const char* name, int& value, Limits limits);
   void operator()(const char* name, double& value, Limits limits);
   void operator()(const char* name, glm::dvec2& value, Limits limits);
@@ -143,6 +148,10 @@ class FieldReader {
   void operator()(const char* name, bool& value) { json_.read(name, value); }
   void operator()(const char* name, std::string& value) { json_.read(name, value); }
   void unlessEmpty(const char* name, std::string& value) { json_.read(name, value); }
+  template <class T>
+  void unlessFirst(const char* name, T& value) {
+    (*this)(name, value);
+  }
   void operator()(const char* name, int& value, Limits limits);
   void operator()(const char* name, double& value, Limits limits);
   void operator()(const char* name, glm::dvec2& value, Limits limits);

@@ -349,16 +349,25 @@ void viewsField(Fields& f, SharedList<ViewState>& views) {
   std::vector<ViewState> written(views.begin(), views.end());
   written.resize(count);
   f("views", written);
-  static_assert(viewCount == 24);
-  f.require("views", written.size() >= always && written.size() <= std::size_t(viewCount), "must be 8 to 24");
+  static_assert(viewCount == 44);
+  f.require("views", written.size() >= always && written.size() <= std::size_t(viewCount), "must be 8 to 44");
   for (std::size_t n = written.size(); n < std::size_t(viewCount); ++n) written.push_back(first.views[n]);
   views.assign(written);
+}
+
+// Written only where there was one: what programs of before read stays as it was.
+template <class Fields>
+void fields(Fields& f, SecondWindow& second) {
+  f("shown", second.shown);
+  f("layout", second.layout, gridWords);
+  f("mainFocus", second.mainFocus, {0, firstSecondId - 1});
 }
 
 // All but the series, whose list comes first.
 template <class Fields>
 void fields(Fields& f, Workspace& w) {
   f("layout", w.layout, layoutWords);
+  f.unlessFirst("second", w.second);
   f("focus", w.focus, {0, viewCount - 1});
   f("goal", w.goal);
   crosshairsField(f, w.crosshairs);

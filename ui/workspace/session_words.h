@@ -31,6 +31,12 @@ inline Words<Layout> namedLayouts() {
   return words;
 }
 
+inline Words<Layout> namedGrids() {
+  Words<Layout> words = namedLayouts();
+  std::erase_if(words, [](const auto& word) { return !comparesSeries(word.second); });
+  return words;
+}
+
 inline Words<Quality> namedQualities() {
   Words<Quality> words;
   for (const Quality q : {Quality::draft, Quality::standard, Quality::high, Quality::exact})
@@ -47,6 +53,7 @@ inline Words<ColourMap> namedColourMaps() {
 inline const Words<ColourMap> colourWords = namedColourMaps();
 inline const Words<ViewKind> kindWords = namedKinds();
 inline const Words<Layout> layoutWords = namedLayouts();
+inline const Words<Layout> gridWords = namedGrids();
 inline const Words<Quality> qualityWords = namedQualities();
 
 }  // namespace volumen

@@ -13,6 +13,10 @@ namespace {
 
 bool inGroup(ViewId view) { return view < firstComparedId; }
 
+ViewId& editMainFocus(Workspace& workspace) {
+  return isInSecond(workspace.focus) ? workspace.second.mainFocus : workspace.focus;
+}
+
 // The slice of a series at its cursor; the one in the middle where there is none.
 int sliceAtCursor(const Workspace& workspace, const Series& series) {
   const int last = series.acquired.size.z - 1;
@@ -36,7 +40,8 @@ void leaveFrames(Workspace& workspace, ViewId id) {
     at = series->acquired.patientFromVoxel(pVoxel);
   }
   view.kind = usualKind(id);
-  if (workspace.layout == Layout::one && workspace.focus == axialViewId) workspace.focus = sceneViewId;
+  ViewId& focus = editMainFocus(workspace);
+  if (workspace.layout == Layout::one && focus == axialViewId) focus = sceneViewId;
 }
 
 // Whether it is the series that was closed, opened by whatever path.
@@ -120,8 +125,9 @@ ViewKind usualKind(ViewId view) {
 ViewId sceneViewOf(const Workspace& workspace) {
   if (showsScene(workspace.view(workspace.focus).kind)) return workspace.focus;
   if (inGroup(workspace.focus)) return sceneViewId;
-  for (const ViewId id : viewsOnScreen(workspace))
-    if (showsScene(workspace.view(id).kind)) return id;
+  for (const std::vector<ViewId>& views : {viewsBeside(workspace, workspace.focus), viewsOnScreen(workspace)})
+    for (const ViewId id : views)
+      if (showsScene(workspace.view(id).kind)) return id;
   return sceneViewId;
 }
 
@@ -133,8 +139,8 @@ bool sceneIsOfFocus(const Workspace& workspace) {
 }
 
 bool showsOther(const Workspace& before, const Workspace& after) {
-  return before.layout != after.layout || before.focus != after.focus || before.views != after.views ||
-         before.series != after.series;
+  return before.layout != after.layout || before.second != after.second || before.focus != after.focus ||
+         before.views != after.views || before.series != after.series;
 }
 
 const Series* seriesIn(const Workspace& workspace, ViewId view) {
@@ -236,16 +242,18 @@ Workspace withFrames(Workspace workspace, ViewId view, const Series& series) {
   frames.kind = ViewKind::frames;
   FlatLook& look = frames.flats.editOrAdd(key);
   if (wereSlices) makeWhole(look), look.frame = sliceAtCursor(workspace, series);
-  if (workspace.focus == view || inGroup(workspace.focus)) workspace.focus = shown;
+  ViewId& focus = isInSecond(view) ? workspace.focus : editMainFocus(workspace);
+  if (focus == view || (inGroup(focus) && !isInSecond(view))) focus = shown;
   return workspace;
 }
 
 Workspace withLayout(Workspace workspace, Layout layout) {
-  const SeriesKey shown = workspace.view(workspace.focus).series;
-  const bool asFrames = showsFrames(workspace, workspace.focus);
+  ViewId& focus = editMainFocus(workspace);
+  const SeriesKey shown = workspace.view(focus).series;
+  const bool asFrames = showsFrames(workspace, focus);
   workspace.layout = layout;
-  const std::vector<ViewId> views = viewsOnScreen(workspace);
-  if (std::ranges::find(views, workspace.focus) == views.end()) workspace.focus = views.front();
+  const std::vector<ViewId> views = viewsInMain(workspace);
+  if (std::ranges::find(views, focus) == views.end()) focus = views.front();
   if (workspace.view(views.front()).series.empty()) {
     ViewState& first = workspace.editView(views.front());
     first.series = shown;

@@ -164,10 +164,23 @@ inline constexpr Layout Layout::two{Layout::Kind::grid, 1, 2};
 inline constexpr Layout Layout::four{Layout::Kind::grid, 2, 2};
 
 /// The views that every workspace has. The first four show one series together; as frames the axial one alone
-/// does. The others are there to compare.
+/// does. The others are there to compare, the last of them in the second window.
 inline constexpr ViewId sceneViewId = 0, axialViewId = 1, coronalViewId = 2, sagittalViewId = 3,
                         firstComparedId = 4,
-                        viewCount = firstComparedId + Layout::mostRows * Layout::mostColumns;
+                        firstSecondId = firstComparedId + Layout::mostRows * Layout::mostColumns,
+                        viewCount = firstSecondId + Layout::mostRows * Layout::mostColumns;
+
+/// Whether a view stands in the second window.
+constexpr bool isInSecond(ViewId view) { return view >= firstSecondId; }
+
+/// A window beside the main one, with a grid of views of its own.
+struct SecondWindow {
+  bool shown = false;
+  Layout layout{Layout::Kind::grid, 1, 1};  ///< a grid
+  ViewId mainFocus =
+      sceneViewId;  ///< the view in focus of the main window, while that of the workspace is here
+  bool operator==(const SecondWindow&) const = default;
+};
 
 /// What a view shows where nothing else was chosen.
 ViewKind usualKind(ViewId view);
@@ -215,7 +228,8 @@ struct Workspace {
   Workspace();
 
   SharedMap<SeriesKey, SeriesState> series;  ///< those that were shown
-  Layout layout = Layout::one;
+  Layout layout = Layout::one;               ///< of the main window
+  SecondWindow second;
   SharedList<ViewState> views;                   ///< viewCount of them
   ViewId focus = sceneViewId;                    ///< the view that the panels work on
   QualityGoal goal;                              ///< of 3D pictures at rest
@@ -243,8 +257,24 @@ const std::vector<Layout>& allLayouts();
 const char* layoutName(Layout layout);
 std::optional<Layout> layoutNamed(const std::string& name);
 
-/// The views on screen, row by row (besidePlanes: the large one first).
+/// The views of the main window, row by row (besidePlanes: the large one first).
+std::vector<ViewId> viewsInMain(const Workspace& workspace);
+/// Those of the second window, row by row; none while it is closed.
+std::vector<ViewId> viewsInSecond(const Workspace& workspace);
+/// Those of the window in which this view stands.
+std::vector<ViewId> viewsBeside(const Workspace& workspace, ViewId view);
+/// The views on screen, in both windows, those of the main one first.
 std::vector<ViewId> viewsOnScreen(const Workspace& workspace);
+
+/// The layout of the window in which a view stands.
+Layout layoutOf(const Workspace& workspace, ViewId view);
+
+/// The view in focus of the main window: that of the workspace, or that of before the second window had it.
+ViewId mainFocusOf(const Workspace& workspace);
+/// With this view in focus, in whichever window.
+Workspace withFocus(Workspace workspace, ViewId view);
+/// With the focus of another workspace.
+Workspace withFocusOf(Workspace workspace, const Workspace& other);
 
 /// The 3D view that the panels work on: the one in focus, else the one of the same group.
 ViewId sceneViewOf(const Workspace& workspace);
@@ -293,8 +323,14 @@ Workspace withFrames(Workspace workspace, ViewId view, const Series& series);
 /// The view that shows frames where this one is asked to: itself, or the axial one of its group.
 ViewId framesViewOf(ViewId view);
 bool showsFrames(const Workspace& workspace, ViewId view);
-/// In another layout; the first view to compare, where it is empty, gets the series of the focus.
+/// With the main window in another layout; the first view to compare, where it is empty, gets the series of
+/// its focus.
 Workspace withLayout(Workspace workspace, Layout layout);
+/// With the second window in another grid; one view where the layout is none.
+Workspace withSecondLayout(Workspace workspace, Layout layout);
+/// With the second window open and its first view in focus; or closed, what its views show kept for when it
+/// is opened again.
+Workspace withSecondShown(Workspace workspace, bool shown);
 /// With a view to compare showing another plane, or 3D; `first` where it has not shown its series so yet.
 /// Views of the group stay as they are.
 Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneLook& first);

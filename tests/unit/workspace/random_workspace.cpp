@@ -223,12 +223,15 @@ Workspace randomWorkspace(std::uint64_t seed) {
     w.regions.editOrAdd({"/data/rt" + std::to_string(n), anyText(chance)}) = anyRegions(chance);
   w.layout = allLayouts()[std::size_t(chance.below(int(allLayouts().size())))];
   const std::vector<ViewId> shown = viewsOnScreen(w);
-  w.focus =
-      w.layout == Layout::one ? chance.below(viewCount) : shown[std::size_t(chance.below(int(shown.size())))];
+  w.focus = w.layout == Layout::one ? chance.below(firstSecondId)
+                                    : shown[std::size_t(chance.below(int(shown.size())))];
   w.goal.aim = Aim(chance.below(3));
   w.goal.level = {Quality(chance.below(4)), 1 << chance.below(3)};
   w.goal.frameMs = chance.power(0, 4);
   w.goal.errorOf255 = chance.power(-2, 2);
+  if (chance.oneIn(3)) w = withSecondShown(std::move(w), chance.oneIn(2));
+  if (chance.oneIn(3))
+    w = withSecondLayout(std::move(w), allLayouts()[std::size_t(chance.below(int(allLayouts().size())))]);
   return w;
 }
 

@@ -48,6 +48,8 @@ class TestSessionJson : public QObject {
  private Q_SLOTS:
   void workspacesComeBackEqual();
   void sessionsOfEightViewsStayAsTheyAre();
+  void theSecondWindowComesBack();
+  void bothWindowsShowTheirFocus();
   void valuesAreComparedNotPlaces();
   void aSeriesElsewhereTakesAllThatWasMadeOfIt();
   void seriesThatAreNotFoundAreKeptAsMissing();
@@ -100,6 +102,37 @@ void TestSessionJson::sessionsOfEightViewsStayAsTheyAre() {
   QCOMPARE(written["views"].size(), std::size_t(firstComparedId + 7));
   const auto same = sessionFromJson(written.dump(), {});
   QVERIFY(same && same->workspace == large);
+}
+
+// What there was no second window for is written as before, and read as without one.
+void TestSessionJson::theSecondWindowComesBack() {
+  const Json plain = plainSession();
+  QVERIFY(!plain.contains("second"));
+  const auto before = sessionFromJson(plain.dump(), {});
+  QVERIFY(before && before->workspace.second == SecondWindow());
+  Workspace w = withSecondShown({}, true);
+  w = withSecondLayout(std::move(w), Layout{Layout::Kind::grid, 2, 3});
+  w = withFocus(std::move(w), firstSecondId + 4);
+  w.editView(firstSecondId + 5).wanted = "T2";
+  const Json written = Json::parse(*sessionToJson(w, folder));
+  QCOMPARE(written["second"]["layout"].get<std::string>(), std::string("2x3"));
+  QCOMPARE(written["views"].size(), std::size_t(firstSecondId + 6));
+  QCOMPARE(written["layout"].get<std::string>(), std::string("one"));
+  const auto back = sessionFromJson(written.dump(), {});
+  QVERIFY(back && back->workspace == w);
+  const Workspace closed = withSecondShown(w, false);
+  const auto same = sessionFromJson(*sessionToJson(closed, folder), {});
+  QVERIFY2(same && same->workspace == closed, "its views are kept while it is closed");
+  QVERIFY(same->workspace.view(firstSecondId + 5).wanted == "T2");
+}
+
+void TestSessionJson::bothWindowsShowTheirFocus() {
+  Json written = Json::parse(*sessionToJson(withSecondShown({}, true), folder));
+  QCOMPARE(refusal(written.dump()), QString());
+  written["layout"] = "two";
+  QVERIFY(refusal(written.dump()).contains(QStringLiteral("second.mainFocus must be a view of the layout")));
+  written["second"]["mainFocus"] = 5;
+  QCOMPARE(refusal(written.dump()), QString());
 }
 
 void TestSessionJson::valuesAreComparedNotPlaces() {
@@ -187,9 +220,9 @@ void TestSessionJson::refusalsNameTheField_data() {
       "views[0].scenes[0].scene: lights[0].intensity must be >= 0");
   row("a scene that is a list", "/views/0/scenes/0/scene", "[]",
       "views[0].scenes[0].scene: The JSON must be");
-  row("too few views", "/views", "[]", "views must be 8 to 24");
-  const QByteArray many = "[" + QByteArray("{},").repeated(24) + "{}]";
-  row("too many views", "/views", many.constData(), "views must be 8 to 24");
+  row("too few views", "/views", "[]", "views must be 8 to 44");
+  const QByteArray many = "[" + QByteArray("{},").repeated(44) + "{}]";
+  row("too many views", "/views", many.constData(), "views must be 8 to 44");
   row("a flat view in 3D", "/views/1/kind", "\"volume\"", "views[1].kind must not be \"volume\"");
   row("the 3D view flat", "/views/0/kind", "\"axial\"", "views[0].kind must be \"volume\"");
   row("an unknown kind", "/views/1/kind", "\"oblique\"", "views[1].kind must be");
@@ -200,7 +233,12 @@ void TestSessionJson::refusalsNameTheField_data() {
   row("a series twice", "/series/-", "{\"path\": \"/data/ct\", \"id\": \"1.2.3\"}",
       "series[1] is there twice");
   row("a look twice", "/views/1/flats/-", "{\"series\": 0}", "views[1].flats[1] is there twice");
-  row("no such view", "/focus", "24", "focus must be in 0 .. 23");
+  row("no such view", "/focus", "44", "focus must be in 0 .. 43");
+  row("a view of a window that is closed", "/focus", "24", "focus must be a view of the layout");
+  row("a second window of planes", "/second", "{\"layout\": \"planes\"}", "second.layout must be \"1x1\"");
+  row("a main window in the second one", "/second", "{\"mainFocus\": 24}",
+      "second.mainFocus must be in 0 .. 23");
+  row("unknown in the second window", "/second", "{\"hello\": 1}", "second.hello is unknown");
   row("a view that is not on screen", "/layout", "\"two\"", "focus must be a view of the layout");
   row("an unknown layout", "/layout", "\"five\"", "layout must be \"one\" or");
   row("no zoom", "/views/1/flats/0/zoom", "0", "views[1].flats[0].zoom must be in 0.001");

@@ -1,0 +1,204 @@
+// Guards the second window: a key opens it, series and files are dropped into it, closing it is a step; it is
+// saved with the session, comes back where it stood, and goes with the main window. Real events.
+#include <QTemporaryDir>
+#include <QTreeWidget>
+#include <QUrl>
+
+#include "tests/ui/browser_window.h"
+#include "tests/ui/clean_settings.h"
+#include "tests/ui/second_window.h"
+#include "tests/ui/session_folder.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestSecondWindow : public CleanSettings {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aKeyOpensItAndUndoClosesIt();
+  void closedAndOpenedAgainItShowsTheSame();
+  void aSeriesIsDroppedIntoIt();
+  void filesAreDroppedOnIt();
+  void anotherPatientOpensInTheMainWindow();
+  void closingAllLeavesItOpen();
+  void itIsSavedWithTheSession();
+  void itsPlaceIsRemembered_data();
+  void itsPlaceIsRemembered();
+  void closedItStaysClosed();
+};
+
+void TestSecondWindow::aKeyOpensItAndUndoClosesIt() {
+  MeasureWindow w;
+  const Workspace before = w.session().workspace();
+  const int steps = w.session().undoStack().count();
+  QVERIFY(!w.child<QAction>("secondWindow")->isChecked());
+  QVERIFY(opensSecondWindow(w));
+  QVERIFY(w.child<QAction>("secondWindow")->isChecked());
+  QCOMPARE(w.session().undoStack().count(), steps + 1);
+  QCOMPARE(w.session().workspace().focus, besideFirst);
+  View* view = w.window.views()->viewOf(besideFirst);
+  QVERIFY(view->isVisible() && view->window() == &secondWindowOf(w));
+  QVERIFY2(secondWindowOf(w).focusWidget() == view, "it has the keys");
+  QCOMPARE(view->geometry(), secondWindowOf(w).rect());
+  QVERIFY2(w.view()->isVisible() && w.view()->window() == &w.window, "the main window shows what it did");
+  w.undo();
+  QVERIFY(!secondWindowOf(w).isVisible());
+  QVERIFY(w.session().workspace() == before);
+  QVERIFY(!w.child<QAction>("secondWindow")->isChecked());
+  w.redo();
+  QVERIFY(secondWindowOf(w).isVisible());
+  QCOMPARE(w.session().workspace().focus, besideFirst);
+}
+
+void TestSecondWindow::closedAndOpenedAgainItShowsTheSame() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  const Workspace shown = w.workspace();
+  QVERIFY(w.beside().close());
+  QVERIFY(!w.beside().isVisible() && w.window.isVisible());
+  QVERIFY(!w.workspace().second.shown);
+  QCOMPARE(w.workspace().focus, axialViewId);
+  w.undo();
+  QVERIFY(w.workspace() == shown);
+  QVERIFY(w.beside().isVisible() && w.isSeen(besideFirst));
+  QTRY_VERIFY_WITH_TIMEOUT(w.beside().isActiveWindow(), longest);
+  w.redo();
+  QVERIFY(!w.beside().isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.isActiveWindow(), longest);
+  QVERIFY(opensSecondWindow(w));
+  QVERIFY(w.workspace() == shown);
+  w.press(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+  QVERIFY2(!w.beside().isVisible(), "the key closes it, too");
+}
+
+void TestSecondWindow::aSeriesIsDroppedIntoIt() {
+  Journey w({QStringLiteral("phantom:sphere:24"), QStringLiteral("phantom:cube:16")});
+  QVERIFY(w.settle());
+  auto* tree = w.child<QTreeWidget>("studyTree");
+  const auto cubes = [&] {
+    return tree->findItems(QStringLiteral("cube"), Qt::MatchContains | Qt::MatchRecursive);
+  };
+  QTRY_COMPARE_WITH_TIMEOUT(cubes().size(), 1, longest);
+  QVERIFY(opensSecondWindow(w));
+  const Workspace before = w.window.session().workspace();
+  const std::unique_ptr<QMimeData> data(tree->model()->mimeData({tree->indexFromItem(cubes().front())}));
+  QVERIFY(drop(*data, w.window.views()->viewOf(besideFirst)));
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().seriesOf(besideFirst), longest);
+  const Workspace& after = w.window.session().workspace();
+  QVERIFY(seriesIn(after, besideFirst)->path.find("cube") != std::string::npos);
+  QVERIFY(after.layout == before.layout && after.view(sceneViewId) == before.view(sceneViewId));
+  QCOMPARE(viewsInMain(after), viewsInMain(before));
+  QTRY_VERIFY_WITH_TIMEOUT(!w.window.views()->viewAs<FlatView>(besideFirst)->picture().isNull(), longest);
+}
+
+void TestSecondWindow::filesAreDroppedOnIt() {
+  const SessionFolder folder;
+  Journey w;
+  QVERIFY(opensSecondWindow(w));
+  QMimeData files;
+  files.setUrls({QUrl::fromLocalFile(folder.ct())});
+  QVERIFY(drop(files, &secondWindowOf(w)));
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().seriesOf(besideFirst), longest);
+}
+
+void TestSecondWindow::anotherPatientOpensInTheMainWindow() {
+  const Studies studies;
+  QVERIFY(studies.import());
+  BrowserWindow w(studies);
+  QVERIFY(w.openHead());
+  QVERIFY(opensSecondWindow(w));
+  const auto open = [&](const QModelIndex& row) {
+    w.child<QAction>("showBrowser")->trigger();
+    w.doubleClick(row);
+  };
+  QVERIFY(w.has("Follow-up", 4));
+  open(w.row("Follow-up", 4));
+  QVERIFY(w.isShown("Scout", besideFirst));
+  QVERIFY(w.isShown("Bone", sceneViewId));
+  QCOMPARE(w.window.session().workspace().focus, besideFirst);
+  open(w.row("Müller"));
+  QVERIFY(w.isShown("Venous"));
+  const Workspace& after = w.window.session().workspace();
+  QVERIFY(!isInSecond(after.focus));
+  QVERIFY(after.second.shown && after.view(besideFirst).series.empty());
+}
+
+void TestSecondWindow::closingAllLeavesItOpen() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  w.session().closeAll({});
+  QVERIFY(w.workspace().second.shown && w.beside().isVisible());
+  QVERIFY(w.workspace().view(besideFirst).series.empty());
+  w.undo();
+  QVERIFY(w.workspace().view(besideFirst).series == keyOf(w.series->series));
+}
+
+void TestSecondWindow::itIsSavedWithTheSession() {
+  const SessionFolder folder;
+  Journey w({folder.ct()});
+  QVERIFY(w.settle());
+  QVERIFY(opensSecondWindow(w));
+  w.window.session().show(w.window.session().series(), besideSecond);
+  w.child<QAction>("layoutTwo")->trigger();
+  const Workspace saved = w.window.session().workspace();
+  QVERIFY(saved.second.layout == Layout::two);
+  QVERIFY(folder.save(w));
+  Journey again;
+  QVERIFY(!secondWindowOf(again).isVisible());
+  QVERIFY(settles(again, [&] { again.window.open({folder.at("s.volumen")}); }));
+  QTRY_VERIFY_WITH_TIMEOUT(secondWindowOf(again).isVisible(), longest);
+  QVERIFY(withFocusOf(again.window.session().workspace(), saved) == saved);
+  for (const ViewId id : {besideFirst, besideSecond}) QVERIFY(again.window.views()->viewOf(id)->isVisible());
+}
+
+void TestSecondWindow::itsPlaceIsRemembered_data() {
+  QTest::addColumn<bool>("isMaximised");
+  QTest::newRow("where it stood") << false;
+  QTest::newRow("maximised") << true;
+}
+
+void TestSecondWindow::itsPlaceIsRemembered() {
+  QFETCH(bool, isMaximised);
+  const QRect place(120, 140, 420, 310);
+  {
+    Journey w;
+    QVERIFY(opensSecondWindow(w));
+    secondWindowOf(w).setGeometry(place);
+    if (isMaximised) secondWindowOf(w).showMaximized();
+    QCoreApplication::processEvents();
+    w.window.close();
+    QVERIFY2(!w.window.isVisible() && !secondWindowOf(w).isVisible(), "it goes with the main window");
+  }
+  Journey w;
+  QTRY_VERIFY_WITH_TIMEOUT(secondWindowOf(w).isVisible(), longest);
+  QCOMPARE(secondWindowOf(w).isMaximized(), isMaximised);
+  QVERIFY(!w.window.session().undoStack().canUndo());
+  QVERIFY(w.child<QAction>("secondWindow")->isChecked());
+  if (isMaximised) return;
+  QCOMPARE(secondWindowOf(w).size(), place.size());
+  constexpr int frame = 40;  // of a window, which systems draw as they like
+  const QPoint off = secondWindowOf(w).pos() - place.topLeft();
+  QVERIFY2(std::abs(off.x()) <= frame && std::abs(off.y()) <= frame,
+           qPrintable(QStringLiteral("%1").arg(off.y())));
+}
+
+void TestSecondWindow::closedItStaysClosed() {
+  {
+    Journey w;
+    QVERIFY(opensSecondWindow(w));
+    w.window.close();
+  }
+  {
+    Journey w;
+    QTRY_VERIFY_WITH_TIMEOUT(secondWindowOf(w).isVisible(), longest);
+    secondWindowOf(w).close();
+    w.window.close();
+  }
+  Journey w;
+  for (int n = 0; n < 5; ++n) QCoreApplication::processEvents();
+  QVERIFY(w.window.isVisible() && !secondWindowOf(w).isVisible());
+}
+
+VOLUMEN_TEST(TestSecondWindow);
+#include "tst_second_window.moc"

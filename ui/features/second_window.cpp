@@ -1,0 +1,120 @@
+#include <QApplication>
+#include <QEvent>
+#include <QScreen>
+#include <QSettings>
+#include <algorithm>
+#include <utility>
+
+#include "ui/features/feature.h"
+#include "ui/views/view_grid.h"
+#include "ui/widgets/on_screen.h"
+
+namespace volumen {
+
+namespace {
+
+// A window beside the main one, for a second screen: whether it is open is of the workspace, where it stands
+// is kept for the next start.
+class SecondWindowFeature : public Feature {
+ public:
+  explicit SecondWindowFeature(Workbench& bench);
+
+  void keep() override;
+  bool eventFilter(QObject* mainWindow, QEvent* event) override;
+
+ private:
+  void begin();
+  void setOpen(bool open);
+  void follow();
+  void place();
+
+  ViewWindow& window_;
+  QAction* action_;
+  bool isPlaced_ = false;
+};
+
+SecondWindowFeature::SecondWindowFeature(Workbench& bench)
+    : Feature(bench),
+      window_(grid_.secondWindow()),
+      action_(bench_.addAction({"secondWindow",
+                                tr("Second window"),
+                                {tr("Ctrl+Shift+N")},
+                                "",
+                                true,
+                                {},
+                                {{"viewMenu", 60, 56}}})) {
+  window_.setObjectName(QStringLiteral("secondWindow"));
+  window_.setWindowTitle(tr("Second window of volumen"));
+  window_.setAccessibleName(tr("Second window"));
+  connect(action_, &QAction::triggered, this, &SecondWindowFeature::setOpen);
+  connect(&window_, &ViewWindow::closed, this, [this] { setOpen(false); });
+  connect(&bench_, &Workbench::made, this, &SecondWindowFeature::begin);
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.second.shown != after.second.shown) follow();
+          });
+  bench_.window.installEventFilter(this);
+}
+
+// Keys do there what they do in the main window. The focus stays in that.
+void SecondWindowFeature::begin() {
+  window_.addActions(bench_.window.actions());
+  for (const auto& [name, action] : bench_.actions) window_.addAction(action);
+  Workspace workspace = session_.workspace();
+  workspace.second.shown = QSettings().value(QStringLiteral("secondWindow/open")).toBool();
+  session_.adapt(workspace);
+}
+
+void SecondWindowFeature::setOpen(bool open) {
+  session_.endGesture();
+  session_.change(open ? tr("Open second window") : tr("Close second window"),
+                  withSecondShown(session_.workspace(), open));
+  session_.endGesture();
+}
+
+void SecondWindowFeature::follow() {
+  const bool isOpen = session_.workspace().second.shown;
+  action_->setChecked(isOpen);
+  if (!bench_.window.isVisible() || isOpen == window_.isVisible()) return;
+  if (isOpen) place();
+  window_.setAttribute(Qt::WA_ShowWithoutActivating, !isInSecond(session_.workspace().focus));
+  window_.setVisible(isOpen);
+  grid_.takeKeys();
+  grid_.viewShown()->activateWindow();
+}
+
+// On another screen than the main window, all of that; else over half of it.
+void SecondWindowFeature::place() {
+  if (std::exchange(isPlaced_, true)) return;
+  if (window_.restoreGeometry(QSettings().value(QStringLiteral("secondWindow/geometry")).toByteArray()))
+    return putOnScreen(window_);
+  const QScreen* own = bench_.window.screen();
+  const QList<QScreen*> all = QApplication::screens();
+  const auto other = std::ranges::find_if(all, [&](const QScreen* screen) { return screen != own; });
+  const QRect room = (other == all.end() ? own : *other)->availableGeometry();
+  window_.setGeometry(room.adjusted(room.width() / 2, 0, 0, 0));
+  putOnScreen(window_);
+  if (other != all.end()) window_.setWindowState(Qt::WindowMaximized);
+}
+
+// It goes with the main window.
+void SecondWindowFeature::keep() {
+  QSettings settings;
+  settings.setValue(QStringLiteral("secondWindow/open"), session_.workspace().second.shown);
+  if (isPlaced_) settings.setValue(QStringLiteral("secondWindow/geometry"), window_.saveGeometry());
+  window_.hide();
+}
+
+bool SecondWindowFeature::eventFilter(QObject* mainWindow, QEvent* event) {
+  if (event->type() == QEvent::Show)
+    QMetaObject::invokeMethod(this, &SecondWindowFeature::follow, Qt::QueuedConnection);
+  return Feature::eventFilter(mainWindow, event);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeSecondWindow(Workbench& bench) {
+  return std::make_unique<SecondWindowFeature>(bench);
+}
+
+}  // namespace volumen
