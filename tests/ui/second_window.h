@@ -7,7 +7,7 @@ namespace volumen::tests {
 
 inline constexpr ViewId besideFirst = firstSecondId, besideSecond = firstSecondId + 1;
 
-inline ViewWindow& secondWindowOf(Journey& w) { return w.window.views()->secondWindow(); }
+inline WindowBeside& secondWindowOf(Journey& w) { return w.window.views()->secondWindow(); }
 
 /// Opens the second window as a reader does; it has the keys then.
 inline bool opensSecondWindow(Journey& w) {
@@ -26,7 +26,7 @@ struct Beside : MeasureWindow {
 
   const Workspace& workspace() { return session().workspace(); }
   ViewGrid& views() { return *window.views(); }
-  ViewWindow& beside() { return secondWindowOf(*this); }
+  WindowBeside& beside() { return secondWindowOf(*this); }
   double z(ViewId id) { return view(id)->plane()->centre.z; }
   /// A key for what has the keys in the second window.
   void press(Qt::Key key, Qt::KeyboardModifiers keys = {}) {

@@ -28,7 +28,7 @@ class SecondWindowFeature : public Feature {
   void follow();
   void place();
 
-  ViewWindow& window_;
+  WindowBeside& window_;
   QAction* action_;
   bool isPlaced_ = false;
 };
@@ -47,7 +47,7 @@ SecondWindowFeature::SecondWindowFeature(Workbench& bench)
   window_.setWindowTitle(tr("Second window of volumen"));
   window_.setAccessibleName(tr("Second window"));
   connect(action_, &QAction::triggered, this, &SecondWindowFeature::setOpen);
-  connect(&window_, &ViewWindow::closed, this, [this] { setOpen(false); });
+  connect(&window_, &WindowBeside::closed, this, [this] { setOpen(false); });
   connect(&bench_, &Workbench::made, this, &SecondWindowFeature::begin);
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {

@@ -43,7 +43,7 @@ ViewGrid::ViewGrid(Session& session, DrawService& drawService, SliceService& sli
       parts_{session, drawService, slices, frames, measurer, derived},
       tool_(&toolNamed("window")),
       toolBefore_(tool_),
-      second_(std::make_unique<ViewWindow>([this](bool next) { return goToNext(true, next); })) {
+      second_(std::make_unique<WindowBeside>([this](bool next) { return goToNext(true, next); })) {
   setObjectName(QStringLiteral("viewGrid"));
   setMinimumSize(200, 200);
   volumeView(sceneViewId);
@@ -60,7 +60,7 @@ ViewGrid::ViewGrid(Session& session, DrawService& drawService, SliceService& sli
               arrange();
             if (isInSecond(before.focus) != isInSecond(after.focus) && isOtherActive()) takeKeys();
           });
-  connect(second_.get(), &ViewWindow::resized, this, qOverload<>(&ViewGrid::arrange));
+  connect(second_.get(), &WindowBeside::resized, this, qOverload<>(&ViewGrid::arrange));
   arrange();
 }
 

@@ -8,8 +8,8 @@
 
 #include "ui/views/frame_view.h"
 #include "ui/views/slice_view.h"
-#include "ui/views/view_window.h"
 #include "ui/views/volume_view.h"
+#include "ui/views/window_beside.h"
 
 namespace volumen {
 
@@ -39,7 +39,7 @@ class ViewGrid : public QWidget {
     return second && secondKeys_ ? secondKeys_ : static_cast<View*>(focusProxy());
   }
   /// The second window, whether it is shown or not.
-  ViewWindow& secondWindow() const { return *second_; }
+  WindowBeside& secondWindow() const { return *second_; }
   /// Whether the view in focus has the keys, or a control on it.
   bool hasKeys() const;
   /// Gives them to it, in whichever window it stands.
@@ -119,7 +119,7 @@ class ViewGrid : public QWidget {
   std::optional<VolumeRange> segment_;
   std::set<ViewId> alone_;  // one a window
   View* secondKeys_ = nullptr;
-  std::unique_ptr<ViewWindow> second_;  // and the views in it
+  std::unique_ptr<WindowBeside> second_;  // and the views in it
 };
 
 }  // namespace volumen

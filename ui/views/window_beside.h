@@ -6,12 +6,12 @@
 namespace volumen {
 
 /// A window beside the main one for views that ViewGrid places; whoever has one shows and hides it.
-class ViewWindow : public QWidget {
+class WindowBeside : public QWidget {
   Q_OBJECT
  public:
   /// Calls `step` for Tab (true) and Shift+Tab from one of its views; where that goes nowhere (false), they
   /// go on as everywhere else.
-  explicit ViewWindow(const std::function<bool(bool next)>& step);
+  explicit WindowBeside(const std::function<bool(bool next)>& step);
 
  Q_SIGNALS:
   void resized();
