@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -17,7 +18,7 @@ constexpr int restMs = 300;  // of the pointer at the edge
 constexpr double usualRates[] = {1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100};
 
 // The least width in which a control is there, logical pixels.
-constexpr int widthForNumber = 190, widthForWays = 250, widthForRate = 320, widthForRange = 420;
+constexpr int widthForNumber = 190, widthForWays = 250, widthForRate = 340, widthForRange = 490;
 
 // The number of the first place on the way to another that has one; 0: none has.
 int numberOnTheWay(const Playable& what, int from, int to) {
@@ -261,8 +262,10 @@ void CineBar::resizeEvent(QResizeEvent* event) {
 void CineBar::makeRoom() {
   number_->setVisible(width() >= widthForNumber);
   for (QToolButton* way : {back_, loop_}) way->setVisible(width() >= widthForWays);
-  rate_->setVisible(width() >= widthForRate);
-  for (TypedNumber* end : {first_, last_}) end->setVisible(width() >= widthForRange);
+  for (QWidget* rate : std::initializer_list<QWidget*>{rate_, aSecond_})
+    rate->setVisible(width() >= widthForRate);
+  for (QWidget* range : std::initializer_list<QWidget*>{from_, first_, to_, last_})
+    range->setVisible(width() >= widthForRange);
 }
 
 // What is under it is not meant.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QLabel>
 #include <QSlider>
 #include <QTimer>
 #include <QToolButton>
@@ -62,6 +63,7 @@ class CineBar : public QWidget {
   void connectControls();
   QToolButton* addButton(const char* name, const QString& text, const QString& tip, bool checkable);
   TypedNumber* addNumber(const char* name, const QString& tip, int width);
+  QLabel* addWord(const QString& word);
   Playable* current() const;
   std::optional<int> placeTyped(const TypedNumber& field, int number);
   static void refuse(const TypedNumber& field, const QString& why);
@@ -92,6 +94,7 @@ class CineBar : public QWidget {
   QToolButton *play_, *what_, *back_, *loop_;
   QSlider* place_;
   TypedNumber *number_, *first_, *last_, *rate_;
+  QLabel *from_, *to_, *aSecond_;
 };
 
 }  // namespace volumen

@@ -31,6 +31,12 @@ TypedNumber* CineBar::addNumber(const char* name, const QString& tip, int width)
   return field;
 }
 
+QLabel* CineBar::addWord(const QString& word) {
+  auto* label = new QLabel(word, this);
+  layout()->addWidget(label);
+  return label;
+}
+
 void CineBar::makeControls() {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(4, 1, 12, 1);  // beside the bar of the stack
@@ -45,9 +51,12 @@ void CineBar::makeControls() {
   place_->setPageStep(1);
   row->addWidget(place_, 1);
   number_ = addNumber("cineNumber", tr("Number shown"), 38);
+  from_ = addWord(tr("from"));
   first_ = addNumber("cineFirst", tr("First one played"), 34);
+  to_ = addWord(tr("to"));
   last_ = addNumber("cineLast", tr("Last one played"), 34);
   rate_ = addNumber("cineRate", tr("Speed, a second (+ and -)"), 38);
+  aSecond_ = addWord(tr("/s"));
   back_ = addButton("cineBack", QStringLiteral("\u21c4"), tr("Back and forth"), true);
   loop_ = addButton("cineLoop", QStringLiteral("\u21bb"), tr("Again and again"), true);
 }

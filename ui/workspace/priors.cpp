@@ -71,7 +71,7 @@ Workspace withPictures(Workspace workspace, ViewId view, const SeriesPicture& pi
   if (picture.frame < 0 && !opensAsPictures(series)) {
     ViewState& state = workspace.editView(view);
     if (state.kind != acquiredKind(series.acquired)) state.kind = usualKind(view), state.series = {};
-    return withSeries(std::move(workspace), view, series, {});
+    return withSeries(std::move(workspace), view, series, SceneLook());
   }
   workspace = withFrames(std::move(workspace), view, series);
   if (picture.frame >= 0) workspace.editView(view).flats.edit(keyOf(series)).frame = picture.frame;
