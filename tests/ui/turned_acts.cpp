@@ -7,6 +7,7 @@
 #include "tests/ui/turned_sequence.h"
 #include "ui/views/cross_lines.h"
 #include "ui/views/drawn_measurement.h"
+#include "ui/workspace/flat_plane.h"
 #include "ui/workspace/session_json.h"
 
 namespace volumen::tests {
@@ -90,7 +91,7 @@ bool TurnedSequence::turns() {
                       {Qt::Key_H, Qt::ControlModifier, {{-1, 0}, {0, 1}}},
                       {Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier, {{1, 0}, {0, -1}}}};
   const Turn& turn = all[chance_.below(4)];
-  QTest::keyClick(&window, turn.key, turn.with);
+  QTest::keyClick(view(focus_), turn.key, turn.with);
   twin_.turn(focus_, turn.seen);
   detail_ = QStringLiteral("[%1 %2]").arg(turn.seen[0].x).arg(turn.seen[0].y);
   return true;
@@ -151,13 +152,17 @@ bool TurnedSequence::turnsPlanes() {
   for (const CrossLine& line : crossLines(press))
     for (const QPointF handle : line.handles) {
       const QPointF from = handle.toPoint();
+      if (twin_.views.at(focus_).over >= 0 && from.x() < 80) continue;  // the colour bar lies over it
       const glm::dvec2 middle = twin_.seen(focus_).placeOf(twin_.cross(focus_).at);
       for (const DrawnMeasurement& d : on->drawnMeasurements())
         if (hitAt({d}, from)) return false;
       const QPointF to = (from + QPointF(chance_.below(60) - 30, chance_.below(60) - 30)).toPoint();
       const auto angle = [&](QPointF p) { return std::atan2(p.y() - middle.y, p.x() - middle.x); };
       if (std::hypot(to.x() - middle.x, to.y() - middle.y) < 10) return false;
+      const Crosshair before = crosshairOf(workspace(), focus_, *on->shown());
       drag(on, from, to);
+      if (crosshairOf(workspace(), focus_, *on->shown()) == before)
+        return on->setFocus(), detail_ = QStringLiteral("not"), true;
       twin_.turnOthers(focus_, angle(to) - angle(from));
       return true;
     }
@@ -178,7 +183,7 @@ bool TurnedSequence::alignsPlanes() {
 
 bool TurnedSequence::resetsView() {
   if (twin_.cross(focus_).byHand && (twin_.zoom || twin_.pan)) return false;
-  QTest::keyClick(&window, Qt::Key_F);
+  QTest::keyClick(view(focus_), Qt::Key_F);
   twin_.reset(focus_);
   return true;
 }

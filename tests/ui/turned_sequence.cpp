@@ -102,11 +102,6 @@ TurnedSequence::TurnedSequence(std::uint64_t seed) : Journey({}, withoutScenes()
   QCoreApplication::processEvents();
   look();
   twin_.shared.at = crosshairOf(workspace(), *series_[0]).at;
-  if (!qEnvironmentVariableIsSet("TWIN_STRICT")) {
-    wheel(view(twin_.onScreen[0]), -1);
-    session().endGesture();
-    twin_.scrollTo(twin_.onScreen[0], twin_.place(twin_.onScreen[0]).first + 1);
-  }
   first_ = session().undoStack().index();
   remember();
 }
