@@ -122,6 +122,7 @@ void FacingViews::face() {
 
 // Where views are larger or smaller by now: no step.
 void FacingViews::faceAgain() {
+  if (waiting_) return;  // they are to be hung first
   const auto isOnScreen = [this](const FacedViews& faced) {
     return faced.protocol.layout == session_.workspace().layout &&
            std::ranges::any_of(faced.looks, [&](const auto& left) { return liesAsLeft(faced, left.first); });
