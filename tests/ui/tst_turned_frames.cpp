@@ -18,7 +18,7 @@ class TestTurnedFrames : public CleanSettings {
 
 void TestTurnedFrames::pixelsAppearWhereTheTwinHasThem_data() {
   QTest::addColumn<int>("seed");
-  const Seeds seeds = seedsOf(8, 100);
+  const Seeds seeds = seedsOf(10, 100);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 

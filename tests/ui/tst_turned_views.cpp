@@ -18,7 +18,7 @@ class TestTurnedViews : public CleanSettings {
 
 void TestTurnedViews::placesAppearWhereTheTwinHasThem_data() {
   QTest::addColumn<int>("seed");
-  const Seeds seeds = seedsOf(24, 200);
+  const Seeds seeds = seedsOf(14, 150);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 

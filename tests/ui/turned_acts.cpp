@@ -111,7 +111,7 @@ bool TurnedSequence::zooms() {
   const double before = view(focus_)->plane()->mmPerPixel;
   drag(view(focus_), pointAt(at), pointAt(at + glm::dvec2(0, way)), Qt::RightButton);
   const double after = view(focus_)->plane()->mmPerPixel;
-  if ((after > before) != (way > 0)) detail_ = QStringLiteral("the wrong way");
+  if ((after > before) != (way > 0)) fault_ = QStringLiteral("zooms the wrong way");
   twin_.zoomAt(focus_, at, after);
   return true;
 }
@@ -259,7 +259,7 @@ bool TurnedSequence::measures() {
   const std::size_t before = workspace().measurements.size();
   child<QAction>(isLine ? "lengthTool" : "rectangleTool")->trigger();
   drag(on, pointAt(from), pointAt(to));
-  if (workspace().measurements.size() != before + 1) return detail_ = QStringLiteral("NOTHING DRAWN"), true;
+  if (workspace().measurements.size() != before + 1) return fault_ = QStringLiteral("nothing is drawn"), true;
   TwinShape shape{workspace().measurements.back().id, isLine, seen.patientAt(from), seen.patientAt(to), {}};
   const auto said = [&] {
     for (const DrawnMeasurement& d : on->drawnMeasurements())
@@ -268,10 +268,10 @@ bool TurnedSequence::measures() {
   };
   const glm::dvec2 mm = glm::abs(to - from) * seen.mmPerPixel;
   const double number = isLine ? glm::length(mm) : mm.x * mm.y;
-  if (!QTest::qWaitFor(said, 5000)) detail_ = QStringLiteral("NO NUMBER");
+  if (!QTest::qWaitFor(said, 5000)) fault_ = QStringLiteral("no number");
   const auto is = QRegularExpression(QStringLiteral("[\\d.]+")).match(shape.said).captured().toDouble();
   if (std::abs(is - number) > 0.05 + 0.006 * number)
-    detail_ = QStringLiteral("SAYS %1 INSTEAD OF %2").arg(shape.said).arg(number);
+    fault_ = QStringLiteral("says %1 instead of %2").arg(shape.said).arg(number);
   twin_.shapes.push_back(shape);
   return true;
 }

@@ -12,7 +12,7 @@ namespace volumen::tests {
 
 namespace {
 
-QPointF pointAt2(glm::dvec2 place) { return {place.x, place.y}; }
+QPointF dotAt(glm::dvec2 place) { return {place.x, place.y}; }
 
 }  // namespace
 
@@ -111,7 +111,7 @@ bool TurnedFrames::pans() {
   const double mm = seen(focus_).mmPerPixel;
   TwinFrameLook& look = touched();
   const glm::dvec2 from = glm::floor(sizes_.at(focus_) / 2.0);
-  drag(view(focus_), pointAt2(from), pointAt2(from + way), Qt::MiddleButton);
+  drag(view(focus_), dotAt(from), dotAt(from + way), Qt::MiddleButton);
   look.middle -= glm::transpose(look.seen) * way * mm;
   return true;
 }
@@ -122,9 +122,9 @@ bool TurnedFrames::zooms() {
   const glm::dvec2 size = sizes_.at(focus_);
   const glm::dvec2 at = glm::floor(size * glm::dvec2(chance_.between(0.3, 0.7), chance_.between(0.3, 0.7)));
   const double way = (chance_.oneIn(2) ? 1 : -1) * (15 + chance_.below(40));
-  drag(view(focus_), pointAt2(at), pointAt2(at + glm::dvec2(0, way)), Qt::RightButton);
+  drag(view(focus_), dotAt(at), dotAt(at + glm::dvec2(0, way)), Qt::RightButton);
   const double after = view(focus_)->plane()->mmPerPixel;  // how far is the program's own
-  if ((after > s.mmPerPixel) != (way > 0)) detail_ = QStringLiteral("THE WRONG WAY");
+  if ((after > s.mmPerPixel) != (way > 0)) fault_ = QStringLiteral("zooms the wrong way");
   look.middle += glm::transpose(look.seen) * (at - size / 2.0) * (s.mmPerPixel - after);
   look.zoom *= s.mmPerPixel / after;
   return true;
@@ -155,7 +155,7 @@ bool TurnedFrames::presents() {
       if (m->isVisible()) menu = m;
     return menu != nullptr;
   };
-  if (!QTest::qWaitFor(isOpen, 3000)) return detail_ = QStringLiteral("NO MENU"), true;
+  if (!QTest::qWaitFor(isOpen, 3000)) return fault_ = QStringLiteral("no menu"), true;
   QAction* chosen = nullptr;
   if (auto* choices = menu->findChild<QMenu*>(QStringLiteral("presentationMenu")))
     for (QAction* action : choices->actions())
@@ -167,7 +167,7 @@ bool TurnedFrames::presents() {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   window.activateWindow();  // as a window manager does, so that keys go there again
   QApplication::setActiveWindow(&window);
-  if (!chosen) return detail_ = QStringLiteral("NO STATE"), true;
+  if (!chosen) return fault_ = QStringLiteral("the state is not in the menu"), true;
   detail_ = QString::number(state);
   if (look.state == state) return true;
   look = {.picture = look.picture, .state = state};
@@ -207,11 +207,11 @@ bool TurnedFrames::measures() {
   const glm::dvec2 from = somewhere(), to = somewhere();
   if (glm::distance(from, to) < 30 || lines_.size() > 4) return false;
   for (const DrawnMeasurement& d : on->drawnMeasurements())
-    if (hitAt({d}, pointAt2(from))) return false;
+    if (hitAt({d}, dotAt(from))) return false;
   const std::size_t before = workspace().measurements.size();
   child<QAction>("lengthTool")->trigger();
-  drag(on, pointAt2(from), pointAt2(to));
-  if (workspace().measurements.size() != before + 1) return detail_ = QStringLiteral("NOTHING DRAWN"), true;
+  drag(on, dotAt(from), dotAt(to));
+  if (workspace().measurements.size() != before + 1) return fault_ = QStringLiteral("nothing is drawn"), true;
   TwinLine line{
       workspace().measurements.back().id, looks_.at(focus_).picture, s.pixelAt(from), s.pixelAt(to), {}};
   const auto said = [&] {
@@ -219,11 +219,11 @@ bool TurnedFrames::measures() {
       if (d.id == line.id) line.said = d.text.value(0);
     return !line.said.isEmpty();
   };
-  if (!QTest::qWaitFor(said, 3000)) detail_ = QStringLiteral("NO NUMBER");
+  if (!QTest::qWaitFor(said, 3000)) fault_ = QStringLiteral("no number");
   const double mm = glm::length((line.to - line.from) * s.spacing);
   const double is = QRegularExpression(QStringLiteral("[\\d.]+")).match(line.said).captured().toDouble();
   if (std::abs(is - mm) > 0.005 + 0.006 * mm)
-    detail_ = QStringLiteral("SAYS %1 INSTEAD OF %2").arg(line.said).arg(mm);
+    fault_ = QStringLiteral("says %1 instead of %2").arg(line.said).arg(mm);
   lines_.push_back(line);
   return true;
 }

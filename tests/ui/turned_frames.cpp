@@ -1,6 +1,5 @@
 #include "tests/ui/turned_frames.h"
 
-#include <QMenu>
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
@@ -38,7 +37,7 @@ QString letterOf(const Breast& breast, glm::dvec2 alongPicture) {
   return opposite.at(all.indexOf(to));
 }
 
-QString text(glm::dvec2 p) { return QStringLiteral("(%1, %2)").arg(p.x, 0, 'f', 3).arg(p.y, 0, 'f', 3); }
+QString inPixels(glm::dvec2 p) { return QStringLiteral("(%1, %2)").arg(p.x, 0, 'f', 3).arg(p.y, 0, 'f', 3); }
 
 Services withoutRenderer() {
   Services services = realServices();
@@ -64,7 +63,7 @@ TurnedFrames::TurnedFrames(std::uint64_t seed) : Journey({}, withoutRenderer()),
     return onScreen_.size() == 4 &&
            std::ranges::all_of(onScreen_, [&](ViewId id) { return view(id)->frame() != nullptr; });
   };
-  if (!QTest::qWaitFor(isHung, longest)) return;
+  if (!QTest::qWaitFor(isHung, longest)) fault_ = QStringLiteral("not hung");
   takeHung();
   wrong();  // waits
   first_ = session().undoStack().index();
@@ -236,6 +235,7 @@ QString TurnedFrames::wrong() {
 }
 
 QString TurnedFrames::wrongNow() {
+  if (!fault_.isEmpty()) return fault_;
   look();
   for (const ViewId id : onScreen_) {
     if (!looks_.contains(id) || looks_.at(id).picture < 0)
@@ -261,7 +261,7 @@ QString TurnedFrames::wrongIn(ViewId id) {
         shown->plane()->pixelFromPatient(shown->frame()->geometry().patientFromVoxel({mark, 0}));
     if (!(glm::distance(is, s.placeOf(mark)) < 0.01))
       return QStringLiteral("a pixel at %1 instead of %2, %3 mm a pixel instead of %4")
-          .arg(text(is), text(s.placeOf(mark)))
+          .arg(inPixels(is), inPixels(s.placeOf(mark)))
           .arg(shown->plane()->mmPerPixel)
           .arg(s.mmPerPixel);
   }
@@ -318,7 +318,7 @@ QString TurnedFrames::wrongPicture(ViewId id, const Seen& s) {
       return std::abs(is - (std::isnan(value) ? 0 : look.inverted ? 255 - grey : grey)) <= 2;
     };
     if (!isLike({0, 0, 0}) && !isLike({1e-6, 1e-6, 0}) && !isLike({-1e-6, -1e-6, 0}))
-      return QStringLiteral("pixel %1 is %2").arg(text(glm::dvec2(p))).arg(is);
+      return QStringLiteral("pixel %1 is %2").arg(inPixels(glm::dvec2(p))).arg(is);
   }
   return {};
 }

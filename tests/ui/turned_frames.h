@@ -128,6 +128,7 @@ class TurnedFrames : public Journey {
   int first_ = 0;
   ViewId focus_ = firstComparedId;
   QString detail_;
+  QString fault_;  // in what was done itself; it stays
 };
 
 }  // namespace volumen::tests

@@ -76,7 +76,7 @@ double greyOf(const Volume& volume, const TwinSeen& seen, glm::ivec2 pixel, glm:
 // Where rounding decides.
 bool isOnEdge(double depth, double half) { return std::abs(std::abs(depth) - half) < 1e-3; }
 
-QString text(glm::dvec2 p) { return QStringLiteral("(%1, %2)").arg(p.x, 0, 'f', 3).arg(p.y, 0, 'f', 3); }
+QString placeSaid(glm::dvec2 p) { return QStringLiteral("(%1, %2)").arg(p.x, 0, 'f', 3).arg(p.y, 0, 'f', 3); }
 
 }  // namespace
 
@@ -132,6 +132,7 @@ void TurnedSequence::take(int step) {
 }
 
 QString TurnedSequence::wrong() {
+  if (!fault_.isEmpty()) return fault_;
   look();
   for (const ViewId id : twin_.onScreen)
     if (const QString why = wrongIn(id); !why.isEmpty())
@@ -158,7 +159,7 @@ QString TurnedSequence::wrongPlace(ViewId id) {
     for (const glm::dvec3 p : marks) {
       const glm::dvec2 expected = seen.placeOf(p), is = plane->pixelFromPatient(p);
       if (!(glm::distance(expected, is) < 0.01))
-        return QStringLiteral("a place at %1 instead of %2").arg(text(is), text(expected));
+        return QStringLiteral("a place at %1 instead of %2").arg(placeSaid(is), placeSaid(expected));
       const double deep = seen.depthOf(p),
                    isDeep = glm::dot(p - plane->centre, glm::cross(plane->right, plane->down));
       if (!(std::abs(deep - isDeep) < 1e-3))
@@ -215,6 +216,14 @@ QString TurnedSequence::wrongPicture(ViewId id) {
     return drawn && picture == drawn->convertToFormat(QImage::Format_RGB32);
   };
   if (!isThere() && !QTest::qWaitFor(isThere, 5000)) return QStringLiteral("the picture does not come");
+  const QImage captured = shown->capture();
+  if (captured.size() != picture.size()) return QStringLiteral("captured at another size");
+  int covered = 0;  // by texts and lines
+  for (int n = 0; n < 40; ++n) {
+    const QPoint p(chance_.below(picture.width()), chance_.below(picture.height()));
+    covered += captured.pixelColor(p) != picture.pixelColor(p);
+  }
+  if (covered > 30) return QStringLiteral("another picture is captured");
   const TwinSeen seen = twin_.seen(id);
   const TwinLook& look = twin_.views.at(id);
   std::vector<glm::ivec2> pixels;
@@ -229,7 +238,10 @@ QString TurnedSequence::wrongPicture(ViewId id) {
     for (const double shift : {-1e-6, 1e-6})
       isRight = isRight || std::abs(is - expectedGreen(seen, look, p, glm::dvec3(shift))) <= 2;
     if (!isRight)
-      return QStringLiteral("pixel %1 is %2 instead of %3").arg(text(glm::dvec2(p))).arg(is).arg(expected);
+      return QStringLiteral("pixel %1 is %2 instead of %3")
+          .arg(placeSaid(glm::dvec2(p)))
+          .arg(is)
+          .arg(expected);
   }
   return {};
 }

@@ -81,6 +81,7 @@ class TurnedSequence : public Journey {
   int first_ = 0;               // step at which chance begins
   ViewId focus_ = 0;
   QString detail_;
+  QString fault_;  // in what was done itself; it stays
 };
 
 }  // namespace volumen::tests
