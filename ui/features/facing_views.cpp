@@ -17,6 +17,13 @@ bool wantsFrames(const HangingProtocol& protocol) {
          });
 }
 
+// Of a look what moving the picture changes.
+FlatLook placed(FlatLook look) {
+  look.inverted = look.nearest = false;
+  look.layers = true;
+  return look;
+}
+
 }  // namespace
 
 FacingViews::FacingViews(Session& session, ViewGrid& grid, const FrameService& frames, QObject* parent)
@@ -27,17 +34,18 @@ FacingViews::FacingViews(Session& session, ViewGrid& grid, const FrameService& f
     soon();
   });
   connect(&grid_, &ViewGrid::arranged, this, &FacingViews::soon);
+  // What undo brings back may be of another size.
+  connect(&session_.undoStack(), &QUndoStack::indexChanged, this, &FacingViews::soon);
 }
 
 // After the views have taken the frame, or have their places.
 void FacingViews::soon() {
   if (waiting_) QMetaObject::invokeMethod(this, &FacingViews::face, Qt::QueuedConnection);
-  if (faced_) QMetaObject::invokeMethod(this, &FacingViews::faceAgain, Qt::QueuedConnection);
+  if (!faced_.empty()) QMetaObject::invokeMethod(this, &FacingViews::faceAgain, Qt::QueuedConnection);
 }
 
 void FacingViews::forget() {
   waiting_.reset();
-  faced_.reset();
   unreadable_.clear();
 }
 
@@ -69,19 +77,34 @@ std::optional<FacingViews::HungFrames> FacingViews::framesOf(const HangingProtoc
   return hung;
 }
 
-// What lies otherwise than facing left it stays.
-Workspace FacingViews::facedNow(const HungFrames& hung) {
-  const std::vector<FlatLook> looks = facingLooks(hung.frames, faced_->protocol.sameScale);
+bool FacingViews::liesAsLeft(const FacedViews& faced, ViewId view) const {
+  const auto left = faced.looks.find(view);
+  const ViewState& state = session_.workspace().view(view);
+  return left != faced.looks.end() &&
+         std::ranges::find(left->second, std::pair(state.series, placed(flatLookOf(state)))) !=
+             left->second.end();
+}
+
+// What lies otherwise than facing left it stays, but for `all`.
+Workspace FacingViews::facedNow(FacedViews& faced, const HungFrames& hung, bool all) {
+  const std::vector<FlatLook> looks = facingLooks(hung.frames, faced.protocol.sameScale);
   Workspace after = session_.workspace();
   for (std::size_t n = 0; n < hung.ids.size(); ++n) {
     const ViewId id = hung.ids[n];
     const SeriesKey series = after.view(id).series;
-    const auto left = faced_->looks.find(id);
-    if (left != faced_->looks.end() && left->second != std::pair(series, hung.frames[n].look)) continue;
+    if (!all && !liesAsLeft(faced, id)) continue;
     if (looks[n] != hung.frames[n].look) after.editView(id).flats.editOrAdd(series) = looks[n];
-    faced_->looks[id] = {series, looks[n]};
+    const std::pair left(series, placed(looks[n]));
+    auto& known = faced.looks[id];
+    if (std::ranges::find(known, left) == known.end()) known.push_back(left);
   }
   return after;
+}
+
+FacingViews::FacedViews& FacingViews::facedBy(const HangingProtocol& protocol) {
+  const auto isIt = [&](const FacedViews& faced) { return faced.protocol == protocol; };
+  const auto known = std::ranges::find_if(faced_, isIt);
+  return known == faced_.end() ? faced_.emplace_back(FacedViews{protocol, {}}) : *known;
 }
 
 // Mammograms face each other, and sizes are the same, once all frames are there; unless views were changed
@@ -91,15 +114,23 @@ void FacingViews::face() {
   if (session_.workspace().views != hungViews_) return waiting_.reset();
   const std::optional<HungFrames> hung = framesOf(*waiting_);
   if (!hung) return;
-  faced_ = FacedViews{*waiting_, {}};
+  FacedViews& faced = facedBy(*waiting_);
   waiting_.reset();
-  session_.change(tr("Hang as %1").arg(shownText(faced_->protocol.name)), facedNow(*hung), facedKey);
+  session_.change(tr("Hang as %1").arg(shownText(faced.protocol.name)), facedNow(faced, *hung, true),
+                  facedKey);
 }
 
 // Where views are larger or smaller by now: no step.
 void FacingViews::faceAgain() {
-  if (!faced_ || session_.workspace().layout != faced_->protocol.layout) return;
-  if (const std::optional<HungFrames> hung = framesOf(faced_->protocol)) session_.adapt(facedNow(*hung));
+  if (waiting_) return;  // they are to be hung first
+  const auto isOnScreen = [this](const FacedViews& faced) {
+    return faced.protocol.layout == session_.workspace().layout &&
+           std::ranges::any_of(faced.looks, [&](const auto& left) { return liesAsLeft(faced, left.first); });
+  };
+  const auto faced = std::ranges::find_if(faced_, isOnScreen);
+  if (faced == faced_.end()) return;
+  if (const std::optional<HungFrames> hung = framesOf(faced->protocol))
+    session_.adapt(facedNow(*faced, *hung, false));
 }
 
 }  // namespace volumen

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "ui/controller/frame_service.h"
 #include "ui/workspace/facing.h"
@@ -31,15 +32,18 @@ class FacingViews : public QObject {
     std::vector<FacingFrame> frames;
     std::vector<ViewId> ids;
   };
-  // How the views were left.
+  // How the views of a protocol were left whenever it was hung and at each size: undo brings back any of
+  // these.
   struct FacedViews {
     HangingProtocol protocol;
-    std::map<ViewId, std::pair<SeriesKey, FlatLook>> looks;
+    std::map<ViewId, std::vector<std::pair<SeriesKey, FlatLook>>> looks;
   };
 
   void soon();
   std::optional<HungFrames> framesOf(const HangingProtocol& protocol) const;
-  Workspace facedNow(const HungFrames& hung);
+  bool liesAsLeft(const FacedViews& faced, ViewId view) const;
+  Workspace facedNow(FacedViews& faced, const HungFrames& hung, bool all);
+  FacedViews& facedBy(const HangingProtocol& protocol);
   void face();
   void faceAgain();
 
@@ -49,7 +53,7 @@ class FacingViews : public QObject {
   std::optional<HangingProtocol> waiting_;
   SharedList<ViewState> hungViews_;
   std::set<FrameKey> unreadable_;  // since it was hung
-  std::optional<FacedViews> faced_;
+  std::vector<FacedViews> faced_;  // one a protocol
 };
 
 }  // namespace volumen

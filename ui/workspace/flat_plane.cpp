@@ -5,6 +5,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 #include <iterator>
 
 namespace volumen {
@@ -65,6 +66,27 @@ const Crosshair* findCrosshair(const Workspace& workspace, ViewId view, const st
   };
   const Crosshair* own = scrollsAlone(workspace, view) ? find(workspace.view(view).crosshairs) : nullptr;
   return own ? own : find(workspace.crosshairs);
+}
+
+bool liesIn(const VoxelGeometry& geometry, glm::dvec3 pPatient) {
+  const glm::dvec3 pVoxel = geometry.voxelFromPatient(pPatient);
+  return glm::all(glm::greaterThanEqual(pVoxel, glm::dvec3(-0.5))) &&
+         glm::all(glm::lessThan(pVoxel, glm::dvec3(geometry.size) - 0.5));
+}
+
+// Where no crosshair was set yet, all views of its frame of reference start where the first of them does, as
+// far as the series lies there. `geometry`: that of the series.
+Crosshair startOf(const Workspace& workspace, const Series& series, const VoxelGeometry& geometry) {
+  for (ViewId id = 0; id < viewCount; ++id) {
+    const Series* first = seriesIn(workspace, id);
+    if (!first || !showsSlices(workspace.view(id).kind)) continue;
+    if (frameOfReference(*first) != frameOfReference(series)) continue;
+    if (keyOf(*first) == keyOf(series)) break;
+    const Crosshair start = firstCrosshair(*first);
+    if (!liesIn(geometry, start.at)) break;
+    return lyingFor(start, geometry);
+  }
+  return series.regular ? firstCrosshair(series) : firstCrosshair(geometry);
 }
 
 }  // namespace
@@ -148,13 +170,13 @@ Crosshair crosshairOf(const Workspace& workspace, const LoadedSeries& series) {
 Crosshair crosshairOf(const Workspace& workspace, ViewId view, const LoadedSeries& series) {
   const Crosshair* known = findCrosshair(workspace, view, frameOfReference(series.series));
   const VoxelGeometry& geometry = series.volume->geometry();
-  if (known) return lyingFor(*known, geometry);
-  return series.series.regular ? firstCrosshair(series.series) : firstCrosshair(geometry);
+  return known ? lyingFor(*known, geometry) : startOf(workspace, series.series, geometry);
 }
 
 Crosshair crosshairOf(const Workspace& workspace, ViewId view, const Series& series) {
   const Crosshair* known = findCrosshair(workspace, view, frameOfReference(series));
-  return known ? lyingFor(*known, drawnGeometry(series)) : firstCrosshair(series);
+  const VoxelGeometry& geometry = drawnGeometry(series);
+  return known ? lyingFor(*known, geometry) : startOf(workspace, series, geometry);
 }
 
 Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& frame, const Crosshair& before,

@@ -34,7 +34,7 @@ bool scrollsAlone(const Workspace& workspace, ViewId view);
 const VoxelGeometry& drawnGeometry(const Series& series);
 
 /// The crosshair of the series' frame of reference, as it lies for this series; where none was set yet,
-/// firstCrosshair().
+/// firstCrosshair() of what the first view of the frame shows, or its own where it does not reach there.
 Crosshair crosshairOf(const Workspace& workspace, const LoadedSeries& series);
 /// The same in a view, which may scroll alone.
 Crosshair crosshairOf(const Workspace& workspace, ViewId view, const LoadedSeries& series);

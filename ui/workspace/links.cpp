@@ -96,10 +96,12 @@ SlicePlane planeIn(const Workspace& workspace, ViewId view, glm::ivec2 pixels) {
                    pixels);
 }
 
-bool keepsLook(const Workspace& before, const Workspace& after, ViewId view) {
-  const FlatLook was = flatLookOf(before.view(view)), is = flatLookOf(after.view(view));
-  return before.view(view).series == after.view(view).series && was.zoom == is.zoom &&
-         was.panMm == is.panMm && was.turn == is.turn;
+// Whether it shows the same plane of the same series in another place, size or turn.
+bool isMoved(const Workspace& before, const Workspace& after, ViewId view) {
+  const ViewState &from = before.view(view), &to = after.view(view);
+  const FlatLook was = flatLookOf(from), is = flatLookOf(to);
+  return from.series == to.series && from.kind == to.kind &&
+         (was.zoom != is.zoom || was.panMm != is.panMm || was.turn != is.turn);
 }
 
 // The mm per pixel and the middle of a view, as far as they are linked, for one whose planes are parallel.
@@ -125,9 +127,7 @@ Workspace withLooksFollowed(const Workspace& before, Workspace after, const View
   std::vector<ViewId> views = slicesOnScreen(after), changed;
   std::erase_if(views, [&](ViewId id) { return !sizes.contains(id); });
   for (const ViewId id : views)
-    if (seriesIn(before, id) && !keepsLook(before, after, id) &&
-        before.view(id).series == after.view(id).series)
-      changed.push_back(id);
+    if (isMoved(before, after, id)) changed.push_back(id);
   const bool isNew = (after.links.zoom && !before.links.zoom) || (after.links.pan && !before.links.pan);
   if (isNew && std::ranges::find(views, after.focus) != views.end()) changed = {after.focus};
   if (changed.empty()) return after;

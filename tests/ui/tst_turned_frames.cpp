@@ -1,0 +1,45 @@
+// Guards where pixels of pictures as acquired appear, whatever was done before: hung by protocols, turned and
+// mirrored, by presentation states, measured and undone, by real events in sequences by chance, against a
+// twin from the documents (turned_frames.h). VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S: N sequences, from
+// S on.
+#include "tests/fixtures/seeds.h"
+#include "tests/ui/clean_settings.h"
+#include "tests/ui/turned_frames.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen::tests;
+
+class TestTurnedFrames : public CleanSettings {
+  Q_OBJECT
+ private Q_SLOTS:
+  void pixelsAppearWhereTheTwinHasThem_data();
+  void pixelsAppearWhereTheTwinHasThem();
+};
+
+void TestTurnedFrames::pixelsAppearWhereTheTwinHasThem_data() {
+  QTest::addColumn<int>("seed");
+  const Seeds seeds = seedsOf(10, 100);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+void TestTurnedFrames::pixelsAppearWhereTheTwinHasThem() {
+  QFETCH(int, seed);
+  constexpr int length = 25;
+  TurnedFrames sequence{std::uint64_t(seed)};
+  QStringList done;
+  const auto failure = [&](const QString& why) {
+    return QStringLiteral("seed %1: %2\nafter %3").arg(seed).arg(why, done.join(QStringLiteral("\n      ")));
+  };
+  if (const QString why = sequence.wrong(); !why.isEmpty()) QFAIL(qPrintable(failure(why)));
+  while (done.size() < length) {
+    const QString what = sequence.act();
+    if (what.isEmpty()) continue;
+    done << what;
+    if (const QString why = sequence.wrong(); !why.isEmpty()) QFAIL(qPrintable(failure(why)));
+  }
+  if (const QString why = sequence.wrongUndone(); !why.isEmpty())
+    QFAIL(qPrintable(failure(QStringLiteral("undone and done again: ") + why)));
+}
+
+VOLUMEN_TEST(TestTurnedFrames);
+#include "tst_turned_frames.moc"

@@ -1,0 +1,49 @@
+// Guards where positions of the patient appear in views of slices, whatever was done before: pictures turned
+// and mirrored, planes turned, linked views, fusion, measurements, undo and sessions, by real events in
+// sequences by chance, against a twin from the documents (turned_twin.h). VOLUMEN_RANDOM_CASES=N,
+// VOLUMEN_RANDOM_SEED=S: N sequences, from S on.
+#include "tests/fixtures/seeds.h"
+#include "tests/ui/clean_settings.h"
+#include "tests/ui/turned_sequence.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen::tests;
+
+class TestTurnedViews : public CleanSettings {
+  Q_OBJECT
+ private Q_SLOTS:
+  void placesAppearWhereTheTwinHasThem_data();
+  void placesAppearWhereTheTwinHasThem();
+};
+
+void TestTurnedViews::placesAppearWhereTheTwinHasThem_data() {
+  QTest::addColumn<int>("seed");
+  const Seeds seeds = seedsOf(14, 150);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+void TestTurnedViews::placesAppearWhereTheTwinHasThem() {
+  QFETCH(int, seed);
+  constexpr int length = 25;
+  TurnedSequence sequence{std::uint64_t(seed)};
+  QStringList done;
+  const auto failure = [&](const QString& why) {
+    return QStringLiteral("seed %1: %2\nafter %3").arg(seed).arg(why, done.join(QStringLiteral("\n      ")));
+  };
+  if (const QString why = sequence.wrong(); !why.isEmpty()) QFAIL(qPrintable(failure(why)));
+  while (done.size() < length && !sequence.isUndecided()) {
+    const QString what = sequence.act();
+    if (what.isEmpty()) continue;
+    done << what;
+    if (sequence.isUndecided()) break;
+    if (const QString why = sequence.wrong(); !why.isEmpty()) QFAIL(qPrintable(failure(why)));
+  }
+  if (sequence.isUndecided()) return;
+  if (const QString why = sequence.wrongUndone(); !why.isEmpty())
+    QFAIL(qPrintable(failure(QStringLiteral("undone and done again: ") + why)));
+  if (const QString why = sequence.wrongInSession(); !why.isEmpty())
+    QFAIL(qPrintable(failure(QStringLiteral("in its session: ") + why)));
+}
+
+VOLUMEN_TEST(TestTurnedViews);
+#include "tst_turned_views.moc"

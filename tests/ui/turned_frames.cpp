@@ -1,0 +1,326 @@
+#include "tests/ui/turned_frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+
+#include "tests/fixtures/slice_twin.h"
+#include "tests/fixtures/small_volumes.h"
+#include "tests/ui/draws_nothing.h"
+#include "ui/controller/slice_service.h"
+#include "ui/views/drawn_measurement.h"
+#include "ui/workspace/hanging_protocol.h"
+#include "ui/workspace/series_facts.h"
+
+namespace volumen::tests {
+
+namespace {
+
+constexpr double ground = 100, bright = 1000;
+const glm::dmat2 quarter{{0, 1}, {-1, 0}}, mirror{{-1, 0}, {0, 1}};
+
+// What a state does to places of the picture.
+glm::dmat2 turnOf(const TwinState& state) {
+  glm::dmat2 turn(1);
+  for (int n = 0; n < state.quarters; ++n) turn = quarter * turn;
+  return state.mirrored ? mirror * turn : turn;
+}
+
+// Of the side of a picture that a file names; feet are inferior.
+QString letterOf(const Breast& breast, glm::dvec2 alongPicture) {
+  const QStringList sides =
+      QString::fromLatin1(breast.rowsTo).replace(QLatin1Char('F'), QLatin1Char('I')).split(QLatin1Char('\\'));
+  const bool isRow = std::abs(alongPicture.x) > 0.5;
+  const QString to = sides[isRow ? 0 : 1];
+  if ((isRow ? alongPicture.x : alongPicture.y) > 0) return to;
+  const QString all = QStringLiteral("LRAPSI"), opposite = QStringLiteral("RLPAIS");
+  return opposite.at(all.indexOf(to));
+}
+
+QString inPixels(glm::dvec2 p) { return QStringLiteral("(%1, %2)").arg(p.x, 0, 'f', 3).arg(p.y, 0, 'f', 3); }
+
+Services withoutRenderer() {
+  Services services = realServices();
+  services.makeDraw = drawsNothing();
+  return services;
+}
+
+}  // namespace
+
+glm::dvec2 TurnedFrames::Seen::placeOf(glm::dvec2 pixel) const {
+  return size / 2.0 + (seen * ((pixel - centre) * spacing) - middle) / mmPerPixel;
+}
+
+glm::dvec2 TurnedFrames::Seen::pixelAt(glm::dvec2 place) const {
+  return centre + glm::transpose(seen) * ((place - size / 2.0) * mmPerPixel + middle) / spacing;
+}
+
+TurnedFrames::TurnedFrames(std::uint64_t seed) : Journey({}, withoutRenderer()), chance_(seed) {
+  if (!write()) qFatal("cannot write pictures");
+  window.open({folder_.path()});
+  const auto isHung = [&] {
+    look();
+    return onScreen_.size() == 4 &&
+           std::ranges::all_of(onScreen_, [&](ViewId id) { return view(id)->frame() != nullptr; });
+  };
+  if (!QTest::qWaitFor(isHung, longest)) fault_ = QStringLiteral("not hung");
+  takeHung();
+  wrong();  // waits
+  first_ = session().undoStack().index();
+  remember();
+}
+
+bool TurnedFrames::write() {
+  isStack_ = chance_.oneIn(2);
+  for (int n = 0; n < 4; ++n) {
+    TwinPicture& picture = pictures_.emplace_back();
+    picture.breast = breasts[n];
+    Breast& breast = picture.breast;
+    if (isStack_) breast.columns = 60, breast.rows = 80;
+    if (chance_.oneIn(3)) picture.spacing = {0.1, 0.15};
+    const QString path = folder_.filePath(QString::number(n));
+    if (!writeBreast(breast, n + 1, path, isStack_ ? BreastSeries::ofAll : BreastSeries::ofEach))
+      return false;
+    const glm::ivec2 size(breast.columns, breast.rows);
+    std::vector<Uint16> pixels(std::size_t(size.x * size.y), Uint16(ground));
+    for (const glm::dvec2 share :
+         {glm::dvec2(0.2, 0.15), {0.75, 0.3}, {0.35, 0.6}, {0.85, 0.8}, {0.5, 0.45}}) {
+      const glm::ivec2 mark(share * glm::dvec2(size) + 2.0 * n);
+      picture.marks.push_back(mark);
+      pixels[std::size_t(mark.y * size.x + mark.x)] = Uint16(bright);
+    }
+    picture.values =
+        volumeOf<std::int16_t>({size, 1}, {picture.spacing.x, 0, 0, 0, picture.spacing.y, 0, 0, 0, 1},
+                               [&](glm::dvec3 p) { return pixels[std::size_t(p.y * size.x + p.x)]; });
+    DcmFileFormat file;
+    const std::string name = path.toStdString();
+    if (file.loadFile(name.c_str()).bad()) return false;
+    DcmDataset& data = *file.getDataset();
+    data.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
+    const QString spacing = QStringLiteral("%1\\%2").arg(picture.spacing.y).arg(picture.spacing.x);
+    data.putAndInsertString(DCM_ImagerPixelSpacing, spacing.toLatin1().constData());
+    if (file.saveFile(name.c_str(), EXS_LittleEndianExplicit).bad()) return false;
+    for (int state = 0; state < 2; ++state) {
+      TwinState made{{0, 0}, glm::dvec2(size - 1), chance_.below(4), chance_.oneIn(2)};
+      if (chance_.oneIn(2)) made.areaFrom = {5 + chance_.below(10), 3 + chance_.below(10)};
+      if (chance_.oneIn(2)) made.areaTo -= glm::dvec2(chance_.below(15), chance_.below(20));
+      picture.states.push_back(made);
+      writeState(n, state, 10 + 2 * n + state);
+    }
+  }
+  return true;
+}
+
+void TurnedFrames::writeState(int picture, int state, int number) {
+  const TwinState& s = pictures_[std::size_t(picture)].states[std::size_t(state)];
+  DcmFileFormat file;
+  DcmDataset& d = *file.getDataset();
+  const auto put = [](DcmItem& in, const DcmTagKey& tag, const QString& value) {
+    in.putAndInsertString(tag, value.toLatin1().constData());
+  };
+  const auto item = [](DcmItem& in, const DcmTagKey& tag) -> DcmItem& {
+    DcmItem* made = nullptr;
+    in.findOrCreateSequenceItem(tag, made, -2);
+    return *made;
+  };
+  put(d, DCM_SOPClassUID, QStringLiteral("1.2.840.10008.5.1.4.1.1.11.1"));
+  put(d, DCM_SOPInstanceUID, QStringLiteral("1.2.3.77.%1").arg(number));
+  put(d, DCM_StudyInstanceUID, QStringLiteral("1.2.3.77"));
+  put(d, DCM_SeriesInstanceUID, QStringLiteral("1.2.3.77.0.99"));
+  put(d, DCM_Modality, QStringLiteral("PR"));
+  put(d, DCM_PatientID, QStringLiteral("77"));
+  put(d, DCM_PatientName, QStringLiteral("Doe^Jane"));
+  put(d, DCM_ContentLabel, QStringLiteral("STATE%1").arg(state));
+  DcmItem& named = item(item(d, DCM_ReferencedSeriesSequence), DCM_ReferencedImageSequence);
+  put(named, DCM_ReferencedSOPClassUID, QStringLiteral("1.2.840.10008.5.1.4.1.1.1.2"));
+  put(named, DCM_ReferencedSOPInstanceUID, QStringLiteral("1.2.3.77.%1").arg(picture + 1));
+  DcmItem& shownBy = item(d, DCM_SoftcopyVOILUTSequence);
+  put(shownBy, DCM_WindowCenter, QStringLiteral("400"));
+  put(shownBy, DCM_WindowWidth, QStringLiteral("800"));
+  put(d, DCM_PresentationLUTShape, QStringLiteral("IDENTITY"));
+  d.putAndInsertUint16(DCM_ImageRotation, Uint16(90 * s.quarters));
+  put(d, DCM_ImageHorizontalFlip, s.mirrored ? QStringLiteral("Y") : QStringLiteral("N"));
+  DcmItem& area = item(d, DCM_DisplayedAreaSelectionSequence);
+  for (const bool last : {false, true}) {
+    const glm::dvec2 at = (last ? s.areaTo : s.areaFrom) + 1.0;
+    const Sint32 corner[] = {Sint32(at.x), Sint32(at.y)};
+    auto* element =
+        new DcmSignedLong(last ? DCM_DisplayedAreaBottomRightHandCorner : DCM_DisplayedAreaTopLeftHandCorner);
+    element->putSint32Array(corner, 2);
+    area.insert(element);
+  }
+  put(area, DCM_PresentationSizeMode, QStringLiteral("SCALE TO FIT"));
+  const std::string path = folder_.filePath(QStringLiteral("state%1").arg(number)).toStdString();
+  if (file.saveFile(path.c_str(), EXS_LittleEndianExplicit).bad()) qFatal("cannot write a state");
+}
+
+void TurnedFrames::look() {
+  QCoreApplication::processEvents();
+  onScreen_.clear();
+  for (const ViewId id : viewsOnScreen(workspace()))
+    if (const FrameView* shown = view(id); shown && shown->isVisible() && !shown->state().series.empty()) {
+      onScreen_.push_back(id);
+      sizes_[id] = {shown->pixels().width(), shown->pixels().height()};
+    }
+}
+
+// Which picture stands where is hanging's own (TestHanging); how it lies is not.
+void TurnedFrames::takeHung() {
+  looks_.clear();
+  for (const ViewId id : onScreen_) {
+    const SeriesPicture picture = pictureIn(workspace(), id);
+    const ProjectionView is = projectionOf(*picture.series, picture.frame);
+    for (int n = 0; n < 4; ++n)
+      if (is.laterality == breasts[n].side && is.viewPosition == breasts[n].view)
+        looks_[id] = {.picture = n, .isFacing = true};
+  }
+}
+
+// The displayed area as large as the view; without a state all of the picture, rounded up to its smaller
+// spacing.
+double TurnedFrames::fittedMm(const TwinFrameLook& look, glm::dvec2 size) {
+  const TwinPicture& picture = pictures_[std::size_t(look.picture)];
+  glm::dvec2 mm = glm::dvec2(picture.breast.columns, picture.breast.rows) * picture.spacing;
+  const double least = std::min(picture.spacing.x, picture.spacing.y);
+  mm = glm::ceil(mm / least - 1e-6) * least;
+  glm::dmat2 turn = look.seen;
+  if (look.state >= 0) {
+    const TwinState& state = picture.states[std::size_t(look.state)];
+    mm = (state.areaTo - state.areaFrom + 1.0) * picture.spacing;
+    turn = turn * turnOf(state);
+  }
+  mm = glm::abs(turn * mm);
+  return std::max(mm.x / size.x, mm.y / size.y);
+}
+
+TurnedFrames::Seen TurnedFrames::seen(ViewId id) {
+  TwinFrameLook& look = looks_.at(id);
+  const TwinPicture& picture = pictures_[std::size_t(look.picture)];
+  Seen s;
+  s.size = sizes_.at(id), s.spacing = picture.spacing;
+  const glm::dvec2 pixels(picture.breast.columns, picture.breast.rows);
+  const bool isRight = picture.breast.side[0] == 'R';
+  if (look.isFacing) {
+    // All as large as each other; chest walls at the inner edges.
+    double mm = 0;
+    for (const auto& [other, l] : looks_)
+      if (std::ranges::find(onScreen_, other) != onScreen_.end())
+        mm = std::max(mm, fittedMm({.picture = l.picture}, sizes_.at(other)));
+    look.zoom = fittedMm({.picture = look.picture}, s.size) / mm;
+    const bool isAtRight = picture.breast.rowsTo[0] == 'P';
+    look.seen = isAtRight == isRight ? glm::dmat2(1) : mirror;
+    const double least = std::min(picture.spacing.x, picture.spacing.y);
+    const double wide = std::ceil(pixels.x * picture.spacing.x / least - 1e-6) * least;
+    const double beside = (wide - s.size.x * mm) / 2;
+    look.middle = glm::transpose(look.seen) * glm::dvec2(isRight ? beside : -beside, 0);
+    faced_[{onScreen_.size(), id, look.picture}].push_back(look);
+  }
+  s.seen = look.seen;
+  s.centre = (pixels - 1.0) / 2.0;
+  if (look.state >= 0) {
+    const TwinState& state = picture.states[std::size_t(look.state)];
+    s.seen = look.seen * turnOf(state);
+    s.centre = (state.areaFrom + state.areaTo) / 2.0;
+  }
+  s.middle = look.seen * look.middle;
+  s.mmPerPixel = fittedMm(look, s.size) / look.zoom;
+  return s;
+}
+
+// Frames are read meanwhile, and walls and sizes follow once they are there.
+QString TurnedFrames::wrong() {
+  QString why;
+  const auto isRight = [&] { return (why = wrongNow()).isEmpty(); };
+  return isRight() || QTest::qWaitFor(isRight, 3000) ? QString() : why;
+}
+
+QString TurnedFrames::wrongNow() {
+  if (!fault_.isEmpty()) return fault_;
+  look();
+  for (const ViewId id : onScreen_) {
+    if (!looks_.contains(id) || looks_.at(id).picture < 0)
+      return QStringLiteral("view %1 shows another picture").arg(id);
+    if (const QString why = wrongIn(id); !why.isEmpty())
+      return QStringLiteral("view %1 (%2 %3): %4")
+          .arg(id)
+          .arg(QLatin1String(pictures_[std::size_t(looks_.at(id).picture)].breast.side),
+               QLatin1String(pictures_[std::size_t(looks_.at(id).picture)].breast.view), why);
+  }
+  return {};
+}
+
+// Places within 1/100 of a pixel, letters, what was measured.
+QString TurnedFrames::wrongIn(ViewId id) {
+  FrameView* const shown = view(id);
+  if (!shown->frame() || !shown->plane()) return QStringLiteral("no frame");
+  const TwinFrameLook& look = looks_.at(id);
+  const TwinPicture& picture = pictures_[std::size_t(look.picture)];
+  const Seen s = seen(id);
+  for (const glm::ivec2 mark : picture.marks) {
+    const glm::dvec2 is =
+        shown->plane()->pixelFromPatient(shown->frame()->geometry().patientFromVoxel({mark, 0}));
+    if (!(glm::distance(is, s.placeOf(mark)) < 0.01))
+      return QStringLiteral("a pixel at %1 instead of %2, %3 mm a pixel instead of %4")
+          .arg(inPixels(is), inPixels(s.placeOf(mark)))
+          .arg(shown->plane()->mmPerPixel)
+          .arg(s.mmPerPixel);
+  }
+  const Overlays o = shown->overlays();
+  const auto letter = [&](glm::dvec2 onScreen) {
+    return letterOf(picture.breast, glm::transpose(s.seen) * onScreen);
+  };
+  const QString is = o.left + o.right + o.top + o.bottom;
+  const QString expected = letter({-1, 0}) + letter({1, 0}) + letter({0, -1}) + letter({0, 1});
+  if (is != expected) return QStringLiteral("letters %1 instead of %2").arg(is, expected);
+  const QString number =
+      isStack_ ? QStringLiteral("Frame %1 / 4").arg(look.picture + 1) : QStringLiteral("Frame 1 / 1");
+  if (!o.topRight.contains(number)) return QStringLiteral("does not say ") + number;
+  const std::vector<DrawnMeasurement> drawn = shown->drawnMeasurements();
+  for (const TwinLine& line : lines_) {
+    const auto found = std::ranges::find(drawn, line.id, &DrawnMeasurement::id);
+    if ((found != drawn.end()) != (line.picture == look.picture))
+      return QStringLiteral("a line on another picture");
+    if (found == drawn.end()) continue;
+    const QPolygonF& ends = found->lines.front();
+    const glm::dvec2 from(ends.front().x(), ends.front().y()), to(ends.back().x(), ends.back().y());
+    if (glm::distance(from, s.placeOf(line.from)) > 0.5 || glm::distance(to, s.placeOf(line.to)) > 0.5)
+      return QStringLiteral("a line's end is elsewhere");
+    if (found->text.value(0) != line.said)
+      return QStringLiteral("says \"%1\" instead of \"%2\"").arg(found->text.value(0), line.said);
+  }
+  return wrongPicture(id, s);
+}
+
+// On screen, at every mark and at places by chance: in steps of grey, of which rounding may make two.
+QString TurnedFrames::wrongPicture(ViewId id, const Seen& s) {
+  FrameView* const shown = view(id);
+  const auto drawn = drawSlice(*shown->requestFor(shown->pixels()));
+  const QImage picture = shown->picture().convertToFormat(QImage::Format_RGB32);
+  if (!drawn || picture != drawn->convertToFormat(QImage::Format_RGB32))
+    return QStringLiteral("the picture does not come");
+  const TwinFrameLook& look = looks_.at(id);
+  const TwinPicture& of = pictures_[std::size_t(look.picture)];
+  TwinPlane plane;
+  plane.right = {s.seen[0][0], s.seen[1][0], 0}, plane.down = {s.seen[0][1], s.seen[1][1], 0};
+  plane.size = glm::ivec2(s.size), plane.mmPerPixel = s.mmPerPixel, plane.average = true;
+  const VoxelGeometry& g = of.values->geometry();
+  plane.centre = g.origin + glm::dvec3(s.pixelAt(s.size / 2.0) * s.spacing, 0);
+  Chance places(17);  // the same however often it is looked
+  std::vector<glm::ivec2> pixels;
+  for (const glm::ivec2 mark : of.marks) pixels.emplace_back(glm::floor(s.placeOf(mark)));
+  for (int n = 0; n < 8; ++n) pixels.emplace_back(places.below(plane.size.x), places.below(plane.size.y));
+  for (const glm::ivec2 p : pixels) {
+    if (p.x < 0 || p.y < 0 || p.x >= plane.size.x || p.y >= plane.size.y) continue;
+    const int is = qGreen(picture.pixel(p.x, p.y));
+    const auto isLike = [&](glm::dvec3 shift) {
+      const double value = twinPixel(*of.values, plane, p, shift);
+      const double grey = std::floor(twinGrey(value, {400, 800}, false) + 0.5);
+      return std::abs(is - (std::isnan(value) ? 0 : look.inverted ? 255 - grey : grey)) <= 2;
+    };
+    if (!isLike({0, 0, 0}) && !isLike({1e-6, 1e-6, 0}) && !isLike({-1e-6, -1e-6, 0}))
+      return QStringLiteral("pixel %1 is %2").arg(inPixels(glm::dvec2(p))).arg(is);
+  }
+  return {};
+}
+
+}  // namespace volumen::tests
