@@ -104,7 +104,7 @@ void Priors::compare() {
 void Priors::show(const SeriesPicture& current, const SeriesPicture& prior) {
   const Series left = *current.series, right = *prior.series;
   session_.endGesture();
-  session_.setFocus(mainFocusOf(workspace));
+  session_.setFocus(mainFocusOf(session_.workspace()));
   bench_.action("maximise")->setChecked(false);
   session_.change(
       tr("Compare with prior"),
