@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QLocale>
 #include <algorithm>
+#include <string_view>
 
 namespace volumen {
 
@@ -192,10 +193,12 @@ void IndexService::wantThumbnails(const std::vector<std::int64_t>& series) {
 Progress IndexService::importProgress(const Job& import, const Job& job) {
   auto clock = std::make_shared<QElapsedTimer>();
   clock->start();
-  return [this, import, job, clock](const char*, std::size_t done, std::size_t total) {
+  return [this, import, job, clock](const char* what, std::size_t done, std::size_t total) {
     const QLocale locale;
+    const bool areStudies = std::string_view(what) == readingInstitutions;
     if (total > 0)
-      import.tell(tr("Importing: %1 of %2 files")
+      import.tell((areStudies ? tr("Reading where they were made: %1 of %2 studies")
+                              : tr("Importing: %1 of %2 files"))
                       .arg(locale.toString(qulonglong(done)), locale.toString(qulonglong(total))),
                   double(done) / double(total));
     if (clock->elapsed() < listAgainEveryMs) return;
