@@ -146,6 +146,7 @@ void TestWindowAlone::itIsKeptInTheSession() {
     return now.series.at({saved.series.path, saved.series.id}).series;
   });
   QVERIFY2(back, back ? "" : back.message().c_str());
+  QVERIFY2(text->find("windowAlone") == text->rfind("windowAlone"), "of the one view alone");
   const auto kept = flatLookOf(back->workspace.view(left)).windowAlone;
   QVERIFY(kept && kept->window == ofLung);
   QVERIFY(!flatLookOf(back->workspace.view(right)).windowAlone);
@@ -196,6 +197,10 @@ void TestWindowAlone::coloursHaveNone() {
   w.child<QAction>("windowAlone")->trigger();
   QVERIFY(w.child<Banner>("banner")->sentence().startsWith(QStringLiteral("Colours are shown as they are")));
   QVERIFY(w.workspace() == before && !w.child<QAction>("windowAlone")->isChecked());
+  // A session may give them one: nothing is said of it.
+  w.session().change(QStringLiteral("test"), withWindowAlone(before, axialViewId, true));
+  QVERIFY(w.look().windowAlone);
+  QCOMPARE(w.view()->overlays().bottomRight, QString());
 }
 
 VOLUMEN_TEST(TestWindowAlone);

@@ -13,6 +13,7 @@
 #include "ui/workspace/series_facts.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
+#include "ui/workspace/view_window.h"
 
 namespace volumen {
 
@@ -259,6 +260,10 @@ Workspace comparedWithPrior(Workspace workspace, const SeriesPicture& current, c
   workspace = withPictures(std::move(workspace), firstComparedId, {&left, current.frame});
   workspace = withPictures(std::move(workspace), firstComparedId + 1, {&right, prior.frame});
   workspace.focus = firstComparedId;
+  // What a view had alone before is not what these two are compared by.
+  for (const ViewId id : {firstComparedId, firstComparedId + 1})
+    if (flatLookOf(workspace.view(id)).windowAlone)
+      workspace = withWindowAlone(std::move(workspace), id, false);
   return workspace;
 }
 

@@ -71,7 +71,7 @@ SeriesPicture likelySecond(const Workspace& workspace, const SeriesPicture& pict
 Workspace withLikelySecond(Workspace workspace, const std::vector<const Series*>& open);
 
 /// Side by side, the current one left and in focus, as they are read: frames, or slices as acquired that
-/// scroll together.
+/// scroll together, neither view with a window alone.
 Workspace comparedWithPrior(Workspace workspace, const SeriesPicture& current, const SeriesPicture& prior);
 
 /// The date of the study in a view, where views on screen show studies of several days; else empty. With

@@ -204,7 +204,7 @@ void fields(Fields& f, FlatLook& look) {
   f("overlayColours", look.overlayColours, colourWords);
   f("overlayOpacity", look.overlayOpacity, {0, 1});
   f("presentation", look.presentation);
-  f("windowAlone", look.windowAlone);
+  f.unlessNone("windowAlone", look.windowAlone);
 }
 
 template <class Fields>

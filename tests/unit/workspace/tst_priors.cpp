@@ -6,6 +6,7 @@
 #include "ui/workspace/priors.h"
 #include "ui/workspace/series_facts.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/view_window.h"
 
 using namespace volumen;
 
@@ -259,6 +260,14 @@ void TestPriors::currentAndPriorStandSideBySide() {
   QVERIFY(after.view(firstComparedId).series == keyOf(s.series[0]));
   QVERIFY(after.view(firstComparedId + 1).series == keyOf(s.series[1]));
   for (const ViewId id : viewsOnScreen(after)) QVERIFY(after.view(id).kind == ViewKind::axial);
+  // Views that had windows alone.
+  Workspace alone = after;
+  for (const ViewId id : viewsOnScreen(after)) alone = withWindowAlone(std::move(alone), id, true);
+  const Workspace again = comparedWithPrior(alone, {&s.series[0]}, {&s.series[1]});
+  for (const ViewId id : viewsOnScreen(again)) {
+    QVERIFY(flatLookOf(alone.view(id)).windowAlone);
+    QVERIFY(!flatLookOf(again.view(id)).windowAlone);
+  }
   // The view showed 3D before.
   Workspace in3d = withLayout(before, Layout::two);
   in3d = withKind(in3d, firstComparedId, ViewKind::volume, {});
