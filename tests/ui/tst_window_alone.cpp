@@ -7,6 +7,7 @@
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/banner.h"
+#include "ui/workspace/key_image_list.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/view_window.h"
 
@@ -50,6 +51,7 @@ class TestWindowAlone : public QObject {
   void withoutItTheViewHasThatOfTheSeries();
   void linksLeaveItAlone();
   void itIsKeptInTheSession();
+  void keyImagesAreOfTheWindowTheyWereMarkedBy();
   void aProtocolShowsLungAndSoftTissue();
   void framesHaveOneToo();
   void coloursHaveNone();
@@ -150,6 +152,43 @@ void TestWindowAlone::itIsKeptInTheSession() {
   const auto kept = flatLookOf(back->workspace.view(left)).windowAlone;
   QVERIFY(kept && kept->window == ofLung);
   QVERIFY(!flatLookOf(back->workspace.view(right)).windowAlone);
+}
+
+// The one at the left by the window alone, the one at the right by that of the series as it is then.
+void TestWindowAlone::keyImagesAreOfTheWindowTheyWereMarkedBy() {
+  auto ball = std::make_shared<LoadedSeries>(*ballIn("A"));
+  for (int n = 0; n < 32; ++n) {
+    ball->series.sopInstanceUids.push_back("1.2.3." + std::to_string(n));
+    ball->series.frames.push_back(0);
+  }
+  AloneWindow w(ball);
+  QTest::keyClick(w.view(left), Qt::Key_6);
+  w.press("keyImage");
+  QTest::mouseClick(w.view(right), Qt::LeftButton, {}, {100, 100});
+  w.scroll(right, 3);
+  w.press("keyImage");
+  const auto listed = [&] { return listKeyImages(w.workspace(), {}, {}).at(0).pictures; };
+  QCOMPARE(w.workspace().keyImages.size(), std::size_t(2));
+  QCOMPARE(listed().size(), std::size_t(2));
+  QTest::keyClick(w.view(right), Qt::Key_5);
+  const auto windowOf = [&](std::size_t n) {
+    const PictureStop stop = viewOfKeyImage(w.workspace(), listed().at(n), ball);
+    return seriesStateIn(stop.workspace, stop.view).window;
+  };
+  QVERIFY(windowOf(0) == ofLung);
+  QVERIFY(windowOf(1) == Window({400, 2000}));
+  const Result<std::string> text = sessionToJson(w.workspace(), "");
+  QVERIFY2(text, text ? "" : text.message().c_str());
+  const auto back = sessionFromJson(*text, [&](const SavedSeries& saved) {
+    return w.workspace().series.at({saved.series.path, saved.series.id}).series;
+  });
+  QVERIFY2(back, back ? "" : back.message().c_str());
+  QVERIFY(back->workspace.keyImages == w.workspace().keyImages);
+  // By another window it is the same picture.
+  w.session().setFocus(left);
+  QTest::keyClick(w.view(left), Qt::Key_5);
+  w.press("keyImage");
+  QCOMPARE(listed().size(), std::size_t(1));
 }
 
 void TestWindowAlone::aProtocolShowsLungAndSoftTissue() {

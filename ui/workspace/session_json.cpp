@@ -169,6 +169,7 @@ void fields(Fields& f, KeyImage& image) {
   f("series", image.series);
   f("sopInstanceUid", image.sopInstanceUid);
   f("frame", image.frame, {0, 1e9});
+  f.unlessNone("window", image.window);
 }
 
 template <class Fields>
