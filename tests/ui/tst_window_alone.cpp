@@ -1,11 +1,16 @@
 // Guards that a view may have a window alone: one series stands beside itself by two windows, and all that
 // sets a window sets that of the view. Real events.
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QMenu>
 
 #include "tests/ui/frames_window.h"
 #include "tests/ui/hanging_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
+#include "ui/overlays/overlays.h"
+#include "ui/views/colour_bar.h"
 #include "ui/widgets/banner.h"
 #include "ui/workspace/key_image_list.h"
 #include "ui/workspace/session_json.h"
@@ -48,7 +53,9 @@ class TestWindowAlone : public QObject {
   void oneSeriesIsSeenByTwoWindows();
   void allThatSetsAWindowSetsThatOfTheView_data();
   void allThatSetsAWindowSetsThatOfTheView();
+  void aColourBarSetsThatOfTheView();
   void withoutItTheViewHasThatOfTheSeries();
+  void picturesHaveIt();
   void linksLeaveItAlone();
   void itIsKeptInTheSession();
   void keyImagesAreOfTheWindowTheyWereMarkedBy();
@@ -91,6 +98,36 @@ void TestWindowAlone::allThatSetsAWindowSetsThatOfTheView_data() {
     Q_EMIT menu->aboutToShow();
     menu->actions().at(3)->trigger();
   });
+  row("a field of the panel", [](AloneWindow& w) {
+    auto* field = w.child<QDoubleSpinBox>("flatWidth");
+    QTRY_COMPARE_WITH_TIMEOUT(field->value(), 1000.0, longest);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("300"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(w.alone(left)->window == Window({500, 300}));
+  });
+  row("a name of the panel", [](AloneWindow& w) {
+    auto* box = w.child<QComboBox>("flatWindowChoice");
+    const auto lung = [&] { return box->findText(QStringLiteral("Lung"), Qt::MatchStartsWith); };
+    QTRY_VERIFY_WITH_TIMEOUT(lung() > 0, longest);
+    Q_EMIT box->activated(lung());
+    QVERIFY(w.alone(left)->window == ofLung);
+  });
+  row("numbers typed in the corner", [](AloneWindow& w) {
+    const Overlays over = w.view(left)->overlays();
+    const QRectF besideTheBar = QRectF(w.view(left)->rect()).adjusted(0, 0, -6, 0);
+    for (const PlacedText& text : placeOverlays(over, besideTheBar, w.view(left)->font()).texts)
+      if (text.text == over.bottomRight)
+        QTest::mouseClick(w.view(left), Qt::LeftButton, {}, text.rect.center().toPoint());
+    auto *width = w.child<QLineEdit>("flatWindowWidth"), *centre = w.child<QLineEdit>("flatWindowCentre");
+    QVERIFY(width && centre);
+    QTest::keyClicks(width, QStringLiteral("800"));
+    QTest::keyClick(width, Qt::Key_Tab);
+    QTest::keyClicks(centre, QStringLiteral("300"));
+    QTest::keyClick(centre, Qt::Key_Return);
+    QVERIFY(w.alone(left)->window == Window({300, 800}));
+  });
 }
 
 void TestWindowAlone::allThatSetsAWindowSetsThatOfTheView() {
@@ -105,6 +142,31 @@ void TestWindowAlone::allThatSetsAWindowSetsThatOfTheView() {
   QCOMPARE(w.session().undoStack().index(), steps + 1);
   w.press("undo");
   QVERIFY(w.workspace() == before);
+}
+
+// Dragged, then typed; from 0 to 1000 at first. Colours are those of the series in both views.
+void TestWindowAlone::aColourBarSetsThatOfTheView() {
+  AloneWindow w;
+  w.session().change(QStringLiteral("test"), [&](Workspace& all) {
+    all.series.edit(w.view(left)->state().series).colours = ColourMap::hotIron;
+  });
+  w.session().endGesture();
+  const QRectF bar = colourBarRect(w.view(left)->rect());
+  const QPointF top = QPointF(bar.center().x(), bar.top() + 1).toPoint();
+  drag(w.view(left), top, top - QPointF(0, 20));
+  QVERIFY(w.alone(left)->window);
+  const double wide = 1000 * (1 + 20 / bar.height());
+  QVERIFY(std::abs(w.alone(left)->window->width - wide) < 1e-6);
+  QVERIFY(std::abs(w.alone(left)->window->centre - wide / 2) < 1e-6);
+  QTest::mouseDClick(w.view(left), Qt::LeftButton, {}, bar.center().toPoint());
+  auto *low = w.child<QLineEdit>("barLow"), *high = w.child<QLineEdit>("barHigh");
+  QVERIFY(low && high);
+  QTest::keyClicks(low, QStringLiteral("100"));
+  QTest::keyClick(low, Qt::Key_Tab);
+  QTest::keyClicks(high, QStringLiteral("900"));
+  QTest::keyClick(high, Qt::Key_Return);
+  QVERIFY(w.alone(left)->window == Window({500, 800}));
+  QVERIFY(!w.ofSeries(left) && !w.alone(right) && w.view(right)->windowShown() == ofBall);
 }
 
 void TestWindowAlone::withoutItTheViewHasThatOfTheSeries() {
@@ -125,6 +187,21 @@ void TestWindowAlone::withoutItTheViewHasThatOfTheSeries() {
   QVERIFY(w.view(left)->windowShown() == Window({400, 2000}));
   w.press("undo");
   QVERIFY(w.workspace() == before && entry->isChecked());
+}
+
+// What is copied of a view, beside the ball. The bound is one step of grey, for rounding.
+void TestWindowAlone::picturesHaveIt() {
+  AloneWindow w;
+  QTest::keyClick(w.view(left), Qt::Key_6);
+  QTRY_VERIFY_WITH_TIMEOUT(std::abs(w.air(left) - linearGrey(0, ofLung)) <= 1, longest);
+  QTRY_VERIFY_WITH_TIMEOUT(std::abs(w.air(right) - linearGrey(0, ofBall)) <= 1, longest);
+  const auto captured = [&](ViewId id) {
+    const SlicePlane plane = w.plane(id);
+    const glm::dvec2 p = plane.pixelFromPatient(plane.centre + 13.0 * plane.right);
+    return qGray(w.view(id)->capture().pixel(int(p.x), int(p.y)));
+  };
+  QVERIFY(std::abs(captured(left) - linearGrey(0, ofLung)) <= 1);
+  QVERIFY(std::abs(captured(right) - linearGrey(0, ofBall)) <= 1);
 }
 
 void TestWindowAlone::linksLeaveItAlone() {
