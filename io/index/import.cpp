@@ -35,8 +35,8 @@ Result<ImportReport> Import::run(const std::vector<ImportRoot>& roots) {
   for (const ImportRoot& root : roots)
     if (Status done = importBelow(root); !done) return done.error();
   if (Status done = readStale(); !done) return done.error();
-  if (Status done = readInstitutions(); !done) return done.error();
   report_.cancelled = cancel_.cancelled();
+  if (Status done = readInstitutions(); !done) return done.error();
   return std::move(report_);
 }
 
@@ -244,24 +244,59 @@ Status Import::readStale() {
   return db_.takeStatus();
 }
 
-/// Of studies that were imported before the index knew it: from one file each that is there.
+/// Of studies that were imported before the index knew it. What is stopped goes on with the next import.
 Status Import::readInstitutions() {
-  std::vector<std::pair<std::int64_t, std::string>> files;  // of a study
+  std::vector<std::int64_t> studies;
   for (Rows rows =
-           db_.run("SELECT t.id, d.path, f.name FROM study t JOIN series s ON s.study_id = t.id JOIN file"
-                   " f ON f.series_id = s.id JOIN folder d ON d.id = f.folder_id WHERE t.institution IS"
-                   " NULL AND t.forgotten_at = '' GROUP BY t.id");
+           db_.run("SELECT id FROM study WHERE institution IS NULL AND forgotten_at = '' AND empty_at = ''");
        rows.next();)
-    files.emplace_back(rows.number(0), FileOnDisk{rows.bytes(1), rows.bytes(2), {}}.path());
+    studies.push_back(rows.number(0));
   std::vector<std::pair<std::int64_t, std::string>> known;  // of a study
-  for (std::size_t n = 0; n < files.size() && !cancel_.cancelled(); ++n) {
-    if (progress_) progress_("reading institutions", n, files.size());
-    const auto& [study, path] = files[n];
-    if (exists(path)) known.emplace_back(study, furtherIdentity(path).institution);
+  for (std::size_t n = 0; n < studies.size() && !cancel_.cancelled(); ++n) {
+    if (progress_) progress_(readingInstitutions, n, studies.size());
+    if (std::optional<std::string> institution = institutionOf(studies[n]))
+      known.emplace_back(studies[n], std::move(*institution));
+    if (known.size() < smallBatch) continue;
+    if (Status written = writeInstitutions(known); !written) return written;
+    known.clear();
   }
-  if (known.empty()) return db_.takeStatus();
+  return writeInstitutions(known);
+}
+
+/// From one file of each series until one names it; empty: none does. None: not all of them can be read now.
+std::optional<std::string> Import::institutionOf(std::int64_t study) {
+  std::vector<std::int64_t> series;  // of DICOM, which alone name it
+  for (Rows rows = db_.run("SELECT id FROM series WHERE study_id = ? AND uid <> ''", study); rows.next();)
+    series.push_back(rows.number(0));
+  bool areAllRead = true;
+  for (const std::int64_t each : series) {
+    const std::optional<FileOnDisk> file = oneFileOf(each);
+    const Result<FurtherIdentity> further =
+        file ? furtherIdentity(file->path()) : Result<FurtherIdentity>(Error{"It is not there."});
+    if (further && !further->institution.empty()) return further->institution;
+    areAllRead = areAllRead && further.ok();
+  }
+  return areAllRead ? std::optional<std::string>("") : std::nullopt;
+}
+
+/// None: it is not there, or no longer the one that the index knows.
+std::optional<FileOnDisk> Import::oneFileOf(std::int64_t series) {
+  Rows rows = db_.run(
+      "SELECT d.path, f.name, d.device, f.size, f.mtime_ns, f.inode, f.device FROM file f JOIN folder d ON"
+      " d.id = f.folder_id WHERE f.series_id = ? LIMIT 1",
+      series);
+  if (!rows.next() || !isOnline(rows.bytes(0), rows.number(2))) return {};
+  FileOnDisk file{rows.bytes(0), rows.bytes(1), {}};
+  const std::optional<FileState> now = fileState(file.path());
+  const bool isSame = now && now->size == rows.number(3) && now->modifiedNs == rows.number(4) &&
+                      now->inode == rows.number(5) && now->device == rows.number(6);
+  return isSame ? std::optional(std::move(file)) : std::nullopt;
+}
+
+Status Import::writeInstitutions(const std::vector<std::pair<std::int64_t, std::string>>& ofStudies) {
+  if (ofStudies.empty()) return db_.takeStatus();
   db_.begin();
-  for (const auto& [study, institution] : known) writer_.setInstitution(study, institution);
+  for (const auto& [study, institution] : ofStudies) writer_.setInstitution(study, institution);
   writer_.finish();
   return db_.commit();
 }

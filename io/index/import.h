@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "io/index/files_below.h"
@@ -50,6 +52,9 @@ class Import {
   Status writeGone();
   Status readStale();
   Status readInstitutions();
+  std::optional<std::string> institutionOf(std::int64_t study);
+  std::optional<FileOnDisk> oneFileOf(std::int64_t series);
+  Status writeInstitutions(const std::vector<std::pair<std::int64_t, std::string>>& ofStudies);
   std::vector<FileOnDisk> filesOf(std::int64_t series);
   Status purge();
 

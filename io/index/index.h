@@ -62,6 +62,10 @@ struct ImportReport {
   bool cancelled = false;  ///< what was done until then is kept; the next import goes on from there
 };
 
+/// What the progress of an import says in its end, when studies are counted and not files: where those were
+/// made that an older program imported is read.
+inline constexpr const char* readingInstitutions = "reading institutions";
+
 /// A picture of a series for lists: PNG bytes; empty: there is none.
 using Thumbnail = std::vector<std::uint8_t>;
 

@@ -8,10 +8,10 @@
 
 namespace volumen {
 
-FurtherIdentity furtherIdentity(const std::string& path) {
+Result<FurtherIdentity> furtherIdentity(const std::string& path) {
   FurtherIdentity further;
   const Result<std::vector<dicom::AttributeLine>> lines = dicom::listAttributes(path);
-  if (!lines) return further;
+  if (!lines) return lines.error();
   const std::pair<const char*, std::string FurtherIdentity::*> wanted[] = {
       {"(0008,0080)", &FurtherIdentity::institution},
       {"(0008,0021)", &FurtherIdentity::seriesDate},
@@ -77,8 +77,10 @@ Result<ReadFiles> readFiles(const std::vector<std::string>& paths, const Progres
   for (FoundSeries& s : series) {
     if (cancel.cancelled()) return Error{"Interrupted."};
     warnOfOtherBytes(s);
-    const FurtherIdentity further = s.isDicom ? furtherIdentity(s.files[0].path) : FurtherIdentity{};
-    read.series.push_back({std::move(s), further});
+    FurtherIdentity further;
+    if (s.isDicom)
+      if (Result<FurtherIdentity> found = furtherIdentity(s.files[0].path)) further = std::move(*found);
+    read.series.push_back({std::move(s), std::move(further)});
   }
   read.refused = refusedOf(*study);
   return read;

@@ -25,8 +25,8 @@ struct FurtherIdentity {
   std::string birthDate, sex, accessionNumber, institution, studyTime, seriesDate, seriesTime;
 };
 
-/// Of a DICOM file; empty where it cannot be read.
-FurtherIdentity furtherIdentity(const std::string& path);
+/// Of a DICOM file. An Error where it cannot be read.
+Result<FurtherIdentity> furtherIdentity(const std::string& path);
 
 /// A series that was read, ready to be written.
 struct ReadSeries : FoundSeries {

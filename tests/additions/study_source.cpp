@@ -18,7 +18,9 @@ class Shelf : public StudySource {
   void series(std::int64_t study) override {
     Q_EMIT seriesListed(study, std::make_shared<std::vector<IndexedSeries>>());
   }
-  void open(const IndexedChoice&, OpenHow) override { Q_EMIT failed(QStringLiteral("The shelf is locked.")); }
+  void open(const IndexedChoice& choice, OpenHow) override {
+    Q_EMIT notOpened(choice, QStringLiteral("The shelf is locked."));
+  }
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <QTemporaryDir>
+#include <functional>
 
 #include "io/export/dicom_series.h"
 #include "viewer/phantoms/phantoms.h"
@@ -86,10 +87,12 @@ struct TwoDays {
   QString now = folder.filePath(QStringLiteral("now")), before = folder.filePath(QStringLiteral("before"));
 
   bool write() const { return writeDay(now, "20260301") && writeDay(before, "20240215"); }
-  static bool writeDay(const QString& path, const char* day) {
+  static bool writeDay(const QString& path, const char* day,
+                       const std::function<void(DicomSeriesTags&)>& edit = {}) {
     DicomSeriesTags tags;
     tags.patientName = "Doe^Jane", tags.patientId = "77", tags.studyDate = day;
     tags.studyUid = std::string("1.2.3.") + day, tags.description = "Head";
+    if (edit) edit(tags);
     const Result<VolumePtr> volume = makePhantom("ct-head:20");
     return volume && writeDicomSeries(**volume, tags, path.toStdString());
   }

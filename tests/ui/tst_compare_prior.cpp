@@ -1,7 +1,10 @@
 // Guards priors in the window: the same series of an earlier day stands beside, in one step, and all that is
 // missing comes while one scrolls; a study that is only listed is opened for it. Real events.
 #include <QDir>
+#include <QFile>
 #include <QLabel>
+#include <algorithm>
+#include <functional>
 
 #include "io/index/index.h"
 #include "tests/ui/gestures.h"
@@ -13,20 +16,35 @@ using namespace volumen::tests;
 
 namespace {
 
+using Edit = std::function<void(DicomSeriesTags&)>;
+
 // Studies of these days, a folder each, all of them in an index.
 struct ListedDays {
   QTemporaryDir folder;
   const QStringList days;
+  const Edit edit;
   const QString home = folder.filePath(QStringLiteral("home"));
 
-  explicit ListedDays(const QStringList& all) : days(all) {}
+  explicit ListedDays(const QStringList& all, const Edit& with = {}) : days(all), edit(with) {}
   QString pathOf(const QString& day) const { return folder.filePath(QStringLiteral("data/") + day); }
-  bool write() const {
+  bool writeDays() const {
     QDir(folder.path()).mkdir(QStringLiteral("data"));
-    for (const QString& day : days)
-      if (!TwoDays::writeDay(pathOf(day), day.toLatin1().constData())) return false;
+    return std::ranges::all_of(days, [&](const QString& day) {
+      return TwoDays::writeDay(pathOf(day), day.toLatin1().constData(), edit);
+    });
+  }
+  bool write() const {
+    if (!writeDays()) return false;
     Result<Index> index = Index::open(home.toStdString());
     return index && index->import({folder.filePath(QStringLiteral("data")).toStdString()});
+  }
+  // What the index says of when they were opened, together.
+  std::string opened() const {
+    std::string all;
+    const Result<Index> index = Index::open(home.toStdString());
+    if (!index || !index->studies()) return "failed";
+    for (const IndexedStudy& study : *index->studies()) all += study.openedAt;
+    return all;
   }
   Services services() const {
     Services real = realServices();
@@ -74,12 +92,18 @@ class TestComparePrior : public QObject {
  private Q_SLOTS:
   void allThatIsMissingComesWhileOneScrolls();
   void thePriorStandsBeside();
+  void withoutAPriorThereIsASentence_data();
   void withoutAPriorThereIsASentence();
   void aListedStudyIsOpenedForIt();
   void aLaterOneThatIsListedIsTold();
   void filesThatAreGoneAreTold_data();
   void filesThatAreGoneAreTold();
   void anOlderOneStandsForWhatIsGone();
+  void filesOfOthersAreNotCompared_data();
+  void filesOfOthersAreNotCompared();
+  void whatIsNotAlikeIsNotListed();
+  void whatSoundsLikeItComesFirst();
+  void failuresOfOthersDoNotMatter();
   void theSecondViewFillsByItself();
 };
 
@@ -143,15 +167,38 @@ void TestComparePrior::thePriorStandsBeside() {
   QVERIFY(w.workspace().views == before.views && w.workspace().layout == before.layout);
 }
 
+void TestComparePrior::withoutAPriorThereIsASentence_data() {
+  QTest::addColumn<QString>("patientId");
+  QTest::addColumn<bool>("canBeAsked");
+  QTest::addColumn<QString>("sentence");
+  QTest::newRow("there is none") << QStringLiteral("77") << true
+                                 << QStringLiteral("No earlier study of this patient with such a series");
+  QTest::newRow("a list that cannot be read")
+      << QStringLiteral("77") << false << QStringLiteral("The list of studies could not be read");
+  QTest::newRow("without a patient ID")
+      << QString() << true << QStringLiteral("No earlier study of this patient is open, and without");
+}
+
+// The earlier day is in the list where the patient has no ID, which could be anybody's.
 void TestComparePrior::withoutAPriorThereIsASentence() {
-  const TwoDays days;
-  QVERIFY(days.write());
-  HangingWindow w(QStringList{days.before});
-  QTRY_VERIFY_WITH_TIMEOUT(w.session().series() != nullptr, longest);
+  QFETCH(QString, patientId);
+  QFETCH(bool, canBeAsked);
+  QFETCH(QString, sentence);
+  QStringList days{QStringLiteral("20260301")};
+  if (patientId.isEmpty()) days << QStringLiteral("20240215");
+  const ListedDays all(days, [&](DicomSeriesTags& tags) { tags.patientId = patientId.toStdString(); });
+  QVERIFY(canBeAsked ? all.write() : all.writeDays());
+  if (!canBeAsked) {
+    QFile file(all.home);  // where the folder of the index would be
+    QVERIFY(file.open(QIODevice::WriteOnly));
+  }
+  ListedWindow w(all, {QStringLiteral("20260301")});
+  QVERIFY(w.isOpen());
   const Workspace before = w.workspace();
-  w.child<QAction>("comparePrior")->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(w.complaint().startsWith(QStringLiteral("No earlier study")), longest);
+  w.comparePrior();
+  QTRY_VERIFY2_WITH_TIMEOUT(w.complaint().startsWith(sentence), qPrintable(w.complaint()), longest);
   QVERIFY(w.workspace() == before);
+  QCOMPARE(w.window.document().open.volumes().size(), std::size_t(1));
 }
 
 // The latest, in one step; it stands among what is open.
@@ -168,6 +215,7 @@ void TestComparePrior::aListedStudyIsOpenedForIt() {
   QCOMPARE(w.workspace().focus, firstCell);
   QCOMPARE(w.session().undoStack().count(), steps + 1);
   QCOMPARE(w.window.document().open.volumes().size(), std::size_t(2));
+  QCOMPARE(all.opened(), std::string());  // nobody opened it
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.workspace().views == before.views && w.workspace().layout == before.layout);
 }
@@ -225,6 +273,91 @@ void TestComparePrior::anOlderOneStandsForWhatIsGone() {
   w.comparePrior();
   QVERIFY(w.shows(1, "20220215") && w.shows(0, "20260301"));
   QVERIFY(w.complaint().startsWith(QStringLiteral("The files of an earlier study")));
+}
+
+void TestComparePrior::filesOfOthersAreNotCompared_data() {
+  QTest::addColumn<Edit>("edit");
+  const auto row = [](const char* name, const Edit& edit) { QTest::newRow(name) << edit; };
+  row("another ID", [](DicomSeriesTags& tags) { tags.patientId = "78"; });
+  row("another name", [](DicomSeriesTags& tags) { tags.patientName = "Roe^Jane"; });
+  row("another birth date", [](DicomSeriesTags& tags) { tags.patientBirthDate = "19810203"; });
+  row("another sex", [](DicomSeriesTags& tags) { tags.patientSex = "M"; });
+  row("a later day", [](DicomSeriesTags& tags) { tags.studyDate = "20270101"; });
+  row("the same day", [](DicomSeriesTags& tags) { tags.studyDate = "20260301"; });
+  row("no day", [](DicomSeriesTags& tags) { tags.studyDate = ""; });
+}
+
+// They stand where those of the earlier study were, by the same names.
+void TestComparePrior::filesOfOthersAreNotCompared() {
+  QFETCH(Edit, edit);
+  const Edit known = [](DicomSeriesTags& tags) { tags.patientBirthDate = "19700102", tags.patientSex = "F"; };
+  const ListedDays all({QStringLiteral("20260301"), QStringLiteral("20240215")}, known);
+  QVERIFY(all.write());
+  QDir folder(all.pathOf(QStringLiteral("20240215")));
+  const QStringList names = folder.entryList(QDir::Files);
+  QVERIFY(folder.removeRecursively());
+  const Edit both = [&](DicomSeriesTags& tags) {
+    known(tags);
+    edit(tags);
+  };
+  QVERIFY(TwoDays::writeDay(folder.path(), "20240215", both));
+  QCOMPARE(QDir(folder.path()).entryList(QDir::Files), names);
+  ListedWindow w(all, {QStringLiteral("20260301")});
+  QVERIFY(w.isOpen());
+  const SharedList<ViewState> before = w.workspace().views;
+  w.comparePrior();
+  QTRY_VERIFY_WITH_TIMEOUT(w.complaint().startsWith(QStringLiteral("The files of an earlier study")),
+                           longest);
+  QVERIFY(w.workspace().views == before);
+  QCOMPARE(w.window.document().open.volumes().size(), std::size_t(1));
+}
+
+// Knees beside a head, of five days: three are looked into.
+void TestComparePrior::whatIsNotAlikeIsNotListed() {
+  const ListedDays all(
+      {QStringLiteral("20260301"), QStringLiteral("20250215"), QStringLiteral("20240215"),
+       QStringLiteral("20230215"), QStringLiteral("20220215"), QStringLiteral("20210215")},
+      [](DicomSeriesTags& tags) { tags.bodyPart = tags.studyDate == "20260301" ? "HEAD" : "KNEE"; });
+  QVERIFY(all.write());
+  ListedWindow w(all, {QStringLiteral("20260301")});
+  QVERIFY(w.isOpen());
+  const Workspace before = w.workspace();
+  QSignalSpy opened(&w.window.document().loader, &Loader::filesOpened);
+  w.comparePrior();
+  QTRY_VERIFY_WITH_TIMEOUT(w.complaint().startsWith(QStringLiteral("The 3 earlier studies")), longest);
+  QCOMPARE(opened.count(), 3);
+  QVERIFY(w.workspace() == before);
+  QCOMPARE(w.window.document().open.all().size(), std::size_t(1));
+  QCOMPARE(all.opened(), std::string());
+}
+
+// And it is told that a later one was passed over.
+void TestComparePrior::whatSoundsLikeItComesFirst() {
+  const ListedDays all({QStringLiteral("20260301"), QStringLiteral("20250215"), QStringLiteral("20240215")},
+                       [](DicomSeriesTags& tags) {
+                         tags.studyDescription = tags.studyDate == "20250215" ? "CT Abdomen" : "CT Head";
+                       });
+  QVERIFY(all.write());
+  ListedWindow w(all, {QStringLiteral("20260301")});
+  QVERIFY(w.isOpen());
+  QSignalSpy opened(&w.window.document().loader, &Loader::filesOpened);
+  w.comparePrior();
+  QVERIFY(w.shows(1, "20240215") && w.shows(0, "20260301"));
+  QCOMPARE(opened.count(), 1);
+  QVERIFY2(w.complaint().startsWith(QStringLiteral("A later study")), qPrintable(w.complaint()));
+}
+
+// Once the study was asked for.
+void TestComparePrior::failuresOfOthersDoNotMatter() {
+  const ListedDays all({QStringLiteral("20260301"), QStringLiteral("20240215")});
+  QVERIFY(all.write());
+  ListedWindow w(all, {QStringLiteral("20260301")});
+  QVERIFY(w.isOpen());
+  StudySource* source = &w.window.document().sources.current();
+  connect(source, &StudySource::patientListed, source,
+          [source] { Q_EMIT source->failed(QStringLiteral("A disk is full.")); });
+  w.comparePrior();
+  QVERIFY(w.shows(1, "20240215") && w.shows(0, "20260301"));
 }
 
 void TestComparePrior::theSecondViewFillsByItself() {

@@ -84,6 +84,13 @@ void TestMagnifier::itsPixelsAreThoseOfTheSlice_data() {
   QTest::newRow("turned and mirrored") << Prepare([](LensWindow& w) {
     w.view()->turnPicture(QStringLiteral("test"), {1, true});
   });
+  QTest::newRow("by a window of the view alone") << Prepare([](LensWindow& w) {
+    w.child<QAction>("windowAlone")->trigger();
+    QTest::keyClick(w.view(), Qt::Key_6);
+    const auto request = w.view()->requestFor(w.view()->pixels());
+    QVERIFY(request && request->layers[0].grey.window == Window({-600, 1500}));
+    QVERIFY(!w.session().workspace().series.at(w.view()->state().series).window);
+  });
   QTest::newRow("voxels as they are")
       << Prepare([](LensWindow& w) { w.child<QAction>("interpolate")->trigger(); });
   QTest::newRow("in colours") << Prepare([](LensWindow& w) {

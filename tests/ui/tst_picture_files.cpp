@@ -23,6 +23,7 @@ class TestPictureFiles : public QObject {
   void ownPixelsAreThoseOfTheFile_data();
   void ownPixelsAreThoseOfTheFile();
   void aFrameHasItsOwnPixels();
+  void aWindowAloneIsThatOfItsPictures();
   void itIsAsWideAsWanted();
   void textsAreWrittenOverThePictureItself();
   void namesAreHiddenInTheFileAlone();
@@ -131,6 +132,19 @@ void TestPictureFiles::aFrameHasItsOwnPixels() {
   const auto whole = drawSlice(*w.view()->requestForOwnPixels());
   QVERIFY(whole);
   QCOMPARE(image, rgb(*whole));
+}
+
+// Air of one view by the lung window and of another by that of the series, 40 / 400, within a step of grey.
+void TestPictureFiles::aWindowAloneIsThatOfItsPictures() {
+  MeasureWindow w(ballSeries(32, 10, {0, 0, 0}));
+  w.child<QAction>("windowAlone")->trigger();
+  QTest::keyClick(w.view(), Qt::Key_6);
+  QTRY_VERIFY_WITH_TIMEOUT(w.view()->picture().size() == w.view()->pixels(), longest);
+  const auto grey = [](Window window) { return 255 * (0.5 - window.centre / window.width); };
+  const auto airIn = [&](const char* name) { return qGray(saved(w, at(name), own, 0, false).pixel(0, 0)); };
+  QVERIFY(std::abs(airIn("alone.png") - grey({-600, 1500})) <= 1);
+  w.session().setFocus(coronalViewId);
+  QVERIFY(std::abs(airIn("not alone.png") - grey({40, 400})) <= 1);
 }
 
 void TestPictureFiles::itIsAsWideAsWanted() {

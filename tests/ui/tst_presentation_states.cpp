@@ -10,6 +10,7 @@
 #include "ui/controller/open_session.h"
 #include "ui/views/paint_graphics.h"
 #include "ui/widgets/banner.h"
+#include "ui/workspace/view_window.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -19,6 +20,7 @@ class TestPresentationStates : public QObject {
  private Q_SLOTS:
   void pixelsOfAPresentationState();
   void presentationStatesAreChosenInTheMenu();
+  void aWindowAloneGoesOverThatOfTheState();
   void aPresentationStateIsInTheSession();
   void itIsFoundInAFolderThatWasMoved();
   void oneThatIsMissingIsNamed();
@@ -110,6 +112,34 @@ void TestPresentationStates::presentationStatesAreChosenInTheMenu() {
   QVERIFY(w.workspace().view(axialViewId).flats.at(w.view()->state().series).presentation.empty());
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.isPresented(true));
+}
+
+// Its own at first; what is set is the view's, and gone with it.
+void TestPresentationStates::aWindowAloneGoesOverThatOfTheState() {
+  NEED_REFERENCES();
+  References2d w({ct, presentation});
+  QVERIFY(w.has("Presentation state: TEST") && w.has("CT (1)"));
+  w.click("Presentation state: TEST");
+  QVERIFY(w.isPresented() && w.looksAtPixels());
+  const auto seen = [&] { return qGray(w.seen(51, 51)); };
+  QCOMPARE(seen(), 157);
+  w.session().setFocus(axialViewId);
+  w.child<QAction>("windowAlone")->trigger();
+  const auto alone = [&] { return flatLookOf(w.workspace().view(axialViewId)).windowAlone; };
+  QVERIFY(alone() && !alone()->window);
+  QCOMPARE(seen(), 157);
+  w.session().change(QStringLiteral("test"), [&](Workspace& all) {
+    setWindow(all, axialViewId, Window{-600, 1500});
+  });
+  QVERIFY(alone()->window && !w.workspace().series.at(w.view()->state().series).window);
+  // 70 HU by LINEAR of DICOM, and inverse as the state has it; within a step of grey.
+  const double grey = 255 - 255 * ((70 + 600.5) / 1499 + 0.5);
+  QTRY_VERIFY_WITH_TIMEOUT(std::abs(seen() - grey) <= 1, longest);
+  QVERIFY(w.isPresented());
+  w.session().endGesture();
+  w.child<QAction>("windowAlone")->trigger();
+  QVERIFY(!alone());
+  QTRY_COMPARE_WITH_TIMEOUT(seen(), 157, longest);
 }
 
 void TestPresentationStates::aPresentationStateIsInTheSession() {

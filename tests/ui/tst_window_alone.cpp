@@ -1,12 +1,18 @@
 // Guards that a view may have a window alone: one series stands beside itself by two windows, and all that
 // sets a window sets that of the view. Real events.
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QMenu>
 
 #include "tests/ui/frames_window.h"
 #include "tests/ui/hanging_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
+#include "ui/overlays/overlays.h"
+#include "ui/views/colour_bar.h"
 #include "ui/widgets/banner.h"
+#include "ui/workspace/key_image_list.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/view_window.h"
 
@@ -47,9 +53,12 @@ class TestWindowAlone : public QObject {
   void oneSeriesIsSeenByTwoWindows();
   void allThatSetsAWindowSetsThatOfTheView_data();
   void allThatSetsAWindowSetsThatOfTheView();
+  void aColourBarSetsThatOfTheView();
   void withoutItTheViewHasThatOfTheSeries();
+  void picturesHaveIt();
   void linksLeaveItAlone();
   void itIsKeptInTheSession();
+  void keyImagesAreOfTheWindowTheyWereMarkedBy();
   void aProtocolShowsLungAndSoftTissue();
   void framesHaveOneToo();
   void coloursHaveNone();
@@ -89,6 +98,36 @@ void TestWindowAlone::allThatSetsAWindowSetsThatOfTheView_data() {
     Q_EMIT menu->aboutToShow();
     menu->actions().at(3)->trigger();
   });
+  row("a field of the panel", [](AloneWindow& w) {
+    auto* field = w.child<QDoubleSpinBox>("flatWidth");
+    QTRY_COMPARE_WITH_TIMEOUT(field->value(), 1000.0, longest);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("300"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(w.alone(left)->window == Window({500, 300}));
+  });
+  row("a name of the panel", [](AloneWindow& w) {
+    auto* box = w.child<QComboBox>("flatWindowChoice");
+    const auto lung = [&] { return box->findText(QStringLiteral("Lung"), Qt::MatchStartsWith); };
+    QTRY_VERIFY_WITH_TIMEOUT(lung() > 0, longest);
+    Q_EMIT box->activated(lung());
+    QVERIFY(w.alone(left)->window == ofLung);
+  });
+  row("numbers typed in the corner", [](AloneWindow& w) {
+    const Overlays over = w.view(left)->overlays();
+    const QRectF besideTheBar = QRectF(w.view(left)->rect()).adjusted(0, 0, -6, 0);
+    for (const PlacedText& text : placeOverlays(over, besideTheBar, w.view(left)->font()).texts)
+      if (text.text == over.bottomRight)
+        QTest::mouseClick(w.view(left), Qt::LeftButton, {}, text.rect.center().toPoint());
+    auto *width = w.child<QLineEdit>("flatWindowWidth"), *centre = w.child<QLineEdit>("flatWindowCentre");
+    QVERIFY(width && centre);
+    QTest::keyClicks(width, QStringLiteral("800"));
+    QTest::keyClick(width, Qt::Key_Tab);
+    QTest::keyClicks(centre, QStringLiteral("300"));
+    QTest::keyClick(centre, Qt::Key_Return);
+    QVERIFY(w.alone(left)->window == Window({300, 800}));
+  });
 }
 
 void TestWindowAlone::allThatSetsAWindowSetsThatOfTheView() {
@@ -103,6 +142,31 @@ void TestWindowAlone::allThatSetsAWindowSetsThatOfTheView() {
   QCOMPARE(w.session().undoStack().index(), steps + 1);
   w.press("undo");
   QVERIFY(w.workspace() == before);
+}
+
+// Dragged, then typed; from 0 to 1000 at first. Colours are those of the series in both views.
+void TestWindowAlone::aColourBarSetsThatOfTheView() {
+  AloneWindow w;
+  w.session().change(QStringLiteral("test"), [&](Workspace& all) {
+    all.series.edit(w.view(left)->state().series).colours = ColourMap::hotIron;
+  });
+  w.session().endGesture();
+  const QRectF bar = colourBarRect(w.view(left)->rect());
+  const QPointF top = QPointF(bar.center().x(), bar.top() + 1).toPoint();
+  drag(w.view(left), top, top - QPointF(0, 20));
+  QVERIFY(w.alone(left)->window);
+  const double wide = 1000 * (1 + 20 / bar.height());
+  QVERIFY(std::abs(w.alone(left)->window->width - wide) < 1e-6);
+  QVERIFY(std::abs(w.alone(left)->window->centre - wide / 2) < 1e-6);
+  QTest::mouseDClick(w.view(left), Qt::LeftButton, {}, bar.center().toPoint());
+  auto *low = w.child<QLineEdit>("barLow"), *high = w.child<QLineEdit>("barHigh");
+  QVERIFY(low && high);
+  QTest::keyClicks(low, QStringLiteral("100"));
+  QTest::keyClick(low, Qt::Key_Tab);
+  QTest::keyClicks(high, QStringLiteral("900"));
+  QTest::keyClick(high, Qt::Key_Return);
+  QVERIFY(w.alone(left)->window == Window({500, 800}));
+  QVERIFY(!w.ofSeries(left) && !w.alone(right) && w.view(right)->windowShown() == ofBall);
 }
 
 void TestWindowAlone::withoutItTheViewHasThatOfTheSeries() {
@@ -123,6 +187,21 @@ void TestWindowAlone::withoutItTheViewHasThatOfTheSeries() {
   QVERIFY(w.view(left)->windowShown() == Window({400, 2000}));
   w.press("undo");
   QVERIFY(w.workspace() == before && entry->isChecked());
+}
+
+// What is copied of a view, beside the ball. The bound is one step of grey, for rounding.
+void TestWindowAlone::picturesHaveIt() {
+  AloneWindow w;
+  QTest::keyClick(w.view(left), Qt::Key_6);
+  QTRY_VERIFY_WITH_TIMEOUT(std::abs(w.air(left) - linearGrey(0, ofLung)) <= 1, longest);
+  QTRY_VERIFY_WITH_TIMEOUT(std::abs(w.air(right) - linearGrey(0, ofBall)) <= 1, longest);
+  const auto captured = [&](ViewId id) {
+    const SlicePlane plane = w.plane(id);
+    const glm::dvec2 p = plane.pixelFromPatient(plane.centre + 13.0 * plane.right);
+    return qGray(w.view(id)->capture().pixel(int(p.x), int(p.y)));
+  };
+  QVERIFY(std::abs(captured(left) - linearGrey(0, ofLung)) <= 1);
+  QVERIFY(std::abs(captured(right) - linearGrey(0, ofBall)) <= 1);
 }
 
 void TestWindowAlone::linksLeaveItAlone() {
@@ -146,9 +225,47 @@ void TestWindowAlone::itIsKeptInTheSession() {
     return now.series.at({saved.series.path, saved.series.id}).series;
   });
   QVERIFY2(back, back ? "" : back.message().c_str());
+  QVERIFY2(text->find("windowAlone") == text->rfind("windowAlone"), "of the one view alone");
   const auto kept = flatLookOf(back->workspace.view(left)).windowAlone;
   QVERIFY(kept && kept->window == ofLung);
   QVERIFY(!flatLookOf(back->workspace.view(right)).windowAlone);
+}
+
+// The one at the left by the window alone, the one at the right by that of the series as it is then.
+void TestWindowAlone::keyImagesAreOfTheWindowTheyWereMarkedBy() {
+  auto ball = std::make_shared<LoadedSeries>(*ballIn("A"));
+  for (int n = 0; n < 32; ++n) {
+    ball->series.sopInstanceUids.push_back("1.2.3." + std::to_string(n));
+    ball->series.frames.push_back(0);
+  }
+  AloneWindow w(ball);
+  QTest::keyClick(w.view(left), Qt::Key_6);
+  w.press("keyImage");
+  QTest::mouseClick(w.view(right), Qt::LeftButton, {}, {100, 100});
+  w.scroll(right, 3);
+  w.press("keyImage");
+  const auto listed = [&] { return listKeyImages(w.workspace(), {}, {}).at(0).pictures; };
+  QCOMPARE(w.workspace().keyImages.size(), std::size_t(2));
+  QCOMPARE(listed().size(), std::size_t(2));
+  QTest::keyClick(w.view(right), Qt::Key_5);
+  const auto windowOf = [&](std::size_t n) {
+    const PictureStop stop = viewOfKeyImage(w.workspace(), listed().at(n), ball);
+    return seriesStateIn(stop.workspace, stop.view).window;
+  };
+  QVERIFY(windowOf(0) == ofLung);
+  QVERIFY(windowOf(1) == Window({400, 2000}));
+  const Result<std::string> text = sessionToJson(w.workspace(), "");
+  QVERIFY2(text, text ? "" : text.message().c_str());
+  const auto back = sessionFromJson(*text, [&](const SavedSeries& saved) {
+    return w.workspace().series.at({saved.series.path, saved.series.id}).series;
+  });
+  QVERIFY2(back, back ? "" : back.message().c_str());
+  QVERIFY(back->workspace.keyImages == w.workspace().keyImages);
+  // By another window it is the same picture.
+  w.session().setFocus(left);
+  QTest::keyClick(w.view(left), Qt::Key_5);
+  w.press("keyImage");
+  QCOMPARE(listed().size(), std::size_t(1));
 }
 
 void TestWindowAlone::aProtocolShowsLungAndSoftTissue() {
@@ -196,6 +313,10 @@ void TestWindowAlone::coloursHaveNone() {
   w.child<QAction>("windowAlone")->trigger();
   QVERIFY(w.child<Banner>("banner")->sentence().startsWith(QStringLiteral("Colours are shown as they are")));
   QVERIFY(w.workspace() == before && !w.child<QAction>("windowAlone")->isChecked());
+  // A session may give them one: nothing is said of it.
+  w.session().change(QStringLiteral("test"), withWindowAlone(before, axialViewId, true));
+  QVERIFY(w.look().windowAlone);
+  QCOMPARE(w.view()->overlays().bottomRight, QString());
 }
 
 VOLUMEN_TEST(TestWindowAlone);

@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QLocale>
 #include <algorithm>
+#include <string_view>
 
 namespace volumen {
 
@@ -33,14 +34,14 @@ Result<ChosenFiles> chosenFiles(Index& index, const IndexedChoice& choice, OpenH
     const auto series = std::ranges::find(*all, choice.series, &IndexedSeries::id);
     if (series != all->end()) chosen.intent.seriesUid = series->seriesUid;
   }
-  chosen.remembered = index.opened(choice.study);
+  if (how != OpenHow::lookedInto) chosen.remembered = index.opened(choice.study);
   return chosen;
 }
 
-// The index finds words; whose they are is compared here.
-std::vector<IndexedStudy> studiesOfPatient(const Index& index, const std::string& id,
-                                           const std::string& name) {
-  if (id.empty() && name.empty()) return {};
+// The index finds words; whose they are is compared here. None: it cannot be asked.
+std::optional<std::vector<IndexedStudy>> studiesOfPatient(const Index& index, const std::string& id,
+                                                          const std::string& name) {
+  if (id.empty() && name.empty()) return std::vector<IndexedStudy>();
   StudyQuery query;
   query.words = id.empty() ? name : id;
   Result<std::vector<IndexedStudy>> found = index.studies(query);
@@ -89,9 +90,10 @@ Index* IndexService::indexOf(Worker& worker) {
   return &*worker.index;
 }
 
-// `work(index, job)` returns a Result; `done` gets its value. Returns the job's number.
-template <class Work, class Done>
-int IndexService::start(Worker& worker, Work work, Done done) {
+// `work(index, job)` returns a Result; `done` gets its value, `refuse` the sentence instead, an empty one
+// where that was told already. Returns the job's number.
+template <class Work, class Done, class Failed>
+int IndexService::start(Worker& worker, Work work, Done done, Failed refuse) {
   using Made = std::invoke_result_t<Work, Index&, const Job&>;
   return worker.lane.run(
       {},
@@ -99,11 +101,18 @@ int IndexService::start(Worker& worker, Work work, Done done) {
         if (Index* index = indexOf(worker)) return work(*index, job);
         return {};
       },
-      [this, done](std::optional<Made> made) {
-        if (!made) return;
-        if (!*made) return void(Q_EMIT failed(QString::fromStdString(made->message())));
+      [done, refuse](std::optional<Made> made) {
+        if (!made) return refuse(QString());
+        if (!*made) return refuse(QString::fromStdString(made->message()));
         done(std::move(**made));
       });
+}
+
+template <class Work, class Done>
+int IndexService::start(Worker& worker, Work work, Done done) {
+  return start(worker, work, done, [this](const QString& sentence) {
+    if (!sentence.isEmpty()) Q_EMIT failed(sentence);
+  });
 }
 
 void IndexService::list(const StudyListRequest& request) {
@@ -134,9 +143,9 @@ void IndexService::studiesOf(const std::string& patientId, const std::string& pa
       {},
       [this, patientId, patientName](const Job&) {
         const Index* index = indexOf(queries_);
-        return index ? studiesOfPatient(*index, patientId, patientName) : std::vector<IndexedStudy>();
+        return index ? studiesOfPatient(*index, patientId, patientName) : std::nullopt;
       },
-      [this, patientId, patientName](const std::vector<IndexedStudy>& studies) {
+      [this, patientId, patientName](const std::optional<std::vector<IndexedStudy>>& studies) {
         Q_EMIT patientListed(patientId, patientName, studies);
       });
 }
@@ -145,9 +154,12 @@ void IndexService::open(const IndexedChoice& choice, OpenHow how) {
   start(
       queries_, [choice, how](Index& index, const Job&) { return chosenFiles(index, choice, how); },
       [this, choice](const ChosenFiles& chosen) {
-        if (!chosen.remembered) Q_EMIT failed(QString::fromStdString(chosen.remembered.message()));
         Q_EMIT filesFound(choice, chosen.files, chosen.intent);
-        Q_EMIT changed();
+        if (!chosen.remembered) Q_EMIT failed(QString::fromStdString(chosen.remembered.message()));
+        if (chosen.intent.how != OpenHow::lookedInto) Q_EMIT changed();
+      },
+      [this, choice](const QString& sentence) {
+        Q_EMIT notOpened(choice, sentence.isEmpty() ? tr("The list of studies cannot be read.") : sentence);
       });
 }
 
@@ -181,10 +193,12 @@ void IndexService::wantThumbnails(const std::vector<std::int64_t>& series) {
 Progress IndexService::importProgress(const Job& import, const Job& job) {
   auto clock = std::make_shared<QElapsedTimer>();
   clock->start();
-  return [this, import, job, clock](const char*, std::size_t done, std::size_t total) {
+  return [this, import, job, clock](const char* what, std::size_t done, std::size_t total) {
     const QLocale locale;
+    const bool areStudies = std::string_view(what) == readingInstitutions;
     if (total > 0)
-      import.tell(tr("Importing: %1 of %2 files")
+      import.tell((areStudies ? tr("Reading where they were made: %1 of %2 studies")
+                              : tr("Importing: %1 of %2 files"))
                       .arg(locale.toString(qulonglong(done)), locale.toString(qulonglong(total))),
                   double(done) / double(total));
     if (clock->elapsed() < listAgainEveryMs) return;

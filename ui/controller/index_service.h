@@ -24,7 +24,7 @@ class IndexService : public StudySource {
   void series(std::int64_t study) override;
   void studiesOf(const std::string& patientId, const std::string& patientName) override;
   void wantThumbnails(const std::vector<std::int64_t>& series) override;
-  /// Remembers that the study was opened, too.
+  /// Remembers that the study was opened, too, but for what is only looked into.
   void open(const IndexedChoice& choice, OpenHow how) override;
   bool canImport() const override { return true; }
   void import(const QStringList& paths) override;
@@ -39,6 +39,8 @@ class IndexService : public StudySource {
     JobLane lane;
   };
 
+  template <class Work, class Done, class Failed>
+  int start(Worker& worker, Work work, Done done, Failed refuse);
   template <class Work, class Done>
   int start(Worker& worker, Work work, Done done);
   Index* indexOf(Worker& worker);

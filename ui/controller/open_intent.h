@@ -9,8 +9,8 @@
 namespace volumen {
 
 /// Where a study of the index is shown: in the view in focus, there and in place of other patients, in the
-/// view beside, or nowhere: it stands in the list of what is open.
-enum class OpenHow { here, instead, beside, listed };
+/// view beside, or nowhere: whoever asked for it looks into it, and lists it where it is what was looked for.
+enum class OpenHow { here, instead, beside, lookedInto };
 
 /// What something is opened for. It travels with the request and comes back with the answer: others may be
 /// asked for meanwhile.

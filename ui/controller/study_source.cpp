@@ -3,7 +3,7 @@
 namespace volumen {
 
 void StudySource::studiesOf(const std::string& patientId, const std::string& patientName) {
-  Q_EMIT patientListed(patientId, patientName, {});
+  Q_EMIT patientListed(patientId, patientName, std::vector<IndexedStudy>());
 }
 
 void StudySource::wantThumbnails(const std::vector<std::int64_t>& series) {

@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QObject>
 #include <QStringList>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,12 +40,12 @@ class StudySource : public QObject {
   virtual void list(const StudyListRequest& request) = 0;
   /// Ends in seriesListed().
   virtual void series(std::int64_t study) = 0;
-  /// Ends in patientListed(): all studies of a patient of this ID and name, in no order; none where they
-  /// cannot be asked for. Here: there are none.
+  /// Ends in patientListed(): all studies of a patient of this ID and name, in no order. Here: there are
+  /// none.
   virtual void studiesOf(const std::string& patientId, const std::string& patientName);
   /// Ends in thumbnailMade() for each; those wanted before and not begun are given up. Here: there are none.
   virtual void wantThumbnails(const std::vector<std::int64_t>& series);
-  /// Ends in filesFound(), once the files of the study are on this machine.
+  /// Ends in filesFound(), once the files of the study are on this machine, or in notOpened().
   virtual void open(const IndexedChoice& choice, OpenHow how) = 0;
 
   /// Whether import() does anything; here it does not.
@@ -61,18 +62,21 @@ class StudySource : public QObject {
   /// The answer to this request.
   void listed(const volumen::StudyListRequest& request, const volumen::StudyListPtr& list);
   void seriesListed(qint64 study, const volumen::SeriesListPtr& series);
+  /// None: they could not be asked for.
   void patientListed(const std::string& patientId, const std::string& patientName,
-                     const std::vector<volumen::IndexedStudy>& studies);
+                     const std::optional<std::vector<volumen::IndexedStudy>>& studies);
   /// Null: there is none.
   void thumbnailMade(qint64 series, const QImage& thumbnail);
   /// The files of the study of a choice, and what was asked for, with the series of the choice.
   void filesFound(const volumen::IndexedChoice& choice, const std::vector<std::string>& files,
                   const volumen::OpenIntent& intent);
+  /// Why a choice is not opened: a sentence.
+  void notOpened(const volumen::IndexedChoice& choice, const QString& sentence);
   /// It holds something else now.
   void changed();
   void importBegun();
   void importEnded(const volumen::ImportReport& report);
-  /// A sentence on what was asked last.
+  /// A sentence on what was asked last, but for notOpened().
   void failed(const QString& sentence);
   /// Why nothing can be asked.
   void unavailable(const QString& sentence);

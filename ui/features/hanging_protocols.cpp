@@ -183,7 +183,7 @@ void HangingProtocols::hang(const HangingProtocol& protocol) {
 // opened together one is shown.
 void HangingProtocols::await(const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
   if (intent.scene || !intent.seriesUid.empty()) return;
-  if (intent.how == OpenHow::beside || intent.how == OpenHow::listed) return;
+  if (intent.how == OpenHow::beside || intent.how == OpenHow::lookedInto) return;
   if (intent.isShown && (!*intent.isShown || intent.isShown == openedTogether_)) return;
   openedTogether_ = intent.isShown;
   awaited_.push_back(study);

@@ -64,8 +64,9 @@ void KeyImages::toggleKeyImage() {
         tr("Only pictures as acquired can be key images: choose a view along the slices, or View > "
            "Show as frames."));
   const Series* series = seriesIn(session_.workspace(), view->id());
-  const std::optional<KeyImage> image = keyImageOf(*series, *picture);
+  std::optional<KeyImage> image = keyImageOf(*series, *picture);
   if (!image) return tell(tr("Only pictures of DICOM files can be key images."));
+  image->window = flatLookOf(view->state()).windowAlone;
   const bool was = isKeyImage(session_.workspace(), *image);
   session_.endGesture();
   session_.change(was ? tr("Remove key image") : tr("Key image"),

@@ -1,10 +1,13 @@
 #include "ui/workspace/priors.h"
 
 #include <deque>
+#include <tuple>
 #include <utility>
 
+#include "ui/data/frame_series.h"
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
+#include "ui/widgets/banner.h"
 #include "ui/workspace/links.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
@@ -12,6 +15,8 @@
 namespace volumen {
 
 namespace {
+
+constexpr int mostOpened = 3;  // one after the other, by themselves
 
 // The series in focus beside the same one of an earlier day: of a study that is open, else of one that a
 // source of studies lists, which is opened for it.
@@ -23,6 +28,7 @@ class Priors : public Feature {
   struct Listed {
     StudySource* source;
     IndexedStudy study;
+    bool soundsLike;
   };
   // A picture whose prior is looked for.
   struct Wanted {
@@ -31,8 +37,10 @@ class Priors : public Feature {
     std::string after{};           // day of the prior that is open; empty: none is
     bool mayOpen = true;           // else it is only told that there is a later one
     int answers = 0;               // of sources, still to come
-    std::deque<Listed> studies{};  // that may hold it, the latest first
-    bool isAway = false;           // files of one of them are not there
+    std::deque<Listed> studies{};  // that may hold it, those that sound like it and the latest first
+    bool isUnread = false;         // a source could not be asked
+    bool isAway = false;           // files of one of them are not there, or are others by now
+    int opened = 0;                // of them, so far
     QString place{};               // of the one that is being opened; empty: none was yet
     bool isRead = false;           // from its files, which are here
   };
@@ -41,12 +49,15 @@ class Priors : public Feature {
   void show(const SeriesPicture& current, const SeriesPicture& prior);
   void askSources(const Series& series);
   void take(StudySource& source, const std::string& patientId, const std::string& patientName,
-            const std::vector<IndexedStudy>& studies);
+            const std::optional<std::vector<IndexedStudy>>& studies);
   void openNext();
-  void lookInto(const QString& place);
+  void lookInto(const QString& place, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
+  void list(const QString& place, const std::shared_ptr<const Study>& study);
   SeriesPicture current() const;
+  void tellNone(const Wanted& wanted);
   void tellAway();
-  void tellLater();
+  void tellLater(const Wanted& wanted);
+  void tellPassedOver(const Wanted& wanted, const std::string& shownDay);
   void offerRegistration(const Series& current, const Series& prior);
 
   std::optional<Wanted> wanted_;
@@ -64,19 +75,21 @@ Priors::Priors(Workbench& bench) : Feature(bench) {
     StudySource* source = each.get();
     connect(source, &StudySource::patientListed, this,
             [this, source](const std::string& id, const std::string& name,
-                           const std::vector<IndexedStudy>& studies) { take(*source, id, name, studies); });
+                           const std::optional<std::vector<IndexedStudy>>& studies) {
+              take(*source, id, name, studies);
+            });
     connect(source, &StudySource::filesFound, this,
             [this, source](const IndexedChoice& choice, const std::vector<std::string>&,
                            const OpenIntent& intent) {
               if (!wanted_ || wanted_->place != source->placeOf(choice.study)) return;
-              if (intent.how != OpenHow::listed) return wanted_.reset();  // it was opened by hand
+              if (intent.how != OpenHow::lookedInto) return wanted_.reset();  // it was opened by hand
               wanted_->isRead = true;
             });
-    connect(source, &StudySource::failed, this, [this] {
-      if (wanted_ && !wanted_->place.isEmpty()) wanted_.reset();
+    connect(source, &StudySource::notOpened, this, [this, source](const IndexedChoice& choice) {
+      if (wanted_ && wanted_->place == source->placeOf(choice.study)) wanted_.reset();
     });
   }
-  connect(&open_, &OpenStudies::added, this, &Priors::lookInto);
+  connect(&bench_.document.loader, &Loader::filesOpened, this, &Priors::lookInto);
   // Cancelled, or it could not be read.
   connect(&bench_.document.loader, &Loader::idle, this, [this] {
     if (wanted_ && wanted_->isRead) wanted_.reset();
@@ -98,7 +111,12 @@ void Priors::compare() {
     });
     show(shown, found);
   }
-  askSources(series);
+  if (!series.patientId.empty()) return askSources(series);
+  if (wanted_->after.empty())
+    warn(
+        tr("No earlier study of this patient is open, and without a patient ID none is opened from the list "
+           "of studies: open one there (Ctrl+B), or from its folder (Ctrl+O)."));
+  wanted_.reset();
 }
 
 void Priors::show(const SeriesPicture& current, const SeriesPicture& prior) {
@@ -121,54 +139,64 @@ void Priors::askSources(const Series& series) {
 
 // One that was asked for something else meanwhile answers that, too: whose the studies are is compared.
 void Priors::take(StudySource& source, const std::string& patientId, const std::string& patientName,
-                  const std::vector<IndexedStudy>& studies) {
+                  const std::optional<std::vector<IndexedStudy>>& studies) {
   const SeriesPicture now = current();
   if (!now || !wanted_->answers) return;
   if (now.series->patientId != patientId || now.series->patientName != patientName) return;
-  for (const IndexedStudy& study : unopenedPriors(*now.series, studies, open_.pictures(), wanted_->after))
-    wanted_->studies.push_back({&source, study});
+  wanted_->isUnread = wanted_->isUnread || !studies;
+  for (const IndexedStudy& study : unopenedPriors(*now.series, studies.value_or(std::vector<IndexedStudy>()),
+                                                  open_.pictures(), wanted_->after))
+    wanted_->studies.push_back({&source, study, soundsLike(*now.series, study)});
   if (--wanted_->answers > 0) return;
-  std::ranges::stable_sort(wanted_->studies,
-                           [](const Listed& a, const Listed& b) { return a.study.date > b.study.date; });
+  std::ranges::stable_sort(wanted_->studies, [](const Listed& a, const Listed& b) {
+    return std::tie(b.soundsLike, b.study.date) < std::tie(a.soundsLike, a.study.date);
+  });
   if (wanted_->mayOpen) return openNext();
-  if (!wanted_->studies.empty()) tellLater();
-  wanted_.reset();
+  if (!wanted_->studies.empty()) return tellLater(*std::exchange(wanted_, {}));
+  const Wanted all = *std::exchange(wanted_, {});
+  if (all.isUnread) tellNone(all);
 }
 
 void Priors::openNext() {
-  while (!wanted_->studies.empty()) {
+  while (!wanted_->studies.empty() && wanted_->opened < mostOpened) {
     const Listed next = wanted_->studies.front();
     wanted_->studies.pop_front();
     wanted_->isAway = wanted_->isAway || next.study.offline;
     if (next.study.offline) continue;
     wanted_->place = next.source->placeOf(next.study.id);
     wanted_->isRead = false;
+    ++wanted_->opened;
     tell(tr("Opening an earlier study of this patient from the list of studies."));
-    return next.source->open({next.study.id, 0}, OpenHow::listed);
+    return next.source->open({next.study.id, 0}, OpenHow::lookedInto);
   }
-  const Wanted all = *std::exchange(wanted_, {});
-  if (all.isAway) return tellAway();
-  if (all.after.empty())
-    return warn(
-        tr("No earlier study of this patient with such a series is open or in the list of studies: open one "
-           "from its folder (Ctrl+O), or import it (Ctrl+I)."));
-  if (!all.place.isEmpty()) tell(tr("The later study of this patient holds no such series."));
+  tellNone(*std::exchange(wanted_, {}));
 }
 
-void Priors::lookInto(const QString& place) {
-  if (!wanted_ || wanted_->place != place) return;
-  const SeriesPicture shown = current();
-  if (!shown) return wanted_.reset();
+// The files may be others than the list says, even another patient's.
+void Priors::lookInto(const QString& place, const std::shared_ptr<const Study>& study,
+                      const OpenIntent& intent) {
+  if (!wanted_ || intent.how != OpenHow::lookedInto || wanted_->place != place) return;
+  const SeriesPicture now = current();
+  if (!now) return wanted_.reset();
+  const Series series = *now.series;  // of the workspace, which changes
+  const std::vector<Series> frames = frameSeries(*study);
   std::vector<const Series*> pictures;
-  const OpenStudy* opened = open_.find(place);
-  for (std::size_t n = 0; const Series* series = opened->seriesAt(n); ++n) pictures.push_back(series);
-  wanted_->isAway = wanted_->isAway || pictures.empty();
-  const SeriesPicture found = mostLike(shown, pictures);
+  for (const std::vector<Series>* all : {&study->volumes, &frames})
+    for (const Series& each : *all) pictures.push_back(&each);
+  const std::vector<const Series*> earlier = earlierOf(series, pictures, wanted_->after);
+  wanted_->isAway = wanted_->isAway || earlier.empty();
+  const SeriesPicture found = mostLike({&series, now.frame}, earlier);
   if (!found) return openNext();
-  const bool isLaterAway = wanted_->isAway;
-  wanted_.reset();
-  show(shown, found);
-  if (isLaterAway) tellAway();
+  const Wanted all = *std::exchange(wanted_, {});
+  list(place, study);
+  show({&series, now.frame}, found);
+  if (all.isAway) return tellAway();
+  tellPassedOver(all, found.series->studyDate);
+}
+
+void Priors::list(const QString& place, const std::shared_ptr<const Study>& study) {
+  bench_.document.opener.list(place, study);
+  if (!study->refused.empty()) bench_.banner.add(unreadText(*study), refusedTexts(study->refused));
 }
 
 // What is wanted a prior of; none: it is not on screen any more.
@@ -181,16 +209,44 @@ SeriesPicture Priors::current() const {
   return {};
 }
 
+void Priors::tellNone(const Wanted& wanted) {
+  if (wanted.isAway) return tellAway();
+  if (!wanted.studies.empty())
+    return warn(
+        tr("The %1 earlier studies of this patient that were looked into hold no such series: open another "
+           "one from the list of studies (Ctrl+B).")
+            .arg(wanted.opened));
+  if (wanted.isUnread)
+    return warn(
+        wanted.after.empty()
+            ? tr("The list of studies could not be read: it may hold an earlier study of this patient. Open "
+                 "one from its folder (Ctrl+O).")
+            : tr("The list of studies could not be read: it may hold a later prior of this patient."));
+  if (wanted.after.empty())
+    return warn(
+        tr("No earlier study of this patient with such a series is open or in the list of studies: open one "
+           "from its folder (Ctrl+O), or import it (Ctrl+I)."));
+  if (wanted.opened > 0) tell(tr("The later study of this patient holds no such series."));
+}
+
 void Priors::tellAway() {
   warn(
       tr("The files of an earlier study of this patient are not there now: connect the disk or network "
          "folder that holds them, or import the folder from where they are."));
 }
 
-void Priors::tellLater() {
+void Priors::tellLater(const Wanted& wanted) {
   tell(namesHidden() ? tr("The list of studies holds a later prior: Alt+7 again opens it.")
                      : tr("The list of studies holds a later prior, of %1: Alt+7 again opens it.")
-                           .arg(dateText(wanted_->studies.front().study.date)));
+                           .arg(dateText(wanted.studies.front().study.date)));
+}
+
+// What sounds like it came first.
+void Priors::tellPassedOver(const Wanted& wanted, const std::string& shownDay) {
+  if (std::ranges::any_of(wanted.studies, [&](const Listed& each) { return each.study.date > shownDay; }))
+    warn(
+        tr("A later study of this patient was not looked into, as its description names something else: it "
+           "can be opened from the list of studies (Ctrl+B)."));
 }
 
 // Positions of two days are comparable only where they are in one frame of reference.

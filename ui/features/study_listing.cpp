@@ -183,6 +183,8 @@ void StudyListing::connectSource(StudySource& source) {
       [this, &source](const IndexedChoice& choice, const std::vector<std::string>& files,
                       const OpenIntent& intent) { openFound(source.placeOf(choice.study), files, intent); });
   connect(&source, &StudySource::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&source, &StudySource::notOpened, this,
+          [this](const IndexedChoice&, const QString& sentence) { warn(sentence); });
   connect(&source, &StudySource::noticed, this,
           [this](const QString& sentence) { bench_.banner.add(sentence); });
   connect(&source, &StudySource::importBegun, this, [this] {
@@ -247,12 +249,13 @@ void StudyListing::showImported() {
   arrangeBrowser();
 }
 
-// Where it is open already, it is not read again.
+// Where it is open already, it is not read again. What is looked into is: it goes to who asked for it.
 void StudyListing::openFound(const QString& place, const std::vector<std::string>& files,
                              const OpenIntent& intent) {
   const std::shared_ptr<const Study> open = open_.studyOf(place);
   const auto known = filesOf_.find(place);
-  if (open && known != filesOf_.end() && known->second == files) return showFound(place, open, intent);
+  const bool isRead = open && known != filesOf_.end() && known->second == files;
+  if (isRead && intent.how != OpenHow::lookedInto) return showFound(place, open, intent);
   filesOf_.erase(place);
   asked_[place] = files;
   bench_.document.loader.openFiles(place, files, intent);
@@ -261,9 +264,9 @@ void StudyListing::openFound(const QString& place, const std::vector<std::string
 void StudyListing::showFound(const QString& place, const std::shared_ptr<const Study>& study,
                              const OpenIntent& intent) {
   if (const auto asked = asked_.extract(place)) filesOf_[place] = asked.mapped();
+  if (intent.how == OpenHow::lookedInto) return;
   bench_.document.opener.list(place, study);
   if (!study->refused.empty()) bench_.banner.add(unreadText(*study), refusedTexts(study->refused));
-  if (intent.how == OpenHow::listed) return;
   waiting_.push_back({place, study, intent});
   showNext();
 }

@@ -16,7 +16,8 @@ std::optional<Window> FlatView::windowShown() const {
 }
 
 QString FlatView::windowLine(const QString& words) const {
-  return flatLookOf(state()).windowAlone ? tr("%1 (this view)").arg(words) : words;
+  const bool isAlone = !words.isEmpty() && flatLookOf(state()).windowAlone;
+  return isAlone ? tr("%1 (this view)").arg(words) : words;
 }
 
 // Where the numbers of the window stand; empty: nowhere, there are none.

@@ -192,7 +192,7 @@ bool hasWindowAlone(const HangingProtocol& protocol, const std::vector<SeriesPic
   if (!protocol.cells[cell].window) return false;
   for (std::size_t n = 0; n < found.size(); ++n)
     if (found[n] && keyOf(*found[n].series) == keyOf(*found[cell].series) &&
-        protocol.cells[n].picture != CellPicture::scene &&
+        protocol.cells[n].picture != CellPicture::scene && protocol.cells[n].window &&
         protocol.cells[n].window != protocol.cells[cell].window)
       return true;
   return false;

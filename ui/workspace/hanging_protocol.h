@@ -50,7 +50,7 @@ struct ProtocolCell {
   int which = 1;       ///< of several series that fit: the first, the second, ...
   CellPicture picture = CellPicture::asAcquired;  ///< `scene` where the 3D look of the series is known
   /// In the numbers on screen; of the series wherever it is shown, but of this view alone where another cell
-  /// shows that series by another window, or as it is.
+  /// gives that series another window.
   std::optional<Window> window;
   std::string over;  ///< the name of a series over it; empty: none
   double slabMm = 0;

@@ -18,7 +18,7 @@ KeyImageGroup markedHere(const Workspace& workspace) {
     if (state == workspace.series.end()) continue;
     const ReferencedPicture picture{image.sopInstanceUid, {}, {image.frame}, {}};
     const std::vector<int> named = picturesNamed({picture}, *state->second.series);
-    if (!named.empty()) group.pictures.push_back({state->second.series, named.front()});
+    if (!named.empty()) group.pictures.push_back({state->second.series, named.front(), image.window});
   }
   return group;
 }
@@ -29,7 +29,7 @@ KeyImageGroup markedIn(const DerivedObject& document, const std::vector<const Se
   if (!text.isEmpty()) group.name += QStringLiteral(" (%1)").arg(text);
   for (const ReferencedPicture& picture : document.pictures) {
     if (const std::optional<PicturePlace> place = findPicture(open, picture))
-      group.pictures.push_back({std::make_shared<const Series>(*place->series), place->index});
+      group.pictures.push_back({std::make_shared<const Series>(*place->series), place->index, {}});
     else
       ++group.notHere;
   }
@@ -68,7 +68,9 @@ PictureStop viewOfKeyImage(Workspace workspace, const ListedKeyImage& image, con
   const std::optional<int> slice = drawnSlice(*image.series, image.index);
   if (!shown || opensAsFrames(*image.series) || !slice) {
     workspace = withFrames(std::move(workspace), axialViewId, *image.series);
-    workspace.editView(axialViewId).flats.editOrAdd(keyOf(*image.series)).frame = image.index;
+    FlatLook& look = workspace.editView(axialViewId).flats.editOrAdd(keyOf(*image.series));
+    look.frame = image.index;
+    look.windowAlone = image.window;
     return {std::move(workspace), axialViewId};
   }
   const VoxelGeometry& geometry = shown->volume->geometry();
@@ -76,7 +78,9 @@ PictureStop viewOfKeyImage(Workspace workspace, const ListedKeyImage& image, con
   ViewState& view = workspace.editView(id);
   view.kind = usualKind(id);
   view.series = keyOf(*image.series);
-  view.flats.editOrAdd(view.series).slabMm = 0;
+  FlatLook& look = view.flats.editOrAdd(view.series);
+  look.slabMm = 0;
+  look.windowAlone = image.window;
   glm::dvec3 pVoxel = geometry.voxelFromPatient(geometry.centre());
   pVoxel.z = *slice;
   workspace.crosshairs.editOrAdd(frameOfReference(*image.series)) = {geometry.patientFromVoxel(pVoxel)};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 #include <vector>
 
 #include "ui/data/derived_key.h"
@@ -12,7 +13,8 @@ namespace volumen {
 /// A key image that is here.
 struct ListedKeyImage {
   std::shared_ptr<const Series> series;
-  int index = 0;  ///< in the series, from 0
+  int index = 0;                         ///< in the series, from 0
+  std::optional<ChosenWindow> window{};  ///< KeyImage::window
 };
 
 /// Key images that were marked together.
@@ -33,7 +35,8 @@ std::vector<KeyImageGroup> listKeyImages(const Workspace& workspace,
 QString keyImageName(const ListedKeyImage& image);
 
 /// A flat view that shows it and nothing else: where `shown` is its series in memory and the picture one of
-/// the slices that are drawn, as a slice, with what is measured there; else as a frame.
+/// the slices that are drawn, as a slice, with what is measured there; else as a frame. By the window that it
+/// was marked by.
 PictureStop viewOfKeyImage(Workspace workspace, const ListedKeyImage& image, const LoadedSeriesPtr& shown);
 
 }  // namespace volumen

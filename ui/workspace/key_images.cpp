@@ -6,6 +6,14 @@
 
 namespace volumen {
 
+namespace {
+
+bool areOfOnePicture(const KeyImage& a, const KeyImage& b) {
+  return a.series == b.series && a.sopInstanceUid == b.sopInstanceUid && a.frame == b.frame;
+}
+
+}  // namespace
+
 PictureSeen pictureSeen(const Series& series, const VoxelGeometry& drawn, const SlicePlane& plane) {
   constexpr double parallel = 1e-3, onSlice = 1e-3;  // of an angle, and of a step
   const glm::dvec3 normal = sliceNormal(drawn);
@@ -28,7 +36,7 @@ std::optional<int> drawnSlice(const Series& series, int index) {
 std::optional<KeyImage> keyImageOf(const Series& series, int index) {
   const auto n = std::size_t(index);
   if (index < 0 || n >= series.sopInstanceUids.size() || series.sopInstanceUids[n].empty()) return {};
-  return KeyImage{keyOf(series), series.sopInstanceUids[n], series.frames[n]};
+  return KeyImage{keyOf(series), series.sopInstanceUids[n], series.frames[n], {}};
 }
 
 std::vector<int> keyImagesOf(const Workspace& workspace, const Series& series) {
@@ -45,11 +53,12 @@ std::vector<int> keyImagesOf(const Workspace& workspace, const Series& series) {
 }
 
 bool isKeyImage(const Workspace& workspace, const KeyImage& image) {
-  return std::ranges::find(workspace.keyImages, image) != workspace.keyImages.end();
+  return std::ranges::any_of(workspace.keyImages,
+                             [&](const KeyImage& k) { return areOfOnePicture(k, image); });
 }
 
 Workspace withKeyImageToggled(Workspace workspace, const KeyImage& image) {
-  if (!workspace.keyImages.eraseIf([&](const KeyImage& k) { return k == image; }))
+  if (!workspace.keyImages.eraseIf([&](const KeyImage& k) { return areOfOnePicture(k, image); }))
     workspace.keyImages.push_back(image);
   return workspace;
 }

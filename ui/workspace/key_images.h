@@ -18,12 +18,14 @@ PictureSeen pictureSeen(const Series& series, const VoxelGeometry& drawn, const 
 /// interpolated.
 std::optional<int> drawnSlice(const Series& series, int index);
 
-/// The mark that picture `index` (from 0) of a series has or would have; none where its file has no UID.
+/// The mark that picture `index` (from 0) of a series has or would have, without a window; none where its
+/// file has no UID.
 std::optional<KeyImage> keyImageOf(const Series& series, int index);
 
 /// The pictures of a series that are marked, by their numbers there: ascending.
 std::vector<int> keyImagesOf(const Workspace& workspace, const Series& series);
 
+/// Whether that picture is marked, by whatever window.
 bool isKeyImage(const Workspace& workspace, const KeyImage& image);
 
 /// Marked where it was not, and the other way round.

@@ -13,6 +13,7 @@
 #include "ui/workspace/series_facts.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
+#include "ui/workspace/view_window.h"
 
 namespace volumen {
 
@@ -21,6 +22,18 @@ namespace {
 bool isKnownPatient(const Series& series) { return !series.patientId.empty() || !series.patientName.empty(); }
 
 // Where one of them does not say, they may be the same.
+bool mayBeSame(const std::string& a, const std::string& b) { return a.empty() || b.empty() || a == b; }
+
+// Without numbers, and without words too short to tell anything: "CT", "T1".
+std::vector<std::string> tellingWords(const std::string& text) {
+  std::vector<std::string> words = wordsOf(text);
+  std::erase_if(words, [](const std::string& word) {
+    return word.size() < 3 || word.find_first_not_of("0123456789") == std::string::npos;
+  });
+  return words;
+}
+
+// Likewise.
 bool mayBeOfOnePart(const Series& a, const Series& b) {
   return a.bodyPart.empty() || b.bodyPart.empty() || hasWord(a.bodyPart, b.bodyPart) ||
          hasWord(b.bodyPart, a.bodyPart);
@@ -167,21 +180,42 @@ SeriesPicture priorOf(const SeriesPicture& picture, const std::vector<const Seri
   return {};
 }
 
+std::vector<const Series*> earlierOf(const Series& series, const std::vector<const Series*>& among,
+                                     const std::string& after) {
+  std::vector<const Series*> found;
+  for (const Series* other : among)
+    if (!series.patientId.empty() && areOfOnePatient(*other, series) &&
+        mayBeSame(other->patientBirthDate, series.patientBirthDate) &&
+        mayBeSame(other->patientSex, series.patientSex) && other->studyDate > after &&
+        other->studyDate < series.studyDate)  // nor without a date: "" is not later than any
+      found.push_back(other);
+  return found;
+}
+
 std::vector<IndexedStudy> unopenedPriors(const Series& series, const std::vector<IndexedStudy>& listed,
                                          const std::vector<const Series*>& open, const std::string& after) {
   std::vector<IndexedStudy> found;
-  if (!isKnownPatient(series)) return found;
+  if (series.patientId.empty()) return found;
   for (const IndexedStudy& study : listed) {
     const bool isOpen = std::ranges::any_of(open, [&](const Series* s) {
       return areOfOnePatient(*s, series) && s->studyUid == study.studyUid && s->studyDate == study.date;
     });
-    const bool isOfPatient = study.patientId == series.patientId && study.patientName == series.patientName;
+    const bool isOfPatient = study.patientId == series.patientId && study.patientName == series.patientName &&
+                             mayBeSame(study.birthDate, series.patientBirthDate) &&
+                             mayBeSame(study.sex, series.patientSex);
     const bool isBetween = study.date > after && study.date < series.studyDate;  // nor without a date
     const bool isOfModality = series.modality.empty() || hasWord(study.modalities, "=" + series.modality);
     if (isOfPatient && isBetween && isOfModality && !isOpen) found.push_back(study);
   }
   std::ranges::stable_sort(found, std::greater(), &IndexedStudy::date);
   return found;
+}
+
+bool soundsLike(const Series& series, const IndexedStudy& study) {
+  const std::vector<std::string> own =
+      tellingWords(series.description + ' ' + series.studyDescription + ' ' + series.bodyPart);
+  const std::vector<std::string> other = tellingWords(study.description);
+  return own.empty() || other.empty() || std::ranges::find_first_of(own, other) != own.end();
 }
 
 SeriesPicture likelySecond(const Workspace& workspace, const SeriesPicture& picture,
@@ -226,6 +260,10 @@ Workspace comparedWithPrior(Workspace workspace, const SeriesPicture& current, c
   workspace = withPictures(std::move(workspace), firstComparedId, {&left, current.frame});
   workspace = withPictures(std::move(workspace), firstComparedId + 1, {&right, prior.frame});
   workspace.focus = firstComparedId;
+  // What a view had alone before is not what these two are compared by.
+  for (const ViewId id : {firstComparedId, firstComparedId + 1})
+    if (flatLookOf(workspace.view(id)).windowAlone)
+      workspace = withWindowAlone(std::move(workspace), id, false);
   return workspace;
 }
 

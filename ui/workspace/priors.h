@@ -46,11 +46,21 @@ SeriesPicture mostLike(const SeriesPicture& picture, const std::vector<const Ser
 /// The same picture of the latest study before that holds one; no series: none is open.
 SeriesPicture priorOf(const SeriesPicture& picture, const std::vector<const Series*>& open);
 
+/// Those of some series that are of the patient of one, of a day that is known, earlier than that of the one
+/// and later than `after` ("YYYYMMDD"; empty: however early). The patient is told by ID, name and, where both
+/// say them, birth date and sex; without an ID there are none.
+std::vector<const Series*> earlierOf(const Series& series, const std::vector<const Series*>& among,
+                                     const std::string& after);
+
 /// Of studies that are listed those that may hold such a picture of before and are not open, the latest
-/// first: of the patient, of the modality, earlier than the series and later than `after` ("YYYYMMDD"; empty:
-/// however early).
+/// first: of the patient as earlierOf() has it, of the modality, earlier than the series and later than
+/// `after`.
 std::vector<IndexedStudy> unopenedPriors(const Series& series, const std::vector<IndexedStudy>& listed,
                                          const std::vector<const Series*>& open, const std::string& after);
+
+/// Whether a study that is listed is described by a word that a series, its study or its body part has, too;
+/// also where one of them has none, numbers and words of one or two letters left out.
+bool soundsLike(const Series& series, const IndexedStudy& study);
 
 /// What is most likely wanted beside a series: of its study and plane another weighting or kernel, in the
 /// same frame of reference; else its prior; no series: nothing.
@@ -61,7 +71,7 @@ SeriesPicture likelySecond(const Workspace& workspace, const SeriesPicture& pict
 Workspace withLikelySecond(Workspace workspace, const std::vector<const Series*>& open);
 
 /// Side by side, the current one left and in focus, as they are read: frames, or slices as acquired that
-/// scroll together.
+/// scroll together, neither view with a window alone.
 Workspace comparedWithPrior(Workspace workspace, const SeriesPicture& current, const SeriesPicture& prior);
 
 /// The date of the study in a view, where views on screen show studies of several days; else empty. With

@@ -169,6 +169,7 @@ void fields(Fields& f, KeyImage& image) {
   f("series", image.series);
   f("sopInstanceUid", image.sopInstanceUid);
   f("frame", image.frame, {0, 1e9});
+  f.unlessNone("window", image.window);
 }
 
 template <class Fields>
@@ -204,7 +205,7 @@ void fields(Fields& f, FlatLook& look) {
   f("overlayColours", look.overlayColours, colourWords);
   f("overlayOpacity", look.overlayOpacity, {0, 1});
   f("presentation", look.presentation);
-  f("windowAlone", look.windowAlone);
+  f.unlessNone("windowAlone", look.windowAlone);
 }
 
 template <class Fields>

@@ -11,6 +11,7 @@
 #include "ui/data/derived_key.h"
 #include "ui/data/series_key.h"
 #include "ui/data/series_proof.h"
+#include "ui/workspace/chosen_window.h"
 #include "ui/workspace/key_image.h"
 #include "ui/workspace/measurement.h"
 #include "ui/workspace/quality_goal.h"
@@ -47,13 +48,6 @@ struct SceneLook {
   Scene scene;
   std::shared_ptr<const ChosenPreset> preset;
   bool operator==(const SceneLook& o) const { return scene == o.scene && sameValue(preset, o.preset); }
-};
-
-/// The window that was chosen for what flat views show.
-struct ChosenWindow {
-  std::optional<Window> window;  ///< a negative width is inverted; none: the series' own
-  int namedGrey = 0;             ///< of frames without such a window: which of the file's own
-  bool operator==(const ChosenWindow&) const = default;
 };
 
 /// How one flat view shows one series.

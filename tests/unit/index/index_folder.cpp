@@ -30,7 +30,7 @@ void IndexFolder::add(const MadeFile& file) const {
                             (file.series + "." + std::to_string(1000 + file.slice)).c_str());
     data.putAndInsertString(DCM_PatientBirthDate, "19700102");
     data.putAndInsertString(DCM_AccessionNumber, "A77");
-    data.putAndInsertString(DCM_InstitutionName, "Hôpital Saint-Louis");
+    data.putAndInsertString(DCM_InstitutionName, file.institution.c_str());
   };
   writeDicom(path, picture);
 }

@@ -15,6 +15,7 @@ struct MadeFile {
   std::string patient = "Test^Patient", study = "1.2.3.4", series = "1.2.3.4.5";
   int slice = 0;  ///< its place and its value
   std::string studyDescription = {};
+  std::string institution = "Hôpital Saint-Louis";
 };
 
 /// A folder of data, and one for an index of it.

@@ -216,7 +216,11 @@ Workspace randomWorkspace(std::uint64_t seed) {
     w.editView(chance.below(viewCount)).crosshairs.editOrAdd(frame) = crosshair;
   }
   for (std::size_t n = 1; n < keys.size(); ++n)
-    if (chance.oneIn(2)) w.keyImages.push_back({keys[n], anyText(chance), chance.below(50)});
+    if (chance.oneIn(2)) {
+      KeyImage image{keys[n], anyText(chance), chance.below(50)};
+      if (chance.oneIn(3)) image.window = ChosenWindow{Window{anyNumber(chance), -chance.power(-3, 5)}, 0};
+      w.keyImages.push_back(image);
+    }
   for (std::size_t n = 1; n < keys.size(); ++n)
     if (chance.oneIn(3)) w.segmentMaps.push_back(anySegments(chance, keys[n]));
   for (int n = chance.below(3); n > 0; --n)

@@ -176,11 +176,30 @@ void TestHungStudies::oneSeriesHasTwoWindows() {
   const Workspace again = hung(first, protocolNamed(known, "CT, lung"), one.studies());
   QVERIFY(!aloneIn(again, left) && !aloneIn(again, right));
   QVERIFY(again.series.at(key).window == Window({-600, 1500}));
-  // A cell that says nothing shows it as it is.
+  // A cell that says nothing has that of the only one that does.
   HangingProtocol half = kept;
   half.cells[0].window.reset();
   const Workspace halves = hung({}, half, one.studies());
-  QVERIFY(!aloneIn(halves, left) && aloneIn(halves, right) && !halves.series.at(key).window);
+  QVERIFY(!aloneIn(halves, left) && !aloneIn(halves, right));
+  QVERIFY(halves.series.at(key).window == Window({40, 400}));
+  HangingProtocol equal = kept;
+  equal.cells[0].window = equal.cells[1].window;
+  const Workspace equals = hung({}, equal, one.studies());
+  QVERIFY(!aloneIn(equals, left) && equals.series.at(key).window == Window({40, 400}));
+  // Beside two that do it shows the series as it is.
+  HangingProtocol three = kept;
+  three.layout = Layout::four;
+  three.cells.push_back(three.cells[0]);
+  three.cells[2].window.reset();
+  const Workspace thirds = hung({}, three, one.studies());
+  QVERIFY(aloneIn(thirds, left) && aloneIn(thirds, right) && !aloneIn(thirds, right + 1));
+  QVERIFY(!thirds.series.at(key).window);
+  // CT beside CT under PET.
+  const OpenPictures fused({{"PT", "PET"}, {"CT", "CT"}});
+  const Workspace petCt = hung({}, protocolNamed(known, "PET/CT"), fused.studies());
+  QVERIFY(petCt.view(left).series == petCt.view(right).series);
+  QVERIFY(!aloneIn(petCt, left) && !aloneIn(petCt, right));
+  QVERIFY(petCt.series.at(keyOf(fused.series[1])).window == Window({40, 400}));
   // Two kernels are two series.
   const OpenPictures two({{"CT", "Soft tissue 1.0", "CHEST"}, {"CT", "Lung 1.0", "CHEST"}});
   const Workspace kernels = hung({}, both, two.studies());

@@ -1,9 +1,12 @@
 // Guards priors: which studies are earlier ones of the patient, which series of theirs is the same, what
 // stands side by side and what fills an empty view by itself.
+#include <functional>
+
 #include "tests/unit/suite.h"
 #include "ui/workspace/priors.h"
 #include "ui/workspace/series_facts.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/view_window.h"
 
 using namespace volumen;
 
@@ -60,6 +63,10 @@ class TestPriors : public QObject {
  private Q_SLOTS:
   void earlierStudiesOfThePatient();
   void listedStudiesThatMayHoldOne();
+  void whoseStudiesAreTold_data();
+  void whoseStudiesAreTold();
+  void whatSoundsLikeASeries_data();
+  void whatSoundsLikeASeries();
   void theSameSeriesIsFound_data();
   void theSameSeriesIsFound();
   void likenessIsAShareOfAHundred();
@@ -123,9 +130,69 @@ void TestPriors::listedStudiesThatMayHoldOne() {
   QCOMPARE(found(open.series[0], ""), QStringLiteral("20250102 20230102"));
   QCOMPARE(found(open.series[0], "20240102"), QStringLiteral("20250102"));
   QCOMPARE(found(open.series[1], ""), QStringLiteral("20230102"));
-  Series nobody = open.series[0];
-  nobody.patientId = nobody.patientName = "";
-  QCOMPARE(found(nobody, ""), QString());
+}
+
+void TestPriors::whoseStudiesAreTold_data() {
+  using Change = std::function<void(Series & shown, Series & other)>;
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<bool>("isPrior");
+  const auto row = [](const char* name, bool isPrior, const Change& change) {
+    QTest::newRow(name) << change << isPrior;
+  };
+  row("the same", true, [](Series&, Series&) {});
+  row("another name", false, [](Series&, Series& other) { other.patientName = "Roe"; });
+  row("without an ID", false, [](Series& shown, Series& other) { shown.patientId = other.patientId = ""; });
+  row("nobody", false, [](Series& shown, Series& other) {
+    shown.patientId = other.patientId = shown.patientName = other.patientName = "";
+  });
+  row("another birth date", false, [](Series&, Series& other) { other.patientBirthDate = "19810203"; });
+  row("a birth date that one of them has", true, [](Series&, Series& other) { other.patientBirthDate = ""; });
+  row("another sex", false, [](Series&, Series& other) { other.patientSex = "M"; });
+  row("a sex that one of them has", true, [](Series& shown, Series&) { shown.patientSex = ""; });
+  row("a later day", false, [](Series&, Series& other) { other.studyDate = "20260103"; });
+  row("the same day", false, [](Series&, Series& other) { other.studyDate = "20260102"; });
+  row("no day", false, [](Series&, Series& other) { other.studyDate = ""; });
+  row("where the day of what is shown is not known", false,
+      [](Series& shown, Series&) { shown.studyDate = ""; });
+}
+
+// As files and as the list says it.
+void TestPriors::whoseStudiesAreTold() {
+  QFETCH(std::function<void(Series&, Series&)>, change);
+  QFETCH(bool, isPrior);
+  PriorStudies s({{"20260102", "T1"}, {"20240102", "T1"}});
+  Series &shown = s.series[0], &other = s.series[1];
+  for (Series* series : {&shown, &other}) series->patientBirthDate = "19700102", series->patientSex = "F";
+  change(shown, other);
+  QCOMPARE(earlierOf(shown, {&shown, &other}, ""),
+           isPrior ? std::vector<const Series*>{&other} : std::vector<const Series*>());
+  QVERIFY(earlierOf(shown, {&other}, "20240102").empty());
+  IndexedStudy study;
+  study.patientId = other.patientId, study.patientName = other.patientName, study.date = other.studyDate;
+  study.birthDate = other.patientBirthDate, study.sex = other.patientSex, study.modalities = "MR";
+  QCOMPARE(unopenedPriors(shown, {study}, {}, "").size(), std::size_t(isPrior));
+}
+
+void TestPriors::whatSoundsLikeASeries_data() {
+  QTest::addColumn<QString>("listed");
+  QTest::addColumn<bool>("sounds");
+  QTest::newRow("a word of its study") << QStringLiteral("Thorax nativ") << true;
+  QTest::newRow("a word of its own") << QStringLiteral("LUNG") << true;
+  QTest::newRow("its body part") << QStringLiteral("Chest") << true;
+  QTest::newRow("nothing said") << QString() << true;
+  QTest::newRow("no more than the modality") << QStringLiteral("CT") << true;
+  QTest::newRow("another word") << QStringLiteral("CT Knee") << false;
+  QTest::newRow("a number alone in common") << QStringLiteral("Knee 2000") << false;
+}
+
+void TestPriors::whatSoundsLikeASeries() {
+  QFETCH(QString, listed);
+  QFETCH(bool, sounds);
+  Series series = priorSeries({"20260102", "Lung 2000", "CT", "7", "CHEST"});
+  series.studyDescription = "CT Thorax";
+  IndexedStudy study;
+  study.description = listed.toStdString();
+  QCOMPARE(soundsLike(series, study), sounds);
 }
 
 void TestPriors::theSameSeriesIsFound_data() {
@@ -193,6 +260,14 @@ void TestPriors::currentAndPriorStandSideBySide() {
   QVERIFY(after.view(firstComparedId).series == keyOf(s.series[0]));
   QVERIFY(after.view(firstComparedId + 1).series == keyOf(s.series[1]));
   for (const ViewId id : viewsOnScreen(after)) QVERIFY(after.view(id).kind == ViewKind::axial);
+  // Views that had windows alone.
+  Workspace alone = after;
+  for (const ViewId id : viewsOnScreen(after)) alone = withWindowAlone(std::move(alone), id, true);
+  const Workspace again = comparedWithPrior(alone, {&s.series[0]}, {&s.series[1]});
+  for (const ViewId id : viewsOnScreen(again)) {
+    QVERIFY(flatLookOf(alone.view(id)).windowAlone);
+    QVERIFY(!flatLookOf(again.view(id)).windowAlone);
+  }
   // The view showed 3D before.
   Workspace in3d = withLayout(before, Layout::two);
   in3d = withKind(in3d, firstComparedId, ViewKind::volume, {});
