@@ -2,6 +2,7 @@
 // key events, against rays that meet a ball; what else the window does with them.
 #include <QLabel>
 #include <cmath>
+#include <functional>
 
 #include "tests/fixtures/small_volumes.h"
 #include "tests/ui/measure_window.h"
@@ -62,6 +63,12 @@ struct SurfaceWindow : MeasureWindow {
     return {};
   }
   QString told() { return child<QLabel>("toldText")->text(); }
+  // A tenth of its opacity: half of the light is stopped in ln 2 / 0.105 = 6.6 mm.
+  void makeFog() {
+    session().edit(QStringLiteral("fog"), [](Scene& s) {
+      for (CurvePoint& p : s.transferFunction.points) p.opacity *= 0.1;
+    });
+  }
   bool isMeasuring() { return window.views()->tool().measuring; }
 };
 
@@ -80,6 +87,12 @@ class TestSurfaceMeasurements : public QObject {
   void whereNothingIsSeenASentenceSaysSo();
   void anEndIsNotLeftOffTheSurface();
   void aPointIsDraggedOverTheSurface();
+  void aClickOnAPointChangesNothing();
+  void whatWasNotPickedThereIsNotMoved_data();
+  void whatWasNotPickedThereIsNotMoved();
+  void softnessIsThatOfWherePointsLie();
+  void movedInASliceItIsNoLongerOnTheSurface_data();
+  void movedInASliceItIsNoLongerOnTheSurface();
   void aClickSelectsAndDeleteRemoves();
   void keysChooseAndPutAway();
   void theSliceThroughBothEndsShowsIt();
@@ -250,6 +263,101 @@ void TestSurfaceMeasurements::aPointIsDraggedOverTheSurface() {
   QVERIFY(w.session().workspace() == before);
 }
 
+void TestSurfaceMeasurements::aClickOnAPointChangesNothing() {
+  SurfaceWindow w;
+  w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
+  const Workspace before = w.session().workspace();
+  const int steps = w.session().undoStack().index();
+  const QPoint end = w.seenLast().handles[1].at.toPoint();
+  QTest::mousePress(w.scene(), Qt::LeftButton, {}, end);
+  QTest::mouseEvent(QTest::MouseMove, w.scene(), Qt::LeftButton, {}, end + QPoint(1, 1));
+  QTest::mouseRelease(w.scene(), Qt::LeftButton, {}, end + QPoint(1, 1));
+  QVERIFY(w.session().workspace() == before);
+  QCOMPARE(w.session().undoStack().index(), steps);
+}
+
+void TestSurfaceMeasurements::whatWasNotPickedThereIsNotMoved_data() {
+  using Draw = std::function<void(SurfaceWindow&)>;
+  QTest::addColumn<Draw>("draw");
+  QTest::newRow("drawn in a slice") << Draw([](SurfaceWindow& w) {
+    w.draw(ShapeKind::length, w.placesWithin(placesOf(ShapeKind::length), {}, 4));
+  });
+  QTest::newRow("hidden by the ball") << Draw([](SurfaceWindow& w) {
+    w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
+    w.scene()->showView(QStringLiteral("posterior"));
+  });
+  QTest::newRow("the surface is elsewhere by now") << Draw([](SurfaceWindow& w) {
+    w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
+    w.session().edit(QStringLiteral("deeper"), [](Scene& s) {
+      for (CurvePoint& p : s.transferFunction.points) p.value = 900;  // 4 mm
+    });
+  });
+}
+
+// A drag from its end turns the camera, as from anywhere else.
+void TestSurfaceMeasurements::whatWasNotPickedThereIsNotMoved() {
+  QFETCH(std::function<void(SurfaceWindow&)>, draw);
+  SurfaceWindow w;
+  draw(w);
+  QCOMPARE(w.all().size(), std::size_t(1));
+  QCOMPARE(w.seenLast().lines.size(), std::size_t(1));
+  QVERIFY(w.seenLast().selected && w.seenLast().handles.empty());
+  const Measurement before = w.last();
+  const Camera camera = w.scene()->camera();
+  const QPointF end = w.seenLast().lines[0][1];
+  drag(w.scene(), end, end + QPointF(40, 15));
+  QVERIFY(w.last() == before);
+  QVERIFY(w.scene()->camera() != camera);
+}
+
+// In fog a line of sight through the middle is softer than one nearer to the edge.
+void TestSurfaceMeasurements::softnessIsThatOfWherePointsLie() {
+  SurfaceWindow w;
+  w.makeFog();
+  w.drawLength(w.pixelOf({-10, 0, 0}), w.pixelOf({10, 0, 0}));
+  const double before = w.last().shape.softMm.value_or(0);
+  const QPointF end = w.seenLast().handles[1].at;
+  const auto move = [&](QPointF to) {
+    QTest::mouseEvent(QTest::MouseMove, w.scene(), Qt::LeftButton, {}, to.toPoint());
+    return w.last().shape.softMm.value_or(0);
+  };
+  QTest::mousePress(w.scene(), Qt::LeftButton, {}, end.toPoint());
+  QVERIFY(move(w.pixelOf({1, 0, 0})) > before + 1);
+  // Where it was it is as soft as it was, to the fine steps in which places are looked for.
+  QVERIFY(std::abs(move(end) - before) < 0.1);
+  QTest::mouseRelease(w.scene(), Qt::LeftButton, {}, end.toPoint());
+}
+
+void TestSurfaceMeasurements::movedInASliceItIsNoLongerOnTheSurface_data() {
+  using Place = std::function<QPointF(const DrawnMeasurement&)>;
+  QTest::addColumn<Place>("place");
+  QTest::addColumn<bool>("stays");
+  QTest::newRow("an end") << Place([](const DrawnMeasurement& d) { return d.handles[1].at; }) << false;
+  QTest::newRow("all of it") << Place([](const DrawnMeasurement& d) {
+    return (d.lines[0][0] + d.lines[0][1]) / 2;
+  }) << false;
+  QTest::newRow("its text") << Place([](const DrawnMeasurement& d) { return d.textRect.center(); }) << true;
+}
+
+void TestSurfaceMeasurements::movedInASliceItIsNoLongerOnTheSurface() {
+  QFETCH(std::function<QPointF(const DrawnMeasurement&)>, place);
+  QFETCH(bool, stays);
+  SurfaceWindow w;
+  QTest::keyClick(w.scene(), Qt::Key_A);
+  const QPointF from = w.pixelOf({-6, -10, 3});
+  w.drawLength(from, QPointF(w.pixelOf({7, -9, 3}).x(), from.y()));
+  const Measurement before = w.last();
+  moveCrosshair(w.session(), axialViewId, *w.session().series(), QStringLiteral("there"),
+                before.shape.points[0]);
+  QVERIFY(w.drawn(before.id).whole && w.drawn(before.id).handles.size() == 2);
+  const QPointF at = place(w.drawn(before.id));
+  drag(w.view(), at, at + QPointF(12, 20));
+  QVERIFY(w.last() != before);
+  QCOMPARE(w.last().shape.softMm.has_value(), stays);
+  w.undo();
+  QVERIFY(w.last() == before);
+}
+
 void TestSurfaceMeasurements::aClickSelectsAndDeleteRemoves() {
   SurfaceWindow w;
   const QPointF from = w.pixelOf({-8, -8, 0}), to = w.pixelOf({8, -8, 0});
@@ -329,10 +437,7 @@ void TestSurfaceMeasurements::itSaysHowDeepItMayLie() {
   QVERIFY2(detail().contains(QStringLiteral("on the surface as it was seen in 3D (depth within 0.1 mm)")),
            qPrintable(detail()));
   const double hard = *w.measured(w.last())->plusMinus;
-  // Half of the light is stopped in ln 2 / 0.105 = 6.6 mm: the place is about as sharp.
-  w.session().edit(QStringLiteral("fog"), [](Scene& s) {
-    for (CurvePoint& p : s.transferFunction.points) p.opacity *= 0.1;
-  });
+  w.makeFog();  // a place in it is about as sharp as half of the light goes deep
   w.drawLength(from, to);
   QCOMPARE(w.all().size(), std::size_t(2));
   QVERIFY(*w.last().shape.softMm > 2);

@@ -111,7 +111,7 @@ std::unique_ptr<SceneDrag> beginCurve(const ScenePress& press);
 std::unique_ptr<SceneDrag> beginScissors(const ScenePress& press);
 /// Draws a measurement on what is seen; null, and missed(), where nothing is.
 std::unique_ptr<SceneDrag> beginSurfaceShape(const ScenePress& press, ShapeKind kind);
-/// Moves a point of a measurement, seen there, over what is seen.
+/// Moves a point of a measurement, seen there, over what is seen; a way shorter than a drag's moves nothing.
 std::unique_ptr<SceneDrag> beginSurfacePoint(const ScenePress& press, int measurement, std::size_t point,
                                              QPointF seenAt);
 std::unique_ptr<SceneDrag> beginScenePan(const ScenePress& press);

@@ -42,7 +42,8 @@ class VolumeView : public View {
   const Tool& tool() const { return *tool_; }
   /// The tool in hand in flat views: where it draws in 3D as well, the left button does that first.
   void setFlatTool(const Tool& tool);
-  /// The measurements that are seen, the one that is being drawn last.
+  /// The measurements that are seen, the one that is being drawn last. Points have handles where they were
+  /// picked in 3D and are not hidden: others belong to their slices.
   std::vector<DrawnMeasurement> drawnMeasurements() const;
 
   /// The camera in use: the scene's, or the one fitted to this view.
@@ -92,6 +93,7 @@ class VolumeView : public View {
   ScenePress pressAt(QPointF position, Qt::KeyboardModifiers keys);
   void zoomAt(QPointF position, double factor);
   void tellMissed(QPointF position);
+  bool isSeenAt(QPointF position, const Shape& shape, std::size_t point) const;
   std::unique_ptr<SceneDrag> pressMeasurement(const ScenePress& press);
   void releaseShape(const QMouseEvent& event);
   bool pressMeasuringKey(const QKeyEvent& event);

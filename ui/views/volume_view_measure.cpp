@@ -1,6 +1,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/latin_key.h"
@@ -41,6 +42,9 @@ std::vector<DrawnMeasurement> VolumeView::drawnMeasurements() const {
         m, [&](glm::dvec3 p) { return seenAtPlace(seen, p); }, selected);
     if (one.lines.empty()) return;
     one.text = textInScene(m, *shown);
+    if (m.id > 0)
+      std::erase_if(one.handles,
+                    [&](const auto& handle) { return !isSeenAt(handle.at, m.shape, handle.index); });
     drawn.push_back(std::move(one));
   };
   if (workspace.measurementsShown)
@@ -49,6 +53,15 @@ std::vector<DrawnMeasurement> VolumeView::drawnMeasurements() const {
   if (isDrawing()) add(*drag_->drawing(), true);
   if (!drawn.empty()) placeBeside(overlays(), drawn, overlayArea(), font());
   return drawn;
+}
+
+// Whether a point that was picked in 3D is what is seen where it is drawn: not hidden, and of a surface.
+bool VolumeView::isSeenAt(QPointF position, const Shape& shape, std::size_t point) const {
+  const std::optional<Pick> hit = shape.softMm ? pickAt(position) : std::nullopt;
+  if (!hit || !hit->pPatient) return false;
+  const glm::dvec3 voxel = series()->volume->geometry().spacing();
+  return glm::distance(*hit->pPatient, shape.points[point]) <=
+         *shape.softMm + std::max({voxel.x, voxel.y, voxel.z});
 }
 
 void VolumeView::tellMissed(QPointF position) {
