@@ -206,9 +206,11 @@ void TestSurfaceMeasurements::whereNothingIsSeenASentenceSaysSo_data() {
   QTest::newRow("beside the ball")
       << int(Mode::composite)
       << QStringLiteral("Nothing is seen there: click on a visible surface to measure in 3D.");
-  QTest::newRow("in a mean") << int(Mode::average)
-                             << QStringLiteral(
-                                    "A mean has no surface: choose another projection to measure in 3D.");
+  const QString deep =
+      QStringLiteral("A projection does not show how deep a place lies: choose the mode 3D to measure here.");
+  QTest::newRow("in a mean") << int(Mode::average) << deep;
+  QTest::newRow("at the largest values") << int(Mode::mip) << deep;
+  QTest::newRow("at the smallest values") << int(Mode::minip) << deep;
 }
 
 void TestSurfaceMeasurements::whereNothingIsSeenASentenceSaysSo() {
@@ -291,6 +293,10 @@ void TestSurfaceMeasurements::whatWasNotPickedThereIsNotMoved_data() {
     w.session().edit(QStringLiteral("deeper"), [](Scene& s) {
       for (CurvePoint& p : s.transferFunction.points) p.value = 900;  // 4 mm
     });
+  });
+  QTest::newRow("a projection") << Draw([](SurfaceWindow& w) {
+    w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
+    w.session().edit(QStringLiteral("mode"), [](Scene& s) { s.mode = Mode::mip; });
   });
 }
 

@@ -58,7 +58,7 @@ std::vector<DrawnMeasurement> VolumeView::drawnMeasurements() const {
 // Whether a point that was picked in 3D is what is seen where it is drawn: not hidden, and of a surface.
 bool VolumeView::isSeenAt(QPointF position, const Shape& shape, std::size_t point) const {
   const std::optional<Pick> hit = shape.softMm ? pickAt(position) : std::nullopt;
-  if (!hit || !hit->pPatient) return false;
+  if (!hit || !hit->pPatient || !hit->softMm) return false;
   const glm::dvec3 voxel = series()->volume->geometry().spacing();
   return glm::distance(*hit->pPatient, shape.points[point]) <=
          *shape.softMm + std::max({voxel.x, voxel.y, voxel.z});
@@ -66,8 +66,9 @@ bool VolumeView::isSeenAt(QPointF position, const Shape& shape, std::size_t poin
 
 void VolumeView::tellMissed(QPointF position) {
   const std::optional<Pick> hit = pickAt(position);
-  Q_EMIT missed(hit ? tr("A mean has no surface: choose another projection to measure in 3D.")
-                    : tr("Nothing is seen there: click on a visible surface to measure in 3D."));
+  Q_EMIT missed(
+      hit ? tr("A projection does not show how deep a place lies: choose the mode 3D to measure here.")
+          : tr("Nothing is seen there: click on a visible surface to measure in 3D."));
 }
 
 // Selects what is under the press; its points can be moved.

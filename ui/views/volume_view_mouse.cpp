@@ -42,8 +42,8 @@ ScenePress VolumeView::pressAt(QPointF position, Qt::KeyboardModifiers keys) {
                    [this](const Lasso& lasso) { Q_EMIT lassoDrawn(state().series, lasso); },
                    [this](QPointF p) -> std::optional<SurfacePoint> {
                      const std::optional<Pick> at = pickAt(p);
-                     if (!at || !at->pPatient) return {};
-                     return SurfacePoint{*at->pPatient, at->softMm};
+                     if (!at || !at->pPatient || !at->softMm) return {};
+                     return SurfacePoint{*at->pPatient, *at->softMm};
                    },
                    [this](QPointF p) { tellMissed(p); }};
   press.scene.camera = camera();
