@@ -32,8 +32,26 @@ LoadedSeriesPtr opaqueBall() {
   return series;
 }
 
+LoadedSeriesPtr inFrame(const LoadedSeriesPtr& series, const char* frame) {
+  auto there = std::make_shared<LoadedSeries>(*series);
+  there->series.frameOfReferenceUid = frame;
+  return there;
+}
+
+// Of which nobody knows how large its voxels are.
+LoadedSeriesPtr uncalibrated() {
+  VolumeParts parts;
+  parts.geometry.size = glm::ivec3(8);
+  parts.geometry.calibrated = false;
+  parts.values = std::vector<float>(8 * 8 * 8);
+  std::vector<std::string> warnings;
+  return seriesOf(*Volume::make(std::move(parts), warnings));
+}
+
 struct SurfaceWindow : MeasureWindow {
-  SurfaceWindow() : MeasureWindow(opaqueBall()) { session().setFocus(sceneViewId); }
+  explicit SurfaceWindow(const LoadedSeriesPtr& series = opaqueBall()) : MeasureWindow(series) {
+    session().setFocus(sceneViewId);
+  }
 
   VolumeView* scene() { return window.view(); }
   glm::dvec2 sceneSize() { return {double(scene()->width()), double(scene()->height())}; }
@@ -96,6 +114,7 @@ class TestSurfaceMeasurements : public QObject {
   void aClickSelectsAndDeleteRemoves();
   void keysChooseAndPutAway();
   void theSliceThroughBothEndsShowsIt();
+  void textsAreOfTheirOwnSeries();
   void itSaysHowDeepItMayLie();
   void theSessionKeepsIt();
 };
@@ -430,6 +449,22 @@ void TestSurfaceMeasurements::theSliceThroughBothEndsShowsIt() {
   QCOMPARE(w.seenLast().text, measuredLines(w.last().shape, w.measured(w.last())));
   w.draw(ShapeKind::ellipse, placesOf(ShapeKind::ellipse));
   QVERIFY2(w.seenLast().lines.empty(), "regions belong to their slices");
+}
+
+void TestSurfaceMeasurements::textsAreOfTheirOwnSeries() {
+  const LoadedSeriesPtr first = inFrame(opaqueBall(), "one");
+  SurfaceWindow w(first);
+  w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
+  const QStringList text = w.seenLast().text;
+  QVERIFY(text.value(0).endsWith(QStringLiteral(" mm")));
+  w.session().show(inFrame(uncalibrated(), "one"), sceneViewId);
+  QVERIFY(keyOf(w.session().series()->series) != w.last().series);
+  QCOMPARE(w.seenLast().lines.size(), std::size_t(1));
+  QCOMPARE(w.seenLast().text, text);
+  w.session().pool().forget(w.last().series);
+  w.session().setFocus(axialViewId);
+  QCOMPARE(w.seenLast().lines.size(), std::size_t(1));
+  QVERIFY(w.seenLast().text.isEmpty());
 }
 
 void TestSurfaceMeasurements::itSaysHowDeepItMayLie() {

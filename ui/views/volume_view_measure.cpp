@@ -14,12 +14,13 @@ namespace volumen {
 
 namespace {
 
+// By its own series, which another one may be shown in place of: without numbers while that is not in memory.
 // Of one that is still being drawn once it has all its points. Those that are seen in 3D take no time.
-QStringList textInScene(const Measurement& m, const LoadedSeries& series) {
+QStringList textInScene(const Measurement& m, const LoadedSeriesPtr& series) {
   QStringList text;
   if (!m.shape.name.empty()) text << nameText(m);
-  if (checkShape(m.shape))
-    text << measuredLines(m.shape, measure(m.shape, *series.volume, series.series.unit));
+  if (series && checkShape(m.shape))
+    text << measuredLines(m.shape, measure(m.shape, *series->volume, series->series.unit));
   return text;
 }
 
@@ -41,7 +42,7 @@ std::vector<DrawnMeasurement> VolumeView::drawnMeasurements() const {
     DrawnMeasurement one = drawnInScene(
         m, [&](glm::dvec3 p) { return seenAtPlace(seen, p); }, selected);
     if (one.lines.empty()) return;
-    one.text = textInScene(m, *shown);
+    one.text = textInScene(m, session_.seriesNamed(m.series));
     if (m.id > 0)
       std::erase_if(one.handles,
                     [&](const auto& handle) { return !isSeenAt(handle.at, m.shape, handle.index); });
