@@ -396,6 +396,9 @@ void TestSurfaceMeasurements::aClickSelectsAndDeleteRemoves() {
   QCOMPARE(w.session().workspace().selected, id);
   QVERIFY2(w.session().workspace().crosshairs == before.crosshairs,
            "the line was meant, not what lies behind it");
+  drag(w.scene(), middle + QPointF(0, 25), middle + QPointF(3, 35));
+  QVERIFY2(w.session().workspace().selected == id, "the camera was turned, nothing else");
+  w.undo();
   w.click(middle + QPointF(0, 25));
   QCOMPARE(w.session().workspace().selected, 0);
   w.click(middle);

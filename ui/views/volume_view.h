@@ -150,6 +150,7 @@ class VolumeView : public View {
   std::unique_ptr<SceneDrag> drag_;
   QPointF pressedAt_;
   bool pressedShape_ = false;  // a measurement, not what lies behind it
+  bool pressedFree_ = false;   // no measurement, where one could have been selected
   int stepsAtPress_ = 0;       // of the undo stack
 };
 

@@ -72,13 +72,16 @@ void VolumeView::tellMissed(QPointF position) {
           : tr("Nothing is seen there: click on a visible surface to measure in 3D."));
 }
 
-// Selects what is under the press; its points can be moved.
+// Selects what is under the press; its points can be moved. Elsewhere the selection stays until it is known
+// whether this is a click.
 std::unique_ptr<SceneDrag> VolumeView::pressMeasurement(const ScenePress& press) {
   const std::vector<DrawnMeasurement> drawn = drawnMeasurements();
   const auto hit = hitAt(drawn, press.at);
   pressedShape_ = hit.has_value();
-  session_.select(hit ? hit->drawn->id : 0);
-  if (!hit || hit->part != MeasurementPart::handle) return nullptr;
+  pressedFree_ = !hit;
+  if (!hit) return nullptr;
+  session_.select(hit->drawn->id);
+  if (hit->part != MeasurementPart::handle) return nullptr;
   return beginSurfacePoint(press, hit->drawn->id, hit->handle, hit->drawn->handles[hit->handle].at);
 }
 

@@ -58,7 +58,7 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   }
   if (!series() || drag_) return;
   pressedAt_ = event->position();
-  pressedShape_ = false;
+  pressedShape_ = pressedFree_ = false;
   const Tool* tool = toolFor(*event);
   if (!tool) return;
   session_.endGesture();
@@ -99,6 +99,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (isDrawing()) return releaseShape(*event);
   const bool isStill = (event->position() - pressedAt_).manhattanLength() < 3;
   const bool clicked = drag_ && drag_->pointsWhereStill() && isStill && !pressedShape_;
+  const bool clickedFree = drag_ && isStill && pressedFree_;
   const bool wantsMenu =
       event->button() == Qt::RightButton && isStill && (drag_ || (series() && !toolFor(*event)));
   // What is cut may exchange the volume, which gives up drags.
@@ -107,6 +108,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
     session_.endGesture();
     canvas_->update();
   }
+  if (clickedFree) session_.select(0);
   if (wantsMenu) Q_EMIT menuRequested(event->globalPosition().toPoint());
   if (!clicked || !planesOnScreen()) return;
   const std::optional<Pick> hit = pickAt(event->position());
