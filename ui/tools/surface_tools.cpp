@@ -42,6 +42,7 @@ class SurfaceShapeDrag : public SceneDrag {
   }
 
   const Measurement* drawing() const override { return &drawn_; }
+  bool goesOnIn(const SeriesKey& shown) const override { return shown == drawn_.series; }
 
  private:
   bool follow(QPointF p) {
@@ -87,6 +88,7 @@ class SurfacePointDrag : public SceneDrag {
       m.shape.softMm = std::max(atPress_.shape.softMm.value_or(0), at->softMm);
     });
   }
+  bool goesOnIn(const SeriesKey& shown) const override { return shown == keyOf(press_.series->series); }
 
  private:
   const ScenePress press_;

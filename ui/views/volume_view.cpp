@@ -63,6 +63,7 @@ void VolumeView::seriesExchanged(bool another) {
 
 void VolumeView::workspaceChanged(const Workspace& before) {
   const Workspace& now = session_.workspace();
+  if (drag_ && !drag_->goesOnIn(state().series)) letGo();
   if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout ||
       before.second != now.second || before.measurements != now.measurements ||
       before.selected != now.selected || before.measurementsShown != now.measurementsShown)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "ui/views/cine_bar.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/latin_key.h"
 #include "ui/views/volume_view.h"
@@ -82,6 +83,7 @@ std::unique_ptr<SceneDrag> VolumeView::pressMeasurement(const ScenePress& press)
   if (!hit) return nullptr;
   session_.select(hit->drawn->id);
   if (hit->part != MeasurementPart::handle) return nullptr;
+  cine_->stop();
   return beginSurfacePoint(press, hit->drawn->id, hit->handle, hit->drawn->handles[hit->handle].at);
 }
 

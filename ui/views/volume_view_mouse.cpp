@@ -8,6 +8,7 @@
 
 #include "ui/tools/mouse_bindings.h"
 #include "ui/tools/tool.h"
+#include "ui/views/cine_bar.h"
 #include "ui/views/volume_view.h"
 #include "ui/workspace/text.h"
 
@@ -61,6 +62,7 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   pressedShape_ = pressedFree_ = false;
   const Tool* tool = toolFor(*event);
   if (!tool) return;
+  if (tool->draws()) cine_->stop();
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();
   const ScenePress press = pressAt(event->position(), event->modifiers());
