@@ -101,6 +101,8 @@ class TestSurfaceMeasurements : public QObject {
   void aLengthLiesOnTheSurface();
   void anAngleTakesThreeClicks();
   void theCameraMayMoveBetweenClicks();
+  void otherButtonsMoveItToo_data();
+  void otherButtonsMoveItToo();
   void whereNothingIsSeenASentenceSaysSo_data();
   void whereNothingIsSeenASentenceSaysSo();
   void anEndIsNotLeftOffTheSurface();
@@ -217,6 +219,37 @@ void TestSurfaceMeasurements::theCameraMayMoveBetweenClicks() {
   QVERIFY2(w.scene()->camera() == turned, "what is given up is what was drawn");
   QCOMPARE(w.all().size(), std::size_t(1));
   QCOMPARE(w.scene()->drawnMeasurements().size(), std::size_t(1));
+}
+
+void TestSurfaceMeasurements::otherButtonsMoveItToo_data() {
+  QTest::addColumn<int>("button");
+  QTest::newRow("the middle one") << int(Qt::MiddleButton);
+  QTest::newRow("the right one") << int(Qt::RightButton);
+}
+
+void TestSurfaceMeasurements::otherButtonsMoveItToo() {
+  QFETCH(int, button);
+  SurfaceWindow w;
+  w.choose(ShapeKind::length);
+  const QPointF from = w.pixelOf({-6, -10, 3}), middle = w.pixelOf({0, -12, 0}), way(9, 12);
+  const glm::dvec3 first = w.onBall(from);
+  w.click(from);
+  const Camera before = w.scene()->camera();
+  QTest::mousePress(w.scene(), Qt::MouseButton(button), {}, middle.toPoint());
+  QTest::mouseEvent(QTest::MouseMove, w.scene(), Qt::MouseButton(button), {}, (middle + way).toPoint());
+  QVERIFY(w.scene()->camera() != before);
+  QTest::keyClick(w.scene(), Qt::Key_Escape);
+  QVERIFY2(w.scene()->camera() == before, "the drag was given up");
+  QTest::mouseRelease(w.scene(), Qt::MouseButton(button), {}, (middle + way).toPoint());
+  QCOMPARE(w.scene()->drawnMeasurements().size(), std::size_t(1));
+  drag(w.scene(), middle, middle + way, Qt::MouseButton(button));
+  QVERIFY(w.scene()->camera() != before);
+  QCOMPARE(w.scene()->drawnMeasurements().size(), std::size_t(1));
+  const QPointF to = w.pixelOf({7, -9, -2});
+  w.click(to);
+  QCOMPARE(w.all().size(), std::size_t(1));
+  QVERIFY(areNear(w.last().shape.points[0], first));
+  QVERIFY(areNear(w.last().shape.points[1], w.onBall(to)));
 }
 
 void TestSurfaceMeasurements::whereNothingIsSeenASentenceSaysSo_data() {

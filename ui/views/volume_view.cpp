@@ -63,7 +63,8 @@ void VolumeView::seriesExchanged(bool another) {
 
 void VolumeView::workspaceChanged(const Workspace& before) {
   const Workspace& now = session_.workspace();
-  if (drag_ && !drag_->goesOnIn(state().series)) letGo();
+  const auto isOver = [&](const auto& drag) { return drag && !drag->goesOnIn(state().series); };
+  if (isOver(drag_) || isOver(shape_)) letGo();
   if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout ||
       before.second != now.second || before.measurements != now.measurements ||
       before.selected != now.selected || before.measurementsShown != now.measurementsShown)

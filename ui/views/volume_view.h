@@ -99,11 +99,9 @@ class VolumeView : public View {
   bool pressMeasuringKey(const QKeyEvent& event);
   void showCursorAt(QPointF position);
   QString measurementText(QPointF position) const;
-  /// Whether a drag draws a measurement, which lasts over several presses.
-  bool isDrawing() const { return drag_ && drag_->drawing(); }
-  /// Ends a drag; what it did to the workspace stays.
+  /// Ends a drag, and what is being drawn; what was done to the workspace stays.
   void letGo();
-  /// Ends a drag as if it had not been.
+  /// Ends a drag as if it had not been; without one, what is being drawn.
   void giveUp();
   void editCamera(const QString& what, const Camera& camera);
   void rememberFit(const Camera& fitted);
@@ -148,6 +146,8 @@ class VolumeView : public View {
 
   // Of the gesture under way.
   std::unique_ptr<SceneDrag> drag_;
+  std::unique_ptr<SceneDrag> shape_;  // draws a measurement, by several presses; others may move the camera
+  Qt::MouseButton dragButton_ = Qt::NoButton;
   QPointF pressedAt_;
   bool pressedShape_ = false;  // a measurement, not what lies behind it
   bool pressedFree_ = false;   // no measurement, where one could have been selected

@@ -29,7 +29,7 @@ QStringList textInScene(const Measurement& m, const LoadedSeriesPtr& series) {
 
 void VolumeView::setFlatTool(const Tool& tool) {
   drawing_ = tool.draws() && tool.inScene ? &tool : nullptr;
-  if (isDrawing()) letGo();
+  if (shape_) letGo();
   setCursor(drawing_ ? drawing_->cursor : tool_->cursor);
 }
 
@@ -52,7 +52,7 @@ std::vector<DrawnMeasurement> VolumeView::drawnMeasurements() const {
   if (workspace.measurementsShown)
     for (const Measurement* m : measurementsIn(workspace, frameOfReference(shown->series)))
       add(*m, m->id == workspace.selected);
-  if (isDrawing()) add(*drag_->drawing(), true);
+  if (shape_) add(*shape_->drawing(), true);
   if (!drawn.empty()) placeBeside(overlays(), drawn, overlayArea(), font());
   return drawn;
 }
@@ -88,10 +88,9 @@ std::unique_ptr<SceneDrag> VolumeView::pressMeasurement(const ScenePress& press)
 }
 
 void VolumeView::releaseShape(const QMouseEvent& event) {
-  if (event.button() != Qt::LeftButton) return;
-  auto drag = std::move(drag_);
-  const bool isDone = drag->release(event.position(), event.modifiers());
-  if (!isDone) drag_ = std::move(drag);
+  auto shape = std::move(shape_);
+  const bool isDone = shape->release(event.position(), event.modifiers());
+  if (!isDone) shape_ = std::move(shape);
   canvas_->update();
   if (isDone && !(event.modifiers() & Qt::ShiftModifier)) Q_EMIT toolDone();
 }
@@ -106,10 +105,10 @@ void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
 bool VolumeView::pressMeasuringKey(const QKeyEvent& event) {
   if (event.key() == Qt::Key_Delete) {
     const bool isSeen = std::ranges::any_of(drawnMeasurements(), &DrawnMeasurement::selected);
-    if (isSeen && !drag_) deleteMeasurement(session_, session_.workspace().selected);
+    if (isSeen && !drag_ && !shape_) deleteMeasurement(session_, session_.workspace().selected);
     return isSeen;
   }
-  if (event.key() == Qt::Key_Escape && drawing_ && !drag_) {
+  if (event.key() == Qt::Key_Escape && drawing_) {
     Q_EMIT toolDone();
     return true;
   }
