@@ -1,6 +1,7 @@
 // Guards slices.md 4 in 3D: lengths and angles between places of the surface that is seen, by real mouse and
 // key events, against rays that meet a ball; what else the window does with them.
 #include <QLabel>
+#include <QMenu>
 #include <cmath>
 #include <functional>
 
@@ -115,6 +116,7 @@ class TestSurfaceMeasurements : public QObject {
   void movedInASliceItIsNoLongerOnTheSurface();
   void aClickSelectsAndDeleteRemoves();
   void keysChooseAndPutAway();
+  void theMenuShowsTheKeysThatHold();
   void theSliceThroughBothEndsShowsIt();
   void textsAreOfTheirOwnSeries();
   void itSaysHowDeepItMayLie();
@@ -459,6 +461,25 @@ void TestSurfaceMeasurements::keysChooseAndPutAway() {
   w.click(w.pixelOf({0, 0, -5}), Qt::ShiftModifier);
   QCOMPARE(w.all().size(), std::size_t(1));
   QVERIFY2(w.isMeasuring(), "Shift keeps it");
+}
+
+// A means the view from the front here, with Shift nothing.
+void TestSurfaceMeasurements::theMenuShowsTheKeysThatHold() {
+  SurfaceWindow w;
+  w.scene()->setFocus();
+  QTest::keyClick(w.scene(), Qt::Key_A);
+  QTest::keyClick(w.scene(), Qt::Key_A, Qt::ShiftModifier);
+  QVERIFY(!w.isMeasuring());
+  QTest::mouseClick(w.scene(), Qt::RightButton, {}, w.scene()->rect().center());
+  auto* menu = w.child<QMenu>("volumeMenu");
+  QVERIFY(menu);
+  QStringList entries;
+  for (const QAction* action : menu->actions()) entries << action->text();
+  QVERIFY(entries.contains(QStringLiteral("Length\tD")));
+  QVERIFY2(entries.contains(QStringLiteral("Angle")), qPrintable(entries.join(u'|')));
+  w.child<QAction>("angleToolInScene")->trigger();
+  QVERIFY(&w.window.views()->tool() == &toolNamed("angle"));
+  menu->close();
 }
 
 // Both ends in one row of pixels, seen from the front, are at one height of the patient.

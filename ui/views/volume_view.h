@@ -42,6 +42,9 @@ class VolumeView : public View {
   const Tool& tool() const { return *tool_; }
   /// The tool in hand in flat views: where it draws in 3D as well, the left button does that first.
   void setFlatTool(const Tool& tool);
+  /// Whether the key of a tool that draws in 3D chooses it here: it does not where the window means something
+  /// else by it.
+  bool hasKey(const Tool& tool) const;
   /// The measurements that are seen, the one that is being drawn last. Points have handles where they were
   /// picked in 3D and are not hidden: others belong to their slices.
   std::vector<DrawnMeasurement> drawnMeasurements() const;

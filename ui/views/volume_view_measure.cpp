@@ -1,4 +1,6 @@
+#include <QAction>
 #include <QKeyEvent>
+#include <QKeySequence>
 #include <QMouseEvent>
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -31,6 +33,13 @@ void VolumeView::setFlatTool(const Tool& tool) {
   drawing_ = tool.draws() && tool.inScene ? &tool : nullptr;
   if (shape_) letGo();
   setCursor(drawing_ ? drawing_->cursor : tool_->cursor);
+}
+
+bool VolumeView::hasKey(const Tool& tool) const {
+  const QKeySequence key(tool.key);
+  return tool.draws() && tool.inScene && tool.key != 0 &&
+         std::ranges::none_of(window()->actions(),
+                              [&](const QAction* action) { return action->shortcuts().contains(key); });
 }
 
 std::vector<DrawnMeasurement> VolumeView::drawnMeasurements() const {
@@ -113,9 +122,8 @@ bool VolumeView::pressMeasuringKey(const QKeyEvent& event) {
     return true;
   }
   if (event.modifiers() & ~Qt::ShiftModifier) return false;
-  const auto tool = std::ranges::find_if(tools(), [key = latinKey(event)](const Tool& t) {
-    return t.draws() && t.inScene && t.key != 0 && t.key == key;
-  });
+  const auto tool = std::ranges::find_if(
+      tools(), [&, key = latinKey(event)](const Tool& t) { return t.key == key && hasKey(t); });
   if (tool != tools().end()) Q_EMIT toolWanted(*tool);
   return tool != tools().end();
 }
