@@ -118,6 +118,8 @@ class TestSurfaceMeasurements : public QObject {
   void keysChooseAndPutAway();
   void theMenuShowsTheKeysThatHold();
   void theSliceThroughBothEndsShowsIt();
+  void itIsDrawnWhereItIsSeen_data();
+  void itIsDrawnWhereItIsSeen();
   void textsAreOfTheirOwnSeries();
   void itSaysHowDeepItMayLie();
   void theSessionKeepsIt();
@@ -506,6 +508,47 @@ void TestSurfaceMeasurements::theSliceThroughBothEndsShowsIt() {
   QCOMPARE(w.seenLast().text, measuredLines(w.last().shape, w.measured(w.last())));
   w.draw(ShapeKind::ellipse, placesOf(ShapeKind::ellipse));
   QVERIFY2(w.seenLast().lines.empty(), "regions belong to their slices");
+}
+
+void TestSurfaceMeasurements::itIsDrawnWhereItIsSeen_data() {
+  using Act = std::function<void(SurfaceWindow&)>;
+  QTest::addColumn<Act>("act");
+  QTest::newRow("turned") << Act([](SurfaceWindow& w) { QTest::keyClick(w.scene(), Qt::Key_Left); });
+  QTest::newRow("enlarged") << Act([](SurfaceWindow& w) { wheel(w.scene(), 1); });
+  QTest::newRow("turned back") << Act([](SurfaceWindow& w) {
+    QTest::keyClick(w.scene(), Qt::Key_Left);
+    hover(w.scene(), {5, 5});
+    w.undo();
+  });
+  QTest::newRow("in a view of another size") << Act([](SurfaceWindow& w) {
+    w.child<QAction>("layoutOne")->trigger();
+    QCoreApplication::processEvents();
+  });
+  QTest::newRow("named") << Act(
+      [](SurfaceWindow& w) { renameMeasurement(w.session(), w.last().id, QStringLiteral("a lesion")); });
+}
+
+// However often the pointer asked for it before.
+void TestSurfaceMeasurements::itIsDrawnWhereItIsSeen() {
+  QFETCH(std::function<void(SurfaceWindow&)>, act);
+  SurfaceWindow w;
+  w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
+  const auto isRight = [&] {
+    const Measurement& m = w.last();
+    const DrawnMeasurement seen = w.seenLast();
+    QStringList text = measuredLines(m.shape, w.measured(m));
+    if (!m.shape.name.empty()) text.prepend(nameText(m));
+    if (seen.text != text || seen.lines.size() != 1) return false;
+    for (int n = 0; n < 2; ++n) {
+      const glm::dvec2 at = seenAt(w.scene()->camera(), w.sceneSize(), m.shape.points[std::size_t(n)]);
+      if ((seen.lines[0][n] - QPointF(at.x, at.y)).manhattanLength() > 1e-6) return false;
+    }
+    return true;
+  };
+  hover(w.scene(), w.seenLast().handles[0].at);
+  QVERIFY(isRight());
+  act(w);
+  QVERIFY(isRight());
 }
 
 void TestSurfaceMeasurements::textsAreOfTheirOwnSeries() {

@@ -7,6 +7,7 @@
 #include "ui/controller/draw_service.h"
 #include "ui/overlays/overlays.h"
 #include "ui/tools/tool.h"
+#include "ui/views/drawn_measurement.h"
 #include "ui/views/error_image.h"
 #include "ui/views/pick.h"
 #include "ui/views/view.h"
@@ -14,7 +15,6 @@
 namespace volumen {
 
 class CineBar;
-struct DrawnMeasurement;
 class OrientationCube;
 class WarningBadge;
 
@@ -118,6 +118,9 @@ class VolumeView : public View {
   QStringList warningsShown() const override;
   void paintEvent(QPaintEvent*) override {}  // its canvas is over all of it
   void paintCanvas(QPainter& painter) const;
+  /// Something of what is seen changed: measurements are placed anew.
+  void redraw();
+  std::vector<DrawnMeasurement> placedMeasurements() const;
   void paintCrosshair(QPainter& painter) const;
   /// Where a place is seen; none: behind the eye.
   std::optional<QPointF> seenAtPlace(const Camera& camera, glm::dvec3 pPatient) const;
@@ -143,7 +146,8 @@ class VolumeView : public View {
   ErrorImage errorImage_;  // of it, where errorShown_
   bool errorShown_ = false;
   const Tool* tool_ = &toolNamed("rotate");
-  const Tool* drawing_ = nullptr;  // what setFlatTool() gave it to draw
+  mutable std::optional<std::vector<DrawnMeasurement>> placed_;  // until what is seen changes
+  const Tool* drawing_ = nullptr;                                // what setFlatTool() gave it to draw
   QTimer wheelEnd_;
   std::map<int, double> fitMm_;  // height of fitted cameras, by the number of undo steps when they came
 

@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "ui/views/cine_bar.h"
-#include "ui/views/drawn_measurement.h"
 #include "ui/views/latin_key.h"
 #include "ui/views/volume_view.h"
 #include "ui/workspace/flat_plane.h"
@@ -42,7 +41,17 @@ bool VolumeView::hasKey(const Tool& tool) const {
                               [&](const QAction* action) { return action->shortcuts().contains(key); });
 }
 
+void VolumeView::redraw() {
+  placed_.reset();
+  canvas_->update();
+}
+
 std::vector<DrawnMeasurement> VolumeView::drawnMeasurements() const {
+  if (!placed_) placed_ = placedMeasurements();
+  return *placed_;
+}
+
+std::vector<DrawnMeasurement> VolumeView::placedMeasurements() const {
   std::vector<DrawnMeasurement> drawn;
   const LoadedSeriesPtr shown = series();
   if (!shown) return drawn;
@@ -100,7 +109,7 @@ void VolumeView::releaseShape(const QMouseEvent& event) {
   auto shape = std::move(shape_);
   const bool isDone = shape->release(event.position(), event.modifiers());
   if (!isDone) shape_ = std::move(shape);
-  canvas_->update();
+  redraw();
   if (isDone && !(event.modifiers() & Qt::ShiftModifier)) Q_EMIT toolDone();
 }
 

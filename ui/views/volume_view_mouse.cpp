@@ -56,7 +56,7 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   if (!series() || drag_) return;
   if (shape_ && event->button() == Qt::LeftButton) {
     shape_->press(event->position());
-    return canvas_->update();
+    return redraw();
   }
   // While a point of it is dragged the camera stays.
   if (shape_ && (event->buttons() & Qt::LeftButton)) return;
@@ -73,16 +73,16 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   const bool isHand = event->button() == Qt::LeftButton && tool == tool_ && tool != &toolNamed("scissors");
   if (isHand) drag_ = pressMeasurement(press);
   if (!drag_) (tool->draws() ? shape_ : drag_) = tool->inScene(press);
-  if (shape_) canvas_->update();
+  if (shape_) redraw();
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_) {
     drag_->moveTo(event->position(), event->modifiers());
-    if (drag_->drawsOver()) canvas_->update();
+    if (drag_->drawsOver()) redraw();
   } else if (shape_) {
     shape_->moveTo(event->position(), event->modifiers());
-    canvas_->update();
+    redraw();
   } else {
     showCursorAt(event->position());
   }
@@ -94,7 +94,7 @@ void VolumeView::letGo() {
   drag_.reset();
   shape_.reset();
   session_.endGesture();
-  canvas_->update();
+  redraw();
 }
 
 void VolumeView::giveUp() {
@@ -102,7 +102,7 @@ void VolumeView::giveUp() {
   if (!drag_) return letGo();
   drag_.reset();
   session_.endGesture();
-  canvas_->update();
+  redraw();
   while (session_.undoStack().index() > stepsAtPress_) session_.undoStack().undo();
 }
 
@@ -118,7 +118,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (const auto drag = std::move(drag_)) {
     drag->release(event->position(), event->modifiers());
     session_.endGesture();
-    canvas_->update();
+    redraw();
   }
   if (clickedFree) session_.select(0);
   if (wantsMenu) Q_EMIT menuRequested(event->globalPosition().toPoint());
