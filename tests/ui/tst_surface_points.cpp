@@ -18,7 +18,7 @@ LoadedSeriesPtr inFrame(const LoadedSeriesPtr& series, const char* frame) {
 }
 
 // Of which nobody knows how large its voxels are.
-LoadedSeriesPtr uncalibrated() {
+LoadedSeriesPtr uncalibratedSeries() {
   VolumeParts parts;
   parts.geometry.size = glm::ivec3(8);
   parts.geometry.calibrated = false;
@@ -36,6 +36,7 @@ class TestSurfacePoints : public QObject {
   void aClickOnAPointChangesNothing();
   void whatWasNotPickedThereIsNotMoved_data();
   void whatWasNotPickedThereIsNotMoved();
+  void theEndThatIsSeenIsMovedAlone();
   void softnessIsThatOfWherePointsLie();
   void movedInASliceItIsNoLongerOnTheSurface_data();
   void movedInASliceItIsNoLongerOnTheSurface();
@@ -119,6 +120,22 @@ void TestSurfacePoints::whatWasNotPickedThereIsNotMoved() {
   drag(w.scene(), end, end + QPointF(40, 15));
   QVERIFY(w.last() == before);
   QVERIFY(w.scene()->camera() != camera);
+}
+
+// From the left the first end is behind the ball.
+void TestSurfacePoints::theEndThatIsSeenIsMovedAlone() {
+  SurfaceWindow w;
+  w.drawLength(w.pixelOf({-9, -6, 3}), w.pixelOf({9, -6, -2}));
+  const Measurement before = w.last();
+  w.scene()->showView(QStringLiteral("left"));
+  const DrawnMeasurement seen = w.seenLast();
+  QCOMPARE(seen.handles.size(), std::size_t(1));
+  QCOMPARE(seen.handles[0].index, std::size_t(1));
+  const QPointF elsewhere =
+      w.pixelOf({10, 2, -5}) + seen.handles[0].at - QPointF(seen.handles[0].at.toPoint());
+  drag(w.scene(), seen.handles[0].at, elsewhere);
+  QVERIFY(areNear(w.last().shape.points[1], w.onBall(elsewhere)));
+  QVERIFY(w.last().shape.points[0] == before.shape.points[0]);
 }
 
 // In fog a line of sight through the middle is softer than one nearer to the edge.
@@ -241,7 +258,7 @@ void TestSurfacePoints::textsAreOfTheirOwnSeries() {
   w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
   const QStringList text = w.seenLast().text;
   QVERIFY(text.value(0).endsWith(QStringLiteral(" mm")));
-  w.session().show(inFrame(uncalibrated(), "one"), sceneViewId);
+  w.session().show(inFrame(uncalibratedSeries(), "one"), sceneViewId);
   QVERIFY(keyOf(w.session().series()->series) != w.last().series);
   QCOMPARE(w.seenLast().lines.size(), std::size_t(1));
   QCOMPARE(w.seenLast().text, text);

@@ -102,7 +102,8 @@ std::unique_ptr<SceneDrag> VolumeView::pressMeasurement(const ScenePress& press)
   session_.select(hit->drawn->id);
   if (hit->part != MeasurementPart::handle) return nullptr;
   cine_->stop();
-  return beginSurfacePoint(press, hit->drawn->id, hit->handle, hit->drawn->handles[hit->handle].at);
+  const auto handle = std::ranges::find(hit->drawn->handles, hit->handle, &DrawnMeasurement::Handle::index);
+  return beginSurfacePoint(press, hit->drawn->id, hit->handle, handle->at);
 }
 
 void VolumeView::releaseShape(const QMouseEvent& event) {
