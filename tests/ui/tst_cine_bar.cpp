@@ -53,6 +53,8 @@ class TestCineBar : public QObject {
   void whatElseIsChangedLetsItGoOn_data();
   void whatElseIsChangedLetsItGoOn();
   void whatIsUndoneCanBeDoneAgain();
+  void aStepThatCancelsItselfLetsItGoOn();
+  void twoBarsPlayAtOnce();
   void theBarCoversNothing();
   void theBarComesWhereThePointerRests();
   void wrongNumbersChangeNothing();
@@ -242,6 +244,69 @@ void TestCineBar::whatIsUndoneCanBeDoneAgain() {
   QTest::qWait(200);
   w.redo();
   QVERIFY(flatLookOf(w.view()->state()).inverted);
+}
+
+void TestCineBar::aStepThatCancelsItselfLetsItGoOn() {
+  CineWindow w;
+  QTest::keyClick(w.view(), Qt::Key_C);
+  QVERIFY(!w.played(3).empty());
+  const int steps = w.steps();
+  const Workspace before = w.session().workspace();
+  const QString name = QStringLiteral("there and back");
+  w.session().change(
+      name, [](Workspace& all) { all.measurementsShown = !all.measurementsShown; }, name);
+  QCOMPARE(w.steps(), steps + 1);
+  w.session().change(name, before, name);
+  QCOMPARE(w.steps(), steps);
+  QVERIFY(w.view()->isPlaying());
+  QVERIFY(!w.played(3).empty());
+}
+
+// Where one comes back to where it began its step is gone; the other one goes on.
+void TestCineBar::twoBarsPlayAtOnce() {
+  CineWindow w;
+  QTest::keyClick(w.view(), Qt::Key_Down);
+  QTest::keyClick(w.view(), Qt::Key_Up);  // the crosshair is where it was, and known
+  for (const auto& [name, typed] :
+       {std::pair("cineFirst", "17"), std::pair("cineLast", "15"), std::pair("cineRate", "100")}) {
+    QVERIFY(w.showBar());
+    w.type(w.seen<QLineEdit>(name), QLatin1String(typed));
+  }
+  w.child<QAction>("layoutPlanes")->trigger();
+  w.session().setFocus(coronalViewId);
+  w.child<QAction>("layoutOne")->trigger();
+  QCoreApplication::processEvents();
+  FlatView* other = w.view(coronalViewId);
+  QVERIFY(other->isVisible());
+  QTest::keyClick(other, Qt::Key_C);
+  w.type(w.seen<QLineEdit>("cineRate", coronalViewId), QStringLiteral("0.1"));
+  QTest::keyClick(other, Qt::Key_C);
+  QVERIFY(!other->isPlaying());
+  w.child<QAction>("layoutPlanes")->trigger();
+  QCoreApplication::processEvents();
+  const int steps = w.steps();
+  for (const ViewId id : {coronalViewId, axialViewId}) {
+    w.session().setFocus(id);
+    QTest::keyClick(w.view(id), Qt::Key_C);
+    QVERIFY(w.view(id)->isPlaying());
+  }
+  int gone = 0;
+  const QObject listening;
+  QObject::connect(&w.session().undoStack(), &QUndoStack::indexChanged, &listening,
+                   [&](int index) { gone += index == steps; });
+  const std::vector<int> places = w.played(7);  // from the middle, which is 15
+  QVERIFY(places.size() >= 7);
+  QCOMPARE(std::vector<int>(places.begin(), places.begin() + 7),
+           (std::vector<int>{15, 16, 14, 15, 16, 14, 15}));
+  QVERIFY(gone > 0);
+  QVERIFY(w.view()->isPlaying() && other->isPlaying());
+  for (int n = 0; n < 4; ++n) QTest::keyClick(other, Qt::Key_Plus);
+  const int before = w.place(coronalViewId);
+  QTRY_VERIFY_WITH_TIMEOUT(w.place(coronalViewId) != before, longest);
+  QVERIFY(w.view()->isPlaying() && other->isPlaying());
+  QVERIFY(w.steps() > steps);
+  w.undo();
+  QVERIFY(!w.view()->isPlaying() && !other->isPlaying());
 }
 
 // What is written stands above it: no bright pixel is left under it. Without it there is some, the window.

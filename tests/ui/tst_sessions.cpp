@@ -4,8 +4,11 @@
 #include "tests/fixtures/program.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/session_folder.h"
+#include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/open_session.h"
+#include "ui/controller/session_files.h"
+#include "ui/document/jobs.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
@@ -26,6 +29,7 @@ class TestSessions : public QObject {
   void theTableIsRemovedAgain();
   void openingIsAStepThatCanBeUndone();
   void undoneItIsNotWrittenOverTheFile();
+  void aStepThatCancelsItselfKeepsTheFile();
   void aSeriesThatIsMissingIsNamed();
   void aSeriesThatHasChangedIsNamed_data();
   void aSeriesThatHasChangedIsNamed();
@@ -120,6 +124,30 @@ void TestSessions::undoneItIsNotWrittenOverTheFile() {
   answer(w, "saveSessionDialog", folder.at("other.volumen"));
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.at("other.volumen")), longest);
   QVERIFY(contentsOf(folder.at("s.volumen")) == bytes);
+}
+
+// It leaves fewer steps than there were when the file was opened, and yet nothing was undone.
+void TestSessions::aStepThatCancelsItselfKeepsTheFile() {
+  Jobs jobs;
+  Session session;
+  SessionFiles files(session, jobs);
+  session.show(ballSeries());
+  const auto show = [&](bool shown) {
+    session.change(
+        QStringLiteral("Measurements"), [&](Workspace& w) { w.measurementsShown = shown; },
+        QStringLiteral("one gesture"));
+  };
+  const bool shown = session.workspace().measurementsShown;
+  session.change(QStringLiteral("Crosshair"), [](Workspace& w) { w.crosshairs.editOrAdd("f").at.x = 1; });
+  show(!shown);
+  const QString path = QStringLiteral("/sessions/a.volumen");
+  files.opened(path);
+  const int steps = session.undoStack().index();
+  show(shown);
+  QCOMPARE(session.undoStack().index(), steps - 1);
+  QCOMPARE(files.path(), path);
+  session.undoStack().undo();
+  QCOMPARE(files.path(), QString());
 }
 
 void TestSessions::aSeriesThatIsMissingIsNamed() {

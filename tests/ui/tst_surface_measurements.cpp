@@ -1,73 +1,14 @@
 // Guards slices.md 4 in 3D: lengths and angles between places of the surface that is seen, by real mouse and
 // key events, against rays that meet a ball; what else the window does with them.
-#include <QLabel>
-#include <cmath>
+#include <QMenu>
 
-#include "tests/fixtures/small_volumes.h"
-#include "tests/ui/measure_window.h"
+#include "tests/ui/surface_window.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/camera_moves.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/session_json.h"
 
 using namespace volumen;
 using namespace volumen::tests;
-
-namespace {
-
-constexpr double ballRadius = 12;  // mm about the origin
-// What the picture's surface may lie off the ball: values are linear between voxels of 1 mm, which moves them
-// by h^2 / (4 R) = 0.02 mm at most, and half of the opacity is reached ln 2 / 13.9 = 0.05 mm inside; twice
-// that for lines that meet it at a slant.
-constexpr double offTheBall = 0.15;
-
-// Values that fall by 100 a mm from the middle, 500 on the ball; all of it is opaque.
-LoadedSeriesPtr opaqueBall() {
-  auto series = std::make_shared<LoadedSeries>(*ballSeries(2, 1));
-  series->volume = volumeOf<float>({40, 40, 40}, glm::dmat3(1), [](glm::dvec3 p) {
-    return 500 + 100 * (ballRadius - glm::length(p - 19.5));
-  });
-  series->firstScene.transferFunction.points = {{500, {1, 1, 1}, 0.0}, {500, {1, 1, 1}, 1.0}};
-  return series;
-}
-
-struct SurfaceWindow : MeasureWindow {
-  SurfaceWindow() : MeasureWindow(opaqueBall()) { session().setFocus(sceneViewId); }
-
-  VolumeView* scene() { return window.view(); }
-  glm::dvec2 sceneSize() { return {double(scene()->width()), double(scene()->height())}; }
-  // The pixel in which a place of the patient is seen.
-  QPointF pixelOf(glm::dvec3 p) {
-    const glm::dvec2 at = seenAt(scene()->camera(), sceneSize(), p);
-    return QPointF(at.x, at.y).toPoint();
-  }
-  // Where the line of sight of a pixel meets the ball first.
-  glm::dvec3 onBall(QPointF p) {
-    const SightLine line = sightLine(scene()->camera(), sceneSize(), {p.x(), p.y()});
-    const double b = glm::dot(line.origin, line.direction),
-                 c = glm::dot(line.origin, line.origin) - ballRadius * ballRadius;
-    return line.origin + (-b - std::sqrt(b * b - c)) * line.direction;
-  }
-  void click(QPointF p, Qt::KeyboardModifiers keys = {}) {
-    QTest::mouseClick(scene(), Qt::LeftButton, keys, p.toPoint());
-  }
-  void drawLength(QPointF from, QPointF to) {
-    choose(ShapeKind::length);
-    drag(scene(), from, to);
-  }
-  // What is seen of the measurement drawn last; without lines where nothing is.
-  DrawnMeasurement seenLast() {
-    for (const DrawnMeasurement& d : scene()->drawnMeasurements())
-      if (d.id == last().id) return d;
-    return {};
-  }
-  QString told() { return child<QLabel>("toldText")->text(); }
-  bool isMeasuring() { return window.views()->tool().measuring; }
-};
-
-bool areNear(glm::dvec3 a, glm::dvec3 b) { return glm::length(a - b) < offTheBall; }
-
-}  // namespace
 
 class TestSurfaceMeasurements : public QObject {
   Q_OBJECT
@@ -76,12 +17,13 @@ class TestSurfaceMeasurements : public QObject {
   void aLengthLiesOnTheSurface();
   void anAngleTakesThreeClicks();
   void theCameraMayMoveBetweenClicks();
+  void otherButtonsMoveItToo_data();
+  void otherButtonsMoveItToo();
   void whereNothingIsSeenASentenceSaysSo_data();
   void whereNothingIsSeenASentenceSaysSo();
   void anEndIsNotLeftOffTheSurface();
-  void aPointIsDraggedOverTheSurface();
-  void aClickSelectsAndDeleteRemoves();
   void keysChooseAndPutAway();
+  void theMenuShowsTheKeysThatHold();
   void theSliceThroughBothEndsShowsIt();
   void itSaysHowDeepItMayLie();
   void theSessionKeepsIt();
@@ -134,7 +76,7 @@ void TestSurfaceMeasurements::aLengthLiesOnTheSurface() {
   QVERIFY((seen.handles[1].at - to).manhattanLength() < 1e-6);
   QCOMPARE(w.session().undoStack().index(), steps + 1);
   w.undo();
-  QVERIFY(w.session().workspace().measurements == before.measurements);
+  QVERIFY(w.session().workspace() == before);
   w.redo();
   QVERIFY(w.last() == m);
 }
@@ -187,15 +129,48 @@ void TestSurfaceMeasurements::theCameraMayMoveBetweenClicks() {
   QCOMPARE(w.scene()->drawnMeasurements().size(), std::size_t(1));
 }
 
+void TestSurfaceMeasurements::otherButtonsMoveItToo_data() {
+  QTest::addColumn<int>("button");
+  QTest::newRow("the middle one") << int(Qt::MiddleButton);
+  QTest::newRow("the right one") << int(Qt::RightButton);
+}
+
+void TestSurfaceMeasurements::otherButtonsMoveItToo() {
+  QFETCH(int, button);
+  SurfaceWindow w;
+  w.choose(ShapeKind::length);
+  const QPointF from = w.pixelOf({-6, -10, 3}), middle = w.pixelOf({0, -12, 0}), way(9, 12);
+  const glm::dvec3 first = w.onBall(from);
+  w.click(from);
+  const Camera before = w.scene()->camera();
+  QTest::mousePress(w.scene(), Qt::MouseButton(button), {}, middle.toPoint());
+  QTest::mouseEvent(QTest::MouseMove, w.scene(), Qt::MouseButton(button), {}, (middle + way).toPoint());
+  QVERIFY(w.scene()->camera() != before);
+  QTest::keyClick(w.scene(), Qt::Key_Escape);
+  QVERIFY2(w.scene()->camera() == before, "the drag was given up");
+  QTest::mouseRelease(w.scene(), Qt::MouseButton(button), {}, (middle + way).toPoint());
+  QCOMPARE(w.scene()->drawnMeasurements().size(), std::size_t(1));
+  drag(w.scene(), middle, middle + way, Qt::MouseButton(button));
+  QVERIFY(w.scene()->camera() != before);
+  QCOMPARE(w.scene()->drawnMeasurements().size(), std::size_t(1));
+  const QPointF to = w.pixelOf({7, -9, -2});
+  w.click(to);
+  QCOMPARE(w.all().size(), std::size_t(1));
+  QVERIFY(areNear(w.last().shape.points[0], first));
+  QVERIFY(areNear(w.last().shape.points[1], w.onBall(to)));
+}
+
 void TestSurfaceMeasurements::whereNothingIsSeenASentenceSaysSo_data() {
   QTest::addColumn<int>("mode");
   QTest::addColumn<QString>("sentence");
   QTest::newRow("beside the ball")
       << int(Mode::composite)
       << QStringLiteral("Nothing is seen there: click on a visible surface to measure in 3D.");
-  QTest::newRow("in a mean") << int(Mode::average)
-                             << QStringLiteral(
-                                    "A mean has no surface: choose another projection to measure in 3D.");
+  const QString deep =
+      QStringLiteral("A projection does not show how deep a place lies: choose the mode 3D to measure here.");
+  QTest::newRow("in a mean") << int(Mode::average) << deep;
+  QTest::newRow("at the largest values") << int(Mode::mip) << deep;
+  QTest::newRow("at the smallest values") << int(Mode::minip) << deep;
 }
 
 void TestSurfaceMeasurements::whereNothingIsSeenASentenceSaysSo() {
@@ -225,53 +200,6 @@ void TestSurfaceMeasurements::anEndIsNotLeftOffTheSurface() {
   QVERIFY(areNear(w.last().shape.points[1], w.onBall(to)));
 }
 
-void TestSurfaceMeasurements::aPointIsDraggedOverTheSurface() {
-  SurfaceWindow w;
-  w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
-  QCOMPARE(w.all().size(), std::size_t(1));
-  const Workspace before = w.session().workspace();
-  const int steps = w.session().undoStack().index();
-  const QPointF end = w.seenLast().handles[1].at, elsewhere = w.pixelOf({2, -11, -7});
-  drag(w.scene(), end, elsewhere);
-  QVERIFY(areNear(w.last().shape.points[1], w.onBall(elsewhere)));
-  QVERIFY(w.last().shape.points[0] == before.measurements[0].shape.points[0]);
-  QCOMPARE(w.session().undoStack().index(), steps + 1);
-  w.undo();
-  QVERIFY(w.session().workspace() == before);
-  // Beyond the edge of what is seen it stays where it was on it.
-  QTest::mousePress(w.scene(), Qt::LeftButton, {}, end.toPoint());
-  QTest::mouseEvent(QTest::MouseMove, w.scene(), Qt::LeftButton, {}, w.pixelOf({17, -12, 17}).toPoint());
-  QVERIFY(w.last() == before.measurements[0]);
-  QTest::mouseEvent(QTest::MouseMove, w.scene(), Qt::LeftButton, {}, elsewhere.toPoint());
-  QVERIFY(w.last() != before.measurements[0]);
-  QTest::keyClick(w.scene(), Qt::Key_Escape);
-  QVERIFY(w.session().workspace() == before);
-  QTest::mouseRelease(w.scene(), Qt::LeftButton, {}, elsewhere.toPoint());
-  QVERIFY(w.session().workspace() == before);
-}
-
-void TestSurfaceMeasurements::aClickSelectsAndDeleteRemoves() {
-  SurfaceWindow w;
-  const QPointF from = w.pixelOf({-8, -8, 0}), to = w.pixelOf({8, -8, 0});
-  w.drawLength(from, to);
-  const int id = w.last().id;
-  QCOMPARE(w.all().size(), std::size_t(1));
-  w.session().select(0);
-  const Workspace before = w.session().workspace();
-  const QPointF middle = (from + to) / 2;
-  w.click(middle);
-  QCOMPARE(w.session().workspace().selected, id);
-  QVERIFY2(w.session().workspace().crosshairs == before.crosshairs,
-           "the line was meant, not what lies behind it");
-  w.click(middle + QPointF(0, 25));
-  QCOMPARE(w.session().workspace().selected, 0);
-  w.click(middle);
-  QTest::keyClick(w.scene(), Qt::Key_Delete);
-  QVERIFY(w.all().empty());
-  w.undo();
-  QCOMPARE(w.last().id, id);
-}
-
 void TestSurfaceMeasurements::keysChooseAndPutAway() {
   SurfaceWindow w;
   w.scene()->setFocus();
@@ -290,6 +218,25 @@ void TestSurfaceMeasurements::keysChooseAndPutAway() {
   w.click(w.pixelOf({0, 0, -5}), Qt::ShiftModifier);
   QCOMPARE(w.all().size(), std::size_t(1));
   QVERIFY2(w.isMeasuring(), "Shift keeps it");
+}
+
+// A means the view from the front here, with Shift nothing.
+void TestSurfaceMeasurements::theMenuShowsTheKeysThatHold() {
+  SurfaceWindow w;
+  w.scene()->setFocus();
+  QTest::keyClick(w.scene(), Qt::Key_A);
+  QTest::keyClick(w.scene(), Qt::Key_A, Qt::ShiftModifier);
+  QVERIFY(!w.isMeasuring());
+  QTest::mouseClick(w.scene(), Qt::RightButton, {}, w.scene()->rect().center());
+  auto* menu = w.child<QMenu>("volumeMenu");
+  QVERIFY(menu);
+  QStringList entries;
+  for (const QAction* action : menu->actions()) entries << action->text();
+  QVERIFY(entries.contains(QStringLiteral("Length\tD")));
+  QVERIFY2(entries.contains(QStringLiteral("Angle")), qPrintable(entries.join(u'|')));
+  w.child<QAction>("angleToolInScene")->trigger();
+  QVERIFY(&w.window.views()->tool() == &toolNamed("angle"));
+  menu->close();
 }
 
 // Both ends in one row of pixels, seen from the front, are at one height of the patient.
@@ -329,10 +276,7 @@ void TestSurfaceMeasurements::itSaysHowDeepItMayLie() {
   QVERIFY2(detail().contains(QStringLiteral("on the surface as it was seen in 3D (depth within 0.1 mm)")),
            qPrintable(detail()));
   const double hard = *w.measured(w.last())->plusMinus;
-  // Half of the light is stopped in ln 2 / 0.105 = 6.6 mm: the place is about as sharp.
-  w.session().edit(QStringLiteral("fog"), [](Scene& s) {
-    for (CurvePoint& p : s.transferFunction.points) p.opacity *= 0.1;
-  });
+  w.makeFog();  // a place in it is about as sharp as half of the light goes deep
   w.drawLength(from, to);
   QCOMPARE(w.all().size(), std::size_t(2));
   QVERIFY(*w.last().shape.softMm > 2);
@@ -344,7 +288,9 @@ void TestSurfaceMeasurements::itSaysHowDeepItMayLie() {
 
 void TestSurfaceMeasurements::theSessionKeepsIt() {
   SurfaceWindow w;
+  w.makeFog();
   w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
+  QVERIFY(w.last().shape.softMm.value_or(0) > 2);
   const Workspace& now = w.session().workspace();
   const auto text = sessionToJson(now, {}, {});
   QVERIFY(text.ok());

@@ -14,6 +14,8 @@
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/studies_panel.h"
+#include "ui/views/cine_bar.h"
+#include "ui/views/drawn_measurement.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
@@ -84,6 +86,7 @@ class TestTimePoints : public QObject {
   void theSliderIsThereWhereThereAreSeveral();
   void aClipRunsInTime();
   void itRunsOnWhileSomethingElseIsChanged();
+  void whatIsMeasuredIn3dIsOfOneStep();
   void theListHasOneRow();
   void theSliderIsIn3dToo();
   void bothNeighboursAreLoadedAhead();
@@ -215,6 +218,51 @@ void TestTimePoints::itRunsOnWhileSomethingElseIsChanged() {
   QVERIFY(!w.view()->isPlaying());
   QCOMPARE(w.session().undoStack().index(), before + 2);
   QCOMPARE(w.session().undoStack().undoText(), changed);
+}
+
+// Neither drawn nor moved from one to the next; playing ends where something is drawn.
+void TestTimePoints::whatIsMeasuredIn3dIsOfOneStep() {
+  Perfusion w(path_);
+  QVERIFY(w.opened());
+  VolumeView* scene = w.window.view();
+  QVERIFY(scene->isVisible());
+  w.session().edit(sceneViewId, QStringLiteral("opaque"), [](Scene& s) {
+    s.transferFunction.points = {{50, {1, 1, 1}, 0.0}, {50, {1, 1, 1}, 1.0}};
+  });
+  w.session().setFocus(sceneViewId);
+  const QPoint middle = scene->rect().center(), beside = middle + QPoint(20, 5);
+  const auto click = [&](QPoint at) { QTest::mouseClick(scene, Qt::LeftButton, {}, at); };
+  // To another step that is in memory.
+  const auto step = [&] {
+    const int next = (w.slider()->value() + 1) % 2;
+    const auto isHeld = [&] {
+      const auto all = timePointsOf(w.workspace(), w.workspace().view(axialViewId).series);
+      return w.session().seriesNamed(keyOf(*all[std::size_t(next)])) != nullptr;
+    };
+    if (!QTest::qWaitFor(isHeld, longest)) return false;
+    w.slider()->setValue(next);
+    return scene->series() != nullptr;
+  };
+  const auto* bar = scene->findChild<CineBar*>();
+  scene->togglePlay();
+  QVERIFY(bar->isPlaying());
+  w.child<QAction>("lengthTool")->trigger();
+  click(middle);
+  QVERIFY(!bar->isPlaying());
+  QCOMPARE(scene->drawnMeasurements().size(), std::size_t(1));
+  QVERIFY(step());
+  QVERIFY(scene->drawnMeasurements().empty());
+  click(middle);
+  QVERIFY2(w.workspace().measurements.empty(), "it is the first end");
+  click(beside);
+  QCOMPARE(w.workspace().measurements.size(), std::size_t(1));
+  const Measurement made = w.workspace().measurements[0];
+  QCOMPARE(scene->drawnMeasurements()[0].handles.size(), std::size_t(2));
+  QTest::mousePress(scene, Qt::LeftButton, {}, scene->drawnMeasurements()[0].handles[1].at.toPoint());
+  QVERIFY(step());
+  QTest::mouseEvent(QTest::MouseMove, scene, Qt::LeftButton, {}, beside + QPoint(0, 15));
+  QTest::mouseRelease(scene, Qt::LeftButton, {}, beside + QPoint(0, 15));
+  QVERIFY(w.workspace().measurements[0] == made);
 }
 
 // One row says how many there are, whichever is shown; what is listed elsewhere follows.

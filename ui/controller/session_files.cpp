@@ -58,8 +58,10 @@ void SessionFiles::followUndo(int step) {
     if (step == closed.step) become(closed.path, closed.written);
   }
   if (step >= openedAt_) return;
-  openedAt_ = 0;
-  if (session_.undoStack().count() > 0) become({}, {});
+  // A step that cancelled itself is gone without having been undone.
+  const bool isUndone = session_.undoStack().canRedo();
+  openedAt_ = isUndone ? 0 : step;
+  if (isUndone) become({}, {});
 }
 
 void SessionFiles::opened(const QString& path) {

@@ -3,6 +3,7 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
+#include "ui/features/action_text.h"
 #include "ui/features/feature.h"
 #include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
@@ -38,6 +39,7 @@ class ViewActions : public Feature {
   void makeTools();
   void showKinds();
   void addKinds(QMenu* menu) const;
+  void addTool(QMenu* menu, const Tool& tool) const;
   void showVolumeMenu(QPoint global);
   void resetView();
 
@@ -199,6 +201,16 @@ void ViewActions::addKinds(QMenu* menu) const {
   if (kinds_->isEnabled()) menu->addActions(kinds_->actions());
 }
 
+// In 3D a letter may mean a view: there the tool is shown without it.
+void ViewActions::addTool(QMenu* menu, const Tool& tool) const {
+  QAction* action = bench_.actionOf(tool);
+  if (bench_.view()->hasKey(tool)) return menu->addAction(action);
+  QAction* keyless = menu->addAction(action->icon(), textOf(*action), action, &QAction::trigger);
+  keyless->setObjectName(action->objectName() + QStringLiteral("InScene"));
+  keyless->setCheckable(true);
+  keyless->setChecked(action->isChecked());
+}
+
 void ViewActions::showVolumeMenu(QPoint global) {
   auto* menu = new QMenu(grid_.viewShown()->window());
   menu->setObjectName(QStringLiteral("volumeMenu"));
@@ -207,8 +219,7 @@ void ViewActions::showVolumeMenu(QPoint global) {
   menu->addSeparator();
   menu->addActions(tools_->actions());
   for (const Tool& tool : tools())
-    if (tool.draws() && tool.inScene)
-      menu->addAction(bench_.actions.at(QLatin1String(tool.name) + QStringLiteral("Tool")));
+    if (tool.draws() && tool.inScene) addTool(menu, tool);
   menu->addSeparator();
   for (const char* name : {"removeTable", "resetScissors", "resetView"})
     menu->addAction(bench_.actions.at(QLatin1String(name)));

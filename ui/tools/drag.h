@@ -9,6 +9,7 @@ class QPainter;
 namespace volumen {
 
 struct Measurement;
+struct SeriesKey;
 struct SlicePlane;
 
 /// What is seen through a lens.
@@ -52,6 +53,8 @@ class SceneDrag : public Drag {
   virtual bool drawsOver() const { return false; }
   /// Draws that over a picture of `size` logical pixels.
   virtual void paint(QPainter&, QSizeF) const {}
+  /// Whether it goes on where the view shows this series by now, another step in time too.
+  virtual bool goesOnIn(const SeriesKey&) const { return true; }
   /// Whether a press that did not move points at a place.
   virtual bool pointsWhereStill() const { return false; }
 };

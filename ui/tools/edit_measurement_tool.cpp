@@ -23,6 +23,8 @@ class MeasurementDrag : public Drag {
         m.shape = withHandleAt(m.shape, hit_.handle, handlesOf(m.shape)[hit_.handle] + way, unit());
       else
         m.shape = movedBy(m.shape, way);
+      // It no longer lies where it was picked in 3D.
+      if (m.shape.points != atPress_.shape.points) m.shape.softMm.reset();
     });
   }
 

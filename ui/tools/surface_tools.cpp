@@ -42,6 +42,7 @@ class SurfaceShapeDrag : public SceneDrag {
   }
 
   const Measurement* drawing() const override { return &drawn_; }
+  bool goesOnIn(const SeriesKey& shown) const override { return shown == drawn_.series; }
 
  private:
   bool follow(QPointF p) {
@@ -68,26 +69,33 @@ class SurfaceShapeDrag : public SceneDrag {
   QPointF placed_;  // where the last point but one was put
 };
 
-// Moves a point of a measurement over what is seen, by as much as the pointer.
+// Moves a point of a measurement over what is seen, by as much as the pointer; a click moves nothing.
 class SurfacePointDrag : public SceneDrag {
  public:
   SurfacePointDrag(const ScenePress& press, int measurement, std::size_t point, QPointF seenAt)
-      : press_(press), id_(measurement), point_(point), fromPress_(seenAt - press.at) {}
+      : press_(press),
+        atPress_(*findMeasurement(press.session.workspace(), measurement)),
+        point_(point),
+        fromPress_(seenAt - press.at) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
+    moved_ = moved_ || std::hypot(p.x() - press_.at.x(), p.y() - press_.at.y()) >= clickOnSurface;
+    if (!moved_) return;
     const std::optional<SurfacePoint> at = press_.surfaceAt(p + fromPress_);
     if (!at) return;
-    editMeasurement(press_.session, id_, tr("Change measurement"), [&](Measurement& m) {
-      m.shape = withHandleAt(m.shape, point_, at->pPatient);
-      m.shape.softMm = std::max(m.shape.softMm.value_or(0), at->softMm);
+    editMeasurement(press_.session, atPress_.id, tr("Change measurement"), [&](Measurement& m) {
+      m.shape = withHandleAt(atPress_.shape, point_, at->pPatient);
+      m.shape.softMm = std::max(atPress_.shape.softMm.value_or(0), at->softMm);
     });
   }
+  bool goesOnIn(const SeriesKey& shown) const override { return shown == keyOf(press_.series->series); }
 
  private:
   const ScenePress press_;
-  const int id_;
+  const Measurement atPress_;
   const std::size_t point_;
   const QPointF fromPress_;
+  bool moved_ = false;
 };
 
 }  // namespace

@@ -40,7 +40,7 @@ struct SlicePress {
   }
 };
 
-/// A place of what is seen in 3D.
+/// A place of a surface that is seen in 3D.
 struct SurfacePoint {
   glm::dvec3 pPatient;  ///< mm
   double softMm;        ///< Shape::softMm
@@ -60,7 +60,8 @@ struct ScenePress {
   std::function<void(const QString& text, const Camera& camera)> moveCamera;
   /// Takes away what was drawn around.
   std::function<void(const Lasso& lasso)> cut;
-  /// What is seen at a place of the view, whatever moved its camera since; none: nothing.
+  /// The surface that is seen at a place of the view, whatever moved its camera since; none: nothing, or a
+  /// projection.
   std::function<std::optional<SurfacePoint>(QPointF p)> surfaceAt{};
   /// Says that nothing is seen there that could be measured on.
   std::function<void(QPointF p)> missed{};
@@ -111,7 +112,7 @@ std::unique_ptr<SceneDrag> beginCurve(const ScenePress& press);
 std::unique_ptr<SceneDrag> beginScissors(const ScenePress& press);
 /// Draws a measurement on what is seen; null, and missed(), where nothing is.
 std::unique_ptr<SceneDrag> beginSurfaceShape(const ScenePress& press, ShapeKind kind);
-/// Moves a point of a measurement, seen there, over what is seen.
+/// Moves a point of a measurement, seen there, over what is seen; a way shorter than a drag's moves nothing.
 std::unique_ptr<SceneDrag> beginSurfacePoint(const ScenePress& press, int measurement, std::size_t point,
                                              QPointF seenAt);
 std::unique_ptr<SceneDrag> beginScenePan(const ScenePress& press);

@@ -148,9 +148,10 @@ bool CineBar::isOvertaken(const Workspace& before, const Workspace& after) const
   return before.view(view_).kind != after.view(view_).kind || !player_->isWhereItWent();
 }
 
-// Undoing ends it: as it went on, what was undone could not be done again.
+// Undoing ends it: as it went on, what was undone could not be done again. A step that cancelled itself is
+// gone without having been undone.
 void CineBar::seeSteps(int steps) {
-  const bool isUndone = std::exchange(steps_, steps) > steps;
+  const bool isUndone = std::exchange(steps_, steps) > steps && session_.undoStack().canRedo();
   if (!isUndone || !player_ || player_->isGoing() || played_->keepsTime()) return;
   giveUp();
   look();

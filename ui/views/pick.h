@@ -12,8 +12,9 @@ namespace volumen {
 struct Pick {
   std::optional<glm::dvec3> pPatient;  ///< where, mm; none where the whole line is shown, as in `average`
   double value = 0;                    ///< there, real units; else what is made of the line
-  double softMm = 0; /**< of a composite scene: of the line from a quarter of its final opacity to
-                        three quarters */
+  std::optional<double>
+      softMm{}; /**< of the line from a quarter of its final opacity to three quarters; none
+                   but of a composite scene: projections do not show how deep a place lies */
 };
 
 /// Looks along the line through box, clip and curve, gradient opacity included, as the picture does. Of a

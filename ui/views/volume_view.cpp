@@ -3,7 +3,6 @@
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/canvas.h"
 #include "ui/views/cine_bar.h"
-#include "ui/views/drawn_measurement.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/series_text.h"
@@ -42,10 +41,15 @@ VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QW
   connect(cube_, &OrientationCube::viewRequested, this, &VolumeView::showView);
   connect(this, &View::pixelsChanged, this, &VolumeView::requestPicture);
   connect(&drawService_, &DrawService::screenPictureReady, this, &VolumeView::showDrawn);
-  connect(&session_, &Session::preferencesChanged, this, [this] { canvas_->update(); });
+  connect(&session_, &Session::preferencesChanged, this, [this] {
+    redraw();
+    tellPointed();
+  });
+  // Which zoom is written depends on them.
+  connect(&session_.undoStack(), &QUndoStack::indexChanged, this, [this] { placed_.reset(); });
   connect(cine_, &CineBar::shownChanged, this, [this] {
     placeChildren();
-    canvas_->update();
+    redraw();
   });
   showWarnings();
   showState();
@@ -62,11 +66,14 @@ void VolumeView::seriesExchanged(bool another) {
 }
 
 void VolumeView::workspaceChanged(const Workspace& before) {
+  placed_.reset();
   const Workspace& now = session_.workspace();
+  const auto isOver = [&](const auto& drag) { return drag && !drag->goesOnIn(state().series); };
+  if (isOver(drag_) || isOver(shape_)) letGo();
   if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout ||
       before.second != now.second || before.measurements != now.measurements ||
       before.selected != now.selected || before.measurementsShown != now.measurementsShown)
-    canvas_->update();
+    redraw();
   const ViewState& then = before.view(id());
   const auto look = then.scenes.find(state().series);
   const bool isNew = look == then.scenes.end();
@@ -99,7 +106,7 @@ void VolumeView::showState() {
   const bool directions = series() && knowsSides(series()->series);
   cube_->setVisible(directions && width() >= leastForCube && height() >= leastForCube);
   if (series()) cube_->setAxes(cameraAxes(camera()));
-  canvas_->update();
+  redraw();
 }
 
 void VolumeView::replaceCanvas() {
@@ -126,7 +133,7 @@ const QImage& VolumeView::shown() const {
 void VolumeView::setErrorShown(bool shown) {
   errorShown_ = shown;
   makeErrorImage();
-  canvas_->update();
+  redraw();
 }
 
 void VolumeView::makeErrorImage() {
@@ -159,7 +166,7 @@ void VolumeView::setPicture(const QImage& image, const QString& caption,
   caption_ = caption;
   error_ = std::move(error);
   makeErrorImage();
-  canvas_->update();
+  redraw();
   // Texts of measurements make room for the caption.
   if (!drawnMeasurements().empty()) tellPointed();
 }
@@ -191,6 +198,7 @@ void VolumeView::rememberFit(const Camera& fitted) {
   const int step = session_.undoStack().index();
   fitMm_.erase(fitMm_.upper_bound(step), fitMm_.end());
   fitMm_[step] = heightAtTarget(fitted);
+  placed_.reset();
 }
 
 double VolumeView::zoom() const {

@@ -7,6 +7,7 @@
 #include "ui/controller/draw_service.h"
 #include "ui/overlays/overlays.h"
 #include "ui/tools/tool.h"
+#include "ui/views/drawn_measurement.h"
 #include "ui/views/error_image.h"
 #include "ui/views/pick.h"
 #include "ui/views/view.h"
@@ -14,7 +15,6 @@
 namespace volumen {
 
 class CineBar;
-struct DrawnMeasurement;
 class OrientationCube;
 class WarningBadge;
 
@@ -42,7 +42,11 @@ class VolumeView : public View {
   const Tool& tool() const { return *tool_; }
   /// The tool in hand in flat views: where it draws in 3D as well, the left button does that first.
   void setFlatTool(const Tool& tool);
-  /// The measurements that are seen, the one that is being drawn last.
+  /// Whether the key of a tool that draws in 3D chooses it here: it does not where the window means something
+  /// else by it.
+  bool hasKey(const Tool& tool) const;
+  /// The measurements that are seen, the one that is being drawn last. Points have handles where they were
+  /// picked in 3D and are not hidden: others belong to their slices.
   std::vector<DrawnMeasurement> drawnMeasurements() const;
 
   /// The camera in use: the scene's, or the one fitted to this view.
@@ -92,16 +96,15 @@ class VolumeView : public View {
   ScenePress pressAt(QPointF position, Qt::KeyboardModifiers keys);
   void zoomAt(QPointF position, double factor);
   void tellMissed(QPointF position);
+  bool isSeenAt(QPointF position, const Shape& shape, std::size_t point) const;
   std::unique_ptr<SceneDrag> pressMeasurement(const ScenePress& press);
   void releaseShape(const QMouseEvent& event);
   bool pressMeasuringKey(const QKeyEvent& event);
   void showCursorAt(QPointF position);
   QString measurementText(QPointF position) const;
-  /// Whether a drag draws a measurement, which lasts over several presses.
-  bool isDrawing() const { return drag_ && drag_->drawing(); }
-  /// Ends a drag; what it did to the workspace stays.
+  /// Ends a drag, and what is being drawn; what was done to the workspace stays.
   void letGo();
-  /// Ends a drag as if it had not been.
+  /// Ends a drag as if it had not been; without one, what is being drawn.
   void giveUp();
   void editCamera(const QString& what, const Camera& camera);
   void rememberFit(const Camera& fitted);
@@ -115,6 +118,9 @@ class VolumeView : public View {
   QStringList warningsShown() const override;
   void paintEvent(QPaintEvent*) override {}  // its canvas is over all of it
   void paintCanvas(QPainter& painter) const;
+  /// Something of what is seen changed: measurements are placed anew.
+  void redraw();
+  std::vector<DrawnMeasurement> placedMeasurements() const;
   void paintCrosshair(QPainter& painter) const;
   /// Where a place is seen; none: behind the eye.
   std::optional<QPointF> seenAtPlace(const Camera& camera, glm::dvec3 pPatient) const;
@@ -140,14 +146,18 @@ class VolumeView : public View {
   ErrorImage errorImage_;  // of it, where errorShown_
   bool errorShown_ = false;
   const Tool* tool_ = &toolNamed("rotate");
-  const Tool* drawing_ = nullptr;  // what setFlatTool() gave it to draw
+  mutable std::optional<std::vector<DrawnMeasurement>> placed_;  // until what is seen changes
+  const Tool* drawing_ = nullptr;                                // what setFlatTool() gave it to draw
   QTimer wheelEnd_;
   std::map<int, double> fitMm_;  // height of fitted cameras, by the number of undo steps when they came
 
   // Of the gesture under way.
   std::unique_ptr<SceneDrag> drag_;
+  std::unique_ptr<SceneDrag> shape_;  // draws a measurement, by several presses; others may move the camera
+  Qt::MouseButton dragButton_ = Qt::NoButton;
   QPointF pressedAt_;
   bool pressedShape_ = false;  // a measurement, not what lies behind it
+  bool pressedFree_ = false;   // no measurement, where one could have been selected
   int stepsAtPress_ = 0;       // of the undo stack
 };
 

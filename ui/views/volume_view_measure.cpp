@@ -1,8 +1,11 @@
+#include <QAction>
 #include <QKeyEvent>
+#include <QKeySequence>
 #include <QMouseEvent>
 #include <algorithm>
+#include <glm/geometric.hpp>
 
-#include "ui/views/drawn_measurement.h"
+#include "ui/views/cine_bar.h"
 #include "ui/views/latin_key.h"
 #include "ui/views/volume_view.h"
 #include "ui/workspace/flat_plane.h"
@@ -13,12 +16,13 @@ namespace volumen {
 
 namespace {
 
+// By its own series, which another one may be shown in place of: without numbers while that is not in memory.
 // Of one that is still being drawn once it has all its points. Those that are seen in 3D take no time.
-QStringList textInScene(const Measurement& m, const LoadedSeries& series) {
+QStringList textInScene(const Measurement& m, const LoadedSeriesPtr& series) {
   QStringList text;
   if (!m.shape.name.empty()) text << nameText(m);
-  if (checkShape(m.shape))
-    text << measuredLines(m.shape, measure(m.shape, *series.volume, series.series.unit));
+  if (series && checkShape(m.shape))
+    text << measuredLines(m.shape, measure(m.shape, *series->volume, series->series.unit));
   return text;
 }
 
@@ -26,11 +30,28 @@ QStringList textInScene(const Measurement& m, const LoadedSeries& series) {
 
 void VolumeView::setFlatTool(const Tool& tool) {
   drawing_ = tool.draws() && tool.inScene ? &tool : nullptr;
-  if (isDrawing()) letGo();
+  if (shape_) letGo();
   setCursor(drawing_ ? drawing_->cursor : tool_->cursor);
 }
 
+bool VolumeView::hasKey(const Tool& tool) const {
+  const QKeySequence key(tool.key);
+  return tool.draws() && tool.inScene && tool.key != 0 &&
+         std::ranges::none_of(window()->actions(),
+                              [&](const QAction* action) { return action->shortcuts().contains(key); });
+}
+
+void VolumeView::redraw() {
+  placed_.reset();
+  canvas_->update();
+}
+
 std::vector<DrawnMeasurement> VolumeView::drawnMeasurements() const {
+  if (!placed_) placed_ = placedMeasurements();
+  return *placed_;
+}
+
+std::vector<DrawnMeasurement> VolumeView::placedMeasurements() const {
   std::vector<DrawnMeasurement> drawn;
   const LoadedSeriesPtr shown = series();
   if (!shown) return drawn;
@@ -40,39 +61,56 @@ std::vector<DrawnMeasurement> VolumeView::drawnMeasurements() const {
     DrawnMeasurement one = drawnInScene(
         m, [&](glm::dvec3 p) { return seenAtPlace(seen, p); }, selected);
     if (one.lines.empty()) return;
-    one.text = textInScene(m, *shown);
+    one.text = textInScene(m, session_.seriesNamed(m.series));
+    if (m.id > 0)
+      std::erase_if(one.handles,
+                    [&](const auto& handle) { return !isSeenAt(handle.at, m.shape, handle.index); });
     drawn.push_back(std::move(one));
   };
   if (workspace.measurementsShown)
     for (const Measurement* m : measurementsIn(workspace, frameOfReference(shown->series)))
       add(*m, m->id == workspace.selected);
-  if (isDrawing()) add(*drag_->drawing(), true);
+  if (shape_) add(*shape_->drawing(), true);
   if (!drawn.empty()) placeBeside(overlays(), drawn, overlayArea(), font());
   return drawn;
 }
 
-void VolumeView::tellMissed(QPointF position) {
-  const std::optional<Pick> hit = pickAt(position);
-  Q_EMIT missed(hit ? tr("A mean has no surface: choose another projection to measure in 3D.")
-                    : tr("Nothing is seen there: click on a visible surface to measure in 3D."));
+// Whether a point that was picked in 3D is what is seen where it is drawn: not hidden, and of a surface.
+bool VolumeView::isSeenAt(QPointF position, const Shape& shape, std::size_t point) const {
+  const std::optional<Pick> hit = shape.softMm ? pickAt(position) : std::nullopt;
+  if (!hit || !hit->pPatient || !hit->softMm) return false;
+  const glm::dvec3 voxel = series()->volume->geometry().spacing();
+  return glm::distance(*hit->pPatient, shape.points[point]) <=
+         *shape.softMm + std::max({voxel.x, voxel.y, voxel.z});
 }
 
-// Selects what is under the press; its points can be moved.
+void VolumeView::tellMissed(QPointF position) {
+  const std::optional<Pick> hit = pickAt(position);
+  Q_EMIT missed(
+      hit ? tr("A projection does not show how deep a place lies: choose the mode 3D to measure here.")
+          : tr("Nothing is seen there: click on a visible surface to measure in 3D."));
+}
+
+// Selects what is under the press; its points can be moved. Elsewhere the selection stays until it is known
+// whether this is a click.
 std::unique_ptr<SceneDrag> VolumeView::pressMeasurement(const ScenePress& press) {
   const std::vector<DrawnMeasurement> drawn = drawnMeasurements();
   const auto hit = hitAt(drawn, press.at);
   pressedShape_ = hit.has_value();
-  session_.select(hit ? hit->drawn->id : 0);
-  if (!hit || hit->part != MeasurementPart::handle) return nullptr;
-  return beginSurfacePoint(press, hit->drawn->id, hit->handle, hit->drawn->handles[hit->handle].at);
+  pressedFree_ = !hit;
+  if (!hit) return nullptr;
+  session_.select(hit->drawn->id);
+  if (hit->part != MeasurementPart::handle) return nullptr;
+  cine_->stop();
+  const auto handle = std::ranges::find(hit->drawn->handles, hit->handle, &DrawnMeasurement::Handle::index);
+  return beginSurfacePoint(press, hit->drawn->id, hit->handle, handle->at);
 }
 
 void VolumeView::releaseShape(const QMouseEvent& event) {
-  if (event.button() != Qt::LeftButton) return;
-  auto drag = std::move(drag_);
-  const bool isDone = drag->release(event.position(), event.modifiers());
-  if (!isDone) drag_ = std::move(drag);
-  canvas_->update();
+  auto shape = std::move(shape_);
+  const bool isDone = shape->release(event.position(), event.modifiers());
+  if (!isDone) shape_ = std::move(shape);
+  redraw();
   if (isDone && !(event.modifiers() & Qt::ShiftModifier)) Q_EMIT toolDone();
 }
 
@@ -86,17 +124,16 @@ void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
 bool VolumeView::pressMeasuringKey(const QKeyEvent& event) {
   if (event.key() == Qt::Key_Delete) {
     const bool isSeen = std::ranges::any_of(drawnMeasurements(), &DrawnMeasurement::selected);
-    if (isSeen && !drag_) deleteMeasurement(session_, session_.workspace().selected);
+    if (isSeen && !drag_ && !shape_) deleteMeasurement(session_, session_.workspace().selected);
     return isSeen;
   }
-  if (event.key() == Qt::Key_Escape && drawing_ && !drag_) {
+  if (event.key() == Qt::Key_Escape && drawing_) {
     Q_EMIT toolDone();
     return true;
   }
   if (event.modifiers() & ~Qt::ShiftModifier) return false;
-  const auto tool = std::ranges::find_if(tools(), [key = latinKey(event)](const Tool& t) {
-    return t.draws() && t.inScene && t.key != 0 && t.key == key;
-  });
+  const auto tool = std::ranges::find_if(
+      tools(), [&, key = latinKey(event)](const Tool& t) { return t.key == key && hasKey(t); });
   if (tool != tools().end()) Q_EMIT toolWanted(*tool);
   return tool != tools().end();
 }

@@ -8,6 +8,7 @@
 
 #include "ui/tools/mouse_bindings.h"
 #include "ui/tools/tool.h"
+#include "ui/views/cine_bar.h"
 #include "ui/views/volume_view.h"
 #include "ui/workspace/text.h"
 
@@ -42,8 +43,8 @@ ScenePress VolumeView::pressAt(QPointF position, Qt::KeyboardModifiers keys) {
                    [this](const Lasso& lasso) { Q_EMIT lassoDrawn(state().series, lasso); },
                    [this](QPointF p) -> std::optional<SurfacePoint> {
                      const std::optional<Pick> at = pickAt(p);
-                     if (!at || !at->pPatient) return {};
-                     return SurfacePoint{*at->pPatient, at->softMm};
+                     if (!at || !at->pPatient || !at->softMm) return {};
+                     return SurfacePoint{*at->pPatient, *at->softMm};
                    },
                    [this](QPointF p) { tellMissed(p); }};
   press.scene.camera = camera();
@@ -52,29 +53,36 @@ ScenePress VolumeView::pressAt(QPointF position, Qt::KeyboardModifiers keys) {
 
 void VolumeView::mousePressEvent(QMouseEvent* event) {
   View::mousePressEvent(event);
-  if (isDrawing() && event->button() == Qt::LeftButton) {
-    drag_->press(event->position());
-    return canvas_->update();
-  }
   if (!series() || drag_) return;
+  if (shape_ && event->button() == Qt::LeftButton) {
+    shape_->press(event->position());
+    return redraw();
+  }
+  // While a point of it is dragged the camera stays.
+  if (shape_ && (event->buttons() & Qt::LeftButton)) return;
   pressedAt_ = event->position();
-  pressedShape_ = false;
+  pressedShape_ = pressedFree_ = false;
   const Tool* tool = toolFor(*event);
   if (!tool) return;
+  dragButton_ = event->button();
+  if (tool->draws()) cine_->stop();
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();
   const ScenePress press = pressAt(event->position(), event->modifiers());
   // What is drawn around may begin on a measurement.
   const bool isHand = event->button() == Qt::LeftButton && tool == tool_ && tool != &toolNamed("scissors");
   if (isHand) drag_ = pressMeasurement(press);
-  if (!drag_) drag_ = tool->inScene(press);
-  if (isDrawing()) canvas_->update();
+  if (!drag_) (tool->draws() ? shape_ : drag_) = tool->inScene(press);
+  if (shape_) redraw();
 }
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_) {
     drag_->moveTo(event->position(), event->modifiers());
-    if (drag_->drawsOver() || drag_->drawing()) canvas_->update();
+    if (drag_->drawsOver()) redraw();
+  } else if (shape_) {
+    shape_->moveTo(event->position(), event->modifiers());
+    redraw();
   } else {
     showCursorAt(event->position());
   }
@@ -82,31 +90,37 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void VolumeView::letGo() {
-  if (!drag_) return;
+  if (!drag_ && !shape_) return;
   drag_.reset();
+  shape_.reset();
   session_.endGesture();
-  canvas_->update();
+  redraw();
 }
 
 void VolumeView::giveUp() {
   // What is being drawn is no step yet: those since its first point are of the camera, and stay.
-  const int steps = isDrawing() ? session_.undoStack().index() : stepsAtPress_;
-  letGo();
-  while (session_.undoStack().index() > steps) session_.undoStack().undo();
+  if (!drag_) return letGo();
+  drag_.reset();
+  session_.endGesture();
+  redraw();
+  while (session_.undoStack().index() > stepsAtPress_) session_.undoStack().undo();
 }
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
-  if (isDrawing()) return releaseShape(*event);
+  if (drag_ && event->button() != dragButton_) return;
+  if (shape_ && event->button() == Qt::LeftButton) return releaseShape(*event);
   const bool isStill = (event->position() - pressedAt_).manhattanLength() < 3;
   const bool clicked = drag_ && drag_->pointsWhereStill() && isStill && !pressedShape_;
+  const bool clickedFree = drag_ && isStill && pressedFree_;
   const bool wantsMenu =
-      event->button() == Qt::RightButton && isStill && (drag_ || (series() && !toolFor(*event)));
+      event->button() == Qt::RightButton && isStill && !shape_ && (drag_ || (series() && !toolFor(*event)));
   // What is cut may exchange the volume, which gives up drags.
   if (const auto drag = std::move(drag_)) {
     drag->release(event->position(), event->modifiers());
     session_.endGesture();
-    canvas_->update();
+    redraw();
   }
+  if (clickedFree) session_.select(0);
   if (wantsMenu) Q_EMIT menuRequested(event->globalPosition().toPoint());
   if (!clicked || !planesOnScreen()) return;
   const std::optional<Pick> hit = pickAt(event->position());
@@ -117,7 +131,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
 
 void VolumeView::wheelEvent(QWheelEvent* event) {
   pointAt(event->position());
-  if (!series() || (drag_ && !isDrawing())) return;
+  if (!series() || drag_) return;
   const MouseSlot slot{MousePlace::scene, MouseInput::wheel, heldOf(event->modifiers())};
   const std::string bound = boundTo(session_.preferences(), slot);
   if (bound == "none") return;
@@ -157,7 +171,7 @@ bool VolumeView::event(QEvent* event) {
 }
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && drag_) return giveUp();
+  if (event->key() == Qt::Key_Escape && (drag_ || shape_)) return giveUp();
   if (pressMeasuringKey(*event)) return;
   const int right = (event->key() == Qt::Key_Right) - (event->key() == Qt::Key_Left);
   const int down = (event->key() == Qt::Key_Down) - (event->key() == Qt::Key_Up);

@@ -5,7 +5,6 @@
 
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/cine_bar.h"
-#include "ui/views/drawn_measurement.h"
 #include "ui/views/volume_view.h"
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/warning_badge.h"

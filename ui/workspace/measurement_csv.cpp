@@ -49,10 +49,17 @@ QStringList csvNumbers(const Result<Measured>* measured) {
 // What only some kinds have: the names of the columns, and what stands in them.
 constexpr const char* furtherColumns =
     "first_length,second_length,length_unit,product,suv_peak,suv_peak_mm,other_series,other_mean,other_sd,"
-    "other_min,other_max,other_voxels,other_unit,other_suv_peak";
+    "other_min,other_max,other_voxels,other_unit,other_suv_peak,hka,bend";
+
+// As columns are called: for programs. Empty: the side is not known.
+QString bendName(LegAxis::Bend bend) {
+  return bend == LegAxis::Bend::varus    ? QStringLiteral("varus")
+         : bend == LegAxis::Bend::valgus ? QStringLiteral("valgus")
+                                         : QString();
+}
 
 QStringList furtherNumbers(const Result<Measured>* measured) {
-  QStringList fields(14, QString());
+  QStringList fields(16, QString());
   if (!measured || !*measured) return fields;
   const Measured& m = **measured;
   if (m.lines) {
@@ -64,6 +71,10 @@ QStringList furtherNumbers(const Result<Measured>* measured) {
   if (m.peak) {
     fields[4] = exact(m.peak->mean);
     fields[5] = exactPlace(m.peak->centre);
+  }
+  if (m.leg) {
+    fields[14] = exact(m.leg->hka);
+    fields[15] = bendName(m.leg->bend);
   }
   if (!m.other) return fields;
   fields[6] = QString::fromStdString(m.other->source);

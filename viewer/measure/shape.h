@@ -55,7 +55,7 @@ struct Shape {
   ValueRange range;  ///< of `volume`: the segment's values, ends included; they may be infinite
   std::optional<ShapeFrame> frame;  ///< none: it is drawn in the patient
   std::optional<double> softMm{};   /**< its points were picked in 3D: the softest of them lies in a surface
-                                       whose   middle half of opacity takes so many mm of the line of sight */
+                                       whose middle half of opacity takes so many mm of the line of sight */
   bool operator==(const Shape&) const = default;
 };
 

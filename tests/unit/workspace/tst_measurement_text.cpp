@@ -58,6 +58,8 @@ class TestMeasurementText : public QObject {
   void asText();
   void asCsv();
   void asCsvOfTwoSeriesAndTwoLines();
+  void asCsvOfLegs_data();
+  void asCsvOfLegs();
   void handlesKeepBoxes();
   void theSideOfAFrameIsKnown_data();
   void theSideOfAFrameIsKnown();
@@ -203,17 +205,18 @@ void TestMeasurementText::asCsv() {
                                                {region, nullptr, nullptr},
                                                {arrow, nullptr, &series}})
                                 .split(QStringLiteral("\r\n"));
-  const QString none14(14, QLatin1Char(','));
+  const QString further(16, QLatin1Char(','));
   QCOMPARE(lines.size(), 7);
-  QCOMPARE(lines[0].count(QLatin1Char(',')), 31);
+  QCOMPARE(lines[0].count(QLatin1Char(',')), 33);
   QCOMPARE(lines[1],
            QStringLiteral(
                "\"a \"\"big\"\", one\",length,0.3333333333333333,mm,0.5,,,,,,,,CT,0.1 -2 3; 4 5 6,,,,") +
-               none14);
-  QCOMPARE(lines[2], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,1.5,0.5,1,2,3,HU,,CT,0 0 0,,,,") + none14);
-  QCOMPARE(lines[3], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,,,,,,,no voxel inside,CT,0 0 0,,,,") + none14);
-  QCOMPARE(lines[4], QStringLiteral("Ellipse 2,ellipse,,,,,,,,,,not measured yet,,0 0 0,,,,") + none14);
-  QCOMPARE(lines[5], QStringLiteral("Arrow 3,arrow,,,,,,,,,,,CT,0 0 0,,,,") + none14);
+               further);
+  QCOMPARE(lines[2], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,1.5,0.5,1,2,3,HU,,CT,0 0 0,,,,") + further);
+  QCOMPARE(lines[3],
+           QStringLiteral("Ellipse 2,ellipse,2,mm^2,,,,,,,,no voxel inside,CT,0 0 0,,,,") + further);
+  QCOMPARE(lines[4], QStringLiteral("Ellipse 2,ellipse,,,,,,,,,,not measured yet,,0 0 0,,,,") + further);
+  QCOMPARE(lines[5], QStringLiteral("Arrow 3,arrow,,,,,,,,,,,CT,0 0 0,,,,") + further);
 }
 
 void TestMeasurementText::asCsvOfTwoSeriesAndTwoLines() {
@@ -243,6 +246,30 @@ void TestMeasurementText::asCsvOfTwoSeriesAndTwoLines() {
   QCOMPARE(field(3, "number"), QStringLiteral("0.5"));
   QCOMPARE(field(3, "length_unit"), QStringLiteral("px"));
   QCOMPARE(field(3, "product"), QString());
+}
+
+void TestMeasurementText::asCsvOfLegs_data() {
+  QTest::addColumn<int>("bend");
+  QTest::addColumn<QString>("word");
+  QTest::newRow("varus") << int(LegAxis::Bend::varus) << QStringLiteral("varus");
+  QTest::newRow("valgus") << int(LegAxis::Bend::valgus) << QStringLiteral("valgus");
+  QTest::newRow("of no known side") << int(LegAxis::Bend::unknown) << QString();
+}
+
+void TestMeasurementText::asCsvOfLegs() {
+  QFETCH(int, bend);
+  const Measurement axis{1, {}, shapeOf(ShapeKind::legAxis), {}};
+  Measured measured = numberOf(5.75, "degrees");
+  measured.leg = LegAxis{174.25, LegAxis::Bend(bend)};
+  const Result<Measured> leg(measured);
+  const QStringList rows = measurementsAsCsv({{axis, &leg, nullptr}}).split(QStringLiteral("\r\n"));
+  const QStringList names = rows[0].split(QLatin1Char(',')), fields = rows[1].split(QLatin1Char(','));
+  QCOMPARE(fields.size(), names.size());
+  const auto field = [&](const char* name) { return fields.value(names.indexOf(QLatin1String(name))); };
+  QCOMPARE(field("number"), QStringLiteral("5.75"));
+  QCOMPARE(field("unit"), QStringLiteral("degrees"));
+  QCOMPARE(field("hka"), QStringLiteral("174.25"));
+  QTEST(field("bend"), "word");
 }
 
 void TestMeasurementText::handlesKeepBoxes() {
