@@ -1,5 +1,7 @@
 // Guards curved planes in the window: a curve is drawn across slices, laid out beside them, scrolled,
 // measured, undone and kept in sessions; what cannot be laid out is told.
+#include <QLabel>
+#include <QPushButton>
 #include <glm/geometric.hpp>
 
 #include "io/curved.h"
@@ -10,6 +12,7 @@
 #include "ui/widgets/banner.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/links.h"
+#include "viewer/segment/range.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -87,6 +90,7 @@ class TestCurvedPlanes : public QObject {
   void aSessionBringsItBack();
   void itStaysWhereItsSeriesIsClosed();
   void aChangedCurveIsSaid();
+  void nothingIsSegmentedOnIt();
   void whatCannotBeShownIsTold_data();
   void whatCannotBeShownIsTold();
 };
@@ -372,6 +376,33 @@ void TestCurvedPlanes::aChangedCurveIsSaid() {
   QVERIFY(!isSaid(stretched) && !isSaid(sections));
   QVERIFY(keyOf(w.seriesAt(stretched)) != first);
   QCOMPARE(w.workspace().series.size(), known);
+}
+
+// A segment would be saved at places of the patient, and measured in ml, that are not true.
+void TestCurvedPlanes::nothingIsSegmentedOnIt() {
+  const SessionFolder folder;
+  CurveWindow w(folder);
+  const auto *segment = w.child<QPushButton>("segment"), *save = w.child<QPushButton>("segmentSave");
+  const auto* result = w.child<QLabel>("segmentResult");
+  QVERIFY(segment->isEnabled() && result->text().isEmpty());
+  w.drawCurve(arch);
+  QVERIFY(w.showCurve());
+  w.session().setFocus(stretched);
+  w.session().showAs(stretched, ViewKind::volume);
+  QVERIFY(w.session().series()->series == w.seriesAt(stretched));
+  QVERIFY(!segment->isEnabled() && !save->isEnabled());
+  QVERIFY2(segment->toolTip().contains(QStringLiteral("segment the series that the curve was drawn in")),
+           qPrintable(segment->toolTip()));
+  QCOMPARE(result->text(), segment->toolTip());
+  // Nor where an earlier session holds one.
+  const auto labels = std::make_shared<const LabelMap>(labelRange(*w.loaded(stretched)->volume, {0, 100}));
+  const SegmentMap map{
+      keyOf(w.seriesAt(stretched)), {{.number = 1, .range = ValueRange{0, 100}}}, labels, {}};
+  w.session().change(QStringLiteral("test"), withSegmentMap(w.workspace(), map));
+  QVERIFY(!save->isEnabled());
+  w.session().setFocus(slices);
+  w.session().showAs(slices, ViewKind::volume);
+  QVERIFY(segment->isEnabled() && segment->toolTip().isEmpty() && result->text().isEmpty());
 }
 
 void TestCurvedPlanes::whatCannotBeShownIsTold_data() {
