@@ -107,10 +107,11 @@ void TestCurvedTruth::fromAMaximisedView() {
   w.session().setFocus(slices);
   w.press("maximise");
   QVERIFY(w.child<QAction>("maximise")->isChecked());
-  QVERIFY(w.view(slices)->isVisible() && !w.view(sections)->isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(w.view(slices)->isVisible() && !w.view(sections)->isVisible(), longest);
   QVERIFY(w.showCurve("showCurvedPlane20"));
   QVERIFY(!w.child<QAction>("maximise")->isChecked());
-  for (const ViewId id : {slices, straightened, stretched, sections}) QVERIFY(w.view(id)->isVisible());
+  for (const ViewId id : {slices, straightened, stretched, sections})
+    QTRY_VERIFY_WITH_TIMEOUT(w.view(id)->isVisible(), longest);
 }
 
 // It is there along the curve: the volume as it was read is laid out.
