@@ -1,76 +1,17 @@
 // Guards curved planes in the window: a curve is drawn across slices, laid out beside them, scrolled,
 // measured, undone and kept in sessions; what cannot be laid out is told.
+#include <cmath>
 #include <glm/geometric.hpp>
 
-#include "io/curved.h"
-#include "tests/ui/gestures.h"
-#include "tests/ui/measure_window.h"
-#include "tests/ui/session_folder.h"
+#include "tests/ui/curve_window.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/banner.h"
-#include "ui/workspace/flat_plane.h"
 #include "ui/workspace/links.h"
 
 using namespace volumen;
 using namespace volumen::tests;
+using namespace volumen::tests::curved;
 using glm::dvec3;
-
-namespace {
-
-// What views of the curve's layout show.
-constexpr ViewId slices = firstComparedId, straightened = slices + 1, stretched = slices + 2,
-                 sections = slices + 3;
-
-// An arch around the spine, from the patient's right to the left, within the trunk of the CT.
-const std::vector<dvec3> arch{{-24, 0, 0}, {-16, -14, 0}, {0, -18, 0}, {16, -14, 0}, {24, 0, 0}};
-
-// A window with a CT in planes, its voxels 2 mm.
-struct CurveWindow : Journey {
-  explicit CurveWindow(const SessionFolder& folder) : Journey({folder.ct()}) {
-    if (!settle()) return;
-    child<QAction>("layoutPlanes")->trigger();
-    session().setFocus(axialViewId);
-    QCoreApplication::processEvents();
-  }
-  Session& session() { return window.session(); }
-  const Workspace& workspace() { return session().workspace(); }
-  FlatView* view(ViewId id) { return window.views()->viewAs<FlatView>(id); }
-  void press(const char* action) { child<QAction>(action)->trigger(); }
-
-  QPointF pixel(ViewId id, dvec3 p) {
-    const glm::dvec2 at = view(id)->plane()->pixelFromPatient(p) / view(id)->devicePixelRatioF();
-    return {at.x, at.y};
-  }
-  void click(ViewId id, dvec3 p) { QTest::mouseClick(view(id), Qt::LeftButton, {}, pixel(id, p).toPoint()); }
-
-  /// By clicks in an axial slice, and Enter.
-  void drawCurve(const std::vector<dvec3>& points, ViewId id = axialViewId) {
-    press("openCurveTool");
-    for (const dvec3 p : points) click(id, p);
-    QTest::keyClick(view(id), Qt::Key_Return);
-  }
-  const Measurement& curve() { return workspace().measurements.back(); }
-
-  const Series& seriesAt(ViewId id) { return *seriesIn(workspace(), id); }
-  LoadedSeriesPtr loaded(ViewId id) { return session().seriesOf(id); }
-  /// True once all four views have their volume.
-  bool showCurve(const char* action = "showCurvedPlane") {
-    press(action);
-    return QTest::qWaitFor([&] { return isShown(); }, longest);
-  }
-  bool isShown() {
-    return loaded(slices) && loaded(straightened) && loaded(stretched) && loaded(sections) &&
-           !window.document().loader.isBusy();
-  }
-  /// As Session has it, also where nobody set it yet.
-  Crosshair crosshair(ViewId id) { return crosshairOf(workspace(), id, *loaded(id)); }
-  CurvedGrid grid(ViewId id) {
-    const Series& series = seriesAt(id);
-    return *CurvedGrid::make(series.curved->recipe, drawnGeometry(sourceOf(series)));
-  }
-};
-
-}  // namespace
 
 class TestCurvedPlanes : public QObject {
   Q_OBJECT
@@ -79,13 +20,11 @@ class TestCurvedPlanes : public QObject {
   void aDoubleClickEndsIt();
   void itsPointsAreDraggedWhereTheyAreSeen();
   void itIsLaidOutInFourViews();
-  void lengthsAlongItAreTrue();
   void scrollingItMovesTheSlices();
   void anotherWidth();
   void undoneAndDoneAgain();
   void undoneWhileItIsMade();
   void aSessionBringsItBack();
-  void itStaysWhereItsSeriesIsClosed();
   void aChangedCurveIsSaid();
   void whatCannotBeShownIsTold_data();
   void whatCannotBeShownIsTold();
@@ -213,26 +152,6 @@ void TestCurvedPlanes::itIsLaidOutInFourViews() {
   QVERIFY(w.view(stretched)->overlays().topRight.contains(QStringLiteral("Stretched plane")));
 }
 
-// Along the stretched plane, whose middle row is the curve: to half a pixel at each end.
-void TestCurvedPlanes::lengthsAlongItAreTrue() {
-  const SessionFolder folder;
-  CurveWindow w(folder);
-  w.drawCurve(arch);
-  const SmoothCurve curve = *SmoothCurve::through(w.curve().shape.points);
-  QVERIFY(w.showCurve());
-  const dvec3 from(10, 0, 0), to(50, 0, 0);
-  w.press("lengthTool");
-  drag(w.view(stretched), w.pixel(stretched, from), w.pixel(stretched, to));
-  const Measurement m = w.curve();
-  QVERIFY(m.shape.kind == ShapeKind::length && m.series == keyOf(w.seriesAt(stretched)));
-  const double mm = measure(m.shape, *w.loaded(stretched)->volume, "HU")->number;
-  QVERIFY2(std::abs(mm - 40) < 1.5 * w.view(stretched)->plane()->mmPerPixel, qPrintable(QString::number(mm)));
-  // The same places in the patient are as far apart along the curve.
-  const CurvedGrid grid = w.grid(stretched);
-  QVERIFY(glm::distance(grid.patientFromCurved(from), curve.at(10)) < 0.2);
-  QVERIFY(glm::distance(grid.patientFromCurved(to), curve.at(50)) < 0.2);
-}
-
 void TestCurvedPlanes::scrollingItMovesTheSlices() {
   const SessionFolder folder;
   CurveWindow w(folder);
@@ -322,32 +241,6 @@ void TestCurvedPlanes::aSessionBringsItBack() {
   QVERIFY(session.workspace() == saved);
   for (const ViewId id : {straightened, stretched, sections})
     QVERIFY(session.seriesOf(id)->volume->stored() == w.loaded(id)->volume->stored());
-}
-
-void TestCurvedPlanes::itStaysWhereItsSeriesIsClosed() {
-  const SessionFolder folder;
-  CurveWindow w(folder);
-  w.drawCurve(arch);
-  QVERIFY(w.showCurve());
-  const SeriesKey source = w.curve().series;
-  const VolumePtr volume = w.loaded(stretched)->volume;
-  w.session().close({source});
-  QCoreApplication::processEvents();
-  QVERIFY(!w.workspace().series.contains(source));
-  QVERIFY(w.workspace().view(slices).series.empty());
-  QVERIFY(w.loaded(stretched) && w.loaded(stretched)->volume == volume);
-  const QString corner = w.view(stretched)->overlays().topRight.join(QLatin1Char('\n'));
-  QVERIFY2(!corner.contains(QStringLiteral("earlier")), qPrintable(corner));
-  wheel(w.view(sections), -1);
-  // Also from a session, which holds where its series is found.
-  const Workspace saved = w.workspace();
-  QVERIFY(folder.save(w));
-  Journey another({folder.at("s.volumen")});
-  Session& session = another.window.session();
-  QVERIFY(
-      QTest::qWaitFor([&] { return session.seriesOf(stretched) && session.seriesOf(sections); }, longest));
-  QVERIFY(session.workspace().series == saved.series);
-  QVERIFY(session.seriesOf(stretched)->volume->stored() == volume->stored());
 }
 
 void TestCurvedPlanes::aChangedCurveIsSaid() {

@@ -1,10 +1,14 @@
 // Guards window.md "Sessions": series that were moved are found again in a folder that is named, all at once.
 #include <QAbstractButton>
 #include <QDir>
+#include <QFileInfo>
 
+#include "io/curved.h"
+#include "io/index/index_path.h"
 #include "tests/ui/session_folder.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
+#include "ui/controller/locate.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
@@ -49,6 +53,7 @@ class TestLocate : public QObject {
   void allThatLiesThereIsFoundAtOnce();
   void whatIsNotThereIsNamedAndOfferedAgain();
   void otherMessagesOfferNothing();
+  void whatCannotBeLaidOutAgainIsTold();
 };
 
 void TestLocate::allThatLiesThereIsFoundAtOnce() {
@@ -105,6 +110,27 @@ void TestLocate::otherMessagesOfferNothing() {
   w.window.open({moved.there("nothing.nrrd")});
   QTRY_VERIFY_WITH_TIMEOUT(banner(w)->sentence().contains(QStringLiteral("nothing.nrrd")), longest);
   QVERIFY(!locate(w)->isVisible());
+}
+
+// A series along a curve is made of one that is found.
+void TestLocate::whatCannotBeLaidOutAgainIsTold() {
+  const SessionFolder folder;
+  const std::string place = QFileInfo(folder.ct()).path().toStdString();
+  const Result<Study> study = openPath(place);
+  QVERIFY(study && study->volumes.size() == 1);
+  const Series& ct = study->volumes.front();
+  const CurvedRecipe recipe{CurvedKind::straightened, {{-20, 0, 0}, {20, 0, 0}}, {0, 0, 1}, 25};
+  const SavedSeries saved{*curvedSeries(ct, recipe, "Curve 1"), {}, {}, proofOf(ct)};
+  const auto found = volumen::locate({{saved}, {}}, place);
+  QVERIFY(found && found->series.size() == 1 && found->problems.isEmpty());
+  SavedSeries wrong = saved;
+  wrong.series.curved->recipe.halfWidth = 0;
+  const auto told = volumen::locate({{wrong}, {}}, place);
+  QVERIFY(told && told->series.empty());
+  QCOMPARE(told->problems.size(), 1);
+  QVERIFY2(told->problems[0].contains(QStringLiteral("Curve 1, straightened cannot be laid out")) &&
+               told->problems[0].contains(QStringLiteral("more than 0 mm")),
+           qPrintable(told->problems[0]));
 }
 
 VOLUMEN_TEST(TestLocate);

@@ -36,6 +36,9 @@ Result<Located> locate(const MissingObjects& missing, const std::string& folder,
     if (const Series* found = findSaved(all, saved)) {
       if (const Result<Series> made = madeLike(saved.series, *found))
         located.series.emplace_back(keyOf(saved.series), *made);
+      else
+        located.problems << tr("%1 cannot be laid out along its curve: %2")
+                                .arg(seriesText(saved.series), QString::fromStdString(made.message()));
     } else {
       tellMissing(seriesText(saved.series));
     }

@@ -18,7 +18,7 @@ class CurvedPlanes : public Feature {
 
  private:
   void show(double halfWidth);
-  glm::dvec3 normalInFocus() const;
+  glm::dvec3 towards(const Measurement& curve) const;
   void giveUpUndone(const Workspace& now);
 
   std::optional<SeriesKey> loading_;  // of those along curves
@@ -53,18 +53,21 @@ CurvedPlanes::CurvedPlanes(Workbench& bench) : Feature(bench) {
 void CurvedPlanes::show(double halfWidth) {
   const Measurement* curve = curveMeant(session_.workspace());
   if (!curve) return warn(tr("Draw a curve first: choose Measure > Curve and click its points in slices."));
-  const Result<CurvedPair> pair = curvedPair(session_.workspace(), *curve, normalInFocus(), halfWidth);
+  const Result<CurvedPair> pair = curvedPair(session_.workspace(), *curve, towards(*curve), halfWidth);
   if (!pair) return warn(QString::fromStdString(pair.message()));
   session_.endGesture();
+  session_.setFocus(mainFocusOf(session_.workspace()));
+  bench_.action("maximise")->setChecked(false);
   session_.change(tr("Show curved plane"), withCurvedPlanes(session_.workspace(), *pair));
   session_.endGesture();
 }
 
-// Of the slices that keys are for; the patient's axis where there are none.
-glm::dvec3 CurvedPlanes::normalInFocus() const {
+// The normal of the slices that keys are for, where these are of the curve's series.
+glm::dvec3 CurvedPlanes::towards(const Measurement& curve) const {
   const FlatView* view = bench_.flatViewInFocus();
-  const std::optional<SlicePlane> plane = view && view->shown() ? view->plane() : std::nullopt;
-  return plane ? plane->normal() : glm::dvec3(0, 0, 1);
+  const bool isOfIt = view && view->shown() && keyOf(view->shown()->series) == curve.series;
+  const std::optional<SlicePlane> plane = isOfIt ? view->plane() : std::nullopt;
+  return plane ? plane->normal() : usualTowards(session_.workspace(), curve);
 }
 
 // What is loaded for a step that was undone would be shown all the same.

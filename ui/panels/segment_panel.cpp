@@ -40,6 +40,11 @@ QString spanText(const ValueRange& span, int decimals, const QString& unit) {
   return SegmentPanel::tr("Visible: %1 to %2").arg(endText(span.low, decimals), end(span.high));
 }
 
+QString curvedSentence() {
+  return SegmentPanel::tr(
+      "Volumes along a curve are not the patient's: segment the series that the curve was drawn in.");
+}
+
 }  // namespace
 
 SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
@@ -158,6 +163,8 @@ void SegmentPanel::showSpans() {
   const LoadedSeriesPtr& series = session_.series();
   setEnabled(series != nullptr);
   if (!series) return;
+  segment_->setEnabled(!isCurved());
+  segment_->setToolTip(isCurved() ? curvedSentence() : QString());
   const QString unit = unitSuffix(series->series);
   for (QDoubleSpinBox* field : {low_, high_}) {
     field->setSuffix(unit);
@@ -181,8 +188,12 @@ void SegmentPanel::takeSpan(int n) {
   high_->setValue(std::floor(steps * factor_ * std::min(spans[n].high, histogram.high)) / steps);
 }
 
-// Of the series in view; null: it has none that this panel made, or another grid.
+bool SegmentPanel::isCurved() const { return session_.series() && session_.series()->series.curved; }
+
+// Of the series in view; null: it has none that this panel made, or another grid, or lies along a curve,
+// where neither its places nor its volume are the patient's.
 const SegmentMap* SegmentPanel::map() const {
+  if (isCurved()) return nullptr;
   const LoadedSeriesPtr& series = session_.series();
   const SegmentMap* map = series ? segmentMapOf(session_.workspace(), keyOf(series->series)) : nullptr;
   const bool fits = map && map->labels && map->labels->geometry() == series->volume->geometry();
@@ -227,7 +238,7 @@ void SegmentPanel::showMeasured(const std::shared_ptr<const LabelMap>& labels,
 }
 
 void SegmentPanel::showResult() {
-  if (!statistics_) return result_->clear();
+  if (!statistics_) return result_->setText(isCurved() ? curvedSentence() : QString());
   const LabelStatistics& s = *statistics_;
   const ValueScale scale = shownScale(session_.series()->series);
   const QString unit = shownText(scale.unit), voxels = QLocale().toString(qlonglong(s.voxels));

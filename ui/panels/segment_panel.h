@@ -45,6 +45,7 @@ class SegmentPanel : public QWidget {
   void takeSpan(int n);
   ValueRange range() const;
   Segment segmentOf(const ValueRange& range) const;
+  bool isCurved() const;
   const SegmentMap* map() const;
   VolumePtr wholeVolume() const;
   void showOnly(bool on);

@@ -26,13 +26,18 @@ constexpr QRgb segmentColour = 0xffff6a3d;
 constexpr double segmentOpacity = 0.5;
 constexpr int beyondAnyEnd = 1 << 24;  // steps
 
-// The value of the voxel at a point, with its unit; empty outside the volume.
+// The value of the voxel at a point, with its unit; empty outside the volume. What is laid out along a curve
+// reaches beyond its source.
 QString valueAt(const LoadedSeries& shown, glm::dvec3 p) {
   const Volume& volume = *shown.volume;
   const glm::ivec3 voxel(glm::floor(volume.geometry().voxelFromPatient(p) + 0.5));
   if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, volume.size())))
     return {};
-  return valueText(shown, volume.value(voxel.x, voxel.y, voxel.z));
+  const float value = volume.value(voxel.x, voxel.y, voxel.z);
+  const std::optional<ValueRange>& padding = volume.attributes().padding;
+  if (shown.series.curved && padding && value >= padding->low && value <= padding->high)
+    return SliceView::tr("outside the series");
+  return valueText(shown, value);
 }
 
 }  // namespace

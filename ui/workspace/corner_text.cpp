@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "io/curved.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/curved_text.h"
 #include "ui/workspace/key_images.h"
@@ -215,6 +216,9 @@ CornerTexts curvedCorner(const Workspace& workspace, const ViewState& state, con
   texts.add(CornerItem::plane, curvedPlaneText(shown.series, plane));
   texts.add(CornerItem::number, number.text);
   if (isOfEarlierCurve(workspace, shown.series)) texts.add(CornerItem::mask, tr("of an earlier curve"));
+  const auto source = workspace.series.find(keyOf(sourceOf(shown.series)));
+  if (source != workspace.series.end() && !source->second.mask.empty())
+    texts.add(CornerItem::mask, tr("with what was taken away"));
   texts.add(CornerItem::mask, maskTexts(workspace.series.at(state.series).mask));
   texts.add(CornerItem::turn, turnText(look.turn));
   texts.add(CornerItem::position, curvedPlaceText(shown.series, plane));

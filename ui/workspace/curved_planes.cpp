@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 
 #include "io/curved.h"
 #include "ui/workspace/flat_plane.h"
@@ -43,22 +44,45 @@ const ViewState* slicesOf(const Workspace& workspace, const SeriesKey& series) {
 bool isUsed(const Workspace& workspace, const SeriesKey& series) {
   const auto isOfIt = [&](const auto& made) { return made.series == series; };
   return std::ranges::any_of(workspace.measurements, isOfIt) ||
+         std::ranges::any_of(workspace.keyImages, isOfIt) ||
          std::ranges::any_of(workspace.segmentMaps, isOfIt);
 }
 
 Workspace withoutEarlier(Workspace workspace, const CurvedPair& pair) {
-  const SharedMap<SeriesKey, SeriesState> all = workspace.series;
-  for (const auto& [key, state] : all) {
-    const Series& series = *state.series;
-    if (!series.curved || series.curved->name != pair.straightened.curved->name) continue;
-    if (keyOf(sourceOf(series)) != keyOf(sourceOf(pair.straightened))) continue;
-    if (key == keyOf(pair.straightened) || key == keyOf(pair.stretched) || isUsed(workspace, key)) continue;
+  for (const SeriesKey& key : unusedCurvesOf(workspace, keyOf(sourceOf(pair.straightened)))) {
+    const std::string name = workspace.series.at(key).series->curved->name;
+    if (name != pair.straightened.curved->name) continue;
+    if (key == keyOf(pair.straightened) || key == keyOf(pair.stretched)) continue;
     workspace = without(std::move(workspace), key);
   }
   return workspace;
 }
 
+// Whether a series was laid out along this curve, as it is or as it was.
+bool isAlong(const Series& series, const Measurement& curve) {
+  return series.curved && keyOf(sourceOf(series)) == curve.series &&
+         series.curved->name == nameText(curve).toStdString();
+}
+
 }  // namespace
+
+std::vector<SeriesKey> unusedCurvesOf(const Workspace& workspace, const SeriesKey& source) {
+  std::vector<SeriesKey> found;
+  for (const auto& [key, state] : workspace.series)
+    if (state.series->curved && keyOf(sourceOf(*state.series)) == source && !isUsed(workspace, key))
+      found.push_back(key);
+  return found;
+}
+
+glm::dvec3 usualTowards(const Workspace& workspace, const Measurement& curve) {
+  for (const auto& [key, state] : workspace.series)
+    if (isAlong(*state.series, curve) && state.series->curved->recipe.kind == CurvedKind::stretched)
+      return state.series->curved->recipe.ruled;
+  const auto state = workspace.series.find(curve.series);
+  if (state == workspace.series.end()) return {0, 0, 1};
+  const glm::dmat3& step = state->second.series->acquired.patientFromVoxelStep;
+  return glm::normalize(glm::cross(step[0], step[1]));
+}
 
 Result<CurvedPair> curvedPair(const Workspace& workspace, const Measurement& curve, glm::dvec3 towards,
                               double halfWidth) {
@@ -69,14 +93,15 @@ Result<CurvedPair> curvedPair(const Workspace& workspace, const Measurement& cur
     return Error{"The series of the curve was not found: open it first."};
   const Series& source = *state->second.series;
   const std::string name = nameText(curve).toStdString();
-  CurvedRecipe recipe{CurvedKind::straightened, curve.shape.points, {0, 0, 1}, halfWidth};
-  Result<Series> straightened = curvedSeries(source, recipe, name);
+  std::vector<glm::dvec3> points = curve.shape.points;
+  if (points.empty()) return Error{"A curve needs points at two different places: set another one."};
+  const glm::dvec3 ruled = ruledDirection(points, towards);
+  const bool isAcross = std::abs(ruled.z) > 0.5;
+  if (isAcross && points.back().x < points.front().x) std::ranges::reverse(points);
+  Result<Series> straightened =
+      curvedSeries(source, {CurvedKind::straightened, points, {0, 0, 1}, halfWidth}, name);
   if (!straightened) return straightened.error();
-  recipe.kind = CurvedKind::stretched;
-  recipe.ruled = ruledDirection(recipe.points, towards);
-  const bool isAcross = std::abs(recipe.ruled.z) > 0.5;
-  if (isAcross && recipe.points.back().x < recipe.points.front().x) std::ranges::reverse(recipe.points);
-  Result<Series> stretched = curvedSeries(source, recipe, name);
+  Result<Series> stretched = curvedSeries(source, {CurvedKind::stretched, points, ruled, halfWidth}, name);
   if (!stretched) return stretched.error();
   return CurvedPair{std::move(*straightened), std::move(*stretched)};
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "io/curved.h"
+#include "ui/workspace/flat_plane.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/text.h"
 
@@ -26,6 +27,13 @@ bool isStretched(const Series& series) { return series.curved->recipe.kind == Cu
 // The axis that runs along the curve.
 int axisAlong(const Series& series) { return isStretched(series) ? 0 : 2; }
 
+// Of the curve as it was drawn, mm: the stretched one is laid out by the length of its foot on a plane.
+double alongCurve(const Series& series, glm::dvec3 p) {
+  if (!isStretched(series)) return std::abs(p[axisAlong(series)]);
+  const Result<CurvedGrid> grid = CurvedGrid::make(series.curved->recipe, drawnGeometry(sourceOf(series)));
+  return grid ? grid->alongCurve(p) : std::abs(p[axisAlong(series)]);
+}
+
 }  // namespace
 
 QString curvedPlaneText(const Series& series, const SlicePlane& plane) {
@@ -39,8 +47,10 @@ QString curvedPlaneText(const Series& series, const SlicePlane& plane) {
 QString curvedPlaceText(const Series& series, const SlicePlane& plane) {
   const std::optional<int> axis = axisAcross(plane);
   if (!axis) return {};
-  const QString mm = shortNumberText(std::round(10 * std::abs(plane.centre[*axis])) / 10);
-  return *axis == axisAlong(series) ? tr("%1 mm along the curve").arg(mm) : tr("%1 mm off the curve").arg(mm);
+  const bool isAlong = *axis == axisAlong(series);
+  const double mm = isAlong ? alongCurve(series, plane.centre) : std::abs(plane.centre[*axis]);
+  const QString text = shortNumberText(std::round(10 * mm) / 10);
+  return isAlong ? tr("%1 mm along the curve").arg(text) : tr("%1 mm off the curve").arg(text);
 }
 
 bool isOfEarlierCurve(const Workspace& workspace, const Series& series) {

@@ -201,6 +201,8 @@ std::optional<SeriesOver> seriesOver(const Workspace& workspace, const SeriesKey
 Workspace withLinksFollowed(const Workspace& before, Workspace after, const ViewSizes& sizes) {
   after = withPositionsFollowed(before, std::move(after));
   after = withCurvesFollowed(before, std::move(after));
+  // Of what a curve took along.
+  after = withPositionsFollowed(before, std::move(after));
   after = withLooksFollowed(before, std::move(after), sizes);
   return withWindowsFollowed(before, std::move(after));
 }

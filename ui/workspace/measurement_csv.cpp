@@ -58,6 +58,8 @@ QString bendName(LegAxis::Bend bend) {
                                          : QString();
 }
 
+constexpr int suvPeakPlace = 5;  // suv_peak_mm
+
 QStringList furtherNumbers(const Result<Measured>* measured) {
   QStringList fields(16, QString());
   if (!measured || !*measured) return fields;
@@ -70,7 +72,7 @@ QStringList furtherNumbers(const Result<Measured>* measured) {
   }
   if (m.peak) {
     fields[4] = exact(m.peak->mean);
-    fields[5] = exactPlace(m.peak->centre);
+    fields[suvPeakPlace] = exactPlace(m.peak->centre);
   }
   if (m.leg) {
     fields[14] = exact(m.leg->hka);
@@ -102,18 +104,21 @@ QString measurementsAsCsv(const std::vector<MeasuredRow>& rows) {
     for (const glm::dvec3 p : row.measurement.shape.points)
       points << (frame ? QStringLiteral("%1 %2").arg(exact(p.x), exact(p.y)) : exactPlace(p));
     const QString places = points.join(QStringLiteral("; "));
+    const bool isCurved = row.series && row.series->curved;  // its places are not the patient's
     QStringList fields{nameText(row.measurement), QLatin1String(ruleOf(row.measurement.shape.kind).name)};
     const bool numberless = ruleOf(row.measurement.shape.kind).numberless;
     fields += csvNumbers(numberless ? nullptr : row.measured);
     const QString calibration = fields.takeLast();
     if (numberless) fields.last().clear();
-    fields << (row.series ? seriesText(*row.series) : QString()) << (frame ? QString() : places)
+    fields << (row.series ? seriesText(*row.series) : QString()) << (frame || isCurved ? QString() : places)
            << calibration;
     if (frame)
       fields << QString::fromStdString(frame->instance) << QString::number(frame->number) << places;
     else
       fields << QString() << QString() << QString();
-    fields += furtherNumbers(row.measured);
+    QStringList further = furtherNumbers(row.measured);
+    if (isCurved) further[suvPeakPlace].clear();
+    fields += further;
     for (QString& field : fields) field = csvField(field);
     text += fields.join(QLatin1Char(',')) + QStringLiteral("\r\n");
   }

@@ -1,7 +1,10 @@
 #include "ui/workspace/session.h"
 
 #include <algorithm>
+#include <iterator>
 
+#include "io/curved.h"
+#include "ui/workspace/curved_planes.h"
 #include "ui/workspace/edit_workspace.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
@@ -125,14 +128,17 @@ void Session::open(const QString& text, const Workspace& workspace) {
 
 void Session::close(const std::vector<SeriesKey>& series, const std::vector<DerivedKey>& derived) {
   Workspace after = workspace_;
+  std::vector<SeriesKey> gone = series;
   for (const SeriesKey& key : series)
+    std::ranges::copy(unusedCurvesOf(workspace_, key), std::back_inserter(gone));
+  for (const SeriesKey& key : gone)
     if (after.series.contains(key)) after = without(std::move(after), key);
   Unlisted& unlisted = after.unlisted.edit();
   unlisted.series.insert(series.begin(), series.end());
   unlisted.derived.insert(derived.begin(), derived.end());
   if (after == workspace_) return;
   endGesture();
-  for (const SeriesKey& key : series) pool_.forget(key);
+  for (const SeriesKey& key : gone) pool_.forget(key);
   push(tr("Remove from list"), after, {});
 }
 
@@ -319,6 +325,11 @@ void Session::askForMissing() {
     else if (!next && !notLoaded_.contains(key))
       next = key;
   }
+  // A curve is laid out from its source in memory.
+  if (next && isMissing(*next))
+    if (const SeriesKey source = keyOf(sourceOf(*workspace_.series.at(*next).series));
+        isWanted(source) && isMissing(source) && !pool_.find({source, {}}) && !notLoaded_.contains(source))
+      next = source;
   // What heard of a mask may have changed the workspace.
   if (!next || !canAsk || !isMissing(*next)) return;
   askedFor_ = next;

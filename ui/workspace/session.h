@@ -79,7 +79,7 @@ class Session : public QObject {
   /// made on series that it does not know comes back with them.
   void open(const QString& text, const Workspace& workspace);
   /// Takes series off views, list and memory, and objects off the list: one undo step. What was made on a
-  /// series comes back with it.
+  /// series comes back with it; what is laid out along its curves goes, too, unless something was made on it.
   void close(const std::vector<SeriesKey>& series, const std::vector<DerivedKey>& derived = {});
   /// The same for all of the workspace and for what else is in the list.
   void closeAll(const Unlisted& listed);
@@ -142,7 +142,8 @@ class Session : public QObject {
   void changed(const volumen::SessionState& before, const volumen::SessionState& after);
   /// Of anything, or a series came into memory.
   void workspaceChanged(const volumen::Workspace& before, const volumen::Workspace& after);
-  /// A view shows a series that is not in memory: take() it. One at a time, that of the view in focus first.
+  /// A view shows a series that is not in memory: take() it. One at a time, that of the view in focus first,
+  /// but what is laid out along a curve after its source.
   void seriesNeeded(const volumen::Series& series);
   /// A view shows this series with its mask, and that volume is not in memory: takeMasked() it.
   void maskedNeeded(const volumen::SeriesKey& series);

@@ -7,10 +7,12 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "viewer/slice/slice.h"
+#include "viewer/volume/parallel.h"
 
 namespace volumen {
 
@@ -18,8 +20,8 @@ namespace {
 
 using glm::dmat3, glm::dvec3;
 
-constexpr double smallestVoxel = 1e-6;  // mm
-constexpr double upright = 0.7;         // of a unit vector's z: it runs along the patient rather than across
+constexpr double smallestVoxel = 1e-6, noLength = 1e-6;  // mm
+constexpr double upright = 0.7;  // of a unit vector's z: it runs along the patient rather than across
 
 dvec3 meanOf(const std::vector<dvec3>& points) {
   return std::accumulate(points.begin(), points.end(), dvec3(0)) / double(points.size());
@@ -43,11 +45,44 @@ dvec3 withLargestAboveZero(dvec3 v) {
   return v[largest] < 0 ? -v : v;
 }
 
-// The points' feet on the plane at right angles to a unit vector through their mean.
-std::vector<dvec3> flattened(std::vector<dvec3> points, dvec3 along) {
-  const dvec3 mean = meanOf(points);
-  for (dvec3& p : points) p -= along * glm::dot(p - mean, along);
-  return points;
+// What becomes straight: a curve, or its foot on a plane.
+class StraightLine {
+ public:
+  StraightLine(const SmoothCurve& curve, const CurvedRecipe& recipe);
+  double length() const { return laid_.back(); }
+  /// Without directions across. `before`: the direction where it has none.
+  CurvedGrid::Section sectionAt(double length, dvec3 before) const;
+
+ private:
+  dvec3 footOf(dvec3 p) const { return isFoot_ ? p - up_ * glm::dot(p - mean_, up_) : p; }
+
+  const SmoothCurve& curve_;
+  bool isFoot_;
+  dvec3 mean_, up_;                         // of the plane: a point of it and its normal
+  std::vector<double> drawn_{0}, laid_{0};  // arc lengths up to places of it: of the curve, of its foot
+};
+
+StraightLine::StraightLine(const SmoothCurve& curve, const CurvedRecipe& recipe)
+    : curve_(curve),
+      isFoot_(recipe.kind == CurvedKind::stretched),
+      mean_(meanOf(recipe.points)),
+      up_(recipe.ruled) {
+  constexpr int partsAPiece = 256;
+  const std::vector<dvec3> places = curve.line(partsAPiece);
+  for (std::size_t n = 1; n < places.size(); ++n) {
+    drawn_.push_back(drawn_.back() + glm::distance(places[n - 1], places[n]));
+    laid_.push_back(laid_.back() + glm::distance(footOf(places[n - 1]), footOf(places[n])));
+  }
+}
+
+CurvedGrid::Section StraightLine::sectionAt(double length, dvec3 before) const {
+  const auto behind = std::upper_bound(laid_.begin() + 1, laid_.end() - 1, length);
+  const std::size_t n = std::size_t(behind - laid_.begin());
+  const double width = laid_[n] - laid_[n - 1];
+  const double share = width > 0 ? std::clamp((length - laid_[n - 1]) / width, 0.0, 1.0) : 0;
+  const double drawn = drawn_[n - 1] + share * (drawn_[n] - drawn_[n - 1]);
+  const dvec3 along = curve_.tangent(drawn);
+  return {footOf(curve_.at(drawn)), {}, {}, isFoot_ ? acrossOf(along, up_, before) : along, drawn};
 }
 
 // mm along a direction.
@@ -130,17 +165,19 @@ Result<CurvedGrid> CurvedGrid::make(const CurvedRecipe& recipe, const VoxelGeome
   if (const Status valid = checkRecipe(recipe, source); !valid) return valid.error();
   const bool isStretched = recipe.kind == CurvedKind::stretched;
   if (recipe.points.empty()) return Error{"A curve needs points at two different places: set another one."};
-  auto curve = SmoothCurve::through(isStretched ? flattened(recipe.points, recipe.ruled) : recipe.points);
+  const auto curve = SmoothCurve::through(recipe.points);
   if (!curve) return curve.error();
+  const StraightLine line(*curve, recipe);
+  if (line.length() < noLength)
+    return Error{"A curve needs points at two different places: set another one."};
   const dvec3 spacing = source.spacing();
   double step = std::min({spacing.x, spacing.y, spacing.z});
   if (!(step >= smallestVoxel && step <= longest)) return Error{"The voxels of the series have no size."};
-  if (curve->length() < step)
-    return Error{"The curve is shorter than a voxel: set its points further apart."};
-  if (curve->length() > longest) return Error{"The curve is longer than 10 m."};
+  if (line.length() < step) return Error{"The curve is shorter than a voxel: set its points further apart."};
+  if (line.length() > longest) return Error{"The curve is longer than 10 m."};
   CurvedGrid grid;
   grid.recipe_ = recipe;
-  grid.length_ = curve->length();
+  grid.length_ = line.length();
   const Reach across{-recipe.halfWidth, recipe.halfWidth};
   const Reach down = isStretched ? alongRuled(source, meanOf(recipe.points), recipe.ruled) : across;
   step = std::max(step, grid.length_ / mostSections);
@@ -149,7 +186,12 @@ Result<CurvedGrid> CurvedGrid::make(const CurvedRecipe& recipe, const VoxelGeome
     if (voxels <= mostVoxels) break;
     step *= std::max(1.01, std::cbrt(voxels / mostVoxels));
   }
-  grid.setSections(*curve, step);
+  const int parts = std::max(1, int(std::lround(grid.length_ / step)));
+  dvec3 along = anyAcross(recipe.ruled);
+  for (int n = 0; n <= parts; ++n) {
+    grid.sections_.push_back(line.sectionAt(grid.length_ * n / parts, along));
+    along = grid.sections_.back().along;
+  }
   grid.setFrames();
   const EvenSamples i = samplesWithin(across, step), j = samplesWithin(down, step);
   const double alongStep = grid.length_ / double(grid.sections_.size() - 1);
@@ -157,14 +199,6 @@ Result<CurvedGrid> CurvedGrid::make(const CurvedRecipe& recipe, const VoxelGeome
   grid.geometry_.patientFromVoxelStep = grid.axes_ * dmat3(step, 0, 0, 0, step, 0, 0, 0, alongStep);
   grid.geometry_.origin = grid.axes_ * dvec3(i.first, j.first, 0);
   return grid;
-}
-
-void CurvedGrid::setSections(const SmoothCurve& curve, double step) {
-  const int parts = std::max(1, int(std::lround(length_ / step)));
-  for (int n = 0; n <= parts; ++n) {
-    const double s = length_ * n / parts;
-    sections_.push_back({curve.at(s), {}, {}, curve.tangent(s)});
-  }
 }
 
 void CurvedGrid::setFrames() {
@@ -206,6 +240,13 @@ dvec3 CurvedGrid::curvedFromPatient(dvec3 pPatient) const {
          dvec3(glm::dot(way, nearest->right), glm::dot(way, nearest->down), std::clamp(s, 0.0, length_));
 }
 
+double CurvedGrid::alongCurve(dvec3 p) const {
+  const double last = double(sections_.size() - 1);
+  const double n = std::clamp((glm::transpose(axes_) * p).z / length_ * last, 0.0, last);
+  const std::size_t before = std::size_t(n), behind = std::min(before + 1, sections_.size() - 1);
+  return glm::mix(sections_[before].mm, sections_[behind].mm, n - double(before));
+}
+
 namespace {
 
 // The plane of a cross-section, a pixel for each voxel of the grid.
@@ -220,10 +261,44 @@ SlicePlane planeOf(const CurvedGrid::Section& section, const VoxelGeometry& grid
   return plane;
 }
 
-// The padding of a source, else a value below all of these.
+// The padding of a source, else a value below all of these; float32 values are told to be in it.
 ValueRange paddingFor(const Volume& source, float least) {
   const float below = std::nextafter(std::floor(least) - 1, -std::numeric_limits<float>::infinity());
-  return source.attributes().padding.value_or(ValueRange{below, below});
+  const ValueRange padding = source.attributes().padding.value_or(ValueRange{below, below});
+  const double written = double(float(padding.low));
+  return {std::min(padding.low, written), std::max(padding.high, written)};
+}
+
+// Whether a voxel that a value is interpolated from is padding.
+bool isBesidePadding(const Volume& source, ValueRange padding, dvec3 pVoxel) {
+  constexpr double steps = 1 << 24;  // positions are rounded to these
+  const dvec3 x = glm::clamp(glm::round(pVoxel * steps) / steps, dvec3(0), dvec3(source.size() - 1));
+  const glm::ivec3 from(glm::floor(x)), to(glm::ceil(x));
+  for (int k = from.z; k <= to.z; ++k)
+    for (int j = from.y; j <= to.y; ++j)
+      for (int i = from.x; i <= to.x; ++i)
+        if (const double v = double(source.value(i, j, k)); v >= padding.low && v <= padding.high)
+          return true;
+  return false;
+}
+
+// Padding is no value to interpolate with: what it is beside has none, either.
+void leaveOutPadding(const Volume& source, const SlicePlane& plane, std::vector<float>& values) {
+  const std::optional<ValueRange>& padding = source.attributes().padding;
+  if (!padding) return;
+  const auto voxelAt = [&](double x, double y) {
+    return source.geometry().voxelFromPatient(plane.patientFromPixel({x + 0.5, y + 0.5}));
+  };
+  const dvec3 first = voxelAt(0, 0), right = voxelAt(1, 0) - first, down = voxelAt(0, 1) - first;
+  parallelFor(plane.size.y, 0, [&](std::int64_t begin, std::int64_t end) {
+    for (int j = int(begin); j < int(end); ++j)
+      for (int i = 0; i < plane.size.x; ++i) {
+        float& value = values[std::size_t(j) * std::size_t(plane.size.x) + std::size_t(i)];
+        if (std::isnan(value)) continue;
+        if (isBesidePadding(source, *padding, first + right * double(i) + down * double(j)))
+          value = std::numeric_limits<float>::quiet_NaN();
+      }
+  });
 }
 
 }  // namespace
@@ -238,9 +313,10 @@ Result<VolumePtr> curvedVolume(const Volume& source, const CurvedRecipe& recipe,
   std::vector<float> values;
   values.reserve(std::size_t(parts.geometry.voxelCount()));
   for (std::size_t n = 0; n < grid->sections().size(); ++n) {
-    const Result<SliceValues> slice =
-        resampleSlice(source, planeOf(grid->sections()[n], parts.geometry), 0, cancel);
+    const SlicePlane plane = planeOf(grid->sections()[n], parts.geometry);
+    Result<SliceValues> slice = resampleSlice(source, plane, 0, cancel);
     if (!slice) return slice.error();
+    leaveOutPadding(source, plane, slice->values);
     values.insert(values.end(), slice->values.begin(), slice->values.end());
     if (progress) progress(n + 1, grid->sections().size());
   }

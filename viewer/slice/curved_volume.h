@@ -60,16 +60,20 @@ class CurvedGrid {
   /// The place in the curved space of one in the patient, by the cross-section whose middle is nearest.
   glm::dvec3 curvedFromPatient(glm::dvec3 pPatient) const;
 
+  /// How far along the curve that was drawn the cross-section of a place in the curved space lies, mm of arc
+  /// length; of `stretched` that is more than its x where the curve leaves its plane.
+  double alongCurve(glm::dvec3 p) const;
+
   /// A cross-section. Patient space.
   struct Section {
-    glm::dvec3 at;                  ///< on the curve, mm
+    glm::dvec3 at;  ///< on the curve, of `stretched` its foot on the plane along which it is seen, mm
     glm::dvec3 right, down, along;  ///< unit vectors: of voxels i and j, and of the curve, right x down
+    double mm = 0;                  ///< arc length of the curve that was drawn, up to there
   };
   const std::vector<Section>& sections() const { return sections_; }
 
  private:
   CurvedGrid() = default;
-  void setSections(const SmoothCurve& curve, double step);
   void setFrames();
 
   CurvedRecipe recipe_;
@@ -81,9 +85,9 @@ class CurvedGrid {
 
 /// The values of `source` on the grid of the recipe, by trilinear interpolation as flat views have it
 /// (slice.h), as float32 in real units. Voxels outside the source's box have a value that is left out of
-/// statistics (VolumeAttributes::padding): the source's padding, else one below all others. `progress` hears
-/// of each cross-section. An Error where CurvedGrid has one, all of it lies outside the source, or it was
-/// cancelled.
+/// statistics (VolumeAttributes::padding): the source's padding, else one below all others; so have those
+/// that padding would have a part in. `progress` hears of each cross-section. An Error where CurvedGrid has
+/// one, all of it lies outside the source, or it was cancelled.
 Result<VolumePtr> curvedVolume(const Volume& source, const CurvedRecipe& recipe,
                                const std::function<void(std::size_t done, std::size_t total)>& progress = {},
                                const CancelToken& cancel = {});

@@ -29,10 +29,13 @@ class TestCurvedVolume : public QObject {
   void aRampIsThatOfThePatient_data();
   void aRampIsThatOfThePatient();
   void anArcIsUnrolled();
+  void theFootOfTheCurveIsOnTheSurface();
   void placesComeBack();
   void theBestPlaneGivesTheDirection_data();
   void theBestPlaneGivesTheDirection();
   void outsideIsPadding();
+  void paddingIsNotInterpolated();
+  void paddingBeyondFloat32IsTold();
   void largeOnesBecomeCoarser();
   void aTurnBackIsFinite();
   void whatCannotBeLaidOutIsRefused_data();
@@ -272,6 +275,45 @@ void TestCurvedVolume::anArcIsUnrolled() {
           g.patientFromVoxel({0, g.size.y - 1, 0}).z > 28 - 1e-6);
 }
 
+// Of curves that leave their plane, too: every place of the curve lies on the line that the surface is ruled
+// by at its arc length, and that length is told.
+void TestCurvedVolume::theFootOfTheCurveIsOnTheSurface() {
+  const Seeds seeds = seedsOf(40, 400);
+  int steep = 0;
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    Chance chance{std::uint64_t(seed)};
+    CurvedRecipe recipe = recipeOf(CurvedKind::stretched, randomWalk(chance));
+    recipe.ruled = ruledDirection(recipe.points, {0, 0, 1});
+    const CurvedGrid grid = gridOf(recipe, boxOf());
+    const SmoothCurve curve = *SmoothCurve::through(recipe.points);
+    steep += grid.length() < curve.length() - 0.1;
+    double before = -1, furthest = 0;
+    for (const CurvedGrid::Section& section : grid.sections()) {
+      QVERIFY(section.mm > before);
+      before = section.mm;
+      const dvec3 way = curve.at(section.mm) - section.at;
+      furthest = std::max(furthest, glm::length(way - recipe.ruled * glm::dot(way, recipe.ruled)));
+    }
+    QVERIFY2(furthest < 1e-9, qPrintable(QString::number(seed)));
+    QCOMPARE(grid.sections().front().mm, 0.0);
+    QVERIFY(std::abs(before - curve.length()) < 1e-9);
+    // Its own arc length is what x counts.
+    double feet = 0;
+    const int parts = 4000;
+    const auto footAt = [&](int n) {
+      const dvec3 p = curve.at(curve.length() * n / parts);
+      return p - recipe.ruled * glm::dot(p, recipe.ruled);
+    };
+    for (int n = 1; n <= parts; ++n) feet += glm::distance(footAt(n - 1), footAt(n));
+    QVERIFY2(std::abs(feet / grid.length() - 1) < 1e-4, qPrintable(QString::number(feet / grid.length())));
+    for (std::size_t n = 0; n < grid.sections().size(); ++n) {
+      const double x = grid.length() * double(n) / double(grid.sections().size() - 1);
+      QVERIFY(std::abs(grid.alongCurve({x, 2, -3}) - grid.sections()[n].mm) < 1e-6);
+    }
+  }
+  if (seeds.count >= 40) QVERIFY2(steep > 3, "some of them leave their plane");
+}
+
 // Near the curve. Between two cross-sections, which lean to each other by up to 0.19 mm there, it may be told
 // by either.
 void TestCurvedVolume::placesComeBack() {
@@ -333,6 +375,62 @@ void TestCurvedVolume::outsideIsPadding() {
   const VolumePtr padded = laidOut(*volumeFrom(std::move(parts)), recipe);
   QVERIFY(padded->attributes().padding == (ValueRange{-2000, -1990}));
   QCOMPARE(padded->value(0, 0, 0), -2000.f);
+}
+
+// A row of voxels of padding beside some of 100 to 200, seen along a line between voxels: what padding has a
+// part in is padding, whatever else is what interpolation gives of the voxels around.
+void TestCurvedVolume::paddingIsNotInterpolated() {
+  const glm::ivec3 size(12, 12, 12);
+  const auto isPadding = [](glm::ivec3 v) { return v.x < 4 || (v.x + v.y + v.z) % 11 == 0; };
+  VolumeParts parts;
+  parts.geometry = randomVolume<std::int16_t>(size, 100, 200)->geometry();
+  std::vector<std::int16_t> stored;
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i)
+        stored.push_back(isPadding({i, j, k}) ? std::int16_t(-2000)
+                                              : std::int16_t(100 + (7 * i + j + k) % 100));
+  parts.values = std::move(stored);
+  parts.attributes.padding = ValueRange{-2000, -2000};
+  const VolumePtr source = volumeFrom(std::move(parts));
+  int blank = 0, seen = 0;
+  for (const double shift : {0.0, 0.3}) {
+    const CurvedRecipe recipe = recipeOf(CurvedKind::straightened, {{5 + shift, 5, 2}, {5 + shift, 5, 9}}, 4);
+    const CurvedGrid grid = gridOf(recipe, source->geometry());
+    const VolumePtr volume = laidOut(*source, recipe);
+    QVERIFY(volume->attributes().padding == (ValueRange{-2000, -2000}));
+    for (int k = 0; k < volume->size().z; ++k)
+      for (int j = 0; j < volume->size().y; ++j)
+        for (int i = 0; i < volume->size().x; ++i) {
+          const dvec3 p = grid.patientFromCurved(volume->geometry().patientFromVoxel({i, j, k}));
+          const dvec3 x = source->geometry().voxelFromPatient(p);
+          const glm::ivec3 from(glm::floor(x + 1e-6)), to(glm::ceil(x - 1e-6));
+          if (glm::any(glm::lessThan(from, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(to, size)))
+            continue;
+          bool beside = false;
+          for (int n = 0; n < 8; ++n)
+            beside |= isPadding({n & 1 ? to.x : from.x, n & 2 ? to.y : from.y, n & 4 ? to.z : from.z});
+          const float value = volume->value(i, j, k);
+          ++(beside ? blank : seen);
+          QVERIFY(beside ? value == -2000 : value > 100 - 1e-3f && value < 200);
+        }
+  }
+  QVERIFY(blank > 100 && seen > 100);
+}
+
+// As a file may say it in doubles: what is written of it is told to be padding, too.
+void TestCurvedVolume::paddingBeyondFloat32IsTold() {
+  const VolumePtr plain = randomVolume<std::int16_t>({12, 12, 12}, 100, 200);
+  for (const double low : {-2000.3, -2000.1}) {
+    VolumeParts parts{plain->geometry(), plain->stored(), 1, 0, {}};
+    parts.attributes.padding = ValueRange{low, low};
+    const VolumePtr volume = laidOut(*volumeFrom(std::move(parts)),
+                                     recipeOf(CurvedKind::straightened, {{5, 5, 2}, {5, 5, 9}}, 20));
+    const double written = double(volume->value(0, 0, 0));
+    const ValueRange padding = *volume->attributes().padding;
+    QVERIFY(written != low && written >= padding.low && written <= padding.high);
+    QVERIFY(low >= padding.low && low <= padding.high);
+  }
 }
 
 void TestCurvedVolume::largeOnesBecomeCoarser() {

@@ -1,5 +1,7 @@
 // Guards series along curves in the workspace: what names them, what is kept of them in a session with and
 // without their source, and that positions follow each other.
+#include <QLocale>
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "io/curved.h"
@@ -8,8 +10,10 @@
 #include "ui/workspace/curved_planes.h"
 #include "ui/workspace/curved_text.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/links.h"
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/series_text.h"
+#include "ui/workspace/session.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
@@ -22,13 +26,19 @@ class TestCurvedSeries : public QObject {
  private Q_SLOTS:
   void theyAreNamedAfterTheirCurve();
   void eachCurveIsASeriesOfItsOwn();
-  void stretchedFromThePatientsRight();
+  void fromThePatientsRight();
+  void aPlaceIsToldByTheLengthOfTheDrawnCurve_data();
+  void aPlaceIsToldByTheLengthOfTheDrawnCurve();
+  void aLineIsLaidOutAsBefore();
   void whatWasLaidOutBeforeGivesWay();
   void aSessionKeepsThem();
   void withoutTheirSourceTheyAreMissingUntilItIsFound();
   void aCurveThatCannotBeIsRefusedInASession_data();
   void aCurveThatCannotBeIsRefusedInASession();
   void positionsFollow();
+  void whatIsLinkedFollowsTheCurve();
+  void theyGoWithTheirSourceUnlessMeasuredOn();
+  void theirSourceIsAskedForFirst();
 };
 
 namespace {
@@ -104,17 +114,81 @@ void TestCurvedSeries::eachCurveIsASeriesOfItsOwn() {
   QVERIFY(keyOf(pairIn(withCurve(moved)).stretched) != keyOf(pair.stretched));
 }
 
-// As pictures lie, whichever way the hand went; the straightened one begins where the hand began.
-void TestCurvedSeries::stretchedFromThePatientsRight() {
+// As pictures lie, whichever way the hand went.
+void TestCurvedSeries::fromThePatientsRight() {
   std::vector<dvec3> back(arch.rbegin(), arch.rend());
   const CurvedPair pair = pairIn(withCurve(back));
   QVERIFY(pair.stretched.curved->recipe.points == arch);
-  QVERIFY(pair.straightened.curved->recipe.points == back);
+  QVERIFY(pair.straightened.curved->recipe.points == arch);
   QVERIFY(!isOfEarlierCurve(withCurve(back), pair.stretched));
   QVERIFY(!isOfEarlierCurve(withCurve(back), pair.straightened));
   std::vector<dvec3> moved = back;
   moved[1].x += 1;
   QVERIFY(isOfEarlierCurve(withCurve(moved), pair.stretched));
+}
+
+void TestCurvedSeries::aPlaceIsToldByTheLengthOfTheDrawnCurve_data() {
+  QTest::addColumn<bool>("leavesItsPlane");
+  QTest::addColumn<bool>("fromTheLeft");
+  QTest::newRow("in a plane") << false << false;
+  QTest::newRow("in a plane, drawn from left to right") << false << true;
+  QTest::newRow("out of its plane") << true << false;
+  QTest::newRow("out of its plane, drawn from left to right") << true << true;
+}
+
+// Both planes tell of one place of the patient one number, its arc length from the patient's right. The
+// bound: half of the last digit, and what lies between two cross-sections.
+void TestCurvedSeries::aPlaceIsToldByTheLengthOfTheDrawnCurve() {
+  QFETCH(bool, leavesItsPlane);
+  QFETCH(bool, fromTheLeft);
+  std::vector<dvec3> points = arch;
+  if (leavesItsPlane) points[1].z += 9, points[2].z -= 9, points[3].z += 9;
+  const SmoothCurve curve = *SmoothCurve::through(points);
+  if (fromTheLeft) std::ranges::reverse(points);
+  const CurvedPair pair = pairIn(withCurve(points));
+  const dvec3 ruled = pair.stretched.curved->recipe.ruled;
+  const auto numberOf = [](const QString& text) {
+    return text.endsWith(QStringLiteral(" mm along the curve"))
+               ? QLocale().toDouble(text.section(QLatin1Char(' '), 0, 0))
+               : -1;
+  };
+  double feet = 0, mostApart = 0;
+  const int parts = 4000;
+  dvec3 before = curve.at(0);
+  for (int n = 1; n < parts; ++n) {
+    const double truth = curve.length() * n / parts;
+    const dvec3 way = curve.at(truth) - before;
+    before = curve.at(truth);
+    feet += glm::length(way - ruled * glm::dot(way, ruled));
+    if (n % 97 != 0) continue;
+    SlicePlane straight, stretched;
+    straight.right = {1, 0, 0}, straight.down = {0, 1, 0}, straight.centre = {3, -2, -truth};
+    stretched.right = {0, 1, 0}, stretched.down = {0, 0, 1}, stretched.centre = {feet, 5, 2};
+    const QString first = curvedPlaceText(pair.straightened, straight),
+                  second = curvedPlaceText(pair.stretched, stretched);
+    QVERIFY2(std::abs(numberOf(first) - truth) < 0.051, qPrintable(first));
+    QVERIFY2(std::abs(numberOf(second) - truth) < 0.12, qPrintable(second));
+    mostApart = std::max(mostApart, truth - feet);
+  }
+  QVERIFY(leavesItsPlane ? mostApart > 5 : mostApart < 0.01);
+}
+
+// Of a curve through two points the direction is that of the slices it was drawn in; asked for again from
+// elsewhere it stays, and where none is known the series says it as it was acquired.
+void TestCurvedSeries::aLineIsLaidOutAsBefore() {
+  Workspace workspace = withCurve({{-20, 0, 0}, {20, 0, 0}});
+  const auto curve = [&]() -> const Measurement& { return *curveMeant(workspace); };
+  QVERIFY(usualTowards(workspace, curve()) == dvec3(0, 0, 1));
+  workspace = withCurvedPlanes(workspace, *curvedPair(workspace, curve(), {0, 1, 0}, 25));
+  QVERIFY(glm::distance(usualTowards(workspace, curve()), dvec3(0, 1, 0)) < 1e-9);
+  const CurvedPair wider = *curvedPair(workspace, curve(), usualTowards(workspace, curve()), 50);
+  QVERIFY(glm::distance(wider.stretched.curved->recipe.ruled, dvec3(0, 1, 0)) < 1e-9);
+  Series coronal = head();
+  coronal.acquired.patientFromVoxelStep = {{1, 0, 0}, {0, 0, -1}, {0, 2, 0}};
+  Workspace other = withCurve({{-20, 0, 0}, {20, 0, 0}});
+  other.series.edit(keyOf(head())).series = std::make_shared<const Series>(coronal);
+  const CurvedPair pair = *curvedPair(other, *curveMeant(other), usualTowards(other, *curveMeant(other)), 25);
+  QVERIFY(glm::distance(pair.stretched.curved->recipe.ruled, dvec3(0, 1, 0)) < 1e-9);
 }
 
 void TestCurvedSeries::whatWasLaidOutBeforeGivesWay() {
@@ -199,6 +273,62 @@ void TestCurvedSeries::positionsFollow() {
   Workspace alone = apart;
   alone.crosshairs.editOrAdd(straight).at = at;
   QVERIFY(withCurvesFollowed(apart, alone) == alone);
+}
+
+// A prior that was registered, by way of the series that the curve lies on.
+void TestCurvedSeries::whatIsLinkedFollowsTheCurve() {
+  Series prior = head();
+  prior.frameOfReferenceUid = "2.25.8";
+  Workspace before = shownIn(withCurve());
+  const CurvedPair pair = pairIn(before);
+  const dvec3 shift(5, -4, 3);
+  before.frameLinks.push_back(
+      {frameOfReference(head()), frameOfReference(prior), {glm::dmat3(1), shift}, true});
+  const CurvedGrid grid = *CurvedGrid::make(pair.straightened.curved->recipe, head().acquired);
+  Workspace moved = before;
+  const dvec3 at = grid.geometry().patientFromVoxel({25, 25, 12});
+  moved.crosshairs.editOrAdd(frameOfReference(pair.straightened)).at = at;
+  const Workspace after = withLinksFollowed(before, moved, {});
+  const dvec3 inPatient = grid.patientFromCurved(at);
+  QVERIFY(glm::distance(after.crosshairs.at(frameOfReference(head())).at, inPatient) < 1e-9);
+  QVERIFY(after.crosshairs.contains(frameOfReference(prior)));
+  QVERIFY(glm::distance(after.crosshairs.at(frameOfReference(prior)).at, inPatient + shift) < 1e-9);
+}
+
+void TestCurvedSeries::theyGoWithTheirSourceUnlessMeasuredOn() {
+  Workspace workspace = shownIn(withCurve());
+  const CurvedPair pair = pairIn(workspace);
+  const SeriesKey stretched = keyOf(pair.stretched);
+  workspace.measurements.push_back({9, stretched, {ShapeKind::probe, "", {{0, 0, 0}}, {}, {}, {}}, {}});
+  Session session;
+  session.open(QStringLiteral("Open"), workspace);
+  const Workspace opened = session.workspace();
+  QCOMPARE(opened.series.size(), std::size_t(3));
+  session.close({keyOf(head())});
+  QCOMPARE(session.workspace().series.size(), std::size_t(1));
+  QVERIFY(session.workspace().series.contains(stretched));
+  session.undoStack().undo();
+  QVERIFY(session.workspace().series == opened.series);
+  QVERIFY(session.workspace().views == opened.views);
+}
+
+// It would be read twice otherwise: to be laid out, and to be shown.
+void TestCurvedSeries::theirSourceIsAskedForFirst() {
+  const Workspace workspace = shownIn(withCurve());
+  const SeriesKey straightened = keyOf(pairIn(workspace).straightened);
+  QVERIFY2(workspace.view(workspace.focus).series == straightened, "which would be the first");
+  Session session;
+  std::vector<SeriesKey> asked;
+  QObject::connect(&session, &Session::seriesNeeded, &session,
+                   [&](const Series& series) { asked.push_back(keyOf(series)); });
+  session.open(QStringLiteral("Open"), workspace);
+  QCOMPARE(asked.size(), std::size_t(1));
+  QVERIFY(asked[0] == keyOf(head()));
+  // Where it cannot be had it is not waited for.
+  session.setNotLoaded(keyOf(head()));
+  session.askForMissing();
+  QCOMPARE(asked.size(), std::size_t(2));
+  QVERIFY(asked[1] == straightened);
 }
 
 VOLUMEN_TEST(TestCurvedSeries);

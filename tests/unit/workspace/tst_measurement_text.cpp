@@ -57,6 +57,7 @@ class TestMeasurementText : public QObject {
   void hoverSaysHowSure();
   void asText();
   void asCsv();
+  void asCsvAlongACurve();
   void asCsvOfTwoSeriesAndTwoLines();
   void asCsvOfLegs_data();
   void asCsvOfLegs();
@@ -217,6 +218,30 @@ void TestMeasurementText::asCsv() {
            QStringLiteral("Ellipse 2,ellipse,2,mm^2,,,,,,,,no voxel inside,CT,0 0 0,,,,") + further);
   QCOMPARE(lines[4], QStringLiteral("Ellipse 2,ellipse,,,,,,,,,,not measured yet,,0 0 0,,,,") + further);
   QCOMPARE(lines[5], QStringLiteral("Arrow 3,arrow,,,,,,,,,,,CT,0 0 0,,,,") + further);
+}
+
+// Along a curve places are not the patient's: none is written, of the peak neither.
+void TestMeasurementText::asCsvAlongACurve() {
+  Series curved;
+  curved.curved = CurvedFrom{std::make_shared<const Series>(), {}, "Curve 1"};
+  const Measurement region{2, {}, shapeOf(ShapeKind::ellipse), {}};
+  Measured hot = regionOf(2, ValueStatistics{3, 1.5, 0.5, 1, 2});
+  hot.peak = ValuePeak{};
+  hot.peak->mean = 7.5;
+  const Result<Measured> measured(hot);
+  const Series plain;
+  const QStringList rows = measurementsAsCsv({{region, &measured, &plain}, {region, &measured, &curved}})
+                               .split(QStringLiteral("\r\n"));
+  const QStringList names = rows[0].split(QLatin1Char(','));
+  const auto field = [&](int row, const char* name) {
+    return rows[row].split(QLatin1Char(',')).value(names.indexOf(QLatin1String(name)));
+  };
+  QCOMPARE(field(1, "points_mm"), QStringLiteral("0 0 0"));
+  QCOMPARE(field(1, "suv_peak_mm"), QStringLiteral("0 0 0"));
+  QCOMPARE(field(2, "points_mm"), QString());
+  QCOMPARE(field(2, "suv_peak_mm"), QString());
+  QCOMPARE(field(2, "suv_peak"), QStringLiteral("7.5"));
+  QCOMPARE(field(2, "number"), field(1, "number"));
 }
 
 void TestMeasurementText::asCsvOfTwoSeriesAndTwoLines() {
