@@ -1,12 +1,14 @@
 // Guards the views of the second window: they scroll with those of the main one, the same keys and tools act
 // on them, its grid is chosen and its views are enlarged by themselves, and keys go through both windows.
 // Real events.
+#include <QCheckBox>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QMenu>
 #include <QToolButton>
 
 #include "tests/ui/clean_settings.h"
+#include "tests/ui/hand.h"
 #include "tests/ui/second_window.h"
 #include "tests/unit/suite.h"
 #include "ui/tools/tool.h"
@@ -29,6 +31,9 @@ class TestSecondWindowViews : public CleanSettings {
  private Q_SLOTS:
   void eitherWindowScrollsTheOther();
   void keysActOnItsViews();
+  void panelsActOnItsViewFromTheMainWindow();
+  void menusActOnItsViewFromTheMainWindow();
+  void keysFollowTheFrameWhateverWindowIsActive();
   void whatIsMeasuredInItIsUndoneInIt();
   void itsGridIsChosenWhileItHasTheFocus();
   void layoutsOfOneGroupAreOfTheMainWindow();
@@ -69,11 +74,61 @@ void TestSecondWindowViews::keysActOnItsViews() {
   auto* menu = w.beside().findChild<QMenu*>(QStringLiteral("flatMenu"));
   QVERIFY(menu && menu->isVisible());
   menu->close();
-  // As by its menu.
-  w.child<QAction>("show3D")->trigger();
+}
+
+// A press in the main window makes that active first.
+void TestSecondWindowViews::panelsActOnItsViewFromTheMainWindow() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  QVERIFY(w.activate(w.window));
+  QCOMPARE(w.workspace().focus, besideFirst);
+  auto* inverted = w.child<QCheckBox>("flatInverted");
+  QVERIFY(inverted->isVisible() && inverted->isEnabled());
+  QTest::mouseClick(inverted, Qt::LeftButton, {}, QPoint(8, inverted->height() / 2));
+  QVERIFY(w.isInverted(besideFirst) && !w.isInverted(axialViewId));
+  QCOMPARE(w.workspace().focus, besideFirst);
+  QVERIFY(w.click(axialViewId));
+  QVERIFY(w.activate(w.beside()));
+  QVERIFY(w.activate(w.window));
+  QVERIFY(!inverted->isChecked());
+  QTest::mouseClick(inverted, Qt::LeftButton, {}, QPoint(8, inverted->height() / 2));
+  QVERIFY2(w.isInverted(axialViewId), "that was clicked last");
+}
+
+void TestSecondWindowViews::menusActOnItsViewFromTheMainWindow() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  QVERIFY(w.activate(w.window));
+  Hand(w.window).menu({"viewMenu", "kindMenu"}, "show3D");
   QVERIFY(w.workspace().view(besideFirst).kind == ViewKind::volume && w.isSeen(besideFirst));
   QVERIFY(w.views().viewOf(besideFirst)->window() == &w.beside());
   QCOMPARE(w.window.view(), w.views().volumeView(besideFirst));
+  QVERIFY2(w.workspace().view(axialViewId).kind == ViewKind::axial, "that of the main window");
+}
+
+void TestSecondWindowViews::keysFollowTheFrameWhateverWindowIsActive() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  const auto press = [](const QWidget& in, Qt::Key key) { QTest::keyClick(in.focusWidget(), key); };
+  QVERIFY(w.activate(w.window));
+  QCOMPARE(w.window.focusWidget(), w.view(axialViewId));
+  press(w.window, Qt::Key_I);
+  QVERIFY(w.isInverted(besideFirst) && !w.isInverted(axialViewId));
+  press(w.window, Qt::Key_M);
+  QCOMPARE(QByteArray(w.views().tool().name), QByteArray("pan"));
+  QCOMPARE(w.workspace().focus, besideFirst);
+  press(w.window, Qt::Key_Tab);
+  QCOMPARE(w.workspace().focus, axialViewId);
+  press(w.window, Qt::Key_I);
+  QVERIFY(w.isInverted(axialViewId) && w.isInverted(besideFirst));
+  QVERIFY(w.activate(w.beside()));
+  QCOMPARE(w.workspace().focus, axialViewId);
+  press(w.beside(), Qt::Key_I);
+  QVERIFY(!w.isInverted(axialViewId) && w.isInverted(besideFirst));
+  press(w.beside(), Qt::Key_Tab);
+  QCOMPARE(w.workspace().focus, besideFirst);
+  press(w.beside(), Qt::Key_I);
+  QVERIFY(!w.isInverted(besideFirst));
 }
 
 void TestSecondWindowViews::whatIsMeasuredInItIsUndoneInIt() {
@@ -189,11 +244,8 @@ void TestSecondWindowViews::tabAndF6GoThroughBothWindows() {
   QTest::keyClick(w.window.focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
   QTRY_VERIFY_WITH_TIMEOUT(w.beside().isActiveWindow(), longest);
   QVERIFY2(w.workspace().focus == besideSecond, "the view that had it last");
-  // As by the system's own keys.
-  w.window.activateWindow();
-  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().focus, axialViewId, longest);
-  w.beside().activateWindow();
-  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().focus, besideSecond, longest);
+  QVERIFY(w.activate(w.window));
+  QVERIFY2(w.workspace().focus == besideSecond, "a window that becomes active takes no focus");
 }
 
 void TestSecondWindowViews::allViewsAreThoseOfTheWindowInFocus() {

@@ -208,12 +208,11 @@ void View::keyPressEvent(QKeyEvent* event) {
   Q_EMIT menuRequested(mapToGlobal(rect().center()));
 }
 
-// Tab came here from a panel, or the system from the other window: the frame goes where the keys are.
+// Tab came here from a panel. A window that becomes active takes no focus: what made it so was a press on a
+// panel, maybe, which is about the view in focus.
 void View::focusInEvent(QFocusEvent* event) {
   QWidget::focusInEvent(event);
-  const bool isOtherWindow = isInSecond(id_) != isInSecond(session_.workspace().focus);
-  if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
-      (event->reason() == Qt::ActiveWindowFocusReason && isOtherWindow && isVisible()))
+  if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
     session_.setFocus(id_);
 }
 
