@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QToolButton>
+#include <QWindow>
 
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/hand.h"
@@ -34,6 +35,7 @@ class TestSecondWindowViews : public CleanSettings {
   void panelsActOnItsViewFromTheMainWindow();
   void menusActOnItsViewFromTheMainWindow();
   void keysFollowTheFrameWhateverWindowIsActive();
+  void keysOpenTheMenusOfTheMainWindow();
   void whatIsMeasuredInItIsUndoneInIt();
   void itsGridIsChosenWhileItHasTheFocus();
   void layoutsOfOneGroupAreOfTheMainWindow();
@@ -41,6 +43,7 @@ class TestSecondWindowViews : public CleanSettings {
   void aViewIsEnlargedWithinItsWindow();
   void tabAndF6GoThroughBothWindows();
   void allViewsAreThoseOfTheWindowInFocus();
+  void aScreenOfOtherPixelsIsFollowed();
 };
 
 void TestSecondWindowViews::eitherWindowScrollsTheOther() {
@@ -129,6 +132,16 @@ void TestSecondWindowViews::keysFollowTheFrameWhateverWindowIsActive() {
   QCOMPARE(w.workspace().focus, besideFirst);
   press(w.beside(), Qt::Key_I);
   QVERIFY(!w.isInverted(besideFirst));
+}
+
+void TestSecondWindowViews::keysOpenTheMenusOfTheMainWindow() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  auto* menu = w.child<QMenu>("fileMenu");
+  w.press(Qt::Key_F, Qt::AltModifier);
+  QTRY_VERIFY_WITH_TIMEOUT(menu->isVisible(), longest);
+  menu->close();
+  QCOMPARE(w.workspace().focus, besideFirst);
 }
 
 void TestSecondWindowViews::whatIsMeasuredInItIsUndoneInIt() {
@@ -258,6 +271,17 @@ void TestSecondWindowViews::allViewsAreThoseOfTheWindowInFocus() {
   QCOMPARE(all.copy(w.view(besideFirst)->geometry()), w.view(besideFirst)->capture());
   QVERIFY(w.click(axialViewId));
   QCOMPARE(copiedAllViews(w.window.focusWidget()).size(), w.views().size());
+}
+
+// It may have more pixels where no view is resized.
+void TestSecondWindowViews::aScreenOfOtherPixelsIsFollowed() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  const QSignalSpy here(w.view(besideFirst), &View::pixelsChanged);
+  const QSignalSpy there(w.view(axialViewId), &View::pixelsChanged);
+  Q_EMIT w.beside().windowHandle()->screenChanged(w.beside().screen());
+  QCOMPARE(here.count(), 1);
+  QCOMPARE(there.count(), 0);
 }
 
 VOLUMEN_TEST(TestSecondWindowViews);

@@ -238,6 +238,16 @@ void View::hideEvent(QHideEvent*) {
 void View::resizeEvent(QResizeEvent*) {
   loading_->move((width() - loading_->width()) / 2, height() / 4);
   dropMark_->setGeometry(rect());
+  followPixels();
+}
+
+// It came to a screen that may have another number of pixels for the same size.
+bool View::event(QEvent* event) {
+  if (event->type() == QEvent::ScreenChangeInternal) followPixels();
+  return QWidget::event(event);
+}
+
+void View::followPixels() {
   session_.setViewSize(id_, {pixels().width(), pixels().height()});
   Q_EMIT pixelsChanged();
   tellPointed();
