@@ -1,5 +1,6 @@
 // Guards the second window: a key opens it, series and files are dropped into it, closing it is a step; it is
 // saved with the session, comes back where it stood, and goes with the main window. Real events.
+#include <QPointer>
 #include <QScreen>
 #include <QTemporaryDir>
 #include <QTreeWidget>
@@ -25,6 +26,7 @@ class TestSecondWindow : public CleanSettings {
   void anotherPatientOpensInTheMainWindow();
   void closingAllLeavesItOpen();
   void itIsSavedWithTheSession();
+  void dialogsStandOverTheWindowInUse();
   void itsPlaceIsRemembered_data();
   void itsPlaceIsRemembered();
   void itOpensOnAScreenThatIsThere();
@@ -165,6 +167,21 @@ void TestSecondWindow::itIsSavedWithTheSession() {
   QTRY_VERIFY_WITH_TIMEOUT(secondWindowOf(again).isVisible(), longest);
   QVERIFY(withFocusOf(again.window.session().workspace(), saved) == saved);
   for (const ViewId id : {besideFirst, besideSecond}) QVERIFY(again.window.views()->viewOf(id)->isVisible());
+}
+
+void TestSecondWindow::dialogsStandOverTheWindowInUse() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  for (QWidget* in : {static_cast<QWidget*>(&w.beside()), static_cast<QWidget*>(&w.window)}) {
+    QVERIFY(w.activate(*in));
+    QTest::keyClick(in->focusWidget(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+    QPointer<QFileDialog> dialog = in->findChild<QFileDialog*>(QStringLiteral("saveSessionDialog"));
+    QVERIFY(dialog && dialog->isVisible());
+    QVERIFY2(dialog->windowModality() == Qt::ApplicationModal, "the session is of both");
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog, longest);
+    QCOMPARE(w.workspace().focus, besideFirst);
+  }
 }
 
 void TestSecondWindow::itsPlaceIsRemembered_data() {

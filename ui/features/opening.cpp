@@ -87,7 +87,7 @@ void Opening::open(const QStringList& paths, const std::optional<Scene>& scene) 
 }
 
 void Opening::ask(const QString& title, QFileDialog::FileMode mode) {
-  auto* dialog = new QFileDialog(&bench_.window, title);
+  auto* dialog = new QFileDialog(bench_.dialogParent(), title);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(mode);
   connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) { open(paths, {}); });
