@@ -1,6 +1,6 @@
 // Guards the views of the second window: they scroll with those of the main one, the same keys and tools act
-// on them, its grid is chosen and its views are enlarged by themselves, and keys go through both windows.
-// Real events.
+// on them, panels and menus too, whichever window is active; its grid is chosen and its views are enlarged by
+// themselves, and keys go through both windows. Real events.
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDockWidget>
@@ -86,7 +86,7 @@ void TestSecondWindowViews::panelsActOnItsViewFromTheMainWindow() {
   QVERIFY(w.activate(w.window));
   QCOMPARE(w.workspace().focus, besideFirst);
   auto* inverted = w.child<QCheckBox>("flatInverted");
-  QVERIFY(inverted->isVisible() && inverted->isEnabled());
+  QTRY_VERIFY_WITH_TIMEOUT(inverted->isVisible() && inverted->isEnabled(), longest);
   QTest::mouseClick(inverted, Qt::LeftButton, {}, QPoint(8, inverted->height() / 2));
   QVERIFY(w.isInverted(besideFirst) && !w.isInverted(axialViewId));
   QCOMPARE(w.workspace().focus, besideFirst);

@@ -208,8 +208,8 @@ void View::keyPressEvent(QKeyEvent* event) {
   Q_EMIT menuRequested(mapToGlobal(rect().center()));
 }
 
-// Tab came here from a panel. A window that becomes active takes no focus: what made it so was a press on a
-// panel, maybe, which is about the view in focus.
+// Tab came here from a panel. A window that becomes active takes no focus: it may be so by a press on a
+// panel, which is about the view in focus.
 void View::focusInEvent(QFocusEvent* event) {
   QWidget::focusInEvent(event);
   if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)

@@ -155,7 +155,7 @@ void ViewGrid::connectView(View* view) {
   view->installEventFilter(this);
 }
 
-// Keys are for the view in focus, whichever window is active. Tab is for this one.
+// Keys are for the view in focus, whichever window is active. Tab brings the focus to the one that is.
 bool ViewGrid::eventFilter(QObject* view, QEvent* event) {
   const QEvent::Type type = event->type();
   if (type != QEvent::ShortcutOverride && type != QEvent::KeyPress && type != QEvent::KeyRelease)
