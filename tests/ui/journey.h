@@ -14,6 +14,7 @@
 
 #include "ui/main_window.h"
 #include "ui/views/frame_view.h"
+#include "ui/views/view_grid.h"
 #include "ui/views/volume_view.h"
 
 namespace volumen::tests {
@@ -77,7 +78,9 @@ struct Journey {
 
 /// Types a path into the file dialog of this name that is open, and accepts.
 inline void answer(Journey& w, const char* dialog, const QString& path) {
-  for (QFileDialog* open : w.window.findChildren<QFileDialog*>(QLatin1String(dialog))) {
+  const QLatin1String named(dialog);
+  for (QFileDialog* open : w.window.findChildren<QFileDialog*>(named) +
+                               w.window.views()->secondWindow().findChildren<QFileDialog*>(named)) {
     if (!open->isVisible()) continue;  // answered before, and not yet deleted
     auto* name = open->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     name->setText(path);

@@ -38,6 +38,12 @@ struct Beside : MeasureWindow {
     QWidget* clicked = views().viewOf(id)->window();
     return QTest::qWaitFor([&] { return clicked->isActiveWindow() && workspace().focus == id; }, longest);
   }
+  /// As by a press on its frame, or by the system's own keys.
+  bool activate(QWidget& one) {
+    one.activateWindow();
+    return QTest::qWaitFor([&] { return one.isActiveWindow(); }, longest);
+  }
+  bool isInverted(ViewId id) { return flatLookOf(workspace().view(id)).inverted; }
   bool isSeen(ViewId id) { return views().viewOf(id)->isVisible(); }
 };
 

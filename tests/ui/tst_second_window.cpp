@@ -1,5 +1,7 @@
 // Guards the second window: a key opens it, series and files are dropped into it, closing it is a step; it is
 // saved with the session, comes back where it stood, and goes with the main window. Real events.
+#include <QPointer>
+#include <QScreen>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 #include <QUrl>
@@ -19,12 +21,15 @@ class TestSecondWindow : public CleanSettings {
   void aKeyOpensItAndUndoClosesIt();
   void closedAndOpenedAgainItShowsTheSame();
   void aSeriesIsDroppedIntoIt();
-  void filesAreDroppedOnIt();
+  void filesOpenWhereTheyAreDropped_data();
+  void filesOpenWhereTheyAreDropped();
   void anotherPatientOpensInTheMainWindow();
   void closingAllLeavesItOpen();
   void itIsSavedWithTheSession();
+  void dialogsStandOverTheWindowInUse();
   void itsPlaceIsRemembered_data();
   void itsPlaceIsRemembered();
+  void itOpensOnAScreenThatIsThere();
   void closedItStaysClosed();
 };
 
@@ -92,14 +97,26 @@ void TestSecondWindow::aSeriesIsDroppedIntoIt() {
   QTRY_VERIFY_WITH_TIMEOUT(!w.window.views()->viewAs<FlatView>(besideFirst)->picture().isNull(), longest);
 }
 
-void TestSecondWindow::filesAreDroppedOnIt() {
+void TestSecondWindow::filesOpenWhereTheyAreDropped_data() {
+  QTest::addColumn<bool>("onSecond");
+  QTest::newRow("on it, the focus in the main window") << true;
+  QTest::newRow("on the main window, the focus in it") << false;
+}
+
+void TestSecondWindow::filesOpenWhereTheyAreDropped() {
+  QFETCH(bool, onSecond);
   const SessionFolder folder;
   Journey w;
   QVERIFY(opensSecondWindow(w));
+  Session& session = w.window.session();
+  session.setFocus(onSecond ? sceneViewId : besideFirst);
+  const ViewId there = onSecond ? besideFirst : sceneViewId, other = onSecond ? sceneViewId : besideFirst;
   QMimeData files;
   files.setUrls({QUrl::fromLocalFile(folder.ct())});
-  QVERIFY(drop(files, &secondWindowOf(w)));
-  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().seriesOf(besideFirst), longest);
+  QVERIFY(drop(files, onSecond ? static_cast<QWidget*>(&secondWindowOf(w)) : &w.window));
+  QTRY_VERIFY_WITH_TIMEOUT(session.seriesOf(there), longest);
+  QCOMPARE(isInSecond(session.workspace().focus), onSecond);
+  QVERIFY(session.workspace().view(other).series.empty());
 }
 
 void TestSecondWindow::anotherPatientOpensInTheMainWindow() {
@@ -152,6 +169,21 @@ void TestSecondWindow::itIsSavedWithTheSession() {
   for (const ViewId id : {besideFirst, besideSecond}) QVERIFY(again.window.views()->viewOf(id)->isVisible());
 }
 
+void TestSecondWindow::dialogsStandOverTheWindowInUse() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  for (QWidget* in : {static_cast<QWidget*>(&w.beside()), static_cast<QWidget*>(&w.window)}) {
+    QVERIFY(w.activate(*in));
+    QTest::keyClick(in->focusWidget(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+    QPointer<QFileDialog> dialog = in->findChild<QFileDialog*>(QStringLiteral("saveSessionDialog"));
+    QVERIFY(dialog && dialog->isVisible());
+    QVERIFY2(dialog->windowModality() == Qt::ApplicationModal, "the session is of both");
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog, longest);
+    QCOMPARE(w.workspace().focus, besideFirst);
+  }
+}
+
 void TestSecondWindow::itsPlaceIsRemembered_data() {
   QTest::addColumn<bool>("isMaximised");
   QTest::newRow("where it stood") << false;
@@ -181,6 +213,19 @@ void TestSecondWindow::itsPlaceIsRemembered() {
   const QPoint off = secondWindowOf(w).pos() - place.topLeft();
   QVERIFY2(std::abs(off.x()) <= frame && std::abs(off.y()) <= frame,
            qPrintable(QStringLiteral("%1").arg(off.y())));
+}
+
+// As after the screen on which it stood was unplugged.
+void TestSecondWindow::itOpensOnAScreenThatIsThere() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  QVERIFY(w.beside().close());
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.isActiveWindow(), longest);
+  const QRect screen = w.window.screen()->virtualGeometry();
+  w.beside().setGeometry(QRect(screen.bottomRight() + QPoint(300, 200), QSize(420, 310)));
+  QVERIFY(!screen.intersects(w.beside().geometry()));
+  QVERIFY(opensSecondWindow(w));
+  QVERIFY(screen.contains(w.beside().geometry()));
 }
 
 void TestSecondWindow::closedItStaysClosed() {

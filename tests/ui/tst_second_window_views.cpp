@@ -1,12 +1,15 @@
 // Guards the views of the second window: they scroll with those of the main one, the same keys and tools act
-// on them, its grid is chosen and its views are enlarged by themselves, and keys go through both windows.
-// Real events.
+// on them, panels and menus too, whichever window is active; its grid is chosen and its views are enlarged by
+// themselves, and keys go through both windows. Real events.
+#include <QCheckBox>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QMenu>
 #include <QToolButton>
+#include <QWindow>
 
 #include "tests/ui/clean_settings.h"
+#include "tests/ui/hand.h"
 #include "tests/ui/second_window.h"
 #include "tests/unit/suite.h"
 #include "ui/tools/tool.h"
@@ -29,6 +32,10 @@ class TestSecondWindowViews : public CleanSettings {
  private Q_SLOTS:
   void eitherWindowScrollsTheOther();
   void keysActOnItsViews();
+  void panelsActOnItsViewFromTheMainWindow();
+  void menusActOnItsViewFromTheMainWindow();
+  void keysFollowTheFrameWhateverWindowIsActive();
+  void keysOpenTheMenusOfTheMainWindow();
   void whatIsMeasuredInItIsUndoneInIt();
   void itsGridIsChosenWhileItHasTheFocus();
   void layoutsOfOneGroupAreOfTheMainWindow();
@@ -36,6 +43,7 @@ class TestSecondWindowViews : public CleanSettings {
   void aViewIsEnlargedWithinItsWindow();
   void tabAndF6GoThroughBothWindows();
   void allViewsAreThoseOfTheWindowInFocus();
+  void aScreenOfOtherPixelsIsFollowed();
 };
 
 void TestSecondWindowViews::eitherWindowScrollsTheOther() {
@@ -69,11 +77,71 @@ void TestSecondWindowViews::keysActOnItsViews() {
   auto* menu = w.beside().findChild<QMenu*>(QStringLiteral("flatMenu"));
   QVERIFY(menu && menu->isVisible());
   menu->close();
-  // As by its menu.
-  w.child<QAction>("show3D")->trigger();
+}
+
+// A press in the main window makes that active first.
+void TestSecondWindowViews::panelsActOnItsViewFromTheMainWindow() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  QVERIFY(w.activate(w.window));
+  QCOMPARE(w.workspace().focus, besideFirst);
+  auto* inverted = w.child<QCheckBox>("flatInverted");
+  QTRY_VERIFY_WITH_TIMEOUT(inverted->isVisible() && inverted->isEnabled(), longest);
+  QTest::mouseClick(inverted, Qt::LeftButton, {}, QPoint(8, inverted->height() / 2));
+  QVERIFY(w.isInverted(besideFirst) && !w.isInverted(axialViewId));
+  QCOMPARE(w.workspace().focus, besideFirst);
+  QVERIFY(w.click(axialViewId));
+  QVERIFY(w.activate(w.beside()));
+  QVERIFY(w.activate(w.window));
+  QVERIFY(!inverted->isChecked());
+  QTest::mouseClick(inverted, Qt::LeftButton, {}, QPoint(8, inverted->height() / 2));
+  QVERIFY2(w.isInverted(axialViewId), "that was clicked last");
+}
+
+void TestSecondWindowViews::menusActOnItsViewFromTheMainWindow() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  QVERIFY(w.activate(w.window));
+  Hand(w.window).menu({"viewMenu", "kindMenu"}, "show3D");
   QVERIFY(w.workspace().view(besideFirst).kind == ViewKind::volume && w.isSeen(besideFirst));
   QVERIFY(w.views().viewOf(besideFirst)->window() == &w.beside());
   QCOMPARE(w.window.view(), w.views().volumeView(besideFirst));
+  QVERIFY2(w.workspace().view(axialViewId).kind == ViewKind::axial, "that of the main window");
+}
+
+void TestSecondWindowViews::keysFollowTheFrameWhateverWindowIsActive() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  const auto press = [](const QWidget& in, Qt::Key key) { QTest::keyClick(in.focusWidget(), key); };
+  QVERIFY(w.activate(w.window));
+  QCOMPARE(w.window.focusWidget(), w.view(axialViewId));
+  press(w.window, Qt::Key_I);
+  QVERIFY(w.isInverted(besideFirst) && !w.isInverted(axialViewId));
+  press(w.window, Qt::Key_M);
+  QCOMPARE(QByteArray(w.views().tool().name), QByteArray("pan"));
+  QCOMPARE(w.workspace().focus, besideFirst);
+  press(w.window, Qt::Key_Tab);
+  QCOMPARE(w.workspace().focus, axialViewId);
+  press(w.window, Qt::Key_I);
+  QVERIFY(w.isInverted(axialViewId) && w.isInverted(besideFirst));
+  QVERIFY(w.activate(w.beside()));
+  QCOMPARE(w.workspace().focus, axialViewId);
+  press(w.beside(), Qt::Key_I);
+  QVERIFY(!w.isInverted(axialViewId) && w.isInverted(besideFirst));
+  press(w.beside(), Qt::Key_Tab);
+  QCOMPARE(w.workspace().focus, besideFirst);
+  press(w.beside(), Qt::Key_I);
+  QVERIFY(!w.isInverted(besideFirst));
+}
+
+void TestSecondWindowViews::keysOpenTheMenusOfTheMainWindow() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  auto* menu = w.child<QMenu>("fileMenu");
+  w.press(Qt::Key_F, Qt::AltModifier);
+  QTRY_VERIFY_WITH_TIMEOUT(menu->isVisible(), longest);
+  menu->close();
+  QCOMPARE(w.workspace().focus, besideFirst);
 }
 
 void TestSecondWindowViews::whatIsMeasuredInItIsUndoneInIt() {
@@ -189,11 +257,8 @@ void TestSecondWindowViews::tabAndF6GoThroughBothWindows() {
   QTest::keyClick(w.window.focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
   QTRY_VERIFY_WITH_TIMEOUT(w.beside().isActiveWindow(), longest);
   QVERIFY2(w.workspace().focus == besideSecond, "the view that had it last");
-  // As by the system's own keys.
-  w.window.activateWindow();
-  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().focus, axialViewId, longest);
-  w.beside().activateWindow();
-  QTRY_COMPARE_WITH_TIMEOUT(w.workspace().focus, besideSecond, longest);
+  QVERIFY(w.activate(w.window));
+  QVERIFY2(w.workspace().focus == besideSecond, "a window that becomes active takes no focus");
 }
 
 void TestSecondWindowViews::allViewsAreThoseOfTheWindowInFocus() {
@@ -206,6 +271,17 @@ void TestSecondWindowViews::allViewsAreThoseOfTheWindowInFocus() {
   QCOMPARE(all.copy(w.view(besideFirst)->geometry()), w.view(besideFirst)->capture());
   QVERIFY(w.click(axialViewId));
   QCOMPARE(copiedAllViews(w.window.focusWidget()).size(), w.views().size());
+}
+
+// It may have more pixels where no view is resized.
+void TestSecondWindowViews::aScreenOfOtherPixelsIsFollowed() {
+  Beside w;
+  QVERIFY(w.isOpen);
+  const QSignalSpy here(w.view(besideFirst), &View::pixelsChanged);
+  const QSignalSpy there(w.view(axialViewId), &View::pixelsChanged);
+  Q_EMIT w.beside().windowHandle()->screenChanged(w.beside().screen());
+  QCOMPARE(here.count(), 1);
+  QCOMPARE(there.count(), 0);
 }
 
 VOLUMEN_TEST(TestSecondWindowViews);

@@ -70,7 +70,7 @@ void Commands::noteUse(QAction* action) {
 
 void Commands::open() {
   collect();
-  QWidget* window = grid_.viewShown()->window();
+  QWidget* window = bench_.dialogParent();
   if (list_->parentWidget() != window) list_->setParent(window);
   list_->open();
 }

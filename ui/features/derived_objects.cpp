@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenu>
+#include <QPointer>
 #include <algorithm>
 
 #include "ui/data/frame_series.h"
@@ -34,6 +35,8 @@ class DerivedObjectFiles : public Feature {
   void showPictureNamed(const ReferencedPicture& picture);
   void showPlace(const std::string& frameOfReferenceUid, glm::dvec3 pPatient);
   void fillPresentations(QMenu* menu, FlatView* view);
+
+  QPointer<ReportDialog> report_;
 };
 
 DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
@@ -144,10 +147,10 @@ void DerivedObjectFiles::showRegions(const DerivedObjectPtr& object) {
 }
 
 void DerivedObjectFiles::showReport(const DerivedObjectPtr& object, const Report& report) {
-  for (ReportDialog* before : bench_.window.findChildren<ReportDialog*>()) before->close();
-  auto* dialog = new ReportDialog(session_, object, report, open_.pictures(), &bench_.window);
-  connect(dialog, &ReportDialog::pictureChosen, this, &DerivedObjectFiles::showPictureNamed);
-  dialog->show();
+  if (report_) report_->close();
+  report_ = new ReportDialog(session_, object, report, open_.pictures(), bench_.dialogParent());
+  connect(report_, &ReportDialog::pictureChosen, this, &DerivedObjectFiles::showPictureNamed);
+  report_->show();
 }
 
 void DerivedObjectFiles::showPictureNamed(const ReferencedPicture& picture) {

@@ -230,7 +230,7 @@ void HangingProtocols::forgetClosed() {
 
 void HangingProtocols::askName() {
   if (!studies()) return warn(tr("Open a series first."));
-  auto* dialog = new QInputDialog(&bench_.window);
+  auto* dialog = new QInputDialog(bench_.dialogParent());
   dialog->setObjectName(QStringLiteral("protocolNameDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Save as hanging protocol"));

@@ -29,7 +29,7 @@ Help::Help(Workbench& bench) : Feature(bench) {
        {QKeySequence::HelpContents},
        "",
        false,
-       [this](bool) { (new DocumentsWindow(&bench_.window))->show(); },
+       [this](bool) { (new DocumentsWindow(bench_.dialogParent()))->show(); },
        {{"helpMenu"}}},
       {"shortcuts",
        tr("Mouse and keys"),
@@ -58,7 +58,7 @@ void Help::showAbout() {
                          "<p>Qt %2. Pictures are shown through: %3.</p><p>%4</p>")
                           .arg(QStringLiteral(VOLUMEN_VERSION), QLatin1String(qVersion()),
                                canvasKind(bench_.view()->canvas()), reading),
-                      QMessageBox::Close, &bench_.window);
+                      QMessageBox::Close, bench_.dialogParent());
   box->setObjectName(QStringLiteral("aboutBox"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setModal(false);
@@ -74,7 +74,7 @@ void Help::showShortcuts() {
   add(keysOf(*bench_.action("commands")), tr("all commands with their keys: type to search"));
   for (const KeyRow& row : keyRows()) add(row.keys, row.text);
   auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), html + QStringLiteral("</table>"),
-                              QMessageBox::Close, &bench_.window);
+                              QMessageBox::Close, bench_.dialogParent());
   box->setObjectName(QStringLiteral("shortcutsBox"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setModal(false);

@@ -130,7 +130,7 @@ void KeyImagePages::ask() {
   std::size_t pictures = 0;
   for (const auto& study : studies()) pictures += study.size();
   if (pictures == 0) return warn(tr("There are no key images: K marks the picture that is shown."));
-  auto* dialog = new PagesDialog(int(pictures), &bench_.window);
+  auto* dialog = new PagesDialog(int(pictures), bench_.dialogParent());
   connect(dialog, &PagesDialog::pdfWanted, this, [this, dialog] { askForPdf(wantedOf(*dialog)); });
   connect(dialog, &PagesDialog::paperWanted, this, [this, dialog] { askForPrinter(wantedOf(*dialog)); });
   dialog->open();
@@ -172,7 +172,7 @@ KeyImagePages::WantedPtr KeyImagePages::wantedOf(const PagesDialog& dialog) cons
 }
 
 void KeyImagePages::askForPdf(const WantedPtr& wanted) {
-  auto* dialog = new QFileDialog(&bench_.window, tr("Save the pages"),
+  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Save the pages"),
                                  QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation),
                                  tr("PDF documents (*.pdf)"));
   dialog->setObjectName(QStringLiteral("pagesFileDialog"));
@@ -190,7 +190,7 @@ void KeyImagePages::askForPdf(const WantedPtr& wanted) {
 
 void KeyImagePages::askForPrinter(const WantedPtr& wanted) {
   const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
-  auto* dialog = new QPrintDialog(printer.get(), &bench_.window);
+  auto* dialog = new QPrintDialog(printer.get(), bench_.dialogParent());
   dialog->setObjectName(QStringLiteral("pagesPrintDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, printer, wanted] {

@@ -87,7 +87,7 @@ void Opening::open(const QStringList& paths, const std::optional<Scene>& scene) 
 }
 
 void Opening::ask(const QString& title, QFileDialog::FileMode mode) {
-  auto* dialog = new QFileDialog(&bench_.window, title);
+  auto* dialog = new QFileDialog(bench_.dialogParent(), title);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(mode);
   connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) { open(paths, {}); });
@@ -108,7 +108,7 @@ void Opening::showRecent() {
   connect(clear, &QAction::triggered, &recent, &RecentFiles::clear, Qt::QueuedConnection);
 }
 
-// What is dropped on the window.
+// What is dropped on a window opens there.
 bool Opening::eventFilter(QObject* window, QEvent* event) {
   if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
     return Feature::eventFilter(window, event);
@@ -120,6 +120,9 @@ bool Opening::eventFilter(QObject* window, QEvent* event) {
   QStringList paths;
   for (const QUrl& url : drop->mimeData()->urls())
     if (url.isLocalFile()) paths << url.toLocalFile();
+  const bool isSecond = window == &grid_.secondWindow();
+  if (!paths.isEmpty() && isSecond != isInSecond(session_.workspace().focus))
+    session_.setFocus(grid_.viewShownIn(isSecond)->id());
   if (!paths.isEmpty()) open(paths, {});
   drop->acceptProposedAction();
   return true;

@@ -105,7 +105,7 @@ void PictureFiles::ask(PicturesOf of) {
   if (!flat || !flat->shown())
     return warn(tr("Click a slice or a frame first. 3D pictures of any size: File > Save 3D snapshot."));
   auto* dialog =
-      new PictureDialog(of, flat->numberedPlaces(), flat->numberCount(), flat->size(), &bench_.window);
+      new PictureDialog(of, flat->numberedPlaces(), flat->numberCount(), flat->size(), bench_.dialogParent());
   // As it is seen now, whatever becomes of it while the dialog is open.
   const LoadedSeriesPtr shown = flat->shown();
   PictureStop now{session_.workspace(), flat->id()};
@@ -129,10 +129,10 @@ void PictureFiles::ask(PicturesOf of) {
 
 void PictureFiles::askWhere(const Wanted& wanted) {
   const bool isFolder = wanted.of == PicturesOf::stack;
-  auto* dialog =
-      new QFileDialog(&bench_.window, isFolder ? tr("Put a folder of pictures into") : tr("Save the picture"),
-                      QStandardPaths::writableLocation(QStandardPaths::PicturesLocation),
-                      isFolder ? QString() : tr("PNG pictures (*.png);;JPEG pictures (*.jpg *.jpeg)"));
+  auto* dialog = new QFileDialog(
+      bench_.dialogParent(), isFolder ? tr("Put a folder of pictures into") : tr("Save the picture"),
+      QStandardPaths::writableLocation(QStandardPaths::PicturesLocation),
+      isFolder ? QString() : tr("PNG pictures (*.png);;JPEG pictures (*.jpg *.jpeg)"));
   dialog->setObjectName(QStringLiteral("pictureFilesDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   if (isFolder) {

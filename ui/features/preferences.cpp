@@ -1,4 +1,5 @@
 #include <QApplication>
+#include <QPointer>
 
 #include "ui/features/feature.h"
 #include "ui/features/theme.h"
@@ -19,6 +20,8 @@ class PreferencesFeature : public Feature {
   void apply(const Preferences& before, const Preferences& after);
   void showTheme();
   void showDialog();
+
+  QPointer<PreferencesDialog> dialog_;
 };
 
 PreferencesFeature::PreferencesFeature(Workbench& bench) : Feature(bench) {
@@ -75,13 +78,12 @@ void PreferencesFeature::showTheme() {
 }
 
 void PreferencesFeature::showDialog() {
-  auto* dialog = bench_.window.findChild<PreferencesDialog*>();
-  if (!dialog) {
-    dialog = new PreferencesDialog(session_, &bench_.window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+  if (!dialog_) {
+    dialog_ = new PreferencesDialog(session_, bench_.dialogParent());
+    dialog_->setAttribute(Qt::WA_DeleteOnClose);
   }
-  dialog->show();
-  dialog->activateWindow();
+  dialog_->show();
+  dialog_->activateWindow();
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ void Printing::ask() {
   auto* page = new QWidget;
   page->setWindowTitle(tr("Picture"));
   (new QVBoxLayout(page))->addWidget(trueSize);
-  auto* dialog = new QPrintDialog(printer.get(), &bench_.window);
+  auto* dialog = new QPrintDialog(printer.get(), bench_.dialogParent());
   dialog->setObjectName(QStringLiteral("printDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setOptionTabs({page});

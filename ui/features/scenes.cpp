@@ -36,7 +36,7 @@ Scenes::Scenes(Workbench& bench) : Feature(bench), files_(bench.document.jobs) {
 
 void Scenes::askForScene() {
   if (!session_.series()) return warn(tr("Open a series first."));
-  auto* dialog = new QFileDialog(&bench_.window, tr("Open a scene"), {},
+  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Open a scene"), {},
                                  tr("Scenes and snapshots (*.json *.png *.jpg *.jpeg);;All files (*)"));
   dialog->setObjectName(QStringLiteral("openSceneDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -47,7 +47,7 @@ void Scenes::askForScene() {
 
 void Scenes::askForSceneFile() {
   if (!session_.series()) return warn(tr("Open a series first."));
-  auto* dialog = new QFileDialog(&bench_.window, tr("Save the scene"), {}, tr("Scenes (*.json)"));
+  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Save the scene"), {}, tr("Scenes (*.json)"));
   dialog->setObjectName(QStringLiteral("saveSceneDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);

@@ -1,7 +1,9 @@
 #include <QApplication>
 #include <QEvent>
+#include <QMenuBar>
 #include <QScreen>
 #include <QSettings>
+#include <QShortcut>
 #include <algorithm>
 #include <utility>
 
@@ -56,10 +58,18 @@ SecondWindowFeature::SecondWindowFeature(Workbench& bench)
   bench_.window.installEventFilter(this);
 }
 
-// Keys do there what they do in the main window. The focus stays in that.
+// Keys do there what they do in the main window, and open its menus. The focus stays in that.
 void SecondWindowFeature::begin() {
   window_.addActions(bench_.window.actions());
   for (const auto& [name, action] : bench_.actions) window_.addAction(action);
+  QMenuBar* bar = bench_.window.menuBar();
+  for (QAction* menu : bar->actions()) {
+    auto* key = new QShortcut(QKeySequence::mnemonic(menu->text()), &window_);
+    connect(key, &QShortcut::activated, this, [this, bar, menu] {
+      bench_.window.activateWindow();
+      bar->setActiveAction(menu);
+    });
+  }
   Workspace workspace = session_.workspace();
   workspace.second.shown = QSettings().value(QStringLiteral("secondWindow/open")).toBool();
   session_.adapt(workspace);
@@ -83,9 +93,10 @@ void SecondWindowFeature::follow() {
   grid_.viewShown()->activateWindow();
 }
 
-// On another screen than the main window, all of that; else over half of it.
+// Where it stood, if that is still on a screen; else on another one than the main window, all of that, or
+// over half of it.
 void SecondWindowFeature::place() {
-  if (std::exchange(isPlaced_, true)) return;
+  if (std::exchange(isPlaced_, true)) return putOnScreen(window_);
   if (window_.restoreGeometry(QSettings().value(QStringLiteral("secondWindow/geometry")).toByteArray()))
     return putOnScreen(window_);
   const QScreen* own = bench_.window.screen();

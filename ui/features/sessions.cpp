@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -27,6 +28,13 @@ QString lostText(const LostSession& lost) {
     return QObject::tr("%1 has changes of %2 that were not saved.")
         .arg(pathText(lost.savedAs.toStdString()), at);
   return QObject::tr("volumen was ended before it could save what was open on %1.").arg(at);
+}
+
+// Sessions are of both windows.
+void openOverBoth(QDialog* dialog) {
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowModality(Qt::ApplicationModal);
+  dialog->show();
 }
 
 // Session files, and work that was not saved: restored after the program was ended, asked for before the
@@ -66,6 +74,7 @@ class Sessions : public Feature {
   std::vector<LostSession> earlier_;  // discarded within a week
   bool closesWhenSaved_ = false;      // the window, once the session is
   bool closesUnasked_ = false;
+  QPointer<QMessageBox> closeBox_;
 };
 
 Sessions::Sessions(Workbench& bench)
@@ -130,7 +139,7 @@ void Sessions::connectAutosave() {
 
 bool Sessions::mayClose(const QString& lost) {
   if (closesUnasked_ || lost.isEmpty()) return true;
-  if (!bench_.window.findChild<QMessageBox*>(QStringLiteral("closeBox"))) askBeforeClosing(lost);
+  if (!closeBox_) askBeforeClosing(lost);
   return false;
 }
 
@@ -201,15 +210,14 @@ void Sessions::offerToLocate() {
 }
 
 void Sessions::askWhereMissing() {
-  auto* dialog = new QFileDialog(&bench_.window, tr("The folder that it lies in by now"));
+  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("The folder that it lies in by now"));
   dialog->setObjectName(QStringLiteral("locateDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
     bench_.document.loader.locate(missingOf(session_.workspace(), open_.derived()),
                                   QDir::cleanPath(QFileInfo(folder).absoluteFilePath()));
   });
-  dialog->open();
+  openOverBoth(dialog);
 }
 
 void Sessions::showLocated(const Located& located) {
@@ -233,11 +241,10 @@ void Sessions::offerLost(const LostSession& lost) {
 void Sessions::askBeforeDiscarding() {
   auto* box = new QMessageBox(QMessageBox::Question, QStringLiteral("volumen"),
                               tr("Discard what was not saved? %1").arg(lostText(*lost_)), QMessageBox::Cancel,
-                              &bench_.window);
+                              bench_.dialogParent());
   box->setObjectName(QStringLiteral("discardBox"));
   box->setTextFormat(Qt::PlainText);
   box->setInformativeText(tr("It is kept for a week: File > Restore earlier work."));
-  box->setAttribute(Qt::WA_DeleteOnClose);
   box->setDefaultButton(QMessageBox::Cancel);
   QPushButton* discard = box->addButton(tr("Discard"), QMessageBox::DestructiveRole);
   connect(box, &QDialog::finished, this, [this, box, discard] {
@@ -245,16 +252,16 @@ void Sessions::askBeforeDiscarding() {
     autosave_.discard(*std::exchange(lost_, {}));
     tell(tr("Kept for a week: File > Restore earlier work"));
   });
-  box->open();
+  openOverBoth(box);
 }
 
 // Once, where something that was made by hand would be lost.
 void Sessions::askBeforeClosing(const QString& lost) {
   auto* box = new QMessageBox(QMessageBox::Question, QStringLiteral("volumen"),
-                              tr("Not saved: %1.").arg(lost), QMessageBox::Cancel, &bench_.window);
+                              tr("Not saved: %1.").arg(lost), QMessageBox::Cancel, bench_.dialogParent());
+  closeBox_ = box;
   box->setObjectName(QStringLiteral("closeBox"));
   box->setTextFormat(Qt::PlainText);
-  box->setAttribute(Qt::WA_DeleteOnClose);
   box->setDefaultButton(QMessageBox::Cancel);
   if (!files_.unsavedWork().empty()) {
     QPushButton* save = box->addButton(tr("Save session..."), QMessageBox::AcceptRole);
@@ -268,7 +275,7 @@ void Sessions::askBeforeClosing(const QString& lost) {
             closesUnasked_ = true;
             bench_.window.close();
           });
-  box->open();
+  openOverBoth(box);
 }
 
 void Sessions::saveAndClose() {
@@ -276,8 +283,6 @@ void Sessions::saveAndClose() {
   session_.change(tr("Bring back what was measured"), withClosed(session_.workspace()));
   closesWhenSaved_ = true;
   saveSession();
-  for (const auto* dialog : bench_.window.findChildren<QFileDialog*>(QStringLiteral("saveSessionDialog")))
-    connect(dialog, &QDialog::rejected, this, [this] { closesWhenSaved_ = false; });
 }
 
 void Sessions::saveSession() {
@@ -286,27 +291,26 @@ void Sessions::saveSession() {
 }
 
 void Sessions::askForSession() {
-  auto* dialog = new QFileDialog(&bench_.window, tr("Open a session"), {}, filter());
+  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Open a session"), {}, filter());
   dialog->setObjectName(QStringLiteral("openSessionDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this,
           [this](const QString& path) { Q_EMIT bench_.openRequested({path}); });
-  dialog->open();
+  openOverBoth(dialog);
 }
 
 void Sessions::askForSessionFile() {
   if (session_.workspace().series.empty()) return warn(tr("Open a series first."));
-  auto* dialog =
-      new QFileDialog(&bench_.window, tr("Save the session"), QFileInfo(files_.path()).path(), filter());
+  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Save the session"),
+                                 QFileInfo(files_.path()).path(), filter());
   dialog->setObjectName(QStringLiteral("saveSessionDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("volumen"));
   const QString name = QFileInfo(files_.path()).fileName();
   dialog->selectFile(name.isEmpty() ? QStringLiteral("session.volumen") : name);
   connect(dialog, &QFileDialog::fileSelected, &files_, &SessionFiles::save);
-  dialog->open();
+  connect(dialog, &QDialog::rejected, this, [this] { closesWhenSaved_ = false; });
+  openOverBoth(dialog);
 }
 
 }  // namespace

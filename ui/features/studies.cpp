@@ -94,7 +94,7 @@ void Studies::showDropped(const QMimeData& what) {
 }
 
 void Studies::showAttributes(const Series& series) {
-  (new AttributesDialog(session_, series, &bench_.window))->show();
+  (new AttributesDialog(session_, series, bench_.dialogParent()))->show();
 }
 
 void Studies::showAttributesInFocus() {

@@ -224,7 +224,7 @@ void StudyListing::showPatients() {
 void StudyListing::askForImport() {
   StudySource* importer = sources_.importer();
   if (!importer) return;
-  auto* dialog = new QFileDialog(&bench_.window, tr("Import a folder into the list of studies"));
+  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Import a folder into the list of studies"));
   dialog->setObjectName(QStringLiteral("importFolderDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);

@@ -66,7 +66,7 @@ void ViewPictures::save(const QImage& picture, const QStringList& warnings, cons
   PictureText text{{"Software", "volumen " VOLUMEN_VERSION}, {"Comment", "Not for clinical use"}};
   if (!warnings.isEmpty())
     text.emplace_back("volumen-warnings", warnings.join(QLatin1Char('\n')).toStdString());
-  auto* dialog = new QFileDialog(&bench_.window, title,
+  auto* dialog = new QFileDialog(bench_.dialogParent(), title,
                                  QStandardPaths::writableLocation(QStandardPaths::PicturesLocation),
                                  tr("PNG pictures (*.png);;JPEG pictures (*.jpg *.jpeg)"));
   dialog->setObjectName(QStringLiteral("pictureDialog"));

@@ -1,4 +1,5 @@
 #include <QMenu>
+#include <QPointer>
 #include <QToolButton>
 
 #include <cmath>
@@ -23,6 +24,8 @@ class WindowChoices : public Feature {
   QList<QAction*> choicesOf(QMenu* menu, FlatView* view) const;
   std::optional<OwnWindow> inUse() const;
   void showDialog();
+
+  QPointer<WindowsDialog> dialog_;
 };
 
 WindowChoices::WindowChoices(Workbench& bench) : Feature(bench) {
@@ -82,14 +85,13 @@ std::optional<OwnWindow> WindowChoices::inUse() const {
 }
 
 void WindowChoices::showDialog() {
-  auto* dialog = bench_.window.findChild<WindowsDialog*>();
-  if (!dialog) {
-    dialog = new WindowsDialog(
-        session_, [this] { return inUse(); }, &bench_.window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+  if (!dialog_) {
+    dialog_ = new WindowsDialog(
+        session_, [this] { return inUse(); }, bench_.dialogParent());
+    dialog_->setAttribute(Qt::WA_DeleteOnClose);
   }
-  dialog->show();
-  dialog->activateWindow();
+  dialog_->show();
+  dialog_->activateWindow();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "ui/features/workbench.h"
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QEvent>
 #include <QMenu>
@@ -64,6 +65,12 @@ Workbench::Workbench(const Services& theServices, Document& theDocument, const W
             };
             if (showsOther(before, after) && shown(before) != shown(after)) Q_EMIT otherShown();
           });
+}
+
+QWidget* Workbench::dialogParent() const {
+  for (QWidget* used = QApplication::activeWindow(); used; used = used->parentWidget())
+    if (used == &window || used == &grid.secondWindow()) return used;
+  return grid.viewShown()->window();
 }
 
 void Workbench::addAboveViews(QWidget* widget) { column.insertWidget(column.count() - 1, widget); }

@@ -146,6 +146,9 @@ class Workbench : public QObject, public WindowParts {
   /// stands in its place.
   QWidget* ofScene(QWidget* panel);
 
+  /// The window that a dialog stands over: the one in use, which is active or has a dialog that is; where
+  /// there is none, that of the view in focus.
+  QWidget* dialogParent() const;
   /// Between what is told and the views.
   void addAboveViews(QWidget* widget);
 

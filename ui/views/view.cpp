@@ -208,12 +208,11 @@ void View::keyPressEvent(QKeyEvent* event) {
   Q_EMIT menuRequested(mapToGlobal(rect().center()));
 }
 
-// Tab came here from a panel, or the system from the other window: the frame goes where the keys are.
+// Tab came here from a panel. A window that becomes active takes no focus: it may be so by a press on a
+// panel, which is about the view in focus.
 void View::focusInEvent(QFocusEvent* event) {
   QWidget::focusInEvent(event);
-  const bool isOtherWindow = isInSecond(id_) != isInSecond(session_.workspace().focus);
-  if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
-      (event->reason() == Qt::ActiveWindowFocusReason && isOtherWindow && isVisible()))
+  if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
     session_.setFocus(id_);
 }
 
@@ -239,6 +238,16 @@ void View::hideEvent(QHideEvent*) {
 void View::resizeEvent(QResizeEvent*) {
   loading_->move((width() - loading_->width()) / 2, height() / 4);
   dropMark_->setGeometry(rect());
+  followPixels();
+}
+
+// It came to a screen that may have another number of pixels for the same size.
+bool View::event(QEvent* event) {
+  if (event->type() == QEvent::ScreenChangeInternal) followPixels();
+  return QWidget::event(event);
+}
+
+void View::followPixels() {
   session_.setViewSize(id_, {pixels().width(), pixels().height()});
   Q_EMIT pixelsChanged();
   tellPointed();

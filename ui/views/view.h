@@ -81,6 +81,7 @@ class View : public QWidget {
   /// The date of its study, where views on screen show several; else empty.
   QString dateBeside() const;
 
+  bool event(QEvent*) override;
   void paintEvent(QPaintEvent*) override;
   void dragEnterEvent(QDragEnterEvent*) override;
   void dragLeaveEvent(QDragLeaveEvent*) override;
@@ -99,6 +100,7 @@ class View : public QWidget {
   void paintInvitation(QPainter& painter) const;
   bool followSeries();
   void showWaiting();
+  void followPixels();
   void showDropMark(bool on);
 
   const ViewId id_;

@@ -1,5 +1,7 @@
 #include "ui/views/view_grid.h"
 
+#include <QCoreApplication>
+#include <QKeyEvent>
 #include <QPainter>
 #include <algorithm>
 #include <optional>
@@ -150,6 +152,21 @@ void ViewGrid::connectView(View* view) {
   connect(view, &View::dropped, this, &ViewGrid::dropped);
   connect(view, &View::menuRequested, this,
           [this, view](QPoint global) { Q_EMIT menuRequested(view, global); });
+  view->installEventFilter(this);
+}
+
+// Keys are for the view in focus, whichever window is active. Tab brings the focus to the one that is.
+bool ViewGrid::eventFilter(QObject* view, QEvent* event) {
+  const QEvent::Type type = event->type();
+  if (type != QEvent::ShortcutOverride && type != QEvent::KeyPress && type != QEvent::KeyRelease)
+    return QWidget::eventFilter(view, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  View* shown = viewShown();
+  if (static_cast<QWidget*>(view)->window() == shown->window() || key == Qt::Key_Tab ||
+      key == Qt::Key_Backtab)
+    return QWidget::eventFilter(view, event);
+  QWidget* field = shown->window()->focusWidget();
+  return QCoreApplication::sendEvent(shown->isAncestorOf(field) ? field : shown, event);
 }
 
 // Whether it is the window in which the view in focus does not stand.
@@ -236,9 +253,15 @@ bool ViewGrid::focusNextPrevChild(bool next) {
 }
 
 bool ViewGrid::goToNext(bool second, bool next) {
+  const View* keys = viewShownIn(second);
+  if (keys->window()->focusWidget() != keys) return false;
+  if (isInSecond(session_.workspace().focus) != second) {
+    session_.setFocus(keys->id());
+    return true;
+  }
   const std::vector<ViewId> ids = idsShown(second);
   const auto at = std::ranges::find(ids, session_.workspace().focus);
-  if (ids.size() < 2 || at == ids.end() || viewOf(*at)->window()->focusWidget() != viewOf(*at)) return false;
+  if (ids.size() < 2 || at == ids.end()) return false;
   const std::size_t step = next ? 1 : ids.size() - 1;
   session_.setFocus(ids[(std::size_t(at - ids.begin()) + step) % ids.size()]);
   return true;

@@ -86,9 +86,11 @@ class ViewGrid : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent*) override;
+  /// Keys for a view of the window in which the view in focus does not stand go to that.
+  bool eventFilter(QObject* view, QEvent* event) override;
   /// Tab and Shift+Tab go from the view that has the keys to the next one on screen, which comes into focus;
-  /// F6 leaves the views (ui/features/focus_keys). From a control on a view, and where there is one view
-  /// alone, they go on as everywhere else.
+  /// F6 leaves the views (ui/features/focus_keys). In the window without the focus they bring it there. From
+  /// a control on a view, and where there is one view alone, they go on as everywhere else.
   bool focusNextPrevChild(bool next) override;
 
  private:
