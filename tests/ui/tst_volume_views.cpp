@@ -13,7 +13,7 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr ViewId left = firstComparedId, right = firstComparedId + 1;
+constexpr ViewId leftView = firstComparedId, rightView = firstComparedId + 1;
 
 // Two views beside each other, by the views' own menus both 3D, of one series.
 struct TwoVolumes {
@@ -52,10 +52,11 @@ struct TwoVolumes {
     w.window.open({QStringLiteral("phantom:ct-head:48")});
     if (!w.settle()) return false;
     w.child<QAction>("layoutTwo")->trigger();
-    const Series series = *seriesIn(session().workspace(), left);
-    session().setFocus(right);
-    session().showAgain(series, right);
-    return choose(left, "show3D") && isDrawn(left) && choose(right, "show3D") && isDrawn(right);
+    const Series series = *seriesIn(session().workspace(), leftView);
+    session().setFocus(rightView);
+    session().showAgain(series, rightView);
+    return choose(leftView, "show3D") && isDrawn(leftView) && choose(rightView, "show3D") &&
+           isDrawn(rightView);
   }
 };
 
@@ -78,50 +79,50 @@ void TestVolumeViews::aViewShowsWhatItsMenuSays() {
   TwoVolumes t;
   QVERIFY(t.open());
   t.w.shot("two-volumes");
-  QVERIFY(t.choose(left, "showCoronal"));
-  QVERIFY(t.session().workspace().view(left).kind == ViewKind::coronal);
-  auto* flat = qobject_cast<FlatView*>(t.view(left));
+  QVERIFY(t.choose(leftView, "showCoronal"));
+  QVERIFY(t.session().workspace().view(leftView).kind == ViewKind::coronal);
+  auto* flat = qobject_cast<FlatView*>(t.view(leftView));
   QVERIFY(flat && flat->isVisible());
   QTRY_VERIFY_WITH_TIMEOUT(flat->picture().size() == flat->pixels(), longest);
   QVERIFY(flat->overlays().topRight.contains(QStringLiteral("Coronal, reformatted")));
   t.w.shot("plane-and-volume");
   t.w.child<QAction>("undo")->trigger();
-  QVERIFY(t.session().workspace().view(left).kind == ViewKind::volume);
-  QVERIFY(t.volume(left)->isVisible() && !flat->isVisible());
-  QVERIFY(t.isDrawn(left));
+  QVERIFY(t.session().workspace().view(leftView).kind == ViewKind::volume);
+  QVERIFY(t.volume(leftView)->isVisible() && !flat->isVisible());
+  QVERIFY(t.isDrawn(leftView));
 }
 
 void TestVolumeViews::eachHasItsOwnScene() {
   TwoVolumes t;
   QVERIFY(t.open());
-  const Scene before = t.session().sceneOf(right), other = t.session().sceneOf(left);
+  const Scene before = t.session().sceneOf(rightView), other = t.session().sceneOf(leftView);
   QVERIFY2(before == other, "the second begins as the one that the panels work on");
   // What the window system does to new views may ask for pictures once more: until both are at rest, and
   // alike.
-  QTRY_VERIFY_WITH_TIMEOUT(t.volume(left)->picture() == t.volume(right)->picture(), longest);
-  drag(t.volume(left), {60, 60}, {110, 80});
-  QVERIFY(t.session().sceneOf(left) != other);
-  QVERIFY(t.session().sceneOf(right) == before);
-  QCOMPARE(t.session().workspace().focus, left);
+  QTRY_VERIFY_WITH_TIMEOUT(t.volume(leftView)->picture() == t.volume(rightView)->picture(), longest);
+  drag(t.volume(leftView), {60, 60}, {110, 80});
+  QVERIFY(t.session().sceneOf(leftView) != other);
+  QVERIFY(t.session().sceneOf(rightView) == before);
+  QCOMPARE(t.session().workspace().focus, leftView);
   // By key and from the menu bar, in the view in focus alone.
   QVERIFY(!t.w.after("viewLeft").isNull());
-  QVERIFY(t.session().sceneOf(right) == before);
-  QVERIFY(t.volume(right)->picture() != t.volume(left)->picture());
+  QVERIFY(t.session().sceneOf(rightView) == before);
+  QVERIFY(t.volume(rightView)->picture() != t.volume(leftView)->picture());
   // Undone although the other one is in focus: it is drawn all the same.
-  const QImage turned = t.volume(left)->picture();
-  t.session().setFocus(right);
+  const QImage turned = t.volume(leftView)->picture();
+  t.session().setFocus(rightView);
   t.w.child<QAction>("undo")->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(t.volume(left)->picture() != turned, longest);
+  QTRY_VERIFY_WITH_TIMEOUT(t.volume(leftView)->picture() != turned, longest);
 }
 
 void TestVolumeViews::panelsWorkOnTheOneInFocus() {
   TwoVolumes t;
   QVERIFY(t.open());
-  for (const ViewId id : {left, right}) {
+  for (const ViewId id : {leftView, rightView}) {
     QTest::mouseClick(t.volume(id), Qt::LeftButton, {}, {60, 60});
     QCOMPARE(t.w.window.view(), t.volume(id));
     QVERIFY(t.session().scene() == t.session().sceneOf(id));
-    const ViewId other = id == left ? right : left;
+    const ViewId other = id == leftView ? rightView : leftView;
     const Scene before = t.session().sceneOf(other);
     const bool wasLit = t.session().sceneOf(id).shading.lit;
     const QImage drawn = t.w.after([&] {
@@ -142,32 +143,32 @@ void TestVolumeViews::theyShareOneSetOfVoxels() {
   for (const auto& voxels : t.made)
     if (const VoxelsPtr held = voxels.lock()) sets.insert(held);
   QCOMPARE(sets.size(), std::size_t(1));
-  QCOMPARE((*sets.begin())->volume(), t.session().seriesOf(left)->volume);
-  QCOMPARE(t.session().seriesOf(left)->volume, t.session().seriesOf(right)->volume);
+  QCOMPARE((*sets.begin())->volume(), t.session().seriesOf(leftView)->volume);
+  QCOMPARE(t.session().seriesOf(leftView)->volume, t.session().seriesOf(rightView)->volume);
 }
 
 void TestVolumeViews::whatIsCutGoesFromAll() {
   TwoVolumes t;
   QVERIFY(t.open());
-  const VolumePtr before = t.session().seriesOf(left)->volume;
+  const VolumePtr before = t.session().seriesOf(leftView)->volume;
   t.w.child<QAction>("scissorsTool")->trigger();
-  const QPoint centre = t.volume(right)->rect().center();
+  const QPoint centre = t.volume(rightView)->rect().center();
   const QImage cut = t.w.after([&] {
-    QTest::mousePress(t.volume(right), Qt::LeftButton, {}, centre - QPoint(25, 25));
+    QTest::mousePress(t.volume(rightView), Qt::LeftButton, {}, centre - QPoint(25, 25));
     for (const QPoint by : {QPoint(25, -25), QPoint(25, 25), QPoint(-25, 25)})
-      QTest::mouseEvent(QTest::MouseMove, t.volume(right), Qt::LeftButton, {}, centre + by);
-    QTest::mouseRelease(t.volume(right), Qt::LeftButton, {}, centre - QPoint(25, 25));
+      QTest::mouseEvent(QTest::MouseMove, t.volume(rightView), Qt::LeftButton, {}, centre + by);
+    QTest::mouseRelease(t.volume(rightView), Qt::LeftButton, {}, centre - QPoint(25, 25));
   });
   QVERIFY(!cut.isNull());
   // A picture of before may have come to rest in between.
   const auto isCut = [&] {
-    return t.session().seriesOf(right) && t.session().seriesOf(right)->volume != before;
+    return t.session().seriesOf(rightView) && t.session().seriesOf(rightView)->volume != before;
   };
   QVERIFY(QTest::qWaitFor(isCut, longest));
-  const VolumePtr after = t.session().seriesOf(right)->volume;
-  QCOMPARE(t.session().seriesOf(left)->volume, after);
+  const VolumePtr after = t.session().seriesOf(rightView)->volume;
+  QCOMPARE(t.session().seriesOf(leftView)->volume, after);
   // Both look the same at last: one scene, one volume, one size.
-  QTRY_VERIFY_WITH_TIMEOUT(t.volume(left)->picture() == t.volume(right)->picture(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(t.volume(leftView)->picture() == t.volume(rightView)->picture(), longest);
   t.w.shot("two-volumes-cut");
 }
 
@@ -185,8 +186,9 @@ void TestVolumeViews::viewsOfTheGroupStayAsTheyAre() {
 void TestVolumeViews::closingTheSeriesMakesThemPlanesAgain() {
   TwoVolumes t;
   QVERIFY(t.open());
-  t.session().close({keyOf(*seriesIn(t.session().workspace(), left))});
-  for (const ViewId id : {left, right}) QVERIFY(t.session().workspace().view(id).kind == ViewKind::axial);
+  t.session().close({keyOf(*seriesIn(t.session().workspace(), leftView))});
+  for (const ViewId id : {leftView, rightView})
+    QVERIFY(t.session().workspace().view(id).kind == ViewKind::axial);
   QVERIFY(t.session().workspace().series.empty());
 }
 
@@ -194,14 +196,14 @@ void TestVolumeViews::fourAreDrawn() {
   TwoVolumes t;
   QVERIFY(t.open());
   t.w.child<QAction>("layoutFour")->trigger();
-  const Series series = *seriesIn(t.session().workspace(), left);
-  const ViewId behind = left + 4;
-  for (ViewId id = right + 1; id < behind; ++id) {
+  const Series series = *seriesIn(t.session().workspace(), leftView);
+  const ViewId behind = leftView + 4;
+  for (ViewId id = rightView + 1; id < behind; ++id) {
     t.session().setFocus(id);
     QVERIFY(t.session().showAgain(series, id));
     QVERIFY(t.choose(id, "show3D"));
   }
-  for (ViewId id = left; id < behind; ++id) QVERIFY(t.isDrawn(id));
+  for (ViewId id = leftView; id < behind; ++id) QVERIFY(t.isDrawn(id));
   t.w.shot("four-volumes");
 }
 

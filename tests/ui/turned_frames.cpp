@@ -16,7 +16,7 @@ namespace volumen::tests {
 
 namespace {
 
-constexpr double ground = 100, bright = 1000;
+constexpr double groundValue = 100, bright = 1000;
 const glm::dmat2 quarter{{0, 1}, {-1, 0}}, mirror{{-1, 0}, {0, 1}};
 
 // What a state does to places of the picture.
@@ -82,7 +82,7 @@ bool TurnedFrames::write() {
     if (!writeBreast(breast, n + 1, path, isStack_ ? BreastSeries::ofAll : BreastSeries::ofEach))
       return false;
     const glm::ivec2 size(breast.columns, breast.rows);
-    std::vector<Uint16> pixels(std::size_t(size.x * size.y), Uint16(ground));
+    std::vector<Uint16> pixels(std::size_t(size.x * size.y), Uint16(groundValue));
     for (const glm::dvec2 share :
          {glm::dvec2(0.2, 0.15), {0.75, 0.3}, {0.35, 0.6}, {0.85, 0.8}, {0.5, 0.45}}) {
       const glm::ivec2 mark(share * glm::dvec2(size) + 2.0 * n);
