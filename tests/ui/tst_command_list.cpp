@@ -229,7 +229,7 @@ void TestCommandList::aWindowIsFoundByItsName() {
   CommandWindow w;
   w.type("lung window");
   QCOMPARE(w.texts(0).mid(0, 2),
-           (QStringList{QStringLiteral("Lung"), QStringLiteral("View > Window presets")}));
+           (QStringList{QStringLiteral("Lung (1500 / -600)"), QStringLiteral("View > Window presets")}));
   QVERIFY2(!w.rowOf("Click a slice or a frame first."), "what only says why is no command");
   QTest::keyClick(w.search(), Qt::Key_Return);
   QCOMPARE(w.session().workspace().series.at(w.view()->state().series).window,

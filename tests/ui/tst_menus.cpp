@@ -91,9 +91,10 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Turn right; Turn left; Mirror left to right; Mirror top to bottom; |; "
       "A pixel of the picture a pixel of the screen; True size");
   row("&View/Measure",
-      "Length\tD; Polyline; Long and short axis; Angle\tA; Cobb angle; Leg axis; Cardiothoracic ratio; "
-      "Ellipse\tE; "
-      "Rectangle; Freehand; Probe\tP; Arrow\tT; Spine labels; |; Chart of values");
+      "Length\tD; Polyline; Curve; Long and short axis; Angle\tA; Cobb angle; Leg axis; Cardiothoracic "
+      "ratio; Ellipse\tE; "
+      "Rectangle; Freehand; Probe\tP; Arrow\tT; Spine labels; |; Chart of values; Show curved plane; "
+      "Curved plane of another width >");
   row("&View/Panels",
       "Quality and speed; Camera; Chart of values; Clip; Effects; Slices and frames; Key images; Lights; "
       "Measure; Contours and segments; "

@@ -66,6 +66,7 @@ void TestReferenceLines::aPlaneOfTheSameFrameIsALine() {
 
 void TestReferenceLines::aLineFollowsItsPlane() {
   Crossed w(ballIn("A"), ballIn("A", 2));
+  w.scroll(right, 1);  // from the middle of A, which lies between two of its slices
   const double before = w.lines(left)[0].line.y1();
   w.scroll(right, 3);
   const double mm = w.plane(left).mmPerPixel * w.view(left)->devicePixelRatioF();

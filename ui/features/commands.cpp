@@ -70,9 +70,7 @@ void Commands::noteUse(QAction* action) {
 
 void Commands::open() {
   collect();
-  QWidget* window = bench_.dialogParent();
-  if (list_->parentWidget() != window) list_->setParent(window);
-  list_->open();
+  list_->openIn(bench_.dialogParent());
 }
 
 // In the order of the menus, then what stands in none of them, then the keys.

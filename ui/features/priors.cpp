@@ -86,7 +86,9 @@ Priors::Priors(Workbench& bench) : Feature(bench) {
               wanted_->isRead = true;
             });
     connect(source, &StudySource::notOpened, this, [this, source](const IndexedChoice& choice) {
-      if (wanted_ && wanted_->place == source->placeOf(choice.study)) wanted_.reset();
+      if (!wanted_ || wanted_->place != source->placeOf(choice.study)) return;
+      wanted_->isAway = true;
+      openNext();
     });
   }
   connect(&bench_.document.loader, &Loader::filesOpened, this, &Priors::lookInto);

@@ -152,14 +152,12 @@ void Sessions::closeUnasked() {
 void Sessions::showTitle() {
   QMainWindow& window = bench_.window;
   const Series* series = seriesIn(session_.workspace(), session_.workspace().focus);
-  if (!series) {
-    window.setWindowModified(false);
-    return window.setWindowTitle(QStringLiteral("volumen"));
-  }
   const QString file = QFileInfo(files_.path()).fileName();
   const bool named = !file.isEmpty() && !namesHidden();
-  QStringList parts{patientText(*series), seriesText(*series),
-                    named ? file + QStringLiteral("[*]") : QString(), QStringLiteral("volumen")};
+  QStringList parts;
+  if (series) parts << patientText(*series) << seriesText(*series);
+  if (named) parts << file + QStringLiteral("[*]");
+  parts << QStringLiteral("volumen");
   parts.removeAll(QString());
   window.setWindowTitle(parts.join(QStringLiteral(" - ")));
   window.setWindowModified(named && files_.modified());

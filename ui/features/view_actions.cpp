@@ -209,6 +209,7 @@ void ViewActions::addTool(QMenu* menu, const Tool& tool) const {
   keyless->setObjectName(action->objectName() + QStringLiteral("InScene"));
   keyless->setCheckable(true);
   keyless->setChecked(action->isChecked());
+  keyless->setEnabled(action->isEnabled());
 }
 
 void ViewActions::showVolumeMenu(QPoint global) {

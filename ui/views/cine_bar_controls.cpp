@@ -32,7 +32,7 @@ TypedNumber* CineBar::addNumber(const char* name, const QString& tip, int width)
 }
 
 QLabel* CineBar::addWord(const QString& word) {
-  auto* label = new QLabel(word, this);
+  QLabel* label = plainLabel(word);
   layout()->addWidget(label);
   return label;
 }

@@ -1,6 +1,6 @@
 #include "ui/views/view_grid.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QKeyEvent>
 #include <QPainter>
 #include <algorithm>
@@ -162,9 +162,14 @@ bool ViewGrid::eventFilter(QObject* view, QEvent* event) {
     return QWidget::eventFilter(view, event);
   const int key = static_cast<QKeyEvent*>(event)->key();
   View* shown = viewShown();
-  if (static_cast<QWidget*>(view)->window() == shown->window() || key == Qt::Key_Tab ||
-      key == Qt::Key_Backtab)
+  const QWidget* itsWindow = shown->window();
+  if (static_cast<QWidget*>(view)->window() == itsWindow || !shown->isVisible() || itsWindow->isMinimized() ||
+      key == Qt::Key_Tab || key == Qt::Key_Backtab)
     return QWidget::eventFilter(view, event);
+  // What a dialog stands over takes no keys.
+  if (const QWidget* modal = QApplication::activeModalWidget();
+      modal && modal->parentWidget() && modal->parentWidget()->window() == itsWindow)
+    return true;
   QWidget* field = shown->window()->focusWidget();
   return QCoreApplication::sendEvent(shown->isAncestorOf(field) ? field : shown, event);
 }

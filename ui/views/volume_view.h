@@ -153,6 +153,7 @@ class VolumeView : public View {
 
   // Of the gesture under way.
   std::unique_ptr<SceneDrag> drag_;
+  bool shapePressed_ = false;         // for a point of it
   std::unique_ptr<SceneDrag> shape_;  // draws a measurement, by several presses; others may move the camera
   Qt::MouseButton dragButton_ = Qt::NoButton;
   QPointF pressedAt_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "ui/tools/mouse_bindings.h"
 #include "ui/tools/tool.h"
@@ -56,6 +57,7 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   if (!series() || drag_) return;
   if (shape_ && event->button() == Qt::LeftButton) {
     shape_->press(event->position());
+    shapePressed_ = true;
     return redraw();
   }
   // While a point of it is dragged the camera stays.
@@ -73,6 +75,7 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   const bool isHand = event->button() == Qt::LeftButton && tool == tool_ && tool != &toolNamed("scissors");
   if (isHand) drag_ = pressMeasurement(press);
   if (!drag_) (tool->draws() ? shape_ : drag_) = tool->inScene(press);
+  if (shape_ && !drag_ && tool->draws()) shapePressed_ = true;
   if (shape_) redraw();
 }
 
@@ -108,7 +111,8 @@ void VolumeView::giveUp() {
 
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (drag_ && event->button() != dragButton_) return;
-  if (shape_ && event->button() == Qt::LeftButton) return releaseShape(*event);
+  if (shape_ && event->button() == Qt::LeftButton)
+    return std::exchange(shapePressed_, false) ? releaseShape(*event) : void();
   const bool isStill = (event->position() - pressedAt_).manhattanLength() < 3;
   const bool clicked = drag_ && drag_->pointsWhereStill() && isStill && !pressedShape_;
   const bool clickedFree = drag_ && isStill && pressedFree_;

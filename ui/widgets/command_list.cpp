@@ -59,7 +59,11 @@ CommandList::CommandList(QWidget* window) : QFrame(window), search_(new QLineEdi
   hide();
 }
 
-void CommandList::open() {
+void CommandList::openIn(QWidget* other) {
+  if (parentWidget() != other) {
+    if (isVisible()) leave();
+    setParent(other);
+  }
   if (!isVisible()) before_ = window()->focusWidget();
   const QSize room = parentWidget()->size() - QSize(2 * besideList, 2 * besideList);
   resize(largestList.boundedTo(room));

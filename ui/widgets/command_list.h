@@ -23,8 +23,8 @@ class CommandList : public QFrame {
   };
 
   explicit CommandList(QWidget* window);
-  /// Empty, with the keys; typed() asks for the first rows.
-  void open();
+  /// In this window, empty, with the keys; typed() asks for the first rows.
+  void openIn(QWidget* window);
   void setRows(const std::vector<Row>& rows);
 
  Q_SIGNALS:
