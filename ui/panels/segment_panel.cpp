@@ -164,7 +164,7 @@ void SegmentPanel::showSpans() {
   setEnabled(series != nullptr);
   if (!series) return;
   segment_->setEnabled(!isCurved());
-  segment_->setToolTip(isCurved() ? curvedSentence() : QString());
+  segment_->setToolTip(toolTipOf(isCurved() ? curvedSentence() : QString()));
   const QString unit = unitSuffix(series->series);
   for (QDoubleSpinBox* field : {low_, high_}) {
     field->setSuffix(unit);
