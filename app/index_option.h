@@ -14,7 +14,8 @@ void addIndex(CLI::App& app, std::string& folder);
 /// a sentence for the user.
 Result<Index> openIndex(const std::string& folder);
 
-/// The same of one that is only looked at: a folder that is named and holds none is refused, none is made there.
+/// The same of one that is only looked at: a folder that is named and holds none is refused, none is made
+/// there.
 Result<Index> openExistingIndex(const std::string& folder);
 
 /// Where `import --copy` copies to.

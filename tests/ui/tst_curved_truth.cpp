@@ -12,6 +12,7 @@
 
 #include "tests/ui/curve_window.h"
 #include "tests/unit/suite.h"
+#include "ui/widgets/plain_text.h"
 #include "viewer/segment/range.h"
 
 using namespace volumen;
