@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/ui/gestures.h"
+#include "tests/ui/known_steps.h"
 #include "tests/ui/turned_sequence.h"
 #include "ui/views/cross_lines.h"
 #include "ui/views/drawn_measurement.h"
@@ -282,29 +283,17 @@ bool TurnedSequence::resizes() {
 }
 
 bool TurnedSequence::undoes() {
-  QUndoStack& stack = session().undoStack();
-  if (stack.index() <= first_) return false;
-  do child<QAction>("undo")->trigger();
-  while (!known_.contains(stack.index()));
-  take(stack.index());
-  return true;
+  return undoneTo(*this, first_, known_, [this](int step) { take(step); });
 }
 
 bool TurnedSequence::redoes() {
-  QUndoStack& stack = session().undoStack();
-  if (stack.index() >= stack.count()) return false;
-  do child<QAction>("redo")->trigger();
-  while (!known_.contains(stack.index()));
-  take(stack.index());
-  return true;
+  return doneAgain(*this, known_, [this](int step) { take(step); });
 }
 
 QString TurnedSequence::wrongUndone() {
-  QUndoStack& stack = session().undoStack();
-  const int last = stack.index();
+  const int last = session().undoStack().index();
   for (const int to : {first_, last}) {
-    while (stack.index() > to) child<QAction>("undo")->trigger();
-    while (stack.index() < to) child<QAction>("redo")->trigger();
+    goToStep(*this, to);
     if (comparable(workspace()) != comparable(known_.at(to).workspace))
       return QStringLiteral("another workspace");
     take(to);

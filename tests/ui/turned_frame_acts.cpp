@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "tests/ui/gestures.h"
+#include "tests/ui/known_steps.h"
 #include "tests/ui/turned_frames.h"
 #include "ui/views/drawn_measurement.h"
 
@@ -234,30 +235,18 @@ bool TurnedFrames::resizes() {
 }
 
 bool TurnedFrames::undoes() {
-  QUndoStack& stack = session().undoStack();
-  if (stack.index() <= first_) return false;
-  do child<QAction>("undo")->trigger();
-  while (!known_.contains(stack.index()));
-  take(stack.index());
-  return true;
+  return undoneTo(*this, first_, known_, [this](int step) { take(step); });
 }
 
 bool TurnedFrames::redoes() {
-  QUndoStack& stack = session().undoStack();
-  if (stack.index() >= stack.count()) return false;
-  do child<QAction>("redo")->trigger();
-  while (!known_.contains(stack.index()));
-  take(stack.index());
-  return true;
+  return doneAgain(*this, known_, [this](int step) { take(step); });
 }
 
 // Facing views follow the size of the window, so that only how places appear must be as it was.
 QString TurnedFrames::wrongUndone() {
-  QUndoStack& stack = session().undoStack();
-  const int last = stack.index();
+  const int last = session().undoStack().index();
   for (const int to : {first_, last}) {
-    while (stack.index() > to) child<QAction>("undo")->trigger();
-    while (stack.index() < to) child<QAction>("redo")->trigger();
+    goToStep(*this, to);
     take(to);
     if (const QString why = wrong(); !why.isEmpty()) return why;
   }

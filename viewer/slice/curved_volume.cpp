@@ -261,12 +261,16 @@ SlicePlane planeOf(const CurvedGrid::Section& section, const VoxelGeometry& grid
   return plane;
 }
 
-// The padding of a source, else a value below all of these; float32 values are told to be in it.
+// With the float32 values that stand for its ends.
+ValueRange withFloat32(ValueRange range) {
+  const double low = double(float(range.low)), high = double(float(range.high));
+  return {std::min(range.low, low), std::max({range.high, low, high})};
+}
+
+// The padding of a source, else a value below all of these.
 ValueRange paddingFor(const Volume& source, float least) {
   const float below = std::nextafter(std::floor(least) - 1, -std::numeric_limits<float>::infinity());
-  const ValueRange padding = source.attributes().padding.value_or(ValueRange{below, below});
-  const double written = double(float(padding.low));
-  return {std::min(padding.low, written), std::max(padding.high, written)};
+  return withFloat32(source.attributes().padding.value_or(ValueRange{below, below}));
 }
 
 // Whether a voxel that a value is interpolated from is padding.
@@ -284,8 +288,8 @@ bool isBesidePadding(const Volume& source, ValueRange padding, dvec3 pVoxel) {
 
 // Padding is no value to interpolate with: what it is beside has none, either.
 void leaveOutPadding(const Volume& source, const SlicePlane& plane, std::vector<float>& values) {
-  const std::optional<ValueRange>& padding = source.attributes().padding;
-  if (!padding) return;
+  if (!source.attributes().padding) return;
+  const ValueRange padding = withFloat32(*source.attributes().padding);
   const auto voxelAt = [&](double x, double y) {
     return source.geometry().voxelFromPatient(plane.patientFromPixel({x + 0.5, y + 0.5}));
   };
@@ -295,7 +299,7 @@ void leaveOutPadding(const Volume& source, const SlicePlane& plane, std::vector<
       for (int i = 0; i < plane.size.x; ++i) {
         float& value = values[std::size_t(j) * std::size_t(plane.size.x) + std::size_t(i)];
         if (std::isnan(value)) continue;
-        if (isBesidePadding(source, *padding, first + right * double(i) + down * double(j)))
+        if (isBesidePadding(source, padding, first + right * double(i) + down * double(j)))
           value = std::numeric_limits<float>::quiet_NaN();
       }
   });

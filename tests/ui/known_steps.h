@@ -1,0 +1,36 @@
+#pragma once
+
+#include "tests/ui/journey.h"
+
+namespace volumen::tests {
+
+/// Undoes or does again until the undo stack stands at this step.
+inline void goToStep(Journey& w, int step) {
+  const QUndoStack& stack = w.window.session().undoStack();
+  while (stack.index() > step) w.child<QAction>("undo")->trigger();
+  while (stack.index() < step) w.child<QAction>("redo")->trigger();
+}
+
+/// Undoes back to the last step that is known, which is taken; false: it stands at the first.
+template <class Known, class Take>
+bool undoneTo(Journey& w, int first, const Known& known, const Take& take) {
+  const QUndoStack& stack = w.window.session().undoStack();
+  if (stack.index() <= first) return false;
+  do w.child<QAction>("undo")->trigger();
+  while (!known.contains(stack.index()));
+  take(stack.index());
+  return true;
+}
+
+/// The same forwards; false: nothing is undone.
+template <class Known, class Take>
+bool doneAgain(Journey& w, const Known& known, const Take& take) {
+  const QUndoStack& stack = w.window.session().undoStack();
+  if (stack.index() >= stack.count()) return false;
+  do w.child<QAction>("redo")->trigger();
+  while (!known.contains(stack.index()));
+  take(stack.index());
+  return true;
+}
+
+}  // namespace volumen::tests
