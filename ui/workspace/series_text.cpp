@@ -13,14 +13,17 @@ namespace volumen {
 
 namespace {
 
+QString sideText(const std::string& laterality) { return tr("side %1").arg(shownText(laterality)); }
+QString projectionText(const std::string& view) { return tr("view %1").arg(shownText(view)); }
+
 // What may tell series apart, the clearest first, and as what it is shown.
 struct Attribute {
   std::string Series::*value;
   QString (*text)(const std::string& value);
 };
 const Attribute attributes[] = {
-    {&Series::laterality, [](const std::string& v) { return tr("side %1").arg(shownText(v)); }},
-    {&Series::viewPosition, [](const std::string& v) { return tr("view %1").arg(shownText(v)); }},
+    {&Series::laterality, sideText},
+    {&Series::viewPosition, projectionText},
     {&Series::echoTime, [](const std::string& v) { return tr("TE %1 ms").arg(shownText(v)); }},
     {&Series::bValue, [](const std::string& v) { return tr("b %1").arg(shownText(v)); }},
     {&Series::timePoint, [](const std::string& v) { return tr("time point %1").arg(shownText(v)); }},
@@ -76,6 +79,10 @@ QStringList tellingApart(const Series& series, const std::vector<const Series*>&
     std::erase_if(alike, differs);
     if (!value.empty()) found << attribute.text(value);
   }
+  // Both as films are marked: "L MLO".
+  if (found.mid(0, 2) == QStringList{sideText(series.laterality), projectionText(series.viewPosition)})
+    found = QStringList{shownText(series.laterality) + QLatin1Char(' ') + shownText(series.viewPosition)} +
+            found.mid(2);
   return found;
 }
 

@@ -96,7 +96,7 @@ void TestSeriesText::namesakesAreToldApart_data() {
   All breasts{with("", "", "", "10"), with("", "", "", "10"), with("", "", "", "10")};
   breasts[0].laterality = breasts[1].laterality = "L", breasts[2].laterality = "R";
   breasts[0].viewPosition = breasts[2].viewPosition = "CC", breasts[1].viewPosition = "MLO";
-  QTest::newRow("projections") << breasts << QStringList{QStringLiteral("side L"), QStringLiteral("view CC")};
+  QTest::newRow("projections") << breasts << QStringList{QStringLiteral("L CC")};
   All labelled{with("20", "", "", "10"), with("20", "", "", "10")};
   labelled[0].label = "direction 12", labelled[1].label = "direction 13";
   QTest::newRow("a label") << labelled << QStringList{QStringLiteral("direction 12")};
