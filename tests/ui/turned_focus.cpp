@@ -11,7 +11,7 @@ namespace volumen::tests {
 
 namespace {
 
-constexpr int mostMs = 3000;  // until the window is laid out again
+constexpr int laidOutMs = 3000;  // until the window is laid out again
 
 // Those on screen, row by row.
 std::vector<View*> viewsSeen(Journey& w) {
@@ -95,7 +95,7 @@ QString wrongWhileAlone(Journey& w, bool byEscape, const std::function<QString()
         if (why.isEmpty() && w.window.focusWidget() != view) why = QStringLiteral("another has the keys");
         return why.isEmpty();
       };
-      return QTest::qWaitFor(isRight, mostMs) ? QString() : why;
+      return QTest::qWaitFor(isRight, laidOutMs) ? QString() : why;
     };
     QTest::keyClick(view, Qt::Key_F10);
     if (const QString why = waitFor({view}, wrongAlone); !why.isEmpty())
@@ -115,7 +115,7 @@ QString wrongAfterMenu(Journey& w) {
         if (m->isVisible()) menu = m;
       return menu != nullptr;
     };
-    if (!QTest::qWaitFor(isOpen, mostMs)) return QStringLiteral("no menu");
+    if (!QTest::qWaitFor(isOpen, laidOutMs)) return QStringLiteral("no menu");
     menu->close();
     takeKeysBack(w);
     return w.window.focusWidget() == view ? QString() : QStringLiteral("the menu leaves the keys elsewhere");
