@@ -98,6 +98,7 @@ bool TurnedFrames::opensSession() {
   if (!QTest::qWaitFor([&] { return session().undoStack().index() > before; }, longest))
     fault_ = QStringLiteral("the session is not opened");
   takeKeysBack(*this);
+  saved_->workspace = workspace();
   looks_ = saved_->looks;
   lines_ = saved_->lines;
   look();
