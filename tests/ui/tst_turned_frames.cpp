@@ -1,7 +1,7 @@
-// Guards where pixels of pictures as acquired appear, whatever was done before: hung by protocols, turned and
-// mirrored, by presentation states, measured and undone, by real events in sequences by chance, against a
-// twin from the documents (turned_frames.h). VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S: N sequences, from
-// S on.
+// Guards where pixels of pictures as acquired appear, whatever was done before: hung by protocols, scrolled,
+// played, turned and mirrored, by presentation states, measured, undone, saved in sessions and opened again,
+// by real events in sequences by chance, against a twin from the documents (turned_frames.h).
+// VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S: N sequences, from S on.
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/turned_frames.h"

@@ -46,6 +46,13 @@ const std::vector<TurnedSequence::Act>& TurnedSequence::acts() {
                                     {"invert", 1, &TurnedSequence::inverts},
                                     {"overlay", 2, &TurnedSequence::overlays},
                                     {"measure", 2, &TurnedSequence::measures},
+                                    {"time point", 3, &TurnedSequence::stepsInTime},
+                                    {"play", 1, &TurnedSequence::plays},
+                                    {"slab", 2, &TurnedSequence::makesThicker},
+                                    {"slab mode", 1, &TurnedSequence::choosesSlab},
+                                    {"own pixels", 1, &TurnedSequence::showsOwnPixels},
+                                    {"number", 2, &TurnedSequence::typesNumber},
+                                    {"keys", 2, &TurnedSequence::movesFocus},
                                     {"resize", 1, &TurnedSequence::resizes},
                                     {"undo", 3, &TurnedSequence::undoes},
                                     {"redo", 2, &TurnedSequence::redoes}};

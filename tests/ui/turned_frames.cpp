@@ -16,7 +16,6 @@ namespace volumen::tests {
 
 namespace {
 
-constexpr double groundValue = 100, bright = 1000;
 const glm::dmat2 quarter{{0, 1}, {-1, 0}}, mirror{{-1, 0}, {0, 1}};
 
 // What a state does to places of the picture.
@@ -26,8 +25,9 @@ glm::dmat2 turnOf(const TwinState& state) {
   return state.mirrored ? mirror * turn : turn;
 }
 
-// Of the side of a picture that a file names; feet are inferior.
+// Of the side of a picture that a file names, if it does; feet are inferior.
 QString letterOf(const Breast& breast, glm::dvec2 alongPicture) {
+  if (breast.rowsTo[0] == 0) return {};
   const QStringList sides =
       QString::fromLatin1(breast.rowsTo).replace(QLatin1Char('F'), QLatin1Char('I')).split(QLatin1Char('\\'));
   const bool isRow = std::abs(alongPicture.x) > 0.5;
@@ -58,6 +58,7 @@ glm::dvec2 TurnedFrames::Seen::pixelAt(glm::dvec2 place) const {
 TurnedFrames::TurnedFrames(std::uint64_t seed) : Journey({}, withoutRenderer()), chance_(seed) {
   if (!write()) qFatal("cannot write pictures");
   window.open({folder_.path()});
+  if (isClip_) showClip();
   const auto isHung = [&] {
     look();
     return onScreen_.size() == 4 &&
@@ -70,90 +71,6 @@ TurnedFrames::TurnedFrames(std::uint64_t seed) : Journey({}, withoutRenderer()),
   remember();
 }
 
-bool TurnedFrames::write() {
-  isStack_ = chance_.oneIn(2);
-  for (int n = 0; n < 4; ++n) {
-    TwinPicture& picture = pictures_.emplace_back();
-    picture.breast = breasts[n];
-    Breast& breast = picture.breast;
-    if (isStack_) breast.columns = 60, breast.rows = 80;
-    if (chance_.oneIn(3)) picture.spacing = {0.1, 0.15};
-    const QString path = folder_.filePath(QString::number(n));
-    if (!writeBreast(breast, n + 1, path, isStack_ ? BreastSeries::ofAll : BreastSeries::ofEach))
-      return false;
-    const glm::ivec2 size(breast.columns, breast.rows);
-    std::vector<Uint16> pixels(std::size_t(size.x * size.y), Uint16(groundValue));
-    for (const glm::dvec2 share :
-         {glm::dvec2(0.2, 0.15), {0.75, 0.3}, {0.35, 0.6}, {0.85, 0.8}, {0.5, 0.45}}) {
-      const glm::ivec2 mark(share * glm::dvec2(size) + 2.0 * n);
-      picture.marks.push_back(mark);
-      pixels[std::size_t(mark.y * size.x + mark.x)] = Uint16(bright);
-    }
-    picture.values =
-        volumeOf<std::int16_t>({size, 1}, {picture.spacing.x, 0, 0, 0, picture.spacing.y, 0, 0, 0, 1},
-                               [&](glm::dvec3 p) { return pixels[std::size_t(p.y * size.x + p.x)]; });
-    DcmFileFormat file;
-    const std::string name = path.toStdString();
-    if (file.loadFile(name.c_str()).bad()) return false;
-    DcmDataset& data = *file.getDataset();
-    data.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
-    const QString spacing = QStringLiteral("%1\\%2").arg(picture.spacing.y).arg(picture.spacing.x);
-    data.putAndInsertString(DCM_ImagerPixelSpacing, spacing.toLatin1().constData());
-    if (file.saveFile(name.c_str(), EXS_LittleEndianExplicit).bad()) return false;
-    for (int state = 0; state < 2; ++state) {
-      TwinState made{{0, 0}, glm::dvec2(size - 1), chance_.below(4), chance_.oneIn(2)};
-      if (chance_.oneIn(2)) made.areaFrom = {5 + chance_.below(10), 3 + chance_.below(10)};
-      if (chance_.oneIn(2)) made.areaTo -= glm::dvec2(chance_.below(15), chance_.below(20));
-      picture.states.push_back(made);
-      writeState(n, state, 10 + 2 * n + state);
-    }
-  }
-  return true;
-}
-
-void TurnedFrames::writeState(int picture, int state, int number) {
-  const TwinState& s = pictures_[std::size_t(picture)].states[std::size_t(state)];
-  DcmFileFormat file;
-  DcmDataset& d = *file.getDataset();
-  const auto put = [](DcmItem& in, const DcmTagKey& tag, const QString& value) {
-    in.putAndInsertString(tag, value.toLatin1().constData());
-  };
-  const auto item = [](DcmItem& in, const DcmTagKey& tag) -> DcmItem& {
-    DcmItem* made = nullptr;
-    in.findOrCreateSequenceItem(tag, made, -2);
-    return *made;
-  };
-  put(d, DCM_SOPClassUID, QStringLiteral("1.2.840.10008.5.1.4.1.1.11.1"));
-  put(d, DCM_SOPInstanceUID, QStringLiteral("1.2.3.77.%1").arg(number));
-  put(d, DCM_StudyInstanceUID, QStringLiteral("1.2.3.77"));
-  put(d, DCM_SeriesInstanceUID, QStringLiteral("1.2.3.77.0.99"));
-  put(d, DCM_Modality, QStringLiteral("PR"));
-  put(d, DCM_PatientID, QStringLiteral("77"));
-  put(d, DCM_PatientName, QStringLiteral("Doe^Jane"));
-  put(d, DCM_ContentLabel, QStringLiteral("STATE%1").arg(state));
-  DcmItem& named = item(item(d, DCM_ReferencedSeriesSequence), DCM_ReferencedImageSequence);
-  put(named, DCM_ReferencedSOPClassUID, QStringLiteral("1.2.840.10008.5.1.4.1.1.1.2"));
-  put(named, DCM_ReferencedSOPInstanceUID, QStringLiteral("1.2.3.77.%1").arg(picture + 1));
-  DcmItem& shownBy = item(d, DCM_SoftcopyVOILUTSequence);
-  put(shownBy, DCM_WindowCenter, QStringLiteral("400"));
-  put(shownBy, DCM_WindowWidth, QStringLiteral("800"));
-  put(d, DCM_PresentationLUTShape, QStringLiteral("IDENTITY"));
-  d.putAndInsertUint16(DCM_ImageRotation, Uint16(90 * s.quarters));
-  put(d, DCM_ImageHorizontalFlip, s.mirrored ? QStringLiteral("Y") : QStringLiteral("N"));
-  DcmItem& area = item(d, DCM_DisplayedAreaSelectionSequence);
-  for (const bool last : {false, true}) {
-    const glm::dvec2 at = (last ? s.areaTo : s.areaFrom) + 1.0;
-    const Sint32 corner[] = {Sint32(at.x), Sint32(at.y)};
-    auto* element =
-        new DcmSignedLong(last ? DCM_DisplayedAreaBottomRightHandCorner : DCM_DisplayedAreaTopLeftHandCorner);
-    element->putSint32Array(corner, 2);
-    area.insert(element);
-  }
-  put(area, DCM_PresentationSizeMode, QStringLiteral("SCALE TO FIT"));
-  const std::string path = folder_.filePath(QStringLiteral("state%1").arg(number)).toStdString();
-  if (file.saveFile(path.c_str(), EXS_LittleEndianExplicit).bad()) qFatal("cannot write a state");
-}
-
 void TurnedFrames::look() {
   QCoreApplication::processEvents();
   onScreen_.clear();
@@ -164,10 +81,14 @@ void TurnedFrames::look() {
     }
 }
 
-// Which picture stands where is hanging's own (TestHanging); how it lies is not.
+// Which picture stands where is hanging's own (TestHanging), how it lies is not. Clips begin at the first.
 void TurnedFrames::takeHung() {
   looks_.clear();
   for (const ViewId id : onScreen_) {
+    if (isClip_) {
+      looks_[id] = {.picture = 0};
+      continue;
+    }
     const SeriesPicture picture = pictureIn(workspace(), id);
     const ProjectionView is = projectionOf(*picture.series, picture.frame);
     for (int n = 0; n < 4; ++n)

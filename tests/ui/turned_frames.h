@@ -23,7 +23,7 @@ struct TwinState {
   bool mirrored = false;
 };
 
-/// A mammogram with bright pixels that no turn maps onto each other.
+/// A mammogram, or a frame of a clip, with bright pixels that no turn maps onto each other.
 struct TwinPicture {
   Breast breast{};
   glm::dvec2 spacing{0.1};  ///< mm from column to column and from row to row
@@ -51,8 +51,8 @@ struct TwinLine {
 };
 
 /// A window with four mammograms, series of their own or pictures of one, each with two presentation states,
-/// and their twin from window.md, slices.md 2 and protocols.md: what is done to the one by mouse, keys and
-/// menus is done to the other by what these say.
+/// or with a clip of four frames, and their twin from window.md, slices.md 2 and protocols.md: what is done
+/// to the one by mouse, keys and menus is done to the other by what these say.
 class TurnedFrames : public Journey {
  public:
   explicit TurnedFrames(std::uint64_t seed);
@@ -87,7 +87,9 @@ class TurnedFrames : public Journey {
   const Workspace& workspace() { return session().workspace(); }
   FrameView* view(ViewId id) { return window.views()->viewAs<FrameView>(id); }
   bool write();
+  bool writePicture(int n, const std::vector<Uint16>& pixels);
   void writeState(int picture, int state, int number);
+  void showClip();
   void look();
   void takeHung();
   Seen seen(ViewId id);
@@ -107,6 +109,12 @@ class TurnedFrames : public Journey {
   bool resets();
   bool showsOwnPixels();
   bool measures();
+  bool plays();
+  bool typesNumber();
+  bool links();
+  bool movesFocus();
+  bool savesSession();
+  bool opensSession();
   bool resizes();
   bool undoes();
   bool redoes();
@@ -116,8 +124,9 @@ class TurnedFrames : public Journey {
   QString wrongPicture(ViewId id, const Seen& s);
 
   Chance chance_;
-  QTemporaryDir folder_;
-  bool isStack_ = false;
+  QTemporaryDir folder_, sessions_;
+  bool isStack_ = false;  // the pictures are those of one series
+  bool isClip_ = false;   // and frames of one file
   std::vector<TwinPicture> pictures_;
   Looks looks_;
   std::vector<TwinLine> lines_;
@@ -125,6 +134,8 @@ class TurnedFrames : public Journey {
   std::map<ViewId, glm::dvec2> sizes_;
   std::map<std::tuple<std::size_t, ViewId, int>, std::vector<TwinFrameLook>> faced_;  // as facing left views
   std::map<int, Known> known_;
+  std::optional<Known> saved_;  // in the last session file
+  int savedTimes_ = 0;
   int first_ = 0;
   ViewId focus_ = firstComparedId;
   QString detail_;

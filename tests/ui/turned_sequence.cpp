@@ -11,6 +11,7 @@
 #include "tests/ui/test_series.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/time_points.h"
 
 namespace volumen::tests {
 
@@ -41,8 +42,8 @@ glm::dmat3 gridSteps(Chance& chance, glm::dvec3 spacing, bool mayTurn) {
 
 // Bright voxels at places of the patient that no turn maps onto each other, in a ground that grows along all
 // axes or, for what lies over another, is empty.
-LoadedSeriesPtr markedSeries(glm::ivec3 size, glm::dmat3 steps, glm::dvec3 centre, double ground,
-                             const char* name, std::vector<glm::dvec3>& marks) {
+std::shared_ptr<LoadedSeries> markedSeries(glm::ivec3 size, glm::dmat3 steps, glm::dvec3 centre,
+                                           double ground, const char* name, std::vector<glm::dvec3>& marks) {
   VolumeParts parts;
   parts.geometry.size = size;
   parts.geometry.patientFromVoxelStep = steps;
@@ -82,12 +83,24 @@ QString placeSaid(glm::dvec2 p) { return QStringLiteral("(%1, %2)").arg(p.x, 0, 
 
 TurnedSequence::TurnedSequence(std::uint64_t seed) : Journey({}, withoutScenes()), chance_(seed), marks_(2) {
   const glm::dvec3 centre(chance_.between(-40, 40), chance_.between(-40, 40), chance_.between(-40, 40));
-  series_ = {
-      markedSeries({34, 27, 15}, gridSteps(chance_, {1, 1.2, 2.5}, true), centre, 1, "First", marks_[0]),
-      markedSeries({17, 19, 11}, gridSteps(chance_, {2.6, 2.1, 4}, false), centre + 4.0 * chance_.vector(), 0,
-                   "Second", marks_[1])};
+  const glm::dmat3 grid = gridSteps(chance_, {1, 1.2, 2.5}, true);
+  // Time points differ in their ground.
+  std::vector<const Series*> open;
+  for (const double ground : {1.0, 0.5, 1.6}) {
+    marks_[0].clear();
+    const auto step = markedSeries({34, 27, 15}, grid, centre, ground, "First", marks_[0]);
+    step->series.seriesUid = "1.2.3.4.5";
+    step->series.timePoint = std::to_string(1 + open.size());
+    open.push_back(&step->series);
+    (series_.empty() ? series_ : later_).push_back(step);
+  }
+  const glm::dmat3 other = gridSteps(chance_, {2.6, 2.1, 4}, false);
+  series_.push_back(
+      markedSeries({17, 19, 11}, other, centre + 4.0 * chance_.vector(), 0, "Second", marks_[1]));
   for (const LoadedSeriesPtr& s : series_) twin_.volumes.push_back(s->volume);
   session().show(series_[0]);
+  session().change({}, withTimePointsOf(workspace(), series_[0]->series, open));
+  for (const LoadedSeriesPtr& step : later_) session().keep(step);
   child<QAction>("layoutFour")->trigger();
   const int shown[] = {0, 1, 0, 1};
   const TwinKind kinds[] = {twinAxial, twinAxial, twinCoronal, twinSagittal};
@@ -186,15 +199,28 @@ QString TurnedSequence::wrongTexts(ViewId id) {
   const QString place = lineWith("^([RLAPSI] [\\d.]+ mm|0 mm|oblique)$");  // where there is room
   if (!place.isEmpty() && place != twin_.position(id))
     return QStringLiteral("\"%1\" instead of \"%2\"").arg(place, twin_.position(id));
+  const TwinLook& look = twin_.views.at(id);
+  const QString step = look.series == 0
+                           ? QStringLiteral("time point %1 of %2").arg(look.time + 1).arg(later_.size() + 1)
+                           : QString();
+  // They stay longer than the place does.
+  for (const auto& [line, said] :
+       {std::pair(lineWith("^time point "), step), {lineWith("^(MIP|MinIP|Mean) "), twin_.slab(id)}})
+    if (line != said && !(line.isEmpty() && place.isEmpty()))
+      return QStringLiteral("\"%1\" instead of \"%2\"").arg(line, said);
   if (std::abs(o.mmPerPixel / seen.mmPerPixel - 1) > 1e-9) return QStringLiteral("another scale");
   return {};
+}
+
+const Volume& TurnedSequence::volumeOf(const TwinLook& look) const {
+  return *(look.time == 0 ? series_[std::size_t(look.series)] : later_[std::size_t(look.time - 1)])->volume;
 }
 
 // In steps of 0 to 255, of the colours' green; slices.md 1 and 3, and over that hot iron at half its opacity,
 // which begins to be seen at a quarter of its range.
 int TurnedSequence::expectedGreen(const TwinSeen& seen, const TwinLook& look, glm::ivec2 pixel,
                                   glm::dvec3 shift) {
-  const double grey = greyOf(*series_[std::size_t(look.series)]->volume, seen, pixel, shift);
+  const double grey = greyOf(volumeOf(look), seen, pixel, shift);
   const double under = std::isnan(grey) ? 0 : look.inverted ? 255 - grey : grey;
   if (look.over < 0) return int(under);
   const double over = greyOf(*series_[std::size_t(look.over)]->volume, seen, pixel, shift);

@@ -11,8 +11,9 @@
 
 namespace volumen::tests {
 
-/// A window with two series of one frame of reference, in planes and in a grid of four, and its twin: what is
-/// done by chance to the one by mouse, keys and actions is done to the other by what the documents say.
+/// A window with two series of one frame of reference, in planes and in a grid of four, the first of them of
+/// several time points, and its twin: what is done by chance to the one by mouse, keys and actions is done to
+/// the other by what the documents say.
 class TurnedSequence : public Journey {
  public:
   explicit TurnedSequence(std::uint64_t seed);
@@ -62,10 +63,18 @@ class TurnedSequence : public Journey {
   bool inverts();
   bool overlays();
   bool measures();
+  bool stepsInTime();
+  bool plays();
+  bool makesThicker();
+  bool choosesSlab();
+  bool showsOwnPixels();
+  bool typesNumber();
+  bool movesFocus();
   bool resizes();
   bool undoes();
   bool redoes();
 
+  const Volume& volumeOf(const TwinLook& look) const;
   QString wrongIn(ViewId id);
   QString wrongPlace(ViewId id);
   QString wrongTexts(ViewId id);
@@ -75,6 +84,7 @@ class TurnedSequence : public Journey {
 
   Chance chance_;
   std::vector<LoadedSeriesPtr> series_;
+  std::vector<LoadedSeriesPtr> later_;          // time points of the first of them, behind it
   std::vector<std::vector<glm::dvec3>> marks_;  // of each series, patient
   TurnedTwin twin_;
   std::map<int, Known> known_;  // by steps of undo

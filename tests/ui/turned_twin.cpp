@@ -100,8 +100,14 @@ TwinSeen TurnedTwin::seen(ViewId view) const {
   const glm::dvec3 middle = g.patientFromVoxelStep * ((glm::dvec3(g.size) - 1.0) / 2.0) + g.origin +
                             look.middle.x * now.right + look.middle.y * now.down;
   seen.centre = middle + now.normal() * glm::dot(cross(view).at - middle, now.normal());
+  seen.slabMm = look.slabMm, seen.slab = look.slab;
   seen.average = true;
   return seen;
+}
+
+// To its slices as acquired.
+bool TurnedTwin::isParallel(ViewId view) const {
+  return glm::length(glm::cross(lying(view).normal(), sliceNormalOf(geometry(view)))) <= 1e-3;
 }
 
 std::pair<int, int> TurnedTwin::place(ViewId view) const {
@@ -113,12 +119,11 @@ std::pair<int, int> TurnedTwin::place(ViewId view) const {
 QString TurnedTwin::number(ViewId view) const {
   const VoxelGeometry& g = geometry(view);
   const TwinSeen now = seen(view);
-  const bool isParallel = glm::length(glm::cross(glm::cross(now.right, now.down), sliceNormalOf(g))) <= 1e-3;
   const double k = (glm::inverse(g.patientFromVoxelStep) * (now.centre - g.origin)).z;
   const int count = g.size.z, nearest = int(std::lround(k));
-  if (isParallel && std::abs(k - nearest) <= 1e-3 && nearest >= 0 && nearest < count)
+  if (isParallel(view) && std::abs(k - nearest) <= 1e-3 && nearest >= 0 && nearest < count)
     return QStringLiteral("%1 / %2").arg(nearest + 1).arg(count);
-  if (isParallel && k > -0.5 && k < count - 0.5) {
+  if (isParallel(view) && k > -0.5 && k < count - 0.5) {
     const int below = int(std::floor(k + 1e-3)) + 1;
     if (below < 1 || below >= count)
       return QStringLiteral("beside %1 / %2").arg(std::clamp(below, 1, count)).arg(count);
@@ -140,6 +145,17 @@ QString TurnedTwin::position(ViewId view) const {
   if (mm == 0) return QStringLiteral("0 mm");
   const char* sides = axis == 2 ? "SI" : axis == 1 ? "PA" : "LR";
   return QStringLiteral("%1 %2 mm").arg(QLatin1Char(sides[mm < 0])).arg(std::abs(mm), 0, 'f', 1);
+}
+
+QString TurnedTwin::slab(ViewId view) const {
+  const TwinLook& look = views.at(view);
+  const char* const word = look.slab == TwinSlab::max ? "MIP" : look.slab == TwinSlab::min ? "MinIP" : "Mean";
+  if (look.slabMm <= 0) return {};
+  return QStringLiteral("%1 %2 mm").arg(QLatin1String(word)).arg(look.slabMm, 0, 'f', 1);
+}
+
+int TurnedTwin::numberCount(ViewId view) const {
+  return isParallel(view) ? geometry(view).size.z : place(view).second;
 }
 
 void TurnedTwin::turn(ViewId view, glm::dmat2 by) {
@@ -168,6 +184,20 @@ void TurnedTwin::scrollTo(ViewId view, int place) {
   const double wanted = stack.first + std::clamp(place, 0, stack.count - 1) * stack.step;
   now.at += stack.along * (wanted - glm::dot(now.at, stack.along));
   setCross(view, now);
+}
+
+void TurnedTwin::goToNumber(ViewId view, int number) {
+  if (!isParallel(view)) return scrollTo(view, number - 1);
+  const VoxelGeometry& g = geometry(view);
+  TwinCross now = cross(view);
+  const double k = (glm::inverse(g.patientFromVoxelStep) * (now.at - g.origin)).z;
+  now.at += g.patientFromVoxelStep[2] * (number - 1 - k);
+  setCross(view, now);
+}
+
+void TurnedTwin::showTime(ViewId view, int time) {
+  for (auto& [id, look] : views)
+    if (id == view || (id < firstComparedTwin && view < firstComparedTwin)) look.time = time;
 }
 
 // The crosshair's point stays where it is on screen, however planes are turned about it.
@@ -201,7 +231,7 @@ void TurnedTwin::reset(ViewId view) {
   if (cross(view).byHand) setCross(view, {cross(view).at, {}});
   TwinLook& look = views.at(view);
   const bool wasWhole = look.seen == glm::dmat2(1) && look.middle == glm::dvec2(0) && look.zoom == 1;
-  look.seen = glm::dmat2(1), look.middle = {0, 0}, look.zoom = 1;
+  look.seen = glm::dmat2(1), look.middle = {0, 0}, look.zoom = 1, look.slabMm = 0;
   if (!wasWhole) follow(view);
 }
 
@@ -225,7 +255,7 @@ void TurnedTwin::follow(ViewId from) {
         glm::dot(glm::cross(source.right, source.down), glm::cross(other.right, other.down));
     if (id == from || std::abs(cosine) < 0.9) continue;
     TwinLook& look = views.at(id);
-    if (zoom) look.zoom *= other.mmPerPixel / source.mmPerPixel;
+    if (zoom) look.zoom = std::clamp(look.zoom * other.mmPerPixel / source.mmPerPixel, leastZoom, mostZoom);
     const VoxelGeometry& g = geometry(id);
     const glm::dvec3 centre = g.patientFromVoxelStep * ((glm::dvec3(g.size) - 1.0) / 2.0) + g.origin;
     if (pan) look.middle = alongPlane(lying(id), source.centre - centre);

@@ -42,6 +42,9 @@ struct TwinLook {
   double zoom = 1;       ///< of the picture that shows all
   bool inverted = false;
   int over = -1;  ///< the series over it; -1: none
+  int time = 0;   ///< the time point of the series, from 0
+  double slabMm = 0;
+  TwinSlab slab = TwinSlab::max;
 };
 
 /// A line or rectangle that was drawn in a view.
@@ -63,6 +66,7 @@ struct TwinSeen : TwinPlane {
 /// Where each position of the patient must appear in views of slices, by slices.md 1 and window.md ("Planes",
 /// "Linked views") alone: shares no code with the window. All series are of one frame of reference.
 struct TurnedTwin {
+  static constexpr double leastZoom = 0.05, mostZoom = 200;  ///< how small and large pictures are at most
   std::vector<VolumePtr> volumes;
   std::map<ViewId, TwinLook> views;
   std::map<ViewId, glm::ivec2> sizes;  ///< of views, device pixels
@@ -84,11 +88,19 @@ struct TurnedTwin {
   QString number(ViewId view) const;
   /// Where the plane lies along its axis, "S 12.5 mm"; "oblique".
   QString position(ViewId view) const;
+  /// How thick it is, "MIP 10.0 mm"; empty: a plane.
+  QString slab(ViewId view) const;
+  /// Of how many the number of the picture is one: slices as acquired, else steps of the wheel.
+  int numberCount(ViewId view) const;
 
   void turn(ViewId view, glm::dmat2 by);
   void panBy(ViewId view, glm::dvec2 pixels);
   void zoomAt(ViewId view, glm::dvec2 place, double mmPerPixel);
   void scrollTo(ViewId view, int place);
+  /// To the picture that has this number, from 1.
+  void goToNumber(ViewId view, int number);
+  /// Another time point, in all views of the group.
+  void showTime(ViewId view, int time);
   void setCross(ViewId view, const TwinCross& now);
   /// The planes of the other kinds turned about the crosshair, by an angle on screen, clockwise.
   void turnOthers(ViewId view, double angle);
@@ -100,6 +112,7 @@ struct TurnedTwin {
   bool isAtTheLimit() const;
 
  private:
+  bool isParallel(ViewId view) const;
   bool isAlone(ViewId view) const { return !scroll && view >= firstComparedTwin; }
   static constexpr ViewId firstComparedTwin = 4;
 };

@@ -8,6 +8,7 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include "io/worker/sandbox.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
@@ -111,9 +112,7 @@ void TestCommands::whatFailsIsASentenceAndStatus1() {
 
 // Preshaded holds 16 bytes for each of 46 million voxels, more than the program may have.
 void TestCommands::tooLittleMemoryIsASentence() {
-#ifdef __SANITIZE_ADDRESS__
-  QSKIP("the address sanitizer reserves more than any limit");
-#endif
+  if (volumen::worker::sanitized) QSKIP("sanitizers reserve more than any limit");
   const QString png = at("none.png");
   const auto line =
       QStringLiteral("render phantom:ct-head:384 --method preshaded --size 16x16 --threads 2 -o %1");

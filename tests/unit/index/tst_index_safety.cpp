@@ -403,7 +403,7 @@ void TestIndexSafety::diskFull() {
   makeStudies(folder, 1500);
   fs::create_directories(folder.index());
   if (mount("tmpfs", folder.index().c_str(), "tmpfs", 0, "size=300k") != 0)
-    QSKIP("a small disk can only be mounted by root: not tested that a full one is told");
+    QSKIP("a small disk cannot be mounted here: that takes root with the right to mount");
   std::string message;
   std::size_t kept = 0;
   bool usable = false;
@@ -437,7 +437,7 @@ void TestIndexSafety::folderThatCannotBeWritten() {
   QVERIFY2(noFolder.message().find("/proc/volumen") != std::string::npos, noFolder.message().c_str());
   fs::create_directories(folder.index());
   if (mount("tmpfs", folder.index().c_str(), "tmpfs", MS_RDONLY, "size=300k") != 0)
-    QSKIP("a disk that cannot be written can only be mounted by root");
+    QSKIP("a disk that cannot be written cannot be mounted here: that takes root with the right to mount");
   const Result<Index> readOnly = Index::open(folder.index());
   QCOMPARE(umount(folder.index().c_str()), 0);
   QVERIFY(!readOnly.ok());

@@ -1,0 +1,110 @@
+#include <algorithm>
+
+#include "tests/ui/turned_focus.h"
+#include "tests/ui/turned_frames.h"
+
+namespace volumen::tests {
+
+namespace {
+
+// What a session keeps, but for the focus.
+Workspace keptOf(Workspace workspace) {
+  workspace.focus = sceneViewId;
+  workspace.selected = 0;
+  return workspace;
+}
+
+}  // namespace
+
+// Through the pictures of a series. How far it goes until C is pressed again is the clock's.
+bool TurnedFrames::plays() {
+  const TwinFrameLook& look = looks_.at(focus_);
+  if (!isStack_ || look.state >= 0) return false;
+  FrameView* const on = view(focus_);
+  const auto onScreen = [&] { return on->frame() ? on->frame()->key.index : -1; };
+  const int before = look.picture, steps = session().undoStack().index();
+  QTest::keyClick(on, Qt::Key_C);
+  if (!on->isPlaying()) return fault_ = QStringLiteral("C does not play"), true;
+  if (!QTest::qWaitFor([&] { return onScreen() != before; }, 5000))
+    fault_ = QStringLiteral("nothing is played");
+  QTest::keyClick(on, Qt::Key_C);
+  const int now = flatLookOf(workspace().view(focus_)).frame;
+  if (on->isPlaying()) fault_ = QStringLiteral("C does not stop");
+  if (now != onScreen()) fault_ = QStringLiteral("it stops at another frame than is seen");
+  if (session().undoStack().index() != steps + 1) fault_ = QStringLiteral("what is played is no single step");
+  touched().picture = now;
+  detail_ = QStringLiteral("from %1 to %2").arg(before).arg(now);
+  return true;
+}
+
+// A state is for its own picture alone.
+bool TurnedFrames::typesNumber() {
+  if (!isStack_) return false;
+  const int number = 1 + chance_.below(4);
+  const bool isMeant = looks_.at(focus_).state < 0 && !chance_.oneIn(3);
+  if (const QString why = wrongAfterNumber(*this, number, isMeant); !why.isEmpty()) fault_ = why;
+  if (isMeant && looks_.at(focus_).picture != number - 1) touched().picture = number - 1;
+  detail_ = isMeant ? QString::number(number) : QStringLiteral("%1, given up").arg(number);
+  return true;
+}
+
+// What lies nowhere in the patient follows nothing, and cannot be locked.
+bool TurnedFrames::links() {
+  const char* const actions[] = {"linkScroll", "linkZoom", "linkPan", "lockHere"};
+  const int which = chance_.below(4);
+  auto* action = child<QAction>(actions[which]);
+  if (which == 3 && action->isEnabled()) fault_ = QStringLiteral("frames can be locked");
+  action->trigger();
+  detail_ = QLatin1String(actions[which]);
+  return true;
+}
+
+// Views that face each other do so at other sizes while one is alone.
+bool TurnedFrames::movesFocus() {
+  const char* const keys[] = {"Tab", "Shift+Tab", "F6", "F10", "F10, Esc", "Shift+F10"};
+  const int which = chance_.below(6);
+  const auto wrongAlone = [this] {
+    sizes_[focus_] = {view(focus_)->pixels().width(), view(focus_)->pixels().height()};
+    return looks_.at(focus_).isFacing ? QString() : wrongIn(focus_);
+  };
+  const QString why = which < 2    ? wrongAfterTab(*this, which == 1)
+                      : which == 2 ? wrongAfterParts(*this)
+                      : which < 5  ? wrongWhileAlone(*this, which == 4, wrongAlone)
+                                   : wrongAfterMenu(*this);
+  if (!why.isEmpty()) fault_ = why;
+  detail_ = QLatin1String(keys[which]);
+  return true;
+}
+
+bool TurnedFrames::savesSession() {
+  const QString name = QStringLiteral("saved%1.volumen").arg(++savedTimes_);
+  child<QAction>("saveSessionAs")->trigger();
+  answer(*this, "saveSessionDialog", sessions_.filePath(name));
+  if (!QTest::qWaitFor([&] { return window.windowTitle().contains(name); }, longest))
+    fault_ = QStringLiteral("the session is not saved");
+  takeKeysBack(*this);
+  saved_ = {looks_, lines_, workspace()};
+  detail_ = name;
+  return true;
+}
+
+// As it was when it was saved: a step, where anything was changed since.
+bool TurnedFrames::opensSession() {
+  if (!saved_ || keptOf(workspace()) == keptOf(saved_->workspace)) return false;
+  const QString name = QStringLiteral("saved%1.volumen").arg(savedTimes_);
+  const int before = session().undoStack().index();
+  child<QAction>("openSession")->trigger();
+  answer(*this, "openSessionDialog", sessions_.filePath(name));
+  if (!QTest::qWaitFor([&] { return session().undoStack().index() > before; }, longest))
+    fault_ = QStringLiteral("the session is not opened");
+  takeKeysBack(*this);
+  saved_->workspace = workspace();
+  looks_ = saved_->looks;
+  lines_ = saved_->lines;
+  look();
+  wrong();  // waits for its frames
+  detail_ = name;
+  return true;
+}
+
+}  // namespace volumen::tests
