@@ -70,7 +70,14 @@ struct LockTwin {
     for (int frame = 0; frame < 3; ++frame)
       if (const auto by = way(moved, frame); by && frame != moved) at[frame] = to + *by;
   }
-  /// Each stays where it is; linked again, those of one frame are where the last one is, that in focus.
+  /// What is locked to a frame takes its place, but for those that have theirs.
+  void follow(int from, std::set<int>& placed) {
+    if (!placed.insert(from).second) return;
+    for (int frame = 0; frame < 3; ++frame)
+      if (const auto by = way(from, frame); by && placed.insert(frame).second) at[frame] = at[from] + *by;
+  }
+  /// Each stays where it is; linked again, those of one frame, and what is locked to it, are where the last
+  /// one is, that in focus.
   void linkScroll(bool on, int focus) {
     std::map<int, glm::dvec3> now;
     for (int view = 0; view < shown; ++view) now[view] = place(view);
@@ -78,7 +85,11 @@ struct LockTwin {
     own.clear();
     if (!on) own = now;
     for (int view = 0; on && view < shown; ++view) at[lockFrames[view]] = now[view];
-    if (on) at[lockFrames[focus]] = now[focus];
+    if (!on) return;
+    at[lockFrames[focus]] = now[focus];
+    std::set<int> placed;
+    follow(lockFrames[focus], placed);
+    for (int view = shown - 1; view >= 0; --view) follow(lockFrames[view], placed);
   }
   /// Whether a view is of another frame of reference than that in focus, and locked to it or not.
   bool isLinkedTo(int view, int focus, bool linked) const {

@@ -179,7 +179,6 @@ bool TurnedLocks::movesCrosshair() {
 
 // Links scrolling, too. While views scroll each for itself, what is locked already is left alone here.
 bool TurnedLocks::locks() {
-  if (!twin_.scroll && !twin_.locks.empty()) return false;
   const bool can = twin_.isAny(focus_, false);
   if (child<QAction>("lockHere")->isEnabled() != can)
     fault_ = QStringLiteral("Lock here is %1").arg(can ? QStringLiteral("grey") : QStringLiteral("not grey"));
@@ -209,7 +208,6 @@ bool TurnedLocks::unlocks() {
 }
 
 bool TurnedLocks::links() {
-  if (!twin_.scroll && !twin_.locks.empty()) return false;
   press("linkScroll");
   twin_.linkScroll(!twin_.scroll, focus_);
   detail_ = twin_.scroll ? QStringLiteral("on") : QStringLiteral("off");

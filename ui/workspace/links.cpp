@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <ranges>
 #include <set>
 
 #include "ui/workspace/curved_links.h"
@@ -63,6 +64,17 @@ Crosshair crosshairSeen(const Workspace& workspace, const std::string& frame) {
   for (const ViewId id : views)
     if (frameIn(workspace, id) == frame) return crosshairOf(workspace, id, *seriesIn(workspace, id));
   return workspace.crosshairs.at(frame);
+}
+
+// What is linked to a frame of reference takes its place, but for frames that have theirs.
+Workspace withFrameFollowed(Workspace workspace, const std::string& from, std::set<std::string>& placed) {
+  if (!placed.insert(from).second || !workspace.crosshairs.contains(from)) return workspace;
+  const Crosshair seen = crosshairSeen(workspace, from);
+  for (const std::string& to : linkedFrames(workspace))
+    if (const auto relation = relationOf(workspace, from, to); relation && placed.insert(to).second)
+      workspace =
+          withPositionFollowed(std::move(workspace), to, relation->toFromFrom, seen, relation->registered);
+  return workspace;
 }
 
 Workspace withPositionsFollowed(const Workspace& before, Workspace after) {
@@ -218,6 +230,10 @@ Workspace withScrollLinked(Workspace workspace, bool linked) {
   for (ViewId id = 0; id < viewCount; ++id) workspace.editView(id).crosshairs.clear();
   for (const ViewId id : views)
     workspace = withCrosshair(std::move(workspace), id, frameIn(workspace, id), now[id], now[id]);
+  if (!linked) return workspace;
+  std::set<std::string> placed;
+  for (const ViewId id : std::views::reverse(views))
+    workspace = withFrameFollowed(std::move(workspace), frameIn(workspace, id), placed);
   return workspace;
 }
 

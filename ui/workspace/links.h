@@ -37,7 +37,8 @@ using ViewSizes = std::map<ViewId, glm::ivec2>;
 /// the patient's point in the middle; windows to series on screen of the same modality and unit.
 Workspace withLinksFollowed(const Workspace& before, Workspace after, const ViewSizes& sizes);
 
-/// With positions linked, or each of the compared views on its own from where it is.
+/// With positions linked, or each of the compared views on its own from where it is. What is linked takes the
+/// place of the view in focus, or else of the last of its views on screen.
 Workspace withScrollLinked(Workspace workspace, bool linked);
 
 /// The flat views on screen that show slices of series in other frames of reference than the one in focus.
