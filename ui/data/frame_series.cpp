@@ -135,8 +135,9 @@ bool isUsefulVolume(const Series& series) {
 bool isOfProjections(const Series& series) {
   constexpr const char* modalities[] = {"MG", "CR", "DX", "RG", "PX", "IO"};
   const bool isPlaced = series.acquired.calibrated && series.notVolume.empty();
-  return !series.projections.empty() && !isPlaced &&
-         std::ranges::find(modalities, series.modality) != std::end(modalities);
+  const bool areSeveral =
+      !series.projections.empty() || (frameCount(series) > 1 && series.files.front() != series.files.back());
+  return areSeveral && !isPlaced && std::ranges::find(modalities, series.modality) != std::end(modalities);
 }
 
 bool areMadeOneByOne(const SeriesIdentity& pictures) {

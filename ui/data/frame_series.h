@@ -28,7 +28,7 @@ bool opensAsFrames(const Series& series);
 /// space between them. Of localizers and single slices they do not.
 bool isUsefulVolume(const Series& series);
 
-/// Whether it holds X-ray pictures without a place from several sides, or of several views.
+/// Whether it holds several X-ray pictures without a place: of several files, or sides, or views.
 bool isOfProjections(const Series& series);
 
 /// Whether pictures of this modality are made one by one, each with a window of its own: X-ray pictures,
