@@ -5,6 +5,7 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <QTemporaryDir>
+#include <algorithm>
 
 #include "io/open.h"
 #include "tests/fixtures/fixtures.h"
@@ -83,6 +84,22 @@ bool writeStill(int number, const QString& path) {
   return file.saveFile(path.toLocal8Bit().constData(), EXS_LittleEndianExplicit).good();
 }
 
+// Half of its pixels have one value, half the other, and no window.
+bool makeTwoValues(const QString& path, Uint16 low, Uint16 high) {
+  DcmFileFormat file;
+  const std::string name = path.toStdString();
+  if (file.loadFile(name.c_str()).bad()) return false;
+  DcmDataset& d = *file.getDataset();
+  Uint16 columns = 0, rows = 0;
+  d.findAndGetUint16(DCM_Columns, columns);
+  d.findAndGetUint16(DCM_Rows, rows);
+  std::vector<Uint16> pixels(std::size_t(columns) * rows, low);
+  std::fill_n(pixels.begin(), pixels.size() / 2, high);
+  d.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
+  for (const DcmTagKey& tag : {DCM_WindowCenter, DCM_WindowWidth}) d.findAndDeleteElement(tag);
+  return file.saveFile(name.c_str(), EXS_LittleEndianExplicit).good();
+}
+
 // The order of their names is another than that of their numbers.
 struct Stills {
   QTemporaryDir folder;
@@ -156,6 +173,7 @@ class TestPictureStacksShown : public CleanSettings {
   void allWaysThroughIt_data();
   void allWaysThroughIt();
   void eachPictureKeepsItsOwn();
+  void withoutAWindowItIsThatOfItsValues();
   void aWindowSetIsThatOfAll();
   void theClockGoesThroughIt();
   void marksStayWithTheirPicture();
@@ -247,6 +265,19 @@ void TestPictureStacksShown::eachPictureKeepsItsOwn() {
     QTest::keyClick(w.view(), Qt::Key_Up);
     QVERIFY(w.showsStill(n));
   }
+}
+
+void TestPictureStacksShown::withoutAWindowItIsThatOfItsValues() {
+  const Stills data;
+  QVERIFY(data.write());
+  QVERIFY(makeTwoValues(data.path(1), 0, 100) && makeTwoValues(data.path(2), 1000, 3000));
+  PicturesWindow w(data.folder.path());
+  QVERIFY(w.shows(0));
+  QVERIFY(w.view()->overlays().bottomRight.contains(QStringLiteral("W 100 L 50")));
+  w.view()->setFocus();
+  QTest::keyClick(w.view(), Qt::Key_Down);
+  QVERIFY(w.shows(1));
+  QVERIFY(w.view()->overlays().bottomRight.contains(QStringLiteral("W 2000 L 2000")));
 }
 
 // Until it is taken back.

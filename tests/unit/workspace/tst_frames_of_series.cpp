@@ -242,6 +242,7 @@ void TestFramesOfSeries::aSeriesHasOneWindow_data() {
   QTest::newRow("MR") << QByteArray("MR") << int(FrameWindow::usual) << ofSeries;
   QTest::newRow("MR, each its own") << QByteArray("MR") << int(FrameWindow::ofEach) << own;
   QTest::newRow("projections") << QByteArray("MG") << int(FrameWindow::usual) << own;
+  QTest::newRow("ultrasound") << QByteArray("US") << int(FrameWindow::usual) << own;
   QTest::newRow("projections, one for all") << QByteArray("MG") << int(FrameWindow::ofSeries) << ofSeries;
 }
 

@@ -11,13 +11,13 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr const char* seriesUid = "1.2";
+constexpr const char* stackUid = "1.2";
 
 // Pictures of one size in files of their own, numbered so; without a place where `apartMm` is 0.
 Series pictures(const std::vector<int>& numbers, glm::ivec2 size, double apartMm = 0,
                 const char* modality = "DX") {
   Series series;
-  series.id = series.seriesUid = seriesUid;
+  series.id = series.seriesUid = stackUid;
   series.studyUid = "1";
   series.format = "DICOM";
   series.modality = modality;
@@ -37,7 +37,7 @@ Series pictures(const std::vector<int>& numbers, glm::ivec2 size, double apartMm
 
 Image colourImage(int number, const std::string& file, int frames = 1, const std::string& time = {}) {
   Image image;
-  image.seriesUid = seriesUid, image.studyUid = "1", image.modality = "US";
+  image.seriesUid = stackUid, image.studyUid = "1", image.modality = "US";
   image.path = "folder/" + file;
   image.sopInstanceUid = "1.2.3." + file;
   image.notVolume = "Colour.";
