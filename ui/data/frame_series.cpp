@@ -141,14 +141,14 @@ bool isOfProjections(const Series& series) {
   return areSeveral && !isPlaced && std::ranges::find(modalities, series.modality) != std::end(modalities);
 }
 
-bool areMadeOneByOne(const SeriesIdentity& pictures) {
+bool areMadeOneByOne(const Series& series) {
   constexpr const char* modalities[] = {"CR", "DX", "IO", "MG", "OT", "PX", "RF", "RG", "US", "XA"};
-  return std::ranges::find(modalities, pictures.modality) != std::end(modalities);
+  return !series.acquired.calibrated &&
+         std::ranges::find(modalities, series.modality) != std::end(modalities);
 }
 
 bool opensAsPictures(const Series& series) {
-  const bool areSingle = !series.acquired.calibrated && areMadeOneByOne(series);
-  const bool isUseful = isUsefulVolume(series) && !isOfProjections(series) && !areSingle;
+  const bool isUseful = isUsefulVolume(series) && !isOfProjections(series) && !areMadeOneByOne(series);
   return opensAsFrames(series) || (!isUseful && frameCount(series) > 0);
 }
 

@@ -6,7 +6,6 @@
 
 namespace volumen {
 
-struct SeriesIdentity;
 struct Study;
 
 /// The pictures of a study that are no volumes, as series of frames alone (Series::notVolume): one for each
@@ -31,12 +30,12 @@ bool isUsefulVolume(const Series& series);
 /// Whether it holds several X-ray pictures without a place: of several files, or sides, or views.
 bool isOfProjections(const Series& series);
 
-/// Whether pictures of this modality are made one by one, each with a window of its own: X-ray pictures,
-/// ultrasound, others.
-bool areMadeOneByOne(const SeriesIdentity& pictures);
+/// Whether its pictures are made one by one, each with a window of its own: X-ray pictures, ultrasound and
+/// others that have no place as slices have (of tomosynthesis, or of rotating C-arms).
+bool areMadeOneByOne(const Series& series);
 
 /// Whether the first view of it is its frames: opensAsFrames(), or it has frames and is no useful volume, or
-/// isOfProjections(), or its pictures have no place and areMadeOneByOne().
+/// isOfProjections(), or areMadeOneByOne().
 bool opensAsPictures(const Series& series);
 
 /// The first of some series of frames that holds more pictures than one that opensAsPictures(); null: none

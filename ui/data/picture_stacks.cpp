@@ -1,6 +1,7 @@
 #include "ui/data/picture_stacks.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <map>
 #include <set>
 #include <utility>
@@ -28,17 +29,58 @@ bool mayBeStacked(const Series& series) {
          series.splitBy.empty() && isOfSingleFrames(series);
 }
 
+bool haveOnePatient(const SeriesIdentity& a, const SeriesIdentity& b) {
+  return a.patientId == b.patientId && a.patientIdIssuer == b.patientIdIssuer &&
+         a.patientName == b.patientName && a.patientBirthDate == b.patientBirthDate &&
+         a.patientSex == b.patientSex;
+}
+
+// Whether their slices have one direction and one size.
+bool areAlike(const VoxelGeometry& a, const VoxelGeometry& b) {
+  constexpr double nearEnough = 2e-3;  // of a step: directions are given with six digits or so
+  const auto isNear = [&](int axis) {
+    const glm::dvec3 step = a.patientFromVoxelStep[axis];
+    return glm::length(b.patientFromVoxelStep[axis] - step) <= nearEnough * glm::length(step);
+  };
+  return glm::ivec2(a.size) == glm::ivec2(b.size) && isNear(0) && isNear(1);
+}
+
+// The volumes and images of one series.
+struct Parts {
+  const SeriesIdentity* first;
+  int count = 0;
+  bool mayBeStacked = true, areInOneFrame = true;
+  const Series* placed = nullptr;  // the first volume that has a place
+  bool differ = false;             // in direction or size, those that have a place
+
+  void add(const SeriesIdentity& part) {
+    ++count;
+    mayBeStacked = mayBeStacked && haveOnePatient(*first, part);
+    areInOneFrame = areInOneFrame && part.frameOfReferenceUid == first->frameOfReferenceUid;
+  }
+  void addPlaced(const Series& volume) {
+    if (!placed) placed = &volume;
+    differ = differ || !areAlike(placed->acquired, volume.acquired);
+  }
+  // A stack says one frame of reference of all of its pictures, and slices that only a gap parts are no
+  // localizers.
+  bool areStack() const { return count > 1 && mayBeStacked && (!placed || (differ && areInOneFrame)); }
+};
+
 std::set<SeriesName> stacksIn(const Study& study) {
-  std::map<SeriesName, int> parts;
-  std::set<SeriesName> others, stacks;
+  std::map<SeriesName, Parts> all;
   for (const Series& series : study.volumes) {
-    ++parts[nameOf(series)];
-    if (!mayBeStacked(series)) others.insert(nameOf(series));
+    if (series.seriesUid.empty()) continue;
+    Parts& parts = all.try_emplace(nameOf(series), Parts{&series}).first->second;
+    parts.add(series);
+    parts.mayBeStacked = parts.mayBeStacked && mayBeStacked(series);
+    if (series.acquired.calibrated) parts.addPlaced(series);
   }
   for (const Image& image : study.images)
-    if (const auto known = parts.find(nameOf(image)); known != parts.end()) ++known->second;
-  for (const auto& [name, count] : parts)
-    if (count > 1 && !name.second.empty() && !others.contains(name)) stacks.insert(name);
+    if (const auto known = all.find(nameOf(image)); known != all.end()) known->second.add(image);
+  std::set<SeriesName> stacks;
+  for (const auto& [name, parts] : all)
+    if (parts.areStack()) stacks.insert(name);
   return stacks;
 }
 

@@ -111,8 +111,14 @@ void TestPictureStacks::whatIsStacked_data() {
     change(series);
     return series;
   };
+  const auto turned = [&](const Series& series) {
+    return changed(series, [](Series& s) {
+      s.acquired.patientFromVoxelStep = {{0, 1, 0}, {0, 0, -1}, {s.acquired.spacing().z, 0, 0}};
+    });
+  };
   const Series one = pictures({1}, {60, 80}), three = pictures({1, 3, 4}, {60, 80});
   const Series other = pictures({2}, {90, 120});
+  const Series scout = pictures({1}, {60, 80}, 1, "CT");
   row("two sizes", {three, other}, " | 1 2 3 4");
   row("one size is a series as it is", {three}, "1 3 4 | ");
   row("a grey and a colour picture", {one}, " | 1 2", {colourImage(2, "2.dcm")});
@@ -124,8 +130,31 @@ void TestPictureStacks::whatIsStacked_data() {
       {changed(one, [](Series& s) { s.seriesUid.clear(); }),
        changed(other, [](Series& s) { s.seriesUid.clear(); })},
       "1; 2 | ");
-  row("localizers", {pictures({1, 2, 3, 4, 5}, {9, 9}, 15, "MR"), pictures({6, 7, 8}, {9, 9}, 15, "MR")},
+  row("localizers",
+      {pictures({1, 2, 3, 4, 5}, {9, 9}, 15, "MR"), turned(pictures({6, 7, 8}, {9, 9}, 15, "MR"))},
       " | 1 2 3 4 5 6 7 8");
+  row("a scout from two sides", {scout, turned(pictures({2}, {60, 80}, 1, "CT"))}, " | 1 2");
+  row("scouts of two sizes", {scout, pictures({2}, {60, 90}, 1, "CT")}, " | 1 2");
+  row("slices with a gap", {pictures({1, 2}, {9, 9}, 5, "CT"), pictures({3, 4, 5}, {9, 9}, 5, "CT")},
+      "1 2; 3 4 5 | ");
+  row("and a colour picture", {pictures({1, 2}, {9, 9}, 5, "CT")}, "1 2 | 3", {colourImage(3, "3.dcm")});
+  row("localizers in two frames of reference",
+      {scout,
+       changed(turned(pictures({2}, {60, 80}, 1, "CT")), [](Series& s) { s.frameOfReferenceUid = "1.9"; })},
+      "1; 2 | ");
+  row("radiographs that name frames of reference",
+      {one, changed(other, [](Series& s) { s.frameOfReferenceUid = "1.9"; })}, " | 1 2");
+  row("a radiograph among slices in two frames of reference",
+      {changed(one, [](Series& s) { s.frameOfReferenceUid = "1.9"; }), scout,
+       turned(pictures({2}, {60, 80}, 1, "CT"))},
+      "1; 1; 2 | ");
+  row("two patients of one series", {one, changed(other, [](Series& s) { s.patientId = "8"; })}, "1; 2 | ");
+  row("two names", {one, changed(other, [](Series& s) { s.patientName = "Roe"; })}, "1; 2 | ");
+  row("two birth dates", {one, changed(other, [](Series& s) { s.patientBirthDate = "19500101"; })},
+      "1; 2 | ");
+  Image ofAnother = colourImage(2, "2.dcm");
+  ofAnother.patientId = "8";
+  row("a colour picture of another patient", {one}, "1 | 2", {ofAnother});
   row("a localizer of a volume", {pictures({1}, {9, 9}, 1, "CT"), pictures({2, 3, 4, 5}, {9, 9}, 1, "CT")},
       "1; 2 3 4 5 | ");
   row("slices without a place", {pictures({1}, {8, 8}, 0, "CT"), pictures({2, 3, 4, 5}, {9, 9}, 0, "CT")},
