@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "io/study/arrange.h"
@@ -52,11 +53,16 @@ struct Parts {
   bool mayBeStacked = true, areInOneFrame = true;
   const Series* placed = nullptr;  // the first volume that has a place
   bool differ = false;             // in direction or size, those that have a place
+  std::set<std::string_view> instances = {};
 
   void add(const SeriesIdentity& part) {
     ++count;
     mayBeStacked = mayBeStacked && haveOnePatient(*first, part);
     areInOneFrame = areInOneFrame && part.frameOfReferenceUid == first->frameOfReferenceUid;
+  }
+  // Measurements know the pictures of a stack by their UIDs.
+  void addInstance(const std::string& uid) {
+    mayBeStacked = mayBeStacked && !uid.empty() && instances.insert(uid).second;
   }
   void addPlaced(const Series& volume) {
     if (!placed) placed = &volume;
@@ -75,9 +81,14 @@ std::set<SeriesName> stacksIn(const Study& study) {
     parts.add(series);
     parts.mayBeStacked = parts.mayBeStacked && mayBeStacked(series);
     if (series.acquired.calibrated) parts.addPlaced(series);
+    for (const std::string& uid : series.sopInstanceUids) parts.addInstance(uid);
   }
-  for (const Image& image : study.images)
-    if (const auto known = all.find(nameOf(image)); known != all.end()) known->second.add(image);
+  for (const Image& image : study.images) {
+    const auto known = all.find(nameOf(image));
+    if (known == all.end()) continue;
+    known->second.add(image);
+    known->second.addInstance(image.sopInstanceUid);
+  }
   std::set<SeriesName> stacks;
   for (const auto& [name, parts] : all)
     if (parts.areStack()) stacks.insert(name);
@@ -91,7 +102,7 @@ Image imageOf(const Series& series, int slice) {
   const ProjectionView projection = projectionOf(series, slice);
   image.laterality = projection.laterality;
   image.viewPosition = projection.viewPosition;
-  image.id = series.sopInstanceUids[n].empty() ? series.files[n] : series.sopInstanceUids[n];
+  image.id = series.sopInstanceUids[n];
   image.path = series.files[n];
   image.notVolume =
       "Pictures of one series that differ in size or direction are shown as a stack, not in 3D.";

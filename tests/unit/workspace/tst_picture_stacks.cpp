@@ -145,13 +145,15 @@ void TestPictureStacks::whatIsStacked_data() {
   row("radiographs that name frames of reference",
       {one, changed(other, [](Series& s) { s.frameOfReferenceUid = "1.9"; })}, " | 1 2");
   row("a radiograph among slices in two frames of reference",
-      {changed(one, [](Series& s) { s.frameOfReferenceUid = "1.9"; }), scout,
+      {changed(pictures({3}, {60, 80}), [](Series& s) { s.frameOfReferenceUid = "1.9"; }), scout,
        turned(pictures({2}, {60, 80}, 1, "CT"))},
-      "1; 1; 2 | ");
+      "3; 1; 2 | ");
   row("two patients of one series", {one, changed(other, [](Series& s) { s.patientId = "8"; })}, "1; 2 | ");
   row("two names", {one, changed(other, [](Series& s) { s.patientName = "Roe"; })}, "1; 2 | ");
   row("two birth dates", {one, changed(other, [](Series& s) { s.patientBirthDate = "19500101"; })},
       "1; 2 | ");
+  row("a UID for two", {one, changed(other, [](Series& s) { s.sopInstanceUids = {"1.2.3.1"}; })}, "1; 2 | ");
+  row("no UID", {one, changed(other, [](Series& s) { s.sopInstanceUids = {""}; })}, "1; 2 | ");
   Image ofAnother = colourImage(2, "2.dcm");
   ofAnother.patientId = "8";
   row("a colour picture of another patient", {one}, "1 | 2", {ofAnother});
