@@ -24,6 +24,7 @@ Image imageOf(const FileHeader& file) {
   image.rows = file.format.rows;
   image.columns = file.format.columns;
   image.photometric = file.format.photometric;
+  image.order = {file.slices.empty() ? 0 : file.slices.front().instance, file.time};
   image.cine = file.cine;
   return image;
 }

@@ -177,6 +177,7 @@ Series describe(const Part& part, const Split& split) {
     s.files.push_back(e.file->path);
     s.frames.push_back(e.slice().frame);
     s.sopInstanceUids.push_back(e.file->sopInstanceUid);
+    s.orders.push_back({e.slice().instance, e.file->time});
     headers.push_back(e.file);
   }
   setProjections(s, projectionsOf(part.entries));

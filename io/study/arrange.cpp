@@ -65,10 +65,12 @@ void countNotHere(Study& study) {
 
 }  // namespace
 
+void sortImages(std::vector<Image>& images) { sortFiles(images); }
+
 void arrange(Study& study) {
   sortVolumes(study.volumes);
   numberParts(study.volumes);
-  sortFiles(study.images);
+  sortImages(study.images);
   numberParts(study.images);
   sortFiles(study.derived);
   numberParts(study.derived);

@@ -1,9 +1,17 @@
 #pragma once
 
+#include <compare>
 #include <optional>
 #include <string>
 
 namespace volumen {
+
+/// Where a picture stands among those of its series: by its number, else by when it was taken.
+struct PictureOrder {
+  long instance = 0;  ///< grows with InstanceNumber and, within a file, from frame to frame
+  std::string time;   ///< of day, as DICOM writes it: of the acquisition, else of the series
+  auto operator<=>(const PictureOrder&) const = default;
+};
 
 /// Whose pictures these are and which series they belong to. Text is UTF-8, exactly as in the file; whoever
 /// shows it escapes control characters.

@@ -15,7 +15,9 @@ struct Image : SeriesIdentity {
   std::string notVolume;  ///< why it is no volume: a sentence without the file's name
   std::string sopInstanceUid;
   int frames = 1, rows = 0, columns = 0;
-  std::string photometric;  ///< PhotometricInterpretation
+  std::string photometric;  ///< PhotometricInterpretation; where isOfStack Series::valueType
+  PictureOrder order;       ///< of its first frame
+  bool isOfStack = false;   ///< it could be a volume by itself, but is shown in a stack of other pictures
   Cine cine;
 };
 

@@ -63,6 +63,7 @@ struct Series : SeriesIdentity {
   std::vector<std::string> files;  ///< every file it is made of, in slice order (one file for NRRD etc.)
   std::vector<int> frames;         ///< DICOM: the frame (from 0) of each of `files` that is the slice
   std::vector<std::string> sopInstanceUids;  ///< DICOM: of each of `files`
+  std::vector<PictureOrder> orders;          ///< DICOM volumes: of each of `files`
   std::vector<ProjectionView> projections;   ///< DICOM: of each of `files`, where they differ; else empty
   std::vector<Unread> unread;                ///< DICOM: what is lost of it; also told in `warnings`
 

@@ -13,6 +13,7 @@
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/data/frame_series.h"
+#include "ui/data/picture_stacks.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/key_images.h"
@@ -66,13 +67,15 @@ std::set<std::string> studiesOfTheData() {
 
 // What a study opens as, by its headers: modality, layout or "pictures", plane, number.
 QString firstView(const std::string& path) {
-  const Result<Study> study = openStudy(dataPath(path));
+  Result<Study> study = openStudy(dataPath(path));
   if (!study) return QStringLiteral("nothing");
+  *study = withPictureStacks(std::move(*study));
   const Result<std::size_t> largest = chooseSeries(*study, {});
   const bool isVolume = largest && !study->volumes.empty();
   const std::vector<Series> frames = frameSeries(*study);
   if (!isVolume && frames.empty()) return QStringLiteral("nothing");
-  const Series& series = isVolume ? study->volumes[*largest] : frames.front();
+  const Series* larger = isVolume ? largerStack(study->volumes[*largest], frames) : nullptr;
+  const Series& series = larger ? *larger : isVolume ? study->volumes[*largest] : frames.front();
   QStringList said{QString::fromStdString(series.modality.empty() ? "-" : series.modality)};
   if (opensAsPictures(series))
     return (said << QStringLiteral("pictures") << QStringLiteral("1 / %1").arg(frameCount(series)))
@@ -115,7 +118,7 @@ void TestFirstViews::seriesOpenAsAcquired_data() {
   add("mr-head-siemens-gap-175", 4, "Sagittal", "");
   add("dicom-geometry/ct-ge-tilt-varspacing-28", 4, "Axial", "");
   add("dicom-geometry/mr-mosaic-siemens", 4, "Axial", "18 / 35");
-  add("dicom-geometry/mr-localizer-ge-3plane-21", 1, "Frame 1 / 7", "");
+  add("dicom-geometry/mr-localizer-ge-3plane-21", 1, "Frame 1 / 21", "");
   add("dicom-geometry/ct-tiny-23x38x3", 1, "Frame 1 / 3", "");
   add("dicom-geometry/mr-frag", 1, "Frame 1 / 1", "");
   add("dicom-geometry/mr-enh-siemens-xa10", 1, "Axial", "3 / 6");

@@ -47,6 +47,7 @@ class TestReferenceLines : public CleanSettings {
   void planesOfOneSeriesHaveTheCrosshairs();
   void theyAreDrawnInTheOthersColour();
   void framesHaveThemToo();
+  void localizersOfOneStackHaveThem();
   void picturesHaveThoseOfTheirWorkspace();
 };
 
@@ -166,6 +167,37 @@ void TestReferenceLines::framesHaveThemToo() {
   QCOMPARE(w.view(right)->referenceLines()[0].name, QStringLiteral("Coronal"));
   w.child<QAction>("referenceEnds")->trigger();
   QCOMPARE(w.view(left)->referenceLines().size(), std::size_t(3));
+}
+
+// Each has that of the plane that the other shows just now; parallel ones have none.
+void TestReferenceLines::localizersOfOneStackHaveThem() {
+  NEED_FILES();
+  Frames w({"../dicom-geometry/mr-localizer-ge-3plane-21"});
+  QVERIFY(w.shows());
+  const Series stack = *seriesIn(w.workspace(), axialViewId);
+  QVERIFY(!stack.notVolume.empty() && !stack.frameOfReferenceUid.empty());
+  w.child<QAction>("layoutTwo")->trigger();
+  for (const ViewId id : {left, right}) w.session().showFrames(stack, id);
+  QVERIFY(w.shows(left) && w.shows(right));
+  QVERIFY2(w.view(left)->referenceLines().empty(), "both are axial");
+  struct Shown {
+    int frame;
+    ViewKind kind;
+  };
+  for (const Shown& shown : {Shown{10, ViewKind::sagittal}, {20, ViewKind::coronal}}) {
+    while (w.look(right).frame < shown.frame) QTest::keyClick(w.view(right), Qt::Key_Down);
+    QVERIFY(w.shows(right));
+    const auto lines = w.view(left)->referenceLines();
+    QCOMPARE(lines.size(), std::size_t(1));
+    QCOMPARE(lines[0].other, right);
+    QCOMPARE(lines[0].colour, QRgb(rowOf(shown.kind).plane->lineColour));
+    const glm::dvec3 middle = frameIn(w.view(right))->geometry().centre();
+    const glm::dvec2 at = w.view(left)->plane()->pixelFromPatient(middle) / w.view(left)->devicePixelRatioF();
+    const QPointF seen = lines[0].line.center();
+    const bool isUpright = shown.kind == ViewKind::sagittal;
+    QVERIFY(std::abs(isUpright ? seen.x() - at.x : seen.y() - at.y) < 0.01);
+    QCOMPARE(w.view(right)->referenceLines().size(), std::size_t(1));
+  }
 }
 
 // Where the views on screen have gone on meanwhile.

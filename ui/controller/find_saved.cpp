@@ -6,6 +6,7 @@
 #include "io/curved.h"
 #include "io/study/study.h"
 #include "ui/data/frame_series.h"
+#include "ui/data/picture_stacks.h"
 
 namespace volumen {
 
@@ -20,7 +21,8 @@ bool hasName(const Series& series, const Series& saved) {
 
 std::vector<Series> allSeriesOf(const Study& study) {
   std::vector<Series> all = study.volumes;
-  std::ranges::move(frameSeries(study), std::back_inserter(all));
+  std::ranges::move(frameSeries(withPictureStacks(study)), std::back_inserter(all));
+  std::ranges::move(frameSeriesOfPaths(study), std::back_inserter(all));
   return all;
 }
 

@@ -22,6 +22,19 @@ void addValues(const Frame& frame, std::vector<float>& values) {
   std::ranges::copy_if(frame.values, std::back_inserter(values), counts);
 }
 
+// The first and the last of them.
+std::pair<int, int> framesOfOneWindow(const Series& series, int index) {
+  const int count = frameCount(series);
+  if (!areMadeOneByOne(series)) return {0, count - 1};
+  const auto isOfFile = [&](int n) {
+    return series.files[std::size_t(n)] == series.files[std::size_t(index)];
+  };
+  int first = index, last = index;
+  while (first > 0 && isOfFile(first - 1)) --first;
+  while (last + 1 < count && isOfFile(last + 1)) ++last;
+  return {first, last};
+}
+
 Window windowOfMost(std::vector<float> values) {
   if (values.empty()) return {0.5, 1};
   const auto ofRank = [&](double part) {
@@ -165,7 +178,8 @@ Result<LoadedFramePtr> FrameService::readAcquired(const Reading& reading, const 
   if (!warning.empty()) frame->warnings.push_back(warning);
   if (frame->greys.empty() || frameCount(*reading.series) < 2)
     return shownFrame(*reading.series, reading.key, std::move(*frame));
-  if (frame->greys.front().ofValues) frame->greys.front().mapping.window = windowOf(*reading.series);
+  if (frame->greys.front().ofValues)
+    frame->greys.front().mapping.window = windowOf(*reading.series, reading.key.index);
   return shownFrame(*reading.series, reading.key, std::move(*frame), {}, middleGreys(*reading.series));
 }
 
@@ -174,21 +188,23 @@ const std::vector<NamedGrey>& FrameService::middleGreys(const Series& series) {
   const auto known = middleGreys_.find(keyOf(series));
   if (known != middleGreys_.end()) return known->second;
   std::vector<NamedGrey> greys;
-  if (Result<Frame> middle = loadFrame(series, frameCount(series) / 2)) greys = std::move(middle->greys);
-  if (!greys.empty() && greys.front().ofValues) greys.front().mapping.window = windowOf(series);
+  const int index = frameCount(series) / 2;
+  if (Result<Frame> middle = loadFrame(series, index)) greys = std::move(middle->greys);
+  if (!greys.empty() && greys.front().ofValues) greys.front().mapping.window = windowOf(series, index);
   return middleGreys_[keyOf(series)] = std::move(greys);
 }
 
-Window FrameService::windowOf(const Series& series) {
-  const auto known = windows_.find(keyOf(series));
+Window FrameService::windowOf(const Series& series, int index) {
+  const auto [first, last] = framesOfOneWindow(series, index);
+  const auto known = windows_.find({keyOf(series), first});
   if (known != windows_.end()) return known->second;
-  const int count = frameCount(series), sampled = std::min(count, sampledFrames);
+  const int sampled = std::min(last - first + 1, sampledFrames);
   std::vector<float> values;
   for (int n = 0; n < sampled; ++n)
     if (const Result<Frame> frame =
-            loadFrame(series, int(std::int64_t(n) * (count - 1) / std::max(1, sampled - 1))))
+            loadFrame(series, first + int(std::int64_t(n) * (last - first) / std::max(1, sampled - 1))))
       addValues(*frame, values);
-  return windows_[keyOf(series)] = windowOfMost(std::move(values));
+  return windows_[{keyOf(series), first}] = windowOfMost(std::move(values));
 }
 
 }  // namespace volumen

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "io/presentation.h"
 #include "ui/data/frame_pool.h"
@@ -16,8 +17,8 @@ namespace volumen {
 /// Reads and decodes frames on a thread of its own: of each view the one that is wanted, then those that come
 /// next in the direction in which it goes. Asking never waits.
 ///
-/// Where files have no window, all frames of a series share one: P0.1 .. P99.9 of at most `sampledFrames` of
-/// them, evenly placed.
+/// Where files have no window, all frames of a series share one, of pictures that areMadeOneByOne() all of a
+/// file: P0.1 .. P99.9 of at most `sampledFrames` of them, evenly placed.
 class FrameService : public QObject {
   Q_OBJECT
  public:
@@ -72,10 +73,11 @@ class FrameService : public QObject {
   Result<LoadedFramePtr> read(const Reading& reading);
   Result<LoadedFramePtr> readAcquired(const Reading& reading, const std::string& warning);
   const Result<Presentation>& presentationOf(const std::string& path);
-  Window windowOf(const Series& series);
+  Window windowOf(const Series& series, int index);
   const std::vector<NamedGrey>& middleGreys(const Series& series);
 
-  std::map<SeriesKey, Window> windows_;  // of series without one; of the thread alone, as the next two
+  // Of frames without one, by the first that share it; of the thread alone, as the next two.
+  std::map<std::pair<SeriesKey, int>, Window> windows_;
   std::map<SeriesKey, std::vector<NamedGrey>> middleGreys_;
   std::map<std::string, Result<Presentation>> presentations_;  // by file
   std::mutex mutex_;                                           // guards from here ...

@@ -8,6 +8,7 @@
 #include "io/index/index_path.h"
 #include "io/load.h"
 #include "io/open.h"
+#include "ui/data/picture_stacks.h"
 #include "ui/workspace/text.h"
 #include "viewer/plan/default_window.h"
 #include "viewer/scene/automatic.h"
@@ -31,9 +32,10 @@ JobName opening(const QString& fileName) {
   return {Loader::tr("Opening"), shownText(fileName.toStdString())};
 }
 
+// As it is shown.
 Result<std::shared_ptr<const Study>> shared(Result<Study> study) {
   if (!study) return study.error();
-  return std::make_shared<const Study>(std::move(*study));
+  return std::make_shared<const Study>(withPictureStacks(std::move(*study)));
 }
 
 // `source`: of a series along a curve the volume that it is made of, where that is in memory.

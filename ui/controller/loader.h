@@ -47,6 +47,7 @@ class Loader : public QObject {
   /// Of a series that is to be shown; it ends in seriesLoaded(), notLoaded() or loadGivenUp().
   void loadBegan(const volumen::Series& series);
   void loadGivenUp();
+  /// A study withPictureStacks(), as the next one.
   void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study,
                    const volumen::OpenIntent& intent);
   void filesOpened(const QString& name, const std::shared_ptr<const volumen::Study>& study,

@@ -6,6 +6,7 @@
 #include "io/curved.h"
 #include "io/index/index_path.h"
 #include "ui/controller/find_saved.h"
+#include "ui/data/picture_stacks.h"
 #include "ui/workspace/moved.h"
 #include "ui/workspace/text.h"
 
@@ -27,8 +28,8 @@ Result<Located> locate(const MissingObjects& missing, const std::string& folder,
                        const CancelToken& cancel) {
   Result<Study> study = openPath(folder, progress, cancel);
   if (!study) return study.error();
-  Located located{folder, std::make_shared<const Study>(std::move(*study)), {}, {}, {}};
-  const std::vector<Series> all = allSeriesOf(*located.study);
+  const std::vector<Series> all = allSeriesOf(*study);
+  Located located{folder, std::make_shared<const Study>(withPictureStacks(std::move(*study))), {}, {}, {}};
   const auto tellMissing = [&](const QString& name) {
     located.problems << tr("%1 was not found in %2.").arg(name, pathText(folder));
   };

@@ -12,6 +12,7 @@
 #include "io/zip_archive.h"
 #include "ui/controller/find_saved.h"
 #include "ui/controller/segment_files.h"
+#include "ui/data/picture_stacks.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/text.h"
 
@@ -99,7 +100,7 @@ class Search {
     if (!isNew || cancel_.cancelled()) return place;
     if (Result<Study> study = opened(path)) {
       place.series = allSeriesOf(*study);
-      place.study = std::make_shared<const Study>(std::move(*study));
+      place.study = std::make_shared<const Study>(withPictureStacks(std::move(*study)));
     }
     return place;
   }

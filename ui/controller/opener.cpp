@@ -61,6 +61,8 @@ void Opener::showFrames(const Series& series) {
 void Opener::showFirst(const Study& study, const std::optional<Scene>& scene) {
   if (const Result<std::size_t> largest = chooseSeries(study, {}); largest && !study.volumes.empty()) {
     const Series& series = scene ? study.volumes[*largest] : petOver(study.volumes[*largest], study);
+    const std::vector<Series> frames = frameSeries(study);
+    if (const Series* stack = scene ? nullptr : largerStack(series, frames)) return showFrames(*stack);
     return opensAsPictures(series) && !scene ? showFrames(series) : loader_.load(series, scene);
   }
   if (const std::vector<Series> frames = frameSeries(study); !frames.empty()) showFrames(frames.front());

@@ -22,8 +22,8 @@ class Opener : public QObject {
   void show(const Series& series);
   /// Shows its frames there.
   void showFrames(const Series& series);
-  /// Shows the largest volume of a study by this scene, without one a PET whose CT that is over it; where
-  /// there is no volume, its first pictures.
+  /// Shows the largest volume of a study by this scene, without one a PET whose CT that is over it, or a
+  /// largerStack(); where there is no volume, its first pictures.
   void showFirst(const Study& study, const std::optional<Scene>& scene);
 
   /// What a series brings with it: the layout of its modality, unless series are being compared; where it was

@@ -5,6 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 namespace volumen {
 
@@ -12,9 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool belongsTo(const Image& image, const Series& series) {
-  return !image.seriesUid.empty() && image.seriesUid == series.seriesUid && image.studyUid == series.studyUid;
-}
+using Pictures = std::vector<const Image*>;
 
 // The folder that holds two places, or folders that hold them.
 std::string folderOfBoth(const fs::path& a, const fs::path& b) {
@@ -52,16 +55,63 @@ void addFrames(Series& series, const Image& image) {
   series.acquired.size.z = int(series.files.size());
 }
 
+// Those of each series, in the order of the study; files without a series each for itself.
+std::vector<Pictures> picturesOfEach(const Study& study) {
+  std::vector<Pictures> all;
+  std::map<std::pair<std::string_view, std::string_view>, std::size_t> known;
+  for (const Image& image : study.images) {
+    if (image.seriesUid.empty()) {
+      all.push_back({&image});
+      continue;
+    }
+    const auto [at, isNew] = known.try_emplace({image.studyUid, image.seriesUid}, all.size());
+    if (isNew) all.emplace_back();
+    all[at->second].push_back(&image);
+  }
+  return all;
+}
+
+// Not empty.
+Series stackOf(const Pictures& pictures) {
+  Series series = seriesOf(*pictures.front());
+  for (const Image* image : pictures) addFrames(series, *image);
+  setProjections(series, std::vector<ProjectionView>(series.projections));
+  return series;
+}
+
+// None: they were volumes.
+std::optional<Series> stackOfPaths(Pictures pictures) {
+  std::erase_if(pictures, [](const Image* image) { return image->isOfStack; });
+  return pictures.empty() ? std::nullopt : std::optional(stackOf(pictures));
+}
+
+Series stackInOrder(Pictures pictures) {
+  const std::optional<Series> ofPaths = stackOfPaths(pictures);
+  std::ranges::stable_sort(pictures, [](const Image* a, const Image* b) {
+    return std::tie(a->order, a->sopInstanceUid) < std::tie(b->order, b->sopInstanceUid);
+  });
+  Series series = stackOf(pictures);
+  for (const Image* image : pictures) {
+    series.acquired.size.x = std::max(series.acquired.size.x, image->columns);
+    series.acquired.size.y = std::max(series.acquired.size.y, image->rows);
+  }
+  // A name stands for the same frames in every session.
+  if (series != ofPaths) series.id = pictures.front()->seriesUid + "#pictures";
+  return series;
+}
+
 }  // namespace
 
 std::vector<Series> frameSeries(const Study& study) {
   std::vector<Series> all;
-  for (const Image& image : study.images) {
-    auto series = std::ranges::find_if(all, [&](const Series& known) { return belongsTo(image, known); });
-    if (series == all.end()) series = all.insert(all.end(), seriesOf(image));
-    addFrames(*series, image);
-  }
-  for (Series& series : all) setProjections(series, std::vector<ProjectionView>(series.projections));
+  for (const Pictures& pictures : picturesOfEach(study)) all.push_back(stackInOrder(pictures));
+  return all;
+}
+
+std::vector<Series> frameSeriesOfPaths(const Study& study) {
+  std::vector<Series> all;
+  for (const Pictures& pictures : picturesOfEach(study))
+    if (std::optional<Series> series = stackOfPaths(pictures)) all.push_back(std::move(*series));
   return all;
 }
 
@@ -86,13 +136,27 @@ bool isUsefulVolume(const Series& series) {
 bool isOfProjections(const Series& series) {
   constexpr const char* modalities[] = {"MG", "CR", "DX", "RG", "PX", "IO"};
   const bool isPlaced = series.acquired.calibrated && series.notVolume.empty();
-  return !series.projections.empty() && !isPlaced &&
+  const bool areSeveral =
+      !series.projections.empty() || (frameCount(series) > 1 && series.files.front() != series.files.back());
+  return areSeveral && !isPlaced && std::ranges::find(modalities, series.modality) != std::end(modalities);
+}
+
+bool areMadeOneByOne(const Series& series) {
+  constexpr const char* modalities[] = {"CR", "DX", "IO", "MG", "OT", "PX", "RF", "RG", "US", "XA"};
+  return !series.acquired.calibrated &&
          std::ranges::find(modalities, series.modality) != std::end(modalities);
 }
 
 bool opensAsPictures(const Series& series) {
-  const bool isUseful = isUsefulVolume(series) && !isOfProjections(series);
+  const bool isUseful = isUsefulVolume(series) && !isOfProjections(series) && !areMadeOneByOne(series);
   return opensAsFrames(series) || (!isUseful && frameCount(series) > 0);
+}
+
+const Series* largerStack(const Series& series, const std::vector<Series>& frames) {
+  if (!opensAsPictures(series)) return nullptr;
+  const auto isLarger = [&](const Series& stack) { return frameCount(stack) > frameCount(series); };
+  const auto found = std::ranges::find_if(frames, isLarger);
+  return found == frames.end() ? nullptr : &*found;
 }
 
 }  // namespace volumen

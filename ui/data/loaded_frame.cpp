@@ -49,6 +49,7 @@ LoadedSeriesPtr sliceOf(const Series& series, int index, const Frame& frame, Vol
   slice->series.id = series.id;
   slice->series.path = series.path;
   slice->series.format = series.format;
+  slice->series.acquired.calibrated = series.acquired.calibrated;
   slice->series.unit = frame.unit;
   if (frame.unit == series.unit) slice->series.suv = series.suv;  // else a presentation made other values
   slice->volume = std::move(volume);

@@ -281,7 +281,7 @@ void StudyListing::showNext() {
   }
 }
 
-// The series that was chosen, else the largest volume, else the first pictures.
+// The series that was chosen, else the largest volume, or pictures that are more; else the first pictures.
 void StudyListing::showChosen(const Study& study, const OpenIntent& intent) {
   const std::string& uid = intent.seriesUid;
   const auto isChosen = [&](const SeriesIdentity& s) { return uid.empty() || s.seriesUid == uid; };
@@ -289,8 +289,11 @@ void StudyListing::showChosen(const Study& study, const OpenIntent& intent) {
   for (const Series& series : study.volumes)
     if (isChosen(series) && (!chosen || voxels(series) > voxels(*chosen))) chosen = &series;
   const std::vector<Series> frames = frameSeries(study);
-  if (!chosen)
+  if (!chosen) {
     if (const auto found = std::ranges::find_if(frames, isChosen); found != frames.end()) chosen = &*found;
+  } else if (const Series* stack = uid.empty() ? largerStack(*chosen, frames) : nullptr) {
+    chosen = stack;
+  }
   if (chosen) return showOpened(Series(*chosen), intent.how);
   for (const DerivedObjectPtr& object : open_.derived())
     if (!uid.empty() && object->seriesUid == uid) return bench_.objectChosen(object);

@@ -275,8 +275,7 @@ QString FrameView::hoverText(QPointF position) const {
   const VoxelGeometry& geometry = frame_->geometry();
   const glm::ivec2 pixel(glm::floor(glm::dvec2(geometry.voxelFromPatient(p)) + 0.5));
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= geometry.size.x || pixel.y >= geometry.size.y) return {};
-  const QString place =
-      geometry.calibrated ? placeText(*seriesState().series, p) : pixelPlaceText(*frame_, pixel);
+  const QString place = geometry.calibrated ? placeText(p) : pixelPlaceText(*frame_, pixel);
   return tr("%1 at %2").arg(pixelValueText(*frame_, pixel), place);
 }
 
@@ -298,8 +297,8 @@ Overlays FrameView::overlays() const {
   o.warning = failure_;
   if (hasMm(*frame_)) o.mmPerPixel = now.mmPerPixel * devicePixelRatioF();
   const auto side = [&](glm::dvec3 direction) {
-    if (!frame_->geometry().calibrated) return QString::fromStdString(frameSide(*frame_, direction));
-    return knowsSides(series) ? letters(direction) : QString();
+    return frame_->geometry().calibrated ? letters(direction)
+                                         : QString::fromStdString(frameSide(*frame_, direction));
   };
   o.right = side(now.right);
   o.left = side(-now.right);

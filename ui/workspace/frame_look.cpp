@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
+#include "ui/data/frame_series.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 
@@ -38,11 +38,10 @@ QString nameOf(const NamedGrey& grey, std::size_t number, std::size_t count, con
 
 }  // namespace
 
-// Pictures of one projection each: what suits a hand does not suit a chest.
+// What suits a hand does not suit a chest.
 bool hasOwnWindows(const SeriesState& state, const Series& series) {
-  static const std::set<std::string> projections{"CR", "DX", "IO", "MG", "PX", "RG"};
   return state.frameWindow == FrameWindow::ofEach ||
-         (state.frameWindow == FrameWindow::usual && projections.contains(series.modality));
+         (state.frameWindow == FrameWindow::usual && areMadeOneByOne(series));
 }
 
 GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const LoadedFrame& frame) {

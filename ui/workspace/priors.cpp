@@ -100,9 +100,10 @@ std::vector<SeriesPicture> picturesOf(const std::vector<const Series*>& series) 
       all.push_back({s});
       continue;
     }
-    for (std::size_t n = 0; n < s->projections.size(); ++n)
-      if (n == 0 || s->files[n] != s->files[n - 1] || s->projections[n] != s->projections[n - 1])
-        all.push_back({s, int(n)});
+    for (int n = 0; n < frameCount(*s); ++n)
+      if (n == 0 || s->files[std::size_t(n)] != s->files[std::size_t(n) - 1] ||
+          projectionOf(*s, n) != projectionOf(*s, n - 1))
+        all.push_back({s, n});
   }
   return all;
 }

@@ -79,7 +79,7 @@ void makeWhole(FlatLook& look);
 void turnFurther(FlatLook& look, PictureTurn by);
 
 /// Whose window frames of a series are shown by where none was set: by default that of the series, of
-/// projections that of each frame.
+/// pictures that areMadeOneByOne() that of each frame.
 enum class FrameWindow { usual, ofSeries, ofEach };
 
 /// What holds for a series in every view.

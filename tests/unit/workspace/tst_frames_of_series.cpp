@@ -236,21 +236,32 @@ void TestFramesOfSeries::aWindowStandsInForATable() {
 
 void TestFramesOfSeries::aSeriesHasOneWindow_data() {
   QTest::addColumn<QByteArray>("modality");
+  QTest::addColumn<bool>("placed");
   QTest::addColumn<int>("choice");
   QTest::addColumn<QString>("text");
   const QString ofSeries = QStringLiteral("W 200 L 100"), own = QStringLiteral("W 5 L 2");
-  QTest::newRow("MR") << QByteArray("MR") << int(FrameWindow::usual) << ofSeries;
-  QTest::newRow("MR, each its own") << QByteArray("MR") << int(FrameWindow::ofEach) << own;
-  QTest::newRow("projections") << QByteArray("MG") << int(FrameWindow::usual) << own;
-  QTest::newRow("projections, one for all") << QByteArray("MG") << int(FrameWindow::ofSeries) << ofSeries;
+  const auto row = [](const char* name, const char* modality, bool placed, FrameWindow choice,
+                      const QString& text) {
+    QTest::newRow(name) << QByteArray(modality) << placed << int(choice) << text;
+  };
+  row("MR", "MR", true, FrameWindow::usual, ofSeries);
+  row("MR without a place", "MR", false, FrameWindow::usual, ofSeries);
+  row("MR, each its own", "MR", true, FrameWindow::ofEach, own);
+  row("projections", "MG", false, FrameWindow::usual, own);
+  row("ultrasound", "US", false, FrameWindow::usual, own);
+  row("angiograms", "XA", false, FrameWindow::usual, own);
+  row("slices of a rotating C-arm", "XA", true, FrameWindow::usual, ofSeries);
+  row("projections, one for all", "MG", false, FrameWindow::ofSeries, ofSeries);
 }
 
 void TestFramesOfSeries::aSeriesHasOneWindow() {
   QFETCH(QByteArray, modality);
+  QFETCH(bool, placed);
   QFETCH(int, choice);
   QFETCH(QString, text);
   Series series = ct(7);
   series.modality = modality.toStdString();
+  series.acquired.calibrated = placed;
   Frame frame;
   frame.size = {3, 2};
   frame.values = {0, 1, 2, 3, 4, 5};

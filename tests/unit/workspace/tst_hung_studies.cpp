@@ -82,8 +82,8 @@ void TestHungStudies::studiesAreOffered() {
   QFETCH(QStringList, names);
   const KnownProtocols known = knownProtocols();
   QCOMPARE(namesOf(known.protocols, fitting(known.protocols, OpenPictures(series).studies())), names);
-  const bool areMammograms = QLatin1String(series.front().modality) == QLatin1String("MG");
-  if (areMammograms && series.size() > 1)
+  const QByteArray modality = series.front().modality;
+  if ((modality == "MG" || modality == "DX") && series.size() > 1)
     QCOMPARE(namesOf(known.protocols, fitting(known.protocols, OpenPictures::stacked(series).studies())),
              names);
 }
