@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "viewer/segment/bit_mask.h"
-#include "viewer/segment/segment.h"
+#include "viewer/segment/segmented.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/result.h"
 
@@ -42,13 +42,8 @@ using NamedMasks = std::map<std::string, BitMask>;
 Result<BitMask> runStep(const Step& step, const Volume& volume, const NamedMasks& masks,
                         const CancelToken& cancel = {});
 
-/// Segments and their voxels.
-struct Segmented {
-  std::vector<Segment> segments;
-  LabelMap labels;  ///< of segments that overlap the later one's
-};
-
-/// A recipe's segments of a volume. An Error as of runStep(), with the number of the step.
+/// A recipe's segments of a volume; where they overlap, the later one's. An Error as of runStep(), with the
+/// number of the step.
 Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel = {});
 
 /// A recipe from its JSON (resources/docs/segment.md). Unknown steps, fields and words, and numbers out of
