@@ -16,16 +16,6 @@ namespace {
 
 constexpr double grownMm = 3;
 
-// The axis of the grid that runs most along the patient.
-int axisAlongPatient(const VoxelGeometry& geometry) {
-  const glm::dmat3& step = geometry.patientFromVoxelStep;
-  const glm::dvec3 spacing = geometry.spacing();
-  int axis = 2;
-  for (int a = 1; a >= 0; --a)
-    if (std::abs(step[a].z) / spacing[a] > std::abs(step[axis].z) / spacing[axis]) axis = a;
-  return axis;
-}
-
 // What lies within `reach` voxels along one axis too.
 BitMask grownAlong(const BitMask& mask, int axis, int reach, const CancelToken& cancel) {
   const int most = std::min(reach, mask.size()[axis] - 1);
@@ -38,6 +28,15 @@ BitMask grownAlong(const BitMask& mask, int axis, int reach, const CancelToken& 
 }
 
 }  // namespace
+
+int axisAlongPatient(const VoxelGeometry& geometry) {
+  const glm::dmat3& step = geometry.patientFromVoxelStep;
+  const glm::dvec3 spacing = geometry.spacing();
+  int axis = 2;
+  for (int a = 1; a >= 0; --a)
+    if (std::abs(step[a].z) / spacing[a] > std::abs(step[axis].z) / spacing[axis]) axis = a;
+  return axis;
+}
 
 BitMask patientMask(const Volume& volume, const CancelToken& cancel) {
   const BitMask notAir = voxelsInRange(volume, {notAirHu, std::numeric_limits<double>::infinity()});
