@@ -8,9 +8,9 @@
 #include <mutex>
 #include <utility>
 
+#include "viewer/segment/farthest_points.h"
 #include "viewer/segment/numbers.h"
 #include "viewer/segment/surface_area.h"
-#include "viewer/segment/surface_distance.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {

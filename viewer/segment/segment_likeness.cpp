@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <utility>
 
 #include "viewer/segment/numbers.h"
 #include "viewer/segment/surface_distance.h"
@@ -29,10 +30,11 @@ Result<SegmentLikeness::Distances> distancesBetween(const BitMask& a, const BitM
   const Result<Surface> ofB = surfaceOf(occupancyOf(b, surfaceSigma, cancel), cancel);
   if (cancel.cancelled()) return Error{"cancelled"};
   if (!ofA || !ofB) return ofA ? ofB.error() : ofA.error();
+  const TriangleTree treeA(*ofA), treeB(*ofB);
   SegmentLikeness::Distances found;
   double sum = 0, area = 0;
-  for (const auto& [of, to] : {std::pair(&*ofA, &*ofB), {&*ofB, &*ofA}}) {
-    const SurfaceDistances all = distances(*of, SurfaceDistance(*to), cancel);
+  for (const auto& [of, to] : {std::pair(&treeA, &treeB), {&treeB, &treeA}}) {
+    const SurfaceDistances all = distances(*of, *to, cancel);
     if (cancel.cancelled()) return Error{"cancelled"};
     found.largest = std::max(found.largest, all.largest);
     found.p95 = std::max(found.p95, distanceOf95Percent(all));

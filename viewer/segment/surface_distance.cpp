@@ -19,7 +19,7 @@ using glm::dvec3;
 double squared(dvec3 v) { return glm::dot(v, v); }
 
 // Christer Ericson, Real-Time Collision Detection, 5.1.5: by the part of the plane that p lies over.
-double squaredDistance(dvec3 p, const std::array<glm::vec3, 3>& triangle) {
+double squaredDistance(dvec3 p, const TriangleTree::Triangle& triangle) {
   const dvec3 a(triangle[0]), ab = dvec3(triangle[1]) - a, ac = dvec3(triangle[2]) - a, ap = p - a;
   const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return squared(ap);
@@ -64,21 +64,21 @@ BoxTree treeOf(const Surface& surface) {
   return BoxTree(boxes);
 }
 
-// Boxes that are asked one after another, the most promising first.
-struct Candidate {
-  double key = 0;
-  std::uint32_t first = 0, second = 0;
+// A box that is asked, the nearest first.
+struct Nearer {
+  double squared;
+  std::size_t box;
 };
 
 }  // namespace
 
-struct SurfaceDistance::Search {
+struct TriangleTree::Search {
   dvec3 p;
   double best;  // squared
   std::size_t triangle;
 };
 
-SurfaceDistance::SurfaceDistance(const Surface& surface) : tree_(treeOf(surface)) {
+TriangleTree::TriangleTree(const Surface& surface) : tree_(treeOf(surface)) {
   triangles_.reserve(surface.triangles.size());
   for (const std::uint32_t t : tree_.order()) {
     const auto& corners = surface.triangles[t];
@@ -87,26 +87,26 @@ SurfaceDistance::SurfaceDistance(const Surface& surface) : tree_(treeOf(surface)
   }
 }
 
-void SurfaceDistance::search(Search& search, std::size_t level, std::size_t group) const {
+void TriangleTree::search(Search& search, std::size_t level, std::size_t group) const {
   const std::array<double, 4> squares = squaredDistances(search.p, tree_.group(level, group));
-  std::array<Candidate, BoxTree::fanOut> nearer;  // ascending
+  std::array<Nearer, BoxTree::fanOut> nearer;  // ascending
   std::size_t count = 0;
   for (std::size_t n = 0; n < squares.size(); ++n)
     if (squares[n] < search.best) {
       std::size_t at = count++;
-      for (; at > 0 && nearer[at - 1].key > squares[n]; --at) nearer[at] = nearer[at - 1];
-      nearer[at] = {squares[n], std::uint32_t(BoxTree::fanOut * group + n), 0};
+      for (; at > 0 && nearer[at - 1].squared > squares[n]; --at) nearer[at] = nearer[at - 1];
+      nearer[at] = {squares[n], BoxTree::fanOut * group + n};
     }
-  for (std::size_t n = 0; n < count && nearer[n].key < search.best; ++n)
+  for (std::size_t n = 0; n < count && nearer[n].squared < search.best; ++n)
     if (level > 0) {
-      this->search(search, level - 1, nearer[n].first);
-    } else if (const double d = squaredDistance(search.p, triangles_[nearer[n].first]); d < search.best) {
+      this->search(search, level - 1, nearer[n].box);
+    } else if (const double d = squaredDistance(search.p, triangles_[nearer[n].box]); d < search.best) {
       search.best = d;
-      search.triangle = nearer[n].first;
+      search.triangle = nearer[n].box;
     }
 }
 
-double SurfaceDistance::from(dvec3 p, std::size_t& near) const {
+double TriangleTree::distance(dvec3 p, std::size_t& near) const {
   Search search{p, squaredDistance(p, triangles_[near]), near};
   this->search(search, tree_.levels() - 1, 0);
   near = search.triangle;
@@ -115,11 +115,7 @@ double SurfaceDistance::from(dvec3 p, std::size_t& near) const {
 
 namespace {
 
-std::array<dvec3, 3> cornersOf(const Surface& surface, std::size_t t) {
-  const auto& corners = surface.triangles[t];
-  return {dvec3(surface.points[corners[0]]), dvec3(surface.points[corners[1]]),
-          dvec3(surface.points[corners[2]])};
-}
+dvec3 middleOf(const TriangleTree::Triangle& t) { return (dvec3(t[0]) + dvec3(t[1]) + dvec3(t[2])) / 3.0; }
 
 // Parts of so many triangles, on all cores: what is found of one does not depend on who does it.
 void forEachPart(std::size_t count, const CancelToken& cancel,
@@ -133,19 +129,18 @@ void forEachPart(std::size_t count, const CancelToken& cancel,
 
 // The largest distance from middles and corners: no corner is farther than the middle by more than its way
 // from there, so that few are asked.
-double largestOfCorners(const Surface& of, const SurfaceDistance& to, const SurfaceDistances& middles,
+double largestOfCorners(const TriangleTree& of, const TriangleTree& to, const SurfaceDistances& middles,
                         const CancelToken& cancel) {
   double largest = middles.largest;
   std::mutex mutex;
-  forEachPart(of.triangles.size(), cancel, [&](std::size_t first, std::size_t end) {
+  forEachPart(of.triangles().size(), cancel, [&](std::size_t first, std::size_t end) {
     double here = middles.largest;
     std::size_t near = 0;
     for (std::size_t t = first; t < end; ++t) {
-      const auto corners = cornersOf(of, t);
-      const dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-      for (const dvec3& corner : corners)
-        if (middles.ofTriangles[t] + glm::distance(corner, middle) > here)
-          here = std::max(here, to.from(corner, near));
+      const dvec3 middle = middleOf(of.triangles()[t]);
+      for (const glm::vec3& corner : of.triangles()[t])
+        if (middles.ofTriangles[t] + glm::distance(dvec3(corner), middle) > here)
+          here = std::max(here, to.distance(dvec3(corner), near));
     }
     const std::lock_guard lock(mutex);
     largest = std::max(largest, here);
@@ -155,15 +150,16 @@ double largestOfCorners(const Surface& of, const SurfaceDistance& to, const Surf
 
 }  // namespace
 
-SurfaceDistances distances(const Surface& of, const SurfaceDistance& to, const CancelToken& cancel) {
-  const std::size_t count = of.triangles.size();
+SurfaceDistances distances(const TriangleTree& of, const TriangleTree& to, const CancelToken& cancel) {
+  const std::size_t count = of.triangles().size();
   SurfaceDistances found{std::vector<double>(count), std::vector<double>(count), 0};
   forEachPart(count, cancel, [&](std::size_t first, std::size_t end) {
     std::size_t near = 0;
     for (std::size_t t = first; t < end; ++t) {
-      const auto [a, b, c] = cornersOf(of, t);
+      const TriangleTree::Triangle& triangle = of.triangles()[t];
+      const dvec3 a(triangle[0]), b(triangle[1]), c(triangle[2]);
       found.areas[t] = glm::length(glm::cross(b - a, c - a)) / 2;
-      found.ofTriangles[t] = to.from((a + b + c) / 3.0, near);
+      found.ofTriangles[t] = to.distance(middleOf(triangle), near);
     }
   });
   if (cancel.cancelled()) return {};
@@ -174,82 +170,10 @@ SurfaceDistances distances(const Surface& of, const SurfaceDistance& to, const C
 
 Deviation deviation(const Surface& of, const Surface& to) {
   if (of.triangles.empty() || to.triangles.empty()) return {};
-  const SurfaceDistances all = distances(of, SurfaceDistance(to));
+  const SurfaceDistances all = distances(TriangleTree(of), TriangleTree(to));
   const double area = std::accumulate(all.areas.begin(), all.areas.end(), 0.0);
   const double sum = std::inner_product(all.areas.begin(), all.areas.end(), all.ofTriangles.begin(), 0.0);
   return {all.largest, area > 0 ? sum / area : 0};
-}
-
-namespace {
-// Largest distances between the points of boxes, asked for pairs of boxes of one level.
-class FarthestPair {
- public:
-  explicit FarthestPair(std::span<const glm::vec3> points)
-      : points_(points), tree_(boxesOf(points)), found_{points[0], points[0]} {}
-
-  std::array<glm::vec3, 2> find() {
-    search(tree_.levels() - 1, 0, 0);
-    return found_;
-  }
-
- private:
-  static std::vector<SpaceBox> boxesOf(std::span<const glm::vec3> points) {
-    std::vector<SpaceBox> boxes;
-    boxes.reserve(points.size());
-    for (const glm::vec3& p : points) boxes.push_back({p, p});
-    return boxes;
-  }
-  // No two points of the boxes are farther apart; squared.
-  double bound(std::size_t level, std::size_t n, std::size_t m) const {
-    const BoxGroup& a = tree_.group(level, n / BoxTree::fanOut);
-    const BoxGroup& b = tree_.group(level, m / BoxTree::fanOut);
-    dvec3 apart;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto lowA = double(a.low[c][n % BoxTree::fanOut]), highA = double(a.high[c][n % BoxTree::fanOut]);
-      const auto lowB = double(b.low[c][m % BoxTree::fanOut]), highB = double(b.high[c][m % BoxTree::fanOut]);
-      apart[int(c)] = std::max(highA - lowB, highB - lowA);
-    }
-    return squared(apart);
-  }
-
-  // The boxes of two groups of a level.
-  void search(std::size_t level, std::size_t a, std::size_t b) {
-    std::array<Candidate, BoxTree::fanOut * BoxTree::fanOut> farther;
-    std::size_t count = 0;
-    forEachPair(a, b, tree_.boxes(level), [&](std::size_t n, std::size_t m) {
-      if (const double d = bound(level, n, m); d > best_)
-        farther[count++] = {d, std::uint32_t(n), std::uint32_t(m)};
-    });
-    std::sort(
-        farther.begin(), farther.begin() + std::ptrdiff_t(count), [](const Candidate& x, const Candidate& y) {
-          return x.key != y.key ? x.key > y.key : std::pair(x.first, x.second) < std::pair(y.first, y.second);
-        });
-    for (std::size_t n = 0; n < count && farther[n].key > best_; ++n)
-      if (level > 0) {
-        search(level - 1, farther[n].first, farther[n].second);
-      } else {
-        best_ = farther[n].key;  // of boxes that are points
-        found_ = {points_[tree_.order()[farther[n].first]], points_[tree_.order()[farther[n].second]]};
-      }
-  }
-  // What is inside two groups, no pair twice.
-  template <class Visit>
-  static void forEachPair(std::size_t a, std::size_t b, std::size_t count, const Visit& visit) {
-    constexpr std::size_t fan = BoxTree::fanOut;
-    for (std::size_t n = a * fan; n < std::min(count, (a + 1) * fan); ++n)
-      for (std::size_t m = a == b ? n : b * fan; m < std::min(count, (b + 1) * fan); ++m) visit(n, m);
-  }
-
-  std::span<const glm::vec3> points_;
-  BoxTree tree_;
-  double best_ = 0;
-  std::array<glm::vec3, 2> found_;
-};
-
-}  // namespace
-
-std::array<glm::vec3, 2> farthestPoints(const Surface& surface) {
-  return FarthestPair(surface.points).find();
 }
 
 }  // namespace volumen

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "viewer/segment/box_tree.h"
@@ -10,19 +11,21 @@
 
 namespace volumen {
 
-/// Distances to a surface, exact.
-class SurfaceDistance {
+/// The triangles of a surface, those near each other together, and distances to them, exact.
+class TriangleTree {
  public:
-  /// Of a surface that has triangles.
-  explicit SurfaceDistance(const Surface& surface);
+  using Triangle = std::array<glm::vec3, 3>;
 
+  /// Of a surface that has triangles.
+  explicit TriangleTree(const Surface& surface);
+
+  /// In an order in which those beside each other are mostly near each other.
+  std::span<const Triangle> triangles() const { return triangles_; }
   /// From p to the nearest point of all triangles, mm. `near`: a triangle to begin with (at first 0), which
-  /// becomes the nearest; where points that are asked for one after another lie close together, that is
-  /// quick.
-  double from(glm::dvec3 p, std::size_t& near) const;
+  /// becomes the nearest: quick for points near each other, asked for one after another.
+  double distance(glm::dvec3 p, std::size_t& near) const;
 
  private:
-  using Triangle = std::array<glm::vec3, 3>;
   struct Search;
   void search(Search& search, std::size_t level, std::size_t group) const;
 
@@ -32,15 +35,12 @@ class SurfaceDistance {
 
 /// Distances (mm) from a surface to another one.
 struct SurfaceDistances {
-  std::vector<double> ofTriangles;  ///< from the middle of each
+  std::vector<double> ofTriangles;  ///< from the middle of each, in the order of its tree
   std::vector<double> areas;        ///< of them, mm^2
   double largest = 0;               ///< from all middles and corners
 };
 
 /// The same for any number of threads. Where it is cancelled, nothing.
-SurfaceDistances distances(const Surface& of, const SurfaceDistance& to, const CancelToken& cancel = {});
-
-/// Two points of a surface that are farthest from each other; it has points.
-std::array<glm::vec3, 2> farthestPoints(const Surface& surface);
+SurfaceDistances distances(const TriangleTree& of, const TriangleTree& to, const CancelToken& cancel = {});
 
 }  // namespace volumen
