@@ -9,7 +9,9 @@
 
 namespace volumen {
 
-/// Values in real units of a volume (HU, SUV) at the voxels of a segment; padding is not among them.
+/// Values in real units of a volume (HU, SUV) at the voxels of a segment; padding is not among them. Median
+/// and percentiles are exact: the values of rank max(1, ceil(r N / 100)) of all N in ascending order
+/// (picture.md 5).
 struct SegmentValues {
   std::int64_t voxels = 0;  ///< of which there is a value; of none all else here is 0
   double mean = 0, sd = 0;  ///< sd by n: of the voxels, not of a sample
@@ -24,7 +26,7 @@ struct SegmentForm {
   double areaMm2 = 0;    ///< boundaryArea()
   glm::dvec3 centroid{0};
   VoxelBox box{};
-  std::array<glm::dvec3, 3> axes{};  ///< unit, longest first
+  std::array<glm::dvec3, 3> axes{};  ///< unit, longest first; the largest component of each is positive
   glm::dvec3 axisMm{0};              ///< "axis by moments": 4 sqrt(eigenvalue of the covariance, by n)
   double longestMm = 0;              ///< between two points of its surface
   std::array<glm::dvec3, 2> longestAt{};
@@ -34,14 +36,19 @@ struct SegmentForm {
 SegmentValues valuesIn(const BitMask& mask, const Volume& volume);
 /// None where the mask is empty or its grid is not calibrated; the Error: cancelled.
 Result<std::optional<SegmentForm>> formOf(const BitMask& mask, const CancelToken& cancel = {});
-/// How many voxels have a value in each of `bins` equal parts of low..high; what lies outside is in none.
+/// How many voxels have a value in each of `bins` equal parts of low..high, a value between two in the upper,
+/// `high` itself in the last; what lies outside is in none, and padding neither. low < high.
 std::vector<std::int64_t> histogramIn(const BitMask& mask, const Volume& volume, ValueRange range, int bins);
+
+/// The voxels of a mask in memory order: about which peakAbout() of viewer/measure is asked.
+std::vector<glm::ivec3> voxelsOf(const BitMask& mask);
 
 /// How alike two segments of one grid are.
 struct SegmentLikeness {
   std::optional<double> dice;  ///< 2 |A and B| / (|A| + |B|); none where both are empty
-  double differenceMl = 0;     ///< volume of a - volume of b, voxels
-  /// Between their surfaces, mm; none where one is empty or the grid is not calibrated.
+  double differenceMl = 0;     ///< volume of a - volume of b, voxels; 0 where the grid is not calibrated
+  /// Between their surfaces (occupancy.h), mm: from the middles of all triangles of one to the other, exact;
+  /// the largest also from their corners. None where one is empty or the grid is not calibrated.
   struct Distances {
     double largest = 0;  ///< Hausdorff
     double p95 = 0;      ///< the larger of both directed 95th percentiles, by area
@@ -49,6 +56,7 @@ struct SegmentLikeness {
   };
   std::optional<Distances> distances;
 };
+/// The Error: cancelled.
 Result<SegmentLikeness> likeness(const BitMask& a, const BitMask& b, const CancelToken& cancel = {});
 
 }  // namespace volumen
