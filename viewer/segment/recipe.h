@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "viewer/segment/bit_mask.h"
-#include "viewer/segment/segment.h"
+#include "viewer/segment/segmented.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/result.h"
 
@@ -71,10 +71,6 @@ std::span<const StepKind> stepKinds();
 
 /// A recipe's segments of a volume, in its order, in one label map (labels 1..; where they overlap the later
 /// one's). The same voxels on any machine. The Error names the step.
-struct Segmented {
-  std::vector<Segment> segments;
-  LabelMap labels;
-};
 Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel = {});
 
 /// JSON (resources/docs/segment.md). Unknown steps, fields and words, and numbers out of range, are refused
