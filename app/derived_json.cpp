@@ -188,8 +188,9 @@ Json contents(const Segmentation& s) {
     const Segment& segment = s.segments[n];
     segments.push_back({{"number", segment.number},
                         {"label", segment.label},
-                        {"category", segment.category},
-                        {"type", segment.type},
+                        {"category", codeJson(segment.category)},
+                        {"type", codeJson(segment.type)},
+                        {"modifier", codeJson(segment.modifier)},
                         {"colour", colourJson(segment.colour)},
                         {"pixels", pixelsOf(s, n)}});
   }
