@@ -16,8 +16,8 @@ namespace volumen {
 namespace {
 
 using Places = std::vector<glm::dvec3>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr ValueRange anyValue{-infinity, infinity}, anyLength{0, 1000};
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr ValueRange anyValue{-unbounded, unbounded}, anyLength{0, 1000};
 
 ValueRange rangeOf(const StepInput& in) { return {in.number("low"), in.number("high")}; }
 
@@ -42,7 +42,7 @@ double otsuValue(const Volume& volume) {
 }
 
 Result<BitMask> otsu(const StepInput& in) {
-  return voxelsInRange(in.volume, {in.number("times") * otsuValue(in.volume), infinity});
+  return voxelsInRange(in.volume, {in.number("times") * otsuValue(in.volume), unbounded});
 }
 
 Result<BitMask> ball(const StepInput& in) {
@@ -85,7 +85,7 @@ Result<BitMask> lesion(const StepInput& in) {
   if (values.voxels == 0) return Error{"no voxel of \"" + in.word("in") + "\" has a value"};
   const double least = in.word("by") == "share" ? in.number("share") * values.max : in.number("value");
   const glm::ivec3 at[] = {values.maxAt};
-  BitMask found = connected(intersected(voxelsInRange(in.volume, {least, infinity}), where), at,
+  BitMask found = connected(intersected(voxelsInRange(in.volume, {least, unbounded}), where), at,
                             Neighbours::faces, in.cancel);
   if (reachesOut(found, where))
     return Error{"what is found reaches the border of \"" + in.word("in") +
@@ -103,7 +103,7 @@ Result<BitMask> patient(const StepInput& in) {
 }  // namespace
 
 std::vector<StepKind> stepsOfValues() {
-  const StepField low{"low", "value", -infinity, anyValue}, high{"high", "value", infinity, anyValue};
+  const StepField low{"low", "value", -unbounded, anyValue}, high{"high", "value", unbounded, anyValue};
   const StepField at{"at", "mm", Places{}, {}, {}, StepField::Need::yes};
   return {
       {"range", "the voxels of a range of values, both ends included", {low, high}, range},

@@ -132,8 +132,8 @@ void TestRecipe::wrongOnesAreRefusedByName_data() {
                                .arg(QString::fromLatin1(text))
                         << QString::fromLatin1(says);
   };
-  step("an unknown step", R"({"step": "rnage", "segment": "A"})",
-       R"(steps[0].step "rnage" is no step: "range" is)");
+  step("an unknown step", R"({"step": "ranges", "segment": "A"})",
+       R"(steps[0].step "ranges" is no step: "range" is)");
   step("an unknown field", R"({"step": "grow", "segment": "A", "radius": 2})", "radius");
   step("a number out of range", R"({"step": "grow", "segment": "A", "radiusMm": -1})",
        "steps[0].radiusMm must be from 0 to 100, not -1");
