@@ -96,7 +96,8 @@ int run(const SegmentOptions& options, const CancelToken& cancel) {
   const Mask mask{options.removeTable, {}};
   if (options.removeTable)
     if (Status removed = takeAway(mask, *opened, cancel); !removed) return fail(removed.message(), cancel);
-  const LabelMap map(labelRange(*whole, *range, mask, cancel));
+  const LabelMap map =
+      withLabel(LabelMap(whole->geometry()), 1, keptVoxelsInRange(*whole, *range, mask, cancel));
   const Segment segment{.number = 1, .label = "Range " + options.range, .colour = boneIvory, .range = range};
   const LabelStatistics statistics = labelStatistics(map, *whole);
   if (const Status s = writeSegNrrd(map, {&segment, 1}, options.output, cancel); !s)

@@ -10,7 +10,8 @@ namespace {
 
 Result<std::shared_ptr<const LabelMap>> labelsOf(const Volume& volume, const Mask& mask, ValueRange range,
                                                  const CancelToken& cancel) try {
-  return std::make_shared<const LabelMap>(labelRange(volume, range, mask, cancel));
+  const BitMask voxels = keptVoxelsInRange(volume, range, mask, cancel);
+  return std::make_shared<const LabelMap>(withLabel(LabelMap(volume.geometry()), 1, voxels));
 } catch (const std::bad_alloc&) {
   return Error{"Nothing was segmented: there is not enough memory."};
 }

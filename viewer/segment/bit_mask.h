@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "viewer/segment/label_map.h"
+#include "viewer/segment/label_statistics.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
@@ -19,6 +21,8 @@ class BitMask {
   const VoxelGeometry& geometry() const { return geometry_; }
   glm::ivec3 size() const { return geometry_.size; }
   int wordsPerRow() const { return wordsPerRow_; }
+  /// The bits of a row's last word that lie in the grid.
+  std::uint64_t lastWord() const { return ~std::uint64_t(0) >> (wordsPerRow_ * 64 - geometry_.size.x); }
   /// The words of the voxels (0.., j, k). Who writes keeps bits beyond the grid 0.
   std::span<std::uint64_t> row(int j, int k) { return {words_.data() + firstOf(j, k), wordCount()}; }
   std::span<const std::uint64_t> row(int j, int k) const {
@@ -34,6 +38,8 @@ class BitMask {
   /// How many voxels it holds; on all cores.
   std::int64_t count() const;
   bool empty() const;
+  /// The smallest box that holds all of them; none where there are none.
+  std::optional<VoxelBox> box() const;
   bool operator==(const BitMask&) const = default;
 
  private:
@@ -56,8 +62,8 @@ BitMask inverted(BitMask mask);
 
 /// The voxels of a label; on all cores.
 BitMask maskOf(const LabelMap& map, std::uint8_t label);
-/// `label` exactly at the voxels of the mask, but none of a locked label is changed; where it was and the
-/// mask is not, background. Bricks that stay the same are shared. On all cores.
+/// `label` exactly at the voxels of the mask, but none of a locked label (background may be one) is changed;
+/// where it was and the mask is not, background. Bricks that stay the same are shared. On all cores.
 LabelMap withLabel(const LabelMap& map, std::uint8_t label, const BitMask& mask,
                    std::span<const std::uint8_t> locked = {});
 

@@ -5,12 +5,15 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "viewer/segment/dense_labels.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
+
+class BitMask;
 
 /// One label a voxel of a grid; 0 is background. It is held in bricks, of which those of one label hold no
 /// voxels. A value that never changes: LabelEdit makes another one of it, and both share the bricks that are
@@ -50,6 +53,7 @@ class LabelMap {
 
  private:
   friend class LabelEdit;
+  friend LabelMap withLabel(const LabelMap&, std::uint8_t, const BitMask&, std::span<const std::uint8_t>);
   std::size_t brickOf(glm::ivec3 voxel) const;
   /// The voxels of a brick that lie in the grid.
   glm::ivec3 sizeOf(std::size_t brick) const;

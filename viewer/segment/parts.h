@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "viewer/segment/bit_mask.h"
+#include "viewer/segment/runs.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -22,7 +24,7 @@ class Parts {
   std::size_t count() const { return sizes_.size(); }
   /// Voxels of the n-th.
   std::int64_t size(std::size_t n) const { return sizes_[n]; }
-  /// The part that holds a voxel; count() where none does.
+  /// The part that holds a voxel; count() where none does, and of a voxel beyond the grid.
   std::size_t of(glm::ivec3 voxel) const;
   /// The voxels of the parts whose number is chosen (chosen.size() == count()).
   BitMask mask(const std::vector<bool>& chosen) const;
@@ -34,23 +36,21 @@ class Parts {
   BitMask untouched(std::span<const glm::ivec3> voxels) const;
 
  private:
-  struct Run {
-    int begin, end;
-    std::uint32_t part;
-  };
+  std::vector<bool> holding(std::span<const glm::ivec3> voxels) const;
+
   VoxelGeometry geometry_;
-  std::vector<Run> runs_;
-  std::vector<std::size_t> firstOfRow_;  // and the number of runs
+  JoinedRuns joined_;
   std::vector<std::int64_t> sizes_;
 };
 
-/// The part of the mask that holds a seed; empty where none is in it. Costs about what it finds.
+/// The parts of the mask that hold a seed; empty where none is in it. Costs about what it finds. Seeds beyond
+/// the grid are left out. A cancelled one is returned half done.
 BitMask connected(const BitMask& mask, std::span<const glm::ivec3> seeds, Neighbours neighbours,
                   const CancelToken& cancel = {});
 
 /// As connected(), but thin bridges let nothing through: of the mask shrunk by a ball of radiusMm the parts
-/// that hold a seed (or are the nearest to it within 2 radiusMm), grown again by that ball inside the mask.
-/// Unlike an opening by reconstruction it does not leak back.
+/// that hold a seed (or are the nearest to it within 2 radiusMm), grown again by that ball, which stays
+/// inside the mask. Unlike an opening by reconstruction it does not leak back.
 BitMask connectedBeyond(const BitMask& mask, std::span<const glm::ivec3> seeds, Neighbours neighbours,
                         double radiusMm, const CancelToken& cancel = {});
 
