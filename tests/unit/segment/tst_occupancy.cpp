@@ -273,7 +273,7 @@ void TestOccupancy::bodiesKeepVolumeAndArea() {
     if (height == 0) return glm::length(p) <= radius;
     return glm::length(glm::dvec2(p.x, p.y)) <= radius && std::abs(p.z) <= height / 2;
   });
-  const Body body = bodyOf(occupancyOf(mask, sigma), 5);
+  const Body body = bodyOf(occupancyOf(mask, sigma), 6);
   // A Gaussian takes sigma^2 / r from a ball's radius and half of it from a cylinder's; of a right angle 0.9
   // sigma^2.
   const double shrinking = sigma * sigma / (radius * radius);
@@ -284,9 +284,9 @@ void TestOccupancy::bodiesKeepVolumeAndArea() {
                areaIs = 100 * (body.area / area - 1);
   const QString found = QStringLiteral("volume %1 %, area %2 %").arg(volumeIs).arg(areaIs);
   QVERIFY2(std::abs(volumeIs - volumeOff) < 0.4, qPrintable(found));
-  // The stairs of voxels that are left make a ball's area up to 2.5 % larger.
+  // The stairs of voxels that are left make a ball's area up to 3 % larger.
   const double stairs = areaIs + 200 * shrinking;
-  QVERIFY2(height > 0 || (stairs > -0.5 && stairs < 2.5), qPrintable(found));
+  QVERIFY2(height > 0 || (stairs > -0.5 && stairs < 3), qPrintable(found));
   QCOMPARE(body.pieces, 1);
 }
 
