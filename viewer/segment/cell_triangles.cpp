@@ -1,7 +1,8 @@
 #include "viewer/segment/cell_triangles.h"
 
 #include <algorithm>
-#include <cassert>
+#include <cmath>
+#include <glm/vec3.hpp>
 #include <utility>
 #include <vector>
 
@@ -70,28 +71,66 @@ std::vector<EdgeLoop> loopsOf(std::array<int, cellEdges> next) {
   return loops;
 }
 
-// Divides what lies between the loop's places first..last and the line that joins them. False: it cannot be.
-bool divide(const EdgeLoop& loop, std::size_t first, std::size_t last, CellTriangles& cell) {
-  if (last - first < 2) return true;
+using Triangles = std::vector<std::array<std::uint8_t, 3>>;
+
+// All ways to divide what lies between the loop's places first..last and the line that joins them.
+std::vector<Triangles> divisionsOf(const EdgeLoop& loop, std::size_t first, std::size_t last) {
+  if (last - first < 2) return {{}};
   const auto joined = [&](std::size_t a, std::size_t b) {
     return b - a == 1 || b - a == loop.size() - 1 || !shareFace(loop[a], loop[b]);
   };
+  std::vector<Triangles> all;
   for (std::size_t n = first + 1; n < last; ++n) {
     if (!joined(first, n) || !joined(n, last)) continue;
-    const std::uint8_t before = cell.count;
-    cell.triangles[cell.count++] = {loop[first], loop[n], loop[last]};
-    if (divide(loop, first, n, cell) && divide(loop, n, last, cell)) return true;
-    cell.count = before;
+    for (const Triangles& before : divisionsOf(loop, first, n))
+      for (const Triangles& behind : divisionsOf(loop, n, last)) {
+        all.push_back({{loop[first], loop[n], loop[last]}});
+        all.back().insert(all.back().end(), before.begin(), before.end());
+        all.back().insert(all.back().end(), behind.begin(), behind.end());
+      }
   }
-  return false;
+  return all;
+}
+
+// In the cell, the middle of an edge.
+glm::dvec3 middleOfEdge(int edge) {
+  const int axis = edge / 4;
+  const auto [first, second] = axesAcross(axis);
+  glm::dvec3 x(0);
+  x[axis] = 0.5, x[first] = edge & 1, x[second] = edge >> 1 & 1;
+  return x;
+}
+
+// The trilinear field in the cell of 1 at corners inside and 0 at the others.
+double fieldAt(int inside, glm::dvec3 x) {
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    double weight = inside >> corner & 1;
+    for (int a = 0; a < 3; ++a) weight *= corner >> a & 1 ? x[a] : 1 - x[a];
+    sum += weight;
+  }
+  return sum;
+}
+
+// That whose triangles' middles have the values nearest to 1/2; of several that which is the fairest: off it
+// as much to one side as to the other.
+Triangles nearestDivision(const std::vector<Triangles>& divisions, int inside) {
+  return std::ranges::min(divisions, {}, [&](const Triangles& triangles) {
+    double off = 0, aside = 0;
+    for (const auto& [a, b, c] : triangles) {
+      const double value = fieldAt(inside, (middleOfEdge(a) + middleOfEdge(b) + middleOfEdge(c)) / 3.0) - 0.5;
+      off += std::abs(value), aside += value;
+    }
+    return std::pair(std::round(off * 1e6), std::round(std::abs(aside) * 1e6));  // equal ones are equal
+  });
 }
 
 CellTriangles trianglesOf(int inside) {
   CellTriangles cell;
   for (const EdgeLoop& loop : loopsOf(nextCrossings(inside))) {
     for (const std::uint8_t edge : loop) cell.crossed |= std::uint16_t(1 << edge);
-    [[maybe_unused]] const bool divided = divide(loop, 0, loop.size() - 1, cell);
-    assert(divided);
+    for (const auto& triangle : nearestDivision(divisionsOf(loop, 0, loop.size() - 1), inside))
+      cell.triangles[cell.count++] = triangle;
   }
   return cell;
 }

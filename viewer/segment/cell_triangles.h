@@ -20,7 +20,7 @@ struct CellTriangles {
 /// corners inside are parted where they are opposite, and these segments form loops. Each is divided by
 /// diagonals between edges that have no face of the cell in common, which is always possible: so no diagonal
 /// is a segment on a face, or a diagonal of the next cell, and every edge of the surface is in exactly two
-/// triangles.
+/// triangles. Of all ways that which lies nearest to where a trilinear field is 1/2.
 std::span<const CellTriangles, 256> cellTriangles();
 
 }  // namespace volumen

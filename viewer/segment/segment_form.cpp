@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
@@ -8,6 +7,7 @@
 #include <mutex>
 #include <utility>
 
+#include "viewer/segment/bit_rows.h"
 #include "viewer/segment/farthest_points.h"
 #include "viewer/segment/numbers.h"
 #include "viewer/segment/surface_area.h"
@@ -47,26 +47,15 @@ struct Moments {
   }
 };
 
-// The runs of a row word by word: one that goes on in the next word is two.
-void addRow(Moments& moments, std::span<const std::uint64_t> row, int j, int k) {
-  int start = 0;
-  for (std::uint64_t word : row) {
-    while (word) {
-      const int first = std::countr_zero(word), count = std::countr_one(word >> first);
-      moments.addRun(start + first, start + first + count - 1, j, k);
-      word &= first + count < 64 ? ~std::uint64_t(0) << (first + count) : 0;
-    }
-    start += 64;
-  }
-}
-
 Moments momentsOf(const BitMask& mask) {
   Moments all;
   std::mutex mutex;
   parallelFor(mask.size().z, 0, [&](std::int64_t begin, std::int64_t end) {
     Moments here;
     for (int k = int(begin); k < int(end); ++k)
-      for (int j = 0; j < mask.size().y; ++j) addRow(here, mask.row(j, k), j, k);
+      for (int j = 0; j < mask.size().y; ++j)
+        bits::forEachRun(mask.row(j, k), mask.size().x,
+                         [&](int first, int behind) { here.addRun(first, behind - 1, j, k); });
     const std::lock_guard lock(mutex);
     all.add(here);
   });
