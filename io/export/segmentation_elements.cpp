@@ -278,10 +278,8 @@ std::vector<std::string> SegmentationElements::notes() const {
         "The segments lie on another grid than the slices as acquired: each pixel of these has what its "
         "nearest voxel has.");
   else if (const int left = frames_.slicesLeftOut(); left > 0)
-    notes.push_back(
-        std::to_string(left) +
-        " slices of the segments were interpolated: no picture of the series lies there, and they "
-        "were left out.");
+    notes.push_back("Slices of the segments that are interpolated and no picture of the series: " +
+                    std::to_string(left) + "; they were left out.");
   if (const auto spaces = framesOfReference(source_).size(); spaces > 1)
     notes.push_back("The slices of the series are of " + std::to_string(spaces) +
                     " frames of reference; that of the first was written.");
