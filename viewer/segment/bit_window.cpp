@@ -1,9 +1,7 @@
 #include "viewer/segment/bit_window.h"
 
 #include <algorithm>
-#include <bit>
 #include <glm/common.hpp>
-#include <mutex>
 
 namespace volumen {
 
@@ -29,35 +27,6 @@ std::uint64_t bitsFrom(std::span<const std::uint64_t> row, int size, int from, B
 }
 
 }  // namespace
-
-std::optional<VoxelBox> maskBox(const BitMask& mask) {
-  const glm::ivec3 size = mask.size();
-  VoxelBox box{size, glm::ivec3(-1)};
-  std::mutex mutex;
-  parallelFor(size.z, 0, [&](std::int64_t begin, std::int64_t end) {
-    std::vector<std::uint64_t> columns(std::size_t(mask.wordsPerRow()));
-    VoxelBox own{size, glm::ivec3(-1)};
-    for (int k = int(begin); k < int(end); ++k)
-      for (int j = 0; j < size.y; ++j) {
-        const auto row = mask.row(j, k);
-        std::uint64_t any = 0;
-        for (std::size_t n = 0; n < row.size(); ++n) any |= row[n], columns[n] |= row[n];
-        if (!any) continue;
-        own.low = glm::min(own.low, glm::ivec3(size.x, j, k));
-        own.high = glm::max(own.high, glm::ivec3(-1, j, k));
-      }
-    for (int n = 0; n < int(columns.size()); ++n) {
-      const std::uint64_t word = columns[std::size_t(n)];
-      if (!word) continue;
-      own.low.x = std::min(own.low.x, 64 * n + std::countr_zero(word));
-      own.high.x = std::max(own.high.x, 64 * n + 63 - std::countl_zero(word));
-    }
-    const std::lock_guard lock(mutex);
-    box.low = glm::min(box.low, own.low);
-    box.high = glm::max(box.high, own.high);
-  });
-  return box.high.x < 0 ? std::nullopt : std::optional(box);
-}
 
 void BitWindow::start(const VoxelBox& box) {
   size_ = box.high - box.low + 1;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,9 +13,6 @@ namespace volumen {
 
 /// What filters find beyond the grid of a mask.
 enum class BeyondGrid { nothing, asAtBorder };
-
-/// The smallest box that holds all voxels of a mask; none where there are none.
-std::optional<VoxelBox> maskBox(const BitMask& mask);
 
 /// A box grown by so many voxels on each side.
 inline VoxelBox grownBox(const VoxelBox& box, glm::ivec3 by) { return {box.low - by, box.high + by}; }

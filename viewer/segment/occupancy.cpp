@@ -119,7 +119,7 @@ class OccupancyBlock {
 
 OccupancyField occupancyOf(const BitMask& mask, double sigma, const CancelToken& cancel) {
   OccupancyField field{mask.geometry(), {glm::ivec3(0), glm::ivec3(-1)}, {}};
-  const std::optional<VoxelBox> box = maskBox(mask);
+  const std::optional<VoxelBox> box = mask.box();
   if (!box) return field;
   const auto kernel = GaussianKernel::inVoxels(sigma), lineKernel = GaussianKernel::inVoxels(lineSigma);
   const BitMask none(mask.geometry());

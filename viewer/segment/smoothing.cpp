@@ -105,7 +105,7 @@ LabelMap withLabels(const LabelMap& map, const DenseLabels& before, const std::v
 }  // namespace
 
 BitMask gaussianSmoothed(const BitMask& mask, double sigmaMm, const CancelToken& cancel) {
-  const std::optional<VoxelBox> box = maskBox(mask);
+  const std::optional<VoxelBox> box = mask.box();
   if (!box || !(sigmaMm > 0)) return mask;
   const GaussianKernel kernel = GaussianKernel::inPatient(mask.geometry(), sigmaMm);
   VoxelBox within = grownBox(*box, kernel.reach());
