@@ -18,11 +18,11 @@ namespace volumen {
 namespace {
 
 // Pixels of a slice, x fastest.
-struct Plane {
+struct SlicePlane {
   glm::ivec2 size;
   std::vector<std::uint8_t> in;
 
-  explicit Plane(glm::ivec2 of) : size(of), in(std::size_t(of.x) * std::size_t(of.y)) {}
+  explicit SlicePlane(glm::ivec2 of) : size(of), in(std::size_t(of.x) * std::size_t(of.y)) {}
   std::size_t placeOf(glm::ivec2 p) const {
     return std::size_t(p.y) * std::size_t(size.x) + std::size_t(p.x);
   }
@@ -39,9 +39,9 @@ struct PlaneMetric {
 };
 
 // How far it is to the nearest pixel that is in, or that is not.
-class Nearest {
+class NearestPixel {
  public:
-  Nearest(const Plane& plane, bool in, const PlaneMetric& metric)
+  NearestPixel(const SlicePlane& plane, bool in, const PlaneMetric& metric)
       : size_(plane.size), metric_(metric), before_(plane.in.size()), behind_(plane.in.size()) {
     for (int y = 0; y < size_.y; ++y) {
       int last = none;
@@ -108,7 +108,7 @@ struct PlaneParts {
   std::vector<int> of;
   std::vector<Part> parts;
 
-  explicit PlaneParts(const Plane& plane) : of(plane.in.size()) {
+  explicit PlaneParts(const SlicePlane& plane) : of(plane.in.size()) {
     for (int y = 0; y < plane.size.y; ++y)
       for (int x = 0; x < plane.size.x; ++x) {
         std::vector<glm::ivec2> pixels;
@@ -138,18 +138,18 @@ struct PlaneParts {
 };
 
 // Voxels of the slices first .. last.
-struct Filled {
+struct FilledVoxels {
   glm::ivec2 at;
   int first, last;
 };
 
 // The slices from + 1 .. to - 1, filled by what is in both of these; neither has been changed.
-class Gap {
+class SliceGap {
  public:
-  Gap(int from, int to, const PlaneMetric& metric, glm::ivec2 size)
+  SliceGap(int from, int to, const PlaneMetric& metric, glm::ivec2 size)
       : from_(from), to_(to), metric_(metric), size_(size) {}
 
-  std::vector<Filled> filled(Plane first, Plane second, const CancelToken& cancel) {
+  std::vector<FilledVoxels> filled(SlicePlane first, SlicePlane second, const CancelToken& cancel) {
     PlaneParts firstParts(first), secondParts(second);
     for (std::size_t n = 0; n < first.in.size(); ++n)
       if (first.in[n] && second.in[n])
@@ -180,16 +180,16 @@ class Gap {
     for (const glm::ivec2 p : part.pixels) take(p);
     for (const glm::ivec2 p : other.pixels) take(p - by);
     low -= 1;
-    Plane first(high - low + 2), second(high - low + 2);
+    SlicePlane first(high - low + 2), second(high - low + 2);
     for (const glm::ivec2 p : part.pixels) first.in[first.placeOf(p - low)] = 1;
     for (const glm::ivec2 p : other.pixels) second.in[second.placeOf(p - by - low)] = 1;
     fill(first, second, low, by);
   }
 
   // Pixel p of both planes lies at p + origin in the first slice, and `by` farther in the second.
-  void fill(const Plane& first, const Plane& second, glm::ivec2 origin, glm::ivec2 by) {
-    const Nearest outOfFirst(first, false, metric_), outOfSecond(second, false, metric_);
-    const Nearest inFirst(first, true, metric_), inSecond(second, true, metric_);
+  void fill(const SlicePlane& first, const SlicePlane& second, glm::ivec2 origin, glm::ivec2 by) {
+    const NearestPixel outOfFirst(first, false, metric_), outOfSecond(second, false, metric_);
+    const NearestPixel inFirst(first, true, metric_), inSecond(second, true, metric_);
     for (int y = 0; y < first.size.y; ++y)
       for (int x = 0; x < first.size.x; ++x) {
         const glm::ivec2 p(x, y);
@@ -230,13 +230,13 @@ class Gap {
   const int from_, to_;
   const PlaneMetric metric_;
   const glm::ivec2 size_;
-  std::vector<Filled> filled_;
+  std::vector<FilledVoxels> filled_;
 };
 
 // The voxels of a mask by slices across an axis.
-class Slices {
+class SlicesAcross {
  public:
-  Slices(glm::ivec3 size, int axis)
+  SlicesAcross(glm::ivec3 size, int axis)
       : axis_(axis),
         x_(axis == 0 ? 1 : 0),
         y_(axis == 2 ? 1 : 2),
@@ -253,8 +253,8 @@ class Slices {
     const glm::dvec3 x = geometry.patientFromVoxelStep[x_], y = geometry.patientFromVoxelStep[y_];
     return {glm::dot(x, x), glm::dot(x, y), glm::dot(y, y)};
   }
-  Plane plane(const BitMask& mask, int slice) const {
-    Plane plane(size_);
+  SlicePlane plane(const BitMask& mask, int slice) const {
+    SlicePlane plane(size_);
     for (int y = 0; y < size_.y; ++y)
       for (int x = 0; x < size_.x; ++x) plane.in[plane.placeOf({x, y})] = mask.at(voxel(slice, {x, y}));
     return plane;
@@ -285,21 +285,21 @@ class Slices {
 }  // namespace
 
 BitMask filledBetweenSlices(const BitMask& mask, int axis, const CancelToken& cancel) {
-  const Slices slices(mask.size(), axis);
+  const SlicesAcross slices(mask.size(), axis);
   const std::vector<int> painted = slices.painted(mask);
   if (painted.size() < 2) return mask;
-  std::vector<std::vector<Filled>> filled(painted.size() - 1);
+  std::vector<std::vector<FilledVoxels>> filled(painted.size() - 1);
   parallelFor(std::int64_t(filled.size()), 0, [&](std::int64_t begin, std::int64_t end) {
     for (auto n = std::size_t(begin); n < std::size_t(end) && !cancel.cancelled(); ++n) {
       const int from = painted[n], to = painted[n + 1];
       if (to == from + 1) continue;
-      Gap gap(from, to, slices.metric(mask.geometry()), slices.size());
+      SliceGap gap(from, to, slices.metric(mask.geometry()), slices.size());
       filled[n] = gap.filled(slices.plane(mask, from), slices.plane(mask, to), cancel);
     }
   });
   BitMask result = mask;
   for (const auto& gap : filled)
-    for (const Filled& one : gap)
+    for (const FilledVoxels& one : gap)
       for (int slice = one.first; slice <= one.last; ++slice) result.set(slices.voxel(slice, one.at));
   return result;
 }

@@ -85,23 +85,16 @@ LabelMap::Brick relabelled(const LabelMap::Brick& brick, glm::ivec3 corner, glm:
   if (same) return brick;
   if (!brick.voxels && (none || all)) return {to[all][brick.label], nullptr};
   auto voxels = std::make_shared<LabelMap::Voxels>();
-  std::array<bool, 256> there{};
-  bool changed = false;
   for (int k = 0; k < size.z; ++k)
     for (int j = 0; j < size.y; ++j) {
       const std::uint32_t in = bitsFrom(mask, corner + glm::ivec3(0, j, k));
       const std::size_t first = firstInBrick(j, k);
-      for (std::size_t i = 0; i < std::size_t(size.x); ++i) {
-        const std::uint8_t before = brick.voxels ? (*brick.voxels)[first + i] : brick.label;
-        const std::uint8_t now = to[in >> i & 1][before];
-        (*voxels)[first + i] = now;
-        there[now] = true;
-        changed = changed || now != before;
-      }
+      const std::uint8_t* const from = brick.voxels ? brick.voxels->data() + first : nullptr;
+      std::uint8_t* const now = voxels->data() + first;
+      for (int i = 0; i < size.x; ++i) now[i] = to[in >> i & 1][from ? from[i] : brick.label];
     }
-  if (!changed) return brick;
-  if (std::ranges::count(there, true) == 1) return {(*voxels)[0], nullptr};
-  return {0, std::move(voxels)};
+  const LabelMap::Brick made = LabelMap::Brick::of(std::move(voxels), size);
+  return made == brick ? brick : made;
 }
 
 }  // namespace

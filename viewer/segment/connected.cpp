@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 #include <optional>
 
 #include "viewer/segment/bit_rows.h"

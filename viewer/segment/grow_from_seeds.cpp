@@ -67,10 +67,10 @@ VoxelBox withMargin(const VoxelBox& seeds, const VoxelGeometry& geometry, double
 }
 
 // Values as whole steps: the range (P0.1 to P99.9) in the middle, and 1.5 of it on both sides.
-struct Levels {
+struct SeedLevels {
   double low, perValue;
 
-  explicit Levels(const Volume& volume) {
+  explicit SeedLevels(const Volume& volume) {
     const std::vector<float> at = percentiles(volume, {1, 999});
     ValueRange range{at[0], at[1]};
     if (range.low == range.high) range = valueRange(volume);
@@ -84,26 +84,26 @@ struct Levels {
 };
 
 // A voxel that was reached and has not told its neighbours.
-struct Pending {
+struct GrowthPending {
   Cost cost;
   std::uint16_t voxel;
 };
 
 // What a voxel of another tile is told.
-struct Message {
+struct GrowthMessage {
   Cost cost;
   std::uint16_t voxel;
   std::uint8_t label;
 };
 
 // The voxels of a brick. Those that are not to be reached cost nothing: nothing is cheaper.
-struct Tile {
+struct GrowthTile {
   std::array<Cost, tileVoxels> cost;
   std::array<std::uint16_t, tileVoxels> level;
   LabelMap::Voxels label;
-  std::vector<Pending> pending;
-  Cost earliest = unreached;                // of `pending`, or before it
-  std::array<std::vector<Message>, 6> out;  // to the tiles before and behind it, along i, j, k
+  std::vector<GrowthPending> pending;
+  Cost earliest = unreached;                      // of `pending`, or before it
+  std::array<std::vector<GrowthMessage>, 6> out;  // to the tiles before and behind it, along i, j, k
 
   bool improve(int voxel, Cost by, std::uint8_t from) {
     if (by > cost[std::size_t(voxel)] ||
@@ -156,7 +156,7 @@ class Growth {
     for (int a = 0; a < 3; ++a)
       step_[a] = int(std::lround(std::clamp(locality * costsOfRange * spacing[a], 0.0, mostPerStep)));
     tiles_.resize(std::size_t(bricks_.x) * std::size_t(bricks_.y) * std::size_t(bricks_.z));
-    const Levels levels(volume);
+    const SeedLevels levels(volume);
     overTiles([&](std::size_t n) { make(n, levels); });
   }
 
@@ -216,11 +216,11 @@ class Growth {
     return (std::int64_t(k) * volume_.size().y + j) * volume_.size().x;
   }
 
-  void make(std::size_t n, const Levels& levels);
+  void make(std::size_t n, const SeedLevels& levels);
   void follow(std::size_t n, Cost from, BucketQueue& queue);
   void hear(std::size_t n);
   // The tile before (side 0) or behind (1) another along an axis; null where there is none.
-  Tile* neighbour(std::size_t n, int axis, int side) const {
+  GrowthTile* neighbour(std::size_t n, int axis, int side) const {
     const std::ptrdiff_t stride = axis == 0   ? 1
                                   : axis == 1 ? bricks_.x
                                               : std::ptrdiff_t(bricks_.x) * bricks_.y;
@@ -235,14 +235,14 @@ class Growth {
   const glm::ivec3 bricks_;
   const CancelToken& cancel_;
   glm::ivec3 step_{0};  // what a step along each axis costs by its length
-  std::vector<std::unique_ptr<Tile>> tiles_;
+  std::vector<std::unique_ptr<GrowthTile>> tiles_;
 };
 
-void Growth::make(std::size_t n, const Levels& levels) {
+void Growth::make(std::size_t n, const SeedLevels& levels) {
   const VoxelBox part = partOf(n);
   if (part.low.x > part.high.x || part.low.y > part.high.y || part.low.z > part.high.z) return;
-  tiles_[n] = std::make_unique_for_overwrite<Tile>();
-  Tile& tile = *tiles_[n];
+  tiles_[n] = std::make_unique_for_overwrite<GrowthTile>();
+  GrowthTile& tile = *tiles_[n];
   tile.cost.fill(0);
   tile.level.fill(0);
   tile.label.fill(0);
@@ -268,13 +268,13 @@ void Growth::make(std::size_t n, const Levels& levels) {
 
 // Follows all paths of a tile through costs of from .. from + windowCosts - 1.
 void Growth::follow(std::size_t n, Cost from, BucketQueue& queue) {
-  Tile& tile = *tiles_[n];
-  std::array<Tile*, 6> beside{};
+  GrowthTile& tile = *tiles_[n];
+  std::array<GrowthTile*, 6> beside{};
   for (int d = 0; d < 6; ++d) beside[std::size_t(d)] = neighbour(n, d / 2, d % 2);
-  std::vector<Pending> pending;
+  std::vector<GrowthPending> pending;
   pending.swap(tile.pending);
   tile.earliest = unreached;
-  for (const Pending& one : pending) {
+  for (const GrowthPending& one : pending) {
     if (tile.cost[one.voxel] != one.cost) continue;  // it has been reached cheaper since
     if (one.cost - from < windowCosts)
       queue.push(one.cost - from, one.voxel);
@@ -287,12 +287,12 @@ void Growth::follow(std::size_t n, Cost from, BucketQueue& queue) {
       if (tile.cost[at] != from + bucket) continue;
       const int level = tile.level[at];
       const std::uint8_t label = tile.label[at];
-      // Along each axis, before and behind; d counts as in Tile::out.
+      // Along each axis, before and behind; d counts as in GrowthTile::out.
       const auto tell = [&]<int d>(std::integral_constant<int, d>) {
         constexpr int stride = tileStride[d / 2], toNext = d % 2 ? stride : -stride;
         const bool leaves = voxel / stride % tileEdge == (d % 2 ? tileEdge - 1 : 0);
         const int next = leaves ? voxel - (tileEdge - 1) * toNext : voxel + toNext;
-        Tile* const to = leaves ? beside[d] : &tile;
+        GrowthTile* const to = leaves ? beside[d] : &tile;
         if (!to) return;
         const int difference = std::abs(level - int(to->level[std::size_t(next)]));
         const Cost cost = from + bucket + Cost(std::max(1, difference + step_[d / 2]));
@@ -315,12 +315,12 @@ void Growth::follow(std::size_t n, Cost from, BucketQueue& queue) {
 // Takes in what neighbours have told a tile.
 void Growth::hear(std::size_t n) {
   if (!tiles_[n]) return;
-  Tile& tile = *tiles_[n];
+  GrowthTile& tile = *tiles_[n];
   for (int d = 0; d < 6; ++d) {
-    Tile* const from = neighbour(n, d / 2, d % 2);
+    GrowthTile* const from = neighbour(n, d / 2, d % 2);
     if (!from) continue;
     auto& told = from->out[std::size_t(d ^ 1)];
-    for (const Message& one : told)
+    for (const GrowthMessage& one : told)
       if (tile.improve(one.voxel, one.cost, one.label)) tile.wait(one.voxel, one.cost);
     told.clear();
   }

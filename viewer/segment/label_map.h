@@ -42,6 +42,8 @@ class LabelMap {
   struct Brick {
     std::uint8_t label = 0;                ///< of all its voxels
     std::shared_ptr<const Voxels> voxels;  ///< null where all have that one label; then only
+    /// Of these voxels, of which the first `size` lie in the grid.
+    static Brick of(std::shared_ptr<const Voxels> voxels, glm::ivec3 size);
     bool operator==(const Brick& other) const;
   };
   const Brick& brick(std::size_t n) const { return held_[n]; }

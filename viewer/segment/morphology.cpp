@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "viewer/segment/bit_rows.h"
 #include "viewer/segment/spread.h"
@@ -115,7 +116,7 @@ BitMask closed(const BitMask& mask, double radiusMm, const CancelToken& cancel) 
   if (!box || !(radiusMm > 0)) return mask;
   const VoxelGeometry& grid = mask.geometry();
   const glm::ivec3 flat(glm::equal(grid.size, glm::ivec3(1)));
-  const auto ball = ballOf(grid, radiusMm, (1 - flat) * 2 * grid.size);
+  const auto ball = ballOf(grid, radiusMm, (1 - flat) * glm::max(2 * grid.size, 32));
   // What grows beyond the box of the mask is needed on the way; all that stays is in it.
   const VoxelBox around = larger(*box, reachOf(ball));
   const BitMask before = movedOnto(boxGrid(grid, around), mask, around.low);

@@ -124,6 +124,7 @@ OccupancyField occupancyOf(const BitMask& mask, double sigma, const CancelToken&
   const auto kernel = GaussianKernel::inVoxels(sigma), lineKernel = GaussianKernel::inVoxels(lineSigma);
   const BitMask none(mask.geometry());
   const ThinParts parts = sigma > 0 ? thinPartsOf(mask, cancel) : ThinParts{none, none};
+  if (cancel.cancelled()) return field;
   field.box = grownBox(*box, glm::max(kernel.reach(), lineKernel.reach()) + 1);
   const glm::i64vec3 size = field.size();
   field.values = zeros<float>(std::size_t(size.x * size.y * size.z));

@@ -25,7 +25,7 @@ struct OccupancyField {
 /// at most 0.36: lines stay in one piece, whichever way they run. Clamped to at least 1/2 + 0.02 at voxels of
 /// the segment and at most 1/2 - 0.02 at all others: the surface passes between the centres of voxels inside
 /// and outside, never elsewhere. Beyond the grid nothing is inside. Of no voxels the box is empty (high <
-/// low). On all cores; a cancelled one is returned half done.
+/// low). On all cores; a cancelled one is half done, or has no box.
 OccupancyField occupancyOf(const BitMask& mask, double sigma, const CancelToken& cancel = {});
 inline constexpr double surfaceSigma = 0.7;  ///< voxels: of pictures and of files alike
 

@@ -1,9 +1,8 @@
 #include "viewer/segment/parts.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
-
-#include "viewer/segment/bit_rows.h"
 
 namespace volumen {
 

@@ -1,6 +1,7 @@
 #include "viewer/segment/runs.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "viewer/segment/bit_rows.h"
 #include "viewer/volume/parallel.h"

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "viewer/segment/bit_rows.h"
 #include "viewer/volume/parallel.h"

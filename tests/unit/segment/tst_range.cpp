@@ -1,6 +1,7 @@
 // Guards design.md 8 (segmentation by value range) and picture.md 1 (voxel volume).
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 
 #include "tests/fixtures/seeds.h"

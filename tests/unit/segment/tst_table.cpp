@@ -1,4 +1,7 @@
 // Guards the patient without the table: what is taken away, what stays, in any grid and storage.
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <random>
 
 #include "tests/fixtures/ct_with_table.h"
