@@ -34,6 +34,8 @@ class TestSegmentationDicom : public QObject {
   void pydicomReadsTheSame();
   void coloursComeBackAsTheyWent();
   void whatIsNotSaidIsFilledIn();
+  void itNamesItsPictures();
+  void sameContentsGiveTheSameFile();
   void slicesBetweenPicturesAreLeftOutAndTold();
   void labelsOfAnotherGridAreThoseOfTheNearestVoxel();
   void framesOfOneFileAreNamed();
@@ -118,6 +120,21 @@ Segment randomSegment(int number, Chance& chance) {
 bool sameSaid(const Segment& a, const Segment& b) {
   return a.label == b.label && a.category == b.category && a.type == b.type && a.modifier == b.modifier &&
          a.colour == b.colour && a.algorithm == b.algorithm;
+}
+
+/// Whether each of these is in one of the maps, of which there are several only where segments overlap.
+bool areHeldBy(const std::vector<Segmented>& maps, const std::vector<SegmentVoxels>& in) {
+  bool overlap = false;
+  for (std::size_t a = 0; a < in.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) overlap = overlap || !intersected(in[a].mask, in[b].mask).empty();
+    bool held = false;
+    for (const Segmented& map : maps)
+      for (const Segment& segment : map.segments)
+        held = held || (sameSaid(segment, in[a].segment) &&
+                        maskOf(map.labels, std::uint8_t(segment.number)) == in[a].mask);
+    if (!held) return false;
+  }
+  return (maps.size() > 1) == overlap;
 }
 
 std::string textOf(DcmItem& item, const DcmTagKey& tag) {
@@ -210,24 +227,12 @@ void TestSegmentationDicom::masksComeBackAsTheyWent() {
     QVERIFY2(out, out ? "" : (where + out.message().c_str()));
     QCOMPARE(out->segments.size(), in.size());
     const std::vector<BitMask> byDcmtk = readByDcmtk(slices.seg(), slices.grid, in.size());
-    const std::vector<Segmented> maps = segmentedOf(*out, slices.grid);
     for (std::size_t n = 0; n < in.size(); ++n) {
       QVERIFY2(sameSaid(out->segments[n], in[n].segment), where);
       QVERIFY2(maskOf(*out, n, slices.grid) == in[n].mask, where);
       QVERIFY2(byDcmtk[n] == in[n].mask, where);
     }
-    // Each is in one of the maps, and maps overlap only where segments do.
-    std::size_t found = 0;
-    for (const Segmented& map : maps)
-      for (const Segment& segment : map.segments)
-        for (std::size_t n = 0; n < in.size(); ++n)
-          found += sameSaid(segment, in[n].segment) &&
-                   maskOf(map.labels, std::uint8_t(segment.number)) == in[n].mask;
-    QVERIFY2(found >= in.size(), where);
-    bool overlap = false;
-    for (std::size_t a = 0; a < in.size(); ++a)
-      for (std::size_t b = 0; b < a; ++b) overlap = overlap || !intersected(in[a].mask, in[b].mask).empty();
-    QCOMPARE(maps.size() > 1, overlap);
+    QVERIFY2(areHeldBy(segmentedOf(*out, slices.grid), in), where);
   }
 }
 
@@ -342,8 +347,7 @@ void TestSegmentationDicom::whatIsNotSaidIsFilledIn() {
   in[0].segment.range = ValueRange{150, 3000};
   in[0].segment.trackingId = "lesion 1";
   in[1].segment.type = tissueNamed("Liver")->type;  // without a category or a colour
-  const SegmentationTags tags{.description = "Bones", .date = "20260102", .time = "030405"};
-  const auto notes = writeSegmentationDicom(in, slices.series, tags, slices.seg());
+  const auto notes = writeSegmentationDicom(in, slices.series, {}, slices.seg());
   QVERIFY2(notes, notes ? "" : notes.message().c_str());
   QVERIFY(isSaid(*notes, "Written as Tissue, for there is no code of them: bone, "));
   QVERIFY(isSaid(*notes, "at most 64 characters"));
@@ -359,7 +363,16 @@ void TestSegmentationDicom::whatIsNotSaidIsFilledIn() {
   QCOMPARE(said[2].label, longName.substr(0, 64));
   QCOMPARE(said[3].label, std::string("a b c"));
   QVERIFY(said[0].number == 1 && said[3].number == 4);
+}
 
+void TestSegmentationDicom::itNamesItsPictures() {
+  Chance chance(3);
+  const Slices slices({9, 7}, even(4, 2.5), chance);
+  BitMask mask(slices.grid);
+  mask.set({1, 2, 3});
+  const std::vector<SegmentVoxels> in{{randomSegment(1, chance), mask}, {randomSegment(2, chance), mask}};
+  const SegmentationTags tags{.description = "Bones", .date = "20260102", .time = "030405"};
+  QVERIFY(writeSegmentationDicom(in, slices.series, tags, slices.seg()).ok());
   DcmFileFormat file;
   QVERIFY(file.loadFile(OFFilename(slices.seg().c_str())).good());
   DcmDataset& data = *file.getDataset();
@@ -387,13 +400,27 @@ void TestSegmentationDicom::whatIsNotSaidIsFilledIn() {
              DCM_SourceImageSequence);
   QCOMPARE(textOf(*source, DCM_ReferencedSOPInstanceUID), uids[3]);
   QCOMPARE(textOf(*source, DCM_SpatialLocationsPreserved), std::string("YES"));
-  // The same contents give the same file; another time another object.
-  QFile first(QString::fromStdString(slices.seg()));
-  QVERIFY(first.open(QIODevice::ReadOnly));
-  const QByteArray before = first.readAll();
-  first.close();
-  QVERIFY(writeSegmentationDicom(in, slices.series, tags, slices.seg()).ok());
-  QVERIFY(first.open(QIODevice::ReadOnly) && first.readAll() == before);
+}
+
+void TestSegmentationDicom::sameContentsGiveTheSameFile() {
+  Chance chance(4);
+  const Slices slices({9, 7}, even(4, 2.5), chance);
+  const std::vector<SegmentVoxels> in{{randomSegment(1, chance), inverted(BitMask(slices.grid))}};
+  const auto written = [&](const SegmentationTags& tags) {
+    QFile file(QString::fromStdString(slices.seg()));
+    const bool done = writeSegmentationDicom(in, slices.series, tags, slices.seg()).ok();
+    return done && file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  };
+  const auto instanceOf = [&] {
+    DcmFileFormat file;
+    return file.loadFile(OFFilename(slices.seg().c_str())).good()
+               ? textOf(*file.getDataset(), DCM_SOPInstanceUID)
+               : std::string();
+  };
+  const QByteArray first = written({.date = "20260102", .time = "030405"});
+  const std::string instance = instanceOf();
+  QVERIFY(!first.isEmpty() && written({.date = "20260102", .time = "030405"}) == first);
+  QVERIFY(written({.date = "20260102", .time = "030406"}) != first && instanceOf() != instance);
 }
 
 void TestSegmentationDicom::slicesBetweenPicturesAreLeftOutAndTold() {
