@@ -3,8 +3,8 @@
 #include "ui/controller/derived_objects.h"
 #include "ui/views/contour_lines.h"
 #include "ui/views/flat_view.h"
-#include "ui/widgets/region_colours.h"
 #include "ui/workspace/key_images.h"
+#include "ui/workspace/region_colours.h"
 
 namespace volumen {
 
