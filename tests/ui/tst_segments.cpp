@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <nlohmann/json.hpp>
 
 #include "io/export/seg_nrrd.h"
 #include "tests/ui/journey.h"
@@ -15,6 +16,7 @@
 #include "ui/controller/autosave.h"
 #include "ui/controller/open_session.h"
 #include "ui/controller/segment_files.h"
+#include "ui/workspace/segments.h"
 #include "viewer/segment/label_statistics.h"
 
 using namespace volumen;
@@ -27,6 +29,8 @@ class TestSegments : public QObject {
   void aSegmentIsOneStep();
   void theSameOnceMoreIsNone();
   void aSegmentStaysWithItsSeries();
+  void sessionsKeepTwo();
+  void sessionsOfBeforeOpen();
   void sessionsKeepIt_data();
   void sessionsKeepIt();
   void whatIsNotBesideTheSessionIsMissing_data();
@@ -48,12 +52,12 @@ struct Segmented : Journey {
   explicit Segmented(const QStringList& paths = {sphere}) : Journey(paths) { settle(); }
 
   QString result() { return child<QLabel>("segmentResult")->text(); }
-  bool segment(double low, double high) {
+  bool segment(double low, double high, const char* button = "segment") {
     child<QDockWidget>("segmentDock")->raise();
     child<QDoubleSpinBox>("segmentLow")->setValue(low);
     child<QDoubleSpinBox>("segmentHigh")->setValue(high);
     const QString before = result();
-    QTest::mouseClick(child<QPushButton>("segment"), Qt::LeftButton);
+    QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton);
     return QTest::qWaitFor([&] { return result().contains(QStringLiteral("voxels")) && result() != before; },
                            longest);
   }
@@ -82,8 +86,11 @@ void TestSegments::aSegmentIsOneStep() {
   QCOMPARE(w.undoStack().count(), 1);
   QCOMPARE(w.map().segments.front().label, std::string("0.5 to 1"));
   const QString ball = w.result();
-  QVERIFY(w.segment(0, 0.4));
-  QCOMPARE(w.workspace().segmentMaps.size(), std::size_t(1));  // in place of the first
+  QVERIFY(w.segment(0, 0.4, "segmentReplace"));
+  QCOMPARE(w.undoStack().count(), 2);
+  QCOMPARE(w.workspace().segmentMaps.size(), std::size_t(1));
+  QCOMPARE(w.map().segments.size(), std::size_t(1));  // in place of the first
+  QCOMPARE(w.map().segments.front().label, std::string("0 to 0.4"));
   w.undo();
   QVERIFY(w.workspace() == with);
   QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
@@ -99,9 +106,12 @@ void TestSegments::theSameOnceMoreIsNone() {
   Segmented w;
   QVERIFY(w.segment(0.5, 1));
   const QString ball = w.result();
-  QTest::mouseClick(w.child<QPushButton>("segment"), Qt::LeftButton);
+  const Workspace once = w.workspace();
+  QTest::mouseClick(w.child<QPushButton>("segmentReplace"), Qt::LeftButton);
   QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
+  QVERIFY(w.window.jobs().rows().empty());
   QCOMPARE(w.undoStack().count(), 1);
+  QVERIFY(w.workspace() == once);
 }
 
 void TestSegments::aSegmentStaysWithItsSeries() {
@@ -121,6 +131,58 @@ void TestSegments::aSegmentStaysWithItsSeries() {
   w.window.open({sphere});
   QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
   QVERIFY(w.map() == made);
+}
+
+// Both, with all that was chosen for them.
+void TestSegments::sessionsKeepTwo() {
+  const SessionFolder folder;
+  Segmented w;
+  QVERIFY(w.segment(0.5, 1));
+  QVERIFY(w.segment(0, 0.4));
+  QCOMPARE(w.map().segments.size(), std::size_t(2));
+  const SeriesKey series = w.map().series;
+  w.window.session().change(QStringLiteral("test"),
+                            withSegmentChanged(w.workspace(), series, 1, [](Segment& s) {
+                              s.label = "B\xc3\xa4ll";
+                              s.visible = false;
+                              s.locked = true;
+                              s.opacity = 0.25;
+                              s.type = {"272673000", "SCT", "Bone"};
+                              s.modifier = {"7771000", "SCT", "Left"};
+                            }));
+  w.window.session().change(QStringLiteral("test"), withCurrentSegment(w.workspace(), series, 1));
+  const std::string path = saved(folder, w.workspace());
+  QCOMPARE(labelFiles(folder).size(), 1);
+  const auto opened = openSession(path);
+  QVERIFY(opened && opened->problems.isEmpty());
+  QVERIFY(opened->workspace == w.workspace());
+  QCOMPARE(currentSegment(opened->workspace.segmentMaps.front())->number, 1);
+}
+
+// A category and a type were their meanings alone, and there was no more of a look.
+void TestSegments::sessionsOfBeforeOpen() {
+  const SessionFolder folder;
+  Segmented w;
+  QVERIFY(w.segment(0.5, 1));
+  const std::string path = saved(folder, w.workspace());
+  QFile file(QString::fromStdString(path));
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(file.readAll().toStdString());
+  file.close();
+  auto& map = json.at("segmentMaps").at(0);
+  map.erase("current");
+  auto& segment = map.at("segments").at(0);
+  for (const char* name : {"visible", "locked", "opacity"}) segment.erase(name);
+  segment["category"] = "Tissue";
+  segment["type"] = "Bone";
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(QByteArray::fromStdString(json.dump()));
+  file.close();
+  const auto opened = openSession(path);
+  QVERIFY2(opened, opened ? "" : opened.message().c_str());
+  const Segment read = opened->workspace.segmentMaps.front().segments.front();
+  QVERIFY(read.category == (Code{"", "", "Tissue"}) && read.type == (Code{"", "", "Bone"}));
+  QVERIFY(read.visible && !read.locked && read.opacity == 1 && read.label == "0.5 to 1");
 }
 
 void TestSegments::sessionsKeepIt_data() {
