@@ -9,6 +9,7 @@
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/segment_window.h"
+#include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/export_segments.h"
 #include "ui/controller/segment_layer.h"
@@ -33,6 +34,7 @@ class TestSegmentList : public QObject {
   void pixelsAreThoseOfTheNearestVoxel_data();
   void pixelsAreThoseOfTheNearestVoxel();
   void theyAreCarriedOntoAnotherPlane();
+  void slicesShowThoseOfTheSeriesOverThem();
   void aRangeIsTintedWhileItIsTyped();
   void theyAreExportedByTheirEnding();
 };
@@ -272,6 +274,43 @@ void TestSegmentList::theyAreCarriedOntoAnotherPlane() {
   plane.centre -= layer.fromPlane.translation;
   QVERIFY(withSegments(black, plane, layer) == there);
   QVERIFY(there != black.convertToFormat(QImage::Format_RGB32));
+}
+
+// A PET that lies over a CT, its ball a segment: at the same place, in its colour.
+void TestSegmentList::slicesShowThoseOfTheSeriesOverThem() {
+  const LoadedSeriesPtr pet = petIn("A");
+  MeasureWindow w(ballIn("A"));
+  w.session().keep(pet);
+  w.session().change(QStringLiteral("test"), withOverlay(w.session().workspace(), axialViewId, &pet->series));
+  const auto layers = [&] { return w.view()->requestFor(w.view()->pixels())->segments; };
+  QVERIFY(layers().empty());
+  const VoxelGeometry& grid = pet->volume->geometry();
+  BitMask ball(grid);
+  for (int k = 0; k < grid.size.z; ++k)
+    for (int j = 0; j < grid.size.y; ++j)
+      for (int i = 0; i < grid.size.x; ++i)
+        if (pet->volume->value(i, j, k) > 0) ball.set({i, j, k});
+  Segment segment;
+  segment.number = 5;
+  segment.colour = glm::u8vec3(0, 255, 0);
+  w.session().change(QStringLiteral("test"),
+                     withSegmentMap(w.session().workspace(),
+                                    {keyOf(pet->series),
+                                     {segment},
+                                     std::make_shared<const LabelMap>(withLabel(LabelMap(grid), 5, ball)),
+                                     {}}));
+  QCOMPARE(layers().size(), std::size_t(1));
+  QVERIFY(layers().front().fromPlane == Rigid{});
+  const auto at = [&](glm::dvec3 p) {
+    const glm::dvec2 pixel = w.view()->plane()->pixelFromPatient(p);
+    return w.view()->picture().pixel(int(pixel.x), int(pixel.y));
+  };
+  const glm::dvec3 middle = w.view()->plane()->centre;
+  const auto isGreen = [&](QRgb c) { return qGreen(c) > qRed(c) + 20 && qGreen(c) > qBlue(c) + 20; };
+  QTRY_VERIFY_WITH_TIMEOUT(isGreen(at(middle)), longest);
+  QVERIFY(!isGreen(at(middle + glm::dvec3(13, 0, 0))));
+  w.undo();
+  QVERIFY(layers().empty());
 }
 
 void TestSegmentList::aRangeIsTintedWhileItIsTyped() {

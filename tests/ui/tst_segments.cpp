@@ -10,10 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "io/export/seg_nrrd.h"
+#include "tests/fixtures/chance.h"
 #include "tests/ui/journey.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/autosave.h"
+#include "ui/controller/label_changes.h"
 #include "ui/controller/open_session.h"
 #include "ui/controller/segment_files.h"
 #include "ui/workspace/segments.h"
@@ -29,6 +31,8 @@ class TestSegments : public QObject {
   void aSegmentIsOneStep();
   void theSameOnceMoreIsNone();
   void aSegmentStaysWithItsSeries();
+  void autosaveKeepsWhatChanged();
+  void changesMakeTheOtherMap();
   void sessionsKeepTwo();
   void sessionsOfBeforeOpen();
   void sessionsKeepIt_data();
@@ -131,6 +135,58 @@ void TestSegments::aSegmentStaysWithItsSeries() {
   w.window.open({sphere});
   QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
   QVERIFY(w.map() == made);
+}
+
+// The first map whole, and of each one that follows what is different.
+void TestSegments::autosaveKeepsWhatChanged() {
+  Workspace with;
+  {
+    Segmented w;
+    const auto files = [](const char* ending) {
+      return int(QDir(Autosave::folder()).entryList({QLatin1Char('*') + QLatin1String(ending)}).size());
+    };
+    QVERIFY(w.segment(0.5, 1));
+    QTRY_COMPARE_WITH_TIMEOUT(files(".seg.nrrd"), 1, longest);
+    QVERIFY(w.segment(0, 0.4));
+    QTRY_COMPARE_WITH_TIMEOUT(files(".labels"), 1, longest);
+    QCOMPARE(files(".seg.nrrd"), 1);
+    with = w.workspace();
+    w.window.end();
+  }
+  Journey w;
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("offerBar")->isVisible(), longest);
+  QTest::mouseClick(w.child<QWidget>("offerAccept"), Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(w.window.session().workspace().segmentMaps.size(), std::size_t(1), longest);
+  QVERIFY(w.window.session().workspace().segmentMaps == with.segmentMaps);
+  w.window.end();
+}
+
+// Maps by chance, in bricks of which some are cut by the end of the grid; damaged bytes make none or another.
+void TestSegments::changesMakeTheOtherMap() {
+  Chance chance(5);
+  const std::string checksum(40, 'a');
+  for (int n = 0; n < 50; ++n) {
+    VoxelGeometry grid;
+    grid.size = {1 + chance.below(70), 1 + chance.below(40), 1 + chance.below(70)};
+    const auto edited = [&](const LabelMap& from, int count) {
+      LabelEdit edit(from);
+      while (count-- > 0)
+        edit.set({chance.below(grid.size.x), chance.below(grid.size.y), chance.below(grid.size.z)},
+                 std::uint8_t(chance.below(256)));
+      return edit.done();
+    };
+    const LabelMap base = edited(LabelMap(grid), chance.below(2000)),
+                   map = edited(chance.oneIn(4) ? LabelMap(grid) : base, chance.below(50));
+    const QByteArray changes = labelChanges(base, checksum, map);
+    QCOMPARE(baseOfChanges(changes), std::optional(checksum));
+    const auto made = withLabelChanges(base, changes);
+    QVERIFY(made && *made == map);
+    QVERIFY(!withLabelChanges(base, changes.left(chance.below(int(changes.size())))));
+    QByteArray damaged = changes;
+    damaged[chance.below(int(damaged.size()))] = char(chance.below(256));
+    (void)withLabelChanges(base, damaged);
+    (void)withLabelChanges(LabelMap(VoxelGeometry{}), changes);
+  }
 }
 
 // Both, with all that was chosen for them.

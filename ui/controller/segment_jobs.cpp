@@ -13,7 +13,8 @@ namespace volumen {
 namespace {
 
 // With the work done to the segment of this number.
-Result<SegmentMap> done(const SegmentWork& work, SegmentMap map, int number, const CancelToken& cancel) try {
+Result<SegmentMap> workDone(const SegmentWork& work, SegmentMap map, int number,
+                            const CancelToken& cancel) try {
   if (!work.make) return withoutSegment(std::move(map), number);
   const Result<BitMask> mask = work.make(map, number, cancel);
   if (!mask) return mask.error();
@@ -101,7 +102,7 @@ void SegmentJobs::begin(const SegmentWork& work, const SegmentMap& base) {
   change_.run(
       JobName(work.doing),
       [work, number, map = segmentMapOn(with, work.series, work.volume->geometry())](const Job& job) {
-        return done(work, map, number, job.cancel());
+        return workDone(work, map, number, job.cancel());
       },
       [this, base](const Result<SegmentMap>& made) { take(base, made); }, [this] { drop(); });
 }

@@ -48,7 +48,7 @@ struct LabelledPixels {
   }
 };
 
-LabelledPixels pixelsOf(const SegmentPlaces& places, const SlicePlane& plane) {
+LabelledPixels labelledPixels(const SegmentPlaces& places, const SlicePlane& plane) {
   LabelledPixels pixels(reachOf(places, plane));
   for (int y = pixels.area.top(); y <= pixels.area.bottom(); ++y)
     for (int x = pixels.area.left(); x <= pixels.area.right(); ++x)
@@ -57,7 +57,7 @@ LabelledPixels pixelsOf(const SegmentPlaces& places, const SlicePlane& plane) {
 }
 
 // From pixel to pixel the voxel goes on by the same step.
-LabelledPixels pixelsOf(const LabelMap& map, const SlicePlane& plane, const SegmentLayer& layer) {
+LabelledPixels labelledPixels(const LabelMap& map, const SlicePlane& plane, const SegmentLayer& layer) {
   std::array<std::uint8_t, 256> shownAs{};
   for (std::size_t n = 0; n < layer.shown.size(); ++n)
     shownAs[layer.shown[n].segment & 255] = std::uint8_t(n + 1);
@@ -105,12 +105,12 @@ QImage withSegments(QImage picture, const SlicePlane& plane, const SegmentLayer&
   if (picture.format() != QImage::Format_RGB32) picture = picture.convertToFormat(QImage::Format_RGB32);
   if (layer.labels) {
     if (!layer.shown.empty())
-      paint(picture, pixelsOf(*layer.labels, plane, layer), layer.shown, layer.opacity);
+      paint(picture, labelledPixels(*layer.labels, plane, layer), layer.shown, layer.opacity);
     return picture;
   }
   for (const SegmentLayer::Shown& shown : layer.shown) {
     const SegmentPlaces places(*layer.segmentation, shown.segment);
-    paint(picture, pixelsOf(places, plane), std::span(&shown, 1), layer.opacity);
+    paint(picture, labelledPixels(places, plane), std::span(&shown, 1), layer.opacity);
   }
   return picture;
 }

@@ -39,7 +39,7 @@ QToolButton* listButton(const char* name, const QString& text) {
   return made;
 }
 
-int numberOf(const QTreeWidgetItem* item) { return item->data(shownColumn, Qt::UserRole).toInt(); }
+int segmentNumberOf(const QTreeWidgetItem* item) { return item->data(shownColumn, Qt::UserRole).toInt(); }
 
 QIcon swatchOf(const QColor& colour) {
   QPixmap pixmap(12, 12);
@@ -55,7 +55,7 @@ QString codesText(const Segment& segment) {
   return codes.join(QStringLiteral(", "));
 }
 
-void offer(QWidget* control, const QString& says, const QString& whyNot) {
+void offerControl(QWidget* control, const QString& says, const QString& whyNot) {
   control->setEnabled(whyNot.isEmpty());
   control->setToolTip(toolTipOf(QStringList{says, whyNot}));
 }
@@ -191,13 +191,14 @@ void SegmentList::showButtons() {
   const QString whyNoCurrent = !whyNone.isEmpty() ? whyNone
                                : current          ? QString()
                                                   : tr("There is no segment yet.");
-  offer(add_, tr("Another segment, without voxels."), whyNoMore);
-  offer(duplicate_, tr("A segment with these codes and a name alike, without voxels: each voxel is in one."),
-        whyNoCurrent.isEmpty() ? whyNoMore : whyNoCurrent);
-  offer(remove_, tr("Removes the segment and its voxels (Del)."),
-        whyNoCurrent.isEmpty() ? whyNotChanged(session_) : whyNoCurrent);
-  offer(colour_, tr("Colour of the segment"), whyNoCurrent);
-  offer(opacity_, tr("Opacity of the segment"), whyNoCurrent);
+  offerControl(add_, tr("Another segment, without voxels."), whyNoMore);
+  offerControl(duplicate_,
+               tr("A segment with these codes and a name alike, without voxels: each voxel is in one."),
+               whyNoCurrent.isEmpty() ? whyNoMore : whyNoCurrent);
+  offerControl(remove_, tr("Removes the segment and its voxels (Del)."),
+               whyNoCurrent.isEmpty() ? whyNotChanged(session_) : whyNoCurrent);
+  offerControl(colour_, tr("Colour of the segment"), whyNoCurrent);
+  offerControl(opacity_, tr("Opacity of the segment"), whyNoCurrent);
 }
 
 void SegmentList::showMeasured(const SegmentNumbers& numbers) {
@@ -208,7 +209,7 @@ void SegmentList::showMeasured(const SegmentNumbers& numbers) {
 // An empty name is none.
 void SegmentList::itemChanged(QTreeWidgetItem* item, int column) {
   const SegmentMap* map = segmentsShown(session_);
-  const Segment* segment = map ? findSegment(*map, numberOf(item)) : nullptr;
+  const Segment* segment = map ? findSegment(*map, segmentNumberOf(item)) : nullptr;
   if (!segment) return;
   const QString name = item->text(shownColumn).trimmed(), before = shownText(segment->label);
   const bool isOn = item->checkState(column) == Qt::Checked;
@@ -233,8 +234,9 @@ void SegmentList::edit(const QString& text, int number, const std::function<void
 
 void SegmentList::choose(const QTreeWidgetItem* item) {
   if (!item || !segmentsShown(session_)) return;
-  session_.change(tr("Choose a segment"),
-                  withCurrentSegment(session_.workspace(), keyOf(session_.series()->series), numberOf(item)));
+  session_.change(
+      tr("Choose a segment"),
+      withCurrentSegment(session_.workspace(), keyOf(session_.series()->series), segmentNumberOf(item)));
   session_.endGesture();
 }
 
