@@ -47,7 +47,7 @@ QIcon swatchOf(const QColor& colour) {
   return pixmap;
 }
 
-// "Bone: Tissue, Bone, Left (12 to 40)".
+// "Tissue, Bone, Left".
 QString codesText(const Segment& segment) {
   QStringList codes;
   for (const Code* code : {&segment.category, &segment.type, &segment.modifier})
@@ -82,7 +82,7 @@ SegmentList::SegmentList(Session& session, QWidget* parent)
 void SegmentList::makeLayout() {
   list_->setObjectName(QStringLiteral("segmentList"));
   list_->setAccessibleName(tr("Segments"));
-  list_->setHeaderLabels({tr("Shown"), tr("Locked"), tr("ml")});
+  list_->setHeaderLabels({tr("Shown, name"), tr("Locked"), tr("ml")});
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
@@ -97,6 +97,7 @@ void SegmentList::makeLayout() {
   opacity_->setObjectName(QStringLiteral("segmentFill"));
   opacity_->setAccessibleName(tr("Opacity of the segment"));
   opacity_->setRange(0, 100);
+  opacity_->setMinimumWidth(40);
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
   for (QWidget* part : {static_cast<QWidget*>(add_), static_cast<QWidget*>(duplicate_),

@@ -75,6 +75,8 @@ void SegmentRange::makeLayout() {
   spans_->setAccessibleName(tr("Visible value range"));
   use_->setAccessibleName(tr("What becomes of a connected part"));
   use_->addItems({tr("adds it, of the range"), tr("keeps only it"), tr("removes it")});
+  use_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  use_->setMinimumContentsLength(6);
   use_->setToolTip(toolTipOf(tr("What a click does. Ctrl+click keeps only the part, Alt+click removes it.")));
   auto* fields = new QHBoxLayout;
   fields->addWidget(plainLabel(tr("From")));
@@ -102,6 +104,7 @@ void SegmentRange::makeLayout() {
 void SegmentRange::connectFields() {
   connect(spans_, &QComboBox::activated, this, [this](int n) {
     takeSpan(n);
+    low_->setFocus();  // the tint goes with it
     setPreviewing(true);
   });
   for (QDoubleSpinBox* field : {low_, high_}) {

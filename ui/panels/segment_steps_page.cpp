@@ -51,10 +51,14 @@ SegmentStepsPage::SegmentStepsPage(Session& session, QWidget* parent)
       other_(new QComboBox) {
   other_->setObjectName(QStringLiteral("segmentOther"));
   other_->setAccessibleName(tr("Other segment"));
+  other_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // names may be long
+  other_->setMinimumContentsLength(6);
   for (const SegmentStep& step : segmentSteps()) {
-    auto* button = new QPushButton(step.text);
+    auto* button = new QToolButton;
+    button->setText(step.text);
+    button->setSizePolicy(QSizePolicy::MinimumExpanding, QSizePolicy::Fixed);
     button->setObjectName(QStringLiteral("segmentStep-") + QLatin1String(step.name));
-    connect(button, &QPushButton::clicked, this, [this, &step] { run(step); });
+    connect(button, &QToolButton::clicked, this, [this, &step] { run(step); });
     buttons_.push_back({&step, button});
   }
   makeLayout();

@@ -2,7 +2,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QPushButton>
+#include <QToolButton>
 #include <vector>
 
 #include "ui/controller/segment_jobs.h"
@@ -33,7 +33,7 @@ class SegmentStepsPage : public QWidget {
   QComboBox* other_;
   struct StepButton {
     const SegmentStep* step;
-    QPushButton* button;
+    QToolButton* button;
   };
   std::vector<StepButton> buttons_;
 };
