@@ -34,16 +34,13 @@ std::optional<glm::ivec3> nearestIn(const BitMask& mask, glm::dvec3 pPatient, in
 
 }  // namespace
 
-BitMask rangeVoxels(const Volume& volume, ValueRange range, const Mask& mask, const CancelToken& cancel) {
-  return maskOf(LabelMap(labelRange(volume, range, mask, cancel)), 1);
-}
-
 Result<BitMask> withPart(const PartWanted& wanted, const SegmentMap& map, int number,
                          const CancelToken& cancel) {
   constexpr int besideSurface = 2;  // voxels: where half of the light is stopped may be outside the range
   const BitMask own = maskOf(*map.labels, std::uint8_t(number));
   const bool isOfRange = wanted.use == PartUse::add;
-  const BitMask whole = isOfRange ? rangeVoxels(*wanted.volume, wanted.range, wanted.mask, cancel) : own;
+  const BitMask whole =
+      isOfRange ? keptVoxelsInRange(*wanted.volume, wanted.range, wanted.mask, cancel) : own;
   const auto seed = nearestIn(whole, wanted.pPatient, wanted.onSurface ? besideSurface : 0);
   if (!seed)
     return Error{isOfRange

@@ -7,11 +7,6 @@
 
 namespace volumen {
 
-// What makes the voxels of a segment, on a job's thread (SegmentWork::make).
-
-/// The voxels of a range of values, but for what the mask takes away.
-BitMask rangeVoxels(const Volume& volume, ValueRange range, const Mask& mask, const CancelToken& cancel);
-
 /// What becomes of a connected part: a part of the range is added to the segment, a part of the segment is
 /// all that stays of it, or goes.
 enum class PartUse { add, keep, remove };

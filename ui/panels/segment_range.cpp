@@ -14,6 +14,7 @@
 #include "ui/workspace/value_text.h"
 #include "viewer/scene/curve_edits.h"
 #include "viewer/scene/visible_range.h"
+#include "viewer/segment/mask.h"
 
 namespace volumen {
 
@@ -191,7 +192,7 @@ SegmentWork SegmentRange::workOf(const ValueRange& range) const {
   work.doing = tr("Segmenting");
   work.make = [volume = work.volume, mask = session_.maskOf(work.series), range](
                   const SegmentMap&, int, const CancelToken& cancel) -> Result<BitMask> {
-    return rangeVoxels(*volume, range, mask, cancel);
+    return keptVoxelsInRange(*volume, range, mask, cancel);
   };
   return work;
 }
