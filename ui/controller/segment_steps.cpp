@@ -1,8 +1,6 @@
 #include "ui/controller/segment_steps.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "ui/workspace/text.h"
 #include "viewer/segment/holes.h"
@@ -59,11 +57,6 @@ const std::vector<SegmentStep>& segmentSteps() {
        tr("Intersecting"), mm, true, [](const StepInputs& s) { return intersected(s.own, nearOther(s)); }},
   };
   return table;
-}
-
-const SegmentStep& segmentStepNamed(const char* name) {
-  return *std::ranges::find_if(segmentSteps(),
-                               [&](const SegmentStep& s) { return std::strcmp(s.name, name) == 0; });
 }
 
 }  // namespace volumen

@@ -31,7 +31,5 @@ struct SegmentStep {
 
 /// All of them, in the order of their buttons. Parts are connected by faces.
 const std::vector<SegmentStep>& segmentSteps();
-/// The step of this name; there must be one.
-const SegmentStep& segmentStepNamed(const char* name);
 
 }  // namespace volumen
