@@ -1,5 +1,6 @@
 #include "app/derived_json.h"
 
+#include "app/code_json.h"
 #include "io/contours.h"
 #include "io/presentation.h"
 #include "io/report.h"
@@ -108,11 +109,6 @@ Json contents(const Presentation& p) {
           {"layers", listOf(p.layers, layer)},
           {"annotations", listOf(p.annotations, annotations)},
           {"warnings", p.warnings}};
-}
-
-Json codeJson(const Code& code) {
-  if (code.value.empty()) return {};
-  return {{"value", code.value}, {"scheme", code.scheme}, {"meaning", code.meaning}};
 }
 
 Json propertyJson(const ReportProperty& p) {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/code_json.h"
 #include "app/command.h"
 #include "app/text_table.h"
 #include "viewer/measure/peak.h"
@@ -16,11 +17,6 @@ using Json = nlohmann::ordered_json;
 Json known(bool is, double value) { return is ? Json(value) : Json(); }
 Json place(glm::dvec3 p) { return {p.x, p.y, p.z}; }
 Json place(glm::ivec3 p) { return {p.x, p.y, p.z}; }
-
-Json codeJson(const Code& code) {
-  if (code.value.empty()) return {};
-  return {{"value", code.value}, {"scheme", code.scheme}, {"meaning", code.meaning}};
-}
 
 Json formJson(const SegmentForm& f) {
   Json axes = Json::array();
@@ -37,7 +33,7 @@ Json formJson(const SegmentForm& f) {
           {"longestAt", {place(f.longestAt[0]), place(f.longestAt[1])}}};
 }
 
-Json segmentJson(const SegmentNumbers& n) {
+Json segmentJson(const SegmentReport& n) {
   const SegmentValues& v = n.values;
   const bool has = v.voxels > 0;
   Json json{{"number", n.segment.number},
@@ -69,12 +65,12 @@ std::string numberText(double value) {
 
 }  // namespace
 
-Result<std::vector<SegmentNumbers>> numbersOf(const Segmented& segments, const Volume& volume,
-                                              const CancelToken& cancel) {
-  std::vector<SegmentNumbers> all;
+Result<std::vector<SegmentReport>> numbersOf(const Segmented& segments, const Volume& volume,
+                                             const CancelToken& cancel) {
+  std::vector<SegmentReport> all;
   for (const Segment& segment : segments.segments) {
     const BitMask mask = maskOf(segments.labels, std::uint8_t(segment.number));
-    SegmentNumbers numbers{segment, mask.count(), valuesIn(mask, volume), {}, {}};
+    SegmentReport numbers{segment, mask.count(), valuesIn(mask, volume), {}, {}};
     auto form = formOf(mask, cancel);
     if (!form) return form.error();
     numbers.form = *form;
@@ -85,17 +81,17 @@ Result<std::vector<SegmentNumbers>> numbersOf(const Segmented& segments, const V
   return all;
 }
 
-Json segmentsJson(const std::vector<SegmentNumbers>& all) {
+Json segmentsJson(const std::vector<SegmentReport>& all) {
   Json list = Json::array();
-  for (const SegmentNumbers& n : all) list.push_back(segmentJson(n));
+  for (const SegmentReport& n : all) list.push_back(segmentJson(n));
   return list;
 }
 
-std::string segmentsText(const std::vector<SegmentNumbers>& all, const std::string& unit) {
+std::string segmentsText(const std::vector<SegmentReport>& all, const std::string& unit) {
   const std::string of = unit.empty() ? "" : ", " + printable(unit);
   TextTable table(
       {"segment", "voxels", "ml", "ml, surface", "cm^2", "longest, mm", "mean" + of, "SD", "min", "max"});
-  for (const SegmentNumbers& n : all) {
+  for (const SegmentReport& n : all) {
     const auto form = [&](double value) { return n.form ? numberText(value) : "-"; };
     const auto value = [&](double v) { return n.values.voxels > 0 ? numberText(v) : "-"; };
     const SegmentForm f = n.form.value_or(SegmentForm{});

@@ -11,7 +11,7 @@
 namespace volumen {
 
 /// What is told of one segment.
-struct SegmentNumbers {
+struct SegmentReport {
   Segment segment;
   std::int64_t voxels = 0;  ///< of its mask, padding included
   SegmentValues values;
@@ -20,12 +20,12 @@ struct SegmentNumbers {
 };
 
 /// Of all segments of a volume. The Error: cancelled.
-Result<std::vector<SegmentNumbers>> numbersOf(const Segmented& segments, const Volume& volume,
-                                              const CancelToken& cancel = {});
+Result<std::vector<SegmentReport>> numbersOf(const Segmented& segments, const Volume& volume,
+                                             const CancelToken& cancel = {});
 
 /// One object a segment (resources/docs/segment.md); what there is none of is null.
-nlohmann::ordered_json segmentsJson(const std::vector<SegmentNumbers>& all);
+nlohmann::ordered_json segmentsJson(const std::vector<SegmentReport>& all);
 /// Columns for people.
-std::string segmentsText(const std::vector<SegmentNumbers>& all, const std::string& unit);
+std::string segmentsText(const std::vector<SegmentReport>& all, const std::string& unit);
 
 }  // namespace volumen

@@ -105,7 +105,7 @@ void removeTable(Recipe& recipe) {
     recipe.steps.push_back({"intersect", segment.label, {{"other", std::string("Patient")}}});
 }
 
-void printJson(const std::vector<SegmentNumbers>& numbers, const Opened& opened, const Recipe& recipe,
+void printJson(const std::vector<SegmentReport>& numbers, const Opened& opened, const Recipe& recipe,
                const std::vector<std::string>& files) {
   const nlohmann::ordered_json all{{"series", opened.series.id},
                                    {"recipe", nlohmann::ordered_json::parse(recipeJson(recipe))},
@@ -118,13 +118,13 @@ void printJson(const std::vector<SegmentNumbers>& numbers, const Opened& opened,
 }
 
 void addNotes(std::vector<std::string>& notes, const Opened& opened,
-              const std::vector<SegmentNumbers>& numbers) {
+              const std::vector<SegmentReport>& numbers) {
   if (opened.loaded.drawn != opened.loaded.acquired)
     notes.push_back("Segments have the evenly spaced slices that are shown in 3D: " +
                     std::to_string(opened.loaded.drawn->size().z) + ".");
   if (!opened.loaded.drawn->geometry().calibrated)
     notes.push_back("Not calibrated: no lengths, areas and volumes.");
-  for (const SegmentNumbers& n : numbers)
+  for (const SegmentReport& n : numbers)
     if (n.voxels == 0) notes.push_back(n.segment.label + ": no voxel is in it.");
 }
 
