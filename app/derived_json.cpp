@@ -1,5 +1,6 @@
 #include "app/derived_json.h"
 
+#include "app/code_json.h"
 #include "io/contours.h"
 #include "io/presentation.h"
 #include "io/report.h"
@@ -110,11 +111,6 @@ Json contents(const Presentation& p) {
           {"warnings", p.warnings}};
 }
 
-Json codeJson(const Code& code) {
-  if (code.value.empty()) return {};
-  return {{"value", code.value}, {"scheme", code.scheme}, {"meaning", code.meaning}};
-}
-
 Json propertyJson(const ReportProperty& p) {
   return {{"name", codeJson(p.name)}, {"value", codeJson(p.value)}};
 }
@@ -188,8 +184,9 @@ Json contents(const Segmentation& s) {
     const Segment& segment = s.segments[n];
     segments.push_back({{"number", segment.number},
                         {"label", segment.label},
-                        {"category", segment.category},
-                        {"type", segment.type},
+                        {"category", codeJson(segment.category)},
+                        {"type", codeJson(segment.type)},
+                        {"modifier", codeJson(segment.modifier)},
                         {"colour", colourJson(segment.colour)},
                         {"pixels", pixelsOf(s, n)}});
   }

@@ -6,14 +6,10 @@
 #include <vector>
 
 #include "io/study/derived_object.h"
+#include "viewer/segment/code.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {
-
-/// A code of a structured report (PS3.3 8.8).
-struct Code {
-  std::string value, scheme, meaning;  ///< "113000", "DCM", "Of Interest"
-};
 
 /// A statement of a report: a name and the code that is said of it.
 struct ReportProperty {

@@ -1,28 +1,31 @@
 #include <charconv>
 #include <cmath>
-#include <iomanip>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 
 #include "app/command.h"
 #include "app/open_volume.h"
+#include "app/segment_numbers.h"
 #include "app/usage.h"
-#include "io/export/seg_nrrd.h"
+#include "io/export/export_segments.h"
 #include "io/files/output_file.h"
-#include "viewer/segment/label_statistics.h"
-#include "viewer/segment/mask.h"
+#include "viewer/recipe/recipe.h"
+#include "viewer/scene/similar_name.h"
 
 namespace volumen {
 
 namespace {
 
 constexpr glm::u8vec3 boneIvory{240, 219, 163};
+constexpr std::streamoff mostRecipeBytes = 64 << 20;
 
 struct SegmentOptions {
-  std::string path, range, output, series;
+  std::string path, range, recipe, output, series;
   bool json = false, removeTable = false;
 };
 
@@ -46,69 +49,137 @@ std::optional<ValueRange> readRange(const std::string& text) {
   return ValueRange{*low, *high};
 }
 
-void printText(const LabelStatistics& s, const std::string& unit, const std::string& output) {
-  const std::string behind = unit.empty() ? "" : ' ' + printable(unit);
-  std::cout << std::setprecision(10) << "voxels: " << s.voxels << '\n';
-  if (s.millilitres) std::cout << "millilitres: " << *s.millilitres << '\n';
-  for (const auto& [name, value] : {std::pair("mean", s.mean), {"min", s.min}, {"max", s.max}})
-    if (s.voxels) std::cout << name << ": " << value << behind << '\n';
-  std::cout << "file: " << printable(output) << '\n';
+// The short form of a recipe: one range of values.
+Result<Recipe> recipeOfRange(const SegmentOptions& options) {
+  const auto range = readRange(options.range);
+  if (!range)
+    return Error{"--range: \"" + options.range +
+                 "\" is not LOW:HIGH, LOW: or :HIGH with LOW not above HIGH, as in 150:3000."};
+  Recipe recipe{"Range " + options.range, {}, {}, {}, {}};
+  const std::string& name = recipe.name;
+  recipe.segments = {{.number = 1, .label = name, .colour = boneIvory, .range = range}};
+  recipe.steps = {{"range", name, {{"low", range->low}, {"high", range->high}}}};
+  return recipe;
 }
 
-void printJson(const LabelStatistics& s, const Opened& opened, const ValueRange& range,
-               const std::string& output) {
-  const auto known = [](bool is, double value) { return is ? nlohmann::ordered_json(value) : nullptr; };
-  const nlohmann::ordered_json all{
-      {"series", opened.series.id},
-      {"range", {known(std::isfinite(range.low), range.low), known(std::isfinite(range.high), range.high)}},
-      {"voxels", s.voxels},
-      {"millilitres", known(s.millilitres.has_value(), s.millilitres.value_or(0))},
-      {"mean", known(s.voxels, s.mean)},
-      {"min", known(s.voxels, s.min)},
-      {"max", known(s.voxels, s.max)},
-      {"unit", opened.series.unit},
-      {"file", output},
-      {"warnings", sentences(opened.loaded.warnings)},
-      {"unread", unreadJson(opened.loaded.unread)}};
+Result<Recipe> recipeOfFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) return Error{path + " cannot be read."};
+  if (file.tellg() > mostRecipeBytes) return Error{path + " is too large for a recipe."};
+  file.seekg(0);
+  std::ostringstream text;
+  text << file.rdbuf();
+  Result<Recipe> recipe = readRecipe(text.str());
+  if (!recipe) return Error{path + ": " + recipe.message()};
+  return recipe;
+}
+
+// What the command line calls a built-in recipe: "lungs-and-airways".
+std::string wordOf(const Recipe& recipe) {
+  std::string word;
+  for (const char c : recipe.name)
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      word += char(std::tolower(static_cast<unsigned char>(c)));
+    else if (!word.empty() && word.back() != '-')
+      word += '-';
+  while (word.ends_with('-')) word.pop_back();
+  return word;
+}
+
+Result<Recipe> recipeNamed(const std::string& name) {
+  if (name.ends_with(".json") || name.find('/') != std::string::npos) return recipeOfFile(name);
+  std::vector<std::string> words;
+  for (const Recipe& recipe : builtInRecipes()) {
+    if (wordOf(recipe) == name) return recipe;
+    words.push_back(wordOf(recipe));
+  }
+  const auto meant = similarName(name, words);
+  return Error{"There is no recipe \"" + name + "\"" + (meant ? "; did you mean \"" + *meant + "\"?" : ".") +
+               " `volumen segment --list-recipes` shows all; a file's name ends in .json."};
+}
+
+// What is of no use without the table goes with it.
+void removeTable(Recipe& recipe) {
+  recipe.steps.insert(recipe.steps.begin(), {"patient", "Patient"});
+  for (const Segment& segment : recipe.segments)
+    recipe.steps.push_back({"intersect", segment.label, {{"other", std::string("Patient")}}});
+}
+
+void printJson(const std::vector<SegmentReport>& numbers, const Opened& opened, const Recipe& recipe,
+               const std::vector<std::string>& files) {
+  const nlohmann::ordered_json all{{"series", opened.series.id},
+                                   {"recipe", nlohmann::ordered_json::parse(recipeJson(recipe))},
+                                   {"segments", segmentsJson(numbers)},
+                                   {"unit", opened.series.unit},
+                                   {"files", files},
+                                   {"warnings", sentences(opened.loaded.warnings)},
+                                   {"unread", unreadJson(opened.loaded.unread)}};
   std::cout << jsonText(all);
 }
 
-void addNotes(std::vector<std::string>& notes, const Opened& opened, const LabelStatistics& s,
-              const std::string& range) {
+void addNotes(std::vector<std::string>& notes, const Opened& opened,
+              const std::vector<SegmentReport>& numbers) {
   if (opened.loaded.drawn != opened.loaded.acquired)
-    notes.push_back("The segment has the evenly spaced slices that are shown in 3D: " +
+    notes.push_back("Segments have the evenly spaced slices that are shown in 3D: " +
                     std::to_string(opened.loaded.drawn->size().z) + ".");
-  if (!s.millilitres) notes.push_back("Not calibrated: no volume in millilitres.");
-  if (!s.voxels) notes.push_back("No voxel has a value in " + range + "; the segment is empty.");
+  if (!opened.loaded.drawn->geometry().calibrated)
+    notes.push_back("Not calibrated: no lengths, areas and volumes.");
+  for (const SegmentReport& n : numbers)
+    if (n.voxels == 0) notes.push_back(n.segment.label + ": no voxel is in it.");
 }
 
-int run(const SegmentOptions& options, const CancelToken& cancel) {
-  const auto range = readRange(options.range);
-  if (!range)
-    return failUsage("--range: \"" + options.range +
-                     "\" is not LOW:HIGH, LOW: or :HIGH with LOW not above HIGH, as in 150:3000.");
-  if (!options.output.ends_with(".seg.nrrd"))
-    return failUsage(options.output + ": segmentations are written as .seg.nrrd.");
+// Which series a recipe is for, where that is told.
+void noteModality(std::vector<std::string>& notes, const Opened& opened, const Recipe& recipe) {
+  const std::string& modality = opened.series.modality;
+  if (recipe.modalities.empty() || modality.empty()) return;
+  for (const std::string& one : recipe.modalities)
+    if (one == modality) return;
+  notes.push_back("The recipe \"" + recipe.name + "\" is for " + recipe.modalities.front() +
+                  ", the series is " + modality + ": look at what it found.");
+}
+
+int work(const SegmentOptions& options, Recipe recipe, const CancelToken& cancel) {
   if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
-  const VolumePtr whole = opened->loaded.drawn;
-  const Mask mask{options.removeTable, {}};
-  if (options.removeTable)
-    if (Status removed = takeAway(mask, *opened, cancel); !removed) return fail(removed.message(), cancel);
-  const LabelMap map(labelRange(*whole, *range, mask, cancel));
-  const Segment segment{.number = 1, .label = "Range " + options.range, .colour = boneIvory, .range = range};
-  const LabelStatistics statistics = labelStatistics(map, *whole);
-  if (const Status s = writeSegNrrd(map, {&segment, 1}, options.output, cancel); !s)
-    return fail(s.message(), cancel);
+  if (options.removeTable) removeTable(recipe);
+  const Volume& volume = *opened->loaded.drawn;
+  const Result<Segmented> segmented = follow(recipe, volume, cancel);
+  if (!segmented) return fail(recipe.name + ": " + segmented.message(), cancel);
+  const auto numbers = numbersOf(*segmented, volume, cancel);
+  if (!numbers) return fail(numbers.message(), cancel);
+  const auto exported = exportSegments(options.output, *segmented, opened->series, {}, cancel);
+  if (!exported) return fail(exported.message(), cancel);
   noteKeptTilt(*opened);
-  addNotes(opened->notes, *opened, statistics, options.range);
+  noteModality(opened->notes, *opened, recipe);
+  addNotes(opened->notes, *opened, *numbers);
+  opened->notes.insert(opened->notes.end(), exported->notes.begin(), exported->notes.end());
   printNotes(opened->notes);
-  if (options.json)
-    printJson(statistics, *opened, *range, options.output);
-  else
-    printText(statistics, opened->series.unit, options.output);
+  if (options.json) {
+    printJson(*numbers, *opened, recipe, exported->files);
+  } else {
+    std::cout << segmentsText(*numbers, opened->series.unit);
+    for (const std::string& file : exported->files) std::cout << "file: " << printable(file) << '\n';
+  }
   return opened->status();
+}
+
+int run(const SegmentOptions& options, const CancelToken& cancel) {
+  if (options.range.empty() == options.recipe.empty())
+    return failUsage("Give either --range LOW:HIGH or --recipe NAME.");
+  const Result<Recipe> recipe = options.recipe.empty() ? recipeOfRange(options) : recipeNamed(options.recipe);
+  if (!recipe) return failUsage(recipe.message());
+  if (const auto format = segmentFormatOf(options.output); !format) return failUsage(format.message());
+  return work(options, *recipe, cancel);
+}
+
+void addListRecipes(CLI::App& app) {
+  const auto list = [] {
+    for (const Recipe& recipe : builtInRecipes())
+      std::cout << wordOf(recipe) << "\n    " << recipe.description << '\n';
+    throw CLI::Success();
+  };
+  app.add_flag_callback("--list-recipes", list, "List the built-in recipes");
 }
 
 }  // namespace
@@ -118,16 +189,21 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
   addPath(app, options->path)->required();
   app.add_option("--range", options->range,
                  "Values to segment, both ends included: LOW:HIGH, LOW: or :HIGH (HU for CT)")
-      ->type_name("LOW:HIGH")
-      ->required();
-  app.add_option("-o,--output", options->output, "The file to write, .seg.nrrd, as 3D Slicer reads it")
+      ->type_name("LOW:HIGH");
+  app.add_option("--recipe", options->recipe, "A recipe by name, or a file that ends in .json")
+      ->type_name("NAME");
+  addListRecipes(app);
+  app.add_option(
+         "-o,--output", options->output,
+         "The file to write: .seg.nrrd (3D Slicer), .dcm (DICOM segmentation), .nii.gz or .mha (labels, and "
+         "a table of names beside them), .stl, .ply or .obj (surfaces)")
       ->type_name("FILE")
       ->required();
   addSeries(app, options->series);
   app.add_flag("--remove-table", options->removeTable,
                "CT: segment the patient alone, without table, cushions and cables");
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
-  addExamples(app, {"volumen segment scans/ --range 150:3000 -o bone.seg.nrrd",
+  addExamples(app, {"volumen segment scans/ --recipe bone -o bone.stl",
                     "volumen segment scans/ --range :-300 --json -o air.seg.nrrd"});
   return [options, &cancel] { return run(*options, cancel); };
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <utility>
 
 namespace volumen::dicom {
 
@@ -19,6 +20,11 @@ T numberAt(Bytes bytes, std::uint64_t offset, bool bigEndian) {
   T value;
   std::memcpy(&value, raw, sizeof(T));
   return value;
+}
+
+/// Exchanges the bytes of every 16-bit word; a last odd byte stays.
+inline void swapBytesOfWords(std::span<std::uint8_t> bytes) {
+  for (std::size_t n = 0; n + 1 < bytes.size(); n += 2) std::swap(bytes[n], bytes[n + 1]);
 }
 
 }  // namespace volumen::dicom

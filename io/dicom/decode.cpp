@@ -5,6 +5,8 @@
 #include "io/dicom/mosaic.h"
 #include "io/worker/call.h"
 #include "io/worker/dicom_fields.h"
+#include "viewer/segment/packed_bits.h"
+#include "viewer/segment/packed_bits.h"
 
 namespace volumen::dicom {
 namespace {
@@ -46,17 +48,19 @@ Samples unpack(const PixelFormat& format, Bytes bytes) {
   return unpackIntegers<std::uint32_t, std::int32_t>(format, bytes);
 }
 
-/// Frame `n` of a picture of one bit a pixel: `bytes` are the words that its bits lie in, lowest bits first
-/// (PS3.5 8.1.1).
-Result<DecodedFrame> unpackBits(const PixelFormat& format, int n, Bytes bytes) {
+/// Frame `n` of a picture of one bit a pixel: `bytes` are the words that its bits lie in.
+Result<DecodedFrame> unpackBitFrame(const PixelFormat& format, int n, Bytes bytes) {
   const std::uint64_t first = std::uint64_t(n) * format.frameSamples() % 16;
   std::vector<std::uint8_t> values(format.frameSamples());
   const bool isOdd = format.bytesInWords && bytes.size() % 2 == 1;
   if (bytes.size() * 8 < first + values.size() || isOdd) return Error{"its pixel data is cut off"};
-  for (std::uint64_t m = 0; m < values.size(); ++m) {
-    const std::uint64_t bit = first + m, at = bit / 8;
-    values[m] = bytes[format.bytesInWords ? at ^ 1 : at] >> bit % 8 & 1;
+  std::vector<std::uint8_t> swapped;
+  if (format.bytesInWords) {
+    swapped.assign(bytes.begin(), bytes.end());
+    swapBytesOfWords(swapped);
+    bytes = swapped;
   }
+  unpackBits(bytes, first, values);
   return DecodedFrame{std::move(values), {}, false};
 }
 
@@ -169,7 +173,7 @@ Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax
   if (format.isBits() && syntax.coding != Coding::native) return Error{"only native pixels have one bit"};
   switch (syntax.coding) {
     case Coding::native:
-      if (format.isBits()) return unpackBits(format, n, bytes);
+      if (format.isBits()) return unpackBitFrame(format, n, bytes);
       if (bytes.size() != format.frameBytes() + (format.bytesInWords ? format.frameBytes() % 2 : 0))
         return Error{"its pixel data is cut off"};
       return DecodedFrame{unpackNative(format, bytes), {}, isYbr(format)};

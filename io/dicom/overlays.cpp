@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "viewer/segment/packed_bits.h"
+
 namespace volumen::dicom {
 namespace {
 
@@ -45,7 +47,7 @@ class Plane {
       for (int x = std::max(0, corner.x);
            x < std::min<std::int64_t>(size.x, corner.x + std::int64_t(columns)); ++x) {
         const std::uint64_t bit = first + std::uint64_t(y - corner.y) * columns + std::uint64_t(x - corner.x);
-        mask[std::size_t(y) * std::size_t(size.x) + std::size_t(x)] = bits[bit / 8] >> bit % 8 & 1;
+        mask[std::size_t(y) * std::size_t(size.x) + std::size_t(x)] = bitAt(bits, bit);
       }
     return mask;
   }

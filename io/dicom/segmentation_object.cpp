@@ -12,6 +12,7 @@
 #include "io/dicom/pixel_size.h"
 #include "io/segmentation.h"
 #include "io/worker/object_fields.h"
+#include "viewer/segment/packed_bits.h"
 
 namespace volumen {
 namespace dicom {
@@ -19,11 +20,16 @@ namespace {
 
 using Scope = DataSet::Scope;
 
-constexpr std::uint32_t segmentOfFrame = 0x0062000a;
+constexpr std::uint32_t segmentOfFrame = 0x0062000a, typeOfSegment = 0x0062000f;
 
-std::string meaningAt(const DataSet& data, std::uint32_t tag, Scope item) {
+/// The first code of a sequence; its value may be one of three attributes (PS3.3 8.8).
+Code codeAt(const DataSet& data, std::uint32_t tag, Scope item) {
   const auto codes = data.items(tag, item);
-  return codes.empty() ? std::string() : data.utf8(0x00080104, codes[0]);
+  if (codes.empty()) return {};
+  Code code{{}, data.utf8(0x00080102, codes[0]), data.utf8(0x00080104, codes[0])};
+  for (const std::uint32_t value : {0x00080100u, 0x00080119u, 0x00080120u})
+    if (code.value.empty()) code.value = data.utf8(value, codes[0]);
+  return code;
 }
 
 /// Reads one segmentation object.
@@ -66,8 +72,10 @@ class SegmentationReader {
       segment.number = data_.word(0x00620004, item).value_or(0);
       segment.label = data_.utf8(0x00620005, item);
       segment.description = data_.utf8(0x00620006, item);
-      segment.category = meaningAt(data_, 0x00620003, item);
-      segment.type = meaningAt(data_, 0x0062000f, item);
+      segment.category = codeAt(data_, 0x00620003, item);
+      segment.type = codeAt(data_, typeOfSegment, item);
+      if (const auto types = data_.items(typeOfSegment, item); !types.empty())
+        segment.modifier = codeAt(data_, 0x00620011, types[0]);
       segment.algorithm = data_.utf8(0x00620009, item);
       segment.trackingId = data_.utf8(0x00620020, item);
       segment.colour = readCieLab(data_, 0x0062000d, item);
@@ -146,8 +154,7 @@ class SegmentationReader {
                    " bytes are there"};
     auto bytes = bytesAt(pixels.offset, std::min(there, needed + needed % 2));
     if (!bytes) return bytes.error();
-    if (pixels.bigEndian && pixels.vr == vrOf('O', 'W'))
-      for (std::size_t n = 0; n + 1 < bytes->size(); n += 2) std::swap((*bytes)[n], (*bytes)[n + 1]);
+    if (pixels.bigEndian && pixels.vr == vrOf('O', 'W')) swapBytesOfWords(*bytes);
     out_.bits = std::move(*bytes);
     return {};
   }
@@ -175,16 +182,15 @@ class SegmentationReader {
     if (!pixels) return pixels.error();
     const int most = data_.word(0x0062000e, data_.root()).value_or(255);
     const std::size_t perFrame = header.format.framePixels();
-    out_.bits.assign((perFrame * out_.frames.size() + 7) / 8, 0);
+    BitPacker bits;
     for (std::size_t n = 0; n < out_.frames.size(); ++n) {
       const auto decoded = pixels->frame(int(n));
       if (!decoded) return decoded.error();
       const auto* fractions = std::get_if<std::vector<std::uint8_t>>(&decoded->samples);
       if (!fractions || fractions->size() != perFrame) return Error{"its fractions are not of 8 bits"};
-      for (std::size_t m = 0; m < perFrame; ++m)
-        if (const std::size_t bit = n * perFrame + m; (*fractions)[m] > 0 && 2 * (*fractions)[m] >= most)
-          out_.bits[bit / 8] |= std::uint8_t(1 << bit % 8);
+      for (const std::uint8_t fraction : *fractions) bits.add(fraction > 0 && 2 * fraction >= most, 1);
     }
+    out_.bits = bits.bytes();
     return {};
   }
 

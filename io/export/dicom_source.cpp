@@ -19,7 +19,8 @@ namespace volumen {
 
 namespace worker {
 inline void fields(Wire& w, DicomElement& e) { w(e.tag, e.value, e.vr, e.depth); }
-inline void fields(Wire& w, DicomSourceFrame& f) { w(f.slope, f.intercept, f.elements); }
+inline void fields(Wire& w, DicomSourceFrame::Place& p) { w(p.position, p.right, p.down, p.mm); }
+inline void fields(Wire& w, DicomSourceFrame& f) { w(f.place, f.slope, f.intercept, f.elements); }
 inline void fields(Wire& w, DicomSourceFile& f) {
   w(f.problem, f.sopClassUid, f.sopInstanceUid, f.isSigned, f.isMultiFrame, f.elements, f.frames);
 }
@@ -271,7 +272,10 @@ DicomSourceFile sourceOf(const dicom::InspectedFile& file) {
   const auto ofFrames = data.items(dicom::FrameScopes::perFrameGroups, data.root());
   for (std::size_t n = 0; n < header.slices.size(); ++n) {
     const dicom::Slice& slice = header.slices[n];
-    source.frames.push_back({slice.slope, slice.intercept, {}});
+    source.frames.push_back({{}, slice.slope, slice.intercept, {}});
+    if (isPlaced(slice))
+      source.frames.back().place = {*slice.position, slice.orientation->row, slice.orientation->column,
+                                    *slice.spacing};
     if (n < ofFrames.size()) source.frames.back().elements = copier.ofGroups(ofFrames[n]);
   }
   return source;

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
 #include "io/export/dicom_elements.h"
 #include "io/study/progress.h"
 #include "viewer/volume/cancel.h"
@@ -11,6 +15,13 @@ struct Series;
 
 /// What a frame of a DICOM file says that holds for a copy of it.
 struct DicomSourceFrame {
+  /// Where it lies in the patient: the centre of its first pixel, unit vectors along a row and down a
+  /// column, mm from column to column and from row to row.
+  struct Place {
+    glm::dvec3 position{0}, right{1, 0, 0}, down{0, 1, 0};
+    glm::dvec2 mm{1};
+  };
+  std::optional<Place> place;
   double slope = 1, intercept = 0;
   DicomElements elements;  ///< of its functional groups, as pictures of one frame have them
 };

@@ -28,6 +28,13 @@ DicomUids::DicomUids(const Volume& volume, const std::string& salt) : contents_{
   std::copy_n(hash.result().cbegin(), contents_.size(), contents_.begin());
 }
 
+DicomUids::DicomUids(std::span<const std::uint8_t> contents, const std::string& salt) : contents_{} {
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  hash.addData(QByteArrayView(contents.data(), qsizetype(contents.size())));
+  hash.addData(QByteArrayView(salt.data(), qsizetype(salt.size())));
+  std::copy_n(hash.result().cbegin(), contents_.size(), contents_.begin());
+}
+
 std::string DicomUids::of(const std::string& what) const {
   const QByteArray space(reinterpret_cast<const char*>(contents_.data()), qsizetype(contents_.size()));
   QByteArray bytes =

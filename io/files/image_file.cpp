@@ -76,15 +76,6 @@ bool isConsistent(const ImageHeader& header, const worker::Request& request) {
   return std::ranges::all_of(d.files, [&](const std::string& file) { return given.contains(file); });
 }
 
-Result<ImageHeader> readHeaderIsolated(const std::string& path, const CancelToken& cancel) {
-  worker::Request request = worker::headersOf({path}, cancel);
-  worker::Failure failure{};
-  auto header = worker::isolated<readHeader>(request, failure, path);
-  if (header && worker::isolating() && !isConsistent(*header, request)) failure = worker::Failure::wrong;
-  if (failure != worker::Failure::none) return Error{path + ": " + reasonOf(failure) + "."};
-  return header;
-}
-
 // Raw data that go on by a row or more: the header may mean other sizes or another type.
 void warnOfSurplus(const ImageHeader& header, std::vector<Warning>& warnings) {
   const SampleData& data = header.data;
@@ -160,8 +151,17 @@ Result<std::vector<Series>> readImageFileHeaders(const std::string& path) {
   return all;
 }
 
+Result<ImageHeader> readImageHeader(const std::string& path, const CancelToken& cancel) {
+  worker::Request request = worker::headersOf({path}, cancel);
+  worker::Failure failure{};
+  auto header = worker::isolated<readHeader>(request, failure, path);
+  if (header && worker::isolating() && !isConsistent(*header, request)) failure = worker::Failure::wrong;
+  if (failure != worker::Failure::none) return Error{path + ": " + reasonOf(failure) + "."};
+  return header;
+}
+
 Result<Loaded> loadImageFile(const Series& series, const Progress& progress, const CancelToken& cancel) {
-  auto header = readHeaderIsolated(series.path, cancel);
+  auto header = readImageHeader(series.path, cancel);
   if (!header) return header.error();
   auto number = volumeNumber(series, *header);
   if (!number) return number.error();

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/files/image_header.h"
 #include "io/study/loaded.h"
 #include "io/study/progress.h"
 #include "viewer/volume/cancel.h"
@@ -22,6 +23,10 @@ bool isGzippedDicom(const std::string& path);
 /// end in "#1", "#2" ..., and they are named by what varies: timePoint, bValue, label. The Error names the
 /// file and why there are none: damaged, cut off, a colour picture, data files outside its folder.
 Result<std::vector<Series>> readImageFileHeaders(const std::string& path);
+
+/// What the header of an image file says, read in a worker where there are any. The Error is that of
+/// readImageFileHeaders(), or says what became of the worker.
+Result<ImageHeader> readImageHeader(const std::string& path, const CancelToken& cancel = {});
 
 /// Reads the volume `series`, one of readImageFileHeaders(series.path).
 Result<Loaded> loadImageFile(const Series& series, const Progress& progress = {},

@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/files/sample_data.h"
@@ -20,6 +21,7 @@ struct ImageHeader {
   VoxelGeometry geometry;
   double slope = 1, intercept = 0;
   std::vector<VolumeName> names;  ///< one a volume; empty where nothing tells them apart
+  std::vector<std::pair<std::string, std::string>> keyValues;  ///< of NRRD: each key once
   std::vector<Warning> warnings;
 };
 

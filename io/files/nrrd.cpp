@@ -303,6 +303,7 @@ Result<ImageHeader> readNrrdHeader(const std::string& path) {
   image.format = "NRRD";
   image.description = fieldText(header->field("content"));
   image.data = header->data;
+  image.keyValues.assign(header->keyValues.begin(), header->keyValues.end());
   if (Status s = setNrrdGeometry(*header, *space, directions, *grid, image, path); !s) return s.error();
   const auto begin = header->sizes.begin(), inner = begin + grid->first, outer = inner + grid->count;
   if (Status s = setCounts(image.data, {begin, inner}, {inner, outer}, {outer, header->sizes.end()}, path);

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
 
 #include "io/files/header_text.h"
-#include "io/files/nrrd.h"
+#include "io/files/nrrd_write.h"
 #include "io/files/output_file.h"
 #include "io/files/sample_type.h"
 #include "io/files/volume_writers.h"
@@ -85,46 +84,6 @@ Status writeSamples(const Volume& volume, const Form& form, OutputFile& out, con
 
 std::string rowText(glm::dvec3 v, const char* between) {
   return exactText(v.x) + between + exactText(v.y) + between + exactText(v.z);
-}
-
-// NRRD's escapes in values.
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (char c : text) {
-    if (c == '\\')
-      safe += "\\\\";
-    else if (c == '\n')
-      safe += "\\n";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
-const char* nrrdTypeName(SampleType type) {
-  static constexpr const char* names[] = {"int8",   "uint8", "int16",  "uint16", "int32",
-                                          "uint32", "int64", "uint64", "float",  "double"};
-  return names[int(type)];
-}
-
-std::string nrrdHeader(const VoxelGeometry& g, SampleType type, const NrrdKeyValues& keyValues) {
-  const auto vector = [](glm::dvec3 v) { return std::string("(") + rowText(v, ",") + ')'; };
-  const glm::dmat3& L = g.patientFromVoxelStep;
-  std::string text = "NRRD0005\ntype: ";
-  text += nrrdTypeName(type);
-  text += "\ndimension: 3\n";
-  if (g.calibrated) text += "space: left-posterior-superior\n";
-  text += "sizes: " + std::to_string(g.size.x) + ' ' + std::to_string(g.size.y) + ' ' +
-          std::to_string(g.size.z) + '\n';
-  if (g.calibrated)
-    text += "space directions: " + vector(L[0]) + ' ' + vector(L[1]) + ' ' + vector(L[2]) + '\n';
-  text += "kinds: domain domain domain\nendian: little\nencoding: gzip\n";
-  if (g.calibrated) text += "space origin: " + vector(g.origin) + '\n';
-  for (const auto& [key, value] : keyValues) {
-    assert(key.find(":=") == std::string::npos && key.find('\n') == std::string::npos);
-    text += key + ":=" + escaped(value) + '\n';
-  }
-  return text + '\n';
 }
 
 const char* metaTypeName(SampleType type) {

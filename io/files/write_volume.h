@@ -2,18 +2,14 @@
 
 #include <functional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "io/files/nifti_write.h"
+#include "io/files/nrrd_write.h"
 #include "io/study/progress.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
-
-/// Key/value pairs of a NRRD header.
-using NrrdKeyValues = std::vector<std::pair<std::string, std::string>>;
 
 /// Writes a volume as `path` ends: .nrrd (gzip), .nii.gz (NIfTI-1) or .mha. The file appears whole or not at
 /// all. Values are exact: stored integers (with slope and intercept in NIfTI where its float32 holds them),

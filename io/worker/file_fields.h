@@ -21,7 +21,8 @@ inline void fields(Wire& w, SampleData& d) {
 }
 
 inline void fields(Wire& w, ImageHeader& h) {
-  w(h.format, h.description, h.modality, h.data, h.geometry, h.slope, h.intercept, h.names, h.warnings);
+  w(h.format, h.description, h.modality, h.data, h.geometry, h.slope, h.intercept, h.names, h.keyValues,
+    h.warnings);
 }
 
 }  // namespace volumen::worker

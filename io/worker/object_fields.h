@@ -81,7 +81,7 @@ inline void fields(Wire& w, RegionOfInterest& r) {
 inline void fields(Wire& w, StructureSet& s) { w(s.label, s.name, s.description, s.regions, s.warnings); }
 
 inline void fields(Wire& w, Segment& s) {
-  w(s.number, s.label, s.description, s.category, s.type, s.algorithm, s.trackingId, s.colour);
+  w(s.number, s.label, s.description, s.category, s.type, s.modifier, s.algorithm, s.trackingId, s.colour);
 }
 inline void fields(Wire& w, SegmentFrame& f) { w(f.segment, f.origin); }
 inline void fields(Wire& w, Segmentation& s) {

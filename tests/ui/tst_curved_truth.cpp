@@ -206,7 +206,9 @@ void TestCurvedTruth::nothingIsSegmentedOnIt() {
            qPrintable(segment->toolTip()));
   QCOMPARE(segment->toolTip(), toolTipOf(result->text()));
   // Nor where an earlier session holds one.
-  const auto labels = std::make_shared<const LabelMap>(labelRange(*w.loaded(stretched)->volume, {0, 100}));
+  const Volume& volume = *w.loaded(stretched)->volume;
+  const auto labels = std::make_shared<const LabelMap>(
+      withLabel(LabelMap(volume.geometry()), 1, voxelsInRange(volume, {0, 100})));
   const SegmentMap map{
       keyOf(w.seriesAt(stretched)), {{.number = 1, .range = ValueRange{0, 100}}}, labels, {}};
   w.session().change(QStringLiteral("test"), withSegmentMap(w.workspace(), map));

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QTreeWidget>
 
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
@@ -193,7 +194,8 @@ void TestFlatControls::aClipEdgeIsDragged() {
   QCOMPARE(w.clip().boxHigh.x, 0.75);
 }
 
-// The ball of 1000 HU in its middle slice: tinted inside, grey beside, and grey again when all is shown.
+// The ball of 1000 HU in its middle slice: tinted inside, grey beside, and grey again when all is shown. The
+// segment itself is hidden.
 void TestFlatControls::aSegmentIsTinted() {
   FlatWindow w;
   w.child<QDockWidget>("segmentDock")->raise();
@@ -202,12 +204,15 @@ void TestFlatControls::aSegmentIsTinted() {
   QTest::mouseClick(w.child<QPushButton>("segment"), Qt::LeftButton);
   auto* only = w.child<QCheckBox>("segmentOnly");
   QTRY_VERIFY_WITH_TIMEOUT(only->isEnabled(), longest);
+  auto* list = w.child<QTreeWidget>("segmentList");
+  list->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
   const auto at = [&](glm::dvec3 p) {
     const glm::dvec2 pixel = w.view()->plane()->pixelFromPatient(p);
     return w.view()->picture().pixel(int(pixel.x), int(pixel.y));
   };
   const auto isGrey = [](QRgb c) { return qRed(c) == qGreen(c) && qGreen(c) == qBlue(c); };
   const double z = w.view()->plane()->centre.z;
+  QTRY_VERIFY_WITH_TIMEOUT(isGrey(at({3, -2, z})), longest);
   QSignalSpy settled(w.view(), &FlatView::settled);
   only->click();
   QVERIFY(settled.wait(longest));

@@ -60,7 +60,8 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Open folder...; Open file...; Open recent >; Sample study; |; "
       "Study list; Find study...; Import folder...; |; "
       "Open session...; Save session; Save session as...; |; "
-      "Restore earlier work >; Open scene...; Save scene...; |; Save picture...; Copy picture; Save all "
+      "Restore earlier work >; Open scene...; Save scene...; Export segments...; |; Save picture...; Copy "
+      "picture; Save all "
       "views...; Copy all views; Print picture...; "
       "More pictures >; Save 3D snapshot...; Copy 3D snapshot; |; Quit");
   row("&File/More pictures",
@@ -69,7 +70,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
       "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window\tW; Scroll; Pan; Zoom; Crosshair; "
-      "Magnifier; Window from region; |; "
+      "Magnifier; Window from region; Connected part; |; "
       "Anterior view; Posterior view; Left view; Right view; Superior view; Inferior view; |; "
       "Show as frames; Each image its own window; Overlays and shutters; Play or stop; Go to number...; |; "
       "Key image; Previous key image; Next key image; |; "
@@ -98,7 +99,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
   row("&View/Panels",
       "Quality and speed; Camera; Chart of values; Clip; Effects; Slices and frames; Key images; Lights; "
       "Measure; Contours and segments; "
-      "Segment; Snapshot; Studies; Opacity and colour; |; Reset layout");
+      "Segments; Snapshot; Studies; Opacity and colour; |; Reset layout");
   row("&Help", "Commands...; Documentation; Mouse and keys; About volumen");
 }
 

@@ -7,14 +7,18 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <nlohmann/json.hpp>
 
 #include "io/export/seg_nrrd.h"
+#include "tests/fixtures/chance.h"
 #include "tests/ui/journey.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/autosave.h"
+#include "ui/controller/label_changes.h"
 #include "ui/controller/open_session.h"
 #include "ui/controller/segment_files.h"
+#include "ui/workspace/segments.h"
 #include "viewer/segment/label_statistics.h"
 
 using namespace volumen;
@@ -27,6 +31,10 @@ class TestSegments : public QObject {
   void aSegmentIsOneStep();
   void theSameOnceMoreIsNone();
   void aSegmentStaysWithItsSeries();
+  void autosaveKeepsWhatChanged();
+  void changesMakeTheOtherMap();
+  void sessionsKeepTwo();
+  void sessionsOfBeforeOpen();
   void sessionsKeepIt_data();
   void sessionsKeepIt();
   void whatIsNotBesideTheSessionIsMissing_data();
@@ -48,12 +56,12 @@ struct Segmented : Journey {
   explicit Segmented(const QStringList& paths = {sphere}) : Journey(paths) { settle(); }
 
   QString result() { return child<QLabel>("segmentResult")->text(); }
-  bool segment(double low, double high) {
+  bool segment(double low, double high, const char* button = "segment") {
     child<QDockWidget>("segmentDock")->raise();
     child<QDoubleSpinBox>("segmentLow")->setValue(low);
     child<QDoubleSpinBox>("segmentHigh")->setValue(high);
     const QString before = result();
-    QTest::mouseClick(child<QPushButton>("segment"), Qt::LeftButton);
+    QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton);
     return QTest::qWaitFor([&] { return result().contains(QStringLiteral("voxels")) && result() != before; },
                            longest);
   }
@@ -82,8 +90,11 @@ void TestSegments::aSegmentIsOneStep() {
   QCOMPARE(w.undoStack().count(), 1);
   QCOMPARE(w.map().segments.front().label, std::string("0.5 to 1"));
   const QString ball = w.result();
-  QVERIFY(w.segment(0, 0.4));
-  QCOMPARE(w.workspace().segmentMaps.size(), std::size_t(1));  // in place of the first
+  QVERIFY(w.segment(0, 0.4, "segmentReplace"));
+  QCOMPARE(w.undoStack().count(), 2);
+  QCOMPARE(w.workspace().segmentMaps.size(), std::size_t(1));
+  QCOMPARE(w.map().segments.size(), std::size_t(1));  // in place of the first
+  QCOMPARE(w.map().segments.front().label, std::string("0 to 0.4"));
   w.undo();
   QVERIFY(w.workspace() == with);
   QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
@@ -99,9 +110,12 @@ void TestSegments::theSameOnceMoreIsNone() {
   Segmented w;
   QVERIFY(w.segment(0.5, 1));
   const QString ball = w.result();
-  QTest::mouseClick(w.child<QPushButton>("segment"), Qt::LeftButton);
+  const Workspace once = w.workspace();
+  QTest::mouseClick(w.child<QPushButton>("segmentReplace"), Qt::LeftButton);
   QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
+  QVERIFY(w.window.jobs().rows().empty());
   QCOMPARE(w.undoStack().count(), 1);
+  QVERIFY(w.workspace() == once);
 }
 
 void TestSegments::aSegmentStaysWithItsSeries() {
@@ -121,6 +135,110 @@ void TestSegments::aSegmentStaysWithItsSeries() {
   w.window.open({sphere});
   QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
   QVERIFY(w.map() == made);
+}
+
+// The first map whole, and of each one that follows what is different.
+void TestSegments::autosaveKeepsWhatChanged() {
+  Workspace with;
+  {
+    Segmented w;
+    const auto files = [](const char* ending) {
+      return int(QDir(Autosave::folder()).entryList({QLatin1Char('*') + QLatin1String(ending)}).size());
+    };
+    QVERIFY(w.segment(0.5, 1));
+    QTRY_COMPARE_WITH_TIMEOUT(files(".seg.nrrd"), 1, longest);
+    QVERIFY(w.segment(0, 0.4));
+    QTRY_COMPARE_WITH_TIMEOUT(files(".labels"), 1, longest);
+    QCOMPARE(files(".seg.nrrd"), 1);
+    with = w.workspace();
+    w.window.end();
+  }
+  Journey w;
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("offerBar")->isVisible(), longest);
+  QTest::mouseClick(w.child<QWidget>("offerAccept"), Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(w.window.session().workspace().segmentMaps.size(), std::size_t(1), longest);
+  QVERIFY(w.window.session().workspace().segmentMaps == with.segmentMaps);
+  w.window.end();
+}
+
+// Maps by chance, in bricks of which some are cut by the end of the grid; damaged bytes make none or another.
+void TestSegments::changesMakeTheOtherMap() {
+  Chance chance(5);
+  const std::string checksum(40, 'a');
+  for (int n = 0; n < 50; ++n) {
+    VoxelGeometry grid;
+    grid.size = {1 + chance.below(70), 1 + chance.below(40), 1 + chance.below(70)};
+    const auto edited = [&](const LabelMap& from, int count) {
+      LabelEdit edit(from);
+      while (count-- > 0)
+        edit.set({chance.below(grid.size.x), chance.below(grid.size.y), chance.below(grid.size.z)},
+                 std::uint8_t(chance.below(256)));
+      return edit.done();
+    };
+    const LabelMap base = edited(LabelMap(grid), chance.below(2000)),
+                   map = edited(chance.oneIn(4) ? LabelMap(grid) : base, chance.below(50));
+    const QByteArray changes = labelChanges(base, checksum, map);
+    QCOMPARE(baseOfChanges(changes), std::optional(checksum));
+    const auto made = withLabelChanges(base, changes);
+    QVERIFY(made && *made == map);
+    QVERIFY(!withLabelChanges(base, changes.left(chance.below(int(changes.size())))));
+    QByteArray damaged = changes;
+    damaged[chance.below(int(damaged.size()))] = char(chance.below(256));
+    (void)withLabelChanges(base, damaged);
+    (void)withLabelChanges(LabelMap(VoxelGeometry{}), changes);
+  }
+}
+
+// Both, with all that was chosen for them.
+void TestSegments::sessionsKeepTwo() {
+  const SessionFolder folder;
+  Segmented w;
+  QVERIFY(w.segment(0.5, 1));
+  QVERIFY(w.segment(0, 0.4));
+  QCOMPARE(w.map().segments.size(), std::size_t(2));
+  const SeriesKey series = w.map().series;
+  w.window.session().change(QStringLiteral("test"),
+                            withSegmentChanged(w.workspace(), series, 1, [](Segment& s) {
+                              s.label = "B\xc3\xa4ll";
+                              s.visible = false;
+                              s.locked = true;
+                              s.opacity = 0.25;
+                              s.type = {"272673000", "SCT", "Bone"};
+                              s.modifier = {"7771000", "SCT", "Left"};
+                            }));
+  w.window.session().change(QStringLiteral("test"), withCurrentSegment(w.workspace(), series, 1));
+  const std::string path = saved(folder, w.workspace());
+  QCOMPARE(labelFiles(folder).size(), 1);
+  const auto opened = openSession(path);
+  QVERIFY(opened && opened->problems.isEmpty());
+  QVERIFY(opened->workspace == w.workspace());
+  QCOMPARE(currentSegment(opened->workspace.segmentMaps.front())->number, 1);
+}
+
+// A category and a type were their meanings alone, and there was no more of a look.
+void TestSegments::sessionsOfBeforeOpen() {
+  const SessionFolder folder;
+  Segmented w;
+  QVERIFY(w.segment(0.5, 1));
+  const std::string path = saved(folder, w.workspace());
+  QFile file(QString::fromStdString(path));
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(file.readAll().toStdString());
+  file.close();
+  auto& map = json.at("segmentMaps").at(0);
+  map.erase("current");
+  auto& segment = map.at("segments").at(0);
+  for (const char* name : {"visible", "locked", "opacity"}) segment.erase(name);
+  segment["category"] = "Tissue";
+  segment["type"] = "Bone";
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(QByteArray::fromStdString(json.dump()));
+  file.close();
+  const auto opened = openSession(path);
+  QVERIFY2(opened, opened ? "" : opened.message().c_str());
+  const Segment read = opened->workspace.segmentMaps.front().segments.front();
+  QVERIFY(read.category == (Code{"", "", "Tissue"}) && read.type == (Code{"", "", "Bone"}));
+  QVERIFY(read.visible && !read.locked && read.opacity == 1 && read.label == "0.5 to 1");
 }
 
 void TestSegments::sessionsKeepIt_data() {

@@ -94,7 +94,8 @@ class Autosave::File {
       makePrivate(folder());
       lock_ = LockFile::take(lockOf(path_).toStdString());
     }
-    const Status whole = saveSession(path_.toStdString(), withClosed(workspace), savedAs);
+    const Status whole =
+        saveSession(path_.toStdString(), withClosed(workspace), savedAs, LabelFiles::changes);
     // Where there is no room for the labels of segments the rest is kept all the same.
     if (!whole) (void)saveSession(path_.toStdString(), withLabelsApart(withClosed(workspace)), savedAs);
     return whole;

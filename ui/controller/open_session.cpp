@@ -167,11 +167,12 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
   return OpenedSession{std::move(workspace), session->savedAs, search.studies(), search.problems};
 }
 
-Status saveSession(const std::string& path, const Workspace& workspace, const std::string& savedAs) {
+Status saveSession(const std::string& path, const Workspace& workspace, const std::string& savedAs,
+                   LabelFiles labels) {
   const auto text = sessionToJson(workspace, folderOf(path), savedAs);
   if (!text) return Error{"Cannot write " + path + ": " + text.message()};
   const std::vector<std::string> before = segmentMapsNamedBy(path);
-  if (Status s = writeSegmentMaps(path, workspace); !s) return s;
+  if (Status s = writeSegmentMaps(path, workspace, labels); !s) return s;
   auto file = OutputFile::create(path);
   if (!file) return file.error();
   if (Status s = file->write(*text); !s) return s;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/study/progress.h"
+#include "ui/controller/segment_files.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/volume/cancel.h"
 
@@ -29,6 +30,7 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
                                   const CancelToken& cancel = {});
 
 /// Writes a session file, and the labels of segments beside it. The Error names the file.
-Status saveSession(const std::string& path, const Workspace& workspace, const std::string& savedAs = {});
+Status saveSession(const std::string& path, const Workspace& workspace, const std::string& savedAs = {},
+                   LabelFiles labels = LabelFiles::whole);
 
 }  // namespace volumen

@@ -10,9 +10,11 @@
 
 #include "io/export/seg_nrrd.h"
 #include "io/file_state.h"
+#include "io/files/output_file.h"
 #include "io/files/session_file.h"
 #include "io/index/index_path.h"
 #include "io/load.h"
+#include "ui/controller/label_changes.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/text.h"
 
@@ -20,8 +22,11 @@ namespace volumen {
 
 namespace {
 
-std::string fileOf(const std::string& session, const std::string& checksum) {
-  return session + "." + checksum + ".seg.nrrd";
+const std::string wholeEnding = ".seg.nrrd", changesEnding = ".labels";
+
+std::string fileOf(const std::string& session, const std::string& checksum,
+                   const std::string& ending = wholeEnding) {
+  return session + "." + checksum + ending;
 }
 
 // The files that this process wrote, or read whole, as they were then: their names say what they hold.
@@ -47,11 +52,49 @@ KnownFiles& knownFiles() {
   return known;
 }
 
+// The maps that files of changes beside a session are changes of: of each series the one that was written
+// whole last.
+class BaseMaps {
+ public:
+  struct Base {
+    std::string checksum;
+    std::shared_ptr<const LabelMap> labels;
+  };
+
+  void set(const std::string& session, const SegmentMap& map, const std::string& checksum) {
+    const std::lock_guard lock(mutex_);
+    bases_[{session, map.series}] = {checksum, map.labels};
+  }
+  // Null labels: there is none, or its file is not what it was.
+  Base of(const std::string& session, const SegmentMap& map) {
+    const std::lock_guard lock(mutex_);
+    const auto found = bases_.find({session, map.series});
+    if (found == bases_.end() || found->second.labels->geometry() != map.labels->geometry()) return {};
+    return knownFiles().contains(fileOf(session, found->second.checksum)) ? found->second : Base{};
+  }
+  bool holds(const std::string& session, const std::string& checksum) {
+    const std::lock_guard lock(mutex_);
+    return std::ranges::any_of(bases_, [&](const auto& base) {
+      return base.first.first == session && base.second.checksum == checksum;
+    });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::pair<std::string, SeriesKey>, Base> bases_;
+};
+
+BaseMaps& baseMaps() {
+  static BaseMaps bases;
+  return bases;
+}
+
 // The session may have another name by now, or it is a copy.
-QString fileBeside(const std::string& session, const std::string& checksum) {
-  const QFileInfo file(QString::fromStdString(fileOf(session, checksum)));
+QString fileBeside(const std::string& session, const std::string& checksum,
+                   const std::string& ending = wholeEnding) {
+  const QFileInfo file(QString::fromStdString(fileOf(session, checksum, ending)));
   if (file.exists()) return file.filePath();
-  const QString any = QStringLiteral("*.volumen.%1.seg.nrrd").arg(QString::fromStdString(checksum));
+  const QString any = QString::fromStdString("*.volumen." + checksum + ending);
   const QStringList names = file.dir().entryList({any}, QDir::Files, QDir::Name);
   return names.isEmpty() ? QString() : file.dir().filePath(names.front());
 }
@@ -74,6 +117,37 @@ std::shared_ptr<const LabelMap> labelsIn(const std::string& path, const SavedLab
   return nullptr;
 }
 
+// Of a file of changes and of the one whose changes it holds; null as above.
+std::shared_ptr<const LabelMap> changedLabels(const std::string& session, const SavedLabels& saved,
+                                              const Progress& progress, const CancelToken& cancel) {
+  const QString path = fileBeside(session, saved.checksum, changesEnding);
+  QFile file(path);
+  if (path.isEmpty() || !file.open(QIODevice::ReadOnly)) return nullptr;
+  const QByteArray changes = file.readAll();
+  const auto checksum = baseOfChanges(changes);
+  const QString basePath = checksum ? fileBeside(session, *checksum) : QString();
+  if (basePath.isEmpty()) return nullptr;
+  const auto base = labelsIn(basePath.toStdString(), {*checksum, saved.geometry}, progress, cancel);
+  auto map = base ? withLabelChanges(*base, changes) : nullptr;
+  return map && checksumOf(*map) == saved.checksum ? map : nullptr;
+}
+
+// Null: they are not there, or not what was saved.
+std::shared_ptr<const LabelMap> labelsBeside(const std::string& session, const SavedLabels& saved,
+                                             const Progress& progress, const CancelToken& cancel) {
+  const QString whole = fileBeside(session, saved.checksum);
+  return whole.isEmpty() ? changedLabels(session, saved, progress, cancel)
+                         : labelsIn(whole.toStdString(), saved, progress, cancel);
+}
+
+Status writeChanges(const std::string& path, const BaseMaps::Base& base, const LabelMap& map) {
+  const QByteArray changes = labelChanges(*base.labels, base.checksum, map);
+  auto file = OutputFile::create(path);
+  if (!file) return file.error();
+  if (Status s = file->write(changes.constData(), std::size_t(changes.size())); !s) return s;
+  return file->commit();
+}
+
 QString namesOf(const SegmentMap& map) {
   QStringList names;
   for (const Segment& segment : map.segments) names << shownText(segment.label);
@@ -94,13 +168,19 @@ bool otherSessionNames(const std::string& session, const std::string& checksum) 
 
 }  // namespace
 
-Status writeSegmentMaps(const std::string& session, const Workspace& workspace) {
+Status writeSegmentMaps(const std::string& session, const Workspace& workspace, LabelFiles how) {
   for (const SegmentMap& map : workspace.segmentMaps) {
     if (!map.labels) continue;
-    const std::string path = fileOf(session, checksumOf(*map.labels));
+    const std::string checksum = savedLabelsOf(map).checksum, whole = fileOf(session, checksum);
+    if (knownFiles().contains(whole)) continue;
+    const BaseMaps::Base base = how == LabelFiles::changes ? baseMaps().of(session, map) : BaseMaps::Base{};
+    const std::string path = base.labels ? fileOf(session, checksum, changesEnding) : whole;
     if (knownFiles().contains(path)) continue;
-    if (Status s = writeSegNrrd(*map.labels, map.segments, path); !s) return s;
+    const Status written =
+        base.labels ? writeChanges(path, base, *map.labels) : writeSegNrrd(*map.labels, map.segments, path);
+    if (!written) return written;
     knownFiles().add(path);
+    if (how == LabelFiles::changes && !base.labels) baseMaps().set(session, map, checksum);
   }
   return {};
 }
@@ -121,8 +201,7 @@ Workspace withSegmentMaps(Workspace workspace, const std::string& session, QStri
       [](const SegmentMap& map) { return map.missing.has_value(); },
       [&](SegmentMap& map) {
         const auto [known, isNew] = read.try_emplace(map.missing->checksum);
-        const QString path = isNew ? fileBeside(session, map.missing->checksum) : QString();
-        if (!path.isEmpty()) known->second = labelsIn(path.toStdString(), *map.missing, progress, cancel);
+        if (isNew) known->second = labelsBeside(session, *map.missing, progress, cancel);
         map.labels = known->second;
         if (map.labels)
           map.missing.reset();
@@ -135,7 +214,7 @@ Workspace withSegmentMaps(Workspace workspace, const std::string& session, QStri
 
 QStringList segmentFilesOf(const QString& session) {
   const QFileInfo file(session);
-  static const QRegularExpression name(QStringLiteral("^\\.[0-9a-f]{40}\\.seg\\.nrrd$"));
+  static const QRegularExpression name(QStringLiteral("^\\.[0-9a-f]{40}\\.(seg\\.nrrd|labels)$"));
   QStringList files;
   for (const QFileInfo& beside : file.dir().entryInfoList({}, QDir::Files)) {
     const QString rest = beside.fileName().mid(file.fileName().size());
@@ -160,7 +239,9 @@ void removeSegmentMaps(const std::string& session, const std::vector<std::string
                        const Workspace& workspace) {
   for (const std::string& checksum : checksums) {
     const auto isIt = [&](const SegmentMap& map) { return savedLabelsOf(map).checksum == checksum; };
-    if (std::ranges::none_of(workspace.segmentMaps, isIt) && !otherSessionNames(session, checksum))
+    if (std::ranges::any_of(workspace.segmentMaps, isIt) || otherSessionNames(session, checksum)) continue;
+    QFile::remove(QString::fromStdString(fileOf(session, checksum, changesEnding)));
+    if (!baseMaps().holds(session, checksum))
       QFile::remove(QString::fromStdString(fileOf(session, checksum)));
   }
 }

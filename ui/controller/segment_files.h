@@ -11,10 +11,14 @@
 namespace volumen {
 
 /// Beside a session file lie the labels of its segments, each map in a file SESSION.CHECKSUM.seg.nrrd that
-/// other programs read, too. A map that did not change is not written again.
+/// other programs read, too. A map that did not change is not written again. Of what is kept again and again
+/// (Autosave) a map that follows another one is SESSION.CHECKSUM.labels, what of that one changed.
+
+enum class LabelFiles { whole, changes };
 
 /// Writes those that are not there yet. The Error names the file.
-Status writeSegmentMaps(const std::string& session, const Workspace& workspace);
+Status writeSegmentMaps(const std::string& session, const Workspace& workspace,
+                        LabelFiles how = LabelFiles::whole);
 
 /// With maps that are only named, as if they had not been read.
 Workspace withLabelsApart(Workspace workspace);

@@ -1,61 +1,150 @@
 #include "ui/controller/segment_jobs.h"
 
+#include <algorithm>
+#include <glm/common.hpp>
 #include <new>
 
-#include "io/export/seg_nrrd.h"
+#include "ui/controller/export_segments.h"
+#include "ui/workspace/segments.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 
 namespace {
 
-Result<std::shared_ptr<const LabelMap>> labelsOf(const Volume& volume, const Mask& mask, ValueRange range,
-                                                 const CancelToken& cancel) try {
-  return std::make_shared<const LabelMap>(labelRange(volume, range, mask, cancel));
+// With the work done to the segment of this number.
+Result<SegmentMap> workDone(const SegmentWork& work, SegmentMap map, int number,
+                            const CancelToken& cancel) try {
+  if (!work.make) return withoutSegment(std::move(map), number);
+  const Result<BitMask> mask = work.make(map, number, cancel);
+  if (!mask) return mask.error();
+  return withMask(std::move(map), number, *mask);
 } catch (const std::bad_alloc&) {
-  return Error{"Nothing was segmented: there is not enough memory."};
+  return Error{"The segment was not changed: there is not enough memory."};
+}
+
+// How many voxels of the grid have each label.
+std::array<std::int64_t, 256> countsOf(const LabelMap& labels) {
+  std::array<std::int64_t, 256> counts{};
+  const glm::ivec3 grid = labels.geometry().size, bricks = labels.bricks();
+  for (int n = 0; n < bricks.x * bricks.y * bricks.z; ++n) {
+    const glm::ivec3 at(n % bricks.x, n / bricks.x % bricks.y, n / bricks.x / bricks.y),
+        size = glm::min(glm::ivec3(LabelMap::edge), grid - at * LabelMap::edge);
+    const LabelMap::Brick& brick = labels.brick(std::size_t(n));
+    if (!brick.voxels) {
+      counts[brick.label] += std::int64_t(size.x) * size.y * size.z;
+      continue;
+    }
+    for (int k = 0; k < size.z; ++k)
+      for (int j = 0; j < size.y; ++j) {
+        const auto row = brick.voxels->begin() + (k * LabelMap::edge + j) * LabelMap::edge;
+        std::for_each(row, row + size.x, [&](std::uint8_t label) { ++counts[label]; });
+      }
+  }
+  return counts;
+}
+
+SegmentNumbers numbersOf(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume) {
+  SegmentNumbers numbers{labels, volume, countsOf(*labels), number, {}};
+  if (number > 0) numbers.values = labelStatistics(*labels, *volume, std::uint8_t(number));
+  return numbers;
 }
 
 }  // namespace
 
-SegmentJobs::SegmentJobs(Jobs& jobs, QObject* parent)
-    : QObject(parent), segment_(&jobs), measure_(&jobs), save_(&jobs) {
+SegmentJobs::SegmentJobs(Session& session, Jobs& jobs, QObject* parent)
+    : QObject(parent), session_(session), change_(&jobs), measure_(&jobs), save_(&jobs) {
   save_.keepToTheEnd();
+  connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
+    if (change_.isBusy() && !after.series.contains(waiting_.front().series)) drop();
+  });
 }
 
 SegmentJobs::~SegmentJobs() { save_.wait(); }
 
-void SegmentJobs::segment(const SeriesKey& series, VolumePtr volume, const Mask& mask,
-                          const Segment& segment) {
-  segment_.giveUpAll();
-  segment_.run(
-      tr("Segmenting"),
-      [series, volume, mask, segment](const Job& job) -> Result<SegmentMap> {
-        const auto labels = labelsOf(*volume, mask, *segment.range, job.cancel());
-        if (!labels) return labels.error();
-        return SegmentMap{series, {segment}, *labels, {}};
-      },
-      [this](const Result<SegmentMap>& made) {
-        if (made)
-          Q_EMIT segmented(*made);
-        else
-          Q_EMIT failed(QString::fromStdString(made.message()));
-      });
+void SegmentJobs::change(const SegmentWork& work) {
+  waiting_.push_back(work);
+  next();
 }
 
-void SegmentJobs::measure(const std::shared_ptr<const LabelMap>& labels, int number, VolumePtr volume) {
+void SegmentJobs::next() {
+  while (!change_.isBusy() && !waiting_.empty()) {
+    const SegmentWork work = waiting_.front();
+    if (session_.workspace().series.contains(work.series)) {
+      const SegmentMap* known = segmentMapOf(session_.workspace(), work.series);
+      const SegmentMap base = segmentMapOn(session_.workspace(), work.series, work.volume->geometry());
+      const Segment* segment = findSegment(base, work.number);
+      if (known && known->missing)
+        Q_EMIT failed(tr("The segments of this series were not found with the session: no others are made."));
+      else if (work.number == 0 && !freeNumber(base))
+        Q_EMIT failed(tr("There are 255 segments, and no more fit: remove one first."));
+      else if (segment && segment->locked)
+        Q_EMIT failed(tr("%1 is locked: unlock it first.").arg(shownText(segment->label)));
+      else if (segment || work.number == 0)
+        return begin(work, base);
+    }
+    waiting_.pop_front();
+  }
+  if (waiting_.empty()) Q_EMIT ended();
+}
+
+void SegmentJobs::begin(const SegmentWork& work, const SegmentMap& base) {
+  Workspace with = session_.workspace();
+  int number = work.number;
+  if (number == 0) {
+    Segment made;
+    if (work.change) work.change(made);
+    with = withNewSegment(std::move(with), work.series, work.volume->geometry(), std::move(made));
+    number = segmentMapOf(with, work.series)->current;
+  } else if (work.change) {
+    with = withSegmentChanged(std::move(with), work.series, number, work.change);
+  }
+  change_.run(
+      JobName(work.doing),
+      [work, number, map = segmentMapOn(with, work.series, work.volume->geometry())](const Job& job) {
+        return workDone(work, map, number, job.cancel());
+      },
+      [this, base](const Result<SegmentMap>& made) { take(base, made); }, [this] { drop(); });
+}
+
+// One step where the segments are still what it was made of; else it is made anew.
+void SegmentJobs::take(const SegmentMap& base, const Result<SegmentMap>& made) {
+  const SegmentWork work = waiting_.front();
+  const Workspace& workspace = session_.workspace();
+  const bool isSame = segmentMapOn(workspace, work.series, work.volume->geometry()) == base;
+  if (isSame || !made) waiting_.pop_front();
+  if (!made) {
+    Q_EMIT failed(QString::fromStdString(made.message()));
+  } else if (isSame) {
+    session_.endGesture();
+    session_.change(work.text, withSegmentMap(workspace, *made));
+    session_.endGesture();
+  }
+  next();
+}
+
+// Nobody wants what is under way any more. The next one waits for the event loop: the workspace may be
+// telling of a change.
+void SegmentJobs::drop() {
+  change_.giveUpAll();
+  waiting_.pop_front();
+  QMetaObject::invokeMethod(
+      this, [this] { next(); }, Qt::QueuedConnection);
+}
+
+void SegmentJobs::measure(const std::shared_ptr<const LabelMap>& labels, int number,
+                          const VolumePtr& volume) {
   measure_.giveUpAll();
   measure_.run(
-      tr("Measuring the segment"),
-      [labels, number, volume](const Job&) {
-        return labelStatistics(*labels, *volume, std::uint8_t(number));
-      },
-      [this, labels](const LabelStatistics& statistics) { Q_EMIT measured(labels, statistics); });
+      tr("Measuring segments"),
+      [labels, number, volume](const Job&) { return numbersOf(labels, number, volume); },
+      [this](const SegmentNumbers& numbers) { Q_EMIT measured(numbers); });
 }
 
 void SegmentJobs::save(const SegmentMap& map, const QString& path) {
   save_.run(
-      tr("Saving the segment"),
-      [map, path](const Job&) { return writeSegNrrd(*map.labels, map.segments, path.toStdString()); },
+      tr("Exporting segments"),
+      [map, path](const Job& job) { return exportSegments(path.toStdString(), map, job.cancel()); },
       [this, map, path](const Status& status) {
         if (status)
           Q_EMIT saved(path, map);

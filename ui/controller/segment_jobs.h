@@ -1,40 +1,73 @@
 #pragma once
 
+#include <array>
+#include <deque>
+#include <functional>
 #include <memory>
 
 #include "ui/document/job_lane.h"
-#include "ui/workspace/segment_map.h"
+#include "ui/workspace/session.h"
+#include "viewer/segment/bit_mask.h"
 #include "viewer/segment/label_statistics.h"
-#include "viewer/segment/mask.h"
 
 namespace volumen {
 
-/// Makes segments, measures and saves them; each a job.
+/// What changes the voxels of a segment.
+struct SegmentWork {
+  SeriesKey series;
+  VolumePtr volume;  ///< all of it: its grid is that of the labels
+  int number = 0;    ///< of the segment; 0: a new one
+  QString text;      ///< of the step to undo
+  QString doing;     ///< of the job
+  /// What else becomes of the segment; a new one gets name and colour where it has none.
+  std::function<void(Segment&)> change;
+  /// Its voxels, on the job's thread, of the map as it is then. Null: the segment goes.
+  std::function<Result<BitMask>(const SegmentMap& map, int number, const CancelToken& cancel)> make;
+};
+
+/// What the segments of a map hold.
+struct SegmentNumbers {
+  std::shared_ptr<const LabelMap> labels;
+  VolumePtr volume;
+  std::array<std::int64_t, 256> voxels{};  ///< by number
+  int number = 0;                          ///< of the segment that `values` is of; 0: none
+  LabelStatistics values;
+};
+
+/// Changes segments, measures and exports them; each a job, each change one undo step. Changes that are asked
+/// for while one is made wait for their turn, and work on what that came to.
 class SegmentJobs : public QObject {
   Q_OBJECT
  public:
-  explicit SegmentJobs(Jobs& jobs, QObject* parent = nullptr);
+  SegmentJobs(Session& session, Jobs& jobs, QObject* parent = nullptr);
   /// Waits for what is being written.
   ~SegmentJobs() override;
 
-  /// Labels the voxels of the segment's range in the volume of the series, but what the mask takes away;
-  /// gives up what was to be segmented before. Ends in segmented() or failed().
-  void segment(const SeriesKey& series, VolumePtr volume, const Mask& mask, const Segment& segment);
-  /// Of the voxels with this number; gives up what was to be measured before. Ends in measured(). Both have
-  /// one grid.
-  void measure(const std::shared_ptr<const LabelMap>& labels, int number, VolumePtr volume);
+  /// Ends in a step and ended(), or in failed() and ended(); nothing is done where the series was closed, or
+  /// the segment removed, meanwhile.
+  void change(const SegmentWork& work);
+  /// Gives up what was to be measured before. Ends in measured(). All are of one grid.
+  void measure(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume);
   /// Ends in saved() or failed(). The map has labels.
   void save(const SegmentMap& map, const QString& path);
 
  Q_SIGNALS:
-  void segmented(const volumen::SegmentMap& map);
-  void measured(const std::shared_ptr<const volumen::LabelMap>& labels,
-                const volumen::LabelStatistics& statistics);
+  /// Nothing is being changed any more.
+  void ended();
+  void measured(const volumen::SegmentNumbers& numbers);
   void saved(const QString& path, const volumen::SegmentMap& map);
+  /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
 
  private:
-  JobLane segment_, measure_, save_;
+  void next();
+  void begin(const SegmentWork& work, const SegmentMap& base);
+  void take(const SegmentMap& base, const Result<SegmentMap>& made);
+  void drop();
+
+  Session& session_;
+  std::deque<SegmentWork> waiting_;  // the first is being made where the lane is busy
+  JobLane change_, measure_, save_;
 };
 
 }  // namespace volumen

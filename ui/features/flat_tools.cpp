@@ -35,7 +35,7 @@ FlatTools::FlatTools(Workbench& bench) : Feature(bench) {
                                         tool.name,
                                         true,
                                         {},
-                                        tool.box ? inMenu : inBoth});
+                                        tool.draws() ? inMenu : inBoth});
     const auto show = [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); };
     connect(action, &QAction::triggered, this, [this, &tool, show] {
       grid_.setTool(tool);

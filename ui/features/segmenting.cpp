@@ -1,34 +1,42 @@
+#include <QFileDialog>
+
+#include "ui/controller/export_segments.h"
 #include "ui/controller/mask_jobs.h"
-#include "ui/controller/segment_jobs.h"
+#include "ui/controller/segment_target.h"
 #include "ui/features/feature.h"
-#include "ui/panels/segment_panel.h"
+#include "ui/panels/segments_panel.h"
 #include "ui/views/view_grid.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 
 namespace {
 
-// Segments by a range of values, and what is taken away from a volume: its table, what the scissors cut.
+// Segments of a volume, and what is taken away from it: its table, what the scissors cut.
 class Segmenting : public Feature {
  public:
   explicit Segmenting(Workbench& bench);
 
  private:
+  void makeExport();
   void connectSegmenter();
-  void take(const SegmentMap& made);
+  void showExport();
+  void takePart(const PartClick& click);
+  void askWhere();
 
   SegmentJobs segmenter_;
   MaskJobs masker_;
-  SegmentPanel* panel_;
+  SegmentsPanel* panel_;
+  QAction* export_;
 };
 
 Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
-      segmenter_(bench.document.jobs),
+      segmenter_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
-      panel_(new SegmentPanel(session_)) {
+      panel_(new SegmentsPanel(session_)) {
   bench_.addDock({"segment",
-                  tr("Segment"),
+                  tr("Segments"),
                   bench_.ofScene(Workbench::scrolling(panel_)),
                   {Qt::RightDockWidgetArea, 30}});
   for (QAction* action : {masker_.tableAction(), masker_.resetAction()}) {
@@ -39,36 +47,91 @@ Segmenting::Segmenting(Workbench& bench)
   connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
+  makeExport();
   connectSegmenter();
+  connect(&grid_, &ViewGrid::partClicked, this, &Segmenting::takePart);
+  connect(&bench_, &Workbench::made, this, [this] { panel_->setPartAction(bench_.action("partTool")); });
+}
+
+void Segmenting::makeExport() {
+  export_ = bench_.addAction({"exportSegments",
+                              tr("Export segments..."),
+                              {},
+                              "",
+                              false,
+                              [this](bool) { askWhere(); },
+                              {{"fileMenu", 40, 20}}});
+  panel_->setExportAction(export_);
+  connect(&session_, &Session::workspaceChanged, this, &Segmenting::showExport);
+  connect(&session_, &Session::changed, this, &Segmenting::showExport);
+  showExport();
+}
+
+void Segmenting::showExport() {
+  const QString why = whyNoSegments(session_);
+  const bool isThere = segmentsShown(session_) != nullptr;
+  export_->setEnabled(isThere);
+  export_->setToolTip(toolTipOf(isThere          ? tr("Save the segments of this series in a file.")
+                                : !why.isEmpty() ? why
+                                                 : tr("There is no segment yet.")));
 }
 
 void Segmenting::connectSegmenter() {
-  connect(panel_, &SegmentPanel::segmentRequested, &segmenter_, &SegmentJobs::segment);
-  connect(panel_, &SegmentPanel::saveRequested, &segmenter_, &SegmentJobs::save);
-  connect(panel_, &SegmentPanel::previewChanged, &grid_, &ViewGrid::showSegment);
-  connect(panel_, &SegmentPanel::measureRequested, &segmenter_, &SegmentJobs::measure);
-  connect(&segmenter_, &SegmentJobs::segmented, this, &Segmenting::take);
-  connect(&segmenter_, &SegmentJobs::measured, panel_, &SegmentPanel::showMeasured);
+  connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
+  connect(panel_, &SegmentsPanel::previewChanged, &grid_, &ViewGrid::showSegment);
+  connect(panel_, &SegmentsPanel::measureRequested, &segmenter_, &SegmentJobs::measure);
+  connect(&segmenter_, &SegmentJobs::ended, panel_, &SegmentsPanel::showSegments);
+  connect(&segmenter_, &SegmentJobs::measured, panel_, &SegmentsPanel::showMeasured);
   connect(&segmenter_, &SegmentJobs::saved, this, [this](const QString& path, const SegmentMap& map) {
     tell(tr("Saved %1").arg(path));
     HandWork work;
     work.segmentMaps = {map};
     bench_.document.files.savedApart(work);
   });
-  connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) {
-    warn(sentence);
-    panel_->showSegment();
-  });
+  connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  panel_->showSegments();
 }
 
-// One step; nothing where the series was closed meanwhile.
-void Segmenting::take(const SegmentMap& made) {
-  const Workspace& workspace = session_.workspace();
-  if (!workspace.series.contains(made.series)) return;
-  session_.endGesture();
-  session_.change(tr("Segment"), withSegmentMap(workspace, made));
-  session_.endGesture();
-  panel_->showSegment();  // it may be what it was
+// Of the series that the panel shows; a first part makes a segment.
+void Segmenting::takePart(const PartClick& click) {
+  const QString why = whyNoSegments(session_);
+  if (!why.isEmpty()) return warn(why);
+  if (click.series != keyOf(session_.series()->series))
+    return warn(tr("The panel Segments is about another series: click into a view of that one."));
+  const Segment* segment = segmentShown(session_);
+  const PartUse use = panel_->range().partUse(click.keys);
+  if (!segment && use != PartUse::add) return warn(whyNotChanged(session_));
+  const ValueRange range = panel_->range().range();
+  SegmentWork work;
+  work.series = click.series;
+  work.volume = wholeVolume(session_);
+  work.text = use == PartUse::add    ? tr("Add connected part")
+              : use == PartUse::keep ? tr("Keep connected part")
+                                     : tr("Remove connected part");
+  work.doing = tr("Finding the connected part");
+  if (segment)
+    work.number = segment->number;
+  else
+    work.change = [made = panel_->range().segmentOf(range)](Segment& s) { s = made; };
+  const PartWanted wanted{work.volume, session_.maskOf(click.series), range, click.pPatient, click.onSurface,
+                          use};
+  work.make = [wanted](const SegmentMap& map, int number, const CancelToken& cancel) {
+    return withPart(wanted, map, number, cancel);
+  };
+  segmenter_.change(work);
+}
+
+void Segmenting::askWhere() {
+  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Export segments"), {}, exportFilters());
+  dialog->setObjectName(QStringLiteral("segmentDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(usualExportEnding());
+  dialog->selectFile(QStringLiteral("segmentation.") + usualExportEnding());
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    if (const SegmentMap* map = segmentsShown(session_)) segmenter_.save(*map, path);
+  });
+  dialog->open();
 }
 
 }  // namespace

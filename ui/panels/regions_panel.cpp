@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "ui/widgets/plain_text.h"
-#include "ui/widgets/region_colours.h"
 #include "ui/workspace/derived_text.h"
+#include "ui/workspace/region_colours.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {

@@ -57,7 +57,7 @@ std::vector<MouseAction> dragActions(MousePlace place, bool isLeft) {
   if (isLeft) all.push_back({"chosen", tr("The chosen tool")});
   const bool isFlat = place == MousePlace::flat;
   for (const Tool& tool : tools())
-    if (!tool.measuring && (isLeft || !tool.box) &&
+    if (!tool.measuring && (isLeft || !tool.draws()) &&
         (isFlat ? tool.inSlices != nullptr : tool.inScene != nullptr))
       all.push_back({tool.name, tool.text});
   all.push_back({"none", tr("Nothing")});

@@ -14,6 +14,14 @@
 
 namespace volumen {
 
+/// A place that was clicked to take the connected part there.
+struct PartClick {
+  SeriesKey series;
+  glm::dvec3 pPatient;     ///< mm
+  bool onSurface = false;  ///< of a surface seen in 3D, which lies between voxels
+  Qt::KeyboardModifiers keys{};
+};
+
 /// A view of slices or frames when the mouse was pressed, as far as tools know it.
 struct SlicePress {
   Session& session;
@@ -24,6 +32,9 @@ struct SlicePress {
   QPointF at;                         ///< logical pixels
   Window window{};                    ///< in use
   std::optional<ShapeFrame> frame{};  ///< of frames: which; shapes are drawn on it
+  Qt::KeyboardModifiers keys{};
+  /// Takes the connected part of a place; none where it is no press of the mouse.
+  std::function<void(const PartClick& click)> takePart{};
 
   glm::dvec3 patientAt(QPointF p) const {
     return plane.patientFromPixel({p.x() * pixelRatio, p.y() * pixelRatio});
@@ -65,6 +76,8 @@ struct ScenePress {
   std::function<std::optional<SurfacePoint>(QPointF p)> surfaceAt{};
   /// Says that nothing is seen there that could be measured on.
   std::function<void(QPointF p)> missed{};
+  /// Takes the connected part of a place.
+  std::function<void(const PartClick& click)> takePart{};
 
   const Camera& camera() const { return *scene.camera; }
   /// What turns and moves go about.
@@ -76,16 +89,19 @@ struct Tool {
   const char* name;
   QString text;
   Qt::CursorShape cursor;
-  std::unique_ptr<Drag> (*inSlices)(const SlicePress& press) = nullptr;      ///< null: nothing there
+  /// Null: nothing there. A drag that is null: the press was all of it.
+  std::unique_ptr<Drag> (*inSlices)(const SlicePress& press) = nullptr;
   std::unique_ptr<SceneDrag> (*inScene)(const ScenePress& press) = nullptr;  ///< the same
   int key = 0;             ///< chooses it in a view in which it does something; 0: none
   bool measuring = false;  ///< draws a measurement; its icon is "measure-NAME"
   bool stays = false;      ///< of these: in hand after one, until Esc
   bool looking = false;    ///< changes nothing, whatever lies under the press
   bool box = false;        ///< a box is drawn, of which something is made that is no measurement
+  bool clicks = false;     ///< each press is a click on what is there; in hand until Esc
 
-  /// Whether something is drawn, after which the tool before is in hand again.
-  bool draws() const { return measuring || box; }
+  /// Whether it has the left button in all views where it does something, after which, or after Esc, the
+  /// tool before is in hand again.
+  bool draws() const { return measuring || box || clicks; }
 };
 
 /// A part of a measurement under the pointer.
@@ -122,6 +138,9 @@ std::unique_ptr<Drag> beginSlicePan(const SlicePress& press);
 std::unique_ptr<Drag> beginSliceZoom(const SlicePress& press);
 std::unique_ptr<Drag> beginScroll(const SlicePress& press);
 std::unique_ptr<Drag> beginRegionWindow(const SlicePress& press);
+/// Takes the connected part of a voxel, or of the surface that is seen.
+std::unique_ptr<Drag> beginPart(const SlicePress& press);
+std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press);
 std::unique_ptr<Drag> beginCrosshair(const SlicePress& press);
 std::unique_ptr<Drag> beginMagnifier(const SlicePress& press);
 /// Of Enlarged::factor.

@@ -30,6 +30,12 @@ const std::vector<Tool>& tools() {
          .cursor = Qt::CrossCursor,
          .inSlices = beginRegionWindow,
          .box = true},
+        {.name = "part",
+         .text = tr("Connected part"),
+         .cursor = Qt::CrossCursor,
+         .inSlices = beginPart,
+         .inScene = beginScenePart,
+         .clicks = true},
     };
     std::ranges::move(measuringTools(), std::back_inserter(all));
     return all;

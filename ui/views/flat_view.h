@@ -198,7 +198,7 @@ class FlatView : public View {
   /// These words about the window, and that it is of this view alone where it is.
   QString windowLine(const QString& words) const;
   std::optional<SlicePress> pressAt(QPointF p) const;
-  /// Of the segmentations over the picture.
+  /// Of the segments over the picture: of its series, of the one over that, of segmentation objects.
   std::vector<SegmentLayer> segmentLayers() const;
   /// "Key image" with its star, where it is one.
   QString keyImageText() const;
@@ -263,6 +263,7 @@ class FlatView : public View {
   bool letGo();
   bool liesAsDrawn() const;
   void askForName(int id);
+  void addSegmentMaps(std::vector<SegmentLayer>& layers) const;
   QString measurementText(QPointF p) const;
   void showCursorAt(QPointF p);
   bool pressMeasuringKey(const QKeyEvent& event);

@@ -186,6 +186,7 @@ bool FlatView::event(QEvent* event) {
 
 void FlatView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
+  if (tool_->clicks) return mousePressEvent(event);  // another one, however soon it follows
   if (!drag_ && isOnStackBar(event->position())) return mousePressEvent(event);
   if (drag_) {
     if (drag_->finish()) endDrag(event->modifiers());

@@ -37,10 +37,12 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   const bool isChosen = tool == tool_ && event->button() == Qt::LeftButton;
   if (tool && tool->draws()) stop();
   if (!drag_) pressedAt_ = event->position();
-  const auto press = pressAt(event->position());
+  auto press = pressAt(event->position());
   seeDrag();
   if (drag_ && event->button() == dragButton_) drag_->press(event->position());
   if (!press || drag_) return;
+  press->keys = event->modifiers();
+  press->takePart = [this](const PartClick& click) { Q_EMIT partClicked(click); };
   dragButton_ = event->button();
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();
@@ -51,7 +53,7 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   if (!drag_ && isHand && !tool->draws()) drag_ = pressLine(*press);
   if (!drag_ && !hasWindow() && (tool == &toolNamed("window") || tool == &toolNamed("regionWindow"))) return;
   if (!drag_) drag_ = tool->inSlices(*press);
-  if (drag_->drawing()) update();
+  if (drag_ && drag_->drawing()) update();
   askForLens();
 }
 

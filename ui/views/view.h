@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ui/overlays/overlays.h"
+#include "ui/tools/tool.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {
@@ -46,6 +47,8 @@ class View : public QWidget {
   void menuRequested(QPoint global);
   /// A series was dropped.
   void dropped(const QMimeData& data);
+  /// The connected part of a place is to be taken.
+  void partClicked(const volumen::PartClick& click);
   /// What is under the cursor, empty where nothing is.
   void hovered(const QString& text);
 

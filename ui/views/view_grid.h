@@ -79,6 +79,8 @@ class ViewGrid : public QWidget {
   void dropped(const QMimeData& data);
   void menuRequested(volumen::View* view, QPoint global);
   void toolChanged();
+  /// The connected part of a place is to be taken.
+  void partClicked(const volumen::PartClick& click);
   /// Views were placed, shown or hidden.
   void arranged();
   /// A 3D view was made: it wants to be drawn.

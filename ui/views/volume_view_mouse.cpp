@@ -47,7 +47,8 @@ ScenePress VolumeView::pressAt(QPointF position, Qt::KeyboardModifiers keys) {
                      if (!at || !at->pPatient || !at->softMm) return {};
                      return SurfacePoint{*at->pPatient, *at->softMm};
                    },
-                   [this](QPointF p) { tellMissed(p); }};
+                   [this](QPointF p) { tellMissed(p); },
+                   [this](const PartClick& click) { Q_EMIT partClicked(click); }};
   press.scene.camera = camera();
   return press;
 }

@@ -18,6 +18,13 @@ bool areOne(const Measurement& a, const Measurement& b) {
   return a.series == b.series && a.shape == b.shape && a.textOffset == b.textOffset;
 }
 
+// Which of its segments is worked on is no work.
+bool areOne(const SegmentMap& a, const SegmentMap& b) {
+  SegmentMap same = a;
+  same.current = b.current;
+  return same == b;
+}
+
 }  // namespace
 
 HandWork workIn(const Workspace& workspace) {
@@ -44,7 +51,9 @@ HandWork without(HandWork work, const HandWork& saved) {
   };
   std::erase_if(work.keyImages, isIn(saved.keyImages));
   std::erase_if(work.cuts, isIn(saved.cuts));
-  std::erase_if(work.segmentMaps, isIn(saved.segmentMaps));
+  std::erase_if(work.segmentMaps, [&](const SegmentMap& m) {
+    return std::ranges::any_of(saved.segmentMaps, [&](const SegmentMap& s) { return areOne(m, s); });
+  });
   return work;
 }
 

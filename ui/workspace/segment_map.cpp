@@ -1,12 +1,44 @@
 #include "ui/workspace/segment_map.h"
 
 #include <QCryptographicHash>
+#include <map>
+#include <mutex>
 
 namespace volumen {
 
+namespace {
+
+// Of all maps in steps that can be undone: autosave asks after every one.
+class KnownChecksums {
+ public:
+  std::string of(const std::shared_ptr<const LabelMap>& labels) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto known = checksums_.find(labels); known != checksums_.end()) return known->second;
+    }
+    std::string checksum = checksumOf(*labels);
+    const std::lock_guard lock(mutex_);
+    std::erase_if(checksums_, [](const auto& known) { return known.first.expired(); });
+    checksums_.emplace(labels, checksum);
+    return checksum;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::weak_ptr<const LabelMap>, std::string, std::owner_less<>> checksums_;
+};
+
+std::string knownChecksumOf(const std::shared_ptr<const LabelMap>& labels) {
+  static KnownChecksums known;
+  return known.of(labels);
+}
+
+}  // namespace
+
 bool SegmentMap::operator==(const SegmentMap& other) const {
   const bool same = labels == other.labels || (labels && other.labels && *labels == *other.labels);
-  return same && series == other.series && segments == other.segments && missing == other.missing;
+  return same && series == other.series && segments == other.segments && missing == other.missing &&
+         current == other.current;
 }
 
 std::string checksumOf(const LabelMap& labels) {
@@ -29,7 +61,7 @@ std::string checksumOf(const LabelMap& labels) {
 
 SavedLabels savedLabelsOf(const SegmentMap& map) {
   if (map.missing) return *map.missing;
-  return map.labels ? SavedLabels{checksumOf(*map.labels), map.labels->geometry()} : SavedLabels{};
+  return map.labels ? SavedLabels{knownChecksumOf(map.labels), map.labels->geometry()} : SavedLabels{};
 }
 
 }  // namespace volumen

@@ -24,13 +24,15 @@ struct SegmentMap {
   std::vector<Segment> segments;           ///< each the voxels of its number
   std::shared_ptr<const LabelMap> labels;  ///< null: the file that holds them was not read
   std::optional<SavedLabels> missing;      ///< where they were not: which they are
+  int current = 0;                         ///< the number of the one that is worked on; 0: the first
   bool operator==(const SegmentMap& other) const;
 };
 
 /// 40 hexadecimal digits (BLAKE2b) of size and labels: the same for equal ones, whatever they share.
 std::string checksumOf(const LabelMap& labels);
 
-/// The labels as a session names them.
+/// The labels as a session names them. The checksum of labels that are held is reckoned once; from any
+/// thread.
 SavedLabels savedLabelsOf(const SegmentMap& map);
 
 }  // namespace volumen

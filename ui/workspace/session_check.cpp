@@ -17,6 +17,8 @@ void checkSegments(JsonFields& json, const Workspace& workspace) {
     for (const Segment& segment : map.segments)
       if (!numbers.insert(segment.number).second)
         json.refuse(path + ".segments", "must have numbers of which none is there twice");
+    if (map.current != 0 && !numbers.contains(map.current))
+      json.refuse(path + ".current", "must be 0 or the number of a segment");
   }
 }
 

@@ -56,6 +56,11 @@ class FieldWriter {
   void unlessFirst(const char* name, T& value) {
     if (value != T()) (*this)(name, value);
   }
+  /// A struct that sessions of before have as a text, which is read into `text`, a member of it.
+  template <class T>
+  void onceText(const char* name, T& value, std::string&) {
+    (*this)(name, value);
+  }
   void operator()(const char* name, int& value, Limits limits);
   void operator()(const char* name, double& value, Limits limits);
   void operator()(const char* name, glm::dvec2& value, Limits limits);
@@ -150,6 +155,12 @@ class FieldReader {
   void unlessEmpty(const char* name, std::string& value) { json_.read(name, value); }
   template <class T>
   void unlessFirst(const char* name, T& value) {
+    (*this)(name, value);
+  }
+  template <class T>
+  void onceText(const char* name, T& value, std::string& text) {
+    const nlohmann::json* field = json_.raw(name);
+    if (field && field->is_string()) return json_.read(name, text);
     (*this)(name, value);
   }
   void operator()(const char* name, int& value, Limits limits);

@@ -311,19 +311,30 @@ void fields(Fields& f, ValueRange& range) {
 }
 
 template <class Fields>
+void fields(Fields& f, Code& code) {
+  f("value", code.value);
+  f("scheme", code.scheme);
+  f("meaning", code.meaning);
+}
+
+template <class Fields>
 void fields(Fields& f, Segment& s) {
   bool coloured = s.colour.has_value();
   glm::dvec3 colour(s.colour.value_or(glm::u8vec3(0)));
   f("number", s.number, {1, 255});
   f("label", s.label);
   f("description", s.description);
-  f("category", s.category);
-  f("type", s.type);
+  f.onceText("category", s.category, s.category.meaning);
+  f.onceText("type", s.type, s.type.meaning);
+  f.unlessFirst("modifier", s.modifier);
   f("algorithm", s.algorithm);
   f("trackingId", s.trackingId);
   f("coloured", coloured);
   f("colour", colour, {0, 255});
   f("range", s.range);
+  f("visible", s.visible);
+  f("locked", s.locked);
+  f("opacity", s.opacity, {0, 1});
   if (coloured) s.colour = glm::u8vec3(colour);
 }
 
@@ -335,6 +346,7 @@ void fields(Fields& f, SegmentMap& map) {
   f("labels", saved.checksum);
   f("geometry", saved.geometry);
   f("segments", map.segments);
+  f("current", map.current, {0, 255});
   f.require("labels", isChecksum(saved.checksum), "must be 40 hexadecimal digits");
   f.require("geometry", spansSpace(saved.geometry), "must have axes that span space");
   if (!map.labels) map.missing = saved;

@@ -303,8 +303,13 @@ Workspace without(Workspace workspace, const SeriesKey& key) {
 }
 
 Workspace withSegmentMap(Workspace workspace, const SegmentMap& map) {
-  workspace.segmentMaps.eraseIf([&](const SegmentMap& other) { return other.series == map.series; });
-  workspace.segmentMaps.push_back(map);
+  const auto isIt = [&](const SegmentMap& other) { return other.series == map.series; };
+  if (map.segments.empty())
+    workspace.segmentMaps.eraseIf(isIt);
+  else if (segmentMapOf(workspace, map.series))
+    workspace.segmentMaps.editIf(isIt, [&](SegmentMap& other) { other = map; });
+  else
+    workspace.segmentMaps.push_back(map);
   return workspace;
 }
 

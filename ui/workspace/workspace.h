@@ -234,7 +234,7 @@ struct Workspace {
   bool measurementsShown = true;               ///< in flat views
   int selected = 0;                            ///< the measurement with handles; 0: none
   SharedList<KeyImage> keyImages;              ///< in the order in which they were marked
-  SharedList<SegmentMap> segmentMaps;          ///< one a series or more
+  SharedList<SegmentMap> segmentMaps;          ///< one a series, none without segments
   SharedMap<DerivedKey, RegionsLook> regions;  ///< structure sets and segmentations over flat views
   SharedList<ClosedSeries> closed;             ///< in no session file
   Shared<Unlisted> unlisted;                   ///< in no session file
@@ -331,7 +331,7 @@ Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneL
 bool canChangeKind(ViewId view);
 /// Without this series: views that show it are empty, and what was measured on it comes back with it.
 Workspace without(Workspace workspace, const SeriesKey& key);
-/// With these segments in place of those that their series has.
+/// With these segments in place of those that their series has; without segments it has no map.
 Workspace withSegmentMap(Workspace workspace, const SegmentMap& map);
 /// The segments of a series; null: none.
 const SegmentMap* segmentMapOf(const Workspace& workspace, const SeriesKey& series);

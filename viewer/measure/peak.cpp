@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "viewer/measure/region.h"
+#include "viewer/volume/parallel.h"
 
 namespace volumen {
 
@@ -70,29 +71,48 @@ std::vector<BallVoxel> ballVoxels(const VoxelGeometry& geometry, double radius) 
   return ball;
 }
 
-std::optional<ValuePeak> regionPeak(const Shape& region, const Volume& volume, const CancelToken& cancel) {
+namespace {
+
+// The mean over a ball about a voxel; none where nothing of it counts.
+std::optional<double> ballMean(const std::vector<BallVoxel>& ball, glm::ivec3 about, const Volume& volume) {
+  const std::optional<ValueRange>& padding = volume.attributes().padding;
+  double sum = 0, shares = 0;
+  for (const BallVoxel& part : ball) {
+    const glm::ivec3 x = about + part.step;
+    if (glm::any(glm::lessThan(x, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(x, volume.size())))
+      continue;
+    const double value = double(volume.value(x.x, x.y, x.z));
+    if (padding && value >= padding->low && value <= padding->high) continue;
+    sum += part.share * value;
+    shares += part.share;
+  }
+  return shares > 0 ? std::optional(sum / shares) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ValuePeak> peakAbout(std::span<const glm::ivec3> voxels, const Volume& volume,
+                                   const CancelToken& cancel) {
   const VoxelGeometry& geometry = volume.geometry();
   if (!geometry.calibrated) return {};
   const std::vector<BallVoxel> ball = ballVoxels(geometry, peakRadius);
   if (ball.empty()) return {};
-  const std::optional<ValueRange>& padding = volume.attributes().padding;
-  std::optional<ValuePeak> peak;
-  forEachVoxelOf(region, volume, [&](glm::ivec3 centre, double) {
-    if (cancel.cancelled()) return;
-    double sum = 0, shares = 0;
-    for (const BallVoxel& part : ball) {
-      const glm::ivec3 x = centre + part.step;
-      if (glm::any(glm::lessThan(x, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(x, geometry.size)))
-        continue;
-      const double value = double(volume.value(x.x, x.y, x.z));
-      if (padding && value >= padding->low && value <= padding->high) continue;
-      sum += part.share * value;
-      shares += part.share;
-    }
-    if (const double mean = sum / shares; !peak || mean > peak->mean)
-      peak = ValuePeak{mean, geometry.patientFromVoxel(glm::dvec3(centre))};
+  std::vector<std::optional<double>> means(voxels.size());
+  parallelFor(std::int64_t(voxels.size()), 0, [&](std::int64_t begin, std::int64_t end) {
+    for (auto n = std::size_t(begin); n < std::size_t(end) && !cancel.cancelled(); ++n)
+      means[n] = ballMean(ball, voxels[n], volume);
   });
-  return cancel.cancelled() ? std::nullopt : peak;
+  if (cancel.cancelled()) return {};
+  const auto largest = std::ranges::max_element(means);  // none is less than any
+  if (largest == means.end() || !*largest) return {};
+  const glm::ivec3 centre = voxels[std::size_t(largest - means.begin())];
+  return ValuePeak{**largest, geometry.patientFromVoxel(glm::dvec3(centre))};
+}
+
+std::optional<ValuePeak> regionPeak(const Shape& region, const Volume& volume, const CancelToken& cancel) {
+  std::vector<glm::ivec3> voxels;
+  forEachVoxelOf(region, volume, [&](glm::ivec3 voxel, double) { voxels.push_back(voxel); });
+  return peakAbout(voxels, volume, cancel);
 }
 
 }  // namespace volumen

@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "viewer/measure/shape.h"
@@ -28,10 +29,13 @@ struct BallVoxel {
 /// ball is one of more than a million voxels.
 std::vector<BallVoxel> ballVoxels(const VoxelGeometry& geometry, double radius);
 
-/// The largest mean over balls of 1 ml about the voxels of a region (forEachVoxelOf()), which may reach out
-/// of it: each voxel counts by its share inside the ball; padding and what lies outside the volume does not
-/// count. Of equal ones the first in the volume's order along the region. None: no voxel inside, voxels too
-/// small (ballVoxels()), a volume that is not calibrated, or it was cancelled.
+/// The largest mean over balls of 1 ml about these voxels of a volume, which may reach beyond them: each
+/// voxel counts by its share inside the ball; padding and what lies outside the volume does not count. Of
+/// equal ones the first. On all cores. None: no voxels, voxels too small (ballVoxels()), a volume that is not
+/// calibrated, or it was cancelled.
+std::optional<ValuePeak> peakAbout(std::span<const glm::ivec3> voxels, const Volume& volume,
+                                   const CancelToken& cancel = {});
+/// The same about the voxels of a region (forEachVoxelOf()).
 std::optional<ValuePeak> regionPeak(const Shape& region, const Volume& volume,
                                     const CancelToken& cancel = {});
 

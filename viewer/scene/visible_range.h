@@ -13,7 +13,7 @@ namespace volumen {
 TransferFunction restrictedTo(const TransferFunction& curve, ValueRange range);
 
 /// The maximal spans of values with opacity > 0, ascending, as closed ranges of float32 values: exactly those
-/// that labelRange() needs to label what is seen. Ends are infinite where the curve's ends are visible.
+/// that voxelsInRange() needs to find what is seen. Ends are infinite where the curve's ends are visible.
 /// Gradient opacity is ignored.
 std::vector<ValueRange> visibleSpans(const TransferFunction& curve);
 

@@ -18,8 +18,14 @@ std::size_t placeIn(glm::ivec3 inBrick) {
   return std::size_t(inBrick.x + brickEdge * (inBrick.y + brickEdge * inBrick.z));
 }
 
-// One label for all where all that lies in the grid has it.
-LabelMap::Brick packed(std::shared_ptr<const LabelMap::Voxels> voxels, glm::ivec3 size) {
+glm::ivec3 cornerOf(std::size_t brick, glm::ivec3 bricks) {
+  const int n = int(brick);
+  return brickEdge * glm::ivec3(n % bricks.x, n / bricks.x % bricks.y, n / bricks.x / bricks.y);
+}
+
+}  // namespace
+
+LabelMap::Brick LabelMap::Brick::of(std::shared_ptr<const Voxels> voxels, glm::ivec3 size) {
   const std::uint8_t first = (*voxels)[0];
   for (int k = 0; k < size.z; ++k)
     for (int j = 0; j < size.y; ++j) {
@@ -29,13 +35,6 @@ LabelMap::Brick packed(std::shared_ptr<const LabelMap::Voxels> voxels, glm::ivec
     }
   return {first, nullptr};
 }
-
-glm::ivec3 cornerOf(std::size_t brick, glm::ivec3 bricks) {
-  const int n = int(brick);
-  return brickEdge * glm::ivec3(n % bricks.x, n / bricks.x % bricks.y, n / bricks.x / bricks.y);
-}
-
-}  // namespace
 
 bool LabelMap::Brick::operator==(const Brick& other) const {
   if (voxels && other.voxels) return voxels == other.voxels || *voxels == *other.voxels;
@@ -59,7 +58,7 @@ LabelMap::LabelMap(const DenseLabels& dense) : LabelMap(dense.geometry) {
           std::memcpy(voxels->data() + placeIn({0, j, k}), dense.labels.data() + row * grid.x + corner.x,
                       std::size_t(size.x));
         }
-      held_[std::size_t(n)] = packed(std::move(voxels), size);
+      held_[std::size_t(n)] = Brick::of(std::move(voxels), size);
     }
   });
 }
@@ -136,7 +135,7 @@ LabelMap LabelEdit::done() const {
   LabelMap made = map_;
   for (std::size_t n = 0; n < written_.size(); ++n) {
     if (!written_[n]) continue;
-    auto brick = packed(std::make_shared<const LabelMap::Voxels>(*written_[n]), map_.sizeOf(n));
+    auto brick = LabelMap::Brick::of(std::make_shared<const LabelMap::Voxels>(*written_[n]), map_.sizeOf(n));
     // What was set back to what it was is shared as before.
     if (brick != map_.held_[n]) made.held_[n] = std::move(brick);
   }

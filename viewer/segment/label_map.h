@@ -5,12 +5,15 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "viewer/segment/dense_labels.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
+
+class BitMask;
 
 /// One label a voxel of a grid; 0 is background. It is held in bricks, of which those of one label hold no
 /// voxels. A value that never changes: LabelEdit makes another one of it, and both share the bricks that are
@@ -39,6 +42,8 @@ class LabelMap {
   struct Brick {
     std::uint8_t label = 0;                ///< of all its voxels
     std::shared_ptr<const Voxels> voxels;  ///< null where all have that one label; then only
+    /// Of these voxels, of which the first `size` lie in the grid.
+    static Brick of(std::shared_ptr<const Voxels> voxels, glm::ivec3 size);
     bool operator==(const Brick& other) const;
   };
   const Brick& brick(std::size_t n) const { return held_[n]; }
@@ -50,6 +55,7 @@ class LabelMap {
 
  private:
   friend class LabelEdit;
+  friend LabelMap withLabel(const LabelMap&, std::uint8_t, const BitMask&, std::span<const std::uint8_t>);
   std::size_t brickOf(glm::ivec3 voxel) const;
   /// The voxels of a brick that lie in the grid.
   glm::ivec3 sizeOf(std::size_t brick) const;

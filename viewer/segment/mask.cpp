@@ -4,6 +4,7 @@
 #include <cmath>
 #include <new>
 
+#include "viewer/segment/bit_rows.h"
 #include "viewer/segment/range.h"
 #include "viewer/segment/table.h"
 #include "viewer/volume/buffer.h"
@@ -59,10 +60,11 @@ class Outline {
   std::vector<std::vector<Edge>> bands_;
 };
 
-// Sets to `empty` what one lasso cuts; values that are so already are not looked at.
-template <class T>
-void cut(std::vector<T>& values, T empty, const VoxelGeometry& geometry, const Lasso& lasso,
-         const CancelToken& cancel) {
+// Calls cut(i, j, k) for what one lasso cuts, where isThere(i, j, k) still: rows side by side, a row in
+// order.
+template <class IsThere, class Cut>
+void cutAway(const VoxelGeometry& geometry, const Lasso& lasso, const IsThere& isThere, const Cut& cut,
+             const CancelToken& cancel) {
   const Outline outline(lasso.points);
   const glm::dvec3 forward = lasso.forward();
   const auto cutsAway = [&](glm::dvec3 pPatient) {
@@ -71,26 +73,45 @@ void cut(std::vector<T>& values, T empty, const VoxelGeometry& geometry, const L
     const double depth = lasso.perspective ? glm::dot(d, forward) : 1;
     return (depth > 0 && outline.holds(p / depth)) == lasso.inside;
   };
-  const int rowLength = geometry.size.x;
-  parallelFor(geometry.voxelCount() / rowLength, 0, [&](std::int64_t begin, std::int64_t end) {
+  const glm::ivec3 size = geometry.size;
+  parallelFor(std::int64_t(size.y) * size.z, 0, [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t row = begin; row < end && !cancel.cancelled(); ++row) {
-      const glm::dvec3 first(0, double(row % geometry.size.y), double(row / geometry.size.y));
-      T* const inRow = values.data() + row * rowLength;
-      for (int i = 0; i < rowLength; ++i)
-        if (inRow[i] != empty && cutsAway(geometry.patientFromVoxel({double(i), first.y, first.z})))
-          inRow[i] = empty;
+      const int j = int(row % size.y), k = int(row / size.y);
+      for (int i = 0; i < size.x; ++i)
+        if (isThere(i, j, k) && cutsAway(geometry.patientFromVoxel({i, j, k}))) cut(i, j, k);
     }
   });
 }
 
-DenseLabels beforeLassos(const Volume& volume, const Mask& mask, const CancelToken& cancel) {
-  if (mask.tableRemoved) return patientMask(volume, cancel);
-  return {volume.geometry(), std::vector<std::uint8_t>(std::size_t(volume.geometry().voxelCount()), 1)};
+void cutAll(BitMask& kept, const Mask& mask, const CancelToken& cancel) {
+  for (const auto& lasso : mask.lassos)
+    cutAway(
+        kept.geometry(), *lasso,
+        [&](int i, int j, int k) {
+          return kept.at({i, j, k});
+        },
+        [&](int i, int j, int k) {
+          kept.set({i, j, k}, false);
+        },
+        cancel);
 }
 
-void cutAll(DenseLabels& kept, const Mask& mask, const CancelToken& cancel) {
-  for (const auto& lasso : mask.lassos)
-    if (!cancel.cancelled()) cut(kept.labels, std::uint8_t(0), kept.geometry, *lasso, cancel);
+template <class T>
+void cutAll(std::vector<T>& values, T empty, const VoxelGeometry& geometry,
+            std::span<const std::shared_ptr<const Lasso>> lassos, const CancelToken& cancel) {
+  const auto value = [&](int i, int j, int k) -> T& {
+    return values[std::size_t(i) + std::size_t(geometry.size.x) *
+                                       (std::size_t(j) + std::size_t(geometry.size.y) * std::size_t(k))];
+  };
+  for (const auto& lasso : lassos)
+    cutAway(
+        geometry, *lasso, [&](int i, int j, int k) { return value(i, j, k) != empty; },
+        [&](int i, int j, int k) { value(i, j, k) = empty; }, cancel);
+}
+
+BitMask beforeLassos(const Volume& volume, const Mask& mask, const CancelToken& cancel) {
+  if (mask.tableRemoved) return patientMask(volume, cancel);
+  return inverted(BitMask(volume.geometry()));
 }
 
 // The stored value that means `value` best, within what its type and the volume hold.
@@ -114,14 +135,18 @@ VoxelValues copyOf(const VoxelValues& stored) {
       stored);
 }
 
-VoxelValues maskedValues(const Volume& volume, const DenseLabels& kept) {
+VoxelValues maskedValues(const Volume& volume, const BitMask& kept) {
   VoxelValues copy = copyOf(volume.stored());
   std::visit(
       [&](auto& values) {
         const auto empty = storedNear(air, volume, values);
-        parallelFor(std::int64_t(values.size()), 0, [&](std::int64_t begin, std::int64_t end) {
-          for (std::int64_t n = begin; n < end; ++n)
-            if (!kept.labels[std::size_t(n)]) values[std::size_t(n)] = empty;
+        const glm::ivec3 size = volume.size();
+        parallelFor(std::int64_t(size.y) * size.z, 0, [&](std::int64_t begin, std::int64_t end) {
+          for (std::int64_t row = begin; row < end; ++row) {
+            const auto in = kept.row(int(row % size.y), int(row / size.y));
+            const auto first = values.begin() + row * size.x;
+            for (int i = 0; i < size.x; ++i) first[i] = bits::isSet(in, i) ? first[i] : empty;
+          }
         });
       },
       copy);
@@ -140,23 +165,21 @@ bool Mask::operator==(const Mask& other) const {
                     [](const auto& a, const auto& b) { return a == b || *a == *b; });
 }
 
-DenseLabels keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel) {
-  DenseLabels kept = beforeLassos(volume, mask, cancel);
+BitMask keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel) {
+  BitMask kept = beforeLassos(volume, mask, cancel);
   cutAll(kept, mask, cancel);
   return kept;
 }
 
-DenseLabels labelRange(const Volume& volume, ValueRange range, const Mask& mask, const CancelToken& cancel) {
-  DenseLabels labels = labelRange(volume, range);
-  if (mask.empty()) return labels;
-  const DenseLabels kept = keptVoxels(volume, mask, cancel);
-  for (std::size_t n = 0; n < labels.labels.size(); ++n) labels.labels[n] &= kept.labels[n];
-  return labels;
+BitMask keptVoxelsInRange(const Volume& volume, ValueRange range, const Mask& mask,
+                          const CancelToken& cancel) {
+  BitMask found = voxelsInRange(volume, range);
+  return mask.empty() ? found : intersected(std::move(found), keptVoxels(volume, mask, cancel));
 }
 
 Result<VolumePtr> masked(const Volume& volume, const Mask& mask, const CancelToken& cancel) try {
-  DenseLabels kept = beforeLassos(volume, mask, cancel);
-  if (mask.tableRemoved && !cancel.cancelled() && std::ranges::find(kept.labels, 1) == kept.labels.end())
+  BitMask kept = beforeLassos(volume, mask, cancel);
+  if (mask.tableRemoved && !cancel.cancelled() && kept.empty())
     return Error{"The table cannot be removed: nothing in this series is above -300 HU."};
   cutAll(kept, mask, cancel);
   if (cancel.cancelled()) return cancelled();
@@ -174,9 +197,7 @@ Result<VolumePtr> cutFurther(const Volume& volume, std::span<const std::shared_p
   VoxelValues copy = copyOf(volume.stored());
   std::visit(
       [&](auto& values) {
-        const auto empty = storedNear(air, volume, values);
-        for (const auto& lasso : lassos)
-          if (!cancel.cancelled()) cut(values, empty, volume.geometry(), *lasso, cancel);
+        cutAll(values, storedNear(air, volume, values), volume.geometry(), lassos, cancel);
       },
       copy);
   if (cancel.cancelled()) return cancelled();

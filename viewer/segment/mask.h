@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/segment/dense_labels.h"
+#include "viewer/segment/bit_mask.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -35,14 +35,14 @@ struct Mask {
   bool empty() const { return !tableRemoved && lassos.empty(); }
 };
 
-/// Label 1: what stays. A voxel is cut away where its centre is; where an outline crosses itself, all that it
-/// goes around is inside (non-zero winding number). Of a mask without its table values must be HU.
-DenseLabels keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel = {});
+/// What stays. A voxel is cut away where its centre is; where an outline crosses itself, all that it goes
+/// around is inside (non-zero winding number). Of a mask without its table values must be HU.
+BitMask keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& cancel = {});
 
-/// The same as labelRange() (range.h) of what the mask leaves: what it takes away shows air elsewhere, and is
-/// in no range.
-DenseLabels labelRange(const Volume& volume, ValueRange range, const Mask& mask,
-                       const CancelToken& cancel = {});
+/// The voxels in a range (range.h) of what the mask leaves: what it takes away shows air elsewhere, and is in
+/// no range.
+BitMask keptVoxelsInRange(const Volume& volume, ValueRange range, const Mask& mask,
+                          const CancelToken& cancel = {});
 
 /// A copy of a volume with air (-1000, or the nearest value that there is) where the mask takes away, which
 /// its attributes say. The Error: it was cancelled, the table was to go and there is no patient, or too

@@ -1,25 +1,108 @@
 #include "viewer/segment/range.h"
 
-#include "viewer/volume/buffer.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+#include "viewer/segment/bit_rows.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
 
-DenseLabels labelRange(const Volume& volume, ValueRange range) {
-  const std::optional<ValueRange>& padding = volume.attributes().padding;
-  DenseLabels map{volume.geometry(), zeros<std::uint8_t>(std::size_t(volume.geometry().voxelCount()))};
+namespace {
+
+// Stored values from `low` to `high`.
+template <class T>
+struct Stored {
+  T low, high;
+  bool holds(T value) const { return (low <= value) & (value <= high); }
+};
+
+// Whose real values are in the range: integers by bisection, for real values rise or fall with stored ones.
+template <class T>
+std::optional<Stored<T>> storedIn(const Volume& volume, ValueRange range) {
+  const auto real = [&](int stored) { return double(volume.realValue(stored)); };
+  int least = std::numeric_limits<T>::min(), most = std::numeric_limits<T>::max();
+  const bool rises = volume.slope() > 0;
+  const auto first = [&](const auto& isBehind) {  // the first stored value that is
+    int low = least, high = most + 1;
+    while (low < high) {
+      const int middle = low + (high - low) / 2;
+      if (isBehind(real(middle)))
+        high = middle;
+      else
+        low = middle + 1;
+    }
+    return low;
+  };
+  const int begin = first([&](double v) { return rises ? v >= range.low : v <= range.high; });
+  const int end = first([&](double v) { return rises ? v > range.high : v < range.low; });
+  if (!(range.low <= range.high) || begin >= end) return {};
+  return Stored<T>{T(begin), T(end - 1)};
+}
+
+// Floats are stored as they are.
+template <>
+std::optional<Stored<float>> storedIn(const Volume&, ValueRange range) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  if (!(range.low <= range.high)) return {};
+  float low = float(range.low), high = float(range.high);
+  if (double(low) < range.low) low = std::nextafter(low, infinity);
+  if (double(high) > range.high) high = std::nextafter(high, -infinity);
+  if (low > high) return {};
+  return Stored<float>{low, high};
+}
+
+// Up to 64 values, a bit each.
+template <class T, class In>
+std::uint64_t bitsOf(const T* values, int count, const In& isIn) {
+  std::array<std::uint8_t, 64> in{};
+  if (count == 64)
+    for (std::size_t n = 0; n < 64; ++n) in[n] = isIn(values[n]);
+  else
+    for (std::size_t n = 0; n < std::size_t(count); ++n) in[n] = isIn(values[n]);
+  std::uint64_t all = 0;
+  for (std::size_t n = 0; n < 64; n += 8) {
+    std::uint64_t eight;
+    std::memcpy(&eight, in.data() + n, 8);
+    all |= bits::bitsOfBytes(eight) << n;
+  }
+  return all;
+}
+
+template <class T, class In>
+void findAll(BitMask& mask, const std::vector<T>& values, const In& isIn) {
+  const glm::ivec3 size = mask.size();
+  parallelFor(std::int64_t(size.y) * size.z, 0, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t n = begin; n < end; ++n) {
+      const T* const first = values.data() + n * size.x;
+      const auto row = mask.row(int(n % size.y), int(n / size.y));
+      for (int i = 0; i < size.x; i += 64)
+        row[std::size_t(i) / 64] = bitsOf(first + i, std::min(64, size.x - i), isIn);
+    }
+  });
+}
+
+}  // namespace
+
+BitMask voxelsInRange(const Volume& volume, ValueRange range) {
+  BitMask mask(volume.geometry());
   std::visit(
-      [&](const auto& stored) {
-        parallelFor(std::int64_t(stored.size()), 0, [&](std::int64_t begin, std::int64_t end) {
-          for (auto n = std::size_t(begin); n < std::size_t(end); ++n) {
-            const double value = double(volume.realValue(double(stored[n])));
-            const bool isPadding = padding && padding->low <= value && value <= padding->high;
-            map.labels[n] = range.low <= value && value <= range.high && !isPadding;
-          }
-        });
+      [&]<class T>(const std::vector<T>& values) {
+        const auto in = storedIn<T>(volume, range);
+        if (!in) return;
+        const auto& padding = volume.attributes().padding;
+        const auto out = padding ? storedIn<T>(volume, *padding) : std::nullopt;
+        if (out)
+          findAll(mask, values, [in = *in, out = *out](T v) { return in.holds(v) & !out.holds(v); });
+        else
+          findAll(mask, values, [in = *in](T v) { return in.holds(v); });
       },
       volume.stored());
-  return map;
+  return mask;
 }
 
 }  // namespace volumen

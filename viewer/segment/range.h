@@ -1,11 +1,11 @@
 #pragma once
 
-#include "viewer/segment/dense_labels.h"
+#include "viewer/segment/bit_mask.h"
 
 namespace volumen {
 
-/// Label 1 where range.low <= value <= range.high, real units, and the value is no padding; ends may be
-/// infinite. On all cores.
-DenseLabels labelRange(const Volume& volume, ValueRange range);
+/// The voxels where range.low <= value <= range.high, real units, and the value is no padding; ends may be
+/// infinite. On all cores, by SIMD.
+BitMask voxelsInRange(const Volume& volume, ValueRange range);
 
 }  // namespace volumen

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "viewer/segment/code.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
@@ -12,12 +13,15 @@ namespace volumen {
 /// One segment of a segmentation (PS3.3 C.8.20.4); its voxels are in a LabelMap, or in Segmentation::bits.
 /// Texts are UTF-8.
 struct Segment {
-  int number = 0;                      ///< from 1: as its file counts; of a label map its label
-  std::string label{}, description{};  ///< its name, and what is said of it
-  std::string category{}, type{};      ///< meanings of their codes: "Tissue", "Bone"
+  int number = 0;                       ///< from 1: as its file counts; of a label map its label
+  std::string label{}, description{};   ///< its name, and what is said of it
+  Code category{}, type{}, modifier{};  ///< "Tissue", "Bone", "Left"
   std::string algorithm{}, trackingId{};
   std::optional<glm::u8vec3> colour{};  ///< recommended, sRGB
   std::optional<ValueRange> range{};    ///< the values that it was made of; none: it was not made so
+  bool visible = true;
+  bool locked = false;  ///< nothing takes voxels from it or gives it some
+  double opacity = 1;   ///< where it is drawn, 0..1
   bool operator==(const Segment&) const = default;
 };
 

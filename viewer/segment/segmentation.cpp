@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <ranges>
+
+#include "viewer/volume/parallel.h"
 
 namespace volumen {
 namespace {
@@ -21,6 +25,32 @@ std::vector<Plane> planesOf(const Segmentation& s) {
   std::ranges::sort(planes, {}, &Plane::along);
   return planes;
 }
+
+/// A label map that takes one segment after the other.
+struct SharedLabels {
+  static constexpr int mostLabels = 255;
+  Segmented made;
+  BitMask taken;
+
+  explicit SharedLabels(const VoxelGeometry& grid) : made{{}, LabelMap(grid)}, taken(grid) {}
+
+  bool hasRoomFor(const BitMask& mask) const {
+    if (made.segments.size() == mostLabels) return false;
+    const auto a = taken.words(), b = mask.words();
+    return std::ranges::none_of(std::views::iota(std::size_t(0), a.size()),
+                                [&](std::size_t n) { return a[n] & b[n]; });
+  }
+  bool isFree(int label) const {
+    return label >= 1 && label <= mostLabels &&
+           std::ranges::find(made.segments, label, &Segment::number) == made.segments.end();
+  }
+  void add(Segment segment, const BitMask& mask) {
+    for (int label = 1; !isFree(segment.number); ++label) segment.number = label;
+    made.labels = withLabel(made.labels, std::uint8_t(segment.number), mask);
+    taken = united(std::move(taken), mask);
+    made.segments.push_back(std::move(segment));
+  }
+};
 
 }  // namespace
 
@@ -67,18 +97,55 @@ SegmentPlaces::SegmentPlaces(const Segmentation& segmentation, std::size_t segme
   std::ranges::sort(planes_, {}, &Plane::along);
 }
 
-bool SegmentPlaces::holds(glm::dvec3 p) const {
+std::optional<SegmentPlaces::Pixel> SegmentPlaces::pixelAt(glm::dvec3 p) const {
   constexpr double touching = 1e-6;  // a place on the face between two planes belongs to one of them
-  if (planes_.empty()) return false;
+  if (planes_.empty()) return {};
   const double along = glm::dot(p, normal_);
   auto plane = std::ranges::lower_bound(planes_, along, {}, &Plane::along);
   if (plane == planes_.end() || (plane != planes_.begin() && along - plane[-1].along < plane->along - along))
     --plane;
-  if (std::abs(plane->along - along) > all_.thickness / 2 * (1 + touching)) return false;
+  if (std::abs(plane->along - along) > all_.thickness / 2 * (1 + touching)) return {};
   const glm::dvec3 from = p - all_.frames[plane->frame].origin;
-  const double x = std::floor(glm::dot(from, all_.right) / all_.mm.x + 0.5),
-               y = std::floor(glm::dot(from, all_.down) / all_.mm.y + 0.5);
-  return x >= 0 && y >= 0 && x < all_.size.x && y < all_.size.y && all_.isSet(plane->frame, int(x), int(y));
+  return Pixel{plane->frame, {glm::dot(from, all_.right) / all_.mm.x, glm::dot(from, all_.down) / all_.mm.y}};
+}
+
+bool SegmentPlaces::holds(glm::dvec3 p) const {
+  const auto pixel = pixelAt(p);
+  if (!pixel) return false;
+  const double x = std::floor(pixel->at.x + 0.5), y = std::floor(pixel->at.y + 0.5);
+  return x >= 0 && y >= 0 && x < all_.size.x && y < all_.size.y && all_.isSet(pixel->frame, int(x), int(y));
+}
+
+// What holds at the corners of a slice holds between them: places are linear, and what is nearest to a plane
+// is convex.
+std::optional<std::size_t> SegmentPlaces::frameOn(const VoxelGeometry& grid, int k) const {
+  constexpr double off = 0.49;  // less than half a pixel
+  if (glm::ivec2(grid.size) != all_.size) return {};
+  std::optional<std::size_t> frame;
+  for (const int x : {0, grid.size.x - 1})
+    for (const int y : {0, grid.size.y - 1}) {
+      const auto pixel = pixelAt(grid.patientFromVoxel({x, y, k}));
+      if (!pixel || (frame && *frame != pixel->frame)) return {};
+      frame = pixel->frame;
+      const glm::dvec2 from = glm::abs(pixel->at - glm::dvec2(x, y));
+      if (!(std::max(from.x, from.y) < off)) return {};
+    }
+  return frame;
+}
+
+void SegmentPlaces::fill(BitMask& mask, int k) const {
+  const VoxelGeometry& grid = mask.geometry();
+  if (planes_.empty()) return;
+  const auto frame = frameOn(grid, k);
+  for (int j = 0; j < grid.size.y; ++j) {
+    const auto row = mask.row(j, k);
+    if (frame) {
+      unpackWords(all_.bits, all_.rowAt(*frame, j), std::size_t(grid.size.x), row);
+      continue;
+    }
+    for (int i = 0; i < grid.size.x; ++i)
+      if (holds(grid.patientFromVoxel({i, j, k}))) row[std::size_t(i) / 64] |= std::uint64_t(1) << i % 64;
+  }
 }
 
 std::vector<glm::dvec3> SegmentPlaces::corners() const {
@@ -93,17 +160,28 @@ std::vector<glm::dvec3> SegmentPlaces::corners() const {
   return corners;
 }
 
-DenseLabels labelsOf(const Segmentation& s, std::size_t segment, const VoxelGeometry& grid) {
-  DenseLabels map{grid, std::vector<std::uint8_t>(std::size_t(grid.voxelCount()))};
+BitMask maskOf(const Segmentation& s, std::size_t segment, const VoxelGeometry& grid,
+               const CancelToken& cancel) {
+  BitMask mask(grid);
   const SegmentPlaces places(s, segment);
-  const glm::dvec3 step = grid.patientFromVoxelStep[0];
-  std::size_t n = 0;
-  for (int k = 0; k < grid.size.z; ++k)
-    for (int j = 0; j < grid.size.y; ++j) {
-      glm::dvec3 p = grid.patientFromVoxel(glm::dvec3(0, j, k));
-      for (int i = 0; i < grid.size.x; ++i, ++n, p += step) map.labels[n] = places.holds(p);
-    }
-  return map;
+  parallelFor(grid.size.z, 0, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t k = begin; k < end && !cancel.cancelled(); ++k) places.fill(mask, int(k));
+  });
+  return mask;
+}
+
+std::vector<Segmented> segmentedOf(const Segmentation& s, const VoxelGeometry& grid,
+                                   const CancelToken& cancel) {
+  std::vector<SharedLabels> maps;
+  for (std::size_t n = 0; n < s.segments.size() && !cancel.cancelled(); ++n) {
+    const BitMask mask = maskOf(s, n, grid, cancel);
+    auto map = std::ranges::find_if(maps, [&](const SharedLabels& m) { return m.hasRoomFor(mask); });
+    if (map == maps.end()) map = maps.insert(map, SharedLabels(grid));
+    map->add(s.segments[n], mask);
+  }
+  std::vector<Segmented> all;
+  for (SharedLabels& map : maps) all.push_back(std::move(map.made));
+  return all;
 }
 
 }  // namespace volumen

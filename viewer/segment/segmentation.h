@@ -3,10 +3,13 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
-#include "viewer/segment/dense_labels.h"
-#include "viewer/segment/segment.h"
+#include "viewer/segment/bit_mask.h"
+#include "viewer/segment/packed_bits.h"
+#include "viewer/segment/segmented.h"
+#include "viewer/volume/cancel.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {
@@ -27,13 +30,13 @@ struct Segmentation {
   double thickness = 1;                      ///< of a plane, mm
   std::vector<Segment> segments;
   std::vector<SegmentFrame> frames;
-  std::vector<std::uint8_t> bits;  ///< frame after frame without a gap, lowest bit first
+  std::vector<std::uint8_t> bits;  ///< frame after frame (packed_bits.h)
 
-  bool isSet(std::size_t frame, int x, int y) const {
-    const std::size_t bit =
-        (frame * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x) + std::size_t(x);
-    return bits[bit / 8] >> bit % 8 & 1;
+  /// Which of the bits is the first of a row.
+  std::size_t rowAt(std::size_t frame, int y) const {
+    return (frame * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x);
   }
+  bool isSet(std::size_t frame, int x, int y) const { return bitAt(bits, rowAt(frame, y) + std::size_t(x)); }
 };
 
 /// How many pixels of a segment are set, in all of its frames.
@@ -50,6 +53,9 @@ class SegmentPlaces {
   SegmentPlaces(const Segmentation& segmentation, std::size_t segment);
 
   bool holds(glm::dvec3 pPatient) const;
+  /// Slice `k` of a mask, whose voxels are set where this holds their centre. Fast where a plane lies on it
+  /// pixel by voxel.
+  void fill(BitMask& mask, int k) const;
   /// The corners of the box of its planes, half a pixel and half a plane larger; none where it has no planes.
   std::vector<glm::dvec3> corners() const;
 
@@ -59,13 +65,29 @@ class SegmentPlaces {
     std::size_t frame;
   };
 
+  struct Pixel {
+    std::size_t frame;
+    glm::dvec2 at;  ///< column and row, of the pixel's centre whole numbers
+  };
+  /// In the nearest plane; none where that is too far away.
+  std::optional<Pixel> pixelAt(glm::dvec3 pPatient) const;
+  /// The plane whose pixels lie on the voxels of a slice one by one, each nearest to its own; none where
+  /// there is none.
+  std::optional<std::size_t> frameOn(const VoxelGeometry& grid, int k) const;
+
   const Segmentation& all_;
   glm::dvec3 normal_;
   std::vector<Plane> planes_;  ///< of the segment, in order
 };
 
-/// A segment on a grid: 1 at voxels whose centre it holds. Each segment gets a map of its own, for they may
-/// overlap.
-DenseLabels labelsOf(const Segmentation& segmentation, std::size_t segment, const VoxelGeometry& grid);
+/// A segment on a grid: the voxels whose centre it holds. On all cores.
+BitMask maskOf(const Segmentation& segmentation, std::size_t segment, const VoxelGeometry& grid,
+               const CancelToken& cancel = {});
+
+/// All segments on a grid, to be edited. One label map as long as no two of them share a voxel; a segment
+/// that overlaps others, or that has no label left, is in the first further map where it fits. Its number is
+/// its label there: that of its file where it can be. A cancelled one is returned half done.
+std::vector<Segmented> segmentedOf(const Segmentation& segmentation, const VoxelGeometry& grid,
+                                   const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <vector>
 
-#include "viewer/segment/components.h"
+#include "viewer/segment/holes.h"
+#include "viewer/segment/parts.h"
 #include "viewer/segment/range.h"
-#include "viewer/volume/parallel.h"
+#include "viewer/segment/spread.h"
 
 namespace volumen {
 
@@ -15,7 +16,19 @@ namespace {
 
 constexpr double grownMm = 3;
 
-// The axis of the grid that runs most along the patient.
+// What lies within `reach` voxels along one axis too.
+BitMask grownAlong(const BitMask& mask, int axis, int reach, const CancelToken& cancel) {
+  const int most = std::min(reach, mask.size()[axis] - 1);
+  std::vector<SpreadRow> rows;
+  if (axis == 0)
+    rows.push_back({0, 0, -most, most});
+  else
+    for (int n = -most; n <= most; ++n) rows.push_back({axis == 1 ? n : 0, axis == 2 ? n : 0, 0, 0});
+  return spread(mask, rows, cancel);
+}
+
+}  // namespace
+
 int axisAlongPatient(const VoxelGeometry& geometry) {
   const glm::dmat3& step = geometry.patientFromVoxelStep;
   const glm::dvec3 spacing = geometry.spacing();
@@ -25,63 +38,15 @@ int axisAlongPatient(const VoxelGeometry& geometry) {
   return axis;
 }
 
-// Labels what each slice across the axis encloses: what cannot be reached from the slice's rim.
-void fillSlices(DenseLabels& map, int axis, const CancelToken& cancel) {
-  const glm::ivec3 size = map.geometry.size;
-  const glm::i64vec3 strides(1, size.x, std::int64_t(size.x) * size.y);
-  const int a = axis == 0 ? 1 : 0, b = axis == 2 ? 1 : 2;
-  const int width = size[a], height = size[b];
-  parallelFor(size[axis], 0, [&](std::int64_t begin, std::int64_t end) {
-    std::vector<std::uint8_t> reached;
-    std::vector<std::pair<int, int>> open;
-    for (std::int64_t slice = begin; slice < end && !cancel.cancelled(); ++slice) {
-      std::uint8_t* const first = map.labels.data() + slice * strides[axis];
-      const auto at = [&](int x, int y) -> std::uint8_t& { return first[x * strides[a] + y * strides[b]]; };
-      reached.assign(std::size_t(width) * height, 0);
-      const auto reach = [&](int x, int y) {
-        if (x < 0 || y < 0 || x >= width || y >= height || at(x, y)) return;
-        if (std::exchange(reached[std::size_t(y) * width + x], 1) == 0) open.emplace_back(x, y);
-      };
-      for (int x = 0; x < width; ++x) reach(x, 0), reach(x, height - 1);
-      for (int y = 0; y < height; ++y) reach(0, y), reach(width - 1, y);
-      while (!open.empty()) {
-        const auto [x, y] = open.back();
-        open.pop_back();
-        reach(x - 1, y), reach(x + 1, y), reach(x, y - 1), reach(x, y + 1);
-      }
-      for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) at(x, y) = !reached[std::size_t(y) * width + x];
-    }
-  });
-}
-
-// Labels all that lies within `reach` voxels of a label along one axis.
-void growAlong(DenseLabels& map, int axis, int reach) {
-  const glm::ivec3 size = map.geometry.size;
-  const std::vector<std::uint8_t> before = map.labels;
-  const std::int64_t row = axis == 0 ? 1 : axis == 1 ? size.x : std::int64_t(size.x) * size.y;
-  parallelFor(map.geometry.voxelCount() / row, 0, [&](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t n = begin; n < end; ++n) {
-      const int at = int(n % size[axis]);
-      std::uint8_t* const to = map.labels.data() + n * row;
-      for (int other = std::max(0, at - reach); other <= std::min(at + reach, size[axis] - 1); ++other) {
-        const std::uint8_t* const from = before.data() + (n + other - at) * row;
-        for (std::int64_t i = 0; i < row; ++i) to[i] |= from[i];
-      }
-    }
-  });
-}
-
-}  // namespace
-
-DenseLabels patientMask(const Volume& volume, const CancelToken& cancel) {
-  DenseLabels map = largestComponent(labelRange(volume, {notAirHu, std::numeric_limits<double>::infinity()}));
-  if (cancel.cancelled() || std::ranges::find(map.labels, 1) == map.labels.end()) return map;
-  fillSlices(map, axisAlongPatient(map.geometry), cancel);
-  const glm::dvec3 spacing = map.geometry.spacing();
+BitMask patientMask(const Volume& volume, const CancelToken& cancel) {
+  const BitMask notAir = voxelsInRange(volume, {notAirHu, std::numeric_limits<double>::infinity()});
+  BitMask mask = Parts(notAir, Neighbours::faces, cancel).largest();
+  if (cancel.cancelled() || mask.empty()) return mask;
+  mask = holesFilledInSlices(mask, axisAlongPatient(mask.geometry()), cancel);
+  const glm::dvec3 spacing = mask.geometry().spacing();
   for (int axis = 0; axis < 3 && !cancel.cancelled(); ++axis)
-    growAlong(map, axis, int(std::lround(grownMm / spacing[axis])));
-  return map;
+    mask = grownAlong(mask, axis, int(std::lround(std::min(grownMm / spacing[axis], 1e6))), cancel);
+  return mask;
 }
 
 }  // namespace volumen

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <functional>
-
-#include "viewer/segment/dense_labels.h"
+#include "viewer/segment/bit_mask.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -10,9 +8,12 @@ namespace volumen {
 /// What is above this is no air, lung or foam, HU.
 inline constexpr double notAirHu = -300;
 
-/// Label 1: the patient in a CT, without the table. The largest connected part of what is above notAirHu,
+/// The axis of a grid that runs most along the patient (head to feet): 0, 1 or 2.
+int axisAlongPatient(const VoxelGeometry& geometry);
+
+/// The patient in a CT, without the table. The largest connected part of what is above notAirHu,
 /// with all that it encloses in its slice (lungs, bowel) and grown by about 3 mm, so that the skin keeps its
 /// edge. Empty where nothing is above notAirHu. Values must be HU.
-DenseLabels patientMask(const Volume& volume, const CancelToken& cancel = {});
+BitMask patientMask(const Volume& volume, const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -70,8 +70,9 @@ bool survives(const std::string& path) {
     if (segmentation) {
       VoxelGeometry grid;
       grid.size = {16, 16, 4};
-      for (std::size_t n = 0; n < segmentation->segments.size(); ++n)
-        if (labelsOf(*segmentation, n, grid).labels.size() != 1024) return false;
+      std::size_t segments = 0;
+      for (const Segmented& map : segmentedOf(*segmentation, grid)) segments += map.segments.size();
+      if (segments != segmentation->segments.size()) return false;
       const Result<VoxelGeometry> own = gridOf(*segmentation);
       if (own && own->voxelCount() < 1) return false;
     }

@@ -163,7 +163,8 @@ void TestFieldCases::objectsLieOnTheirPictures() {
   QCOMPARE(study.volumes[0].acquired.size, glm::ivec3(64, 64, 8));
   const auto segmentation = loadSegmentation(folder + "/seg.dcm");
   QVERIFY2(segmentation.ok(), segmentation.ok() ? "" : segmentation.message().c_str());
-  const DenseLabels block = labelsOf(*segmentation, 0, study.volumes[0].acquired);
+  const LabelMap none(study.volumes[0].acquired);
+  const DenseLabels block = withLabel(none, 1, maskOf(*segmentation, 0, none.geometry())).dense();
   QCOMPARE(std::ranges::count(block.labels, std::uint8_t(1)), 600);
   const auto box = labelBox(LabelMap(block));
   QVERIFY(box.has_value());

@@ -76,7 +76,8 @@ void write(const std::string& path, const Made& made) {
   });
 }
 
-std::int64_t count(const DenseLabels& map) { return std::ranges::count(map.labels, std::uint8_t(1)); }
+/// The smallest box that holds a mask.
+VoxelBox boxOf(const BitMask& mask) { return *labelBox(withLabel(LabelMap(mask.geometry()), 1, mask)); }
 
 }  // namespace
 
@@ -86,14 +87,14 @@ void TestSegmentationObject::aBoneLiesOnItsCt() {
   QVERIFY2(s, s ? "" : s.message().c_str());
   QCOMPARE(s->segments.size(), std::size_t(1));
   QCOMPARE(s->segments[0].label, std::string("first segment"));
-  QCOMPARE(s->segments[0].category, std::string("Tissue"));
-  QCOMPARE(s->segments[0].type, std::string("Bone"));
+  QCOMPARE(s->segments[0].category.meaning, std::string("Tissue"));
+  QCOMPARE(s->segments[0].type.meaning, std::string("Bone"));
   QCOMPARE(pixelsOf(*s, 0), std::int64_t(1832));
   const Result<Study> ct = openStudy(dataPath("dicom-pydicom/test_files/CT_small.dcm"));
   QVERIFY(ct.ok());
-  const DenseLabels map = labelsOf(*s, 0, ct->volumes.at(0).acquired);
-  QCOMPARE(count(map), std::int64_t(1832));
-  QCOMPARE(*labelBox(LabelMap(map)), (VoxelBox{{5, 6, 0}, {101, 94, 0}}));
+  const BitMask mask = maskOf(*s, 0, ct->volumes.at(0).acquired);
+  QCOMPARE(mask.count(), std::int64_t(1832));
+  QCOMPARE(boxOf(mask), (VoxelBox{{5, 6, 0}, {101, 94, 0}}));
 }
 
 void TestSegmentationObject::overlappingSegmentsAreKeptApart() {
@@ -106,12 +107,12 @@ void TestSegmentationObject::overlappingSegmentsAreKeptApart() {
   QCOMPARE(s->frames.size(), std::size_t(8));
   std::int64_t slices = 0;
   for (const Series& series : ct->volumes) {
-    const DenseLabels bone = labelsOf(*s, 0, series.acquired), spine = labelsOf(*s, 1, series.acquired);
+    const BitMask bone = maskOf(*s, 0, series.acquired), spine = maskOf(*s, 1, series.acquired);
     const int last = series.acquired.size.z - 1;
-    QCOMPARE(count(bone), std::int64_t(16 * (last + 1)));
-    QCOMPARE(count(spine), std::int64_t(4 * (last + 1)));
-    QCOMPARE(*labelBox(LabelMap(bone)), (VoxelBox{{4, 4, 0}, {7, 7, last}}));
-    QCOMPARE(*labelBox(LabelMap(spine)), (VoxelBox{{6, 6, 0}, {7, 7, last}}));  // inside the bone
+    QCOMPARE(bone.count(), std::int64_t(16 * (last + 1)));
+    QCOMPARE(spine.count(), std::int64_t(4 * (last + 1)));
+    QCOMPARE(boxOf(bone), (VoxelBox{{4, 4, 0}, {7, 7, last}}));
+    QCOMPARE(boxOf(spine), (VoxelBox{{6, 6, 0}, {7, 7, last}}));  // inside the bone
     slices += last + 1;
   }
   QCOMPARE(slices, std::int64_t(4));
@@ -124,8 +125,8 @@ void TestSegmentationObject::ownGridHoldsEmptyPlanes() {
   const Result<VoxelGeometry> grid = gridOf(*s);
   QVERIFY2(grid, grid ? "" : grid.message().c_str());
   QCOMPARE(grid->size, glm::ivec3(16, 16, 165));  // -99.48 .. 105.52 in steps of 1.25
-  QCOMPARE(count(labelsOf(*s, 0, *grid)), std::int64_t(64));
-  QCOMPARE(count(labelsOf(*s, 1, *grid)), std::int64_t(16));
+  QCOMPARE(maskOf(*s, 0, *grid).count(), std::int64_t(64));
+  QCOMPARE(maskOf(*s, 1, *grid).count(), std::int64_t(16));
 }
 
 void TestSegmentationObject::bitsRunOnFromFrameToFrame_data() {
@@ -154,7 +155,7 @@ void TestSegmentationObject::bitsRunOnFromFrameToFrame() {
   const Result<VoxelGeometry> grid = gridOf(*s);
   QVERIFY2(grid, grid ? "" : grid.message().c_str());
   QCOMPARE(grid->spacing(), glm::dvec3(0.7, 0.5, 2));
-  const DenseLabels map = labelsOf(*s, 0, *grid);
+  const DenseLabels map = withLabel(LabelMap(*grid), 1, maskOf(*s, 0, *grid)).dense();
   for (std::size_t n = 0; n < bits; ++n) QCOMPARE(map.labels[n] == 1, isSet(n));
 }
 

@@ -11,6 +11,7 @@
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
 #include "viewer/measure/measure.h"
+#include "viewer/measure/region.h"
 #include "viewer/measure/scaled.h"
 
 using namespace volumen;
@@ -27,6 +28,7 @@ class TestPeak : public QObject {
   void aRampIsItsCentre();
   void isTheDefinition_data();
   void isTheDefinition();
+  void aboutVoxelsOfAnyShape();
   void outsideAndPaddingDoNotCount();
   void onlyOfSuv();
   void anotherSeriesInTheSameRegion_data();
@@ -181,6 +183,27 @@ void TestPeak::isTheDefinition() {
   if (!found) return;
   QVERIFY2(std::abs(found->mean - best) < 0.01,
            qPrintable(QStringLiteral("%1, not %2").arg(found->mean).arg(best)));
+}
+
+// Those of a region are the same as the region; of a few alone the largest of their own balls, the first
+// where several are as large.
+void TestPeak::aboutVoxelsOfAnyShape() {
+  Chance chance(12);
+  const VolumePtr volume = volumeOf<float>({14, 12, 9}, glm::dmat3(3), [&](dvec3) { return chance.share(); });
+  const Shape region = squareAbout({1, 2, 0}, 11);
+  std::vector<glm::ivec3> voxels;
+  forEachVoxelOf(region, *volume, [&](glm::ivec3 voxel, double) { voxels.push_back(voxel); });
+  QVERIFY(voxels.size() > 30);
+  QCOMPARE(peakAbout(voxels, *volume)->mean, regionPeak(region, *volume)->mean);
+  double largest = 0;
+  for (const glm::ivec3 voxel : {glm::ivec3(3, 3, 3), {9, 4, 5}, {0, 0, 0}})
+    largest = std::max(largest, peakAbout(std::array{voxel}, *volume)->mean);
+  QCOMPARE(peakAbout(std::array{glm::ivec3(3, 3, 3), glm::ivec3(9, 4, 5), glm::ivec3(0)}, *volume)->mean,
+           largest);
+  QVERIFY(!peakAbout({}, *volume));
+  const VolumePtr even = volumeOf<float>({14, 12, 9}, glm::dmat3(3), [](dvec3) { return 2; });
+  const dvec3 first = even->geometry().patientFromVoxel({9, 4, 5});
+  QVERIFY(peakAbout(std::array{glm::ivec3(9, 4, 5), glm::ivec3(3, 3, 3)}, *even)->centre == first);
 }
 
 void TestPeak::outsideAndPaddingDoNotCount() {

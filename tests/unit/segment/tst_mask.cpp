@@ -6,8 +6,8 @@
 
 #include "tests/fixtures/ct_with_table.h"
 #include "tests/unit/suite.h"
-#include "viewer/segment/label_statistics.h"
 #include "viewer/segment/mask.h"
+#include "viewer/segment/range.h"
 #include "viewer/segment/table.h"
 
 using namespace volumen;
@@ -89,9 +89,7 @@ bool isCut(const Lasso& lasso, glm::dvec3 p) {
   return (isInside && windingByAngles(lasso.points, seen) != 0) == lasso.inside;
 }
 
-std::int64_t keptOf(const VolumePtr& volume, const Mask& mask) {
-  return std::ranges::count(keptVoxels(*volume, mask).labels, 1);
-}
+std::int64_t keptOf(const VolumePtr& volume, const Mask& mask) { return keptVoxels(*volume, mask).count(); }
 
 Mask maskOf(std::vector<Lasso> lassos, bool table = false) {
   Mask mask{table, {}};
@@ -125,15 +123,15 @@ void TestMask::theVoxelsAreThoseOfBruteForce() {
   int someCut = 0;
   for (int round = 0; round < 40; ++round) {
     const Lasso lasso = anyLasso(random, perspective, inside);
-    const DenseLabels kept = keptVoxels(*volume, maskOf({lasso}));
+    const BitMask kept = keptVoxels(*volume, maskOf({lasso}));
     std::int64_t cut = 0;
     for (int k = 0; k < grid.size.z; ++k)
       for (int j = 0; j < grid.size.y; ++j)
         for (int i = 0; i < grid.size.x; ++i) {
           const bool gone = isCut(lasso, grid.patientFromVoxel({i, j, k}));
-          const std::size_t n = (std::size_t(k) * grid.size.y + j) * std::size_t(grid.size.x) + i;
           cut += gone;
-          QVERIFY2(kept.labels[n] == !gone, qPrintable(QStringLiteral("round %1: %2").arg(round).arg(n)));
+          QVERIFY2(kept.at({i, j, k}) == !gone,
+                   qPrintable(QStringLiteral("round %1: %2 %3 %4").arg(round).arg(i).arg(j).arg(k)));
         }
     someCut += cut > 0 && cut < grid.voxelCount();
   }
@@ -175,10 +173,14 @@ void TestMask::lassosAddUpWithTheTable() {
   const VolumePtr volume = CtWithTable::volume(true);
   std::mt19937 random(5);
   const Lasso a = anyLasso(random, false, true), b = anyLasso(random, true, true);
-  const DenseLabels patient = patientMask(*volume), all = keptVoxels(*volume, maskOf({a, b}, true)),
-                    withA = keptVoxels(*volume, maskOf({a})), withB = keptVoxels(*volume, maskOf({b}));
-  for (std::size_t n = 0; n < all.labels.size(); ++n)
-    QCOMPARE(int(all.labels[n]), patient.labels[n] & withA.labels[n] & withB.labels[n]);
+  const BitMask patient = patientMask(*volume), all = keptVoxels(*volume, maskOf({a, b}, true)),
+                withA = keptVoxels(*volume, maskOf({a})), withB = keptVoxels(*volume, maskOf({b}));
+  QVERIFY(all == intersected(patient, intersected(withA, withB)));
+  QVERIFY(all != patient && !all.empty());
+  const ValueRange range{30, 500};
+  QVERIFY(keptVoxelsInRange(*volume, range, maskOf({a, b}, true)) ==
+          intersected(voxelsInRange(*volume, range), all));
+  QVERIFY(keptVoxelsInRange(*volume, range, {}) == voxelsInRange(*volume, range));
 }
 
 void TestMask::anOutlineOfNoAreaCutsNothing_data() {
@@ -213,10 +215,12 @@ void TestMask::valuesBecomeAir() {
   lasso.origin = volume->geometry().centre();
   const Result<VolumePtr> cut = masked(*volume, maskOf({lasso}));
   QVERIFY(cut.ok());
-  const DenseLabels kept = keptVoxels(*volume, maskOf({lasso}));
-  QVERIFY(labelBox(LabelMap(kept)));
-  for (std::size_t n = 0; n < kept.labels.size(); ++n)
-    QCOMPARE((*cut)->valueAt(n), kept.labels[n] ? volume->valueAt(n) : float(air));
+  const BitMask kept = keptVoxels(*volume, maskOf({lasso}));
+  QVERIFY(!kept.empty());
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 8; ++j)
+      for (int i = 0; i < 8; ++i)
+        QCOMPARE((*cut)->value(i, j, k), kept.at({i, j, k}) ? volume->value(i, j, k) : float(air));
   QVERIFY((*cut)->geometry() == volume->geometry());
   QVERIFY((*cut)->attributes().cut == (Cut{false, 1}));
 }

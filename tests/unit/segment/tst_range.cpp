@@ -1,9 +1,12 @@
 // Guards design.md 8 (segmentation by value range) and picture.md 1 (voxel volume).
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 
+#include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
+#include "tests/unit/segment/bit_masks.h"
 #include "tests/unit/suite.h"
 #include "viewer/segment/label_statistics.h"
 #include "viewer/segment/range.h"
@@ -14,8 +17,9 @@ using namespace volumen::tests;
 class TestRange : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void labelsExactlyTheClosedRange_data();
-  void labelsExactlyTheClosedRange();
+  void findsExactlyTheClosedRange_data();
+  void findsExactlyTheClosedRange();
+  void anyRangeOfAnyVolume();
   void paddingIsNoTissue_data();
   void paddingIsNoTissue();
   void statisticsAreThoseOfTheLabel();
@@ -54,9 +58,11 @@ VolumePtr randomVolume(const QString& type) {
   return volumeOf(size, fill(float()), 0.25, -10);
 }
 
+LabelMap labelOf(const BitMask& mask) { return withLabel(LabelMap(mask.geometry()), 1, mask); }
+
 }  // namespace
 
-void TestRange::labelsExactlyTheClosedRange_data() {
+void TestRange::findsExactlyTheClosedRange_data() {
   QTest::addColumn<QString>("type");
   QTest::addColumn<double>("low");
   QTest::addColumn<double>("high");
@@ -70,18 +76,74 @@ void TestRange::labelsExactlyTheClosedRange_data() {
   }
 }
 
-void TestRange::labelsExactlyTheClosedRange() {
+void TestRange::findsExactlyTheClosedRange() {
   QFETCH(QString, type);
   QFETCH(double, low);
   QFETCH(double, high);
   const VolumePtr volume = randomVolume(type);
-  const DenseLabels map = labelRange(*volume, {low, high});
-  QVERIFY(map.geometry == volume->geometry());
-  QCOMPARE(std::int64_t(map.labels.size()), volume->geometry().voxelCount());
-  for (std::size_t n = 0; n < map.labels.size(); ++n) {
-    const double value = double(volume->valueAt(n));
-    QCOMPARE(int(map.labels[n]), int(value >= low && value <= high));
+  const BitMask mask = voxelsInRange(*volume, {low, high});
+  QVERIFY(mask.geometry() == volume->geometry());
+  QVERIFY(isExactly(mask, [&](glm::ivec3 v) {
+    const double value = double(volume->value(v.x, v.y, v.z));
+    return value >= low && value <= high;
+  }));
+}
+
+// Every kind of samples, slopes up and down, ends at values, beside them and beyond all, with padding or not.
+void TestRange::anyRangeOfAnyVolume() {
+  const Seeds seeds = seedsOf(1500, 60000);
+  int some = 0;
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    std::mt19937 random{unsigned(seed)};
+    VolumeParts parts;
+    parts.geometry = anyGrid(random, {140, 5, 4});
+    const auto fill = [&]<class T>(T) {
+      std::vector<T> values(std::size_t(parts.geometry.voxelCount()));
+      const bool everywhere = random() % 2;
+      for (auto& v : values)
+        v = std::is_same_v<T, float> ? T(int(random() % 4001) - 2000) / 7
+                                     : T(everywhere ? random() : random() % 50);
+      return values;
+    };
+    switch (random() % 4) {
+      case 0:
+        parts.values = fill(std::uint8_t());
+        break;
+      case 1:
+        parts.values = fill(std::int16_t());
+        break;
+      case 2:
+        parts.values = fill(std::uint16_t());
+        break;
+      default:
+        parts.values = fill(float());
+    }
+    parts.slope = std::vector{1.0, -1.0, 0.1, -0.37, 12.5}[random() % 5];
+    parts.intercept = std::vector{0.0, -1024.0, 0.3}[random() % 3];
+    const auto count = parts.geometry.voxelCount();
+    const VolumePtr plain = volumeFrom(parts);
+    const auto anyEnd = [&](double open) {
+      const double value = double(plain->valueAt(std::size_t(random()) % std::size_t(count)));
+      return std::vector{
+          open,  value, std::nextafter(value, -infinity), std::nextafter(value, infinity), value + 0.01,
+          1e300, -1e300}[random() % (random() % 4 ? 5 : 7)];
+    };
+    const ValueRange range{anyEnd(-infinity), anyEnd(infinity)};
+    std::optional<ValueRange> padding;
+    if (random() % 2) padding = ValueRange{anyEnd(-infinity), anyEnd(infinity)};
+    parts.attributes.padding = padding;
+    const VolumePtr volume = volumeFrom(std::move(parts));
+    const BitMask mask = voxelsInRange(*volume, range);
+    some += !mask.empty();
+    const auto holds = [](ValueRange r, double value) { return r.low <= value && value <= r.high; };
+    QVERIFY2(isExactly(mask,
+                       [&](glm::ivec3 v) {
+                         const double value = double(volume->value(v.x, v.y, v.z));
+                         return holds(range, value) && !(padding && holds(*padding, value));
+                       }),
+             qPrintable(QStringLiteral("seed %1: %2 to %3").arg(seed).arg(range.low).arg(range.high)));
   }
+  QVERIFY2(some > seeds.count / 5, "most ranges hold nothing");
 }
 
 void TestRange::paddingIsNoTissue_data() {
@@ -103,19 +165,18 @@ void TestRange::paddingIsNoTissue() {
   parts.slope = 2;  // padding is -2000
   parts.attributes.padding = ValueRange{-2000, -2000};
   const VolumePtr volume = volumeFrom(std::move(parts));
-  const DenseLabels map = labelRange(*volume, {low, high});
-  QCOMPARE(labelStatistics(LabelMap(map), *volume).voxels, std::int64_t(voxels));
+  QCOMPARE(voxelsInRange(*volume, {low, high}).count(), std::int64_t(voxels));
 }
 
 void TestRange::statisticsAreThoseOfTheLabel() {
   const VolumePtr volume = randomVolume(QStringLiteral("int16"));
-  const DenseLabels map = labelRange(*volume, {-100, 100});
-  const LabelStatistics s = labelStatistics(LabelMap(map), *volume);
+  const BitMask mask = voxelsInRange(*volume, {-100, 100});
+  const LabelStatistics s = labelStatistics(labelOf(mask), *volume);
   std::int64_t voxels = 0;
   double sum = 0, min = infinity, max = -infinity;
-  for (std::size_t n = 0; n < map.labels.size(); ++n) {
-    if (!map.labels[n]) continue;
-    const double value = double(volume->valueAt(n));
+  for (const glm::ivec3 v : voxelsOf(mask.geometry())) {
+    if (!mask.at(v)) continue;
+    const double value = double(volume->value(v.x, v.y, v.z));
     ++voxels;
     sum += value;
     min = std::min(min, value);
@@ -146,19 +207,19 @@ void TestRange::millilitresFollowTheGrid() {
   parts.values = std::vector<std::uint8_t>(1000, 1);
   std::vector<std::string> warnings;
   const VolumePtr volume = *Volume::make(parts, warnings);
-  const auto millilitres = labelStatistics(LabelMap(labelRange(*volume, {1, 1})), *volume).millilitres;
+  const auto millilitres = labelStatistics(labelOf(voxelsInRange(*volume, {1, 1})), *volume).millilitres;
   QCOMPARE(millilitres.has_value(), calibrated);
   if (calibrated) QVERIFY(std::abs(*millilitres - 1) < 1e-12);  // 1000 voxels of 1 mm^3
 }
 
 void TestRange::emptyLabelHasNoNumbers() {
   const VolumePtr volume = volumeOf({2, 2, 2}, std::vector<std::int16_t>(8, 5));
-  const DenseLabels map = labelRange(*volume, {6, 7});
-  const LabelStatistics s = labelStatistics(LabelMap(map), *volume);
+  const LabelMap map = labelOf(voxelsInRange(*volume, {6, 7}));
+  const LabelStatistics s = labelStatistics(map, *volume);
   QCOMPARE(s.voxels, std::int64_t(0));
   QCOMPARE(*s.millilitres, 0.0);
   QCOMPARE(s.mean, 0.0);
-  QVERIFY(!labelBox(LabelMap(map)));
+  QVERIFY(!labelBox(map));
 }
 
 void TestRange::boxIsTheSmallest_data() {

@@ -1,11 +1,15 @@
 // Guards the patient without the table: what is taken away, what stays, in any grid and storage.
-#include <limits>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <random>
 
 #include "tests/fixtures/ct_with_table.h"
+#include "tests/fixtures/seeds.h"
+#include "tests/unit/segment/bit_masks.h"
 #include "tests/unit/suite.h"
-#include "viewer/segment/components.h"
 #include "viewer/segment/mask.h"
+#include "viewer/segment/table.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -13,9 +17,7 @@ using namespace volumen::tests;
 class TestTable : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void largestComponentIsThatOfAFloodFill_data();
-  void largestComponentIsThatOfAFloodFill();
-  void nothingLabelledStaysNothing();
+  void thePatientIsTheLargestPartFilledAndGrown();
   void theTableBecomesAir_data();
   void theTableBecomesAir();
   void theSkinKeepsItsEdge();
@@ -26,59 +28,58 @@ class TestTable : public QObject {
 
 namespace {
 
-// The same by going from voxel to voxel.
-std::vector<std::uint8_t> byFloodFill(const DenseLabels& map) {
-  const glm::ivec3 size = map.geometry.size;
-  std::vector<std::uint8_t> seen(map.labels.size()), best(map.labels.size());
-  std::size_t most = 0;
-  for (std::size_t start = 0; start < map.labels.size(); ++start) {
-    if (!map.labels[start] || seen[start]) continue;
-    std::vector<std::size_t> part{start};
-    seen[start] = 1;
-    for (std::size_t n = 0; n < part.size(); ++n) {
-      const int i = int(part[n]) % size.x, j = int(part[n]) / size.x % size.y,
-                k = int(part[n]) / size.x / size.y;
-      const auto visit = [&](int x, int y, int z) {
-        if (x < 0 || y < 0 || z < 0 || x >= size.x || y >= size.y || z >= size.z) return;
-        const std::size_t at = (std::size_t(z) * size.y + y) * size.x + x;
-        if (map.labels[at] && !seen[at]) part.push_back(at), seen[at] = 1;
-      };
-      visit(i - 1, j, k), visit(i + 1, j, k), visit(i, j - 1, k), visit(i, j + 1, k), visit(i, j, k - 1),
-          visit(i, j, k + 1);
-    }
-    if (part.size() <= most) continue;
-    most = part.size();
-    best.assign(best.size(), 0);
-    for (const std::size_t n : part) best[n] = 1;
-  }
-  return best;
-}
-
 using Make = VolumePtr (*)(bool table);
+
+// By the definition, from voxel to voxel; axis: along the patient.
+BitMask patientSlowly(const Volume& volume, int axis) {
+  const VoxelGeometry& grid = volume.geometry();
+  BitMask notAir(grid), left(grid), largest(grid);
+  for (const glm::ivec3 v : voxelsOf(grid)) notAir.set(v, double(volume.value(v.x, v.y, v.z)) >= notAirHu);
+  left = notAir;
+  for (const glm::ivec3 v : voxelsOf(grid)) {
+    if (!left.at(v)) continue;
+    const BitMask part = reachedFrom({v}, notAir, stepsAcross(-1));
+    left = subtracted(left, part);
+    if (part.count() > largest.count()) largest = part;
+  }
+  const BitMask filled = filledSlowly(largest, axis);
+  glm::ivec3 reach;
+  for (int a = 0; a < 3; ++a) reach[a] = int(std::lround(3 / grid.spacing()[a]));
+  BitMask made(grid);
+  for (const glm::ivec3 v : voxelsOf(grid))
+    for (const glm::ivec3 other : voxelsOf(grid))
+      if (filled.at(other) && glm::all(glm::lessThanEqual(glm::abs(other - v), reach))) made.set(v);
+  return made;
+}
 
 }  // namespace
 
 Q_DECLARE_METATYPE(Make)
 
-void TestTable::largestComponentIsThatOfAFloodFill_data() {
-  QTest::addColumn<int>("ofHundred");
-  // Around a third of the voxels the parts grow together.
-  for (int share : {5, 20, 30, 33, 40, 100}) QTest::addRow("%d %% labelled", share) << share;
-}
-
-void TestTable::largestComponentIsThatOfAFloodFill() {
-  QFETCH(int, ofHundred);
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    std::mt19937 bits(seed);
-    DenseLabels map{{.size = {13, 11, 7}}, std::vector<std::uint8_t>(13 * 11 * 7)};
-    for (auto& label : map.labels) label = int(bits() % 100) < ofHundred;
-    QVERIFY(largestComponent(map).labels == byFloodFill(map));
+void TestTable::thePatientIsTheLargestPartFilledAndGrown() {
+  struct Lying {
+    glm::dmat3 step;
+    int axis;  // along the patient
+  };
+  const Lying all[] = {{glm::dmat3(1), 2},
+                       {{{0.5, 0, 0}, {0, 0.8, 0}, {0, 0, 2.5}}, 2},
+                       {{{0.8, 0.6, 0}, {-0.48, 0.64, 0.6}, {0.72, -0.96, 1.6}}, 2},
+                       {{{2, 0, 0}, {0, 0, -1.1}, {0, 7, 0}}, 1},
+                       {{{0, 0.2, 1}, {1, 0, 0}, {0, 1.5, 0}}, 0}};
+  const Seeds seeds = seedsOf(200, 10000);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    std::mt19937 random{unsigned(seed)};
+    VolumeParts parts;
+    parts.geometry = anyGrid(random, {random() % 2 ? 66 : 10, 7, 6});
+    const Lying& lying = all[random() % std::size(all)];
+    parts.geometry.patientFromVoxelStep = lying.step;
+    const BitMask mask = anyMask(random, parts.geometry);
+    std::vector<std::int16_t> values;
+    for (const glm::ivec3 v : voxelsOf(parts.geometry)) values.push_back(mask.at(v) ? -300 : -301);
+    parts.values = std::move(values);
+    const VolumePtr volume = volumeFrom(std::move(parts));
+    QVERIFY2(patientMask(*volume) == patientSlowly(*volume, lying.axis), caseOf(seed, mask).c_str());
   }
-}
-
-void TestTable::nothingLabelledStaysNothing() {
-  const DenseLabels map{{.size = {3, 3, 3}}, std::vector<std::uint8_t>(27)};
-  QVERIFY(largestComponent(map).labels == map.labels);
 }
 
 void TestTable::theTableBecomesAir_data() {

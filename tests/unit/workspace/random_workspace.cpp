@@ -158,6 +158,12 @@ FlatLook anyFlat(Chance& chance, const SeriesKey& overlay) {
   return look;
 }
 
+Code anyCode(Chance& chance) {
+  if (chance.oneIn(3)) return {};
+  std::string value = anyText(chance), scheme = anyText(chance);
+  return {std::move(value), std::move(scheme), anyText(chance)};
+}
+
 // As a session has it: its labels lie in a file.
 SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
   SegmentMap map{key, {}, nullptr, SavedLabels{std::string(40, "0123456789abcdef"[chance.below(16)]), {}}};
@@ -166,11 +172,17 @@ SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
     Segment& segment = map.segments.emplace_back();
     segment.number = number;
     segment.label = anyText(chance);
-    segment.type = anyText(chance);
+    segment.category = anyCode(chance);
+    segment.type = anyCode(chance);
+    segment.modifier = anyCode(chance);
+    segment.visible = !chance.oneIn(4);
+    segment.locked = chance.oneIn(4);
+    segment.opacity = chance.below(101) / 100.0;
     segment.trackingId = anyText(chance);
     if (chance.oneIn(2))
       segment.colour = glm::u8vec3(chance.below(256), chance.below(256), chance.below(256));
     if (chance.oneIn(2)) segment.range = ValueRange{anyNumber(chance), anyNumber(chance)};
+    if (chance.oneIn(3)) map.current = number;
   }
   return map;
 }

@@ -1,4 +1,4 @@
-#include "ui/widgets/region_colours.h"
+#include "ui/workspace/region_colours.h"
 
 #include <cstdlib>
 

@@ -1,0 +1,134 @@
+#include "io/export/export_segments.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+
+#include "io/export/label_image.h"
+#include "io/export/seg_nrrd.h"
+#include "io/export/segmentation_dicom.h"
+#include "io/export/surface_file.h"
+#include "io/study/series.h"
+
+namespace volumen {
+
+namespace {
+
+// All that a way of writing is given.
+struct Export {
+  const std::string& path;
+  const Segmented& segments;
+  const Series& series;
+  const Progress& progress;
+  const CancelToken& cancel;
+};
+using Exported = Result<ExportedSegments>;
+
+Exported asSegNrrd(const Export& e) {
+  if (Status s = writeSegNrrd(e.segments.labels, e.segments.segments, e.path, e.cancel); !s) return s.error();
+  return ExportedSegments{{e.path}, {}};
+}
+
+Exported asDicom(const Export& e) {
+  auto notes = writeSegmentationDicom({&e.segments, 1}, e.series, {}, e.path, e.progress, e.cancel);
+  if (!notes) return notes.error();
+  return ExportedSegments{{e.path}, std::move(*notes)};
+}
+
+Exported asLabels(const Export& e) {
+  if (Status s = writeLabelImage(e.segments, e.path, e.progress, e.cancel); !s) return s.error();
+  return ExportedSegments{{e.path}, {}};
+}
+
+// "scan-Bone.stl"; what a folder would read otherwise becomes "_".
+std::string pathOf(const Export& e, const Segment& segment) {
+  if (e.segments.segments.size() == 1) return e.path;
+  const std::size_t ending = e.path.rfind('.');
+  std::string name = segment.label;
+  for (char& c : name)
+    if (std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos ||
+        static_cast<unsigned char>(c) < 32)
+      c = '_';
+  return e.path.substr(0, ending) + "-" + name + e.path.substr(ending);
+}
+
+std::string toldOf(const std::string& path, const BitMask& mask, const Surface& surface) {
+  char text[200];
+  std::snprintf(text, sizeof text, "%zu triangles, %.4g ml inside (%.4g ml by voxels), %.4g cm^2",
+                surface.triangles.size(), volumeOf(surface) / 1000,
+                double(mask.count()) * mask.geometry().voxelVolume() / 1000, areaOf(surface) / 100);
+  return path + ": " + text + ".";
+}
+
+Exported asSurfaces(const Export& e) {
+  ExportedSegments done;
+  for (const Segment& segment : e.segments.segments) {
+    const BitMask mask = maskOf(e.segments.labels, std::uint8_t(segment.number));
+    const std::string path = pathOf(e, segment);
+    if (std::ranges::find(done.files, path) != done.files.end())
+      return Error{path + ": two segments would be written to it; give them different names."};
+    if (mask.empty()) {
+      done.notes.push_back(segment.label + " has no voxels, and no surface.");
+      continue;
+    }
+    const Result<Surface> surface = surfaceOf(occupancyOf(mask, surfaceSigma, e.cancel), e.cancel);
+    if (!surface) return surface.error();
+    if (Status s = writeSurface(*surface, path, e.cancel); !s) return s.error();
+    done.notes.push_back(toldOf(path, mask, *surface));
+    done.files.push_back(path);
+  }
+  if (done.files.empty()) return Error{e.path + " is not written: no segment has voxels."};
+  return done;
+}
+
+// A row a kind of file.
+struct Row {
+  SegmentFormat format;
+  Exported (*write)(const Export&);
+};
+constexpr Row rows[] = {
+    {{".seg.nrrd", "Segmentations of 3D Slicer"}, asSegNrrd},
+    {{".dcm", "DICOM segmentations"}, asDicom},
+    {{".stl", "Surfaces", true}, asSurfaces},
+    {{".ply", "Surfaces", true}, asSurfaces},
+    {{".obj", "Surfaces", true}, asSurfaces},
+    {{".nii.gz", "Images of labels"}, asLabels},
+    {{".mha", "Images of labels"}, asLabels},
+};
+
+Result<const Row*> rowOf(const std::string& path) {
+  std::string lower = path, endings;
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  for (const Row& row : rows) {
+    if (lower.ends_with(row.format.ending)) return &row;
+    endings.append(endings.empty() ? "" : ", ").append(row.format.ending);
+  }
+  return Error{path + ": segments are written as " + endings + "."};
+}
+
+}  // namespace
+
+std::span<const SegmentFormat> segmentFormats() {
+  static const std::vector<SegmentFormat> formats = [] {
+    std::vector<SegmentFormat> all;
+    for (const Row& row : rows) all.push_back(row.format);
+    return all;
+  }();
+  return formats;
+}
+
+Result<const SegmentFormat*> segmentFormatOf(const std::string& path) {
+  const Result<const Row*> row = rowOf(path);
+  if (!row) return row.error();
+  return &(*row)->format;
+}
+
+Result<ExportedSegments> exportSegments(const std::string& path, const Segmented& segments,
+                                        const Series& series, const Progress& progress,
+                                        const CancelToken& cancel) {
+  const Result<const Row*> row = rowOf(path);
+  if (!row) return row.error();
+  return (*row)->write({path, segments, series, progress, cancel});
+}
+
+}  // namespace volumen

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/study/progress.h"
+#include "viewer/segment/segmented.h"
+#include "viewer/volume/cancel.h"
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+struct Series;
+
+/// What became of segments that were written.
+struct ExportedSegments {
+  std::vector<std::string> files;
+  std::vector<std::string> notes;  ///< sentences that are to be known
+};
+
+/// A kind of file that segments can be written as.
+struct SegmentFormat {
+  const char* ending;  ///< of its names: ".seg.nrrd"
+  const char* noun;    ///< "Segmentations of 3D Slicer"
+  /// Whether it holds surfaces, one segment a file.
+  bool isSurface = false;
+};
+
+/// All of them, the usual one first.
+std::span<const SegmentFormat> segmentFormats();
+/// That of a path by its ending, capitals or not; the Error names all endings.
+Result<const SegmentFormat*> segmentFormatOf(const std::string& path);
+
+/// Writes the segments of a series as the ending of `path` says, hidden ones too. Surfaces
+/// (occupancy.h) are a file each: `path` for one segment, else with its name in front of the ending; their
+/// notes tell volumes, area and triangles. Each file appears whole or not at all. The Error names it.
+Result<ExportedSegments> exportSegments(const std::string& path, const Segmented& segments,
+                                        const Series& series, const Progress& progress = {},
+                                        const CancelToken& cancel = {});
+
+}  // namespace volumen

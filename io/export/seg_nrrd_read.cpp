@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <new>
+
+#include "io/export/seg_nrrd.h"
+#include "io/export/seg_nrrd_tags.h"
+#include "io/files/header_text.h"
+#include "io/files/image_file.h"
+#include "io/files/label_values.h"
+
+namespace volumen {
+
+namespace {
+
+using Fields = std::map<std::string, std::string>;
+
+// A segment as the header has it.
+struct Entry {
+  Segment segment;
+  std::uint64_t layer = 0;
+  std::uint32_t value = 1;
+};
+
+std::optional<glm::u8vec3> colourIn(const std::string& text) {
+  const auto parts = toNumbers(text);
+  if (!parts || parts->size() != 3) return {};
+  glm::u8vec3 colour;
+  for (int c = 0; c < 3; ++c) {
+    const double part = (*parts)[std::size_t(c)];
+    if (!(part >= 0 && part <= 1)) return {};
+    colour[c] = std::uint8_t(std::lround(part * 255));
+  }
+  return colour;
+}
+
+// A whole number of a field, or what is meant where there is none.
+Result<std::uint32_t> numberIn(const Fields& fields, const std::string& key, std::uint64_t least,
+                               std::uint64_t most, std::uint64_t absent) {
+  const auto found = fields.find(key);
+  if (found == fields.end()) return std::uint32_t(absent);
+  const auto number = toInteger(trimmed(found->second));
+  if (!number || *number < std::int64_t(least) || *number > std::int64_t(most))
+    return Error{"its " + key + " is '" + fieldText(found->second) + "'; " + std::to_string(least) + " to " +
+                 std::to_string(most) + " is meant."};
+  return std::uint32_t(*number);
+}
+
+Result<std::optional<Entry>> entryOf(const Fields& fields, std::size_t n, std::uint64_t layers) {
+  const std::string name = "Segment" + std::to_string(n) + "_";
+  const auto text = [&](const char* key) {
+    const auto found = fields.find(name + key);
+    return found == fields.end() ? std::string() : found->second;
+  };
+  if (!fields.contains(name + "ID") && !fields.contains(name + "Name") &&
+      !fields.contains(name + "LabelValue"))
+    return std::optional<Entry>();
+  Entry entry;
+  entry.segment.label = fields.contains(name + "Name") ? text("Name") : text("ID");
+  entry.segment.colour = colourIn(text("Color"));
+  readTags(text("Tags"), entry.segment);
+  const auto layer = numberIn(fields, name + "Layer", 0, layers - 1, n);  // older files: one a segment
+  if (!layer) return layer.error();
+  if (*layer >= layers)
+    return Error{"it has " + std::to_string(layers) + " layers, and its segment " + std::to_string(n + 1) +
+                 " is in none of them."};
+  const auto value = numberIn(fields, name + "LabelValue", 1, mostLabelValue, 1);
+  if (!value) return value.error();
+  entry.layer = *layer;
+  entry.value = *value;
+  return std::optional<Entry>(std::move(entry));
+}
+
+Result<std::vector<Entry>> entriesOf(const ImageHeader& header) {
+  const Fields fields(header.keyValues.begin(), header.keyValues.end());
+  const std::uint64_t layers = header.data.volumes();
+  std::vector<Entry> all;
+  while (true) {
+    auto entry = entryOf(fields, all.size(), layers);
+    if (!entry) return entry.error();
+    if (!*entry) return all;
+    all.push_back(std::move(**entry));
+  }
+}
+
+// Of a layer whose numbers have no names.
+std::vector<Entry> namedByNumber(const LabelValues& values, std::uint64_t layer) {
+  std::vector<Entry> all;
+  for (const std::uint32_t value : values.present())
+    all.push_back({{.label = "Label " + std::to_string(value)}, layer, value});
+  return all;
+}
+
+Result<Segmented> layerOf(const LabelValues& values, const std::vector<Entry>& entries,
+                          std::vector<std::string>& notes) {
+  std::vector<std::uint32_t> numbers;
+  for (const Entry& entry : entries) {
+    if (std::ranges::find(numbers, entry.value) != numbers.end())
+      return Error{"two of its segments are the label " + std::to_string(entry.value) + " of one layer."};
+    numbers.push_back(entry.value);
+  }
+  const auto labels = labelsFor(numbers);
+  if (!labels) return labels.error();
+  for (const std::uint32_t value : values.present())
+    if (std::ranges::find(numbers, value) == numbers.end())
+      notes.push_back("Voxels of the label " + std::to_string(value) +
+                      " are of no segment, and were left out.");
+  Segmented made{{}, LabelMap(values.labels(*labels))};
+  for (std::size_t n = 0; n < entries.size(); ++n) {
+    made.segments.push_back(entries[n].segment);
+    made.segments.back().number = (*labels)[n].label;
+  }
+  return made;
+}
+
+Result<SegmentsFile> readLayers(const ImageHeader& header, const std::string& path, const Progress& progress,
+                                const CancelToken& cancel) {
+  auto entries = entriesOf(header);
+  if (!entries) return Error{path + ": " + entries.message()};
+  SegmentsFile file;
+  for (std::uint64_t layer = 0; layer < header.data.volumes(); ++layer) {
+    const auto values = LabelValues::read(header, layer, path, progress, cancel);
+    if (!values) return values.error();
+    std::vector<Entry> own;
+    if (entries->empty()) own = namedByNumber(*values, layer);
+    std::ranges::copy_if(*entries, std::back_inserter(own), [&](const Entry& e) { return e.layer == layer; });
+    auto map = layerOf(*values, own, file.notes);
+    if (!map) return Error{path + ": " + map.message()};
+    file.maps.push_back(std::move(*map));
+  }
+  return file;
+}
+
+}  // namespace
+
+Result<SegmentsFile> readSegNrrd(const std::string& path, const Progress& progress,
+                                 const CancelToken& cancel) try {
+  constexpr std::uint64_t mostLayers = 255;
+  const auto header = readImageHeader(path, cancel);
+  if (!header) return header.error();
+  if (header->format != "NRRD") return Error{path + " is no NRRD file."};
+  if (header->data.volumes() > mostLayers)
+    return Error{path + " has " + std::to_string(header->data.volumes()) + " layers; at most " +
+                 std::to_string(mostLayers) + " are read."};
+  return readLayers(*header, path, progress, cancel);
+} catch (const std::bad_alloc&) {
+  return Error{path + ": there is not enough memory for its segments."};
+}
+
+}  // namespace volumen

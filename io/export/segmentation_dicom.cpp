@@ -1,0 +1,137 @@
+#include "io/export/segmentation_dicom.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcostrmb.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <QDateTime>
+#include <functional>
+#include <new>
+
+#include "io/export/dicom_source.h"
+#include "io/export/segmentation_elements.h"
+#include "io/files/output_file.h"
+#include "io/study/series.h"
+#include "viewer/slice/plane.h"
+
+namespace volumen {
+
+namespace {
+
+using MaskOf = std::function<BitMask(std::size_t segment)>;
+
+SegmentationTags dated(SegmentationTags tags) {
+  const QDateTime now = QDateTime::currentDateTime();
+  if (tags.date.empty()) tags.date = now.toString(QStringLiteral("yyyyMMdd")).toStdString();
+  if (tags.time.empty()) tags.time = now.toString(QStringLiteral("HHmmss")).toStdString();
+  return tags;
+}
+
+Status checkSource(const Series& series, const VoxelGeometry& grid) {
+  if (series.format != "DICOM" || series.curved)
+    return Error{
+        series.id +
+        " comes from no DICOM files, whose pictures a DICOM segmentation must name; write .seg.nrrd."};
+  if (!grid.calibrated) return Error{series.id + " does not say where its slices lie; write .seg.nrrd."};
+  return {};
+}
+
+Status checkPlaces(const Series& series, const DicomSource& source) {
+  for (std::size_t n = 0; n < source.slices.size(); ++n)
+    if (!source.frame(int(n)).place)
+      return Error{series.files[n] + " does not say where it lies; write .seg.nrrd."};
+  return {};
+}
+
+// All that DCMTK writes of a file, a buffer at a time.
+Status writeTo(OutputFile& out, DcmFileFormat& file, const std::string& path) {
+  std::vector<Uint8> buffer(1 << 20);
+  DcmOutputBufferStream stream(buffer.data(), offile_off_t(buffer.size()));
+  file.transferInit();
+  OFCondition done = EC_StreamNotifyClient;
+  while (done == EC_StreamNotifyClient) {
+    done = file.write(stream, EXS_LittleEndianExplicit, EET_ExplicitLength, nullptr);
+    stream.flush();
+    void* bytes = nullptr;
+    offile_off_t count = 0;
+    stream.flushBuffer(bytes, count);
+    if (Status s = out.write(bytes, std::size_t(count)); !s) return s;
+  }
+  file.transferEnd();
+  if (done.bad()) return Error{"Cannot write " + path + ": " + done.text() + "."};
+  return {};
+}
+
+Status writeObject(const SegmentationElements& elements, const SegmentationFrames& frames,
+                   const std::string& path, const CancelToken& cancel) {
+  DcmFileFormat file;
+  DcmDataset& data = *file.getDataset();
+  for (const DicomElements& group : elements.all()) put(group, data);
+  const std::vector<std::uint8_t> bits = frames.bits().bytes();
+  const OFCondition done =
+      data.putAndInsertUint8Array(DCM_PixelData, bits.data(), static_cast<unsigned long>(bits.size()));
+  if (done.bad()) return Error{"Cannot write " + path + ": " + done.text() + "."};
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  if (Status s = writeTo(*out, file, path); !s) return s;
+  if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
+  return out->commit();
+}
+
+Result<std::vector<std::string>> writeSegments(const std::vector<Segment>& segments, const MaskOf& maskOf,
+                                               const VoxelGeometry& grid, const Series& series,
+                                               const SegmentationTags& tags, const std::string& path,
+                                               const Progress& progress, const CancelToken& cancel) try {
+  constexpr std::size_t mostBits = std::size_t(8) * 0xfffffffe;
+  if (Status s = checkSource(series, grid); !s) return s.error();
+  const auto source = readDicomSource(series, progress, cancel);
+  if (!source) return source.error();
+  if (Status s = checkPlaces(series, *source); !s) return s.error();
+  SegmentationFrames frames(grid, *source, glm::ivec2(series.acquired.size));
+  for (std::size_t n = 0; n < segments.size(); ++n) {
+    if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
+    if (progress) progress("packing segments", n, segments.size());
+    frames.add(maskOf(n));
+    if (frames.bits().size() > mostBits)
+      return Error{"The segments are more than the 4 GB that a DICOM file holds; write .seg.nrrd."};
+  }
+  if (frames.frames().empty())
+    return Error{"Nothing is marked on the slices of " + series.id +
+                 ": a DICOM segmentation without a pixel was not written."};
+  const SegmentationTags said = dated(tags);
+  const SegmentationElements elements(series, *source, frames, segments, said, sliceDistance(grid));
+  if (Status s = writeObject(elements, frames, path, cancel); !s) return s.error();
+  return elements.notes();
+} catch (const std::bad_alloc&) {
+  return Error{"Cannot write " + path + ": there is not enough memory."};
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> writeSegmentationDicom(std::span<const Segmented> maps, const Series& series,
+                                                        const SegmentationTags& tags, const std::string& path,
+                                                        const Progress& progress, const CancelToken& cancel) {
+  std::vector<Segment> segments;
+  std::vector<const LabelMap*> labels;
+  for (const Segmented& map : maps)
+    for (const Segment& segment : map.segments) {
+      segments.push_back(segment);
+      labels.push_back(&map.labels);
+    }
+  const auto mask = [&](std::size_t n) { return maskOf(*labels[n], std::uint8_t(segments[n].number)); };
+  const VoxelGeometry grid = maps.empty() ? series.acquired : maps.front().labels.geometry();
+  return writeSegments(segments, mask, grid, series, tags, path, progress, cancel);
+}
+
+Result<std::vector<std::string>> writeSegmentationDicom(std::span<const SegmentVoxels> voxels,
+                                                        const Series& series, const SegmentationTags& tags,
+                                                        const std::string& path, const Progress& progress,
+                                                        const CancelToken& cancel) {
+  std::vector<Segment> segments;
+  for (const SegmentVoxels& s : voxels) segments.push_back(s.segment);
+  const VoxelGeometry grid = voxels.empty() ? series.acquired : voxels.front().mask.geometry();
+  return writeSegments(
+      segments, [&](std::size_t n) { return voxels[n].mask; }, grid, series, tags, path, progress, cancel);
+}
+
+}  // namespace volumen

@@ -1,0 +1,86 @@
+#include "io/export/segmentation_frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace volumen {
+
+SegmentationFrames::SegmentationFrames(const VoxelGeometry& grid, const DicomSource& source, glm::ivec2 size)
+    : source_(source), size_(size), taken_(grid) {
+  for (std::size_t n = 0; n < source.slices.size(); ++n) gridSlices_.push_back(gridSliceOf(int(n)));
+}
+
+glm::dvec3 SegmentationFrames::voxelAt(int slice, glm::dvec2 pixel) const {
+  const DicomSourceFrame::Place& at = *source_.frame(slice).place;
+  return taken_.geometry().voxelFromPatient(at.position + pixel.x * at.mm.x * at.right +
+                                            pixel.y * at.mm.y * at.down);
+}
+
+// What holds at its corners holds in all of a slice: places are linear.
+std::optional<int> SegmentationFrames::gridSliceOf(int slice) const {
+  constexpr double off = 0.49;  // less than half a voxel
+  if (glm::ivec2(taken_.size()) != size_) return {};
+  const double k = std::floor(voxelAt(slice, glm::dvec2(size_ - 1) / 2.0).z + 0.5);
+  if (!(k >= 0 && k < taken_.size().z)) return {};
+  for (const int x : {0, size_.x - 1})
+    for (const int y : {0, size_.y - 1}) {
+      const glm::dvec3 from = glm::abs(voxelAt(slice, {x, y}) - glm::dvec3(x, y, k));
+      if (!(std::max({from.x, from.y, from.z}) < off)) return {};
+    }
+  return int(k);
+}
+
+void SegmentationFrames::readRow(const BitMask& mask, int slice, int y,
+                                 std::span<std::uint64_t> words) const {
+  if (const auto k = gridSlices_[std::size_t(slice)]) {
+    std::ranges::copy(mask.row(y, *k), words.begin());
+    return;
+  }
+  std::ranges::fill(words, 0);
+  const glm::dvec3 high = glm::dvec3(mask.size());
+  for (int x = 0; x < size_.x; ++x) {
+    const glm::dvec3 voxel = glm::floor(voxelAt(slice, {x, y}) + 0.5);
+    const bool inside = voxel.x >= 0 && voxel.y >= 0 && voxel.z >= 0 && voxel.x < high.x &&
+                        voxel.y < high.y && voxel.z < high.z;
+    if (inside && mask.at(glm::ivec3(voxel))) words[std::size_t(x) / 64] |= std::uint64_t(1) << x % 64;
+  }
+}
+
+void SegmentationFrames::add(const BitMask& mask) {
+  const auto taken = taken_.words();
+  const auto more = mask.words();
+  for (std::size_t n = 0; n < taken.size(); ++n) {
+    overlap_ = overlap_ || (taken[n] & more[n]);
+    taken[n] |= more[n];
+  }
+  const std::size_t perRow = std::size_t(size_.x + 63) / 64;
+  std::vector<std::uint64_t> words(perRow * std::size_t(size_.y));
+  for (int slice = 0; slice < int(gridSlices_.size()); ++slice) {
+    for (int y = 0; y < size_.y; ++y)
+      readRow(mask, slice, y, std::span(words).subspan(std::size_t(y) * perRow, perRow));
+    if (std::ranges::none_of(words, [](std::uint64_t word) { return word != 0; })) continue;
+    frames_.push_back({segments_, slice});
+    for (std::size_t n = 0; n < words.size(); n += perRow)
+      bits_.add(std::span(words).subspan(n, perRow), std::size_t(size_.x));
+  }
+  ++segments_;
+}
+
+bool SegmentationFrames::areOnGrid() const {
+  return std::ranges::all_of(gridSlices_, [](const auto& k) { return k.has_value(); });
+}
+
+int SegmentationFrames::slicesLeftOut() const {
+  int count = 0;
+  for (int k = 0; k < taken_.size().z; ++k) {
+    if (std::ranges::find(gridSlices_, std::optional<int>(k)) != gridSlices_.end()) continue;
+    bool isEmpty = true;
+    for (int j = 0; j < taken_.size().y && isEmpty; ++j)
+      isEmpty = std::ranges::none_of(taken_.row(j, k), [](std::uint64_t word) { return word != 0; });
+    count += !isEmpty;
+  }
+  return count;
+}
+
+}  // namespace volumen

@@ -1,0 +1,155 @@
+#include "io/export/surface_file.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstring>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <new>
+
+#include "io/files/header_text.h"
+#include "io/files/output_file.h"
+#include "viewer/volume/parallel.h"
+
+namespace volumen {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary surfaces are written as they are held");
+
+// What Slicer reads the axes from; elsewhere it assumes them (vtkMRMLModelStorageNode.cxx).
+const std::string surfaceSpace = std::string("volumen ") + VOLUMEN_VERSION + " SPACE=LPS mm";
+
+// Writes `count` items, whose bytes are made by parts on all cores and written in order.
+Status writeParts(OutputFile& file, std::size_t count, const CancelToken& cancel,
+                  const std::function<void(std::size_t first, std::size_t end, std::string& bytes)>& make) {
+  constexpr std::size_t part = 1 << 15, together = 16;
+  std::array<std::string, together> made;
+  for (std::size_t start = 0; start < count; start += part * together) {
+    if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
+    const std::size_t parts = std::min(together, (count - start + part - 1) / part);
+    parallelFor(std::int64_t(parts), 0, [&](std::int64_t begin, std::int64_t end) {
+      for (auto n = std::size_t(begin); n < std::size_t(end); ++n) {
+        made[n].clear();
+        const std::size_t first = start + n * part;
+        make(first, std::min(count, first + part), made[n]);
+      }
+    });
+    for (std::size_t n = 0; n < parts; ++n)
+      if (Status s = file.write(made[n]); !s) return s;
+  }
+  return {};
+}
+
+template <class T>
+void append(std::string& bytes, const T& value) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  bytes.append(raw, sizeof value);
+}
+
+// 80 bytes that do not begin with "solid", the number of triangles, and 50 bytes each.
+Status writeStl(const Surface& surface, OutputFile& file, const CancelToken& cancel) {
+  std::string header = surfaceSpace;
+  header.resize(80, ' ');
+  append(header, std::uint32_t(surface.triangles.size()));
+  if (Status s = file.write(header); !s) return s;
+  return writeParts(
+      file, surface.triangles.size(), cancel, [&](std::size_t first, std::size_t end, std::string& bytes) {
+        for (std::size_t t = first; t < end; ++t) {
+          const auto& corners = surface.triangles[t];
+          const glm::vec3 a = surface.points[corners[0]], b = surface.points[corners[1]],
+                          c = surface.points[corners[2]];
+          const glm::dvec3 across = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
+          const double length = glm::length(across);
+          append(bytes, std::array{length > 0 ? glm::vec3(across / length) : glm::vec3(0), a, b, c});
+          append(bytes, std::uint16_t(0));
+        }
+      });
+}
+
+Status writePly(const Surface& surface, OutputFile& file, const CancelToken& cancel) {
+  const std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + surfaceSpace +
+                             "\nelement vertex " + std::to_string(surface.points.size()) +
+                             "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                             std::to_string(surface.triangles.size()) +
+                             "\nproperty list uchar int vertex_indices\nend_header\n";
+  if (Status s = file.write(header); !s) return s;
+  if (Status s = file.write(surface.points.data(), surface.points.size() * sizeof(glm::vec3)); !s) return s;
+  return writeParts(file, surface.triangles.size(), cancel,
+                    [&](std::size_t first, std::size_t end, std::string& bytes) {
+                      for (std::size_t t = first; t < end; ++t) {
+                        bytes += char(3);
+                        append(bytes, surface.triangles[t]);
+                      }
+                    });
+}
+
+// The shortest digits that are read as the same number.
+template <class T>
+void appendNumber(std::string& text, T value) {
+  char digits[32];
+  text += ' ';
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+Status writeObj(const Surface& surface, OutputFile& file, const CancelToken& cancel) {
+  if (Status s = file.write("# " + surfaceSpace + "\n"); !s) return s;
+  Status points = writeParts(file, surface.points.size(), cancel,
+                             [&](std::size_t first, std::size_t end, std::string& text) {
+                               for (std::size_t n = first; n < end; ++n) {
+                                 text += 'v';
+                                 for (int a = 0; a < 3; ++a) appendNumber(text, surface.points[n][a]);
+                                 text += '\n';
+                               }
+                             });
+  if (!points) return points;
+  return writeParts(file, surface.triangles.size(), cancel,
+                    [&](std::size_t first, std::size_t end, std::string& text) {
+                      for (std::size_t t = first; t < end; ++t) {
+                        text += 'f';
+                        for (const std::uint32_t corner : surface.triangles[t])
+                          appendNumber(text, corner + 1);
+                        text += '\n';
+                      }
+                    });
+}
+
+struct SurfaceWriter {
+  const char* ending;  // in lower case, with its dot
+  Status (*write)(const Surface& surface, OutputFile& file, const CancelToken& cancel);
+};
+constexpr std::array<SurfaceWriter, 3> surfaceWriters{
+    {{".stl", writeStl}, {".ply", writePly}, {".obj", writeObj}}};
+
+const SurfaceWriter* surfaceWriterOf(const std::string& path) {
+  const std::string name = lowerCase(path);
+  const auto found =
+      std::ranges::find_if(surfaceWriters, [&](const SurfaceWriter& w) { return name.ends_with(w.ending); });
+  return found == surfaceWriters.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string surfaceEndings() {
+  std::string text = surfaceWriters[0].ending;
+  for (std::size_t n = 1; n < surfaceWriters.size(); ++n)
+    text += (n + 1 < surfaceWriters.size() ? ", " : " or ") + std::string(surfaceWriters[n].ending);
+  return text;
+}
+
+Status writeSurface(const Surface& surface, const std::string& path, const CancelToken& cancel) try {
+  const SurfaceWriter* writer = surfaceWriterOf(path);
+  if (!writer) return Error{"Cannot write " + path + ": surfaces are written as " + surfaceEndings() + "."};
+  if (surface.triangles.empty()) return Error{"Cannot write " + path + ": the segment is empty."};
+  Result<OutputFile> file = OutputFile::create(path);
+  if (!file) return file.error();
+  if (Status s = writer->write(surface, *file, cancel); !s) return s;
+  return file->commit();
+} catch (const std::bad_alloc&) {
+  return Error{"Cannot write " + path + ": there is not enough memory."};
+}
+
+}  // namespace volumen

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "viewer/segment/surface.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+
+/// ".stl, .ply or .obj".
+std::string surfaceEndings();
+
+/// Writes a surface in the format that the path's ending asks for: .stl (binary), .ply (binary, little
+/// endian) or .obj (text). Patient space, mm, LPS, which its header says in the words that 3D Slicer reads:
+/// "SPACE=LPS". Points as float32; the normals of .stl are those of its triangles. The file appears whole or
+/// not at all; an Error names it: another ending, a surface without triangles, cancelled.
+Status writeSurface(const Surface& surface, const std::string& path, const CancelToken& cancel = {});
+
+}  // namespace volumen

@@ -1,0 +1,384 @@
+// Guards what is done to the voxels of a segment: each step of the panel and the tool of connected parts, in
+// slices and in 3D, one job and one undo step each; locks, cancelling, series that are closed meanwhile; long
+// sequences by chance that are undone and done again.
+#include <QComboBox>
+#include <functional>
+
+#include "tests/fixtures/chance.h"
+#include "tests/fixtures/seeds.h"
+#include "tests/ui/segment_window.h"
+#include "tests/ui/surface_window.h"
+#include "tests/unit/suite.h"
+#include "ui/controller/segment_steps.h"
+#include "ui/widgets/banner.h"
+#include "viewer/segment/holes.h"
+#include "viewer/segment/morphology.h"
+#include "viewer/segment/parts.h"
+#include "viewer/segment/smoothing.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+// What a step makes of the segment and of the other one.
+using Expected = std::function<BitMask(const BitMask& own, const BitMask& other)>;
+
+// The part of a mask at which a place is.
+BitMask partAt(const BitMask& mask, glm::dvec3 p) {
+  const glm::ivec3 seed(glm::round(mask.geometry().voxelFromPatient(p)));
+  return connected(mask, std::span(&seed, 1), Neighbours::faces);
+}
+
+// The axial slice at a height, and the pixel of a place in it.
+QPoint showPlace(SegmentWindow& w, glm::dvec3 p) {
+  w.session().change(QStringLiteral("test"), [&](Workspace& after) {
+    after.crosshairs.editOrAdd(frameOfReference(*after.series.at(w.series()).series)).at = p;
+  });
+  w.session().endGesture();
+  const glm::dvec2 pixel = w.view()->plane()->pixelFromPatient(p);
+  return {int(pixel.x), int(pixel.y)};
+}
+
+constexpr glm::dvec3 inShell(-5 + 8, -5, -5), inSmallBall(12), inAir(18, -18, 12);
+
+}  // namespace
+
+class TestSegmentSteps : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aStepIsAJobAndAnUndoStep_data();
+  void aStepIsAJobAndAnUndoStep();
+  void theFewThatAreKnownInClosedForm();
+  void whatIsAskedForMeanwhileWaits();
+  void lockedSegmentsStayAsTheyAre();
+  void aJobThatIsCancelledChangesNothing();
+  void aSeriesThatIsClosedMeanwhileIsLeftAlone();
+  void aSegmentThatIsUndoneMeanwhileIsLeftAlone();
+  void aClickTakesTheConnectedPart();
+  void withKeysOrThePanelThePartIsKeptOrRemoved_data();
+  void withKeysOrThePanelThePartIsKeptOrRemoved();
+  void aClickBesideSaysWhyThereIsNone();
+  void aClickInThreeDTakesWhatIsSeen();
+  void escPutsTheToolAway();
+  void sequencesAreUndoneAndDoneAgain_data();
+  void sequencesAreUndoneAndDoneAgain();
+};
+
+void TestSegmentSteps::aStepIsAJobAndAnUndoStep_data() {
+  QTest::addColumn<Expected>("expected");
+  const auto row = [](const char* name, const Expected& expected) { QTest::newRow(name) << expected; };
+  using M = const BitMask&;
+  row("keepLargest", [](M own, M) { return Parts(own, Neighbours::faces).largest(); });
+  row("fillHoles", [](M own, M) { return holesFilled(own); });
+  row("invert", [](M own, M) { return inverted(own); });
+  row("removeIslands", [](M own, M) { return Parts(own, Neighbours::faces).atLeast(1000); });
+  row("grow", [](M own, M) { return grown(own, 3); });
+  row("shrink", [](M own, M) { return shrunk(own, 3); });
+  row("close", [](M own, M) { return closed(own, 3); });
+  row("open", [](M own, M) { return opened(own, 3); });
+  row("smooth", [](M own, M) { return gaussianSmoothed(own, 3); });
+  row("unite", [](M own, M other) { return united(own, other); });
+  row("subtract", [](M own, M other) { return subtracted(own, grown(other, 3)); });
+  row("intersect", [](M own, M other) { return intersected(own, grown(other, 3)); });
+}
+
+// As the kernel says, by 3 mm and 1 ml; the core, which is not locked, loses what the step takes.
+void TestSegmentSteps::aStepIsAJobAndAnUndoStep() {
+  QFETCH(Expected, expected);
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  w.child<QDoubleSpinBox>("segmentMm")->setValue(3);
+  w.child<QDoubleSpinBox>("segmentMl")->setValue(1);
+  const Workspace before = w.workspace();
+  const BitMask own = w.mask(1), core = w.mask(2);
+  const int steps = w.steps();
+  w.click("segmentChange");
+  w.click((std::string("segmentStep-") + QTest::currentDataTag()).c_str());
+  QCOMPARE(w.window.jobs().rows().size(), std::size_t(1));
+  QVERIFY(w.idle());
+  QCOMPARE(w.steps(), steps + 1);
+  const BitMask made = expected(own, core);
+  QVERIFY(w.mask(1) == made);
+  QVERIFY(w.mask(2) == subtracted(core, made));
+  // Balls may be as they are once they are smoothed, opened or closed.
+  const QByteArray name = QTest::currentDataTag();
+  QVERIFY(made != own || name == "smooth" || name == "open" || name == "close");
+  const Workspace after = w.workspace();
+  w.undo();
+  QVERIFY(w.workspace() == before);
+  w.redo();
+  QVERIFY(w.workspace() == after);
+}
+
+void TestSegmentSteps::theFewThatAreKnownInClosedForm() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  const auto whole = [](glm::dvec3 p) { return glm::length(p + 5.0) < 10; };
+  QCOMPARE(w.voxels(1), voxelsWhere([](glm::dvec3 p) { return isShell(p) || isSmall(p); }));
+  QCOMPARE(w.voxels(2), voxelsWhere(isCore));
+  QVERIFY(w.step("keepLargest"));
+  QCOMPARE(w.voxels(1), voxelsWhere(isShell));
+  QVERIFY(w.step("fillHoles"));
+  QCOMPARE(w.voxels(1), voxelsWhere(whole));
+  QCOMPARE(w.voxels(2), std::int64_t(0));
+  QVERIFY(w.step("invert"));
+  QCOMPARE(w.voxels(1), std::int64_t(40 * 40 * 40) - voxelsWhere(whole));
+}
+
+void TestSegmentSteps::whatIsAskedForMeanwhileWaits() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  const BitMask own = w.mask(1);
+  const int steps = w.steps();
+  w.child<QDoubleSpinBox>("segmentMm")->setValue(1);
+  w.click("segmentChange");
+  w.click("segmentStep-keepLargest");
+  w.click("segmentStep-grow");
+  w.click("segmentStep-shrink");
+  QVERIFY(w.idle());
+  QCOMPARE(w.steps(), steps + 3);
+  QVERIFY(w.mask(1) == shrunk(grown(Parts(own, Neighbours::faces).largest(), 1), 1));
+}
+
+void TestSegmentSteps::lockedSegmentsStayAsTheyAre() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  const BitMask core = w.mask(2);
+  w.tick(1, 1);
+  QVERIFY(w.segment(1).locked && w.choose(0));
+  for (const char* step : {"keepLargest", "fillHoles", "grow", "invert", "close"}) {
+    QVERIFY(w.step(step));
+    QVERIFY2(w.mask(2) == core, step);
+    QVERIFY2(intersected(w.mask(1), core).empty(), step);
+  }
+  QVERIFY(w.make(-10, 2000));  // all values
+  QVERIFY(w.mask(2) == core);
+  QCOMPARE(w.voxels(3), std::int64_t(40 * 40 * 40) - core.count());
+  // Itself neither.
+  QVERIFY(w.choose(1));
+  QVERIFY(!w.button("segmentStep-grow")->isEnabled());
+  w.child<QAction>("partTool")->trigger();
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, showPlace(w, inSmallBall));
+  QVERIFY(w.idle());
+  QVERIFY(w.mask(2) == core);
+  QVERIFY(w.child<Banner>("banner")->sentence().contains(QStringLiteral("is locked")));
+}
+
+void TestSegmentSteps::aJobThatIsCancelledChangesNothing() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  w.click("segmentStep-grow");
+  QCOMPARE(w.window.jobs().rows().size(), std::size_t(1));
+  QVERIFY(w.window.jobs().rows().front().canBeCancelled);
+  w.window.jobs().cancel(w.window.jobs().rows().front().id);
+  QVERIFY(w.idle());
+  QTest::qWait(50);
+  QVERIFY(w.workspace() == before && w.steps() == steps);
+  // The next one is done.
+  QVERIFY(w.step("shrink"));
+  QCOMPARE(w.steps(), steps + 1);
+}
+
+void TestSegmentSteps::aSeriesThatIsClosedMeanwhileIsLeftAlone() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  const Workspace before = w.workspace();
+  const SegmentMap map = *w.map();
+  w.click("segmentStep-grow");
+  w.click("segmentStep-shrink");
+  w.session().close({map.series});
+  QVERIFY(w.idle());
+  QTest::qWait(50);
+  QVERIFY(w.workspace().segmentMaps.empty());
+  w.undo();
+  QVERIFY(w.workspace() == before);
+}
+
+void TestSegmentSteps::aSegmentThatIsUndoneMeanwhileIsLeftAlone() {
+  SegmentWindow w;
+  QVERIFY(w.make(800, 1200));
+  w.click("segmentStep-grow");
+  w.undo();
+  QVERIFY(w.idle());
+  QTest::qWait(50);
+  QVERIFY(w.workspace().segmentMaps.empty());
+  QVERIFY(w.child<Banner>("banner")->sentence().isEmpty());
+}
+
+void TestSegmentSteps::aClickTakesTheConnectedPart() {
+  SegmentWindow w;
+  w.child<QDoubleSpinBox>("segmentLow")->setValue(800);
+  w.child<QDoubleSpinBox>("segmentHigh")->setValue(1200);
+  w.child<QAction>("partTool")->trigger();
+  QPoint at = showPlace(w, inSmallBall);
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
+  QVERIFY(w.idle());
+  QCOMPARE(w.steps(), steps + 1);
+  QCOMPARE(w.count(), std::size_t(1));
+  QCOMPARE(w.voxels(1), voxelsWhere(isSmall));
+  QVERIFY(w.segment(0).range == (ValueRange{800, 1200}));
+  const Workspace one = w.workspace();
+  // A second one is added to it; the tool is still in hand.
+  at = showPlace(w, inShell);
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
+  QVERIFY(w.idle());
+  QCOMPARE(w.count(), std::size_t(1));
+  QCOMPARE(w.voxels(1), voxelsWhere([](glm::dvec3 p) { return isShell(p) || isSmall(p); }));
+  w.undo(), w.undo();
+  QVERIFY(w.workspace() == one);
+  w.undo();
+  QVERIFY(w.workspace() == before);
+}
+
+void TestSegmentSteps::withKeysOrThePanelThePartIsKeptOrRemoved_data() {
+  QTest::addColumn<int>("keys");
+  QTest::addColumn<int>("use");
+  QTest::addColumn<bool>("kept");
+  QTest::newRow("Ctrl keeps it") << int(Qt::ControlModifier) << 0 << true;
+  QTest::newRow("Alt removes it") << int(Qt::AltModifier) << 0 << false;
+  QTest::newRow("the panel keeps it") << 0 << 1 << true;
+  QTest::newRow("the panel removes it") << 0 << 2 << false;
+}
+
+void TestSegmentSteps::withKeysOrThePanelThePartIsKeptOrRemoved() {
+  QFETCH(int, keys);
+  QFETCH(int, use);
+  QFETCH(bool, kept);
+  SegmentWindow w;
+  QVERIFY(w.make(800, 1200));
+  const BitMask own = w.mask(1), part = partAt(own, inSmallBall);
+  w.child<QComboBox>("segmentPartUse")->setCurrentIndex(use);
+  w.child<QAction>("partTool")->trigger();
+  const QPoint at = showPlace(w, inSmallBall);
+  const int steps = w.steps();
+  QTest::mouseClick(w.view(), Qt::LeftButton, Qt::KeyboardModifiers(keys), at);
+  QVERIFY(w.idle());
+  QCOMPARE(w.steps(), steps + 1);
+  QVERIFY(!part.empty() && part != own);
+  QVERIFY(w.mask(1) == (kept ? part : subtracted(own, part)));
+}
+
+void TestSegmentSteps::aClickBesideSaysWhyThereIsNone() {
+  SegmentWindow w;
+  QVERIFY(w.make(800, 1200));
+  w.child<QAction>("partTool")->trigger();
+  const QPoint at = showPlace(w, inAir);
+  const Workspace before = w.workspace();
+  auto* banner = w.child<Banner>("banner");
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
+  QVERIFY(w.idle());
+  QVERIFY(banner->sentence().contains(QStringLiteral("not in the range")));
+  QTest::mouseClick(w.view(), Qt::LeftButton, Qt::ControlModifier, at);
+  QVERIFY(w.idle());
+  QVERIFY(banner->sentence().contains(QStringLiteral("not in the current segment")));
+  QVERIFY(w.workspace() == before);
+}
+
+// The ball is all that there is above 500.
+void TestSegmentSteps::aClickInThreeDTakesWhatIsSeen() {
+  SurfaceWindow w;
+  const auto idle = [&] { return QTest::qWaitFor([&] { return w.window.jobs().rows().empty(); }, longest); };
+  w.child<QDoubleSpinBox>("segmentLow")->setValue(500);
+  w.child<QDoubleSpinBox>("segmentHigh")->setValue(3000);
+  w.child<QAction>("partTool")->trigger();
+  const int steps = w.session().undoStack().index();
+  w.click(w.pixelOf({0, -12, 0}));
+  QVERIFY(idle());
+  QCOMPARE(w.session().undoStack().index(), steps + 1);
+  const SegmentMap& map = w.session().workspace().segmentMaps.front();
+  std::int64_t expected = 0;
+  const Volume& volume = *w.session().series()->volume;
+  for (std::int64_t n = 0; n < volume.geometry().voxelCount(); ++n)
+    expected += volume.valueAt(std::size_t(n)) >= 500;
+  QCOMPARE(maskOf(*map.labels, 1).count(), expected);
+  w.click({3, 3});
+  QVERIFY(idle());
+  QCOMPARE(w.session().undoStack().index(), steps + 1);
+  QVERIFY(w.told().contains(QStringLiteral("Nothing is seen there")));
+}
+
+void TestSegmentSteps::escPutsTheToolAway() {
+  SegmentWindow w;
+  const Tool& before = w.window.views()->tool();
+  w.child<QAction>("partTool")->trigger();
+  QCOMPARE(&w.window.views()->tool(), &toolNamed("part"));
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  QCOMPARE(&w.window.views()->tool(), &before);
+}
+
+void TestSegmentSteps::sequencesAreUndoneAndDoneAgain_data() {
+  QTest::addColumn<int>("seed");
+  const Seeds seeds = seedsOf(1, 5);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+// 200 things done in the panel; after each the segments are sound, and undo and redo lead through all of it.
+void TestSegmentSteps::sequencesAreUndoneAndDoneAgain() {
+  QFETCH(int, seed);
+  constexpr int acts = 200;
+  Chance chance{std::uint64_t(seed)};
+  SegmentWindow w;
+  w.child<QDoubleSpinBox>("segmentMm")->setValue(1);
+  w.child<QDoubleSpinBox>("segmentMl")->setValue(0.2);
+  const int first = w.steps();
+  std::vector<Workspace> states{w.workspace()};
+  for (int n = 0; n < acts; ++n) {
+    const int row = chance.below(std::max(1, int(w.count())));
+    const int column = chance.below(2);
+    const bool on = chance.oneIn(3);
+    const double low = chance.below(1000), high = chance.below(1200);
+    switch (const int act = chance.below(10); w.count() == 0 ? 0 : act) {
+      case 0:
+        QVERIFY(w.make(low, high));
+        break;
+      case 1:
+        QVERIFY(w.press(chance.oneIn(2) ? "segmentAdd" : "segmentDuplicate"));
+        break;
+      case 2:
+        if (w.count() > 2) QVERIFY(w.press("segmentRemove"));
+        break;
+      case 3:
+        w.list()->topLevelItem(row)->setCheckState(column, on ? Qt::Checked : Qt::Unchecked);
+        break;
+      case 4:
+        w.list()->setCurrentItem(w.list()->topLevelItem(row));
+        break;
+      case 5:
+        QVERIFY(w.make(low, high, "segmentReplace"));
+        break;
+      default: {
+        const auto& all = segmentSteps();
+        QVERIFY(w.step(all[std::size_t(chance.below(int(all.size())))].name));
+      }
+    }
+    QVERIFY(w.idle());
+    const int index = w.steps() - first;
+    QVERIFY2(index <= int(states.size()), "one step at most");
+    if (index == int(states.size())) states.push_back(w.workspace());
+    QVERIFY(w.workspace() == states[std::size_t(index)]);
+    if (!w.map()) continue;
+    for (int k = 0; k < 40; k += 7)
+      for (int i = 0; i < 40; ++i) {
+        const int label = w.map()->labels->at({i, (3 * i + k) % 40, k});
+        QVERIFY(label == 0 || findSegment(*w.map(), label));
+      }
+  }
+  QVERIFY2(states.size() > 40, qPrintable(QString::number(states.size())));
+  for (int n = int(states.size()) - 1; n-- > 0;) {
+    w.undo();
+    QVERIFY2(w.workspace() == states[std::size_t(n)], qPrintable(QString::number(n)));
+  }
+  for (std::size_t n = 1; n < states.size(); ++n) {
+    w.redo();
+    QVERIFY2(w.workspace() == states[n], qPrintable(QString::number(n)));
+  }
+  QVERIFY(w.idle());
+}
+
+VOLUMEN_TEST(TestSegmentSteps);
+#include "tst_segment_steps.moc"

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "viewer/segment/bit_mask.h"
+#include "viewer/segment/surface.h"
+
+namespace volumen::tests {
+
+/// Whether a point of patient space is inside a shape.
+using Shape3 = std::function<bool(glm::dvec3)>;
+
+inline Shape3 ellipsoid(glm::dvec3 halfAxes, glm::dvec3 centre = glm::dvec3(0)) {
+  return [=](glm::dvec3 p) { return glm::length((p - centre) / halfAxes) <= 1; };
+}
+inline Shape3 ball(double radius, glm::dvec3 centre = glm::dvec3(0)) {
+  return ellipsoid(glm::dvec3(radius), centre);
+}
+inline Shape3 cylinder(double radius, double height, glm::dvec3 along) {
+  return [=, axis = glm::normalize(along)](glm::dvec3 p) {
+    const double t = glm::dot(p, axis);
+    return std::abs(t) <= height / 2 && glm::length(p - t * axis) <= radius;
+  };
+}
+
+/// A grid about the origin of patient space that a ball of `reach` mm fits in; its middle lies off the
+/// voxels' centres.
+inline VoxelGeometry gridAbout(const glm::dmat3& step, double reach) {
+  VoxelGeometry grid;
+  grid.patientFromVoxelStep = step;
+  const glm::dmat3 rows = glm::transpose(glm::inverse(step));
+  for (int a = 0; a < 3; ++a) grid.size[a] = 3 + 2 * int(std::ceil(reach * glm::length(rows[a])));
+  grid.origin = -(step * (glm::dvec3(grid.size - 1) / 2.0 + glm::dvec3(0.13, -0.21, 0.34)));
+  return grid;
+}
+
+/// The voxels whose centres are inside.
+inline BitMask maskOfShape(const VoxelGeometry& grid, const Shape3& isIn) {
+  BitMask mask(grid);
+  for (int k = 0; k < grid.size.z; ++k)
+    for (int j = 0; j < grid.size.y; ++j)
+      for (int i = 0; i < grid.size.x; ++i)
+        if (isIn(grid.patientFromVoxel(glm::dvec3(i, j, k)))) mask.set({i, j, k});
+  return mask;
+}
+
+/// The digital phantom of the Image Biomarker Standardisation Initiative: 5 x 4 x 4 voxels of 2 mm, of which
+/// six are not in its region.
+inline BitMask ibsiPhantom() {
+  BitMask mask({.size = {5, 4, 4}, .patientFromVoxelStep = glm::dmat3(2)});
+  const std::set<std::array<int, 3>> out{{0, 2, 1}, {3, 0, 2}, {4, 0, 2}, {2, 2, 2}, {3, 0, 3}, {4, 0, 3}};
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 5; ++i) mask.set({i, j, k}, !out.contains({i, j, k}));
+  return mask;
+}
+
+/// What is wrong with a surface that should be closed; empty: nothing. Every edge is in two triangles, once
+/// in each direction; the triangles about each point form one ring; all points are used, and no two are at
+/// one place; so Euler's number of each part is even.
+inline std::string notClosed(const Surface& surface) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> opposite;  // of the edge a b, corner c
+  std::map<std::uint32_t, int> degrees;
+  for (const auto& t : surface.triangles)
+    for (std::size_t n = 0; n < 3; ++n) {
+      if (!opposite.emplace(std::pair(t[n], t[(n + 1) % 3]), t[(n + 2) % 3]).second)
+        return "an edge is twice in one direction";
+      ++degrees[t[n]];
+    }
+  for (const auto& [edge, corner] : opposite)
+    if (!opposite.contains({edge.second, edge.first})) return "an edge is in one triangle";
+  if (degrees.size() != surface.points.size()) return "a point is in no triangle";
+  for (const auto& t : surface.triangles)
+    for (std::size_t n = 0; n < 3; ++n) {
+      int ring = 0;
+      std::uint32_t at = t[(n + 1) % 3];
+      do {
+        at = opposite.at({t[n], at});
+        ++ring;
+      } while (at != t[(n + 1) % 3]);
+      if (ring != degrees[t[n]]) return "the triangles about a point form two rings";
+    }
+  std::set<std::array<float, 3>> places;
+  for (const glm::vec3& p : surface.points) places.insert({p.x, p.y, p.z});
+  if (places.size() != surface.points.size()) return "two points are at one place";
+  const auto euler = std::int64_t(surface.points.size()) - std::int64_t(opposite.size() / 2) +
+                     std::int64_t(surface.triangles.size());
+  return euler % 2 ? "Euler's number is odd" : "";
+}
+
+}  // namespace volumen::tests

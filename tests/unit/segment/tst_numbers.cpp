@@ -1,0 +1,255 @@
+// Guards numbers.h: values, histograms and form of a segment against twins that look at each voxel, closed
+// forms, and the digital phantom of the IBSI.
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <numbers>
+#include <random>
+
+#include "tests/fixtures/grids.h"
+#include "tests/fixtures/small_volumes.h"
+#include "tests/unit/segment/bit_masks.h"
+#include "tests/unit/segment/shape_masks.h"
+#include "tests/unit/suite.h"
+#include "viewer/segment/numbers.h"
+#include "viewer/segment/surface_area.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+using glm::dmat3, glm::dvec3, glm::ivec3;
+
+class TestNumbers : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void valuesAreThoseOfTheVoxels_data();
+  void valuesAreThoseOfTheVoxels();
+  void digitsFarFromZeroAreKept();
+  void histogramsCountEachVoxelOnce();
+  void formOfBodies_data();
+  void formOfBodies();
+  void formOfAnyMask();
+  void formOfThePhantom();
+  void noFormOfNothing();
+};
+
+namespace {
+
+using std::numbers::pi;
+
+VolumePtr anyVolume(const VoxelGeometry& grid, const QString& type, std::mt19937& random) {
+  VolumeParts parts;
+  parts.geometry = grid;
+  const auto count = std::size_t(grid.voxelCount());
+  const auto filled = [&](auto of, int low, int high) {
+    std::vector<decltype(of)> values(count);
+    for (auto& v : values) v = decltype(of)(low + int(random() % unsigned(high - low + 1)));
+    return values;
+  };
+  if (type == QLatin1String("uint8")) parts.values = filled(std::uint8_t(), 0, 255);
+  if (type == QLatin1String("int16")) parts.values = filled(std::int16_t(), -32768, 32767);
+  if (type == QLatin1String("uint16")) parts.values = filled(std::uint16_t(), 0, 65535);
+  if (type == QLatin1String("few")) parts.values = filled(std::int16_t(), -3, 4);
+  if (type == QLatin1String("float")) {
+    std::vector<float> values = filled(float(), -1000, 1000);
+    for (float& v : values) v = v / 7 + 0.5f;
+    parts.values = values;
+  }
+  if (type == QLatin1String("negative slope")) {
+    parts.values = filled(std::int16_t(), -50, 900);
+    parts.slope = -0.37, parts.intercept = 12.5;
+  }
+  if (type == QLatin1String("padding")) {
+    parts.values = filled(std::int16_t(), -5, 5);
+    parts.attributes.padding = ValueRange{-2, 0};
+  }
+  return volumeFrom(std::move(parts));
+}
+
+std::vector<double> valuesOneByOne(const BitMask& mask, const Volume& volume) {
+  std::vector<double> values;
+  const auto& padding = volume.attributes().padding;
+  for (const ivec3 v : voxelsOf(mask.geometry())) {
+    const double value = double(volume.value(v.x, v.y, v.z));
+    if (mask.at(v) && !(padding && padding->low <= value && value <= padding->high)) values.push_back(value);
+  }
+  return values;
+}
+
+double atRank(const std::vector<double>& sorted, double percent) {
+  const auto rank = std::max(1.0, std::ceil(percent * double(sorted.size()) / 100 - 1e-9));
+  return sorted[std::size_t(rank) - 1];
+}
+
+void addTypes() {
+  QTest::addColumn<QString>("type");
+  for (const char* type : {"uint8", "int16", "uint16", "few", "float", "negative slope", "padding"})
+    QTest::newRow(type) << QString::fromLatin1(type);
+}
+
+}  // namespace
+
+void TestNumbers::valuesAreThoseOfTheVoxels_data() { addTypes(); }
+
+void TestNumbers::valuesAreThoseOfTheVoxels() {
+  QFETCH(QString, type);
+  std::mt19937 random(11);
+  for (int n = 0; n < 200; ++n) {
+    const VoxelGeometry grid = anyGrid(random);
+    const BitMask mask = anyMask(random, grid);
+    const VolumePtr volume = anyVolume(grid, type, random);
+    const SegmentValues found = valuesIn(mask, *volume);
+    std::vector<double> values = valuesOneByOne(mask, *volume);
+    QCOMPARE(found.voxels, std::int64_t(values.size()));
+    if (values.empty()) {
+      QCOMPARE(found.mean, 0.0);
+      QCOMPARE(found.max, 0.0);
+      continue;
+    }
+    double sum = 0, squares = 0;
+    for (const double v : values) sum += v;
+    const double mean = sum / double(values.size());
+    for (const double v : values) squares += (v - mean) * (v - mean);
+    QVERIFY(std::abs(found.mean - mean) < 1e-8);
+    QVERIFY(std::abs(found.sd - std::sqrt(squares / double(values.size()))) < 1e-8);
+    for (const ivec3 v : tests::voxelsOf(grid)) {
+      if (!mask.at(v) || double(volume->value(v.x, v.y, v.z)) != found.max) continue;
+      QVERIFY2(found.maxAt == v, caseOf(n, mask).c_str());
+      break;
+    }
+    std::ranges::sort(values);
+    QCOMPARE(found.min, values.front());
+    QCOMPARE(found.max, values.back());
+    QCOMPARE(found.p10, atRank(values, 10));
+    QCOMPARE(found.median, atRank(values, 50));
+    QCOMPARE(found.p90, atRank(values, 90));
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    QCOMPARE(valuesIn(mask, *volume).mean, found.mean);
+    QCOMPARE(valuesIn(mask, *volume).sd, found.sd);
+  }
+}
+
+// A million and a little: a sum of squares would have lost it.
+void TestNumbers::digitsFarFromZeroAreKept() {
+  const VoxelGeometry grid{.size = {100, 100, 20}};
+  const BitMask all = inverted(BitMask(grid));
+  VolumeParts parts;
+  parts.geometry = grid;
+  std::vector<float> values(std::size_t(grid.voxelCount()));
+  for (std::size_t n = 0; n < values.size(); ++n) values[n] = n % 2 ? 1000000.25f : 1000000.0f;
+  parts.values = values;
+  const SegmentValues found = valuesIn(all, *volumeFrom(std::move(parts)));
+  QVERIFY(std::abs(found.mean - 1000000.125) < 1e-9);
+  QVERIFY(std::abs(found.sd - 0.125) < 1e-9);
+}
+
+void TestNumbers::histogramsCountEachVoxelOnce() {
+  std::mt19937 random(5);
+  for (const char* type : {"uint8", "few", "float", "negative slope", "padding"})
+    for (int n = 0; n < 60; ++n) {
+      const VoxelGeometry grid = anyGrid(random);
+      const BitMask mask = anyMask(random, grid);
+      const VolumePtr volume = anyVolume(grid, QString::fromLatin1(type), random);
+      const ValueRange range{-4.0 + int(random() % 3), 4.0 + int(random() % 200)};
+      const int bins = 1 + int(random() % 40);
+      std::vector<std::int64_t> twin(std::size_t(bins), 0);
+      for (const double v : valuesOneByOne(mask, *volume)) {
+        if (v < range.low || v > range.high) continue;
+        const int bin = v == range.high ? bins - 1 : int((v - range.low) / (range.high - range.low) * bins);
+        ++twin[std::size_t(bin)];
+      }
+      QVERIFY2(histogramIn(mask, *volume, range, bins) == twin, caseOf(n, mask).c_str());
+    }
+}
+
+void TestNumbers::formOfBodies_data() {
+  QTest::addColumn<dmat3>("step");
+  for (const Grid& g : grids) QTest::newRow(g.name) << g.patientFromVoxelStep;
+}
+
+// An ellipsoid's axis by moments is 4 a / sqrt(5), a cylinder's 2 r and 4 h / sqrt(12). Voxels are up to 2.5
+// mm here and bodies 20 to 40 mm across: ends may be half a voxel off.
+void TestNumbers::formOfBodies() {
+  QFETCH(dmat3, step);
+  const dvec3 centre(1.5, -2, 0.75);
+  const double largestVoxel = std::max({glm::length(step[0]), glm::length(step[1]), glm::length(step[2])});
+  const SegmentForm form = **formOf(maskOfShape(gridAbout(step, 26), ellipsoid({20, 15, 10}, centre)));
+  QVERIFY2(std::abs(form.voxelMl / 12.566371 - 1) < 0.01, qPrintable(QString::number(form.voxelMl)));
+  QVERIFY2(std::abs(form.surfaceMl / 12.566371 - 1) < 0.03, qPrintable(QString::number(form.surfaceMl)));
+  QVERIFY2(std::abs(form.areaMm2 / 2788.644 - 1) < 0.02, qPrintable(QString::number(form.areaMm2)));
+  QVERIFY(glm::distance(form.centroid, centre) < 0.1);
+  for (int a = 0; a < 3; ++a) {
+    QVERIFY(std::abs(form.axisMm[a] / (4 * dvec3(20, 15, 10)[a] / std::sqrt(5.0)) - 1) < 0.015);
+    QVERIFY2(form.axes[std::size_t(a)][a] > 0.999, "they are those of patient space, in this order");
+  }
+  QVERIFY2(std::abs(form.longestMm - 40) < largestVoxel, qPrintable(QString::number(form.longestMm)));
+  QCOMPARE(glm::distance(form.longestAt[0], form.longestAt[1]), form.longestMm);
+
+  const SegmentForm tilted = **formOf(maskOfShape(gridAbout(step, 24), cylinder(10, 40, {1, 2, 3})));
+  QVERIFY2(std::abs(tilted.longestMm - 44.721) < largestVoxel, qPrintable(QString::number(tilted.longestMm)));
+  QVERIFY(std::abs(tilted.axisMm.x / (4 * 40 / std::sqrt(12.0)) - 1) < 0.015);
+  QVERIFY(std::abs(tilted.axisMm.y / 20 - 1) < 0.02 && std::abs(tilted.axisMm.z / 20 - 1) < 0.02);
+  QVERIFY(glm::dot(tilted.axes[0], glm::normalize(dvec3(1, 2, 3))) > 0.999);
+}
+
+// Axes and centre of masks by chance, down to one voxel: the covariance is turned into its own diagonal.
+void TestNumbers::formOfAnyMask() {
+  std::mt19937 random(8);
+  for (int n = 0; n < 300; ++n) {
+    const VoxelGeometry grid = anyGrid(random);
+    const BitMask mask = anyMask(random, grid);
+    const auto result = formOf(mask);
+    QVERIFY(result.ok());
+    QCOMPARE(result->has_value(), !mask.empty());
+    if (mask.empty()) continue;
+    const SegmentForm form = **result;
+    dvec3 mean(0);
+    ivec3 low(INT32_MAX), high(INT32_MIN);
+    for (const ivec3 v : tests::voxelsOf(grid))
+      if (mask.at(v)) {
+        mean += grid.patientFromVoxel(dvec3(v));
+        low = glm::min(low, v), high = glm::max(high, v);
+      }
+    mean /= double(mask.count());
+    QVERIFY(glm::distance(form.centroid, mean) < 1e-9);
+    QVERIFY(form.box.low == low && form.box.high == high);
+    dmat3 spread(0);
+    for (const ivec3 v : tests::voxelsOf(grid))
+      if (mask.at(v)) {
+        const dvec3 d = grid.patientFromVoxel(dvec3(v)) - mean;
+        spread += glm::outerProduct(d, d) / double(mask.count());
+      }
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double variance = form.axisMm[int(a)] * form.axisMm[int(a)] / 16;
+      const dvec3 off = spread * form.axes[a] - variance * form.axes[a];
+      QVERIFY2(glm::length(off) < 1e-6 * (1 + form.axisMm.x * form.axisMm.x), caseOf(n, mask).c_str());
+      QVERIFY(std::abs(glm::length(form.axes[a]) - 1) < 1e-12);
+    }
+    QVERIFY(form.axisMm.x >= form.axisMm.y && form.axisMm.y >= form.axisMm.z);
+    QVERIFY(std::abs(glm::dot(form.axes[0], form.axes[1])) < 1e-12);
+    QCOMPARE(form.areaMm2, boundaryArea(mask));
+    QVERIFY(form.surfaceMl > 0 && form.longestMm > 0);
+  }
+}
+
+// pyradiomics, which divides by n: 11.33, 9.24 and 8.48 mm; by n - 1, as the IBSI does, 11.4, 9.31 and 8.54.
+void TestNumbers::formOfThePhantom() {
+  const SegmentForm form = **formOf(ibsiPhantom());
+  QCOMPARE(form.voxelMl, 0.592);
+  QVERIFY(std::abs(form.axisMm.x - 11.33) < 5e-3 && std::abs(form.axisMm.y - 9.24) < 5e-3 &&
+          std::abs(form.axisMm.z - 8.48) < 5e-3);
+}
+
+void TestNumbers::noFormOfNothing() {
+  VoxelGeometry grid{.size = {20, 20, 20}};
+  QVERIFY(formOf(BitMask(grid)).ok() && !formOf(BitMask(grid))->has_value());
+  grid.calibrated = false;
+  const BitMask all = inverted(BitMask(grid));
+  QVERIFY(formOf(all).ok() && !formOf(all)->has_value());
+  grid.calibrated = true;
+  CancelToken cancel;
+  cancel.cancel();
+  QVERIFY(!formOf(inverted(BitMask(grid)), cancel).ok());
+}
+
+VOLUMEN_TEST(TestNumbers);
+#include "tst_numbers.moc"

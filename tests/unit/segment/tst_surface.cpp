@@ -1,0 +1,387 @@
+// Guards surface.h: surfaces of segments are closed on every grid, lie where the field is 1/2, and stay
+// closed where they get fewer triangles; distances between them are exact. Random cases:
+// VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S.
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <numbers>
+#include <random>
+
+#include "tests/fixtures/chance.h"
+#include "tests/fixtures/grids.h"
+#include "tests/fixtures/real_volume.h"
+#include "tests/fixtures/seeds.h"
+#include "tests/unit/segment/shape_masks.h"
+#include "tests/unit/suite.h"
+#include "viewer/segment/farthest_points.h"
+#include "viewer/segment/occupancy.h"
+#include "viewer/segment/range.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+using glm::dvec3;
+
+class TestSurface : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void isClosed_data();
+  void isClosed();
+  void liesNearTheFieldsOwnVolume();
+  void closedForms_data();
+  void closedForms();
+  void phantomOfIbsi();
+  void nothingHasNoTriangles();
+  void crossingsKeepApart();
+  void anyNumberOfThreads();
+  void whatIsCancelled();
+  void bonesOfARealCt();
+  void fewerTrianglesStayClosed_data();
+  void fewerTrianglesStayClosed();
+  void flatFacesAreTwoTriangles();
+  void deviationIsExact();
+  void farthestPointsAreTheFarthest();
+};
+
+namespace {
+
+// Values by chance at the points of a small box, 0 on its border: a set of points inside of any density, with
+// values of 1 and 0, or by chance on either side of 1/2.
+OccupancyField anyField(std::uint64_t seed) {
+  Chance chance(seed);
+  OccupancyField field;
+  field.geometry.size = {1 + chance.below(9), 1 + chance.below(9), 1 + chance.below(9)};
+  if (chance.oneIn(20)) field.geometry.size.x = 60 + chance.below(10);  // rows of more than a word
+  field.geometry.patientFromVoxelStep = grids[chance.below(int(std::size(grids)))].patientFromVoxelStep;
+  field.geometry.origin = 300.0 * chance.vector();
+  field.box = {glm::ivec3(-1), field.geometry.size};
+  const double density = chance.share();
+  const bool binary = chance.oneIn(3);
+  const glm::ivec3 size = field.size();
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i) {
+        const bool onBorder =
+            i == 0 || j == 0 || k == 0 || i + 1 == size.x || j + 1 == size.y || k + 1 == size.z;
+        const bool isIn = !onBorder && chance.share() < density;
+        const double away = binary ? 0.5 : chance.between(0.02, 0.5);
+        field.values.push_back(onBorder ? 0 : float(isIn ? 0.5 + away : 0.5 - away));
+      }
+  return field;
+}
+
+int pointsInside(const OccupancyField& field) {
+  return int(std::ranges::count_if(field.values, [](float v) { return v >= 0.5f; }));
+}
+
+// The part of a cell where the trilinear field is at least 1/2, by counting points.
+double partInside(const OccupancyField& field, glm::ivec3 cell) {
+  const glm::ivec3 size = field.size();
+  double v[8];
+  for (int c = 0; c < 8; ++c) {
+    const glm::ivec3 x = cell + glm::ivec3(c & 1, c >> 1 & 1, c >> 2);
+    v[c] = double(field.values[std::size_t((x.z * size.y + x.y) * size.x + x.x)]);
+  }
+  constexpr int n = 10;
+  int inside = 0;
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const dvec3 f = (dvec3(i, j, k) + 0.5) / double(n);
+        double at[4];
+        for (int c = 0; c < 4; ++c) at[c] = v[2 * c] + (v[2 * c + 1] - v[2 * c]) * f.x;
+        const double low = at[0] + (at[1] - at[0]) * f.y, high = at[2] + (at[3] - at[2]) * f.y;
+        inside += low + (high - low) * f.z >= 0.5;
+      }
+  return inside / double(n * n * n);
+}
+
+double volumeInside(const OccupancyField& field) {
+  double cells = 0;
+  const glm::ivec3 size = field.size();
+  for (int k = 0; k + 1 < size.z; ++k)
+    for (int j = 0; j + 1 < size.y; ++j)
+      for (int i = 0; i + 1 < size.x; ++i) cells += partInside(field, {i, j, k});
+  return cells * field.geometry.voxelVolume();
+}
+
+// Where a distance to a shape crosses 0 the field crosses 1/2, nearly linearly.
+OccupancyField fieldOf(const VoxelGeometry& grid, const std::function<double(dvec3)>& inwards) {
+  OccupancyField field{grid, {glm::ivec3(-1), grid.size}, {}};
+  const double steep = 0.4 / std::max({grid.spacing().x, grid.spacing().y, grid.spacing().z});
+  for (int k = -1; k <= grid.size.z; ++k)
+    for (int j = -1; j <= grid.size.y; ++j)
+      for (int i = -1; i <= grid.size.x; ++i)
+        field.values.push_back(
+            float(std::clamp(0.5 + steep * inwards(grid.patientFromVoxel(dvec3(i, j, k))), 0.0, 1.0)));
+  return field;
+}
+
+Surface ballSurface(double radius, const glm::dmat3& step, dvec3 centre = dvec3(0)) {
+  return *surfaceOf(fieldOf(gridAbout(step, radius + glm::length(centre) + 1),
+                            [&](dvec3 p) { return radius - glm::distance(p, centre); }));
+}
+
+QByteArray seedText(std::uint64_t seed, const std::string& what) {
+  return QByteArray::fromStdString("seed " + std::to_string(seed) + ": " + what);
+}
+
+bool sameBytes(const Surface& a, const Surface& b) {
+  return a.points == b.points && a.triangles == b.triangles;
+}
+
+}  // namespace
+
+void TestSurface::isClosed_data() {
+  QTest::addColumn<int>("first");
+  QTest::addColumn<int>("behindLast");
+  const Seeds seeds = seedsOf(2000, 20000);
+  constexpr int together = 1000;
+  for (int first = seeds.first; first < seeds.behindLast(); first += together)
+    QTest::addRow("seeds from %d", first) << first << std::min(first + together, seeds.behindLast());
+}
+
+void TestSurface::isClosed() {
+  QFETCH(int, first);
+  QFETCH(int, behindLast);
+  for (int seed = first; seed < behindLast; ++seed) {
+    const OccupancyField field = anyField(std::uint64_t(seed));
+    const Result<Surface> surface = surfaceOf(field);
+    QVERIFY(surface.ok());
+    const std::string wrong = notClosed(*surface);
+    QVERIFY2(wrong.empty(), seedText(std::uint64_t(seed), wrong));
+    QCOMPARE(surface->triangles.empty(), pointsInside(field) == 0);
+    if (!surface->triangles.empty())
+      QVERIFY2(volumeOf(*surface) > 0, seedText(std::uint64_t(seed), "it is inside out"));
+  }
+}
+
+// Noise is the worst: where corners inside are opposite on a face the surface parts them, and the field may
+// join them. So it encloses less, by all cells together at most a tenth.
+void TestSurface::liesNearTheFieldsOwnVolume() {
+  double all = 0, twin = 0;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    const OccupancyField field = anyField(seed);
+    const double voxel = field.geometry.voxelVolume();
+    const double volume = volumeOf(*surfaceOf(field)) / voxel, inside = volumeInside(field) / voxel;
+    const auto cells = double(field.values.size());
+    QVERIFY2(std::abs(volume - inside) < 1 + 0.05 * cells,
+             seedText(seed, std::to_string(volume) + ", not " + std::to_string(inside)));
+    all += volume, twin += inside;
+  }
+  QVERIFY2(all / twin > 0.9 && all / twin < 1, qPrintable(QString::number(all / twin)));
+}
+
+void TestSurface::closedForms_data() {
+  QTest::addColumn<glm::dmat3>("step");
+  for (const Grid& g : grids) QTest::newRow(g.name) << g.patientFromVoxelStep;
+}
+
+// Flat triangles of h mm inside a ball of r mm lack about h^2 / 8 r of its radius: with h of 2.5 mm and r of
+// 15 mm 0.05 mm, 1 % of the volume.
+void TestSurface::closedForms() {
+  QFETCH(glm::dmat3, step);
+  const double r = 15;
+  const Surface surface = ballSurface(r, step, {1, -2, 0.5});
+  QCOMPARE(notClosed(surface), std::string());
+  const double volume = 4.0 / 3 * std::numbers::pi * r * r * r, area = 4 * std::numbers::pi * r * r;
+  QVERIFY2(std::abs(volumeOf(surface) / volume - 1) < 0.01,
+           qPrintable(QString::number(volumeOf(surface) / volume)));
+  QVERIFY2(std::abs(areaOf(surface) / area - 1) < 0.01, qPrintable(QString::number(areaOf(surface) / area)));
+  for (const glm::vec3& p : surface.points)
+    QVERIFY(std::abs(glm::distance(dvec3(p), dvec3(1, -2, 0.5)) - r) < 0.15);
+}
+
+// Its reference values, 556 mm^3, 388 mm^2 and 13.1 mm (IBSI 11.0, volume, surface area, maximum 3D
+// diameter), of the mask as it is.
+void TestSurface::phantomOfIbsi() {
+  const BitMask mask = ibsiPhantom();
+  QCOMPARE(mask.count(), std::int64_t(74));
+  const Surface surface = *surfaceOf(occupancyOf(mask, 0));
+  QCOMPARE(notClosed(surface), std::string());
+  QVERIFY2(std::abs(volumeOf(surface) - 556.33) < 0.7, qPrintable(QString::number(volumeOf(surface))));
+  QVERIFY2(std::abs(areaOf(surface) - 388.07) < 0.7, qPrintable(QString::number(areaOf(surface))));
+  const auto ends = farthestPoints(surface);
+  QVERIFY(std::abs(double(glm::distance(ends[0], ends[1])) - 13.115) < 1e-3);
+}
+
+void TestSurface::nothingHasNoTriangles() {
+  const BitMask none({.size = {70, 3, 4}});
+  const Result<Surface> surface = surfaceOf(occupancyOf(none, surfaceSigma));
+  QVERIFY(surface.ok());
+  QVERIFY(surface->points.empty() && surface->triangles.empty());
+  QCOMPARE(volumeOf(*surface), 0.0);
+  QCOMPARE(areaOf(*surface), 0.0);
+  QVERIFY(reduced(*surface, 1).triangles.empty());
+  QCOMPARE(deviation(*surface, *surface).largest, 0.0);
+}
+
+// A value of exactly 1/2, and ones a hair off it: six crossings about one point are six points.
+void TestSurface::crossingsKeepApart() {
+  for (const float value : {0.5f, 0.5f + 1e-7f, 0.5f + 1e-4f}) {
+    OccupancyField field{
+        {.size = {1, 1, 1}, .origin = {812.3, -455.1, 1200.7}}, {glm::ivec3(-1), glm::ivec3(1)}, {}};
+    field.values.assign(27, 0);
+    field.values[13] = value;
+    const Surface surface = *surfaceOf(field);
+    QCOMPARE(surface.points.size(), std::size_t(6));
+    QCOMPARE(notClosed(surface), std::string());
+    for (const glm::vec3& p : surface.points)
+      QVERIFY(std::abs(glm::distance(dvec3(p), field.geometry.origin) - 0.02) < 1e-3);
+  }
+}
+
+void TestSurface::anyNumberOfThreads() {
+  const OccupancyField field = occupancyOf(
+      maskOfShape(gridAbout(grids[2].patientFromVoxelStep, 21), cylinder(9, 35, {1, 2, 3})), surfaceSigma);
+  const Surface all = *surfaceOf(field);
+  const Surface other = ballSurface(9, grids[1].patientFromVoxelStep);
+  const double area = areaOf(all), volume = volumeOf(all);
+  const Deviation apart = deviation(all, other);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  QVERIFY(sameBytes(*surfaceOf(field), all));
+  QCOMPARE(areaOf(all), area);
+  QCOMPARE(volumeOf(all), volume);
+  QCOMPARE(deviation(all, other).largest, apart.largest);
+  QCOMPARE(deviation(all, other).mean, apart.mean);
+}
+
+void TestSurface::whatIsCancelled() {
+  CancelToken cancel;
+  cancel.cancel();
+  const OccupancyField field = anyField(1);
+  QVERIFY(!surfaceOf(field, cancel).ok());
+  const Surface ball = ballSurface(10, glm::dmat3(1));
+  QCOMPARE(notClosed(reduced(ball, 1, cancel)), std::string());
+}
+
+// Its bones: closed, and inside them nearly what their voxels are.
+void TestSurface::bonesOfARealCt() {
+  const VolumePtr ct = realVolume("ct-chest-lidc0314-138");
+  NEED_VOLUME(ct);
+  BitMask bones = voxelsInRange(*ct, {226, 3000});
+  for (int k = 60; k < bones.size().z; ++k)  // a part: to look at each edge takes its time
+    for (int j = 0; j < bones.size().y; ++j) std::ranges::fill(bones.row(j, k), 0);
+  for (int k = 0; k < 45; ++k)
+    for (int j = 0; j < bones.size().y; ++j) std::ranges::fill(bones.row(j, k), 0);
+  const Surface surface = *surfaceOf(occupancyOf(bones, surfaceSigma));
+  QVERIFY(surface.triangles.size() > 100000);
+  QCOMPARE(notClosed(surface), std::string());
+  const double ratio = volumeOf(surface) / (double(bones.count()) * ct->geometry().voxelVolume());
+  QVERIFY2(std::abs(ratio - 1) < 0.1, qPrintable(QString::number(ratio)));
+}
+
+void TestSurface::fewerTrianglesStayClosed_data() {
+  QTest::addColumn<double>("tolerance");
+  for (const double tolerance : {0.0, 0.05, 0.3, 2.0, 100.0}) QTest::addRow("%g mm", tolerance) << tolerance;
+}
+
+// Masks by chance, with handles, holes and parts that have four points left; and a ball.
+void TestSurface::fewerTrianglesStayClosed() {
+  QFETCH(double, tolerance);
+  const Seeds seeds = seedsOf(150, 1500);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    const Surface all = *surfaceOf(anyField(std::uint64_t(seed)));
+    const Surface fewer = reduced(all, tolerance);
+    const std::string wrong = notClosed(fewer);
+    QVERIFY2(wrong.empty() || wrong == "two points are at one place", seedText(std::uint64_t(seed), wrong));
+    QVERIFY(fewer.triangles.size() <= all.triangles.size());
+    // Handles and parts stay: Euler's number, from triangles and points.
+    QCOMPARE(2 * int(fewer.points.size()) - int(fewer.triangles.size()),
+             2 * int(all.points.size()) - int(all.triangles.size()));
+  }
+  const Surface ball = ballSurface(15, grids[2].patientFromVoxelStep);
+  const Surface fewer = reduced(ball, tolerance);
+  QCOMPARE(notClosed(fewer), std::string());
+  if (tolerance > 0 && tolerance < 1) {
+    QVERIFY(fewer.triangles.size() < ball.triangles.size() * (tolerance < 0.1 ? 0.9 : 0.5));
+    // Nothing is farther from planes than the tolerance; where planes meet at an angle a little farther from
+    // their triangles.
+    QVERIFY2(deviation(fewer, ball).largest < 2 * tolerance,
+             qPrintable(QString::number(deviation(fewer, ball).largest)));
+    QVERIFY(std::abs(volumeOf(fewer) / volumeOf(ball) - 1) < 0.02);
+  }
+}
+
+// A block of the mask as it is: six faces with bevelled edges need no more than a few triangles each.
+void TestSurface::flatFacesAreTwoTriangles() {
+  BitMask mask({.size = {12, 9, 7}});
+  for (int k = 0; k < 7; ++k)
+    for (int j = 0; j < 9; ++j)
+      for (int i = 0; i < 12; ++i) mask.set({i, j, k});
+  const Surface all = *surfaceOf(occupancyOf(mask, 0));
+  const Surface fewer = reduced(all, 1e-4);
+  QVERIFY(all.triangles.size() > 1000);
+  // 24 corners of the faces, which are flat: 2 * 24 - 4 triangles.
+  QVERIFY2(fewer.triangles.size() <= 60, qPrintable(QString::number(fewer.triangles.size())));
+  QVERIFY(std::abs(volumeOf(fewer) / volumeOf(all) - 1) < 1e-5);
+  QVERIFY(deviation(all, fewer).largest < 2e-4);
+}
+
+namespace {
+
+// From a point to a triangle, by other means than the program: the foot on the plane where it is inside, else
+// the nearest of the edges.
+double distanceToTriangle(dvec3 p, const std::array<dvec3, 3>& t) {
+  const dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  double nearest = 1e300;
+  bool inside = glm::length(normal) > 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const dvec3 a = t[n], along = t[(n + 1) % 3] - a;
+    const double part = glm::dot(along, along) > 0
+                            ? std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0)
+                            : 0;
+    nearest = std::min(nearest, glm::distance(p, a + part * along));
+    inside = inside && glm::dot(glm::cross(along, p - a), normal) >= 0;
+  }
+  return inside ? std::abs(glm::dot(p - t[0], glm::normalize(normal))) : nearest;
+}
+
+std::array<dvec3, 3> cornersOf(const Surface& surface, const std::array<std::uint32_t, 3>& t) {
+  return {dvec3(surface.points[t[0]]), dvec3(surface.points[t[1]]), dvec3(surface.points[t[2]])};
+}
+
+}  // namespace
+
+void TestSurface::deviationIsExact() {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Surface a = *surfaceOf(anyField(seed)), b = *surfaceOf(anyField(seed + 1000));
+    if (a.triangles.empty() || b.triangles.empty()) continue;
+    if (a.triangles.size() * b.triangles.size() > 400000) continue;
+    const auto toB = [&](dvec3 p) {
+      double nearest = 1e300;
+      for (const auto& t : b.triangles) nearest = std::min(nearest, distanceToTriangle(p, cornersOf(b, t)));
+      return nearest;
+    };
+    double largest = 0, sum = 0, area = 0;
+    for (const auto& t : a.triangles) {
+      const auto c = cornersOf(a, t);
+      const double of = glm::length(glm::cross(c[1] - c[0], c[2] - c[0])) / 2;
+      const double middle = toB((c[0] + c[1] + c[2]) / 3.0);
+      sum += of * middle, area += of;
+      largest = std::max(largest, middle);
+    }
+    for (const glm::vec3& p : a.points) largest = std::max(largest, toB(dvec3(p)));
+    const Deviation found = deviation(a, b);
+    QVERIFY2(std::abs(found.largest - largest) < 1e-9 * (1 + largest),
+             seedText(seed, std::to_string(found.largest)));
+    QVERIFY2(std::abs(found.mean - sum / area) < 1e-9 * (1 + largest),
+             seedText(seed, std::to_string(found.mean)));
+  }
+}
+
+void TestSurface::farthestPointsAreTheFarthest() {
+  std::vector<Surface> surfaces{ballSurface(12, grids[3].patientFromVoxelStep)};
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) surfaces.push_back(*surfaceOf(anyField(seed)));
+  for (const Surface& surface : surfaces) {
+    if (surface.points.empty()) continue;
+    double farthest = 0;
+    for (const glm::vec3& p : surface.points)
+      for (const glm::vec3& q : surface.points)
+        farthest = std::max(farthest, glm::distance(dvec3(p), dvec3(q)));
+    const auto ends = farthestPoints(surface);
+    QCOMPARE(glm::distance(dvec3(ends[0]), dvec3(ends[1])), farthest);
+  }
+}
+
+VOLUMEN_TEST(TestSurface);
+#include "tst_surface.moc"

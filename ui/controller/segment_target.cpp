@@ -1,0 +1,44 @@
+#include "ui/controller/segment_target.h"
+
+#include "ui/workspace/segments.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+QString whyNoSegments(const Session& session) {
+  const LoadedSeriesPtr& series = session.series();
+  if (!series) return tr("Open a series first.");
+  if (series->series.curved)
+    return tr("Volumes along a curve are not the patient's: segment the series that the curve was drawn in.");
+  const SegmentMap* map = segmentMapOf(session.workspace(), keyOf(series->series));
+  if (map && map->missing)
+    return tr("The segments of this series were not found with its session: put their file beside it.");
+  return {};
+}
+
+const SegmentMap* segmentsShown(const Session& session) {
+  if (!whyNoSegments(session).isEmpty()) return nullptr;
+  const LoadedSeriesPtr& series = session.series();
+  const SegmentMap* map = segmentMapOf(session.workspace(), keyOf(series->series));
+  return map && isOn(*map, series->volume->geometry()) ? map : nullptr;
+}
+
+const Segment* segmentShown(const Session& session) {
+  const SegmentMap* map = segmentsShown(session);
+  return map ? currentSegment(*map) : nullptr;
+}
+
+QString whyNotChanged(const Session& session) {
+  const QString why = whyNoSegments(session);
+  if (!why.isEmpty()) return why;
+  const Segment* segment = segmentShown(session);
+  if (!segment) return tr("Make or add a segment first.");
+  return segment->locked ? tr("%1 is locked: unlock it first.").arg(shownText(segment->label)) : QString();
+}
+
+VolumePtr wholeVolume(const Session& session) {
+  const LoadedSeriesPtr whole = session.seriesWith(keyOf(session.series()->series), {});
+  return (whole ? whole : session.series())->volume;
+}
+
+}  // namespace volumen

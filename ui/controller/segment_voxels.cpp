@@ -1,0 +1,55 @@
+#include "ui/controller/segment_voxels.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "viewer/segment/parts.h"
+
+namespace volumen {
+
+namespace {
+
+bool isInGrid(glm::ivec3 voxel, glm::ivec3 size) {
+  return voxel.x >= 0 && voxel.y >= 0 && voxel.z >= 0 && voxel.x < size.x && voxel.y < size.y &&
+         voxel.z < size.z;
+}
+
+// The voxel of the mask that is nearest to a place; none within so many voxels.
+std::optional<glm::ivec3> nearestIn(const BitMask& mask, glm::dvec3 pPatient, int within) {
+  const VoxelGeometry& grid = mask.geometry();
+  const glm::ivec3 middle(glm::floor(grid.voxelFromPatient(pPatient) + 0.5));
+  std::optional<glm::ivec3> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = -within; k <= within; ++k)
+    for (int j = -within; j <= within; ++j)
+      for (int i = -within; i <= within; ++i) {
+        const glm::ivec3 voxel = middle + glm::ivec3(i, j, k);
+        if (!isInGrid(voxel, grid.size) || !mask.at(voxel)) continue;
+        const double mm = glm::distance(grid.patientFromVoxel(voxel), pPatient);
+        if (mm < least) least = mm, nearest = voxel;
+      }
+  return nearest;
+}
+
+}  // namespace
+
+Result<BitMask> withPart(const PartWanted& wanted, const SegmentMap& map, int number,
+                         const CancelToken& cancel) {
+  constexpr int besideSurface = 2;  // voxels: where half of the light is stopped may be outside the range
+  const BitMask own = maskOf(*map.labels, std::uint8_t(number));
+  const bool isOfRange = wanted.use == PartUse::add;
+  const BitMask whole =
+      isOfRange ? keptVoxelsInRange(*wanted.volume, wanted.range, wanted.mask, cancel) : own;
+  const auto seed = nearestIn(whole, wanted.pPatient, wanted.onSurface ? besideSurface : 0);
+  if (!seed)
+    return Error{isOfRange
+                     ? "The voxel that was clicked is not in the range of values: click on another one, "
+                       "or change the range in the panel Segments."
+                     : "The voxel that was clicked is not in the current segment: click on one that is."};
+  const BitMask part = connected(whole, std::span(&*seed, 1), Neighbours::faces, cancel);
+  if (wanted.use == PartUse::keep) return part;
+  return isOfRange ? united(own, part) : subtracted(own, part);
+}
+
+}  // namespace volumen

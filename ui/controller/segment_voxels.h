@@ -1,0 +1,28 @@
+#pragma once
+
+#include "ui/workspace/segment_map.h"
+#include "viewer/segment/bit_mask.h"
+#include "viewer/segment/mask.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+
+/// What becomes of a connected part: a part of the range is added to the segment, a part of the segment is
+/// all that stays of it, or goes.
+enum class PartUse { add, keep, remove };
+
+/// A place that was clicked, and what is done with the part there.
+struct PartWanted {
+  VolumePtr volume;
+  Mask mask;
+  ValueRange range;
+  glm::dvec3 pPatient;  ///< mm
+  bool onSurface;       ///< the nearest voxel within two of it counts
+  PartUse use;
+};
+
+/// The segment of a number with that done, voxels connected by faces. The Error says why there is no part.
+Result<BitMask> withPart(const PartWanted& wanted, const SegmentMap& map, int number,
+                         const CancelToken& cancel);
+
+}  // namespace volumen

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QSlider>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <optional>
+
+#include "ui/controller/segment_jobs.h"
+#include "ui/widgets/colour_button.h"
+
+namespace volumen {
+
+/// The segments of the series in view: whether each is shown and locked, colour, name, ml. They are added,
+/// copied and removed here; the current row is the segment that is worked on.
+class SegmentList : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SegmentList(Session& session, QWidget* parent = nullptr);
+
+  void showSegments();
+  void showMeasured(const SegmentNumbers& numbers);
+
+ Q_SIGNALS:
+  void workWanted(const volumen::SegmentWork& work);
+
+ private:
+  void makeLayout();
+  void connectButtons();
+  void showRow(QTreeWidgetItem* item, const SegmentMap& map, const Segment& segment);
+  void showButtons();
+  QString amountText(const SegmentMap& map, int number) const;
+  void itemChanged(QTreeWidgetItem* item, int column);
+  void edit(const QString& text, int number, const std::function<void(Segment&)>& change,
+            const QString& mergeKey = {});
+  void choose(const QTreeWidgetItem* item);
+  void add();
+  void duplicate();
+  void remove();
+
+  Session& session_;
+  QTreeWidget* list_;
+  QToolButton *add_, *duplicate_, *remove_;
+  ColourButton* colour_;
+  QSlider* opacity_;
+  std::optional<SegmentNumbers> numbers_;
+};
+
+}  // namespace volumen

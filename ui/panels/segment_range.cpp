@@ -1,0 +1,297 @@
+#include "ui/panels/segment_range.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "ui/controller/segment_target.h"
+#include "ui/widgets/plain_text.h"
+#include "ui/workspace/segments.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
+#include "viewer/scene/curve_edits.h"
+#include "viewer/scene/visible_range.h"
+#include "viewer/segment/mask.h"
+
+namespace volumen {
+
+namespace {
+
+QDoubleSpinBox* valueField(const char* name, const QString& label) {
+  auto* field = new QDoubleSpinBox;
+  field->setObjectName(QLatin1String(name));
+  field->setAccessibleName(label);
+  field->setRange(-1e9, 1e9);
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setMinimumWidth(80);  // its own would leave room for numbers that nobody types
+  return field;
+}
+
+QString endText(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+
+// "Visible: above -454 HU".
+QString spanText(const ValueRange& span, int decimals, const QString& unit) {
+  const auto end = [&](double value) {
+    return (endText(value, decimals) + QLatin1Char(' ') + unit).trimmed();
+  };
+  if (std::isinf(span.low) && std::isinf(span.high)) return SegmentRange::tr("Visible: all values");
+  if (std::isinf(span.high)) return SegmentRange::tr("Visible: above %1").arg(end(span.low));
+  if (std::isinf(span.low)) return SegmentRange::tr("Visible: below %1").arg(end(span.high));
+  return SegmentRange::tr("Visible: %1 to %2").arg(endText(span.low, decimals), end(span.high));
+}
+
+}  // namespace
+
+SegmentRange::SegmentRange(Session& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      table_(new QCheckBox),
+      spans_(new QComboBox),
+      low_(valueField("segmentLow", tr("Lowest value"))),
+      high_(valueField("segmentHigh", tr("Highest value"))),
+      make_(new QPushButton(tr("Make segment"))),
+      replace_(new QPushButton(tr("Replace"))),
+      only_(new QCheckBox(tr("Show only the segment"))),
+      part_(new QToolButton),
+      use_(new QComboBox) {
+  makeLayout();
+  connectFields();
+  showSpans();
+  showSegments();
+}
+
+void SegmentRange::makeLayout() {
+  for (const auto& [widget, name] :
+       std::initializer_list<std::pair<QWidget*, const char*>>{{table_, "segmentTable"},
+                                                               {spans_, "segmentSpans"},
+                                                               {make_, "segment"},
+                                                               {replace_, "segmentReplace"},
+                                                               {only_, "segmentOnly"},
+                                                               {part_, "segmentPart"},
+                                                               {use_, "segmentPartUse"}})
+    widget->setObjectName(QLatin1String(name));
+  spans_->setAccessibleName(tr("Visible value range"));
+  use_->setAccessibleName(tr("What becomes of a connected part"));
+  use_->addItems({tr("adds it, of the range"), tr("keeps only it"), tr("removes it")});
+  use_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  use_->setMinimumContentsLength(6);
+  use_->setToolTip(toolTipOf(tr("What a click does. Ctrl+click keeps only the part, Alt+click removes it.")));
+  auto* fields = new QHBoxLayout;
+  fields->addWidget(plainLabel(tr("From")));
+  fields->addWidget(low_, 1);
+  fields->addWidget(plainLabel(tr("to")));
+  fields->addWidget(high_, 1);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(make_, 1);
+  buttons->addWidget(replace_, 1);
+  auto* part = new QHBoxLayout;
+  part->addWidget(part_);
+  part->addWidget(use_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(table_, 0, Qt::AlignLeft);
+  column->addWidget(spans_);
+  column->addLayout(fields);
+  column->addLayout(buttons);
+  column->addWidget(only_, 0, Qt::AlignLeft);
+  column->addLayout(part);
+  column->addStretch();
+}
+
+void SegmentRange::connectFields() {
+  connect(spans_, &QComboBox::activated, this, [this](int n) {
+    takeSpan(n);
+    low_->setFocus();  // the tint goes with it
+    setPreviewing(true);
+  });
+  for (QDoubleSpinBox* field : {low_, high_}) {
+    connect(field, &QDoubleSpinBox::valueChanged, this, [this, field] {
+      if (field->hasFocus()) setPreviewing(true);
+    });
+    // Which of both has the focus then is known once it has moved.
+    connect(field, &QDoubleSpinBox::editingFinished, this, [this] {
+      QTimer::singleShot(0, this, [this] {
+        if (!low_->hasFocus() && !high_->hasFocus()) setPreviewing(false);
+      });
+    });
+  }
+  connect(only_, &QCheckBox::clicked, this, &SegmentRange::showOnly);
+  connect(only_, &QCheckBox::toggled, this, &SegmentRange::tellPreview);
+  connect(make_, &QPushButton::clicked, this, &SegmentRange::make);
+  connect(replace_, &QPushButton::clicked, this, &SegmentRange::replace);
+  connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
+    if (before.series != after.series) setPreviewing(false), tellPreview();
+    // Typed numbers stay where only the table goes.
+    if (areOneSeries(before.series, after.series) &&
+        before.scene.transferFunction == after.scene.transferFunction)
+      return;
+    showSpans();
+    only_->setChecked(only_->isChecked() && after.scene.transferFunction == alone_);
+  });
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.petUnit != after.petUnit) showInOtherUnit();
+          });
+}
+
+// What was typed stays what it is.
+void SegmentRange::showInOtherUnit() {
+  const ValueRange typed = range();
+  showSpans();
+  low_->setValue(typed.low * factor_);
+  high_->setValue(typed.high * factor_);
+}
+
+void SegmentRange::setTableAction(QAction* action) {
+  const auto show = [this, action] {
+    table_->setText(action->text());
+    table_->setToolTip(action->toolTip());
+    table_->setEnabled(action->isEnabled());
+    table_->setChecked(action->isChecked());
+  };
+  connect(action, &QAction::changed, table_, show);
+  connect(table_, &QCheckBox::clicked, action, &QAction::trigger);
+  show();
+}
+
+void SegmentRange::setPartAction(QAction* action) {
+  part_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  part_->setDefaultAction(action);
+}
+
+ValueRange SegmentRange::range() const {
+  return {std::min(low_->value(), high_->value()) / factor_,
+          std::max(low_->value(), high_->value()) / factor_};
+}
+
+PartUse SegmentRange::partUse(Qt::KeyboardModifiers keys) const {
+  if (keys & Qt::ControlModifier) return PartUse::keep;
+  if (keys & Qt::AltModifier) return PartUse::remove;
+  return PartUse(use_->currentIndex());
+}
+
+Segment SegmentRange::segmentOf(const ValueRange& range) const {
+  const QString name = tr("%1 to %2%3")
+                           .arg(range.low * factor_)
+                           .arg(range.high * factor_)
+                           .arg(unitSuffix(session_.series()->series));
+  Segment segment;
+  segment.label = name.trimmed().toStdString();
+  segment.range = range;
+  return segment;
+}
+
+SegmentWork SegmentRange::workOf(const ValueRange& range) const {
+  SegmentWork work;
+  work.series = keyOf(session_.series()->series);
+  work.volume = wholeVolume(session_);
+  work.doing = tr("Segmenting");
+  work.make = [volume = work.volume, mask = session_.maskOf(work.series), range](
+                  const SegmentMap&, int, const CancelToken& cancel) -> Result<BitMask> {
+    return keptVoxelsInRange(*volume, range, mask, cancel);
+  };
+  return work;
+}
+
+void SegmentRange::make() {
+  setPreviewing(false);
+  SegmentWork work = workOf(range());
+  work.text = tr("Make segment");
+  work.change = [made = segmentOf(range())](Segment& segment) { segment = made; };
+  Q_EMIT workWanted(work);
+}
+
+// A name of its own stays.
+void SegmentRange::replace() {
+  setPreviewing(false);
+  const Segment* segment = segmentShown(session_);
+  const bool isNamedByRange = segment->range && segment->label == segmentOf(*segment->range).label;
+  SegmentWork work = workOf(range());
+  work.number = segment->number;
+  work.text = tr("Replace segment");
+  work.change = [made = segmentOf(range()), isNamedByRange](Segment& s) {
+    s.range = made.range;
+    if (isNamedByRange) s.label = made.label;
+  };
+  Q_EMIT workWanted(work);
+}
+
+void SegmentRange::showSpans() {
+  spans_->clear();
+  const LoadedSeriesPtr& series = session_.series();
+  if (!series) return;
+  const QString unit = unitSuffix(series->series);
+  for (QDoubleSpinBox* field : {low_, high_}) {
+    field->setSuffix(unit);
+    field->setDecimals(valueDecimals(*series));
+  }
+  factor_ = shownScale(series->series).factor;
+  for (const ValueRange& span : visibleSpans(session_.scene().transferFunction))
+    spans_->addItem(spanText({span.low * factor_, span.high * factor_}, valueDecimals(*series) - 1, unit));
+  if (spans_->count() == 0) spans_->addItem(tr("Nothing is visible"));
+  // Typed numbers stay; where there are none yet, the first span is offered.
+  if (!segmentsShown(session_) && !low_->hasFocus() && !high_->hasFocus()) takeSpan(0);
+}
+
+void SegmentRange::takeSpan(int n) {
+  const std::vector<ValueRange> spans = visibleSpans(session_.scene().transferFunction);
+  if (n < 0 || n >= int(spans.size())) return;
+  const Histogram& histogram = session_.series()->histogram;
+  // Rounded inwards to what the fields show: the curve's foot itself is not visible, what is next to it is.
+  const double steps = std::pow(10.0, low_->decimals());
+  low_->setValue(std::ceil(steps * factor_ * std::max(spans[std::size_t(n)].low, histogram.low)) / steps);
+  high_->setValue(std::floor(steps * factor_ * std::min(spans[std::size_t(n)].high, histogram.high)) / steps);
+}
+
+// The current segment where it is one of values; null: it is not.
+const Segment* SegmentRange::ranged() const {
+  const Segment* segment = segmentShown(session_);
+  return segment && segment->range ? segment : nullptr;
+}
+
+void SegmentRange::showSegments() {
+  const QString whyNone = whyNoSegments(session_), whyNotThis = whyNotChanged(session_);
+  make_->setEnabled(whyNone.isEmpty());
+  make_->setToolTip(toolTipOf(whyNone));
+  replace_->setEnabled(whyNotThis.isEmpty());
+  replace_->setToolTip(toolTipOf(whyNotThis.isEmpty() ? tr("Puts these values into the segment in place of "
+                                                           "its own.")
+                                                      : whyNotThis));
+  only_->setEnabled(ranged() != nullptr);
+  only_->setToolTip(
+      toolTipOf(ranged() ? QString() : tr("Only of a segment that was made of a range of values.")));
+  if (only_->isChecked() && (!ranged() || *ranged()->range != aloneRange_)) only_->setChecked(false);
+}
+
+void SegmentRange::setPreviewing(bool on) {
+  if (!on && !isPreviewing_) return;
+  isPreviewing_ = on && whyNoSegments(session_).isEmpty();
+  tellPreview();
+}
+
+void SegmentRange::tellPreview() {
+  if (isPreviewing_)
+    Q_EMIT previewChanged(VolumeRange{session_.series()->volume, range()});
+  else if (only_->isChecked() && ranged())
+    Q_EMIT previewChanged(VolumeRange{session_.series()->volume, *ranged()->range});
+  else
+    Q_EMIT previewChanged({});
+}
+
+void SegmentRange::showOnly(bool on) {
+  if (on) {
+    before_ = session_.scene().transferFunction;
+    aloneRange_ = *ranged()->range;
+    alone_ = restrictedTo(before_, aloneRange_);
+  }
+  const TransferFunction& curve = on ? alone_ : before_;
+  session_.edit(on ? tr("Show only the segment") : tr("Show all values"),
+                [&](Scene& s) { s.transferFunction = curve; });
+  only_->setChecked(on);
+}
+
+}  // namespace volumen

@@ -1,0 +1,146 @@
+#include "ui/panels/segments_panel.h"
+
+#include <QAction>
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include "ui/controller/segment_target.h"
+#include "ui/widgets/plain_text.h"
+#include "ui/workspace/segments.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
+
+namespace volumen {
+
+SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      list_(new SegmentList(session)),
+      result_(plainLabel()),
+      export_(new QPushButton(tr("Export..."))),
+      range_(new SegmentRange(session)),
+      steps_(new SegmentStepsPage(session)),
+      pages_(new QStackedWidget) {
+  result_->setObjectName(QStringLiteral("segmentResult"));
+  result_->setWordWrap(true);
+  result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  export_->setObjectName(QStringLiteral("segmentSave"));
+  makeLayout();
+  connect(list_, &SegmentList::workWanted, this, &SegmentsPanel::workWanted);
+  connect(range_, &SegmentRange::workWanted, this, [this](const SegmentWork& work) {
+    result_->setText(tr("Segmenting..."));
+    Q_EMIT workWanted(work);
+  });
+  connect(steps_, &SegmentStepsPage::workWanted, this, &SegmentsPanel::workWanted);
+  connect(range_, &SegmentRange::previewChanged, this, &SegmentsPanel::previewChanged);
+  connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
+    if (before.series != after.series) showSegments();
+  });
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.segmentMaps != after.segmentMaps) showSegments();
+          });
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.petUnit != after.petUnit) showResult();
+          });
+  showSegments();
+}
+
+QToolButton* SegmentsPanel::pageButton(const char* name, const QString& text, QWidget* page) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(name));
+  button->setText(text);
+  button->setCheckable(true);
+  pages_->addWidget(page);
+  connect(button, &QToolButton::clicked, pages_, [this, page] { pages_->setCurrentWidget(page); });
+  return button;
+}
+
+void SegmentsPanel::makeLayout() {
+  auto* group = new QButtonGroup(this);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  for (QToolButton* button : {pageButton("segmentFromCurve", tr("From the curve"), range_),
+                              pageButton("segmentChange", tr("Change"), steps_)}) {
+    group->addButton(button);
+    row->addWidget(button);
+  }
+  group->buttons().front()->setChecked(true);
+  row->addStretch();
+  row->addWidget(export_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(4);
+  column->addWidget(list_, 1);
+  column->addWidget(result_);
+  column->addLayout(row);
+  column->addWidget(pages_);
+}
+
+void SegmentsPanel::setExportAction(QAction* action) {
+  const auto show = [this, action] {
+    export_->setEnabled(action->isEnabled());
+    export_->setToolTip(action->toolTip());
+  };
+  connect(action, &QAction::changed, export_, show);
+  connect(export_, &QPushButton::clicked, action, &QAction::trigger);
+  show();
+}
+
+void SegmentsPanel::showSegments() {
+  setEnabled(session_.series() != nullptr);
+  list_->showSegments();
+  range_->showSegments();
+  steps_->showSegments();
+  askForNumbers();
+  showResult();
+}
+
+// What was cut away since a segment was made belongs to it still: it is measured in the whole volume.
+void SegmentsPanel::askForNumbers() {
+  const SegmentMap* map = segmentsShown(session_);
+  if (!map) {
+    asked_.reset();
+    numbers_.reset();
+    return;
+  }
+  const SegmentNumbers wanted{map->labels, wholeVolume(session_), {}, segmentShown(session_)->number, {}};
+  const auto isOf = [&](const std::optional<SegmentNumbers>& n) {
+    return n && n->labels == wanted.labels && n->volume == wanted.volume && n->number == wanted.number;
+  };
+  if (isOf(asked_)) return;
+  asked_ = wanted;
+  numbers_.reset();
+  Q_EMIT measureRequested(wanted.labels, wanted.number, wanted.volume);
+}
+
+void SegmentsPanel::showMeasured(const SegmentNumbers& numbers) {
+  if (!asked_ || asked_->labels != numbers.labels || asked_->number != numbers.number) return;
+  numbers_ = numbers;
+  list_->showMeasured(numbers);
+  showResult();
+}
+
+void SegmentsPanel::showResult() {
+  if (!numbers_) return result_->setText(session_.series() ? whyNoSegments(session_) : QString());
+  const LabelStatistics& s = numbers_->values;
+  const ValueScale scale = shownScale(session_.series()->series);
+  const QString unit = shownText(scale.unit), voxels = QLocale().toString(qlonglong(s.voxels));
+  const int decimals = valueDecimals(*session_.series()) - 1;
+  const auto value = [&](double v) {
+    return QStringLiteral("%1 %2").arg(v * scale.factor, 0, 'f', decimals).arg(unit).trimmed();
+  };
+  QStringList parts;
+  if (s.millilitres) parts << tr("%1 ml").arg(*s.millilitres, 0, 'f', *s.millilitres < 100 ? 2 : 0);
+  if (s.voxels > 0) parts << tr("mean %1").arg(value(s.mean));
+  const QString text = parts.join(QStringLiteral(", ")) + tr(" (%1 voxels)").arg(voxels);
+  result_->setText(s.millilitres ? text.trimmed()
+                                 : tr("Not calibrated, no volume in ml: %1").arg(text.trimmed()));
+  result_->setToolTip(
+      toolTipOf(s.voxels > 0 ? tr("Values from %1 to %2").arg(value(s.min), value(s.max)) : QString()));
+}
+
+}  // namespace volumen

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QToolButton>
+
+#include "ui/panels/segment_list.h"
+#include "ui/panels/segment_range.h"
+#include "ui/panels/segment_steps_page.h"
+
+namespace volumen {
+
+/// The segments of the series in view: their list, the numbers of the current one, and below two pages, what
+/// makes segments of the curve and what changes the current one. All that takes time is asked for.
+class SegmentsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SegmentsPanel(Session& session, QWidget* parent = nullptr);
+
+  /// Shows the segments that the series in view has, and asks for their numbers.
+  void showSegments();
+  /// What measureRequested() came to.
+  void showMeasured(const SegmentNumbers& numbers);
+  /// Its actions: the one that removes the table, the tool of connected parts, the export.
+  void setTableAction(QAction* action) { range_->setTableAction(action); }
+  void setPartAction(QAction* action) { range_->setPartAction(action); }
+  void setExportAction(QAction* action);
+  const SegmentRange& range() const { return *range_; }
+
+ Q_SIGNALS:
+  void workWanted(const volumen::SegmentWork& work);
+  void measureRequested(const std::shared_ptr<const volumen::LabelMap>& labels, int number,
+                        const volumen::VolumePtr& volume);
+  /// What of which volume is looked at; none: nothing.
+  void previewChanged(const std::optional<volumen::VolumeRange>& range);
+
+ private:
+  void makeLayout();
+  QToolButton* pageButton(const char* name, const QString& text, QWidget* page);
+  void askForNumbers();
+  void showResult();
+
+  Session& session_;
+  SegmentList* list_;
+  QLabel* result_;
+  QPushButton* export_;
+  SegmentRange* range_;
+  SegmentStepsPage* steps_;
+  QStackedWidget* pages_;
+  std::optional<SegmentNumbers> asked_;    // the last: its labels, volume and number
+  std::optional<SegmentNumbers> numbers_;  // of what is shown
+};
+
+}  // namespace volumen

@@ -1,0 +1,22 @@
+#include "ui/tools/tool.h"
+
+namespace volumen {
+
+// A click is all of it: what becomes of the part is the panel's.
+
+std::unique_ptr<Drag> beginPart(const SlicePress& press) {
+  if (press.takePart)
+    press.takePart({keyOf(press.series->series), press.patientAt(press.at), false, press.keys});
+  return nullptr;
+}
+
+std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press) {
+  const std::optional<SurfacePoint> seen = press.surfaceAt(press.at);
+  if (!seen)
+    press.missed(press.at);
+  else if (press.takePart)
+    press.takePart({keyOf(press.series->series), seen->pPatient, true, press.keys});
+  return nullptr;
+}
+
+}  // namespace volumen

@@ -1,0 +1,141 @@
+#include "ui/workspace/segments.h"
+
+#include <algorithm>
+
+#include "ui/workspace/region_colours.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int mostSegments = 255;
+
+Segment* editSegment(SegmentMap& map, int number) {
+  const auto found = std::ranges::find(map.segments, number, &Segment::number);
+  return found == map.segments.end() ? nullptr : &*found;
+}
+
+// Its own in every file, also where others choose those of segments without one.
+glm::u8vec3 colourOf(int number) {
+  const QColor colour = regionColour({}, number);
+  return {colour.red(), colour.green(), colour.blue()};
+}
+
+SegmentMap* editMap(Workspace& workspace, const SeriesKey& series) {
+  for (std::size_t n = 0; n < workspace.segmentMaps.size(); ++n)
+    if (workspace.segmentMaps[n].series == series) return &workspace.segmentMaps.edit(n);
+  return nullptr;
+}
+
+}  // namespace
+
+const Segment* findSegment(const SegmentMap& map, int number) {
+  const auto found = std::ranges::find(map.segments, number, &Segment::number);
+  return found == map.segments.end() ? nullptr : &*found;
+}
+
+const Segment* currentSegment(const SegmentMap& map) {
+  if (const Segment* chosen = findSegment(map, map.current)) return chosen;
+  return map.segments.empty() ? nullptr : &map.segments.front();
+}
+
+std::optional<int> freeNumber(const SegmentMap& map) {
+  for (int number = 1; number <= mostSegments; ++number)
+    if (!findSegment(map, number)) return number;
+  return {};
+}
+
+std::string freeName(const SegmentMap& map, const std::string& wanted) {
+  const auto isTaken = [&](const std::string& name) {
+    return std::ranges::find(map.segments, name, &Segment::label) != map.segments.end();
+  };
+  std::string name = wanted;
+  for (int n = 2; isTaken(name); ++n) name = wanted + " " + std::to_string(n);
+  return name;
+}
+
+std::vector<std::uint8_t> lockedNumbers(const SegmentMap& map) {
+  std::vector<std::uint8_t> locked;
+  for (const Segment& segment : map.segments)
+    if (segment.locked) locked.push_back(std::uint8_t(segment.number));
+  return locked;
+}
+
+bool isOn(const SegmentMap& map, const VoxelGeometry& grid) {
+  return map.labels && map.labels->geometry() == grid;
+}
+
+SegmentMap withMask(SegmentMap map, int number, const BitMask& mask) {
+  const Segment* segment = findSegment(map, number);
+  if (!segment || segment->locked) return map;
+  map.labels = std::make_shared<const LabelMap>(
+      withLabel(*map.labels, std::uint8_t(number), mask, lockedNumbers(map)));
+  return map;
+}
+
+SegmentMap withoutSegment(SegmentMap map, int number) {
+  const Segment* segment = findSegment(map, number);
+  if (!segment || segment->locked) return map;
+  map = withMask(std::move(map), number, BitMask(map.labels->geometry()));
+  const auto gone = std::ranges::find(map.segments, number, &Segment::number);
+  const auto before = gone == map.segments.begin() ? gone + 1 : gone - 1;
+  map.current = before == map.segments.end() ? 0 : before->number;
+  map.segments.erase(gone);
+  return map;
+}
+
+SegmentMap withSegment(SegmentMap map, Segment segment) {
+  map.current = segment.number;
+  map.segments.push_back(std::move(segment));
+  return map;
+}
+
+Workspace withSegmentChanged(Workspace workspace, const SeriesKey& series, int number,
+                             const std::function<void(Segment&)>& change) {
+  const SegmentMap* there = segmentMapOf(workspace, series);
+  if (!there || !findSegment(*there, number)) return workspace;
+  Segment* segment = editSegment(*editMap(workspace, series), number);
+  change(*segment);
+  segment->number = number;
+  return workspace;
+}
+
+Workspace withCurrentSegment(Workspace workspace, const SeriesKey& series, int number) {
+  const SegmentMap* there = segmentMapOf(workspace, series);
+  if (there && findSegment(*there, number)) editMap(workspace, series)->current = number;
+  return workspace;
+}
+
+Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const VoxelGeometry& grid,
+                         Segment segment) {
+  SegmentMap map = segmentMapOn(workspace, series, grid);
+  const std::optional<int> number = freeNumber(map);
+  if (!number || !workspace.series.contains(series)) return workspace;
+  segment.number = *number;
+  if (segment.label.empty()) segment.label = tr("Segment %1").arg(*number).toStdString();
+  segment.label = freeName(map, segment.label);
+  if (!segment.colour) segment.colour = colourOf(*number);
+  return withSegmentMap(std::move(workspace), withSegment(std::move(map), std::move(segment)));
+}
+
+Workspace withSegmentCopied(Workspace workspace, const SeriesKey& series, int number) {
+  const SegmentMap* map = segmentMapOf(workspace, series);
+  const Segment* segment = map && map->labels ? findSegment(*map, number) : nullptr;
+  if (!segment) return workspace;
+  Segment copy = *segment;
+  copy.colour.reset();
+  copy.trackingId.clear();
+  copy.range.reset();
+  copy.locked = false;
+  const VoxelGeometry grid = map->labels->geometry();
+  return withNewSegment(std::move(workspace), series, grid, std::move(copy));
+}
+
+SegmentMap segmentMapOn(const Workspace& workspace, const SeriesKey& series, const VoxelGeometry& grid) {
+  const SegmentMap* map = segmentMapOf(workspace, series);
+  if (map && isOn(*map, grid)) return *map;
+  return {series, {}, std::make_shared<const LabelMap>(grid), {}};
+}
+
+}  // namespace volumen

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/workspace/workspace.h"
+#include "viewer/segment/bit_mask.h"
+
+namespace volumen {
+
+/// The segment of a number; null: there is none.
+const Segment* findSegment(const SegmentMap& map, int number);
+/// The one that panel and tools work on: the chosen one, else the first; null: there are none.
+const Segment* currentSegment(const SegmentMap& map);
+/// The smallest number that no segment has; none: all 255 are taken.
+std::optional<int> freeNumber(const SegmentMap& map);
+/// `wanted`, or with a number behind it where another segment is called so: "Bone 2".
+std::string freeName(const SegmentMap& map, const std::string& wanted);
+/// The numbers of the locked segments.
+std::vector<std::uint8_t> lockedNumbers(const SegmentMap& map);
+/// Whether its labels lie on this grid; not where they were not read.
+bool isOn(const SegmentMap& map, const VoxelGeometry& grid);
+
+// What follows takes time in large volumes: for other threads. The map has labels.
+
+/// With exactly these voxels in a segment; none of a locked one is changed. As it was where there is no such
+/// segment, or it is locked.
+SegmentMap withMask(SegmentMap map, int number, const BitMask& mask);
+/// Without a segment, whose voxels become background; the one before it is current. As it was where there is
+/// no such segment, or it is locked.
+SegmentMap withoutSegment(SegmentMap map, int number);
+
+// What follows takes no time. A series without such a segment stays as it is.
+
+/// With another segment of the map, which has no voxels yet and is current; its number must be free.
+SegmentMap withSegment(SegmentMap map, Segment segment);
+/// With a segment called, coloured, shown, locked otherwise; its number stays.
+Workspace withSegmentChanged(Workspace workspace, const SeriesKey& series, int number,
+                             const std::function<void(Segment&)>& change);
+/// With this segment current.
+Workspace withCurrentSegment(Workspace workspace, const SeriesKey& series, int number);
+/// With another segment without voxels in a series whose volume has this grid, current, in place of segments
+/// of other grids. `segment` gets a free number, and a name and a colour of its own where it has none; as it
+/// was where 255 are there.
+Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const VoxelGeometry& grid,
+                         Segment segment);
+/// With a copy of a segment, called otherwise, that has no voxels: a voxel is in one segment.
+Workspace withSegmentCopied(Workspace workspace, const SeriesKey& series, int number);
+
+/// The segments of a series on a grid; where there are none, or they lie on another one, an empty map.
+SegmentMap segmentMapOn(const Workspace& workspace, const SeriesKey& series, const VoxelGeometry& grid);
+
+}  // namespace volumen

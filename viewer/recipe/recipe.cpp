@@ -1,0 +1,74 @@
+#include "viewer/recipe/recipe.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "viewer/recipe/recipe_texts.h"
+#include "viewer/recipe/step_kinds.h"
+
+namespace volumen {
+
+namespace {
+
+// With every field that its row has.
+Step completed(Step step, const StepKind& kind) {
+  for (const StepField& field : kind.fields) step.fields.emplace(field.name, field.byDefault);
+  return step;
+}
+
+// The Error: a segment that it names is not there.
+Status checkSegments(const Step& step, const StepKind& kind, const NamedMasks& masks) {
+  for (const StepField& field : kind.fields) {
+    const auto* name = std::get_if<std::string>(&step.fields.at(field.name));
+    if (!name || !field.words.empty() || (name->empty() && field.need == StepField::Need::no)) continue;
+    if (!masks.contains(*name))
+      return Error{step.kind + ": " + field.name + " names the segment \"" + *name +
+                   "\", which no step before it made."};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<BitMask> runStep(const Step& step, const Volume& volume, const NamedMasks& masks,
+                        const CancelToken& cancel) {
+  const StepKind* const kind = stepKind(step.kind);
+  if (!kind) return Error{"There is no step \"" + step.kind + "\"."};
+  const Step complete = completed(step, *kind);
+  if (Status s = checkSegments(complete, *kind, masks); !s) return s.error();
+  Result<BitMask> made = kind->run(StepInput(complete, volume, masks, cancel));
+  if (cancel.cancelled()) return Error{"Cancelled."};
+  if (!made) return Error{step.kind + ": " + made.message() + "."};
+  return made;
+}
+
+Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel) {
+  NamedMasks masks;
+  for (std::size_t n = 0; n < recipe.steps.size(); ++n) {
+    const Step& step = recipe.steps[n];
+    Result<BitMask> made = runStep(step, volume, masks, cancel);
+    if (cancel.cancelled()) return made.error();
+    if (!made) return Error{"Step " + std::to_string(n + 1) + ", " + made.message()};
+    masks.insert_or_assign(step.segment, std::move(*made));
+    cancel.setDone(double(n + 1) / double(recipe.steps.size()));
+  }
+  Segmented result{recipe.segments, LabelMap(volume.geometry())};
+  for (std::size_t n = 0; n < result.segments.size(); ++n) {
+    Segment& segment = result.segments[n];
+    segment.number = int(n + 1);
+    if (const auto mask = masks.find(segment.label); mask != masks.end())
+      result.labels = withLabel(result.labels, std::uint8_t(n + 1), mask->second);
+  }
+  return result;
+}
+
+const std::vector<Recipe>& builtInRecipes() {
+  static const std::vector<Recipe> all = [] {
+    std::vector<Recipe> read;
+    for (const std::string& text : recipeTexts()) read.push_back(*readRecipe(text));
+    return read;
+  }();
+  return all;
+}
+
+}  // namespace volumen

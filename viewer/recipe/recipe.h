@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "viewer/segment/bit_mask.h"
+#include "viewer/segment/segmented.h"
+#include "viewer/volume/cancel.h"
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+/// What a field of a step holds: a number, a word or the name of a segment, yes or no, places in the patient
+/// (mm, LPS).
+using StepValue = std::variant<double, std::string, bool, std::vector<glm::dvec3>>;
+
+/// One step: what is done (the name of a row of stepKinds()), to which segment, and its fields by name; those
+/// left out are as their row says.
+struct Step {
+  std::string kind, segment;
+  std::map<std::string, StepValue> fields{};
+  bool operator==(const Step&) const = default;
+};
+
+/// Segments, and the steps that make them from a volume. What steps name that is none of `segments` helps on
+/// the way, and is not kept.
+struct Recipe {
+  std::string name, description;
+  std::vector<std::string> modalities;  ///< that it is offered for; none: all
+  std::vector<Segment> segments;        ///< numbers are 1, 2, ...
+  std::vector<Step> steps;
+  bool operator==(const Recipe&) const = default;
+};
+
+/// Masks of one grid by the names of their segments.
+using NamedMasks = std::map<std::string, BitMask>;
+
+/// The step's segment after it, from all segments before it. The same voxels on any machine. The Error names
+/// the step and the field, or says that it was cancelled.
+Result<BitMask> runStep(const Step& step, const Volume& volume, const NamedMasks& masks,
+                        const CancelToken& cancel = {});
+
+/// A recipe's segments of a volume; where they overlap, the later one's. An Error as of runStep(), with the
+/// number of the step.
+Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel = {});
+
+/// A recipe from its JSON (resources/docs/segment.md). Unknown steps, fields and words, and numbers out of
+/// range, are refused by name.
+Result<Recipe> readRecipe(const std::string& json);
+/// With every field that is not as its row says.
+std::string recipeJson(const Recipe& recipe);
+
+/// Those compiled in from resources/recipes, in alphabetical order of their files.
+const std::vector<Recipe>& builtInRecipes();
+
+}  // namespace volumen

@@ -1,0 +1,218 @@
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "viewer/recipe/recipe.h"
+#include "viewer/recipe/step_kinds.h"
+#include "viewer/scene/json_fields.h"
+#include "viewer/scene/number_text.h"
+#include "viewer/scene/similar_name.h"
+
+namespace volumen {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t mostSegments = 255, mostSteps = 1000, mostPlaces = 100000;
+
+Code readCode(JsonFields* from, const char* name) {
+  Code code;
+  if (auto fields = from->object(name)) {
+    fields->read("value", code.value);
+    fields->read("scheme", code.scheme);
+    fields->read("meaning", code.meaning);
+    fields->refuseOthers();
+  }
+  return code;
+}
+
+Segment readSegment(JsonFields fields) {
+  Segment segment;
+  fields.read("name", segment.label);
+  if (segment.label.empty()) fields.refuse(fields.pathOf("name"), "must be the segment's name");
+  fields.read("description", segment.description);
+  segment.category = readCode(&fields, "category");
+  segment.type = readCode(&fields, "type");
+  segment.modifier = readCode(&fields, "modifier");
+  if (fields.raw("colour")) {
+    glm::dvec3 colour(0);
+    fields.read("colour", colour);
+    for (int n = 0; n < 3; ++n)
+      if (!(colour[n] >= 0 && colour[n] <= 255) || colour[n] != double(int(colour[n])))
+        fields.refuse(fields.pathOf("colour"), "must be three whole numbers from 0 to 255");
+    segment.colour = glm::u8vec3(glm::clamp(colour, 0.0, 255.0));
+  }
+  fields.refuseOthers();
+  return segment;
+}
+
+std::vector<glm::dvec3> readPlaces(JsonFields& fields, const char* name) {
+  const nlohmann::json* const list = fields.raw(name);
+  if (!list->is_array() || list->size() > mostPlaces) {
+    fields.refuse(fields.pathOf(name),
+                  "must be a list of at most " + std::to_string(mostPlaces) + " places, as in [[0, 10, -5]]");
+    return {};
+  }
+  std::vector<glm::dvec3> places(list->size());
+  for (std::size_t n = 0; n < places.size(); ++n)
+    fields.readNumbers((*list)[n], fields.pathOf(name, n), &places[n].x, 3);
+  return places;
+}
+
+double readNumber(JsonFields& fields, const StepField& field) {
+  double number = std::get<double>(field.byDefault);
+  fields.read(field.name, number);
+  if (!(number >= field.allowed.low && number <= field.allowed.high))
+    fields.refuse(fields.pathOf(field.name), "must be from " + numberText(field.allowed.low) + " to " +
+                                                 numberText(field.allowed.high) + ", not " +
+                                                 numberText(number));
+  return number;
+}
+
+std::string readWord(JsonFields& fields, const StepField& field) {
+  std::string word = std::get<std::string>(field.byDefault), allowed;
+  fields.read(field.name, word);
+  for (const char* one : field.words) allowed += (allowed.empty() ? "\"" : " or \"") + std::string(one) + '"';
+  if (!field.words.empty() && std::ranges::find(field.words, word) == field.words.end())
+    fields.refuse(fields.pathOf(field.name), "must be " + allowed + ", not " + JsonFields::quoted(word));
+  return word;
+}
+
+void readField(JsonFields& fields, const StepField& field, Step& step) {
+  if (!fields.raw(field.name)) {
+    if (field.need == StepField::Need::yes)
+      fields.refuse(fields.pathOf(field.name), "is missing: \"" + step.kind + "\" needs it");
+    return;
+  }
+  StepValue& value = step.fields[field.name];
+  if (std::holds_alternative<double>(field.byDefault))
+    value = readNumber(fields, field);
+  else if (std::holds_alternative<bool>(field.byDefault)) {
+    bool flag = std::get<bool>(field.byDefault);
+    fields.read(field.name, flag);
+    value = flag;
+  } else if (std::holds_alternative<std::string>(field.byDefault))
+    value = readWord(fields, field);
+  else
+    value = readPlaces(fields, field.name);
+  if (value == field.byDefault) step.fields.erase(field.name);
+}
+
+Step readStep(JsonFields fields) {
+  Step step;
+  fields.read("step", step.kind);
+  fields.read("segment", step.segment);
+  if (step.segment.empty())
+    fields.refuse(fields.pathOf("segment"), "must be the segment that the step makes");
+  const StepKind* const kind = stepKind(step.kind);
+  if (!kind) {
+    std::vector<std::string> names;
+    for (const StepKind& known : stepKinds()) names.emplace_back(known.name);
+    const auto meant = similarName(step.kind, names);
+    fields.refuse(fields.pathOf("step"), JsonFields::quoted(step.kind) + " is no step" +
+                                             (meant ? ": \"" + *meant + "\" is" : std::string()));
+    return step;
+  }
+  for (const StepField& field : kind->fields) readField(fields, field, step);
+  fields.refuseOthers();
+  return step;
+}
+
+void checkNames(const Recipe& recipe, JsonFields& fields) {
+  std::set<std::string> made, named;
+  for (const Step& step : recipe.steps) made.insert(step.segment);
+  for (std::size_t n = 0; n < recipe.segments.size(); ++n) {
+    const std::string& name = recipe.segments[n].label;
+    if (!named.insert(name).second)
+      fields.refuse(fields.pathOf("segments", n),
+                    "has the name of another segment, " + JsonFields::quoted(name));
+    if (!made.contains(name))
+      fields.refuse(fields.pathOf("segments", n), "is made by no step: " + JsonFields::quoted(name));
+  }
+}
+
+Json codeJson(const Code& code) {
+  return {{"value", code.value}, {"scheme", code.scheme}, {"meaning", code.meaning}};
+}
+
+Json segmentJson(const Segment& segment) {
+  Json json{{"name", segment.label}};
+  if (!segment.description.empty()) json["description"] = segment.description;
+  for (const auto& [name, code] :
+       {std::pair("category", &segment.category), {"type", &segment.type}, {"modifier", &segment.modifier}})
+    if (*code != Code()) json[name] = codeJson(*code);
+  if (segment.colour) json["colour"] = {segment.colour->r, segment.colour->g, segment.colour->b};
+  return json;
+}
+
+Json valueJson(const StepValue& value) {
+  if (const auto* places = std::get_if<std::vector<glm::dvec3>>(&value)) {
+    Json list = Json::array();
+    for (const glm::dvec3& p : *places) list.push_back({p.x, p.y, p.z});
+    return list;
+  }
+  return std::visit(
+      [](const auto& v) -> Json {
+        if constexpr (std::is_constructible_v<Json, decltype(v)>) return v;
+        return nullptr;
+      },
+      value);
+}
+
+Json stepJson(const Step& step) {
+  Json json{{"step", step.kind}, {"segment", step.segment}};
+  const StepKind* const kind = stepKind(step.kind);
+  if (!kind) return json;
+  for (const StepField& field : kind->fields)
+    if (const auto given = step.fields.find(field.name);
+        given != step.fields.end() && given->second != field.byDefault)
+      json[field.name] = valueJson(given->second);
+  return json;
+}
+
+}  // namespace
+
+Result<Recipe> readRecipe(const std::string& json) {
+  const auto parsed = parseJson(json, 64);
+  if (!parsed) return parsed.error();
+  std::string problem;
+  JsonFields fields(*parsed, "", problem);
+  Recipe recipe;
+  int version = 0;
+  fields.read("volumenRecipe", version);
+  if (version != 1) fields.refuse("volumenRecipe", "must be 1: this is no recipe, or one of a newer program");
+  fields.read("name", recipe.name);
+  fields.read("description", recipe.description);
+  if (const nlohmann::json* list = fields.raw("modalities")) {
+    for (const nlohmann::json& one : *list)
+      if (one.is_string())
+        recipe.modalities.push_back(one.get<std::string>());
+      else
+        fields.refuse("modalities", "must be a list of words, as in [\"CT\"]");
+  }
+  fields.readList("segments", recipe.segments, readSegment);
+  fields.readList("steps", recipe.steps, readStep);
+  if (recipe.segments.empty() || recipe.segments.size() > mostSegments)
+    fields.refuse("segments", "must be a list of 1 to " + std::to_string(mostSegments) + " segments");
+  if (recipe.steps.size() > mostSteps)
+    fields.refuse("steps", "must be at most " + std::to_string(mostSteps) + " steps");
+  for (std::size_t n = 0; n < recipe.segments.size(); ++n) recipe.segments[n].number = int(n + 1);
+  checkNames(recipe, fields);
+  fields.refuseOthers();
+  if (!problem.empty()) return Error{problem};
+  return recipe;
+}
+
+std::string recipeJson(const Recipe& recipe) {
+  Json json{{"volumenRecipe", 1}, {"name", recipe.name}};
+  if (!recipe.description.empty()) json["description"] = recipe.description;
+  if (!recipe.modalities.empty()) json["modalities"] = recipe.modalities;
+  for (const Segment& segment : recipe.segments) json["segments"].push_back(segmentJson(segment));
+  json["steps"] = Json::array();
+  for (const Step& step : recipe.steps) json["steps"].push_back(stepJson(step));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace volumen

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "viewer/recipe/ball.h"
+#include "viewer/recipe/step_kinds.h"
+#include "viewer/segment/numbers.h"
+#include "viewer/segment/parts.h"
+#include "viewer/segment/range.h"
+#include "viewer/segment/table.h"
+#include "viewer/volume/histogram.h"
+
+namespace volumen {
+
+namespace {
+
+using Places = std::vector<glm::dvec3>;
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr ValueRange anyValue{-unbounded, unbounded}, anyLength{0, 1000};
+
+ValueRange rangeOf(const StepInput& in) { return {in.number("low"), in.number("high")}; }
+
+Result<BitMask> range(const StepInput& in) { return voxelsInRange(in.volume, rangeOf(in)); }
+
+// The value that parts a histogram into two classes of most variance between them. (Otsu 1979)
+double otsuValue(const Volume& volume) {
+  const Histogram h = histogram(volume, 1024);
+  double all = 0, sum = 0;
+  for (std::size_t n = 0; n < h.counts.size(); ++n)
+    all += double(h.counts[n]), sum += double(n) * double(h.counts[n]);
+  double below = 0, sumBelow = 0, best = -1;
+  std::size_t at = 0;
+  for (std::size_t n = 0; n + 1 < h.counts.size(); ++n) {
+    below += double(h.counts[n]), sumBelow += double(n) * double(h.counts[n]);
+    if (below == 0 || below == all) continue;
+    const double apart = sumBelow / below - (sum - sumBelow) / (all - below);
+    if (const double variance = below * (all - below) * apart * apart; variance > best)
+      best = variance, at = n + 1;
+  }
+  return h.low + double(at) * h.binWidth();
+}
+
+Result<BitMask> otsu(const StepInput& in) {
+  return voxelsInRange(in.volume, {in.number("times") * otsuValue(in.volume), unbounded});
+}
+
+Result<BitMask> ball(const StepInput& in) {
+  BitMask mask(in.volume.geometry());
+  for (const glm::dvec3& p : in.places("at")) addCapsule(mask, p, p, in.number("radiusMm"));
+  return mask;
+}
+
+// What is painted by a ball that is drawn along the places.
+Result<BitMask> paint(const StepInput& in) {
+  BitMask stroke(in.volume.geometry());
+  const Places& at = in.places("at");
+  for (std::size_t n = 0; n < at.size(); ++n)
+    addCapsule(stroke, at[n == 0 ? 0 : n - 1], at[n], in.number("radiusMm"));
+  if (const ValueRange only = rangeOf(in); only != anyValue)
+    stroke = intersected(std::move(stroke), voxelsInRange(in.volume, only));
+  return in.flag("erase") ? subtracted(in.own(), stroke) : united(in.own(), stroke);
+}
+
+bool reachesOut(const BitMask& mask, const BitMask& of) {
+  const glm::ivec3 size = mask.size();
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i) {
+        if (!mask.at({i, j, k})) continue;
+        for (int axis = 0; axis < 3; ++axis)
+          for (const int step : {-1, 1}) {
+            glm::ivec3 beside(i, j, k);
+            beside[axis] += step;
+            if (beside[axis] >= 0 && beside[axis] < size[axis] && !of.at(beside)) return true;
+          }
+      }
+  return false;
+}
+
+// Of a lesion in PET: EANM guidelines for FDG, version 2 (Boellaard et al. 2015).
+Result<BitMask> lesion(const StepInput& in) {
+  const BitMask& where = in.segment("in");
+  const SegmentValues values = valuesIn(where, in.volume);
+  if (values.voxels == 0) return Error{"no voxel of \"" + in.word("in") + "\" has a value"};
+  const double least = in.word("by") == "share" ? in.number("share") * values.max : in.number("value");
+  const glm::ivec3 at[] = {values.maxAt};
+  BitMask found = connected(intersected(voxelsInRange(in.volume, {least, unbounded}), where), at,
+                            Neighbours::faces, in.cancel);
+  if (reachesOut(found, where))
+    return Error{"what is found reaches the border of \"" + in.word("in") +
+                 "\": choose a larger one, a higher threshold, or keep other uptake out of it"};
+  return found;
+}
+
+Result<BitMask> patient(const StepInput& in) {
+  const VolumeAttributes& attributes = in.volume.attributes();
+  if (attributes.modality != "CT" && !attributes.modality.empty())
+    return Error{"values must be Hounsfield units: the series is " + attributes.modality + ", not CT"};
+  return patientMask(in.volume, in.cancel);
+}
+
+}  // namespace
+
+std::vector<StepKind> stepsOfValues() {
+  const StepField low{"low", "value", -unbounded, anyValue}, high{"high", "value", unbounded, anyValue};
+  const StepField at{"at", "mm", Places{}, {}, {}, StepField::Need::yes};
+  return {
+      {"range", "the voxels of a range of values, both ends included", {low, high}, range},
+      {"otsu", "the voxels from a share of Otsu's threshold on", {{"times", "", 1.0, {0.01, 100}}}, otsu},
+      {"ball", "the voxels within so many mm of places", {at, {"radiusMm", "mm", 10.0, anyLength}}, ball},
+      {"paint",
+       "with (or without) what a ball covers that is drawn along places, of a range of values",
+       {at, {"radiusMm", "mm", 5.0, anyLength}, {"erase", "", false}, low, high},
+       paint},
+      {"lesion",
+       "of another segment the part about its largest value, from a share of that value (or a value) on",
+       {{"in", "", std::string(), {}, {}, StepField::Need::yes},
+        {"by", "", std::string("share"), {}, {"share", "value"}},
+        {"share", "", 0.41, {0, 1}},
+        {"value", "value", 2.5, {-1e30, 1e30}}},
+       lesion},
+      {"patient", "the patient in a CT, lungs included, without the table", {}, patient},
+  };
+}
+
+}  // namespace volumen

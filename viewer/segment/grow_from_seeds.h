@@ -1,0 +1,30 @@
+#pragma once
+
+#include "viewer/segment/label_map.h"
+#include "viewer/volume/cancel.h"
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+struct SeedGrowth {
+  /// What a mm of path costs, as a share of the range of values (P0.1 to P99.9, or all of it where those are
+  /// one); 0: only values count.
+  double locality = 0.002;
+  /// mm around the box of the seeds in which is grown; infinite: everywhere.
+  double marginMm = 20;
+  bool operator==(const SeedGrowth&) const = default;
+};
+
+/// Costs are whole numbers: so many are the range of values.
+inline constexpr int costsOfRange = 16384;
+
+/// Each voxel takes the label of the seed from which the cheapest path of faces leads to it; a step costs
+/// the difference of values (rounded to whole costs; values more than 1.5 ranges outside the range count as
+/// that far) plus locality times its length in mm (rounded), at least 1. Background (0) in `seeds` is what is
+/// to be found; where the margin ends it stays. Of paths of one cost the smaller label wins, so that the
+/// bytes depend on no order. Volume and seeds are of one grid. Bucketed shortest paths (Dial 1969), in tiles,
+/// on all cores. The Error: fewer than two labels, too little memory, or cancelled.
+Result<LabelMap> grownFromSeeds(const Volume& volume, const LabelMap& seeds, const SeedGrowth& growth,
+                                const CancelToken& cancel = {});
+
+}  // namespace volumen

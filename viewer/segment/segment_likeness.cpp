@@ -1,0 +1,64 @@
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <utility>
+
+#include "viewer/segment/numbers.h"
+#include "viewer/segment/surface_distance.h"
+
+namespace volumen {
+
+namespace {
+
+// The distance that 95 % of the area are not farther than.
+double distanceOf95Percent(const SurfaceDistances& all) {
+  std::vector<std::uint32_t> order(all.ofTriangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(all.ofTriangles[a], a) < std::pair(all.ofTriangles[b], b);
+  });
+  const double part = 0.95 * std::accumulate(all.areas.begin(), all.areas.end(), 0.0);
+  double area = 0;
+  for (const std::uint32_t t : order)
+    if ((area += all.areas[t]) >= part) return all.ofTriangles[t];
+  return all.ofTriangles[order.back()];
+}
+
+Result<SegmentLikeness::Distances> distancesBetween(const BitMask& a, const BitMask& b,
+                                                    const CancelToken& cancel) {
+  const Result<Surface> ofA = surfaceOf(occupancyOf(a, surfaceSigma, cancel), cancel);
+  const Result<Surface> ofB = surfaceOf(occupancyOf(b, surfaceSigma, cancel), cancel);
+  if (cancel.cancelled()) return Error{"cancelled"};
+  if (!ofA || !ofB) return ofA ? ofB.error() : ofA.error();
+  const TriangleTree treeA(*ofA), treeB(*ofB);
+  SegmentLikeness::Distances found;
+  double sum = 0, area = 0;
+  for (const auto& [of, to] : {std::pair(&treeA, &treeB), {&treeB, &treeA}}) {
+    const SurfaceDistances all = distances(*of, *to, cancel);
+    if (cancel.cancelled()) return Error{"cancelled"};
+    found.largest = std::max(found.largest, all.largest);
+    found.p95 = std::max(found.p95, distanceOf95Percent(all));
+    sum += std::inner_product(all.areas.begin(), all.areas.end(), all.ofTriangles.begin(), 0.0);
+    area = std::accumulate(all.areas.begin(), all.areas.end(), area);
+  }
+  found.mean = sum / area;
+  return found;
+}
+
+}  // namespace
+
+Result<SegmentLikeness> likeness(const BitMask& a, const BitMask& b, const CancelToken& cancel) {
+  assert(a.geometry() == b.geometry());
+  const std::int64_t inA = a.count(), inB = b.count();
+  SegmentLikeness alike;
+  if (inA + inB > 0) alike.dice = 2 * double(intersected(a, b).count()) / double(inA + inB);
+  if (!a.geometry().calibrated) return alike;
+  alike.differenceMl = double(inA - inB) * a.geometry().voxelVolume() / 1000;
+  if (inA == 0 || inB == 0) return alike;
+  const Result<SegmentLikeness::Distances> found = distancesBetween(a, b, cancel);
+  if (!found) return found.error();
+  alike.distances = *found;
+  return alike;
+}
+
+}  // namespace volumen
