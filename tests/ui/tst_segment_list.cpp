@@ -12,7 +12,6 @@
 #include "tests/ui/segment_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/export_segments.h"
 #include "ui/controller/segment_layer.h"
 #include "ui/widgets/banner.h"
 #include "ui/workspace/region_colours.h"
@@ -379,8 +378,9 @@ void TestSegmentList::theyAreExportedByTheirEnding() {
   const QTemporaryDir folder;
   SegmentWindow w;
   QVERIFY(w.makeBoth());
-  const Status wrong = exportSegments(folder.filePath(QStringLiteral("a.xyz")).toStdString(), *w.map());
-  QVERIFY(!wrong && wrong.message().find(".seg.nrrd") != std::string::npos);
+  w.child<QAction>("exportSegments")->trigger();
+  answer(w, "segmentDialog", folder.filePath(QStringLiteral("a.xyz")));
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<Banner>("banner")->sentence().contains(QStringLiteral(".seg.nrrd")), longest);
   QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("a.xyz"))));
   const QString path = folder.filePath(QStringLiteral("both.seg.nrrd"));
   w.child<QAction>("exportSegments")->trigger();

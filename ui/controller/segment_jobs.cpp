@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <new>
 
-#include "ui/controller/export_segments.h"
+#include "io/export/export_segments.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 
@@ -15,6 +15,7 @@ namespace {
 // With the work done to the segment of this number.
 Result<SegmentMap> workDone(const SegmentWork& work, SegmentMap map, int number,
                             const CancelToken& cancel) try {
+  if (work.makeAll) return work.makeAll(map, cancel);
   if (!work.make) return withoutSegment(std::move(map), number);
   const Result<BitMask> mask = work.make(map, number, cancel);
   if (!mask) return mask.error();
@@ -76,6 +77,8 @@ void SegmentJobs::next() {
       const Segment* segment = findSegment(base, work.number);
       if (known && known->missing)
         Q_EMIT failed(tr("The segments of this series were not found with the session: no others are made."));
+      else if (work.makeAll)
+        return begin(work, base);
       else if (work.number == 0 && !freeNumber(base))
         Q_EMIT failed(tr("There are 255 segments, and no more fit: remove one first."));
       else if (segment && segment->locked)
@@ -91,7 +94,9 @@ void SegmentJobs::next() {
 void SegmentJobs::begin(const SegmentWork& work, const SegmentMap& base) {
   Workspace with = session_.workspace();
   int number = work.number;
-  if (number == 0) {
+  if (work.makeAll) {
+    // Whatever it makes is in its own map.
+  } else if (number == 0) {
     Segment made;
     if (work.change) work.change(made);
     with = withNewSegment(std::move(with), work.series, work.volume->geometry(), std::move(made));
@@ -141,15 +146,20 @@ void SegmentJobs::measure(const std::shared_ptr<const LabelMap>& labels, int num
       [this](const SegmentNumbers& numbers) { Q_EMIT measured(numbers); });
 }
 
-void SegmentJobs::save(const SegmentMap& map, const QString& path) {
+void SegmentJobs::save(const SegmentMap& map, const Series& series, const QString& path) {
   save_.run(
       tr("Exporting segments"),
-      [map, path](const Job& job) { return exportSegments(path.toStdString(), map, job.cancel()); },
-      [this, map, path](const Status& status) {
-        if (status)
-          Q_EMIT saved(path, map);
-        else
-          Q_EMIT failed(QString::fromStdString(status.message()));
+      [map, series, path](const Job& job) {
+        return exportSegments(path.toStdString(), {map.segments, *map.labels}, series, {}, job.cancel());
+      },
+      [this, map](const Result<ExportedSegments>& done) {
+        if (!done) return Q_EMIT failed(QString::fromStdString(done.message()));
+        const auto texts = [](const std::vector<std::string>& all) {
+          QStringList list;
+          for (const std::string& text : all) list << shownText(text);
+          return list;
+        };
+        Q_EMIT saved(texts(done->files), texts(done->notes), map);
       });
 }
 

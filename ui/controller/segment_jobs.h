@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QStringList>
 #include <array>
 #include <deque>
 #include <functional>
@@ -23,6 +24,8 @@ struct SegmentWork {
   std::function<void(Segment&)> change;
   /// Its voxels, on the job's thread, of the map as it is then. Null: the segment goes.
   std::function<Result<BitMask>(const SegmentMap& map, int number, const CancelToken& cancel)> make;
+  /// In place of all that: the map after it, on the job's thread.
+  std::function<Result<SegmentMap>(const SegmentMap& map, const CancelToken& cancel)> makeAll;
 };
 
 /// What the segments of a map hold.
@@ -48,14 +51,16 @@ class SegmentJobs : public QObject {
   void change(const SegmentWork& work);
   /// Gives up what was to be measured before. Ends in measured(). All are of one grid.
   void measure(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume);
-  /// Ends in saved() or failed(). The map has labels.
-  void save(const SegmentMap& map, const QString& path);
+  /// Writes the segments of a series as the ending of `path` says. Ends in saved() or failed(). The map has
+  /// labels.
+  void save(const SegmentMap& map, const Series& series, const QString& path);
 
  Q_SIGNALS:
   /// Nothing is being changed any more.
   void ended();
   void measured(const volumen::SegmentNumbers& numbers);
-  void saved(const QString& path, const volumen::SegmentMap& map);
+  /// With the sentences that are to be known of it.
+  void saved(const QStringList& files, const QStringList& notes, const volumen::SegmentMap& map);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
 

@@ -1,7 +1,8 @@
 #include <QFileDialog>
 
-#include "ui/controller/export_segments.h"
+#include "io/export/export_segments.h"
 #include "ui/controller/mask_jobs.h"
+#include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_target.h"
 #include "ui/features/feature.h"
 #include "ui/panels/segments_panel.h"
@@ -11,6 +12,14 @@
 namespace volumen {
 
 namespace {
+
+// "Segmentations of 3D Slicer (*.seg.nrrd)", a row a format.
+QString exportFilters() {
+  QStringList filters;
+  for (const SegmentFormat& format : segmentFormats())
+    filters << QStringLiteral("%1 (*%2)").arg(QLatin1String(format.noun), QLatin1String(format.ending));
+  return filters.join(QStringLiteral(";;"));
+}
 
 // Segments of a volume, and what is taken away from it: its table, what the scissors cut.
 class Segmenting : public Feature {
@@ -22,7 +31,9 @@ class Segmenting : public Feature {
   void connectSegmenter();
   void showExport();
   void takePart(const PartClick& click);
+  void follow(const Recipe& recipe);
   void askWhere();
+  void tellSaved(const QStringList& files, const QStringList& notes, const SegmentMap& map);
 
   SegmentJobs segmenter_;
   MaskJobs masker_;
@@ -78,18 +89,22 @@ void Segmenting::showExport() {
 
 void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
+  connect(panel_, &SegmentsPanel::recipeChosen, this, &Segmenting::follow);
   connect(panel_, &SegmentsPanel::previewChanged, &grid_, &ViewGrid::showSegment);
   connect(panel_, &SegmentsPanel::measureRequested, &segmenter_, &SegmentJobs::measure);
   connect(&segmenter_, &SegmentJobs::ended, panel_, &SegmentsPanel::showSegments);
   connect(&segmenter_, &SegmentJobs::measured, panel_, &SegmentsPanel::showMeasured);
-  connect(&segmenter_, &SegmentJobs::saved, this, [this](const QString& path, const SegmentMap& map) {
-    tell(tr("Saved %1").arg(path));
-    HandWork work;
-    work.segmentMaps = {map};
-    bench_.document.files.savedApart(work);
-  });
+  connect(&segmenter_, &SegmentJobs::saved, this, &Segmenting::tellSaved);
   connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   panel_->showSegments();
+}
+
+// Its segments become more segments of the series that the panel shows.
+void Segmenting::follow(const Recipe& recipe) {
+  const QString why = whyNoSegments(session_);
+  if (!why.isEmpty()) return warn(why);
+  const SeriesKey series = keyOf(session_.series()->series);
+  segmenter_.change(workOf(recipe, series, wholeVolume(session_), session_.maskOf(series)));
 }
 
 // Of the series that the panel shows; a first part makes a segment.
@@ -121,15 +136,27 @@ void Segmenting::takePart(const PartClick& click) {
   segmenter_.change(work);
 }
 
+// A surface is no segment any more: what was made by hand is not saved by it.
+void Segmenting::tellSaved(const QStringList& files, const QStringList& notes, const SegmentMap& map) {
+  tell((QStringList(tr("Saved %1").arg(files.join(QStringLiteral(", ")))) + notes).join(QLatin1Char(' ')));
+  const auto format = segmentFormatOf(files.front().toStdString());
+  if (!format || (*format)->isSurface) return;
+  HandWork work;
+  work.segmentMaps = {map};
+  bench_.document.files.savedApart(work);
+}
+
 void Segmenting::askWhere() {
   auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Export segments"), {}, exportFilters());
   dialog->setObjectName(QStringLiteral("segmentDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(usualExportEnding());
-  dialog->selectFile(QStringLiteral("segmentation.") + usualExportEnding());
+  const QString usual = QLatin1String(segmentFormats().front().ending + 1);
+  dialog->setDefaultSuffix(usual);
+  dialog->selectFile(QStringLiteral("segmentation.") + usual);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    if (const SegmentMap* map = segmentsShown(session_)) segmenter_.save(*map, path);
+    if (const SegmentMap* map = segmentsShown(session_))
+      segmenter_.save(*map, session_.series()->series, path);
   });
   dialog->open();
 }

@@ -4,8 +4,10 @@
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QMenu>
 #include <QVBoxLayout>
 
+#include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/segments.h"
@@ -20,6 +22,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
       list_(new SegmentList(session)),
       result_(plainLabel()),
       export_(new QPushButton(tr("Export..."))),
+      recipes_(new QToolButton),
       range_(new SegmentRange(session)),
       steps_(new SegmentStepsPage(session)),
       pages_(new QStackedWidget) {
@@ -27,6 +30,10 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   export_->setObjectName(QStringLiteral("segmentSave"));
+  recipes_->setObjectName(QStringLiteral("segmentRecipes"));
+  recipes_->setText(tr("Recipe"));
+  recipes_->setPopupMode(QToolButton::InstantPopup);
+  recipes_->setMenu(new QMenu(recipes_));
   makeLayout();
   connect(list_, &SegmentList::workWanted, this, &SegmentsPanel::workWanted);
   connect(range_, &SegmentRange::workWanted, this, [this](const SegmentWork& work) {
@@ -36,7 +43,9 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
   connect(steps_, &SegmentStepsPage::workWanted, this, &SegmentsPanel::workWanted);
   connect(range_, &SegmentRange::previewChanged, this, &SegmentsPanel::previewChanged);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
-    if (before.series != after.series) showSegments();
+    if (before.series == after.series) return;
+    fillRecipes();
+    showSegments();
   });
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
@@ -46,6 +55,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
           [this](const Preferences& before, const Preferences& after) {
             if (before.petUnit != after.petUnit) showResult();
           });
+  fillRecipes();
   showSegments();
 }
 
@@ -69,6 +79,7 @@ void SegmentsPanel::makeLayout() {
     row->addWidget(button);
   }
   group->buttons().front()->setChecked(true);
+  row->addWidget(recipes_);
   row->addStretch();
   row->addWidget(export_);
   auto* column = new QVBoxLayout(this);
@@ -78,6 +89,24 @@ void SegmentsPanel::makeLayout() {
   column->addWidget(result_);
   column->addLayout(row);
   column->addWidget(pages_);
+}
+
+// Those for the series in view, each a click.
+void SegmentsPanel::fillRecipes() {
+  const std::string modality = session_.series() ? session_.series()->series.modality : std::string();
+  const std::vector<const Recipe*> offered = recipesFor(modality);
+  QMenu* const menu = recipes_->menu();
+  menu->clear();
+  for (const Recipe* recipe : offered) {
+    QAction* const action =
+        menu->addAction(shownText(recipe->name), this, [this, recipe] { Q_EMIT recipeChosen(*recipe); });
+    action->setObjectName(QStringLiteral("recipe") + shownText(recipe->name));
+    action->setToolTip(toolTipOf(shownText(recipe->description)));
+  }
+  menu->setToolTipsVisible(true);
+  recipes_->setEnabled(!offered.empty());
+  recipes_->setToolTip(toolTipOf(offered.empty() ? tr("There are recipes for CT and MR.")
+                                                 : tr("Segments by a list of steps, by one click.")));
 }
 
 void SegmentsPanel::setExportAction(QAction* action) {

@@ -8,6 +8,7 @@
 #include "ui/panels/segment_list.h"
 #include "ui/panels/segment_range.h"
 #include "ui/panels/segment_steps_page.h"
+#include "viewer/recipe/recipe.h"
 
 namespace volumen {
 
@@ -30,6 +31,7 @@ class SegmentsPanel : public QWidget {
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
+  void recipeChosen(const volumen::Recipe& recipe);
   void measureRequested(const std::shared_ptr<const volumen::LabelMap>& labels, int number,
                         const volumen::VolumePtr& volume);
   /// What of which volume is looked at; none: nothing.
@@ -38,6 +40,7 @@ class SegmentsPanel : public QWidget {
  private:
   void makeLayout();
   QToolButton* pageButton(const char* name, const QString& text, QWidget* page);
+  void fillRecipes();
   void askForNumbers();
   void showResult();
 
@@ -45,6 +48,7 @@ class SegmentsPanel : public QWidget {
   SegmentList* list_;
   QLabel* result_;
   QPushButton* export_;
+  QToolButton* recipes_;
   SegmentRange* range_;
   SegmentStepsPage* steps_;
   QStackedWidget* pages_;
