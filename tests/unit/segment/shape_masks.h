@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -10,6 +12,8 @@
 #include <string>
 #include <utility>
 
+#include "tests/fixtures/chance.h"
+#include "tests/fixtures/grids.h"
 #include "viewer/segment/bit_mask.h"
 #include "viewer/segment/surface.h"
 
@@ -61,6 +65,49 @@ inline BitMask ibsiPhantom() {
     for (int j = 0; j < 4; ++j)
       for (int i = 0; i < 5; ++i) mask.set({i, j, k}, !out.contains({i, j, k}));
   return mask;
+}
+
+/// Values by chance at the points of a small box, 0 on its border: a set of points inside of any density,
+/// with values of 1 and 0, or by chance on either side of 1/2.
+inline OccupancyField anyField(std::uint64_t seed) {
+  Chance chance(seed);
+  OccupancyField field;
+  field.geometry.size = {1 + chance.below(9), 1 + chance.below(9), 1 + chance.below(9)};
+  if (chance.oneIn(20)) field.geometry.size.x = 60 + chance.below(10);  // rows of more than a word
+  field.geometry.patientFromVoxelStep = grids[chance.below(int(std::size(grids)))].patientFromVoxelStep;
+  field.geometry.origin = 300.0 * chance.vector();
+  field.box = {glm::ivec3(-1), field.geometry.size};
+  const double density = chance.share();
+  const bool binary = chance.oneIn(3);
+  const glm::ivec3 size = field.size();
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i) {
+        const bool onBorder =
+            i == 0 || j == 0 || k == 0 || i + 1 == size.x || j + 1 == size.y || k + 1 == size.z;
+        const bool isIn = !onBorder && chance.share() < density;
+        const double away = binary ? 0.5 : chance.between(0.02, 0.5);
+        field.values.push_back(onBorder ? 0 : float(isIn ? 0.5 + away : 0.5 - away));
+      }
+  return field;
+}
+
+/// Where a distance to a shape crosses 0 the field crosses 1/2, nearly linearly.
+inline OccupancyField fieldOf(const VoxelGeometry& grid, const std::function<double(glm::dvec3)>& inwards) {
+  OccupancyField field{grid, {glm::ivec3(-1), grid.size}, {}};
+  const double steep = 0.4 / std::max({grid.spacing().x, grid.spacing().y, grid.spacing().z});
+  for (int k = -1; k <= grid.size.z; ++k)
+    for (int j = -1; j <= grid.size.y; ++j)
+      for (int i = -1; i <= grid.size.x; ++i)
+        field.values.push_back(
+            float(std::clamp(0.5 + steep * inwards(grid.patientFromVoxel(glm::dvec3(i, j, k))), 0.0, 1.0)));
+  return field;
+}
+
+/// The surface of such a field of a ball.
+inline Surface ballSurface(double radius, const glm::dmat3& step, glm::dvec3 centre = glm::dvec3(0)) {
+  return *surfaceOf(fieldOf(gridAbout(step, radius + glm::length(centre) + 1),
+                            [&](glm::dvec3 p) { return radius - glm::distance(p, centre); }));
 }
 
 /// What is wrong with a surface that should be closed; empty: nothing. Every edge is in two triangles, once

@@ -35,39 +35,9 @@ class TestSurface : public QObject {
   void anyNumberOfThreads();
   void whatIsCancelled();
   void bonesOfARealCt();
-  void fewerTrianglesStayClosed_data();
-  void fewerTrianglesStayClosed();
-  void flatFacesAreTwoTriangles();
-  void deviationIsExact();
-  void farthestPointsAreTheFarthest();
 };
 
 namespace {
-
-// Values by chance at the points of a small box, 0 on its border: a set of points inside of any density, with
-// values of 1 and 0, or by chance on either side of 1/2.
-OccupancyField anyField(std::uint64_t seed) {
-  Chance chance(seed);
-  OccupancyField field;
-  field.geometry.size = {1 + chance.below(9), 1 + chance.below(9), 1 + chance.below(9)};
-  if (chance.oneIn(20)) field.geometry.size.x = 60 + chance.below(10);  // rows of more than a word
-  field.geometry.patientFromVoxelStep = grids[chance.below(int(std::size(grids)))].patientFromVoxelStep;
-  field.geometry.origin = 300.0 * chance.vector();
-  field.box = {glm::ivec3(-1), field.geometry.size};
-  const double density = chance.share();
-  const bool binary = chance.oneIn(3);
-  const glm::ivec3 size = field.size();
-  for (int k = 0; k < size.z; ++k)
-    for (int j = 0; j < size.y; ++j)
-      for (int i = 0; i < size.x; ++i) {
-        const bool onBorder =
-            i == 0 || j == 0 || k == 0 || i + 1 == size.x || j + 1 == size.y || k + 1 == size.z;
-        const bool isIn = !onBorder && chance.share() < density;
-        const double away = binary ? 0.5 : chance.between(0.02, 0.5);
-        field.values.push_back(onBorder ? 0 : float(isIn ? 0.5 + away : 0.5 - away));
-      }
-  return field;
-}
 
 int pointsInside(const OccupancyField& field) {
   return int(std::ranges::count_if(field.values, [](float v) { return v >= 0.5f; }));
@@ -102,23 +72,6 @@ double volumeInside(const OccupancyField& field) {
     for (int j = 0; j + 1 < size.y; ++j)
       for (int i = 0; i + 1 < size.x; ++i) cells += partInside(field, {i, j, k});
   return cells * field.geometry.voxelVolume();
-}
-
-// Where a distance to a shape crosses 0 the field crosses 1/2, nearly linearly.
-OccupancyField fieldOf(const VoxelGeometry& grid, const std::function<double(dvec3)>& inwards) {
-  OccupancyField field{grid, {glm::ivec3(-1), grid.size}, {}};
-  const double steep = 0.4 / std::max({grid.spacing().x, grid.spacing().y, grid.spacing().z});
-  for (int k = -1; k <= grid.size.z; ++k)
-    for (int j = -1; j <= grid.size.y; ++j)
-      for (int i = -1; i <= grid.size.x; ++i)
-        field.values.push_back(
-            float(std::clamp(0.5 + steep * inwards(grid.patientFromVoxel(dvec3(i, j, k))), 0.0, 1.0)));
-  return field;
-}
-
-Surface ballSurface(double radius, const glm::dmat3& step, dvec3 centre = dvec3(0)) {
-  return *surfaceOf(fieldOf(gridAbout(step, radius + glm::length(centre) + 1),
-                            [&](dvec3 p) { return radius - glm::distance(p, centre); }));
 }
 
 QByteArray seedText(std::uint64_t seed, const std::string& what) {
@@ -268,119 +221,6 @@ void TestSurface::bonesOfARealCt() {
   QCOMPARE(notClosed(surface), std::string());
   const double ratio = volumeOf(surface) / (double(bones.count()) * ct->geometry().voxelVolume());
   QVERIFY2(std::abs(ratio - 1) < 0.1, qPrintable(QString::number(ratio)));
-}
-
-void TestSurface::fewerTrianglesStayClosed_data() {
-  QTest::addColumn<double>("tolerance");
-  for (const double tolerance : {0.0, 0.05, 0.3, 2.0, 100.0}) QTest::addRow("%g mm", tolerance) << tolerance;
-}
-
-// Masks by chance, with handles, holes and parts that have four points left; and a ball.
-void TestSurface::fewerTrianglesStayClosed() {
-  QFETCH(double, tolerance);
-  const Seeds seeds = seedsOf(150, 1500);
-  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
-    const Surface all = *surfaceOf(anyField(std::uint64_t(seed)));
-    const Surface fewer = reduced(all, tolerance);
-    const std::string wrong = notClosed(fewer);
-    QVERIFY2(wrong.empty() || wrong == "two points are at one place", seedText(std::uint64_t(seed), wrong));
-    QVERIFY(fewer.triangles.size() <= all.triangles.size());
-    // Handles and parts stay: Euler's number, from triangles and points.
-    QCOMPARE(2 * int(fewer.points.size()) - int(fewer.triangles.size()),
-             2 * int(all.points.size()) - int(all.triangles.size()));
-  }
-  const Surface ball = ballSurface(15, grids[2].patientFromVoxelStep);
-  const Surface fewer = reduced(ball, tolerance);
-  QCOMPARE(notClosed(fewer), std::string());
-  if (tolerance > 0 && tolerance < 1) {
-    QVERIFY(fewer.triangles.size() < ball.triangles.size() * (tolerance < 0.1 ? 0.9 : 0.5));
-    // Nothing is farther from planes than the tolerance; where planes meet at an angle a little farther from
-    // their triangles.
-    QVERIFY2(deviation(fewer, ball).largest < 2 * tolerance,
-             qPrintable(QString::number(deviation(fewer, ball).largest)));
-    QVERIFY(std::abs(volumeOf(fewer) / volumeOf(ball) - 1) < 0.02);
-  }
-}
-
-// A block of the mask as it is: six faces with bevelled edges need no more than a few triangles each.
-void TestSurface::flatFacesAreTwoTriangles() {
-  BitMask mask({.size = {12, 9, 7}});
-  for (int k = 0; k < 7; ++k)
-    for (int j = 0; j < 9; ++j)
-      for (int i = 0; i < 12; ++i) mask.set({i, j, k});
-  const Surface all = *surfaceOf(occupancyOf(mask, 0));
-  const Surface fewer = reduced(all, 1e-4);
-  QVERIFY(all.triangles.size() > 1000);
-  // 24 corners of the faces, which are flat: 2 * 24 - 4 triangles.
-  QVERIFY2(fewer.triangles.size() <= 60, qPrintable(QString::number(fewer.triangles.size())));
-  QVERIFY(std::abs(volumeOf(fewer) / volumeOf(all) - 1) < 1e-5);
-  QVERIFY(deviation(all, fewer).largest < 2e-4);
-}
-
-namespace {
-
-// From a point to a triangle, by other means than the program: the foot on the plane where it is inside, else
-// the nearest of the edges.
-double distanceToTriangle(dvec3 p, const std::array<dvec3, 3>& t) {
-  const dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
-  double nearest = 1e300;
-  bool inside = glm::length(normal) > 0;
-  for (std::size_t n = 0; n < 3; ++n) {
-    const dvec3 a = t[n], along = t[(n + 1) % 3] - a;
-    const double part = glm::dot(along, along) > 0
-                            ? std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0)
-                            : 0;
-    nearest = std::min(nearest, glm::distance(p, a + part * along));
-    inside = inside && glm::dot(glm::cross(along, p - a), normal) >= 0;
-  }
-  return inside ? std::abs(glm::dot(p - t[0], glm::normalize(normal))) : nearest;
-}
-
-std::array<dvec3, 3> cornersOf(const Surface& surface, const std::array<std::uint32_t, 3>& t) {
-  return {dvec3(surface.points[t[0]]), dvec3(surface.points[t[1]]), dvec3(surface.points[t[2]])};
-}
-
-}  // namespace
-
-void TestSurface::deviationIsExact() {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const Surface a = *surfaceOf(anyField(seed)), b = *surfaceOf(anyField(seed + 1000));
-    if (a.triangles.empty() || b.triangles.empty()) continue;
-    if (a.triangles.size() * b.triangles.size() > 400000) continue;
-    const auto toB = [&](dvec3 p) {
-      double nearest = 1e300;
-      for (const auto& t : b.triangles) nearest = std::min(nearest, distanceToTriangle(p, cornersOf(b, t)));
-      return nearest;
-    };
-    double largest = 0, sum = 0, area = 0;
-    for (const auto& t : a.triangles) {
-      const auto c = cornersOf(a, t);
-      const double of = glm::length(glm::cross(c[1] - c[0], c[2] - c[0])) / 2;
-      const double middle = toB((c[0] + c[1] + c[2]) / 3.0);
-      sum += of * middle, area += of;
-      largest = std::max(largest, middle);
-    }
-    for (const glm::vec3& p : a.points) largest = std::max(largest, toB(dvec3(p)));
-    const Deviation found = deviation(a, b);
-    QVERIFY2(std::abs(found.largest - largest) < 1e-9 * (1 + largest),
-             seedText(seed, std::to_string(found.largest)));
-    QVERIFY2(std::abs(found.mean - sum / area) < 1e-9 * (1 + largest),
-             seedText(seed, std::to_string(found.mean)));
-  }
-}
-
-void TestSurface::farthestPointsAreTheFarthest() {
-  std::vector<Surface> surfaces{ballSurface(12, grids[3].patientFromVoxelStep)};
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) surfaces.push_back(*surfaceOf(anyField(seed)));
-  for (const Surface& surface : surfaces) {
-    if (surface.points.empty()) continue;
-    double farthest = 0;
-    for (const glm::vec3& p : surface.points)
-      for (const glm::vec3& q : surface.points)
-        farthest = std::max(farthest, glm::distance(dvec3(p), dvec3(q)));
-    const auto ends = farthestPoints(surface);
-    QCOMPARE(glm::distance(dvec3(ends[0]), dvec3(ends[1])), farthest);
-  }
 }
 
 VOLUMEN_TEST(TestSurface);
