@@ -6,7 +6,6 @@
 #include "io/worker/call.h"
 #include "io/worker/dicom_fields.h"
 #include "viewer/segment/packed_bits.h"
-#include "viewer/segment/packed_bits.h"
 
 namespace volumen::dicom {
 namespace {

@@ -2,6 +2,7 @@
 // MetaImage and NRRD; what is wrong with a table costs names, not labels.
 #include <QFile>
 #include <QTemporaryDir>
+#include <algorithm>
 
 #include "io/export/label_image.h"
 #include "io/export/label_table.h"

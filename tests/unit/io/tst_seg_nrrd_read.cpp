@@ -2,6 +2,7 @@
 // cropped ones too; a file that contradicts itself costs a sentence.
 #include <QFile>
 #include <QTemporaryDir>
+#include <algorithm>
 
 #include "io/export/seg_nrrd.h"
 #include "tests/fixtures/chance.h"
