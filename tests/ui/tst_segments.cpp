@@ -52,8 +52,8 @@ namespace {
 const QString sphere = QStringLiteral("phantom:sphere:64");
 
 // A window with a sphere, and what is pressed in the panel of segments.
-struct Segmented : Journey {
-  explicit Segmented(const QStringList& paths = {sphere}) : Journey(paths) { settle(); }
+struct SegmentsWindow : Journey {
+  explicit SegmentsWindow(const QStringList& paths = {sphere}) : Journey(paths) { settle(); }
 
   QString result() { return child<QLabel>("segmentResult")->text(); }
   bool segment(double low, double high, const char* button = "segment") {
@@ -83,7 +83,7 @@ QStringList labelFiles(const SessionFolder& folder) { return segmentFilesOf(fold
 }  // namespace
 
 void TestSegments::aSegmentIsOneStep() {
-  Segmented w;
+  SegmentsWindow w;
   QVERIFY(w.segment(0.5, 1));
   const Workspace with = w.workspace();
   QCOMPARE(with.segmentMaps.size(), std::size_t(1));
@@ -107,7 +107,7 @@ void TestSegments::aSegmentIsOneStep() {
 }
 
 void TestSegments::theSameOnceMoreIsNone() {
-  Segmented w;
+  SegmentsWindow w;
   QVERIFY(w.segment(0.5, 1));
   const QString ball = w.result();
   const Workspace once = w.workspace();
@@ -119,7 +119,7 @@ void TestSegments::theSameOnceMoreIsNone() {
 }
 
 void TestSegments::aSegmentStaysWithItsSeries() {
-  Segmented w;
+  SegmentsWindow w;
   QVERIFY(w.segment(0.5, 1));
   const QString ball = w.result();
   const SegmentMap made = w.map();
@@ -141,7 +141,7 @@ void TestSegments::aSegmentStaysWithItsSeries() {
 void TestSegments::autosaveKeepsWhatChanged() {
   Workspace with;
   {
-    Segmented w;
+    SegmentsWindow w;
     const auto files = [](const char* ending) {
       return int(QDir(Autosave::folder()).entryList({QLatin1Char('*') + QLatin1String(ending)}).size());
     };
@@ -192,7 +192,7 @@ void TestSegments::changesMakeTheOtherMap() {
 // Both, with all that was chosen for them.
 void TestSegments::sessionsKeepTwo() {
   const SessionFolder folder;
-  Segmented w;
+  SegmentsWindow w;
   QVERIFY(w.segment(0.5, 1));
   QVERIFY(w.segment(0, 0.4));
   QCOMPARE(w.map().segments.size(), std::size_t(2));
@@ -218,7 +218,7 @@ void TestSegments::sessionsKeepTwo() {
 // A category and a type were their meanings alone, and there was no more of a look.
 void TestSegments::sessionsOfBeforeOpen() {
   const SessionFolder folder;
-  Segmented w;
+  SegmentsWindow w;
   QVERIFY(w.segment(0.5, 1));
   const std::string path = saved(folder, w.workspace());
   QFile file(QString::fromStdString(path));
@@ -252,7 +252,7 @@ void TestSegments::sessionsKeepIt() {
   const SessionFolder folder;
   Workspace with;
   {
-    Segmented w;
+    SegmentsWindow w;
     QVERIFY(w.segment(0.5, 1));
     with = w.workspace();
     QVERIFY(!saved(folder, with).empty());
@@ -282,7 +282,7 @@ void TestSegments::whatIsNotBesideTheSessionIsMissing_data() {
 void TestSegments::whatIsNotBesideTheSessionIsMissing() {
   QFETCH(bool, there);
   const SessionFolder folder;
-  Segmented w;
+  SegmentsWindow w;
   QVERIFY(w.segment(0.5, 1));
   const std::string path = saved(folder, w.workspace());
   const QString file = labelFiles(folder).value(0);
@@ -309,7 +309,7 @@ void TestSegments::whatIsNotBesideTheSessionIsMissing() {
 
 void TestSegments::filesThatNoSessionNamesGo() {
   const SessionFolder folder;
-  Segmented w;
+  SegmentsWindow w;
   QVERIFY(w.segment(0.5, 1));
   QVERIFY(!saved(folder, w.workspace()).empty());
   const QStringList first = labelFiles(folder);
@@ -328,7 +328,7 @@ void TestSegments::filesThatNoSessionNamesGo() {
 
 void TestSegments::aFileThatWasDamagedIsWrittenAgain() {
   const SessionFolder folder;
-  Segmented w;
+  SegmentsWindow w;
   QVERIFY(w.segment(0.5, 1));
   const std::string path = saved(folder, w.workspace());
   QFile file(labelFiles(folder).value(0));
@@ -341,7 +341,7 @@ void TestSegments::aFileThatWasDamagedIsWrittenAgain() {
 // Restored without its labels, which are put aside for another day.
 void TestSegments::workThatCannotBeReadIsKept() {
   {
-    Segmented w;
+    SegmentsWindow w;
     QVERIFY(w.segment(0.5, 1));
     w.window.end();
   }
@@ -362,7 +362,7 @@ void TestSegments::workThatCannotBeReadIsKept() {
 
 void TestSegments::closedWorkIsNotSaved() {
   const SessionFolder folder;
-  Segmented w;
+  SegmentsWindow w;
   QVERIFY(w.segment(0.5, 1));
   const SeriesKey series = w.map().series;
   w.window.open({QStringLiteral("phantom:cube:32")});
@@ -376,7 +376,7 @@ void TestSegments::closedWorkIsNotSaved() {
 // It shows air, which the range holds; the numbers are those of what is left.
 void TestSegments::whatIsCutAwayIsNoSegment() {
   const SessionFolder folder;
-  Segmented w({folder.ct()});
+  SegmentsWindow w({folder.ct()});
   w.after([&] { w.child<QAction>("removeTable")->trigger(); });
   QVERIFY(w.segment(-1100, -900));
   const Volume& whole = *w.window.session().seriesWith(w.map().series, {})->volume;
@@ -387,7 +387,7 @@ void TestSegments::whatIsCutAwayIsNoSegment() {
 void TestSegments::theLabelsMoveWithDiscardedWork() {
   Workspace with;
   {
-    Segmented w;
+    SegmentsWindow w;
     QVERIFY(w.segment(0.5, 1));
     with = w.workspace();
     w.window.end();
