@@ -158,11 +158,17 @@ Result<Opened> openSeries(const Series& series, const CancelToken& cancel) {
   return opened;
 }
 
+Status checkHounsfield(const Opened& opened) {
+  const Volume& volume = *opened.loaded.drawn;
+  if (inHounsfield(volume, histogram(volume, 1 << 16))) return {};
+  return Error{"--remove-table is for CT alone: the values of " + opened.series.id +
+               " are not Hounsfield units."};
+}
+
 Status takeAway(const Mask& mask, Opened& opened, const CancelToken& cancel) {
   const Volume& volume = *opened.loaded.drawn;
-  if (mask.tableRemoved && !inHounsfield(volume, histogram(volume, 1 << 16)))
-    return Error{"--remove-table is for CT alone: the values of " + opened.series.id +
-                 " are not Hounsfield units."};
+  if (mask.tableRemoved)
+    if (Status s = checkHounsfield(opened); !s) return s;
   Result<VolumePtr> without = masked(volume, mask, cancel);
   if (!without) return without.error();
   if (opened.loaded.acquired == opened.loaded.drawn) opened.loaded.acquired = *without;

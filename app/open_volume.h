@@ -55,6 +55,9 @@ std::vector<std::size_t> volumesOfUid(const Study& study, const std::string& ser
 /// The same for a series that was found before.
 Result<Opened> openSeries(const Series& series, const CancelToken& cancel);
 
+/// An Error where --remove-table cannot be meant: the values are not HU.
+Status checkHounsfield(const Opened& opened);
+
 /// Takes away from what is drawn what a mask says (masked). An Error where the table is to go and values are
 /// not HU.
 Status takeAway(const Mask& mask, Opened& opened, const CancelToken& cancel);

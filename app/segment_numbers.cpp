@@ -22,8 +22,7 @@ Json formJson(const SegmentForm& f) {
   Json axes = Json::array();
   for (int n = 0; n < 3; ++n)
     axes.push_back({{"direction", place(f.axes[std::size_t(n)])}, {"mm", f.axisMm[n]}});
-  return {{"millilitres", f.voxelMl},
-          {"surfaceMillilitres", f.surfaceMl},
+  return {{"surfaceMillilitres", f.surfaceMl},
           {"difference", f.surfaceMl - f.voxelMl},
           {"areaMm2", f.areaMm2},
           {"centroid", place(f.centroid)},
@@ -41,6 +40,7 @@ Json segmentJson(const SegmentReport& n) {
             {"category", codeJson(n.segment.category)},
             {"type", codeJson(n.segment.type)},
             {"voxels", n.voxels},
+            {"millilitres", known(n.millilitres.has_value(), n.millilitres.value_or(0))},
             {"mean", known(has, v.mean)},
             {"sd", known(has, v.sd)},
             {"min", known(has, v.min)},
@@ -49,11 +49,8 @@ Json segmentJson(const SegmentReport& n) {
             {"p10", known(has, v.p10)},
             {"p90", known(has, v.p90)},
             {"peak", known(n.peak.has_value(), n.peak.value_or(0))}};
-  if (n.form)
-    json.update(formJson(*n.form));
-  else
-    json["millilitres"] = nullptr;
-  json["valueTimesMillilitres"] = known(has && n.form, n.form ? v.mean * n.form->voxelMl : 0);
+  json["valueTimesMillilitres"] = known(has && n.millilitres, v.mean * n.millilitres.value_or(0));
+  if (n.form) json.update(formJson(*n.form));
   return json;
 }
 
@@ -70,7 +67,9 @@ Result<std::vector<SegmentReport>> numbersOf(const Segmented& segments, const Vo
   std::vector<SegmentReport> all;
   for (const Segment& segment : segments.segments) {
     const BitMask mask = maskOf(segments.labels, std::uint8_t(segment.number));
-    SegmentReport numbers{segment, mask.count(), valuesIn(mask, volume), {}, {}};
+    SegmentReport numbers{segment, mask.count(), {}, valuesIn(mask, volume), {}, {}};
+    const VoxelGeometry& grid = volume.geometry();
+    if (grid.calibrated) numbers.millilitres = double(numbers.voxels) * grid.voxelVolume() / 1000;
     auto form = formOf(mask, cancel);
     if (!form) return form.error();
     numbers.form = *form;
@@ -95,9 +94,10 @@ std::string segmentsText(const std::vector<SegmentReport>& all, const std::strin
     const auto form = [&](double value) { return n.form ? numberText(value) : "-"; };
     const auto value = [&](double v) { return n.values.voxels > 0 ? numberText(v) : "-"; };
     const SegmentForm f = n.form.value_or(SegmentForm{});
-    table.add({printable(n.segment.label), std::to_string(n.voxels), form(f.voxelMl), form(f.surfaceMl),
-               form(f.areaMm2 / 100), form(f.longestMm), value(n.values.mean), value(n.values.sd),
-               value(n.values.min), value(n.values.max)});
+    table.add({printable(n.segment.label), std::to_string(n.voxels),
+               n.millilitres ? numberText(*n.millilitres) : "-", form(f.surfaceMl), form(f.areaMm2 / 100),
+               form(f.longestMm), value(n.values.mean), value(n.values.sd), value(n.values.min),
+               value(n.values.max)});
   }
   return table.text();
 }

@@ -13,7 +13,8 @@ namespace volumen {
 /// What is told of one segment.
 struct SegmentReport {
   Segment segment;
-  std::int64_t voxels = 0;  ///< of its mask, padding included
+  std::int64_t voxels = 0;            ///< of its mask, padding included
+  std::optional<double> millilitres;  ///< of them; none: not calibrated
   SegmentValues values;
   std::optional<SegmentForm> form;  ///< none: no voxels, or the series is not calibrated
   std::optional<double> peak;       ///< the largest mean of a ball of 1 ml about one of its voxels

@@ -142,7 +142,10 @@ int work(const SegmentOptions& options, Recipe recipe, const CancelToken& cancel
   if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
-  if (options.removeTable) removeTable(recipe);
+  if (options.removeTable) {
+    if (Status s = checkHounsfield(*opened); !s) return fail(s.message());
+    removeTable(recipe);
+  }
   const Volume& volume = *opened->loaded.drawn;
   const Result<Segmented> segmented = follow(recipe, volume, cancel);
   if (!segmented) return fail(recipe.name + ": " + segmented.message(), cancel);

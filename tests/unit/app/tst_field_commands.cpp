@@ -106,8 +106,9 @@ void TestFieldCommands::paddingIsNotSegmented() {
                                    at("air.seg.nrrd")});
   QCOMPARE(done.status, 0);
   const QJsonObject json = QJsonDocument::fromJson(done.out).object();
-  QCOMPARE(json[QStringLiteral("voxels")].toInt(-1), 0);
-  QCOMPARE(json[QStringLiteral("millilitres")].toDouble(-1), 0.0);
+  const QJsonValue air = json[QStringLiteral("segments")].toArray()[0];
+  QCOMPARE(air[QStringLiteral("voxels")].toInt(-1), 0);
+  QCOMPARE(air[QStringLiteral("millilitres")].toDouble(-1), 0.0);
   QCOMPARE(json[QStringLiteral("unit")].toString(), QStringLiteral("HU"));
 }
 

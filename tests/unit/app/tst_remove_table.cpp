@@ -1,6 +1,7 @@
 // Guards design.md 4: `render` and `segment --remove-table`, and the sample study from the cache.
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
@@ -72,7 +73,9 @@ void TestRemoveTable::segmentsAreOfThePatientAlone() {
     const QString out = f.dir.filePath(QStringLiteral("a.seg.nrrd"));
     const Outcome done = runProgram(QStringLiteral("segment %1 --range=%2 --json -o %3 %4")
                                         .arg(f.with, QLatin1String(range), out, QLatin1String(more)));
-    return QJsonDocument::fromJson(done.out).object()[QStringLiteral("voxels")].toInt(-1);
+    return QJsonDocument::fromJson(done.out)[QStringLiteral("segments")]
+        .toArray()[0][QStringLiteral("voxels")]
+        .toInt(-1);
   };
   QCOMPARE(voxels(""), CtWithTable::size.x * 3 * CtWithTable::size.z);
   QCOMPARE(voxels("--remove-table"), 0);
@@ -105,7 +108,9 @@ void TestRemoveTable::theChestLosesItsTable() {
     const Outcome done = runProgram(
         QStringLiteral("segment %1 --range %2 --json -o %3/a.seg.nrrd %4")
             .arg(QString::fromStdString(chest), QLatin1String(range), dir.path(), QLatin1String(more)));
-    return QJsonDocument::fromJson(done.out).object()[QStringLiteral("voxels")].toDouble();
+    return QJsonDocument::fromJson(done.out)[QStringLiteral("segments")]
+        .toArray()[0][QStringLiteral("voxels")]
+        .toDouble();
   };
   const double before = voxels("-300:", ""), after = voxels("-300:", "--remove-table");
   QVERIFY2(after < 0.97 * before && after > 0.8 * before, qPrintable(QString::number(after / before)));

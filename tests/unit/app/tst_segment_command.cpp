@@ -32,6 +32,12 @@ Outcome runSegment(const QStringList& arguments) {
   return runProgram(QStringList{QStringLiteral("segment")} + arguments);
 }
 
+// The one segment that there is.
+QJsonObject only(const QJsonObject& all) {
+  const QJsonArray segments = all[QStringLiteral("segments")].toArray();
+  return segments.size() == 1 ? segments[0].toObject() : QJsonObject();
+}
+
 QStringList words(const char* text) { return QString::fromLatin1(text).split(QLatin1Char(' ')); }
 
 }  // namespace
@@ -61,15 +67,16 @@ void TestSegmentCommand::labelsAndMeasuresARange() {
   QCOMPARE(done.status, 0);
   const QJsonObject all = QJsonDocument::fromJson(done.out).object();
   const int voxels = (last - first + 1) * 16 * 16;
-  QCOMPARE(all[QStringLiteral("voxels")].toInt(), voxels);
-  QCOMPARE(all[QStringLiteral("millilitres")].toDouble(), voxels / 1000.0);
-  QCOMPARE(all[QStringLiteral("min")].toDouble(), double(first));
-  QCOMPARE(all[QStringLiteral("max")].toDouble(), double(last));
-  QCOMPARE(all[QStringLiteral("mean")].toDouble(), (first + last) / 2.0);
-  QCOMPARE(all[QStringLiteral("file")].toString(), file);
-  const QJsonArray ends = all[QStringLiteral("range")].toArray();
-  QCOMPARE(ends[0].isNull(), range.startsWith(QLatin1Char(':')));
-  QCOMPARE(ends[1].isNull(), range.endsWith(QLatin1Char(':')));
+  const QJsonObject segment = only(all);
+  QCOMPARE(segment[QStringLiteral("voxels")].toInt(), voxels);
+  QCOMPARE(segment[QStringLiteral("millilitres")].toDouble(), voxels / 1000.0);
+  QCOMPARE(segment[QStringLiteral("min")].toDouble(), double(first));
+  QCOMPARE(segment[QStringLiteral("max")].toDouble(), double(last));
+  QCOMPARE(segment[QStringLiteral("mean")].toDouble(), (first + last) / 2.0);
+  QCOMPARE(all[QStringLiteral("files")].toArray(), QJsonArray{file});
+  const QJsonObject step = all[QStringLiteral("recipe")][QStringLiteral("steps")].toArray()[0].toObject();
+  QCOMPARE(step.contains(QStringLiteral("low")), !range.startsWith(QLatin1Char(':')));
+  QCOMPARE(step.contains(QStringLiteral("high")), !range.endsWith(QLatin1Char(':')));
 }
 
 void TestSegmentCommand::writtenFileHoldsTheLabels() {
@@ -88,9 +95,13 @@ void TestSegmentCommand::textForPeople() {
   const QTemporaryDir folder;
   const QString file = folder.filePath(QStringLiteral("a.seg.nrrd"));
   const Outcome done = runSegment(words("phantom:ramp:8 --range 2:3 -o") << file);
-  QCOMPARE(
-      QString::fromUtf8(done.out),
-      QStringLiteral("voxels: 128\nmillilitres: 0.128\nmean: 2.5\nmin: 2\nmax: 3\nfile: %1\n").arg(file));
+  const QStringList lines = QString::fromUtf8(done.out).split(QLatin1Char('\n'));
+  QCOMPARE(lines.size(), 4);
+  QCOMPARE(lines[0].simplified(),
+           QStringLiteral("segment voxels ml ml, surface cm^2 longest, mm mean SD min max"));
+  QVERIFY2(lines[1].simplified().startsWith(QStringLiteral("Range 2:3 128 0.128 ")), qPrintable(lines[1]));
+  QVERIFY2(lines[1].simplified().endsWith(QStringLiteral(" 2.5 0.5 2 3")), qPrintable(lines[1]));
+  QCOMPARE(lines[2], QStringLiteral("file: ") + file);
   QCOMPARE(done.err, QByteArray());
 }
 
@@ -100,9 +111,9 @@ void TestSegmentCommand::emptyRangeIsDoneAndSaid() {
   const Outcome done = runSegment(words("phantom:ramp:8 --json --range 100:200 -o") << file);
   QCOMPARE(done.status, 0);
   const QJsonObject all = QJsonDocument::fromJson(done.out).object();
-  QCOMPARE(all[QStringLiteral("voxels")].toInt(-1), 0);
-  QVERIFY(all[QStringLiteral("mean")].isNull());
-  QVERIFY(done.err.contains("No voxel has a value in 100:200"));
+  QCOMPARE(only(all)[QStringLiteral("voxels")].toInt(-1), 0);
+  QVERIFY(only(all)[QStringLiteral("mean")].isNull());
+  QVERIFY(done.err.contains("Range 100:200: no voxel is in it."));
   QVERIFY(QFile::exists(file));
 }
 
@@ -112,7 +123,12 @@ void TestSegmentCommand::wrongUsageIsRefused_data() {
   const auto row = [](const char* name, const char* arguments, const char* sentence) {
     QTest::newRow(name) << words(arguments) << QString::fromLatin1(sentence);
   };
-  row("no range", "phantom:ramp:8 -o a.seg.nrrd", "--range");
+  row("neither range nor recipe", "phantom:ramp:8 -o a.seg.nrrd", "either --range LOW:HIGH or --recipe NAME");
+  row("both", "phantom:ramp:8 --range 1:2 --recipe bone -o a.seg.nrrd",
+      "either --range LOW:HIGH or --recipe NAME");
+  row("a recipe that is misspelled", "phantom:ramp:8 --recipe bones -o a.stl", "did you mean \"bone\"?");
+  row("a recipe that is not there", "phantom:ramp:8 --recipe none/mine.json -o a.stl",
+      "none/mine.json cannot be read");
   row("no output", "phantom:ramp:8 --range 1:2", "Missing -o FILE");
   row("no path", "--range 1:2 -o a.seg.nrrd", "PATH");
   row("one number", "phantom:ramp:8 --range 12 -o a.seg.nrrd", "is not LOW:HIGH");
@@ -121,7 +137,8 @@ void TestSegmentCommand::wrongUsageIsRefused_data() {
   row("words", "phantom:ramp:8 --range bone:skin -o a.seg.nrrd", "is not LOW:HIGH");
   row("nan", "phantom:ramp:8 --range nan:1 -o a.seg.nrrd", "is not LOW:HIGH");
   row("unit behind it", "phantom:ramp:8 --range 1:2HU -o a.seg.nrrd", "is not LOW:HIGH");
-  row("another format", "phantom:ramp:8 --range 1:2 -o a.nii.gz", "written as .seg.nrrd");
+  row("another format", "phantom:ramp:8 --range 1:2 -o a.xyz",
+      "segments are written as .seg.nrrd, .dcm, .stl");
 }
 
 void TestSegmentCommand::wrongUsageIsRefused() {
