@@ -2,21 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-
-#include "viewer/volume/parallel.h"
+#include <utility>
 
 namespace volumen {
 
 namespace {
-
-// The ten lowest bits of a number, with two zeros between each.
-std::uint64_t spread(std::uint32_t bits) {
-  std::uint64_t x = bits & 0x3ff;
-  x = (x | x << 16) & 0x030000ff;
-  x = (x | x << 8) & 0x0300f00f;
-  x = (x | x << 4) & 0x030c30c3;
-  return (x | x << 2) & 0x09249249;
-}
 
 SpaceBox boxAbout(const SpaceBox& a, const SpaceBox& b) {
   return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
@@ -34,24 +24,38 @@ std::vector<SpaceBox> boxesAbout(std::span<const SpaceBox> below) {
   return boxes;
 }
 
-// The items along a Z-order curve through their middles (Morton 1966).
-std::vector<std::uint32_t> alongCurve(std::span<const SpaceBox> items) {
-  assert(!items.empty());
-  SpaceBox all = items.front();
-  for (const SpaceBox& item : items) all = boxAbout(all, item);
-  const glm::vec3 scale = 1023.0f / glm::max(all.high - all.low, glm::vec3(1e-30f));
-  std::vector<std::uint64_t> keys(items.size());
-  parallelFor(std::int64_t(items.size()), 0, [&](std::int64_t begin, std::int64_t end) {
-    for (auto n = std::size_t(begin); n < std::size_t(end); ++n) {
-      const glm::vec3 x = ((items[n].low + items[n].high) * 0.5f - all.low) * scale;
-      const std::uint64_t code =
-          spread(std::uint32_t(x.x)) | spread(std::uint32_t(x.y)) << 1 | spread(std::uint32_t(x.z)) << 2;
-      keys[n] = code << 32 | n;
-    }
+struct PlacedItem {
+  glm::vec3 middle;
+  std::uint32_t index;
+};
+
+// Orders items so that those of each box of the tree come together: halves them across their longest side,
+// between boxes, until four are left.
+void arrange(std::span<PlacedItem> items) {
+  if (items.size() <= BoxTree::fanOut) return;
+  std::size_t ofBox = BoxTree::fanOut;  // in the largest boxes that are smaller than all
+  while (ofBox * BoxTree::fanOut < items.size()) ofBox *= BoxTree::fanOut;
+  const std::size_t half = ((items.size() + ofBox - 1) / ofBox + 1) / 2 * ofBox;
+  glm::vec3 low = items[0].middle, high = low;
+  for (const PlacedItem& item : items) low = glm::min(low, item.middle), high = glm::max(high, item.middle);
+  const glm::vec3 size = high - low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  std::ranges::nth_element(items, items.begin() + std::ptrdiff_t(half), {}, [axis](const PlacedItem& item) {
+    return std::pair(item.middle[axis], item.index);
   });
-  std::ranges::sort(keys);
+  arrange(items.first(half));
+  arrange(items.subspan(half));
+}
+
+std::vector<std::uint32_t> arranged(std::span<const SpaceBox> items) {
+  assert(!items.empty());
+  std::vector<PlacedItem> placed;
+  placed.reserve(items.size());
+  for (const SpaceBox& item : items)
+    placed.push_back({(item.low + item.high) * 0.5f, std::uint32_t(placed.size())});
+  arrange(placed);
   std::vector<std::uint32_t> order(items.size());
-  std::ranges::transform(keys, order.begin(), [](std::uint64_t key) { return std::uint32_t(key); });
+  std::ranges::transform(placed, order.begin(), &PlacedItem::index);
   return order;
 }
 
@@ -72,7 +76,7 @@ std::vector<BoxGroup> groupsOf(const std::vector<SpaceBox>& boxes) {
 
 }  // namespace
 
-BoxTree::BoxTree(std::span<const SpaceBox> items) : order_(alongCurve(items)) {
+BoxTree::BoxTree(std::span<const SpaceBox> items) : order_(arranged(items)) {
   std::vector<SpaceBox> boxes(items.size());
   std::ranges::transform(order_, boxes.begin(), [&](std::uint32_t n) { return items[n]; });
   levels_.push_back({boxes.size(), groupsOf(boxes)});

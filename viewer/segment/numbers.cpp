@@ -44,7 +44,10 @@ std::vector<CountedValue> countedValues(const BitMask& mask, const Volume& volum
                                         const std::vector<T>& stored) {
   constexpr int least = std::numeric_limits<T>::min();
   constexpr std::size_t kinds = std::size_t(1) << (8 * sizeof(T));
-  const int depth = mask.size().z, parts = std::min(depth, 16);
+  // A part costs as much as some ten thousand voxels: clearing its counts and adding them up.
+  const int depth = mask.size().z;
+  const auto parts =
+      int(std::clamp<std::int64_t>(mask.count() / std::int64_t(kinds), 1, std::min(depth, 16)));
   std::vector<std::int64_t> counts(kinds);
   std::mutex mutex;
   parallelFor(parts, 0, [&](std::int64_t begin, std::int64_t end) {
