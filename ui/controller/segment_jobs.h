@@ -21,11 +21,11 @@ struct SegmentWork {
   QString text;      ///< of the step to undo
   QString doing;     ///< of the job
   /// What else becomes of the segment; a new one gets name and colour where it has none.
-  std::function<void(Segment&)> change;
+  std::function<void(Segment&)> change{};
   /// Its voxels, on the job's thread, of the map as it is then. Null: the segment goes.
-  std::function<Result<BitMask>(const SegmentMap& map, int number, const CancelToken& cancel)> make;
+  std::function<Result<BitMask>(const SegmentMap& map, int number, const CancelToken& cancel)> make{};
   /// In place of all that: the map after it, on the job's thread.
-  std::function<Result<SegmentMap>(const SegmentMap& map, const CancelToken& cancel)> makeAll;
+  std::function<Result<SegmentMap>(const SegmentMap& map, const CancelToken& cancel)> makeAll{};
 };
 
 /// What the segments of a map hold.
