@@ -79,14 +79,17 @@ void SegmentsPanel::makeLayout() {
     row->addWidget(button);
   }
   group->buttons().front()->setChecked(true);
-  row->addWidget(recipes_);
   row->addStretch();
-  row->addWidget(export_);
+  auto* told = new QHBoxLayout;
+  told->setSpacing(4);
+  told->addWidget(result_, 1);
+  told->addWidget(recipes_, 0, Qt::AlignTop);
+  told->addWidget(export_, 0, Qt::AlignTop);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(4);
   column->addWidget(list_, 1);
-  column->addWidget(result_);
+  column->addLayout(told);
   column->addLayout(row);
   column->addWidget(pages_);
 }
