@@ -30,7 +30,7 @@ void TestFirstPictures::aSeriesOpensAsItIsRead_data() {
                         << QString::fromLatin1(unit);
   };
   row("thin functional MR", "dicom-geometry/mr-fmri-ge-50", "inferior", Mode::mip, "");
-  row("few slices far apart", "dicom-geometry/mr-localizer-ge-3plane-21", "inferior", Mode::mip, "");
+  row("few slices far apart", "dicom-geometry/mr-qt2-multiecho-7", "inferior", Mode::mip, "");
   row("PET", "pet-ct/sts019-pet", "anterior", Mode::mip, "SUV");
   row("PET, one slice", "pet-ct/pet-bqml-fdg.dcm", "inferior", Mode::mip, "Bq/ml");
   row("MR of a head", "mr-head-siemens-gap-175", "anterior", Mode::mip, "");

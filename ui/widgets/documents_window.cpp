@@ -13,10 +13,10 @@ const QString folder = QStringLiteral(":/docs/");
 
 // In the order in which a user would read them.
 const QStringList pages{
-    QStringLiteral("window.md"),      QStringLiteral("import.md"),    QStringLiteral("accuracy.md"),
-    QStringLiteral("performance.md"), QStringLiteral("picture.md"),   QStringLiteral("slices.md"),
-    QStringLiteral("measure.md"),     QStringLiteral("protocols.md"), QStringLiteral("tasks.md"),
-    QStringLiteral("design.md"),      QStringLiteral("kernels.md")};
+    QStringLiteral("window.md"),      QStringLiteral("import.md"),  QStringLiteral("accuracy.md"),
+    QStringLiteral("performance.md"), QStringLiteral("picture.md"), QStringLiteral("slices.md"),
+    QStringLiteral("measure.md"),     QStringLiteral("segment.md"), QStringLiteral("protocols.md"),
+    QStringLiteral("tasks.md"),       QStringLiteral("design.md"),  QStringLiteral("kernels.md")};
 
 // The page's first heading.
 QString titleOf(const QString& page) {
