@@ -86,8 +86,12 @@ std::string wordOf(const Recipe& recipe) {
   return word;
 }
 
+bool isFile(const std::string& recipe) {
+  return recipe.ends_with(".json") || recipe.find('/') != std::string::npos;
+}
+
 Result<Recipe> recipeNamed(const std::string& name) {
-  if (name.ends_with(".json") || name.find('/') != std::string::npos) return recipeOfFile(name);
+  if (isFile(name)) return recipeOfFile(name);
   std::vector<std::string> words;
   for (const Recipe& recipe : builtInRecipes()) {
     if (wordOf(recipe) == name) return recipe;
@@ -171,7 +175,7 @@ int run(const SegmentOptions& options, const CancelToken& cancel) {
   if (options.range.empty() == options.recipe.empty())
     return failUsage("Give either --range LOW:HIGH or --recipe NAME.");
   const Result<Recipe> recipe = options.recipe.empty() ? recipeOfRange(options) : recipeNamed(options.recipe);
-  if (!recipe) return failUsage(recipe.message());
+  if (!recipe) return isFile(options.recipe) ? fail(recipe.message()) : failUsage(recipe.message());
   if (const auto format = segmentFormatOf(options.output); !format) return failUsage(format.message());
   return work(options, *recipe, cancel);
 }

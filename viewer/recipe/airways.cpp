@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "viewer/segment/numbers.h"
 #include "viewer/segment/parts.h"
 #include "viewer/segment/range.h"
 #include "viewer/segment/table.h"
@@ -16,16 +17,6 @@ namespace {
 
 constexpr double airHu = -800, leastMm2 = 60, mostMm2 = 700, longMm = 30, mostAspect = 2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Calls visit(voxel) for those that a mask holds.
-template <class Visit>
-void forEachVoxel(const BitMask& mask, const Visit& visit) {
-  const glm::ivec3 size = mask.size();
-  for (int k = 0; k < size.z; ++k)
-    for (int j = 0; j < size.y; ++j)
-      for (int i = 0; i < size.x; ++i)
-        if (mask.at({i, j, k})) visit(glm::ivec3(i, j, k));
-}
 
 /// A volume's slices across an axis, each a grid of its own.
 class Slices {
@@ -54,17 +45,17 @@ class Slices {
 
   /// mm; of an empty one none.
   std::optional<glm::dvec3> middle(const BitMask& slice) const {
+    const std::vector<glm::ivec3> voxels = voxelsOf(slice);
+    if (voxels.empty()) return {};
     glm::dvec3 sum(0);
-    double count = 0;
-    forEachVoxel(slice, [&](glm::ivec3 v) { sum += glm::dvec3(v), ++count; });
-    if (count == 0) return {};
-    return grid_.patientFromVoxel(sum / count);
+    for (const glm::ivec3& v : voxels) sum += glm::dvec3(v);
+    return grid_.patientFromVoxel(sum / double(voxels.size()));
   }
 
   /// Whether its box is at most mostAspect times as long as wide.
   bool isRound(const BitMask& region) const {
     glm::ivec3 low(std::numeric_limits<int>::max()), high(-1);
-    forEachVoxel(region, [&](glm::ivec3 v) { low = glm::min(low, v), high = glm::max(high, v); });
+    for (const glm::ivec3& v : voxelsOf(region)) low = glm::min(low, v), high = glm::max(high, v);
     const glm::dvec3 mm = glm::dvec3(high - low + 1) * grid_.spacing();
     const double a = mm[(axis_ + 1) % 3], b = mm[(axis_ + 2) % 3];
     return std::max(a, b) <= mostAspect * std::min(a, b);
@@ -136,7 +127,7 @@ class TracheaSearch {
 
   BitMask inVolume(const BitMask& region, int n) const {
     BitMask mask(air_.geometry());
-    forEachVoxel(region, [&](glm::ivec3 v) { mask.set(slices_.inVolume(v, indexOf(n))); });
+    for (const glm::ivec3& v : voxelsOf(region)) mask.set(slices_.inVolume(v, indexOf(n)));
     return mask;
   }
 

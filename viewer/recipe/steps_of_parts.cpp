@@ -4,6 +4,7 @@
 
 #include "viewer/recipe/airways.h"
 #include "viewer/recipe/step_kinds.h"
+#include "viewer/segment/numbers.h"
 #include "viewer/segment/parts.h"
 
 namespace volumen {
@@ -34,12 +35,8 @@ Result<BitMask> remove(const StepInput& in) { return partsOf(in).untouched(in.vo
 std::vector<glm::ivec3> seedsOf(const StepInput& in) {
   std::vector<glm::ivec3> seeds = in.voxelsAt("at");
   if (!in.namesSegment("from")) return seeds;
-  const BitMask& from = in.segment("from");
-  const glm::ivec3 size = from.size();
-  for (int k = 0; k < size.z; ++k)
-    for (int j = 0; j < size.y; ++j)
-      for (int i = 0; i < size.x; ++i)
-        if (from.at({i, j, k})) seeds.emplace_back(i, j, k);
+  const std::vector<glm::ivec3> more = voxelsOf(in.segment("from"));
+  seeds.insert(seeds.end(), more.begin(), more.end());
   return seeds;
 }
 

@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "viewer/recipe/ball.h"
 #include "viewer/recipe/step_kinds.h"
@@ -62,18 +60,14 @@ Result<BitMask> paint(const StepInput& in) {
   return in.flag("erase") ? subtracted(in.own(), stroke) : united(in.own(), stroke);
 }
 
+// Whether a voxel of it shares a face with one of the grid that is not in the other mask.
 bool reachesOut(const BitMask& mask, const BitMask& of) {
-  const glm::ivec3 size = mask.size();
-  for (int k = 0; k < size.z; ++k)
-    for (int j = 0; j < size.y; ++j)
-      for (int i = 0; i < size.x; ++i) {
-        if (!mask.at({i, j, k})) continue;
-        for (int axis = 0; axis < 3; ++axis)
-          for (const int step : {-1, 1}) {
-            glm::ivec3 beside(i, j, k);
-            beside[axis] += step;
-            if (beside[axis] >= 0 && beside[axis] < size[axis] && !of.at(beside)) return true;
-          }
+  for (const glm::ivec3& voxel : voxelsOf(mask))
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int step : {-1, 1}) {
+        glm::ivec3 beside = voxel;
+        beside[axis] += step;
+        if (beside[axis] >= 0 && beside[axis] < mask.size()[axis] && !of.at(beside)) return true;
       }
   return false;
 }

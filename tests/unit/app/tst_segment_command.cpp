@@ -127,8 +127,6 @@ void TestSegmentCommand::wrongUsageIsRefused_data() {
   row("both", "phantom:ramp:8 --range 1:2 --recipe bone -o a.seg.nrrd",
       "either --range LOW:HIGH or --recipe NAME");
   row("a recipe that is misspelled", "phantom:ramp:8 --recipe bones -o a.stl", "did you mean \"bone\"?");
-  row("a recipe that is not there", "phantom:ramp:8 --recipe none/mine.json -o a.stl",
-      "none/mine.json cannot be read");
   row("no output", "phantom:ramp:8 --range 1:2", "Missing -o FILE");
   row("no path", "--range 1:2 -o a.seg.nrrd", "PATH");
   row("one number", "phantom:ramp:8 --range 12 -o a.seg.nrrd", "is not LOW:HIGH");
@@ -156,6 +154,10 @@ void TestSegmentCommand::failureLeavesNoFile() {
   const Outcome missing = runSegment(words("no-such-file.dcm --range 1:2 -o") << file);
   QCOMPARE(missing.status, 1);
   QVERIFY(missing.err.contains("no-such-file.dcm"));
+  QVERIFY(!QFile::exists(file));
+  const Outcome noRecipe = runSegment(words("phantom:ramp:8 --recipe none/mine.json -o") << file);
+  QCOMPARE(noRecipe.status, 1);
+  QVERIFY(noRecipe.err.contains("none/mine.json cannot be read"));
   QVERIFY(!QFile::exists(file));
   const Outcome noSeries = runSegment(words("phantom:ramp:8 --series 9 --range 1:2 -o") << file);
   QCOMPARE(noSeries.status, 1);
