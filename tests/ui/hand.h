@@ -47,6 +47,7 @@ class Hand {
       if (!open->isVisible()) continue;
       auto* name = open->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
       name->setText(path);
+      Q_EMIT name->textEdited(path);  // else a file that the dialog offered, and found meanwhile, is taken
       QTest::keyClick(name, Qt::Key_Return);
       return;
     }

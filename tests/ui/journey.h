@@ -84,6 +84,7 @@ inline void answer(Journey& w, const char* dialog, const QString& path) {
     if (!open->isVisible()) continue;  // answered before, and not yet deleted
     auto* name = open->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     name->setText(path);
+    Q_EMIT name->textEdited(path);  // else a file that the dialog offered, and found meanwhile, is taken
     QTest::keyClick(name, Qt::Key_Return);
     return;
   }
