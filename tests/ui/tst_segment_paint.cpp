@@ -1,5 +1,5 @@
-// Guards the brush in slices: strokes by real events, against twins that gather what it covered; one undo step
-// each; erasing, locked segments, limits, strokes that are given up or whose series is closed.
+// Guards the brush in slices: strokes by real events, against twins that gather what it covered; one undo
+// step each; erasing, locked segments, limits, strokes that are given up or whose series is closed.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QPointer>
