@@ -24,6 +24,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
       export_(new QPushButton(tr("Export..."))),
       recipes_(new QToolButton),
       range_(new SegmentRange(session)),
+      paint_(new SegmentPaintPage(session)),
       steps_(new SegmentStepsPage(session)),
       pages_(new QStackedWidget) {
   result_->setObjectName(QStringLiteral("segmentResult"));
@@ -41,6 +42,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
     Q_EMIT workWanted(work);
   });
   connect(steps_, &SegmentStepsPage::workWanted, this, &SegmentsPanel::workWanted);
+  connect(paint_, &SegmentPaintPage::workWanted, this, &SegmentsPanel::workWanted);
   connect(range_, &SegmentRange::previewChanged, this, &SegmentsPanel::previewChanged);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series == after.series) return;
@@ -73,8 +75,9 @@ void SegmentsPanel::makeLayout() {
   auto* group = new QButtonGroup(this);
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
-  for (QToolButton* button : {pageButton("segmentFromCurve", tr("From the curve"), range_),
-                              pageButton("segmentChange", tr("Change"), steps_)}) {
+  for (QToolButton* button :
+       {pageButton("segmentFromCurve", tr("From the curve"), range_),
+        pageButton("segmentPaint", tr("Paint"), paint_), pageButton("segmentChange", tr("Change"), steps_)}) {
     group->addButton(button);
     row->addWidget(button);
   }
@@ -126,6 +129,7 @@ void SegmentsPanel::showSegments() {
   setEnabled(session_.series() != nullptr);
   list_->showSegments();
   range_->showSegments();
+  paint_->showSegments();
   steps_->showSegments();
   askForNumbers();
   showResult();

@@ -6,14 +6,16 @@
 #include <QToolButton>
 
 #include "ui/panels/segment_list.h"
+#include "ui/panels/segment_paint_page.h"
 #include "ui/panels/segment_range.h"
 #include "ui/panels/segment_steps_page.h"
 #include "viewer/recipe/recipe.h"
 
 namespace volumen {
 
-/// The segments of the series in view: their list, the numbers of the current one, and below two pages, what
-/// makes segments of the curve and what changes the current one. All that takes time is asked for.
+/// The segments of the series in view: their list, the numbers of the current one, and below pages: what
+/// makes segments of the curve, what paints the current one in slices, what changes it. All that takes time
+/// is asked for.
 class SegmentsPanel : public QWidget {
   Q_OBJECT
  public:
@@ -23,11 +25,13 @@ class SegmentsPanel : public QWidget {
   void showSegments();
   /// What measureRequested() came to.
   void showMeasured(const SegmentNumbers& numbers);
-  /// Its actions: the one that removes the table, the tool of connected parts, the export.
+  /// Its actions: the one that removes the table, the tool of connected parts, those that paint, the export.
   void setTableAction(QAction* action) { range_->setTableAction(action); }
   void setPartAction(QAction* action) { range_->setPartAction(action); }
+  void setPaintActions(QAction* brush, QAction* outline) { paint_->setToolActions(brush, outline); }
   void setExportAction(QAction* action);
   const SegmentRange& range() const { return *range_; }
+  const SegmentPaintPage& painting() const { return *paint_; }
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
@@ -50,6 +54,7 @@ class SegmentsPanel : public QWidget {
   QPushButton* export_;
   QToolButton* recipes_;
   SegmentRange* range_;
+  SegmentPaintPage* paint_;
   SegmentStepsPage* steps_;
   QStackedWidget* pages_;
   std::optional<SegmentNumbers> asked_;    // the last: its labels, volume and number

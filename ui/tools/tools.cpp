@@ -36,6 +36,19 @@ const std::vector<Tool>& tools() {
          .inSlices = beginPart,
          .inScene = beginScenePart,
          .clicks = true},
+        {.name = "paint",
+         .text = tr("Paint"),
+         .cursor = Qt::CrossCursor,
+         .inSlices = beginPaint,
+         .clicks = true,
+         .paintAt = paintBrushAt,
+         .takesKey = resizeBrush},
+        {.name = "outline",
+         .text = tr("Outline"),
+         .cursor = Qt::CrossCursor,
+         .inSlices = beginOutline,
+         .stays = true,
+         .box = true},
     };
     std::ranges::move(measuringTools(), std::back_inserter(all));
     return all;

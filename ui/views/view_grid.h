@@ -81,6 +81,7 @@ class ViewGrid : public QWidget {
   void toolChanged();
   /// The connected part of a place is to be taken.
   void partClicked(const volumen::PartClick& click);
+  void strokePainted(const volumen::SegmentStroke& stroke);
   /// Views were placed, shown or hidden.
   void arranged();
   /// A 3D view was made: it wants to be drawn.
