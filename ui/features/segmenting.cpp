@@ -3,6 +3,7 @@
 #include "io/export/export_segments.h"
 #include "ui/controller/mask_jobs.h"
 #include "ui/controller/segment_recipes.h"
+#include "ui/controller/segment_surface_jobs.h"
 #include "ui/controller/segment_target.h"
 #include "ui/features/feature.h"
 #include "ui/panels/segments_panel.h"
@@ -37,6 +38,7 @@ class Segmenting : public Feature {
 
   SegmentJobs segmenter_;
   MaskJobs masker_;
+  SegmentSurfaceJobs surfaces_;
   SegmentsPanel* panel_;
   QAction* export_;
 };
@@ -45,6 +47,7 @@ Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
       segmenter_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
+      surfaces_(session_, bench.document.jobs),
       panel_(new SegmentsPanel(session_)) {
   bench_.addDock({"segment",
                   tr("Segments"),
@@ -56,6 +59,7 @@ Segmenting::Segmenting(Workbench& bench)
   }
   panel_->setTableAction(masker_.tableAction());
   connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&surfaces_, &SegmentSurfaceJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
   makeExport();
