@@ -1,0 +1,201 @@
+// Guards picking of segments in 3D: their surfaces are seen as picture.md 10 draws them.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tests/fixtures/chance.h"
+#include "tests/fixtures/seeds.h"
+#include "tests/fixtures/small_volumes.h"
+#include "tests/unit/suite.h"
+#include "ui/views/pick.h"
+#include "viewer/segment/occupancy.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+constexpr int edge = 40;  // voxels of 1 mm about the origin
+constexpr double near = 0.02;
+// So little aslant that lengths along y are its own; steps along it begin at no face of voxels.
+const SightLine fromTheFront{{0.3, -500, 0.2}, glm::normalize(glm::dvec3(0.002, 1, 0.001))};
+
+// All that of any value.
+VolumePtr evenVolume() {
+  static const VolumePtr volume =
+      volumeOf<float>(glm::ivec3(edge), glm::dmat3(1), [](glm::dvec3) { return 100.0; });
+  return volume;
+}
+
+Scene fogOf(double opacity) {
+  Scene scene;
+  scene.transferFunction.points = {{0, {1, 1, 1}, opacity}};
+  return scene;
+}
+
+// A plate of the voxels from `low` to `high` along y; thick ones have their surface half a voxel outside.
+SegmentSurface plate(int low, int high, double opacity) {
+  BitMask mask(evenVolume()->geometry());
+  for (int k = 0; k < edge; ++k)
+    for (int j = low; j <= high; ++j)
+      for (int i = 0; i < edge; ++i) mask.set({i, j, k});
+  return {std::make_shared<const OccupancyField>(occupancyOf(mask, surfaceSigma)), {1, 0, 0}, opacity};
+}
+
+double yOf(double voxel) { return voxel - (edge - 1) / 2.0; }
+
+std::optional<Pick> seen(const Scene& scene, bool parallel = true, const SightLine& line = fromTheFront) {
+  return pick(scene, *evenVolume(), line, parallel);
+}
+
+}  // namespace
+
+class TestPickSegments : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theSurfaceInFrontIsSeen_data();
+  void theSurfaceInFrontIsSeen();
+  void whatIsCutOpenShowsItsInside_data();
+  void whatIsCutOpenShowsItsInside();
+  void anEyeInsideSeesTheOtherSide();
+  void aProjectionSeesNone();
+  void fogAndPlatesAreTheirClosedForm_data();
+  void fogAndPlatesAreTheirClosedForm();
+};
+
+using Plates = std::vector<SegmentSurface>;
+
+void TestPickSegments::theSurfaceInFrontIsSeen_data() {
+  QTest::addColumn<double>("fog");
+  QTest::addColumn<Plates>("plates");
+  QTest::addColumn<int>("segment");
+  QTest::addColumn<double>("y");
+  const auto row = [](const char* name, double fog, const Plates& plates, int segment, double y) {
+    QTest::newRow(name) << fog << plates << segment << y;
+  };
+  row("opaque, alone", 0, {plate(10, 20, 1)}, 0, yOf(9.5));
+  row("translucent, alone", 0, {plate(10, 20, 0.3)}, 0, yOf(9.5));
+  row("at the border of the volume", 0, {plate(0, 9, 1)}, 0, yOf(-0.5));
+  row("behind another", 0, {plate(20, 30, 1), plate(5, 12, 1)}, 1, yOf(4.5));
+  row("behind a faint one", 0, {plate(5, 12, 0.1), plate(20, 30, 1)}, 1, yOf(19.5));
+  row("touching: the one that is entered", 0, {plate(5, 12, 0.01), plate(13, 20, 0.9)}, 1, yOf(12.5));
+  row("behind thin fog", 0.01, {plate(10, 20, 1)}, 0, yOf(9.5));
+  row("in a solid", 1, {plate(10, 20, 1)}, -1, yOf(-0.5));
+  row("wholly transparent", 0, {plate(10, 20, 0), plate(25, 35, 1)}, 1, yOf(24.5));
+}
+
+void TestPickSegments::theSurfaceInFrontIsSeen() {
+  QFETCH(Plates, plates);
+  QFETCH(double, fog);
+  QFETCH(int, segment);
+  QFETCH(double, y);
+  Scene scene = fogOf(fog);
+  scene.segments = plates;
+  const auto hit = seen(scene);
+  QVERIFY(hit && hit->pPatient);
+  QCOMPARE(hit->segment ? int(*hit->segment) : -1, segment);
+  QVERIFY2(std::abs(hit->pPatient->y - y) < 0.1, qPrintable(QString::number(hit->pPatient->y)));
+  QCOMPARE(hit->value, 100.0);
+  scene.segments.clear();
+  QCOMPARE(seen(scene).has_value(), fog > 0);
+}
+
+void TestPickSegments::whatIsCutOpenShowsItsInside_data() {
+  QTest::addColumn<Clip>("clip");
+  Clip plane;
+  plane.planes = {{{0, -1, 0}, -yOf(15)}};  // keeps what lies behind voxel 15
+  QTest::newRow("a plane") << plane;
+  Clip box;
+  box.boxLow.y = 15.5 / edge;
+  QTest::newRow("a side of the box") << box;
+}
+
+void TestPickSegments::whatIsCutOpenShowsItsInside() {
+  QFETCH(Clip, clip);
+  Scene scene = fogOf(0);
+  scene.segments = {plate(10, 20, 1)};
+  scene.clip = clip;
+  auto hit = seen(scene);
+  QVERIFY(hit && hit->segment);
+  QVERIFY(std::abs(hit->pPatient->y - yOf(20.5)) < near);
+  scene.segments = {plate(2, 12, 1)};
+  QVERIFY2(!seen(scene), "all of it is cut away");
+  scene.segments = {plate(30, 39, 1)};
+  hit = seen(scene);
+  QVERIFY(hit && std::abs(hit->pPatient->y - yOf(29.5)) < near);
+}
+
+void TestPickSegments::anEyeInsideSeesTheOtherSide() {
+  Scene scene = fogOf(0);
+  scene.segments = {plate(10, 20, 1)};
+  const auto hit = seen(scene, false, {{0, yOf(15), 0}, {0, 1, 0}});
+  QVERIFY(hit && hit->segment && std::abs(hit->pPatient->y - yOf(20.5)) < near);
+  QVERIFY(!seen(scene, false, {{0, yOf(25), 0}, {0, 1, 0}}));
+}
+
+void TestPickSegments::aProjectionSeesNone() {
+  Scene scene = fogOf(0);
+  scene.segments = {plate(10, 20, 1)};
+  for (const Mode mode : {Mode::mip, Mode::minip, Mode::average}) {
+    scene.mode = mode;
+    const auto hit = seen(scene);
+    QVERIFY(hit && !hit->segment);
+  }
+}
+
+void TestPickSegments::fogAndPlatesAreTheirClosedForm_data() {
+  QTest::addColumn<int>("seed");
+  const Seeds seeds = seedsOf(200, 5000);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+// Even fog, in which plates that do not touch stop a share of the light each time their surface is met.
+void TestPickSegments::fogAndPlatesAreTheirClosedForm() {
+  QFETCH(int, seed);
+  Chance chance{std::uint64_t(seed)};
+  const double fog = chance.oneIn(3) ? 0 : chance.below(300) / 1000.0, mu = -std::log1p(-fog);
+  Scene scene = fogOf(fog);
+  struct Surface {
+    double y, depth;
+    int segment;
+  };
+  std::vector<Surface> surfaces;
+  for (int at = chance.below(8); at + 6 < edge; at += 3 + chance.below(8)) {
+    const int high = std::min(edge - 1, at + 5 + chance.below(6));
+    const double opacity = 0.02 + chance.below(95) / 100.0;
+    scene.segments.push_back(plate(at, high, opacity));
+    for (const double face : {at - 0.5, high + 0.5})
+      surfaces.push_back({yOf(face), -std::log1p(-opacity), int(scene.segments.size()) - 1});
+    at = high;
+  }
+  double whole = mu * edge;
+  for (const Surface& s : surfaces) whole += s.depth;
+  const double final = -std::expm1(-whole);
+  if (final < 0.051) return;
+  double left = -std::log1p(-final / 2), y = yOf(-0.5);
+  int segment = -1;
+  bool isClose = false;  // to where another one would be seen
+  for (const Surface& s : surfaces) {
+    const double before = mu * (s.y - y);
+    isClose = isClose || std::abs(left - before) < 1e-2 || std::abs(left - before - s.depth) < 1e-2;
+    if (left <= before) break;
+    left -= before;
+    y = s.y;
+    if (left <= s.depth) {
+      segment = s.segment;
+      left = 0;
+      break;
+    }
+    left -= s.depth;
+  }
+  if (isClose) return;
+  if (segment < 0) y += left / mu;
+  const auto hit = seen(scene);
+  QVERIFY(hit && hit->pPatient);
+  QCOMPARE(hit->segment ? int(*hit->segment) : -1, segment);
+  QVERIFY2(std::abs(hit->pPatient->y - y) < near,
+           qPrintable(QStringLiteral("%1, not %2").arg(hit->pPatient->y).arg(y)));
+}
+
+VOLUMEN_TEST(TestPickSegments);
+#include "tst_pick_segments.moc"
