@@ -15,15 +15,15 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr int edge = 40;  // voxels of 1 mm about the origin
-constexpr double near = 0.02;
+constexpr int gridOfPlates = 40;  // voxels of 1 mm about the origin
+constexpr double offItsFace = 0.02;
 // So little aslant that lengths along y are its own; steps along it begin at no face of voxels.
-const SightLine fromTheFront{{0.3, -500, 0.2}, glm::normalize(glm::dvec3(0.002, 1, 0.001))};
+const SightLine sightAslant{{0.3, -500, 0.2}, glm::normalize(glm::dvec3(0.002, 1, 0.001))};
 
 // All that of any value.
 VolumePtr evenVolume() {
   static const VolumePtr volume =
-      volumeOf<float>(glm::ivec3(edge), glm::dmat3(1), [](glm::dvec3) { return 100.0; });
+      volumeOf<float>(glm::ivec3(gridOfPlates), glm::dmat3(1), [](glm::dvec3) { return 100.0; });
   return volume;
 }
 
@@ -36,15 +36,15 @@ Scene fogOf(double opacity) {
 // A plate of the voxels from `low` to `high` along y; thick ones have their surface half a voxel outside.
 SegmentSurface plate(int low, int high, double opacity) {
   BitMask mask(evenVolume()->geometry());
-  for (int k = 0; k < edge; ++k)
+  for (int k = 0; k < gridOfPlates; ++k)
     for (int j = low; j <= high; ++j)
-      for (int i = 0; i < edge; ++i) mask.set({i, j, k});
+      for (int i = 0; i < gridOfPlates; ++i) mask.set({i, j, k});
   return {std::make_shared<const OccupancyField>(occupancyOf(mask, surfaceSigma)), {1, 0, 0}, opacity};
 }
 
-double yOf(double voxel) { return voxel - (edge - 1) / 2.0; }
+double yOf(double voxel) { return voxel - (gridOfPlates - 1) / 2.0; }
 
-std::optional<Pick> seen(const Scene& scene, bool parallel = true, const SightLine& line = fromTheFront) {
+std::optional<Pick> seenOf(const Scene& scene, bool parallel = true, const SightLine& line = sightAslant) {
   return pick(scene, *evenVolume(), line, parallel);
 }
 
@@ -91,13 +91,13 @@ void TestPickSegments::theSurfaceInFrontIsSeen() {
   QFETCH(double, y);
   Scene scene = fogOf(fog);
   scene.segments = plates;
-  const auto hit = seen(scene);
+  const auto hit = seenOf(scene);
   QVERIFY(hit && hit->pPatient);
   QCOMPARE(hit->segment ? int(*hit->segment) : -1, segment);
   QVERIFY2(std::abs(hit->pPatient->y - y) < 0.1, qPrintable(QString::number(hit->pPatient->y)));
   QCOMPARE(hit->value, 100.0);
   scene.segments.clear();
-  QCOMPARE(seen(scene).has_value(), fog > 0);
+  QCOMPARE(seenOf(scene).has_value(), fog > 0);
 }
 
 void TestPickSegments::whatIsCutOpenShowsItsInside_data() {
@@ -106,7 +106,7 @@ void TestPickSegments::whatIsCutOpenShowsItsInside_data() {
   plane.planes = {{{0, -1, 0}, -yOf(15)}};  // keeps what lies behind voxel 15
   QTest::newRow("a plane") << plane;
   Clip box;
-  box.boxLow.y = 15.5 / edge;
+  box.boxLow.y = 15.5 / gridOfPlates;
   QTest::newRow("a side of the box") << box;
 }
 
@@ -115,22 +115,22 @@ void TestPickSegments::whatIsCutOpenShowsItsInside() {
   Scene scene = fogOf(0);
   scene.segments = {plate(10, 20, 1)};
   scene.clip = clip;
-  auto hit = seen(scene);
+  auto hit = seenOf(scene);
   QVERIFY(hit && hit->segment);
-  QVERIFY(std::abs(hit->pPatient->y - yOf(20.5)) < near);
+  QVERIFY(std::abs(hit->pPatient->y - yOf(20.5)) < offItsFace);
   scene.segments = {plate(2, 12, 1)};
-  QVERIFY2(!seen(scene), "all of it is cut away");
+  QVERIFY2(!seenOf(scene), "all of it is cut away");
   scene.segments = {plate(30, 39, 1)};
-  hit = seen(scene);
-  QVERIFY(hit && std::abs(hit->pPatient->y - yOf(29.5)) < near);
+  hit = seenOf(scene);
+  QVERIFY(hit && std::abs(hit->pPatient->y - yOf(29.5)) < offItsFace);
 }
 
 void TestPickSegments::anEyeInsideSeesTheOtherSide() {
   Scene scene = fogOf(0);
   scene.segments = {plate(10, 20, 1)};
-  const auto hit = seen(scene, false, {{0, yOf(15), 0}, {0, 1, 0}});
-  QVERIFY(hit && hit->segment && std::abs(hit->pPatient->y - yOf(20.5)) < near);
-  QVERIFY(!seen(scene, false, {{0, yOf(25), 0}, {0, 1, 0}}));
+  const auto hit = seenOf(scene, false, {{0, yOf(15), 0}, {0, 1, 0}});
+  QVERIFY(hit && hit->segment && std::abs(hit->pPatient->y - yOf(20.5)) < offItsFace);
+  QVERIFY(!seenOf(scene, false, {{0, yOf(25), 0}, {0, 1, 0}}));
 }
 
 void TestPickSegments::aProjectionSeesNone() {
@@ -138,7 +138,7 @@ void TestPickSegments::aProjectionSeesNone() {
   scene.segments = {plate(10, 20, 1)};
   for (const Mode mode : {Mode::mip, Mode::minip, Mode::average}) {
     scene.mode = mode;
-    const auto hit = seen(scene);
+    const auto hit = seenOf(scene);
     QVERIFY(hit && !hit->segment);
   }
 }
@@ -160,15 +160,15 @@ void TestPickSegments::fogAndPlatesAreTheirClosedForm() {
     int segment;
   };
   std::vector<Surface> surfaces;
-  for (int at = chance.below(8); at + 6 < edge; at += 3 + chance.below(8)) {
-    const int high = std::min(edge - 1, at + 5 + chance.below(6));
+  for (int at = chance.below(8); at + 6 < gridOfPlates; at += 3 + chance.below(8)) {
+    const int high = std::min(gridOfPlates - 1, at + 5 + chance.below(6));
     const double opacity = 0.02 + chance.below(95) / 100.0;
     scene.segments.push_back(plate(at, high, opacity));
     for (const double face : {at - 0.5, high + 0.5})
       surfaces.push_back({yOf(face), -std::log1p(-opacity), int(scene.segments.size()) - 1});
     at = high;
   }
-  double whole = mu * edge;
+  double whole = mu * gridOfPlates;
   for (const Surface& s : surfaces) whole += s.depth;
   const double final = -std::expm1(-whole);
   if (final < 0.051) return;
@@ -190,10 +190,10 @@ void TestPickSegments::fogAndPlatesAreTheirClosedForm() {
   }
   if (isClose) return;
   if (segment < 0) y += left / mu;
-  const auto hit = seen(scene);
+  const auto hit = seenOf(scene);
   QVERIFY(hit && hit->pPatient);
   QCOMPARE(hit->segment ? int(*hit->segment) : -1, segment);
-  QVERIFY2(std::abs(hit->pPatient->y - y) < near,
+  QVERIFY2(std::abs(hit->pPatient->y - y) < offItsFace,
            qPrintable(QStringLiteral("%1, not %2").arg(hit->pPatient->y).arg(y)));
 }
 
