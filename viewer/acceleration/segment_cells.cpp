@@ -11,9 +11,9 @@ namespace volumen {
 SegmentCells::SegmentCells(std::shared_ptr<const OccupancyField> field) : field_(std::move(field)) {
   if (field_->values.empty()) return;
   blockCount_ = (field_->size() - 1 + (edge - 1)) / edge;
-  regionCount_ = (blockCount_ + (edge - 1)) / edge;
   findCells();
-  findRegions();
+  findBox();
+  findDistances();
 }
 
 void SegmentCells::findCells() {
@@ -48,19 +48,41 @@ void SegmentCells::findRowOfBlocks(int j, int k) {
     }
 }
 
-void SegmentCells::findRegions() {
-  regions_.resize(std::size_t(regionCount_.x) * std::size_t(regionCount_.y) * std::size_t(regionCount_.z));
+void SegmentCells::findBox() {
   VoxelBox found{glm::ivec3(std::numeric_limits<int>::max()), glm::ivec3(-1)};
   for (int k = 0; k < blockCount_.z; ++k)
     for (int j = 0; j < blockCount_.y; ++j)
       for (int i = 0; i < blockCount_.x; ++i) {
         const glm::ivec3 n(i, j, k);
         if (!block(n)) continue;
-        regions_[at(n / edge, regionCount_)] |= bitOf(n);
         found.low = glm::min(found.low, n), found.high = glm::max(found.high, n);
       }
   if (found.high.x >= 0)
     box_ = {found.low * edge, glm::min(found.high * edge + edge, field_->size() - 1) - 1};
+}
+
+// One pass each way over the neighbours that it has come by: exact for this distance.
+void SegmentCells::findDistances() {
+  constexpr int most = 255;
+  distances_.resize(blocks_.size());
+  for (std::size_t n = 0; n < blocks_.size(); ++n) distances_[n] = blocks_[n] ? 0 : most;
+  const auto pass = [&](int by) {
+    const auto begin = [by](int count) { return by > 0 ? 0 : count - 1; };
+    const auto isIn = [](int n, int count) { return n >= 0 && n < count; };
+    for (int k = begin(blockCount_.z); isIn(k, blockCount_.z); k += by)
+      for (int j = begin(blockCount_.y); isIn(j, blockCount_.y); j += by)
+        for (int i = begin(blockCount_.x); isIn(i, blockCount_.x); i += by) {
+          int least = distances_[at({i, j, k}, blockCount_)];
+          for (int n = 0; n < 13; ++n) {
+            const glm::ivec3 other = glm::ivec3(i, j, k) + by * (glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1);
+            if (isIn(other.x, blockCount_.x) && isIn(other.y, blockCount_.y) && isIn(other.z, blockCount_.z))
+              least = std::min(least, distances_[at(other, blockCount_)] + 1);
+          }
+          distances_[at({i, j, k}, blockCount_)] = std::uint8_t(least);
+        }
+  };
+  pass(1);
+  pass(-1);
 }
 
 }  // namespace volumen

@@ -21,8 +21,10 @@ double slopeOf(const Cubic& c, double s) { return (3 * c[3] * s + 2 * c[2]) * s 
 // The s at which c is 0, one of whose ends lies above and the other not: Newton's steps, halves where they
 // leave the bracket.
 double rootBetween(const Cubic& c, double low, double high, bool startsAbove) {
-  constexpr double close = 1e-12;
+  constexpr double close = 1e-9;
+  const double atLow = valueOf(c, low), atHigh = valueOf(c, high);
   double s = (low + high) / 2;
+  if ((atLow >= 0) != (atHigh >= 0)) s = low + (high - low) * (atLow / (atLow - atHigh));
   for (int n = 0; n < 60 && high - low > close; ++n) {
     const double value = valueOf(c, s);
     ((value >= 0) == startsAbove ? low : high) = s;
@@ -48,6 +50,12 @@ int extremesOf(const Cubic& c, double places[2]) {
   return count;
 }
 
+// Whether all Bezier control points lie on that side of 0: then the cubic does.
+bool staysOn(const Cubic& c, bool above) {
+  const double points[] = {c[0], c[0] + c[1] / 3, c[0] + (2 * c[1] + c[2]) / 3, c[0] + c[1] + c[2] + c[3]};
+  return std::ranges::all_of(points, [above](double p) { return (p >= 0) == above; });
+}
+
 class CrossingWalk {
  public:
   CrossingWalk(const SegmentCells& cells, const FieldLine& line, bool onlyFirst,
@@ -58,6 +66,7 @@ class CrossingWalk {
         inverse_(1.0 / line.move),
         onlyFirst_(onlyFirst),
         crossings_(crossings) {
+    for (int a = 0; a < 3; ++a) step_[a] = line.move[a] > 0 ? 1 : -1;
     const glm::i64vec3 size = cells.field()->size();
     rowStride_ = size.x, sliceStride_ = size.x * size.y;
   }
@@ -75,50 +84,70 @@ class CrossingWalk {
       t0 = std::max(t0, std::min(tLow, tHigh));
       t1 = std::min(t1, std::max(tLow, tHigh));
     }
-    if (!(t1 > t0)) return;
-    constexpr int blockEdge = SegmentCells::edge, regionEdge = blockEdge * SegmentCells::edge;
-    walkCubes<regionEdge>(
-        box.low / regionEdge, box.high / regionEdge, t0, t1, [&](glm::ivec3 region, double r0, double r1) {
-          const std::uint64_t blocks = cells_.region(region);
-          return !blocks || walkCubes<blockEdge>(region * SegmentCells::edge, region * SegmentCells::edge + 3,
-                                                 r0, r1, [&](glm::ivec3 block, double b0, double b1) {
-                                                   if (!(blocks & SegmentCells::bitOf(block))) return true;
-                                                   const std::uint64_t bits = cells_.block(block);
-                                                   return walkCubes<1>(
-                                                       block * blockEdge, block * blockEdge + (blockEdge - 1),
-                                                       b0, b1, [&](glm::ivec3 cell, double c0, double c1) {
-                                                         return !(bits & SegmentCells::bitOf(cell)) ||
-                                                                lookInto(cell, c0, c1);
-                                                       });
-                                                 });
-        });
+    if (t1 > t0) walkBlocks(t0, t1);
   }
 
  private:
-  // Calls visit(cube, t of entry, of exit) for the cubes from `low` to `high` along the line from t0 to t1,
-  // while it returns true; false where it did not. Where cubes meet they get the same t, whatever their edge.
-  template <int kEdge, class Visit>
-  bool walkCubes(glm::ivec3 low, glm::ivec3 high, double t0, double t1, const Visit& visit) const {
-    const glm::dvec3 start = (line_.origin + t0 * line_.move) * (1.0 / kEdge);
-    glm::ivec3 cube = glm::clamp(glm::ivec3(glm::floor(start)), low, high);
-    glm::dvec3 next(never);
-    glm::ivec3 step(0);
-    for (int a = 0; a < 3; ++a) {
-      if (line_.move[a] == 0) continue;
-      step[a] = line_.move[a] > 0 ? 1 : -1;
-      next[a] = planeAt<kEdge>(a, cube[a] + (step[a] > 0));
+  static constexpr int blockEdge = SegmentCells::edge;
+
+  // The part of the line in one cube after another: which, and where it leaves it.
+  template <int kEdge>
+  struct CubeWalk {
+    CubeWalk(const CrossingWalk& walk, double t, glm::ivec3 low, glm::ivec3 high) : walk_(walk) {
+      enterAt(t, low, high);
     }
-    for (double t = t0;;) {
-      const int axis = next.x <= next.y ? (next.x <= next.z ? 0 : 2) : (next.y <= next.z ? 1 : 2);
-      const double end = std::min(next[axis], t1);
-      if (end > t && !visit(cube, t, end)) return false;
-      if (next[axis] >= t1) return true;
-      t = std::max(t, end);
-      cube[axis] += step[axis];
-      if (cube[axis] < low[axis] || cube[axis] > high[axis]) return true;
-      next[axis] = planeAt<kEdge>(axis, cube[axis] + (step[axis] > 0));
+    void enterAt(double t, glm::ivec3 low, glm::ivec3 high) {
+      const glm::dvec3 at = (walk_.line_.origin + t * walk_.line_.move) * (1.0 / kEdge);
+      cube = glm::clamp(glm::ivec3(glm::max(at, 0.0)), low, high);
+      for (int a = 0; a < 3; ++a)
+        next[a] = walk_.line_.move[a] == 0 ? never : walk_.planeAt<kEdge>(a, cube[a] + (walk_.step_[a] > 0));
+    }
+    int axis() const { return next.x <= next.y ? (next.x <= next.z ? 0 : 2) : (next.y <= next.z ? 1 : 2); }
+    void advance(int a) {
+      cube[a] += walk_.step_[a];
+      next[a] = walk_.planeAt<kEdge>(a, cube[a] + (walk_.step_[a] > 0));
+    }
+    const CrossingWalk& walk_;
+    glm::ivec3 cube{0};
+    glm::dvec3 next{0};  // t of the next plane along each axis
+  };
+
+  void walkBlocks(double t, double t1) {
+    const glm::ivec3 low = cells_.box().low / blockEdge, high = cells_.box().high / blockEdge;
+    const glm::dvec3 moves = glm::abs(line_.move);
+    const double blockMm = blockEdge / std::max({moves.x, moves.y, moves.z});
+    CubeWalk<blockEdge> walk(*this, t, low, high);
+    while (t < t1) {
+      if (const int distance = cells_.distance(walk.cube); distance > 1) {
+        t += (distance - 1) * blockMm;
+        walk.enterAt(t, low, high);
+        continue;
+      }
+      const int axis = walk.axis();
+      const double end = std::min(walk.next[axis], t1);
+      if (const std::uint64_t bits = cells_.block(walk.cube); bits && end > t)
+        if (!walkCells(walk.cube * blockEdge, bits, t, end)) return;
+      t = std::max(t, walk.next[axis]);
+      walk.advance(axis);
+      if (walk.cube[axis] < low[axis] || walk.cube[axis] > high[axis]) return;
     }
   }
+
+  // False where no more is asked for. Where cells meet they get the same t, in one block or in two.
+  bool walkCells(glm::ivec3 low, std::uint64_t bits, double t, double t1) {
+    const glm::ivec3 high = low + (blockEdge - 1);
+    CubeWalk<1> walk(*this, t, low, high);
+    while (t < t1) {
+      const int axis = walk.axis();
+      const double end = std::min(walk.next[axis], t1);
+      if (end > t && (bits & SegmentCells::bitOf(walk.cube)) && !lookInto(walk.cube, t, end)) return false;
+      t = std::max(t, walk.next[axis]);
+      walk.advance(axis);
+      if (walk.cube[axis] < low[axis] || walk.cube[axis] > high[axis]) return true;
+    }
+    return true;
+  }
+
   template <int kEdge>
   double planeAt(int axis, int n) const {
     return (double(n * kEdge) - line_.origin[axis]) * inverse_[axis];
@@ -145,10 +174,11 @@ class CrossingWalk {
   bool lookInto(glm::ivec3 cell, double t0, double t1) {
     const Cubic f = fieldAlong(cell, t0, t1);
     bool isInside = t0 == lastEnd_ ? wasInside_ : f[0] >= 0;
+    lastEnd_ = t1, wasInside_ = isInside;
+    if (staysOn(f, isInside)) return true;
     double stops[4] = {0};
     const int count = 1 + extremesOf(f, stops + 1);
     stops[count] = 1;
-    lastEnd_ = t1;
     for (int n = 0; n < count; ++n) {
       const bool inside = valueOf(f, stops[n + 1]) >= 0;
       if (inside == isInside) continue;
@@ -165,6 +195,7 @@ class CrossingWalk {
   const float* values_;
   const FieldLine& line_;
   const glm::dvec3 inverse_;
+  glm::ivec3 step_{1};
   const bool onlyFirst_;
   std::vector<FieldCrossing>& crossings_;
   std::int64_t rowStride_ = 0, sliceStride_ = 0;

@@ -19,6 +19,9 @@ SegmentRays::SegmentRays(const Plan& plan, const VoxelGeometry& geometry,
                          std::vector<std::shared_ptr<const SegmentCells>> cells)
     : generator_(plan, geometry),
       view_(generator_.view()),
+      right_(view_.voxelFromMm * view_.axes.right),
+      up_(view_.voxelFromMm * view_.axes.up),
+      direction_(view_.voxelFromMm * view_.axes.direction),
       stopTransmittance_(plan.stopTransmittance),
       lighting_(makeLighting(plan.scene, true, true)) {
   const Clip& clip = plan.scene.clip;
@@ -94,10 +97,8 @@ void SegmentRays::clip(const Line& line, double& t0, double& t1) const {
     else if (outside > rounding)
       t1 = -infiniteMm;
   };
-  const glm::dvec3 right = view_.voxelFromMm * view_.axes.right, up = view_.voxelFromMm * view_.axes.up;
-  const glm::dvec3 origin = view_.target + line.rightMm * right + line.upMm * up;
-  const glm::dvec3 move =
-      line.right * right + line.up * up + line.direction * (view_.voxelFromMm * view_.axes.direction);
+  const glm::dvec3 origin = view_.target + line.rightMm * right_ + line.upMm * up_;
+  const glm::dvec3 move = line.right * right_ + line.up * up_ + line.direction * direction_;
   for (int a = 0; a < 3; ++a) {
     if (cutsHigh_[a]) cut(origin[a] - view_.high[a], move[a], roundingVoxels);
     if (cutsLow_[a]) cut(view_.low[a] - origin[a], -move[a], roundingVoxels);

@@ -58,9 +58,10 @@ class SegmentRays {
 
   RayGenerator generator_;
   const ViewRays& view_;
+  glm::dvec3 right_, up_, direction_;            // a mm of the camera's axes, in voxels of the volume
   glm::bvec3 cutsLow_{false}, cutsHigh_{false};  // which sides of the clip box are not the volume's own
   bool isEmpty_ = false;                         // the clip box is
-  double stopTransmittance_ = 0, laterVoxels_ = 0;
+  double stopTransmittance_ = 0;
   Lighting lighting_;
   std::vector<Segment> segments_;
   std::vector<int> searched_;  // segments, the opaque ones first: they hide what need not be searched
