@@ -8,6 +8,7 @@
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
 #include "ui/views/pick.h"
+#include "viewer/reference/reference.h"
 #include "viewer/segment/occupancy.h"
 
 using namespace volumen;
@@ -61,6 +62,8 @@ class TestPickSegments : public QObject {
   void aProjectionSeesNone();
   void fogAndPlatesAreTheirClosedForm_data();
   void fogAndPlatesAreTheirClosedForm();
+  void whatTheReferenceDrawsIsPicked_data();
+  void whatTheReferenceDrawsIsPicked();
 };
 
 using Plates = std::vector<SegmentSurface>;
@@ -195,6 +198,78 @@ void TestPickSegments::fogAndPlatesAreTheirClosedForm() {
   QCOMPARE(hit->segment ? int(*hit->segment) : -1, segment);
   QVERIFY2(std::abs(hit->pPatient->y - y) < offItsFace,
            qPrintable(QStringLiteral("%1, not %2").arg(hit->pPatient->y).arg(y)));
+}
+
+void TestPickSegments::whatTheReferenceDrawsIsPicked_data() {
+  QTest::addColumn<int>("seed");
+  const Seeds seeds = seedsOf(25, 1000);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+// Opaque balls and boxes that share no voxel, each of a colour without light, on a grid, clipped and seen by
+// chance: away from where colours meet in the picture.
+void TestPickSegments::whatTheReferenceDrawsIsPicked() {
+  QFETCH(int, seed);
+  Chance chance{std::uint64_t(seed)};
+  const glm::dmat3 axes(chance.between(0.5, 2), 0, chance.between(0, 0.3), chance.between(0, 0.3),
+                        chance.between(0.5, 2), 0, 0, 0, chance.between(0.5, 2));
+  const VolumePtr volume = volumeOf<float>({24, 24, 24}, axes, [](glm::dvec3) { return 0.0; });
+  constexpr glm::dvec3 colours[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  std::vector<BitMask> masks(std::size(colours), BitMask(volume->geometry()));
+  std::vector<glm::dvec3> middles;
+  for (std::size_t n = 0; n < masks.size(); ++n)
+    middles.emplace_back(chance.below(24), chance.below(24), chance.below(24));
+  const double radius = chance.between(4, 9);
+  const bool areBoxes = chance.oneIn(2);
+  for (int k = 0; k < 24; ++k)
+    for (int j = 0; j < 24; ++j)
+      for (int i = 0; i < 24; ++i)
+        for (std::size_t n = 0; n < masks.size(); ++n) {
+          const glm::dvec3 by = glm::abs(glm::dvec3(i, j, k) - middles[n]);
+          const double far = areBoxes ? std::max({by.x, by.y, by.z}) : glm::length(by);
+          if (far > radius) continue;
+          masks[n].set({i, j, k});
+          break;
+        }
+  Scene scene = fogOf(0);
+  scene.shading.lit = false;
+  scene.shading.gradientFloor = 1;
+  scene.window = Window{0, 1};
+  for (std::size_t n = 0; n < masks.size(); ++n)
+    scene.segments.push_back(
+        {std::make_shared<const OccupancyField>(occupancyOf(masks[n], surfaceSigma)), colours[n], 1});
+  for (int a = 0; a < 3; ++a)
+    if (chance.oneIn(3)) scene.clip.boxLow[a] = chance.between(0.1, 0.4);
+  if (chance.oneIn(2))
+    scene.clip.planes = {
+        {{chance.between(-1, 1), chance.between(-1, 1), chance.between(0.1, 1)}, chance.between(-5, 5)}};
+  Camera camera;
+  camera.direction = {chance.between(-1, 1), chance.between(0.2, 1), chance.between(-1, 1)};
+  camera.projection = chance.oneIn(2) ? Projection::parallel : Projection::perspective;
+  scene.camera = fitCamera(camera, volume->geometry(), 1);
+  if (chance.oneIn(4)) scene.camera->distance *= 0.3;  // an eye between them
+  constexpr int size = 24;
+  const auto drawn = renderReference(scene, *volume, {size, size});
+  QVERIFY(drawn);
+  const auto colourAt = [&](int x, int y) {
+    const float* p = drawn->row(y) + 4 * x;
+    return glm::dvec3(p[0], p[1], p[2]);
+  };
+  int looked = 0;
+  for (int y = 1; y + 1 < size; ++y)
+    for (int x = 1; x + 1 < size; ++x) {
+      const glm::dvec3 colour = colourAt(x, y);
+      bool isEven = true;
+      for (int n = 0; n < 9; ++n)
+        isEven = isEven && glm::distance(colour, colourAt(x + n % 3 - 1, y + n / 3 - 1)) < 0.01;
+      if (!isEven) continue;
+      ++looked;
+      const SightLine line = sightLine(*scene.camera, glm::dvec2(size), {x + 0.5, y + 0.5});
+      const auto hit = pick(scene, *volume, line, scene.camera->projection == Projection::parallel);
+      const glm::dvec3 picked = hit && hit->segment ? colours[*hit->segment] : glm::dvec3(0);
+      QVERIFY2(glm::distance(picked, colour) < 0.01, qPrintable(QStringLiteral("at %1, %2").arg(x).arg(y)));
+    }
+  QVERIFY(looked > 0);
 }
 
 VOLUMEN_TEST(TestPickSegments);

@@ -82,16 +82,15 @@ double gradientFactor(const std::vector<GradientOpacityPoint>& points, double gr
   return below.factor + share * (above->factor - below.factor);
 }
 
-// Whether a place is inside the surface of a segment (picture.md 10).
-bool isInside(const OccupancyField& field, glm::dvec3 pVoxel) {
+// f of picture.md 10.
+double occupancyAt(const OccupancyField& field, glm::dvec3 pVoxel) {
   const glm::dvec3 x = pVoxel - glm::dvec3(field.box.low);
-  const glm::ivec3 size = field.size(), a(glm::floor(x));
-  if (glm::any(glm::lessThan(x, glm::dvec3(0))) || glm::any(glm::greaterThan(x, glm::dvec3(size - 1))))
-    return false;
-  const glm::i64vec3 n(size);
-  return interpolated(size, x, [&](int i, int j, int k) {
-           return double(field.values[std::size_t((k * n.y + j) * n.x + i)]);
-         }) >= 0.5;
+  const glm::i64vec3 size = field.size();
+  if (glm::any(glm::lessThan(x, glm::dvec3(0))) || glm::any(glm::greaterThan(x, glm::dvec3(size - 1L))))
+    return 0;
+  return interpolated(field.size(), x, [&](int i, int j, int k) {
+    return double(field.values[std::size_t((k * size.y + j) * size.x + i)]);
+  });
 }
 
 // A line of sight through the scene; t in mm along it.
@@ -120,8 +119,7 @@ class Sight {
   static constexpr double stepsPerVoxel = 4, finer = 64;
   static constexpr double beyondVolume = 1;  // voxels: no surface of a segment is farther out
 
-  // Which of the scene's segments a place is in.
-  using Inside = std::vector<bool>;
+  using Occupancies = std::vector<double>;  // of the scene's segments at a place
   // How much is stopped by surfaces on a step, as an optical depth; the segment that is met first.
   struct Met {
     double depth = 0;
@@ -139,8 +137,8 @@ class Sight {
   double valueAt(double t) const { return valueAtVoxel(volume_, voxelAt(t)); }
   Pick pickAt(double t) const { return {line_.origin + t * line_.direction, valueAt(t)}; }
   double extinctionAt(double t) const;
-  Inside insideAt(double t) const;
-  Met metUpTo(double t, Inside& inside) const;
+  Occupancies occupanciesAt(double t) const;
+  Met metUpTo(double t, Occupancies& held) const;
   Place placeOf(double opacity, const std::vector<double>& depths) const;
 
   const Scene& scene_;
@@ -161,25 +159,30 @@ double Sight::extinctionAt(double t) const {
   return extinctionPerMm(opacity, curve.unitDistance);
 }
 
-Sight::Inside Sight::insideAt(double t) const {
-  Inside inside;
+Sight::Occupancies Sight::occupanciesAt(double t) const {
+  Occupancies held;
   const glm::dvec3 x = voxelAt(t);
   for (const SegmentSurface& segment : scene_.segments)
-    inside.push_back(segment.opacity > 0 && isInside(*segment.field, x));
-  return inside;
+    held.push_back(segment.opacity > 0 ? occupancyAt(*segment.field, x) : 0);
+  return held;
 }
 
-// From where `inside` was, which is told what it is there.
-Sight::Met Sight::metUpTo(double t, Inside& inside) const {
-  constexpr double mostOpaque = 1 - 1e-6;
+// From the step before, where `held` was, which is told what it is at t. Which of several comes first is
+// asked of fine steps.
+Sight::Met Sight::metUpTo(double t, Occupancies& held) const {
+  constexpr double mostOpaque = 1 - 1e-6, leftLater = 1e-3 * stepsPerVoxel * finer;  // of a fine step
   Met met;
   if (scene_.segments.empty()) return met;
-  const Inside before = std::exchange(inside, insideAt(t));
-  for (std::size_t n = 0; n < inside.size(); ++n) {
-    if (inside[n] == before[n]) continue;
+  double first = 0;
+  const Occupancies before = std::exchange(held, occupanciesAt(t));
+  for (std::size_t n = 0; n < held.size(); ++n) {
+    const bool isEntered = held[n] >= 0.5;
+    if (isEntered == (before[n] >= 0.5)) continue;
     met.depth -= std::log1p(-std::min(scene_.segments[n].opacity, mostOpaque));
-    // Of those that touch the one that is entered comes first.
-    if (!met.segment || (inside[n] && !inside[*met.segment])) met.segment = n;
+    const double at = (0.5 - before[n]) / (held[n] - before[n]) + (isEntered ? 0 : leftLater);
+    if (met.segment && at >= first) continue;
+    met.segment = n;
+    first = at;
   }
   return met;
 }
@@ -188,10 +191,11 @@ std::optional<Pick> Sight::surface() const {
   constexpr double opaque = 20;  // optical depth behind which nothing is seen
   std::vector<double> depths;    // optical, of each step
   double whole = 0;
-  Inside inside = insideAt(withSegments_.first);
-  for (double t = withSegments_.first + step_ / 2; t < withSegments_.last && whole < opaque; t += step_) {
-    depths.push_back(step_ * extinctionAt(t) +
-                     metUpTo(std::min(t + step_ / 2, withSegments_.last), inside).depth);
+  Occupancies held = occupanciesAt(withSegments_.first);
+  const double last = withSegments_.last;
+  for (double t = withSegments_.first; t < last && whole < opaque; t += step_) {
+    const double middle = t + step_ / 2, ofVolume = middle < last ? step_ * extinctionAt(middle) : 0;
+    depths.push_back(ofVolume + metUpTo(std::min(t + step_, last), held).depth);
     whole += depths.back();
   }
   const double opacity = -std::expm1(-whole);
@@ -214,13 +218,13 @@ Sight::Place Sight::placeOf(double opacity, const std::vector<double>& depths) c
   if (n > 0) left += depths[n - 1];
   const double from = std::max(line.first, place.t - 1.5 * step_),
                end = std::min(line.last, place.t + 2 * step_), fine = step_ / finer;
-  Inside inside = insideAt(from);
+  Occupancies held = occupanciesAt(from);
   for (double t = from; t < end && left > 0; t += fine) {
     const double depth = fine * extinctionAt(t);
     left -= depth;
     if (depth > 0) place = {t};
     if (left <= 0) break;
-    const Met met = metUpTo(std::min(t + fine, end), inside);
+    const Met met = metUpTo(std::min(t + fine, end), held);
     left -= met.depth;
     if (met.segment) place = {t + fine / 2, met.segment};
   }
