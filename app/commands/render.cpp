@@ -69,6 +69,7 @@ nlohmann::ordered_json statsJson(const Rendered& done, const Times& t, const Vol
         {"pilot", s.pilotMs},
         {"resample", s.resampleMs},
         {"shade", s.shadeMs},
+        {"surfaces", s.surfacesMs},
         {"gl", s.glMs},
         {"total", t.totalMs}}},
       {"framesMs", t.framesMs},

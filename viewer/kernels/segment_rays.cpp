@@ -6,13 +6,12 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
-#include <tuple>
 
 namespace volumen {
 
 namespace {
 constexpr double infiniteMm = std::numeric_limits<double>::infinity();
-constexpr double leftLaterVoxels = 1e-3;  // picture.md 10
+constexpr double leftLaterVoxels = 1e-3, nextLaterVoxels = 1e-6;  // picture.md 10
 }  // namespace
 
 SegmentRays::SegmentRays(const Plan& plan, const VoxelGeometry& geometry,
@@ -115,8 +114,9 @@ void SegmentRays::followOne(int n, const Line& line, double t0, double& t1, Task
                           line.right * s.right + line.up * s.up + line.direction * s.direction};
   task.crossings.clear();
   appendCrossings(*s.cells, inField, t0, t1, s.opacity == 1, task.crossings);
+  const double voxelMm = 1 / glm::length(line.right * right_ + line.up * up_ + line.direction * direction_);
   for (const FieldCrossing& c : task.crossings) {
-    const double order = c.leaves ? c.t + leftLaterVoxels / glm::length(inField.move) : c.t;
+    const double order = c.t + (nextLaterVoxels * n + (c.leaves ? leftLaterVoxels : 0)) * voxelMm;
     met.push_back({c.t, order, n});
     if (s.opacity == 1) t1 = std::min(t1, order);
   }
@@ -140,9 +140,7 @@ void SegmentRays::follow(int pixel, Task& task, std::vector<Met>& met) const {
     }
     followOne(n, line, t0, t1, task, met);
   }
-  std::sort(met.begin() + first, met.end(), [](const Met& a, const Met& b) {
-    return std::tie(a.order, a.segment) < std::tie(b.order, b.segment);
-  });
+  std::sort(met.begin() + first, met.end(), [](const Met& a, const Met& b) { return a.order < b.order; });
   double through = 1;
   for (auto m = met.begin() + first; m != met.end(); ++m) {
     through *= 1 - segments_[std::size_t(m->segment)].opacity;

@@ -82,9 +82,9 @@ const ReflectanceMap& RenderCaches::Impl::reflectanceMap(const Lighting& lightin
 }
 
 const std::vector<std::shared_ptr<const SegmentCells>>& RenderCaches::Impl::segmentCellsOf(
-    const Scene& scene) {
+    const std::vector<const SegmentSurface*>& segments) {
   std::vector<std::shared_ptr<const SegmentCells>> cells;
-  for (const SegmentSurface* segment : shownSegments(scene)) {
+  for (const SegmentSurface* segment : segments) {
     const auto known =
         std::ranges::find(segmentCells, segment->field, [](const auto& c) { return c->field(); });
     cells.push_back(known != segmentCells.end() ? *known

@@ -56,8 +56,9 @@ struct RenderCaches::Impl {
   const Skip& skipOf(const TransferFunction& curve, const CurveTable& table, const SkipRequest& request);
   /// The last one made is kept. `n`: nodes along an edge of a face.
   const ReflectanceMap& reflectanceMap(const Lighting& lighting, int n, MapLookup lookup);
-  /// Of each of shownSegments(scene); these are kept.
-  const std::vector<std::shared_ptr<const SegmentCells>>& segmentCellsOf(const Scene& scene);
+  /// Of each of the segments; these alone are kept.
+  const std::vector<std::shared_ptr<const SegmentCells>>& segmentCellsOf(
+      const std::vector<const SegmentSurface*>& segments);
   Result<GlState*> glState();  ///< made when first asked for; its context is not current
 };
 

@@ -12,7 +12,7 @@ namespace volumen::reference {
 namespace {
 
 constexpr double surfaceLevel = 0.5;
-constexpr double leftLater = 1e-3;  // voxels
+constexpr double leftLater = 1e-3, nextLater = 1e-6;  // voxels
 
 // The field of a segment, in voxels of its box.
 class Field {
@@ -65,12 +65,12 @@ class Field {
 
 struct Met {
   SurfaceCrossing crossing;
-  bool leaves;
+  double voxelsLater;
 };
 
 // The surface of one segment along the part of a ray.
 void appendCrossings(const SegmentSurface& segment, const Ray& ray, Interval part, const Lighting& lighting,
-                     std::vector<Met>& met) {
+                     double voxelsLater, std::vector<Met>& met) {
   const Field field(*segment.field);
   const Interval inBox = visibleInterval(ray, field.geometry(), {});
   const Interval both{std::max(part.t0, inBox.t0), std::min(part.t1, inBox.t1)};
@@ -95,7 +95,7 @@ void appendCrossings(const SegmentSurface& segment, const Ray& ray, Interval par
         const glm::dvec3 gradient = field.gradientAt(piece.cell, piece.start + places[n] * piece.move);
         met.push_back({{t + places[n] * piece.lengthMm, lighting.shadeSurface(segment.colour, gradient),
                         segment.opacity},
-                       !inside});
+                       voxelsLater + (inside ? 0 : leftLater)});
       }
       isKnown = true, isInside = inside;
     }
@@ -113,9 +113,10 @@ std::vector<SurfaceCrossing> Surfaces::along(const Ray& ray, const Lighting& lig
   if (shown_.empty()) return {};
   const Interval part = surfaceInterval(ray, geometry_, scene_.clip);
   std::vector<Met> met;
-  for (const SegmentSurface* s : shown_) appendCrossings(*s, ray, part, lighting, met);
-  const double laterMm = leftLater / glm::length(geometry_.voxelFromPatientStep() * ray.direction);
-  std::ranges::stable_sort(met, {}, [&](const Met& m) { return m.crossing.t + (m.leaves ? laterMm : 0); });
+  for (std::size_t n = 0; n < shown_.size(); ++n)
+    appendCrossings(*shown_[n], ray, part, lighting, nextLater * double(n), met);
+  const double voxelMm = 1 / glm::length(geometry_.voxelFromPatientStep() * ray.direction);
+  std::ranges::stable_sort(met, {}, [&](const Met& m) { return m.crossing.t + m.voxelsLater * voxelMm; });
   std::vector<SurfaceCrossing> crossings;
   for (const Met& m : met) crossings.push_back(m.crossing);
   return crossings;

@@ -94,8 +94,8 @@ struct Background {
 
 /// A segment drawn as a lit surface of its own (picture.md 10): where its smoothed occupancy is 1/2.
 struct SegmentSurface {
-  std::shared_ptr<const OccupancyField> field;  ///< never null; of the volume's grid; equal where it is the
-                                                ///< same object: it never changes
+  std::shared_ptr<const OccupancyField> field;  ///< never null; of any grid; equal where it is the same
+                                                ///< object: it never changes
   glm::dvec3 colour{1};
   double opacity = 1;  ///< of each crossing of the surface; 0: not drawn
   bool operator==(const SegmentSurface&) const = default;

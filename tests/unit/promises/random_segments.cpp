@@ -42,6 +42,16 @@ std::shared_ptr<const OccupancyField> fieldOf(const VoxelGeometry& geometry, con
   return std::make_shared<const OccupancyField>(occupancyOf(mask, surfaceSigma));
 }
 
+// The volume's, or a finer one that reaches beyond it.
+VoxelGeometry anyGrid(Chance& chance, const VoxelGeometry& geometry) {
+  if (!chance.oneIn(4)) return geometry;
+  VoxelGeometry other = geometry;
+  other.size += 3;
+  other.patientFromVoxelStep *= chance.between(0.7, 1.2);
+  other.origin += geometry.patientFromVoxelStep * chance.vector();
+  return other;
+}
+
 }  // namespace
 
 std::vector<SegmentSurface> randomSegments(Chance& chance, const VoxelGeometry& geometry) {
@@ -52,7 +62,7 @@ std::vector<SegmentSurface> randomSegments(Chance& chance, const VoxelGeometry& 
     // What another one holds is left to that, so that they touch.
     if (!chance.oneIn(3)) holds = [holds, before](glm::ivec3 v) { return holds(v) && !before(v); };
     const double opacity = chance.oneIn(8) ? 0 : chance.oneIn(2) ? 1 : chance.between(0.05, 0.95);
-    s = {fieldOf(geometry, holds), chance.colour(), opacity};
+    s = {fieldOf(anyGrid(chance, geometry), holds), chance.colour(), opacity};
     before = holds;
   }
   return segments;
