@@ -2,6 +2,7 @@
 
 #include "app/progress.h"
 #include "ui/controller/open_session.h"
+#include "ui/workspace/segment_surfaces.h"
 
 namespace volumen {
 
@@ -14,7 +15,9 @@ Result<SessionView> viewOf(const std::string& path, const OpenedSession& session
   if (look == view.scenes.end()) return Error{path + " shows no series in 3D."};
   const SeriesState& shown = workspace.series.at(view.series);
   if (shown.missing) return Error{path + ": " + session.problems.join(QLatin1Char(' ')).toStdString()};
-  SessionView read{*shown.series, shown.mask, look->second.scene, {}};
+  SessionView read{*shown.series, shown.mask, look->second.scene, {}, {}};
+  const SegmentMap* segments = segmentMapOf(workspace, view.series);
+  if (segments && !segmentsIn3d(*segments).empty()) read.segments = *segments;
   if (workspace.goal.aim == Aim::level) read.quality = workspace.goal.level.quality;
   return read;
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/study/series.h"
+#include "ui/workspace/segment_map.h"
 #include "viewer/plan/options.h"
 #include "viewer/scene/scene.h"
 #include "viewer/segment/mask.h"
@@ -16,7 +17,8 @@ struct SessionView {
   Series series;
   Mask mask;
   Scene scene;
-  std::optional<Quality> quality;  ///< none: the window chose it by time or error
+  std::optional<SegmentMap> segments;  ///< of the series; none: it has none, or they are in slices alone
+  std::optional<Quality> quality;      ///< none: the window chose it by time or error
 };
 
 /// Reads a session and finds the series of that view. The Error names the file, and the series where it is

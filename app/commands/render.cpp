@@ -11,6 +11,7 @@
 #include "app/usage.h"
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
+#include "ui/controller/segment_fields.h"
 #include "viewer/plan/picture_text.h"
 #include "viewer/render/effect_costs.h"
 #include "viewer/render/render.h"
@@ -68,6 +69,7 @@ nlohmann::ordered_json statsJson(const Rendered& done, const Times& t, const Vol
         {"pilot", s.pilotMs},
         {"resample", s.resampleMs},
         {"shade", s.shadeMs},
+        {"surfaces", s.surfacesMs},
         {"gl", s.glMs},
         {"total", t.totalMs}}},
       {"framesMs", t.framesMs},
@@ -135,6 +137,8 @@ class Run {
     if (!opened) return fail(opened.message(), cancel_);
     printNotes(opened->notes);
     const Mask mask = session ? session->mask : Mask{options_.removeTable, {}};
+    std::vector<SegmentSurface> segments;
+    if (session && session->segments) segments = segmentsOf(*session, *opened->loaded.drawn);
     if (!mask.empty())
       if (Status taken = takeAway(mask, *opened, cancel_); !taken) return stopped(taken.message());
     volume_ = opened->loaded.drawn;
@@ -143,6 +147,7 @@ class Run {
     times_.loadMs = wallMs() - begin;
     auto scene = makeScene(options_.scene, *file, *volume_);
     if (!scene) return fail(scene.message());
+    scene->segments = std::move(segments);
     RenderCaches caches(volume_);
     const int status = draw(*scene, *asked, caches);
     times_.totalMs = wallMs() - begin;
@@ -168,6 +173,13 @@ class Run {
     if (!options_.scene.sceneFile.empty()) return "--scene";
     if (!options_.scene.preset.empty()) return "--preset";
     return options_.removeTable ? "--remove-table" : "";
+  }
+
+  // As the session's 3D view draws them.
+  std::vector<SegmentSurface> segmentsOf(const SessionView& session, const Volume& whole) const {
+    if (!session.segments->labels)
+      printNotes({"The segments of the session were not found: they are not drawn."});
+    return surfacesOf(*session.segments, whole, session.mask, cancel_);
   }
 
   // Whether everything can be written that will be.

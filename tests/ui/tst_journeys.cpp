@@ -178,11 +178,11 @@ void TestJourneys::presetsAndPanelsChangeThePicture() {
 void TestJourneys::whatIsVisibleIsSegmentedShownAloneAndSaved() {
   Journey w({QStringLiteral("phantom:sphere")});
   QVERIFY(w.settle());
-  const QImage first = w.window.view()->picture();
   // The ball of value 1: as many voxels as there are centres inside radius 32.
   w.child<QDoubleSpinBox>("segmentLow")->setValue(0.5);
   w.child<QDoubleSpinBox>("segmentHigh")->setValue(1);
-  QTest::mouseClick(w.child<QWidget>("segment"), Qt::LeftButton);
+  const QImage first = w.after([&] { QTest::mouseClick(w.child<QWidget>("segment"), Qt::LeftButton); });
+  QCOMPARE(w.window.session().segmentsDrawn(sceneViewId).size(), std::size_t(1));
   auto* only = w.child<QCheckBox>("segmentOnly");
   QTRY_VERIFY_WITH_TIMEOUT(only->isEnabled(), longest);
   const Volume& volume = *w.window.session().series()->volume;

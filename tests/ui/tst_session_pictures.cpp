@@ -2,22 +2,64 @@
 #include <QComboBox>
 #include <QSpinBox>
 
+#include <tuple>
+
 #include "tests/fixtures/program.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"
+#include "ui/controller/segment_files.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/camera_moves.h"
+#include "ui/workspace/segments.h"
+#include "viewer/segment/range.h"
 
 using namespace volumen;
 using namespace volumen::tests;
+
+namespace {
+
+bool segmentsAreMade(Journey& w) {
+  return QTest::qWaitFor([&] { return w.window.jobs().rows().empty(); }, longest);
+}
+
+// The trunk, translucent, and the spine in it, in a thin volume; true once they are in the picture.
+bool showSegments(Journey& w) {
+  Session& session = w.window.session();
+  const bool isThin = settles(w, [&] {
+    session.edit(QStringLiteral("thin"), [](Scene& s) {
+      for (CurvePoint& p : s.transferFunction.points) p.opacity *= 0.1;
+    });
+  });
+  if (!isThin) return false;
+  const VolumePtr volume = session.series()->volume;
+  const SeriesKey series = keyOf(session.series()->series);
+  Workspace with = session.workspace();
+  for (const auto& [name, opacity, range] :
+       {std::tuple("Trunk", 0.4, ValueRange{30, 50}), std::tuple("Spine", 1.0, ValueRange{690, 710})}) {
+    Segment segment;
+    segment.label = name;
+    segment.opacity = opacity;
+    with = withNewSegment(std::move(with), series, volume->geometry(), segment);
+    const SegmentMap map = *segmentMapOf(with, series);
+    with = withSegmentMap(std::move(with), withMask(map, map.current, voxelsInRange(*volume, range)));
+  }
+  const QImage without = w.window.view()->picture();
+  w.settled.clear();
+  session.change(QStringLiteral("test"), with);
+  return segmentsAreMade(w) && session.segmentsDrawn(sceneViewId).size() == 2 && w.settle() &&
+         w.window.view()->picture() != without;
+}
+
+}  // namespace
 
 class TestSessionPictures : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void theProgramDrawsTheSnapshot_data();
   void theProgramDrawsTheSnapshot();
+  void segmentsComeBackWithTheSession();
   void theProgramRefusesWhatContradicts_data();
   void theProgramRefusesWhatContradicts();
 };
@@ -35,6 +77,9 @@ void TestSessionPictures::theProgramDrawsTheSnapshot_data() {
   QTest::newRow("cut with the scissors, without its table")
       << 4 << QSize(200, 160) << QStringLiteral("1 outline, table removed");
   QTest::newRow("cut, in perspective") << 5 << QSize(200, 160) << QStringLiteral("1 outline");
+  QTest::newRow("with segments") << 6 << QSize(220, 180) << no;
+  QTest::newRow("with segments, cut, without its table")
+      << 7 << QSize(200, 160) << QStringLiteral("1 outline, table removed");
 }
 
 void TestSessionPictures::theProgramDrawsTheSnapshot() {
@@ -55,8 +100,9 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
     QTRY_VERIFY(w.window.views()->viewAs<FlatView>(coronalViewId));
     QTest::mouseClick(w.window.views()->viewAs<FlatView>(coronalViewId), Qt::LeftButton, {}, {50, 50});
   }
-  if (what >= 4) {
-    if (what == 4) QVERIFY(!w.after("removeTable").isNull());
+  if (what >= 6) QVERIFY(showSegments(w));
+  if (what == 4 || what == 5 || what == 7) {
+    if (what != 5) QVERIFY(!w.after("removeTable").isNull());
     if (what == 5)
       QVERIFY(settles(w, [&] {
         w.window.session().edit(QStringLiteral("Perspective"), [&](Scene& s) {
@@ -76,6 +122,7 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
     QVERIFY(!cut.isNull() && cut != whole);
   }
   if (size.isNull()) size = w.window.view()->pixels();
+  QVERIFY(segmentsAreMade(w));
   QVERIFY(folder.save(w));
   auto* panel = w.child<QWidget>("snapshotPanel");
   QVERIFY(panel);
@@ -98,6 +145,35 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
   const Outcome b = runProgram(QStringLiteral("render %1 --explain").arg(folder.at("s.volumen")));
   QVERIFY2(b.status == 0, b.err);
   QCOMPARE(b.out.contains("on   cut: " + cut.toUtf8() + "; "), !cut.isEmpty());
+}
+
+// In the window; the program draws the rest where their file is gone, and says so.
+void TestSessionPictures::segmentsComeBackWithTheSession() {
+  const SessionFolder folder;
+  QImage with;
+  {
+    Journey w({folder.ct()});
+    QVERIFY(w.settle());
+    QVERIFY(showSegments(w));
+    QVERIFY(settles(w, [&] { drag(w.window.view(), {100, 100}, {130, 90}); }));
+    with = w.window.view()->picture();
+    QVERIFY(folder.save(w));
+  }
+  Journey w;
+  QVERIFY(folder.open(w));
+  QTRY_COMPARE_WITH_TIMEOUT(w.window.view()->picture(), with, longest);
+  const QString line = QStringLiteral("render %1 -o %2 --size 40x40 --quality draft")
+                           .arg(folder.at("s.volumen"), folder.at("p.png"));
+  const Outcome drawn = runProgram(line);
+  QVERIFY2(drawn.status == 0 && !drawn.err.contains("segments"), drawn.err);
+  const QImage whole(folder.at("p.png"));
+  const QStringList labels = segmentFilesOf(folder.at("s.volumen"));
+  QCOMPARE(labels.size(), 1);
+  QVERIFY(QFile::remove(labels.front()));
+  const Outcome without = runProgram(line);
+  QVERIFY2(without.status == 0 && without.err.contains("segments of the session were not found"),
+           without.err);
+  QVERIFY(QImage(folder.at("p.png")) != whole);
 }
 
 void TestSessionPictures::theProgramRefusesWhatContradicts_data() {

@@ -6,6 +6,7 @@
 #include "ui/controller/mask_jobs.h"
 #include "ui/controller/segment_painter.h"
 #include "ui/controller/segment_recipes.h"
+#include "ui/controller/segment_surface_jobs.h"
 #include "ui/controller/segment_target.h"
 #include "ui/features/feature.h"
 #include "ui/panels/segments_panel.h"
@@ -45,6 +46,7 @@ class Segmenting : public Feature {
   SegmentPainter painter_;
   std::function<void()> measureLater_;  // what a stroke that is being drawn came to
   MaskJobs masker_;
+  SegmentSurfaceJobs surfaces_;
   SegmentsPanel* panel_;
   QAction* export_;
 };
@@ -54,6 +56,7 @@ Segmenting::Segmenting(Workbench& bench)
       segmenter_(session_, bench.document.jobs),
       painter_(session_),
       masker_(session_, bench.document.jobs),
+      surfaces_(session_, bench.document.jobs),
       panel_(new SegmentsPanel(session_)) {
   bench_.addDock({"segment",
                   tr("Segments"),
@@ -65,6 +68,7 @@ Segmenting::Segmenting(Workbench& bench)
   }
   panel_->setTableAction(masker_.tableAction());
   connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&surfaces_, &SegmentSurfaceJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
   makeExport();

@@ -154,7 +154,7 @@ class Workbench : public QObject, public WindowParts {
 
   /// The 3D view that the panels work on.
   VolumeView* view() const;
-  /// The session's scene as it is seen there, whatever size the view has.
+  /// The session's scene as it is drawn and seen there, whatever size the view has.
   Scene sceneInView() const;
   /// The view of slices or frames that keys are for; null: there is none, or it is not seen.
   FlatView* flatViewInFocus() const;

@@ -31,6 +31,7 @@ void EffectsPanel::showPlan(const Plan& plan, const RenderStats& stats) {
   QStringList times{tr("%1 ms").arg(stageText(stats.totalMs)),
                     tr("resampling %1 ms").arg(stageText(stats.resampleMs)),
                     tr("shading %1 ms").arg(stageText(stats.shadeMs))};
+  if (plan.segments) times << tr("segments %1 ms").arg(stageText(stats.surfacesMs));
   if (stats.gradientsMs >= 1) times << tr("gradients %1 ms (once)").arg(stageText(stats.gradientsMs));
   times << (stats.threads == 1 ? tr("1 thread") : tr("%1 threads").arg(stats.threads));
   QString html = QStringLiteral("<p>%1</p><table cellspacing='0' cellpadding='2'>")

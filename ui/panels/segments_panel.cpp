@@ -21,6 +21,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
       session_(session),
       list_(new SegmentList(session)),
       result_(plainLabel()),
+      in3d_(new QCheckBox(tr("In 3D"))),
       export_(new QPushButton(tr("Export..."))),
       recipes_(new QToolButton),
       range_(new SegmentRange(session)),
@@ -30,6 +31,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
   result_->setObjectName(QStringLiteral("segmentResult"));
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  in3d_->setObjectName(QStringLiteral("segmentsIn3d"));
   export_->setObjectName(QStringLiteral("segmentSave"));
   recipes_->setObjectName(QStringLiteral("segmentRecipes"));
   recipes_->setText(tr("Recipe"));
@@ -43,6 +45,11 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
   });
   connect(steps_, &SegmentStepsPage::workWanted, this, &SegmentsPanel::workWanted);
   connect(paint_, &SegmentPaintPage::workWanted, this, &SegmentsPanel::workWanted);
+  connect(in3d_, &QCheckBox::clicked, this, [this](bool on) {
+    session_.endGesture();
+    session_.change(on ? tr("Segments in 3D") : tr("Segments in slices alone"),
+                    withSegmentsIn3d(session_.workspace(), keyOf(session_.series()->series), on));
+  });
   connect(range_, &SegmentRange::previewChanged, this, &SegmentsPanel::previewChanged);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series == after.series) return;
@@ -86,6 +93,7 @@ void SegmentsPanel::makeLayout() {
   auto* told = new QHBoxLayout;
   told->setSpacing(4);
   told->addWidget(result_, 1);
+  told->addWidget(in3d_, 0, Qt::AlignTop);
   told->addWidget(recipes_, 0, Qt::AlignTop);
   told->addWidget(export_, 0, Qt::AlignTop);
   auto* column = new QVBoxLayout(this);
@@ -131,8 +139,18 @@ void SegmentsPanel::showSegments() {
   range_->showSegments();
   paint_->showSegments();
   steps_->showSegments();
+  showIn3d();
   askForNumbers();
   showResult();
+}
+
+void SegmentsPanel::showIn3d() {
+  const SegmentMap* map = segmentsShown(session_);
+  in3d_->setEnabled(map != nullptr);
+  in3d_->setChecked(!map || map->in3d);
+  in3d_->setToolTip(toolTipOf(map ? tr("Segments that are shown are surfaces in 3D, too; else they are in "
+                                       "slices alone. Projections and OpenGL show none.")
+                                  : tr("There is no segment yet.")));
 }
 
 // What was cut away since a segment was made belongs to it still: it is measured in the whole volume.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -45,12 +46,14 @@ class SegmentsPanel : public QWidget {
   void makeLayout();
   QToolButton* pageButton(const char* name, const QString& text, QWidget* page);
   void fillRecipes();
+  void showIn3d();
   void askForNumbers();
   void showResult();
 
   Session& session_;
   SegmentList* list_;
   QLabel* result_;
+  QCheckBox* in3d_;
   QPushButton* export_;
   QToolButton* recipes_;
   SegmentRange* range_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <utility>
 #include <vector>
 
 #include "ui/widgets/axes.h"
@@ -32,14 +34,16 @@ struct Stretch {
   }
 };
 
-Stretch visibleStretch(const Scene& scene, const VoxelGeometry& g, const SightLine& line, bool parallel) {
+// `beyond`: voxels, how far it goes on where the sides of the volume, not the clip box, end it.
+Stretch visibleStretch(const Scene& scene, const VoxelGeometry& g, const SightLine& line, bool parallel,
+                       double beyond = 0) {
   constexpr double far = 1e9;
   Stretch s{parallel ? -far : 0, far};
   const glm::dvec3 at = g.voxelFromPatient(line.origin), along = g.voxelFromPatientStep() * line.direction;
   const glm::dvec3 n(g.size), low = scene.clip.boxLow * n - 0.5, high = scene.clip.boxHigh * n - 0.5;
   for (int a = 0; a < 3; ++a) {
-    s.cut(at[a], along[a], high[a]);
-    s.cut(-at[a], -along[a], -low[a]);
+    s.cut(at[a], along[a], high[a] + (scene.clip.boxHigh[a] == 1 ? beyond : 0));
+    s.cut(-at[a], -along[a], -low[a] + (scene.clip.boxLow[a] == 0 ? beyond : 0));
   }
   for (const ClipPlane& plane : scene.clip.planes) {
     const glm::dvec3 normal = glm::normalize(plane.normal);
@@ -78,6 +82,17 @@ double gradientFactor(const std::vector<GradientOpacityPoint>& points, double gr
   return below.factor + share * (above->factor - below.factor);
 }
 
+// f of picture.md 10.
+double occupancyAt(const OccupancyField& field, glm::dvec3 pVoxel) {
+  const glm::dvec3 x = pVoxel - glm::dvec3(field.box.low);
+  const glm::i64vec3 size = field.size();
+  if (glm::any(glm::lessThan(x, glm::dvec3(0))) || glm::any(glm::greaterThan(x, glm::dvec3(size - 1L))))
+    return 0;
+  return interpolated(field.size(), x, [&](int i, int j, int k) {
+    return double(field.values[std::size_t((k * size.y + j) * size.x + i)]);
+  });
+}
+
 // A line of sight through the scene; t in mm along it.
 class Sight {
  public:
@@ -89,6 +104,10 @@ class Sight {
         step_(1 / (stepsPerVoxel * glm::length(volume.geometry().voxelFromPatientStep() * line.direction))) {
     for (const GradientOpacityPoint& p : scene.transferFunction.gradientOpacity)
       anyFactor_ = anyFactor_ || p.factor != 1;
+    if (!shownSegments(scene).empty())
+      withSegments_ = visibleStretch(scene, volume.geometry(), line, parallel, beyondVolume);
+    else
+      withSegments_ = seen_;
   }
 
   std::optional<Pick> surface() const;
@@ -98,6 +117,19 @@ class Sight {
  private:
   // Four, so that a curve's narrow band is met within the edge that it lies on; finer where it is found.
   static constexpr double stepsPerVoxel = 4, finer = 64;
+  static constexpr double beyondVolume = 1;  // voxels: no surface of a segment is farther out
+
+  using Occupancies = std::vector<double>;  // of the scene's segments at a place
+  // How much is stopped by surfaces on a step, as an optical depth; the segment that is met first.
+  struct Met {
+    double depth = 0;
+    std::optional<std::size_t> segment{};
+  };
+  // Where so much opacity is reached, and on which segment; none: in the volume.
+  struct Place {
+    double t;
+    std::optional<std::size_t> segment{};
+  };
 
   glm::dvec3 voxelAt(double t) const {
     return volume_.geometry().voxelFromPatient(line_.origin + t * line_.direction);
@@ -105,17 +137,21 @@ class Sight {
   double valueAt(double t) const { return valueAtVoxel(volume_, voxelAt(t)); }
   Pick pickAt(double t) const { return {line_.origin + t * line_.direction, valueAt(t)}; }
   double extinctionAt(double t) const;
-  double placeOf(double opacity, const std::vector<double>& depths) const;
+  Occupancies occupanciesAt(double t) const;
+  Met metUpTo(double t, Occupancies& held) const;
+  Place placeOf(double opacity, const std::vector<double>& depths) const;
 
   const Scene& scene_;
   const Volume& volume_;
   const SightLine& line_;
   const Stretch seen_;
+  Stretch withSegments_;  // of the volume and of surfaces
   const double step_;
   bool anyFactor_ = false;
 };
 
 double Sight::extinctionAt(double t) const {
+  if (t < seen_.first || t > seen_.last) return 0;
   const TransferFunction& curve = scene_.transferFunction;
   const glm::dvec3 x = voxelAt(t);
   double opacity = curveAt(curve, valueAtVoxel(volume_, x)).opacity;
@@ -123,36 +159,76 @@ double Sight::extinctionAt(double t) const {
   return extinctionPerMm(opacity, curve.unitDistance);
 }
 
+Sight::Occupancies Sight::occupanciesAt(double t) const {
+  Occupancies held;
+  const glm::dvec3 x = voxelAt(t);
+  for (const SegmentSurface& segment : scene_.segments)
+    held.push_back(segment.opacity > 0 ? occupancyAt(*segment.field, x) : 0);
+  return held;
+}
+
+// From the step before, where `held` was, which is told what it is at t. Which of several comes first is
+// asked of fine steps.
+Sight::Met Sight::metUpTo(double t, Occupancies& held) const {
+  constexpr double mostOpaque = 1 - 1e-6, leftLater = 1e-3 * stepsPerVoxel * finer;  // of a fine step
+  Met met;
+  if (scene_.segments.empty()) return met;
+  double first = 0;
+  const Occupancies before = std::exchange(held, occupanciesAt(t));
+  for (std::size_t n = 0; n < held.size(); ++n) {
+    const bool isEntered = held[n] >= 0.5;
+    if (isEntered == (before[n] >= 0.5)) continue;
+    met.depth -= std::log1p(-std::min(scene_.segments[n].opacity, mostOpaque));
+    const double at = (0.5 - before[n]) / (held[n] - before[n]) + (isEntered ? 0 : leftLater);
+    if (met.segment && at >= first) continue;
+    met.segment = n;
+    first = at;
+  }
+  return met;
+}
+
 std::optional<Pick> Sight::surface() const {
   constexpr double opaque = 20;  // optical depth behind which nothing is seen
   std::vector<double> depths;    // optical, of each step
   double whole = 0;
-  for (double t = seen_.first + step_ / 2; t < seen_.last && whole < opaque; t += step_) {
-    depths.push_back(step_ * extinctionAt(t));
+  Occupancies held = occupanciesAt(withSegments_.first);
+  const double last = withSegments_.last;
+  for (double t = withSegments_.first; t < last && whole < opaque; t += step_) {
+    const double middle = t + step_ / 2, ofVolume = middle < last ? step_ * extinctionAt(middle) : 0;
+    depths.push_back(ofVolume + metUpTo(std::min(t + step_, last), held).depth);
     whole += depths.back();
   }
   const double opacity = -std::expm1(-whole);
   if (opacity < 0.05) return {};
-  Pick found = pickAt(placeOf(opacity / 2, depths));
-  found.softMm = std::max(0.0, placeOf(0.75 * opacity, depths) - placeOf(0.25 * opacity, depths));
+  const Place place = placeOf(opacity / 2, depths);
+  Pick found = pickAt(place.t);
+  found.segment = place.segment;
+  found.softMm = std::max(0.0, placeOf(0.75 * opacity, depths).t - placeOf(0.25 * opacity, depths).t);
   return found;
 }
 
-// Where that much opacity is reached, by the optical depths of the steps.
-double Sight::placeOf(double opacity, const std::vector<double>& depths) const {
+// By the optical depths of the steps.
+Sight::Place Sight::placeOf(double opacity, const std::vector<double>& depths) const {
+  const Stretch line = withSegments_;
   double left = -std::log1p(-opacity);
   std::size_t n = 0;
   while (n + 1 < depths.size() && depths[n] < left) left -= depths[n++];
   // Again in fine steps, from the step before, which may begin to be visible behind its middle.
-  double at = seen_.first + (double(n) + 0.5) * step_;
+  Place place{line.first + (double(n) + 0.5) * step_};
   if (n > 0) left += depths[n - 1];
-  const double end = std::min(seen_.last, at + 2 * step_);
-  for (double t = std::max(seen_.first, at - 1.5 * step_); t < end && left > 0; t += step_ / finer) {
-    const double depth = step_ / finer * extinctionAt(t);
+  const double from = std::max(line.first, place.t - 1.5 * step_),
+               end = std::min(line.last, place.t + 2 * step_), fine = step_ / finer;
+  Occupancies held = occupanciesAt(from);
+  for (double t = from; t < end && left > 0; t += fine) {
+    const double depth = fine * extinctionAt(t);
     left -= depth;
-    if (depth > 0) at = t;
+    if (depth > 0) place = {t};
+    if (left <= 0) break;
+    const Met met = metUpTo(std::min(t + fine, end), held);
+    left -= met.depth;
+    if (met.segment) place = {t + fine / 2, met.segment};
   }
-  return at;
+  return place;
 }
 
 std::optional<Pick> Sight::extreme() const {

@@ -84,7 +84,7 @@ void VolumeView::workspaceChanged(const Workspace& before) {
   const VolumePtr volume = series() ? series()->volume : nullptr;
   const bool isAnother = std::exchange(drawn_, volume) != volume;
   if (isAnother) isDrawn_ = false;
-  if (isAnother || (volume && (isNew || look->second.scene != scene()))) requestPicture();
+  if (isAnother || (volume && (isNew || drawnScene_ != session_.drawnScene(id())))) requestPicture();
 }
 
 QStringList VolumeView::warningsShown() const {
@@ -147,7 +147,8 @@ void VolumeView::requestPicture() {
   const LoadedSeriesPtr shown = series();
   const bool isShown = shown && isVisible() && showsScene(state().kind);
   drawService_.show(id(), isShown ? shown->volume : nullptr);
-  if (isShown) drawService_.request(id(), scene(), pixels());
+  drawnScene_ = session_.drawnScene(id());
+  if (isShown) drawService_.request(id(), drawnScene_, pixels());
 }
 
 void VolumeView::togglePlay() { cine_->togglePlay(); }
@@ -182,7 +183,8 @@ Camera VolumeView::camera() const { return cameraInUse(scene(), series()->volume
 std::optional<Pick> VolumeView::pickAt(QPointF position) const {
   if (!series()) return {};
   const Camera seen = camera();
-  return pick(scene(), *series()->volume, sightLine(seen, size(), glm::dvec2(position.x(), position.y())),
+  return pick(session_.drawnScene(id()), *series()->volume,
+              sightLine(seen, size(), glm::dvec2(position.x(), position.y())),
               seen.projection == Projection::parallel);
 }
 

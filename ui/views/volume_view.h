@@ -139,6 +139,7 @@ class VolumeView : public View {
   WarningBadge* badge_;
   CineBar* cine_;
   VolumePtr drawn_;       // the one that a picture was asked for
+  Scene drawnScene_;      // and of what
   bool isDrawn_ = false;  // since there has been one
   QImage picture_;
   QString caption_;

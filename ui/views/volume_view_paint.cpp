@@ -23,7 +23,9 @@ QString VolumeView::textAt(QPointF position) const {
   const std::optional<Pick> hit = pickAt(position);
   if (!hit) return {};
   const LoadedSeriesPtr shown = series();
-  const QString text = valueText(*shown, hit->value);
+  QString text = valueText(*shown, hit->value);
+  if (hit->segment)
+    text = tr("%1: %2").arg(shownText(session_.segmentsDrawn(id())[*hit->segment].segment->label), text);
   if (!hit->pPatient)
     return tr("%1 %2 along the line of sight").arg(QLatin1String(rowOf(scene().mode).ofLine), text);
   if (!shown->volume->geometry().calibrated) return text;

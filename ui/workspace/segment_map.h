@@ -25,6 +25,7 @@ struct SegmentMap {
   std::shared_ptr<const LabelMap> labels;  ///< null: the file that holds them was not read
   std::optional<SavedLabels> missing;      ///< where they were not: which they are
   int current = 0;                         ///< the number of the one that is worked on; 0: the first
+  bool in3d = true;                        ///< those that are shown are drawn in 3D, too, not in slices alone
   bool operator==(const SegmentMap& other) const;
 };
 

@@ -107,6 +107,11 @@ Workspace withCurrentSegment(Workspace workspace, const SeriesKey& series, int n
   return workspace;
 }
 
+Workspace withSegmentsIn3d(Workspace workspace, const SeriesKey& series, bool in3d) {
+  if (SegmentMap* map = editMap(workspace, series)) map->in3d = in3d;
+  return workspace;
+}
+
 Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const VoxelGeometry& grid,
                          Segment segment) {
   SegmentMap map = segmentMapOn(workspace, series, grid);

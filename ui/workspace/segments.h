@@ -41,6 +41,8 @@ Workspace withSegmentChanged(Workspace workspace, const SeriesKey& series, int n
                              const std::function<void(Segment&)>& change);
 /// With this segment current.
 Workspace withCurrentSegment(Workspace workspace, const SeriesKey& series, int number);
+/// With the segments of a series drawn in 3D, too, or in slices alone.
+Workspace withSegmentsIn3d(Workspace workspace, const SeriesKey& series, bool in3d);
 /// With another segment without voxels in a series whose volume has this grid, current, in place of segments
 /// of other grids. `segment` gets a free number, and a name and a colour of its own where it has none; as it
 /// was where 255 are there.

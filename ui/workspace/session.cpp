@@ -343,6 +343,7 @@ void Session::setWorkspace(const Workspace& workspace) {
   for (std::size_t n = 0, count = onScreen.size(); n < count; ++n)
     onScreen.push_back({onScreen[n].series, {}});  // for the next mask
   pool_.setOnScreen(onScreen);
+  dropSurfaces();
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);
   if (stateBefore != state_) Q_EMIT changed(stateBefore, state_);

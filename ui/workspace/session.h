@@ -9,6 +9,7 @@
 #include "ui/data/series_pool.h"
 #include "ui/workspace/links.h"
 #include "ui/workspace/preferences.h"
+#include "ui/workspace/segment_surfaces.h"
 #include "ui/workspace/workspace.h"
 
 namespace volumen {
@@ -40,6 +41,11 @@ class Session : public QObject {
   const QualityGoal& goal() const { return state_.goal; }
   /// Of any view; flat ones have an empty one.
   const Scene& sceneOf(ViewId view) const;
+  /// The same as it is drawn: with the surfaces of segments, where segmentsDrawn() says so.
+  Scene drawnScene(ViewId view) const;
+  /// The segments that are drawn in a 3D view: of those that are to be, the ones whose surface has been made,
+  /// as they are or as they were before their last change.
+  std::vector<SegmentInScene> segmentsDrawn(ViewId view) const;
   /// A series of the workspace; null: it is not in memory.
   LoadedSeriesPtr seriesNamed(const SeriesKey& key) const;
   /// The series of a view; null: none, or it is not in memory.
@@ -75,6 +81,10 @@ class Session : public QObject {
   void keep(LoadedSeriesPtr series);
   /// Keeps a series without what a mask takes away.
   void takeMasked(const Mask& mask, LoadedSeriesPtr masked);
+  /// Keeps these surfaces in place of those of the same segments, for as long as the segments are there and
+  /// their series is in a 3D view on screen.
+  void takeSurfaces(std::vector<MadeSurface> made);
+  const std::vector<MadeSurface>& surfaces() const { return surfaces_; }
   /// Makes a workspace that was read the one in use; one undo step, but for the first of a window; what was
   /// made on series that it does not know comes back with them.
   void open(const QString& text, const Workspace& workspace);
@@ -159,10 +169,12 @@ class Session : public QObject {
   SessionState stateInFocus() const;
   std::vector<PoolKey> wantedOnScreen() const;
   bool isMissing(const SeriesKey& series) const;
+  void dropSurfaces();
   void setWorkspace(const Workspace& workspace);
 
   Workspace workspace_;
   mutable SeriesPool pool_;
+  std::vector<MadeSurface> surfaces_;
   SessionState state_;  // of the 3D view in focus
   Preferences preferences_;
   QUndoStack undoStack_;

@@ -34,8 +34,9 @@ struct PlacesMm {
 
 class RayMaker {
  public:
-  RayMaker(const ViewRays& f, RayRow& row)
+  RayMaker(const ViewRays& f, const RayParts* parts, RayRow& row)
       : f_(f),
+        parts_(parts),
         row_(row),
         target_(f.target),
         right_(f.voxelFromMm * f.axes.right),
@@ -54,7 +55,7 @@ class RayMaker {
       const PlacesMm places = PlacesOf(pixel);
       const D3 origin = Sum(target_, right_, places.right, up_, places.up);
       const Lines lines = f_.perspective ? LinesThrough(places) : shared;
-      Intervals inside = InsideOf(origin, lines);
+      Intervals inside = InsideOf(n, origin, lines);
       inside.any = hn::And(inside.any, hn::Ge(pixel, hn::Zero(DD())));
       Write(n, origin, lines, inside);
     }
@@ -115,7 +116,7 @@ class RayMaker {
     return lines;
   }
 
-  HWY_INLINE Intervals InsideOf(const D3& origin, const Lines& lines) const {
+  HWY_INLINE Intervals InsideOf(int n, const D3& origin, const Lines& lines) const {
     const VD infinity = SetD(std::numeric_limits<double>::infinity());
     Intervals inside{lines.eyeMm, infinity, {}};
     constexpr double roundingVoxels = 1e-9;
@@ -132,6 +133,10 @@ class RayMaker {
       const VD slope = Dot(lines.along, normal);
       Cut(hn::Sub(Dot(origin, normal), SetD(p.offset)), slope, hn::Div(SetD(1), slope),
           roundingVoxels * f_.leastSpacingMm, inside);
+    }
+    if (parts_) {
+      inside.t0 = hn::Max(inside.t0, hn::LoadU(DD(), parts_->from.data() + n));
+      inside.t1 = hn::Min(inside.t1, hn::LoadU(DD(), parts_->to.data() + n));
     }
     const VD length = hn::Sub(inside.t1, inside.t0);
     inside.any = hn::And(hn::Gt(length, hn::Zero(DD())), hn::Lt(length, SetD(1e300)));
@@ -184,6 +189,7 @@ class RayMaker {
   }
 
   const ViewRays& f_;
+  const RayParts* parts_;
   RayRow& row_;
   glm::dvec3 target_, right_, up_, direction_;  ///< voxel space; a mm each
 };
@@ -208,8 +214,8 @@ void CountFromFirst(Ahead ahead, RayRow& row) {
   }
 }
 
-void MakeRays(const ViewRays& f, Ahead ahead, RayRow& row) {
-  RayMaker(f, row).Make();
+void MakeRays(const ViewRays& f, Ahead ahead, const RayParts* parts, RayRow& row) {
+  RayMaker(f, parts, row).Make();
   if (ahead == Ahead::none)
     std::fill(row.ahead.begin(), row.ahead.end(), 0.0f);
   else

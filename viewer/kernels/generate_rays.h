@@ -33,9 +33,14 @@ struct ViewRays {
 /// What RayRow::ahead says: nothing (0); steps behind the first ray, whole or not.
 enum class Ahead { none, whole, exact };
 
+/// The parts of rays that are looked at: from and to, mm from the picture, one entry a ray.
+struct RayParts {
+  std::vector<double> from, to;
+};
+
 /// Fills in the rays of row.pixel, whose other arrays are as long, in double precision. Rays that miss what
-/// is drawn and those of no pixel have no steps.
-using GenerateRays = void (*)(const ViewRays&, Ahead, RayRow&);
+/// is drawn and those of no pixel have no steps. `parts`: null, all of them.
+using GenerateRays = void (*)(const ViewRays&, Ahead, const RayParts* parts, RayRow&);
 GenerateRays chooseGenerateRays();
 
 }  // namespace volumen

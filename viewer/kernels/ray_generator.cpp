@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "viewer/scene/step_length.h"
 
@@ -61,7 +62,7 @@ void RayGenerator::resize(RayRow& row, int count) {
 void RayGenerator::makeRays(int x, int y, int count, RayRow& row) const {
   resize(row, count);
   for (int n = 0; n < count; ++n) row.pixel[n] = y * view_.size.x + x + n;
-  makeRays_(view_, Ahead::none, row);
+  makeRays_(view_, Ahead::none, nullptr, row);
 }
 
 double RayGenerator::tileSpread() const {
@@ -92,7 +93,14 @@ void RayGenerator::makeTiles(const std::vector<glm::ivec2>& corners, RayRow& row
     const glm::ivec2 at = corners[n / (tile * tile)] + glm::ivec2(inTile % tile, inTile / tile);
     if (at.x < view_.size.x && at.y < view_.size.y) row.pixel[n] = at.y * view_.size.x + at.x;
   }
-  makeRays_(view_, ahead_, row);
+  makeRays_(view_, ahead_, nullptr, row);
+}
+
+void RayGenerator::makeParts(const RayParts& parts, RayRow& row) const {
+  std::vector<int> pixels = std::move(row.pixel);
+  resize(row, int(pixels.size()));
+  row.pixel = std::move(pixels);
+  makeRays_(view_, ahead_, &parts, row);
 }
 
 }  // namespace volumen

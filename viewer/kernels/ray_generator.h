@@ -30,6 +30,8 @@ class RayGenerator {
   /// The length of a whole step where all rays have the same: RayRow::stepMm; 0 in perspective.
   float sharedStepMm() const { return float(view_.sharedStepMm); }
 
+  const ViewRays& view() const { return view_; }
+
   static constexpr int tile = 4;    ///< rows and columns of a tile; a tile's rays fill the widest vector
   static constexpr int block = 32;  ///< rows and columns of a block of tiles
   /// How far the rays of a tile lie from their middle, in voxels along any axis, at the far end of the
@@ -40,6 +42,8 @@ class RayGenerator {
   void makeBlock(int x, int y, RayRow& row) const;
   /// The same of single tiles: `corners`, their first pixels.
   void makeTiles(const std::vector<glm::ivec2>& corners, RayRow& row) const;
+  /// Of rays that makeBlock made (row.pixel of 16 rays a tile; -1: none) the parts that lie in `parts`.
+  void makeParts(const RayParts& parts, RayRow& row) const;
   /// Fills `row` with the rays of `count` pixels of picture row y, from pixel x on.
   void makeRays(int x, int y, int count, RayRow& row) const;
 

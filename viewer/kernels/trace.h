@@ -99,6 +99,7 @@ struct TraceRow {
 struct TraceCounts {
   std::int64_t resampled = 0, composited = 0;
   std::int64_t shadeTicks = 0, allTicks = 0;  ///< of the time stamp counter
+  std::int64_t surfacesNs = 0;                ///< finding and lighting surfaces of segments
 };
 
 /// Resamples, classifies, shades and composites one row of rays front to back, or slices of them back to

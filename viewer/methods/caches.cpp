@@ -81,6 +81,19 @@ const ReflectanceMap& RenderCaches::Impl::reflectanceMap(const Lighting& lightin
   return map->map;
 }
 
+const std::vector<std::shared_ptr<const SegmentCells>>& RenderCaches::Impl::segmentCellsOf(
+    const std::vector<const SegmentSurface*>& segments) {
+  std::vector<std::shared_ptr<const SegmentCells>> cells;
+  for (const SegmentSurface* segment : segments) {
+    const auto known =
+        std::ranges::find(segmentCells, segment->field, [](const auto& c) { return c->field(); });
+    cells.push_back(known != segmentCells.end() ? *known
+                                                : std::make_shared<const SegmentCells>(segment->field));
+  }
+  segmentCells = std::move(cells);
+  return segmentCells;
+}
+
 Result<GlState*> RenderCaches::Impl::glState() {
   if (!gl) {
     auto made = makeGlState(glFactory);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "viewer/acceleration/empty_space_map.h"
+#include "viewer/acceleration/segment_cells.h"
 #include "viewer/acceleration/stored_voxels.h"
 #include "viewer/acceleration/visible_cells.h"
 #include "viewer/gl/gl_state.h"
@@ -45,6 +46,9 @@ struct RenderCaches::Impl {
   };
   std::optional<Map> map;
 
+  /// Of the segments that were last drawn.
+  std::vector<std::shared_ptr<const SegmentCells>> segmentCells;
+
   GlContextFactory glFactory = makeEglContext;
   std::unique_ptr<GlState> gl;
 
@@ -52,6 +56,9 @@ struct RenderCaches::Impl {
   const Skip& skipOf(const TransferFunction& curve, const CurveTable& table, const SkipRequest& request);
   /// The last one made is kept. `n`: nodes along an edge of a face.
   const ReflectanceMap& reflectanceMap(const Lighting& lighting, int n, MapLookup lookup);
+  /// Of each of the segments; these alone are kept.
+  const std::vector<std::shared_ptr<const SegmentCells>>& segmentCellsOf(
+      const std::vector<const SegmentSurface*>& segments);
   Result<GlState*> glState();  ///< made when first asked for; its context is not current
 };
 

@@ -102,6 +102,10 @@ RenderInputs::RenderInputs(const Plan& plan, RenderCaches& caches, RenderStats& 
                1e-6 * largestRounded(plan, facts.range), plan.bits != 32};
   else
     readBlocks(plan, reachBlocks(plan, setup, facts.blockRanges->edge), caches, stats);
+  const auto& cells = caches.impl().segmentCellsOf(plan.segments ? shownSegments(plan.scene)
+                                                                 : std::vector<const SegmentSurface*>());
+  if (plan.segments) segments_.emplace(plan, voxels.volume()->geometry(), cells);
+  for (const auto& c : cells) stats.blockBytes += c->bytes();
   stats.tableBytes =
       curve_.bytes() + (inputs_.map ? inputs_.map->nodes.size() * sizeof(float) : 0) + table_.bytes();
   stats.blockBytes += facts.blockRanges->bytes();

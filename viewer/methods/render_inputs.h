@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "viewer/kernels/project.h"
+#include "viewer/kernels/segment_rays.h"
 #include "viewer/methods/render_caches.h"
 #include "viewer/methods/rendered.h"
 
@@ -21,6 +23,7 @@ class RenderInputs {
   const BlockValues& blocks() const { return blocks_; }  ///< of projections
   const DensityScale& scale() const { return scale_; }
   KernelKey key() const { return key_; }
+  const SegmentRays* segments() const { return segments_ ? &*segments_ : nullptr; }  ///< null: none are drawn
   float brightest() const { return brightest_; }  ///< no component of a sample's colour is larger, at least 1
 
  private:
@@ -40,6 +43,7 @@ class RenderInputs {
   DensityScale scale_;
   CurveTable curve_;
   Lighting lighting_;
+  std::optional<SegmentRays> segments_;
   ShadeTable table_;
   StoredDensities densities_;  ///< that the kernels read, where they are integers
   double rounding_ = 0;        ///< how far stored values may be off the volume's, real units

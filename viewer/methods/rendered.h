@@ -15,8 +15,9 @@ namespace volumen {
 struct RenderStats {
   double gradientsMs = 0;  ///< Sobel pass and copies made for this picture; 0 where they were there already
   double resampleMs = 0, shadeMs = 0, totalMs = 0;
-  double pilotMs = 0;  ///< finding what the plan left open
-  double glMs = 0;     ///< what OpenGL itself took; it overlaps with shadeMs where glMs + shadeMs > totalMs
+  double surfacesMs = 0;  ///< finding and lighting surfaces of segments, likewise
+  double pilotMs = 0;     ///< finding what the plan left open
+  double glMs = 0;  ///< what OpenGL itself took; it overlaps with shadeMs where glMs + shadeMs > totalMs
   std::int64_t resampled = 0, shaded = 0, composited = 0;  ///< samples
   std::size_t densityBytes = 0, gradientBytes = 0, blockBytes = 0, tableBytes = 0;
   int threads = 1;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/volume/clock.h"
+#include "viewer/volume/parallel.h"
+
 namespace volumen {
 
 RowPainter::RowPainter(const Plan& plan, const RenderInputs& inputs, Picture& picture,
@@ -30,9 +33,20 @@ void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task)
     if (!error_.empty()) writeRounding(rays);
     return;
   }
-  trace_(inputs_.trace(), rays, plane, out, task.counts);
+  if (meetsSurfaces(rays, task))
+    task.surfaces.trace(inputs_, trace_, out, task.counts);
+  else
+    trace_(inputs_.trace(), rays, plane, out, task.counts);
   writePixels(plan_.scene.background, rays, out, picture_);
   if (!error_.empty()) writeError(rays, out);
+}
+
+bool RowPainter::meetsSurfaces(const RayRow& rays, Task& task) const {
+  if (!inputs_.segments()) return false;
+  const double begin = wallMs();
+  const bool meets = task.surfaces.find(*inputs_.segments(), rays);
+  task.counts.surfacesNs += std::int64_t(1e6 * (wallMs() - begin));
+  return meets;
 }
 
 // Beside what the rules may be off by: what lies where a ray ended, and places rounded to floats.
@@ -59,8 +73,11 @@ void RowPainter::writeRounding(const RayRow& rays) const {
 
 void TraceTotals::report(const Plan& plan, double passMs, RenderStats& stats) const {
   const double shadeShare = allTicks ? double(shadeTicks) / double(allTicks) : 0;
-  stats.resampleMs = passMs * (1 - shadeShare);
-  stats.shadeMs = passMs * shadeShare;
+  const int threads = plan.options.threads > 0 ? plan.options.threads : allowedThreads();
+  stats.surfacesMs = std::min(passMs, 1e-6 * double(surfacesNs) / threads);
+  const double raysMs = passMs - stats.surfacesMs;
+  stats.resampleMs = raysMs * (1 - shadeShare);
+  stats.shadeMs = raysMs * shadeShare;
   stats.resampled = resampled;
   stats.composited = composited;
   stats.shaded = plan.lit ? stats.composited : 0;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "viewer/methods/render_inputs.h"
+#include "viewer/methods/surface_stretches.h"
 
 namespace volumen {
 
@@ -18,11 +19,13 @@ class RowPainter {
     std::vector<float> values;  ///< red, green, blue, alpha
     std::vector<float> error;   ///< where the kernel knows it
     TraceCounts counts;
+    SurfaceStretches surfaces;  ///< where segments are drawn
   };
   /// Paints the pixels of the rays. `plane`: their samples, where the picture's store is Store::plane.
   void paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const;
 
  private:
+  bool meetsSurfaces(const RayRow& rays, Task& task) const;
   void writeRounding(const RayRow& rays) const;
   void writeError(const RayRow& rays, const TraceRow& row) const;
 
@@ -36,8 +39,9 @@ class RowPainter {
 
 /// Sums over all tasks; integers, so that their order does not matter.
 struct TraceTotals {
-  std::atomic<std::int64_t> resampled{0}, composited{0}, shadeTicks{0}, allTicks{0};
+  std::atomic<std::int64_t> resampled{0}, composited{0}, shadeTicks{0}, allTicks{0}, surfacesNs{0};
   void add(const TraceCounts& c) {
+    surfacesNs += c.surfacesNs;
     resampled += c.resampled;
     composited += c.composited;
     shadeTicks += c.shadeTicks;

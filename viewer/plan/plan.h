@@ -70,6 +70,7 @@ struct Plan {
   bool colouredLight = false;    ///< D and S for red, green and blue; else once for all three
   bool gradientOpacity = false;  ///< the factor over |g_p| is evaluated
   bool clip = false;             ///< clip box and planes cut the rays
+  bool segments = false;         ///< surfaces of segments are drawn
   bool skipBlocks = false;       ///< blocks of opacity 0 are never touched; what cannot change an extreme is
                                  ///< passed over but for single samples
   double visibleShare = 1;       ///< share of blocks that hold any visible value

@@ -82,6 +82,19 @@ Effect clip(const RuleInput& in, Plan& plan) {
             " planes cut the rays");
 }
 
+Effect segmentSurfaces(const RuleInput& in, Plan& plan) {
+  const std::size_t count = shownSegments(in.scene).size();
+  plan.segments = false;
+  if (count == 0) return off("no segment shows");
+  if (!composite(in)) return off("a projection of values has no surfaces");
+  if (!keepsLevels(in.options))
+    return off(
+        "only rays that the CPU follows from the front meet surfaces: use --method planes or reference");
+  plan.segments = true;
+  return on("rays are cut where they meet " +
+            (count == 1 ? "the surface of 1 segment" : "surfaces of " + std::to_string(count) + " segments"));
+}
+
 // The CPU's slices are blended by the kernels of planes.
 bool isDrawnByPlanes(const RuleInput& in) {
   return in.options.method == Method::planes ||
@@ -281,6 +294,7 @@ const std::vector<Rule>& rules() {
       {"gradients", true, gradients},
       {"gradient operator", false, gradientOperator},
       {"clip", true, clip},
+      {"segments", false, segmentSurfaces},
       {"integration", false, decideIntegration},
       {"curve table", false, decideCurveTable},
       {"faint samples", false, decideFaintSamples},

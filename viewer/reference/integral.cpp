@@ -82,6 +82,12 @@ bool RayIntegral::add(const CellPiece& piece) {
   return true;
 }
 
+bool RayIntegral::cover(glm::dvec3 colour, double opacity) {
+  colour_ += transmittance_ * opacity * colour;
+  transmittance_ *= 1 - opacity;
+  return !opaque();
+}
+
 void RayIntegral::cutAtFormulaChanges() {
   cuts_.assign({0, 1});
   const auto control = controlPoints(value_, 0, 1);

@@ -38,6 +38,8 @@ class RayIntegral {
 
   /// Adds one cell. False where the rest of the ray cannot be seen any more.
   bool add(const CellPiece& piece);
+  /// Adds a surface: what is behind it is seen through 1 - opacity. False likewise.
+  bool cover(glm::dvec3 colour, double opacity);
   glm::dvec3 colour() const { return colour_; }            ///< C
   double transmittance() const { return transmittance_; }  ///< T
 

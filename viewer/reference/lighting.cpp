@@ -59,23 +59,35 @@ Lighting::DiffuseSpecular Lighting::at(glm::dvec3 normal) const {
   return sum;
 }
 
+Lighting::DiffuseSpecular Lighting::onSides(glm::dvec3 n) const {
+  const double w = twoSided_ ? std::clamp(0.5 + glm::dot(n, viewer_) / (2 * viewerBand), 0.0, 1.0) : 1;
+  DiffuseSpecular sum{glm::dvec3(0), glm::dvec3(0)};
+  const auto addSide = [&](double weight, glm::dvec3 normal) {
+    if (weight == 0) return;
+    const DiffuseSpecular side = at(normal);
+    sum.d += weight * side.d;
+    sum.s += weight * side.s;
+  };
+  addSide(w, n);
+  addSide(1 - w, -n);
+  return sum;
+}
+
 glm::dvec3 Lighting::shade(glm::dvec3 colour, glm::dvec3 gradient) const {
   if (!lit_) return colour;
   const double length = glm::length(gradient);
   if (!directional() || length == 0) return colour * flat_;
   const double q = std::min(1.0, length / floor_);
-  const glm::dvec3 n = -gradient / length;
-  const double w = twoSided_ ? std::clamp(0.5 + glm::dot(n, viewer_) / (2 * viewerBand), 0.0, 1.0) : 1;
-  glm::dvec3 d(0), s(0);
-  const auto addSide = [&](double weight, glm::dvec3 normal) {
-    if (weight == 0) return;
-    const DiffuseSpecular side = at(normal);
-    d += weight * side.d;
-    s += weight * side.s;
-  };
-  addSide(w, n);
-  addSide(1 - w, -n);
-  return colour * (q * d + (1 - q) * flat_) + q * s;
+  const DiffuseSpecular light = onSides(-gradient / length);
+  return colour * (q * light.d + (1 - q) * flat_) + q * light.s;
+}
+
+glm::dvec3 Lighting::shadeSurface(glm::dvec3 colour, glm::dvec3 gradient) const {
+  if (!lit_) return colour;
+  const double length = glm::length(gradient);
+  if (length == 0) return colour * flat_;
+  const DiffuseSpecular light = onSides(-gradient / length);
+  return colour * light.d + light.s;
 }
 
 void Lighting::appendKinks(const CubicVector& g, std::vector<double>& places) const {

@@ -23,6 +23,8 @@ class Lighting {
   bool directional() const { return floor_ > 0 && !lights_.empty(); }
   /// The shaded colour of a sample with this colour and gradient g_p (value per mm, patient space).
   glm::dvec3 shade(glm::dvec3 colour, glm::dvec3 gradient) const;
+  /// Of a surface with this colour where its field has that gradient (picture.md 10).
+  glm::dvec3 shadeSurface(glm::dvec3 colour, glm::dvec3 gradient) const;
   /// Appends the s in (0, 1) where the formula changes for a gradient that runs along g.
   void appendKinks(const CubicVector& g, std::vector<double>& places) const;
   /// cos of the angle (about the mean) within which the normals of a piece must lie for its samples not to
@@ -40,6 +42,8 @@ class Lighting {
     glm::dvec3 d, s;
   };
   DiffuseSpecular at(glm::dvec3 normal) const;
+  /// D' and S'.
+  DiffuseSpecular onSides(glm::dvec3 normal) const;
 
   bool lit_, twoSided_;
   double floor_, diffuse_, specular_, shininess_, smoothCosine_, brightest_;

@@ -43,7 +43,14 @@ Ray RayMaker::through(int px, int py) const {
   return {target_ + sideways, glm::normalize(fromEye), -glm::length(fromEye)};
 }
 
-Interval visibleInterval(const Ray& ray, const VoxelGeometry& geometry, const Clip& clip) {
+namespace {
+
+// Whether it is cut along each axis by the low and the high side of the clip box.
+struct Sides {
+  glm::bvec3 low{true}, high{true};
+};
+
+Interval intervalWithin(const Ray& ray, const VoxelGeometry& geometry, const Clip& clip, const Sides& sides) {
   Interval interval{ray.nearMm, infinity};
   const glm::dvec3 start = geometry.voxelFromPatient(ray.origin);
   const glm::dvec3 slope = geometry.voxelFromPatientStep() * ray.direction;
@@ -52,8 +59,10 @@ Interval visibleInterval(const Ray& ray, const VoxelGeometry& geometry, const Cl
   const double roundingMm = roundingVoxels * std::min({spacing.x, spacing.y, spacing.z});
   const double lengthMm = glm::dot(spacing, glm::dvec3(geometry.size));
   for (int a = 0; a < 3; ++a) {
-    cut(interval, start[a], slope[a], clip.boxHigh[a] * geometry.size[a] - 0.5, lengthMm, roundingVoxels);
-    cut(interval, -start[a], -slope[a], 0.5 - clip.boxLow[a] * geometry.size[a], lengthMm, roundingVoxels);
+    if (sides.high[a])
+      cut(interval, start[a], slope[a], clip.boxHigh[a] * geometry.size[a] - 0.5, lengthMm, roundingVoxels);
+    if (sides.low[a])
+      cut(interval, -start[a], -slope[a], 0.5 - clip.boxLow[a] * geometry.size[a], lengthMm, roundingVoxels);
   }
   for (const ClipPlane& plane : clip.planes) {
     const glm::dvec3 normal = glm::normalize(plane.normal);
@@ -61,6 +70,19 @@ Interval visibleInterval(const Ray& ray, const VoxelGeometry& geometry, const Cl
         roundingMm);
   }
   return interval;
+}
+
+}  // namespace
+
+Interval visibleInterval(const Ray& ray, const VoxelGeometry& geometry, const Clip& clip) {
+  return intervalWithin(ray, geometry, clip, {});
+}
+
+Interval surfaceInterval(const Ray& ray, const VoxelGeometry& geometry, const Clip& clip) {
+  if (glm::any(glm::equal(clip.boxLow, clip.boxHigh))) return {0, 0};
+  return intervalWithin(
+      ray, geometry, clip,
+      {glm::greaterThan(clip.boxLow, glm::dvec3(0)), glm::lessThan(clip.boxHigh, glm::dvec3(1))});
 }
 
 }  // namespace volumen::reference

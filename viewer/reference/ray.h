@@ -39,4 +39,8 @@ class RayMaker {
 /// picture.md 6: the ray inside the volume's box, the clip box and the clip planes, and in front of the eye.
 Interval visibleInterval(const Ray& ray, const VoxelGeometry& geometry, const Clip& clip);
 
+/// picture.md 10: where surfaces are seen. The same without the sides of the clip box that are the volume's
+/// own; empty where the clip box is. It may be without end.
+Interval surfaceInterval(const Ray& ray, const VoxelGeometry& geometry, const Clip& clip);
+
 }  // namespace volumen::reference

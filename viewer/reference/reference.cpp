@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "viewer/reference/integral.h"
+#include "viewer/reference/surfaces.h"
 #include "viewer/scene/modes.h"
 #include "viewer/volume/parallel.h"
 
@@ -24,7 +25,8 @@ class Caster {
         volume_(volume),
         rays_(*scene.camera, volume.geometry(), size),
         classifier_(scene.transferFunction, volume.geometry()),
-        lighting_(scene, rays_.axes()) {}
+        lighting_(scene, rays_.axes()),
+        surfaces_(scene, volume.geometry()) {}
 
   /// The float pixel (picture.md 6, design.md 10), its ray moved sideways by `moveMm` along the picture's
   /// right and up.
@@ -32,9 +34,9 @@ class Caster {
     Ray ray = rays_.through(px, py);
     ray.origin += moveMm.x * rays_.axes().right + moveMm.y * rays_.axes().up;
     const Interval interval = visibleInterval(ray, volume_.geometry(), scene_.clip);
+    if (scene_.mode == Mode::composite) return composite(ray, interval);
     if (interval.empty()) return composed(glm::dvec3(0), 0);
-    return scene_.mode == Mode::composite ? composite(ray, interval)
-                                          : composed(glm::dvec3(projectedGrey(ray, interval)), 1);
+    return composed(glm::dvec3(projectedGrey(ray, interval)), 1);
   }
 
   /// design.md 2, of the pixel whose reference is `here`.
@@ -59,7 +61,20 @@ class Caster {
     Lighting lighting = lighting_;
     if (scene_.shading.localViewer) lighting.setViewer(-ray.direction);
     RayIntegral integral(volume_, classifier_, lighting);
-    marchCells(volume_.geometry(), ray, interval, [&](const CellPiece& p) { return integral.add(p); });
+    bool goesOn = true;
+    const auto addUpTo = [&](double end) {
+      const Interval part{interval.t0, std::min(end, interval.t1)};
+      if (!part.empty())
+        marchCells(volume_.geometry(), ray, part,
+                   [&](const CellPiece& p) { return goesOn = integral.add(p); });
+      interval.t0 = std::max(interval.t0, end);
+    };
+    for (const SurfaceCrossing& s : surfaces_.along(ray, lighting)) {
+      addUpTo(s.t);
+      goesOn = goesOn && integral.cover(s.colour, s.opacity);
+      if (!goesOn) break;
+    }
+    if (goesOn) addUpTo(infinity);
     return composed(integral.colour(), 1 - integral.transmittance());
   }
 
@@ -99,6 +114,7 @@ class Caster {
   RayMaker rays_;
   Classifier classifier_;
   Lighting lighting_;
+  Surfaces surfaces_;
 };
 
 // Calls row(y) for all rows. Nothing a row computes depends on the thread it runs on.

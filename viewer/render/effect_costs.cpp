@@ -49,6 +49,7 @@ class Costs {
     if (!effect.on) return EffectCost{};
     if (effect.name == "method" || effect.name == "reference")
       return EffectCost{.ms = std::max(0.0, stats_.totalMs - stats_.gradientsMs)};
+    if (effect.name == "segments") return EffectCost{.ms = stats_.surfacesMs};
     const bool gl = plan_.resampler == Resampler::gl;
     if (effect.name == "resampler") return gl ? std::optional(EffectCost{.ms = stats_.glMs}) : std::nullopt;
     if (effect.name == "integration" && !gl) return EffectCost{.ms = stats_.pilotMs + stats_.resampleMs};

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "viewer/volume/occupancy_field.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
@@ -90,6 +92,15 @@ struct Background {
   }
 };
 
+/// A segment drawn as a lit surface of its own (picture.md 10): where its smoothed occupancy is 1/2.
+struct SegmentSurface {
+  std::shared_ptr<const OccupancyField> field;  ///< never null; of any grid; equal where it is the same
+                                                ///< object: it never changes
+  glm::dvec3 colour{1};
+  double opacity = 1;  ///< of each crossing of the surface; 0: not drawn
+  bool operator==(const SegmentSurface&) const = default;
+};
+
 struct Scene {
   Mode mode = Mode::composite;
   std::optional<Window> window;  ///< none: the file's, else P0.1 .. P99.9
@@ -99,8 +110,13 @@ struct Scene {
   std::optional<Camera> camera;  ///< none: from the front, the whole box in view
   Clip clip;
   Background background;
+  /// Of which none are in scene files: a session holds them.
+  std::vector<SegmentSurface> segments;
   bool operator==(const Scene&) const = default;
 };
+
+/// The segments that show: opacity above 0, and not of no voxels. Pointers into `scene`.
+std::vector<const SegmentSurface*> shownSegments(const Scene& scene);
 
 /// The six views of design.md 10: anterior, posterior, left, right, superior, inferior. None where the name
 /// is unknown.

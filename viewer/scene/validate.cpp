@@ -140,6 +140,15 @@ void check(Rules& rules, const Clip& clip) {
   }
 }
 
+void check(Rules& rules, const std::vector<SegmentSurface>& segments) {
+  rules.count("segments", segments.size(), 0, 255, "segments");
+  for (std::size_t n = 0; n < segments.size(); ++n) {
+    rules.require(segments[n].field != nullptr, item("segments", n) + ".field", "must be set");
+    rules.colour(item("segments", n) + ".colour", segments[n].colour);
+    rules.within(item("segments", n) + ".opacity", segments[n].opacity, 0, 1);
+  }
+}
+
 }  // namespace
 
 Status validateScene(const Scene& scene) {
@@ -155,6 +164,7 @@ Status validateScene(const Scene& scene) {
   if (scene.camera) check(rules, *scene.camera);
   check(rules, scene.clip);
   if (!scene.background.transparent) rules.colour("background", scene.background.colour);
+  check(rules, scene.segments);
   if (!rules.problem.empty()) return Error{rules.problem};
   return {};
 }

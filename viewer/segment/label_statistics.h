@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <optional>
 
 #include "viewer/segment/label_map.h"
+#include "viewer/volume/occupancy_field.h"
 
 namespace volumen {
 
@@ -18,12 +18,6 @@ struct LabelStatistics {
 /// Statistics of the voxels of `label`, the same for any number of threads. `map` and `volume` are of one
 /// grid.
 LabelStatistics labelStatistics(const LabelMap& map, const Volume& volume, std::uint8_t label = 1);
-
-/// A box of voxels, both ends inside.
-struct VoxelBox {
-  glm::ivec3 low{0}, high{0};
-  bool operator==(const VoxelBox&) const = default;
-};
 
 /// The smallest box that holds all voxels of `label`; none where there are none.
 std::optional<VoxelBox> labelBox(const LabelMap& map, std::uint8_t label = 1);

@@ -1,23 +1,10 @@
 #pragma once
 
-#include <glm/vec3.hpp>
-#include <vector>
-
 #include "viewer/segment/bit_mask.h"
-#include "viewer/segment/label_statistics.h"
 #include "viewer/volume/cancel.h"
+#include "viewer/volume/occupancy_field.h"
 
 namespace volumen {
-
-/// The smoothed occupancy of a segment, 0 to 1: its surface in 3D and in files is where the trilinear field
-/// is 1/2. Held in a box of voxels about the segment, at least one voxel larger on every side (also beyond
-/// the grid), so that the surface is closed; 0 outside it.
-struct OccupancyField {
-  VoxelGeometry geometry;     ///< of the whole grid
-  VoxelBox box;               ///< in voxels of the grid; may reach one voxel or more beyond it
-  std::vector<float> values;  ///< of the box, i fastest
-  glm::ivec3 size() const { return box.high - box.low + 1; }
-};
 
 /// Gaussian of `sigma` voxels along each axis of the grid (at most 1; 0: 1 inside, 0 outside), with thin
 /// parts kept: voxels that no box of 2 x 2 x 2 voxels of the segment covers have at least what leaves a plate

@@ -13,6 +13,12 @@ namespace {
 // been white.
 double limited(double strength) { return std::min(strength, 1e12); }
 
+// picture.md 5: a light exactly behind has no half-way vector.
+glm::dvec3 halfWay(glm::dvec3 light, glm::dvec3 viewer) {
+  const glm::dvec3 both = light + viewer;
+  return glm::length(both) < 1e-3 ? glm::dvec3(0) : glm::normalize(both);
+}
+
 }  // namespace
 
 Lighting makeLighting(const Scene& scene, bool specular, bool coloured) {
@@ -38,14 +44,17 @@ Lighting makeLighting(const Scene& scene, bool specular, bool coloured) {
     const glm::dvec3 p = light.direction / std::max({size.x, size.y, size.z});
     const glm::dvec3 l =
         glm::normalize(light.space == Space::patient ? p : p.x * axes.right + p.y * axes.up + p.z * viewer);
-    const glm::dvec3 both = l + viewer;
-    // picture.md 5: a light exactly behind has no half-way vector.
-    const glm::dvec3 h = glm::length(both) < 1e-3 ? glm::dvec3(0) : glm::normalize(both);
-    out.lights.push_back({l, h, diffuse * c, specularity * c});
+    out.lights.push_back({l, halfWay(l, viewer), diffuse * c, specularity * c});
     sum += c;
   }
   out.flat = glm::dvec3(limited(s.ambient)) + diffuse / 2 * sum;
   return out;
+}
+
+Lighting seenFrom(Lighting lighting, glm::dvec3 viewer) {
+  lighting.viewer = viewer;
+  for (ShadingLight& light : lighting.lights) light.h = halfWay(light.l, viewer);
+  return lighting;
 }
 
 namespace {

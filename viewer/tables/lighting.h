@@ -38,6 +38,9 @@ struct Lighting {
 /// are off are left out. `coloured`: what may be said of the lights (Plan::colouredLight).
 Lighting makeLighting(const Scene& scene, bool specular, bool coloured);
 
+/// The same with another viewer (a unit vector): of one ray where each has its own.
+Lighting seenFrom(Lighting lighting, glm::dvec3 viewer);
+
 /// D'(n) and S'(n) of picture.md 5 for a unit normal, two sides included, in double precision.
 struct Shade {
   glm::dvec3 d, s;

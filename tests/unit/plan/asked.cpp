@@ -38,6 +38,7 @@ bool isDone(const Plan& plan, const Effect& e) {
                                                {"gradient opacity", plan.gradientOpacity},
                                                {"gradients", plan.gradients},
                                                {"clip", plan.clip},
+                                               {"segments", plan.segments},
                                                {"empty blocks", plan.skipBlocks},
                                                {"empty cells", plan.skipCells},
                                                {"early ray termination", plan.stopTransmittance > 0},

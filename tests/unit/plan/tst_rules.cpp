@@ -14,6 +14,13 @@ void narrowRise(Asked& a) {
   a.scene.transferFunction.points = {{100, {}, 0}, {101, {}, 0.5}};
 }
 
+void showSegments(Asked& a, int count) {
+  OccupancyField field;
+  field.values = {1};
+  const auto shared = std::make_shared<const OccupancyField>(field);
+  a.scene.segments.assign(std::size_t(count), {shared, glm::dvec3(1), 0.5});
+}
+
 }  // namespace
 
 class TestRules : public QObject {
@@ -63,6 +70,29 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
   row("no clip", "clip", "off box planes", [](Asked&) {});
   row("clip box", "clip", "on 0 box planes !no", [](Asked& a) { a.scene.clip.boxHigh.x = 0.5; });
   row("clip plane", "clip", "on 1 no box planes", [](Asked& a) { a.scene.clip.planes.push_back({}); });
+  row("no segments", "segments", "off no segment", [](Asked&) {});
+  row("segments that do not show", "segments", "off no segment", [](Asked& a) {
+    showSegments(a, 2);
+    a.scene.segments[0].opacity = 0;
+    a.scene.segments[1].field = std::make_shared<const OccupancyField>();
+  });
+  row("a segment", "segments", "on surface 1 segment", [](Asked& a) { showSegments(a, 1); });
+  row("segments by plain steps", "segments", "on surfaces 3 segments", [](Asked& a) {
+    showSegments(a, 3);
+    a.options.step = 0.5;
+  });
+  row("a projection has no surfaces", "segments", "off projection", [](Asked& a) {
+    showSegments(a, 1);
+    a.scene.mode = Mode::mip;
+  });
+  row("slices meet no surfaces", "segments", "off planes reference", [](Asked& a) {
+    showSegments(a, 1);
+    a.options.method = Method::blend;
+  });
+  row("OpenGL meets no surfaces", "segments", "off planes reference", [](Asked& a) {
+    showSegments(a, 1);
+    a.options.resampler = Resampler::gl;
+  });
   row("air is skipped", "empty blocks", "on 50 % no visible", [](Asked&) {});
   row("visible air is not", "empty blocks", "off every visible",
       [](Asked& a) { a.scene.transferFunction.points[0].opacity = 0.1; });

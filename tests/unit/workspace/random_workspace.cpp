@@ -184,6 +184,7 @@ SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
     if (chance.oneIn(2)) segment.range = ValueRange{anyNumber(chance), anyNumber(chance)};
     if (chance.oneIn(3)) map.current = number;
   }
+  map.in3d = !chance.oneIn(4);
   return map;
 }
 

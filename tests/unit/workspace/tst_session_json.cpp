@@ -53,6 +53,8 @@ class TestSessionJson : public QObject {
   void valuesAreComparedNotPlaces();
   void aSeriesElsewhereTakesAllThatWasMadeOfIt();
   void seriesThatAreNotFoundAreKeptAsMissing();
+  void segmentsAreInSlicesAloneWhereASessionSaysSo_data();
+  void segmentsAreInSlicesAloneWhereASessionSaysSo();
   void pathsAreAlsoRelativeToTheSession_data();
   void pathsAreAlsoRelativeToTheSession();
   void refusalsNameTheField_data();
@@ -180,6 +182,24 @@ void TestSessionJson::seriesThatAreNotFoundAreKeptAsMissing() {
   }
   // Saved again, nothing of what proves it is lost.
   QVERIFY(*sessionToJson(back->workspace, folder, "/data/s.volumen") == text);
+}
+
+void TestSessionJson::segmentsAreInSlicesAloneWhereASessionSaysSo_data() {
+  QTest::addColumn<std::optional<bool>>("says");
+  QTest::newRow("in 3D, too") << std::optional(true);
+  QTest::newRow("in slices alone") << std::optional(false);
+  QTest::newRow("a session of before") << std::optional<bool>();
+}
+
+void TestSessionJson::segmentsAreInSlicesAloneWhereASessionSaysSo() {
+  QFETCH(std::optional<bool>, says);
+  Json session = plainSession();
+  Json map = {{"series", 0}, {"labels", std::string(40, 'a')}};
+  if (says) map["in3d"] = *says;
+  session["segmentMaps"] = Json::array({map});
+  const auto read = sessionFromJson(session.dump(), {});
+  QVERIFY2(read, qPrintable(refusal(session.dump())));
+  QCOMPARE(read->workspace.segmentMaps.front().in3d, says.value_or(true));
 }
 
 void TestSessionJson::pathsAreAlsoRelativeToTheSession_data() {

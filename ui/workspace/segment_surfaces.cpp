@@ -1,0 +1,32 @@
+#include "ui/workspace/segment_surfaces.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/workspace/region_colours.h"
+#include "ui/workspace/segments.h"
+
+namespace volumen {
+
+std::vector<const Segment*> segmentsIn3d(const SegmentMap& map) {
+  std::vector<const Segment*> shown;
+  for (const Segment& segment : map.segments)
+    if (map.in3d && segment.visible && segment.opacity > 0) shown.push_back(&segment);
+  return shown;
+}
+
+SegmentSurface surfaceOf(const Segment& segment, std::shared_ptr<const OccupancyField> field) {
+  const QColor colour = regionColour(segment.colour, segment.number);
+  return {std::move(field), glm::dvec3(colour.red(), colour.green(), colour.blue()) / 255.0, segment.opacity};
+}
+
+bool isOfSegmentOnScreen(const MadeSurface& surface, const Workspace& workspace) {
+  const SegmentMap* map = segmentMapOf(workspace, surface.series);
+  if (!map || !findSegment(*map, surface.number)) return false;
+  return std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId id) {
+    const ViewState& view = workspace.view(id);
+    return view.series == surface.series && showsScene(view.kind);
+  });
+}
+
+}  // namespace volumen

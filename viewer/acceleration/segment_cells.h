@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "viewer/volume/occupancy_field.h"
+
+namespace volumen {
+
+/// Through which cells of an occupancy field its surface goes: bits of blocks of 4 x 4 x 4 cells; and how far
+/// blocks are from such cells. Cell (i, j, k) lies between the voxels (i, j, k) and (i, j, k) + 1 of the
+/// field's box. A value that never changes.
+class SegmentCells {
+ public:
+  static constexpr int edge = 4;  ///< of a block, cells
+  static constexpr float level = 0.5f;
+
+  /// On all cores. Of a field of no voxels there are no cells.
+  explicit SegmentCells(std::shared_ptr<const OccupancyField> field);
+
+  const std::shared_ptr<const OccupancyField>& field() const { return field_; }
+  /// The bit of a cell in the word of its block.
+  static std::uint64_t bitOf(glm::ivec3 cell) {
+    return std::uint64_t(1) << ((cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4);
+  }
+  std::uint64_t block(glm::ivec3 block) const { return blocks_[at(block, blockCount_)]; }
+  /// How many blocks away, along the axis where that is most, the nearest one with such cells is; 255: or
+  /// more.
+  int distance(glm::ivec3 block) const { return distances_[at(block, blockCount_)]; }
+  /// The smallest box of cells that holds all of them; none: high < low.
+  const VoxelBox& box() const { return box_; }
+  std::size_t bytes() const { return blocks_.size() * sizeof(blocks_[0]) + distances_.size(); }
+
+ private:
+  static std::size_t at(glm::ivec3 n, glm::ivec3 count) {
+    return (std::size_t(n.z) * std::size_t(count.y) + std::size_t(n.y)) * std::size_t(count.x) +
+           std::size_t(n.x);
+  }
+  void findCells();
+  void findRowOfBlocks(int j, int k);
+  void findBox();
+  void findDistances();
+
+  std::shared_ptr<const OccupancyField> field_;
+  glm::ivec3 blockCount_{0};
+  std::vector<std::uint64_t> blocks_;
+  std::vector<std::uint8_t> distances_;
+  VoxelBox box_{glm::ivec3(0), glm::ivec3(-1)};
+};
+
+}  // namespace volumen

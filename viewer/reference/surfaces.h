@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "viewer/reference/lighting.h"
+#include "viewer/reference/ray.h"
+
+namespace volumen::reference {
+
+/// Where a ray meets the surface of a segment, and what it sees of it.
+struct SurfaceCrossing {
+  double t;  ///< mm along the ray
+  glm::dvec3 colour;
+  double opacity;
+};
+
+/// The segments of a scene (picture.md 10).
+class Surfaces {
+ public:
+  Surfaces(const Scene& scene, const VoxelGeometry& geometry);
+  /// All along a ray, in the order of picture.md 10.
+  std::vector<SurfaceCrossing> along(const Ray& ray, const Lighting& lighting) const;
+
+ private:
+  const Scene& scene_;
+  const VoxelGeometry& geometry_;
+  std::vector<const SegmentSurface*> shown_;
+};
+
+}  // namespace volumen::reference
