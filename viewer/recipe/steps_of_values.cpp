@@ -1,8 +1,8 @@
 #include <cmath>
 #include <limits>
 
-#include "viewer/recipe/ball.h"
 #include "viewer/recipe/step_kinds.h"
+#include "viewer/segment/brush.h"
 #include "viewer/segment/lesion.h"
 #include "viewer/segment/range.h"
 #include "viewer/segment/table.h"
@@ -44,7 +44,8 @@ Result<BitMask> otsu(const StepInput& in) {
 
 Result<BitMask> ball(const StepInput& in) {
   BitMask mask(in.volume.geometry());
-  for (const glm::dvec3& p : in.places("at")) addCapsule(mask, p, p, in.number("radiusMm"));
+  for (const glm::dvec3& p : in.places("at"))
+    addSpans(mask, ballStroke(mask.geometry(), p, p, in.number("radiusMm")));
   return mask;
 }
 
@@ -53,7 +54,7 @@ Result<BitMask> paint(const StepInput& in) {
   BitMask stroke(in.volume.geometry());
   const Places& at = in.places("at");
   for (std::size_t n = 0; n < at.size(); ++n)
-    addCapsule(stroke, at[n == 0 ? 0 : n - 1], at[n], in.number("radiusMm"));
+    addSpans(stroke, ballStroke(stroke.geometry(), at[n == 0 ? 0 : n - 1], at[n], in.number("radiusMm")));
   if (const ValueRange only = rangeOf(in); only != anyValue)
     stroke = intersected(std::move(stroke), voxelsInRange(in.volume, only));
   return in.flag("erase") ? subtracted(in.own(), stroke) : united(in.own(), stroke);

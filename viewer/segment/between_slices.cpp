@@ -304,4 +304,15 @@ BitMask filledBetweenSlices(const BitMask& mask, int axis, const CancelToken& ca
   return result;
 }
 
+std::optional<int> axisOfPaintedSlices(const BitMask& mask) {
+  std::optional<int> found;
+  std::size_t fewest = 0;
+  for (const int axis : {2, 1, 0}) {
+    const std::vector<int> painted = SlicesAcross(mask.size(), axis).painted(mask);
+    const bool areApart = !painted.empty() && std::size_t(painted.back() - painted.front()) >= painted.size();
+    if (areApart && (!found || painted.size() < fewest)) found = axis, fewest = painted.size();
+  }
+  return found;
+}
+
 }  // namespace volumen

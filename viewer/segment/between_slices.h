@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "viewer/segment/bit_mask.h"
 #include "viewer/volume/cancel.h"
 
@@ -12,5 +14,9 @@ namespace volumen {
 /// one, by their centroids and to whole voxels, and become it on the way. Painted slices stay as they are. A
 /// cancelled one is returned half done.
 BitMask filledBetweenSlices(const BitMask& mask, int axis, const CancelToken& cancel = {});
+
+/// The axis across which slices were painted: of those across which there are empty slices between ones with
+/// voxels the one with the fewest such (of as many, the last); none where there are no empty ones.
+std::optional<int> axisOfPaintedSlices(const BitMask& mask);
 
 }  // namespace volumen

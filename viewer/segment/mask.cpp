@@ -5,6 +5,7 @@
 #include <new>
 
 #include "viewer/segment/bit_rows.h"
+#include "viewer/segment/closed_outline.h"
 #include "viewer/segment/range.h"
 #include "viewer/segment/table.h"
 #include "viewer/volume/buffer.h"
@@ -16,56 +17,12 @@ namespace {
 
 constexpr double air = -1000;
 
-// A closed outline, its edges sorted into bands of y so that a point meets few of them.
-class Outline {
- public:
-  explicit Outline(const std::vector<glm::dvec2>& points) {
-    if (points.empty()) return;
-    low_ = high_ = points.front();
-    for (const glm::dvec2 p : points) low_ = glm::min(low_, p), high_ = glm::max(high_, p);
-    bands_.resize(std::clamp(points.size(), std::size_t(1), std::size_t(512)));
-    for (std::size_t n = 0; n < points.size(); ++n) {
-      const Edge edge{points[n], points[(n + 1) % points.size()]};
-      const std::size_t from = bandOf(edge.from.y), to = bandOf(edge.to.y);
-      for (std::size_t band = std::min(from, to); band <= std::max(from, to); ++band)
-        bands_[band].push_back(edge);
-    }
-  }
-
-  bool holds(glm::dvec2 p) const {
-    // Written so that what is no number lies outside.
-    if (bands_.empty() || !(p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y)) return false;
-    int winding = 0;
-    for (const Edge& edge : bands_[bandOf(p.y)]) {
-      const bool up = edge.from.y <= p.y;
-      if (up == (edge.to.y <= p.y)) continue;
-      const glm::dvec2 along = edge.to - edge.from, to = p - edge.from;
-      const double side = along.x * to.y - along.y * to.x;
-      if (up ? side > 0 : side < 0) winding += up ? 1 : -1;
-    }
-    return winding != 0;
-  }
-
- private:
-  struct Edge {
-    glm::dvec2 from, to;
-  };
-  std::size_t bandOf(double y) const {
-    const double height = high_.y - low_.y;
-    const double part = height > 0 ? (y - low_.y) / height : 0;
-    return std::min(std::size_t(part * double(bands_.size())), bands_.size() - 1);
-  }
-
-  glm::dvec2 low_{0}, high_{0};
-  std::vector<std::vector<Edge>> bands_;
-};
-
 // Calls cut(i, j, k) for what one lasso cuts, where isThere(i, j, k) still: rows side by side, a row in
 // order.
 template <class IsThere, class Cut>
 void cutAway(const VoxelGeometry& geometry, const Lasso& lasso, const IsThere& isThere, const Cut& cut,
              const CancelToken& cancel) {
-  const Outline outline(lasso.points);
+  const ClosedOutline outline(lasso.points);
   const glm::dvec3 forward = lasso.forward();
   const auto cutsAway = [&](glm::dvec3 pPatient) {
     const glm::dvec3 d = pPatient - lasso.origin;

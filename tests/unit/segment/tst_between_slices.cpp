@@ -27,6 +27,8 @@ class TestBetweenSlices : public QObject {
   void fullSlicesFillAll();
   void whatLeavesTheGridIsLost();
   void cancelledChangesNothing();
+  void theAxisIsThatOfPaintedSlices_data();
+  void theAxisIsThatOfPaintedSlices();
 };
 
 namespace {
@@ -262,6 +264,25 @@ void TestBetweenSlices::cancelledChangesNothing() {
   const CancelToken cancel;
   cancel.cancel();
   QVERIFY(filledBetweenSlices(mask, 2, cancel) == mask);
+}
+
+void TestBetweenSlices::theAxisIsThatOfPaintedSlices_data() {
+  QTest::addColumn<int>("axis");
+  for (int axis = 0; axis < 3; ++axis) QTest::addRow("axis %d", axis) << axis;
+}
+
+// Two parts in each of two slices, farther from each other than the slices are.
+void TestBetweenSlices::theAxisIsThatOfPaintedSlices() {
+  QFETCH(int, axis);
+  const VoxelGeometry grid = gapGrid(glm::ivec3(90));
+  const int along = (axis + 1) % 3;
+  const BitMask mask = maskWhere(grid, [&](glm::ivec3 v) {
+    return (v[axis] == 40 || v[axis] == 43) && (v[along] < 10 || v[along] > 70);
+  });
+  QCOMPARE(axisOfPaintedSlices(mask), std::optional(axis));
+  QVERIFY(!axisOfPaintedSlices(BitMask(grid)));
+  QVERIFY(!axisOfPaintedSlices(filledBetweenSlices(
+      maskWhere(grid, [&](glm::ivec3 v) { return v[axis] == 40 || v[axis] == 43; }), axis)));
 }
 
 VOLUMEN_TEST(TestBetweenSlices);
