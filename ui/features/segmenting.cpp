@@ -2,6 +2,7 @@
 
 #include "io/export/export_segments.h"
 #include "ui/controller/mask_jobs.h"
+#include "ui/controller/segment_preview.h"
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_target.h"
 #include "ui/features/feature.h"
@@ -29,6 +30,7 @@ class Segmenting : public Feature {
  private:
   void makeExport();
   void connectSegmenter();
+  void connectGrowth();
   void showExport();
   void takePart(const PartClick& click);
   void follow(const Recipe& recipe);
@@ -36,6 +38,7 @@ class Segmenting : public Feature {
   void tellSaved(const QStringList& files, const QStringList& notes, const SegmentMap& map);
 
   SegmentJobs segmenter_;
+  SegmentPreview preview_;
   MaskJobs masker_;
   SegmentsPanel* panel_;
   QAction* export_;
@@ -44,6 +47,7 @@ class Segmenting : public Feature {
 Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
       segmenter_(session_, bench.document.jobs),
+      preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
       panel_(new SegmentsPanel(session_)) {
   bench_.addDock({"segment",
@@ -60,8 +64,12 @@ Segmenting::Segmenting(Workbench& bench)
       [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
   makeExport();
   connectSegmenter();
+  connectGrowth();
   connect(&grid_, &ViewGrid::partClicked, this, &Segmenting::takePart);
-  connect(&bench_, &Workbench::made, this, [this] { panel_->setPartAction(bench_.action("partTool")); });
+  connect(&bench_, &Workbench::made, this, [this] {
+    panel_->setPartAction(bench_.action("partTool"));
+    panel_->growPage().setLesionAction(bench_.action("lesionTool"));
+  });
 }
 
 void Segmenting::makeExport() {
@@ -97,6 +105,18 @@ void Segmenting::connectSegmenter() {
   connect(&segmenter_, &SegmentJobs::saved, this, &Segmenting::tellSaved);
   connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   panel_->showSegments();
+}
+
+void Segmenting::connectGrowth() {
+  SegmentGrowPage* page = &panel_->growPage();
+  connect(page, &SegmentGrowPage::growthWanted, this,
+          [this](const SegmentWork& work) { segmenter_.change(preview_.withMade(work)); });
+  connect(page, &SegmentGrowPage::previewWanted, &preview_, &SegmentPreview::show);
+  connect(page, &SegmentGrowPage::previewEnded, &preview_, &SegmentPreview::clear);
+  connect(page, &SegmentGrowPage::refused, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&preview_, &SegmentPreview::changed, &grid_, &ViewGrid::showPreview);
+  connect(&preview_, &SegmentPreview::failed, page, &SegmentGrowPage::previewFailed);
+  connect(&grid_, &ViewGrid::ballDrawn, page, &SegmentGrowPage::takeBall);
 }
 
 // Its segments become more segments of the series that the panel shows.

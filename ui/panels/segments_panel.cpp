@@ -25,6 +25,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
       recipes_(new QToolButton),
       range_(new SegmentRange(session)),
       steps_(new SegmentStepsPage(session)),
+      growth_(new SegmentGrowPage(session)),
       pages_(new QStackedWidget) {
   result_->setObjectName(QStringLiteral("segmentResult"));
   result_->setWordWrap(true);
@@ -41,6 +42,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
     Q_EMIT workWanted(work);
   });
   connect(steps_, &SegmentStepsPage::workWanted, this, &SegmentsPanel::workWanted);
+  connect(growth_, &SegmentGrowPage::workWanted, this, &SegmentsPanel::workWanted);
   connect(range_, &SegmentRange::previewChanged, this, &SegmentsPanel::previewChanged);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series == after.series) return;
@@ -74,7 +76,8 @@ void SegmentsPanel::makeLayout() {
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
   for (QToolButton* button : {pageButton("segmentFromCurve", tr("From the curve"), range_),
-                              pageButton("segmentChange", tr("Change"), steps_)}) {
+                              pageButton("segmentChange", tr("Change"), steps_),
+                              pageButton("segmentGrowing", tr("Grow"), growth_)}) {
     group->addButton(button);
     row->addWidget(button);
   }
@@ -127,6 +130,7 @@ void SegmentsPanel::showSegments() {
   list_->showSegments();
   range_->showSegments();
   steps_->showSegments();
+  growth_->showSegments();
   askForNumbers();
   showResult();
 }

@@ -5,6 +5,7 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
+#include "ui/panels/segment_grow_page.h"
 #include "ui/panels/segment_list.h"
 #include "ui/panels/segment_range.h"
 #include "ui/panels/segment_steps_page.h"
@@ -12,8 +13,8 @@
 
 namespace volumen {
 
-/// The segments of the series in view: their list, the numbers of the current one, and below two pages, what
-/// makes segments of the curve and what changes the current one. All that takes time is asked for.
+/// The segments of the series in view: their list, the numbers of the current one, and below pages: what
+/// makes segments of the curve, what changes the current one, what grows. All that takes time is asked for.
 class SegmentsPanel : public QWidget {
   Q_OBJECT
  public:
@@ -28,6 +29,7 @@ class SegmentsPanel : public QWidget {
   void setPartAction(QAction* action) { range_->setPartAction(action); }
   void setExportAction(QAction* action);
   const SegmentRange& range() const { return *range_; }
+  SegmentGrowPage& growPage() { return *growth_; }
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
@@ -51,6 +53,7 @@ class SegmentsPanel : public QWidget {
   QToolButton* recipes_;
   SegmentRange* range_;
   SegmentStepsPage* steps_;
+  SegmentGrowPage* growth_;
   QStackedWidget* pages_;
   std::optional<SegmentNumbers> asked_;    // the last: its labels, volume and number
   std::optional<SegmentNumbers> numbers_;  // of what is shown

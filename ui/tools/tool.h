@@ -22,6 +22,15 @@ struct PartClick {
   Qt::KeyboardModifiers keys{};
 };
 
+/// A ball that is drawn about a place of a slice.
+struct DrawnBall {
+  enum class State { drawing, done, givenUp };
+  SeriesKey series;
+  glm::dvec3 pPatient;  ///< its middle, mm
+  double radiusMm = 0;
+  State state = State::drawing;
+};
+
 /// A view of slices or frames when the mouse was pressed, as far as tools know it.
 struct SlicePress {
   Session& session;
@@ -35,6 +44,8 @@ struct SlicePress {
   Qt::KeyboardModifiers keys{};
   /// Takes the connected part of a place; none where it is no press of the mouse.
   std::function<void(const PartClick& click)> takePart{};
+  /// Hears of a ball as it is drawn; none likewise.
+  std::function<void(const DrawnBall& ball)> takeBall{};
 
   glm::dvec3 patientAt(QPointF p) const {
     return plane.patientFromPixel({p.x() * pixelRatio, p.y() * pixelRatio});
@@ -97,7 +108,7 @@ struct Tool {
   bool stays = false;      ///< of these: in hand after one, until Esc
   bool looking = false;    ///< changes nothing, whatever lies under the press
   bool box = false;        ///< a box is drawn, of which something is made that is no measurement
-  bool clicks = false;     ///< each press is a click on what is there; in hand until Esc
+  bool clicks = false;     ///< each press is about what is there; in hand until Esc
 
   /// Whether it has the left button in all views where it does something, after which, or after Esc, the
   /// tool before is in hand again.
@@ -141,6 +152,8 @@ std::unique_ptr<Drag> beginRegionWindow(const SlicePress& press);
 /// Takes the connected part of a voxel, or of the surface that is seen.
 std::unique_ptr<Drag> beginPart(const SlicePress& press);
 std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press);
+/// Draws a ball about the place that was pressed, in which a lesion is looked for.
+std::unique_ptr<Drag> beginLesion(const SlicePress& press);
 std::unique_ptr<Drag> beginCrosshair(const SlicePress& press);
 std::unique_ptr<Drag> beginMagnifier(const SlicePress& press);
 /// Of Enlarged::factor.

@@ -36,6 +36,11 @@ const std::vector<Tool>& tools() {
          .inSlices = beginPart,
          .inScene = beginScenePart,
          .clicks = true},
+        {.name = "lesion",
+         .text = tr("Lesion in a sphere"),
+         .cursor = Qt::CrossCursor,
+         .inSlices = beginLesion,
+         .clicks = true},
     };
     std::ranges::move(measuringTools(), std::back_inserter(all));
     return all;

@@ -17,19 +17,6 @@ std::string frameOfReferenceOf(const LoadedSeriesPtr& shown) {
 
 constexpr double fillOfSegments = 0.5;  // of an opaque segment: the picture is seen through it
 
-// The segments of a series; none: it has none that are seen.
-std::optional<SegmentLayer> layerOf(const Workspace& workspace, const SeriesKey& series,
-                                    const Rigid& fromPlane) {
-  const SegmentMap* map = segmentMapOf(workspace, series);
-  if (!map || !map->labels) return {};
-  SegmentLayer layer{nullptr, {}, fillOfSegments, map->labels, fromPlane};
-  for (const Segment& segment : map->segments)
-    if (segment.visible && segment.opacity > 0)
-      layer.shown.push_back({std::size_t(segment.number), regionColour(segment.colour, segment.number).rgb(),
-                             segment.opacity});
-  return layer.shown.empty() ? std::nullopt : std::optional(std::move(layer));
-}
-
 void paintContours(QPainter& painter, const ContourLines& contours, double pixelRatio) {
   constexpr double arm = 3;  // of a cross, logical pixels
   painter.setBrush(Qt::NoBrush);
@@ -68,18 +55,36 @@ std::vector<SegmentLayer> FlatView::segmentLayers() const {
   return layers;
 }
 
+// The segments of a series; none: it has none that are seen.
+std::optional<SegmentLayer> FlatView::layerOf(const SeriesKey& series, const Rigid& fromPlane) const {
+  const bool isPreview = preview_ && preview_->series == series;
+  const SegmentMap* map = isPreview ? &*preview_ : segmentMapOf(session_.workspace(), series);
+  if (!map || !map->labels) return {};
+  SegmentLayer layer{nullptr, {}, fillOfSegments, map->labels, fromPlane};
+  for (const Segment& segment : map->segments)
+    if (segment.visible && segment.opacity > 0)
+      layer.shown.push_back(
+          {std::size_t(segment.number), regionColour(segment.colour, segment.number).rgb(), segment.opacity});
+  return layer.shown.empty() ? std::nullopt : std::optional(std::move(layer));
+}
+
+void FlatView::showPreview(const std::optional<SegmentMap>& segments) {
+  preview_ = segments;
+  askForPicture();
+}
+
 // Those of the series, and of the one over it. A frame without a place in the patient is on no grid.
 void FlatView::addSegmentMaps(std::vector<SegmentLayer>& layers) const {
   const LoadedSeriesPtr shown = this->shown();
   if (!shown || (shapeFrame() && !shown->volume->geometry().calibrated)) return;
   const Workspace& workspace = session_.workspace();
-  if (auto own = layerOf(workspace, state().series, {})) layers.push_back(std::move(*own));
+  if (auto own = layerOf(state().series, {})) layers.push_back(std::move(*own));
   const auto over = workspace.series.find(flatLookOf(state()).overlay);
   if (shapeFrame() || over == workspace.series.end()) return;
-  const auto relation = relationOf(workspace, frameOfReference(*seriesState().series),
-                                   frameOfReference(*over->second.series));
+  const auto relation =
+      relationOf(workspace, frameOfReference(*seriesState().series), frameOfReference(*over->second.series));
   if (!relation) return;
-  if (auto fused = layerOf(workspace, over->first, relation->toFromFrom)) layers.push_back(std::move(*fused));
+  if (auto fused = layerOf(over->first, relation->toFromFrom)) layers.push_back(std::move(*fused));
 }
 
 // Contours.

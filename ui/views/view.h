@@ -49,6 +49,8 @@ class View : public QWidget {
   void dropped(const QMimeData& data);
   /// The connected part of a place is to be taken.
   void partClicked(const volumen::PartClick& click);
+  /// A ball is being drawn, was drawn, or is none any more.
+  void ballDrawn(const volumen::DrawnBall& ball);
   /// What is under the cursor, empty where nothing is.
   void hovered(const QString& text);
 
