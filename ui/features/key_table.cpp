@@ -33,6 +33,10 @@ std::vector<KeyRow> keyRows() {
       {tr("Wheel in a slice"), tr("scrolls (Shift: ten times as fast, Ctrl: zooms, Alt: slab)")},
       {tr("Left drag at the right of a slice"), tr("goes through the stack, as a click on its number does")},
       {tr("Left drag with the magnifier"), tr("a lens; the wheel changes how much it enlarges")},
+      {tr("Left drag with Paint or Outline"), tr("paints the current segment (Ctrl: erases); + and - change "
+                                                 "the brush by 20 %; an outline is drawn by a "
+                                                 "drag, or by clicks that Enter or a double-click closes, "
+                                                 "Backspace takes the last one back; Esc gives up")},
       {tr("Pointer at the bottom of a slice"),
        tr("a bar that plays slices, frames or time points, with speed (+ and -), range, back and forth")},
       {tr("Shift over a slice"), tr("moves the crosshair")},
@@ -45,7 +49,8 @@ std::vector<KeyRow> keyRows() {
           "straight")},
       {tr("D, A, E, P, T in a slice"),
        tr("measure: length, angle, ellipse, probe, arrow with text; the tool before comes back after one "
-          "measurement (Shift keeps it), Enter or a double-click ends a polyline or a curve, Esc gives up, Delete "
+          "measurement (Shift keeps it), Enter or a double-click ends a polyline or a curve, Esc gives up, "
+          "Delete "
           "removes what is selected, W changes the window again")},
       {tr("In the list of studies"),
        tr("Enter opens, Ctrl+Enter opens beside, Delete removes from the list")},

@@ -1,7 +1,10 @@
 #include <QFileDialog>
+#include <functional>
+#include <utility>
 
 #include "io/export/export_segments.h"
 #include "ui/controller/mask_jobs.h"
+#include "ui/controller/segment_painter.h"
 #include "ui/controller/segment_preview.h"
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_target.h"
@@ -33,11 +36,16 @@ class Segmenting : public Feature {
   void connectGrowth();
   void showExport();
   void takePart(const PartClick& click);
+  void connectPainter();
+  void paint(const SegmentStroke& stroke);
+  void measure(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume);
   void follow(const Recipe& recipe);
   void askWhere();
   void tellSaved(const QStringList& files, const QStringList& notes, const SegmentMap& map);
 
   SegmentJobs segmenter_;
+  SegmentPainter painter_;
+  std::function<void()> measureLater_;  // what a stroke that is being drawn came to
   SegmentPreview preview_;
   MaskJobs masker_;
   SegmentsPanel* panel_;
@@ -47,6 +55,7 @@ class Segmenting : public Feature {
 Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
       segmenter_(session_, bench.document.jobs),
+      painter_(session_),
       preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
       panel_(new SegmentsPanel(session_)) {
@@ -64,10 +73,12 @@ Segmenting::Segmenting(Workbench& bench)
       [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
   makeExport();
   connectSegmenter();
+  connectPainter();
   connectGrowth();
   connect(&grid_, &ViewGrid::partClicked, this, &Segmenting::takePart);
   connect(&bench_, &Workbench::made, this, [this] {
     panel_->setPartAction(bench_.action("partTool"));
+    panel_->setPaintActions(bench_.action("paintTool"), bench_.action("outlineTool"));
     panel_->growPage().setLesionAction(bench_.action("lesionTool"));
   });
 }
@@ -99,12 +110,35 @@ void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
   connect(panel_, &SegmentsPanel::recipeChosen, this, &Segmenting::follow);
   connect(panel_, &SegmentsPanel::previewChanged, &grid_, &ViewGrid::showSegment);
-  connect(panel_, &SegmentsPanel::measureRequested, &segmenter_, &SegmentJobs::measure);
+  connect(panel_, &SegmentsPanel::measureRequested, this, &Segmenting::measure);
   connect(&segmenter_, &SegmentJobs::ended, panel_, &SegmentsPanel::showSegments);
   connect(&segmenter_, &SegmentJobs::measured, panel_, &SegmentsPanel::showMeasured);
   connect(&segmenter_, &SegmentJobs::saved, this, &Segmenting::tellSaved);
   connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   panel_->showSegments();
+}
+
+void Segmenting::connectPainter() {
+  connect(&grid_, &ViewGrid::strokePainted, this, &Segmenting::paint);
+  connect(&painter_, &SegmentPainter::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&painter_, &SegmentPainter::ended, this, [this] {
+    if (const auto measureNow = std::exchange(measureLater_, nullptr)) measureNow();
+  });
+}
+
+void Segmenting::paint(const SegmentStroke& stroke) {
+  SegmentStroke wanted = stroke;
+  wanted.erases = stroke.erases || panel_->painting().erases();
+  painter_.paint(wanted, panel_->painting().limits(panel_->range().range()));
+}
+
+// Of a segment that a stroke changes once that ends: numbers take longer than a picture.
+void Segmenting::measure(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume) {
+  measureLater_ = nullptr;
+  if (painter_.isPainting())
+    measureLater_ = [=, this] { segmenter_.measure(labels, number, volume); };
+  else
+    segmenter_.measure(labels, number, volume);
 }
 
 void Segmenting::connectGrowth() {

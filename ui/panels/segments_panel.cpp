@@ -24,6 +24,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
       export_(new QPushButton(tr("Export..."))),
       recipes_(new QToolButton),
       range_(new SegmentRange(session)),
+      paint_(new SegmentPaintPage(session)),
       steps_(new SegmentStepsPage(session)),
       growth_(new SegmentGrowPage(session)),
       pages_(new QStackedWidget) {
@@ -42,6 +43,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
     Q_EMIT workWanted(work);
   });
   connect(steps_, &SegmentStepsPage::workWanted, this, &SegmentsPanel::workWanted);
+  connect(paint_, &SegmentPaintPage::workWanted, this, &SegmentsPanel::workWanted);
   connect(growth_, &SegmentGrowPage::workWanted, this, &SegmentsPanel::workWanted);
   connect(range_, &SegmentRange::previewChanged, this, &SegmentsPanel::previewChanged);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
@@ -75,9 +77,10 @@ void SegmentsPanel::makeLayout() {
   auto* group = new QButtonGroup(this);
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
-  for (QToolButton* button : {pageButton("segmentFromCurve", tr("From the curve"), range_),
-                              pageButton("segmentChange", tr("Change"), steps_),
-                              pageButton("segmentGrowing", tr("Grow"), growth_)}) {
+  for (QToolButton* button :
+       {pageButton("segmentFromCurve", tr("From the curve"), range_),
+        pageButton("segmentPaint", tr("Paint"), paint_), pageButton("segmentGrowing", tr("Grow"), growth_),
+        pageButton("segmentChange", tr("Change"), steps_)}) {
     group->addButton(button);
     row->addWidget(button);
   }
@@ -129,6 +132,7 @@ void SegmentsPanel::showSegments() {
   setEnabled(session_.series() != nullptr);
   list_->showSegments();
   range_->showSegments();
+  paint_->showSegments();
   steps_->showSegments();
   growth_->showSegments();
   askForNumbers();

@@ -7,6 +7,7 @@
 
 #include "ui/panels/segment_grow_page.h"
 #include "ui/panels/segment_list.h"
+#include "ui/panels/segment_paint_page.h"
 #include "ui/panels/segment_range.h"
 #include "ui/panels/segment_steps_page.h"
 #include "viewer/recipe/recipe.h"
@@ -14,7 +15,8 @@
 namespace volumen {
 
 /// The segments of the series in view: their list, the numbers of the current one, and below pages: what
-/// makes segments of the curve, what changes the current one, what grows. All that takes time is asked for.
+/// makes segments of the curve, what paints the current one in slices, what grows, what changes it. All that
+/// takes time is asked for.
 class SegmentsPanel : public QWidget {
   Q_OBJECT
  public:
@@ -24,11 +26,13 @@ class SegmentsPanel : public QWidget {
   void showSegments();
   /// What measureRequested() came to.
   void showMeasured(const SegmentNumbers& numbers);
-  /// Its actions: the one that removes the table, the tool of connected parts, the export.
+  /// Its actions: the one that removes the table, the tool of connected parts, those that paint, the export.
   void setTableAction(QAction* action) { range_->setTableAction(action); }
   void setPartAction(QAction* action) { range_->setPartAction(action); }
+  void setPaintActions(QAction* brush, QAction* outline) { paint_->setToolActions(brush, outline); }
   void setExportAction(QAction* action);
   const SegmentRange& range() const { return *range_; }
+  const SegmentPaintPage& painting() const { return *paint_; }
   SegmentGrowPage& growPage() { return *growth_; }
 
  Q_SIGNALS:
@@ -52,6 +56,7 @@ class SegmentsPanel : public QWidget {
   QPushButton* export_;
   QToolButton* recipes_;
   SegmentRange* range_;
+  SegmentPaintPage* paint_;
   SegmentStepsPage* steps_;
   SegmentGrowPage* growth_;
   QStackedWidget* pages_;

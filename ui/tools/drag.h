@@ -31,6 +31,8 @@ class Drag {
   virtual bool release(QPointF, Qt::KeyboardModifiers) { return true; }
   /// Enter or a double-click; whether that ends it.
   virtual bool finish() { return true; }
+  /// A key was pressed; whether it is taken: nothing else hears of it.
+  virtual bool takesKey(int /*key*/) { return false; }
   /// What it draws that is no part of the workspace yet; null: nothing.
   virtual const Measurement* drawing() const { return nullptr; }
   /// Whether that has numbers.

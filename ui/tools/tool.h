@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/tools/drag.h"
+#include "ui/workspace/segment_stroke.h"
 #include "ui/workspace/session.h"
 #include "viewer/measure/shape.h"
 #include "viewer/segment/mask.h"
@@ -44,6 +45,8 @@ struct SlicePress {
   Qt::KeyboardModifiers keys{};
   /// Takes the connected part of a place; none where it is no press of the mouse.
   std::function<void(const PartClick& click)> takePart{};
+  /// Paints a part of a stroke into the current segment; none where it is no press of the mouse.
+  std::function<void(const SegmentStroke& stroke)> paint{};
   /// Hears of a ball as it is drawn; none likewise.
   std::function<void(const DrawnBall& ball)> takeBall{};
 
@@ -105,10 +108,13 @@ struct Tool {
   std::unique_ptr<SceneDrag> (*inScene)(const ScenePress& press) = nullptr;  ///< the same
   int key = 0;             ///< chooses it in a view in which it does something; 0: none
   bool measuring = false;  ///< draws a measurement; its icon is "measure-NAME"
-  bool stays = false;      ///< of these: in hand after one, until Esc
+  bool stays = false;      ///< of what is drawn: in hand after one, until Esc
   bool looking = false;    ///< changes nothing, whatever lies under the press
-  bool box = false;        ///< a box is drawn, of which something is made that is no measurement
-  bool clicks = false;     ///< each press is about what is there; in hand until Esc
+  bool box = false;     ///< a box or an outline is drawn, of which something is made that is no measurement
+  bool clicks = false;  ///< each press acts on what is there, however soon it follows; in hand until Esc
+  void (*paintAt)(QPainter& painter,
+                  const SlicePress& pointer) = nullptr;   ///< drawn in slices at the pointer
+  bool (*takesKey)(Session& session, int key) = nullptr;  ///< a key in slices; whether it is taken
 
   /// Whether it has the left button in all views where it does something, after which, or after Esc, the
   /// tool before is in hand again.
@@ -152,6 +158,14 @@ std::unique_ptr<Drag> beginRegionWindow(const SlicePress& press);
 /// Takes the connected part of a voxel, or of the surface that is seen.
 std::unique_ptr<Drag> beginPart(const SlicePress& press);
 std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press);
+/// Paints the current segment by a brush, or erases: a disc in the slice, or a ball.
+std::unique_ptr<Drag> beginPaint(const SlicePress& press);
+/// Draws the brush, as large as it is in the patient.
+void paintBrushAt(QPainter& painter, const SlicePress& pointer);
+/// + and - change the brush by 20 %.
+bool resizeBrush(Session& session, int key);
+/// Paints or erases what is drawn around.
+std::unique_ptr<Drag> beginOutline(const SlicePress& press);
 /// Draws a ball about the place that was pressed, in which a lesion is looked for.
 std::unique_ptr<Drag> beginLesion(const SlicePress& press);
 std::unique_ptr<Drag> beginCrosshair(const SlicePress& press);

@@ -272,6 +272,8 @@ class FlatView : public View {
   QString measurementText(QPointF p) const;
   void showCursorAt(QPointF p);
   bool pressMeasuringKey(const QKeyEvent& event);
+  bool pressToolKey(const QKeyEvent& event);
+  void paintTool(QPainter& painter) const;
 
   MeasureJobs& measurer_;
   std::function<const FlatView*(ViewId)> find_ = [](ViewId) { return nullptr; };

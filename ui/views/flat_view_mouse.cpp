@@ -43,6 +43,7 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   if (!press || drag_) return;
   press->keys = event->modifiers();
   press->takePart = [this](const PartClick& click) { Q_EMIT partClicked(click); };
+  press->paint = [this](const SegmentStroke& stroke) { Q_EMIT strokePainted(stroke); };
   press->takeBall = [this](const DrawnBall& ball) { Q_EMIT ballDrawn(ball); };
   dragButton_ = event->button();
   session_.endGesture();
@@ -59,6 +60,7 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
 }
 
 void FlatView::mouseMoveEvent(QMouseEvent* event) {
+  if (tool_->paintAt) update();
   if (drag_) {
     seeDrag();
     drag_->moveTo(event->position(), event->modifiers());
@@ -156,8 +158,16 @@ bool FlatView::pinch(const QNativeGestureEvent& event) {
   return true;
 }
 
+// The keys of the tool in hand and of what is being drawn.
+bool FlatView::pressToolKey(const QKeyEvent& event) {
+  const int key = latinKey(event);
+  const bool isTaken = (tool_->takesKey && tool_->takesKey(session_, key)) || (drag_ && drag_->takesKey(key));
+  if (isTaken) update();
+  return isTaken;
+}
+
 void FlatView::keyPressEvent(QKeyEvent* event) {
-  if (pressMeasuringKey(*event)) return;
+  if (pressToolKey(*event) || pressMeasuringKey(*event)) return;
   switch (latinKey(*event)) {
     case Qt::Key_Up:
       return scroll(-1);

@@ -70,12 +70,19 @@ void FlatView::paintOver(QPainter& painter) const {
   paintColours(painter);
 }
 
+// Over all, at the pointer.
+void FlatView::paintTool(QPainter& painter) const {
+  if (!tool_->paintAt || !pointedAt()) return;
+  if (const auto press = pressAt(*pointedAt())) tool_->paintAt(painter, *press);
+}
+
 void FlatView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintShown(painter);
   if (const std::optional<StackBar> bar = stackBar()) bar->paint(painter);
   if (shown()) paintHandles(painter);
   paintLens(painter);
+  paintTool(painter);
   paintFocus(painter);
 }
 

@@ -49,6 +49,8 @@ class View : public QWidget {
   void dropped(const QMimeData& data);
   /// The connected part of a place is to be taken.
   void partClicked(const volumen::PartClick& click);
+  /// A part of a stroke is to be painted.
+  void strokePainted(const volumen::SegmentStroke& stroke);
   /// A ball is being drawn, was drawn, or is none any more.
   void ballDrawn(const volumen::DrawnBall& ball);
   /// What is under the cursor, empty where nothing is.
@@ -75,6 +77,8 @@ class View : public QWidget {
   virtual bool hasMenu() const { return false; }
   /// The cursor is here: hovered() tells what is under it, now and whenever that changes beneath it.
   void pointAt(QPointF position);
+  /// Where it is; none: not over the view.
+  std::optional<QPointF> pointedAt() const { return pointedAt_; }
   /// What is under the cursor may be something else now.
   void tellPointed();
 

@@ -157,6 +157,7 @@ void ViewGrid::connectView(View* view) {
   connect(view, &View::hovered, this, &ViewGrid::hovered);
   connect(view, &View::dropped, this, &ViewGrid::dropped);
   connect(view, &View::partClicked, this, &ViewGrid::partClicked);
+  connect(view, &View::strokePainted, this, &ViewGrid::strokePainted);
   connect(view, &View::ballDrawn, this, &ViewGrid::ballDrawn);
   connect(view, &View::menuRequested, this,
           [this, view](QPoint global) { Q_EMIT menuRequested(view, global); });

@@ -83,6 +83,7 @@ class ViewGrid : public QWidget {
   void toolChanged();
   /// The connected part of a place is to be taken.
   void partClicked(const volumen::PartClick& click);
+  void strokePainted(const volumen::SegmentStroke& stroke);
   void ballDrawn(const volumen::DrawnBall& ball);
   /// Views were placed, shown or hidden.
   void arranged();

@@ -3,6 +3,7 @@
 #include <QSettings>
 #include <QStringList>
 #include <algorithm>
+#include <cmath>
 
 namespace volumen {
 
@@ -28,11 +29,14 @@ void visit(Preferences& p, const Visit& each) {
   each("hideNames", p.hideNames);
   each("petUnit", p.petUnit);
   each("memoryPercent", p.memoryPercent);
+  each("brushBall", p.brush.ball);
+  each("brushMm", p.brush.diameterMm);
   each("windows", p.windows);
 }
 
 QVariant toVariant(bool value) { return value; }
 QVariant toVariant(int value) { return value; }
+QVariant toVariant(double value) { return value; }
 QVariant toVariant(Theme theme) {
   return theme == Theme::light ? QStringLiteral("light") : QStringLiteral("dark");
 }
@@ -50,6 +54,9 @@ void fromVariant(const QVariant& kept, bool& value) { value = kept.toBool(); }
 void fromVariant(const QVariant& kept, int& percent) {
   const int number = kept.toInt();
   if (number >= 5 && number <= 200) percent = number;
+}
+void fromVariant(const QVariant& kept, double& value) {
+  if (const double number = kept.toDouble(); std::isfinite(number)) value = number;
 }
 void fromVariant(const QVariant& kept, Theme& theme) {
   theme = kept.toString() == QStringLiteral("light") ? Theme::light : Theme::dark;
@@ -84,6 +91,7 @@ Preferences storedPreferences() {
   });
   preferences.textPercent = std::clamp(preferences.textPercent, 80, 200);
   preferences.memoryPercent = std::clamp(preferences.memoryPercent, 5, 90);
+  preferences.brush.diameterMm = std::clamp(preferences.brush.diameterMm, Brush::leastMm, Brush::mostMm);
   return preferences;
 }
 

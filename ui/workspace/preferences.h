@@ -10,6 +10,14 @@ namespace volumen {
 
 enum class Theme { dark, light };
 
+/// What paints segments in slices: a disc in the slice, or a ball.
+struct Brush {
+  static constexpr double leastMm = 1, mostMm = 200;  ///< of diameterMm
+  bool ball = false;
+  double diameterMm = 10;  ///< in the patient
+  bool operator==(const Brush&) const = default;
+};
+
 /// How one person wants the window; kept from one start to the next.
 struct Preferences {
   Theme theme = Theme::dark;
@@ -26,7 +34,8 @@ struct Preferences {
   bool hideNames = false;
   PetUnit petUnit = PetUnit::suvBodyWeight;  ///< where it can be had
   int memoryPercent = 25;                    ///< of the machine's memory, for series that are not on screen
-  OwnWindows windows;                        ///< of flat views and projections, by name
+  Brush brush;
+  OwnWindows windows;  ///< of flat views and projections, by name
   bool operator==(const Preferences&) const = default;
 };
 

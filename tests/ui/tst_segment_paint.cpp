@@ -1,0 +1,586 @@
+// Guards painting in slices: strokes of the brush and outlines, by real events, against twins that gather
+// what the brush covered; one undo step each; erasing, locked segments, limits, strokes that are given up or
+// whose series is closed; and the slices between painted ones.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QPointer>
+
+#include "tests/fixtures/chance.h"
+#include "tests/fixtures/seeds.h"
+#include "tests/ui/frames_window.h"
+#include "tests/ui/segment_window.h"
+#include "tests/unit/suite.h"
+#include "ui/widgets/banner.h"
+#include "viewer/segment/between_slices.h"
+#include "viewer/segment/brush.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+using Way = std::vector<glm::dvec3>;  // places of the patient
+
+struct PaintWindow : SegmentWindow {
+  PaintWindow() { setBrush(false, 10); }
+
+  void setBrush(bool ball, double mm) {
+    session().prefer([&](Preferences& p) { p.brush = {ball, mm}; });
+  }
+  void take(const char* tool) { child<QAction>(tool)->trigger(); }
+  const Tool& inHand() { return window.views()->tool(); }
+  QString said() { return child<Banner>("banner")->sentence(); }
+  QPoint pixelOf(glm::dvec3 p, ViewId id) {
+    const glm::dvec2 pixel = view(id)->plane()->pixelFromPatient(p);
+    return {int(pixel.x), int(pixel.y)};
+  }
+  // The pixels nearest to places, by which the planes go.
+  std::vector<QPoint> pixelsOf(const Way& way, ViewId id) {
+    std::vector<QPoint> pixels;
+    for (const glm::dvec3& p : way) pixels.push_back(pixelOf(p, id));
+    return pixels;
+  }
+  void show(const Crosshair& crosshair) {
+    session().change(QStringLiteral("test"), [&](Workspace& after) {
+      after.crosshairs.editOrAdd(frameOfReference(*after.series.at(series()).series)) = crosshair;
+    });
+    session().endGesture();
+  }
+  void press(QPoint at, ViewId id = axialViewId, Qt::KeyboardModifiers keys = {}) {
+    QTest::mousePress(view(id), Qt::LeftButton, keys, at);
+  }
+  void move(QPoint to, ViewId id = axialViewId, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseEvent(QTest::MouseMove, view(id), Qt::LeftButton, keys, to);
+  }
+  void release(QPoint at, ViewId id = axialViewId, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseRelease(view(id), Qt::LeftButton, keys, at);
+  }
+  void stroke(const std::vector<QPoint>& way, ViewId id = axialViewId, Qt::KeyboardModifiers keys = {}) {
+    press(way.front(), id, keys);
+    for (std::size_t n = 1; n < way.size(); ++n) move(way[n], id, keys);
+    release(way.back(), id, keys);
+  }
+  const VoxelGeometry& grid() { return session().series()->volume->geometry(); }
+  // What the brush covers along pixels of a view.
+  BitMask covered(const std::vector<QPoint>& way, ViewId id = axialViewId) {
+    BitMask mask(grid());
+    const Brush brush = session().preferences().brush;
+    for (std::size_t n = 0; n < way.size(); ++n) {
+      const glm::dvec3 from = patient(way[n == 0 ? 0 : n - 1], id), to = patient(way[n], id);
+      addSpans(mask, brush.ball
+                         ? ballStroke(grid(), from, to, brush.diameterMm / 2)
+                         : discStroke(grid(), from, to, view(id)->plane()->normal(), brush.diameterMm / 2));
+    }
+    return mask;
+  }
+  BitMask insideOf(const std::vector<QPoint>& corners, ViewId id = axialViewId) {
+    std::vector<glm::dvec3> outline;
+    for (const QPoint p : corners) outline.push_back(patient(p, id));
+    BitMask mask(grid());
+    addSpans(mask, insideOutline(grid(), outline, view(id)->plane()->normal()));
+    return mask;
+  }
+  BitMask valuesFrom(double low, double high) {
+    BitMask mask(grid());
+    const Volume& volume = *session().series()->volume;
+    for (int k = 0; k < 40; ++k)
+      for (int j = 0; j < 40; ++j)
+        for (int i = 0; i < 40; ++i)
+          if (volume.value(i, j, k) >= low && volume.value(i, j, k) <= high) mask.set({i, j, k});
+    return mask;
+  }
+};
+
+// Through the hollow ball, in the planes through its middle.
+const Way throughBall{{-14, -5, -5}, {-8, -5, -5}, {-3, -5, -5}, {1, -5, -5}};
+Crosshair throughMiddle() {
+  Crosshair crosshair;
+  crosshair.at = glm::dvec3(-5);
+  return crosshair;
+}
+Crosshair obliquely() {
+  Crosshair crosshair = throughMiddle();
+  crosshair.byHand = true;
+  crosshair.axial = {glm::normalize(glm::dvec3(1, 0.4, 0.5)), {}};
+  crosshair.axial.down = glm::normalize(glm::cross(glm::dvec3(-0.3, 0.2, 1), crosshair.axial.right));
+  return crosshair;
+}
+
+}  // namespace
+
+class TestSegmentPaint : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aStrokeIsAStep_data();
+  void aStrokeIsAStep();
+  void aDiscIsACircleOfItsSlice();
+  void theSliceShowsTheStrokeWhileItIsDrawn();
+  void ctrlAndThePageErase_data();
+  void ctrlAndThePageErase();
+  void lockedSegmentsStayAsTheyAre();
+  void limitsSayWhereIsPainted_data();
+  void limitsSayWhereIsPainted();
+  void escGivesAStrokeUp();
+  void aSeriesThatIsClosedInAStroke();
+  void aStrokeThatIsUndoneIsOver();
+  void nothingToEraseIsSaid();
+  void framesAreNotPaintedOn();
+  void keysAndThePageSetTheBrush();
+  void theBrushIsDrawnAtThePointer();
+  void outlinesAreSteps_data();
+  void outlinesAreSteps();
+  void outlinesThatAreNone();
+  void slicesBetweenPaintedOnesAreFilled();
+  void randomStrokesAreThoseOfATwin_data();
+  void randomStrokesAreThoseOfATwin();
+};
+
+void TestSegmentPaint::aStrokeIsAStep_data() {
+  QTest::addColumn<bool>("ball");
+  QTest::addColumn<ViewId>("id");
+  QTest::addColumn<bool>("oblique");
+  QTest::newRow("disc, axial") << false << axialViewId << false;
+  QTest::newRow("ball, axial") << true << axialViewId << false;
+  QTest::newRow("disc, coronal") << false << coronalViewId << false;
+  QTest::newRow("ball, sagittal") << true << sagittalViewId << false;
+  QTest::newRow("disc, oblique") << false << axialViewId << true;
+  QTest::newRow("ball, oblique") << true << axialViewId << true;
+}
+
+void TestSegmentPaint::aStrokeIsAStep() {
+  QFETCH(bool, ball);
+  QFETCH(ViewId, id);
+  QFETCH(bool, oblique);
+  PaintWindow w;
+  w.setBrush(ball, 7);
+  w.show(oblique ? obliquely() : throughMiddle());
+  w.take("paintTool");
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  const QPoint middle = w.pixelOf(glm::dvec3(-5), id);
+  const std::vector<QPoint> way{middle - QPoint(60, 10), middle - QPoint(20, -5), middle + QPoint(45, 30)};
+  w.stroke(way, id);
+  QCOMPARE(w.steps(), steps + 1);
+  QCOMPARE(w.count(), std::size_t(1));
+  const BitMask expected = w.covered(way, id);
+  QVERIFY(expected.count() > 40);
+  QVERIFY(w.mask(1) == expected);
+  QCOMPARE(w.session().undoStack().undoText(), QStringLiteral("Paint"));
+  // A second one is added to it, one step of its own.
+  const std::vector<QPoint> other{middle + QPoint(0, 50)};
+  const Workspace one = w.workspace();
+  w.stroke(other, id);
+  QCOMPARE(w.steps(), steps + 2);
+  QVERIFY(w.mask(1) == united(expected, w.covered(other, id)));
+  QVERIFY(w.idle());
+  const Workspace after = w.workspace();
+  w.undo();
+  QVERIFY(w.workspace() == one);
+  w.undo();
+  QVERIFY(w.workspace() == before);
+  w.redo(), w.redo();
+  QVERIFY(w.workspace() == after);
+  QCOMPARE(&w.inHand(), &toolNamed("paint"));
+  QTest::keyClick(w.view(id), Qt::Key_Escape);
+  QVERIFY(&w.inHand() != &toolNamed("paint"));
+}
+
+// Cubes of 1 mm: those whose centre the circle holds.
+void TestSegmentPaint::aDiscIsACircleOfItsSlice() {
+  PaintWindow w;
+  w.show(throughMiddle());
+  w.take("paintTool");
+  const QPoint at = w.pixelOf(glm::dvec3(-5), axialViewId);
+  w.stroke({at});
+  const glm::dvec3 middle = w.patient(at);
+  QVERIFY(w.voxels(1) > 60);
+  for (int k = 0; k < 40; ++k)
+    for (int j = 0; j < 40; ++j)
+      for (int i = 0; i < 40; ++i) {
+        const glm::dvec3 away = glm::dvec3(i, j, k) - 19.5 - middle;
+        // Its plane is half way between two slices, of which the second is shown.
+        const bool isIn = away.z > 0 && away.z < 1 && glm::length(glm::dvec2(away)) <= 5;
+        QCOMPARE(w.map()->labels->at({i, j, k}), std::uint8_t(isIn));
+      }
+}
+
+void TestSegmentPaint::theSliceShowsTheStrokeWhileItIsDrawn() {
+  PaintWindow w;
+  w.show(throughMiddle());
+  w.take("paintTool");
+  const std::vector<QPoint> way = w.pixelsOf({{0, 5, -5}, {6, 5, -5}}, axialViewId);
+  const auto colour = [&](QPoint at) { return w.view()->picture().pixelColor(at); };
+  const auto isGrey = [](QColor c) { return c.red() == c.green() && c.green() == c.blue(); };
+  QTRY_VERIFY(!w.view()->picture().isNull() && isGrey(colour(way[0])) && isGrey(colour(way[1])));
+  w.press(way[0]);
+  QTRY_VERIFY(!isGrey(colour(way[0])));
+  QVERIFY(isGrey(colour(way[1])));
+  w.move(way[1]);
+  QTRY_VERIFY(!isGrey(colour(way[1])));
+  w.release(way[1]);
+}
+
+void TestSegmentPaint::ctrlAndThePageErase_data() {
+  QTest::addColumn<bool>("byPage");
+  QTest::newRow("Ctrl") << false;
+  QTest::newRow("the page") << true;
+}
+
+void TestSegmentPaint::ctrlAndThePageErase() {
+  QFETCH(bool, byPage);
+  PaintWindow w;
+  QVERIFY(w.makeBoth());
+  w.show(throughMiddle());
+  if (byPage) {
+    w.click("segmentPaint");
+    w.child<QCheckBox>("paintErases")->click();
+  }
+  w.take("paintTool");
+  const BitMask own = w.mask(1), core = w.mask(2);
+  const std::vector<QPoint> way = w.pixelsOf(throughBall, axialViewId);
+  w.stroke(way, axialViewId, byPage ? Qt::NoModifier : Qt::ControlModifier);
+  QCOMPARE(w.session().undoStack().undoText(), QStringLiteral("Erase"));
+  QVERIFY(w.mask(1) == subtracted(own, w.covered(way)));
+  QVERIFY(w.mask(1) != own && w.mask(2) == core);
+}
+
+void TestSegmentPaint::lockedSegmentsStayAsTheyAre() {
+  PaintWindow w;
+  QVERIFY(w.makeBoth());
+  w.show(throughMiddle());
+  w.tick(1, 1);
+  QVERIFY(w.segment(1).locked && w.choose(0));
+  const BitMask own = w.mask(1), core = w.mask(2);
+  const std::vector<QPoint> way = w.pixelsOf(throughBall, axialViewId);
+  w.take("paintTool");
+  w.stroke(way);
+  QVERIFY(!intersected(w.covered(way), core).empty());
+  QVERIFY(w.mask(2) == core);
+  QVERIFY(w.mask(1) == united(own, subtracted(w.covered(way), core)));
+  // Itself neither.
+  QVERIFY(w.choose(1));
+  const Workspace before = w.workspace();
+  w.stroke(way);
+  w.stroke(way, axialViewId, Qt::ControlModifier);
+  QVERIFY(w.workspace() == before);
+  QVERIFY(w.said().contains(QStringLiteral("is locked")));
+}
+
+void TestSegmentPaint::limitsSayWhereIsPainted_data() {
+  QTest::addColumn<bool>("inRange");
+  QTest::addColumn<int>("beside");
+  QTest::newRow("only values of the range") << true << 0;
+  QTest::newRow("inside the core") << false << 1;
+  QTest::newRow("outside the core") << false << 2;
+  QTest::newRow("values of the range outside the core") << true << 2;
+}
+
+void TestSegmentPaint::limitsSayWhereIsPainted() {
+  QFETCH(bool, inRange);
+  QFETCH(int, beside);
+  PaintWindow w;
+  QVERIFY(w.makeBoth());
+  w.show(throughMiddle());
+  w.child<QDoubleSpinBox>("segmentLow")->setValue(-10);
+  w.child<QDoubleSpinBox>("segmentHigh")->setValue(600);
+  w.click("segmentPaint");
+  if (inRange) w.child<QCheckBox>("paintInRange")->click();
+  w.child<QComboBox>("paintBeside")->setCurrentIndex(beside);
+  QCOMPARE(w.child<QComboBox>("paintOther")->isEnabled(), beside > 0);
+  w.take("paintTool");
+  const BitMask own = w.mask(1), core = w.mask(2);
+  const std::vector<QPoint> way = w.pixelsOf(throughBall, axialViewId);
+  w.stroke(way);
+  BitMask expected = w.covered(way);
+  if (inRange) expected = intersected(expected, w.valuesFrom(-10, 600));
+  if (beside == 1) expected = intersected(expected, core);
+  if (beside == 2) expected = subtracted(expected, core);
+  QVERIFY(!expected.empty() && expected != w.covered(way));
+  QVERIFY(w.mask(1) == united(own, expected));
+  QVERIFY(w.mask(2) == subtracted(core, expected));
+}
+
+void TestSegmentPaint::escGivesAStrokeUp() {
+  PaintWindow w;
+  w.take("paintTool");
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  const QPoint at = w.view()->rect().center();
+  w.press(at);
+  w.move(at + QPoint(20, 0));
+  QCOMPARE(w.count(), std::size_t(1));
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  QVERIFY(w.workspace() == before);
+  w.move(at + QPoint(40, 0));
+  w.release(at + QPoint(40, 0));
+  QVERIFY(w.workspace() == before && w.steps() == steps);
+  QVERIFY(w.idle());
+  w.stroke({at});
+  QCOMPARE(w.steps(), steps + 1);
+}
+
+void TestSegmentPaint::aSeriesThatIsClosedInAStroke() {
+  PaintWindow w;
+  w.take("paintTool");
+  const QPointer<FlatView> view = w.view();
+  const QPoint at = view->rect().center();
+  w.press(at);
+  w.move(at + QPoint(20, 0));
+  const Workspace painted = w.workspace();
+  w.session().close({w.series()});
+  QVERIFY(w.workspace().segmentMaps.empty());
+  if (view) QTest::mouseEvent(QTest::MouseMove, view, Qt::LeftButton, {}, at + QPoint(40, 0));
+  if (view) QTest::mouseRelease(view, Qt::LeftButton, {}, at + QPoint(40, 0));
+  QVERIFY(w.idle());
+  QVERIFY(w.workspace().segmentMaps.empty());
+  w.undo();
+  QVERIFY(w.workspace() == painted);
+}
+
+void TestSegmentPaint::aStrokeThatIsUndoneIsOver() {
+  PaintWindow w;
+  w.take("paintTool");
+  const Workspace before = w.workspace();
+  const QPoint at = w.view()->rect().center();
+  w.press(at);
+  w.move(at + QPoint(20, 0));
+  w.session().undoStack().undo();
+  QVERIFY(w.workspace() == before);
+  w.move(at + QPoint(40, 0));
+  w.release(at + QPoint(40, 0));
+  QVERIFY(w.workspace() == before);
+}
+
+void TestSegmentPaint::nothingToEraseIsSaid() {
+  PaintWindow w;
+  w.take("paintTool");
+  const Workspace before = w.workspace();
+  const QPoint at = w.view()->rect().center();
+  w.stroke({at, at + QPoint(20, 0)}, axialViewId, Qt::ControlModifier);
+  QVERIFY(w.workspace() == before);
+  QVERIFY(w.said().contains(QStringLiteral("add a segment first")));
+}
+
+void TestSegmentPaint::framesAreNotPaintedOn() {
+  NEED_FILES();
+  Frames w({"cr-hip-mono2-jpeg12.dcm"});
+  QVERIFY(w.shows());
+  const Workspace before = w.workspace();
+  for (const char* tool : {"paintTool", "outlineTool"}) {
+    w.child<QAction>(tool)->trigger();
+    const QPoint at = w.view()->rect().center();
+    drag(w.view(), at, at + QPoint(40, 40));
+    QVERIFY(w.workspace() == before);
+    QVERIFY(w.child<Banner>("banner")->sentence().contains(QStringLiteral("Frames cannot be painted on")));
+  }
+}
+
+void TestSegmentPaint::keysAndThePageSetTheBrush() {
+  PaintWindow w;
+  const auto mm = [&] { return w.session().preferences().brush.diameterMm; };
+  auto* field = w.child<QDoubleSpinBox>("brushMm");
+  w.click("segmentPaint");
+  w.click("segmentBrush");
+  QCOMPARE(&w.inHand(), &toolNamed("paint"));
+  QTest::keyClick(w.view(), Qt::Key_Plus);
+  QCOMPARE(mm(), 12.0);
+  QCOMPARE(field->value(), 12.0);
+  QTest::keyClick(w.view(), Qt::Key_Minus);
+  QCOMPARE(mm(), 10.0);
+  for (int n = 0; n < 40; ++n) QTest::keyClick(w.view(), Qt::Key_Minus);
+  QCOMPARE(mm(), Brush::leastMm);
+  field->setValue(25);
+  QCOMPARE(mm(), 25.0);
+  QTest::keyClick(w.child<QComboBox>("brushShape"), Qt::Key_Down);
+  QVERIFY(w.session().preferences().brush.ball);
+  QVERIFY(storedPreferences().brush == w.session().preferences().brush);
+  // With another tool they are not the brush's.
+  w.click("segmentOutline");
+  QTest::keyClick(w.view(), Qt::Key_Plus);
+  QCOMPARE(mm(), 25.0);
+}
+
+void TestSegmentPaint::theBrushIsDrawnAtThePointer() {
+  PaintWindow w;
+  w.show(throughMiddle());
+  QTRY_VERIFY(!w.view()->picture().isNull());
+  const QPoint at = w.view()->rect().center() + QPoint(37, 21);
+  const double radius = 5 / w.view()->plane()->mmPerPixel;
+  const auto ring = [&](double r) {
+    return w.view()->grab().toImage().pixelColor(at + QPoint(int(std::lround(r)), 0));
+  };
+  const auto edge = [&](double r) {
+    int brightest = 0;
+    for (const int off : {-1, 0, 1}) brightest = std::max(brightest, ring(r + off).green());
+    return brightest;
+  };
+  hover(w.view(), at);
+  const int before = edge(radius);
+  w.take("paintTool");
+  hover(w.view(), at);
+  QVERIFY(before < 200);
+  QVERIFY(edge(radius) > before + 50);
+  QTest::keyClick(w.view(), Qt::Key_Plus);
+  QVERIFY(edge(1.2 * radius) > before + 50);
+}
+
+void TestSegmentPaint::outlinesAreSteps_data() {
+  QTest::addColumn<QString>("how");
+  QTest::addColumn<bool>("erases");
+  QTest::addColumn<bool>("oblique");
+  QTest::newRow("drag") << QStringLiteral("drag") << false << false;
+  QTest::newRow("clicks, Enter") << QStringLiteral("Enter") << false << false;
+  QTest::newRow("clicks, double-click") << QStringLiteral("double") << false << false;
+  QTest::newRow("clicks, one taken back") << QStringLiteral("Backspace") << false << false;
+  QTest::newRow("drag, oblique") << QStringLiteral("drag") << false << true;
+  QTest::newRow("clicks, oblique") << QStringLiteral("Enter") << false << true;
+  QTest::newRow("drag, erases") << QStringLiteral("drag") << true << false;
+  QTest::newRow("clicks, erase") << QStringLiteral("Enter") << true << false;
+}
+
+void TestSegmentPaint::outlinesAreSteps() {
+  QFETCH(QString, how);
+  QFETCH(bool, erases);
+  QFETCH(bool, oblique);
+  PaintWindow w;
+  QVERIFY(w.make(800, 1200));
+  w.show(oblique ? obliquely() : throughMiddle());
+  const BitMask own = w.mask(1);
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  const Qt::KeyboardModifiers keys = erases ? Qt::ControlModifier : Qt::NoModifier;
+  w.take("outlineTool");
+  const QPoint middle = w.pixelOf(glm::dvec3(-5), axialViewId);
+  const std::vector<QPoint> corners{middle - QPoint(70, 60), middle + QPoint(50, -66), middle + QPoint(8, 3),
+                                    middle + QPoint(64, 58), middle + QPoint(-59, 71)};
+  if (how == QStringLiteral("drag")) {
+    w.stroke(corners, axialViewId, keys);
+  } else {
+    for (const QPoint corner : corners) {
+      QTest::mouseClick(w.view(), Qt::LeftButton, keys, corner);
+      if (how == QStringLiteral("Backspace") && corner == corners[2]) {
+        QTest::mouseClick(w.view(), Qt::LeftButton, keys, middle + QPoint(90, 0));
+        QTest::keyClick(w.view(), Qt::Key_Backspace);
+      }
+      QVERIFY2(w.workspace() == before, "not closed yet");
+      QCOMPARE(w.view()->drawnMeasurements().size(), std::size_t(1));
+    }
+    if (how == QStringLiteral("double"))
+      QTest::mouseDClick(w.view(), Qt::LeftButton, keys, corners.back());
+    else
+      QTest::keyClick(w.view(), Qt::Key_Return);
+  }
+  const BitMask inside = w.insideOf(corners);
+  QVERIFY(inside.count() > 50);
+  QCOMPARE(w.steps(), steps + 1);
+  QVERIFY(w.mask(1) == (erases ? subtracted(own, inside) : united(own, inside)));
+  QVERIFY(w.mask(1) != own);
+  QVERIFY(w.view()->drawnMeasurements().empty() && w.all().empty());
+  QCOMPARE(&w.inHand(), &toolNamed("outline"));
+  QVERIFY(w.idle());
+  const Workspace after = w.workspace();
+  w.undo();
+  QVERIFY(w.workspace() == before);
+  w.redo();
+  QVERIFY(w.workspace() == after);
+}
+
+void TestSegmentPaint::outlinesThatAreNone() {
+  PaintWindow w;
+  w.take("outlineTool");
+  const Workspace before = w.workspace();
+  const QPoint at = w.view()->rect().center();
+  const auto click = [&](QPoint p) { QTest::mouseClick(w.view(), Qt::LeftButton, {}, p); };
+  click(at), click(at + QPoint(50, 0));
+  QTest::keyClick(w.view(), Qt::Key_Return);
+  QVERIFY2(w.workspace() == before && w.view()->drawnMeasurements().empty(), "two points");
+  click(at), click(at + QPoint(50, 0)), click(at + QPoint(50, 50)), click(at + QPoint(0, 50));
+  QTest::keyClick(w.view(), Qt::Key_Down);
+  QVERIFY2(w.workspace() == before, "the slice stays under it");
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  QVERIFY2(w.workspace() == before && w.view()->drawnMeasurements().empty(), "Esc");
+  QCOMPARE(&w.inHand(), &toolNamed("outline"));
+  w.press(at);
+  w.move(at + QPoint(50, 0)), w.move(at + QPoint(50, 50));
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  w.release(at + QPoint(50, 50));
+  QVERIFY2(w.workspace() == before, "Esc in a drag");
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  QVERIFY(&w.inHand() != &toolNamed("outline"));
+}
+
+void TestSegmentPaint::slicesBetweenPaintedOnesAreFilled() {
+  PaintWindow w;
+  w.take("paintTool");
+  for (const double z : {-8.5, -0.5}) {
+    Crosshair crosshair = throughMiddle();
+    crosshair.at.z = z;
+    w.show(crosshair);
+    w.stroke(w.pixelsOf({{z, 0, z}}, axialViewId));
+  }
+  const BitMask two = w.mask(1);
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  w.click("segmentPaint");
+  w.click("segmentFillBetween");
+  QVERIFY(w.idle());
+  QCOMPARE(w.steps(), steps + 1);
+  QCOMPARE(axisOfPaintedSlices(two), std::optional(2));
+  QVERIFY(w.mask(1) == filledBetweenSlices(two, 2));
+  QVERIFY(w.mask(1) != two);
+  w.click("segmentFillBetween");
+  QVERIFY(w.idle());
+  QCOMPARE(w.steps(), steps + 1);
+  QVERIFY(w.said().contains(QStringLiteral("no empty slices")));
+  w.undo();
+  QVERIFY(w.workspace() == before);
+}
+
+void TestSegmentPaint::randomStrokesAreThoseOfATwin_data() {
+  QTest::addColumn<int>("seed");
+  const Seeds seeds = seedsOf(1, 5);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+// In any plane, by any brush, painted and erased; then undone and done again.
+void TestSegmentPaint::randomStrokesAreThoseOfATwin() {
+  QFETCH(int, seed);
+  Chance chance{std::uint64_t(seed)};
+  PaintWindow w;
+  QVERIFY(w.make(800, 1200));
+  w.take("paintTool");
+  BitMask twin = w.mask(1);
+  const int first = w.steps();
+  std::vector<Workspace> states{w.workspace()};
+  for (int n = 0; n < 60; ++n) {
+    Crosshair crosshair = chance.oneIn(2) ? throughMiddle() : obliquely();
+    crosshair.at = 15.0 * chance.vector();
+    if (chance.oneIn(4)) w.show(crosshair);
+    if (w.steps() - first == int(states.size())) states.push_back(w.workspace());
+    w.setBrush(chance.oneIn(2), chance.between(1, 15));
+    const ViewId id = axialViewId + chance.below(3);
+    const bool erases = chance.oneIn(3);
+    std::vector<QPoint> way;
+    for (int points = 1 + chance.below(4); points > 0; --points)
+      way.push_back(w.view(id)->rect().center() + QPoint(chance.below(200) - 100, chance.below(200) - 100));
+    const BitMask covered = w.covered(way, id);
+    w.stroke(way, id, erases ? Qt::ControlModifier : Qt::NoModifier);
+    twin = erases ? subtracted(twin, covered) : united(twin, covered);
+    QVERIFY2(w.mask(1) == twin, qPrintable(QString::number(n)));
+    if (w.steps() - first == int(states.size())) states.push_back(w.workspace());
+    QCOMPARE(w.steps() - first + 1, int(states.size()));
+  }
+  QVERIFY(states.size() > 40);
+  for (int n = int(states.size()) - 1; n-- > 0;) {
+    w.undo();
+    QVERIFY2(w.workspace() == states[std::size_t(n)], qPrintable(QString::number(n)));
+  }
+  for (std::size_t n = 1; n < states.size(); ++n) {
+    w.redo();
+    QVERIFY2(w.workspace() == states[n], qPrintable(QString::number(n)));
+  }
+  QVERIFY(w.idle());
+}
+
+VOLUMEN_TEST(TestSegmentPaint);
+#include "tst_segment_paint.moc"

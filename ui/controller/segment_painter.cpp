@@ -1,0 +1,74 @@
+#include "ui/controller/segment_painter.h"
+
+#include "ui/controller/segment_target.h"
+#include "ui/workspace/segments.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+PaintRules rulesOf(const SegmentMap& map, int number, bool erases, const PaintLimits& limits,
+                   const VolumePtr& volume) {
+  using enum PaintLimits::Beside;
+  PaintRules rules{.label = std::uint8_t(number), .erases = erases, .range = limits.range, .volume = volume};
+  if (erases) return rules;  // what is the segment's is no other one's
+  rules.kept = lockedNumbers(map);
+  const auto other = std::uint8_t(limits.other);
+  if (limits.beside == outside) rules.kept.push_back(other);
+  if (limits.beside != inside) return rules;
+  for (int label = 0; label < 256; ++label)
+    if (label != other) rules.kept.push_back(std::uint8_t(label));
+  return rules;
+}
+
+}  // namespace
+
+QString SegmentPainter::whyNot(const SegmentStroke& stroke) const {
+  if (stroke.onFrame) return tr("Frames cannot be painted on: show the series as slices.");
+  const QString why = whyNoSegments(session_);
+  if (!why.isEmpty()) return why;
+  if (stroke.series != keyOf(session_.series()->series))
+    return tr("The panel Segments is about another series: click into a view of that one.");
+  return stroke.erases || segmentShown(session_) ? whyNotChanged(session_) : QString();
+}
+
+void SegmentPainter::paint(const SegmentStroke& stroke, const PaintLimits& limits) {
+  using enum SegmentStroke::Phase;
+  if (stroke.phase == ends) {
+    if (!target_) return;
+    target_.reset();
+    session_.endGesture();
+    Q_EMIT ended();
+    return;
+  }
+  if (stroke.phase == begins) {
+    target_.reset();
+    const QString why = whyNot(stroke);
+    if (!why.isEmpty()) return Q_EMIT failed(why);
+    const Segment* segment = segmentShown(session_);
+    target_ = Target{session_.series()->volume, segment ? segment->number : 0, limits};
+    session_.endGesture();
+  }
+  if (target_ && !stroke.spans.empty()) add(stroke);
+}
+
+void SegmentPainter::add(const SegmentStroke& stroke) {
+  Workspace after = session_.workspace();
+  if (!after.series.contains(stroke.series)) return;
+  const VoxelGeometry& grid = target_->volume->geometry();
+  if (target_->number == 0) {
+    after = withNewSegment(std::move(after), stroke.series, grid, {});
+    target_->number = segmentMapOf(after, stroke.series)->current;
+  }
+  SegmentMap map = segmentMapOn(after, stroke.series, grid);
+  const Segment* segment = findSegment(map, target_->number);
+  if (!segment || segment->locked) return;
+  map.labels = std::make_shared<const LabelMap>(
+      painted(*map.labels, stroke.spans,
+              rulesOf(map, target_->number, stroke.erases, target_->limits, target_->volume)));
+  const QString text = stroke.erases ? tr("Erase") : tr("Paint");
+  session_.change(text, withSegmentMap(std::move(after), map), text);
+}
+
+}  // namespace volumen

@@ -1,0 +1,172 @@
+#include "ui/panels/segment_paint_page.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/controller/segment_target.h"
+#include "ui/widgets/plain_text.h"
+#include "ui/workspace/segments.h"
+#include "ui/workspace/text.h"
+#include "viewer/segment/between_slices.h"
+
+namespace volumen {
+
+namespace {
+
+QComboBox* narrowChoice(const char* name, const QString& label) {
+  auto* choice = new QComboBox;
+  choice->setObjectName(QLatin1String(name));
+  choice->setAccessibleName(label);
+  choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // names may be long
+  choice->setMinimumContentsLength(6);
+  return choice;
+}
+
+Result<BitMask> betweenFilled(const SegmentMap& map, int number, const CancelToken& cancel) {
+  const BitMask own = maskOf(*map.labels, std::uint8_t(number));
+  const std::optional<int> axis = axisOfPaintedSlices(own);
+  if (!axis) return Error{"The current segment has no empty slices between painted ones."};
+  return filledBetweenSlices(own, *axis, cancel);
+}
+
+}  // namespace
+
+SegmentPaintPage::SegmentPaintPage(Session& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      brush_(new QToolButton),
+      outline_(new QToolButton),
+      erases_(new QCheckBox(tr("Erase"))),
+      shape_(narrowChoice("brushShape", tr("Brush"))),
+      mm_(new QDoubleSpinBox),
+      inRange_(new QCheckBox(tr("Only values from the curve"))),
+      beside_(narrowChoice("paintBeside", tr("Where to paint"))),
+      other_(narrowChoice("paintOther", tr("Other segment"))),
+      fill_(new QToolButton) {
+  brush_->setObjectName(QStringLiteral("segmentBrush"));
+  outline_->setObjectName(QStringLiteral("segmentOutline"));
+  erases_->setObjectName(QStringLiteral("paintErases"));
+  erases_->setToolTip(toolTipOf(tr("What is painted is erased; with Ctrl held too.")));
+  shape_->addItems({tr("Disc"), tr("Ball")});
+  shape_->setToolTip(toolTipOf(tr("A disc in the slice, or a ball through several.")));
+  mm_->setObjectName(QStringLiteral("brushMm"));
+  mm_->setAccessibleName(tr("Diameter of the brush"));
+  mm_->setToolTip(toolTipOf(tr("Diameter in the patient; + and - in a slice change it by 20 %.")));
+  mm_->setRange(Brush::leastMm, Brush::mostMm);
+  mm_->setDecimals(1);
+  mm_->setSuffix(tr(" mm"));
+  mm_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  mm_->setMinimumWidth(70);
+  inRange_->setObjectName(QStringLiteral("paintInRange"));
+  inRange_->setToolTip(toolTipOf(tr("Only voxels of the range on the page From the curve.")));
+  beside_->addItems({tr("Anywhere"), tr("Inside"), tr("Outside")});
+  beside_->setToolTip(
+      toolTipOf(tr("Where to paint: inside another segment, whose voxels are taken, or outside.")));
+  fill_->setObjectName(QStringLiteral("segmentFillBetween"));
+  fill_->setText(tr("Fill between slices"));
+  makeLayout();
+  connectFields();
+  showBrush();
+  showSegments();
+}
+
+void SegmentPaintPage::makeLayout() {
+  auto* tools = new QHBoxLayout;
+  tools->addWidget(brush_);
+  tools->addWidget(outline_);
+  tools->addWidget(erases_);
+  tools->addStretch();
+  auto* size = new QHBoxLayout;
+  size->addWidget(shape_, 1);
+  size->addWidget(mm_, 1);
+  auto* where = new QHBoxLayout;
+  where->addWidget(beside_, 1);
+  where->addWidget(other_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addLayout(tools);
+  column->addLayout(size);
+  column->addWidget(inRange_, 0, Qt::AlignLeft);
+  column->addLayout(where);
+  column->addWidget(fill_, 0, Qt::AlignLeft);
+  column->addStretch();
+}
+
+void SegmentPaintPage::connectFields() {
+  connect(shape_, &QComboBox::activated, this, [this](int n) {
+    session_.prefer([n](Preferences& preferences) { preferences.brush.ball = n == 1; });
+  });
+  connect(mm_, &QDoubleSpinBox::valueChanged, this, [this](double mm) {
+    session_.prefer([mm](Preferences& preferences) { preferences.brush.diameterMm = mm; });
+  });
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.brush != after.brush) showBrush();
+          });
+  connect(beside_, &QComboBox::currentIndexChanged, this, &SegmentPaintPage::showOthers);
+  connect(fill_, &QToolButton::clicked, this, &SegmentPaintPage::fillBetween);
+}
+
+void SegmentPaintPage::setToolActions(QAction* brush, QAction* outline) {
+  for (const auto& [button, action] : {std::pair(brush_, brush), std::pair(outline_, outline)}) {
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setDefaultAction(action);
+  }
+}
+
+// What is shown is rounded, what is used is not.
+void SegmentPaintPage::showBrush() {
+  const QSignalBlocker quiet(mm_);
+  const Brush& brush = session_.preferences().brush;
+  shape_->setCurrentIndex(brush.ball ? 1 : 0);
+  mm_->setValue(brush.diameterMm);
+}
+
+void SegmentPaintPage::showSegments() {
+  showOthers();
+  const QString why = whyNotChanged(session_);
+  fill_->setEnabled(why.isEmpty());
+  fill_->setToolTip(
+      toolTipOf(QStringList{tr("Fills the slices between painted ones, by signed distances."), why}));
+}
+
+// The one that was chosen stays.
+void SegmentPaintPage::showOthers() {
+  const QSignalBlocker quiet(other_);
+  const int chosen = other_->currentData().toInt();
+  const SegmentMap* map = segmentsShown(session_);
+  const Segment* current = segmentShown(session_);
+  other_->clear();
+  if (map)
+    for (const Segment& segment : map->segments)
+      if (&segment != current) other_->addItem(shownText(segment.label), segment.number);
+  other_->setCurrentIndex(std::max(0, other_->findData(chosen)));
+  other_->setEnabled(other_->count() > 0 && beside_->currentIndex() > 0);
+  other_->setToolTip(toolTipOf(other_->count() > 0 ? tr("The segment to paint inside or outside")
+                                                   : tr("There is no other segment.")));
+}
+
+PaintLimits SegmentPaintPage::limits(const ValueRange& range) const {
+  PaintLimits limits;
+  if (inRange_->isChecked()) limits.range = range;
+  if (other_->count() == 0) return limits;
+  limits.beside = PaintLimits::Beside(beside_->currentIndex());
+  limits.other = other_->currentData().toInt();
+  return limits;
+}
+
+void SegmentPaintPage::fillBetween() {
+  SegmentWork work;
+  work.series = keyOf(session_.series()->series);
+  work.volume = wholeVolume(session_);
+  work.number = segmentShown(session_)->number;
+  work.text = tr("Fill between slices");
+  work.doing = tr("Filling between slices");
+  work.make = betweenFilled;
+  Q_EMIT workWanted(work);
+}
+
+}  // namespace volumen

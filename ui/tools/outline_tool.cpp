@@ -1,0 +1,102 @@
+#include <cmath>
+
+#include "ui/tools/tool.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr double outlinePixels = 3;  // logical, from one point of a drag to the next
+constexpr std::size_t fewestCorners = 3;
+
+// Draws an outline by one drag, or point by point with the last one at the pointer; what is inside is painted
+// once it is closed. Ctrl as it begins: erased.
+class OutlineDrag : public Drag {
+ public:
+  explicit OutlineDrag(const SlicePress& press) : press_(press) {
+    drawn_.id = -1 - press.view;  // none of the workspace's
+    drawn_.series = keyOf(press.series->series);
+    drawn_.shape.kind = ShapeKind::freehand;
+    drawn_.shape.frame = press.frame;
+    if (!press.frame)
+      drawn_.shape.plane = ShapePlane{press.plane.centre, press.plane.right, press.plane.down};
+    addPoint(press.at);
+    addPoint(press.at);
+  }
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override {
+    setLast(p);
+    const QPointF way = p - places_[places_.size() - 2];
+    if (isDrag_ && std::hypot(way.x(), way.y()) >= outlinePixels) addPoint(p);
+  }
+
+  void press(QPointF p) override {
+    setLast(p);
+    addPoint(p);
+  }
+
+  bool release(QPointF p, Qt::KeyboardModifiers keys) override {
+    moveTo(p, keys);
+    const bool isClick = points().size() == 2;
+    if (isDrag_ && !isClick) return finish();
+    isDrag_ = false;
+    return false;
+  }
+
+  bool finish() override {
+    points().pop_back();
+    if (points().size() >= fewestCorners) paintInside();
+    return true;
+  }
+
+  // The plane stays; Backspace takes the last point back.
+  bool takesKey(int key) override {
+    if (key == Qt::Key_Backspace && !isDrag_ && points().size() > 2) {
+      points().erase(points().end() - 2);
+      places_.erase(places_.end() - 2);
+    }
+    return key != Qt::Key_Escape && key != Qt::Key_Return && key != Qt::Key_Enter;
+  }
+
+  const Measurement* drawing() const override { return &drawn_; }
+  bool isMeasured() const override { return false; }
+
+ private:
+  std::vector<glm::dvec3>& points() { return drawn_.shape.points; }
+
+  void addPoint(QPointF p) {
+    points().push_back(press_.shapePointAt(p));
+    places_.push_back(p);
+  }
+
+  void setLast(QPointF p) {
+    points().back() = press_.shapePointAt(p);
+    places_.back() = p;
+  }
+
+  void paintInside() {
+    SegmentStroke stroke;
+    stroke.series = drawn_.series;
+    stroke.erases = press_.keys & Qt::ControlModifier;
+    stroke.onFrame = press_.frame.has_value();
+    if (!stroke.onFrame)
+      stroke.spans = insideOutline(press_.series->volume->geometry(), points(), press_.plane.normal());
+    press_.paint(stroke);
+    stroke.phase = SegmentStroke::Phase::ends;
+    press_.paint(stroke);
+  }
+
+  const SlicePress press_;
+  Measurement drawn_;
+  std::vector<QPointF> places_;  // of its points
+  bool isDrag_ = true;           // the button of the first press is held
+};
+
+}  // namespace
+
+std::unique_ptr<Drag> beginOutline(const SlicePress& press) {
+  if (!press.paint) return nullptr;
+  return std::make_unique<OutlineDrag>(press);
+}
+
+}  // namespace volumen

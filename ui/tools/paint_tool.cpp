@@ -1,0 +1,79 @@
+#include <QPainter>
+#include <algorithm>
+#include <utility>
+
+#include "ui/tools/tool.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr double brushStep = 1.2;
+
+// Paints where the brush goes; Ctrl as it begins: erases.
+class PaintDrag : public Drag {
+ public:
+  explicit PaintDrag(const SlicePress& press) : press_(press), last_(press.patientAt(press.at)) {
+    stroke_.series = keyOf(press.series->series);
+    stroke_.erases = press.keys & Qt::ControlModifier;
+    stroke_.onFrame = press.frame.has_value();
+    goTo(press.at);
+    stroke_.phase = SegmentStroke::Phase::goesOn;
+  }
+  ~PaintDrag() override {
+    stroke_.phase = SegmentStroke::Phase::ends;
+    stroke_.spans.clear();
+    press_.paint(stroke_);
+  }
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override { goTo(p); }
+  // The plane stays.
+  bool takesKey(int key) override { return key != Qt::Key_Escape; }
+
+ private:
+  void goTo(QPointF p) {
+    const Brush& brush = press_.session.preferences().brush;
+    const VoxelGeometry& grid = press_.series->volume->geometry();
+    const glm::dvec3 at = press_.patientAt(p);
+    const double radius = brush.diameterMm / 2;
+    stroke_.spans = brush.ball ? ballStroke(grid, last_, at, radius)
+                               : discStroke(grid, last_, at, press_.plane.normal(), radius);
+    last_ = at;
+    press_.paint(stroke_);
+  }
+
+  const SlicePress press_;
+  glm::dvec3 last_;  // mm
+  SegmentStroke stroke_;
+};
+
+}  // namespace
+
+std::unique_ptr<Drag> beginPaint(const SlicePress& press) {
+  if (!press.paint) return nullptr;
+  return std::make_unique<PaintDrag>(press);
+}
+
+void paintBrushAt(QPainter& painter, const SlicePress& pointer) {
+  const double mmPerPixel = pointer.plane.mmPerPixel * pointer.pixelRatio;
+  const double radius = pointer.session.preferences().brush.diameterMm / 2 / mmPerPixel;
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  for (const auto& [colour, width] :
+       {std::pair(QColor(0, 0, 0, 160), 3.0), std::pair(QColor(Qt::white), 1.0)}) {
+    painter.setPen(QPen(colour, width));
+    painter.drawEllipse(pointer.at, radius, radius);
+  }
+  painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+bool resizeBrush(Session& session, int key) {
+  if (key != Qt::Key_Plus && key != Qt::Key_Minus) return false;
+  session.prefer([key](Preferences& preferences) {
+    double& mm = preferences.brush.diameterMm;
+    mm = std::clamp(key == Qt::Key_Plus ? mm * brushStep : mm / brushStep, Brush::leastMm, Brush::mostMm);
+  });
+  return true;
+}
+
+}  // namespace volumen
