@@ -20,17 +20,20 @@ class SegmentPreview : public QObject {
   SegmentWork withMade(SegmentWork work) const;
 
  Q_SIGNALS:
-  /// None: the segments as they are.
+  /// What there would be, of which those are visible that are others then; none: nothing is looked at.
   void changed(const std::optional<volumen::SegmentMap>& segments);
   /// A sentence; empty where the user cancelled it. Nothing is looked at.
   void failed(const QString& sentence);
 
  private:
-  void take(const SegmentMap& base, const Result<SegmentMap>& made);
+  struct Made {
+    SegmentMap base, made, shown;  // of what it was made, what it is, and what of it is to be seen
+  };
+  void fail(const QString& sentence);
 
   Session& session_;
-  std::optional<SegmentMap> made_;  // what is looked at
-  std::optional<SegmentMap> base_;  // of what that was made; none: it is made anew
+  std::optional<Made> made_;  // what is looked at
+  bool isLate_ = false;       // something else was asked for since
   JobLane lane_;
 };
 

@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "ui/controller/segment_growing.h"
 #include "ui/controller/segment_target.h"
@@ -50,6 +51,7 @@ SegmentGrowPage::SegmentGrowPage(Session& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
       lesion_(new QToolButton),
+      trace_(new QToolButton),
       threshold_(narrowBox("lesionThreshold", tr("From which value on voxels in the sphere are the lesion"),
                            thresholdTexts())),
       region_(narrowBox("growRegion",
@@ -59,6 +61,7 @@ SegmentGrowPage::SegmentGrowPage(Session& session, QWidget* parent)
       grow_(new QPushButton(tr("Grow from seeds"))),
       preview_(new QCheckBox(tr("Preview"))) {
   lesion_->setObjectName(QStringLiteral("segmentLesion"));
+  trace_->setObjectName(QStringLiteral("segmentTrace"));
   grow_->setObjectName(QStringLiteral("segmentGrow"));
   preview_->setObjectName(QStringLiteral("growPreview"));
   makeLayout();
@@ -76,16 +79,19 @@ void SegmentGrowPage::makeLayout() {
   grid->setSpacing(4);
   grid->addWidget(lesion_, 0, 0);
   grid->addWidget(threshold_, 0, 1);
-  grid->addWidget(grow_, 1, 0);
-  grid->addWidget(region_, 1, 1);
-  grid->addWidget(preview_, 2, 0, 1, 2, Qt::AlignLeft);
+  grid->addWidget(trace_, 1, 0);
+  grid->addWidget(grow_, 2, 0);
+  grid->addWidget(region_, 2, 1);
+  grid->addWidget(preview_, 3, 0, 1, 2, Qt::AlignLeft);
   grid->setColumnStretch(1, 1);
-  grid->setRowStretch(3, 1);
+  grid->setRowStretch(4, 1);
 }
 
-void SegmentGrowPage::setLesionAction(QAction* action) {
-  lesion_->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  lesion_->setDefaultAction(action);
+void SegmentGrowPage::setToolActions(QAction* lesion, QAction* trace) {
+  for (const auto& [button, action] : {std::pair(lesion_, lesion), std::pair(trace_, trace)}) {
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setDefaultAction(action);
+  }
 }
 
 QString SegmentGrowPage::whyNotGrown() const {
@@ -144,7 +150,7 @@ SegmentWork SegmentGrowPage::growthWork() const {
                   GrowthRegion(region_->currentIndex()));
 }
 
-// What is previewed stays until it is a step.
+// What is previewed stays until it is a step, or none.
 void SegmentGrowPage::grow() {
   isHeld_ = true;
   seeds_.reset();

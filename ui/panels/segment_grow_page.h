@@ -11,7 +11,8 @@
 
 namespace volumen {
 
-/// What makes segments of little: of a sphere about a lesion, of seeds in several segments.
+/// What makes segments of little: of a sphere about a lesion, of the level under the pointer, of seeds in
+/// several segments.
 class SegmentGrowPage : public QWidget {
   Q_OBJECT
  public:
@@ -19,8 +20,8 @@ class SegmentGrowPage : public QWidget {
 
   /// Shows what the segments allow; they, or the series, may be others.
   void showSegments();
-  /// The tool that draws spheres.
-  void setLesionAction(QAction* action);
+  /// The tool that draws spheres, and the one that traces levels.
+  void setToolActions(QAction* lesion, QAction* trace);
   /// A sphere that is drawn: the lesion in it is previewed, and a segment once it is done.
   void takeBall(const DrawnBall& ball);
   /// What previewWanted() came to instead: a sentence, empty where the user cancelled it.
@@ -45,7 +46,7 @@ class SegmentGrowPage : public QWidget {
   void showGrowth();
 
   Session& session_;
-  QToolButton* lesion_;
+  QToolButton *lesion_, *trace_;
   QComboBox *threshold_, *region_;
   QPushButton* grow_;
   QCheckBox* preview_;

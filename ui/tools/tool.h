@@ -168,6 +168,10 @@ bool resizeBrush(Session& session, int key);
 std::unique_ptr<Drag> beginOutline(const SlicePress& press);
 /// Draws a ball about the place that was pressed, in which a lesion is looked for.
 std::unique_ptr<Drag> beginLesion(const SlicePress& press);
+/// Paints or erases what the closed line at the value that was pressed goes around.
+std::unique_ptr<Drag> beginLevelTrace(const SlicePress& press);
+/// Draws the line that a press would take.
+void paintLevelTrace(QPainter& painter, const SlicePress& pointer);
 std::unique_ptr<Drag> beginCrosshair(const SlicePress& press);
 std::unique_ptr<Drag> beginMagnifier(const SlicePress& press);
 /// Of Enlarged::factor.

@@ -54,6 +54,12 @@ const std::vector<Tool>& tools() {
          .cursor = Qt::CrossCursor,
          .inSlices = beginLesion,
          .clicks = true},
+        {.name = "levelTrace",
+         .text = tr("Level trace"),
+         .cursor = Qt::CrossCursor,
+         .inSlices = beginLevelTrace,
+         .clicks = true,
+         .paintAt = paintLevelTrace},
     };
     std::ranges::move(measuringTools(), std::back_inserter(all));
     return all;

@@ -17,6 +17,17 @@ std::string frameOfReferenceOf(const LoadedSeriesPtr& shown) {
 
 constexpr double fillOfSegments = 0.5;  // of an opaque segment: the picture is seen through it
 
+// None: there is none that is seen.
+std::optional<SegmentLayer> layerOf(const SegmentMap& map, const Rigid& fromPlane) {
+  if (!map.labels) return {};
+  SegmentLayer layer{nullptr, {}, fillOfSegments, map.labels, fromPlane};
+  for (const Segment& segment : map.segments)
+    if (segment.visible && segment.opacity > 0)
+      layer.shown.push_back(
+          {std::size_t(segment.number), regionColour(segment.colour, segment.number).rgb(), segment.opacity});
+  return layer.shown.empty() ? std::nullopt : std::optional(std::move(layer));
+}
+
 void paintContours(QPainter& painter, const ContourLines& contours, double pixelRatio) {
   constexpr double arm = 3;  // of a cross, logical pixels
   painter.setBrush(Qt::NoBrush);
@@ -55,17 +66,13 @@ std::vector<SegmentLayer> FlatView::segmentLayers() const {
   return layers;
 }
 
-// The segments of a series; none: it has none that are seen.
-std::optional<SegmentLayer> FlatView::layerOf(const SeriesKey& series, const Rigid& fromPlane) const {
-  const bool isPreview = preview_ && preview_->series == series;
-  const SegmentMap* map = isPreview ? &*preview_ : segmentMapOf(session_.workspace(), series);
-  if (!map || !map->labels) return {};
-  SegmentLayer layer{nullptr, {}, fillOfSegments, map->labels, fromPlane};
-  for (const Segment& segment : map->segments)
-    if (segment.visible && segment.opacity > 0)
-      layer.shown.push_back(
-          {std::size_t(segment.number), regionColour(segment.colour, segment.number).rgb(), segment.opacity});
-  return layer.shown.empty() ? std::nullopt : std::optional(std::move(layer));
+// What would be segments of a series lies under those that are.
+void FlatView::addSegmentsOf(const SeriesKey& series, const Rigid& fromPlane,
+                             std::vector<SegmentLayer>& layers) const {
+  const bool isPreviewed = preview_ && preview_->series == series;
+  for (const SegmentMap* map :
+       {isPreviewed ? &*preview_ : nullptr, segmentMapOf(session_.workspace(), series)})
+    if (auto layer = map ? layerOf(*map, fromPlane) : std::nullopt) layers.push_back(std::move(*layer));
 }
 
 void FlatView::showPreview(const std::optional<SegmentMap>& segments) {
@@ -78,13 +85,12 @@ void FlatView::addSegmentMaps(std::vector<SegmentLayer>& layers) const {
   const LoadedSeriesPtr shown = this->shown();
   if (!shown || (shapeFrame() && !shown->volume->geometry().calibrated)) return;
   const Workspace& workspace = session_.workspace();
-  if (auto own = layerOf(state().series, {})) layers.push_back(std::move(*own));
+  addSegmentsOf(state().series, {}, layers);
   const auto over = workspace.series.find(flatLookOf(state()).overlay);
   if (shapeFrame() || over == workspace.series.end()) return;
   const auto relation =
       relationOf(workspace, frameOfReference(*seriesState().series), frameOfReference(*over->second.series));
-  if (!relation) return;
-  if (auto fused = layerOf(over->first, relation->toFromFrom)) layers.push_back(std::move(*fused));
+  if (relation) addSegmentsOf(over->first, relation->toFromFrom, layers);
 }
 
 // Contours.

@@ -68,7 +68,7 @@ class ViewGrid : public QWidget {
   void setClipShown(bool shown);
   /// Tints a segment in slices of its volume; null: none.
   void showSegment(const std::optional<VolumeRange>& segment);
-  /// Shows segments of a series in flat views in place of its own; none: its own.
+  /// Shows in flat views what would be segments of a series under those that are; none: nothing more.
   void showPreview(const std::optional<SegmentMap>& segments);
   /// A series that views wait for will not come.
   void giveUpWaiting(const SeriesKey& series);
