@@ -95,7 +95,7 @@ struct PaintWindow : SegmentWindow {
 const Way throughBall{{-14, -5, -5}, {-8, -5, -5}, {-3, -5, -5}, {1, -5, -5}};
 Crosshair throughMiddle() {
   Crosshair crosshair;
-  crosshair.at = glm::dvec3(-5);
+  crosshair.at = glm::dvec3(-4.5);  // of voxels there are centres
   return crosshair;
 }
 Crosshair obliquely() {
@@ -155,6 +155,7 @@ void TestSegmentPaint::aStrokeIsAStep() {
   w.setBrush(ball, 7);
   w.show(oblique ? obliquely() : throughMiddle());
   w.take("paintTool");
+  w.session().setFocus(id);  // as the press does
   const Workspace before = w.workspace();
   const int steps = w.steps();
   const QPoint middle = w.pixelOf(glm::dvec3(-5), id);
@@ -198,8 +199,7 @@ void TestSegmentPaint::aDiscIsACircleOfItsSlice() {
     for (int j = 0; j < 40; ++j)
       for (int i = 0; i < 40; ++i) {
         const glm::dvec3 away = glm::dvec3(i, j, k) - 19.5 - middle;
-        // Its plane is half way between two slices, of which the second is shown.
-        const bool isIn = away.z > 0 && away.z < 1 && glm::length(glm::dvec2(away)) <= 5;
+        const bool isIn = std::abs(away.z) < 0.5 && glm::length(glm::dvec2(away)) <= 5;
         QCOMPARE(w.map()->labels->at({i, j, k}), std::uint8_t(isIn));
       }
 }
@@ -463,7 +463,7 @@ void TestSegmentPaint::outlinesAreSteps() {
         QTest::keyClick(w.view(), Qt::Key_Backspace);
       }
       QVERIFY2(w.workspace() == before, "not closed yet");
-      QCOMPARE(w.view()->drawnMeasurements().size(), std::size_t(1));
+      if (corner != corners[0]) QCOMPARE(w.view()->drawnMeasurements().size(), std::size_t(1));
     }
     if (how == QStringLiteral("double"))
       QTest::mouseDClick(w.view(), Qt::LeftButton, keys, corners.back());
@@ -571,13 +571,15 @@ void TestSegmentPaint::randomStrokesAreThoseOfATwin() {
     QCOMPARE(w.steps() - first + 1, int(states.size()));
   }
   QVERIFY(states.size() > 40);
+  // The focus is none of the steps.
+  const auto isState = [&](const Workspace& state) { return withFocusOf(w.workspace(), state) == state; };
   for (int n = int(states.size()) - 1; n-- > 0;) {
     w.undo();
-    QVERIFY2(w.workspace() == states[std::size_t(n)], qPrintable(QString::number(n)));
+    QVERIFY2(isState(states[std::size_t(n)]), qPrintable(QString::number(n)));
   }
   for (std::size_t n = 1; n < states.size(); ++n) {
     w.redo();
-    QVERIFY2(w.workspace() == states[n], qPrintable(QString::number(n)));
+    QVERIFY2(isState(states[n]), qPrintable(QString::number(n)));
   }
   QVERIFY(w.idle());
 }
