@@ -162,7 +162,7 @@ void TestSegmentGrowing::thePreviewFollowsTheSeeds() {
   GrowWindow w;
   QVERIFY(w.makeSeeds());
   w.everywhere();
-  w.showPlace(ballMiddle);
+  w.showPlace(ballMiddle + 0.5);
   const glm::dvec3 inBall(ballMiddle.x + 5, ballMiddle.y, ballMiddle.z), beside(12, 12, ballMiddle.z);
   QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull() && !w.isTintedAt(inBall), longest);
   const Workspace before = w.workspace();
