@@ -79,7 +79,8 @@ Segmenting::Segmenting(Workbench& bench)
   connect(&bench_, &Workbench::made, this, [this] {
     panel_->setPartAction(bench_.action("partTool"));
     panel_->setPaintActions(bench_.action("paintTool"), bench_.action("outlineTool"));
-    panel_->growPage().setToolActions(bench_.action("lesionTool"), bench_.action("levelTraceTool"));
+    panel_->growPage().setToolActions(bench_.action("lesionTool"), bench_.action("levelTraceTool"),
+                                      bench_.action("smartBrushTool"));
   });
 }
 

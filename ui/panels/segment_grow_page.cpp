@@ -52,6 +52,7 @@ SegmentGrowPage::SegmentGrowPage(Session& session, QWidget* parent)
       session_(session),
       lesion_(new QToolButton),
       trace_(new QToolButton),
+      smart_(new QToolButton),
       threshold_(narrowBox("lesionThreshold", tr("From which value on voxels in the sphere are the lesion"),
                            thresholdTexts())),
       region_(narrowBox("growRegion",
@@ -62,6 +63,7 @@ SegmentGrowPage::SegmentGrowPage(Session& session, QWidget* parent)
       preview_(new QCheckBox(tr("Preview"))) {
   lesion_->setObjectName(QStringLiteral("segmentLesion"));
   trace_->setObjectName(QStringLiteral("segmentTrace"));
+  smart_->setObjectName(QStringLiteral("segmentSmartBrush"));
   grow_->setObjectName(QStringLiteral("segmentGrow"));
   preview_->setObjectName(QStringLiteral("growPreview"));
   makeLayout();
@@ -80,6 +82,7 @@ void SegmentGrowPage::makeLayout() {
   grid->addWidget(lesion_, 0, 0);
   grid->addWidget(threshold_, 0, 1);
   grid->addWidget(trace_, 1, 0);
+  grid->addWidget(smart_, 1, 1);
   grid->addWidget(grow_, 2, 0);
   grid->addWidget(region_, 2, 1);
   grid->addWidget(preview_, 3, 0, 1, 2, Qt::AlignLeft);
@@ -87,8 +90,9 @@ void SegmentGrowPage::makeLayout() {
   grid->setRowStretch(4, 1);
 }
 
-void SegmentGrowPage::setToolActions(QAction* lesion, QAction* trace) {
-  for (const auto& [button, action] : {std::pair(lesion_, lesion), std::pair(trace_, trace)}) {
+void SegmentGrowPage::setToolActions(QAction* lesion, QAction* trace, QAction* smart) {
+  for (const auto& [button, action] :
+       {std::pair(lesion_, lesion), std::pair(trace_, trace), std::pair(smart_, smart)}) {
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     button->setDefaultAction(action);
   }

@@ -20,8 +20,8 @@ class SegmentGrowPage : public QWidget {
 
   /// Shows what the segments allow; they, or the series, may be others.
   void showSegments();
-  /// The tool that draws spheres, and the one that traces levels.
-  void setToolActions(QAction* lesion, QAction* trace);
+  /// The tool that draws spheres, the one that traces levels, the smart brush.
+  void setToolActions(QAction* lesion, QAction* trace, QAction* smart);
   /// A sphere that is drawn: the lesion in it is previewed, and a segment once it is done.
   void takeBall(const DrawnBall& ball);
   /// What previewWanted() came to instead: a sentence, empty where the user cancelled it.
@@ -46,7 +46,7 @@ class SegmentGrowPage : public QWidget {
   void showGrowth();
 
   Session& session_;
-  QToolButton *lesion_, *trace_;
+  QToolButton *lesion_, *trace_, *smart_;
   QComboBox *threshold_, *region_;
   QPushButton* grow_;
   QCheckBox* preview_;

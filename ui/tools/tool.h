@@ -160,6 +160,8 @@ std::unique_ptr<Drag> beginPart(const SlicePress& press);
 std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press);
 /// Paints the current segment by a brush, or erases: a disc in the slice, or a ball.
 std::unique_ptr<Drag> beginPaint(const SlicePress& press);
+/// The same, but only what is joined to the pointer and alike to what was under the brush as it was pressed.
+std::unique_ptr<Drag> beginSmartBrush(const SlicePress& press);
 /// Draws the brush, as large as it is in the patient.
 void paintBrushAt(QPainter& painter, const SlicePress& pointer);
 /// + and - change the brush by 20 %.

@@ -60,6 +60,13 @@ const std::vector<Tool>& tools() {
          .inSlices = beginLevelTrace,
          .clicks = true,
          .paintAt = paintLevelTrace},
+        {.name = "smartBrush",
+         .text = tr("Smart brush"),
+         .cursor = Qt::CrossCursor,
+         .inSlices = beginSmartBrush,
+         .clicks = true,
+         .paintAt = paintBrushAt,
+         .takesKey = resizeBrush},
     };
     std::ranges::move(measuringTools(), std::back_inserter(all));
     return all;
