@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "viewer/segment/brush.h"
 #include "viewer/segment/grow_from_seeds.h"
 #include "viewer/segment/holes.h"
 #include "viewer/segment/morphology.h"
@@ -139,6 +140,23 @@ void labels(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(maskOf(withLabel(none, 1, bone()), 1));
 }
 
+// A step of the pointer by 6 mm, with a brush of so many mm across.
+void paintedByBall(benchmark::State& state) {
+  const LabelMap none(ct().geometry());
+  const glm::dvec3 from(180, 180, 150), to(184, 184, 152);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        painted(none, ballStroke(none.geometry(), from, to, double(state.range(0)) / 2), {}));
+}
+
+void paintedByObliqueDisc(benchmark::State& state) {
+  const LabelMap none(ct().geometry());
+  const glm::dvec3 from(180, 180, 150), to(184, 176, 150), normal(1, 1, 1);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        painted(none, discStroke(none.geometry(), from, to, normal, double(state.range(0)) / 2), {}));
+}
+
 void often(benchmark::internal::Benchmark* bench) {
   bench->MeasureProcessCPUTime()
       ->UseRealTime()
@@ -167,6 +185,8 @@ BENCHMARK(filled)->Apply(often);
 BENCHMARK(filledInSlices)->Arg(0)->Arg(1)->Arg(2)->Apply(often);
 BENCHMARK(patient)->Apply(often);
 BENCHMARK(labels)->Apply(often);
+BENCHMARK(paintedByBall)->Arg(20)->Arg(40)->Apply(often);
+BENCHMARK(paintedByObliqueDisc)->Arg(20)->Arg(40)->Apply(often);
 BENCHMARK(fromSeeds)->Arg(0)->Arg(1)->Apply(often);
 
 }  // namespace

@@ -1,6 +1,5 @@
-// Guards painting in slices: strokes of the brush and outlines, by real events, against twins that gather
-// what the brush covered; one undo step each; erasing, locked segments, limits, strokes that are given up or
-// whose series is closed; and the slices between painted ones.
+// Guards the brush in slices: strokes by real events, against twins that gather what it covered; one undo
+// step each; erasing, locked segments, limits, strokes that are given up or whose series is closed.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QPointer>
@@ -8,105 +7,11 @@
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/frames_window.h"
-#include "tests/ui/segment_window.h"
+#include "tests/ui/paint_window.h"
 #include "tests/unit/suite.h"
-#include "ui/widgets/banner.h"
-#include "viewer/segment/between_slices.h"
-#include "viewer/segment/brush.h"
 
 using namespace volumen;
 using namespace volumen::tests;
-
-namespace {
-
-using Way = std::vector<glm::dvec3>;  // places of the patient
-
-struct PaintWindow : SegmentWindow {
-  PaintWindow() { setBrush(false, 10); }
-
-  void setBrush(bool ball, double mm) {
-    session().prefer([&](Preferences& p) { p.brush = {ball, mm}; });
-  }
-  void take(const char* tool) { child<QAction>(tool)->trigger(); }
-  const Tool& inHand() { return window.views()->tool(); }
-  QString said() { return child<Banner>("banner")->sentence(); }
-  QPoint pixelOf(glm::dvec3 p, ViewId id) {
-    const glm::dvec2 pixel = view(id)->plane()->pixelFromPatient(p);
-    return {int(pixel.x), int(pixel.y)};
-  }
-  // The pixels nearest to places, by which the planes go.
-  std::vector<QPoint> pixelsOf(const Way& way, ViewId id) {
-    std::vector<QPoint> pixels;
-    for (const glm::dvec3& p : way) pixels.push_back(pixelOf(p, id));
-    return pixels;
-  }
-  void show(const Crosshair& crosshair) {
-    session().change(QStringLiteral("test"), [&](Workspace& after) {
-      after.crosshairs.editOrAdd(frameOfReference(*after.series.at(series()).series)) = crosshair;
-    });
-    session().endGesture();
-  }
-  void press(QPoint at, ViewId id = axialViewId, Qt::KeyboardModifiers keys = {}) {
-    QTest::mousePress(view(id), Qt::LeftButton, keys, at);
-  }
-  void move(QPoint to, ViewId id = axialViewId, Qt::KeyboardModifiers keys = {}) {
-    QTest::mouseEvent(QTest::MouseMove, view(id), Qt::LeftButton, keys, to);
-  }
-  void release(QPoint at, ViewId id = axialViewId, Qt::KeyboardModifiers keys = {}) {
-    QTest::mouseRelease(view(id), Qt::LeftButton, keys, at);
-  }
-  void stroke(const std::vector<QPoint>& way, ViewId id = axialViewId, Qt::KeyboardModifiers keys = {}) {
-    press(way.front(), id, keys);
-    for (std::size_t n = 1; n < way.size(); ++n) move(way[n], id, keys);
-    release(way.back(), id, keys);
-  }
-  const VoxelGeometry& grid() { return session().series()->volume->geometry(); }
-  // What the brush covers along pixels of a view.
-  BitMask covered(const std::vector<QPoint>& way, ViewId id = axialViewId) {
-    BitMask mask(grid());
-    const Brush brush = session().preferences().brush;
-    for (std::size_t n = 0; n < way.size(); ++n) {
-      const glm::dvec3 from = patient(way[n == 0 ? 0 : n - 1], id), to = patient(way[n], id);
-      addSpans(mask, brush.ball
-                         ? ballStroke(grid(), from, to, brush.diameterMm / 2)
-                         : discStroke(grid(), from, to, view(id)->plane()->normal(), brush.diameterMm / 2));
-    }
-    return mask;
-  }
-  BitMask insideOf(const std::vector<QPoint>& corners, ViewId id = axialViewId) {
-    std::vector<glm::dvec3> outline;
-    for (const QPoint p : corners) outline.push_back(patient(p, id));
-    BitMask mask(grid());
-    addSpans(mask, insideOutline(grid(), outline, view(id)->plane()->normal()));
-    return mask;
-  }
-  BitMask valuesFrom(double low, double high) {
-    BitMask mask(grid());
-    const Volume& volume = *session().series()->volume;
-    for (int k = 0; k < 40; ++k)
-      for (int j = 0; j < 40; ++j)
-        for (int i = 0; i < 40; ++i)
-          if (volume.value(i, j, k) >= low && volume.value(i, j, k) <= high) mask.set({i, j, k});
-    return mask;
-  }
-};
-
-// Through the hollow ball, in the planes through its middle.
-const Way throughBall{{-14, -5, -5}, {-8, -5, -5}, {-3, -5, -5}, {1, -5, -5}};
-Crosshair throughMiddle() {
-  Crosshair crosshair;
-  crosshair.at = glm::dvec3(-4.5);  // of voxels there are centres
-  return crosshair;
-}
-Crosshair obliquely() {
-  Crosshair crosshair = throughMiddle();
-  crosshair.byHand = true;
-  crosshair.axial = {glm::normalize(glm::dvec3(1, 0.4, 0.5)), {}};
-  crosshair.axial.down = glm::normalize(glm::cross(glm::dvec3(-0.3, 0.2, 1), crosshair.axial.right));
-  return crosshair;
-}
-
-}  // namespace
 
 class TestSegmentPaint : public QObject {
   Q_OBJECT
@@ -127,10 +32,6 @@ class TestSegmentPaint : public QObject {
   void framesAreNotPaintedOn();
   void keysAndThePageSetTheBrush();
   void theBrushIsDrawnAtThePointer();
-  void outlinesAreSteps_data();
-  void outlinesAreSteps();
-  void outlinesThatAreNone();
-  void slicesBetweenPaintedOnesAreFilled();
   void randomStrokesAreThoseOfATwin_data();
   void randomStrokesAreThoseOfATwin();
 };
@@ -422,118 +323,6 @@ void TestSegmentPaint::theBrushIsDrawnAtThePointer() {
   QVERIFY(edge(radius) > before + 50);
   QTest::keyClick(w.view(), Qt::Key_Plus);
   QVERIFY(edge(1.2 * radius) > before + 50);
-}
-
-void TestSegmentPaint::outlinesAreSteps_data() {
-  QTest::addColumn<QString>("how");
-  QTest::addColumn<bool>("erases");
-  QTest::addColumn<bool>("oblique");
-  QTest::newRow("drag") << QStringLiteral("drag") << false << false;
-  QTest::newRow("clicks, Enter") << QStringLiteral("Enter") << false << false;
-  QTest::newRow("clicks, double-click") << QStringLiteral("double") << false << false;
-  QTest::newRow("clicks, one taken back") << QStringLiteral("Backspace") << false << false;
-  QTest::newRow("drag, oblique") << QStringLiteral("drag") << false << true;
-  QTest::newRow("clicks, oblique") << QStringLiteral("Enter") << false << true;
-  QTest::newRow("drag, erases") << QStringLiteral("drag") << true << false;
-  QTest::newRow("clicks, erase") << QStringLiteral("Enter") << true << false;
-}
-
-void TestSegmentPaint::outlinesAreSteps() {
-  QFETCH(QString, how);
-  QFETCH(bool, erases);
-  QFETCH(bool, oblique);
-  PaintWindow w;
-  QVERIFY(w.make(800, 1200));
-  w.show(oblique ? obliquely() : throughMiddle());
-  const BitMask own = w.mask(1);
-  const Workspace before = w.workspace();
-  const int steps = w.steps();
-  const Qt::KeyboardModifiers keys = erases ? Qt::ControlModifier : Qt::NoModifier;
-  w.take("outlineTool");
-  const QPoint middle = w.pixelOf(glm::dvec3(-5), axialViewId);
-  const std::vector<QPoint> corners{middle - QPoint(70, 60), middle + QPoint(50, -66), middle + QPoint(8, 3),
-                                    middle + QPoint(64, 58), middle + QPoint(-59, 71)};
-  if (how == QStringLiteral("drag")) {
-    w.stroke(corners, axialViewId, keys);
-  } else {
-    for (const QPoint corner : corners) {
-      QTest::mouseClick(w.view(), Qt::LeftButton, keys, corner);
-      if (how == QStringLiteral("Backspace") && corner == corners[2]) {
-        QTest::mouseClick(w.view(), Qt::LeftButton, keys, middle + QPoint(90, 0));
-        QTest::keyClick(w.view(), Qt::Key_Backspace);
-      }
-      QVERIFY2(w.workspace() == before, "not closed yet");
-      if (corner != corners[0]) QCOMPARE(w.view()->drawnMeasurements().size(), std::size_t(1));
-    }
-    if (how == QStringLiteral("double"))
-      QTest::mouseDClick(w.view(), Qt::LeftButton, keys, corners.back());
-    else
-      QTest::keyClick(w.view(), Qt::Key_Return);
-  }
-  const BitMask inside = w.insideOf(corners);
-  QVERIFY(inside.count() > 50);
-  QCOMPARE(w.steps(), steps + 1);
-  QVERIFY(w.mask(1) == (erases ? subtracted(own, inside) : united(own, inside)));
-  QVERIFY(w.mask(1) != own);
-  QVERIFY(w.view()->drawnMeasurements().empty() && w.all().empty());
-  QCOMPARE(&w.inHand(), &toolNamed("outline"));
-  QVERIFY(w.idle());
-  const Workspace after = w.workspace();
-  w.undo();
-  QVERIFY(w.workspace() == before);
-  w.redo();
-  QVERIFY(w.workspace() == after);
-}
-
-void TestSegmentPaint::outlinesThatAreNone() {
-  PaintWindow w;
-  w.take("outlineTool");
-  const Workspace before = w.workspace();
-  const QPoint at = w.view()->rect().center();
-  const auto click = [&](QPoint p) { QTest::mouseClick(w.view(), Qt::LeftButton, {}, p); };
-  click(at), click(at + QPoint(50, 0));
-  QTest::keyClick(w.view(), Qt::Key_Return);
-  QVERIFY2(w.workspace() == before && w.view()->drawnMeasurements().empty(), "two points");
-  click(at), click(at + QPoint(50, 0)), click(at + QPoint(50, 50)), click(at + QPoint(0, 50));
-  QTest::keyClick(w.view(), Qt::Key_Down);
-  QVERIFY2(w.workspace() == before, "the slice stays under it");
-  QTest::keyClick(w.view(), Qt::Key_Escape);
-  QVERIFY2(w.workspace() == before && w.view()->drawnMeasurements().empty(), "Esc");
-  QCOMPARE(&w.inHand(), &toolNamed("outline"));
-  w.press(at);
-  w.move(at + QPoint(50, 0)), w.move(at + QPoint(50, 50));
-  QTest::keyClick(w.view(), Qt::Key_Escape);
-  w.release(at + QPoint(50, 50));
-  QVERIFY2(w.workspace() == before, "Esc in a drag");
-  QTest::keyClick(w.view(), Qt::Key_Escape);
-  QVERIFY(&w.inHand() != &toolNamed("outline"));
-}
-
-void TestSegmentPaint::slicesBetweenPaintedOnesAreFilled() {
-  PaintWindow w;
-  w.take("paintTool");
-  for (const double z : {-8.5, -0.5}) {
-    Crosshair crosshair = throughMiddle();
-    crosshair.at.z = z;
-    w.show(crosshair);
-    w.stroke(w.pixelsOf({{z, 0, z}}, axialViewId));
-  }
-  const BitMask two = w.mask(1);
-  const Workspace before = w.workspace();
-  const int steps = w.steps();
-  w.click("segmentPaint");
-  w.click("segmentFillBetween");
-  QVERIFY(w.idle());
-  QCOMPARE(w.steps(), steps + 1);
-  QCOMPARE(axisOfPaintedSlices(two), std::optional(2));
-  QVERIFY(w.mask(1) == filledBetweenSlices(two, 2));
-  QVERIFY(w.mask(1) != two);
-  w.click("segmentFillBetween");
-  QVERIFY(w.idle());
-  QCOMPARE(w.steps(), steps + 1);
-  QVERIFY(w.said().contains(QStringLiteral("no empty slices")));
-  w.undo();
-  QVERIFY(w.workspace() == before);
 }
 
 void TestSegmentPaint::randomStrokesAreThoseOfATwin_data() {
