@@ -87,6 +87,26 @@ struct SegmentWindow : MeasureWindow {
     QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, {60, place.center().y()});
     return idle();
   }
+  /// Shows the slice of a view's plane at a place, and its pixel.
+  QPoint showPlace(glm::dvec3 p, ViewId id = axialViewId) {
+    session().change(QStringLiteral("test"), [&](Workspace& after) {
+      after.crosshairs.editOrAdd(frameOfReference(*after.series.at(series()).series)).at = p;
+    });
+    session().endGesture();
+    const glm::dvec2 pixel = view(id)->plane()->pixelFromPatient(p);
+    return {int(pixel.x), int(pixel.y)};
+  }
+  /// Turns the planes about the crosshair, so that none is one of the patient's.
+  void turnPlanes() {
+    const glm::dvec3 a = glm::normalize(glm::dvec3(2, 1, 0.5)),
+                     b = glm::normalize(glm::cross({-0.3, 0.2, 1}, a)), c = glm::cross(a, b);
+    session().change(QStringLiteral("turned"), [&](Workspace& after) {
+      Crosshair& cross = after.crosshairs.editOrAdd(frameOfReference(*after.series.at(series()).series));
+      cross.axial = {a, b}, cross.coronal = {a, -c}, cross.sagittal = {b, -c};
+      cross.byHand = true;
+    });
+    session().endGesture();
+  }
   /// A click on the check box of a row: 0: shown, 1: locked.
   void tick(int row, int column) {
     const QModelIndex index = list()->model()->index(row, column);

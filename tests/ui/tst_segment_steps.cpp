@@ -30,16 +30,6 @@ BitMask partAt(const BitMask& mask, glm::dvec3 p) {
   return connected(mask, std::span(&seed, 1), Neighbours::faces);
 }
 
-// The axial slice at a height, and the pixel of a place in it.
-QPoint showPlace(SegmentWindow& w, glm::dvec3 p) {
-  w.session().change(QStringLiteral("test"), [&](Workspace& after) {
-    after.crosshairs.editOrAdd(frameOfReference(*after.series.at(w.series()).series)).at = p;
-  });
-  w.session().endGesture();
-  const glm::dvec2 pixel = w.view()->plane()->pixelFromPatient(p);
-  return {int(pixel.x), int(pixel.y)};
-}
-
 constexpr glm::dvec3 inShell(-5 + 8, -5, -5), inSmallBall(12), inAir(18, -18, 12);
 
 }  // namespace
@@ -159,7 +149,7 @@ void TestSegmentSteps::lockedSegmentsStayAsTheyAre() {
   QVERIFY(w.choose(1));
   QVERIFY(!w.button("segmentStep-grow")->isEnabled());
   w.child<QAction>("partTool")->trigger();
-  QTest::mouseClick(w.view(), Qt::LeftButton, {}, showPlace(w, inSmallBall));
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, w.showPlace(inSmallBall));
   QVERIFY(w.idle());
   QVERIFY(w.mask(2) == core);
   QVERIFY(w.child<Banner>("banner")->sentence().contains(QStringLiteral("is locked")));
@@ -213,7 +203,7 @@ void TestSegmentSteps::aClickTakesTheConnectedPart() {
   w.child<QDoubleSpinBox>("segmentLow")->setValue(800);
   w.child<QDoubleSpinBox>("segmentHigh")->setValue(1200);
   w.child<QAction>("partTool")->trigger();
-  QPoint at = showPlace(w, inSmallBall);
+  QPoint at = w.showPlace(inSmallBall);
   const Workspace before = w.workspace();
   const int steps = w.steps();
   QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
@@ -224,7 +214,7 @@ void TestSegmentSteps::aClickTakesTheConnectedPart() {
   QVERIFY(w.segment(0).range == (ValueRange{800, 1200}));
   const Workspace one = w.workspace();
   // A second one is added to it; the tool is still in hand.
-  at = showPlace(w, inShell);
+  at = w.showPlace(inShell);
   QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
   QVERIFY(w.idle());
   QCOMPARE(w.count(), std::size_t(1));
@@ -254,7 +244,7 @@ void TestSegmentSteps::withKeysOrThePanelThePartIsKeptOrRemoved() {
   const BitMask own = w.mask(1), part = partAt(own, inSmallBall);
   w.child<QComboBox>("segmentPartUse")->setCurrentIndex(use);
   w.child<QAction>("partTool")->trigger();
-  const QPoint at = showPlace(w, inSmallBall);
+  const QPoint at = w.showPlace(inSmallBall);
   const int steps = w.steps();
   QTest::mouseClick(w.view(), Qt::LeftButton, Qt::KeyboardModifiers(keys), at);
   QVERIFY(w.idle());
@@ -267,7 +257,7 @@ void TestSegmentSteps::aClickBesideSaysWhyThereIsNone() {
   SegmentWindow w;
   QVERIFY(w.make(800, 1200));
   w.child<QAction>("partTool")->trigger();
-  const QPoint at = showPlace(w, inAir);
+  const QPoint at = w.showPlace(inAir);
   const Workspace before = w.workspace();
   auto* banner = w.child<Banner>("banner");
   QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);

@@ -5,6 +5,7 @@
 #include "io/export/export_segments.h"
 #include "ui/controller/mask_jobs.h"
 #include "ui/controller/segment_painter.h"
+#include "ui/controller/segment_preview.h"
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_surface_jobs.h"
 #include "ui/controller/segment_target.h"
@@ -33,6 +34,7 @@ class Segmenting : public Feature {
  private:
   void makeExport();
   void connectSegmenter();
+  void connectGrowth();
   void showExport();
   void takePart(const PartClick& click);
   void connectPainter();
@@ -45,6 +47,7 @@ class Segmenting : public Feature {
   SegmentJobs segmenter_;
   SegmentPainter painter_;
   std::function<void()> measureLater_;  // what a stroke that is being drawn came to
+  SegmentPreview preview_;
   MaskJobs masker_;
   SegmentSurfaceJobs surfaces_;
   SegmentsPanel* panel_;
@@ -55,6 +58,7 @@ Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
       segmenter_(session_, bench.document.jobs),
       painter_(session_),
+      preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
       surfaces_(session_, bench.document.jobs),
       panel_(new SegmentsPanel(session_)) {
@@ -74,10 +78,13 @@ Segmenting::Segmenting(Workbench& bench)
   makeExport();
   connectSegmenter();
   connectPainter();
+  connectGrowth();
   connect(&grid_, &ViewGrid::partClicked, this, &Segmenting::takePart);
   connect(&bench_, &Workbench::made, this, [this] {
     panel_->setPartAction(bench_.action("partTool"));
     panel_->setPaintActions(bench_.action("paintTool"), bench_.action("outlineTool"));
+    panel_->growPage().setToolActions(bench_.action("lesionTool"), bench_.action("levelTraceTool"),
+                                      bench_.action("smartBrushTool"));
   });
 }
 
@@ -137,6 +144,18 @@ void Segmenting::measure(const std::shared_ptr<const LabelMap>& labels, int numb
     measureLater_ = [=, this] { segmenter_.measure(labels, number, volume); };
   else
     segmenter_.measure(labels, number, volume);
+}
+
+void Segmenting::connectGrowth() {
+  SegmentGrowPage* page = &panel_->growPage();
+  connect(page, &SegmentGrowPage::growthWanted, this,
+          [this](const SegmentWork& work) { segmenter_.change(preview_.withMade(work)); });
+  connect(page, &SegmentGrowPage::previewWanted, &preview_, &SegmentPreview::show);
+  connect(page, &SegmentGrowPage::previewEnded, &preview_, &SegmentPreview::clear);
+  connect(page, &SegmentGrowPage::refused, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&preview_, &SegmentPreview::changed, &grid_, &ViewGrid::showPreview);
+  connect(&preview_, &SegmentPreview::failed, page, &SegmentGrowPage::previewFailed);
+  connect(&grid_, &ViewGrid::ballDrawn, page, &SegmentGrowPage::takeBall);
 }
 
 // Its segments become more segments of the series that the panel shows.

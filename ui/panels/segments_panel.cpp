@@ -27,6 +27,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
       range_(new SegmentRange(session)),
       paint_(new SegmentPaintPage(session)),
       steps_(new SegmentStepsPage(session)),
+      growth_(new SegmentGrowPage(session)),
       pages_(new QStackedWidget) {
   result_->setObjectName(QStringLiteral("segmentResult"));
   result_->setWordWrap(true);
@@ -50,6 +51,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
     session_.change(on ? tr("Segments in 3D") : tr("Segments in slices alone"),
                     withSegmentsIn3d(session_.workspace(), keyOf(session_.series()->series), on));
   });
+  connect(growth_, &SegmentGrowPage::workWanted, this, &SegmentsPanel::workWanted);
   connect(range_, &SegmentRange::previewChanged, this, &SegmentsPanel::previewChanged);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series == after.series) return;
@@ -84,7 +86,8 @@ void SegmentsPanel::makeLayout() {
   row->setSpacing(4);
   for (QToolButton* button :
        {pageButton("segmentFromCurve", tr("From the curve"), range_),
-        pageButton("segmentPaint", tr("Paint"), paint_), pageButton("segmentChange", tr("Change"), steps_)}) {
+        pageButton("segmentPaint", tr("Paint"), paint_), pageButton("segmentGrowing", tr("Grow"), growth_),
+        pageButton("segmentChange", tr("Change"), steps_)}) {
     group->addButton(button);
     row->addWidget(button);
   }
@@ -140,6 +143,7 @@ void SegmentsPanel::showSegments() {
   paint_->showSegments();
   steps_->showSegments();
   showIn3d();
+  growth_->showSegments();
   askForNumbers();
   showResult();
 }

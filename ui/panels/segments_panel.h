@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
+#include "ui/panels/segment_grow_page.h"
 #include "ui/panels/segment_list.h"
 #include "ui/panels/segment_paint_page.h"
 #include "ui/panels/segment_range.h"
@@ -15,8 +16,8 @@
 namespace volumen {
 
 /// The segments of the series in view: their list, the numbers of the current one, and below pages: what
-/// makes segments of the curve, what paints the current one in slices, what changes it. All that takes time
-/// is asked for.
+/// makes segments of the curve, what paints the current one in slices, what grows, what changes it. All that
+/// takes time is asked for.
 class SegmentsPanel : public QWidget {
   Q_OBJECT
  public:
@@ -33,6 +34,7 @@ class SegmentsPanel : public QWidget {
   void setExportAction(QAction* action);
   const SegmentRange& range() const { return *range_; }
   const SegmentPaintPage& painting() const { return *paint_; }
+  SegmentGrowPage& growPage() { return *growth_; }
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
@@ -59,6 +61,7 @@ class SegmentsPanel : public QWidget {
   SegmentRange* range_;
   SegmentPaintPage* paint_;
   SegmentStepsPage* steps_;
+  SegmentGrowPage* growth_;
   QStackedWidget* pages_;
   std::optional<SegmentNumbers> asked_;    // the last: its labels, volume and number
   std::optional<SegmentNumbers> numbers_;  // of what is shown

@@ -37,6 +37,12 @@ class Drag {
   virtual const Measurement* drawing() const { return nullptr; }
   /// Whether that has numbers.
   virtual bool isMeasured() const { return true; }
+  /// Whether it draws over the picture what is no part of the workspace yet, and draws that over a picture of
+  /// `size` logical pixels.
+  virtual bool drawsOver() const { return false; }
+  virtual void paint(QPainter&, QSizeF /*size*/) const {}
+  /// It ends before it is done, where a view says so.
+  virtual void giveUp() {}
   /// The lens that it holds; none: it holds none.
   virtual std::optional<Enlarged> enlarged() const { return {}; }
   /// Whether the view may be scrolled under it: what it draws reaches across slices.
@@ -47,14 +53,10 @@ class Drag {
   virtual bool wheel(double /*notches*/) { return false; }
 };
 
-/// The same in a 3D view.
+/// The same in a 3D view. What is drawn over it is given up where the view is resized, or its camera moved by
+/// something else: it would lie over another place.
 class SceneDrag : public Drag {
  public:
-  /// Whether it draws over the picture what is no part of the workspace yet. It is given up where the view is
-  /// resized, or its camera moved by something else: it would lie over another place.
-  virtual bool drawsOver() const { return false; }
-  /// Draws that over a picture of `size` logical pixels.
-  virtual void paint(QPainter&, QSizeF) const {}
   /// Whether it goes on where the view shows this series by now, another step in time too.
   virtual bool goesOnIn(const SeriesKey&) const { return true; }
   /// Whether a press that did not move points at a place.

@@ -3,17 +3,22 @@
 #include <utility>
 
 #include "ui/tools/tool.h"
+#include "viewer/segment/smart_brush.h"
 
 namespace volumen {
 
 namespace {
 
 constexpr double brushStep = 1.2;
+constexpr double smartDeviations = 2.5;
 
-// Paints where the brush goes; Ctrl as it begins: erases.
+// Paints where the brush goes; Ctrl as it begins: erases. A smart one paints what is joined to the pointer of
+// values as were under it when it was pressed.
 class PaintDrag : public Drag {
  public:
-  explicit PaintDrag(const SlicePress& press) : press_(press), last_(press.patientAt(press.at)) {
+  PaintDrag(const SlicePress& press, bool isSmart)
+      : press_(press), isSmart_(isSmart), last_(press.patientAt(press.at)) {
+    if (isSmart_) range_ = valuesUnder(under(last_), *press.series->volume, smartDeviations);
     stroke_.series = keyOf(press.series->series);
     stroke_.erases = press.keys & Qt::ControlModifier;
     stroke_.onFrame = press.frame.has_value();
@@ -32,18 +37,29 @@ class PaintDrag : public Drag {
 
  private:
   void goTo(QPointF p) {
-    const Brush& brush = press_.session.preferences().brush;
-    const VoxelGeometry& grid = press_.series->volume->geometry();
+    const Volume& volume = *press_.series->volume;
     const glm::dvec3 at = press_.patientAt(p);
-    const double radius = brush.diameterMm / 2;
-    stroke_.spans = brush.ball ? ballStroke(grid, last_, at, radius)
-                               : discStroke(grid, last_, at, press_.plane.normal(), radius);
+    stroke_.spans = under(at);
+    if (isSmart_) {
+      const glm::ivec3 voxel(glm::floor(volume.geometry().voxelFromPatient(at) + 0.5));
+      stroke_.spans = range_ ? connectedUnder(stroke_.spans, volume, *range_, voxel) : VoxelSpans();
+    }
     last_ = at;
     press_.paint(stroke_);
   }
+  // What the brush covers from the last place to another.
+  VoxelSpans under(glm::dvec3 at) const {
+    const Brush& brush = press_.session.preferences().brush;
+    const VoxelGeometry& grid = press_.series->volume->geometry();
+    const double radius = brush.diameterMm / 2;
+    return brush.ball ? ballStroke(grid, last_, at, radius)
+                      : discStroke(grid, last_, at, press_.plane.normal(), radius);
+  }
 
   const SlicePress press_;
-  glm::dvec3 last_;  // mm
+  const bool isSmart_;
+  std::optional<ValueRange> range_;  // that a smart one paints; none: nothing
+  glm::dvec3 last_;                  // mm
   SegmentStroke stroke_;
 };
 
@@ -51,7 +67,12 @@ class PaintDrag : public Drag {
 
 std::unique_ptr<Drag> beginPaint(const SlicePress& press) {
   if (!press.paint) return nullptr;
-  return std::make_unique<PaintDrag>(press);
+  return std::make_unique<PaintDrag>(press, false);
+}
+
+std::unique_ptr<Drag> beginSmartBrush(const SlicePress& press) {
+  if (!press.paint) return nullptr;
+  return std::make_unique<PaintDrag>(press, true);
 }
 
 void paintBrushAt(QPainter& painter, const SlicePress& pointer) {

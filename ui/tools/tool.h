@@ -23,6 +23,15 @@ struct PartClick {
   Qt::KeyboardModifiers keys{};
 };
 
+/// A ball that is drawn about a place of a slice.
+struct DrawnBall {
+  enum class State { drawing, done, givenUp };
+  SeriesKey series;
+  glm::dvec3 pPatient;  ///< its middle, mm
+  double radiusMm = 0;
+  State state = State::drawing;
+};
+
 /// A view of slices or frames when the mouse was pressed, as far as tools know it.
 struct SlicePress {
   Session& session;
@@ -38,6 +47,8 @@ struct SlicePress {
   std::function<void(const PartClick& click)> takePart{};
   /// Paints a part of a stroke into the current segment; none where it is no press of the mouse.
   std::function<void(const SegmentStroke& stroke)> paint{};
+  /// Hears of a ball as it is drawn; none likewise.
+  std::function<void(const DrawnBall& ball)> takeBall{};
 
   glm::dvec3 patientAt(QPointF p) const {
     return plane.patientFromPixel({p.x() * pixelRatio, p.y() * pixelRatio});
@@ -149,12 +160,20 @@ std::unique_ptr<Drag> beginPart(const SlicePress& press);
 std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press);
 /// Paints the current segment by a brush, or erases: a disc in the slice, or a ball.
 std::unique_ptr<Drag> beginPaint(const SlicePress& press);
+/// The same, but only what is joined to the pointer and alike to what was under the brush as it was pressed.
+std::unique_ptr<Drag> beginSmartBrush(const SlicePress& press);
 /// Draws the brush, as large as it is in the patient.
 void paintBrushAt(QPainter& painter, const SlicePress& pointer);
 /// + and - change the brush by 20 %.
 bool resizeBrush(Session& session, int key);
 /// Paints or erases what is drawn around.
 std::unique_ptr<Drag> beginOutline(const SlicePress& press);
+/// Draws a ball about the place that was pressed, in which a lesion is looked for.
+std::unique_ptr<Drag> beginLesion(const SlicePress& press);
+/// Paints or erases what the closed line at the value that was pressed goes around.
+std::unique_ptr<Drag> beginLevelTrace(const SlicePress& press);
+/// Draws the line that a press would take.
+void paintLevelTrace(QPainter& painter, const SlicePress& pointer);
 std::unique_ptr<Drag> beginCrosshair(const SlicePress& press);
 std::unique_ptr<Drag> beginMagnifier(const SlicePress& press);
 /// Of Enlarged::factor.

@@ -149,7 +149,7 @@ void FlatView::workspaceChanged(const Workspace&) {
   const std::pair now(state().series, state().kind);
   const auto last = std::exchange(showed_, now);
   if (last != now) {
-    drag_.reset();  // it is about what was shown
+    giveUpDrag();  // it is about what was shown
     if (last.second != now.second || !keepsPictureOf(last.first)) forget();
   }
   if (last != now || !shown()) closeFields();
@@ -165,7 +165,7 @@ void FlatView::placeBadge() {
 }
 
 void FlatView::setTool(const Tool& tool) {
-  if (drag_ && drag_->drawing()) drag_.reset();
+  if (isDrawing()) giveUpDrag();
   tool_ = &tool;
   update();
   tellPointed();
@@ -183,8 +183,15 @@ void FlatView::resetView() {
 // What is being drawn belongs to the plane as it was pressed; nothing else lies otherwise while a button is
 // held.
 bool FlatView::letGo() {
-  if (drag_ && drag_->drawing()) drag_.reset();
+  if (isDrawing()) giveUpDrag();
   return !drag_;
+}
+
+// Whether something is drawn that is no part of the workspace yet.
+bool FlatView::isDrawing() const { return drag_ && (drag_->drawing() || drag_->drawsOver()); }
+
+void FlatView::giveUpDrag() {
+  if (const auto given = std::exchange(drag_, nullptr)) given->giveUp();
 }
 
 void FlatView::turnPicture(const QString& text, PictureTurn by) {

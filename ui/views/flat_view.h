@@ -49,6 +49,8 @@ class FlatView : public View {
   /// Whether the numbers of all that is measured in it are there; those that are not are asked for.
   bool isMeasured() const;
   void setTool(const Tool& tool);
+  /// Shows what would be segments of a series under those that are; none: nothing more.
+  void showPreview(const std::optional<SegmentMap>& segments);
   /// So many steps down.
   virtual void scroll(int steps) = 0;
   /// To a place of the stack, from 0; a clip ends there.
@@ -261,9 +263,13 @@ class FlatView : public View {
   void endDrag(Qt::KeyboardModifiers keys);
   void seeDrag();
   bool letGo();
+  bool isDrawing() const;
+  void giveUpDrag();
   bool liesAsDrawn() const;
   void askForName(int id);
   void addSegmentMaps(std::vector<SegmentLayer>& layers) const;
+  void addSegmentsOf(const SeriesKey& series, const Rigid& fromPlane,
+                     std::vector<SegmentLayer>& layers) const;
   QString measurementText(QPointF p) const;
   void showCursorAt(QPointF p);
   bool pressMeasuringKey(const QKeyEvent& event);
@@ -279,6 +285,7 @@ class FlatView : public View {
   std::optional<SliceRequest> asked_;  // the last
   std::optional<SliceRequest> drawn_;  // that of picture_
   std::unique_ptr<Drag> drag_;
+  std::optional<SegmentMap> preview_;      // under those of its series
   std::optional<SliceRequest> lensAsked_;  // the last of drag_
   std::optional<SlicePicture> lens_;
   bool isBarThick_ = false;

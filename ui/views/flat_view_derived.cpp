@@ -17,16 +17,14 @@ std::string frameOfReferenceOf(const LoadedSeriesPtr& shown) {
 
 constexpr double fillOfSegments = 0.5;  // of an opaque segment: the picture is seen through it
 
-// The segments of a series; none: it has none that are seen.
-std::optional<SegmentLayer> layerOf(const Workspace& workspace, const SeriesKey& series,
-                                    const Rigid& fromPlane) {
-  const SegmentMap* map = segmentMapOf(workspace, series);
-  if (!map || !map->labels) return {};
-  SegmentLayer layer{nullptr, {}, fillOfSegments, map->labels, fromPlane};
-  for (const Segment& segment : map->segments)
+// None: there is none that is seen.
+std::optional<SegmentLayer> layerOf(const SegmentMap& map, const Rigid& fromPlane) {
+  if (!map.labels) return {};
+  SegmentLayer layer{nullptr, {}, fillOfSegments, map.labels, fromPlane};
+  for (const Segment& segment : map.segments)
     if (segment.visible && segment.opacity > 0)
-      layer.shown.push_back({std::size_t(segment.number), regionColour(segment.colour, segment.number).rgb(),
-                             segment.opacity});
+      layer.shown.push_back(
+          {std::size_t(segment.number), regionColour(segment.colour, segment.number).rgb(), segment.opacity});
   return layer.shown.empty() ? std::nullopt : std::optional(std::move(layer));
 }
 
@@ -68,18 +66,31 @@ std::vector<SegmentLayer> FlatView::segmentLayers() const {
   return layers;
 }
 
+// What would be segments of a series lies under those that are.
+void FlatView::addSegmentsOf(const SeriesKey& series, const Rigid& fromPlane,
+                             std::vector<SegmentLayer>& layers) const {
+  const bool isPreviewed = preview_ && preview_->series == series;
+  for (const SegmentMap* map :
+       {isPreviewed ? &*preview_ : nullptr, segmentMapOf(session_.workspace(), series)})
+    if (auto layer = map ? layerOf(*map, fromPlane) : std::nullopt) layers.push_back(std::move(*layer));
+}
+
+void FlatView::showPreview(const std::optional<SegmentMap>& segments) {
+  preview_ = segments;
+  askForPicture();
+}
+
 // Those of the series, and of the one over it. A frame without a place in the patient is on no grid.
 void FlatView::addSegmentMaps(std::vector<SegmentLayer>& layers) const {
   const LoadedSeriesPtr shown = this->shown();
   if (!shown || (shapeFrame() && !shown->volume->geometry().calibrated)) return;
   const Workspace& workspace = session_.workspace();
-  if (auto own = layerOf(workspace, state().series, {})) layers.push_back(std::move(*own));
+  addSegmentsOf(state().series, {}, layers);
   const auto over = workspace.series.find(flatLookOf(state()).overlay);
   if (shapeFrame() || over == workspace.series.end()) return;
-  const auto relation = relationOf(workspace, frameOfReference(*seriesState().series),
-                                   frameOfReference(*over->second.series));
-  if (!relation) return;
-  if (auto fused = layerOf(workspace, over->first, relation->toFromFrom)) layers.push_back(std::move(*fused));
+  const auto relation =
+      relationOf(workspace, frameOfReference(*seriesState().series), frameOfReference(*over->second.series));
+  if (relation) addSegmentsOf(over->first, relation->toFromFrom, layers);
 }
 
 // Contours.

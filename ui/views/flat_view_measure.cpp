@@ -79,7 +79,7 @@ std::unique_ptr<Drag> FlatView::pressMeasurement(const SlicePress& press) {
 }
 
 void FlatView::endDrag(Qt::KeyboardModifiers keys) {
-  const bool drew = drag_ && drag_->drawing();
+  const bool drew = isDrawing();
   const bool kept = drew && session_.undoStack().index() > stepsAtPress_;
   drag_.reset();
   askForLens();
@@ -91,7 +91,7 @@ void FlatView::endDrag(Qt::KeyboardModifiers keys) {
   const Measurement* made =
       tool_->measuring ? findMeasurement(session_.workspace(), session_.workspace().selected) : nullptr;
   if (made && isToBeNamed(session_.workspace(), *made)) askForName(made->id);
-  if (!(keys & Qt::ShiftModifier) && !tool_->stays) Q_EMIT toolDone();
+  if (!(keys & Qt::ShiftModifier) && !tool_->stays && !tool_->clicks) Q_EMIT toolDone();
 }
 
 // A field where the text stands; what is typed becomes the name on Enter or when it is left.

@@ -44,6 +44,7 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   press->keys = event->modifiers();
   press->takePart = [this](const PartClick& click) { Q_EMIT partClicked(click); };
   press->paint = [this](const SegmentStroke& stroke) { Q_EMIT strokePainted(stroke); };
+  press->takeBall = [this](const DrawnBall& ball) { Q_EMIT ballDrawn(ball); };
   dragButton_ = event->button();
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();
@@ -54,7 +55,7 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   if (!drag_ && isHand && !tool->draws()) drag_ = pressLine(*press);
   if (!drag_ && !hasWindow() && (tool == &toolNamed("window") || tool == &toolNamed("regionWindow"))) return;
   if (!drag_) drag_ = tool->inSlices(*press);
-  if (drag_ && drag_->drawing()) update();
+  if (isDrawing()) update();
   askForLens();
 }
 
@@ -63,7 +64,7 @@ void FlatView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_) {
     seeDrag();
     drag_->moveTo(event->position(), event->modifiers());
-    if (drag_ && drag_->drawing()) update();
+    if (isDrawing()) update();
     askForLens();
     return pointAt(event->position());
   }
@@ -105,7 +106,7 @@ QString FlatView::textAt(QPointF position) const {
 void FlatView::mouseReleaseEvent(QMouseEvent* event) {
   if (drag_ && event->button() != dragButton_) return;
   seeDrag();
-  if (drag_ && drag_->drawing() && !drag_->release(event->position(), event->modifiers())) return update();
+  if (isDrawing() && !drag_->release(event->position(), event->modifiers())) return update();
   const bool isClick = (event->position() - pressedAt_).manhattanLength() < QApplication::startDragDistance();
   const bool wantsMenu =
       event->button() == Qt::RightButton && isClick && (drag_ || (shown() && !toolFor(*event)));
@@ -192,7 +193,7 @@ void FlatView::keyPressEvent(QKeyEvent* event) {
       return invert();
     case Qt::Key_Escape:
       if (!drag_) break;
-      drag_.reset();
+      giveUpDrag();
       askForLens();
       update();
       while (session_.undoStack().index() > stepsAtPress_) session_.undoStack().undo();

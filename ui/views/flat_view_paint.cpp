@@ -65,6 +65,7 @@ void FlatView::paintOver(QPainter& painter) const {
   paintLines(painter);
   paintReferenceLines(painter, referenceLines(), rect());
   paintMeasurements(painter, drawnMeasurements());
+  if (drag_) drag_->paint(painter, size());
   paintOverlays(painter, overlays(), overlayArea());
   paintColours(painter);
 }

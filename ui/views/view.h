@@ -51,6 +51,8 @@ class View : public QWidget {
   void partClicked(const volumen::PartClick& click);
   /// A part of a stroke is to be painted.
   void strokePainted(const volumen::SegmentStroke& stroke);
+  /// A ball is being drawn, was drawn, or is none any more.
+  void ballDrawn(const volumen::DrawnBall& ball);
   /// What is under the cursor, empty where nothing is.
   void hovered(const QString& text);
 

@@ -93,6 +93,7 @@ View* ViewGrid::viewOf(ViewId id, ViewFamily family) {
 
 void ViewGrid::connectFlat(FlatView* flat, ViewFamily family) {
   flat->setTool(*tool_);
+  flat->showPreview(preview_);
   flat->setFinder([this](ViewId id) { return viewAs<FlatView>(id); });
   connect(flat, &FlatView::toolWanted, this, &ViewGrid::setTool);
   connect(flat, &FlatView::toolDone, this, &ViewGrid::restoreTool);
@@ -142,6 +143,11 @@ void ViewGrid::showSegment(const std::optional<VolumeRange>& segment) {
   each<SliceView>([&](SliceView& view) { view.showSegment(segment); });
 }
 
+void ViewGrid::showPreview(const std::optional<SegmentMap>& segments) {
+  preview_ = segments;
+  each<FlatView>([&](FlatView& view) { view.showPreview(segments); });
+}
+
 void ViewGrid::giveUpWaiting(const SeriesKey& series) {
   each<View>([&](View& view) { view.giveUpWaiting(series); });
 }
@@ -152,6 +158,7 @@ void ViewGrid::connectView(View* view) {
   connect(view, &View::dropped, this, &ViewGrid::dropped);
   connect(view, &View::partClicked, this, &ViewGrid::partClicked);
   connect(view, &View::strokePainted, this, &ViewGrid::strokePainted);
+  connect(view, &View::ballDrawn, this, &ViewGrid::ballDrawn);
   connect(view, &View::menuRequested, this,
           [this, view](QPoint global) { Q_EMIT menuRequested(view, global); });
   view->installEventFilter(this);

@@ -68,6 +68,8 @@ class ViewGrid : public QWidget {
   void setClipShown(bool shown);
   /// Tints a segment in slices of its volume; null: none.
   void showSegment(const std::optional<VolumeRange>& segment);
+  /// Shows in flat views what would be segments of a series under those that are; none: nothing more.
+  void showPreview(const std::optional<SegmentMap>& segments);
   /// A series that views wait for will not come.
   void giveUpWaiting(const SeriesKey& series);
   /// The one before the last that measures.
@@ -82,6 +84,7 @@ class ViewGrid : public QWidget {
   /// The connected part of a place is to be taken.
   void partClicked(const volumen::PartClick& click);
   void strokePainted(const volumen::SegmentStroke& stroke);
+  void ballDrawn(const volumen::DrawnBall& ball);
   /// Views were placed, shown or hidden.
   void arranged();
   /// A 3D view was made: it wants to be drawn.
@@ -122,6 +125,7 @@ class ViewGrid : public QWidget {
   std::map<std::pair<ViewId, ViewFamily>, View*> views_;
   bool clipShown_ = false;
   std::optional<VolumeRange> segment_;
+  std::optional<SegmentMap> preview_;
   std::set<ViewId> alone_;  // one a window
   View* secondKeys_ = nullptr;
   std::unique_ptr<WindowBeside> second_;  // and the views in it

@@ -86,6 +86,7 @@ SegmentMap withoutSegment(SegmentMap map, int number) {
 }
 
 SegmentMap withSegment(SegmentMap map, Segment segment) {
+  if (!segment.colour) segment.colour = colourOf(segment.number);
   map.current = segment.number;
   map.segments.push_back(std::move(segment));
   return map;
@@ -120,7 +121,6 @@ Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const Vox
   segment.number = *number;
   if (segment.label.empty()) segment.label = tr("Segment %1").arg(*number).toStdString();
   segment.label = freeName(map, segment.label);
-  if (!segment.colour) segment.colour = colourOf(*number);
   return withSegmentMap(std::move(workspace), withSegment(std::move(map), std::move(segment)));
 }
 

@@ -34,7 +34,8 @@ SegmentMap withoutSegment(SegmentMap map, int number);
 
 // What follows takes no time. A series without such a segment stays as it is.
 
-/// With another segment of the map, which has no voxels yet and is current; its number must be free.
+/// With another segment of the map, which has no voxels yet and is current; its number must be free. It gets
+/// a colour of its own where it has none.
 SegmentMap withSegment(SegmentMap map, Segment segment);
 /// With a segment called, coloured, shown, locked otherwise; its number stays.
 Workspace withSegmentChanged(Workspace workspace, const SeriesKey& series, int number,

@@ -3,8 +3,7 @@
 
 #include "viewer/recipe/step_kinds.h"
 #include "viewer/segment/brush.h"
-#include "viewer/segment/numbers.h"
-#include "viewer/segment/parts.h"
+#include "viewer/segment/lesion.h"
 #include "viewer/segment/range.h"
 #include "viewer/segment/table.h"
 #include "viewer/volume/histogram.h"
@@ -61,31 +60,9 @@ Result<BitMask> paint(const StepInput& in) {
   return in.flag("erase") ? subtracted(in.own(), stroke) : united(in.own(), stroke);
 }
 
-// Whether a voxel of it shares a face with one of the grid that is not in the other mask.
-bool reachesOut(const BitMask& mask, const BitMask& of) {
-  for (const glm::ivec3& voxel : voxelsOf(mask))
-    for (int axis = 0; axis < 3; ++axis)
-      for (const int step : {-1, 1}) {
-        glm::ivec3 beside = voxel;
-        beside[axis] += step;
-        if (beside[axis] >= 0 && beside[axis] < mask.size()[axis] && !of.at(beside)) return true;
-      }
-  return false;
-}
-
-// Of a lesion in PET: EANM guidelines for FDG, version 2 (Boellaard et al. 2015).
 Result<BitMask> lesion(const StepInput& in) {
-  const BitMask& where = in.segment("in");
-  const SegmentValues values = valuesIn(where, in.volume);
-  if (values.voxels == 0) return Error{"no voxel of \"" + in.word("in") + "\" has a value"};
-  const double least = in.word("by") == "share" ? in.number("share") * values.max : in.number("value");
-  const glm::ivec3 at[] = {values.maxAt};
-  BitMask found = connected(intersected(voxelsInRange(in.volume, {least, unbounded}), where), at,
-                            Neighbours::faces, in.cancel);
-  if (reachesOut(found, where))
-    return Error{"what is found reaches the border of \"" + in.word("in") +
-                 "\": choose a larger one, a higher threshold, or keep other uptake out of it"};
-  return found;
+  const bool isShare = in.word("by") == "share";
+  return lesionIn(in.segment("in"), in.volume, {in.number(isShare ? "share" : "value"), isShare}, in.cancel);
 }
 
 Result<BitMask> patient(const StepInput& in) {

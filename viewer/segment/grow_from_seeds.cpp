@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 #include <memory>
 #include <new>
@@ -36,7 +37,7 @@ struct SeedsFound {
   VoxelBox box;
 };
 
-SeedsFound findSeeds(const LabelMap& seeds) {
+SeedsFound findSeeds(const LabelMap& seeds, const BitMask* within) {
   const glm::ivec3 grid = seeds.geometry().size, bricks = seeds.bricks();
   std::array<bool, 256> there{};
   SeedsFound found{0, {grid, glm::ivec3(-1)}};
@@ -49,11 +50,16 @@ SeedsFound findSeeds(const LabelMap& seeds) {
     const LabelMap::Brick& brick = seeds.brick(std::size_t(n));
     const glm::ivec3 low =
         tileEdge * glm::ivec3(n % bricks.x, n / bricks.x % bricks.y, n / bricks.x / bricks.y);
-    if (!brick.voxels && brick.label) add(brick.label, low, glm::min(low + tileEdge, grid) - 1);
-    if (!brick.voxels) continue;
+    if (!brick.voxels && !brick.label) continue;
+    const glm::ivec3 high = glm::min(low + tileEdge, grid) - 1;
+    if (!brick.voxels && !within) {
+      add(brick.label, low, high);
+      continue;
+    }
     for (int v = 0; v < tileVoxels; ++v) {
       const glm::ivec3 at = low + glm::ivec3(v % tileEdge, v / tileEdge % tileEdge, v / tileStride[2]);
-      if (const std::uint8_t label = (*brick.voxels)[std::size_t(v)]) add(label, at, at);
+      const std::uint8_t label = brick.voxels ? (*brick.voxels)[std::size_t(v)] : brick.label;
+      if (label && glm::all(glm::lessThanEqual(at, high)) && (!within || within->at(at))) add(label, at, at);
     }
   }
   found.labels = int(std::count(there.begin() + 1, there.end(), true));
@@ -103,12 +109,14 @@ struct GrowthTile {
   LabelMap::Voxels label;
   std::vector<GrowthPending> pending;
   Cost earliest = unreached;                      // of `pending`, or before it
+  int reached = 0;                                // voxels
   std::array<std::vector<GrowthMessage>, 6> out;  // to the tiles before and behind it, along i, j, k
 
   bool improve(int voxel, Cost by, std::uint8_t from) {
     if (by > cost[std::size_t(voxel)] ||
         (by == cost[std::size_t(voxel)] && from >= label[std::size_t(voxel)]))
       return false;
+    reached += cost[std::size_t(voxel)] == unreached;
     cost[std::size_t(voxel)] = by;
     label[std::size_t(voxel)] = from;
     return true;
@@ -149,22 +157,31 @@ class BucketQueue {
 // that ends in is one, in whatever order tiles are taken.
 class Growth {
  public:
-  Growth(const Volume& volume, const LabelMap& seeds, const VoxelBox& box, double locality,
+  Growth(const Volume& volume, const LabelMap& seeds, const VoxelBox& box, const SeedGrowth& growth,
          const CancelToken& cancel)
-      : volume_(volume), seeds_(seeds), box_(box), bricks_(seeds.bricks()), cancel_(cancel) {
+      : volume_(volume),
+        seeds_(seeds),
+        box_(box),
+        within_(growth.within),
+        bricks_(seeds.bricks()),
+        cancel_(cancel) {
     const glm::dvec3 spacing = volume.geometry().spacing();
     for (int a = 0; a < 3; ++a)
-      step_[a] = int(std::lround(std::clamp(locality * costsOfRange * spacing[a], 0.0, mostPerStep)));
+      step_[a] = int(std::lround(std::clamp(growth.locality * costsOfRange * spacing[a], 0.0, mostPerStep)));
     tiles_.resize(std::size_t(bricks_.x) * std::size_t(bricks_.y) * std::size_t(bricks_.z));
     const SeedLevels levels(volume);
     overTiles([&](std::size_t n) { make(n, levels); });
   }
 
   void run() {
+    const glm::dvec3 size(box_.high - box_.low + 1);
+    const double voxels = size.x * size.y * size.z;
     for (;;) {
       Cost earliest = unreached;
+      double reached = 0;
       for (const auto& tile : tiles_)
-        if (tile) earliest = std::min(earliest, tile->earliest);
+        if (tile) earliest = std::min(earliest, tile->earliest), reached += tile->reached;
+      cancel_.setDone(reached / voxels);
       if (earliest == unreached || cancel_.cancelled()) return;
       std::vector<std::size_t> open;
       for (std::size_t n = 0; n < tiles_.size(); ++n)
@@ -179,8 +196,7 @@ class Growth {
   }
 
   DenseLabels labels() const {
-    const VoxelGeometry& geometry = volume_.geometry();
-    DenseLabels all{geometry, zeros<std::uint8_t>(std::size_t(geometry.voxelCount()))};
+    DenseLabels all = seeds_.dense();
     overTiles([&](std::size_t n) {
       if (!tiles_[n]) return;
       const VoxelBox part = partOf(n);
@@ -232,6 +248,7 @@ class Growth {
   const Volume& volume_;
   const LabelMap& seeds_;
   const VoxelBox box_;
+  const BitMask* const within_;  // null: all
   const glm::ivec3 bricks_;
   const CancelToken& cancel_;
   glm::ivec3 step_{0};  // what a step along each axis costs by its length
@@ -257,6 +274,7 @@ void Growth::make(std::size_t n, const SeedLevels& levels) {
               const auto at = std::size_t(voxel);
               tile.level[at] = levels.of(volume_.realValue(double(stored[std::size_t(rowOf(j, k) + i)])));
               tile.label[at] = brick.voxels ? (*brick.voxels)[at] : brick.label;
+              if (within_ && !within_->at({i, j, k})) continue;
               if (tile.label[at])
                 tile.wait(voxel, 0);
               else
@@ -330,14 +348,12 @@ void Growth::hear(std::size_t n) {
 
 Result<LabelMap> grownFromSeeds(const Volume& volume, const LabelMap& seeds, const SeedGrowth& growth,
                                 const CancelToken& cancel) try {
-  const SeedsFound found = findSeeds(seeds);
+  const SeedsFound found = findSeeds(seeds, growth.within);
   if (found.labels < 2)
     return Error{
         "Growing from seeds needs seeds of at least two segments: paint into each of them, and into what "
-        "lies "
-        "around as another one."};
-  Growth grown(volume, seeds, withMargin(found.box, volume.geometry(), growth.marginMm), growth.locality,
-               cancel);
+        "lies around as another one."};
+  Growth grown(volume, seeds, withMargin(found.box, volume.geometry(), growth.marginMm), growth, cancel);
   grown.run();
   LabelMap labels(grown.labels());
   if (cancel.cancelled()) return Error{"Nothing was grown: cancelled."};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "viewer/segment/bit_mask.h"
 #include "viewer/segment/label_map.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/result.h"
@@ -12,7 +13,9 @@ struct SeedGrowth {
   double locality = 0.002;
   /// mm around the box of the seeds in which is grown; infinite: everywhere.
   double marginMm = 20;
-  bool operator==(const SeedGrowth&) const = default;
+  /// Only these voxels are reached, and only labels in them are seeds; all others keep theirs, and nothing
+  /// grows through them. Null: all voxels of the grid.
+  const BitMask* within = nullptr;
 };
 
 /// Costs are whole numbers: so many are the range of values.
@@ -22,8 +25,9 @@ inline constexpr int costsOfRange = 16384;
 /// the difference of values (rounded to whole costs; values more than 1.5 ranges outside the range count as
 /// that far) plus locality times its length in mm (rounded), at least 1. Background (0) in `seeds` is what is
 /// to be found; where the margin ends it stays. Of paths of one cost the smaller label wins, so that the
-/// bytes depend on no order. Volume and seeds are of one grid. Bucketed shortest paths (Dial 1969), in tiles,
-/// on all cores. The Error: fewer than two labels, too little memory, or cancelled.
+/// bytes depend on no order. Volume and seeds are of one grid. `cancel` hears how far it is. Bucketed
+/// shortest paths (Dial 1969), in tiles, on all cores. The Error: fewer than two labels, too little memory,
+/// or cancelled.
 Result<LabelMap> grownFromSeeds(const Volume& volume, const LabelMap& seeds, const SeedGrowth& growth,
                                 const CancelToken& cancel = {});
 

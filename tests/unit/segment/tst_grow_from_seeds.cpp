@@ -31,6 +31,8 @@ class TestGrowFromSeeds : public QObject {
   void aStepBetweenValuesIsTheBorder_data();
   void aStepBetweenValuesIsTheBorder();
   void localityKeepsFromWanderingFar();
+  void onlyTheGivenVoxelsAreReached();
+  void isToldHowFarItIs();
   void grownOnlyWithinTheMargin_data();
   void grownOnlyWithinTheMargin();
   void valuesFarOutsideTheRangeCountAsThatFar();
@@ -66,9 +68,10 @@ std::vector<std::uint8_t> grownByQueue(const Volume& volume, const LabelMap& see
   const auto indexOf = [&](glm::ivec3 v) {
     return (std::size_t(v.z) * size.y + v.y) * std::size_t(size.x) + v.x;
   };
+  const auto isOpen = [&](glm::ivec3 v) { return !growth.within || growth.within->at(v); };
   glm::ivec3 from = size, to(-1);
   forVoxels(size, [&](glm::ivec3 v) {
-    if (seeds.at(v)) from = glm::min(from, v), to = glm::max(to, v);
+    if (seeds.at(v) && isOpen(v)) from = glm::min(from, v), to = glm::max(to, v);
   });
   const glm::ivec3 margin(glm::min(growth.marginMm / volume.geometry().spacing(), glm::dvec3(1000)));
   from -= margin, to += margin;
@@ -76,7 +79,10 @@ std::vector<std::uint8_t> grownByQueue(const Volume& volume, const LabelMap& see
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   std::vector<std::uint8_t> labels(std::size_t(volume.geometry().voxelCount()));
   forVoxels(size, [&](glm::ivec3 v) {
-    if (const int label = seeds.at(v)) queue.emplace(0, label, v.x, v.y, v.z);
+    if (!isOpen(v))
+      labels[indexOf(v)] = seeds.at(v);
+    else if (const int label = seeds.at(v))
+      queue.emplace(0, label, v.x, v.y, v.z);
   });
   while (!queue.empty()) {
     const auto [cost, label, x, y, z] = queue.top();
@@ -89,6 +95,7 @@ std::vector<std::uint8_t> grownByQueue(const Volume& volume, const LabelMap& see
         glm::ivec3 next = v;
         next[axis] += by;
         if (next[axis] < std::max(0, from[axis]) || next[axis] > std::min(size[axis] - 1, to[axis])) continue;
+        if (!isOpen(next)) continue;
         const std::int64_t byLength =
             std::lround(growth.locality * 16384 * volume.geometry().spacing()[axis]);
         queue.emplace(cost + std::max<std::int64_t>(1, std::abs(levelOf(v) - levelOf(next)) + byLength),
@@ -236,6 +243,41 @@ void TestGrowFromSeeds::localityKeepsFromWanderingFar() {
   QVERIFY(byValues.ok() && byLength.ok());
   QCOMPARE(int(byValues->at({10, 4, 0})), 1);  // 100 steps of nearly nothing
   QCOMPARE(int(byLength->at({10, 4, 0})), 2);  // 100 mm cost as much as all of the range
+}
+
+// Labels outside keep their voxels, are no seeds, and let nothing through.
+void TestGrowFromSeeds::onlyTheGivenVoxelsAreReached() {
+  const Seeds cases = seedsOf(500, 10000);
+  int grown = 0;
+  for (int seed = cases.first; seed < cases.behindLast(); ++seed) {
+    Chance chance{std::uint64_t(seed)};
+    const VoxelGeometry grid = anyGrid(chance, 40);
+    const VolumePtr volume = anyVolume(chance, grid);
+    const LabelMap seeds = anySeeds(chance, grid, 2 + chance.below(12));
+    const BitMask within = chance.oneIn(2) ? anyMask(chance, grid) : inverted(maskOf(seeds, 2));
+    const SeedGrowth growth{chance.oneIn(3) ? 0 : chance.power(-4, 0),
+                            chance.oneIn(2) ? everywhere : chance.between(0, 5), &within};
+    const auto labels = grownFromSeeds(*volume, seeds, growth);
+    if (!labels) continue;  // fewer than two are left
+    ++grown;
+    QVERIFY2(allOf(*labels) == grownByQueue(*volume, seeds, growth),
+             qPrintable(QStringLiteral("seed %1").arg(seed)));
+  }
+  QVERIFY(cases.count < 100 || grown > cases.count / 2);
+  // A brick of one label that is no seed.
+  const VolumePtr volume = valuesBy({40, 34, 33}, [](glm::dvec3 v) { return v.x; });
+  const LabelMap all = withLabel(LabelMap(volume->geometry()), 3, inverted(BitMask(volume->geometry())));
+  const BitMask none(volume->geometry());
+  QVERIFY(!grownFromSeeds(*volume, all, {0.002, everywhere, &none}));
+}
+
+void TestGrowFromSeeds::isToldHowFarItIs() {
+  const VolumePtr volume = valuesBy({60, 50, 40}, [](glm::dvec3 v) { return v.x; });
+  const CancelToken cancel;
+  QVERIFY(grownFromSeeds(*volume, seedsAt(volume->geometry(), {{{5, 5, 5}, 1}, {{50, 40, 30}, 2}}),
+                         {0.002, everywhere}, cancel)
+              .ok());
+  QVERIFY2(std::abs(cancel.done() - 1) < 1e-4, "all but the seeds themselves");
 }
 
 void TestGrowFromSeeds::grownOnlyWithinTheMargin_data() {

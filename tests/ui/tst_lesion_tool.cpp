@@ -1,0 +1,273 @@
+// Guards the tool of lesions: a sphere that is dragged in a slice of any plane becomes a segment of what is
+// in it from a share of the maximum or an SUV on; previewed meanwhile; one undo step; refused in a sentence.
+#include <QComboBox>
+#include <cmath>
+
+#include "tests/ui/segment_window.h"
+#include "tests/unit/suite.h"
+#include "ui/widgets/banner.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestLesionTool : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aSphereMakesALesion_data();
+  void aSphereMakesALesion();
+  void lesionsAreCounted();
+  void itIsSeenWhileItIsDrawn();
+  void theSphereGoesThroughThePointerInOtherSlices();
+  void escGivesItUp();
+  void refusedInASentence_data();
+  void refusedInASentence();
+  void aClickIsNone();
+  void lockedSegmentsKeepTheirVoxels();
+  void aSeriesThatIsClosedMeanwhileIsLeftAlone();
+};
+
+namespace {
+
+constexpr glm::dvec3 inLesion(2.5, -3.5, 1.5), inOther(-12.5, 11.5, -9.5);  // centres of voxels
+constexpr double lesionMm = 11, otherMm = 6, suvFactor = 0.5;
+
+double coneValue(glm::dvec3 p) {
+  return 16 * std::max(0.0, 1 - glm::distance(p, inLesion) / lesionMm) +
+         10 * std::max(0.0, 1 - glm::distance(p, inOther) / otherMm);
+}
+
+// Two cones of 16 and 10 in 0, of 8 and 5 SUVbw: from a share s of the top on they are balls of (1 - s) of
+// their radius.
+LoadedSeriesPtr twoLesions(bool hasSuv = true) {
+  auto series = std::make_shared<LoadedSeries>(*seriesOf(volumeOf<float>(
+      glm::ivec3(40), glm::dmat3(1), [](glm::dvec3 pVoxel) { return coneValue(pVoxel - 19.5); })));
+  series->series.acquired = series->volume->geometry();
+  series->series.modality = "PT";
+  series->series.unit = "Bq/ml";
+  if (hasSuv)
+    series->series.suv.bodyWeight = suvFactor;
+  else
+    series->series.suv.why = "PatientWeight (0010,1030) is missing";
+  series->firstScene.transferFunction.points = {{1, {1, 1, 1}, 0.0}, {8, {1, 1, 1}, 1.0}};
+  return series;
+}
+
+struct LesionWindow : SegmentWindow {
+  explicit LesionWindow(const LoadedSeriesPtr& series = twoLesions()) : SegmentWindow(series) {
+    click("segmentGrowing");
+    child<QAction>("lesionTool")->trigger();
+  }
+  QPoint away(QPoint from, double mm, ViewId id = axialViewId) {
+    return {from.x() + int(std::lround(mm / view(id)->plane()->mmPerPixel)), from.y()};
+  }
+  // A sphere about a place; the job is waited for.
+  bool draw(glm::dvec3 p, double mm, ViewId id = axialViewId) {
+    const QPoint at = showPlace(p, id);
+    drag(view(id), at, away(at, mm, id));
+    return idle();
+  }
+  bool press(glm::dvec3 p, double mm) {
+    const QPoint at = showPlace(p);
+    QTest::mousePress(view(), Qt::LeftButton, {}, at);
+    QTest::mouseEvent(QTest::MouseMove, view(), Qt::LeftButton, {}, away(at, mm));
+    return idle();
+  }
+  // Of the coloured pixels of the picture: some.
+  bool isTinted(ViewId id = axialViewId) {
+    const QImage picture = view(id)->picture();
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        if (const QColor c = picture.pixelColor(x, y); c.red() != c.green() || c.green() != c.blue())
+          return true;
+    return false;
+  }
+  QString said() { return child<Banner>("banner")->sentence(); }
+};
+
+std::int64_t voxelsOfCone(double radius) {
+  return voxelsWhere([&](glm::dvec3 p) { return glm::distance(p, inLesion) <= radius + 1e-6; });
+}
+
+}  // namespace
+
+void TestLesionTool::aSphereMakesALesion_data() {
+  QTest::addColumn<int>("threshold");
+  QTest::addColumn<int>("view");
+  QTest::addColumn<bool>("isOblique");
+  QTest::addColumn<double>("radius");
+  const double at41 = lesionMm * 0.59;
+  QTest::newRow("41 %, axial") << 0 << int(axialViewId) << false << at41;
+  QTest::newRow("41 %, coronal") << 0 << int(coronalViewId) << false << at41;
+  QTest::newRow("41 %, oblique") << 0 << int(axialViewId) << true << at41;
+  QTest::newRow("50 %, oblique sagittal") << 1 << int(sagittalViewId) << true << lesionMm * 0.5;
+  QTest::newRow("SUV 2.5") << 2 << int(axialViewId) << false << lesionMm * (1 - 2.5 / 8);
+  QTest::newRow("SUV 4.0") << 3 << int(axialViewId) << false << lesionMm * 0.5;
+}
+
+void TestLesionTool::aSphereMakesALesion() {
+  QFETCH(int, threshold);
+  QFETCH(int, view);
+  QFETCH(bool, isOblique);
+  QFETCH(double, radius);
+  LesionWindow w;
+  w.child<QComboBox>("lesionThreshold")->setCurrentIndex(threshold);
+  w.showPlace(inLesion, ViewId(view));
+  if (isOblique) w.turnPlanes();
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  const glm::dvec2 pixel = w.view(ViewId(view))->plane()->pixelFromPatient(inLesion);
+  const QPoint at{int(pixel.x), int(pixel.y)};
+  drag(w.view(ViewId(view)), at, w.away(at, 12.5, ViewId(view)));
+  QVERIFY(w.idle());
+  QVERIFY2(w.said().isEmpty(), qPrintable(w.said()));
+  QCOMPARE(w.steps(), steps + 1);
+  QCOMPARE(w.count(), std::size_t(1));
+  QCOMPARE(w.segment(0).label, std::string("Lesion 1"));
+  QCOMPARE(w.voxels(1), voxelsOfCone(radius));
+  const Workspace after = w.workspace();
+  w.undo();
+  QVERIFY(w.workspace() == before);
+  w.redo();
+  QVERIFY(w.workspace() == after);
+}
+
+// The tool stays in hand.
+void TestLesionTool::lesionsAreCounted() {
+  LesionWindow w;
+  QVERIFY(w.draw(inLesion, 12.5) && w.draw(inOther, 8));
+  QCOMPARE(w.count(), std::size_t(2));
+  QCOMPARE(w.segment(1).label, std::string("Lesion 2"));
+  QVERIFY(w.segment(0).colour && w.segment(0).colour != w.segment(1).colour);
+  QVERIFY(!w.segment(1).description.empty());
+  QCOMPARE(w.voxels(2),
+           voxelsWhere([](glm::dvec3 p) { return glm::distance(p, inOther) <= otherMm * 0.59; }));
+  QCOMPARE(w.voxels(1), voxelsOfCone(lesionMm * 0.59));
+  QCOMPARE(w.current().number, 2);
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  QVERIFY(!w.window.views()->tool().clicks);
+}
+
+void TestLesionTool::itIsSeenWhileItIsDrawn() {
+  LesionWindow w;
+  const QPoint at = w.showPlace(inLesion);
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull() && !w.isTinted(), longest);
+  const Workspace before = w.workspace();
+  QVERIFY(w.press(inLesion, 12.5));
+  QTRY_VERIFY_WITH_TIMEOUT(w.isTinted(), longest);
+  QVERIFY2(w.workspace() == before, "nothing is changed yet");
+  // The circle and its radius are drawn over the picture.
+  const QImage circle = w.view()->grab().toImage();
+  const QPointF edge = w.away(at, 12.5);
+  bool isDrawn = false;
+  for (int dx = -2; dx <= 2; ++dx) {
+    const QColor c = circle.pixelColor(int(edge.x()) + dx, int(edge.y()));
+    isDrawn |= c.red() > 180 && c.blue() < 140;
+  }
+  QVERIFY(isDrawn);
+  // A smaller one leaks: nothing is to be seen, and nothing said before it is done.
+  QTest::mouseEvent(QTest::MouseMove, w.view(), Qt::LeftButton, {}, w.away(at, 4));
+  QVERIFY(w.idle());
+  QTRY_VERIFY_WITH_TIMEOUT(!w.isTinted(), longest);
+  QVERIFY(w.said().isEmpty());
+  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, w.away(at, 12.5));
+  QVERIFY(w.idle());
+  QCOMPARE(w.count(), std::size_t(1));
+  QTRY_VERIFY_WITH_TIMEOUT(w.isTinted(), longest);
+}
+
+// 5 mm further and 3 mm beside: 5.8 mm, which leaks; 12 mm beside: 13 mm.
+void TestLesionTool::theSphereGoesThroughThePointerInOtherSlices() {
+  LesionWindow w;
+  const QPoint at = w.showPlace(inLesion);
+  for (const auto& [beside, isOne] : {std::pair(3.0, false), std::pair(12.0, true)}) {
+    w.showPlace(inLesion);
+    QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
+    wheel(w.view(), 5);
+    QTest::mouseEvent(QTest::MouseMove, w.view(), Qt::LeftButton, {}, w.away(at, beside));
+    QTest::mouseRelease(w.view(), Qt::LeftButton, {}, w.away(at, beside));
+    QVERIFY(w.idle());
+    QCOMPARE(w.count(), std::size_t(isOne ? 1 : 0));
+  }
+  QCOMPARE(w.voxels(1), voxelsOfCone(lesionMm * 0.59));
+}
+
+void TestLesionTool::escGivesItUp() {
+  LesionWindow w;
+  const QPoint at = w.showPlace(inLesion);
+  const Workspace before = w.workspace();
+  QVERIFY(w.press(inLesion, 12.5));
+  QTRY_VERIFY_WITH_TIMEOUT(w.isTinted(), longest);
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  QTRY_VERIFY_WITH_TIMEOUT(!w.isTinted(), longest);
+  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, w.away(at, 12.5));
+  QVERIFY(w.idle());
+  QVERIFY(w.workspace() == before);
+}
+
+void TestLesionTool::refusedInASentence_data() {
+  QTest::addColumn<int>("threshold");
+  QTest::addColumn<bool>("hasSuv");
+  QTest::addColumn<double>("mm");
+  QTest::addColumn<QString>("says");
+  QTest::newRow("it leaks") << 0 << true << 4.0 << "reaches the border";
+  QTest::newRow("a threshold above all") << 3 << true << 12.5 << "";
+  QTest::newRow("no SUV") << 2 << false << 12.5 << "no SUV: PatientWeight (0010,1030) is missing";
+}
+
+void TestLesionTool::refusedInASentence() {
+  QFETCH(int, threshold);
+  QFETCH(bool, hasSuv);
+  QFETCH(double, mm);
+  QFETCH(QString, says);
+  LesionWindow w(twoLesions(hasSuv));
+  w.child<QComboBox>("lesionThreshold")->setCurrentIndex(threshold);
+  const bool isAbove = says.isEmpty();
+  const glm::dvec3 p = isAbove ? glm::dvec3(inLesion.x, inLesion.y, inLesion.z + 9) : inLesion;
+  w.showPlace(p);
+  const Workspace before = w.workspace();
+  QVERIFY(w.draw(p, isAbove ? 2.5 : mm));
+  QVERIFY2(w.said().contains(isAbove ? QStringLiteral("reaches the threshold") : says), qPrintable(w.said()));
+  QVERIFY(w.workspace() == before);
+  // A share of the maximum works without an SUV.
+  w.child<QComboBox>("lesionThreshold")->setCurrentIndex(0);
+  QVERIFY(w.draw(inLesion, 12.5));
+  QCOMPARE(w.count(), std::size_t(1));
+}
+
+void TestLesionTool::aClickIsNone() {
+  LesionWindow w;
+  const QPoint at = w.showPlace(inLesion);
+  const Workspace before = w.workspace();
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
+  QTest::mouseDClick(w.view(), Qt::LeftButton, {}, at);
+  QVERIFY(w.idle());
+  QVERIFY(w.workspace() == before && w.said().isEmpty());
+}
+
+void TestLesionTool::lockedSegmentsKeepTheirVoxels() {
+  LesionWindow w;
+  QVERIFY(w.make(7, 10));  // SUVbw: the top of the first
+  const BitMask top = w.mask(1);
+  QVERIFY(!top.empty());
+  w.tick(0, 1);
+  QVERIFY(w.segment(0).locked);
+  QVERIFY(w.draw(inLesion, 12.5));
+  QVERIFY(w.mask(1) == top);
+  QCOMPARE(w.voxels(2), voxelsOfCone(lesionMm * 0.59) - top.count());
+}
+
+void TestLesionTool::aSeriesThatIsClosedMeanwhileIsLeftAlone() {
+  LesionWindow w;
+  const QPoint at = w.showPlace(inLesion);
+  const Workspace before = w.workspace();
+  drag(w.view(), at, w.away(at, 12.5));
+  w.session().close({w.series()});
+  QVERIFY(w.idle());
+  QTest::qWait(50);
+  QVERIFY(w.workspace().segmentMaps.empty());
+  w.undo();
+  QVERIFY(w.workspace() == before);
+}
+
+VOLUMEN_TEST(TestLesionTool);
+#include "tst_lesion_tool.moc"

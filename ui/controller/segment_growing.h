@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ui/controller/segment_jobs.h"
+#include "viewer/segment/lesion.h"
+#include "viewer/segment/mask.h"
+
+namespace volumen {
+
+/// Where is grown from seeds: in the box about them and some more on all sides, or everywhere.
+enum class GrowthRegion { aboutSeeds, everywhere };
+
+/// Whether a segment is one of the seeds: it is shown and not locked.
+bool isSeed(const Segment& segment);
+
+/// The work that gives all voxels of a region to the seeds (grow_from_seeds.h): segments that are hidden or
+/// locked and what the mask takes away stay as they are. About the seeds is a tenth of the longest edge of
+/// their box, and at least three voxels.
+SegmentWork growthOf(const SeriesKey& series, VolumePtr volume, const Mask& mask, GrowthRegion region);
+
+/// A ball of the patient in which a lesion is looked for.
+struct LesionWanted {
+  VolumePtr volume;  ///< all of it
+  Mask mask;         ///< what it takes away is not in the ball
+  glm::dvec3 pPatient;
+  double radiusMm;
+  LesionThreshold threshold;
+  QString said{};  ///< of the segment, its description
+};
+
+/// The work that adds a segment, "Lesion 1", for the lesion in a ball (lesion.h).
+SegmentWork lesionOf(const SeriesKey& series, const LesionWanted& wanted);
+
+}  // namespace volumen
