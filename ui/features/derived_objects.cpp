@@ -47,6 +47,7 @@ DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
                   regions,
                   {Qt::RightDockWidgetArea, 70, false, Workbench::About::flat}});
   connect(regions, &RegionsPanel::placeChosen, this, &DerivedObjectFiles::showPlace);
+  connect(regions, &RegionsPanel::segmentsRequested, &bench_, &Workbench::segmentsRequested);
   const auto setOpen = [this] { bench_.document.derived.setOpen(open_.derived()); };
   connect(&open_, &OpenStudies::changed, this, setOpen);
   connect(&session_, &Session::preferencesChanged, this,

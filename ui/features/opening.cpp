@@ -3,12 +3,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QMimeData>
 
+#include "io/export/read_segments.h"
 #include "io/files/session_file.h"
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
+#include "ui/workspace/dropped_files.h"
 
 namespace volumen {
 
@@ -24,6 +25,7 @@ class Opening : public Feature {
  private:
   void makeActions();
   void open(const QStringList& paths, const std::optional<Scene>& scene);
+  void takeDropped(const QStringList& paths, const QWidget* under);
   void ask(const QString& title, QFileDialog::FileMode mode);
   void showRecent();
 
@@ -108,7 +110,20 @@ void Opening::showRecent() {
   connect(clear, &QAction::triggered, &recent, &RecentFiles::clear, Qt::QueuedConnection);
 }
 
-// What is dropped on a window opens there.
+// What says by its name that it holds segments is for the series of the view under it; all else opens.
+void Opening::takeDropped(const QStringList& paths, const QWidget* under) {
+  while (under && !qobject_cast<const View*>(under)) under = under->parentWidget();
+  const auto* view = qobject_cast<const View*>(under);
+  QStringList segments, others;
+  for (const QString& path : paths)
+    (view && view->series() && isNamedAsSegments(path.toStdString()) ? segments : others) << path;
+  if (!others.isEmpty()) open(others, {});
+  if (segments.isEmpty()) return;
+  session_.setFocus(view->id());
+  Q_EMIT bench_.segmentsRequested(segments);
+}
+
+// Here, in the window that it is dropped on.
 bool Opening::eventFilter(QObject* window, QEvent* event) {
   if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
     return Feature::eventFilter(window, event);
@@ -117,13 +132,11 @@ bool Opening::eventFilter(QObject* window, QEvent* event) {
     if (drop->mimeData()->hasUrls()) drop->acceptProposedAction();
     return true;
   }
-  QStringList paths;
-  for (const QUrl& url : drop->mimeData()->urls())
-    if (url.isLocalFile()) paths << url.toLocalFile();
+  const QStringList paths = localFiles(*drop->mimeData());
   const bool isSecond = window == &grid_.secondWindow();
   if (!paths.isEmpty() && isSecond != isInSecond(session_.workspace().focus))
     session_.setFocus(grid_.viewShownIn(isSecond)->id());
-  if (!paths.isEmpty()) open(paths, {});
+  takeDropped(paths, static_cast<QWidget*>(window)->childAt(drop->position().toPoint()));
   drop->acceptProposedAction();
   return true;
 }
