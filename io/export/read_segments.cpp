@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
+#include <string_view>
+#include <unordered_set>
 
 #include "io/export/label_image.h"
 #include "io/export/label_table.h"
@@ -41,6 +43,17 @@ Result<SegmentsFile> ofImage(const std::string& path, const VoxelGeometry& grid,
   return placed;
 }
 
+// Pictures that it names are where it lies, whatever frame of reference their files say.
+bool liesIn(const DerivedObject& object, const Series& series) {
+  const std::string &own = object.frameOfReferenceUid, &frame = series.frameOfReferenceUid;
+  const std::unordered_set<std::string_view> here(series.sopInstanceUids.begin(),
+                                                  series.sopInstanceUids.end());
+  return own.empty() || frame.empty() || own == frame ||
+         std::ranges::any_of(object.pictures, [&](const ReferencedPicture& picture) {
+           return here.contains(picture.sopInstanceUid);
+         });
+}
+
 Result<SegmentsFile> ofObject(const std::string& path, const Series& series, const VoxelGeometry& grid,
                               const Progress& progress, const CancelToken& cancel) {
   const auto study = openFiles({path}, progress, cancel);
@@ -49,8 +62,7 @@ Result<SegmentsFile> ofObject(const std::string& path, const Series& series, con
   const auto object = std::ranges::find(study->derived, DerivedKind::segmentation, &DerivedObject::kind);
   if (object == study->derived.end())
     return Error{path + " holds no segments: a DICOM segmentation, a .seg.nrrd or an image of labels does."};
-  const std::string &own = object->frameOfReferenceUid, &frame = series.frameOfReferenceUid;
-  if (!own.empty() && !frame.empty() && own != frame)
+  if (!liesIn(*object, series))
     return Error{path + " is of another frame of reference than the series: its places are none of it."};
   const auto segmentation = loadSegmentation(path);
   if (!segmentation) return segmentation.error();

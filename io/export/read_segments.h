@@ -12,7 +12,8 @@ struct Series;
 
 /// Reads the segments of a file on a grid of a series (onGrid): a DICOM segmentation, a segmentation of 3D
 /// Slicer, or an image of labels, as its contents say. The Error names the file: it is none of them, is
-/// damaged, holds no segments, is of another frame of reference than the series, or all of it lies outside.
+/// damaged, holds no segments, is of another frame of reference than the series and names none of its
+/// pictures, or all of it lies outside.
 Result<SegmentsFile> readSegments(const std::string& path, const Series& series, const VoxelGeometry& grid,
                                   const Progress& progress = {}, const CancelToken& cancel = {});
 
