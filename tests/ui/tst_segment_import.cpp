@@ -34,6 +34,7 @@ class TestSegmentImport : public QObject {
   void itWaitsForWhatIsBeingDone();
   void itCanBeGivenUpAtAnyMoment();
   void withoutASeriesThereIsNothingToAddTo();
+  void anObjectIsEditedAsSegments_data();
   void anObjectIsEditedAsSegments();
 };
 
@@ -83,6 +84,25 @@ std::vector<Segment> manySegments(int count) {
   std::vector<Segment> all;
   for (int n = 1; n <= count; ++n) all.push_back({.number = n, .label = "S" + std::to_string(n)});
   return all;
+}
+
+// An entry of the menu of a row, by the right mouse button.
+void chooseInStudies(Journey& w, const char* rowText, const char* entry) {
+  auto* tree = w.child<QTreeWidget>("studyTree");
+  const auto row = [&] {
+    return tree->findItems(QLatin1String(rowText), Qt::MatchContains | Qt::MatchRecursive).value(0);
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(row() && w.window.jobs().rows().empty(), longest);
+  tree->scrollToItem(row());
+  const QPoint at = tree->visualItemRect(row()).center();
+  QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree->viewport()->mapToGlobal(at));
+  QCoreApplication::sendEvent(tree->viewport(), &event);
+  auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  QVERIFY(menu);
+  for (QAction* action : menu->actions())
+    if (action->text() == QLatin1String(entry))
+      return QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+  QFAIL(entry);
 }
 
 }  // namespace
@@ -315,8 +335,15 @@ void TestSegmentImport::withoutASeriesThereIsNothingToAddTo() {
   QVERIFY(!action->isEnabled() && action->toolTip().contains(QStringLiteral("Open a series")));
 }
 
-// A series of files with a DICOM segmentation beside it, which stands in the list of studies.
+void TestSegmentImport::anObjectIsEditedAsSegments_data() {
+  QTest::addColumn<bool>("dropped");
+  QTest::newRow("by the menu of the list of studies") << false;
+  QTest::newRow("dropped on a view") << true;
+}
+
+// A series of files with a DICOM segmentation beside it.
 void TestSegmentImport::anObjectIsEditedAsSegments() {
+  QFETCH(bool, dropped);
   const QTemporaryDir folder;
   const QString slices = folder.filePath(QStringLiteral("ct"));
   QVERIFY(writeDicomSeries(**makePhantom("ct-head:40"), {}, slices.toStdString()));
@@ -330,22 +357,14 @@ void TestSegmentImport::anObjectIsEditedAsSegments() {
   made.labels = edit.done();
   const QString path = folder.filePath(QStringLiteral("seg.dcm"));
   QVERIFY(exportSegments(path.toStdString(), {&made, 1}, series->series));
-  w.window.open({path});
-  auto* tree = w.child<QTreeWidget>("studyTree");
-  const auto row = [&] {
-    return tree->findItems(QStringLiteral("Segmentation"), Qt::MatchContains | Qt::MatchRecursive).value(0);
-  };
-  QTRY_VERIFY_WITH_TIMEOUT(row(), longest);
-  QTRY_VERIFY_WITH_TIMEOUT(w.window.jobs().rows().empty(), longest);
-  tree->scrollToItem(row());
-  const QPoint at = tree->visualItemRect(row()).center();
-  QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree->viewport()->mapToGlobal(at));
-  QCoreApplication::sendEvent(tree->viewport(), &event);
-  auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-  QVERIFY(menu);
-  for (QAction* action : menu->actions())
-    if (action->text() == QStringLiteral("Edit as segments"))
-      QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+  QMimeData files;
+  files.setUrls({QUrl::fromLocalFile(path)});
+  if (dropped) {
+    QVERIFY(drop(files, w.window.view()));
+  } else {
+    w.window.open({path});
+    chooseInStudies(w, "Segmentation", "Edit as segments");
+  }
   const auto map = [&] { return segmentMapOf(w.window.session().workspace(), keyOf(series->series)); };
   QTRY_VERIFY_WITH_TIMEOUT(map(), longest);
   QVERIFY(*map()->labels == made.labels);

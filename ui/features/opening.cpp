@@ -25,6 +25,7 @@ class Opening : public Feature {
  private:
   void makeActions();
   void open(const QStringList& paths, const std::optional<Scene>& scene);
+  void openFor(const QStringList& paths, OpenIntent intent);
   void takeDropped(const QStringList& paths, const QWidget* under);
   void ask(const QString& title, QFileDialog::FileMode mode);
   void showRecent();
@@ -73,9 +74,13 @@ void Opening::makeActions() {
 }
 
 void Opening::open(const QStringList& paths, const std::optional<Scene>& scene) {
-  bench_.banner.hide();
   OpenIntent intent;
   intent.scene = scene;
+  openFor(paths, intent);
+}
+
+void Opening::openFor(const QStringList& paths, OpenIntent intent) {
+  bench_.banner.hide();
   intent.isShown = std::make_shared<bool>(false);
   intent.isAlone = paths.size() == 1;
   for (const QString& given : paths) {
@@ -114,10 +119,12 @@ void Opening::showRecent() {
 void Opening::takeDropped(const QStringList& paths, const QWidget* under) {
   while (under && !qobject_cast<const View*>(under)) under = under->parentWidget();
   const auto* view = qobject_cast<const View*>(under);
+  OpenIntent intent;
+  if (view && view->series()) intent.onto = view->id();
   QStringList segments, others;
   for (const QString& path : paths)
-    (view && view->series() && isNamedAsSegments(path.toStdString()) ? segments : others) << path;
-  if (!others.isEmpty()) open(others, {});
+    (intent.onto && isNamedAsSegments(path.toStdString()) ? segments : others) << path;
+  if (!others.isEmpty()) openFor(others, intent);
   if (segments.isEmpty()) return;
   session_.setFocus(view->id());
   Q_EMIT bench_.segmentsRequested(segments);
