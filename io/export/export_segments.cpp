@@ -95,7 +95,7 @@ struct Row {
   SegmentFormat format;
   Exported (*write)(const Export&);
 };
-constexpr Row rows[] = {
+constexpr Row formatRows[] = {
     {{".seg.nrrd", "Segmentations of 3D Slicer"}, asSegNrrd},
     {{".dcm", "DICOM segmentations"}, asDicom},
     {{".stl", "Surfaces", true}, asSurfaces},
@@ -108,7 +108,7 @@ constexpr Row rows[] = {
 Result<const Row*> rowOf(const std::string& path) {
   std::string lower = path, endings;
   std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  for (const Row& row : rows) {
+  for (const Row& row : formatRows) {
     if (lower.ends_with(row.format.ending)) return &row;
     endings.append(endings.empty() ? "" : ", ").append(row.format.ending);
   }
@@ -120,7 +120,7 @@ Result<const Row*> rowOf(const std::string& path) {
 std::span<const SegmentFormat> segmentFormats() {
   static const std::vector<SegmentFormat> formats = [] {
     std::vector<SegmentFormat> all;
-    for (const Row& row : rows) all.push_back(row.format);
+    for (const Row& row : formatRows) all.push_back(row.format);
     return all;
   }();
   return formats;
