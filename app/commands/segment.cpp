@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -6,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <sstream>
 
 #include "app/command.h"
@@ -13,6 +15,7 @@
 #include "app/segment_numbers.h"
 #include "app/usage.h"
 #include "io/export/export_segments.h"
+#include "io/export/read_segments.h"
 #include "io/files/output_file.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/scene/similar_name.h"
@@ -25,8 +28,14 @@ constexpr glm::u8vec3 boneIvory{240, 219, 163};
 constexpr std::streamoff mostRecipeBytes = 64 << 20;
 
 struct SegmentOptions {
-  std::string path, range, recipe, output, series;
+  std::string path, range, recipe, from, output, series;
   bool json = false, removeTable = false;
+};
+
+// What segments are made by, or the file that holds them.
+struct SegmentSource {
+  std::optional<Recipe> recipe{};
+  std::string file{};
 };
 
 // An end of the range: a number, or nothing for no end.
@@ -109,15 +118,18 @@ void removeTable(Recipe& recipe) {
     recipe.steps.push_back({"intersect", segment.label, {{"other", std::string("Patient")}}});
 }
 
-void printJson(const std::vector<SegmentReport>& numbers, const Opened& opened, const Recipe& recipe,
+void printJson(const std::vector<SegmentReport>& numbers, const Opened& opened, const SegmentSource& source,
                const std::vector<std::string>& files) {
-  const nlohmann::ordered_json all{{"series", opened.series.id},
-                                   {"recipe", nlohmann::ordered_json::parse(recipeJson(recipe))},
-                                   {"segments", segmentsJson(numbers)},
-                                   {"unit", opened.series.unit},
-                                   {"files", files},
-                                   {"warnings", sentences(opened.loaded.warnings)},
-                                   {"unread", unreadJson(opened.loaded.unread)}};
+  nlohmann::ordered_json all{{"series", opened.series.id}};
+  if (source.recipe)
+    all["recipe"] = nlohmann::ordered_json::parse(recipeJson(*source.recipe));
+  else
+    all["from"] = source.file;
+  all["segments"] = segmentsJson(numbers);
+  all["unit"] = opened.series.unit;
+  all["files"] = files;
+  all["warnings"] = sentences(opened.loaded.warnings);
+  all["unread"] = unreadJson(opened.loaded.unread);
   std::cout << jsonText(all);
 }
 
@@ -142,28 +154,53 @@ void noteModality(std::vector<std::string>& notes, const Opened& opened, const R
                   ", the series is " + modality + ": look at what it found.");
 }
 
-int work(const SegmentOptions& options, Recipe recipe, const CancelToken& cancel) {
+// One map; of a file whose segments overlap, several.
+Result<std::vector<Segmented>> segmentsOf(const SegmentSource& source, Opened& opened,
+                                          const CancelToken& cancel) {
+  const Volume& volume = *opened.loaded.drawn;
+  if (source.recipe) {
+    auto made = follow(*source.recipe, volume, cancel);
+    if (!made) return Error{source.recipe->name + ": " + made.message()};
+    noteModality(opened.notes, opened, *source.recipe);
+    return std::vector{std::move(*made)};
+  }
+  auto file = readSegments(source.file, opened.series, volume.geometry(), {}, cancel);
+  if (!file) return file.error();
+  opened.notes.insert(opened.notes.end(), file->notes.begin(), file->notes.end());
+  return std::move(file->maps);
+}
+
+Result<std::vector<SegmentReport>> numbersOf(std::span<const Segmented> maps, const Volume& volume,
+                                             const CancelToken& cancel) {
+  std::vector<SegmentReport> all;
+  for (const Segmented& map : maps) {
+    auto numbers = numbersOf(map, volume, cancel);
+    if (!numbers) return numbers.error();
+    std::ranges::move(*numbers, std::back_inserter(all));
+  }
+  return all;
+}
+
+int work(const SegmentOptions& options, SegmentSource source, const CancelToken& cancel) {
   if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
   if (options.removeTable) {
     if (Status s = checkHounsfield(*opened); !s) return fail(s.message());
-    removeTable(recipe);
+    removeTable(*source.recipe);
   }
-  const Volume& volume = *opened->loaded.drawn;
-  const Result<Segmented> segmented = follow(recipe, volume, cancel);
-  if (!segmented) return fail(recipe.name + ": " + segmented.message(), cancel);
-  const auto numbers = numbersOf(*segmented, volume, cancel);
+  noteKeptTilt(*opened);
+  const auto segmented = segmentsOf(source, *opened, cancel);
+  if (!segmented) return fail(segmented.message(), cancel);
+  const auto numbers = numbersOf(std::span(*segmented), *opened->loaded.drawn, cancel);
   if (!numbers) return fail(numbers.message(), cancel);
   const auto exported = exportSegments(options.output, *segmented, opened->series, {}, cancel);
   if (!exported) return fail(exported.message(), cancel);
-  noteKeptTilt(*opened);
-  noteModality(opened->notes, *opened, recipe);
   addNotes(opened->notes, *opened, *numbers);
   opened->notes.insert(opened->notes.end(), exported->notes.begin(), exported->notes.end());
   printNotes(opened->notes);
   if (options.json) {
-    printJson(*numbers, *opened, recipe, exported->files);
+    printJson(*numbers, *opened, source, exported->files);
   } else {
     std::cout << segmentsText(*numbers, opened->series.unit);
     for (const std::string& file : exported->files) std::cout << "file: " << printable(file) << '\n';
@@ -172,12 +209,16 @@ int work(const SegmentOptions& options, Recipe recipe, const CancelToken& cancel
 }
 
 int run(const SegmentOptions& options, const CancelToken& cancel) {
-  if (options.range.empty() == options.recipe.empty())
-    return failUsage("Give either --range LOW:HIGH or --recipe NAME.");
-  const Result<Recipe> recipe = options.recipe.empty() ? recipeOfRange(options) : recipeNamed(options.recipe);
-  if (!recipe) return isFile(options.recipe) ? fail(recipe.message()) : failUsage(recipe.message());
+  const int given = !options.range.empty() + !options.recipe.empty() + !options.from.empty();
+  if (given != 1) return failUsage("Give one of --range LOW:HIGH, --recipe NAME and --from FILE.");
   if (const auto format = segmentFormatOf(options.output); !format) return failUsage(format.message());
-  return work(options, *recipe, cancel);
+  if (!options.from.empty()) {
+    if (options.removeTable) return failUsage("--remove-table goes with --range and --recipe.");
+    return work(options, {{}, options.from}, cancel);
+  }
+  Result<Recipe> recipe = options.recipe.empty() ? recipeOfRange(options) : recipeNamed(options.recipe);
+  if (!recipe) return isFile(options.recipe) ? fail(recipe.message()) : failUsage(recipe.message());
+  return work(options, {std::move(*recipe), {}}, cancel);
 }
 
 void addListRecipes(CLI::App& app) {
@@ -200,6 +241,11 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
   app.add_option("--recipe", options->recipe, "A recipe by name, or a file that ends in .json")
       ->type_name("NAME");
   addListRecipes(app);
+  app.add_option(
+         "--from", options->from,
+         "Segments of a file, brought to the grid of PATH: a DICOM segmentation, .seg.nrrd, or an image "
+         "of labels")
+      ->type_name("FILE");
   app.add_option(
          "-o,--output", options->output,
          "The file to write: .seg.nrrd (3D Slicer), .dcm (DICOM segmentation), .nii.gz or .mha (labels, and "

@@ -38,11 +38,8 @@ void useOwnRange(LookupTable& table, std::vector<std::string>& warnings) {
 Window ownWindow(const Frame& frame) {
   std::vector<float> values;
   values.reserve(frame.values.size());
-  const auto isPadding = [&](float v) {
-    return frame.padding && v >= frame.padding->low && v <= frame.padding->high;
-  };
   std::copy_if(frame.values.begin(), frame.values.end(), std::back_inserter(values),
-               [&](float v) { return std::isfinite(v) && !isPadding(v); });
+               [&](float v) { return std::isfinite(v) && !isPadding(frame.padding, v); });
   if (values.empty()) return {0.5, 1};
   const auto ranked = [&](std::size_t perMille) {
     const std::size_t rank = std::max<std::size_t>(1, (perMille * values.size() + 999) / 1000);

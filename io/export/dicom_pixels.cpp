@@ -15,8 +15,6 @@ double asWritten(double value) { return std::strtod(decimal(value).c_str(), null
 
 using Padding = std::optional<ValueRange>;
 
-bool isIn(const Padding& padding, float v) { return padding && v >= padding->low && v <= padding->high; }
-
 // Gives padding a number that no other value of the slice has; false where neither end is free.
 bool renumberPadding(std::span<const float> values, const Padding& padding, int low, int high,
                      StoredSlice& slice) {
@@ -24,10 +22,10 @@ bool renumberPadding(std::span<const float> values, const Padding& padding, int 
     const auto word = std::uint16_t(number);
     bool isFree = true;
     for (std::size_t n = 0; n < values.size() && isFree; ++n)
-      isFree = slice.words[n] != word || isIn(padding, values[n]);
+      isFree = slice.words[n] != word || isPadding(padding, values[n]);
     if (!isFree) continue;
     for (std::size_t n = 0; n < values.size(); ++n)
-      if (isIn(padding, values[n])) slice.words[n] = word;
+      if (isPadding(padding, values[n])) slice.words[n] = word;
     slice.padding = number;
     return true;
   }
@@ -48,9 +46,9 @@ StoredSlice rescaled(std::span<const float> values, StoredAs as, const Padding& 
         std::clamp(std::floor((double(v) - slice.intercept) / slice.slope + 0.5), double(low), double(high));
     slice.words.push_back(std::uint16_t(std::int32_t(stored)));
     const double written = double(float(slice.slope * stored + slice.intercept));
-    double& largest = isIn(padding, v) ? paddingError : slice.largestError;
+    double& largest = isPadding(padding, v) ? paddingError : slice.largestError;
     largest = std::max(largest, std::abs(written - double(v)));
-    if (isIn(padding, v) && padding->low == padding->high) slice.padding = int(stored);
+    if (isPadding(padding, v) && padding->low == padding->high) slice.padding = int(stored);
   }
   if (paddingError > 0 && !renumberPadding(values, padding, low, high, slice)) {
     slice.largestError = std::max(slice.largestError, paddingError);

@@ -17,7 +17,7 @@ namespace {
 // All that a way of writing is given.
 struct Export {
   const std::string& path;
-  const Segmented& segments;
+  std::span<const Segmented> maps;
   const Series& series;
   const Progress& progress;
   const CancelToken& cancel;
@@ -25,24 +25,28 @@ struct Export {
 using Exported = Result<ExportedSegments>;
 
 Exported asSegNrrd(const Export& e) {
-  if (Status s = writeSegNrrd(e.segments.labels, e.segments.segments, e.path, e.cancel); !s) return s.error();
+  if (Status s = writeSegNrrd(e.maps, e.path, e.cancel); !s) return s.error();
   return ExportedSegments{{e.path}, {}};
 }
 
 Exported asDicom(const Export& e) {
-  auto notes = writeSegmentationDicom({&e.segments, 1}, e.series, {}, e.path, e.progress, e.cancel);
+  auto notes = writeSegmentationDicom(e.maps, e.series, {}, e.path, e.progress, e.cancel);
   if (!notes) return notes.error();
   return ExportedSegments{{e.path}, std::move(*notes)};
 }
 
 Exported asLabels(const Export& e) {
-  if (Status s = writeLabelImage(e.segments, e.path, e.progress, e.cancel); !s) return s.error();
+  if (e.maps.size() != 1)
+    return Error{e.path +
+                 ": an image of labels has one segment at each voxel, and these overlap; .seg.nrrd and "
+                 ".dcm hold them."};
+  if (Status s = writeLabelImage(e.maps.front(), e.path, e.progress, e.cancel); !s) return s.error();
   return ExportedSegments{{e.path}, {}};
 }
 
 // "scan-Bone.stl"; what a folder would read otherwise becomes "_".
 std::string pathOf(const Export& e, const Segment& segment) {
-  if (e.segments.segments.size() == 1) return e.path;
+  if (e.maps.size() == 1 && e.maps.front().segments.size() == 1) return e.path;
   const std::size_t ending = e.path.rfind('.');
   std::string name = segment.label;
   for (char& c : name)
@@ -60,23 +64,28 @@ std::string toldOf(const std::string& path, const BitMask& mask, const Surface& 
   return path + ": " + text + ".";
 }
 
+Status addSurface(const Export& e, const Segmented& map, const Segment& segment, ExportedSegments& done) {
+  const BitMask mask = maskOf(map.labels, std::uint8_t(segment.number));
+  const std::string path = pathOf(e, segment);
+  if (std::ranges::find(done.files, path) != done.files.end())
+    return Error{path + ": two segments would be written to it; give them different names."};
+  if (mask.empty()) {
+    done.notes.push_back(segment.label + " has no voxels, and no surface.");
+    return {};
+  }
+  const Result<Surface> surface = surfaceOf(occupancyOf(mask, surfaceSigma, e.cancel), e.cancel);
+  if (!surface) return surface.error();
+  if (Status s = writeSurface(*surface, path, e.cancel); !s) return s;
+  done.notes.push_back(toldOf(path, mask, *surface));
+  done.files.push_back(path);
+  return {};
+}
+
 Exported asSurfaces(const Export& e) {
   ExportedSegments done;
-  for (const Segment& segment : e.segments.segments) {
-    const BitMask mask = maskOf(e.segments.labels, std::uint8_t(segment.number));
-    const std::string path = pathOf(e, segment);
-    if (std::ranges::find(done.files, path) != done.files.end())
-      return Error{path + ": two segments would be written to it; give them different names."};
-    if (mask.empty()) {
-      done.notes.push_back(segment.label + " has no voxels, and no surface.");
-      continue;
-    }
-    const Result<Surface> surface = surfaceOf(occupancyOf(mask, surfaceSigma, e.cancel), e.cancel);
-    if (!surface) return surface.error();
-    if (Status s = writeSurface(*surface, path, e.cancel); !s) return s.error();
-    done.notes.push_back(toldOf(path, mask, *surface));
-    done.files.push_back(path);
-  }
+  for (const Segmented& map : e.maps)
+    for (const Segment& segment : map.segments)
+      if (Status s = addSurface(e, map, segment, done); !s) return s.error();
   if (done.files.empty()) return Error{e.path + " is not written: no segment has voxels."};
   return done;
 }
@@ -86,7 +95,7 @@ struct Row {
   SegmentFormat format;
   Exported (*write)(const Export&);
 };
-constexpr Row rows[] = {
+constexpr Row formatRows[] = {
     {{".seg.nrrd", "Segmentations of 3D Slicer"}, asSegNrrd},
     {{".dcm", "DICOM segmentations"}, asDicom},
     {{".stl", "Surfaces", true}, asSurfaces},
@@ -99,7 +108,7 @@ constexpr Row rows[] = {
 Result<const Row*> rowOf(const std::string& path) {
   std::string lower = path, endings;
   std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  for (const Row& row : rows) {
+  for (const Row& row : formatRows) {
     if (lower.ends_with(row.format.ending)) return &row;
     endings.append(endings.empty() ? "" : ", ").append(row.format.ending);
   }
@@ -111,7 +120,7 @@ Result<const Row*> rowOf(const std::string& path) {
 std::span<const SegmentFormat> segmentFormats() {
   static const std::vector<SegmentFormat> formats = [] {
     std::vector<SegmentFormat> all;
-    for (const Row& row : rows) all.push_back(row.format);
+    for (const Row& row : formatRows) all.push_back(row.format);
     return all;
   }();
   return formats;
@@ -123,12 +132,12 @@ Result<const SegmentFormat*> segmentFormatOf(const std::string& path) {
   return &(*row)->format;
 }
 
-Result<ExportedSegments> exportSegments(const std::string& path, const Segmented& segments,
+Result<ExportedSegments> exportSegments(const std::string& path, std::span<const Segmented> maps,
                                         const Series& series, const Progress& progress,
                                         const CancelToken& cancel) {
   const Result<const Row*> row = rowOf(path);
   if (!row) return row.error();
-  return (*row)->write({path, segments, series, progress, cancel});
+  return (*row)->write({path, maps, series, progress, cancel});
 }
 
 }  // namespace volumen

@@ -32,10 +32,11 @@ std::span<const SegmentFormat> segmentFormats();
 /// That of a path by its ending, capitals or not; the Error names all endings.
 Result<const SegmentFormat*> segmentFormatOf(const std::string& path);
 
-/// Writes the segments of a series as the ending of `path` says, hidden ones too. Surfaces
+/// Writes the segments of a series as the ending of `path` says, hidden ones too; several maps, all of one
+/// grid, where they overlap, which .seg.nrrd, .dcm and surfaces hold. Surfaces
 /// (occupancy.h) are a file each: `path` for one segment, else with its name in front of the ending; their
 /// notes tell volumes, area and triangles. Each file appears whole or not at all. The Error names it.
-Result<ExportedSegments> exportSegments(const std::string& path, const Segmented& segments,
+Result<ExportedSegments> exportSegments(const std::string& path, std::span<const Segmented> maps,
                                         const Series& series, const Progress& progress = {},
                                         const CancelToken& cancel = {});
 

@@ -58,8 +58,10 @@ Status writeLabelImage(const Segmented& segments, const std::string& path, const
   std::vector<std::string> warnings;
   const auto volume = Volume::make(std::move(parts), warnings);
   if (!volume) return volume.error();
-  if (Status s = writeLabelTable(segments.segments, labelTableOf(path)); !s) return s;
-  return writeVolume(**volume, path, progress, cancel);
+  auto table = writeLabelTable(segments.segments, labelTableOf(path));
+  if (!table) return table.error();
+  if (Status s = writeVolume(**volume, path, progress, cancel); !s) return s;
+  return table->commit();
 } catch (const std::bad_alloc&) {
   return Error{"Cannot write " + path + ": there is not enough memory."};
 }

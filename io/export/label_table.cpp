@@ -5,7 +5,6 @@
 #include "io/files/data_file.h"
 #include "io/files/header_text.h"
 #include "io/files/label_values.h"
-#include "io/files/output_file.h"
 #include "io/worker/batches.h"
 #include "io/worker/object_fields.h"
 
@@ -84,7 +83,7 @@ std::string labelTableOf(const std::string& image) {
   return image + ".label";
 }
 
-Status writeLabelTable(std::span<const Segment> segments, const std::string& path) {
+Result<OutputFile> writeLabelTable(std::span<const Segment> segments, const std::string& path) {
   std::string text =
       "################################################\n"
       "# ITK-SnAP Label Description File\n"
@@ -99,8 +98,8 @@ Status writeLabelTable(std::span<const Segment> segments, const std::string& pat
   for (const Segment& segment : segments) text += rowText(segment);
   auto out = OutputFile::create(path);
   if (!out) return out.error();
-  if (Status s = out->write(text); !s) return s;
-  return out->commit();
+  if (Status s = out->write(text); !s) return s.error();
+  return out;
 }
 
 Result<std::vector<LabelRow>> readLabelTable(const std::string& path) {

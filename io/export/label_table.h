@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/files/image_header.h"
+#include "io/files/output_file.h"
 #include "viewer/segment/segment.h"
 #include "viewer/volume/result.h"
 
@@ -14,8 +15,8 @@ namespace volumen {
 /// shown, name.
 std::string labelTableOf(const std::string& image);
 
-/// A quotation mark in a name becomes an apostrophe, a line end a blank.
-Status writeLabelTable(std::span<const Segment> segments, const std::string& path);
+/// A quotation mark in a name becomes an apostrophe, a line end a blank. It is there once it is committed.
+Result<OutputFile> writeLabelTable(std::span<const Segment> segments, const std::string& path);
 
 /// A row of such a table, and the number that it is for.
 struct LabelRow {

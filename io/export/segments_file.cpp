@@ -1,7 +1,11 @@
 #include "io/export/segments_file.h"
 
+#include <cstdio>
+#include <numeric>
+
 #include "viewer/segment/label_statistics.h"
 #include "viewer/segment/labels_on.h"
+#include "viewer/volume/parallel.h"
 
 namespace volumen {
 
@@ -11,15 +15,72 @@ std::string sizeText(glm::ivec3 size) {
   return std::to_string(size.x) + " x " + std::to_string(size.y) + " x " + std::to_string(size.z);
 }
 
-bool liesIn(const VoxelBox& box, const VoxelGeometry& own, const VoxelGeometry& grid) {
-  for (const int x : {box.low.x, box.high.x})
-    for (const int y : {box.low.y, box.high.y})
-      for (const int z : {box.low.z, box.high.z}) {
-        const glm::dvec3 at = grid.voxelFromPatient(own.patientFromVoxel({x, y, z})) + 0.5;
-        for (int a = 0; a < 3; ++a)
-          if (!(at[a] >= 0 && at[a] < grid.size[a])) return false;
+std::string mlText(double mm3) {
+  char text[32];
+  std::snprintf(text, sizeof text, mm3 < 1e5 ? "%.3g ml" : "%.0f ml", mm3 / 1000);
+  return text;
+}
+
+bool isInside(const VoxelGeometry& grid, glm::dvec3 pPatient) {
+  const glm::dvec3 at = grid.voxelFromPatient(pPatient) + 0.5;
+  return at.x >= 0 && at.y >= 0 && at.z >= 0 && at.x < grid.size.x && at.y < grid.size.y &&
+         at.z < grid.size.z;
+}
+
+std::int64_t voxelsMarked(const LabelMap& labels) {
+  return labels.geometry().voxelCount() - labelCounts(labels)[0];
+}
+
+// How many voxels with a label have their centre outside a grid.
+std::int64_t voxelsOutside(const LabelMap& labels, const VoxelGeometry& grid) {
+  const VoxelGeometry& own = labels.geometry();
+  std::vector<std::int64_t> counts(std::size_t(own.size.z));
+  parallelFor(own.size.z, 0, [&](std::int64_t begin, std::int64_t end) {
+    std::vector<std::uint8_t> row(std::size_t(own.size.x));
+    for (std::int64_t k = begin; k < end; ++k)
+      for (int j = 0; j < own.size.y; ++j) {
+        labels.readRow(j, int(k), row.data());
+        for (int i = 0; i < own.size.x; ++i)
+          if (row[std::size_t(i)] != 0 && !isInside(grid, own.patientFromVoxel({i, j, k})))
+            ++counts[std::size_t(k)];
       }
-  return true;
+  });
+  return std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
+}
+
+// The same of the pixels of an object.
+std::int64_t pixelsOutside(const Segmentation& s, const VoxelGeometry& grid) {
+  std::vector<std::int64_t> counts(s.frames.size());
+  parallelFor(std::int64_t(s.frames.size()), 0, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t n = begin; n < end; ++n)
+      for (int y = 0; y < s.size.y; ++y)
+        for (int x = 0; x < s.size.x; ++x) {
+          if (!s.isSet(std::size_t(n), x, y)) continue;
+          const glm::dvec3 centre =
+              s.frames[std::size_t(n)].origin + x * s.mm.x * s.right + y * s.mm.y * s.down;
+          if (!isInside(grid, centre)) ++counts[std::size_t(n)];
+        }
+  });
+  return std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
+}
+
+// What a move onto another grid has made of segments, mm^3.
+struct Moved {
+  double before = 0;   // in the file
+  double after = 0;    // in the series
+  double outside = 0;  // in the file, outside the series
+};
+
+Status noteMoved(SegmentsFile& file, const std::string& from, const Moved& moved) {
+  if (moved.after == 0 && moved.outside == moved.before)
+    return Error{"All of its segments lie outside the series."};
+  file.notes.push_back("The segments lie on another grid" + from +
+                       ": each voxel of the series has what the nearest of them has; " +
+                       mlText(moved.before) + " became " + mlText(moved.after) + ".");
+  if (moved.outside > 0)
+    file.notes.push_back(mlText(moved.outside) +
+                         " of the segments lie outside the series, and were left out.");
+  return {};
 }
 
 }  // namespace
@@ -39,19 +100,32 @@ Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid) {
     return file;
   }
   const bool isSame = areSameVoxels(own, grid);
-  bool isMoved = false, isCut = false;
+  std::int64_t before = 0, after = 0, outside = 0;
   for (Segmented& map : file.maps) {
-    for (const Segment& s : map.segments) {
-      const auto box = isSame ? std::nullopt : labelBox(map.labels, std::uint8_t(s.number));
-      isMoved = isMoved || box;
-      isCut = isCut || (box && !liesIn(*box, own, grid));
-    }
+    if (!isSame) before += voxelsMarked(map.labels), outside += voxelsOutside(map.labels, grid);
     map.labels = labelsOn(map.labels, grid);
+    if (!isSame) after += voxelsMarked(map.labels);
   }
-  if (isMoved)
-    file.notes.push_back("The segments lie on another grid (" + sizeText(own.size) +
-                         " voxels): each voxel of the series has what the nearest of them has.");
-  if (isCut) file.notes.emplace_back("Parts of the segments lie outside the series, and were left out.");
+  if (before == 0) return file;
+  const Moved moved{double(before) * own.voxelVolume(), double(after) * grid.voxelVolume(),
+                    double(outside) * own.voxelVolume()};
+  if (Status s = noteMoved(file, " (" + sizeText(own.size) + " voxels)", moved); !s) return s.error();
+  return file;
+}
+
+// As many voxels as pixels: each pixel is one of them.
+Result<SegmentsFile> onGrid(const Segmentation& s, const VoxelGeometry& grid, const CancelToken& cancel) {
+  if (!grid.calibrated) return Error{"Where the series lies is not known: segments have no place in it."};
+  SegmentsFile file{segmentedOf(s, grid, cancel), {}};
+  if (cancel.cancelled()) return Error{"Cancelled."};
+  std::int64_t before = 0, after = 0;
+  for (std::size_t n = 0; n < s.segments.size(); ++n) before += pixelsOf(s, n);
+  for (const Segmented& map : file.maps) after += voxelsMarked(map.labels);
+  const double pixel = s.mm.x * s.mm.y * s.thickness;
+  if (before == after) return file;
+  const Moved moved{double(before) * pixel, double(after) * grid.voxelVolume(),
+                    double(pixelsOutside(s, grid)) * pixel};
+  if (Status status = noteMoved(file, "", moved); !status) return status.error();
   return file;
 }
 

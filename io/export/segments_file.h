@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/segment/segmented.h"
+#include "viewer/segment/segmentation.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {
@@ -14,8 +14,13 @@ struct SegmentsFile {
   std::vector<std::string> notes;  ///< sentences that are to be known
 };
 
-/// The same on the grid of a volume, told where it is another one: each voxel has what the voxel of the file
-/// that holds its centre has. The Error: it has no position, and is not of that size.
+/// The same on the grid of a volume: each voxel has what the voxel of the file that holds its centre has.
+/// What that changes and what lies outside is told in ml. The Error: it has no position, and is not of that
+/// size; all of it lies outside.
 Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid);
+/// The segments of an object on the grid of a volume (segmentedOf), with what that changes. The Error: the
+/// volume has no position; all of it lies outside.
+Result<SegmentsFile> onGrid(const Segmentation& segmentation, const VoxelGeometry& grid,
+                            const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -60,7 +60,8 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Open folder...; Open file...; Open recent >; Sample study; |; "
       "Study list; Find study...; Import folder...; |; "
       "Open session...; Save session; Save session as...; |; "
-      "Restore earlier work >; Open scene...; Save scene...; Export segments...; |; Save picture...; Copy "
+      "Restore earlier work >; Open scene...; Save scene...; Import segments...; Export segments...; |; Save "
+      "picture...; Copy "
       "picture; Save all "
       "views...; Copy all views; Print picture...; "
       "More pictures >; Save 3D snapshot...; Copy 3D snapshot; |; Quit");

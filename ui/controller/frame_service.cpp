@@ -16,9 +16,7 @@ constexpr int mostAhead = 32;
 
 // Values that count for a window.
 void addValues(const Frame& frame, std::vector<float>& values) {
-  const auto counts = [&](float v) {
-    return std::isfinite(v) && !(frame.padding && v >= frame.padding->low && v <= frame.padding->high);
-  };
+  const auto counts = [&](float v) { return std::isfinite(v) && !isPadding(frame.padding, v); };
   std::ranges::copy_if(frame.values, std::back_inserter(values), counts);
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "ui/workspace/view_id.h"
 #include "viewer/scene/scene.h"
 
 namespace volumen {
@@ -21,6 +22,7 @@ struct OpenIntent {
   std::shared_ptr<bool>
       isShown{};         ///< of what is opened together: whether any of it was shown; null: nothing is
   bool isAlone = false;  ///< it is all that was asked for
+  std::optional<ViewId> onto{};  ///< the view with a series that it was dropped on
 };
 
 }  // namespace volumen

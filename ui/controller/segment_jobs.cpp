@@ -1,7 +1,5 @@
 #include "ui/controller/segment_jobs.h"
 
-#include <algorithm>
-#include <glm/common.hpp>
 #include <new>
 
 #include "io/export/export_segments.h"
@@ -24,29 +22,8 @@ Result<SegmentMap> workDone(const SegmentWork& work, SegmentMap map, int number,
   return Error{"The segment was not changed: there is not enough memory."};
 }
 
-// How many voxels of the grid have each label.
-std::array<std::int64_t, 256> countsOf(const LabelMap& labels) {
-  std::array<std::int64_t, 256> counts{};
-  const glm::ivec3 grid = labels.geometry().size, bricks = labels.bricks();
-  for (int n = 0; n < bricks.x * bricks.y * bricks.z; ++n) {
-    const glm::ivec3 at(n % bricks.x, n / bricks.x % bricks.y, n / bricks.x / bricks.y),
-        size = glm::min(glm::ivec3(LabelMap::edge), grid - at * LabelMap::edge);
-    const LabelMap::Brick& brick = labels.brick(std::size_t(n));
-    if (!brick.voxels) {
-      counts[brick.label] += std::int64_t(size.x) * size.y * size.z;
-      continue;
-    }
-    for (int k = 0; k < size.z; ++k)
-      for (int j = 0; j < size.y; ++j) {
-        const auto row = brick.voxels->begin() + (k * LabelMap::edge + j) * LabelMap::edge;
-        std::for_each(row, row + size.x, [&](std::uint8_t label) { ++counts[label]; });
-      }
-  }
-  return counts;
-}
-
 SegmentNumbers numbersOf(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume) {
-  SegmentNumbers numbers{labels, volume, countsOf(*labels), number, {}};
+  SegmentNumbers numbers{labels, volume, labelCounts(*labels), number, {}};
   if (number > 0) numbers.values = labelStatistics(*labels, *volume, std::uint8_t(number));
   return numbers;
 }
@@ -124,6 +101,7 @@ void SegmentJobs::take(const SegmentMap& base, const Result<SegmentMap>& made) {
     session_.endGesture();
     session_.change(work.text, withSegmentMap(workspace, *made));
     session_.endGesture();
+    if (work.done) work.done();
   }
   next();
 }
@@ -150,7 +128,8 @@ void SegmentJobs::save(const SegmentMap& map, const Series& series, const QStrin
   save_.run(
       tr("Exporting segments"),
       [map, series, path](const Job& job) {
-        return exportSegments(path.toStdString(), {map.segments, *map.labels}, series, {}, job.cancel());
+        const Segmented segments{map.segments, *map.labels};
+        return exportSegments(path.toStdString(), {&segments, 1}, series, {}, job.cancel());
       },
       [this, map](const Result<ExportedSegments>& done) {
         if (!done) return Q_EMIT failed(QString::fromStdString(done.message()));

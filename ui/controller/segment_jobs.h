@@ -26,6 +26,7 @@ struct SegmentWork {
   std::function<Result<BitMask>(const SegmentMap& map, int number, const CancelToken& cancel)> make{};
   /// In place of all that: the map after it, on the job's thread.
   std::function<Result<SegmentMap>(const SegmentMap& map, const CancelToken& cancel)> makeAll{};
+  std::function<void()> done{};  ///< called once it is a step
 };
 
 /// What the segments of a map hold.

@@ -26,7 +26,7 @@ class DerivedObjectFiles : public Feature {
   explicit DerivedObjectFiles(Workbench& bench);
 
  private:
-  void showAlone(const Study& study);
+  void showAlone(const Study& study, std::optional<ViewId> onto);
   bool isOverWhatIsOpen(const DerivedObject& object) const;
   void showDerivedObject(const DerivedObjectPtr& object);
   void showPresentation(const DerivedObjectPtr& object);
@@ -47,6 +47,7 @@ DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
                   regions,
                   {Qt::RightDockWidgetArea, 70, false, Workbench::About::flat}});
   connect(regions, &RegionsPanel::placeChosen, this, &DerivedObjectFiles::showPlace);
+  connect(regions, &RegionsPanel::segmentsRequested, &bench_, &Workbench::segmentsRequested);
   const auto setOpen = [this] { bench_.document.derived.setOpen(open_.derived()); };
   connect(&open_, &OpenStudies::changed, this, setOpen);
   connect(&session_, &Session::preferencesChanged, this,
@@ -60,13 +61,15 @@ DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
   // Once it stands in the list.
   connect(&bench_.document.loader, &Loader::studyOpened, this,
           [this](const QString&, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
-            if (intent.isAlone && study->volumes.empty() && study->images.empty()) showAlone(*study);
+            if (intent.isAlone && study->volumes.empty() && study->images.empty())
+              showAlone(*study, intent.onto);
           });
   connect(&bench_, &Workbench::sliceMenuOpens, this, &DerivedObjectFiles::fillPresentations);
 }
 
-// A file of objects without pictures: what it does, or what it is and what is missing.
-void DerivedObjectFiles::showAlone(const Study& study) {
+// A file of objects without pictures: what it does, or what it is and what is missing. A segmentation that
+// was dropped on a view is for its segments.
+void DerivedObjectFiles::showAlone(const Study& study, std::optional<ViewId> onto) {
   if (study.derived.empty()) return;
   if (study.derived.size() > 1)
     return warn(tr("%1 objects that refer to pictures: open these pictures, then click an object in the list "
@@ -76,7 +79,10 @@ void DerivedObjectFiles::showAlone(const Study& study) {
   for (const DerivedObjectPtr& object : open_.derived()) {
     if (keyOf(*object) != key) continue;
     const bool hasEffect = object->kind == DerivedKind::report || isOverWhatIsOpen(*object);
-    return hasEffect ? showDerivedObject(object) : warn(aloneText(*object));
+    if (!hasEffect) return warn(aloneText(*object));
+    if (!onto || object->kind != DerivedKind::segmentation) return showDerivedObject(object);
+    session_.setFocus(*onto);
+    return Q_EMIT bench_.segmentsRequested({QString::fromStdString(object->path)});
   }
 }
 

@@ -3,12 +3,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QMimeData>
 
+#include "io/export/read_segments.h"
 #include "io/files/session_file.h"
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
+#include "ui/workspace/dropped_files.h"
 
 namespace volumen {
 
@@ -24,6 +25,8 @@ class Opening : public Feature {
  private:
   void makeActions();
   void open(const QStringList& paths, const std::optional<Scene>& scene);
+  void openFor(const QStringList& paths, OpenIntent intent);
+  void takeDropped(const QStringList& paths, const QWidget* under);
   void ask(const QString& title, QFileDialog::FileMode mode);
   void showRecent();
 
@@ -71,9 +74,13 @@ void Opening::makeActions() {
 }
 
 void Opening::open(const QStringList& paths, const std::optional<Scene>& scene) {
-  bench_.banner.hide();
   OpenIntent intent;
   intent.scene = scene;
+  openFor(paths, intent);
+}
+
+void Opening::openFor(const QStringList& paths, OpenIntent intent) {
+  bench_.banner.hide();
   intent.isShown = std::make_shared<bool>(false);
   intent.isAlone = paths.size() == 1;
   for (const QString& given : paths) {
@@ -108,7 +115,22 @@ void Opening::showRecent() {
   connect(clear, &QAction::triggered, &recent, &RecentFiles::clear, Qt::QueuedConnection);
 }
 
-// What is dropped on a window opens there.
+// What says by its name that it holds segments is for the series of the view under it; all else opens.
+void Opening::takeDropped(const QStringList& paths, const QWidget* under) {
+  while (under && !qobject_cast<const View*>(under)) under = under->parentWidget();
+  const auto* view = qobject_cast<const View*>(under);
+  OpenIntent intent;
+  if (view && view->series()) intent.onto = view->id();
+  QStringList segments, others;
+  for (const QString& path : paths)
+    (intent.onto && isNamedAsSegments(path.toStdString()) ? segments : others) << path;
+  if (!others.isEmpty()) openFor(others, intent);
+  if (segments.isEmpty()) return;
+  session_.setFocus(view->id());
+  Q_EMIT bench_.segmentsRequested(segments);
+}
+
+// Here, in the window that it is dropped on.
 bool Opening::eventFilter(QObject* window, QEvent* event) {
   if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
     return Feature::eventFilter(window, event);
@@ -117,13 +139,11 @@ bool Opening::eventFilter(QObject* window, QEvent* event) {
     if (drop->mimeData()->hasUrls()) drop->acceptProposedAction();
     return true;
   }
-  QStringList paths;
-  for (const QUrl& url : drop->mimeData()->urls())
-    if (url.isLocalFile()) paths << url.toLocalFile();
+  const QStringList paths = localFiles(*drop->mimeData());
   const bool isSecond = window == &grid_.secondWindow();
   if (!paths.isEmpty() && isSecond != isInSecond(session_.workspace().focus))
     session_.setFocus(grid_.viewShownIn(isSecond)->id());
-  if (!paths.isEmpty()) open(paths, {});
+  takeDropped(paths, static_cast<QWidget*>(window)->childAt(drop->position().toPoint()));
   drop->acceptProposedAction();
   return true;
 }

@@ -9,7 +9,7 @@
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_surface_jobs.h"
 #include "ui/controller/segment_target.h"
-#include "ui/features/feature.h"
+#include "ui/features/segments_from_files.h"
 #include "ui/panels/segments_panel.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
@@ -51,6 +51,7 @@ class Segmenting : public Feature {
   MaskJobs masker_;
   SegmentSurfaceJobs surfaces_;
   SegmentsPanel* panel_;
+  SegmentsFromFiles fromFiles_;
   QAction* export_;
 };
 
@@ -61,7 +62,8 @@ Segmenting::Segmenting(Workbench& bench)
       preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
       surfaces_(session_, bench.document.jobs),
-      panel_(new SegmentsPanel(session_)) {
+      panel_(new SegmentsPanel(session_)),
+      fromFiles_(bench, segmenter_, *panel_) {
   bench_.addDock({"segment",
                   tr("Segments"),
                   bench_.ofScene(Workbench::scrolling(panel_)),

@@ -39,6 +39,7 @@ Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(ope
   connect(panel_, &StudiesPanel::seriesChosen, &bench_.document.opener, &Opener::show);
   connect(panel_, &StudiesPanel::objectChosen, &bench_, &Workbench::objectChosen);
   connect(panel_, &StudiesPanel::attributesRequested, this, &Studies::showAttributes);
+  connect(panel_, &StudiesPanel::segmentsRequested, &bench_, &Workbench::segmentsRequested);
   bench_.addAction({"attributes",
                     tr("DICOM attributes..."),
                     {},

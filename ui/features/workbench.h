@@ -172,6 +172,8 @@ class Workbench : public QObject, public WindowParts {
   /// Files, folders, phantoms or sessions are to be opened; the largest series of the first that holds any is
   /// shown, by the scene where one is given.
   void openRequested(const QStringList& paths, const std::optional<volumen::Scene>& scene = {});
+  /// Segments of these files are to become segments of the series that the panel of segments is about.
+  void segmentsRequested(const QStringList& paths);
   /// The view in focus shows another series than before, or shows it in another way.
   void otherShown();
   /// A picture of view().

@@ -1,6 +1,7 @@
 #include "ui/panels/regions_panel.h"
 
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -77,6 +78,7 @@ RegionsPanel::RegionsPanel(Session& session, DerivedObjects& derived, QWidget* p
   list_->setAccessibleName(tr("Contours and segments"));
   list_->setHeaderHidden(true);
   list_->setIndentation(12);
+  list_->setContextMenuPolicy(Qt::CustomContextMenu);
   list_->setMinimumHeight(60);
   opacity_->setObjectName(QStringLiteral("segmentOpacity"));
   opacity_->setAccessibleName(tr("Opacity of segments"));
@@ -93,6 +95,7 @@ RegionsPanel::RegionsPanel(Session& session, DerivedObjects& derived, QWidget* p
   column->addLayout(row);
   connect(list_, &QTreeWidget::itemChanged, this, &RegionsPanel::toggle);
   connect(list_, &QTreeWidget::itemDoubleClicked, this, &RegionsPanel::choose);
+  connect(list_, &QTreeWidget::customContextMenuRequested, this, &RegionsPanel::showMenu);
   connect(opacity_, &QSlider::valueChanged, this, &RegionsPanel::setOpacity);
   connect(opacity_, &QSlider::sliderReleased, &session_, &Session::endGesture);
   connect(&derived_, &DerivedObjects::changed, this, &RegionsPanel::showAll);
@@ -191,6 +194,23 @@ void RegionsPanel::choose(QTreeWidgetItem* item) {
       if (region.number == number.toInt() && !region.frameOfReferenceUid.empty())
         frame = region.frameOfReferenceUid;
   if (const auto middle = middleOfRegion(*regions, number.toInt())) Q_EMIT placeChosen(frame, *middle);
+}
+
+// Of a segmentation and of each of its rows.
+void RegionsPanel::showMenu(QPoint position) {
+  const QTreeWidgetItem* item = list_->itemAt(position);
+  if (!item) return;
+  const DerivedKey key = keyOfItem(item);
+  const auto isIt = [&](const DerivedObjectPtr& object) {
+    return keyOf(*object) == key && object->kind == DerivedKind::segmentation;
+  };
+  if (std::ranges::none_of(derived_.all(), isIt)) return;
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("regionMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction(tr("Edit as segments"), this,
+                  [this, path = QString::fromStdString(key.path)] { Q_EMIT segmentsRequested({path}); });
+  menu->popup(list_->viewport()->mapToGlobal(position));
 }
 
 void RegionsPanel::setOpacity(int percent) {

@@ -18,6 +18,8 @@ class RegionsPanel : public QWidget {
  Q_SIGNALS:
   /// The middle of a region is to be seen.
   void placeChosen(const std::string& frameOfReferenceUid, glm::dvec3 pPatient);
+  /// Segments of these objects are to be edited.
+  void segmentsRequested(const QStringList& paths);
 
  private:
   void showAll();
@@ -26,6 +28,7 @@ class RegionsPanel : public QWidget {
                  const QColor& colour);
   void toggle(QTreeWidgetItem* item);
   void choose(QTreeWidgetItem* item);
+  void showMenu(QPoint position);
   void setOpacity(int percent);
 
   Session& session_;

@@ -39,6 +39,8 @@ class StudiesPanel : public QWidget {
   void seriesChosen(const volumen::Series& series);
   void objectChosen(const volumen::DerivedObjectPtr& object);
   void attributesRequested(const volumen::Series& series);
+  /// Segments of these objects are to be edited.
+  void segmentsRequested(const QStringList& paths);
   /// They are to be taken off the list.
   void removeRequested(const std::vector<volumen::SeriesKey>& series,
                        const std::vector<volumen::DerivedKey>& derived);

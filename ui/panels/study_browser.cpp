@@ -5,17 +5,16 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QMimeData>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTreeView>
-#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/panels/series_strip.h"
 #include "ui/panels/study_columns.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/dropped_files.h"
 
 namespace volumen {
 
@@ -23,13 +22,6 @@ namespace {
 
 constexpr int askAfterMs = 60;          // the last key
 constexpr std::size_t shortList = 100;  // patients whose studies are shown without a click
-
-QStringList localFiles(const QMimeData& data) {
-  QStringList paths;
-  for (const QUrl& url : data.urls())
-    if (url.isLocalFile()) paths << url.toLocalFile();
-  return paths;
-}
 
 bool isReturn(const QKeyEvent& event) {
   return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;

@@ -28,8 +28,7 @@ std::vector<float> valuesIn(const SlicePress& press, const QRectF& box) {
   plane.size = glm::max(glm::ivec2(pixels / coarser + 0.5), 1);
   Result<SliceValues> seen = resampleSlice(volume, plane);
   if (!seen) return {};
-  if (const std::optional<ValueRange>& padding = volume.attributes().padding)
-    std::erase_if(seen->values, [&](float v) { return v >= padding->low && v <= padding->high; });
+  std::erase_if(seen->values, [&](float v) { return isPadding(volume.attributes().padding, v); });
   return std::move(seen->values);
 }
 

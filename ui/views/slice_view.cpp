@@ -34,8 +34,7 @@ QString valueAt(const LoadedSeries& shown, glm::dvec3 p) {
   if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, volume.size())))
     return {};
   const float value = volume.value(voxel.x, voxel.y, voxel.z);
-  const std::optional<ValueRange>& padding = volume.attributes().padding;
-  if (shown.series.curved && padding && value >= padding->low && value <= padding->high)
+  if (shown.series.curved && isPadding(volume.attributes().padding, value))
     return SliceView::tr("outside the series");
   return valueText(shown, value);
 }

@@ -92,6 +92,17 @@ SegmentMap withSegment(SegmentMap map, Segment segment) {
   return map;
 }
 
+SegmentMap withSegmentAdded(SegmentMap map, Segment segment) {
+  const std::optional<int> number = freeNumber(map);
+  if (!number) return map;
+  const bool isFree =
+      segment.number >= 1 && segment.number <= mostSegments && !findSegment(map, segment.number);
+  if (!isFree) segment.number = *number;
+  if (segment.label.empty()) segment.label = tr("Segment %1").arg(segment.number).toStdString();
+  segment.label = freeName(map, segment.label);
+  return withSegment(std::move(map), std::move(segment));
+}
+
 Workspace withSegmentChanged(Workspace workspace, const SeriesKey& series, int number,
                              const std::function<void(Segment&)>& change) {
   const SegmentMap* there = segmentMapOf(workspace, series);
@@ -116,12 +127,8 @@ Workspace withSegmentsIn3d(Workspace workspace, const SeriesKey& series, bool in
 Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const VoxelGeometry& grid,
                          Segment segment) {
   SegmentMap map = segmentMapOn(workspace, series, grid);
-  const std::optional<int> number = freeNumber(map);
-  if (!number || !workspace.series.contains(series)) return workspace;
-  segment.number = *number;
-  if (segment.label.empty()) segment.label = tr("Segment %1").arg(*number).toStdString();
-  segment.label = freeName(map, segment.label);
-  return withSegmentMap(std::move(workspace), withSegment(std::move(map), std::move(segment)));
+  if (!freeNumber(map) || !workspace.series.contains(series)) return workspace;
+  return withSegmentMap(std::move(workspace), withSegmentAdded(std::move(map), std::move(segment)));
 }
 
 Workspace withSegmentCopied(Workspace workspace, const SeriesKey& series, int number) {

@@ -37,6 +37,10 @@ SegmentMap withoutSegment(SegmentMap map, int number);
 /// With another segment of the map, which has no voxels yet and is current; its number must be free. It gets
 /// a colour of its own where it has none.
 SegmentMap withSegment(SegmentMap map, Segment segment);
+/// With another segment that has no voxels yet and is current. It keeps its number where that is free, else
+/// it has the smallest that is; it gets a colour and a name where it has none, and another name where that is
+/// taken. As it was where 255 are there.
+SegmentMap withSegmentAdded(SegmentMap map, Segment segment);
 /// With a segment called, coloured, shown, locked otherwise; its number stays.
 Workspace withSegmentChanged(Workspace workspace, const SeriesKey& series, int number,
                              const std::function<void(Segment&)>& change);
@@ -45,8 +49,7 @@ Workspace withCurrentSegment(Workspace workspace, const SeriesKey& series, int n
 /// With the segments of a series drawn in 3D, too, or in slices alone.
 Workspace withSegmentsIn3d(Workspace workspace, const SeriesKey& series, bool in3d);
 /// With another segment without voxels in a series whose volume has this grid, current, in place of segments
-/// of other grids. `segment` gets a free number, and a name and a colour of its own where it has none; as it
-/// was where 255 are there.
+/// of other grids; its number, name and colour as withSegmentAdded() has them.
 Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const VoxelGeometry& grid,
                          Segment segment);
 /// With a copy of a segment, called otherwise, that has no voxels: a voxel is in one segment.

@@ -140,8 +140,7 @@ Result<Measured> probeOn(const Shape& shape, const FramePixels& frame, const std
   } else {
     measured.number = value(frame.values);
     measured.unit = valueUnit;
-    const std::optional<ValueRange>& padding = frame.values->attributes().padding;
-    voxel.padding = padding && measured.number >= padding->low && measured.number <= padding->high;
+    voxel.padding = isPadding(frame.values->attributes().padding, measured.number);
   }
   measured.voxel = voxel;
   return measured;

@@ -72,8 +72,7 @@ Result<Measured> measureProbe(const Shape& shape, const Volume& volume, const st
   Measured measured;
   measured.number = double(volume.value(voxel.index.x, voxel.index.y, voxel.index.z));
   measured.unit = valueUnit;
-  const std::optional<ValueRange>& padding = volume.attributes().padding;
-  voxel.padding = padding && measured.number >= padding->low && measured.number <= padding->high;
+  voxel.padding = isPadding(volume.attributes().padding, measured.number);
   measured.voxel = voxel;
   return measured;
 }

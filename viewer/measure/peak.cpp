@@ -82,7 +82,7 @@ std::optional<double> ballMean(const std::vector<BallVoxel>& ball, glm::ivec3 ab
     if (glm::any(glm::lessThan(x, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(x, volume.size())))
       continue;
     const double value = double(volume.value(x.x, x.y, x.z));
-    if (padding && value >= padding->low && value <= padding->high) continue;
+    if (isPadding(padding, value)) continue;
     sum += part.share * value;
     shares += part.share;
   }

@@ -97,7 +97,7 @@ void forEachVoxelOf(const Shape& region, const Volume& volume,
       x[along] = int(nearest);
       if (!contains(outline, onPlane(plane, geometry.patientFromVoxel(dvec3(x))))) continue;
       const double value = double(volume.value(x.x, x.y, x.z));
-      if (!padding || value < padding->low || value > padding->high) visit(x, value);
+      if (!isPadding(padding, value)) visit(x, value);
     }
 }
 

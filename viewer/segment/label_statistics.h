@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -18,6 +19,9 @@ struct LabelStatistics {
 /// Statistics of the voxels of `label`, the same for any number of threads. `map` and `volume` are of one
 /// grid.
 LabelStatistics labelStatistics(const LabelMap& map, const Volume& volume, std::uint8_t label = 1);
+
+/// How many voxels of the grid have each label.
+std::array<std::int64_t, 256> labelCounts(const LabelMap& map);
 
 /// The smallest box that holds all voxels of `label`; none where there are none.
 std::optional<VoxelBox> labelBox(const LabelMap& map, std::uint8_t label = 1);

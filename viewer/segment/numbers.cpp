@@ -27,11 +27,6 @@ void forEachOfSlice(const BitMask& mask, int k, const Visit& visit) {
   }
 }
 
-bool isPadding(const Volume& volume, double value) {
-  const std::optional<ValueRange>& padding = volume.attributes().padding;
-  return padding && padding->low <= value && value <= padding->high;
-}
-
 // A value and how many voxels have it.
 struct CountedValue {
   double value = 0;
@@ -60,7 +55,7 @@ std::vector<CountedValue> countedValues(const BitMask& mask, const Volume& volum
   std::vector<CountedValue> values;
   for (std::size_t n = 0; n < kinds; ++n)
     if (const double value = double(volume.realValue(double(int(n) + least)));
-        counts[n] && !isPadding(volume, value))
+        counts[n] && !isPadding(volume.attributes().padding, value))
       values.push_back({value, counts[n]});
   if (volume.slope() < 0) std::ranges::reverse(values);
   return values;
@@ -73,7 +68,7 @@ std::vector<float> floatValues(const BitMask& mask, const Volume& volume, const 
     for (std::int64_t k = begin; k < end; ++k)
       forEachOfSlice(mask, int(k), [&](std::size_t n) {
         const float value = volume.realValue(double(stored[n]));
-        if (!isPadding(volume, double(value))) slices[std::size_t(k)].push_back(value);
+        if (!isPadding(volume.attributes().padding, double(value))) slices[std::size_t(k)].push_back(value);
       });
   });
   std::vector<float> all;

@@ -121,7 +121,6 @@ Histogram histogram(const Volume& volume, int bins) {
   const ValueRange range = valueRange(volume);
   Histogram h{range.low, range.high, {}};
   const auto& padding = volume.attributes().padding;
-  const auto isPadding = [&](float v) { return padding && v >= padding->low && v <= padding->high; };
   const auto binOf = [&](float v) {
     if (h.high <= h.low) return 0;
     return std::clamp(int((v - h.low) / (h.high - h.low) * double(h.counts.size())), 0,
@@ -132,7 +131,7 @@ Histogram histogram(const Volume& volume, int bins) {
         if constexpr (std::is_same_v<T, float>) {
           h.counts.assign(bins, 0);
           for (float v : stored)
-            if (!isPadding(v)) ++h.counts[binOf(v)];
+            if (!isPadding(padding, v)) ++h.counts[binOf(v)];
         } else {
           // One bin a stored value where that fits: a bin of half a value would leave every other one empty.
           const double step = std::abs(volume.slope());
@@ -145,7 +144,7 @@ Histogram histogram(const Volume& volume, int bins) {
           h.counts.assign(bins, 0);
           const ValueCounts all = valueCounts(volume, stored);
           for (std::size_t n = 0; n < all.values.size(); ++n)
-            if (!isPadding(all.values[n])) h.counts[binOf(all.values[n])] += all.counts[n];
+            if (!isPadding(padding, all.values[n])) h.counts[binOf(all.values[n])] += all.counts[n];
         }
       },
       volume.stored());

@@ -55,6 +55,11 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
+/// Whether a value is padding; none of them is where there is no range of it.
+inline bool isPadding(const std::optional<ValueRange>& padding, double value) {
+  return padding && value >= padding->low && value <= padding->high;
+}
+
 /// A display window (picture.md 6), real units.
 struct Window {
   double centre = 40, width = 400;

@@ -220,7 +220,10 @@ void TestMachine::fullDiskIsTold_data() {
         "convert phantom:ct-head:64 -o IN/small/a/",
         "slice phantom:ct-head:64 --size 3000x3000 -o IN/small/a.png",
         "slice phantom:ct-head:64 --size 3000x3000 -o IN/small/a.nrrd",
-        "segment phantom:ct-head:96 --range 0:99 -o IN/small/a.seg.nrrd"})
+        "segment phantom:ct-head:96 --range 0:99 -o IN/small/a.seg.nrrd",
+        "segment phantom:ct-head:96 --range 0:99 -o IN/small/a.nii.gz",
+        "segment phantom:ct-head:96 --range 0:99 -o IN/small/a.mha",
+        "segment phantom:ct-head:96 --range 0:99 -o IN/small/a.stl"})
     QTest::newRow(line) << QString::fromLatin1(line);
 }
 

@@ -5,6 +5,7 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
+#include "io/export/seg_nrrd.h"
 #include "io/load.h"
 #include "io/open.h"
 #include "tests/fixtures/program.h"
@@ -21,6 +22,10 @@ class TestSegmentCommand : public QObject {
   void writtenFileHoldsTheLabels();
   void textForPeople();
   void emptyRangeIsDoneAndSaid();
+  void filesAreConverted_data();
+  void filesAreConverted();
+  void aFileOfAnotherGridIsBroughtToThisOne();
+  void overlapsStayOverlaps();
   void wrongUsageIsRefused_data();
   void wrongUsageIsRefused();
   void failureLeavesNoFile();
@@ -117,15 +122,94 @@ void TestSegmentCommand::emptyRangeIsDoneAndSaid() {
   QVERIFY(QFile::exists(file));
 }
 
+void TestSegmentCommand::filesAreConverted_data() {
+  QTest::addColumn<QString>("ending");
+  for (const char* ending : {".seg.nrrd", ".nii.gz", ".mha"})
+    QTest::newRow(ending) << QString::fromLatin1(ending);
+}
+
+// There and back: the voxels, the name and the colour are the same, and so is the file.
+void TestSegmentCommand::filesAreConverted() {
+  QFETCH(QString, ending);
+  const QTemporaryDir folder;
+  const QString first = folder.filePath(QStringLiteral("a.seg.nrrd")),
+                there = folder.filePath(QStringLiteral("there") + ending),
+                back = folder.filePath(QStringLiteral("back.seg.nrrd"));
+  const Outcome made = runSegment(words("phantom:ramp:16 --range 3:5 --json -o") << first);
+  QCOMPARE(made.status, 0);
+  const auto convert = [](const QString& from, const QString& to) {
+    return runSegment(words("phantom:ramp:16 --json --from") << from << QStringLiteral("-o") << to);
+  };
+  const Outcome gone = convert(first, there);
+  QVERIFY2(gone.status == 0 && gone.err.isEmpty(), gone.err.constData());
+  const Outcome came = convert(there, back);
+  QVERIFY2(came.status == 0 && came.err.isEmpty(), came.err.constData());
+  const QJsonObject before = QJsonDocument::fromJson(made.out).object(),
+                    after = QJsonDocument::fromJson(came.out).object();
+  QCOMPARE(after[QStringLiteral("from")].toString(), there);
+  QVERIFY(!after.contains(QStringLiteral("recipe")));
+  QCOMPARE(after[QStringLiteral("segments")], before[QStringLiteral("segments")]);
+  QFile a(first), b(back);
+  QVERIFY(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));
+  QCOMPARE(b.readAll(), a.readAll());
+}
+
+// The phantom is about the origin: a plane of 8 x 8 voxels of the middle ones is 8 of those of 16.
+void TestSegmentCommand::aFileOfAnotherGridIsBroughtToThisOne() {
+  const QTemporaryDir folder;
+  const QString large = folder.filePath(QStringLiteral("large.seg.nrrd")),
+                small = folder.filePath(QStringLiteral("small.seg.nrrd"));
+  QCOMPARE(runSegment(words("phantom:ramp:16 --range 6:7 -o") << large).status, 0);
+  const Outcome done =
+      runSegment(words("phantom:ramp:8 --json --from") << large << QStringLiteral("-o") << small);
+  QCOMPARE(done.status, 0);
+  QCOMPARE(only(QJsonDocument::fromJson(done.out).object())[QStringLiteral("voxels")].toInt(), 2 * 8 * 8);
+  QVERIFY2(done.err.contains("another grid (16 x 16 x 16 voxels)") &&
+               done.err.contains("0.512 ml became 0.128 ml") &&
+               done.err.contains("0.384 ml of the segments lie outside"),
+           done.err.constData());
+}
+
+// Two layers that hold the same voxels.
+void TestSegmentCommand::overlapsStayOverlaps() {
+  const QTemporaryDir folder;
+  const auto path = [&](const char* name) { return folder.filePath(QLatin1String(name)); };
+  const VoxelGeometry grid = loadSeries(openStudy("phantom:ramp:8")->volumes[0])->drawn->geometry();
+  DenseLabels all{grid, std::vector<std::uint8_t>(512, 1)};
+  const Segmented layer{{{.number = 1, .label = "a"}}, LabelMap(all)};
+  const std::vector<Segmented> layers{layer, {{{.number = 1, .label = "b"}}, LabelMap(all)}};
+  QVERIFY(writeSegNrrd(layers, path("in.seg.nrrd").toStdString()));
+  const auto convert = [&](const char* to) {
+    return runSegment(words("phantom:ramp:8 --json --from")
+                      << path("in.seg.nrrd") << QStringLiteral("-o") << path(to));
+  };
+  const Outcome done = convert("out.seg.nrrd");
+  QVERIFY2(done.status == 0, done.err.constData());
+  const QJsonArray segments =
+      QJsonDocument::fromJson(done.out).object()[QStringLiteral("segments")].toArray();
+  QCOMPARE(segments.size(), 2);
+  for (const QJsonValue& segment : segments) QCOMPARE(segment[QStringLiteral("voxels")].toInt(), 512);
+  QCOMPARE(readSegNrrd(path("out.seg.nrrd").toStdString())->maps.size(), std::size_t(2));
+  const Outcome refused = convert("out.nii.gz");
+  QCOMPARE(refused.status, 1);
+  QVERIFY2(refused.err.contains("these overlap"), refused.err.constData());
+  QVERIFY(!QFile::exists(path("out.nii.gz")));
+}
+
 void TestSegmentCommand::wrongUsageIsRefused_data() {
   QTest::addColumn<QStringList>("arguments");
   QTest::addColumn<QString>("sentence");
   const auto row = [](const char* name, const char* arguments, const char* sentence) {
     QTest::newRow(name) << words(arguments) << QString::fromLatin1(sentence);
   };
-  row("neither range nor recipe", "phantom:ramp:8 -o a.seg.nrrd", "either --range LOW:HIGH or --recipe NAME");
+  row("neither range nor recipe", "phantom:ramp:8 -o a.seg.nrrd",
+      "one of --range LOW:HIGH, --recipe NAME and --from FILE");
   row("both", "phantom:ramp:8 --range 1:2 --recipe bone -o a.seg.nrrd",
-      "either --range LOW:HIGH or --recipe NAME");
+      "one of --range LOW:HIGH, --recipe NAME and --from FILE");
+  row("a range and a file", "phantom:ramp:8 --range 1:2 --from a.seg.nrrd -o b.seg.nrrd",
+      "one of --range LOW:HIGH, --recipe NAME and --from FILE");
+  row("a file without the table", "phantom:ramp:8 --from a.seg.nrrd --remove-table -o b.seg.nrrd",
+      "--remove-table goes with --range and --recipe");
   row("a recipe that is misspelled", "phantom:ramp:8 --recipe bones -o a.stl", "did you mean \"bone\"?");
   row("no output", "phantom:ramp:8 --range 1:2", "Missing -o FILE");
   row("no path", "--range 1:2 -o a.seg.nrrd", "PATH");
@@ -158,6 +242,10 @@ void TestSegmentCommand::failureLeavesNoFile() {
   const Outcome noRecipe = runSegment(words("phantom:ramp:8 --recipe none/mine.json -o") << file);
   QCOMPARE(noRecipe.status, 1);
   QVERIFY(noRecipe.err.contains("none/mine.json cannot be read"));
+  QVERIFY(!QFile::exists(file));
+  const Outcome noSegments = runSegment(words("phantom:ramp:8 --from none.seg.nrrd -o") << file);
+  QCOMPARE(noSegments.status, 1);
+  QVERIFY(noSegments.err.contains("none.seg.nrrd is no file that can be read"));
   QVERIFY(!QFile::exists(file));
   const Outcome noSeries = runSegment(words("phantom:ramp:8 --series 9 --range 1:2 -o") << file);
   QCOMPARE(noSeries.status, 1);

@@ -49,6 +49,7 @@ class TestSegmentEdits : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void newOnesGetWhatIsFree();
+  void anAddedOneKeepsWhatIsFree();
   void thereAreAtMost255();
   void theCurrentOneIsAlwaysThere();
   void whatIsNotThereChangesNothing();
@@ -75,6 +76,23 @@ void TestSegmentEdits::newOnesGetWhatIsFree() {
       {1, "Segment 1"}, {3, "Segment 3"}, {2, "Bone"}, {4, "Bone 2"}};
   QVERIFY(seen == expected);
   QVERIFY(findSegment(mapIn(w), 2)->colour == bone.colour && findSegment(mapIn(w), 1)->colour);
+}
+
+void TestSegmentEdits::anAddedOneKeepsWhatIsFree() {
+  SegmentMap map{scanned, {}, std::make_shared<const LabelMap>(gridOf({4, 4, 4})), {}};
+  const Segment bone{.number = 7, .label = "Bone", .colour = glm::u8vec3(1, 2, 3)};
+  map = withSegmentAdded(map, bone);
+  QVERIFY(map.current == 7 && map.segments.back() == bone);
+  map = withSegmentAdded(map, bone);
+  QCOMPARE(map.segments.back().number, 1);
+  QCOMPARE(map.segments.back().label, std::string("Bone 2"));
+  QVERIFY(map.segments.back().colour == bone.colour);
+  for (const int number : {0, -3, 256}) {
+    map = withSegmentAdded(map, {.number = number});
+    QVERIFY(map.segments.back().number <= 4 && map.current == map.segments.back().number);
+    QVERIFY(!map.segments.back().label.empty() && map.segments.back().colour);
+  }
+  QCOMPARE(map.segments.size(), std::size_t(5));
 }
 
 void TestSegmentEdits::thereAreAtMost255() {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "io/export/segments_file.h"
+#include "io/study/progress.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+
+struct Series;
+
+/// Reads the segments of a file on a grid of a series (onGrid): a DICOM segmentation, a segmentation of 3D
+/// Slicer, or an image of labels, as its contents say. The Error names the file: it is none of them, is
+/// damaged, holds no segments, is of another frame of reference than the series and names none of its
+/// pictures, or all of it lies outside.
+Result<SegmentsFile> readSegments(const std::string& path, const Series& series, const VoxelGeometry& grid,
+                                  const Progress& progress = {}, const CancelToken& cancel = {});
+
+/// Whether a file says by its name that it holds segments, no picture: .seg.nrrd, or an image with a table of
+/// names beside it (label_table.h).
+bool isNamedAsSegments(const std::string& path);
+
+}  // namespace volumen

@@ -1,0 +1,376 @@
+// Guards window.md "Segments": what was exported is imported again, the same to the voxel, in one step; files
+// are asked for and dropped; overlaps, other grids and files that are none are told; nothing changes until
+// all of it is there.
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QTemporaryDir>
+#include <QThread>
+
+#include "io/export/dicom_series.h"
+#include "io/export/export_segments.h"
+#include "io/export/seg_nrrd.h"
+#include "tests/ui/segment_window.h"
+#include "tests/unit/suite.h"
+#include "ui/widgets/banner.h"
+#include "viewer/phantoms/phantoms.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestSegmentImport : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void whatWasExportedComesBack_data();
+  void whatWasExportedComesBack();
+  void namesAndNumbersThatAreTakenBecomeOthers();
+  void whatIsThereKeepsItsVoxels();
+  void anotherGridIsToldWithFigures();
+  void filesAreDroppedOnViewsAndPanel_data();
+  void filesAreDroppedOnViewsAndPanel();
+  void otherFilesOpenWhereTheyAreDropped();
+  void filesThatAreNoneChangeNothing_data();
+  void filesThatAreNoneChangeNothing();
+  void moreThan255AreRefused();
+  void itWaitsForWhatIsBeingDone();
+  void itCanBeGivenUpAtAnyMoment();
+  void withoutASeriesThereIsNothingToAddTo();
+  void anObjectIsEditedAsSegments_data();
+  void anObjectIsEditedAsSegments();
+};
+
+namespace {
+
+struct ImportWindow : SegmentWindow {
+  using SegmentWindow::SegmentWindow;
+
+  QTemporaryDir folder;
+
+  QString at(const char* name) const { return folder.filePath(QLatin1String(name)); }
+  QString told() {
+    return child<Banner>("banner")->isVisible() ? child<Banner>("banner")->sentence() : QString();
+  }
+  void startImport(const QString& path) {
+    child<QAction>("importSegments")->trigger();
+    answer(*this, "segmentImportDialog", path);
+  }
+  bool import(const QString& path) {
+    startImport(path);
+    return idle();
+  }
+  bool exportTo(const QString& path) {
+    child<QAction>("exportSegments")->trigger();
+    answer(*this, "segmentDialog", path);
+    return idle() && QFile::exists(path);
+  }
+  bool removeAll() {
+    while (count() > 0)
+      if (!press("segmentRemove")) return false;
+    return true;
+  }
+  /// A segmentation of one layer that holds the voxels of the series for which `labelOf` is not 0.
+  QString file(const char* name, const std::vector<Segment>& segments,
+               const std::function<int(glm::dvec3 pPatient)>& labelOf) {
+    const VoxelGeometry& grid = session().series()->volume->geometry();
+    LabelEdit edit{LabelMap(grid)};
+    for (int k = 0; k < grid.size.z; ++k)
+      for (int j = 0; j < grid.size.y; ++j)
+        for (int i = 0; i < grid.size.x; ++i)
+          edit.set({i, j, k}, std::uint8_t(labelOf(glm::dvec3(i, j, k) - 19.5)));
+    return writeSegNrrd(edit.done(), segments, at(name).toStdString()) ? at(name) : QString();
+  }
+};
+
+std::vector<Segment> manySegments(int count) {
+  std::vector<Segment> all;
+  for (int n = 1; n <= count; ++n) all.push_back({.number = n, .label = "S" + std::to_string(n)});
+  return all;
+}
+
+// An entry of the menu of a row, by the right mouse button.
+void chooseInStudies(Journey& w, const char* rowText, const char* entry) {
+  auto* tree = w.child<QTreeWidget>("studyTree");
+  const auto row = [&] {
+    return tree->findItems(QLatin1String(rowText), Qt::MatchContains | Qt::MatchRecursive).value(0);
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(row() && w.window.jobs().rows().empty(), longest);
+  tree->scrollToItem(row());
+  const QPoint at = tree->visualItemRect(row()).center();
+  QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree->viewport()->mapToGlobal(at));
+  QCoreApplication::sendEvent(tree->viewport(), &event);
+  auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  QVERIFY(menu);
+  for (QAction* action : menu->actions())
+    if (action->text() == QLatin1String(entry))
+      return QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+  QFAIL(entry);
+}
+
+}  // namespace
+
+void TestSegmentImport::whatWasExportedComesBack_data() {
+  QTest::addColumn<QString>("name");
+  for (const char* name : {"a.seg.nrrd", "a.nii.gz", "a.mha"})
+    QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+void TestSegmentImport::whatWasExportedComesBack() {
+  QFETCH(QString, name);
+  ImportWindow w;
+  const Workspace empty = w.workspace();
+  QVERIFY(w.makeBoth());
+  w.session().change(QStringLiteral("test"), withSegmentChanged(w.workspace(), w.series(), 1, [](Segment& s) {
+                       s.label =
+                           "Knochen, gr\xc3\xb6\xc3\x9f"
+                           "er";
+                       s.colour = glm::u8vec3(1, 200, 30);
+                       s.category = {"85756007", "SCT", "Tissue"};
+                       s.type = {"272673000", "SCT", "Bone"};
+                     }));
+  const SegmentMap before = *w.map();
+  QVERIFY(w.exportTo(w.at(qPrintable(name))));
+  QVERIFY(w.removeAll());
+  QVERIFY(w.workspace().segmentMaps == empty.segmentMaps);
+  const Workspace removed = w.workspace();
+  const int steps = w.steps();
+  QVERIFY(w.import(w.at(qPrintable(name))));
+  QCOMPARE(w.steps(), steps + 1);
+  QCOMPARE(w.count(), std::size_t(2));
+  QVERIFY(*w.map()->labels == *before.labels);
+  for (std::size_t n = 0; n < 2; ++n) {
+    const Segment &a = before.segments[n], &b = w.segment(n);
+    QVERIFY(a.number == b.number && a.label == b.label && a.colour == b.colour);
+    if (name.endsWith(QStringLiteral(".seg.nrrd"))) QVERIFY(a.category == b.category && a.type == b.type);
+  }
+  QCOMPARE(w.current().number, 1);
+  QVERIFY2(w.told().isEmpty(), qPrintable(w.told()));
+  w.undo();
+  QVERIFY(w.workspace() == removed);
+}
+
+void TestSegmentImport::namesAndNumbersThatAreTakenBecomeOthers() {
+  ImportWindow w;
+  QVERIFY(w.make(400, 600));
+  const std::string name = w.segment(0).label;
+  const QString file =
+      w.file("a.seg.nrrd", {{.number = 1, .label = name}, {.number = 7, .label = "Other"}}, [](glm::dvec3 p) {
+        return isShell(p) ? 1 : isSmall(p) ? 7 : 0;
+      });
+  QVERIFY(w.import(file));
+  QCOMPARE(w.count(), std::size_t(3));
+  QCOMPARE(w.segment(1).label, name + " 2");
+  QVERIFY(w.segment(0).number == 1 && w.segment(1).number == 2 && w.segment(2).number == 7);
+  QCOMPARE(w.voxels(2), voxelsWhere(isShell));
+  QCOMPARE(w.voxels(7), voxelsWhere(isSmall));
+  QCOMPARE(w.voxels(1), voxelsWhere(isCore));
+}
+
+// The core is there; a layer holds all within 10 mm, and another one the core once more.
+void TestSegmentImport::whatIsThereKeepsItsVoxels() {
+  ImportWindow w;
+  QVERIFY(w.make(400, 600));
+  const BitMask core = w.mask(1);
+  const VoxelGeometry& grid = w.session().series()->volume->geometry();
+  const auto layer = [&](const char* name, double radius) {
+    LabelEdit edit{LabelMap(grid)};
+    for (int k = 0; k < 40; ++k)
+      for (int j = 0; j < 40; ++j)
+        for (int i = 0; i < 40; ++i)
+          if (glm::length(glm::dvec3(i, j, k) - 14.5) < radius) edit.set({i, j, k}, 1);
+    return Segmented{{{.number = 1, .label = name}}, edit.done()};
+  };
+  const std::vector<Segmented> layers{layer("Ball", 10), layer("Core", 4)};
+  QVERIFY(writeSegNrrd(layers, w.at("a.seg.nrrd").toStdString()));
+  QVERIFY(w.import(w.at("a.seg.nrrd")));
+  QCOMPARE(w.count(), std::size_t(3));
+  QVERIFY(w.mask(1) == core);
+  const std::int64_t ball = voxelsWhere([](glm::dvec3 p) { return glm::length(p + 5.0) < 10; });
+  QCOMPARE(w.voxels(2), ball - core.count());
+  QCOMPARE(w.voxels(3), std::int64_t(0));
+  const auto ml = [](std::int64_t voxels) { return QLocale().toString(double(voxels) / 1000, 'g', 3); };
+  for (const auto& [lost, of, name] :
+       {std::tuple(core.count(), ball, "Ball"), {core.count(), core.count(), "Core"}})
+    QVERIFY2(
+        w.told().contains(QStringLiteral("%1 of %2 ml of %3").arg(ml(lost), ml(of), QLatin1String(name))),
+        qPrintable(w.told()));
+}
+
+void TestSegmentImport::anotherGridIsToldWithFigures() {
+  ImportWindow w;
+  VoxelGeometry grid = w.session().series()->volume->geometry();
+  grid.patientFromVoxelStep *= 2.0;  // 8 mm^3, from -19.5 to 58.5
+  DenseLabels dense{grid, std::vector<std::uint8_t>(std::size_t(grid.voxelCount()), 1)};
+  QVERIFY(writeSegNrrd(LabelMap(dense), manySegments(1), w.at("a.seg.nrrd").toStdString()));
+  QVERIFY(w.import(w.at("a.seg.nrrd")));
+  QCOMPARE(w.voxels(1), std::int64_t(40 * 40 * 40));
+  QVERIFY2(w.told().contains(QStringLiteral("512 ml became 64 ml")), qPrintable(w.told()));
+  QVERIFY2(w.told().contains(QStringLiteral("448 ml of the segments lie outside")), qPrintable(w.told()));
+}
+
+void TestSegmentImport::filesAreDroppedOnViewsAndPanel_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<bool>("onPanel");
+  for (const char* name : {"a.seg.nrrd", "a.nii.gz"})
+    for (const bool onPanel : {false, true})
+      QTest::addRow("%s, %s", name, onPanel ? "panel" : "view") << QString::fromLatin1(name) << onPanel;
+  QTest::newRow("labels without a table, panel") << QStringLiteral("b.mha") << true;
+}
+
+void TestSegmentImport::filesAreDroppedOnViewsAndPanel() {
+  QFETCH(QString, name);
+  QFETCH(bool, onPanel);
+  ImportWindow w;
+  QVERIFY(w.makeBoth());
+  const QString path = w.at(qPrintable(name));
+  QVERIFY(w.exportTo(path));
+  if (name.startsWith(QLatin1Char('b'))) QVERIFY(QFile::remove(w.at("b.label")));
+  const std::int64_t core = w.voxels(2);
+  QVERIFY(w.removeAll());
+  QMimeData files;
+  files.setUrls({QUrl::fromLocalFile(path)});
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  QVERIFY(drop(files, onPanel ? static_cast<QWidget*>(w.list()) : w.view()));
+  QVERIFY(w.idle());
+  QCOMPARE(w.count(), std::size_t(2));
+  QCOMPARE(w.voxels(2), core);
+  QCOMPARE(w.steps(), steps + 1);
+  w.undo();
+  QVERIFY(w.workspace() == before);
+}
+
+// An image without a table of names may be a picture: dropped on a view it opens as one.
+void TestSegmentImport::otherFilesOpenWhereTheyAreDropped() {
+  ImportWindow w;
+  QVERIFY(w.makeBoth() && w.exportTo(w.at("a.nii.gz")));
+  QVERIFY(QFile::remove(w.at("a.label")));
+  const SeriesKey before = w.series();
+  QMimeData files;
+  files.setUrls({QUrl::fromLocalFile(w.at("a.nii.gz"))});
+  QVERIFY(drop(files, w.view()));
+  QTRY_VERIFY_WITH_TIMEOUT(w.session().series() && w.series() != before, longest);
+  QCOMPARE(w.count(), std::size_t(0));
+}
+
+void TestSegmentImport::filesThatAreNoneChangeNothing_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QString>("says");
+  QTest::newRow("a text") << QStringLiteral("a.txt") << QStringLiteral("a.txt holds no segments");
+  QTest::newRow("cut off") << QStringLiteral("cut.seg.nrrd") << QStringLiteral("cut.seg.nrrd");
+  QTest::newRow("elsewhere") << QStringLiteral("far.seg.nrrd")
+                             << QStringLiteral("All of its segments lie outside the series");
+}
+
+void TestSegmentImport::filesThatAreNoneChangeNothing() {
+  QFETCH(QString, name);
+  QFETCH(QString, says);
+  ImportWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.exportTo(w.at("cut.seg.nrrd")));
+  QVERIFY(QFile::resize(w.at("cut.seg.nrrd"), QFileInfo(w.at("cut.seg.nrrd")).size() - 20));
+  QFile text(w.at("a.txt"));
+  QVERIFY(text.open(QIODevice::WriteOnly) && text.write("Not a segment.") > 0);
+  text.close();
+  DenseLabels far{w.session().series()->volume->geometry(), std::vector<std::uint8_t>(40 * 40 * 40, 1)};
+  far.geometry.origin += 1000.0;
+  QVERIFY(writeSegNrrd(LabelMap(far), manySegments(1), w.at("far.seg.nrrd").toStdString()));
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  QVERIFY(w.import(w.at(qPrintable(name))));
+  QVERIFY2(w.told().contains(says), qPrintable(w.told()));
+  QVERIFY(w.workspace() == before && w.steps() == steps);
+}
+
+void TestSegmentImport::moreThan255AreRefused() {
+  ImportWindow w;
+  QVERIFY(w.makeBoth());
+  const Workspace before = w.workspace();
+  const auto file = [&](const char* name, int count) {
+    return w.file(name, manySegments(count), [](glm::dvec3 p) { return isSmall(p) ? 1 : 0; });
+  };
+  QVERIFY(w.import(file("many.seg.nrrd", 254)));
+  QVERIFY2(w.told().contains(QStringLiteral("254 segments, and there are 2")), qPrintable(w.told()));
+  QVERIFY(w.workspace() == before);
+  QVERIFY(w.import(file("fit.seg.nrrd", 253)));
+  QCOMPARE(w.count(), std::size_t(255));
+}
+
+// It works on what the step before came to: the core is grown first, and what it has taken is not given away.
+void TestSegmentImport::itWaitsForWhatIsBeingDone() {
+  ImportWindow w;
+  QVERIFY(w.makeBoth() && w.choose(1));
+  const QString file = w.file("a.seg.nrrd", manySegments(1), [](glm::dvec3) { return 1; });
+  w.click("segmentChange");
+  const int steps = w.steps();
+  w.click("segmentStep-grow");
+  w.startImport(file);
+  QVERIFY(w.idle());
+  QCOMPARE(w.steps(), steps + 2);
+  QVERIFY(w.voxels(2) > voxelsWhere(isCore));
+  QCOMPARE(w.voxels(1) + w.voxels(2) + w.voxels(3), std::int64_t(40 * 40 * 40));
+}
+
+void TestSegmentImport::itCanBeGivenUpAtAnyMoment() {
+  ImportWindow w;
+  QVERIFY(w.makeBoth());
+  const QString file = w.file("a.seg.nrrd", manySegments(3), [](glm::dvec3) { return 1; });
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  for (int ms = 0; ms < 20; ++ms) {
+    w.startImport(file);
+    QThread::msleep(static_cast<unsigned long>(ms));  // the job goes on, the window does not hear of it
+    QCOMPARE(w.window.jobs().rows().size(), std::size_t(1));
+    w.window.jobs().cancel(w.window.jobs().rows().front().id);
+    QVERIFY(w.idle());
+    QVERIFY(w.workspace() == before && w.steps() == steps);
+  }
+  w.startImport(file);
+  w.session().close({w.series()});
+  QVERIFY(w.idle());
+  QVERIFY(w.workspace().segmentMaps.empty());
+}
+
+void TestSegmentImport::withoutASeriesThereIsNothingToAddTo() {
+  Journey w;
+  const auto* action = w.child<QAction>("importSegments");
+  QVERIFY(!action->isEnabled() && action->toolTip().contains(QStringLiteral("Open a series")));
+}
+
+void TestSegmentImport::anObjectIsEditedAsSegments_data() {
+  QTest::addColumn<bool>("dropped");
+  QTest::newRow("by the menu of the list of studies") << false;
+  QTest::newRow("dropped on a view") << true;
+}
+
+// A series of files with a DICOM segmentation beside it.
+void TestSegmentImport::anObjectIsEditedAsSegments() {
+  QFETCH(bool, dropped);
+  const QTemporaryDir folder;
+  const QString slices = folder.filePath(QStringLiteral("ct"));
+  QVERIFY(writeDicomSeries(**makePhantom("ct-head:40"), {}, slices.toStdString()));
+  Journey w({slices});
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series(), longest);
+  const LoadedSeriesPtr series = w.window.session().series();
+  Segmented made{{{.number = 1, .label = "Block", .colour = glm::u8vec3(9, 8, 7)}},
+                 LabelMap(series->volume->geometry())};
+  LabelEdit edit(made.labels);
+  for (int n = 0; n < 1000; ++n) edit.set({10 + n % 10, 10 + n / 10 % 10, 10 + n / 100}, 1);
+  made.labels = edit.done();
+  const QString path = folder.filePath(QStringLiteral("seg.dcm"));
+  QVERIFY(exportSegments(path.toStdString(), {&made, 1}, series->series));
+  QMimeData files;
+  files.setUrls({QUrl::fromLocalFile(path)});
+  if (dropped) {
+    QVERIFY(drop(files, w.window.view()));
+  } else {
+    w.window.open({path});
+    chooseInStudies(w, "Segmentation", "Edit as segments");
+  }
+  const auto map = [&] { return segmentMapOf(w.window.session().workspace(), keyOf(series->series)); };
+  QTRY_VERIFY_WITH_TIMEOUT(map(), longest);
+  QVERIFY(*map()->labels == made.labels);
+  QCOMPARE(map()->segments.front().label, std::string("Block"));
+  QVERIFY(map()->segments.front().colour == made.segments.front().colour);
+}
+
+VOLUMEN_TEST(TestSegmentImport);
+#include "tst_segment_import.moc"
