@@ -1,6 +1,6 @@
 #include "io/export/segments_file.h"
 
-#include "viewer/segment/label_statistics.h"
+#include "viewer/segment/bit_mask.h"
 #include "viewer/segment/labels_on.h"
 
 namespace volumen {
@@ -42,7 +42,7 @@ Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid) {
   bool isMoved = false, isCut = false;
   for (Segmented& map : file.maps) {
     for (const Segment& s : map.segments) {
-      const auto box = isSame ? std::nullopt : labelBox(map.labels, std::uint8_t(s.number));
+      const auto box = isSame ? std::nullopt : maskOf(map.labels, std::uint8_t(s.number)).box();
       isMoved = isMoved || box;
       isCut = isCut || (box && !liesIn(*box, own, grid));
     }

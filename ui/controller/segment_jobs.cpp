@@ -45,9 +45,10 @@ std::array<std::int64_t, 256> countsOf(const LabelMap& labels) {
   return counts;
 }
 
-SegmentNumbers numbersOf(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume) {
+SegmentNumbers segmentNumbersOf(const std::shared_ptr<const LabelMap>& labels, int number,
+                                const VolumePtr& volume) {
   SegmentNumbers numbers{labels, volume, countsOf(*labels), number, {}};
-  if (number > 0) numbers.values = labelStatistics(*labels, *volume, std::uint8_t(number));
+  if (number > 0) numbers.values = valuesIn(maskOf(*labels, std::uint8_t(number)), *volume);
   return numbers;
 }
 
@@ -142,7 +143,7 @@ void SegmentJobs::measure(const std::shared_ptr<const LabelMap>& labels, int num
   measure_.giveUpAll();
   measure_.run(
       tr("Measuring segments"),
-      [labels, number, volume](const Job&) { return numbersOf(labels, number, volume); },
+      [labels, number, volume](const Job&) { return segmentNumbersOf(labels, number, volume); },
       [this](const SegmentNumbers& numbers) { Q_EMIT measured(numbers); });
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "viewer/segment/label_map.h"
-#include "viewer/segment/label_statistics.h"
+#include "viewer/segment/voxel_box.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "viewer/segment/label_statistics.h"
+#include "viewer/segment/voxel_box.h"
 #include "viewer/volume/buffer.h"
 #include "viewer/volume/histogram.h"
 #include "viewer/volume/parallel.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "viewer/segment/bit_mask.h"
-#include "viewer/segment/label_statistics.h"
+#include "viewer/segment/voxel_box.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
