@@ -10,10 +10,11 @@
 
 #include "app/command.h"
 #include "app/open_volume.h"
-#include "app/segment_numbers.h"
+#include "app/segment_text.h"
 #include "app/usage.h"
 #include "io/export/export_segments.h"
 #include "io/files/output_file.h"
+#include "ui/workspace/segment_columns.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/scene/similar_name.h"
 
@@ -25,7 +26,7 @@ constexpr glm::u8vec3 boneIvory{240, 219, 163};
 constexpr std::streamoff mostRecipeBytes = 64 << 20;
 
 struct SegmentOptions {
-  std::string path, range, recipe, output, series;
+  std::string path, range, recipe, output, series, csv;
   bool json = false, removeTable = false;
 };
 
@@ -109,12 +110,12 @@ void removeTable(Recipe& recipe) {
     recipe.steps.push_back({"intersect", segment.label, {{"other", std::string("Patient")}}});
 }
 
-void printJson(const std::vector<SegmentReport>& numbers, const Opened& opened, const Recipe& recipe,
-               const std::vector<std::string>& files) {
+void printJson(const std::vector<SegmentReport>& numbers, const ValueScale& scale, const Opened& opened,
+               const Recipe& recipe, const std::vector<std::string>& files) {
   const nlohmann::ordered_json all{{"series", opened.series.id},
                                    {"recipe", nlohmann::ordered_json::parse(recipeJson(recipe))},
-                                   {"segments", segmentsJson(numbers)},
-                                   {"unit", opened.series.unit},
+                                   {"segments", segmentsJson(numbers, scale.factor)},
+                                   {"unit", scale.unit},
                                    {"files", files},
                                    {"warnings", sentences(opened.loaded.warnings)},
                                    {"unread", unreadJson(opened.loaded.unread)}};
@@ -142,8 +143,17 @@ void noteModality(std::vector<std::string>& notes, const Opened& opened, const R
                   ", the series is " + modality + ": look at what it found.");
 }
 
+// An Error names the file.
+Status writeCsv(const std::string& path, const std::string& text) {
+  auto file = OutputFile::create(path);
+  if (!file) return file.error();
+  if (Status s = file->write(text); !s) return s;
+  return file->commit();
+}
+
 int work(const SegmentOptions& options, Recipe recipe, const CancelToken& cancel) {
-  if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
+  for (const std::string& path : {options.output, options.csv})
+    if (auto file = OutputFile::create(path); !path.empty() && !file) return fail(file.message());
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
   if (options.removeTable) {
@@ -153,20 +163,28 @@ int work(const SegmentOptions& options, Recipe recipe, const CancelToken& cancel
   const Volume& volume = *opened->loaded.drawn;
   const Result<Segmented> segmented = follow(recipe, volume, cancel);
   if (!segmented) return fail(recipe.name + ": " + segmented.message(), cancel);
-  const auto numbers = numbersOf(*segmented, volume, cancel);
+  const auto numbers = segmentReports(segmented->segments, segmented->labels, volume,
+                                      hasPeaks(opened->series.modality), cancel);
   if (!numbers) return fail(numbers.message(), cancel);
   const auto exported = exportSegments(options.output, *segmented, opened->series, {}, cancel);
   if (!exported) return fail(exported.message(), cancel);
+  const ValueScale scale = valueScale(opened->series, PetUnit::suvBodyWeight);
+  std::vector<std::string> files = exported->files;
+  if (!options.csv.empty()) {
+    if (Status s = writeCsv(options.csv, segmentsAsCsv(*numbers, scale).toStdString()); !s)
+      return fail(s.message());
+    files.push_back(options.csv);
+  }
   noteKeptTilt(*opened);
   noteModality(opened->notes, *opened, recipe);
   addNotes(opened->notes, *opened, *numbers);
   opened->notes.insert(opened->notes.end(), exported->notes.begin(), exported->notes.end());
   printNotes(opened->notes);
   if (options.json) {
-    printJson(*numbers, *opened, recipe, exported->files);
+    printJson(*numbers, scale, *opened, recipe, files);
   } else {
-    std::cout << segmentsText(*numbers, opened->series.unit);
-    for (const std::string& file : exported->files) std::cout << "file: " << printable(file) << '\n';
+    std::cout << segmentsText(*numbers, scale);
+    for (const std::string& file : files) std::cout << "file: " << printable(file) << '\n';
   }
   return opened->status();
 }
@@ -209,9 +227,10 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
   addSeries(app, options->series);
   app.add_flag("--remove-table", options->removeTable,
                "CT: segment the patient alone, without table, cushions and cables");
+  app.add_option("--csv", options->csv, "Write the numbers of all segments, a row each")->type_name("FILE");
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
   addExamples(app, {"volumen segment scans/ --recipe bone -o bone.stl",
-                    "volumen segment scans/ --range :-300 --json -o air.seg.nrrd"});
+                    "volumen segment scans/ --range :-300 --csv air.csv -o air.seg.nrrd"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 
