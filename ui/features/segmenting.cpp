@@ -1,10 +1,12 @@
 #include <QFileDialog>
+#include <QPointer>
 
 #include "io/export/export_segments.h"
 #include "ui/controller/mask_jobs.h"
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_target.h"
 #include "ui/features/feature.h"
+#include "ui/panels/segment_numbers_dialog.h"
 #include "ui/panels/segments_panel.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
@@ -33,12 +35,14 @@ class Segmenting : public Feature {
   void takePart(const PartClick& click);
   void follow(const Recipe& recipe);
   void askWhere();
+  void showNumbers();
   void tellSaved(const QStringList& files, const QStringList& notes, const SegmentMap& map);
 
   SegmentJobs segmenter_;
   MaskJobs masker_;
   SegmentsPanel* panel_;
   QAction* export_;
+  QPointer<SegmentNumbersDialog> numbers_;
 };
 
 Segmenting::Segmenting(Workbench& bench)
@@ -89,6 +93,7 @@ void Segmenting::showExport() {
 
 void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
+  connect(panel_, &SegmentsPanel::numbersWanted, this, &Segmenting::showNumbers);
   connect(panel_, &SegmentsPanel::recipeChosen, this, &Segmenting::follow);
   connect(panel_, &SegmentsPanel::previewChanged, &grid_, &ViewGrid::showSegment);
   connect(panel_, &SegmentsPanel::measureRequested, &segmenter_, &SegmentJobs::measure);
@@ -97,6 +102,13 @@ void Segmenting::connectSegmenter() {
   connect(&segmenter_, &SegmentJobs::saved, this, &Segmenting::tellSaved);
   connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   panel_->showSegments();
+}
+
+void Segmenting::showNumbers() {
+  if (!numbers_) numbers_ = new SegmentNumbersDialog(session_, bench_.document.jobs, bench_.dialogParent());
+  numbers_->show();
+  numbers_->raise();
+  numbers_->activateWindow();
 }
 
 // Its segments become more segments of the series that the panel shows.

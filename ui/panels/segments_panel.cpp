@@ -22,6 +22,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
       list_(new SegmentList(session)),
       result_(plainLabel()),
       export_(new QPushButton(tr("Export..."))),
+      numbersButton_(new QToolButton),
       recipes_(new QToolButton),
       range_(new SegmentRange(session)),
       steps_(new SegmentStepsPage(session)),
@@ -30,6 +31,9 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
   result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   export_->setObjectName(QStringLiteral("segmentSave"));
+  numbersButton_->setObjectName(QStringLiteral("segmentNumbersButton"));
+  numbersButton_->setText(tr("Numbers..."));
+  connect(numbersButton_, &QToolButton::clicked, this, &SegmentsPanel::numbersWanted);
   recipes_->setObjectName(QStringLiteral("segmentRecipes"));
   recipes_->setText(tr("Recipe"));
   recipes_->setPopupMode(QToolButton::InstantPopup);
@@ -80,6 +84,7 @@ void SegmentsPanel::makeLayout() {
   }
   group->buttons().front()->setChecked(true);
   row->addStretch();
+  row->addWidget(numbersButton_);
   auto* told = new QHBoxLayout;
   told->setSpacing(4);
   told->addWidget(result_, 1);
@@ -127,6 +132,11 @@ void SegmentsPanel::showSegments() {
   list_->showSegments();
   range_->showSegments();
   steps_->showSegments();
+  numbersButton_->setEnabled(segmentsShown(session_) != nullptr);
+  numbersButton_->setToolTip(
+      toolTipOf(numbersButton_->isEnabled()
+                    ? tr("A table of all segments: volumes, area, values, axes; two are compared.")
+                    : tr("There is no segment yet.")));
   askForNumbers();
   showResult();
 }

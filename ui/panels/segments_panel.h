@@ -31,6 +31,7 @@ class SegmentsPanel : public QWidget {
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
+  void numbersWanted();
   void recipeChosen(const volumen::Recipe& recipe);
   void measureRequested(const std::shared_ptr<const volumen::LabelMap>& labels, int number,
                         const volumen::VolumePtr& volume);
@@ -48,6 +49,7 @@ class SegmentsPanel : public QWidget {
   SegmentList* list_;
   QLabel* result_;
   QPushButton* export_;
+  QToolButton* numbersButton_;
   QToolButton* recipes_;
   SegmentRange* range_;
   SegmentStepsPage* steps_;

@@ -11,9 +11,9 @@ QString csvField(QString text) {
   return QLatin1Char('"') + text.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
 }
 
-QString csvName(const QString& text) {
+QString harmlessName(const QString& text) {
   const bool isFormula = !text.isEmpty() && QStringLiteral("=+-@\t\r\n").contains(text.front());
-  return csvField(isFormula ? QLatin1Char('\'') + text : text);
+  return isFormula ? QLatin1Char('\'') + text : text;
 }
 
 QString csvNumber(double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); }

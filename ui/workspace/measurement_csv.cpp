@@ -108,8 +108,8 @@ QString measurementsAsCsv(const std::vector<MeasuredRow>& rows) {
     QStringList further = furtherNumbers(row.measured);
     if (isCurved) further[suvPeakPlace].clear();
     fields += further;
-    fields.front() = csvName(fields.front());
-    for (qsizetype n = 1; n < fields.size(); ++n) fields[n] = csvField(fields[n]);
+    fields.front() = harmlessName(fields.front());
+    for (QString& field : fields) field = csvField(field);
     text += fields.join(QLatin1Char(',')) + QStringLiteral("\r\n");
   }
   return text;

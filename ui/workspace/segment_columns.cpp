@@ -175,7 +175,7 @@ QString segmentsAsCsv(std::span<const SegmentReport> all, const ValueScale& scal
   }
   QString text = heads.join(QLatin1Char(',')) + QStringLiteral("\r\n");
   for (const SegmentReport& report : all) {
-    QStringList fields{csvName(QString::fromStdString(report.segment.label))};
+    QStringList fields{csvField(harmlessName(QString::fromStdString(report.segment.label)))};
     for (const SegmentColumn& column : segmentColumns()) {
       const Numbers numbers = segmentNumbers(column, report, scale.factor);
       for (std::size_t n = 0; n < std::max<std::size_t>(1, column.parts.size()); ++n)
