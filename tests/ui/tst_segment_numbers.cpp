@@ -10,7 +10,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/program.h"
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
