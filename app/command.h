@@ -19,6 +19,7 @@ using MakeCommand = std::function<int()> (*)(CLI::App& app, const CancelToken& c
 // One file a command in app/commands.
 std::function<int()> makeAccuracy(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel);
+std::function<int()> makeCompare(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeConvert(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeForget(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeImport(CLI::App& app, const CancelToken& cancel);

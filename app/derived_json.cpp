@@ -1,6 +1,6 @@
 #include "app/derived_json.h"
 
-#include "app/code_json.h"
+#include "ui/workspace/code_json.h"
 #include "io/contours.h"
 #include "io/presentation.h"
 #include "io/report.h"

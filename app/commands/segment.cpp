@@ -12,11 +12,12 @@
 
 #include "app/command.h"
 #include "app/open_volume.h"
-#include "app/segment_numbers.h"
+#include "app/segment_text.h"
 #include "app/usage.h"
 #include "io/export/export_segments.h"
 #include "io/export/read_segments.h"
 #include "io/files/output_file.h"
+#include "ui/workspace/segment_columns.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/scene/similar_name.h"
 
@@ -28,7 +29,7 @@ constexpr glm::u8vec3 boneIvory{240, 219, 163};
 constexpr std::streamoff mostRecipeBytes = 64 << 20;
 
 struct SegmentOptions {
-  std::string path, range, recipe, from, output, series;
+  std::string path, range, recipe, from, output, series, csv;
   bool json = false, removeTable = false;
 };
 
@@ -118,15 +119,15 @@ void removeTable(Recipe& recipe) {
     recipe.steps.push_back({"intersect", segment.label, {{"other", std::string("Patient")}}});
 }
 
-void printJson(const std::vector<SegmentReport>& numbers, const Opened& opened, const SegmentSource& source,
-               const std::vector<std::string>& files) {
+void printJson(const std::vector<SegmentReport>& numbers, const ValueScale& scale, const Opened& opened,
+               const SegmentSource& source, const std::vector<std::string>& files) {
   nlohmann::ordered_json all{{"series", opened.series.id}};
   if (source.recipe)
     all["recipe"] = nlohmann::ordered_json::parse(recipeJson(*source.recipe));
   else
     all["from"] = source.file;
-  all["segments"] = segmentsJson(numbers);
-  all["unit"] = opened.series.unit;
+  all["segments"] = segmentsJson(numbers, scale.factor);
+  all["unit"] = scale.unit;
   all["files"] = files;
   all["warnings"] = sentences(opened.loaded.warnings);
   all["unread"] = unreadJson(opened.loaded.unread);
@@ -170,19 +171,29 @@ Result<std::vector<Segmented>> segmentsOf(const SegmentSource& source, Opened& o
   return std::move(file->maps);
 }
 
-Result<std::vector<SegmentReport>> numbersOf(std::span<const Segmented> maps, const Volume& volume,
+Result<std::vector<SegmentReport>> numbersOf(std::span<const Segmented> maps, const Opened& opened,
                                              const CancelToken& cancel) {
   std::vector<SegmentReport> all;
   for (const Segmented& map : maps) {
-    auto numbers = numbersOf(map, volume, cancel);
+    auto numbers = segmentReports(map.segments, map.labels, *opened.loaded.drawn,
+                                  hasPeaks(opened.series.modality), cancel);
     if (!numbers) return numbers.error();
     std::ranges::move(*numbers, std::back_inserter(all));
   }
   return all;
 }
 
+// An Error names the file.
+Status writeCsv(const std::string& path, const std::string& text) {
+  auto file = OutputFile::create(path);
+  if (!file) return file.error();
+  if (Status s = file->write(text); !s) return s;
+  return file->commit();
+}
+
 int work(const SegmentOptions& options, SegmentSource source, const CancelToken& cancel) {
-  if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
+  for (const std::string& path : {options.output, options.csv})
+    if (auto file = OutputFile::create(path); !path.empty() && !file) return fail(file.message());
   Result<Opened> opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
   if (options.removeTable) {
@@ -192,18 +203,25 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   noteKeptTilt(*opened);
   const auto segmented = segmentsOf(source, *opened, cancel);
   if (!segmented) return fail(segmented.message(), cancel);
-  const auto numbers = numbersOf(std::span(*segmented), *opened->loaded.drawn, cancel);
+  const auto numbers = numbersOf(*segmented, *opened, cancel);
   if (!numbers) return fail(numbers.message(), cancel);
   const auto exported = exportSegments(options.output, *segmented, opened->series, {}, cancel);
   if (!exported) return fail(exported.message(), cancel);
+  const ValueScale scale = valueScale(opened->series, PetUnit::suvBodyWeight);
+  std::vector<std::string> files = exported->files;
+  if (!options.csv.empty()) {
+    if (Status s = writeCsv(options.csv, segmentsAsCsv(*numbers, scale).toStdString()); !s)
+      return fail(s.message());
+    files.push_back(options.csv);
+  }
   addNotes(opened->notes, *opened, *numbers);
   opened->notes.insert(opened->notes.end(), exported->notes.begin(), exported->notes.end());
   printNotes(opened->notes);
   if (options.json) {
-    printJson(*numbers, *opened, source, exported->files);
+    printJson(*numbers, scale, *opened, source, files);
   } else {
-    std::cout << segmentsText(*numbers, opened->series.unit);
-    for (const std::string& file : exported->files) std::cout << "file: " << printable(file) << '\n';
+    std::cout << segmentsText(*numbers, scale);
+    for (const std::string& file : files) std::cout << "file: " << printable(file) << '\n';
   }
   return opened->status();
 }
@@ -255,9 +273,10 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
   addSeries(app, options->series);
   app.add_flag("--remove-table", options->removeTable,
                "CT: segment the patient alone, without table, cushions and cables");
+  app.add_option("--csv", options->csv, "Write the numbers of all segments, a row each")->type_name("FILE");
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
   addExamples(app, {"volumen segment scans/ --recipe bone -o bone.stl",
-                    "volumen segment scans/ --range :-300 --json -o air.seg.nrrd"});
+                    "volumen segment scans/ --range :-300 --csv air.csv -o air.seg.nrrd"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 

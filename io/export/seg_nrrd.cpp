@@ -4,7 +4,7 @@
 #include "io/files/header_text.h"
 #include "io/files/nrrd_write.h"
 #include "io/files/output_file.h"
-#include "viewer/segment/label_statistics.h"
+#include "viewer/segment/bit_mask.h"
 
 namespace volumen {
 
@@ -31,7 +31,7 @@ NrrdKeyValues fieldsOf(std::span<const Segmented> maps) {
   for (std::size_t layer = 0; layer < maps.size(); ++layer)
     for (const Segment& segment : maps[layer].segments) {
       const std::string name = "Segment" + std::to_string(n++) + "_", number = std::to_string(segment.number);
-      const auto box = labelBox(maps[layer].labels, std::uint8_t(segment.number));
+      const auto box = maskOf(maps[layer].labels, std::uint8_t(segment.number)).box();
       const std::string inLayer = layer > 0 ? std::to_string(layer) + "_" : std::string();
       fields.insert(fields.end(), {{name + "ID", "Segment_" + inLayer + number},
                                    {name + "Name", segment.label},

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <numeric>
 
-#include "viewer/segment/label_statistics.h"
 #include "viewer/segment/labels_on.h"
 #include "viewer/volume/parallel.h"
 

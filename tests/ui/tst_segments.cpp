@@ -19,7 +19,7 @@
 #include "ui/controller/open_session.h"
 #include "ui/controller/segment_files.h"
 #include "ui/workspace/segments.h"
-#include "viewer/segment/label_statistics.h"
+#include "viewer/segment/numbers.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -380,7 +380,7 @@ void TestSegments::whatIsCutAwayIsNoSegment() {
   w.after([&] { w.child<QAction>("removeTable")->trigger(); });
   QVERIFY(w.segment(-1100, -900));
   const Volume& whole = *w.window.session().seriesWith(w.map().series, {})->volume;
-  const LabelStatistics air = labelStatistics(*w.map().labels, whole);
+  const SegmentValues air = valuesIn(maskOf(*w.map().labels, 1), whole);
   QVERIFY(air.voxels > 0 && air.max <= -900);
 }
 

@@ -22,9 +22,10 @@ Result<SegmentMap> workDone(const SegmentWork& work, SegmentMap map, int number,
   return Error{"The segment was not changed: there is not enough memory."};
 }
 
-SegmentNumbers numbersOf(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume) {
+SegmentNumbers segmentNumbersOf(const std::shared_ptr<const LabelMap>& labels, int number,
+                                const VolumePtr& volume) {
   SegmentNumbers numbers{labels, volume, labelCounts(*labels), number, {}};
-  if (number > 0) numbers.values = labelStatistics(*labels, *volume, std::uint8_t(number));
+  if (number > 0) numbers.values = valuesIn(maskOf(*labels, std::uint8_t(number)), *volume);
   return numbers;
 }
 
@@ -120,7 +121,7 @@ void SegmentJobs::measure(const std::shared_ptr<const LabelMap>& labels, int num
   measure_.giveUpAll();
   measure_.run(
       tr("Measuring segments"),
-      [labels, number, volume](const Job&) { return numbersOf(labels, number, volume); },
+      [labels, number, volume](const Job&) { return segmentNumbersOf(labels, number, volume); },
       [this](const SegmentNumbers& numbers) { Q_EMIT measured(numbers); });
 }
 

@@ -9,7 +9,7 @@
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
 #include "viewer/segment/bit_mask.h"
-#include "viewer/segment/label_statistics.h"
+#include "viewer/segment/numbers.h"
 
 namespace volumen {
 
@@ -35,7 +35,7 @@ struct SegmentNumbers {
   VolumePtr volume;
   std::array<std::int64_t, 256> voxels{};  ///< by number
   int number = 0;                          ///< of the segment that `values` is of; 0: none
-  LabelStatistics values;
+  SegmentValues values;
 };
 
 /// Changes segments, measures and exports them; each a job, each change one undo step. Changes that are asked

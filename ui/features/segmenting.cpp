@@ -1,4 +1,5 @@
 #include <QFileDialog>
+#include <QPointer>
 #include <functional>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "ui/controller/segment_surface_jobs.h"
 #include "ui/controller/segment_target.h"
 #include "ui/features/segments_from_files.h"
+#include "ui/panels/segment_numbers_dialog.h"
 #include "ui/panels/segments_panel.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
@@ -42,6 +44,7 @@ class Segmenting : public Feature {
   void measure(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume);
   void follow(const Recipe& recipe);
   void askWhere();
+  void showNumbers();
   void tellSaved(const QStringList& files, const QStringList& notes, const SegmentMap& map);
 
   SegmentJobs segmenter_;
@@ -53,6 +56,7 @@ class Segmenting : public Feature {
   SegmentsPanel* panel_;
   SegmentsFromFiles fromFiles_;
   QAction* export_;
+  QPointer<SegmentNumbersDialog> numbers_;
 };
 
 Segmenting::Segmenting(Workbench& bench)
@@ -115,6 +119,7 @@ void Segmenting::showExport() {
 
 void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
+  connect(panel_, &SegmentsPanel::numbersWanted, this, &Segmenting::showNumbers);
   connect(panel_, &SegmentsPanel::recipeChosen, this, &Segmenting::follow);
   connect(panel_, &SegmentsPanel::previewChanged, &grid_, &ViewGrid::showSegment);
   connect(panel_, &SegmentsPanel::measureRequested, this, &Segmenting::measure);
@@ -158,6 +163,13 @@ void Segmenting::connectGrowth() {
   connect(&preview_, &SegmentPreview::changed, &grid_, &ViewGrid::showPreview);
   connect(&preview_, &SegmentPreview::failed, page, &SegmentGrowPage::previewFailed);
   connect(&grid_, &ViewGrid::ballDrawn, page, &SegmentGrowPage::takeBall);
+}
+
+void Segmenting::showNumbers() {
+  if (!numbers_) numbers_ = new SegmentNumbersDialog(session_, bench_.document.jobs, bench_.dialogParent());
+  numbers_->show();
+  numbers_->raise();
+  numbers_->activateWindow();
 }
 
 // Its segments become more segments of the series that the panel shows.

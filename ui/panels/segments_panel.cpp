@@ -23,6 +23,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
       result_(plainLabel()),
       in3d_(new QCheckBox(tr("In 3D"))),
       export_(new QPushButton(tr("Export..."))),
+      numbersButton_(new QToolButton),
       recipes_(new QToolButton),
       range_(new SegmentRange(session)),
       paint_(new SegmentPaintPage(session)),
@@ -34,6 +35,9 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   in3d_->setObjectName(QStringLiteral("segmentsIn3d"));
   export_->setObjectName(QStringLiteral("segmentSave"));
+  numbersButton_->setObjectName(QStringLiteral("segmentNumbersButton"));
+  numbersButton_->setText(tr("Numbers..."));
+  connect(numbersButton_, &QToolButton::clicked, this, &SegmentsPanel::numbersWanted);
   recipes_->setObjectName(QStringLiteral("segmentRecipes"));
   recipes_->setText(tr("Recipe"));
   recipes_->setPopupMode(QToolButton::InstantPopup);
@@ -93,6 +97,7 @@ void SegmentsPanel::makeLayout() {
   }
   group->buttons().front()->setChecked(true);
   row->addStretch();
+  row->addWidget(numbersButton_);
   auto* told = new QHBoxLayout;
   told->setSpacing(4);
   told->addWidget(result_, 1);
@@ -144,6 +149,11 @@ void SegmentsPanel::showSegments() {
   steps_->showSegments();
   showIn3d();
   growth_->showSegments();
+  numbersButton_->setEnabled(segmentsShown(session_) != nullptr);
+  numbersButton_->setToolTip(
+      toolTipOf(numbersButton_->isEnabled()
+                    ? tr("A table of all segments: volumes, area, values, axes; two are compared.")
+                    : tr("There is no segment yet.")));
   askForNumbers();
   showResult();
 }
@@ -184,19 +194,23 @@ void SegmentsPanel::showMeasured(const SegmentNumbers& numbers) {
 
 void SegmentsPanel::showResult() {
   if (!numbers_) return result_->setText(session_.series() ? whyNoSegments(session_) : QString());
-  const LabelStatistics& s = numbers_->values;
+  const SegmentValues& s = numbers_->values;
+  const std::int64_t voxels = numbers_->voxels[std::size_t(numbers_->number)];
+  const VoxelGeometry& grid = numbers_->labels->geometry();
   const ValueScale scale = shownScale(session_.series()->series);
-  const QString unit = shownText(scale.unit), voxels = QLocale().toString(qlonglong(s.voxels));
+  const QString unit = shownText(scale.unit);
   const int decimals = valueDecimals(*session_.series()) - 1;
   const auto value = [&](double v) {
     return QStringLiteral("%1 %2").arg(v * scale.factor, 0, 'f', decimals).arg(unit).trimmed();
   };
   QStringList parts;
-  if (s.millilitres) parts << tr("%1 ml").arg(*s.millilitres, 0, 'f', *s.millilitres < 100 ? 2 : 0);
+  const double ml = double(voxels) * grid.voxelVolume() / 1000;
+  if (grid.calibrated) parts << tr("%1 ml").arg(ml, 0, 'f', ml < 100 ? 2 : 0);
   if (s.voxels > 0) parts << tr("mean %1").arg(value(s.mean));
-  const QString text = parts.join(QStringLiteral(", ")) + tr(" (%1 voxels)").arg(voxels);
-  result_->setText(s.millilitres ? text.trimmed()
-                                 : tr("Not calibrated, no volume in ml: %1").arg(text.trimmed()));
+  const QString text =
+      parts.join(QStringLiteral(", ")) + tr(" (%1 voxels)").arg(QLocale().toString(qlonglong(voxels)));
+  result_->setText(grid.calibrated ? text.trimmed()
+                                   : tr("Not calibrated, no volume in ml: %1").arg(text.trimmed()));
   result_->setToolTip(
       toolTipOf(s.voxels > 0 ? tr("Values from %1 to %2").arg(value(s.min), value(s.max)) : QString()));
 }

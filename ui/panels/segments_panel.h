@@ -38,6 +38,7 @@ class SegmentsPanel : public QWidget {
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
+  void numbersWanted();
   void recipeChosen(const volumen::Recipe& recipe);
   void measureRequested(const std::shared_ptr<const volumen::LabelMap>& labels, int number,
                         const volumen::VolumePtr& volume);
@@ -57,6 +58,7 @@ class SegmentsPanel : public QWidget {
   QLabel* result_;
   QCheckBox* in3d_;
   QPushButton* export_;
+  QToolButton* numbersButton_;
   QToolButton* recipes_;
   SegmentRange* range_;
   SegmentPaintPage* paint_;

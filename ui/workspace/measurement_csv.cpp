@@ -1,5 +1,4 @@
-#include <QLocale>
-
+#include "ui/workspace/csv.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/text.h"
 
@@ -7,19 +6,9 @@ namespace volumen {
 
 namespace {
 
-// A field between quotation marks where it needs them.
-QString csvField(QString text) {
-  if (!text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"')) &&
-      !text.contains(QLatin1Char('\n')))
-    return text;
-  return QLatin1Char('"') + text.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
-}
-
-QString exact(double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); }
-
 // A place in mm.
 QString exactPlace(glm::dvec3 p) {
-  return QStringLiteral("%1 %2 %3").arg(exact(p.x), exact(p.y), exact(p.z));
+  return QStringLiteral("%1 %2 %3").arg(csvNumber(p.x), csvNumber(p.y), csvNumber(p.z));
 }
 
 // number, unit, +-, mean, SD, min, max, voxels, unit of the values, problem, calibration.
@@ -31,12 +20,12 @@ QStringList csvNumbers(const Result<Measured>* measured) {
     fields[9] = QString::fromStdString(measured->message());
   if (!measured || !*measured) return fields;
   const Measured& m = **measured;
-  fields[0] = exact(m.number);
+  fields[0] = csvNumber(m.number);
   fields[1] = QString::fromStdString(m.unit);
-  if (m.plusMinus) fields[2] = exact(*m.plusMinus);
+  if (m.plusMinus) fields[2] = csvNumber(*m.plusMinus);
   if (m.values) {
     const double numbers[] = {m.values->mean, m.values->sd, m.values->min, m.values->max};
-    for (int n = 0; n < 4; ++n) fields[3 + n] = exact(numbers[n]);
+    for (int n = 0; n < 4; ++n) fields[3 + n] = csvNumber(numbers[n]);
     fields[7] = QString::number(m.values->n);
     fields[8] = QString::fromStdString(m.valueUnit);
   }
@@ -65,28 +54,28 @@ QStringList furtherNumbers(const Result<Measured>* measured) {
   if (!measured || !*measured) return fields;
   const Measured& m = **measured;
   if (m.lines) {
-    fields[0] = exact(m.lines->first);
-    fields[1] = exact(m.lines->second);
+    fields[0] = csvNumber(m.lines->first);
+    fields[1] = csvNumber(m.lines->second);
     fields[2] = QString::fromStdString(m.lines->unit);
-    if (m.plusMinus) fields[3] = exact(m.lines->first * m.lines->second);
+    if (m.plusMinus) fields[3] = csvNumber(m.lines->first * m.lines->second);
   }
   if (m.peak) {
-    fields[4] = exact(m.peak->mean);
+    fields[4] = csvNumber(m.peak->mean);
     fields[suvPeakPlace] = exactPlace(m.peak->centre);
   }
   if (m.leg) {
-    fields[14] = exact(m.leg->hka);
+    fields[14] = csvNumber(m.leg->hka);
     fields[15] = bendName(m.leg->bend);
   }
   if (!m.other) return fields;
   fields[6] = QString::fromStdString(m.other->source);
   if (const auto& values = m.other->values) {
     const double numbers[] = {values->mean, values->sd, values->min, values->max};
-    for (int n = 0; n < 4; ++n) fields[7 + n] = exact(numbers[n]);
+    for (int n = 0; n < 4; ++n) fields[7 + n] = csvNumber(numbers[n]);
     fields[11] = QString::number(values->n);
     fields[12] = QString::fromStdString(m.other->unit);
   }
-  if (m.other->peak) fields[13] = exact(m.other->peak->mean);
+  if (m.other->peak) fields[13] = csvNumber(m.other->peak->mean);
   return fields;
 }
 
@@ -102,7 +91,7 @@ QString measurementsAsCsv(const std::vector<MeasuredRow>& rows) {
     const std::optional<ShapeFrame>& frame = row.measurement.shape.frame;
     QStringList points;
     for (const glm::dvec3 p : row.measurement.shape.points)
-      points << (frame ? QStringLiteral("%1 %2").arg(exact(p.x), exact(p.y)) : exactPlace(p));
+      points << (frame ? QStringLiteral("%1 %2").arg(csvNumber(p.x), csvNumber(p.y)) : exactPlace(p));
     const QString places = points.join(QStringLiteral("; "));
     const bool isCurved = row.series && row.series->curved;  // its places are not the patient's
     QStringList fields{nameText(row.measurement), QLatin1String(ruleOf(row.measurement.shape.kind).name)};
@@ -119,6 +108,7 @@ QString measurementsAsCsv(const std::vector<MeasuredRow>& rows) {
     QStringList further = furtherNumbers(row.measured);
     if (isCurved) further[suvPeakPlace].clear();
     fields += further;
+    fields.front() = harmlessName(fields.front());
     for (QString& field : fields) field = csvField(field);
     text += fields.join(QLatin1Char(',')) + QStringLiteral("\r\n");
   }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "viewer/segment/label_map.h"
-#include "viewer/segment/label_statistics.h"
 #include "viewer/volume/volume.h"
+#include "viewer/volume/voxel_box.h"
 
 namespace volumen {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "viewer/segment/bit_mask.h"
-#include "viewer/segment/label_statistics.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/parallel.h"
 

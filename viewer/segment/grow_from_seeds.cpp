@@ -11,7 +11,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "viewer/segment/label_statistics.h"
 #include "viewer/volume/buffer.h"
 #include "viewer/volume/histogram.h"
 #include "viewer/volume/parallel.h"

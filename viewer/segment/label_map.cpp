@@ -142,4 +142,24 @@ LabelMap LabelEdit::done() const {
   return made;
 }
 
+std::array<std::int64_t, 256> labelCounts(const LabelMap& map) {
+  std::array<std::int64_t, 256> counts{};
+  const glm::ivec3 grid = map.geometry().size, bricks = map.bricks();
+  for (int n = 0; n < bricks.x * bricks.y * bricks.z; ++n) {
+    const glm::ivec3 at(n % bricks.x, n / bricks.x % bricks.y, n / bricks.x / bricks.y),
+        size = glm::min(glm::ivec3(LabelMap::edge), grid - at * LabelMap::edge);
+    const LabelMap::Brick& brick = map.brick(std::size_t(n));
+    if (!brick.voxels) {
+      counts[brick.label] += std::int64_t(size.x) * size.y * size.z;
+      continue;
+    }
+    for (int k = 0; k < size.z; ++k)
+      for (int j = 0; j < size.y; ++j) {
+        const auto row = brick.voxels->begin() + (k * LabelMap::edge + j) * LabelMap::edge;
+        std::for_each(row, row + size.x, [&](std::uint8_t label) { ++counts[label]; });
+      }
+  }
+  return counts;
+}
+
 }  // namespace volumen

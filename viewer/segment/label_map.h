@@ -65,6 +65,9 @@ class LabelMap {
   std::vector<Brick> held_;
 };
 
+/// How many voxels of the grid have each label.
+std::array<std::int64_t, 256> labelCounts(const LabelMap& map);
+
 /// Another label map, made of one by writing voxels. For one thread.
 class LabelEdit {
  public:

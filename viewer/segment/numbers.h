@@ -45,8 +45,8 @@ std::vector<glm::ivec3> voxelsOf(const BitMask& mask);
 
 /// How alike two segments of one grid are.
 struct SegmentLikeness {
-  std::optional<double> dice;  ///< 2 |A and B| / (|A| + |B|); none where both are empty
-  double differenceMl = 0;     ///< volume of a - volume of b, voxels; 0 where the grid is not calibrated
+  std::optional<double> dice;          ///< 2 |A and B| / (|A| + |B|); none where both are empty
+  std::optional<double> differenceMl;  ///< volume of a - volume of b, voxels; none: not calibrated
   /// Between their surfaces (occupancy.h), mm: from the middles of all triangles of one to the other, exact;
   /// the largest also from their corners. None where one is empty or the grid is not calibrated.
   struct Distances {

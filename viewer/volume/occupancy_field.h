@@ -1,17 +1,11 @@
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <vector>
 
 #include "viewer/volume/volume.h"
+#include "viewer/volume/voxel_box.h"
 
 namespace volumen {
-
-/// A box of voxels, both ends inside.
-struct VoxelBox {
-  glm::ivec3 low{0}, high{0};
-  bool operator==(const VoxelBox&) const = default;
-};
 
 /// The smoothed occupancy of a segment (occupancyOf), 0 to 1: its surface in 3D and in files is where the
 /// trilinear field is 1/2. Held in a box of voxels about the segment, at least one voxel larger on every side

@@ -16,8 +16,8 @@ using namespace volumen::tests;
 
 namespace {
 
-const char* const commands[] = {"open",   "render",  "slice",   "info",    "import",   "list",
-                                "forget", "convert", "segment", "measure", "accuracy", "bench"};
+const char* const commands[] = {"open",    "render",  "slice",   "info",    "import",   "list", "forget",
+                                "convert", "segment", "compare", "measure", "accuracy", "bench"};
 
 /// The manual page without its markup.
 QString manual() {
@@ -77,7 +77,8 @@ class TestManual : public QObject {
 };
 
 /// What the examples speak of: a study in scans/, scene.json, shapes.json, bone.png, a picture that holds a
-/// scene, and an index of two studies, the second of which is forgotten.
+/// scene, segments in first.seg.nrrd and second.seg.nrrd, and an index of two studies, the second of which is
+/// forgotten.
 void TestManual::initTestCase() {
   const auto made = [&](const char* line) {
     return runProgram(QString::fromLatin1(line).replace(QLatin1String("IN"), folder_.path())).status;
@@ -85,6 +86,8 @@ void TestManual::initTestCase() {
   QCOMPARE(made("convert phantom:ct-head:24 -o IN/scans/"), 0);
   QCOMPARE(made("render phantom:ct-head:24 --size 16x16 -o IN/bone.png"), 0);
   QCOMPARE(made("convert phantom:ct-head:24 -o IN/chest.nii.gz"), 0);
+  QCOMPARE(made("segment phantom:ct-head:24 --range 200: -o IN/first.seg.nrrd"), 0);
+  QCOMPARE(made("segment phantom:ct-head:24 --range 300: -o IN/second.seg.nrrd"), 0);
   qputenv("XDG_DATA_HOME", folder_.filePath(QStringLiteral("data")).toUtf8());
   QCOMPARE(made("import IN/scans/"), 0);
   QCOMPARE(made("import IN/chest.nii.gz"), 0);

@@ -10,7 +10,6 @@
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
-#include "viewer/segment/label_statistics.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -166,7 +165,7 @@ void TestFieldCases::objectsLieOnTheirPictures() {
   const LabelMap none(study.volumes[0].acquired);
   const DenseLabels block = withLabel(none, 1, maskOf(*segmentation, 0, none.geometry())).dense();
   QCOMPARE(std::ranges::count(block.labels, std::uint8_t(1)), 600);
-  const auto box = labelBox(LabelMap(block));
+  const auto box = maskOf(LabelMap(block), 1).box();
   QVERIFY(box.has_value());
   compareVectors(block.geometry.patientFromVoxel(glm::dvec3(box->low)), {8, -22, 6});
   compareVectors(block.geometry.patientFromVoxel(glm::dvec3(box->high)), {22, -13, 15});

@@ -15,7 +15,7 @@
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
-#include "viewer/segment/label_statistics.h"
+#include "viewer/segment/label_map.h"
 #include "viewer/segment/tissue_codes.h"
 
 using namespace volumen;

@@ -13,7 +13,6 @@
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/io/dicom_objects.h"
 #include "tests/unit/suite.h"
-#include "viewer/segment/label_statistics.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -77,7 +76,7 @@ void write(const std::string& path, const Made& made) {
 }
 
 /// The smallest box that holds a mask.
-VoxelBox boxOf(const BitMask& mask) { return *labelBox(withLabel(LabelMap(mask.geometry()), 1, mask)); }
+VoxelBox boxOf(const BitMask& mask) { return *mask.box(); }
 
 }  // namespace
 

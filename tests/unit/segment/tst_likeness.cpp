@@ -64,14 +64,14 @@ void TestLikeness::balls() {
   QVERIFY2(std::abs(alike->distances->p95 - p95) < 0.3 * coarse, qPrintable(told));
   QVERIFY2(std::abs(alike->distances->mean - mean) < 0.06 * coarse, qPrintable(told));
   const double balls = 4.18879 * (1000 - radius * radius * radius) / 1000;
-  QVERIFY2(std::abs(alike->differenceMl - balls) < 0.06, qPrintable(QString::number(alike->differenceMl)));
+  QVERIFY2(std::abs(*alike->differenceMl - balls) < 0.06, qPrintable(QString::number(*alike->differenceMl)));
 }
 
 void TestLikeness::aSegmentIsLikeItself() {
   const BitMask mask = maskOfShape(gridAbout(dmat3(1), 12), cylinder(5, 18, {1, 1, 1}));
   const SegmentLikeness same = *likeness(mask, mask);
   QCOMPARE(*same.dice, 1.0);
-  QCOMPARE(same.differenceMl, 0.0);
+  QCOMPARE(*same.differenceMl, 0.0);
   // A corner is the corner of a triangle, a middle lies in it, to the digits of doubles.
   QVERIFY(same.distances->largest < 1e-6 && same.distances->mean < 1e-6);
 }
@@ -81,7 +81,7 @@ void TestLikeness::isTheSameBothWays() {
   const BitMask a = maskOfShape(grid, ball(9)), b = maskOfShape(grid, ellipsoid({12, 8, 9}, {1, 0, 0}));
   const SegmentLikeness there = *likeness(a, b), back = *likeness(b, a);
   QCOMPARE(*there.dice, *back.dice);
-  QCOMPARE(there.differenceMl, -back.differenceMl);
+  QCOMPARE(*there.differenceMl, -*back.differenceMl);
   QCOMPARE(there.distances->largest, back.distances->largest);
   QCOMPARE(there.distances->p95, back.distances->p95);
   QVERIFY(std::abs(there.distances->mean - back.distances->mean) < 1e-12);
@@ -100,7 +100,7 @@ void TestLikeness::ofNothing() {
   QVERIFY(!likeness(none, none)->dice);
   QCOMPARE(*likeness(none, some)->dice, 0.0);
   QVERIFY(!likeness(none, some)->distances && !likeness(some, none)->distances);
-  QCOMPARE(likeness(none, some)->differenceMl, -0.001);
+  QCOMPARE(*likeness(none, some)->differenceMl, -0.001);
   grid.calibrated = false;
   BitMask nominal(grid);
   nominal.set({4, 4, 4});

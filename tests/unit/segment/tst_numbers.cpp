@@ -23,8 +23,12 @@ class TestNumbers : public QObject {
  private Q_SLOTS:
   void valuesAreThoseOfTheVoxels_data();
   void valuesAreThoseOfTheVoxels();
+  void nothingHasNoValues_data();
+  void nothingHasNoValues();
   void digitsFarFromZeroAreKept();
   void histogramsCountEachVoxelOnce();
+  void millilitresFollowTheGrid_data();
+  void millilitresFollowTheGrid();
   void formOfBodies_data();
   void formOfBodies();
   void formOfAnyMask();
@@ -128,6 +132,26 @@ void TestNumbers::valuesAreThoseOfTheVoxels() {
   }
 }
 
+void TestNumbers::nothingHasNoValues_data() {
+  QTest::addColumn<bool>("some");
+  QTest::newRow("no voxels") << false;
+  QTest::newRow("padding alone") << true;
+}
+
+void TestNumbers::nothingHasNoValues() {
+  QFETCH(bool, some);
+  VolumeParts parts;
+  parts.geometry.size = {2, 2, 2};
+  parts.values = std::vector<std::int16_t>{-5, -5, -5, -5, 3, 3, 3, 3};
+  parts.attributes.padding = ValueRange{-5, -5};
+  BitMask mask(parts.geometry);
+  if (some) mask.set({1, 1, 0});
+  const SegmentValues found = valuesIn(mask, *volumeFrom(std::move(parts)));
+  QCOMPARE(found.voxels, std::int64_t(0));
+  QCOMPARE(found.mean, 0.0);
+  QCOMPARE(found.max, 0.0);
+}
+
 // A million and a little: a sum of squares would have lost it.
 void TestNumbers::digitsFarFromZeroAreKept() {
   const VoxelGeometry grid{.size = {100, 100, 20}};
@@ -159,6 +183,21 @@ void TestNumbers::histogramsCountEachVoxelOnce() {
       }
       QVERIFY2(histogramIn(mask, *volume, range, bins) == twin, caseOf(n, mask).c_str());
     }
+}
+
+void TestNumbers::millilitresFollowTheGrid_data() {
+  QTest::addColumn<double>("shear");
+  QTest::newRow("box") << 0.;
+  QTest::newRow("sheared: the same volume") << 0.8;
+}
+
+void TestNumbers::millilitresFollowTheGrid() {
+  QFETCH(double, shear);
+  const VoxelGeometry grid{.size = {10, 10, 10},
+                           .patientFromVoxelStep = dmat3{{0.5, 0, 0}, {0, -0.5, 0}, {0, shear, 4}}};
+  const auto form = formOf(inverted(BitMask(grid)));
+  QVERIFY(form.ok() && form->has_value());
+  QVERIFY(std::abs((*form)->voxelMl - 1) < 1e-12);  // 1000 voxels of 1 mm^3
 }
 
 void TestNumbers::formOfBodies_data() {

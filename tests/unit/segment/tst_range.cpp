@@ -8,7 +8,6 @@
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/segment/bit_masks.h"
 #include "tests/unit/suite.h"
-#include "viewer/segment/label_statistics.h"
 #include "viewer/segment/range.h"
 
 using namespace volumen;
@@ -22,12 +21,6 @@ class TestRange : public QObject {
   void anyRangeOfAnyVolume();
   void paddingIsNoTissue_data();
   void paddingIsNoTissue();
-  void statisticsAreThoseOfTheLabel();
-  void millilitresFollowTheGrid_data();
-  void millilitresFollowTheGrid();
-  void emptyLabelHasNoNumbers();
-  void boxIsTheSmallest_data();
-  void boxIsTheSmallest();
 };
 
 namespace {
@@ -57,8 +50,6 @@ VolumePtr randomVolume(const QString& type) {
   if (type == QLatin1String("uint16")) return volumeOf(size, fill(std::uint16_t()), -0.1, 7);
   return volumeOf(size, fill(float()), 0.25, -10);
 }
-
-LabelMap labelOf(const BitMask& mask) { return withLabel(LabelMap(mask.geometry()), 1, mask); }
 
 }  // namespace
 
@@ -166,80 +157,6 @@ void TestRange::paddingIsNoTissue() {
   parts.attributes.padding = ValueRange{-2000, -2000};
   const VolumePtr volume = volumeFrom(std::move(parts));
   QCOMPARE(voxelsInRange(*volume, {low, high}).count(), std::int64_t(voxels));
-}
-
-void TestRange::statisticsAreThoseOfTheLabel() {
-  const VolumePtr volume = randomVolume(QStringLiteral("int16"));
-  const BitMask mask = voxelsInRange(*volume, {-100, 100});
-  const LabelStatistics s = labelStatistics(labelOf(mask), *volume);
-  std::int64_t voxels = 0;
-  double sum = 0, min = infinity, max = -infinity;
-  for (const glm::ivec3 v : voxelsOf(mask.geometry())) {
-    if (!mask.at(v)) continue;
-    const double value = double(volume->value(v.x, v.y, v.z));
-    ++voxels;
-    sum += value;
-    min = std::min(min, value);
-    max = std::max(max, value);
-  }
-  QVERIFY(voxels > 1000);
-  QCOMPARE(s.voxels, voxels);
-  QCOMPARE(s.mean, sum / double(voxels));  // whole values: every sum is exact
-  QCOMPARE(s.min, min);
-  QCOMPARE(s.max, max);
-}
-
-void TestRange::millilitresFollowTheGrid_data() {
-  QTest::addColumn<double>("shear");
-  QTest::addColumn<bool>("calibrated");
-  QTest::newRow("box") << 0. << true;
-  QTest::newRow("sheared: the same volume") << 0.8 << true;
-  QTest::newRow("not calibrated: no volume") << 0. << false;
-}
-
-void TestRange::millilitresFollowTheGrid() {
-  QFETCH(double, shear);
-  QFETCH(bool, calibrated);
-  VolumeParts parts;
-  parts.geometry.size = {10, 10, 10};
-  parts.geometry.patientFromVoxelStep = glm::dmat3{{0.5, 0, 0}, {0, -0.5, 0}, {0, shear, 4}};
-  parts.geometry.calibrated = calibrated;
-  parts.values = std::vector<std::uint8_t>(1000, 1);
-  std::vector<std::string> warnings;
-  const VolumePtr volume = *Volume::make(parts, warnings);
-  const auto millilitres = labelStatistics(labelOf(voxelsInRange(*volume, {1, 1})), *volume).millilitres;
-  QCOMPARE(millilitres.has_value(), calibrated);
-  if (calibrated) QVERIFY(std::abs(*millilitres - 1) < 1e-12);  // 1000 voxels of 1 mm^3
-}
-
-void TestRange::emptyLabelHasNoNumbers() {
-  const VolumePtr volume = volumeOf({2, 2, 2}, std::vector<std::int16_t>(8, 5));
-  const LabelMap map = labelOf(voxelsInRange(*volume, {6, 7}));
-  const LabelStatistics s = labelStatistics(map, *volume);
-  QCOMPARE(s.voxels, std::int64_t(0));
-  QCOMPARE(*s.millilitres, 0.0);
-  QCOMPARE(s.mean, 0.0);
-  QVERIFY(!labelBox(map));
-}
-
-void TestRange::boxIsTheSmallest_data() {
-  QTest::addColumn<std::vector<int>>("voxels");  // i + 10 j + 100 k
-  QTest::addColumn<std::vector<int>>("box");
-  QTest::newRow("one voxel") << std::vector{342} << std::vector{2, 4, 3, 2, 4, 3};
-  QTest::newRow("corners") << std::vector{0, 999} << std::vector{0, 0, 0, 9, 9, 9};
-  QTest::newRow("two in a row") << std::vector{341, 348} << std::vector{1, 4, 3, 8, 4, 3};
-  QTest::newRow("crossed") << std::vector{219, 530} << std::vector{0, 1, 2, 9, 3, 5};
-}
-
-void TestRange::boxIsTheSmallest() {
-  QFETCH(std::vector<int>, voxels);
-  QFETCH(std::vector<int>, box);
-  DenseLabels map{{.size = {10, 10, 10}}, std::vector<std::uint8_t>(1000)};
-  for (int n : voxels) map.labels[std::size_t(n)] = 1;
-  map.labels[555] = 2;
-  const auto found = labelBox(LabelMap(map));
-  QVERIFY(found.has_value());
-  QVERIFY((*found == VoxelBox{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}}));
 }
 
 VOLUMEN_TEST(TestRange);

@@ -1,0 +1,189 @@
+// Guards the table of numbers of segments: what it shows is what is measured, it follows the segments, it is
+// sorted, copied and saved, and two rows are compared.
+#include <QClipboard>
+#include <QDialog>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/fixtures/program.h"
+#include "tests/ui/clean_settings.h"
+#include "tests/ui/segment_window.h"
+#include "tests/unit/suite.h"
+#include "ui/workspace/segment_columns.h"
+#include "viewer/segment/numbers.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+struct NumbersWindow : SegmentWindow {
+  using SegmentWindow::SegmentWindow;
+
+  QTableWidget* table() { return child<QTableWidget>("segmentNumbers"); }
+  QString said() { return child<QLabel>("segmentNumbersSaid")->text(); }
+  bool open() {
+    click("segmentNumbersButton");
+    return idle() && child<QDialog>("segmentNumbersDialog")->isVisible();
+  }
+  // With whichever unit.
+  int columnOf(const QString& head) {
+    for (int column = 0; column < table()->columnCount(); ++column) {
+      const QString text = table()->horizontalHeaderItem(column)->text();
+      if (text == head || text.startsWith(head + QStringLiteral(" ("))) return column;
+    }
+    return -1;
+  }
+  QString cell(int row, const char* head) {
+    return table()->item(row, columnOf(QLatin1String(head)))->text();
+  }
+  void chooseRow(int row, Qt::KeyboardModifiers keys = {}) {
+    const QPoint place = table()->visualItemRect(table()->item(row, 0)).center();
+    QTest::mouseClick(table()->viewport(), Qt::LeftButton, keys, place);
+  }
+  void clickHead(int column) {
+    QHeaderView* head = table()->horizontalHeader();
+    QTest::mouseClick(
+        head->viewport(), Qt::LeftButton, {},
+        {head->sectionViewportPosition(column) + head->sectionSize(column) / 2, head->height() / 2});
+  }
+};
+
+std::int64_t shellAndSmall() {
+  return voxelsWhere([](glm::dvec3 p) { return isShell(p) || isSmall(p); });
+}
+
+}  // namespace
+
+class TestSegmentTable : public CleanSettings {
+  Q_OBJECT
+ private Q_SLOTS:
+  void hasARowForEachSegment();
+  void followsTheSegments();
+  void isSortedByNumbers();
+  void twoAreCompared();
+  void isCopied();
+  void isSaved();
+  void isInSuv();
+};
+
+void TestSegmentTable::hasARowForEachSegment() {
+  NumbersWindow w;
+  QVERIFY(!w.button("segmentNumbersButton")->isEnabled());
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.open());
+  QCOMPARE(w.table()->rowCount(), 2);
+  QCOMPARE(w.table()->columnCount(), int(segmentColumns().size()) + 1);
+  QCOMPARE(w.cell(0, "Voxels"), QString::number(shellAndSmall()));
+  QCOMPARE(w.cell(1, "Voxels"), QString::number(voxelsWhere(isCore)));
+  QCOMPARE(w.table()->item(0, 0)->text(), QString::fromStdString(w.segment(0).label));
+  QCOMPARE(w.cell(1, "Median"), QStringLiteral("500"));
+}
+
+// Renamed: at once; changed: measured again; none left: said.
+void TestSegmentTable::followsTheSegments() {
+  NumbersWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.open());
+  w.session().change(QStringLiteral("Rename"),
+                     withSegmentChanged(w.workspace(), w.series(), 1, [](Segment& s) { s.label = "=A"; }));
+  QCOMPARE(w.table()->item(0, 0)->text(), QStringLiteral("=A"));
+  QCOMPARE(w.cell(0, "Voxels"), QString::number(shellAndSmall()));
+  QVERIFY(w.step("keepLargest"));
+  QTRY_COMPARE_WITH_TIMEOUT(w.cell(0, "Voxels"), QString::number(voxelsWhere(isShell)), longest);
+  QVERIFY(w.press("segmentRemove"));
+  QTRY_COMPARE_WITH_TIMEOUT(w.table()->rowCount(), 1, longest);
+  QVERIFY(w.press("segmentRemove"));
+  QTRY_COMPARE_WITH_TIMEOUT(w.table()->rowCount(), 0, longest);
+}
+
+void TestSegmentTable::isSortedByNumbers() {
+  NumbersWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.open());
+  const int voxels = w.columnOf(QStringLiteral("Voxels"));
+  w.clickHead(voxels);
+  const bool firstIsSmaller = w.cell(0, "Voxels").toInt() < w.cell(1, "Voxels").toInt();
+  w.clickHead(voxels);
+  QCOMPARE(w.cell(0, "Voxels").toInt() < w.cell(1, "Voxels").toInt(), !firstIsSmaller);
+}
+
+void TestSegmentTable::twoAreCompared() {
+  NumbersWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.open());
+  QVERIFY(!w.button("segmentNumbersCompare")->isEnabled());
+  w.chooseRow(0);
+  QVERIFY(!w.button("segmentNumbersCompare")->isEnabled());
+  w.chooseRow(1, Qt::ControlModifier);
+  QVERIFY(w.press("segmentNumbersCompare"));
+  const auto alike = likeness(w.mask(1), w.mask(2));
+  QVERIFY(alike.ok() && alike->distances);
+  QTRY_VERIFY_WITH_TIMEOUT(w.said().contains(QStringLiteral("Dice 0,")), longest);
+  QVERIFY2(
+      w.said().contains(QStringLiteral("Hausdorff distance %1 mm").arg(alike->distances->largest, 0, 'g', 4)),
+      qPrintable(w.said()));
+}
+
+void TestSegmentTable::isCopied() {
+  NumbersWindow w;
+  QVERIFY(w.makeBoth());
+  w.session().change(QStringLiteral("Rename"),
+                     withSegmentChanged(w.workspace(), w.series(), 1, [](Segment& s) { s.label = "=1+1"; }));
+  QVERIFY(w.open());
+  w.click("segmentNumbersCopy");
+  QStringList lines = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'));
+  QCOMPARE(lines.size(), 3);
+  QVERIFY(lines[0].startsWith(QStringLiteral("Name\tVoxels\t")));
+  QVERIFY(lines[1].startsWith(QStringLiteral("'=1+1\t%1\t").arg(shellAndSmall())));
+  w.chooseRow(1);
+  QTest::keyClick(w.table(), Qt::Key_C, Qt::ControlModifier);
+  lines = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'));
+  QCOMPARE(lines.size(), 2);
+  QVERIFY(lines[1].contains(QStringLiteral("\t%1\t").arg(voxelsWhere(isCore))));
+}
+
+void TestSegmentTable::isSaved() {
+  const QTemporaryDir folder;
+  const QString csv = folder.filePath(QStringLiteral("a.csv")),
+                json = folder.filePath(QStringLiteral("a.json"));
+  NumbersWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.open());
+  w.click("segmentNumbersCsv");
+  answer(w, "segmentNumbersFileDialog", csv);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(csv), longest);
+  QCOMPARE(contentsOf(csv).count("\r\n"), qsizetype(3));
+  w.click("segmentNumbersJson");
+  answer(w, "segmentNumbersFileDialog", json);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(json), longest);
+  const auto read = nlohmann::json::parse(contentsOf(json).toStdString());
+  QCOMPARE(read["segments"].size(), std::size_t(2));
+  QCOMPARE(read["segments"][1]["voxels"].get<std::int64_t>(), voxelsWhere(isCore));
+  w.click("segmentNumbersCsv");
+  answer(w, "segmentNumbersFileDialog", folder.filePath(QStringLiteral("none/a.csv")));
+  QTRY_VERIFY_WITH_TIMEOUT(w.said().startsWith(QStringLiteral("Cannot write")), longest);
+}
+
+// A PET in Bq/ml whose SUV is a thousandth.
+void TestSegmentTable::isInSuv() {
+  auto series = std::make_shared<LoadedSeries>(*hollowBalls());
+  series->series.modality = "PT";
+  series->series.unit = "Bq/ml";
+  series->series.suv.bodyWeight = 1e-3;
+  NumbersWindow w(series);
+  QVERIFY(w.make(0.8, 1.2) && w.make(0.4, 0.6));  // in SUV, as it is shown
+  QVERIFY(w.open());
+  QCOMPARE(w.cell(0, "SUVmax (SUVbw)"), QStringLiteral("1"));
+  QCOMPARE(w.cell(1, "SUVmean (SUVbw)"), QStringLiteral("0.5"));
+  QVERIFY(w.cell(0, "SUVpeak (SUVbw)").toDouble() > 0.5);
+  QVERIFY(std::abs(w.cell(1, "TLG (SUVbw ml)").toDouble() - double(voxelsWhere(isCore)) / 2000) < 1e-4);
+}
+
+VOLUMEN_TEST(TestSegmentTable);
+#include "tst_segment_numbers.moc"

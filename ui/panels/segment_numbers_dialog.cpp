@@ -1,0 +1,294 @@
+#include "ui/panels/segment_numbers_dialog.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QSaveFile>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "ui/controller/segment_target.h"
+#include "ui/widgets/plain_text.h"
+#include "ui/workspace/csv.h"
+#include "ui/workspace/segment_columns.h"
+#include "ui/workspace/segments.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int sortRole = Qt::UserRole, numberRole = Qt::UserRole + 1;
+
+// Numbers are in order of their size, those that there are none of first.
+class NumberItem : public QTableWidgetItem {
+ public:
+  using QTableWidgetItem::QTableWidgetItem;
+  bool operator<(const QTableWidgetItem& other) const override {
+    const QVariant own = data(sortRole), others = other.data(sortRole);
+    return own.isValid() && others.isValid() ? own.toDouble() < others.toDouble() : text() < other.text();
+  }
+};
+
+QTableWidgetItem* nameItem(const Segment& segment) {
+  auto* item = new NumberItem(shownText(segment.label));
+  item->setData(numberRole, segment.number);
+  return item;
+}
+
+QTableWidgetItem* numberItem(const SegmentColumn& column, const SegmentReport& report, double factor) {
+  auto* item = new NumberItem(columnText(column, report, factor));
+  const std::vector<double> numbers = segmentNumbers(column, report, factor);
+  item->setData(sortRole, numbers.empty() ? -std::numeric_limits<double>::infinity() : numbers.front());
+  item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  return item;
+}
+
+// "Dice 0.8505, volume difference 0.2 ml, ...": what there is.
+QString likenessText(const SegmentLikeness& alike) {
+  const auto text = [](double number) { return QString::number(number, 'g', 4); };
+  QStringList parts;
+  if (alike.dice) parts << SegmentNumbersDialog::tr("Dice %1").arg(text(*alike.dice));
+  if (alike.differenceMl)
+    parts << SegmentNumbersDialog::tr("volume difference %1 ml").arg(text(*alike.differenceMl));
+  if (alike.distances)
+    parts << SegmentNumbersDialog::tr("Hausdorff distance %1 mm (95 %: %2 mm), mean surface distance %3 mm")
+                 .arg(text(alike.distances->largest), text(alike.distances->p95),
+                      text(alike.distances->mean));
+  return parts.isEmpty() ? SegmentNumbersDialog::tr("both are empty") : parts.join(QStringLiteral(", "));
+}
+
+QPushButton* dialogButton(QDialogButtonBox* box, const char* name, const QString& text) {
+  QPushButton* button = box->addButton(text, QDialogButtonBox::ActionRole);
+  button->setObjectName(QLatin1String(name));
+  button->setAutoDefault(false);
+  return button;
+}
+
+}  // namespace
+
+SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, QWidget* parent)
+    : QDialog(parent), session_(session), table_(new QTableWidget), said_(plainLabel()), lane_(&jobs) {
+  setObjectName(QStringLiteral("segmentNumbersDialog"));
+  setWindowTitle(tr("Numbers of segments"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  resize(1000, 360);
+  makeLayout();
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &SegmentNumbersDialog::showChoice);
+  connect(&session_, &Session::changed, this, &SegmentNumbersDialog::follow);
+  connect(&session_, &Session::workspaceChanged, this, &SegmentNumbersDialog::follow);
+  connect(&session_, &Session::preferencesChanged, this,
+          [this](const Preferences& before, const Preferences& after) {
+            if (before.petUnit != after.petUnit) fillTable();
+          });
+  follow();
+}
+
+void SegmentNumbersDialog::makeLayout() {
+  table_->setObjectName(QStringLiteral("segmentNumbers"));
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setAlternatingRowColors(true);
+  table_->verticalHeader()->hide();
+  said_->setObjectName(QStringLiteral("segmentNumbersSaid"));
+  said_->setWordWrap(true);
+  said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  compare_ = dialogButton(buttons, "segmentNumbersCompare", tr("Compare"));
+  copy_ = dialogButton(buttons, "segmentNumbersCopy", tr("Copy"));
+  saveCsv_ = dialogButton(buttons, "segmentNumbersCsv", tr("Save CSV..."));
+  saveJson_ = dialogButton(buttons, "segmentNumbersJson", tr("Save JSON..."));
+  copy_->setToolTip(toolTipOf(tr("The chosen rows, else all, for a spreadsheet (Ctrl+C)")));
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(compare_, &QPushButton::clicked, this, &SegmentNumbersDialog::compare);
+  connect(copy_, &QPushButton::clicked, this, &SegmentNumbersDialog::copy);
+  connect(saveCsv_, &QPushButton::clicked, this,
+          [this] { askWhere(QStringLiteral("csv"), [this] { return csvText(); }); });
+  connect(saveJson_, &QPushButton::clicked, this,
+          [this] { askWhere(QStringLiteral("json"), [this] { return jsonText(); }); });
+  auto* action = new QAction(tr("Copy"), table_);
+  action->setShortcut(QKeySequence::Copy);
+  action->setShortcutContext(Qt::WidgetShortcut);
+  connect(action, &QAction::triggered, this, &SegmentNumbersDialog::copy);
+  table_->addAction(action);
+  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(table_, 1);
+  column->addWidget(said_);
+  column->addWidget(buttons);
+}
+
+// What a name or a colour changes is not measured again.
+void SegmentNumbersDialog::follow() {
+  const SegmentMap* map = segmentsShown(session_);
+  if (!map) {
+    lane_.giveUpAll();
+    measured_.reset();
+    fillTable();
+    const QString why = whyNoSegments(session_);
+    return said_->setText(why.isEmpty() ? tr("There is no segment yet.") : why);
+  }
+  const VolumePtr volume = wholeVolume(session_);
+  if (measured_ && measured_->map == *map && measured_->volume == volume) return;
+  const auto numbers = [](const SegmentMap& m) {
+    std::vector<int> all;
+    for (const Segment& segment : m.segments) all.push_back(segment.number);
+    return all;
+  };
+  const bool isSame = measured_ && measured_->isDone && measured_->map.labels == map->labels &&
+                      measured_->volume == volume && numbers(measured_->map) == numbers(*map);
+  if (!isSame) {
+    measured_ = Measured{*map, volume};
+    return measure();
+  }
+  measured_->map = *map;
+  for (std::size_t n = 0; n < measured_->reports.size(); ++n)
+    measured_->reports[n].segment = map->segments[n];
+  fillTable();
+}
+
+void SegmentNumbersDialog::measure() {
+  lane_.giveUpAll();
+  fillTable();
+  said_->setText(tr("Measuring..."));
+  const bool withPeaks = hasPeaks(session_.series()->series.modality);
+  lane_.run(
+      tr("Measuring segments"),
+      [map = measured_->map, volume = measured_->volume, withPeaks](const Job& job) {
+        return segmentReports(map.segments, *map.labels, *volume, withPeaks, job.cancel(),
+                              [&](const Segment& segment, std::size_t done) {
+                                job.tell(tr("Measuring %1").arg(shownText(segment.label)),
+                                         double(done) / double(map.segments.size()));
+                              });
+      },
+      [this](const Result<std::vector<SegmentReport>>& reports) { take(reports); },
+      [this] { said_->setText(tr("Cancelled: nothing was measured.")); });
+}
+
+void SegmentNumbersDialog::take(const Result<std::vector<SegmentReport>>& reports) {
+  if (!reports) return said_->setText(QString::fromStdString(reports.message()));
+  measured_->reports = *reports;
+  measured_->isDone = true;
+  fillTable();
+  const Series& series = session_.series()->series;
+  said_->setText(seriesText(series) + unitNote(series));
+}
+
+void SegmentNumbersDialog::fillTable() {
+  const ValueScale shown = scale();
+  table_->setSortingEnabled(false);  // rows would move while they are filled
+  table_->clear();
+  QStringList heads{tr("Name")};
+  for (const SegmentColumn& column : segmentColumns()) heads << columnHead(column, shown);
+  table_->setColumnCount(int(heads.size()));
+  table_->setHorizontalHeaderLabels(heads);
+  table_->setRowCount(measured_ ? int(measured_->reports.size()) : 0);
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const SegmentReport& report = measured_->reports[std::size_t(row)];
+    table_->setItem(row, 0, nameItem(report.segment));
+    int place = 1;
+    for (const SegmentColumn& column : segmentColumns())
+      table_->setItem(row, place++, numberItem(column, report, shown.factor));
+  }
+  table_->setSortingEnabled(true);
+  table_->resizeColumnsToContents();
+  showChoice();
+}
+
+void SegmentNumbersDialog::showChoice() {
+  const bool isThere = measured_ && measured_->isDone;
+  for (QPushButton* button : {copy_, saveCsv_, saveJson_}) button->setEnabled(isThere);
+  compare_->setEnabled(isThere && chosenNumbers().size() == 2);
+  compare_->setToolTip(toolTipOf(compare_->isEnabled()
+                                     ? tr("Dice, difference of volumes and distances of the two surfaces")
+                                     : tr("Choose two rows first (Ctrl+click).")));
+}
+
+void SegmentNumbersDialog::compare() {
+  const std::vector<int> numbers = chosenNumbers();
+  const SegmentReport &a = *reportOf(numbers[0]), &b = *reportOf(numbers[1]);
+  const QString names = tr("%1 and %2").arg(shownText(a.segment.label), shownText(b.segment.label));
+  lane_.giveUpAll();
+  said_->setText(tr("Comparing..."));
+  lane_.run(
+      tr("Comparing segments"),
+      [labels = measured_->map.labels, numbers](const Job& job) {
+        return likeness(maskOf(*labels, std::uint8_t(numbers[0])), maskOf(*labels, std::uint8_t(numbers[1])),
+                        job.cancel());
+      },
+      [this, names](const Result<SegmentLikeness>& alike) {
+        said_->setText(alike ? QStringLiteral("%1: %2.").arg(names, likenessText(*alike))
+                             : QString::fromStdString(alike.message()));
+      },
+      [this] { said_->setText(tr("Cancelled: nothing was compared.")); });
+}
+
+// With the heads, in the order of the rows; the chosen ones, else all.
+void SegmentNumbersDialog::copy() const {
+  const QItemSelectionModel* chosen = table_->selectionModel();
+  QStringList lines;
+  for (int row = -1; row < table_->rowCount(); ++row) {
+    if (row >= 0 && chosen->hasSelection() && !chosen->isRowSelected(row, {})) continue;
+    QStringList cells;
+    for (int column = 0; column < table_->columnCount(); ++column)
+      cells << (row < 0 ? table_->horizontalHeaderItem(column) : table_->item(row, column))->text();
+    cells.front() = harmlessName(cells.front());
+    lines << cells.join(QLatin1Char('\t'));
+  }
+  QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+void SegmentNumbersDialog::askWhere(const QString& suffix, const std::function<QString()>& text) {
+  auto* dialog = new QFileDialog(this, tr("Save numbers"), {}, QStringLiteral("*.%1").arg(suffix));
+  dialog->setObjectName(QStringLiteral("segmentNumbersFileDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(suffix);
+  dialog->selectFile(QStringLiteral("segments.%1").arg(suffix));
+  connect(dialog, &QFileDialog::fileSelected, this, [this, text](const QString& path) {
+    QSaveFile file(path);
+    const QByteArray bytes = text().toUtf8();
+    const bool isWritten =
+        file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    said_->setText(isWritten ? tr("Saved %1").arg(path)
+                             : tr("Cannot write %1: %2.").arg(path, file.errorString()));
+  });
+  dialog->open();
+}
+
+QString SegmentNumbersDialog::csvText() const {
+  return measured_ ? segmentsAsCsv(measured_->reports, scale()) : QString();
+}
+
+QString SegmentNumbersDialog::jsonText() const {
+  if (!measured_) return {};
+  const nlohmann::ordered_json all{{"segments", segmentsJson(measured_->reports, scale().factor)},
+                                   {"unit", scale().unit}};
+  return QString::fromStdString(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
+         QLatin1Char('\n');
+}
+
+ValueScale SegmentNumbersDialog::scale() const {
+  return session_.series() ? shownScale(session_.series()->series) : ValueScale{};
+}
+
+std::vector<int> SegmentNumbersDialog::chosenNumbers() const {
+  std::vector<int> numbers;
+  for (const QModelIndex& index : table_->selectionModel()->selectedRows())
+    numbers.push_back(index.data(numberRole).toInt());
+  return numbers;
+}
+
+const SegmentReport* SegmentNumbersDialog::reportOf(int number) const {
+  const auto found = std::ranges::find(measured_->reports, number,
+                                       [](const SegmentReport& report) { return report.segment.number; });
+  return found == measured_->reports.end() ? nullptr : &*found;
+}
+
+}  // namespace volumen

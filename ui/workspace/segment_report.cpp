@@ -1,0 +1,78 @@
+#include "ui/workspace/segment_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "ui/workspace/code_json.h"
+#include "ui/workspace/segment_columns.h"
+#include "viewer/measure/peak.h"
+
+namespace volumen {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json knownNumber(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+
+// Counts and places of voxels without a point.
+Json numberJson(double number, bool isWhole) { return isWhole ? Json(std::int64_t(number)) : Json(number); }
+
+Json columnJson(const SegmentColumn& column, const std::vector<double>& numbers) {
+  if (numbers.empty()) return {};
+  const bool isWhole = column.unit == SegmentColumn::Unit::voxels;
+  if (column.parts.empty()) return numberJson(numbers.front(), isWhole);
+  Json list = Json::array();
+  for (const double number : numbers) list.push_back(numberJson(number, isWhole));
+  return list;
+}
+
+}  // namespace
+
+Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segments, const LabelMap& labels,
+                                                  const Volume& volume, bool withPeaks,
+                                                  const CancelToken& cancel,
+                                                  const SegmentProgress& progress) {
+  std::vector<SegmentReport> all;
+  for (const Segment& segment : segments) {
+    if (progress) progress(segment, all.size());
+    const BitMask mask = maskOf(labels, std::uint8_t(segment.number));
+    SegmentReport report{segment, mask.count(), {}, valuesIn(mask, volume), {}, {}};
+    const VoxelGeometry& grid = volume.geometry();
+    if (grid.calibrated) report.millilitres = double(report.voxels) * grid.voxelVolume() / 1000;
+    auto form = formOf(mask, cancel);
+    if (!form) return form.error();
+    report.form = *form;
+    if (withPeaks)
+      if (const auto peak = peakAbout(voxelsOf(mask), volume, cancel)) report.peak = peak->mean;
+    if (cancel.cancelled()) return Error{"Cancelled."};
+    all.push_back(std::move(report));
+  }
+  return all;
+}
+
+bool hasPeaks(const std::string& modality) { return modality == "PT" || modality == "NM"; }
+
+Json segmentsJson(std::span<const SegmentReport> all, double factor) {
+  Json list = Json::array();
+  for (const SegmentReport& report : all) {
+    Json json{{"number", report.segment.number},
+              {"name", report.segment.label},
+              {"category", codeJson(report.segment.category)},
+              {"type", codeJson(report.segment.type)}};
+    for (const SegmentColumn& column : segmentColumns())
+      json[column.key] = columnJson(column, segmentNumbers(column, report, factor));
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json likenessJson(const SegmentLikeness& alike) {
+  const auto& distances = alike.distances;
+  return {{"dice", knownNumber(alike.dice)},
+          {"differenceMl", knownNumber(alike.differenceMl)},
+          {"hausdorffMm", distances ? Json(distances->largest) : Json()},
+          {"hausdorff95Mm", distances ? Json(distances->p95) : Json()},
+          {"meanDistanceMm", distances ? Json(distances->mean) : Json()}};
+}
+
+}  // namespace volumen

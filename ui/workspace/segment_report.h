@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "viewer/segment/numbers.h"
+#include "viewer/segment/segmented.h"
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+/// What is told of one segment. Values are those of the volume; segmentNumbers() gives them in another unit.
+struct SegmentReport {
+  Segment segment;
+  std::int64_t voxels = 0;            ///< of its mask, padding included
+  std::optional<double> millilitres;  ///< of them; none: not calibrated
+  SegmentValues values;
+  std::optional<SegmentForm> form;  ///< none: no voxels, or the series is not calibrated
+  std::optional<double> peak;       ///< the largest mean of a ball of 1 ml about one of its voxels
+};
+
+/// How far it is: which segment is measured, and how many were.
+using SegmentProgress = std::function<void(const Segment& segment, std::size_t done)>;
+
+/// Of all segments of a volume, whose grid is that of the labels; peaks where they are asked for: of nuclear
+/// medicine. The Error: cancelled.
+Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segments, const LabelMap& labels,
+                                                  const Volume& volume, bool withPeaks,
+                                                  const CancelToken& cancel = {},
+                                                  const SegmentProgress& progress = {});
+/// Whether peaks are told of series of this modality (PT, NM).
+bool hasPeaks(const std::string& modality);
+
+/// One object a segment (resources/docs/segment.md): what it is, and a member for each of segmentColumns();
+/// what there is none of is null. Values times `factor`.
+nlohmann::ordered_json segmentsJson(std::span<const SegmentReport> all, double factor);
+/// What likeness() says.
+nlohmann::ordered_json likenessJson(const SegmentLikeness& alike);
+
+}  // namespace volumen
