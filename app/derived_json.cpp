@@ -1,11 +1,11 @@
 #include "app/derived_json.h"
 
-#include "ui/workspace/code_json.h"
 #include "io/contours.h"
 #include "io/presentation.h"
 #include "io/report.h"
 #include "io/segmentation.h"
 #include "io/zip_archive.h"
+#include "ui/workspace/code_json.h"
 
 namespace volumen {
 

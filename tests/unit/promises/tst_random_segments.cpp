@@ -83,7 +83,8 @@ void TestRandomSegments::everyLevelKeepsItsPromise() {
     constexpr double roundingOf255 = 1e-3;  // of pixels in floats, the background's among them
     const std::vector<double> off = truth.errorOfPixels(rendered.picture);
     told_ += std::int64_t(off.size());
-    for (std::size_t n = 0; n < off.size(); ++n) beyond_ += off[n] > double(rendered.error[n]) + roundingOf255;
+    for (std::size_t n = 0; n < off.size(); ++n)
+      beyond_ += off[n] > double(rendered.error[n]) + roundingOf255;
   }
   QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QStringLiteral("; "))));
 }
