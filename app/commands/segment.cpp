@@ -1,12 +1,10 @@
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 
 #include "app/command.h"
 #include "app/open_volume.h"
@@ -14,6 +12,7 @@
 #include "app/usage.h"
 #include "io/export/export_segments.h"
 #include "io/files/output_file.h"
+#include "io/files/recipe_file.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/scene/similar_name.h"
 
@@ -22,7 +21,6 @@ namespace volumen {
 namespace {
 
 constexpr glm::u8vec3 boneIvory{240, 219, 163};
-constexpr std::streamoff mostRecipeBytes = 64 << 20;
 
 struct SegmentOptions {
   std::string path, range, recipe, output, series;
@@ -63,13 +61,9 @@ Result<Recipe> recipeOfRange(const SegmentOptions& options) {
 }
 
 Result<Recipe> recipeOfFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) return Error{path + " cannot be read."};
-  if (file.tellg() > mostRecipeBytes) return Error{path + " is too large for a recipe."};
-  file.seekg(0);
-  std::ostringstream text;
-  text << file.rdbuf();
-  Result<Recipe> recipe = readRecipe(text.str());
+  const auto text = recipeText(path);
+  if (!text) return text.error();
+  Result<Recipe> recipe = readRecipe(*text);
   if (!recipe) return Error{path + ": " + recipe.message()};
   return recipe;
 }

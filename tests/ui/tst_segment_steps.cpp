@@ -9,7 +9,7 @@
 #include "tests/ui/segment_window.h"
 #include "tests/ui/surface_window.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/segment_steps.h"
+#include "ui/controller/offered_steps.h"
 #include "ui/widgets/banner.h"
 #include "viewer/segment/holes.h"
 #include "viewer/segment/morphology.h"
@@ -49,6 +49,9 @@ class TestSegmentSteps : public QObject {
  private Q_SLOTS:
   void aStepIsAJobAndAnUndoStep_data();
   void aStepIsAJobAndAnUndoStep();
+  void theUsualOnesAreAClick();
+  void partsBecomeSegments();
+  void allAreSmoothedTogether();
   void theFewThatAreKnownInClosedForm();
   void whatIsAskedForMeanwhileWaits();
   void lockedSegmentsStayAsTheyAre();
@@ -69,18 +72,22 @@ void TestSegmentSteps::aStepIsAJobAndAnUndoStep_data() {
   QTest::addColumn<Expected>("expected");
   const auto row = [](const char* name, const Expected& expected) { QTest::newRow(name) << expected; };
   using M = const BitMask&;
-  row("keepLargest", [](M own, M) { return Parts(own, Neighbours::faces).largest(); });
-  row("fillHoles", [](M own, M) { return holesFilled(own); });
+  row("largest", [](M own, M) { return Parts(own, Neighbours::faces).largest(); });
+  row("fill", [](M own, M) { return holesFilled(own); });
   row("invert", [](M own, M) { return inverted(own); });
-  row("removeIslands", [](M own, M) { return Parts(own, Neighbours::faces).atLeast(1000); });
+  row("islands", [](M own, M) { return Parts(own, Neighbours::faces).atLeast(1000); });
   row("grow", [](M own, M) { return grown(own, 3); });
   row("shrink", [](M own, M) { return shrunk(own, 3); });
   row("close", [](M own, M) { return closed(own, 3); });
   row("open", [](M own, M) { return opened(own, 3); });
-  row("smooth", [](M own, M) { return gaussianSmoothed(own, 3); });
-  row("unite", [](M own, M other) { return united(own, other); });
+  row("shell", [](M own, M) { return shell(own, 3); });
+  row("median", [](M own, M) { return medianSmoothed(own, 3); });
+  row("gaussian", [](M own, M) { return gaussianSmoothed(own, 3); });
+  row("add", [](M own, M other) { return united(own, other); });
+  row("copy", [](M, M other) { return other; });
   row("subtract", [](M own, M other) { return subtracted(own, grown(other, 3)); });
   row("intersect", [](M own, M other) { return intersected(own, grown(other, 3)); });
+  row("empty", [](M own, M) { return BitMask(own.geometry()); });
 }
 
 // As the kernel says, by 3 mm and 1 ml; the core, which is not locked, loses what the step takes.
@@ -88,13 +95,13 @@ void TestSegmentSteps::aStepIsAJobAndAnUndoStep() {
   QFETCH(Expected, expected);
   SegmentWindow w;
   QVERIFY(w.makeBoth());
-  w.child<QDoubleSpinBox>("segmentMm")->setValue(3);
-  w.child<QDoubleSpinBox>("segmentMl")->setValue(1);
   const Workspace before = w.workspace();
   const BitMask own = w.mask(1), core = w.mask(2);
   const int steps = w.steps();
-  w.click("segmentChange");
-  w.click((std::string("segmentStep-") + QTest::currentDataTag()).c_str());
+  w.chooseStep(QTest::currentDataTag());
+  for (const char* field : {"stepField-radiusMm", "stepField-marginMm", "stepField-sigmaMm"})
+    if (auto* spin = w.child<QDoubleSpinBox>(field)) spin->setValue(3);
+  w.click("segmentApply");
   QCOMPARE(w.window.jobs().rows().size(), std::size_t(1));
   QVERIFY(w.idle());
   QCOMPARE(w.steps(), steps + 1);
@@ -103,12 +110,70 @@ void TestSegmentSteps::aStepIsAJobAndAnUndoStep() {
   QVERIFY(w.mask(2) == subtracted(core, made));
   // Balls may be as they are once they are smoothed, opened or closed.
   const QByteArray name = QTest::currentDataTag();
-  QVERIFY(made != own || name == "smooth" || name == "open" || name == "close");
+  QVERIFY(made != own || QByteArrayList({"gaussian", "median", "open", "close", "shell"}).contains(name));
   const Workspace after = w.workspace();
   w.undo();
   QVERIFY(w.workspace() == before);
   w.redo();
   QVERIFY(w.workspace() == after);
+}
+
+// With the numbers that it says, which are those of the list.
+void TestSegmentSteps::theUsualOnesAreAClick() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  const BitMask own = w.mask(1);
+  w.chooseStep("grow");
+  w.setField("radiusMm", 2);
+  QCOMPARE(w.button("segmentStep-grow")->text(), QStringLiteral("Grow 2 mm"));
+  QVERIFY(w.press("segmentStep-shrink"));
+  QVERIFY(w.mask(1) == shrunk(own, 2));
+  QCOMPARE(w.child<QComboBox>("segmentStepKind")->currentText(), QStringLiteral("Shrink"));
+}
+
+void TestSegmentSteps::partsBecomeSegments() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  w.chooseStep("split");
+  QVERIFY(w.press("segmentApply"));
+  QCOMPARE(w.steps(), steps + 1);
+  QCOMPARE(w.count(), std::size_t(3));
+  QCOMPARE(w.current().number, 1);
+  QCOMPARE(w.voxels(1), voxelsWhere(isShell));
+  QCOMPARE(w.voxels(3), voxelsWhere(isSmall));
+  // It is one part now.
+  QVERIFY(w.press("segmentApply"));
+  QVERIFY(w.child<Banner>("banner")->sentence().contains(QStringLiteral("no second part")));
+  // Put together again, it is what it was, and the other one is gone.
+  w.chooseStep("merge");
+  auto* other = w.child<QComboBox>("stepField-other");
+  other->setCurrentIndex(other->findData(QStringLiteral("3")));
+  Q_EMIT other->activated(other->currentIndex());
+  QVERIFY(w.press("segmentApply"));
+  QCOMPARE(w.count(), std::size_t(2));
+  QVERIFY(*w.map()->labels == *before.segmentMaps.front().labels);
+  w.undo(), w.undo();
+  QVERIFY(w.workspace() == before);
+}
+
+// As the kernel says of all labels at once.
+void TestSegmentSteps::allAreSmoothedTogether() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.make(-1, 1));  // the air
+  w.tick(2, 1);
+  QVERIFY(w.choose(0));
+  const LabelMap before = *w.map()->labels;
+  w.chooseStep("joint");
+  w.setField("sigmaMm", 1.5);
+  const int steps = w.steps();
+  QVERIFY(w.press("segmentApply"));
+  QCOMPARE(w.steps(), steps + 1);
+  const std::uint8_t locked[] = {3};
+  QVERIFY(*w.map()->labels == jointSmoothed(before, 1.5, locked));
+  QVERIFY(*w.map()->labels != before);
 }
 
 void TestSegmentSteps::theFewThatAreKnownInClosedForm() {
@@ -117,9 +182,9 @@ void TestSegmentSteps::theFewThatAreKnownInClosedForm() {
   const auto whole = [](glm::dvec3 p) { return glm::length(p + 5.0) < 10; };
   QCOMPARE(w.voxels(1), voxelsWhere([](glm::dvec3 p) { return isShell(p) || isSmall(p); }));
   QCOMPARE(w.voxels(2), voxelsWhere(isCore));
-  QVERIFY(w.step("keepLargest"));
+  QVERIFY(w.step("largest"));
   QCOMPARE(w.voxels(1), voxelsWhere(isShell));
-  QVERIFY(w.step("fillHoles"));
+  QVERIFY(w.step("fill"));
   QCOMPARE(w.voxels(1), voxelsWhere(whole));
   QCOMPARE(w.voxels(2), std::int64_t(0));
   QVERIFY(w.step("invert"));
@@ -131,9 +196,8 @@ void TestSegmentSteps::whatIsAskedForMeanwhileWaits() {
   QVERIFY(w.makeBoth());
   const BitMask own = w.mask(1);
   const int steps = w.steps();
-  w.child<QDoubleSpinBox>("segmentMm")->setValue(1);
   w.click("segmentChange");
-  w.click("segmentStep-keepLargest");
+  w.click("segmentStep-largest");
   w.click("segmentStep-grow");
   w.click("segmentStep-shrink");
   QVERIFY(w.idle());
@@ -147,7 +211,7 @@ void TestSegmentSteps::lockedSegmentsStayAsTheyAre() {
   const BitMask core = w.mask(2);
   w.tick(1, 1);
   QVERIFY(w.segment(1).locked && w.choose(0));
-  for (const char* step : {"keepLargest", "fillHoles", "grow", "invert", "close"}) {
+  for (const char* step : {"largest", "fill", "grow", "invert", "close"}) {
     QVERIFY(w.step(step));
     QVERIFY2(w.mask(2) == core, step);
     QVERIFY2(intersected(w.mask(1), core).empty(), step);
@@ -323,8 +387,8 @@ void TestSegmentSteps::sequencesAreUndoneAndDoneAgain() {
   constexpr int acts = 200;
   Chance chance{std::uint64_t(seed)};
   SegmentWindow w;
-  w.child<QDoubleSpinBox>("segmentMm")->setValue(1);
-  w.child<QDoubleSpinBox>("segmentMl")->setValue(0.2);
+  w.chooseStep("islands");
+  w.setField("leastMl", 0.2);
   const int first = w.steps();
   std::vector<Workspace> states{w.workspace()};
   for (int n = 0; n < acts; ++n) {
@@ -352,7 +416,7 @@ void TestSegmentSteps::sequencesAreUndoneAndDoneAgain() {
         QVERIFY(w.make(low, high, "segmentReplace"));
         break;
       default: {
-        const auto& all = segmentSteps();
+        const auto all = offeredSteps();
         QVERIFY(w.step(all[std::size_t(chance.below(int(all.size())))].name));
       }
     }

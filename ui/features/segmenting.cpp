@@ -61,7 +61,11 @@ Segmenting::Segmenting(Workbench& bench)
   makeExport();
   connectSegmenter();
   connect(&grid_, &ViewGrid::partClicked, this, &Segmenting::takePart);
-  connect(&bench_, &Workbench::made, this, [this] { panel_->setPartAction(bench_.action("partTool")); });
+  connect(&bench_, &Workbench::made, this, [this] {
+    panel_->setPartAction(bench_.action("partTool"));
+    panel_->setRecipeActions(
+        {bench_.action("openRecipe"), bench_.action("saveRecipe"), bench_.action("recipeSteps")});
+  });
 }
 
 void Segmenting::makeExport() {
@@ -89,6 +93,7 @@ void Segmenting::showExport() {
 
 void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
+  connect(&bench_, &Workbench::segmentWorkWanted, &segmenter_, &SegmentJobs::change);
   connect(panel_, &SegmentsPanel::recipeChosen, this, &Segmenting::follow);
   connect(panel_, &SegmentsPanel::previewChanged, &grid_, &ViewGrid::showSegment);
   connect(panel_, &SegmentsPanel::measureRequested, &segmenter_, &SegmentJobs::measure);
@@ -130,8 +135,8 @@ void Segmenting::takePart(const PartClick& click) {
     work.change = [made = panel_->range().segmentOf(range)](Segment& s) { s = made; };
   const PartWanted wanted{work.volume, session_.maskOf(click.series), range, click.pPatient, click.onSurface,
                           use};
-  work.make = [wanted](const SegmentMap& map, int number, const CancelToken& cancel) {
-    return withPart(wanted, map, number, cancel);
+  work.steps = [wanted](const SegmentMap& map, int number, const CancelToken& cancel) {
+    return stepsOfPart(wanted, map, number, cancel);
   };
   segmenter_.change(work);
 }

@@ -27,6 +27,8 @@ class SegmentsPanel : public QWidget {
   void setTableAction(QAction* action) { range_->setTableAction(action); }
   void setPartAction(QAction* action) { range_->setPartAction(action); }
   void setExportAction(QAction* action);
+  /// Those behind the built-in recipes.
+  void setRecipeActions(const QList<QAction*>& actions);
   const SegmentRange& range() const { return *range_; }
 
  Q_SIGNALS:
@@ -49,6 +51,7 @@ class SegmentsPanel : public QWidget {
   QLabel* result_;
   QPushButton* export_;
   QToolButton* recipes_;
+  QList<QAction*> recipeActions_;
   SegmentRange* range_;
   SegmentStepsPage* steps_;
   QStackedWidget* pages_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/data/series_key.h"
+#include "viewer/recipe/recipe.h"
 #include "viewer/segment/label_map.h"
 #include "viewer/segment/segment.h"
 
@@ -25,6 +26,7 @@ struct SegmentMap {
   std::shared_ptr<const LabelMap> labels;  ///< null: the file that holds them was not read
   std::optional<SavedLabels> missing;      ///< where they were not: which they are
   int current = 0;                         ///< the number of the one that is worked on; 0: the first
+  std::vector<Step> steps{};               ///< how they were made (segment_record.h)
   bool operator==(const SegmentMap& other) const;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/workspace/region_colours.h"
+#include "ui/workspace/segment_record.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -14,12 +15,6 @@ constexpr int mostSegments = 255;
 Segment* editSegment(SegmentMap& map, int number) {
   const auto found = std::ranges::find(map.segments, number, &Segment::number);
   return found == map.segments.end() ? nullptr : &*found;
-}
-
-// Its own in every file, also where others choose those of segments without one.
-glm::u8vec3 colourOf(int number) {
-  const QColor colour = regionColour({}, number);
-  return {colour.red(), colour.green(), colour.blue()};
 }
 
 SegmentMap* editMap(Workspace& workspace, const SeriesKey& series) {
@@ -55,6 +50,11 @@ std::string freeName(const SegmentMap& map, const std::string& wanted) {
   return name;
 }
 
+glm::u8vec3 colourOfNumber(int number) {
+  const QColor colour = regionColour({}, number);
+  return {colour.red(), colour.green(), colour.blue()};
+}
+
 std::vector<std::uint8_t> lockedNumbers(const SegmentMap& map) {
   std::vector<std::uint8_t> locked;
   for (const Segment& segment : map.segments)
@@ -79,6 +79,7 @@ SegmentMap withoutSegment(SegmentMap map, int number) {
   if (!segment || segment->locked) return map;
   map = withMask(std::move(map), number, BitMask(map.labels->geometry()));
   const auto gone = std::ranges::find(map.segments, number, &Segment::number);
+  map.steps = stepsWithout(map, number);
   const auto before = gone == map.segments.begin() ? gone + 1 : gone - 1;
   map.current = before == map.segments.end() ? 0 : before->number;
   map.segments.erase(gone);
@@ -115,8 +116,9 @@ Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const Vox
   segment.number = *number;
   if (segment.label.empty()) segment.label = tr("Segment %1").arg(*number).toStdString();
   segment.label = freeName(map, segment.label);
-  if (!segment.colour) segment.colour = colourOf(*number);
-  return withSegmentMap(std::move(workspace), withSegment(std::move(map), std::move(segment)));
+  if (!segment.colour) segment.colour = colourOfNumber(*number);
+  map = withSegment(std::move(map), std::move(segment));
+  return withSegmentMap(std::move(workspace), withRecorded(std::move(map), {{"empty", stepNameOf(*number)}}));
 }
 
 Workspace withSegmentCopied(Workspace workspace, const SeriesKey& series, int number) {
