@@ -8,11 +8,11 @@
 #include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/offered_steps.h"
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_voxels.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
+#include "viewer/recipe/step_kinds.h"
 #include "viewer/recipe/step_names.h"
 
 using namespace volumen;
