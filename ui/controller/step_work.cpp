@@ -89,7 +89,7 @@ Result<SegmentMap> withStepsDone(SegmentMap map, const StepsWanted& wanted, cons
   NamedMasks masks = masksFor(wanted, map);
   for (std::size_t n = 0; n < wanted.steps.size(); ++n) {
     const Step& step = wanted.steps[n];
-    if (step.kind == byHandStep) continue;
+    if (wanted.given.contains(step.segment) && step.kind == byHandStep) continue;
     if (const Status done = runStep(step, volume, masks, cancel); !done)
       return Error{namedIn(done.message(), map)};
     cancel.setDone(double(n + 1) / double(wanted.steps.size()));

@@ -22,7 +22,8 @@ namespace {
 
 VolumePtr noise(Chance& chance) {
   const glm::ivec3 size(2 + chance.below(12), 2 + chance.below(10), 2 + chance.below(8));
-  VolumePtr made = volumeOf<std::int16_t>(size, glm::dmat3(1), [&](glm::dvec3) { return chance.below(6); });
+  VolumePtr made = volumeOf<std::int16_t>(
+      size, glm::dmat3(1), [&](glm::dvec3) { return chance.oneIn(4) ? -1000 : chance.below(6); });
   VolumeParts parts{made->geometry(), made->stored(), 1, 0, {}};
   parts.attributes.modality = "CT";
   return volumeFrom(std::move(parts));
