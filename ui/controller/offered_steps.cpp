@@ -12,13 +12,13 @@ namespace volumen {
 
 namespace {
 
-using Places = std::vector<glm::dvec3>;
-using Fields = std::map<std::string, StepValue>;
+using StepPlaces = std::vector<glm::dvec3>;
+using ChosenFields = std::map<std::string, StepValue>;
 
 bool isOffered(const StepKind& kind) {
   return std::string(kind.name) != byHandStep &&
          std::ranges::none_of(kind.fields, [](const StepField& field) {
-           return field.need == StepField::Need::yes && std::holds_alternative<Places>(field.byDefault);
+           return field.need == StepField::Need::yes && std::holds_alternative<StepPlaces>(field.byDefault);
          });
 }
 
@@ -67,8 +67,9 @@ StepsWanted jointly(Step step, const SegmentMap& map, int number) {
   return wanted;
 }
 
-Result<StepsWanted> stepsOf(const StepKind& kind, const Fields& fields, const SegmentMap& map, int number,
-                            const Volume& volume, const Mask& mask, const CancelToken& cancel) {
+Result<StepsWanted> offeredStepsOf(const StepKind& kind, const ChosenFields& fields, const SegmentMap& map,
+                                   int number, const Volume& volume, const Mask& mask,
+                                   const CancelToken& cancel) {
   Step step{kind.name, stepNameOf(number), fields};
   if (Status s = checkOthers(step, map); !s) return s.error();
   if (kind.runAll) return jointly(std::move(step), map, number);
@@ -78,8 +79,8 @@ Result<StepsWanted> stepsOf(const StepKind& kind, const Fields& fields, const Se
   return isOfValues ? keptIn(std::move(wanted), {step.segment}, volume, mask, cancel) : wanted;
 }
 
-Result<SegmentMap> merged(SegmentMap map, int number, const std::string& name, const Volume& volume,
-                          const CancelToken& cancel) {
+Result<SegmentMap> mergedSegments(SegmentMap map, int number, const std::string& name, const Volume& volume,
+                                  const CancelToken& cancel) {
   const Segment* other = otherIn(map, name);
   if (!other || !findSegment(map, number)) return Error{"The other segment is not there any more."};
   const int gone = other->number;
@@ -91,14 +92,14 @@ Result<SegmentMap> merged(SegmentMap map, int number, const std::string& name, c
   return left;
 }
 
-Result<SegmentMap> split(SegmentMap map, int number, double leastMl, const Volume& volume,
-                         const CancelToken& cancel) {
+Result<SegmentMap> splitSegment(SegmentMap map, int number, double leastMl, const Volume& volume,
+                                const CancelToken& cancel) {
   if (!findSegment(map, number)) return Error{"The segment is not there any more."};
   const Result<StepsWanted> wanted = stepsOfSplit(map, number, leastMl, cancel);
   return wanted ? withStepsDone(std::move(map), *wanted, volume, cancel) : Result<SegmentMap>(wanted.error());
 }
 
-double numberIn(const StepKind& kind, const Fields& fields, const char* name) {
+double chosenNumber(const StepKind& kind, const ChosenFields& fields, const char* name) {
   const auto given = fields.find(name);
   if (given != fields.end()) return std::get<double>(given->second);
   return std::get<double>(
@@ -122,11 +123,11 @@ const StepKind& offeredStep(const std::string& name) {
 }
 
 bool isChosen(const StepField& field) {
-  return !std::holds_alternative<Places>(field.byDefault) &&
+  return !std::holds_alternative<StepPlaces>(field.byDefault) &&
          !std::holds_alternative<std::vector<std::string>>(field.byDefault);
 }
 
-SegmentWork workOf(const StepKind& kind, const Fields& fields, const Session& session) {
+SegmentWork workOf(const StepKind& kind, const ChosenFields& fields, const Session& session) {
   SegmentWork work;
   work.series = keyOf(session.series()->series);
   work.volume = wholeVolume(session);
@@ -138,17 +139,17 @@ SegmentWork workOf(const StepKind& kind, const Fields& fields, const Session& se
   if (name == "merge")
     work.makeAll = [number = work.number, other = std::get<std::string>(fields.at("other")), volume](
                        const SegmentMap& map, const CancelToken& cancel) {
-      return merged(map, number, other, *volume, cancel);
+      return mergedSegments(map, number, other, *volume, cancel);
     };
   else if (name == "split")
-    work.makeAll = [number = work.number, least = numberIn(kind, fields, "leastMl"), volume](
+    work.makeAll = [number = work.number, least = chosenNumber(kind, fields, "leastMl"), volume](
                        const SegmentMap& map, const CancelToken& cancel) {
-      return split(map, number, least, *volume, cancel);
+      return splitSegment(map, number, least, *volume, cancel);
     };
   else
     work.steps = [&kind, fields, volume, mask = session.maskOf(work.series)](
                      const SegmentMap& map, int number, const CancelToken& cancel) {
-      return stepsOf(kind, fields, map, number, *volume, mask, cancel);
+      return offeredStepsOf(kind, fields, map, number, *volume, mask, cancel);
     };
   return work;
 }

@@ -34,7 +34,7 @@ Result<int> numberFor(const Segment& segment, SegmentMap& map, RecipeUse use) {
 
 // The steps of a recipe on this map, which gets the segments that it has not. What a recipe begins to change
 // is empty at first, whatever the map has by that name.
-Result<StepsWanted> stepsOf(const Recipe& recipe, SegmentMap& map, RecipeUse use) {
+Result<StepsWanted> recipeStepsOf(const Recipe& recipe, SegmentMap& map, RecipeUse use) {
   StepsWanted wanted;
   std::map<std::string, std::string> names;
   for (const Segment& segment : recipe.segments) {
@@ -61,7 +61,7 @@ Result<StepsWanted> stepsOf(const Recipe& recipe, SegmentMap& map, RecipeUse use
 
 Result<SegmentMap> withRecipe(const Recipe& recipe, SegmentMap map, RecipeUse use, const Volume& volume,
                               const Mask& mask, const CancelToken& cancel) {
-  Result<StepsWanted> wanted = stepsOf(recipe, map, use);
+  Result<StepsWanted> wanted = recipeStepsOf(recipe, map, use);
   if (!wanted) return wanted.error();
   std::vector<std::string> names;
   for (const int number : wanted->numbers) names.push_back(stepNameOf(number));

@@ -16,7 +16,7 @@ const std::string removedEnding = " removed";
 // Of a segment that is or was there.
 bool isSegmentsName(const std::string& name) { return !name.empty() && name[0] >= '0' && name[0] <= '9'; }
 
-bool has(const SegmentMap& map, int number) {
+bool hasSegment(const SegmentMap& map, int number) {
   return std::ranges::find(map.segments, number, &Segment::number) != map.segments.end();
 }
 
@@ -52,8 +52,8 @@ struct Making {
 using LabelPairs = std::bitset<256 * 256>;
 
 // Which labels became which in a brick.
-void addChanges(LabelPairs& pairs, const LabelMap::Brick& before, const LabelMap::Brick& after,
-                glm::ivec3 size) {
+void addLabelChanges(LabelPairs& pairs, const LabelMap::Brick& before, const LabelMap::Brick& after,
+                     glm::ivec3 size) {
   for (int k = 0; k < size.z; ++k)
     for (int j = 0; j < size.y; ++j)
       for (int i = 0; i < size.x; ++i) {
@@ -64,14 +64,14 @@ void addChanges(LabelPairs& pairs, const LabelMap::Brick& before, const LabelMap
       }
 }
 
-LabelPairs changesOf(const LabelMap& before, const LabelMap& after) {
+LabelPairs labelChangesOf(const LabelMap& before, const LabelMap& after) {
   LabelPairs pairs;
   const glm::ivec3 grid = before.geometry().size, bricks = before.bricks();
   for (int n = 0; n < bricks.x * bricks.y * bricks.z; ++n) {
     const LabelMap::Brick &a = before.brick(std::size_t(n)), &b = after.brick(std::size_t(n));
     if (a == b) continue;
     const glm::ivec3 at(n % bricks.x, n / bricks.x % bricks.y, n / bricks.x / bricks.y);
-    addChanges(pairs, a, b, glm::min(glm::ivec3(LabelMap::edge), grid - at * LabelMap::edge));
+    addLabelChanges(pairs, a, b, glm::min(glm::ivec3(LabelMap::edge), grid - at * LabelMap::edge));
   }
   return pairs;
 }
@@ -85,7 +85,7 @@ std::vector<Step> stepsOfChanges(const LabelPairs& pairs, const SegmentMap& map)
     bool hand = false;
     std::vector<Step> lost;
     for (std::size_t other = 0; other < 256; ++other) {
-      hand |= pairs[256 * other + own] || (pairs[256 * own + other] && !has(map, int(other)));
+      hand |= pairs[256 * other + own] || (pairs[256 * own + other] && !hasSegment(map, int(other)));
       if (pairs[256 * own + other]) lost.push_back({"subtract", name, {{"other", stepNameOf(int(other))}}});
     }
     if (hand)
@@ -105,7 +105,7 @@ std::string freeOf(std::set<std::string>& taken, const std::string& wanted) {
 }
 
 // What recipes hold of a segment.
-Segment described(const Segment& segment, const std::string& name, int number) {
+Segment describedSegment(const Segment& segment, const std::string& name, int number) {
   Segment made;
   made.number = number;
   made.label = name;
@@ -140,7 +140,7 @@ SegmentMap withHandMade(const SegmentMap& before, SegmentMap after) {
   if (!before.labels || !after.labels || before.labels == after.labels || before.steps != after.steps ||
       before.labels->geometry() != after.labels->geometry())
     return after;
-  const std::vector<Step> steps = stepsOfChanges(changesOf(*before.labels, *after.labels), after);
+  const std::vector<Step> steps = stepsOfChanges(labelChangesOf(*before.labels, *after.labels), after);
   return steps.empty() ? after : withRecorded(std::move(after), steps);
 }
 
@@ -190,7 +190,7 @@ RecordedRecipe recordedRecipe(const SegmentMap& map, const std::string& modality
     }
     kept.insert(key);
     std::vector<Segment>& segments = recorded.recipe.segments;
-    segments.push_back(described(segment, name, int(segments.size()) + 1));
+    segments.push_back(describedSegment(segment, name, int(segments.size()) + 1));
   }
   for (const Step& step : stepsBehind(map.steps, kept))
     recorded.recipe.steps.push_back(renamed(step, [&](const std::string& one) {
