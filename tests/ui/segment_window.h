@@ -105,4 +105,17 @@ struct SegmentWindow : MeasureWindow {
   }
 };
 
+/// Shows the axial slice at a height; the pixel of a place in it.
+inline QPoint showPlace(SegmentWindow& w, glm::dvec3 p) {
+  w.session().change(QStringLiteral("test"), [&](Workspace& after) {
+    after.crosshairs.editOrAdd(frameOfReference(*after.series.at(w.series()).series)).at = p;
+  });
+  w.session().endGesture();
+  const glm::dvec2 pixel = w.view()->plane()->pixelFromPatient(p);
+  return {int(pixel.x), int(pixel.y)};
+}
+
+/// In the hollow ball, in the small one.
+inline constexpr glm::dvec3 inShell(-5 + 8, -5, -5), inSmallBall(12);
+
 }  // namespace volumen::tests

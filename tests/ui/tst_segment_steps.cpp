@@ -1,13 +1,12 @@
-// Guards what is done to the voxels of a segment: each step of the panel and the tool of connected parts, in
-// slices and in 3D, one job and one undo step each; locks, cancelling, series that are closed meanwhile; long
-// sequences by chance that are undone and done again.
+// Guards what is done to the voxels of a segment: each step of the panel, one job and one undo step each;
+// locks, cancelling, series that are closed meanwhile; long sequences by chance that are undone and done
+// again.
 #include <QComboBox>
 #include <functional>
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/segment_window.h"
-#include "tests/ui/surface_window.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/offered_steps.h"
 #include "ui/widgets/banner.h"
@@ -23,24 +22,6 @@ namespace {
 
 // What a step makes of the segment and of the other one.
 using Expected = std::function<BitMask(const BitMask& own, const BitMask& other)>;
-
-// The part of a mask at which a place is.
-BitMask partAt(const BitMask& mask, glm::dvec3 p) {
-  const glm::ivec3 seed(glm::round(mask.geometry().voxelFromPatient(p)));
-  return connected(mask, std::span(&seed, 1), Neighbours::faces);
-}
-
-// The axial slice at a height, and the pixel of a place in it.
-QPoint showPlace(SegmentWindow& w, glm::dvec3 p) {
-  w.session().change(QStringLiteral("test"), [&](Workspace& after) {
-    after.crosshairs.editOrAdd(frameOfReference(*after.series.at(w.series()).series)).at = p;
-  });
-  w.session().endGesture();
-  const glm::dvec2 pixel = w.view()->plane()->pixelFromPatient(p);
-  return {int(pixel.x), int(pixel.y)};
-}
-
-constexpr glm::dvec3 inShell(-5 + 8, -5, -5), inSmallBall(12), inAir(18, -18, 12);
 
 }  // namespace
 
@@ -58,12 +39,6 @@ class TestSegmentSteps : public QObject {
   void aJobThatIsCancelledChangesNothing();
   void aSeriesThatIsClosedMeanwhileIsLeftAlone();
   void aSegmentThatIsUndoneMeanwhileIsLeftAlone();
-  void aClickTakesTheConnectedPart();
-  void withKeysOrThePanelThePartIsKeptOrRemoved_data();
-  void withKeysOrThePanelThePartIsKeptOrRemoved();
-  void aClickBesideSaysWhyThereIsNone();
-  void aClickInThreeDTakesWhatIsSeen();
-  void escPutsTheToolAway();
   void sequencesAreUndoneAndDoneAgain_data();
   void sequencesAreUndoneAndDoneAgain();
 };
@@ -270,109 +245,6 @@ void TestSegmentSteps::aSegmentThatIsUndoneMeanwhileIsLeftAlone() {
   QTest::qWait(50);
   QVERIFY(w.workspace().segmentMaps.empty());
   QVERIFY(w.child<Banner>("banner")->sentence().isEmpty());
-}
-
-void TestSegmentSteps::aClickTakesTheConnectedPart() {
-  SegmentWindow w;
-  w.child<QDoubleSpinBox>("segmentLow")->setValue(800);
-  w.child<QDoubleSpinBox>("segmentHigh")->setValue(1200);
-  w.child<QAction>("partTool")->trigger();
-  QPoint at = showPlace(w, inSmallBall);
-  const Workspace before = w.workspace();
-  const int steps = w.steps();
-  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
-  QVERIFY(w.idle());
-  QCOMPARE(w.steps(), steps + 1);
-  QCOMPARE(w.count(), std::size_t(1));
-  QCOMPARE(w.voxels(1), voxelsWhere(isSmall));
-  QVERIFY(w.segment(0).range == (ValueRange{800, 1200}));
-  const Workspace one = w.workspace();
-  // A second one is added to it; the tool is still in hand.
-  at = showPlace(w, inShell);
-  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
-  QVERIFY(w.idle());
-  QCOMPARE(w.count(), std::size_t(1));
-  QCOMPARE(w.voxels(1), voxelsWhere([](glm::dvec3 p) { return isShell(p) || isSmall(p); }));
-  w.undo(), w.undo();
-  QVERIFY(w.workspace() == one);
-  w.undo();
-  QVERIFY(w.workspace() == before);
-}
-
-void TestSegmentSteps::withKeysOrThePanelThePartIsKeptOrRemoved_data() {
-  QTest::addColumn<int>("keys");
-  QTest::addColumn<int>("use");
-  QTest::addColumn<bool>("kept");
-  QTest::newRow("Ctrl keeps it") << int(Qt::ControlModifier) << 0 << true;
-  QTest::newRow("Alt removes it") << int(Qt::AltModifier) << 0 << false;
-  QTest::newRow("the panel keeps it") << 0 << 1 << true;
-  QTest::newRow("the panel removes it") << 0 << 2 << false;
-}
-
-void TestSegmentSteps::withKeysOrThePanelThePartIsKeptOrRemoved() {
-  QFETCH(int, keys);
-  QFETCH(int, use);
-  QFETCH(bool, kept);
-  SegmentWindow w;
-  QVERIFY(w.make(800, 1200));
-  const BitMask own = w.mask(1), part = partAt(own, inSmallBall);
-  w.child<QComboBox>("segmentPartUse")->setCurrentIndex(use);
-  w.child<QAction>("partTool")->trigger();
-  const QPoint at = showPlace(w, inSmallBall);
-  const int steps = w.steps();
-  QTest::mouseClick(w.view(), Qt::LeftButton, Qt::KeyboardModifiers(keys), at);
-  QVERIFY(w.idle());
-  QCOMPARE(w.steps(), steps + 1);
-  QVERIFY(!part.empty() && part != own);
-  QVERIFY(w.mask(1) == (kept ? part : subtracted(own, part)));
-}
-
-void TestSegmentSteps::aClickBesideSaysWhyThereIsNone() {
-  SegmentWindow w;
-  QVERIFY(w.make(800, 1200));
-  w.child<QAction>("partTool")->trigger();
-  const QPoint at = showPlace(w, inAir);
-  const Workspace before = w.workspace();
-  auto* banner = w.child<Banner>("banner");
-  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
-  QVERIFY(w.idle());
-  QVERIFY(banner->sentence().contains(QStringLiteral("not in the range")));
-  QTest::mouseClick(w.view(), Qt::LeftButton, Qt::ControlModifier, at);
-  QVERIFY(w.idle());
-  QVERIFY(banner->sentence().contains(QStringLiteral("not in the current segment")));
-  QVERIFY(w.workspace() == before);
-}
-
-// The ball is all that there is above 500.
-void TestSegmentSteps::aClickInThreeDTakesWhatIsSeen() {
-  SurfaceWindow w;
-  const auto idle = [&] { return QTest::qWaitFor([&] { return w.window.jobs().rows().empty(); }, longest); };
-  w.child<QDoubleSpinBox>("segmentLow")->setValue(500);
-  w.child<QDoubleSpinBox>("segmentHigh")->setValue(3000);
-  w.child<QAction>("partTool")->trigger();
-  const int steps = w.session().undoStack().index();
-  w.click(w.pixelOf({0, -12, 0}));
-  QVERIFY(idle());
-  QCOMPARE(w.session().undoStack().index(), steps + 1);
-  const SegmentMap& map = w.session().workspace().segmentMaps.front();
-  std::int64_t expected = 0;
-  const Volume& volume = *w.session().series()->volume;
-  for (std::int64_t n = 0; n < volume.geometry().voxelCount(); ++n)
-    expected += volume.valueAt(std::size_t(n)) >= 500;
-  QCOMPARE(maskOf(*map.labels, 1).count(), expected);
-  w.click({3, 3});
-  QVERIFY(idle());
-  QCOMPARE(w.session().undoStack().index(), steps + 1);
-  QVERIFY(w.told().contains(QStringLiteral("Nothing is seen there")));
-}
-
-void TestSegmentSteps::escPutsTheToolAway() {
-  SegmentWindow w;
-  const Tool& before = w.window.views()->tool();
-  w.child<QAction>("partTool")->trigger();
-  QCOMPARE(&w.window.views()->tool(), &toolNamed("part"));
-  QTest::keyClick(w.view(), Qt::Key_Escape);
-  QCOMPARE(&w.window.views()->tool(), &before);
 }
 
 void TestSegmentSteps::sequencesAreUndoneAndDoneAgain_data() {
