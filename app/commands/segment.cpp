@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
-#include <sstream>
 
 #include "app/command.h"
 #include "app/open_volume.h"
@@ -17,6 +15,7 @@
 #include "io/export/export_segments.h"
 #include "io/export/read_segments.h"
 #include "io/files/output_file.h"
+#include "io/files/recipe_file.h"
 #include "ui/workspace/segment_columns.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/scene/similar_name.h"
@@ -26,7 +25,6 @@ namespace volumen {
 namespace {
 
 constexpr glm::u8vec3 boneIvory{240, 219, 163};
-constexpr std::streamoff mostRecipeBytes = 64 << 20;
 
 struct SegmentOptions {
   std::string path, range, recipe, from, output, series, csv;
@@ -73,13 +71,9 @@ Result<Recipe> recipeOfRange(const SegmentOptions& options) {
 }
 
 Result<Recipe> recipeOfFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) return Error{path + " cannot be read."};
-  if (file.tellg() > mostRecipeBytes) return Error{path + " is too large for a recipe."};
-  file.seekg(0);
-  std::ostringstream text;
-  text << file.rdbuf();
-  Result<Recipe> recipe = readRecipe(text.str());
+  const auto text = recipeText(path);
+  if (!text) return text.error();
+  Result<Recipe> recipe = readRecipe(*text);
   if (!recipe) return Error{path + ": " + recipe.message()};
   return recipe;
 }

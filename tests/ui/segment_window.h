@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QTreeWidget>
@@ -68,10 +69,19 @@ struct SegmentWindow : MeasureWindow {
     click(name);
     return idle();
   }
-  /// The button of a step, on its page.
-  bool step(const char* name) {
+  /// A kind of step in the list of the page Change; a number of it.
+  void chooseStep(const std::string& kind) {
     click("segmentChange");
-    return press((std::string("segmentStep-") + name).c_str());
+    auto* kinds = child<QComboBox>("segmentStepKind");
+    kinds->setCurrentIndex(kinds->findData(QString::fromStdString(kind)));
+  }
+  void setField(const char* name, double value) {
+    child<QDoubleSpinBox>((std::string("stepField-") + name).c_str())->setValue(value);
+  }
+  /// Done with the fields as they are.
+  bool step(const std::string& kind) {
+    chooseStep(kind);
+    return press("segmentApply");
   }
   bool make(double low, double high, const char* with = "segment") {
     click("segmentFromCurve");
@@ -114,5 +124,8 @@ struct SegmentWindow : MeasureWindow {
     QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, {place.left() + 10, place.center().y()});
   }
 };
+
+/// In the hollow ball, in the small one.
+inline constexpr glm::dvec3 inShell(-5 + 8, -5, -5), inSmallBall(12);
 
 }  // namespace volumen::tests

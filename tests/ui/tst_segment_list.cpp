@@ -163,7 +163,8 @@ void TestSegmentList::whatCannotBeDoneSaysWhy() {
   QVERIFY(says("segmentSave", "no segment yet"));
   QVERIFY(w.press("segmentAdd"));
   QVERIFY(w.button("segmentRemove")->isEnabled() && w.button("segmentSave")->isEnabled());
-  QVERIFY(says("segmentStep-unite", "no other segment"));
+  w.chooseStep("add");
+  QVERIFY(says("segmentApply", "no other segment"));
   w.tick(0, 1);
   QVERIFY(says("segmentRemove", "is locked") && says("segmentStep-grow", "is locked") &&
           says("segmentReplace", "is locked"));
@@ -380,7 +381,8 @@ void TestSegmentList::theyAreExportedByTheirEnding() {
   QVERIFY(w.makeBoth());
   w.child<QAction>("exportSegments")->trigger();
   answer(w, "segmentDialog", folder.filePath(QStringLiteral("a.xyz")));
-  QTRY_VERIFY_WITH_TIMEOUT(w.child<Banner>("banner")->sentence().contains(QStringLiteral(".seg.nrrd")), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<Banner>("banner")->sentence().contains(QStringLiteral(".seg.nrrd")),
+                           longest);
   QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("a.xyz"))));
   const QString path = folder.filePath(QStringLiteral("both.seg.nrrd"));
   w.child<QAction>("exportSegments")->trigger();

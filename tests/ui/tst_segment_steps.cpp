@@ -1,15 +1,14 @@
-// Guards what is done to the voxels of a segment: each step of the panel and the tool of connected parts, in
-// slices and in 3D, one job and one undo step each; locks, cancelling, series that are closed meanwhile; long
-// sequences by chance that are undone and done again.
+// Guards what is done to the voxels of a segment: each step of the panel, one job and one undo step each;
+// locks, cancelling, series that are closed meanwhile; long sequences by chance that are undone and done
+// again.
 #include <QComboBox>
 #include <functional>
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/segment_window.h"
-#include "tests/ui/surface_window.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/segment_steps.h"
+#include "ui/controller/offered_steps.h"
 #include "ui/widgets/banner.h"
 #include "viewer/segment/holes.h"
 #include "viewer/segment/morphology.h"
@@ -24,14 +23,6 @@ namespace {
 // What a step makes of the segment and of the other one.
 using Expected = std::function<BitMask(const BitMask& own, const BitMask& other)>;
 
-// The part of a mask at which a place is.
-BitMask partAt(const BitMask& mask, glm::dvec3 p) {
-  const glm::ivec3 seed(glm::round(mask.geometry().voxelFromPatient(p)));
-  return connected(mask, std::span(&seed, 1), Neighbours::faces);
-}
-
-constexpr glm::dvec3 inShell(-5 + 8, -5, -5), inSmallBall(12), inAir(18, -18, 12);
-
 }  // namespace
 
 class TestSegmentSteps : public QObject {
@@ -39,18 +30,15 @@ class TestSegmentSteps : public QObject {
  private Q_SLOTS:
   void aStepIsAJobAndAnUndoStep_data();
   void aStepIsAJobAndAnUndoStep();
+  void theUsualOnesAreAClick();
+  void partsBecomeSegments();
+  void allAreSmoothedTogether();
   void theFewThatAreKnownInClosedForm();
   void whatIsAskedForMeanwhileWaits();
   void lockedSegmentsStayAsTheyAre();
   void aJobThatIsCancelledChangesNothing();
   void aSeriesThatIsClosedMeanwhileIsLeftAlone();
   void aSegmentThatIsUndoneMeanwhileIsLeftAlone();
-  void aClickTakesTheConnectedPart();
-  void withKeysOrThePanelThePartIsKeptOrRemoved_data();
-  void withKeysOrThePanelThePartIsKeptOrRemoved();
-  void aClickBesideSaysWhyThereIsNone();
-  void aClickInThreeDTakesWhatIsSeen();
-  void escPutsTheToolAway();
   void sequencesAreUndoneAndDoneAgain_data();
   void sequencesAreUndoneAndDoneAgain();
 };
@@ -59,18 +47,22 @@ void TestSegmentSteps::aStepIsAJobAndAnUndoStep_data() {
   QTest::addColumn<Expected>("expected");
   const auto row = [](const char* name, const Expected& expected) { QTest::newRow(name) << expected; };
   using M = const BitMask&;
-  row("keepLargest", [](M own, M) { return Parts(own, Neighbours::faces).largest(); });
-  row("fillHoles", [](M own, M) { return holesFilled(own); });
+  row("largest", [](M own, M) { return Parts(own, Neighbours::faces).largest(); });
+  row("fill", [](M own, M) { return holesFilled(own); });
   row("invert", [](M own, M) { return inverted(own); });
-  row("removeIslands", [](M own, M) { return Parts(own, Neighbours::faces).atLeast(1000); });
+  row("islands", [](M own, M) { return Parts(own, Neighbours::faces).atLeast(1000); });
   row("grow", [](M own, M) { return grown(own, 3); });
   row("shrink", [](M own, M) { return shrunk(own, 3); });
   row("close", [](M own, M) { return closed(own, 3); });
   row("open", [](M own, M) { return opened(own, 3); });
-  row("smooth", [](M own, M) { return gaussianSmoothed(own, 3); });
-  row("unite", [](M own, M other) { return united(own, other); });
+  row("shell", [](M own, M) { return shell(own, 3); });
+  row("median", [](M own, M) { return medianSmoothed(own, 3); });
+  row("gaussian", [](M own, M) { return gaussianSmoothed(own, 3); });
+  row("add", [](M own, M other) { return united(own, other); });
+  row("copy", [](M, M other) { return other; });
   row("subtract", [](M own, M other) { return subtracted(own, grown(other, 3)); });
   row("intersect", [](M own, M other) { return intersected(own, grown(other, 3)); });
+  row("empty", [](M own, M) { return BitMask(own.geometry()); });
 }
 
 // As the kernel says, by 3 mm and 1 ml; the core, which is not locked, loses what the step takes.
@@ -78,13 +70,13 @@ void TestSegmentSteps::aStepIsAJobAndAnUndoStep() {
   QFETCH(Expected, expected);
   SegmentWindow w;
   QVERIFY(w.makeBoth());
-  w.child<QDoubleSpinBox>("segmentMm")->setValue(3);
-  w.child<QDoubleSpinBox>("segmentMl")->setValue(1);
   const Workspace before = w.workspace();
   const BitMask own = w.mask(1), core = w.mask(2);
   const int steps = w.steps();
-  w.click("segmentChange");
-  w.click((std::string("segmentStep-") + QTest::currentDataTag()).c_str());
+  w.chooseStep(QTest::currentDataTag());
+  for (const char* field : {"stepField-radiusMm", "stepField-marginMm", "stepField-sigmaMm"})
+    if (auto* spin = w.child<QDoubleSpinBox>(field)) spin->setValue(3);
+  w.click("segmentApply");
   QCOMPARE(w.window.jobs().rows().size(), std::size_t(1));
   QVERIFY(w.idle());
   QCOMPARE(w.steps(), steps + 1);
@@ -93,12 +85,70 @@ void TestSegmentSteps::aStepIsAJobAndAnUndoStep() {
   QVERIFY(w.mask(2) == subtracted(core, made));
   // Balls may be as they are once they are smoothed, opened or closed.
   const QByteArray name = QTest::currentDataTag();
-  QVERIFY(made != own || name == "smooth" || name == "open" || name == "close");
+  QVERIFY(made != own || QByteArrayList({"gaussian", "median", "open", "close", "shell"}).contains(name));
   const Workspace after = w.workspace();
   w.undo();
   QVERIFY(w.workspace() == before);
   w.redo();
   QVERIFY(w.workspace() == after);
+}
+
+// With the numbers that it says, which are those of the list.
+void TestSegmentSteps::theUsualOnesAreAClick() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  const BitMask own = w.mask(1);
+  w.chooseStep("grow");
+  w.setField("radiusMm", 2);
+  QCOMPARE(w.button("segmentStep-grow")->text(), QStringLiteral("Grow 2 mm"));
+  QVERIFY(w.press("segmentStep-shrink"));
+  QVERIFY(w.mask(1) == shrunk(own, 2));
+  QCOMPARE(w.child<QComboBox>("segmentStepKind")->currentText(), QStringLiteral("Shrink"));
+}
+
+void TestSegmentSteps::partsBecomeSegments() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  w.chooseStep("split");
+  QVERIFY(w.press("segmentApply"));
+  QCOMPARE(w.steps(), steps + 1);
+  QCOMPARE(w.count(), std::size_t(3));
+  QCOMPARE(w.current().number, 1);
+  QCOMPARE(w.voxels(1), voxelsWhere(isShell));
+  QCOMPARE(w.voxels(3), voxelsWhere(isSmall));
+  // It is one part now.
+  QVERIFY(w.press("segmentApply"));
+  QVERIFY(w.child<Banner>("banner")->sentence().contains(QStringLiteral("no second part")));
+  // Put together again, it is what it was, and the other one is gone.
+  w.chooseStep("merge");
+  auto* other = w.child<QComboBox>("stepField-other");
+  other->setCurrentIndex(other->findData(QStringLiteral("3")));
+  Q_EMIT other->activated(other->currentIndex());
+  QVERIFY(w.press("segmentApply"));
+  QCOMPARE(w.count(), std::size_t(2));
+  QVERIFY(*w.map()->labels == *before.segmentMaps.front().labels);
+  w.undo(), w.undo();
+  QVERIFY(w.workspace() == before);
+}
+
+// As the kernel says of all labels at once.
+void TestSegmentSteps::allAreSmoothedTogether() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.make(-1, 1));  // the air
+  w.tick(2, 1);
+  QVERIFY(w.choose(0));
+  const LabelMap before = *w.map()->labels;
+  w.chooseStep("joint");
+  w.setField("sigmaMm", 1.5);
+  const int steps = w.steps();
+  QVERIFY(w.press("segmentApply"));
+  QCOMPARE(w.steps(), steps + 1);
+  const std::uint8_t locked[] = {3};
+  QVERIFY(*w.map()->labels == jointSmoothed(before, 1.5, locked));
+  QVERIFY(*w.map()->labels != before);
 }
 
 void TestSegmentSteps::theFewThatAreKnownInClosedForm() {
@@ -107,9 +157,9 @@ void TestSegmentSteps::theFewThatAreKnownInClosedForm() {
   const auto whole = [](glm::dvec3 p) { return glm::length(p + 5.0) < 10; };
   QCOMPARE(w.voxels(1), voxelsWhere([](glm::dvec3 p) { return isShell(p) || isSmall(p); }));
   QCOMPARE(w.voxels(2), voxelsWhere(isCore));
-  QVERIFY(w.step("keepLargest"));
+  QVERIFY(w.step("largest"));
   QCOMPARE(w.voxels(1), voxelsWhere(isShell));
-  QVERIFY(w.step("fillHoles"));
+  QVERIFY(w.step("fill"));
   QCOMPARE(w.voxels(1), voxelsWhere(whole));
   QCOMPARE(w.voxels(2), std::int64_t(0));
   QVERIFY(w.step("invert"));
@@ -121,9 +171,8 @@ void TestSegmentSteps::whatIsAskedForMeanwhileWaits() {
   QVERIFY(w.makeBoth());
   const BitMask own = w.mask(1);
   const int steps = w.steps();
-  w.child<QDoubleSpinBox>("segmentMm")->setValue(1);
   w.click("segmentChange");
-  w.click("segmentStep-keepLargest");
+  w.click("segmentStep-largest");
   w.click("segmentStep-grow");
   w.click("segmentStep-shrink");
   QVERIFY(w.idle());
@@ -137,7 +186,7 @@ void TestSegmentSteps::lockedSegmentsStayAsTheyAre() {
   const BitMask core = w.mask(2);
   w.tick(1, 1);
   QVERIFY(w.segment(1).locked && w.choose(0));
-  for (const char* step : {"keepLargest", "fillHoles", "grow", "invert", "close"}) {
+  for (const char* step : {"largest", "fill", "grow", "invert", "close"}) {
     QVERIFY(w.step(step));
     QVERIFY2(w.mask(2) == core, step);
     QVERIFY2(intersected(w.mask(1), core).empty(), step);
@@ -198,109 +247,6 @@ void TestSegmentSteps::aSegmentThatIsUndoneMeanwhileIsLeftAlone() {
   QVERIFY(w.child<Banner>("banner")->sentence().isEmpty());
 }
 
-void TestSegmentSteps::aClickTakesTheConnectedPart() {
-  SegmentWindow w;
-  w.child<QDoubleSpinBox>("segmentLow")->setValue(800);
-  w.child<QDoubleSpinBox>("segmentHigh")->setValue(1200);
-  w.child<QAction>("partTool")->trigger();
-  QPoint at = w.showPlace(inSmallBall);
-  const Workspace before = w.workspace();
-  const int steps = w.steps();
-  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
-  QVERIFY(w.idle());
-  QCOMPARE(w.steps(), steps + 1);
-  QCOMPARE(w.count(), std::size_t(1));
-  QCOMPARE(w.voxels(1), voxelsWhere(isSmall));
-  QVERIFY(w.segment(0).range == (ValueRange{800, 1200}));
-  const Workspace one = w.workspace();
-  // A second one is added to it; the tool is still in hand.
-  at = w.showPlace(inShell);
-  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
-  QVERIFY(w.idle());
-  QCOMPARE(w.count(), std::size_t(1));
-  QCOMPARE(w.voxels(1), voxelsWhere([](glm::dvec3 p) { return isShell(p) || isSmall(p); }));
-  w.undo(), w.undo();
-  QVERIFY(w.workspace() == one);
-  w.undo();
-  QVERIFY(w.workspace() == before);
-}
-
-void TestSegmentSteps::withKeysOrThePanelThePartIsKeptOrRemoved_data() {
-  QTest::addColumn<int>("keys");
-  QTest::addColumn<int>("use");
-  QTest::addColumn<bool>("kept");
-  QTest::newRow("Ctrl keeps it") << int(Qt::ControlModifier) << 0 << true;
-  QTest::newRow("Alt removes it") << int(Qt::AltModifier) << 0 << false;
-  QTest::newRow("the panel keeps it") << 0 << 1 << true;
-  QTest::newRow("the panel removes it") << 0 << 2 << false;
-}
-
-void TestSegmentSteps::withKeysOrThePanelThePartIsKeptOrRemoved() {
-  QFETCH(int, keys);
-  QFETCH(int, use);
-  QFETCH(bool, kept);
-  SegmentWindow w;
-  QVERIFY(w.make(800, 1200));
-  const BitMask own = w.mask(1), part = partAt(own, inSmallBall);
-  w.child<QComboBox>("segmentPartUse")->setCurrentIndex(use);
-  w.child<QAction>("partTool")->trigger();
-  const QPoint at = w.showPlace(inSmallBall);
-  const int steps = w.steps();
-  QTest::mouseClick(w.view(), Qt::LeftButton, Qt::KeyboardModifiers(keys), at);
-  QVERIFY(w.idle());
-  QCOMPARE(w.steps(), steps + 1);
-  QVERIFY(!part.empty() && part != own);
-  QVERIFY(w.mask(1) == (kept ? part : subtracted(own, part)));
-}
-
-void TestSegmentSteps::aClickBesideSaysWhyThereIsNone() {
-  SegmentWindow w;
-  QVERIFY(w.make(800, 1200));
-  w.child<QAction>("partTool")->trigger();
-  const QPoint at = w.showPlace(inAir);
-  const Workspace before = w.workspace();
-  auto* banner = w.child<Banner>("banner");
-  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
-  QVERIFY(w.idle());
-  QVERIFY(banner->sentence().contains(QStringLiteral("not in the range")));
-  QTest::mouseClick(w.view(), Qt::LeftButton, Qt::ControlModifier, at);
-  QVERIFY(w.idle());
-  QVERIFY(banner->sentence().contains(QStringLiteral("not in the current segment")));
-  QVERIFY(w.workspace() == before);
-}
-
-// The ball is all that there is above 500.
-void TestSegmentSteps::aClickInThreeDTakesWhatIsSeen() {
-  SurfaceWindow w;
-  const auto idle = [&] { return QTest::qWaitFor([&] { return w.window.jobs().rows().empty(); }, longest); };
-  w.child<QDoubleSpinBox>("segmentLow")->setValue(500);
-  w.child<QDoubleSpinBox>("segmentHigh")->setValue(3000);
-  w.child<QAction>("partTool")->trigger();
-  const int steps = w.session().undoStack().index();
-  w.click(w.pixelOf({0, -12, 0}));
-  QVERIFY(idle());
-  QCOMPARE(w.session().undoStack().index(), steps + 1);
-  const SegmentMap& map = w.session().workspace().segmentMaps.front();
-  std::int64_t expected = 0;
-  const Volume& volume = *w.session().series()->volume;
-  for (std::int64_t n = 0; n < volume.geometry().voxelCount(); ++n)
-    expected += volume.valueAt(std::size_t(n)) >= 500;
-  QCOMPARE(maskOf(*map.labels, 1).count(), expected);
-  w.click({3, 3});
-  QVERIFY(idle());
-  QCOMPARE(w.session().undoStack().index(), steps + 1);
-  QVERIFY(w.told().contains(QStringLiteral("Nothing is seen there")));
-}
-
-void TestSegmentSteps::escPutsTheToolAway() {
-  SegmentWindow w;
-  const Tool& before = w.window.views()->tool();
-  w.child<QAction>("partTool")->trigger();
-  QCOMPARE(&w.window.views()->tool(), &toolNamed("part"));
-  QTest::keyClick(w.view(), Qt::Key_Escape);
-  QCOMPARE(&w.window.views()->tool(), &before);
-}
-
 void TestSegmentSteps::sequencesAreUndoneAndDoneAgain_data() {
   QTest::addColumn<int>("seed");
   const Seeds seeds = seedsOf(1, 5);
@@ -313,8 +259,8 @@ void TestSegmentSteps::sequencesAreUndoneAndDoneAgain() {
   constexpr int acts = 200;
   Chance chance{std::uint64_t(seed)};
   SegmentWindow w;
-  w.child<QDoubleSpinBox>("segmentMm")->setValue(1);
-  w.child<QDoubleSpinBox>("segmentMl")->setValue(0.2);
+  w.chooseStep("islands");
+  w.setField("leastMl", 0.2);
   const int first = w.steps();
   std::vector<Workspace> states{w.workspace()};
   for (int n = 0; n < acts; ++n) {
@@ -342,7 +288,7 @@ void TestSegmentSteps::sequencesAreUndoneAndDoneAgain() {
         QVERIFY(w.make(low, high, "segmentReplace"));
         break;
       default: {
-        const auto& all = segmentSteps();
+        const auto all = offeredSteps();
         QVERIFY(w.step(all[std::size_t(chance.below(int(all.size())))].name));
       }
     }

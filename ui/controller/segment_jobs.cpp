@@ -3,6 +3,7 @@
 #include <new>
 
 #include "io/export/export_segments.h"
+#include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 
@@ -10,14 +11,21 @@ namespace volumen {
 
 namespace {
 
-// With the work done to the segment of this number.
-Result<SegmentMap> workDone(const SegmentWork& work, SegmentMap map, int number,
+// With the work done to the segment of this number, on the job's thread.
+Result<SegmentMap> workDone(const SegmentWork& work, const SegmentMap& map, int number,
                             const CancelToken& cancel) try {
-  if (work.makeAll) return work.makeAll(map, cancel);
-  if (!work.make) return withoutSegment(std::move(map), number);
+  if (work.makeAll) {
+    Result<SegmentMap> made = work.makeAll(map, cancel);
+    return made ? withHandMade(map, std::move(*made)) : made;
+  }
+  if (work.steps) {
+    const Result<StepsWanted> wanted = work.steps(map, number, cancel);
+    return wanted ? withStepsDone(map, *wanted, *work.volume, cancel) : Result<SegmentMap>(wanted.error());
+  }
+  if (!work.make) return withoutSegment(map, number);
   const Result<BitMask> mask = work.make(map, number, cancel);
   if (!mask) return mask.error();
-  return withMask(std::move(map), number, *mask);
+  return withHandMade(map, withMask(map, number, *mask));
 } catch (const std::bad_alloc&) {
   return Error{"The segment was not changed: there is not enough memory."};
 }

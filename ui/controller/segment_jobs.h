@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 
+#include "ui/controller/step_work.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
 #include "viewer/segment/bit_mask.h"
@@ -24,6 +25,8 @@ struct SegmentWork {
   std::function<void(Segment&)> change{};
   /// Its voxels, on the job's thread, of the map as it is then. Null: the segment goes.
   std::function<Result<BitMask>(const SegmentMap& map, int number, const CancelToken& cancel)> make{};
+  /// In place of that, and recorded: the steps that make them; what they are called on is that map.
+  std::function<Result<StepsWanted>(const SegmentMap& map, int number, const CancelToken& cancel)> steps{};
   /// In place of all that: the map after it, on the job's thread.
   std::function<Result<SegmentMap>(const SegmentMap& map, const CancelToken& cancel)> makeAll{};
   std::function<void()> done{};  ///< called once it is a step

@@ -12,8 +12,13 @@ namespace volumen {
 /// those that have none of their own, none.
 std::vector<const Recipe*> recipesFor(const std::string& modality);
 
-/// The work that adds a recipe's segments to those of a series: what the mask takes away is in none of them,
-/// nor voxels of locked segments.
-SegmentWork workOf(const Recipe& recipe, const SeriesKey& series, VolumePtr volume, const Mask& mask);
+/// What becomes of a recipe's segments: others beside those of the series; or, where the recipe was recorded
+/// of these (segment_record.h), the voxels of those of the same name.
+enum class RecipeUse { add, again };
+
+/// The work that does that, one step: what the mask takes away is in none of them, nor voxels of locked
+/// segments.
+SegmentWork workOf(const Recipe& recipe, const SeriesKey& series, VolumePtr volume, const Mask& mask,
+                   RecipeUse use = RecipeUse::add);
 
 }  // namespace volumen

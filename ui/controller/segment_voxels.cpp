@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "viewer/segment/parts.h"
+#include "ui/workspace/segment_record.h"
 
 namespace volumen {
 
@@ -34,22 +34,27 @@ std::optional<glm::ivec3> nearestIn(const BitMask& mask, glm::dvec3 pPatient, in
 
 }  // namespace
 
-Result<BitMask> withPart(const PartWanted& wanted, const SegmentMap& map, int number,
-                         const CancelToken& cancel) {
+Result<StepsWanted> stepsOfPart(const PartWanted& wanted, const SegmentMap& map, int number,
+                                const CancelToken& cancel) {
   constexpr int besideSurface = 2;  // voxels: where half of the light is stopped may be outside the range
-  const BitMask own = maskOf(*map.labels, std::uint8_t(number));
   const bool isOfRange = wanted.use == PartUse::add;
-  const BitMask whole =
-      isOfRange ? keptVoxelsInRange(*wanted.volume, wanted.range, wanted.mask, cancel) : own;
+  const BitMask whole = isOfRange ? keptVoxelsInRange(*wanted.volume, wanted.range, wanted.mask, cancel)
+                                  : maskOf(*map.labels, std::uint8_t(number));
   const auto seed = nearestIn(whole, wanted.pPatient, wanted.onSurface ? besideSurface : 0);
   if (!seed)
     return Error{isOfRange
                      ? "The voxel that was clicked is not in the range of values: click on another one, "
                        "or change the range in the panel Segments."
                      : "The voxel that was clicked is not in the current segment: click on one that is."};
-  const BitMask part = connected(whole, std::span(&*seed, 1), Neighbours::faces, cancel);
-  if (wanted.use == PartUse::keep) return part;
-  return isOfRange ? united(own, part) : subtracted(own, part);
+  const std::vector<glm::dvec3> at{whole.geometry().patientFromVoxel(*seed)};
+  const std::string own = stepNameOf(number), part = "Part";
+  if (!isOfRange)
+    return StepsWanted{{{wanted.use == PartUse::keep ? "keep" : "remove", own, {{"at", at}}}}, {number}};
+  StepsWanted steps{{{"range", part, {{"low", wanted.range.low}, {"high", wanted.range.high}}}}, {number}};
+  steps = keptIn(std::move(steps), {part}, *wanted.volume, wanted.mask, cancel);
+  steps.steps.push_back({"connected", part, {{"at", at}}});
+  steps.steps.push_back({"add", own, {{"other", part}}});
+  return steps;
 }
 
 }  // namespace volumen

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/workspace/segment_map.h"
+#include "ui/controller/step_work.h"
 #include "viewer/segment/bit_mask.h"
 #include "viewer/segment/mask.h"
 #include "viewer/volume/cancel.h"
@@ -21,8 +21,9 @@ struct PartWanted {
   PartUse use;
 };
 
-/// The segment of a number with that done, voxels connected by faces. The Error says why there is no part.
-Result<BitMask> withPart(const PartWanted& wanted, const SegmentMap& map, int number,
-                         const CancelToken& cancel);
+/// The steps that do that to the segment of a number, voxels connected by faces. The Error says why there is
+/// no part.
+Result<StepsWanted> stepsOfPart(const PartWanted& wanted, const SegmentMap& map, int number,
+                                const CancelToken& cancel);
 
 }  // namespace volumen

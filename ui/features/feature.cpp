@@ -24,6 +24,7 @@ const std::vector<FeatureEntry>& features() {
       {"scenes", makeScenes},
       {"accuracy", makeAccuracy},
       {"segmenting", makeSegmenting},
+      {"segment recipes", makeSegmentRecipes},
       {"view pictures", makeViewPictures},
       {"picture files", makePictureFiles},
       {"printing", makePrinting},

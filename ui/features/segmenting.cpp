@@ -91,6 +91,8 @@ Segmenting::Segmenting(Workbench& bench)
     panel_->setPaintActions(bench_.action("paintTool"), bench_.action("outlineTool"));
     panel_->growPage().setToolActions(bench_.action("lesionTool"), bench_.action("levelTraceTool"),
                                       bench_.action("smartBrushTool"));
+    panel_->setRecipeActions(
+        {bench_.action("openRecipe"), bench_.action("saveRecipe"), bench_.action("recipeSteps")});
   });
 }
 
@@ -120,6 +122,7 @@ void Segmenting::showExport() {
 void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
   connect(panel_, &SegmentsPanel::numbersWanted, this, &Segmenting::showNumbers);
+  connect(&bench_, &Workbench::segmentWorkWanted, &segmenter_, &SegmentJobs::change);
   connect(panel_, &SegmentsPanel::recipeChosen, this, &Segmenting::follow);
   connect(panel_, &SegmentsPanel::previewChanged, &grid_, &ViewGrid::showSegment);
   connect(panel_, &SegmentsPanel::measureRequested, this, &Segmenting::measure);
@@ -203,8 +206,8 @@ void Segmenting::takePart(const PartClick& click) {
     work.change = [made = panel_->range().segmentOf(range)](Segment& s) { s = made; };
   const PartWanted wanted{work.volume, session_.maskOf(click.series), range, click.pPatient, click.onSurface,
                           use};
-  work.make = [wanted](const SegmentMap& map, int number, const CancelToken& cancel) {
-    return withPart(wanted, map, number, cancel);
+  work.steps = [wanted](const SegmentMap& map, int number, const CancelToken& cancel) {
+    return stepsOfPart(wanted, map, number, cancel);
   };
   segmenter_.change(work);
 }

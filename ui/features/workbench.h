@@ -13,6 +13,7 @@
 #include "ui/controller/measure_jobs.h"
 #include "ui/controller/opener.h"
 #include "ui/controller/recent_files.h"
+#include "ui/controller/segment_jobs.h"
 #include "ui/controller/session_files.h"
 #include "ui/controller/slice_service.h"
 #include "ui/controller/study_sources.h"
@@ -186,6 +187,8 @@ class Workbench : public QObject, public WindowParts {
   void sliceMenuOpens(QMenu* menu, volumen::FlatView* view);
   /// The list of commands opens: features add a menu of what they have that stands in no menu.
   void commandsOpen(QMenu* more);
+  /// Segments are to be changed.
+  void segmentWorkWanted(const volumen::SegmentWork& work);
 };
 
 }  // namespace volumen

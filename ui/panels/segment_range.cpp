@@ -9,6 +9,7 @@
 
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
@@ -190,9 +191,11 @@ SegmentWork SegmentRange::workOf(const ValueRange& range) const {
   work.series = keyOf(session_.series()->series);
   work.volume = wholeVolume(session_);
   work.doing = tr("Segmenting");
-  work.make = [volume = work.volume, mask = session_.maskOf(work.series), range](
-                  const SegmentMap&, int, const CancelToken& cancel) -> Result<BitMask> {
-    return keptVoxelsInRange(*volume, range, mask, cancel);
+  work.steps = [volume = work.volume, mask = session_.maskOf(work.series), range](
+                   const SegmentMap&, int number, const CancelToken& cancel) -> Result<StepsWanted> {
+    const std::string name = stepNameOf(number);
+    return keptIn({{{"range", name, {{"low", range.low}, {"high", range.high}}}}, {number}}, {name}, *volume,
+                  mask, cancel);
   };
   return work;
 }

@@ -1,44 +1,28 @@
 #include "ui/panels/segment_steps_page.h"
 
 #include <QGridLayout>
-#include <QSignalBlocker>
-#include <string_view>
+#include <QVBoxLayout>
 
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
 
 namespace {
 
-constexpr double mostMm = 100, mostMl = 10000;
+// Those that are a click, three in a row.
+constexpr const char* usualSteps[] = {"largest",  "fill",  "invert", "grow",   "shrink",
+                                      "gaussian", "close", "open",   "islands"};
 
-QDoubleSpinBox* amountField(const char* name, const QString& label, const QString& unit, double first,
-                            double most) {
-  auto* field = new QDoubleSpinBox;
-  field->setObjectName(QLatin1String(name));
-  field->setAccessibleName(label);
-  field->setToolTip(toolTipOf(label));
-  field->setRange(0, most);
-  field->setDecimals(2);
-  field->setSuffix(unit);
-  field->setValue(first);
-  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  field->setMinimumWidth(70);
-  return field;
-}
-
-// What a step does to the segments of a map: on the job's thread, for the map as it is then.
-Result<BitMask> stepped(const SegmentStep& step, int otherNumber, double amount, const SegmentMap& map,
-                        int number, const CancelToken& cancel) {
-  if (step.takesOther && !findSegment(map, otherNumber))
-    return Error{"The other segment is not there any more."};
-  const BitMask own = maskOf(*map.labels, std::uint8_t(number));
-  const BitMask other =
-      step.takesOther ? maskOf(*map.labels, std::uint8_t(otherNumber)) : BitMask(map.labels->geometry());
-  return step.run({own, other, amount, cancel});
+// "Grow 3 mm": with its length, where it has one.
+QString usualText(const StepKind& kind, const std::map<std::string, StepValue>& values) {
+  const QString title = SegmentStepsPage::tr(kind.title);
+  for (const StepField& field : kind.fields)
+    if (const auto* number = std::get_if<double>(&values.at(field.name));
+        number && std::string_view(field.unit) == "mm")
+      return QStringLiteral("%1 %2 mm").arg(title).arg(*number);
+  return title;
 }
 
 }  // namespace
@@ -46,101 +30,81 @@ Result<BitMask> stepped(const SegmentStep& step, int otherNumber, double amount,
 SegmentStepsPage::SegmentStepsPage(Session& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      mm_(amountField("segmentMm", tr("By how many mm: radius or margin"), tr(" mm"), 3, mostMm)),
-      ml_(amountField("segmentMl", tr("Parts smaller than this"), tr(" ml"), 1, mostMl)),
-      other_(new QComboBox) {
-  other_->setObjectName(QStringLiteral("segmentOther"));
-  other_->setAccessibleName(tr("Other segment"));
-  other_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // names may be long
-  other_->setMinimumContentsLength(6);
-  for (const SegmentStep& step : segmentSteps()) {
+      kinds_(new QComboBox),
+      fields_(new StepFields(session)),
+      apply_(new QPushButton(tr("Apply"))) {
+  kinds_->setObjectName(QStringLiteral("segmentStepKind"));
+  kinds_->setAccessibleName(tr("Step on the current segment"));
+  apply_->setObjectName(QStringLiteral("segmentApply"));
+  fillKinds();
+  for (const char* name : usualSteps) {
     auto* button = new QToolButton;
-    button->setText(step.text);
     button->setSizePolicy(QSizePolicy::MinimumExpanding, QSizePolicy::Fixed);
-    button->setObjectName(QStringLiteral("segmentStep-") + QLatin1String(step.name));
-    connect(button, &QToolButton::clicked, this, [this, &step] { run(step); });
-    buttons_.push_back({&step, button});
+    button->setObjectName(QStringLiteral("segmentStep-") + QLatin1String(name));
+    usual_.push_back({&offeredStep(name), button});
+    connect(button, &QToolButton::clicked, this, [this, kind = usual_.back().kind] { apply(*kind); });
   }
   makeLayout();
-  connect(other_, &QComboBox::currentIndexChanged, this, &SegmentStepsPage::showSegments);
+  connect(kinds_, &QComboBox::currentIndexChanged, this, &SegmentStepsPage::showSegments);
+  connect(apply_, &QPushButton::clicked, this, [this] { apply(chosen()); });
+  connect(fields_, &StepFields::changed, this, &SegmentStepsPage::showWhatCanBeDone);
+  connect(&session_, &Session::preferencesChanged, this, &SegmentStepsPage::showSegments);  // units
   showSegments();
 }
 
-// Three in a row; amounts beside the steps that take them.
-void SegmentStepsPage::makeLayout() {
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
-  int place = 0;
-  const auto add = [&](QWidget* widget, int columns = 1) {
-    grid->addWidget(widget, place / 3, place % 3, 1, columns);
-    place += columns;
-  };
-  for (const StepButton& made : buttons_) {
-    const std::string_view name(made.step->name);
-    if (name == "unite") {
-      add(plainLabel(tr("With")));
-      add(other_, 2);
-    }
-    add(made.button);
-    if (name == "removeIslands") {
-      add(plainLabel(tr("below")));
-      add(ml_);
-    }
-    if (name == "shrink") add(mm_);
+// Those that make it anew come last.
+void SegmentStepsPage::fillKinds() {
+  bool isMaking = false;
+  for (const StepKind& kind : offeredSteps()) {
+    const bool makes = kind.use == StepKind::Use::makes;
+    if (makes && !isMaking) kinds_->insertSeparator(kinds_->count());
+    isMaking = makes;
+    kinds_->addItem(tr(kind.title), QLatin1String(kind.name));
+    kinds_->setItemData(kinds_->count() - 1, toolTipOf(tr("The segment becomes: %1.").arg(tr(kind.says))),
+                        Qt::ToolTipRole);
   }
-  grid->setRowStretch(place / 3, 1);
+}
+
+void SegmentStepsPage::makeLayout() {
+  auto* grid = new QGridLayout;
+  grid->setSpacing(4);
+  for (int n = 0; n < int(usual_.size()); ++n) grid->addWidget(usual_[std::size_t(n)].button, n / 3, n % 3);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addLayout(grid);
+  column->addWidget(kinds_);
+  column->addWidget(fields_);
+  column->addWidget(apply_);
+  column->addStretch();
+}
+
+const StepKind& SegmentStepsPage::chosen() const {
+  return offeredStep(kinds_->currentData().toString().toStdString());
 }
 
 void SegmentStepsPage::showSegments() {
-  showOthers();
-  for (const StepButton& made : buttons_) {
-    const QString why = whyNot(*made.step);
-    made.button->setEnabled(why.isEmpty());
-    made.button->setToolTip(toolTipOf(QStringList{made.step->says, why}));
+  fields_->showKind(chosen());
+  showWhatCanBeDone();
+}
+
+void SegmentStepsPage::showWhatCanBeDone() {
+  const auto show = [this](QAbstractButton* button, const StepKind& kind) {
+    const QString why = fields_->whyNot(kind);
+    button->setEnabled(why.isEmpty());
+    button->setToolTip(toolTipOf(QStringList{tr("The segment becomes: %1.").arg(tr(kind.says)), why}));
+  };
+  show(apply_, chosen());
+  for (const UsualStep& usual : usual_) {
+    show(usual.button, *usual.kind);
+    usual.button->setText(usualText(*usual.kind, fields_->valuesFor(*usual.kind)));
   }
 }
 
-// The one that was chosen stays.
-void SegmentStepsPage::showOthers() {
-  const QSignalBlocker quiet(other_);
-  const int chosen = other_->currentData().toInt();
-  const SegmentMap* map = segmentsShown(session_);
-  const Segment* current = segmentShown(session_);
-  other_->clear();
-  if (map)
-    for (const Segment& segment : map->segments)
-      if (&segment != current) other_->addItem(shownText(segment.label), segment.number);
-  other_->setCurrentIndex(std::max(0, other_->findData(chosen)));
-  other_->setEnabled(other_->count() > 0);
-  other_->setToolTip(
-      toolTipOf(other_->count() > 0 ? tr("The other segment") : tr("There is no other segment.")));
-}
-
-QString SegmentStepsPage::whyNot(const SegmentStep& step) const {
-  const QString why = whyNotChanged(session_);
-  if (!why.isEmpty() || !step.takesOther) return why;
-  const SegmentMap* map = segmentsShown(session_);
-  const Segment* other = findSegment(*map, other_->currentData().toInt());
-  if (!other) return tr("There is no other segment.");
-  if (other->locked && std::string_view(step.name) == "unite")
-    return tr("%1 is locked: unlock it first.").arg(shownText(other->label));
-  return {};
-}
-
-void SegmentStepsPage::run(const SegmentStep& step) {
-  SegmentWork work;
-  work.series = keyOf(session_.series()->series);
-  work.volume = wholeVolume(session_);
-  work.number = segmentShown(session_)->number;
-  work.text = step.text;
-  work.doing = step.doing;
-  const double amount = step.amount == SegmentStep::Amount::ml ? ml_->value() : mm_->value();
-  work.make = [&step, other = other_->currentData().toInt(), amount](const SegmentMap& map, int number,
-                                                                     const CancelToken& cancel) {
-    return stepped(step, other, amount, map, number, cancel);
-  };
-  Q_EMIT workWanted(work);
+// Its fields are shown, as they were taken.
+void SegmentStepsPage::apply(const StepKind& kind) {
+  kinds_->setCurrentIndex(kinds_->findData(QLatin1String(kind.name)));
+  Q_EMIT workWanted(workOf(kind, fields_->valuesFor(kind), session_));
 }
 
 }  // namespace volumen

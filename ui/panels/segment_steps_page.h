@@ -1,16 +1,15 @@
 #pragma once
 
-#include <QComboBox>
-#include <QDoubleSpinBox>
+#include <QPushButton>
 #include <QToolButton>
 #include <vector>
 
-#include "ui/controller/segment_jobs.h"
-#include "ui/controller/segment_steps.h"
+#include "ui/panels/step_fields.h"
 
 namespace volumen {
 
-/// The steps that change the current segment, a button each.
+/// The steps that change the current segment: a list with the fields of the one chosen, and the usual ones as
+/// buttons.
 class SegmentStepsPage : public QWidget {
   Q_OBJECT
  public:
@@ -23,19 +22,21 @@ class SegmentStepsPage : public QWidget {
   void workWanted(const volumen::SegmentWork& work);
 
  private:
+  void fillKinds();
   void makeLayout();
-  void showOthers();
-  QString whyNot(const SegmentStep& step) const;
-  void run(const SegmentStep& step);
+  const StepKind& chosen() const;
+  void showWhatCanBeDone();
+  void apply(const StepKind& kind);
 
   Session& session_;
-  QDoubleSpinBox *mm_, *ml_;
-  QComboBox* other_;
-  struct StepButton {
-    const SegmentStep* step;
+  QComboBox* kinds_;
+  StepFields* fields_;
+  QPushButton* apply_;
+  struct UsualStep {
+    const StepKind* kind;
     QToolButton* button;
   };
-  std::vector<StepButton> buttons_;
+  std::vector<UsualStep> usual_;
 };
 
 }  // namespace volumen

@@ -125,10 +125,12 @@ void SegmentsPanel::fillRecipes() {
     action->setObjectName(QStringLiteral("recipe") + shownText(recipe->name));
     action->setToolTip(toolTipOf(shownText(recipe->description)));
   }
+  menu->addSeparator();
+  menu->addActions(recipeActions_);
   menu->setToolTipsVisible(true);
-  recipes_->setEnabled(!offered.empty());
-  recipes_->setToolTip(toolTipOf(offered.empty() ? tr("There are recipes for CT and MR.")
-                                                 : tr("Segments by a list of steps, by one click.")));
+  recipes_->setToolTip(
+      toolTipOf(QStringList{tr("Segments by a list of steps, by one click."),
+                            offered.empty() ? tr("Built-in ones are for CT and MR.") : QString()}));
 }
 
 void SegmentsPanel::setExportAction(QAction* action) {
@@ -139,6 +141,11 @@ void SegmentsPanel::setExportAction(QAction* action) {
   connect(action, &QAction::changed, export_, show);
   connect(export_, &QPushButton::clicked, action, &QAction::trigger);
   show();
+}
+
+void SegmentsPanel::setRecipeActions(const QList<QAction*>& actions) {
+  recipeActions_ = actions;
+  fillRecipes();
 }
 
 void SegmentsPanel::showSegments() {

@@ -32,6 +32,8 @@ class SegmentsPanel : public QWidget {
   void setPartAction(QAction* action) { range_->setPartAction(action); }
   void setPaintActions(QAction* brush, QAction* outline) { paint_->setToolActions(brush, outline); }
   void setExportAction(QAction* action);
+  /// Those behind the built-in recipes.
+  void setRecipeActions(const QList<QAction*>& actions);
   const SegmentRange& range() const { return *range_; }
   const SegmentPaintPage& painting() const { return *paint_; }
   SegmentGrowPage& growPage() { return *growth_; }
@@ -60,6 +62,7 @@ class SegmentsPanel : public QWidget {
   QPushButton* export_;
   QToolButton* numbersButton_;
   QToolButton* recipes_;
+  QList<QAction*> recipeActions_;
   SegmentRange* range_;
   SegmentPaintPage* paint_;
   SegmentStepsPage* steps_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/data/series_key.h"
+#include "viewer/recipe/recipe.h"
 #include "viewer/segment/label_map.h"
 #include "viewer/segment/segment.h"
 
@@ -26,6 +27,7 @@ struct SegmentMap {
   std::optional<SavedLabels> missing;      ///< where they were not: which they are
   int current = 0;                         ///< the number of the one that is worked on; 0: the first
   bool in3d = true;                        ///< those that are shown are drawn in 3D, too, not in slices alone
+  std::vector<Step> steps{};               ///< how they were made (segment_record.h)
   bool operator==(const SegmentMap& other) const;
 };
 

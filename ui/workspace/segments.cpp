@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/workspace/region_colours.h"
+#include "ui/workspace/segment_record.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -14,12 +15,6 @@ constexpr int mostSegments = 255;
 Segment* editSegment(SegmentMap& map, int number) {
   const auto found = std::ranges::find(map.segments, number, &Segment::number);
   return found == map.segments.end() ? nullptr : &*found;
-}
-
-// Its own in every file, also where others choose those of segments without one.
-glm::u8vec3 colourOf(int number) {
-  const QColor colour = regionColour({}, number);
-  return {colour.red(), colour.green(), colour.blue()};
 }
 
 SegmentMap* editMap(Workspace& workspace, const SeriesKey& series) {
@@ -55,6 +50,11 @@ std::string freeName(const SegmentMap& map, const std::string& wanted) {
   return name;
 }
 
+glm::u8vec3 colourOfNumber(int number) {
+  const QColor colour = regionColour({}, number);
+  return {colour.red(), colour.green(), colour.blue()};
+}
+
 std::vector<std::uint8_t> lockedNumbers(const SegmentMap& map) {
   std::vector<std::uint8_t> locked;
   for (const Segment& segment : map.segments)
@@ -79,6 +79,7 @@ SegmentMap withoutSegment(SegmentMap map, int number) {
   if (!segment || segment->locked) return map;
   map = withMask(std::move(map), number, BitMask(map.labels->geometry()));
   const auto gone = std::ranges::find(map.segments, number, &Segment::number);
+  map.steps = stepsWithout(map, number);
   const auto before = gone == map.segments.begin() ? gone + 1 : gone - 1;
   map.current = before == map.segments.end() ? 0 : before->number;
   map.segments.erase(gone);
@@ -86,7 +87,7 @@ SegmentMap withoutSegment(SegmentMap map, int number) {
 }
 
 SegmentMap withSegment(SegmentMap map, Segment segment) {
-  if (!segment.colour) segment.colour = colourOf(segment.number);
+  if (!segment.colour) segment.colour = colourOfNumber(segment.number);
   map.current = segment.number;
   map.segments.push_back(std::move(segment));
   return map;
@@ -128,7 +129,9 @@ Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const Vox
                          Segment segment) {
   SegmentMap map = segmentMapOn(workspace, series, grid);
   if (!freeNumber(map) || !workspace.series.contains(series)) return workspace;
-  return withSegmentMap(std::move(workspace), withSegmentAdded(std::move(map), std::move(segment)));
+  map = withSegmentAdded(std::move(map), std::move(segment));
+  const std::string made = stepNameOf(map.current);
+  return withSegmentMap(std::move(workspace), withRecorded(std::move(map), {{"empty", made}}));
 }
 
 Workspace withSegmentCopied(Workspace workspace, const SeriesKey& series, int number) {

@@ -18,6 +18,9 @@ const Segment* currentSegment(const SegmentMap& map);
 std::optional<int> freeNumber(const SegmentMap& map);
 /// `wanted`, or with a number behind it where another segment is called so: "Bone 2".
 std::string freeName(const SegmentMap& map, const std::string& wanted);
+/// The colour that a new segment of this number has: its own in every file, also where others choose those of
+/// segments without one.
+glm::u8vec3 colourOfNumber(int number);
 /// The numbers of the locked segments.
 std::vector<std::uint8_t> lockedNumbers(const SegmentMap& map);
 /// Whether its labels lie on this grid; not where they were not read.

@@ -83,6 +83,10 @@ void FieldWriter::operator()(const char* name, Shape& shape) {
     problem_ = pathOf(name) + ": " + valid.message();
 }
 
+void FieldWriter::operator()(const char* name, std::vector<Step>& steps) {
+  if (!steps.empty()) json_[name] = Json::parse(stepsJson(steps));
+}
+
 void FieldWriter::operator()(const char* name, SeriesKey& series) {
   const auto found = std::ranges::find(series_.keys, series);
   json_[name] = found == series_.keys.end() ? Json() : Json(found - series_.keys.begin());
@@ -151,6 +155,16 @@ void FieldReader::operator()(const char* name, Shape& shape) {
   shape = readShape(*object);
   if (const Status valid = checkShape(shape); !valid)
     json_.refuse(json_.pathOf(name) + ":", unended(valid.message()));
+}
+
+void FieldReader::operator()(const char* name, std::vector<Step>& steps) {
+  const nlohmann::json* list = json_.raw(name);
+  if (!list) return;
+  Result<std::vector<Step>> read = readSteps(list->dump());
+  if (read)
+    steps = std::move(*read);
+  else
+    json_.refuse(json_.pathOf(name) + ":", unended(read.message()));
 }
 
 // The number of a series; none where the field is missing or null, or refused.

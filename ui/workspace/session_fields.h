@@ -12,6 +12,7 @@
 #include "ui/workspace/shared_list.h"
 #include "ui/workspace/shared_map.h"
 #include "viewer/measure/shape.h"
+#include "viewer/recipe/recipe.h"
 #include "viewer/scene/json_fields.h"
 #include "viewer/scene/scene.h"
 
@@ -72,6 +73,8 @@ class FieldWriter {
   }
   void operator()(const char* name, Scene& scene);
   void operator()(const char* name, Shape& shape);
+  /// As in a recipe; left out where there are none.
+  void operator()(const char* name, std::vector<Step>& steps);
   /// A number of the list; null: no series.
   void operator()(const char* name, SeriesKey& series);
   /// A frame of reference: its UID, or the number of the only series in it.
@@ -173,6 +176,7 @@ class FieldReader {
   }
   void operator()(const char* name, Scene& scene);
   void operator()(const char* name, Shape& shape);
+  void operator()(const char* name, std::vector<Step>& steps);
   void operator()(const char* name, SeriesKey& series);
   void frame(const char* name, std::string& frame);
 

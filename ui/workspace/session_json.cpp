@@ -348,6 +348,7 @@ void fields(Fields& f, SegmentMap& map) {
   f("segments", map.segments);
   f("current", map.current, {0, 255});
   f("in3d", map.in3d);
+  f("steps", map.steps);
   f.require("labels", isChecksum(saved.checksum), "must be 40 hexadecimal digits");
   f.require("geometry", spansSpace(saved.geometry), "must have axes that span space");
   if (!map.labels) map.missing = saved;

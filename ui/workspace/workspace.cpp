@@ -5,6 +5,7 @@
 
 #include "io/curved.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/segment_record.h"
 #include "ui/workspace/time_points.h"
 
 namespace volumen {
@@ -307,7 +308,7 @@ Workspace withSegmentMap(Workspace workspace, const SegmentMap& map) {
   if (map.segments.empty())
     workspace.segmentMaps.eraseIf(isIt);
   else if (segmentMapOf(workspace, map.series))
-    workspace.segmentMaps.editIf(isIt, [&](SegmentMap& other) { other = map; });
+    workspace.segmentMaps.editIf(isIt, [&](SegmentMap& other) { other = withHandMade(other, map); });
   else
     workspace.segmentMaps.push_back(map);
   return workspace;

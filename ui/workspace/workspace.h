@@ -331,7 +331,8 @@ Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneL
 bool canChangeKind(ViewId view);
 /// Without this series: views that show it are empty, and what was measured on it comes back with it.
 Workspace without(Workspace workspace, const SeriesKey& key);
-/// With these segments in place of those that their series has; without segments it has no map.
+/// With these segments in place of those that their series has; without segments it has no map. What was
+/// changed of their labels without a step is made by hand (segment_record.h).
 Workspace withSegmentMap(Workspace workspace, const SegmentMap& map);
 /// The segments of a series; null: none.
 const SegmentMap* segmentMapOf(const Workspace& workspace, const SeriesKey& series);

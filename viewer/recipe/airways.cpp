@@ -161,7 +161,7 @@ Result<BitMask> airTreeOf(const Volume& volume, const std::vector<glm::ivec3>& s
   low = std::floor(std::min(low, limits.most)), limits.most = std::max(low, limits.most);
   BitMask tree = upTo(limits.most);
   if (fits(tree)) return tree;
-  double high = limits.most;
+  double high = std::ceil(limits.most);  // whole, so that the middle is another one
   std::optional<BitMask> largest;
   while (high - low > 1 && !cancel.cancelled()) {
     const double middle = std::floor((low + high) / 2);

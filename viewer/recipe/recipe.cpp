@@ -16,40 +16,51 @@ Step completed(Step step, const StepKind& kind) {
   return step;
 }
 
+// The segments that a field names.
+std::vector<std::string> namesIn(const StepField& field, const StepValue& value) {
+  if (const auto* names = std::get_if<std::vector<std::string>>(&value)) return *names;
+  const auto* name = std::get_if<std::string>(&value);
+  if (!name || !field.words.empty() || (name->empty() && field.need == StepField::Need::no)) return {};
+  return {*name};
+}
+
 // The Error: a segment that it names is not there.
 Status checkSegments(const Step& step, const StepKind& kind, const NamedMasks& masks) {
-  for (const StepField& field : kind.fields) {
-    const auto* name = std::get_if<std::string>(&step.fields.at(field.name));
-    if (!name || !field.words.empty() || (name->empty() && field.need == StepField::Need::no)) continue;
-    if (!masks.contains(*name))
-      return Error{step.kind + ": " + field.name + " names the segment \"" + *name +
-                   "\", which no step before it made."};
-  }
+  for (const StepField& field : kind.fields)
+    for (const std::string& name : namesIn(field, step.fields.at(field.name)))
+      if (!masks.contains(name))
+        return Error{step.kind + ": " + field.name + " names the segment \"" + name +
+                     "\", which no step before it made."};
   return {};
+}
+
+Result<NamedMasks> madeBy(const StepKind& kind, const StepInput& in) {
+  if (kind.runAll) return kind.runAll(in);
+  Result<BitMask> made = kind.run(in);
+  if (!made) return made.error();
+  return NamedMasks{{in.name(), std::move(*made)}};
 }
 
 }  // namespace
 
-Result<BitMask> runStep(const Step& step, const Volume& volume, const NamedMasks& masks,
-                        const CancelToken& cancel) {
+Status runStep(const Step& step, const Volume& volume, NamedMasks& masks, const CancelToken& cancel) {
   const StepKind* const kind = stepKind(step.kind);
   if (!kind) return Error{"There is no step \"" + step.kind + "\"."};
   const Step complete = completed(step, *kind);
-  if (Status s = checkSegments(complete, *kind, masks); !s) return s.error();
-  Result<BitMask> made = kind->run(StepInput(complete, volume, masks, cancel));
+  if (Status s = checkSegments(complete, *kind, masks); !s) return s;
+  Result<NamedMasks> made = madeBy(*kind, StepInput(complete, volume, masks, cancel));
   if (cancel.cancelled()) return Error{"Cancelled."};
   if (!made) return Error{step.kind + ": " + made.message() + "."};
-  return made;
+  for (auto& [name, mask] : *made) masks.insert_or_assign(name, std::move(mask));
+  return {};
 }
 
 Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel) {
   NamedMasks masks;
   for (std::size_t n = 0; n < recipe.steps.size(); ++n) {
-    const Step& step = recipe.steps[n];
-    Result<BitMask> made = runStep(step, volume, masks, cancel);
-    if (cancel.cancelled()) return made.error();
-    if (!made) return Error{"Step " + std::to_string(n + 1) + ", " + made.message()};
-    masks.insert_or_assign(step.segment, std::move(*made));
+    const Status done = runStep(recipe.steps[n], volume, masks, cancel);
+    if (cancel.cancelled()) return Error{"Cancelled."};
+    if (!done) return Error{"Step " + std::to_string(n + 1) + ", " + done.message()};
     cancel.setDone(double(n + 1) / double(recipe.steps.size()));
   }
   Segmented result{recipe.segments, LabelMap(volume.geometry())};

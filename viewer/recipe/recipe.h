@@ -13,8 +13,8 @@
 namespace volumen {
 
 /// What a field of a step holds: a number, a word or the name of a segment, yes or no, places in the patient
-/// (mm, LPS).
-using StepValue = std::variant<double, std::string, bool, std::vector<glm::dvec3>>;
+/// (mm, LPS), names of segments.
+using StepValue = std::variant<double, std::string, bool, std::vector<glm::dvec3>, std::vector<std::string>>;
 
 /// One step: what is done (the name of a row of stepKinds()), to which segment, and its fields by name; those
 /// left out are as their row says.
@@ -34,13 +34,15 @@ struct Recipe {
   bool operator==(const Recipe&) const = default;
 };
 
+/// The most steps of a recipe.
+inline constexpr std::size_t mostSteps = 10000;
+
 /// Masks of one grid by the names of their segments.
 using NamedMasks = std::map<std::string, BitMask>;
 
-/// The step's segment after it, from all segments before it. The same voxels on any machine. The Error names
-/// the step and the field, or says that it was cancelled.
-Result<BitMask> runStep(const Step& step, const Volume& volume, const NamedMasks& masks,
-                        const CancelToken& cancel = {});
+/// Does a step on the segments before it. The same voxels on any machine. The Error names the step and the
+/// field, or says that it was cancelled; the masks are as they were then.
+Status runStep(const Step& step, const Volume& volume, NamedMasks& masks, const CancelToken& cancel = {});
 
 /// A recipe's segments of a volume; where they overlap, the later one's. An Error as of runStep(), with the
 /// number of the step.
@@ -51,6 +53,10 @@ Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const Cance
 Result<Recipe> readRecipe(const std::string& json);
 /// With every field that is not as its row says.
 std::string recipeJson(const Recipe& recipe);
+
+/// Steps alone, a list of JSON, as they stand in a recipe.
+Result<std::vector<Step>> readSteps(const std::string& json);
+std::string stepsJson(const std::vector<Step>& steps);
 
 /// Those compiled in from resources/recipes, in alphabetical order of their files.
 const std::vector<Recipe>& builtInRecipes();

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t mostSegments = 255, mostSteps = 1000, mostPlaces = 100000;
+constexpr std::size_t mostSegments = 255, mostPlaces = 100000;
 
 Code readCode(JsonFields* from, const char* name) {
   Code code;
@@ -80,6 +80,18 @@ std::string readWord(JsonFields& fields, const StepField& field) {
   return word;
 }
 
+std::vector<std::string> readNames(JsonFields& fields, const char* name) {
+  const nlohmann::json* const list = fields.raw(name);
+  std::vector<std::string> names;
+  if (list->is_array() && list->size() < mostSegments)
+    for (const nlohmann::json& one : *list)
+      if (one.is_string()) names.push_back(one.get<std::string>());
+  if (!list->is_array() || names.size() != list->size())
+    fields.refuse(fields.pathOf(name),
+                  R"(must be a list of names of at most 254 segments, as in ["Lungs", "Airways"])");
+  return names;
+}
+
 void readField(JsonFields& fields, const StepField& field, Step& step) {
   if (!fields.raw(field.name)) {
     if (field.need == StepField::Need::yes)
@@ -95,6 +107,8 @@ void readField(JsonFields& fields, const StepField& field, Step& step) {
     value = flag;
   } else if (std::holds_alternative<std::string>(field.byDefault))
     value = readWord(fields, field);
+  else if (std::holds_alternative<std::vector<std::string>>(field.byDefault))
+    value = readNames(fields, field.name);
   else
     value = readPlaces(fields, field.name);
   if (value == field.byDefault) step.fields.erase(field.name);
@@ -118,6 +132,12 @@ Step readStep(JsonFields fields) {
   for (const StepField& field : kind->fields) readField(fields, field, step);
   fields.refuseOthers();
   return step;
+}
+
+void readSteps(JsonFields& fields, std::vector<Step>& steps) {
+  fields.readList("steps", steps, readStep);
+  if (steps.size() > mostSteps)
+    fields.refuse("steps", "must be at most " + std::to_string(mostSteps) + " steps");
 }
 
 void checkNames(const Recipe& recipe, JsonFields& fields) {
@@ -193,16 +213,32 @@ Result<Recipe> readRecipe(const std::string& json) {
         fields.refuse("modalities", "must be a list of words, as in [\"CT\"]");
   }
   fields.readList("segments", recipe.segments, readSegment);
-  fields.readList("steps", recipe.steps, readStep);
+  readSteps(fields, recipe.steps);
   if (recipe.segments.empty() || recipe.segments.size() > mostSegments)
     fields.refuse("segments", "must be a list of 1 to " + std::to_string(mostSegments) + " segments");
-  if (recipe.steps.size() > mostSteps)
-    fields.refuse("steps", "must be at most " + std::to_string(mostSteps) + " steps");
   for (std::size_t n = 0; n < recipe.segments.size(); ++n) recipe.segments[n].number = int(n + 1);
   checkNames(recipe, fields);
   fields.refuseOthers();
   if (!problem.empty()) return Error{problem};
   return recipe;
+}
+
+Result<std::vector<Step>> readSteps(const std::string& json) {
+  const auto parsed = parseJson("{\"steps\": " + json + "}", 64);
+  if (!parsed) return parsed.error();
+  std::string problem;
+  JsonFields fields(*parsed, "", problem);
+  std::vector<Step> steps;
+  readSteps(fields, steps);
+  fields.refuseOthers();
+  if (!problem.empty()) return Error{problem};
+  return steps;
+}
+
+std::string stepsJson(const std::vector<Step>& steps) {
+  Json list = Json::array();
+  for (const Step& step : steps) list.push_back(stepJson(step));
+  return list.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string recipeJson(const Recipe& recipe) {

@@ -18,6 +18,12 @@ class StepInput {
   BitMask own() const;
   /// The segment that a field names; checked to be there.
   const BitMask& segment(const char* field) const;
+  /// The name of the step's segment, and the mask of any that its fields name.
+  const std::string& name() const { return step_.segment; }
+  const BitMask& mask(const std::string& name) const { return masks_.at(name); }
+  const std::vector<std::string>& names(const char* field) const {
+    return std::get<std::vector<std::string>>(step_.fields.at(field));
+  }
   bool namesSegment(const char* field) const { return !word(field).empty(); }
   double number(const char* field) const { return std::get<double>(step_.fields.at(field)); }
   const std::string& word(const char* field) const { return std::get<std::string>(step_.fields.at(field)); }
@@ -40,7 +46,8 @@ class StepInput {
 struct StepField {
   enum class Need { no, yes };
   const char* name;
-  const char* unit;  ///< "mm", "ml", "value"; empty: none
+  const char* title;  ///< for people
+  const char* unit;   ///< "mm", "ml", "value"; empty: none
   StepValue byDefault;
   ValueRange allowed{};              ///< of a number, both ends inside
   std::vector<const char*> words{};  ///< that a text may be; none: it is the name of a segment
@@ -49,11 +56,20 @@ struct StepField {
 
 /// A kind of step.
 struct StepKind {
+  /// What becomes of its segment: it is made, whatever it was; changed; or only made smaller.
+  enum class Use { makes, changes, narrows };
   const char* name;
-  const char* says;  ///< what it makes of its segment, for people
+  const char* title;  ///< a few words, for people
+  const char* says;   ///< what it makes of its segment, for people
   std::vector<StepField> fields;
+  Use use;
   Result<BitMask> (*run)(const StepInput&);
+  /// In place of that where it changes the segments of its field "with", too.
+  Result<NamedMasks> (*runAll)(const StepInput&) = nullptr;
 };
+
+/// The kind of what no recipe can do again; to follow it is an Error.
+inline constexpr const char* byHandStep = "byHand";
 
 /// All of them, in the order of a menu. A new one is a row.
 std::span<const StepKind> stepKinds();

@@ -4,6 +4,7 @@
 
 #include "viewer/recipe/airways.h"
 #include "viewer/recipe/step_kinds.h"
+#include "viewer/segment/morphology.h"
 #include "viewer/segment/numbers.h"
 #include "viewer/segment/parts.h"
 
@@ -23,8 +24,8 @@ Parts partsOf(const StepInput& in) { return Parts(in.own(), neighboursOf(in), in
 Result<BitMask> largest(const StepInput& in) { return partsOf(in).largest(std::size_t(in.number("count"))); }
 
 Result<BitMask> islands(const StepInput& in) {
-  const double mm3 = in.volume.geometry().voxelVolume();
-  return partsOf(in).atLeast(std::int64_t(std::ceil(in.number("leastMl") * 1000 / mm3)));
+  const double voxels = in.number("leastMl") * 1000 / in.volume.geometry().voxelVolume();
+  return partsOf(in).atLeast(std::int64_t(std::ceil(voxels - 1e-9)));  // rounding makes no voxel more
 }
 
 Result<BitMask> keep(const StepInput& in) { return partsOf(in).touched(in.voxelsAt("at")); }
@@ -49,9 +50,24 @@ Result<BitMask> connectedPart(const StepInput& in) {
 
 Result<BitMask> copy(const StepInput& in) { return BitMask(in.segment("other")); }
 Result<BitMask> add(const StepInput& in) { return united(in.own(), in.segment("other")); }
-Result<BitMask> subtract(const StepInput& in) { return subtracted(in.own(), in.segment("other")); }
-Result<BitMask> intersect(const StepInput& in) { return intersected(in.own(), in.segment("other")); }
+
+// The other segment, and what lies within so many mm of it.
+BitMask nearOther(const StepInput& in) {
+  const double margin = in.number("marginMm");
+  return margin > 0 ? grown(in.segment("other"), margin, in.cancel) : in.segment("other");
+}
+
+Result<BitMask> subtract(const StepInput& in) { return subtracted(in.own(), nearOther(in)); }
+Result<BitMask> intersect(const StepInput& in) { return intersected(in.own(), nearOther(in)); }
 Result<BitMask> invert(const StepInput& in) { return inverted(in.own()); }
+
+Result<BitMask> part(const StepInput& in) {
+  const Parts parts(in.segment("other"), neighboursOf(in), in.cancel);
+  std::vector<bool> chosen(parts.count());
+  if (const double rank = in.number("rank"); rank <= double(parts.count()))
+    chosen[std::size_t(rank) - 1] = true;
+  return parts.mask(chosen);
+}
 
 Result<BitMask> trachea(const StepInput& in) { return tracheaOf(in.volume, in.segment("in"), in.cancel); }
 
@@ -63,35 +79,76 @@ Result<BitMask> airTree(const StepInput& in) {
 
 std::vector<StepKind> stepsOfParts() {
   using Need = StepField::Need;
-  const StepField neighbours{"neighbours", "", std::string("faces"), {}, {"faces", "edges", "corners"}};
-  const StepField at{"at", "mm", Places{}, {}, {}, Need::yes}, perhapsAt{"at", "mm", Places{}};
-  const StepField from{"from", "", std::string()}, other{"other", "", std::string(), {}, {}, Need::yes};
+  using enum StepKind::Use;
+  const StepField neighbours{
+      "neighbours", "Touching by", "", std::string("faces"), {}, {"faces", "edges", "corners"}};
+  const StepField at{"at", "At", "mm", Places{}, {}, {}, Need::yes}, perhapsAt{"at", "At", "mm", Places{}};
+  const StepField from{"from", "About", "", std::string()},
+      other{"other", "Other segment", "", std::string(), {}, {}, Need::yes},
+      margin{"marginMm", "Margin", "mm", 0.0, {0, 100}};
   return {
-      {"largest", "its largest parts", {{"count", "", 1.0, {1, 1000}}, neighbours}, largest},
+      {"largest",
+       "Keep largest",
+       "its largest parts",
+       {{"count", "How many", "", 1.0, {1, 1000}}, neighbours},
+       narrows,
+       largest},
       {"islands",
+       "Remove islands",
        "its parts of at least so many ml",
-       {{"leastMl", "ml", 1.0, {0, 1e6}}, neighbours},
+       {{"leastMl", "Smaller than", "ml", 1.0, {0, 1e6}}, neighbours},
+       narrows,
        islands},
-      {"keep", "its parts at places", {at, neighbours}, keep},
-      {"remove", "its parts that are at none of these places", {at, neighbours}, remove},
+      {"keep", "Keep parts", "its parts at places", {at, neighbours}, narrows, keep},
+      {"remove",
+       "Remove parts",
+       "its parts that are at none of these places",
+       {at, neighbours},
+       narrows,
+       remove},
       {"connected",
+       "Keep connected",
        "its part at places or about another segment; where it is thinner than twice the leak guard, nothing "
        "leaks through",
-       {perhapsAt, from, {"leakGuardMm", "mm", 0.0, {0, 100}}, neighbours},
+       {perhapsAt, from, {"leakGuardMm", "Leak guard", "mm", 0.0, {0, 100}}, neighbours},
+       narrows,
        connectedPart},
-      {"copy", "the voxels of another segment", {other}, copy},
-      {"add", "with another segment", {other}, add},
-      {"subtract", "without another segment", {other}, subtract},
-      {"intersect", "what another segment has, too", {other}, intersect},
-      {"invert", "all other voxels", {}, invert},
+      {"copy", "Copy", "the voxels of another segment", {other}, makes, copy},
+      {"add", "Unite", "with another segment", {other}, changes, add},
+      {"subtract",
+       "Subtract",
+       "without what lies in another segment, or within so many mm of it",
+       {other, margin},
+       narrows,
+       subtract},
+      {"intersect",
+       "Intersect",
+       "what lies in another segment, or within so many mm of it, too",
+       {other, margin},
+       narrows,
+       intersect},
+      {"invert", "Invert", "all other voxels", {}, changes, invert},
+      {"part",
+       "Part of another",
+       "the part of another segment that is so many-th in size; none where there are fewer",
+       {other, {"rank", "Rank", "", 2.0, {1, 1e6}}, neighbours},
+       makes,
+       part},
       {"trachea",
+       "Trachea",
        "a round slice of air near the middle of the body, in the upper half, that goes on for 3 cm",
-       {{"in", "", std::string(), {}, {}, Need::yes}},
+       {{"in", "Inside", "", std::string(), {}, {}, Need::yes}},
+       makes,
        trachea},
       {"airTree",
+       "Air tree",
        "what is joined to places or another segment by values up to the highest threshold at which it is no "
        "larger than so many ml",
-       {perhapsAt, from, {"most", "value", -600.0, {-1e30, 1e30}}, {"mostMl", "ml", 60.0, {0.1, 1e6}}},
+       {perhapsAt,
+        from,
+        {"most", "Up to", "value", -600.0, {-1e30, 1e30}},
+        {"mostMl", "At most", "ml", 60.0, {0.1, 1e6}}},
+       makes,
        airTree},
   };
 }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "viewer/recipe/step_kinds.h"
 #include "viewer/segment/between_slices.h"
 #include "viewer/segment/holes.h"
@@ -35,28 +37,88 @@ Result<BitMask> betweenSlices(const StepInput& in) {
   return filledBetweenSlices(in.own(), axisOf(in), in.cancel);
 }
 
+// The step's segment, those of "with" and those that are locked, each once.
+std::vector<std::string> jointNames(const StepInput& in, std::size_t& unlocked) {
+  std::vector<std::string> names{in.name()};
+  const auto add = [&](const std::vector<std::string>& more) {
+    for (const std::string& name : more)
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  add(in.names("with"));
+  unlocked = names.size();
+  add(in.names("locked"));
+  return names;
+}
+
+Result<NamedMasks> joint(const StepInput& in) {
+  std::size_t unlocked = 0;
+  const std::vector<std::string> names = jointNames(in, unlocked);
+  if (names.size() > 255) return Error{"there are more than 255 segments"};
+  LabelMap labels(in.volume.geometry());
+  std::vector<std::uint8_t> locked;
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    labels = withLabel(labels, std::uint8_t(n + 1), n == 0 ? in.own() : in.mask(names[n]));
+    if (n >= unlocked) locked.push_back(std::uint8_t(n + 1));
+  }
+  labels = jointSmoothed(labels, in.number("sigmaMm"), locked, in.cancel);
+  NamedMasks made;
+  for (std::size_t n = 0; n < unlocked; ++n) made.emplace(names[n], maskOf(labels, std::uint8_t(n + 1)));
+  return made;
+}
+
 }  // namespace
 
 std::vector<StepKind> stepsOfShape() {
-  const auto radius = [](double mm) { return StepField{"radiusMm", "mm", mm, {0, 100}}; };
+  using enum StepKind::Use;
+  const auto radius = [](double mm) { return StepField{"radiusMm", "Radius", "mm", mm, {0, 100}}; };
+  const StepField sigma{"sigmaMm", "Standard deviation", "mm", 1.0, {0, 100}};
+  const std::vector<std::string> none;
   return {
-      {"grow", "with all within so many mm", {radius(1)}, byRadius<grown>},
-      {"shrink", "without all within so many mm of its border", {radius(1)}, byRadius<shrunk>},
-      {"open", "without what no ball of this radius fits in", {radius(1)}, byRadius<opened>},
-      {"close", "with gaps that no ball of this radius fits in", {radius(1)}, byRadius<closed>},
-      {"shell", "its outermost mm", {radius(2)}, byRadius<shell>},
+      {"grow", "Grow", "with all within so many mm", {radius(1)}, changes, byRadius<grown>},
+      {"shrink",
+       "Shrink",
+       "without all within so many mm of its border",
+       {radius(1)},
+       narrows,
+       byRadius<shrunk>},
+      {"open", "Open", "without what no ball of this radius fits in", {radius(1)}, narrows, byRadius<opened>},
+      {"close",
+       "Close",
+       "with gaps that no ball of this radius fits in",
+       {radius(1)},
+       changes,
+       byRadius<closed>},
+      {"shell", "Hollow", "its outermost mm", {radius(2)}, narrows, byRadius<shell>},
       {"fill",
+       "Fill holes",
        "with what it encloses, in the volume or in slices across the patient or an axis of the grid",
-       {{"across", "", std::string("volume"), {}, {"volume", "patient", "i", "j", "k"}}},
+       {{"across", "In", "", std::string("volume"), {}, {"volume", "patient", "i", "j", "k"}}},
+       changes,
        fill},
-      {"median", "where most voxels of a ball are in it", {radius(1.5)}, byRadius<medianSmoothed>},
+      {"median",
+       "Smooth (median)",
+       "where most voxels of a ball are in it",
+       {radius(1.5)},
+       changes,
+       byRadius<medianSmoothed>},
       {"gaussian",
+       "Smooth",
        "where it is more than half after a Gaussian",
-       {{"sigmaMm", "mm", 1.0, {0, 100}}},
+       {sigma},
+       changes,
        gaussian},
+      {"joint",
+       "Smooth all",
+       "smoothed together with other segments, without gaps between them; locked ones stay",
+       {{"with", "With", "", none}, sigma, {"locked", "Locked", "", none}},
+       changes,
+       nullptr,
+       joint},
       {"betweenSlices",
+       "Fill between slices",
        "with the slices between those that are painted",
-       {{"across", "", std::string("patient"), {}, {"patient", "i", "j", "k"}}},
+       {{"across", "Across", "", std::string("patient"), {}, {"patient", "i", "j", "k"}}},
+       changes,
        betweenSlices},
   };
 }

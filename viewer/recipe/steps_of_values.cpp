@@ -72,27 +72,51 @@ Result<BitMask> patient(const StepInput& in) {
   return patientMask(in.volume, in.cancel);
 }
 
+Result<BitMask> empty(const StepInput& in) { return BitMask(in.volume.geometry()); }
+
+Result<BitMask> byHand(const StepInput& in) {
+  return Error{"\"" + in.name() + "\" was painted, cut or opened, which no recipe can do again"};
+}
+
 }  // namespace
 
 std::vector<StepKind> stepsOfValues() {
-  const StepField low{"low", "value", -unbounded, anyValue}, high{"high", "value", unbounded, anyValue};
-  const StepField at{"at", "mm", Places{}, {}, {}, StepField::Need::yes};
+  using enum StepKind::Use;
+  const StepField low{"low", "From", "value", -unbounded, anyValue},
+      high{"high", "To", "value", unbounded, anyValue};
+  const StepField at{"at", "At", "mm", Places{}, {}, {}, StepField::Need::yes};
   return {
-      {"range", "the voxels of a range of values, both ends included", {low, high}, range},
-      {"otsu", "the voxels from a share of Otsu's threshold on", {{"times", "", 1.0, {0.01, 100}}}, otsu},
-      {"ball", "the voxels within so many mm of places", {at, {"radiusMm", "mm", 10.0, anyLength}}, ball},
+      {"range", "Range", "the voxels of a range of values, both ends included", {low, high}, makes, range},
+      {"otsu",
+       "Otsu's threshold",
+       "the voxels from a share of Otsu's threshold on",
+       {{"times", "Times", "", 1.0, {0.01, 100}}},
+       makes,
+       otsu},
+      {"ball",
+       "Ball",
+       "the voxels within so many mm of places",
+       {at, {"radiusMm", "Radius", "mm", 10.0, anyLength}},
+       makes,
+       ball},
       {"paint",
+       "Paint",
        "with (or without) what a ball covers that is drawn along places, of a range of values",
-       {at, {"radiusMm", "mm", 5.0, anyLength}, {"erase", "", false}, low, high},
+       {at, {"radiusMm", "Radius", "mm", 5.0, anyLength}, {"erase", "Erase", "", false}, low, high},
+       changes,
        paint},
       {"lesion",
+       "Lesion",
        "of another segment the part about its largest value, from a share of that value (or a value) on",
-       {{"in", "", std::string(), {}, {}, StepField::Need::yes},
-        {"by", "", std::string("share"), {}, {"share", "value"}},
-        {"share", "", 0.41, {0, 1}},
-        {"value", "value", 2.5, {-1e30, 1e30}}},
+       {{"in", "Inside", "", std::string(), {}, {}, StepField::Need::yes},
+        {"by", "By", "", std::string("share"), {}, {"share", "value"}},
+        {"share", "Share", "", 0.41, {0, 1}},
+        {"value", "Value", "value", 2.5, {-1e30, 1e30}}},
+       makes,
        lesion},
-      {"patient", "the patient in a CT, lungs included, without the table", {}, patient},
+      {"patient", "Patient", "the patient in a CT, lungs included, without the table", {}, makes, patient},
+      {"empty", "Clear", "no voxels", {}, makes, empty},
+      {byHandStep, "By hand", "what no recipe can do again: painted, cut, opened", {}, makes, byHand},
   };
 }
 

@@ -55,6 +55,8 @@ StepValue anyValue(const StepField& field, const std::string& segment, Chance& c
     return chance.between(std::max(field.allowed.low, -1e6), std::min(field.allowed.high, 1e6));
   if (std::holds_alternative<std::string>(field.byDefault))
     return field.words.empty() ? segment : std::string(field.words[chance.below(int(field.words.size()))]);
+  if (std::holds_alternative<std::vector<std::string>>(field.byDefault))
+    return std::vector<std::string>{segment, "\xc3\x84"};
   std::vector<glm::dvec3> places(std::size_t(1 + chance.below(4)));
   for (glm::dvec3& p : places) p = 300.0 * chance.vector();
   return places;
@@ -142,6 +144,8 @@ void TestRecipe::wrongOnesAreRefusedByName_data() {
        R"(must be "faces" or "edges" or "corners", not "all")");
   step("a field that is needed", R"({"step": "copy", "segment": "A"})", "steps[0].other is missing");
   step("places that are none", R"({"step": "keep", "segment": "A", "at": [1, 2, 3]})", "steps[0].at[0]");
+  step("names that are none", R"({"step": "joint", "segment": "A", "with": "B"})",
+       "steps[0].with must be a list of names");
   step("no segment", R"({"step": "invert"})", "steps[0].segment must be the segment");
   step("nothing makes a segment", R"({"step": "invert", "segment": "B"})", R"(is made by no step: "A")");
   QTest::newRow("no recipe") << QStringLiteral("{}") << QStringLiteral("volumenRecipe must be 1");

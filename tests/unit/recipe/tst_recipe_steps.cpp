@@ -22,6 +22,10 @@ class TestRecipeSteps : public QObject {
   void lesionsAreTheirShareOfTheLargestValue_data();
   void lesionsAreTheirShareOfTheLargestValue();
   void aLesionThatReachesOutIsRefused();
+  void partsAreTakenBySize();
+  void marginsReachSoFar();
+  void allAreSmoothedAtOnce();
+  void whatWasMadeByHandIsRefused();
   void theAirTreeStopsBeforeItLeaks_data();
   void theAirTreeStopsBeforeItLeaks();
 };
@@ -30,10 +34,10 @@ namespace {
 
 using Places = std::vector<dvec3>;
 
-BitMask done(const Step& step, const Volume& volume, const NamedMasks& before = {}) {
-  const auto made = runStep(step, volume, before);
+BitMask done(const Step& step, const Volume& volume, NamedMasks masks = {}) {
+  const Status made = runStep(step, volume, masks);
   if (!made) throw std::runtime_error(made.message());
-  return *made;
+  return masks.at(step.segment);
 }
 
 // By golden sections: the distance to a point of a line has one minimum.
@@ -137,12 +141,77 @@ void TestRecipeSteps::aLesionThatReachesOutIsRefused() {
   const VolumePtr volume = volumeOf<float>({41, 41, 41}, glm::dmat3(1), [](dvec3 v) {
     return 10 * std::max(0.0, 1 - glm::length(v - 20.0) / 20);
   });
-  const NamedMasks sphere{
+  NamedMasks sphere{
       {"Sphere", done({"ball", "Sphere", {{"at", Places{{0, 0, 0}}}, {"radiusMm", 8.0}}}, *volume)}};
-  const auto found = runStep({"lesion", "A", {{"in", std::string("Sphere")}}}, *volume, sphere);
+  const Status found = runStep({"lesion", "A", {{"in", std::string("Sphere")}}}, *volume, sphere);
   QVERIFY(!found);
   QVERIFY(
       QString::fromStdString(found.message()).startsWith(QStringLiteral("lesion: what is found reaches")));
+}
+
+namespace {
+
+// Columns 0 .. 15, and those of them that a mask has in its first row.
+VolumePtr sixteen() {
+  return volumeOf<std::int16_t>({16, 2, 2}, glm::dmat3(1), [](dvec3 p) { return p.x; });
+}
+BitMask columnsOf(const Volume& volume, std::initializer_list<int> columns) {
+  BitMask mask(volume.geometry());
+  for (const int i : columns)
+    for (int k = 0; k < 2; ++k)
+      for (int j = 0; j < 2; ++j) mask.set({i, j, k});
+  return mask;
+}
+
+}  // namespace
+
+void TestRecipeSteps::partsAreTakenBySize() {
+  const VolumePtr volume = sixteen();
+  const NamedMasks parts{{"B", columnsOf(*volume, {0, 3, 4, 5, 9, 10})}};
+  const auto part = [&](double rank) {
+    return done({"part", "A", {{"other", std::string("B")}, {"rank", rank}}}, *volume, parts);
+  };
+  QVERIFY(part(1) == columnsOf(*volume, {3, 4, 5}));
+  QVERIFY(part(2) == columnsOf(*volume, {9, 10}));
+  QVERIFY(part(3) == columnsOf(*volume, {0}));
+  QVERIFY(part(4).empty());
+}
+
+void TestRecipeSteps::marginsReachSoFar() {
+  const VolumePtr volume = sixteen();
+  const NamedMasks two{{"A", columnsOf(*volume, {2, 3, 4, 5, 6})}, {"B", columnsOf(*volume, {5})}};
+  const auto near = [&](const char* kind, double mm) {
+    return done({kind, "A", {{"other", std::string("B")}, {"marginMm", mm}}}, *volume, two);
+  };
+  QVERIFY(near("subtract", 0) == columnsOf(*volume, {2, 3, 4, 6}));
+  QVERIFY(near("subtract", 2) == columnsOf(*volume, {2}));
+  QVERIFY(near("intersect", 1) == columnsOf(*volume, {4, 5, 6}));
+}
+
+// A column of B in A becomes A's; nothing of the locked one changes.
+void TestRecipeSteps::allAreSmoothedAtOnce() {
+  const VolumePtr volume = sixteen();
+  NamedMasks masks{{"A", columnsOf(*volume, {0, 1, 2, 4, 5, 6})},
+                   {"B", columnsOf(*volume, {3, 7, 8, 9, 10, 11})},
+                   {"C", columnsOf(*volume, {12, 14})}};
+  const BitMask locked = masks.at("C");
+  const Status status = runStep({"joint",
+                                 "A",
+                                 {{"with", std::vector<std::string>{"B"}},
+                                  {"sigmaMm", 1.5},
+                                  {"locked", std::vector<std::string>{"C"}}}},
+                                *volume, masks);
+  QVERIFY(status);
+  QVERIFY(masks.at("A") == columnsOf(*volume, {0, 1, 2, 3, 4, 5, 6}));
+  QVERIFY(intersected(masks.at("B"), masks.at("A")).empty() && masks.at("B").at({8, 0, 0}));
+  QVERIFY(masks.at("C") == locked);
+}
+
+void TestRecipeSteps::whatWasMadeByHandIsRefused() {
+  NamedMasks masks;
+  const Status status = runStep({"byHand", "A"}, *sixteen(), masks);
+  QVERIFY(!status && masks.empty());
+  QVERIFY(QString::fromStdString(status.message()).contains(QStringLiteral("\"A\" was painted")));
 }
 
 void TestRecipeSteps::theAirTreeStopsBeforeItLeaks_data() {

@@ -164,6 +164,16 @@ Code anyCode(Chance& chance) {
   return {std::move(value), std::move(scheme), anyText(chance)};
 }
 
+std::vector<Step> anySteps(Chance& chance, int number) {
+  const std::string name = std::to_string(number);
+  std::vector<Step> steps{{"range", name, {{"low", anyNumber(chance)}}}, {"copy", "help", {{"other", name}}}};
+  if (chance.oneIn(2)) steps.push_back({"keep", name, {{"at", std::vector<glm::dvec3>{chance.vector()}}}});
+  if (chance.oneIn(2))
+    steps.push_back({"joint", name, {{"with", std::vector<std::string>{"help"}}, {"sigmaMm", 2.0}}});
+  if (chance.oneIn(3)) steps.push_back({"byHand", name});
+  return steps;
+}
+
 // As a session has it: its labels lie in a file.
 SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
   SegmentMap map{key, {}, nullptr, SavedLabels{std::string(40, "0123456789abcdef"[chance.below(16)]), {}}};
@@ -183,6 +193,7 @@ SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
       segment.colour = glm::u8vec3(chance.below(256), chance.below(256), chance.below(256));
     if (chance.oneIn(2)) segment.range = ValueRange{anyNumber(chance), anyNumber(chance)};
     if (chance.oneIn(3)) map.current = number;
+    if (chance.oneIn(2)) map.steps = anySteps(chance, number);
   }
   map.in3d = !chance.oneIn(4);
   return map;

@@ -1,0 +1,157 @@
+#include "ui/controller/offered_steps.h"
+
+#include <algorithm>
+
+#include "ui/controller/segment_target.h"
+#include "ui/workspace/segment_record.h"
+#include "ui/workspace/segments.h"
+#include "ui/workspace/text.h"
+#include "viewer/recipe/step_names.h"
+
+namespace volumen {
+
+namespace {
+
+using StepPlaces = std::vector<glm::dvec3>;
+using ChosenFields = std::map<std::string, StepValue>;
+
+bool isOffered(const StepKind& kind) {
+  return std::string(kind.name) != byHandStep &&
+         std::ranges::none_of(kind.fields, [](const StepField& field) {
+           return field.need == StepField::Need::yes && std::holds_alternative<StepPlaces>(field.byDefault);
+         });
+}
+
+// Steps that are several.
+std::vector<StepKind> severalSteps() {
+  using enum StepKind::Use;
+  return {{"merge",
+           "Merge",
+           "with all voxels of another segment, which goes",
+           {{"other", "Other segment", "", std::string(), {}, {}, StepField::Need::yes}},
+           changes,
+           nullptr},
+          {"split",
+           "Split into parts",
+           "its largest part and all that is smaller than this; other parts become segments",
+           {{"leastMl", "Smaller than", "ml", 0.0, {0, 1e6}}},
+           changes,
+           nullptr}};
+}
+
+const Segment* otherIn(const SegmentMap& map, const std::string& name) {
+  const auto found = std::ranges::find_if(
+      map.segments, [&](const Segment& segment) { return stepNameOf(segment.number) == name; });
+  return found == map.segments.end() ? nullptr : &*found;
+}
+
+// The Error: a segment that it names is not there any more.
+Status checkOthers(const Step& step, const SegmentMap& map) {
+  for (const std::string& name : neededBy(step))
+    if (!otherIn(map, name)) return Error{"The other segment is not there any more."};
+  return {};
+}
+
+// All segments at once; the names of those that are locked and that are not.
+StepsWanted jointly(Step step, const SegmentMap& map, int number) {
+  std::vector<std::string> with, locked;
+  StepsWanted wanted{{}, {number}, true, {}};
+  for (const Segment& segment : map.segments) {
+    if (segment.number == number) continue;
+    (segment.locked ? locked : with).push_back(stepNameOf(segment.number));
+    if (!segment.locked) wanted.numbers.push_back(segment.number);
+  }
+  step.fields["with"] = with;
+  step.fields["locked"] = locked;
+  wanted.steps = {std::move(step)};
+  return wanted;
+}
+
+Result<StepsWanted> offeredStepsOf(const StepKind& kind, const ChosenFields& fields, const SegmentMap& map,
+                                   int number, const Volume& volume, const Mask& mask,
+                                   const CancelToken& cancel) {
+  Step step{kind.name, stepNameOf(number), fields};
+  if (Status s = checkOthers(step, map); !s) return s.error();
+  if (kind.runAll) return jointly(std::move(step), map, number);
+  StepsWanted wanted{{step}, {number}, false, {}};
+  // What is of another segment is of no values.
+  const bool isOfValues = makesAnew(step) && neededBy(step).empty();
+  return isOfValues ? keptIn(std::move(wanted), {step.segment}, volume, mask, cancel) : wanted;
+}
+
+Result<SegmentMap> mergedSegments(SegmentMap map, int number, const std::string& name, const Volume& volume,
+                                  const CancelToken& cancel) {
+  const Segment* other = otherIn(map, name);
+  if (!other || !findSegment(map, number)) return Error{"The other segment is not there any more."};
+  const int gone = other->number;
+  Result<SegmentMap> made = withStepsDone(
+      std::move(map), {{{"add", stepNameOf(number), {{"other", name}}}}, {number}}, volume, cancel);
+  if (!made) return made;
+  SegmentMap left = withoutSegment(std::move(*made), gone);
+  left.current = number;
+  return left;
+}
+
+Result<SegmentMap> splitSegment(SegmentMap map, int number, double leastMl, const Volume& volume,
+                                const CancelToken& cancel) {
+  if (!findSegment(map, number)) return Error{"The segment is not there any more."};
+  const Result<StepsWanted> wanted = stepsOfSplit(map, number, leastMl, cancel);
+  return wanted ? withStepsDone(std::move(map), *wanted, volume, cancel) : Result<SegmentMap>(wanted.error());
+}
+
+double chosenNumber(const StepKind& kind, const ChosenFields& fields, const char* name) {
+  const auto given = fields.find(name);
+  if (given != fields.end()) return std::get<double>(given->second);
+  return std::get<double>(
+      std::ranges::find(kind.fields, std::string_view(name), &StepField::name)->byDefault);
+}
+
+}  // namespace
+
+std::span<const StepKind> offeredSteps() {
+  static const std::vector<StepKind> all = [] {
+    std::vector<StepKind> rows = severalSteps();
+    std::ranges::copy_if(stepKinds(), std::back_inserter(rows), isOffered);
+    std::ranges::stable_partition(rows, [](const StepKind& k) { return k.use != StepKind::Use::makes; });
+    return rows;
+  }();
+  return all;
+}
+
+const StepKind& offeredStep(const std::string& name) {
+  return *std::ranges::find_if(offeredSteps(), [&](const StepKind& kind) { return kind.name == name; });
+}
+
+bool isChosen(const StepField& field) {
+  return !std::holds_alternative<StepPlaces>(field.byDefault) &&
+         !std::holds_alternative<std::vector<std::string>>(field.byDefault);
+}
+
+SegmentWork workOf(const StepKind& kind, const ChosenFields& fields, const Session& session) {
+  SegmentWork work;
+  work.series = keyOf(session.series()->series);
+  work.volume = wholeVolume(session);
+  work.number = segmentShown(session)->number;
+  work.text = tr(kind.title);
+  work.doing = work.text;
+  const VolumePtr volume = work.volume;
+  const std::string name = kind.name;
+  if (name == "merge")
+    work.makeAll = [number = work.number, other = std::get<std::string>(fields.at("other")), volume](
+                       const SegmentMap& map, const CancelToken& cancel) {
+      return mergedSegments(map, number, other, *volume, cancel);
+    };
+  else if (name == "split")
+    work.makeAll = [number = work.number, least = chosenNumber(kind, fields, "leastMl"), volume](
+                       const SegmentMap& map, const CancelToken& cancel) {
+      return splitSegment(map, number, least, *volume, cancel);
+    };
+  else
+    work.steps = [&kind, fields, volume, mask = session.maskOf(work.series)](
+                     const SegmentMap& map, int number, const CancelToken& cancel) {
+      return offeredStepsOf(kind, fields, map, number, *volume, mask, cancel);
+    };
+  return work;
+}
+
+}  // namespace volumen

@@ -1,0 +1,114 @@
+#include <QFileDialog>
+
+#include "ui/controller/recipe_files.h"
+#include "ui/controller/segment_recipes.h"
+#include "ui/controller/segment_target.h"
+#include "ui/features/feature.h"
+#include "ui/panels/steps_dialog.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+// What was done on segments as a recipe: saved, read and run, changed and run again. Its actions stand in the
+// menu of the panel Segments.
+class SegmentRecipes : public Feature {
+ public:
+  explicit SegmentRecipes(Workbench& bench);
+
+ private:
+  void askWhatToRun();
+  void askWhereToSave();
+  void showSteps();
+  void run(const Recipe& recipe, RecipeUse use);
+  const SegmentMap* recorded();
+
+  RecipeFiles files_;
+  QStringList missing_;  // of what is being saved
+};
+
+SegmentRecipes::SegmentRecipes(Workbench& bench) : Feature(bench), files_(bench.document.jobs) {
+  const auto add = [&](const char* name, const QString& text, void (SegmentRecipes::*act)()) {
+    bench_.addAction({name, text, {}, "", false, [this, act](bool) { (this->*act)(); }});
+  };
+  add("openRecipe", tr("Open recipe..."), &SegmentRecipes::askWhatToRun);
+  add("saveRecipe", tr("Save steps as a recipe..."), &SegmentRecipes::askWhereToSave);
+  add("recipeSteps", tr("Steps..."), &SegmentRecipes::showSteps);
+  connect(&files_, &RecipeFiles::opened, this, [this](const Recipe& recipe) { run(recipe, RecipeUse::add); });
+  connect(&files_, &RecipeFiles::saved, this, [this](const QString& path) {
+    const QString missing = missing_.join(QStringLiteral(", "));
+    tell(missing_.isEmpty() ? tr("Saved %1").arg(path)
+                            : tr("Saved %1. Made by hand and not in it: %2.").arg(path, missing));
+  });
+  connect(&files_, &RecipeFiles::failed, this, [this](const QString& sentence) { warn(sentence); });
+}
+
+void SegmentRecipes::run(const Recipe& recipe, RecipeUse use) {
+  const QString why = whyNoSegments(session_);
+  if (!why.isEmpty()) return warn(why);
+  const SeriesKey series = keyOf(session_.series()->series);
+  // The steps of a record say themselves what they leave out.
+  const Mask mask = use == RecipeUse::again ? Mask{} : session_.maskOf(series);
+  Q_EMIT bench_.segmentWorkWanted(workOf(recipe, series, wholeVolume(session_), mask, use));
+}
+
+void SegmentRecipes::askWhatToRun() {
+  if (const QString why = whyNoSegments(session_); !why.isEmpty()) return warn(why);
+  auto* dialog =
+      new QFileDialog(bench_.dialogParent(), tr("Open a recipe"), {}, tr("Recipes (*.json);;All files (*)"));
+  dialog->setObjectName(QStringLiteral("openRecipeDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, &files_, &RecipeFiles::open);
+  dialog->open();
+}
+
+// The segments with a record of them; null: none, which is told.
+const SegmentMap* SegmentRecipes::recorded() {
+  const QString why = whyNoSegments(session_);
+  const SegmentMap* map = segmentsShown(session_);
+  if (!why.isEmpty() || !map)
+    warn(map || !why.isEmpty() ? why : tr("There is no segment yet."));
+  else if (recordedRecipe(*map, {}).recipe.segments.empty())
+    warn(tr("No segment here was made by steps alone: what was painted, cut or opened is in no recipe."));
+  else
+    return map;
+  return nullptr;
+}
+
+void SegmentRecipes::askWhereToSave() {
+  if (!recorded()) return;
+  auto* dialog =
+      new QFileDialog(bench_.dialogParent(), tr("Save the steps as a recipe"), {}, tr("Recipes (*.json)"));
+  dialog->setObjectName(QStringLiteral("saveRecipeDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("json"));
+  dialog->selectFile(QStringLiteral("recipe.json"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    const SegmentMap* map = recorded();
+    if (!map) return;
+    const RecordedRecipe made = recordedRecipe(*map, session_.series()->series.modality);
+    missing_.clear();
+    for (const std::string& name : made.missing) missing_ << shownText(name);
+    files_.save(path, made.recipe);
+  });
+  dialog->open();
+}
+
+void SegmentRecipes::showSteps() {
+  if (!recorded()) return;
+  auto* dialog = new StepsDialog(session_, bench_.dialogParent());
+  connect(dialog, &StepsDialog::runWanted, this,
+          [this](const Recipe& recipe) { run(recipe, RecipeUse::again); });
+  dialog->show();
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeSegmentRecipes(Workbench& bench) {
+  return std::make_unique<SegmentRecipes>(bench);
+}
+
+}  // namespace volumen

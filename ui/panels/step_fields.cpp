@@ -1,0 +1,188 @@
+#include "ui/panels/step_fields.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <cmath>
+#include <utility>
+
+#include "ui/controller/segment_target.h"
+#include "ui/widgets/plain_text.h"
+#include "ui/workspace/segment_record.h"
+#include "ui/workspace/segments.h"
+#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
+
+namespace volumen {
+
+namespace {
+
+bool isOfValues(const StepField& field) { return std::string_view(field.unit) == "value"; }
+
+bool namesSegment(const StepField& field) {
+  return std::holds_alternative<std::string>(field.byDefault) && field.words.empty();
+}
+
+// Counts are whole.
+bool isCount(const StepField& field) {
+  return *field.unit == '\0' && std::holds_alternative<double>(field.byDefault) && field.allowed.low >= 1;
+}
+
+}  // namespace
+
+StepFields::StepFields(Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), form_(new QFormLayout(this)) {
+  form_->setContentsMargins(0, 0, 0, 0);
+  form_->setSpacing(4);
+}
+
+void StepFields::showKind(const StepKind& kind) {
+  forgetOtherSeries();
+  if (const QStringList all = shownBy(kind); std::exchange(shown_, all) == all) return;
+  while (form_->rowCount() > 0) form_->removeRow(0);
+  for (const StepField& field : kind.fields) {
+    if (!isChosen(field)) continue;
+    QWidget* made = fieldFor(field);
+    made->setObjectName(QStringLiteral("stepField-") + QLatin1String(field.name));
+    made->setAccessibleName(tr(field.title));
+    form_->addRow(plainLabel(tr(field.title)), made);
+  }
+}
+
+// All that its fields depend on: they stay as they are, and what is being typed in them, while that does.
+QStringList StepFields::shownBy(const StepKind& kind) const {
+  QStringList all{QLatin1String(kind.name)};
+  if (!session_.series()) return all;
+  all << shownText(session_.series()->series.id) << unitSuffix(session_.series()->series);
+  const Segment* current = segmentShown(session_);
+  if (!current) return all;
+  all << QString::number(current->number);
+  for (const Segment& segment : segmentsShown(session_)->segments)
+    all << QString::number(segment.number) << shownText(segment.label);
+  return all;
+}
+
+void StepFields::forgetOtherSeries() {
+  if (areOneSeries(series_, session_.series())) return;
+  values_.clear();
+  series_ = session_.series();
+}
+
+QWidget* StepFields::fieldFor(const StepField& field) {
+  if (namesSegment(field)) return segmentsFor(field);
+  if (!field.words.empty()) return wordsFor(field);
+  if (std::holds_alternative<double>(field.byDefault)) return numberFor(field);
+  auto* box = new QCheckBox;
+  box->setChecked(std::get<bool>(valueOf(field)));
+  connect(box, &QCheckBox::clicked, this, [this, &field](bool on) { take(field, on); });
+  return box;
+}
+
+QWidget* StepFields::numberFor(const StepField& field) {
+  constexpr double most = 1e9;
+  auto* spin = new QDoubleSpinBox;
+  const bool ofValues = isOfValues(field) && session_.series();
+  const double factor = ofValues ? shownScale(session_.series()->series).factor : 1;
+  spin->setDecimals(isCount(field) ? 0 : ofValues ? valueDecimals(*session_.series()) : 2);
+  spin->setRange(std::max(-most, factor * field.allowed.low), std::min(most, factor * field.allowed.high));
+  spin->setSuffix(ofValues              ? unitSuffix(session_.series()->series)
+                  : *field.unit == '\0' ? QString()
+                                        : QStringLiteral(" ") + QLatin1String(field.unit));
+  spin->setValue(factor * std::get<double>(valueOf(field)));
+  spin->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  spin->setMinimumWidth(70);
+  connect(spin, &QDoubleSpinBox::valueChanged, this,
+          [this, &field, factor](double value) { take(field, value / factor); });
+  return spin;
+}
+
+QComboBox* StepFields::wordsFor(const StepField& field) {
+  auto* box = new QComboBox;
+  for (const char* word : field.words) box->addItem(QLatin1String(word));
+  box->setCurrentText(QString::fromStdString(std::get<std::string>(valueOf(field))));
+  connect(box, &QComboBox::activated, this,
+          [this, &field, box] { take(field, box->currentText().toStdString()); });
+  return box;
+}
+
+QComboBox* StepFields::segmentsFor(const StepField& field) {
+  auto* box = new QComboBox;
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // names may be long
+  box->setMinimumContentsLength(6);
+  if (field.need == StepField::Need::no) box->addItem(tr("None"), QString());
+  const Segment* current = segmentShown(session_);
+  if (const SegmentMap* map = segmentsShown(session_))
+    for (const Segment& segment : map->segments)
+      if (&segment != current)
+        box->addItem(shownText(segment.label), QString::fromStdString(stepNameOf(segment.number)));
+  box->setCurrentIndex(std::max(0, box->findData(QString::fromStdString(segmentOf(field)))));
+  box->setEnabled(box->count() > 0);
+  box->setToolTip(toolTipOf(box->count() > 0 ? tr(field.title) : tr("There is no other segment.")));
+  connect(box, &QComboBox::activated, this,
+          [this, &field, box] { take(field, box->currentData().toString().toStdString()); });
+  return box;
+}
+
+void StepFields::take(const StepField& field, const StepValue& value) {
+  (isOfValues(field) ? values_ : typed_).insert_or_assign(field.name, value);
+  Q_EMIT changed();
+}
+
+// The one that was chosen where it is another one still, else the first; empty: there is none.
+std::string StepFields::segmentOf(const StepField& field) const {
+  const SegmentMap* map = segmentsShown(session_);
+  const Segment* current = segmentShown(session_);
+  const auto chosen = typed_.find(field.name);
+  std::string first;
+  if (!map) return first;
+  for (const Segment& segment : map->segments) {
+    if (&segment == current) continue;
+    const std::string name = stepNameOf(segment.number);
+    if (chosen != typed_.end() && std::get<std::string>(chosen->second) == name) return name;
+    if (first.empty() && field.need == StepField::Need::yes) first = name;
+  }
+  return first;
+}
+
+StepValue StepFields::valueOf(const StepField& field) const {
+  if (namesSegment(field)) return segmentOf(field);
+  const auto& typed = isOfValues(field) ? values_ : typed_;
+  if (const auto given = typed.find(field.name); given != typed.end()) {
+    const auto* number = std::get_if<double>(&given->second);
+    if (!number) return given->second;
+    return std::clamp(*number, field.allowed.low, field.allowed.high);
+  }
+  // No end of the values is the end of those that there are.
+  if (const auto* number = std::get_if<double>(&field.byDefault);
+      number && std::isinf(*number) && session_.series()) {
+    const Histogram& histogram = session_.series()->histogram;
+    return *number < 0 ? histogram.low : histogram.high;
+  }
+  return field.byDefault;
+}
+
+std::map<std::string, StepValue> StepFields::valuesFor(const StepKind& kind) const {
+  std::map<std::string, StepValue> values;
+  for (const StepField& field : kind.fields)
+    if (isChosen(field)) values[field.name] = valueOf(field);
+  return values;
+}
+
+QString StepFields::whyNot(const StepKind& kind) const {
+  const QString why = whyNotChanged(session_);
+  if (!why.isEmpty()) return why;
+  for (const StepField& field : kind.fields) {
+    if (!namesSegment(field)) continue;
+    const std::string name = segmentOf(field);
+    if (name.empty() && field.need == StepField::Need::yes) return tr("There is no other segment.");
+    // What takes its voxels needs them free.
+    const std::string_view step(kind.name);
+    if (step != "add" && step != "merge" && step != "copy") continue;
+    for (const Segment& segment : segmentsShown(session_)->segments)
+      if (stepNameOf(segment.number) == name && segment.locked)
+        return tr("%1 is locked: unlock it first.").arg(shownText(segment.label));
+  }
+  return {};
+}
+
+}  // namespace volumen

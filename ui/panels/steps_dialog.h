@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QDialog>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+
+#include "ui/workspace/segment_record.h"
+#include "ui/workspace/session.h"
+
+namespace volumen {
+
+/// The steps that made the segments of the series in view, as the text of a recipe, to be changed and run
+/// again. It follows what is done until a text is typed. Not modal; deletes itself when closed.
+class StepsDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit StepsDialog(Session& session, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  /// A recipe for the segments of these names.
+  void runWanted(const volumen::Recipe& recipe);
+
+ private:
+  void showSteps();
+  void showProblem();
+  void run();
+
+  Session& session_;
+  QPlainTextEdit* text_;
+  QLabel* note_;
+  QPushButton *run_, *reset_;
+};
+
+}  // namespace volumen

@@ -1,0 +1,203 @@
+#include "ui/workspace/segment_record.h"
+
+#include <algorithm>
+#include <bitset>
+#include <glm/common.hpp>
+
+#include "viewer/recipe/step_kinds.h"
+#include "viewer/recipe/step_names.h"
+
+namespace volumen {
+
+namespace {
+
+const std::string removedEnding = " removed";
+
+// Of a segment that is or was there.
+bool isSegmentsName(const std::string& name) { return !name.empty() && name[0] >= '0' && name[0] <= '9'; }
+
+bool hasSegment(const SegmentMap& map, int number) {
+  return std::ranges::find(map.segments, number, &Segment::number) != map.segments.end();
+}
+
+std::set<std::string> stepNamesOf(const SegmentMap& map) {
+  std::set<std::string> names;
+  for (const Segment& segment : map.segments) names.insert(stepNameOf(segment.number));
+  return names;
+}
+
+// What becomes of segments, step after step: which were made at all, and which by hand.
+struct Making {
+  std::set<std::string> made, byHand;
+
+  bool isByHand(const std::string& name) const {
+    return byHand.contains(name) || (isSegmentsName(name) && !made.contains(name));
+  }
+  /// Whether a recipe can do the step.
+  bool add(const Step& step) {
+    const std::vector<std::string> needed = neededBy(step);
+    const bool hand = step.kind == byHandStep ||
+                      std::ranges::any_of(needed, [&](const std::string& name) { return isByHand(name); });
+    for (const std::string& name : changedBy(step)) {
+      made.insert(name);
+      if (hand)
+        byHand.insert(name);
+      else
+        byHand.erase(name);
+    }
+    return !hand;
+  }
+};
+
+using LabelPairs = std::bitset<256 * 256>;
+
+// Which labels became which in a brick.
+void addLabelChanges(LabelPairs& pairs, const LabelMap::Brick& before, const LabelMap::Brick& after,
+                     glm::ivec3 size) {
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i) {
+        const std::size_t n = std::size_t((k * LabelMap::edge + j) * LabelMap::edge + i);
+        const std::size_t a = before.voxels ? (*before.voxels)[n] : before.label,
+                          b = after.voxels ? (*after.voxels)[n] : after.label;
+        if (a != b) pairs.set(256 * a + b);
+      }
+}
+
+LabelPairs labelChangesOf(const LabelMap& before, const LabelMap& after) {
+  LabelPairs pairs;
+  const glm::ivec3 grid = before.geometry().size, bricks = before.bricks();
+  for (int n = 0; n < bricks.x * bricks.y * bricks.z; ++n) {
+    const LabelMap::Brick &a = before.brick(std::size_t(n)), &b = after.brick(std::size_t(n));
+    if (a == b) continue;
+    const glm::ivec3 at(n % bricks.x, n / bricks.x % bricks.y, n / bricks.x / bricks.y);
+    addLabelChanges(pairs, a, b, glm::min(glm::ivec3(LabelMap::edge), grid - at * LabelMap::edge));
+  }
+  return pairs;
+}
+
+// A segment that gained voxels, or lost some to nothing, was changed by hand; others lost theirs to such.
+std::vector<Step> stepsOfChanges(const LabelPairs& pairs, const SegmentMap& map) {
+  std::vector<Step> byHand, losses;
+  for (const Segment& segment : map.segments) {
+    const std::string name = stepNameOf(segment.number);
+    const auto own = std::size_t(segment.number);
+    bool hand = false;
+    std::vector<Step> lost;
+    for (std::size_t other = 0; other < 256; ++other) {
+      hand |= pairs[256 * other + own] || (pairs[256 * own + other] && !hasSegment(map, int(other)));
+      if (pairs[256 * own + other]) lost.push_back({"subtract", name, {{"other", stepNameOf(int(other))}}});
+    }
+    if (hand)
+      byHand.push_back({byHandStep, name});
+    else
+      std::ranges::move(lost, std::back_inserter(losses));
+  }
+  std::ranges::move(losses, std::back_inserter(byHand));
+  return byHand;
+}
+
+// "Bone", or "Bone 2" where that is taken.
+std::string freeOf(std::set<std::string>& taken, const std::string& wanted) {
+  std::string name = wanted;
+  for (int n = 2; !taken.insert(name).second; ++n) name = wanted + " " + std::to_string(n);
+  return name;
+}
+
+// What recipes hold of a segment.
+Segment describedSegment(const Segment& segment, const std::string& name, int number) {
+  Segment made;
+  made.number = number;
+  made.label = name;
+  made.description = segment.description;
+  made.category = segment.category;
+  made.type = segment.type;
+  made.modifier = segment.modifier;
+  made.colour = segment.colour;
+  return made;
+}
+
+}  // namespace
+
+std::string stepNameOf(int number) { return std::to_string(number); }
+
+std::string helperNameOf(const std::string& wanted) { return isSegmentsName(wanted) ? "_" + wanted : wanted; }
+
+SegmentMap withRecorded(SegmentMap map, const std::vector<Step>& steps) {
+  std::vector<Step> all = map.steps;
+  for (const Step& step : steps) all.push_back(withoutDefaults(step));
+  Making making;
+  std::erase_if(all, [&](const Step& step) { return !making.add(step); });
+  const std::set<std::string> names = stepNamesOf(map);
+  for (const std::string& name : names)
+    if (making.byHand.contains(name)) all.push_back({byHandStep, name});
+  map.steps = stepsBehind(all, names);
+  if (map.steps.size() > mostSteps) map.steps.clear();  // more than a recipe can have
+  return map;
+}
+
+SegmentMap withHandMade(const SegmentMap& before, SegmentMap after) {
+  if (!before.labels || !after.labels || before.labels == after.labels || before.steps != after.steps ||
+      before.labels->geometry() != after.labels->geometry())
+    return after;
+  const std::vector<Step> steps = stepsOfChanges(labelChangesOf(*before.labels, *after.labels), after);
+  return steps.empty() ? after : withRecorded(std::move(after), steps);
+}
+
+std::vector<Step> stepsWithout(const SegmentMap& map, int number) {
+  const std::string name = stepNameOf(number);
+  std::set<std::string> taken, left = stepNamesOf(map);
+  for (const Step& step : map.steps) taken.insert(step.segment);
+  const std::string removed = freeOf(taken, name + removedEnding);
+  std::vector<Step> steps;
+  for (const Step& step : map.steps)
+    steps.push_back(renamed(step, [&](const std::string& one) { return one == name ? removed : one; }));
+  left.erase(name);
+  return stepsBehind(steps, left);
+}
+
+std::set<std::string> madeByHand(const std::vector<Step>& steps) {
+  Making making;
+  for (const Step& step : steps) making.add(step);
+  return making.byHand;
+}
+
+std::map<int, std::string> namesInRecipe(const SegmentMap& map) {
+  std::set<std::string> taken;
+  std::map<int, std::string> names;
+  for (const Segment& segment : map.segments)
+    names[segment.number] = freeOf(taken, segment.label.empty() ? "Segment" : segment.label);
+  return names;
+}
+
+RecordedRecipe recordedRecipe(const SegmentMap& map, const std::string& modality) {
+  RecordedRecipe recorded;
+  recorded.recipe.name = "Steps";
+  if (!modality.empty()) recorded.recipe.modalities = {modality};
+  Making making;
+  for (const Step& step : map.steps) making.add(step);
+  std::map<std::string, std::string> names;
+  std::set<std::string> taken, kept;
+  for (const auto& [number, name] : namesInRecipe(map)) {
+    names[stepNameOf(number)] = name;
+    taken.insert(name);
+  }
+  for (const Segment& segment : map.segments) {
+    const std::string key = stepNameOf(segment.number), &name = names[key];
+    if (making.isByHand(key)) {
+      recorded.missing.push_back(name);
+      continue;
+    }
+    kept.insert(key);
+    std::vector<Segment>& segments = recorded.recipe.segments;
+    segments.push_back(describedSegment(segment, name, int(segments.size()) + 1));
+  }
+  for (const Step& step : stepsBehind(map.steps, kept))
+    recorded.recipe.steps.push_back(renamed(step, [&](const std::string& one) {
+      const auto known = names.find(one);
+      return known != names.end() ? known->second : names[one] = freeOf(taken, one);
+    }));
+  return recorded;
+}
+
+}  // namespace volumen

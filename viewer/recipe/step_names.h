@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "viewer/recipe/recipe.h"
+
+namespace volumen {
+
+// Which segments steps are about. A step of an unknown kind is about its own alone.
+
+/// The segments that a step changes, its own first.
+std::vector<std::string> changedBy(const Step& step);
+/// The segments that it needs as they were before: those that its fields name, and all that it changes where
+/// it does not make them.
+std::vector<std::string> neededBy(const Step& step);
+/// Whether it can only make its segment smaller; whether it makes it, whatever it was.
+bool onlyNarrows(const Step& step);
+bool makesAnew(const Step& step);
+
+/// With other names of segments.
+Step renamed(Step step, const std::function<std::string(const std::string&)>& name);
+/// Without the fields that are as their row says.
+Step withoutDefaults(Step step);
+
+/// Those of the steps that these segments come from.
+std::vector<Step> stepsBehind(const std::vector<Step>& steps, std::set<std::string> segments);
+
+}  // namespace volumen
