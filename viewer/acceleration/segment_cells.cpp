@@ -1,6 +1,8 @@
 #include "viewer/acceleration/segment_cells.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <glm/common.hpp>
 #include <limits>
 
@@ -28,22 +30,30 @@ void SegmentCells::findRowOfBlocks(int j, int k) {
   const glm::ivec3 size = field_->size();
   const auto width = std::size_t(size.x);
   const int rows = std::min(edge + 1, size.y - j * edge), slices = std::min(edge + 1, size.z - k * edge);
-  // Of the rows of voxels in turn: 1 inside; then of pairs, fours and eights of voxels: how many are.
-  std::vector<std::uint8_t> inside(width * std::size_t(rows * slices));
+  std::vector<std::uint8_t> inside(width * std::size_t(rows * slices));  // 1 or 0, of the rows in turn
   for (int z = 0; z < slices; ++z)
     for (int y = 0; y < rows; ++y) {
       const float* from = field_->values.data() + at({0, j * edge + y, k * edge + z}, size);
       std::uint8_t* to = inside.data() + width * std::size_t(z * rows + y);
       for (std::size_t i = 0; i < width; ++i) to[i] = from[i] >= level;
     }
+  // Of four voxels next to each other in j and k, whether any is inside, and all; then of cells.
+  std::vector<std::uint8_t> any(width), all(width), crossed(width + 8);
   for (int z = 0; z + 1 < slices; ++z)
     for (int y = 0; y + 1 < rows; ++y) {
       const std::uint8_t* a = inside.data() + width * std::size_t(z * rows + y);
       const std::uint8_t *b = a + width, *c = a + width * std::size_t(rows), *d = c + width;
-      for (std::size_t i = 0; i + 1 < width; ++i) {
-        const int count = a[i] + a[i + 1] + b[i] + b[i + 1] + c[i] + c[i + 1] + d[i] + d[i + 1];
-        if (count != 0 && count != 8)
-          blocks_[at({int(i) / edge, j, k}, blockCount_)] |= bitOf({int(i), y, z});
+      for (std::size_t i = 0; i < width; ++i) any[i] = a[i] | b[i] | c[i] | d[i];
+      for (std::size_t i = 0; i < width; ++i) all[i] = a[i] & b[i] & c[i] & d[i];
+      for (std::size_t i = 0; i + 1 < width; ++i)
+        crossed[i] = (any[i] | any[i + 1]) & ((all[i] & all[i + 1]) ^ 1);
+      for (std::size_t eight = 0; eight < width; eight += 8) {
+        std::uint64_t cells;
+        std::memcpy(&cells, crossed.data() + eight, sizeof cells);
+        for (; cells; cells &= cells - 1) {
+          const int i = int(eight) + std::countr_zero(cells) / 8;
+          blocks_[at({i / edge, j, k}, blockCount_)] |= bitOf({i, y, z});
+        }
       }
     }
 }
@@ -61,25 +71,33 @@ void SegmentCells::findBox() {
     box_ = {found.low * edge, glm::min(found.high * edge + edge, field_->size() - 1) - 1};
 }
 
-// One pass each way over the neighbours that it has come by: exact for this distance.
+// One pass each way over the neighbours that it has come by, row by row: exact for this distance.
 void SegmentCells::findDistances() {
-  constexpr int most = 255;
+  constexpr std::uint8_t most = 254;  // and one more is still a byte
+  const glm::ivec3 count = blockCount_;
+  const auto width = std::size_t(count.x);
   distances_.resize(blocks_.size());
   for (std::size_t n = 0; n < blocks_.size(); ++n) distances_[n] = blocks_[n] ? 0 : most;
+  std::vector<std::uint8_t> least(width + 2);  // of rows come by, and one more at each end
+  const auto takeRow = [&](int j, int k) {
+    if (j < 0 || k < 0 || j >= count.y || k >= count.z) return;
+    const std::uint8_t* row = distances_.data() + at({0, j, k}, count);
+    for (std::size_t i = 0; i < width; ++i) least[i + 1] = std::min(least[i + 1], row[i]);
+  };
   const auto pass = [&](int by) {
-    const auto begin = [by](int count) { return by > 0 ? 0 : count - 1; };
-    const auto isIn = [](int n, int count) { return n >= 0 && n < count; };
-    for (int k = begin(blockCount_.z); isIn(k, blockCount_.z); k += by)
-      for (int j = begin(blockCount_.y); isIn(j, blockCount_.y); j += by)
-        for (int i = begin(blockCount_.x); isIn(i, blockCount_.x); i += by) {
-          int least = distances_[at({i, j, k}, blockCount_)];
-          for (int n = 0; n < 13; ++n) {
-            const glm::ivec3 other = glm::ivec3(i, j, k) + by * (glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1);
-            if (isIn(other.x, blockCount_.x) && isIn(other.y, blockCount_.y) && isIn(other.z, blockCount_.z))
-              least = std::min(least, distances_[at(other, blockCount_)] + 1);
-          }
-          distances_[at({i, j, k}, blockCount_)] = std::uint8_t(least);
-        }
+    for (int n = 0; n < count.y * count.z; ++n) {
+      const int m = by > 0 ? n : count.y * count.z - 1 - n, j = m % count.y, k = m / count.y;
+      std::ranges::fill(least, most);
+      takeRow(j - by, k);
+      for (int dj = -1; dj <= 1; ++dj) takeRow(j + dj, k - by);
+      std::uint8_t* row = distances_.data() + at({0, j, k}, count);
+      for (std::size_t i = 0; i < width; ++i)
+        row[i] = std::min(row[i], std::uint8_t(std::min({least[i], least[i + 1], least[i + 2]}) + 1));
+      if (by > 0)
+        for (std::size_t i = 1; i < width; ++i) row[i] = std::min(row[i], std::uint8_t(row[i - 1] + 1));
+      else
+        for (std::size_t i = width - 1; i-- > 0;) row[i] = std::min(row[i], std::uint8_t(row[i + 1] + 1));
+    }
   };
   pass(1);
   pass(-1);

@@ -26,7 +26,7 @@ class SegmentCells {
     return std::uint64_t(1) << ((cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4);
   }
   std::uint64_t block(glm::ivec3 block) const { return blocks_[at(block, blockCount_)]; }
-  /// How many blocks away, along the axis where that is most, the nearest one with such cells is; 255: or
+  /// How many blocks away, along the axis where that is most, the nearest one with such cells is; 254: or
   /// more.
   int distance(glm::ivec3 block) const { return distances_[at(block, blockCount_)]; }
   /// The smallest box of cells that holds all of them; none: high < low.

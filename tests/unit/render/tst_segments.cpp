@@ -63,8 +63,8 @@ glm::dvec4 pixelBy(bool byReference, const Scene& scene, const VolumePtr& volume
 }
 
 /// A field that is a profile along i alone, `values` from voxel `first` on.
-std::shared_ptr<const OccupancyField> profile(const VoxelGeometry& geometry, int first,
-                                              const std::vector<float>& values) {
+std::shared_ptr<const OccupancyField> profileAlongI(const VoxelGeometry& geometry, int first,
+                                                    const std::vector<float>& values) {
   const int last = first + int(values.size()) - 1;
   OccupancyField field{geometry, {{first, -2, -2}, {last, geometry.size.y + 1, geometry.size.z + 1}}, {}};
   for (int n = 0; n < field.size().y * field.size().z; ++n)
@@ -81,7 +81,7 @@ std::shared_ptr<const OccupancyField> fieldWhere(const VoxelGeometry& geometry, 
   return std::make_shared<const OccupancyField>(occupancyOf(mask, surfaceSigma));
 }
 
-const glm::dvec3 red(0.9, 0.2, 0.1), green(0.1, 0.8, 0.3);
+const glm::dvec3 redPaint(0.9, 0.2, 0.1), greenPaint(0.1, 0.8, 0.3);
 
 #define COMPARE_PIXEL(actual, expected, bound)                                        \
   do {                                                                                \
@@ -97,14 +97,16 @@ void TestSegments::aTranslucentPlateCutsTheRay() {
   const auto matter = homogeneous(gridAround({10, 5, 5}));
   Scene scene = plainScene(0.2);
   const double opacity = 0.4, mu = extinction(0.2);
-  scene.segments = {{profile(matter->geometry(), 2, {0, 0.25f, 0.75f, 0.75f, 0.25f, 0}), red, opacity}};
+  scene.segments = {
+      {profileAlongI(matter->geometry(), 2, {0, 0.25f, 0.75f, 0.75f, 0.25f, 0}), redPaint, opacity}};
   // Voxel i lies at i - 4.5 mm.
   const double before = std::exp(-4 * mu), within = std::exp(-2 * mu), through = 1 - opacity;
   const glm::dvec3 white(1, 0.5, 0.25);
   const glm::dvec3 colour =
       white * (1 - before) +
-      before * (opacity * red +
-                through * (white * (1 - within) + within * (opacity * red + through * white * (1 - before))));
+      before *
+          (opacity * redPaint +
+           through * (white * (1 - within) + within * (opacity * redPaint + through * white * (1 - before))));
   const double alpha = 1 - before * before * within * through * through;
   COMPARE_PIXEL(pixelBy(byReference, scene, matter), glm::dvec4(colour, alpha), boundOf(byReference));
 }
@@ -113,10 +115,10 @@ void TestSegments::whatIsOpaqueHidesTheRest() {
   QFETCH(bool, byReference);
   const auto matter = homogeneous(gridAround({10, 5, 5}));
   Scene scene = plainScene(0.2);
-  const auto wall = profile(matter->geometry(), 6, {0, 1, 1, 0});  // at 2 mm
-  scene.segments = {{profile(matter->geometry(), 0, {0, 1, 0}), green, 0}, {wall, red, 1}};
+  const auto wall = profileAlongI(matter->geometry(), 6, {0, 1, 1, 0});  // at 2 mm
+  scene.segments = {{profileAlongI(matter->geometry(), 0, {0, 1, 0}), greenPaint, 0}, {wall, redPaint, 1}};
   const double before = std::exp(-7 * extinction(0.2));
-  const glm::dvec3 colour = glm::dvec3(1, 0.5, 0.25) * (1 - before) + before * red;
+  const glm::dvec3 colour = glm::dvec3(1, 0.5, 0.25) * (1 - before) + before * redPaint;
   COMPARE_PIXEL(pixelBy(byReference, scene, matter), glm::dvec4(colour, 1), boundOf(byReference));
 }
 
@@ -193,14 +195,14 @@ void TestSegments::aTiltedPlaneIsLitByItsNormal() {
       {glm::dvec3(-0.5, fromBehind ? 2 : -1, 0.3), Space::patient, glm::dvec3(1, 0.8, 0.5), 0.7, true}};
   std::vector<float> ramp;
   for (int n = 0; n <= 10; ++n) ramp.push_back(0.1f * float(n));
-  scene.segments = {{profile(air->geometry(), 0, ramp), red, 1}};
+  scene.segments = {{profileAlongI(air->geometry(), 0, ramp), redPaint, 1}};
   const glm::dvec3 viewer = -glm::normalize(along), light = glm::normalize(scene.lights[0].direction);
   const glm::dvec3 halfway = glm::normalize(viewer + light), normal = fromBehind ? -outwards : outwards;
   const double nl = std::max(0.0, glm::dot(normal, light)), nh = std::max(0.0, glm::dot(normal, halfway));
   QVERIFY(glm::dot(normal, viewer) > 0.1);  // one side alone
   const glm::dvec3 radiance = 0.7 * scene.lights[0].colour;
   const glm::dvec3 colour =
-      red * (0.2 + 0.6 * radiance * nl) + 0.5 * radiance * std::min(1.0, 10 * nl) * std::pow(nh, 9.0);
+      redPaint * (0.2 + 0.6 * radiance * nl) + 0.5 * radiance * std::min(1.0, 10 * nl) * std::pow(nh, 9.0);
   COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(colour, 1), boundOf(byReference));
 }
 
@@ -209,14 +211,14 @@ void TestSegments::whatIsCutOpenShowsItsInside() {
   QFETCH(bool, byReference);
   const auto air = homogeneous(gridAround({10, 5, 5}));
   Scene scene = plainScene(0);
-  scene.segments = {{profile(air->geometry(), 2, {0, 1, 1, 1, 1, 0}), red, 0.3}};
+  scene.segments = {{profileAlongI(air->geometry(), 2, {0, 1, 1, 1, 1, 0}), redPaint, 0.3}};
   for (const bool byBox : {false, true}) {
     scene.clip = {};
     if (byBox)
       scene.clip.boxLow.x = 0.5;
     else
       scene.clip.planes = {{{-1, 0, 0}, 0}};
-    COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(0.3 * red, 0.3), boundOf(byReference));
+    COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(0.3 * redPaint, 0.3), boundOf(byReference));
   }
 }
 
@@ -227,12 +229,12 @@ void TestSegments::theBorderOfTheVolumeClosesIt() {
   const auto all = fieldWhere(air->geometry(), [](glm::dvec3) { return true; });
   for (const glm::dvec3 along : {glm::dvec3(1, 0, 0), glm::dvec3(0.3, -1, 0.2), glm::dvec3(0, 0, -1)}) {
     Scene scene = plainScene(0, along);
-    scene.segments = {{all, red, 0.5}};
-    COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(0.75 * red, 0.75), boundOf(byReference));
+    scene.segments = {{all, redPaint, 0.5}};
+    COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(0.75 * redPaint, 0.75), boundOf(byReference));
     scene.camera->target = along * 1e-9;  // the eye within
     scene.camera->projection = Projection::perspective;
     scene.camera->distance = 1;
-    COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(0.5 * red, 0.5), boundOf(byReference));
+    COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(0.5 * redPaint, 0.5), boundOf(byReference));
   }
 }
 
@@ -240,13 +242,13 @@ void TestSegments::theBorderOfTheVolumeClosesIt() {
 void TestSegments::whereTwoTouchTheEnteredComesFirst() {
   QFETCH(bool, byReference);
   const auto air = homogeneous(gridAround({10, 5, 5}));
-  const auto front = profile(air->geometry(), 1, {0, 1, 1, 1, 0}),
-             back = profile(air->geometry(), 4, {0, 1, 1, 1, 0});
+  const auto front = profileAlongI(air->geometry(), 1, {0, 1, 1, 1, 0}),
+             back = profileAlongI(air->geometry(), 4, {0, 1, 1, 1, 0});
   Scene scene = plainScene(0);
   for (const bool frontFirst : {true, false}) {
-    scene.segments = {{front, red, 0.5}, {back, green, 1}};
+    scene.segments = {{front, redPaint, 0.5}, {back, greenPaint, 1}};
     if (!frontFirst) std::swap(scene.segments[0], scene.segments[1]);
-    COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(0.5 * red + 0.5 * green, 1),
+    COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(0.5 * redPaint + 0.5 * greenPaint, 1),
                   boundOf(byReference));
   }
 }
@@ -255,7 +257,7 @@ void TestSegments::anEmptyClipBoxShowsNone() {
   QFETCH(bool, byReference);
   const auto matter = homogeneous(gridAround({6, 5, 7}));
   Scene scene = plainScene(0.5);
-  scene.segments = {{fieldWhere(matter->geometry(), [](glm::dvec3) { return true; }), red, 1}};
+  scene.segments = {{fieldWhere(matter->geometry(), [](glm::dvec3) { return true; }), redPaint, 1}};
   for (const double at : {0.0, 0.5, 1.0}) {
     scene.clip.boxLow.x = scene.clip.boxHigh.x = at;
     COMPARE_PIXEL(pixelBy(byReference, scene, matter), glm::dvec4(0), 0);
@@ -284,7 +286,7 @@ void TestSegments::otherMethodsAndProjectionsShowNone() {
   RenderCaches caches(matter);
   const auto drawn = [&] { return render(*makePlan(scene, caches.facts(), options), caches)->picture; };
   const Picture without = drawn();
-  scene.segments = {{fieldWhere(matter->geometry(), [](glm::dvec3) { return true; }), red, 1}};
+  scene.segments = {{fieldWhere(matter->geometry(), [](glm::dvec3) { return true; }), redPaint, 1}};
   QVERIFY(drawn() == without);
 }
 
@@ -297,10 +299,10 @@ void TestSegments::onlyNewFieldsAreLookedInto() {
   RenderCaches caches(air);
   Scene scene = plainScene(0);
   const auto draw = [&] { return bool(render(*makePlan(scene, caches.facts(), options), caches)); };
-  scene.segments = {{all, red, 1}};
+  scene.segments = {{all, redPaint, 1}};
   QVERIFY(draw());
   const long users = all.use_count();
-  scene.segments[0].colour = green;
+  scene.segments[0].colour = greenPaint;
   QVERIFY(draw());
   QCOMPARE(all.use_count(), users);
   // What is not drawn any more is let go.
