@@ -170,7 +170,8 @@ Sight::Occupancies Sight::occupanciesAt(double t) const {
 // From the step before, where `held` was, which is told what it is at t. Which of several comes first is
 // asked of fine steps.
 Sight::Met Sight::metUpTo(double t, Occupancies& held) const {
-  constexpr double mostOpaque = 1 - 1e-6, leftLater = 1e-3 * stepsPerVoxel * finer;  // of a fine step
+  constexpr double mostOpaque = 1 - 1e-6, fineSteps = stepsPerVoxel * finer;    // a voxel
+  constexpr double leftLater = 1e-3 * fineSteps, nextLater = 1e-6 * fineSteps;  // picture.md 10
   Met met;
   if (scene_.segments.empty()) return met;
   double first = 0;
@@ -179,7 +180,8 @@ Sight::Met Sight::metUpTo(double t, Occupancies& held) const {
     const bool isEntered = held[n] >= 0.5;
     if (isEntered == (before[n] >= 0.5)) continue;
     met.depth -= std::log1p(-std::min(scene_.segments[n].opacity, mostOpaque));
-    const double at = (0.5 - before[n]) / (held[n] - before[n]) + (isEntered ? 0 : leftLater);
+    const double at =
+        (0.5 - before[n]) / (held[n] - before[n]) + (isEntered ? 0 : leftLater) + double(n) * nextLater;
     if (met.segment && at >= first) continue;
     met.segment = n;
     first = at;

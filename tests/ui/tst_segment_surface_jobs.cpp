@@ -1,0 +1,182 @@
+// Guards what segments are drawn by in 3D: made as a job wherever voxels or masks changed and nowhere else,
+// kept while it may be drawn, and the same as for the program.
+#include "tests/ui/segment_window.h"
+#include "tests/unit/suite.h"
+#include "ui/controller/segment_fields.h"
+#include "ui/controller/segment_surface_jobs.h"
+#include "viewer/segment/range.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+// A session without a window, its 3D view beside planes: the hollow ball with the small one is segment 1, the
+// core segment 2.
+struct SurfaceSession {
+  Session session;
+  Jobs jobs;
+  SegmentSurfaceJobs surfaces{session, jobs};
+  LoadedSeriesPtr series = hollowBalls();
+  SeriesKey key = keyOf(series->series);
+
+  SurfaceSession() {
+    session.show(series);
+    session.change(QStringLiteral("test"), withLayout(session.workspace(), Layout::planes));
+    add({800, 1200});
+    add({400, 600});
+  }
+
+  const SegmentMap& map() { return *segmentMapOf(session.workspace(), key); }
+  bool idle() {
+    return QTest::qWaitFor([this] { return jobs.rows().empty(); }, longest);
+  }
+  void change(const Workspace& after) { session.change(QStringLiteral("test"), after); }
+  void add(ValueRange range) {
+    const Workspace with = withNewSegment(session.workspace(), key, series->volume->geometry(), {});
+    const SegmentMap& made = *segmentMapOf(with, key);
+    change(withSegmentMap(with, withMask(made, made.current, voxelsInRange(*series->volume, range))));
+  }
+  // One more voxel of segment 1, apart from all others.
+  void addVoxel() {
+    BitMask mask = maskOf(*map().labels, 1);
+    mask.set({0, 0, 0});
+    change(withSegmentMap(session.workspace(), withMask(map(), 1, mask)));
+  }
+  void undo() { session.undoStack().undo(); }
+  std::vector<SegmentSurface> drawn() { return session.drawnScene(sceneViewId).segments; }
+  std::shared_ptr<const OccupancyField> field(int number) {
+    for (const MadeSurface& made : session.surfaces())
+      if (made.number == number) return made.field;
+    return nullptr;
+  }
+};
+
+// What lies on the patient's left of this is cut away.
+Mask cutAt(double x) {
+  auto lasso = std::make_shared<Lasso>();
+  lasso->down = {0, 0, 1};
+  lasso->points = {{x, -30}, {30, -30}, {30, 30}, {x, 30}};
+  return {false, {lasso}};
+}
+
+}  // namespace
+
+class TestSegmentSurfaceJobs : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theyAreDrawnOnceTheyAreMade();
+  void looksNeedNoJob();
+  void onlyChangedVoxelsDo();
+  void masksDoAsForTheProgram();
+  void whatIsNotInAViewIsDropped();
+  void aJobThatIsCancelledIsNotBegunAgain();
+};
+
+void TestSegmentSurfaceJobs::theyAreDrawnOnceTheyAreMade() {
+  SurfaceSession s;
+  QVERIFY(!s.jobs.rows().empty() && s.drawn().empty());
+  QVERIFY(s.idle());
+  QCOMPARE(s.drawn().size(), std::size_t(2));
+  QVERIFY(s.drawn()[0].field == s.field(1) && s.drawn()[1].field == s.field(2));
+  QVERIFY2(s.session.sceneOf(sceneViewId).segments.empty(), "they are in no workspace");
+  // One without voxels shows nothing.
+  s.change(withNewSegment(s.session.workspace(), s.key, s.series->volume->geometry(), {}));
+  QVERIFY(s.idle());
+  QCOMPARE(s.drawn().size(), std::size_t(3));
+  QCOMPARE(shownSegments(s.session.drawnScene(sceneViewId)).size(), std::size_t(2));
+}
+
+void TestSegmentSurfaceJobs::looksNeedNoJob() {
+  SurfaceSession s;
+  QVERIFY(s.idle());
+  const auto one = s.field(1);
+  const auto edit = [&](const std::function<void(Segment&)>& change) {
+    s.change(withSegmentChanged(s.session.workspace(), s.key, 1, change));
+    return s.jobs.rows().empty();
+  };
+  QVERIFY(edit([](Segment& segment) { segment.visible = false; }));
+  QCOMPARE(s.drawn().size(), std::size_t(1));
+  s.undo();
+  QVERIFY(s.jobs.rows().empty() && s.drawn()[0].field == one);
+  QVERIFY(edit([](Segment& segment) {
+    segment.colour = glm::u8vec3(255, 0, 51);
+    segment.opacity = 0.5;
+  }));
+  QVERIFY(s.drawn()[0] == (SegmentSurface{one, {1, 0, 0.2}, 0.5}));
+  QVERIFY(edit([](Segment& segment) { segment.opacity = 0; }));
+  QCOMPARE(s.drawn().size(), std::size_t(1));
+  s.change(withSegmentsIn3d(s.session.workspace(), s.key, false));
+  QVERIFY(s.jobs.rows().empty() && s.drawn().empty());
+  s.undo();
+  QCOMPARE(s.drawn().size(), std::size_t(1));
+}
+
+void TestSegmentSurfaceJobs::onlyChangedVoxelsDo() {
+  SurfaceSession s;
+  QVERIFY(s.idle());
+  const auto one = s.field(1), two = s.field(2);
+  s.addVoxel();
+  QVERIFY2(s.drawn()[0].field == one, "the one before, until it is made");
+  QVERIFY(s.idle());
+  QVERIFY(s.field(1)->values.size() > one->values.size() && s.field(2) == two);
+  s.undo();
+  QVERIFY(s.idle());
+  QVERIFY(s.field(1)->values == one->values && s.field(2) == two);
+}
+
+void TestSegmentSurfaceJobs::masksDoAsForTheProgram() {
+  SurfaceSession s;
+  QVERIFY(s.idle());
+  const auto one = s.field(1);
+  const Mask mask = cutAt(5);
+  auto without = std::make_shared<LoadedSeries>(*s.series);
+  without->volume = *masked(*s.series->volume, mask);
+  s.session.takeMasked(mask, without);
+  s.session.setMask(QStringLiteral("test"), s.key, mask);
+  QVERIFY(s.idle());
+  QVERIFY(s.field(1)->values.size() < one->values.size());
+  const std::vector<SegmentSurface> drawn = s.drawn(), again = surfacesOf(s.map(), *s.series->volume, mask);
+  QCOMPARE(again.size(), drawn.size());
+  for (std::size_t n = 0; n < drawn.size(); ++n) {
+    QVERIFY(again[n].field->box == drawn[n].field->box && again[n].field->values == drawn[n].field->values);
+    QVERIFY(again[n].colour == drawn[n].colour && again[n].opacity == drawn[n].opacity);
+  }
+  s.undo();
+  QVERIFY(s.idle());
+  QVERIFY(s.field(1)->values == one->values);
+}
+
+void TestSegmentSurfaceJobs::whatIsNotInAViewIsDropped() {
+  SurfaceSession s;
+  QVERIFY(s.idle());
+  s.session.setFocus(axialViewId);
+  s.change(withLayout(s.session.workspace(), Layout::one));
+  QVERIFY(s.session.surfaces().empty() && s.jobs.rows().empty());
+  s.undo();
+  QVERIFY(s.idle());
+  QCOMPARE(s.drawn().size(), std::size_t(2));
+  s.change(withSegmentMap(s.session.workspace(), withoutSegment(s.map(), 1)));
+  QVERIFY(s.idle());
+  QVERIFY(!s.field(1) && s.field(2));
+  s.session.close({s.key});
+  QVERIFY(s.idle());
+  QVERIFY(s.session.surfaces().empty() && s.drawn().empty());
+}
+
+void TestSegmentSurfaceJobs::aJobThatIsCancelledIsNotBegunAgain() {
+  SurfaceSession s;
+  QVERIFY(s.idle());
+  s.addVoxel();
+  QCOMPARE(s.jobs.rows().size(), std::size_t(1));
+  s.jobs.cancel(s.jobs.rows().front().id);
+  QVERIFY(s.jobs.rows().empty());
+  QTest::qWait(20);
+  QVERIFY(s.jobs.rows().empty() && s.drawn().empty());
+  s.undo();  // something changes
+  QVERIFY(s.idle());
+  QCOMPARE(s.drawn().size(), std::size_t(2));
+}
+
+VOLUMEN_TEST(TestSegmentSurfaceJobs);
+#include "tst_segment_surface_jobs.moc"
