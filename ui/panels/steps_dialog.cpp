@@ -65,7 +65,8 @@ void StepsDialog::showSteps() {
   for (const std::string& name : recorded.missing) missing << shownText(name);
   text_->setPlaceholderText(tr("No segment here was made by steps alone."));
   showProblem();
-  if (!missing.isEmpty()) note_->setText(tr("Made by hand, not by these: %1.").arg(missing.join(QStringLiteral(", "))));
+  if (!missing.isEmpty())
+    note_->setText(tr("Made by hand, not by these: %1.").arg(missing.join(QStringLiteral(", "))));
 }
 
 void StepsDialog::showProblem() {
