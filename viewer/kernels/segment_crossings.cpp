@@ -58,13 +58,13 @@ bool staysOn(const Cubic& c, bool above) {
 
 class CrossingWalk {
  public:
-  CrossingWalk(const SegmentCells& cells, const FieldLine& line, bool onlyFirst,
+  CrossingWalk(const SegmentCells& cells, const FieldLine& line, int most,
                std::vector<FieldCrossing>& crossings)
       : cells_(cells),
         values_(cells.field()->values.data()),
         line_(line),
         inverse_(1.0 / line.move),
-        onlyFirst_(onlyFirst),
+        left_(most),
         crossings_(crossings) {
     for (int a = 0; a < 3; ++a) step_[a] = line.move[a] > 0 ? 1 : -1;
     const glm::i64vec3 size = cells.field()->size();
@@ -184,7 +184,7 @@ class CrossingWalk {
       if (inside == isInside) continue;
       const double s = rootBetween(f, stops[n], stops[n + 1], isInside);
       crossings_.push_back({t0 + s * (t1 - t0), isInside});
-      if (onlyFirst_) return false;
+      if (--left_ == 0) return false;
       isInside = inside;
     }
     wasInside_ = isInside;
@@ -196,7 +196,7 @@ class CrossingWalk {
   const FieldLine& line_;
   const glm::dvec3 inverse_;
   glm::ivec3 step_{1};
-  const bool onlyFirst_;
+  int left_;  // crossings that are asked for
   std::vector<FieldCrossing>& crossings_;
   std::int64_t rowStride_ = 0, sliceStride_ = 0;
   double lastEnd_ = -never;  // of the cell last looked into
@@ -213,9 +213,9 @@ struct SobelWeights {
 
 }  // namespace
 
-void appendCrossings(const SegmentCells& cells, const FieldLine& line, double t0, double t1, bool onlyFirst,
+void appendCrossings(const SegmentCells& cells, const FieldLine& line, double t0, double t1, int most,
                      std::vector<FieldCrossing>& crossings) {
-  CrossingWalk(cells, line, onlyFirst, crossings).walk(t0, t1);
+  CrossingWalk(cells, line, most, crossings).walk(t0, t1);
 }
 
 glm::dvec3 fieldGradient(const OccupancyField& field, glm::dvec3 place) {

@@ -19,8 +19,8 @@ struct FieldCrossing {
 };
 
 /// Appends where the line goes through the surface between t0 and t1, in order (picture.md 10): the same as
-/// looking at all cells. `onlyFirst`: no more than that.
-void appendCrossings(const SegmentCells& cells, const FieldLine& line, double t0, double t1, bool onlyFirst,
+/// looking at all cells. No more than the first `most`.
+void appendCrossings(const SegmentCells& cells, const FieldLine& line, double t0, double t1, int most,
                      std::vector<FieldCrossing>& crossings);
 
 /// The field's gradient at a place (voxels of the box), value per voxel of the grid: Sobel at the voxels,

@@ -10,8 +10,17 @@
 namespace volumen {
 
 namespace {
+constexpr int allCrossings = std::numeric_limits<int>::max();
 constexpr double infiniteMm = std::numeric_limits<double>::infinity();
 constexpr double leftLaterVoxels = 1e-3, nextLaterVoxels = 1e-6;  // picture.md 10
+
+// Behind how many crossings no more than that comes through.
+int crossingsUpTo(double transmittance, double opacity) {
+  if (opacity == 1) return 1;
+  const double count = std::ceil(std::log(transmittance) / std::log1p(-opacity)) + 1;
+  return count < 1e6 ? int(count) : allCrossings;
+}
+
 }  // namespace
 
 SegmentRays::SegmentRays(const Plan& plan, const VoxelGeometry& geometry,
@@ -39,6 +48,7 @@ SegmentRays::SegmentRays(const Plan& plan, const VoxelGeometry& geometry,
               voxelFromMm * view_.axes.up,
               voxelFromMm * view_.axes.direction,
               field.geometry.patientFromVoxelGradient()};
+    s.mostCrossings = crossingsUpTo(stopTransmittance_, s.opacity);
     findPixels(s);
     segments_.push_back(std::move(s));
     searched_.push_back(int(n));
@@ -113,13 +123,13 @@ void SegmentRays::followOne(int n, const Line& line, double t0, double& t1, Task
   const FieldLine inField{s.target + line.rightMm * s.right + line.upMm * s.up,
                           line.right * s.right + line.up * s.up + line.direction * s.direction};
   task.crossings.clear();
-  appendCrossings(*s.cells, inField, t0, t1, s.opacity == 1, task.crossings);
+  appendCrossings(*s.cells, inField, t0, t1, s.mostCrossings, task.crossings);
   const double voxelMm = 1 / glm::length(line.right * right_ + line.up * up_ + line.direction * direction_);
   for (const FieldCrossing& c : task.crossings) {
     const double order = c.t + (nextLaterVoxels * n + (c.leaves ? leftLaterVoxels : 0)) * voxelMm;
     met.push_back({c.t, order, n});
-    if (s.opacity == 1) t1 = std::min(t1, order);
   }
+  if (int(task.crossings.size()) == s.mostCrossings) t1 = std::min(t1, met.back().order);
 }
 
 void SegmentRays::follow(int pixel, Task& task, std::vector<Met>& met) const {

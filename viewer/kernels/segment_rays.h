@@ -43,6 +43,7 @@ class SegmentRays {
     glm::dvec3 target{0};                      // of the camera, in voxels of the field's box
     glm::dvec3 right{0}, up{0}, direction{0};  // a mm of the camera's axes, likewise
     glm::dmat3 gradientMatrix{1};              // value per voxel -> value per mm, patient space
+    int mostCrossings = 1;                     // what lies behind so many is hidden
     glm::ivec2 lowPixel{0}, highPixel{-1};     // beyond these no ray meets it
   };
   /// A ray in the camera's axes: its place in the picture, and what is a mm along it of each.

@@ -129,8 +129,8 @@ void TestSegmentCells::crossingsPartInsideFromOutside() {
     FieldLine line{(chance.vector() * 0.5 + 0.5) * far, chance.vector()};
     if (chance.oneIn(3)) line.move = glm::dvec3(n % 3 == 0, n % 3 == 1, n % 3 == 2) * (n % 2 ? 1.0 : -1.0);
     std::vector<FieldCrossing> crossings, first;
-    appendCrossings(cells, line, -1e3, 1e3, false, crossings);
-    appendCrossings(cells, line, -1e3, 1e3, true, first);
+    appendCrossings(cells, line, -1e3, 1e3, 1 << 20, crossings);
+    appendCrossings(cells, line, -1e3, 1e3, 1, first);
     QCOMPARE(first.size(), std::min<std::size_t>(1, crossings.size()));
     if (!first.empty()) QCOMPARE(first[0].t, crossings[0].t);
     QCOMPARE(crossings.size() % 2, std::size_t(0));  // the border is outside
