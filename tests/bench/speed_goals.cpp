@@ -5,6 +5,8 @@
 #include "viewer/kernels/make_reflectance_map.h"
 #include "viewer/paper/paper.h"
 #include "viewer/phantoms/phantoms.h"
+#include "viewer/segment/occupancy.h"
+#include "viewer/segment/range.h"
 #include "viewer/volume/clock.h"
 
 namespace volumen::bench {
@@ -109,13 +111,36 @@ Result<Goal> litAndUnlit(const SpeedInputs& in, RenderCaches& caches) {
               ratio >= 1.8};
 }
 
+// What is above 226 HU in the right half of the volume, opaque.
+SegmentSurface halfTheBone(const Volume& volume) {
+  BitMask bone = voxelsInRange(volume, {226, 1e30});
+  for (int k = 0; k < bone.size().z; ++k)
+    for (int j = 0; j < bone.size().y; ++j)
+      for (int i = bone.size().x / 2; i < bone.size().x; ++i) bone.set({i, j, k}, false);
+  return {std::make_shared<const OccupancyField>(occupancyOf(bone, surfaceSigma)), {0.9, 0.3, 0.2}, 1};
+}
+
+Result<std::vector<Goal>> segments(const SpeedInputs& in, RenderCaches& caches) {
+  const NamedScene& named = in.scenes.front();
+  Case alone{named.name, named.scene, {}, &caches};
+  alone.options.threads = in.threads;
+  std::vector<Case> cases(2, alone);
+  cases[1].scene.segments = {halfTheBone(*in.volume)};
+  if (Status s = drawRounds(cases, in.rounds); !s) return s.error();
+  const double ratio = msOf(cases[1]) / msOf(cases[0]);
+  return std::vector<Goal>{
+      {named.name + " with an opaque segment, half the bone, against it alone, standard quality",
+       text("%.0f against %.0f ms: %.2f x", msOf(cases[1]), msOf(cases[0]), ratio), "<= 1.3 x",
+       ratio <= 1.3}};
+}
+
 }  // namespace
 
 Result<std::vector<Goal>> measureGoals(const SpeedInputs& in, RenderCaches& caches) {
   const auto spheres = opaqueSpheres(in);
   if (!spheres) return spheres.error();
   std::vector<Goal> goals{*spheres};
-  for (const auto measure : {oneAndTwoThreads, lights}) {
+  for (const auto measure : {oneAndTwoThreads, lights, segments}) {
     const auto more = measure(in, caches);
     if (!more) return more.error();
     goals.insert(goals.end(), more->begin(), more->end());
