@@ -132,8 +132,7 @@ std::vector<StepKind> stepsOfParts() {
       {"scissors",
        "Cut by an outline",
        "without what lies inside an outline (or, to keep, outside) as it is seen from the first of two "
-       "places "
-       "to the second; in perspective the first is the eye; only so many mm before and behind it",
+       "places to the second; in perspective the first is the eye; only so many mm before and behind it",
        {{"outline", "Outline", "mm", Places{}, {}, {}, Need::yes},
         {"sight", "Line of sight", "mm", Places{}, {}, {}, Need::yes},
         {"perspective", "Perspective", "", false},
