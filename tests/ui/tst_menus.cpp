@@ -71,8 +71,8 @@ void TestMenus::menusHoldWhatTheyShould_data() {
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
       "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window\tW; Scroll; Pan; Zoom; Crosshair; "
-      "Magnifier; Window from region; Connected part; Paint; Outline; Lesion in a sphere; Level trace; Smart "
-      "brush; |; "
+      "Magnifier; Window from region; Connected part; Paint; Outline; Cut segment; Lesion in a sphere; Level "
+      "trace; Smart brush; |; "
       "Anterior view; Posterior view; Left view; Right view; Superior view; Inferior view; |; "
       "Show as frames; Each image its own window; Overlays and shutters; Play or stop; Go to number...; |; "
       "Key image; Previous key image; Next key image; |; "

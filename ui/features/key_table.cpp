@@ -37,6 +37,8 @@ std::vector<KeyRow> keyRows() {
                                                  "the brush by 20 %; an outline is drawn by a "
                                                  "drag, or by clicks that Enter or a double-click closes, "
                                                  "Backspace takes the last one back; Esc gives up")},
+      {tr("Left drag with Cut segment"), tr("draw around what goes from the current segment (Ctrl: around "
+                                            "what stays), in 3D, or in a slice as an outline; Esc gives up")},
       {tr("Pointer at the bottom of a slice"),
        tr("a bar that plays slices, frames or time points, with speed (+ and -), range, back and forth")},
       {tr("Shift over a slice"), tr("moves the crosshair")},

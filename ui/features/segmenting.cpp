@@ -5,6 +5,7 @@
 
 #include "io/export/export_segments.h"
 #include "ui/controller/mask_jobs.h"
+#include "ui/controller/segment_cutting.h"
 #include "ui/controller/segment_painter.h"
 #include "ui/controller/segment_preview.h"
 #include "ui/controller/segment_recipes.h"
@@ -41,6 +42,7 @@ class Segmenting : public Feature {
   void takePart(const PartClick& click);
   void connectPainter();
   void paint(const SegmentStroke& stroke);
+  void cutSegment(const SegmentCut& cut);
   void measure(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume);
   void follow(const Recipe& recipe);
   void askWhere();
@@ -88,7 +90,8 @@ Segmenting::Segmenting(Workbench& bench)
   connect(&grid_, &ViewGrid::partClicked, this, &Segmenting::takePart);
   connect(&bench_, &Workbench::made, this, [this] {
     panel_->setPartAction(bench_.action("partTool"));
-    panel_->setPaintActions(bench_.action("paintTool"), bench_.action("outlineTool"));
+    panel_->setPaintActions(bench_.action("paintTool"), bench_.action("outlineTool"),
+                            bench_.action("segmentScissorsTool"));
     panel_->growPage().setToolActions(bench_.action("lesionTool"), bench_.action("levelTraceTool"),
                                       bench_.action("smartBrushTool"));
     panel_->setRecipeActions(
@@ -135,6 +138,7 @@ void Segmenting::connectSegmenter() {
 
 void Segmenting::connectPainter() {
   connect(&grid_, &ViewGrid::strokePainted, this, &Segmenting::paint);
+  connect(&grid_, &ViewGrid::segmentCut, this, &Segmenting::cutSegment);
   connect(&painter_, &SegmentPainter::failed, this, [this](const QString& sentence) { warn(sentence); });
   connect(&painter_, &SegmentPainter::ended, this, [this] {
     if (const auto measureNow = std::exchange(measureLater_, nullptr)) measureNow();
@@ -145,6 +149,12 @@ void Segmenting::paint(const SegmentStroke& stroke) {
   SegmentStroke wanted = stroke;
   wanted.erases = stroke.erases || panel_->painting().erases();
   painter_.paint(wanted, panel_->painting().limits(panel_->range().range()));
+}
+
+void Segmenting::cutSegment(const SegmentCut& cut) {
+  const QString why = whyNotCut(session_, cut);
+  if (!why.isEmpty()) return warn(why);
+  segmenter_.change(workOf(cut, panel_->painting().cutWithinMm(), session_));
 }
 
 // Of a segment that a stroke changes once that ends: numbers take longer than a picture.

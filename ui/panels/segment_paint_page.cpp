@@ -1,9 +1,9 @@
 #include "ui/panels/segment_paint_page.h"
 
-#include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <limits>
 
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/plain_text.h"
@@ -14,6 +14,8 @@
 namespace volumen {
 
 namespace {
+
+constexpr double mostCutMm = 1000;
 
 QComboBox* narrowChoice(const char* name, const QString& label) {
   auto* choice = new QComboBox;
@@ -44,6 +46,8 @@ SegmentPaintPage::SegmentPaintPage(Session& session, QWidget* parent)
       inRange_(new QCheckBox(tr("Only values from the curve"))),
       beside_(narrowChoice("paintBeside", tr("Where to paint"))),
       other_(narrowChoice("paintOther", tr("Other segment"))),
+      cut_(new QToolButton),
+      cutMm_(new QDoubleSpinBox),
       fill_(new QToolButton) {
   brush_->setObjectName(QStringLiteral("segmentBrush"));
   outline_->setObjectName(QStringLiteral("segmentOutline"));
@@ -91,8 +95,29 @@ void SegmentPaintPage::makeLayout() {
   column->addLayout(size);
   column->addWidget(inRange_, 0, Qt::AlignLeft);
   column->addLayout(where);
+  column->addLayout(cutRow());
   column->addWidget(fill_, 0, Qt::AlignLeft);
   column->addStretch();
+}
+
+QHBoxLayout* SegmentPaintPage::cutRow() {
+  cut_->setObjectName(QStringLiteral("segmentCut"));
+  cutMm_->setObjectName(QStringLiteral("cutMm"));
+  cutMm_->setAccessibleName(tr("Depth of a cut in a slice"));
+  cutMm_->setToolTip(
+      toolTipOf(tr("How far on either side of the slice is cut; 0: all slices. In 3D all is cut.")));
+  cutMm_->setRange(0, mostCutMm);
+  cutMm_->setDecimals(1);
+  cutMm_->setPrefix(QStringLiteral("\u00b1"));
+  cutMm_->setSuffix(tr(" mm"));
+  cutMm_->setSpecialValueText(tr("All slices"));
+  cutMm_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  cutMm_->setMinimumWidth(80);
+  auto* row = new QHBoxLayout;
+  row->addWidget(cut_);
+  row->addWidget(cutMm_);
+  row->addStretch();
+  return row;
 }
 
 void SegmentPaintPage::connectFields() {
@@ -110,8 +135,9 @@ void SegmentPaintPage::connectFields() {
   connect(fill_, &QToolButton::clicked, this, &SegmentPaintPage::fillBetween);
 }
 
-void SegmentPaintPage::setToolActions(QAction* brush, QAction* outline) {
-  for (const auto& [button, action] : {std::pair(brush_, brush), std::pair(outline_, outline)}) {
+void SegmentPaintPage::setToolActions(QAction* brush, QAction* outline, QAction* cut) {
+  for (const auto& [button, action] :
+       {std::pair(brush_, brush), std::pair(outline_, outline), std::pair(cut_, cut)}) {
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     button->setDefaultAction(action);
   }
@@ -156,6 +182,10 @@ PaintLimits SegmentPaintPage::limits(const ValueRange& range) const {
   limits.beside = PaintLimits::Beside(beside_->currentIndex());
   limits.other = other_->currentData().toInt();
   return limits;
+}
+
+double SegmentPaintPage::cutWithinMm() const {
+  return cutMm_->value() > 0 ? cutMm_->value() : std::numeric_limits<double>::infinity();
 }
 
 void SegmentPaintPage::fillBetween() {

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHBoxLayout>
 #include <QToolButton>
 #include <QWidget>
 
@@ -11,8 +12,8 @@
 
 namespace volumen {
 
-/// What paints the current segment in slices: the tools, their brush, where they may paint; and what fills
-/// the slices between painted ones.
+/// What paints the current segment in slices: the tools, their brush, where they may paint; what cuts it, and
+/// what fills the slices between painted ones.
 class SegmentPaintPage : public QWidget {
   Q_OBJECT
  public:
@@ -20,8 +21,10 @@ class SegmentPaintPage : public QWidget {
 
   /// Shows what the current segment allows.
   void showSegments();
-  /// The tools that paint.
-  void setToolActions(QAction* brush, QAction* outline);
+  /// The tools that paint, and the one that cuts.
+  void setToolActions(QAction* brush, QAction* outline, QAction* cut);
+  /// How far on either side of a slice is cut, mm; all slices: infinity.
+  double cutWithinMm() const;
   /// Whether strokes erase without Ctrl.
   bool erases() const { return erases_->isChecked(); }
   /// What is chosen; `range`: the one of the page "From the curve".
@@ -32,6 +35,7 @@ class SegmentPaintPage : public QWidget {
 
  private:
   void makeLayout();
+  QHBoxLayout* cutRow();
   void connectFields();
   void showBrush();
   void showOthers();
@@ -44,6 +48,8 @@ class SegmentPaintPage : public QWidget {
   QDoubleSpinBox* mm_;
   QCheckBox* inRange_;
   QComboBox *beside_, *other_;
+  QToolButton* cut_;
+  QDoubleSpinBox* cutMm_;
   QToolButton* fill_;
 };
 

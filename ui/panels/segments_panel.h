@@ -30,7 +30,9 @@ class SegmentsPanel : public QWidget {
   /// Its actions: the one that removes the table, the tool of connected parts, those that paint, the export.
   void setTableAction(QAction* action) { range_->setTableAction(action); }
   void setPartAction(QAction* action) { range_->setPartAction(action); }
-  void setPaintActions(QAction* brush, QAction* outline) { paint_->setToolActions(brush, outline); }
+  void setPaintActions(QAction* brush, QAction* outline, QAction* cut) {
+    paint_->setToolActions(brush, outline, cut);
+  }
   void setExportAction(QAction* action);
   /// Those behind the built-in recipes.
   void setRecipeActions(const QList<QAction*>& actions);

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "ui/tools/tool.h"
 
@@ -9,11 +10,13 @@ namespace {
 constexpr double outlinePixels = 3;  // logical, from one point of a drag to the next
 constexpr std::size_t fewestCorners = 3;
 
-// Draws an outline by one drag, or point by point with the last one at the pointer; what is inside is painted
-// once it is closed. Ctrl as it begins: erased.
+using OutlinePoints = std::vector<glm::dvec3>;
+
+// Draws an outline by one drag, or point by point with the last one at the pointer.
 class OutlineDrag : public Drag {
  public:
-  explicit OutlineDrag(const SlicePress& press) : press_(press) {
+  OutlineDrag(const SlicePress& press, std::function<void(const OutlinePoints&)> done)
+      : press_(press), done_(std::move(done)) {
     drawn_.id = -1 - press.view;  // none of the workspace's
     drawn_.series = keyOf(press.series->series);
     drawn_.shape.kind = ShapeKind::freehand;
@@ -45,7 +48,7 @@ class OutlineDrag : public Drag {
 
   bool finish() override {
     points().pop_back();
-    if (points().size() >= fewestCorners) paintInside();
+    if (points().size() >= fewestCorners) done_(points());
     return true;
   }
 
@@ -62,7 +65,7 @@ class OutlineDrag : public Drag {
   bool isMeasured() const override { return false; }
 
  private:
-  std::vector<glm::dvec3>& points() { return drawn_.shape.points; }
+  OutlinePoints& points() { return drawn_.shape.points; }
 
   void addPoint(QPointF p) {
     points().push_back(press_.shapePointAt(p));
@@ -74,29 +77,36 @@ class OutlineDrag : public Drag {
     places_.back() = p;
   }
 
-  void paintInside() {
-    SegmentStroke stroke;
-    stroke.series = drawn_.series;
-    stroke.erases = press_.keys & Qt::ControlModifier;
-    stroke.onFrame = press_.frame.has_value();
-    if (!stroke.onFrame)
-      stroke.spans = insideOutline(press_.series->volume->geometry(), points(), press_.plane.normal());
-    press_.paint(stroke);
-    stroke.phase = SegmentStroke::Phase::ends;
-    press_.paint(stroke);
-  }
-
   const SlicePress press_;
+  const std::function<void(const OutlinePoints&)> done_;
   Measurement drawn_;
   std::vector<QPointF> places_;  // of its points
   bool isDrag_ = true;           // the button of the first press is held
 };
 
+// Ctrl as it began: erases.
+void paintInside(const SlicePress& press, const OutlinePoints& points) {
+  SegmentStroke stroke;
+  stroke.series = keyOf(press.series->series);
+  stroke.erases = press.keys & Qt::ControlModifier;
+  stroke.onFrame = press.frame.has_value();
+  if (!stroke.onFrame)
+    stroke.spans = insideOutline(press.series->volume->geometry(), points, press.plane.normal());
+  press.paint(stroke);
+  stroke.phase = SegmentStroke::Phase::ends;
+  press.paint(stroke);
+}
+
 }  // namespace
+
+std::unique_ptr<Drag> drawOutline(const SlicePress& press,
+                                  std::function<void(const std::vector<glm::dvec3>& points)> done) {
+  return std::make_unique<OutlineDrag>(press, std::move(done));
+}
 
 std::unique_ptr<Drag> beginOutline(const SlicePress& press) {
   if (!press.paint) return nullptr;
-  return std::make_unique<OutlineDrag>(press);
+  return drawOutline(press, [press](const OutlinePoints& points) { paintInside(press, points); });
 }
 
 }  // namespace volumen

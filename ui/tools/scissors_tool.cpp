@@ -1,6 +1,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "ui/tools/tool.h"
 #include "ui/workspace/camera_moves.h"
@@ -23,7 +24,8 @@ QPainterPath pathOf(const std::vector<glm::dvec2>& outline) {
 // Cuts away what is drawn around; Ctrl: what is not.
 class ScissorsDrag : public SceneDrag {
  public:
-  explicit ScissorsDrag(const ScenePress& press) : press_(press), outline_{{press.at.x(), press.at.y()}} {}
+  ScissorsDrag(const ScenePress& press, std::function<void(const Lasso&)> done)
+      : press_(press), done_(std::move(done)), outline_{{press.at.x(), press.at.y()}} {}
 
   void moveTo(QPointF to, Qt::KeyboardModifiers keys) override {
     const glm::dvec2 p(to.x(), to.y());
@@ -36,7 +38,7 @@ class ScissorsDrag : public SceneDrag {
     if (outline_.size() < fewestPoints) return true;
     Lasso lasso = lassoOf(press_.camera(), press_.size, outline_);
     lasso.inside = cutsInside_;
-    press_.cut(lasso);
+    done_(lasso);
     return true;
   }
 
@@ -57,14 +59,17 @@ class ScissorsDrag : public SceneDrag {
 
  private:
   const ScenePress press_;
+  const std::function<void(const Lasso&)> done_;
   std::vector<glm::dvec2> outline_;  // logical pixels
   bool cutsInside_ = true;
 };
 
 }  // namespace
 
-std::unique_ptr<SceneDrag> beginScissors(const ScenePress& press) {
-  return std::make_unique<ScissorsDrag>(press);
+std::unique_ptr<SceneDrag> drawLasso(const ScenePress& press, std::function<void(const Lasso& lasso)> done) {
+  return std::make_unique<ScissorsDrag>(press, std::move(done));
 }
+
+std::unique_ptr<SceneDrag> beginScissors(const ScenePress& press) { return drawLasso(press, press.cut); }
 
 }  // namespace volumen

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/tools/drag.h"
+#include "ui/workspace/segment_cut.h"
 #include "ui/workspace/segment_stroke.h"
 #include "ui/workspace/session.h"
 #include "viewer/measure/shape.h"
@@ -49,6 +50,8 @@ struct SlicePress {
   std::function<void(const SegmentStroke& stroke)> paint{};
   /// Hears of a ball as it is drawn; none likewise.
   std::function<void(const DrawnBall& ball)> takeBall{};
+  /// Cuts the current segment; none likewise.
+  std::function<void(const SegmentCut& cut)> cutSegment{};
 
   glm::dvec3 patientAt(QPointF p) const {
     return plane.patientFromPixel({p.x() * pixelRatio, p.y() * pixelRatio});
@@ -92,6 +95,8 @@ struct ScenePress {
   std::function<void(QPointF p)> missed{};
   /// Takes the connected part of a place.
   std::function<void(const PartClick& click)> takePart{};
+  /// Cuts the current segment.
+  std::function<void(const SegmentCut& cut)> cutSegment{};
 
   const Camera& camera() const { return *scene.camera; }
   /// What turns and moves go about.
@@ -143,6 +148,8 @@ std::vector<const Tool*> chosenSceneTools();
 std::unique_ptr<SceneDrag> beginRotate(const ScenePress& press);
 std::unique_ptr<SceneDrag> beginCurve(const ScenePress& press);
 std::unique_ptr<SceneDrag> beginScissors(const ScenePress& press);
+/// Draws around something; `done` hears of it at its end, Ctrl then meaning all else.
+std::unique_ptr<SceneDrag> drawLasso(const ScenePress& press, std::function<void(const Lasso& lasso)> done);
 /// Draws a measurement on what is seen; null, and missed(), where nothing is.
 std::unique_ptr<SceneDrag> beginSurfaceShape(const ScenePress& press, ShapeKind kind);
 /// Moves a point of a measurement, seen there, over what is seen; a way shorter than a drag's moves nothing.
@@ -168,6 +175,14 @@ void paintBrushAt(QPainter& painter, const SlicePress& pointer);
 bool resizeBrush(Session& session, int key);
 /// Paints or erases what is drawn around.
 std::unique_ptr<Drag> beginOutline(const SlicePress& press);
+/// Draws an outline by one drag, or point by point; `done` hears of its points once it is closed.
+std::unique_ptr<Drag> drawOutline(const SlicePress& press,
+                                  std::function<void(const std::vector<glm::dvec3>& points)> done);
+/// Takes from the current segment what is drawn around, or all else: through all of it, or as deep as is
+/// chosen.
+std::unique_ptr<Drag> beginSegmentScissors(const SlicePress& press);
+/// The same along the lines of sight, through all of it.
+std::unique_ptr<SceneDrag> beginSceneSegmentScissors(const ScenePress& press);
 /// Draws a ball about the place that was pressed, in which a lesion is looked for.
 std::unique_ptr<Drag> beginLesion(const SlicePress& press);
 /// Paints or erases what the closed line at the value that was pressed goes around.

@@ -45,6 +45,7 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   press->takePart = [this](const PartClick& click) { Q_EMIT partClicked(click); };
   press->paint = [this](const SegmentStroke& stroke) { Q_EMIT strokePainted(stroke); };
   press->takeBall = [this](const DrawnBall& ball) { Q_EMIT ballDrawn(ball); };
+  press->cutSegment = [this](const SegmentCut& cut) { Q_EMIT segmentCut(cut); };
   dragButton_ = event->button();
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();

@@ -53,6 +53,8 @@ class View : public QWidget {
   void strokePainted(const volumen::SegmentStroke& stroke);
   /// A ball is being drawn, was drawn, or is none any more.
   void ballDrawn(const volumen::DrawnBall& ball);
+  /// The current segment is to be cut.
+  void segmentCut(const volumen::SegmentCut& cut);
   /// What is under the cursor, empty where nothing is.
   void hovered(const QString& text);
 

@@ -159,6 +159,7 @@ void ViewGrid::connectView(View* view) {
   connect(view, &View::partClicked, this, &ViewGrid::partClicked);
   connect(view, &View::strokePainted, this, &ViewGrid::strokePainted);
   connect(view, &View::ballDrawn, this, &ViewGrid::ballDrawn);
+  connect(view, &View::segmentCut, this, &ViewGrid::segmentCut);
   connect(view, &View::menuRequested, this,
           [this, view](QPoint global) { Q_EMIT menuRequested(view, global); });
   view->installEventFilter(this);

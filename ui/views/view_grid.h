@@ -85,6 +85,7 @@ class ViewGrid : public QWidget {
   void partClicked(const volumen::PartClick& click);
   void strokePainted(const volumen::SegmentStroke& stroke);
   void ballDrawn(const volumen::DrawnBall& ball);
+  void segmentCut(const volumen::SegmentCut& cut);
   /// Views were placed, shown or hidden.
   void arranged();
   /// A 3D view was made: it wants to be drawn.

@@ -30,7 +30,7 @@ QStringList textInScene(const Measurement& m, const LoadedSeriesPtr& series) {
 
 void VolumeView::setFlatTool(const Tool& tool) {
   drawing_ = tool.draws() && tool.inScene ? &tool : nullptr;
-  if (shape_) letGo();
+  if (shape_ || (drag_ && drag_->drawsOver())) letGo();
   setCursor(drawing_ ? drawing_->cursor : tool_->cursor);
 }
 

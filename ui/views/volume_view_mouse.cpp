@@ -48,7 +48,8 @@ ScenePress VolumeView::pressAt(QPointF position, Qt::KeyboardModifiers keys) {
                      return SurfacePoint{*at->pPatient, *at->softMm};
                    },
                    [this](QPointF p) { tellMissed(p); },
-                   [this](const PartClick& click) { Q_EMIT partClicked(click); }};
+                   [this](const PartClick& click) { Q_EMIT partClicked(click); },
+                   [this](const SegmentCut& cut) { Q_EMIT segmentCut(cut); }};
   press.scene.camera = camera();
   return press;
 }
@@ -75,7 +76,10 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   // What is drawn around may begin on a measurement.
   const bool isHand = event->button() == Qt::LeftButton && tool == tool_ && tool != &toolNamed("scissors");
   if (isHand) drag_ = pressMeasurement(press);
-  if (!drag_) (tool->draws() ? shape_ : drag_) = tool->inScene(press);
+  if (!drag_) {
+    auto begun = tool->inScene(press);
+    (begun && begun->drawing() ? shape_ : drag_) = std::move(begun);
+  }
   if (shape_ && !drag_ && tool->draws()) shapePressed_ = true;
   if (shape_) redraw();
 }

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "viewer/recipe/airways.h"
+#include "viewer/recipe/scissors.h"
 #include "viewer/recipe/step_kinds.h"
 #include "viewer/segment/morphology.h"
 #include "viewer/segment/numbers.h"
@@ -80,6 +81,7 @@ Result<BitMask> airTree(const StepInput& in) {
 std::vector<StepKind> stepsOfParts() {
   using Need = StepField::Need;
   using enum StepKind::Use;
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
   const StepField neighbours{
       "neighbours", "Touching by", "", std::string("faces"), {}, {"faces", "edges", "corners"}};
   const StepField at{"at", "At", "mm", Places{}, {}, {}, Need::yes}, perhapsAt{"at", "At", "mm", Places{}};
@@ -127,6 +129,17 @@ std::vector<StepKind> stepsOfParts() {
        {other, margin},
        narrows,
        intersect},
+      {"scissors",
+       "Cut by an outline",
+       "without what lies inside an outline (or, to keep, outside) as it is seen from the first of two "
+       "places to the second; in perspective the first is the eye; only so many mm before and behind it",
+       {{"outline", "Outline", "mm", Places{}, {}, {}, Need::yes},
+        {"sight", "Line of sight", "mm", Places{}, {}, {}, Need::yes},
+        {"perspective", "Perspective", "", false},
+        {"keep", "Keep what is inside", "", false},
+        {"withinMm", "Within", "mm", unlimited, {0, unlimited}}},
+       narrows,
+       leftByScissors},
       {"invert", "Invert", "all other voxels", {}, changes, invert},
       {"part",
        "Part of another",

@@ -16,6 +16,7 @@ namespace volumen {
 namespace {
 
 constexpr double air = -1000;
+constexpr double depthRounding = 1e-9;  // mm
 
 // Calls cut(i, j, k) for what one lasso cuts, where isThere(i, j, k) still: rows side by side, a row in
 // order.
@@ -132,6 +133,25 @@ BitMask keptVoxelsInRange(const Volume& volume, ValueRange range, const Mask& ma
                           const CancelToken& cancel) {
   BitMask found = voxelsInRange(volume, range);
   return mask.empty() ? found : intersected(std::move(found), keptVoxels(volume, mask, cancel));
+}
+
+BitMask leftBy(BitMask mask, const Lasso& lasso, double withinMm, const CancelToken& cancel) {
+  const VoxelGeometry grid = mask.geometry();
+  const glm::dvec3 forward = lasso.forward();
+  const auto isWithin = [&](glm::dvec3 pVoxel) {
+    const glm::dvec3 d = grid.patientFromVoxel(pVoxel) - lasso.origin;
+    return std::abs(glm::dot(d, forward)) <= withinMm + depthRounding;
+  };
+  cutAway(
+      grid, lasso,
+      [&](int i, int j, int k) {
+        return mask.at({i, j, k}) && isWithin({i, j, k});
+      },
+      [&](int i, int j, int k) {
+        mask.set({i, j, k}, false);
+      },
+      cancel);
+  return mask;
 }
 
 Result<VolumePtr> masked(const Volume& volume, const Mask& mask, const CancelToken& cancel) try {

@@ -44,6 +44,10 @@ BitMask keptVoxels(const Volume& volume, const Mask& mask, const CancelToken& ca
 BitMask keptVoxelsInRange(const Volume& volume, ValueRange range, const Mask& mask,
                           const CancelToken& cancel = {});
 
+/// What a lasso leaves of a set of voxels, decided as in keptVoxels(). Only voxels within so many mm of its
+/// origin along the line of sight are cut away; others stay.
+BitMask leftBy(BitMask mask, const Lasso& lasso, double withinMm, const CancelToken& cancel = {});
+
 /// A copy of a volume with air (-1000, or the nearest value that there is) where the mask takes away, which
 /// its attributes say. The Error: it was cancelled, the table was to go and there is no patient, or too
 /// little memory.

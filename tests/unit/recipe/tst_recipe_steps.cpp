@@ -2,13 +2,18 @@
 // lesions, and the air tree of a phantom that leaks.
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <random>
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/grids.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
+#include "tests/unit/segment/bit_masks.h"
+#include "tests/unit/segment/lassos.h"
 #include "tests/unit/suite.h"
 #include "viewer/recipe/recipe.h"
+#include "viewer/recipe/scissors.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -25,6 +30,9 @@ class TestRecipeSteps : public QObject {
   void partsAreTakenBySize();
   void marginsReachSoFar();
   void allAreSmoothedAtOnce();
+  void scissorsCutAsTheirLassoDoes();
+  void scissorsThatSeeNothingAreRefused_data();
+  void scissorsThatSeeNothingAreRefused();
   void whatWasMadeByHandIsRefused();
   void theAirTreeStopsBeforeItLeaks_data();
   void theAirTreeStopsBeforeItLeaks();
@@ -205,6 +213,56 @@ void TestRecipeSteps::allAreSmoothedAtOnce() {
   QVERIFY(masks.at("A") == columnsOf(*volume, {0, 1, 2, 3, 4, 5, 6}));
   QVERIFY(intersected(masks.at("B"), masks.at("A")).empty() && masks.at("B").at({8, 0, 0}));
   QVERIFY(masks.at("C") == locked);
+}
+
+// The step holds places in the patient, and its JSON their decimal texts: no voxel of these cases lies so
+// near to an outline that rounding would take it to the other side.
+void TestRecipeSteps::scissorsCutAsTheirLassoDoes() {
+  const Seeds seeds = seedsOf(100, 3000);
+  int cut = 0;
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    std::mt19937 random{unsigned(seed)};
+    const Grid& grid = grids[random() % std::size(grids)];
+    const VolumePtr volume =
+        volumeOf<std::int16_t>({20, 9, 7}, grid.patientFromVoxelStep, [](dvec3) { return 0; });
+    const BitMask mask = anyMask(random, volume->geometry());
+    const Lasso lasso = anyLasso(random, random() % 2, random() % 2);
+    const double within = random() % 2 ? 40.3 : std::numeric_limits<double>::infinity();
+    const Step step = scissorsStep("A", lasso, within);
+    const auto read = readSteps(stepsJson({step}));
+    QVERIFY2(read, read ? "" : read.message().c_str());
+    const BitMask left = leftBy(mask, lasso, within);
+    QVERIFY2(done(step, *volume, {{"A", mask}}) == left, qPrintable(QString::number(seed)));
+    QVERIFY2(done(read->front(), *volume, {{"A", mask}}) == left, qPrintable(QString::number(seed)));
+    cut += left != mask && !left.empty();
+  }
+  QVERIFY2(cut > seeds.count / 3, "or the cases show little");
+}
+
+void TestRecipeSteps::scissorsThatSeeNothingAreRefused_data() {
+  QTest::addColumn<Places>("sight");
+  QTest::addColumn<QString>("says");
+  const QString twoPlaces = QStringLiteral("scissors: sight must be two places");
+  QTest::newRow("no line of sight") << Places{} << twoPlaces;
+  QTest::newRow("one place") << Places{{0, 0, -9}} << twoPlaces;
+  QTest::newRow("one place twice") << Places{{0, 0, -9}, {0, 0, -9}} << twoPlaces;
+  QTest::newRow("three places") << Places{{0, 0, -9}, {0, 0, 0}, {0, 0, 9}} << twoPlaces;
+  QTest::newRow("the outline behind the eye")
+      << Places{{0, 0, 9}, {0, 0, 10}} << QStringLiteral("scissors: outline must lie before the first place");
+}
+
+void TestRecipeSteps::scissorsThatSeeNothingAreRefused() {
+  QFETCH(Places, sight);
+  QFETCH(QString, says);
+  const VolumePtr volume = volumeOf<float>({3, 3, 3}, glm::dmat3(1), [](dvec3) { return 0; });
+  NamedMasks masks{{"A", inverted(BitMask(volume->geometry()))}};
+  const Step step{
+      "scissors",
+      "A",
+      {{"outline", Places{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {"sight", sight}, {"perspective", true}}};
+  const Status made = runStep(step, *volume, masks);
+  QVERIFY(!made && masks.at("A").count() == 27);
+  QVERIFY2(QString::fromStdString(made.message()).startsWith(says), made.message().c_str());
 }
 
 void TestRecipeSteps::whatWasMadeByHandIsRefused() {

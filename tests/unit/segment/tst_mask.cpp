@@ -1,10 +1,13 @@
 // Guards what scissors cut away: the same voxels as by angles and windings one by one, along the lines of
 // sight of any camera, whatever the grid.
 #include <cmath>
-#include <numbers>
+#include <limits>
 #include <random>
 
 #include "tests/fixtures/ct_with_table.h"
+#include "tests/fixtures/seeds.h"
+#include "tests/unit/segment/bit_masks.h"
+#include "tests/unit/segment/lassos.h"
 #include "tests/unit/suite.h"
 #include "viewer/segment/mask.h"
 #include "viewer/segment/range.h"
@@ -18,6 +21,7 @@ class TestMask : public QObject {
  private Q_SLOTS:
   void theVoxelsAreThoseOfBruteForce_data();
   void theVoxelsAreThoseOfBruteForce();
+  void setsOfVoxelsAreCutLikewise();
   void whatAnOutlineCrossesItselfAroundIsInside();
   void whatIsBehindTheEyeIsNotInside_data();
   void whatIsBehindTheEyeIsNotInside();
@@ -47,46 +51,6 @@ VolumePtr volumeOn(const VoxelGeometry& grid) {
   std::vector<std::string> warnings;
   return *Volume::make({grid, std::vector<std::int16_t>(std::size_t(grid.voxelCount()), 100), 1, 0, {}},
                        warnings);
-}
-
-// A freehand outline: a ragged ring, crossing itself now and then.
-Lasso anyLasso(std::mt19937& random, bool perspective, bool inside) {
-  std::uniform_real_distribution<double> one(-1, 1);
-  Lasso lasso;
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(one(random), one(random), one(random)));
-  lasso.right = glm::normalize(glm::cross(forward, glm::dvec3(one(random), one(random), one(random))));
-  lasso.down = glm::cross(forward, lasso.right);
-  lasso.perspective = perspective;
-  lasso.inside = inside;
-  lasso.origin = perspective ? -40.0 * forward + glm::dvec3(one(random)) : glm::dvec3(one(random));
-  const int count = 3 + int(random() % 60);
-  const double size = perspective ? 0.2 : 7;
-  for (int n = 0; n < count; ++n) {
-    const double angle = 2 * std::numbers::pi * n / count, radius = size * (0.75 + 0.5 * one(random));
-    lasso.points.push_back(radius * glm::dvec2(std::cos(angle), std::sin(angle)) + 0.2 * size * one(random));
-  }
-  return lasso;
-}
-
-// How often the outline goes around a point, by the angles that its corners are seen under.
-int windingByAngles(const std::vector<glm::dvec2>& points, glm::dvec2 p) {
-  double sum = 0;
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    const glm::dvec2 a = points[n] - p, b = points[(n + 1) % points.size()] - p;
-    sum += std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
-  }
-  return int(std::lround(sum / (2 * std::numbers::pi)));
-}
-
-bool isCut(const Lasso& lasso, glm::dvec3 p) {
-  const glm::dvec3 d = p - lasso.origin, forward = glm::cross(lasso.right, lasso.down);
-  glm::dvec2 seen(glm::dot(d, lasso.right), glm::dot(d, lasso.down));
-  bool isInside = true;
-  if (lasso.perspective) {
-    isInside = glm::dot(d, forward) > 0;
-    seen /= glm::dot(d, forward);
-  }
-  return (isInside && windingByAngles(lasso.points, seen) != 0) == lasso.inside;
 }
 
 std::int64_t keptOf(const VolumePtr& volume, const Mask& mask) { return keptVoxels(*volume, mask).count(); }
@@ -128,7 +92,7 @@ void TestMask::theVoxelsAreThoseOfBruteForce() {
     for (int k = 0; k < grid.size.z; ++k)
       for (int j = 0; j < grid.size.y; ++j)
         for (int i = 0; i < grid.size.x; ++i) {
-          const bool gone = isCut(lasso, grid.patientFromVoxel({i, j, k}));
+          const bool gone = isCutBy(lasso, grid.patientFromVoxel({i, j, k}));
           cut += gone;
           QVERIFY2(kept.at({i, j, k}) == !gone,
                    qPrintable(QStringLiteral("round %1: %2 %3 %4").arg(round).arg(i).arg(j).arg(k)));
@@ -136,6 +100,35 @@ void TestMask::theVoxelsAreThoseOfBruteForce() {
     someCut += cut > 0 && cut < grid.voxelCount();
   }
   QVERIFY2(someCut > 30, "or the rounds show little");
+}
+
+// By chance, on any grid, by any lasso, with any depth or none.
+void TestMask::setsOfVoxelsAreCutLikewise() {
+  const Seeds seeds = seedsOf(200, 5000);
+  int someCut = 0, someBeyond = 0;
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    std::mt19937 random{unsigned(seed)};
+    VoxelGeometry grid = anyGrid(random, {24, 9, 7});
+    grid.origin = -grid.patientFromVoxelStep * (glm::dvec3(grid.size - 1) / 2.0);
+    const BitMask mask = anyMask(random, grid);
+    const Lasso lasso = anyLasso(random, random() % 2, random() % 2);
+    const double nearEye = lasso.perspective ? 40 : 0, unlimited = std::numeric_limits<double>::infinity(),
+                 within = random() % 3 == 0 ? unlimited : nearEye + double(random() % 400) / 100;
+    const BitMask left = leftBy(mask, lasso, within);
+    for (int k = 0; k < grid.size.z; ++k)
+      for (int j = 0; j < grid.size.y; ++j)
+        for (int i = 0; i < grid.size.x; ++i) {
+          const glm::dvec3 p = grid.patientFromVoxel({i, j, k});
+          const double depth = std::abs(glm::dot(p - lasso.origin, lasso.forward()));
+          if (std::abs(depth - within) < 1e-6) continue;
+          const bool isIn = mask.at({i, j, k}), goes = isCutBy(lasso, p);
+          someCut += isIn && goes && depth < within;
+          someBeyond += isIn && goes && depth > within;
+          QVERIFY2(left.at({i, j, k}) == (isIn && !(goes && depth < within)),
+                   qPrintable(QStringLiteral("seed %1: %2 %3 %4").arg(seed).arg(i).arg(j).arg(k)));
+        }
+  }
+  QVERIFY2(someCut > 0 && someBeyond > 0, "or the rounds show little");
 }
 
 void TestMask::whatAnOutlineCrossesItselfAroundIsInside() {

@@ -1,0 +1,41 @@
+#include <glm/geometric.hpp>
+
+#include "ui/tools/tool.h"
+
+namespace volumen {
+
+namespace {
+
+// Along the normal of the slice. Ctrl as it began: all else goes.
+SegmentCut cutInSlice(const SlicePress& press, const std::vector<glm::dvec3>& outline) {
+  SegmentCut cut{keyOf(press.series->series)};
+  cut.inSlice = true;
+  cut.onFrame = press.frame.has_value();
+  if (cut.onFrame) return cut;
+  cut.lasso.origin = press.plane.centre;
+  cut.lasso.right = press.plane.right;
+  cut.lasso.down = press.plane.down;
+  cut.lasso.inside = !(press.keys & Qt::ControlModifier);
+  for (const glm::dvec3& place : outline) {
+    const glm::dvec3 d = place - cut.lasso.origin;
+    cut.lasso.points.emplace_back(glm::dot(d, cut.lasso.right), glm::dot(d, cut.lasso.down));
+  }
+  return cut;
+}
+
+}  // namespace
+
+std::unique_ptr<Drag> beginSegmentScissors(const SlicePress& press) {
+  if (!press.cutSegment) return nullptr;
+  return drawOutline(press, [press](const std::vector<glm::dvec3>& outline) {
+    press.cutSegment(cutInSlice(press, outline));
+  });
+}
+
+std::unique_ptr<SceneDrag> beginSceneSegmentScissors(const ScenePress& press) {
+  return drawLasso(press, [press](const Lasso& lasso) {
+    press.cutSegment({keyOf(press.series->series), lasso});
+  });
+}
+
+}  // namespace volumen
