@@ -206,9 +206,9 @@ void TestInsideSegments::segmentsAreFollowed() {
   w.session().change(QStringLiteral("test"),
                      withSegmentChanged(w.workspace(), w.series(), 2, [](Segment& s) { s.label = "Kern"; }));
   QVERIFY(w.idle() && w.left() == before);
-  QVERIFY(w.press("segmentRemove"));
+  QVERIFY(w.SegmentWindow::press("segmentRemove"));
   QVERIFY(w.idle() && w.voxelsLeft().empty());
-  QVERIFY(w.press("segmentRemove"));
+  QVERIFY(w.SegmentWindow::press("segmentRemove"));
   QVERIFY2(!w.map() && w.session().tissues().empty(), "without segments all of it is shown");
   QVERIFY(w.session().drawnSeries(sceneViewId)->volume == w.whole());
   w.undo(), w.undo();

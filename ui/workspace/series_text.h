@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "viewer/segment/mask.h"
+#include "viewer/segment/tissue_shown.h"
 
 namespace volumen {
 
