@@ -17,7 +17,9 @@ Result<SessionView> viewOf(const std::string& path, const OpenedSession& session
   if (shown.missing) return Error{path + ": " + session.problems.join(QLatin1Char(' ')).toStdString()};
   SessionView read{*shown.series, shown.mask, look->second.scene, {}, {}};
   const SegmentMap* segments = segmentMapOf(workspace, view.series);
-  if (segments && !segmentsIn3d(*segments).empty()) read.segments = *segments;
+  if (segments &&
+      (!segmentsIn3d(*segments).empty() || segments->tissue.where != TissueShown::Where::everywhere))
+    read.segments = *segments;
   if (workspace.goal.aim == Aim::level) read.quality = workspace.goal.level.quality;
   return read;
 }

@@ -17,7 +17,7 @@ struct SessionView {
   Series series;
   Mask mask;
   Scene scene;
-  std::optional<SegmentMap> segments;  ///< of the series; none: it has none, or they are in slices alone
+  std::optional<SegmentMap> segments;  ///< of the series; none: it has none, or the view shows none
   std::optional<Quality> quality;      ///< none: the window chose it by time or error
 };
 

@@ -12,10 +12,15 @@
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
 #include "ui/controller/segment_fields.h"
+#include "ui/workspace/made_tissue.h"
+#include "ui/workspace/segments.h"
+#include "viewer/plan/default_window.h"
+#include "viewer/plan/facts.h"
 #include "viewer/plan/picture_text.h"
 #include "viewer/render/effect_costs.h"
 #include "viewer/render/render.h"
 #include "viewer/scene/scene_json.h"
+#include "viewer/segment/mask.h"
 #include "viewer/volume/clock.h"
 
 namespace volumen {
@@ -139,14 +144,19 @@ class Run {
     const Mask mask = session ? session->mask : Mask{options_.removeTable, {}};
     std::vector<SegmentSurface> segments;
     if (session && session->segments) segments = segmentsOf(*session, *opened->loaded.drawn);
+    const VolumePtr whole = opened->loaded.drawn;
     if (!mask.empty())
       if (Status taken = takeAway(mask, *opened, cancel_); !taken) return stopped(taken.message());
     volume_ = opened->loaded.drawn;
+    const bool isApart = session && showsTissueApart(*session);
+    if (isApart)
+      if (Status left = leaveTissue(*session->segments); !left) return stopped(left.message());
     warnings_ = opened->loaded.warnings;
     unread_ = opened->loaded.unread;
     times_.loadMs = wallMs() - begin;
     auto scene = makeScene(options_.scene, *file, *volume_);
     if (!scene) return fail(scene.message());
+    if (isApart) scene = asWhole(*std::move(scene), *whole);
     scene->segments = std::move(segments);
     RenderCaches caches(volume_);
     const int status = draw(*scene, *asked, caches);
@@ -180,6 +190,26 @@ class Run {
     if (!session.segments->labels)
       printNotes({"The segments of the session were not found: they are not drawn."});
     return surfacesOf(*session.segments, whole, session.mask, cancel_);
+  }
+
+  // Whether the volume itself is shown only inside or outside segments.
+  bool showsTissueApart(const SessionView& session) const {
+    return session.segments && session.segments->tissue.where != TissueShown::Where::everywhere &&
+           isOn(*session.segments, volume_->geometry());
+  }
+
+  // Makes what the volume shows what it shows in the session's 3D view.
+  Status leaveTissue(const SegmentMap& map) {
+    const Result<VolumePtr> left =
+        keptAlone(*volume_, tissueVoxels(*map.labels, numbersShown(map), map.tissue, cancel_), cancel_);
+    if (!left) return left.error();
+    volume_ = *left;
+    return {};
+  }
+
+  static Scene asWhole(Scene scene, const Volume& whole) {
+    const VolumeFacts facts = factsOf(whole);
+    return drawnAsTheWhole(std::move(scene), defaultWindow(facts), facts.p999 - facts.p01, facts.geometry);
   }
 
   // Whether everything can be written that will be.

@@ -52,6 +52,18 @@ bool showSegments(Journey& w) {
          w.window.view()->picture() != without;
 }
 
+// True once the picture is another one.
+bool showInsideSegments(Journey& w) {
+  Session& session = w.window.session();
+  const TissueShown tissue{TissueShown::Where::inside, 3};
+  const QImage whole = w.window.view()->picture();
+  w.settled.clear();
+  session.change(QStringLiteral("test"),
+                 withTissueShown(session.workspace(), keyOf(session.series()->series), tissue));
+  return segmentsAreMade(w) && session.tissueDrawn(sceneViewId) && w.settle() &&
+         w.window.view()->picture() != whole;
+}
+
 }  // namespace
 
 class TestSessionPictures : public QObject {
@@ -80,6 +92,9 @@ void TestSessionPictures::theProgramDrawsTheSnapshot_data() {
   QTest::newRow("with segments") << 6 << QSize(220, 180) << no;
   QTest::newRow("with segments, cut, without its table")
       << 7 << QSize(200, 160) << QStringLiteral("1 outline, table removed");
+  QTest::newRow("only inside segments") << 8 << QSize(220, 180) << no;
+  QTest::newRow("only inside segments, cut, without its table")
+      << 9 << QSize(200, 160) << QStringLiteral("1 outline, table removed");
 }
 
 void TestSessionPictures::theProgramDrawsTheSnapshot() {
@@ -101,7 +116,8 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
     QTest::mouseClick(w.window.views()->viewAs<FlatView>(coronalViewId), Qt::LeftButton, {}, {50, 50});
   }
   if (what >= 6) QVERIFY(showSegments(w));
-  if (what == 4 || what == 5 || what == 7) {
+  if (what >= 8) QVERIFY(showInsideSegments(w));
+  if (what == 4 || what == 5 || what == 7 || what == 9) {
     if (what != 5) QVERIFY(!w.after("removeTable").isNull());
     if (what == 5)
       QVERIFY(settles(w, [&] {

@@ -171,6 +171,8 @@ void TestTimePoints::memoryWithoutRoomLoadsNothingAhead() {
   pool.setOnScreen({{{"a", "1"}, {}}});
   QVERIFY(pool.hasRoomFor(60));
   QVERIFY(!pool.hasRoomFor(61));
+  pool.setOnScreen({{{"a", "1"}, {}}}, 10);
+  QVERIFY2(pool.hasRoomFor(50) && !pool.hasRoomFor(51), "what is held elsewhere counts");
 }
 
 void TestTimePoints::theSliderIsThereWhereThereAreSeveral() {

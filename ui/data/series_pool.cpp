@@ -27,8 +27,9 @@ void SeriesPool::put(const PoolKey& key, LoadedSeriesPtr series) {
   dropBeyondBudget();
 }
 
-void SeriesPool::setOnScreen(std::vector<PoolKey> keys) {
+void SeriesPool::setOnScreen(std::vector<PoolKey> keys, std::size_t elsewhere) {
   onScreen_ = std::move(keys);
+  elsewhere_ = elsewhere;
   dropBeyondBudget();
 }
 
@@ -42,7 +43,7 @@ void SeriesPool::forget(const SeriesKey& key) {
 }
 
 bool SeriesPool::hasRoomFor(std::size_t bytes) const {
-  std::size_t sum = bytes;
+  std::size_t sum = bytes + elsewhere_;
   for (const Held& h : held_)
     if (std::ranges::find(onScreen_, h.key) != onScreen_.end()) sum += h.series->volume->bytes();
   return sum <= budget_;
@@ -55,7 +56,7 @@ std::size_t SeriesPool::bytes() const {
 }
 
 void SeriesPool::dropBeyondBudget() {
-  std::size_t held = bytes();
+  std::size_t held = bytes() + elsewhere_;
   // The first was asked for just now.
   for (auto h = held_.end(); held > budget_ && h != held_.begin();) {
     if (--h == held_.begin() || std::ranges::find(onScreen_, h->key) != onScreen_.end()) continue;

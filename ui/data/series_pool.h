@@ -26,8 +26,9 @@ class SeriesPool {
   /// Null where it is not in memory. Counts as use.
   LoadedSeriesPtr find(const PoolKey& key);
   void put(const PoolKey& key, LoadedSeriesPtr series);
-  /// What is on screen from now on; drops what is beyond the budget.
-  void setOnScreen(std::vector<PoolKey> keys);
+  /// What is on screen from now on, and how many bytes of voxels are held elsewhere for it; drops what is
+  /// beyond the budget.
+  void setOnScreen(std::vector<PoolKey> keys, std::size_t elsewhere = 0);
   void setBudget(std::size_t bytes);
   void forget(const SeriesKey& key);
   /// Whether a volume of so many bytes has room beside what is on screen.
@@ -48,7 +49,7 @@ class SeriesPool {
 
   std::list<Held> held_;  // the last used first
   std::vector<PoolKey> onScreen_;
-  std::size_t budget_;
+  std::size_t budget_, elsewhere_ = 0;
 };
 
 }  // namespace volumen

@@ -71,7 +71,7 @@ void Accuracy::connectMeter() {
           });
   connect(&bench_, &Workbench::drawnAtRest, &meter_,
           [this](const ScreenPicture& drawn, const Scene& complete) {
-            meter_.show(session_.series()->volume, complete, drawn.image.size());
+            meter_.show(drawn.volume, complete, drawn.image.size());
           });
 }
 

@@ -11,6 +11,7 @@
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_surface_jobs.h"
 #include "ui/controller/segment_target.h"
+#include "ui/controller/tissue_jobs.h"
 #include "ui/features/segments_from_files.h"
 #include "ui/panels/segment_numbers_dialog.h"
 #include "ui/panels/segments_panel.h"
@@ -55,6 +56,7 @@ class Segmenting : public Feature {
   SegmentPreview preview_;
   MaskJobs masker_;
   SegmentSurfaceJobs surfaces_;
+  TissueJobs tissues_;
   SegmentsPanel* panel_;
   SegmentsFromFiles fromFiles_;
   QAction* export_;
@@ -68,6 +70,7 @@ Segmenting::Segmenting(Workbench& bench)
       preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
       surfaces_(session_, bench.document.jobs),
+      tissues_(session_, painter_, bench.document.jobs),
       panel_(new SegmentsPanel(session_)),
       fromFiles_(bench, segmenter_, *panel_) {
   bench_.addDock({"segment",
@@ -81,6 +84,7 @@ Segmenting::Segmenting(Workbench& bench)
   panel_->setTableAction(masker_.tableAction());
   connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   connect(&surfaces_, &SegmentSurfaceJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&tissues_, &TissueJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
   makeExport();

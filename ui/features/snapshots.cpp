@@ -82,7 +82,7 @@ void Snapshots::tellName() {
 
 void Snapshots::take(const SnapshotRequest& request) {
   if (!session_.series()) return warn(tr("Open a series first."));
-  snapshot_.take(session_.series(), bench_.sceneInView(), request);
+  snapshot_.take(session_.drawnSeries(sceneViewOf(session_.workspace())), bench_.sceneInView(), request);
 }
 
 }  // namespace

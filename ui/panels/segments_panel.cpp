@@ -22,6 +22,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
       list_(new SegmentList(session)),
       result_(plainLabel()),
       in3d_(new QCheckBox(tr("In 3D"))),
+      tissue_(new SegmentTissue(session)),
       export_(new QPushButton(tr("Export..."))),
       numbersButton_(new QToolButton),
       recipes_(new QToolButton),
@@ -109,6 +110,7 @@ void SegmentsPanel::makeLayout() {
   column->setSpacing(4);
   column->addWidget(list_, 1);
   column->addLayout(told);
+  column->addWidget(tissue_);
   column->addLayout(row);
   column->addWidget(pages_);
 }
@@ -155,6 +157,7 @@ void SegmentsPanel::showSegments() {
   paint_->showSegments();
   steps_->showSegments();
   showIn3d();
+  tissue_->showSegments();
   growth_->showSegments();
   numbersButton_->setEnabled(segmentsShown(session_) != nullptr);
   numbersButton_->setToolTip(

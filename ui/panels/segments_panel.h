@@ -11,6 +11,7 @@
 #include "ui/panels/segment_paint_page.h"
 #include "ui/panels/segment_range.h"
 #include "ui/panels/segment_steps_page.h"
+#include "ui/panels/segment_tissue.h"
 #include "viewer/recipe/recipe.h"
 
 namespace volumen {
@@ -61,6 +62,7 @@ class SegmentsPanel : public QWidget {
   SegmentList* list_;
   QLabel* result_;
   QCheckBox* in3d_;
+  SegmentTissue* tissue_;
   QPushButton* export_;
   QToolButton* numbersButton_;
   QToolButton* recipes_;

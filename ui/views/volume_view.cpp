@@ -81,7 +81,8 @@ void VolumeView::workspaceChanged(const Workspace& before) {
     if (drag_ && drag_->drawsOver()) letGo();
     showState();
   }
-  const VolumePtr volume = series() ? series()->volume : nullptr;
+  const LoadedSeriesPtr drawn = session_.drawnSeries(id());
+  const VolumePtr volume = drawn ? drawn->volume : nullptr;
   const bool isAnother = std::exchange(drawn_, volume) != volume;
   if (isAnother) isDrawn_ = false;
   if (isAnother || (volume && (isNew || drawnScene_ != session_.drawnScene(id())))) requestPicture();
@@ -144,7 +145,7 @@ void VolumeView::makeErrorImage() {
 }
 
 void VolumeView::requestPicture() {
-  const LoadedSeriesPtr shown = series();
+  const LoadedSeriesPtr shown = session_.drawnSeries(id());
   const bool isShown = shown && isVisible() && showsScene(state().kind);
   drawService_.show(id(), isShown ? shown->volume : nullptr);
   drawnScene_ = session_.drawnScene(id());
@@ -183,7 +184,7 @@ Camera VolumeView::camera() const { return cameraInUse(scene(), series()->volume
 std::optional<Pick> VolumeView::pickAt(QPointF position) const {
   if (!series()) return {};
   const Camera seen = camera();
-  return pick(session_.drawnScene(id()), *series()->volume,
+  return pick(session_.drawnScene(id()), *session_.drawnSeries(id())->volume,
               sightLine(seen, size(), glm::dvec2(position.x(), position.y())),
               seen.projection == Projection::parallel);
 }

@@ -48,6 +48,7 @@ Overlays VolumeView::overlays() const {
     if (child->isVisibleTo(this)) o.taken.push_back(child->geometry());
   QStringList more{stepText(session_.workspace(), state().series)};
   more << lossyText(shown->series) << maskTexts(session_.maskOf(state().series));
+  if (const MadeTissue* tissue = session_.tissueDrawn(id())) more << tissueText(tissue->shown);
   more.removeAll(QString());
   const QString zoomText = tr("Zoom %1 %").arg(std::lround(100 * zoom()));
   if (scene().mode != Mode::composite) o.topRight << windowText(windowInUse(scene(), *shown), shown->series);

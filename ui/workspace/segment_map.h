@@ -9,6 +9,7 @@
 #include "viewer/recipe/recipe.h"
 #include "viewer/segment/label_map.h"
 #include "viewer/segment/segment.h"
+#include "viewer/segment/tissue_shown.h"
 
 namespace volumen {
 
@@ -28,6 +29,7 @@ struct SegmentMap {
   int current = 0;                         ///< the number of the one that is worked on; 0: the first
   bool in3d = true;                        ///< those that are shown are drawn in 3D, too, not in slices alone
   std::vector<Step> steps{};               ///< how they were made (segment_record.h)
+  TissueShown tissue{};                    ///< of the volume itself in 3D, by the segments that are shown
   bool operator==(const SegmentMap& other) const;
 };
 

@@ -125,6 +125,11 @@ Workspace withSegmentsIn3d(Workspace workspace, const SeriesKey& series, bool in
   return workspace;
 }
 
+Workspace withTissueShown(Workspace workspace, const SeriesKey& series, const TissueShown& tissue) {
+  if (SegmentMap* map = editMap(workspace, series)) map->tissue = tissue;
+  return workspace;
+}
+
 Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const VoxelGeometry& grid,
                          Segment segment) {
   SegmentMap map = segmentMapOn(workspace, series, grid);

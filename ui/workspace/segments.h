@@ -51,6 +51,8 @@ Workspace withSegmentChanged(Workspace workspace, const SeriesKey& series, int n
 Workspace withCurrentSegment(Workspace workspace, const SeriesKey& series, int number);
 /// With the segments of a series drawn in 3D, too, or in slices alone.
 Workspace withSegmentsIn3d(Workspace workspace, const SeriesKey& series, bool in3d);
+/// With the volume of a series shown in 3D there.
+Workspace withTissueShown(Workspace workspace, const SeriesKey& series, const TissueShown& tissue);
 /// With another segment without voxels in a series whose volume has this grid, current, in place of segments
 /// of other grids; its number, name and colour as withSegmentAdded() has them.
 Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const VoxelGeometry& grid,

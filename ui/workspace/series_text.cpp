@@ -134,4 +134,11 @@ QStringList maskTexts(const Mask& mask) {
   return texts;
 }
 
+QString tissueText(const TissueShown& tissue) {
+  using enum TissueShown::Where;
+  if (tissue.where == everywhere) return {};
+  const QString where = tissue.where == inside ? tr("only inside segments") : tr("without segments");
+  return tissue.marginMm > 0 ? tr("%1, margin %2 mm").arg(where).arg(tissue.marginMm) : where;
+}
+
 }  // namespace volumen

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "viewer/segment/mask.h"
+#include "viewer/segment/tissue_shown.h"
 
 namespace volumen {
 
@@ -43,5 +44,7 @@ QStringList warningSentences(const std::vector<Warning>& warnings);
 
 /// What was taken away from a series, each in two words: "table removed".
 QStringList maskTexts(const Mask& mask);
+/// Where its tissue is shown in 3D: "only inside segments, margin 2 mm"; empty: everywhere.
+QString tissueText(const TissueShown& tissue);
 
 }  // namespace volumen

@@ -342,8 +342,10 @@ void Session::setWorkspace(const Workspace& workspace) {
   std::vector<PoolKey> onScreen = wantedOnScreen();
   for (std::size_t n = 0, count = onScreen.size(); n < count; ++n)
     onScreen.push_back({onScreen[n].series, {}});  // for the next mask
-  pool_.setOnScreen(onScreen);
-  dropSurfaces();
+  dropUndrawn();
+  std::size_t tissueBytes = 0;
+  for (const MadeTissue& tissue : tissues_) tissueBytes += tissue.left ? tissue.left->volume->bytes() : 0;
+  pool_.setOnScreen(onScreen, tissueBytes);
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);
   if (stateBefore != state_) Q_EMIT changed(stateBefore, state_);

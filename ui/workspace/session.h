@@ -8,6 +8,7 @@
 
 #include "ui/data/series_pool.h"
 #include "ui/workspace/links.h"
+#include "ui/workspace/made_tissue.h"
 #include "ui/workspace/preferences.h"
 #include "ui/workspace/segment_surfaces.h"
 #include "ui/workspace/workspace.h"
@@ -43,6 +44,11 @@ class Session : public QObject {
   const Scene& sceneOf(ViewId view) const;
   /// The same as it is drawn: with the surfaces of segments, where segmentsDrawn() says so.
   Scene drawnScene(ViewId view) const;
+  /// The series of a 3D view as it is drawn: where its tissue is not shown everywhere, with air elsewhere,
+  /// once that was made, until then as it was before. Null where seriesOf() is.
+  LoadedSeriesPtr drawnSeries(ViewId view) const;
+  /// What that was made of; null: it is seriesOf().
+  const MadeTissue* tissueDrawn(ViewId view) const;
   /// The segments that are drawn in a 3D view: of those that are to be, the ones whose surface has been made,
   /// as they are or as they were before their last change.
   std::vector<SegmentInScene> segmentsDrawn(ViewId view) const;
@@ -85,6 +91,9 @@ class Session : public QObject {
   /// their series is in a 3D view on screen.
   void takeSurfaces(std::vector<MadeSurface> made);
   const std::vector<MadeSurface>& surfaces() const { return surfaces_; }
+  /// Keeps this in place of what was made of the same series, for as long as isTissueOnScreen().
+  void takeTissue(MadeTissue made);
+  const std::vector<MadeTissue>& tissues() const { return tissues_; }
   /// Makes a workspace that was read the one in use; one undo step, but for the first of a window; what was
   /// made on series that it does not know comes back with them.
   void open(const QString& text, const Workspace& workspace);
@@ -169,12 +178,13 @@ class Session : public QObject {
   SessionState stateInFocus() const;
   std::vector<PoolKey> wantedOnScreen() const;
   bool isMissing(const SeriesKey& series) const;
-  void dropSurfaces();
+  void dropUndrawn();
   void setWorkspace(const Workspace& workspace);
 
   Workspace workspace_;
   mutable SeriesPool pool_;
   std::vector<MadeSurface> surfaces_;
+  std::vector<MadeTissue> tissues_;
   SessionState state_;  // of the 3D view in focus
   Preferences preferences_;
   QUndoStack undoStack_;

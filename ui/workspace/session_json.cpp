@@ -338,6 +338,12 @@ void fields(Fields& f, Segment& s) {
   if (coloured) s.colour = glm::u8vec3(colour);
 }
 
+template <class Fields>
+void fields(Fields& f, TissueShown& tissue) {
+  f("where", tissue.where, tissueWords);
+  f("marginMm", tissue.marginMm, {0, mostTissueMarginMm});
+}
+
 // The labels themselves lie in a file that their checksum names.
 template <class Fields>
 void fields(Fields& f, SegmentMap& map) {
@@ -348,6 +354,7 @@ void fields(Fields& f, SegmentMap& map) {
   f("segments", map.segments);
   f("current", map.current, {0, 255});
   f("in3d", map.in3d);
+  f.unlessFirst("tissueIn3d", map.tissue);
   f("steps", map.steps);
   f.require("labels", isChecksum(saved.checksum), "must be 40 hexadecimal digits");
   f.require("geometry", spansSpace(saved.geometry), "must have axes that span space");

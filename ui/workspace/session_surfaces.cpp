@@ -1,5 +1,6 @@
-// The surfaces of segments that Session keeps for 3D views.
+// What Session keeps for 3D views: surfaces of segments, and volumes of which only some tissue is shown.
 #include <algorithm>
+#include <utility>
 
 #include "ui/workspace/segments.h"
 #include "ui/workspace/session.h"
@@ -24,9 +25,34 @@ std::vector<SegmentInScene> Session::segmentsDrawn(ViewId view) const {
 
 Scene Session::drawnScene(ViewId view) const {
   Scene scene = sceneOf(view);
+  if (const MadeTissue* tissue = tissueDrawn(view)) {
+    const LoadedSeries& whole = *tissue->of;
+    scene = drawnAsTheWhole(std::move(scene), whole.window, whole.valueSpread, whole.volume->geometry());
+  }
   for (const SegmentInScene& drawn : segmentsDrawn(view))
     scene.segments.push_back(surfaceOf(*drawn.segment, drawn.field));
   return scene;
+}
+
+const MadeTissue* Session::tissueDrawn(ViewId view) const {
+  const LoadedSeriesPtr series = seriesOf(view);
+  if (!series || !showsScene(workspace_.view(view).kind)) return nullptr;
+  const auto made = std::ranges::find_if(
+      tissues_, [&](const MadeTissue& tissue) { return areOneSeries(tissue.of, series); });
+  const bool isDrawn =
+      made != tissues_.end() && made->left && made->left->volume->geometry() == series->volume->geometry();
+  return isDrawn ? &*made : nullptr;
+}
+
+LoadedSeriesPtr Session::drawnSeries(ViewId view) const {
+  const MadeTissue* tissue = tissueDrawn(view);
+  return tissue ? tissue->left : seriesOf(view);
+}
+
+void Session::takeTissue(MadeTissue made) {
+  std::erase_if(tissues_, [&](const MadeTissue& before) { return areOneSeries(before.of, made.of); });
+  tissues_.push_back(std::move(made));
+  setWorkspace(workspace_);
 }
 
 void Session::takeSurfaces(std::vector<MadeSurface> made) {
@@ -39,8 +65,9 @@ void Session::takeSurfaces(std::vector<MadeSurface> made) {
   setWorkspace(workspace_);
 }
 
-void Session::dropSurfaces() {
+void Session::dropUndrawn() {
   std::erase_if(surfaces_, [&](const MadeSurface& s) { return !isOfSegmentOnScreen(s, workspace_); });
+  std::erase_if(tissues_, [&](const MadeTissue& t) { return !isTissueOnScreen(t, workspace_); });
 }
 
 }  // namespace volumen

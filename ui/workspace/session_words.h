@@ -17,6 +17,9 @@ inline const Words<DerivedKind> derivedWords{{"presentation", DerivedKind::prese
                                              {"segmentation", DerivedKind::segmentation}};
 inline const Words<CurvedKind> curvedWords{{"straightened", CurvedKind::straightened},
                                            {"stretched", CurvedKind::stretched}};
+inline const Words<TissueShown::Where> tissueWords{{"everywhere", TissueShown::Where::everywhere},
+                                                   {"inside", TissueShown::Where::inside},
+                                                   {"outside", TissueShown::Where::outside}};
 inline const Words<Aim> aimWords{{"level", Aim::level}, {"time", Aim::time}, {"error", Aim::error}};
 
 inline Words<ViewKind> namedKinds() {

@@ -39,8 +39,12 @@ VolumeFacts factsOf(const Volume& volume) {
   return facts;
 }
 
+double defaultGradientFloor(double valueSpread, const VoxelGeometry& geometry) {
+  return valueSpread / 32 / std::cbrt(geometry.voxelVolume());
+}
+
 double defaultGradientFloor(const VolumeFacts& facts) {
-  return (facts.p999 - facts.p01) / 32 / std::cbrt(facts.geometry.voxelVolume());
+  return defaultGradientFloor(facts.p999 - facts.p01, facts.geometry);
 }
 
 }  // namespace volumen

@@ -27,5 +27,7 @@ VolumeFacts factsOf(const Volume& volume);
 
 /// (P99.9 - P0.1) / 32 / cbrt(|det L|), value per mm (picture.md 5).
 double defaultGradientFloor(const VolumeFacts& facts);
+/// The same for P99.9 - P0.1.
+double defaultGradientFloor(double valueSpread, const VoxelGeometry& geometry);
 
 }  // namespace volumen

@@ -111,6 +111,14 @@ VoxelValues maskedValues(const Volume& volume, const BitMask& kept) {
   return copy;
 }
 
+Result<VolumePtr> volumeWith(const Volume& volume, VoxelValues values, const Cut& cut) {
+  VolumeParts parts{volume.geometry(), std::move(values), volume.slope(), volume.intercept(),
+                    volume.attributes()};
+  parts.attributes.cut = cut;
+  std::vector<std::string> warnings;  // its values were looked at when the volume was made
+  return Volume::make(std::move(parts), warnings);
+}
+
 Error cancelled() { return {"Nothing was cut away: cancelled."}; }
 
 Error noMemory() { return {"Nothing can be cut away: there is not enough memory for a second volume."}; }
@@ -160,11 +168,14 @@ Result<VolumePtr> masked(const Volume& volume, const Mask& mask, const CancelTok
     return Error{"The table cannot be removed: nothing in this series is above -300 HU."};
   cutAll(kept, mask, cancel);
   if (cancel.cancelled()) return cancelled();
-  VolumeParts parts{volume.geometry(), maskedValues(volume, kept), volume.slope(), volume.intercept(),
-                    volume.attributes()};
-  parts.attributes.cut = {mask.tableRemoved, int(mask.lassos.size())};
-  std::vector<std::string> warnings;  // its values were looked at when the volume was made
-  return Volume::make(std::move(parts), warnings);
+  return volumeWith(volume, maskedValues(volume, kept), {mask.tableRemoved, int(mask.lassos.size())});
+} catch (const std::bad_alloc&) {
+  return noMemory();
+}
+
+Result<VolumePtr> keptAlone(const Volume& volume, const BitMask& kept, const CancelToken& cancel) try {
+  if (cancel.cancelled()) return cancelled();
+  return volumeWith(volume, maskedValues(volume, kept), volume.attributes().cut);
 } catch (const std::bad_alloc&) {
   return noMemory();
 }
@@ -178,11 +189,9 @@ Result<VolumePtr> cutFurther(const Volume& volume, std::span<const std::shared_p
       },
       copy);
   if (cancel.cancelled()) return cancelled();
-  VolumeParts parts{volume.geometry(), std::move(copy), volume.slope(), volume.intercept(),
-                    volume.attributes()};
-  parts.attributes.cut.outlines += int(lassos.size());
-  std::vector<std::string> warnings;
-  return Volume::make(std::move(parts), warnings);
+  Cut all = volume.attributes().cut;
+  all.outlines += int(lassos.size());
+  return volumeWith(volume, std::move(copy), all);
 } catch (const std::bad_alloc&) {
   return noMemory();
 }

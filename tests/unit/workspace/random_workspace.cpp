@@ -196,6 +196,8 @@ SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
     if (chance.oneIn(2)) map.steps = anySteps(chance, number);
   }
   map.in3d = !chance.oneIn(4);
+  if (chance.oneIn(3))
+    map.tissue = {TissueShown::Where(chance.below(3)), chance.between(0, mostTissueMarginMm)};
   return map;
 }
 

@@ -1,0 +1,296 @@
+// Guards where 3D views show the volume by its segments, by real events: the picture is that of a volume from
+// which the rest was taken by hand, slices and segments stay whole; it is undone, saved, and follows
+// segments.
+#include "tests/ui/paint_window.h"
+#include "tests/ui/session_folder.h"
+#include "tests/unit/suite.h"
+#include "viewer/segment/morphology.h"
+#include "viewer/segment/range.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+using Tissue = TissueShown::Where;
+
+// 1: the balls, 2: the core; the picture of the 3D view at rest.
+struct TissueWindow : PaintWindow {
+  std::optional<ScreenPicture> rest;
+
+  TissueWindow() {
+    QObject::connect(window.view(), &VolumeView::drawn, window.view(), [this](const ScreenPicture& picture) {
+      if (picture.atRest) rest = picture;
+    });
+  }
+
+  QComboBox* where() { return child<QComboBox>("segmentTissue"); }
+  QDoubleSpinBox* margin() { return child<QDoubleSpinBox>("segmentTissueMargin"); }
+  void showTissue(Tissue tissue) {
+    const Qt::Key keys[] = {Qt::Key_Home, Qt::Key_Down, Qt::Key_End};  // Down: from the first
+    QTest::keyClick(where(), keys[int(tissue)]);
+  }
+  void setMargin(int mm) {
+    margin()->setFocus();
+    QTest::keyClick(margin(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(margin(), QString::number(mm));
+    QTest::keyClick(margin(), Qt::Key_Return);
+  }
+  VolumePtr whole() { return session().seriesNamed(series())->volume; }
+  LoadedSeriesPtr left() { return session().tissues().empty() ? nullptr : session().tissues().front().left; }
+  /// Where tissue is left; only while something is left out.
+  const BitMask& voxelsLeft() { return *session().tissues().front().voxels; }
+
+  // The picture at rest of what the view shows by now; null where there is none.
+  QImage picture() {
+    const auto isOfNow = [this] {
+      if (!rest || rest->image.size() != window.view()->pixels()) return false;
+      Scene now = session().drawnScene(sceneViewId);
+      if (!now.camera) now.camera = rest->scene.camera;
+      return rest->scene == now && rest->volume == session().drawnSeries(sceneViewId)->volume;
+    };
+    return idle() && QTest::qWaitFor(isOfNow, longest) ? rest->image : QImage();
+  }
+  // The same scene of the volume with 0, the lowest value there is, elsewhere.
+  QImage byHand(const BitMask& kept) {
+    const VolumePtr all = whole();
+    const VolumePtr some = volumeOf<std::int16_t>(glm::ivec3(40), glm::dmat3(1), [&](glm::dvec3 p) {
+      const glm::ivec3 v(p);
+      return kept.at(v) ? double(all->value(v.x, v.y, v.z)) : 0.0;
+    });
+    RenderOptions options;
+    options.size = {rest->image.width(), rest->image.height()};
+    options.quality = rest->quality;
+    const Result<Drawn> drawn =
+        drawWithCaches(std::make_shared<StoredVoxels>(some))(rest->scene, options, {});
+    return drawn ? toImage(drawn->picture) : QImage();
+  }
+  // By the distances to all voxels of it.
+  BitMask nearSlowly(const BitMask& mask, double mm) {
+    std::vector<glm::ivec3> in;
+    BitMask made(mask.geometry());
+    const auto each = [&](const auto& visit) {
+      for (int k = 0; k < 40; ++k)
+        for (int j = 0; j < 40; ++j)
+          for (int i = 0; i < 40; ++i) visit(glm::ivec3(i, j, k));
+    };
+    each([&](glm::ivec3 v) {
+      if (mask.at(v)) in.push_back(v);
+    });
+    each([&](glm::ivec3 v) {
+      made.set(v, std::ranges::any_of(
+                      in, [&](glm::ivec3 b) { return glm::distance(glm::dvec3(v), glm::dvec3(b)) <= mm; }));
+    });
+    return made;
+  }
+};
+
+}  // namespace
+
+class TestInsideSegments : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void itIsAskedForOnlyWithSegments();
+  void thePictureIsThatOfAVolumeCutByHand_data();
+  void thePictureIsThatOfAVolumeCutByHand();
+  void slicesAndNumbersAreOfTheWhole();
+  void lightIsThatOfTheWhole();
+  void segmentsAreFollowed();
+  void aStrokeCountsOnceItEnds();
+  void aCancelledOneIsNotBegunAgain();
+  void aSeriesIsClosedMeanwhile();
+  void aSessionKeepsIt();
+};
+
+void TestInsideSegments::itIsAskedForOnlyWithSegments() {
+  TissueWindow w;
+  QVERIFY(!w.where()->isEnabled() && !w.margin()->isEnabled());
+  QVERIFY(w.where()->toolTip().contains(QStringLiteral("no segment")));
+  QVERIFY(w.margin()->toolTip().contains(QStringLiteral("no segment")));
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.where()->isEnabled() && !w.margin()->isEnabled());
+  w.showTissue(Tissue::inside);
+  QVERIFY(w.margin()->isEnabled());
+}
+
+void TestInsideSegments::thePictureIsThatOfAVolumeCutByHand_data() {
+  QTest::addColumn<int>("hidden");  // row of the list
+  QTest::addColumn<Tissue>("where");
+  QTest::addColumn<int>("marginMm");
+  QTest::addColumn<bool>("in3d");
+  QTest::newRow("the core alone") << 0 << Tissue::inside << 0 << false;
+  QTest::newRow("the core and what is near") << 0 << Tissue::inside << 3 << false;
+  QTest::newRow("without the balls") << 1 << Tissue::outside << 0 << false;
+  QTest::newRow("without the balls and what is near") << 1 << Tissue::outside << 3 << false;
+  QTest::newRow("the core stays a surface") << 0 << Tissue::inside << 2 << true;
+  QTest::newRow("the balls stay surfaces") << 1 << Tissue::outside << 1 << true;
+}
+
+void TestInsideSegments::thePictureIsThatOfAVolumeCutByHand() {
+  QFETCH(int, hidden);
+  QFETCH(Tissue, where);
+  QFETCH(int, marginMm);
+  QFETCH(bool, in3d);
+  TissueWindow w;
+  QVERIFY(w.makeBoth());
+  w.tick(hidden, 0);
+  if (!in3d) w.click("segmentsIn3d");
+  w.session().change(QStringLiteral("test"), withSegmentChanged(w.workspace(), w.series(), 2 - hidden,
+                                                                [](Segment& s) { s.opacity = 0.5; }));
+  const BitMask shown = w.mask(2 - hidden);
+  const QImage whole = w.picture();
+  QVERIFY(!whole.isNull());
+  const int steps = w.steps();
+  w.showTissue(where);
+  QCOMPARE(w.steps(), steps + 1);
+  if (marginMm > 0) w.setMargin(marginMm);
+  QCOMPARE(w.steps(), steps + (marginMm > 0 ? 2 : 1));
+  const QImage drawn = w.picture();
+  QVERIFY(!drawn.isNull() && drawn != whole);
+  const BitMask near = w.nearSlowly(shown, marginMm);
+  QVERIFY(drawn == w.byHand(where == Tissue::inside ? near : inverted(near)));
+  QCOMPARE(w.rest->scene.segments.size(), std::size_t(in3d ? 1 : 0));
+  w.shot("inside-segments");
+  for (int n = w.steps(); n > steps; --n) w.undo();
+  QCOMPARE(w.where()->currentIndex(), 0);
+  QVERIFY(w.picture() == whole);
+  while (w.steps() < steps + (marginMm > 0 ? 2 : 1)) w.redo();
+  QCOMPARE(w.margin()->value(), double(marginMm));
+  QVERIFY(w.picture() == drawn);
+}
+
+void TestInsideSegments::slicesAndNumbersAreOfTheWhole() {
+  TissueWindow w;
+  QVERIFY(w.makeBoth());
+  const VolumePtr whole = w.whole();
+  w.tick(0, 0);
+  w.showTissue(Tissue::inside);
+  QVERIFY(w.idle());
+  QVERIFY(w.session().drawnSeries(sceneViewId)->volume != whole);
+  QVERIFY(w.session().seriesOf(axialViewId)->volume == whole);
+  QVERIFY(w.session().drawnSeries(axialViewId)->volume == whole);
+  QVERIFY2(w.make(800, 1200), "tissue that is left out is found all the same");
+  QCOMPARE(w.voxels(w.current().number), voxelsWhere([](glm::dvec3 p) { return isShell(p) || isSmall(p); }));
+}
+
+void TestInsideSegments::lightIsThatOfTheWhole() {
+  TissueWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(!w.picture().isNull());
+  QVERIFY(!w.rest->scene.shading.gradientFloor && !w.rest->scene.window);
+  w.tick(0, 0);
+  w.showTissue(Tissue::inside);
+  QVERIFY(!w.picture().isNull());
+  const LoadedSeries& series = *w.session().series();
+  QCOMPARE(w.rest->scene.shading.gradientFloor, std::optional(series.valueSpread / 32));
+  QVERIFY(w.rest->scene.window == series.window);
+  QVERIFY2(!w.session().sceneOf(sceneViewId).shading.gradientFloor, "the workspace keeps its scene");
+}
+
+void TestInsideSegments::segmentsAreFollowed() {
+  TissueWindow w;
+  QVERIFY(w.makeBoth());
+  w.showTissue(Tissue::inside);
+  QVERIFY(w.idle() && w.voxelsLeft() == united(w.mask(1), w.mask(2)));
+  w.tick(0, 0);
+  QVERIFY(w.idle() && w.voxelsLeft() == w.mask(2));
+  QVERIFY(w.choose(1));
+  const QImage core = w.picture();
+  QVERIFY(w.step("grow"));
+  QVERIFY(w.idle() && w.voxelsLeft() == w.mask(2));
+  QVERIFY(w.picture() != core);
+  w.undo();
+  QVERIFY(w.picture() == core);
+  // Colours and names change nothing of it.
+  const LoadedSeriesPtr before = w.left();
+  w.session().change(QStringLiteral("test"),
+                     withSegmentChanged(w.workspace(), w.series(), 2, [](Segment& s) { s.label = "Kern"; }));
+  QVERIFY(w.idle() && w.left() == before);
+  QVERIFY(w.SegmentWindow::press("segmentRemove"));
+  QVERIFY(w.idle() && w.voxelsLeft().empty());
+  QVERIFY(w.SegmentWindow::press("segmentRemove"));
+  QVERIFY2(!w.map() && w.session().tissues().empty(), "without segments all of it is shown");
+  QVERIFY(w.session().drawnSeries(sceneViewId)->volume == w.whole());
+  w.undo(), w.undo();
+  QVERIFY(w.picture() == core);
+}
+
+void TestInsideSegments::aStrokeCountsOnceItEnds() {
+  TissueWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.choose(1));
+  w.tick(0, 0);
+  w.showTissue(Tissue::inside);
+  w.show(throughMiddle());
+  w.setBrush(true, 6);
+  w.take("paintTool");
+  QVERIFY(w.idle());
+  const LoadedSeriesPtr before = w.left();
+  const auto labels = w.map()->labels;
+  const std::vector<QPoint> way = w.pixelsOf(throughBall, axialViewId);
+  w.press(way[0]);
+  for (const QPoint at : way) {
+    w.move(at);
+    QVERIFY(w.idle());
+    QVERIFY(w.map()->labels != labels && w.left() == before);
+  }
+  w.release(way.back());
+  QVERIFY(w.idle());
+  QVERIFY(w.left() != before && w.voxelsLeft() == w.mask(2));
+}
+
+void TestInsideSegments::aCancelledOneIsNotBegunAgain() {
+  TissueWindow w;
+  QVERIFY(w.makeBoth());
+  w.showTissue(Tissue::inside);
+  const std::vector<JobRow> rows = w.window.jobs().rows();
+  QCOMPARE(rows.size(), std::size_t(1));
+  w.window.jobs().cancel(rows.front().id);
+  QTest::qWait(20);
+  QVERIFY(w.window.jobs().rows().empty() && !w.left());
+  QVERIFY(w.session().drawnSeries(sceneViewId)->volume == w.whole());
+  w.setMargin(1);
+  QVERIFY(w.idle() && w.left());
+}
+
+void TestInsideSegments::aSeriesIsClosedMeanwhile() {
+  TissueWindow w;
+  QVERIFY(w.makeBoth());
+  const SeriesKey series = w.series();
+  w.showTissue(Tissue::inside);
+  w.session().close({series});
+  QVERIFY(w.session().tissues().empty());
+  QVERIFY(w.idle() && w.session().tissues().empty());
+}
+
+void TestInsideSegments::aSessionKeepsIt() {
+  const SessionFolder folder;
+  Journey w({folder.ct()});
+  QVERIFY(w.settle());
+  Session& session = w.window.session();
+  const VolumePtr volume = session.series()->volume;
+  const SeriesKey key = keyOf(session.series()->series);
+  Workspace with = withNewSegment(session.workspace(), key, volume->geometry(), {});
+  with = withSegmentMap(with, withMask(*segmentMapOf(with, key), 1, voxelsInRange(*volume, {690, 710})));
+  with = withTissueShown(withSegmentsIn3d(with, key, false), key, {Tissue::inside, 2.5});
+  const auto isLeft = [](Journey& j) {
+    return QTest::qWaitFor(
+        [&] { return j.window.jobs().rows().empty() && j.window.session().tissueDrawn(sceneViewId); },
+        longest);
+  };
+  const QImage whole = w.window.view()->picture();
+  w.settled.clear();
+  session.change(QStringLiteral("test"), with);
+  QVERIFY(isLeft(w) && w.settle());
+  QVERIFY(w.window.view()->picture() != whole);
+  QVERIFY(folder.save(w));
+  Journey again;
+  QVERIFY(folder.open(again) && isLeft(again));
+  const SegmentMap* map = segmentMapOf(again.window.session().workspace(), key);
+  QVERIFY(map && map->tissue == (TissueShown{Tissue::inside, 2.5}));
+  QVERIFY(again.window.session().tissues().front().left->volume->stored() ==
+          session.tissues().front().left->volume->stored());
+}
+
+VOLUMEN_TEST(TestInsideSegments);
+#include "tst_inside_segments.moc"

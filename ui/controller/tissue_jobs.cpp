@@ -1,0 +1,84 @@
+#include "ui/controller/tissue_jobs.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "viewer/segment/mask.h"
+
+namespace volumen {
+
+namespace {
+
+// What is left of the voxels that were there before is that of before.
+Result<MadeTissue> withTissueLeft(MadeTissue wanted, const std::optional<MadeTissue>& before,
+                                  const CancelToken& cancel) try {
+  const Volume& volume = *wanted.of->volume;
+  wanted.voxels =
+      std::make_shared<const BitMask>(tissueVoxels(*wanted.labels, wanted.segments, wanted.shown, cancel));
+  if (before && before->left && before->of == wanted.of && *before->voxels == *wanted.voxels) {
+    wanted.left = before->left;
+    return wanted;
+  }
+  cancel.setDone(0.5);
+  Result<VolumePtr> left = keptAlone(volume, *wanted.voxels, cancel);
+  if (!left) return left.error();
+  auto series = std::make_shared<LoadedSeries>(*wanted.of);
+  series->volume = *left;
+  wanted.left = std::move(series);
+  return wanted;
+} catch (const std::bad_alloc&) {
+  return Error{"All of the volume is shown in 3D: there is not enough memory for a second one."};
+}
+
+}  // namespace
+
+TissueJobs::TissueJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent)
+    : QObject(parent), session_(session), painter_(painter), lane_(&jobs) {
+  connect(&session_, &Session::workspaceChanged, this, &TissueJobs::next);
+  connect(&painter_, &SegmentPainter::ended, this, &TissueJobs::next);
+  next();
+}
+
+void TissueJobs::next() {
+  if (painter_.isPainting()) return;
+  const std::optional<MadeTissue> wanted = firstWanted();
+  if (lane_.isBusy()) {
+    if (wanted && wanted->isAs(*underWay_)) return;
+    lane_.giveUpAll();
+  }
+  underWay_ = wanted;
+  if (wanted) begin(*wanted);
+}
+
+// Of the series in 3D views on screen the first for which it is not made.
+std::optional<MadeTissue> TissueJobs::firstWanted() const {
+  const Workspace& workspace = session_.workspace();
+  for (const ViewId id : viewsOnScreen(workspace)) {
+    const ViewState& view = workspace.view(id);
+    if (!showsScene(view.kind)) continue;
+    const auto wanted = tissueWanted(segmentMapOf(workspace, view.series), session_.seriesOf(id));
+    if (!wanted) continue;
+    const bool isMade =
+        std::ranges::any_of(session_.tissues(), [&](const MadeTissue& made) { return made.isAs(*wanted); });
+    if (!isMade) return wanted;
+  }
+  return {};
+}
+
+// What could not be made, or was cancelled, is not begun again until something of it changes.
+void TissueJobs::begin(const MadeTissue& wanted) {
+  std::optional<MadeTissue> before;
+  for (const MadeTissue& made : session_.tissues())
+    if (made.of == wanted.of) before = made;
+  lane_.run(
+      tr("Leaving tissue out"),
+      [wanted, before](const Job& job) { return withTissueLeft(wanted, before, job.cancel()); },
+      [this, wanted](Result<MadeTissue> made) {
+        if (!made) Q_EMIT failed(QString::fromStdString(made.message()));
+        session_.takeTissue(made ? *std::move(made) : wanted);
+      },
+      [this, wanted] { session_.takeTissue(wanted); });
+}
+
+}  // namespace volumen

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "ui/controller/segment_painter.h"
+#include "ui/document/job_lane.h"
+#include "ui/workspace/session.h"
+
+namespace volumen {
+
+/// Makes what 3D views on screen draw of series whose tissue is not shown everywhere, whenever their segments
+/// or what is taken away of them changed: a series at a time, as a job; of a stroke once it ends. What is
+/// wanted no longer is given up. Until it is made the session keeps what was there before.
+class TissueJobs : public QObject {
+  Q_OBJECT
+ public:
+  TissueJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent = nullptr);
+
+ Q_SIGNALS:
+  /// A sentence; not for what was cancelled.
+  void failed(const QString& sentence);
+
+ private:
+  void next();
+  std::optional<MadeTissue> firstWanted() const;
+  void begin(const MadeTissue& wanted);
+
+  Session& session_;
+  const SegmentPainter& painter_;
+  std::optional<MadeTissue> underWay_;  // the last that was begun
+  JobLane lane_;
+};
+
+}  // namespace volumen
