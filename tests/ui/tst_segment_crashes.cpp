@@ -26,10 +26,10 @@ constexpr const char* crashFolder = "VOLUMEN_CRASH_FOLDER";  // set: this is the
 
 // A ball among values by chance, so that what is made of it takes time and room.
 VolumePtr noisyBall() {
-  constexpr int n = 128;
+  constexpr int n = 96;
   Chance chance(7);
   return volumeOf<std::int16_t>(glm::ivec3(n), glm::dmat3(1), [&](glm::dvec3 pVoxel) {
-    return (glm::length(pVoxel - (n - 1) / 2.0) < 50 ? 1000.0 : 0.0) + chance.below(200);
+    return (glm::length(pVoxel - (n - 1) / 2.0) < 40 ? 1000.0 : 0.0) + chance.below(200);
   });
 }
 
@@ -62,8 +62,9 @@ struct CrashWindow : Journey {
     auto* kinds = child<QComboBox>("segmentStepKind");
     kinds->setCurrentIndex(kinds->findData(QLatin1String(kind)));
   }
-  // One stroke without end, every 10 ms a few pixels on.
+  // One stroke of a segment of its own without end, every 10 ms a few pixels on.
   void paint() {
+    click("segmentAdd");
     child<QAction>("paintTool")->trigger();
     auto* view = window.views()->viewAs<FlatView>(axialViewId);
     Chance chance(3);
@@ -212,7 +213,7 @@ void TestSegmentCrashes::runUntilKilled(const std::function<void(CrashWindow&, c
   int number = 0;
   connect(&w.window.session(), &Session::workspaceChanged, this,
           [&](const Workspace&, const Workspace& after) { noteState(notes, number++, after); });
-  QVERIFY(w.make(1020, 1150));
+  QVERIFY(w.make(990, 1250));
   run(w, folder);
 }
 
@@ -281,7 +282,7 @@ void TestSegmentCrashes::aFullDiskTakesNothing() {
     QSKIP("a small disk cannot be mounted here: that takes root with the right to mount");
   QVERIFY(writeVolume(*noisyBall(), at("ct.nrrd").toStdString()));
   CrashWindow w(at("ct.nrrd"));
-  QVERIFY(w.make(1020, 1150));
+  QVERIFY(w.make(990, 1250));
   QTRY_VERIFY_WITH_TIMEOUT(keeps(w.workspace()), longest);
   const Workspace before = w.workspace();
   const QString file = QDir(Autosave::folder()).filePath(keptSessions()[0]);
@@ -293,7 +294,7 @@ void TestSegmentCrashes::aFullDiskTakesNothing() {
       disk->fill();
     else
       few.emplace(hasRoomForSession ? QFileInfo(file).size() + 4096 : 0);
-    QVERIFY(w.make(100, 150));
+    QVERIFY(w.make(100, 150));  // every fourth voxel beside the ball
     QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
     QVERIFY2(banner->sentence().contains(QStringLiteral("Cannot write ") + Autosave::folder()),
              qPrintable(banner->sentence()));

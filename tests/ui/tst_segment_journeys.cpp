@@ -206,7 +206,8 @@ void TestSegmentJourneys::aChestThatIsKilled() {
   QVERIFY(!areApart(bone, *rib) && areApart(cut, *rib));
 
   const double ml = double(cut.count()) * w.grid().voxelVolume() / 1000;
-  QCOMPARE(w.list()->topLevelItem(0)->text(2), QLocale().toString(ml, 'f', ml < 100 ? 2 : 0));
+  QTRY_COMPARE_WITH_TIMEOUT(w.list()->topLevelItem(0)->text(2), QLocale().toString(ml, 'f', ml < 100 ? 2 : 0),
+                            longest);
   QTRY_COMPARE_WITH_TIMEOUT(cellOf(w, QStringLiteral("Volume (ml)")), QString::number(ml, 'g', 5), longest);
 
   w.child<QAction>("saveSessionAs")->trigger();
