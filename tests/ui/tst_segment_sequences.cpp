@@ -277,14 +277,15 @@ void SegmentSequence::chooses() {
   (void)choose(row);
 }
 
-// What is hidden or locked is shown or unlocked sooner than others are the reverse.
+// Of the current one: a click on another row would choose that first. What is hidden or locked is shown or
+// unlocked sooner than others are the reverse.
 void SegmentSequence::ticks() {
   if (count() == 0) return;
-  const int row = chance_.below(int(count())), column = chance_.below(2);
-  const Segment& one = segment(std::size_t(row));
-  const bool isOff = column == 0 ? !one.visible : one.locked;
+  const int column = chance_.below(2);
+  const bool isOff = column == 0 ? !current().visible : current().locked;
   if (!isOff && !chance_.oneIn(3)) return;
-  list()->scrollToItem(list()->topLevelItem(row));
+  const int row = list()->indexOfTopLevelItem(list()->currentItem());
+  list()->scrollToItem(list()->currentItem());
   tick(row, column);
 }
 
