@@ -1,18 +1,16 @@
 // Guards design.md 8: however the program ends, what was not saved is offered again.
 #include <time.h>
 
-#include <QDir>
 #include <QElapsedTimer>
-#include <QProcess>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
 
 #include "io/files/write_volume.h"
 #include "tests/fixtures/ct_with_table.h"
-#include "tests/fixtures/program.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
+#include "tests/ui/killed_window.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/autosave.h"
 #include "ui/controller/session_files.h"
@@ -29,58 +27,9 @@ namespace {
 constexpr int promisedMs = 2000;
 constexpr const char* logFolder = "VOLUMEN_KILLED_LOG";  // set: this is the window that is killed
 
-QStringList kept() {
-  return QDir(Autosave::folder()).entryList({QStringLiteral("*.volumen")}, QDir::Files, QDir::Name);
-}
-
-bool isKept(int count) {
-  return QTest::qWaitFor([&] { return kept().size() == count; }, longest);
-}
-
-QString textOf(const Workspace& workspace) { return QString::fromStdString(*sessionToJson(workspace, "/")); }
-
 OfferBar* offer(Journey& w) { return w.child<OfferBar>("offerBar"); }
 
 void click(Journey& w, const char* button) { QTest::mouseClick(w.child<QWidget>(button), Qt::LeftButton); }
-
-// A file of some milliseconds since the epoch and the workspace then.
-void note(const QDir& folder, int number, const Workspace& workspace) {
-  QFile file(folder.filePath(QStringLiteral("%1").arg(number, 6, 10, QLatin1Char('0'))));
-  if (file.open(QIODevice::WriteOnly))
-    file.write(QByteArray::number(QDateTime::currentMSecsSinceEpoch()) + '\n' + textOf(workspace).toUtf8());
-}
-
-struct Noted {
-  qint64 at = 0;
-  QString text;
-};
-
-std::vector<Noted> notesIn(const QDir& folder) {
-  std::vector<Noted> notes;
-  for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
-    const QByteArray bytes = contentsOf(folder.filePath(name));
-    const qsizetype line = bytes.indexOf('\n');
-    if (line > 0 && bytes.endsWith("}\n"))
-      notes.push_back({bytes.left(line).toLongLong(), QString::fromUtf8(bytes.mid(line + 1))});
-  }
-  return notes;
-}
-
-// This program or the real one, with this one's settings.
-std::unique_ptr<QProcess> started(const QString& program, const QStringList& arguments,
-                                  const QList<std::pair<QString, QString>>& more = {}) {
-  auto process = std::make_unique<QProcess>();
-  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-  environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
-  environment.remove(QStringLiteral("DISPLAY"));  // else OpenGL is looked for there
-  environment.insert(QStringLiteral("VOLUMEN_TEST_HOME"), qEnvironmentVariable("XDG_DATA_HOME"));
-  for (const auto& [name, value] : more) environment.insert(name, value);
-  process->setProcessEnvironment(environment);
-  process->setProcessChannelMode(QProcess::ForwardedErrorChannel);
-  process->setStandardOutputFile(QProcess::nullDevice());
-  process->start(program, arguments);
-  return process;
-}
 
 // The longest between two events of this thread, and how much of such a time it computed.
 struct Gap {
@@ -104,11 +53,6 @@ Gap longestGap() {
     gap.computedMs = std::max(gap.computedMs, now - std::exchange(computed, now));
   }
   return gap;
-}
-
-void kill(QProcess& process) {
-  process.kill();  // SIGKILL
-  process.waitForFinished();
 }
 
 }  // namespace
@@ -150,7 +94,7 @@ void TestAutosave::aWindowThatIsKilled() {
   QVERIFY(w.settle());
   int number = 0;
   connect(&w.window.session(), &Session::workspaceChanged, this,
-          [&](const Workspace&, const Workspace& after) { note(folder, number++, after); });
+          [&](const Workspace&, const Workspace& after) { noteState(folder, number++, after); });
   QWidget* view = w.window.view();
   QTest::mousePress(view, Qt::LeftButton, {}, {100, 100});
   for (int n = 0; n < 10000; ++n) {
@@ -162,8 +106,8 @@ void TestAutosave::aWindowThatIsKilled() {
 void TestAutosave::whatIsOpenIsKeptWithinTwoSeconds() {
   Journey w({at("ct.nrrd")});
   QVERIFY(w.settle());
-  QVERIFY(isKept(1));
-  const QString path = QDir(Autosave::folder()).filePath(kept()[0]);
+  QVERIFY(areKept(1));
+  const QString path = QDir(Autosave::folder()).filePath(keptSessions()[0]);
   // The quickest of a few tries: other programs may hold the disk.
   qint64 quickest = longest;
   for (int n = 0; n < 3; ++n) {
@@ -185,7 +129,7 @@ void TestAutosave::itGoesWithTheWindow() {
   {
     Journey w({at("ct.nrrd")});
     QVERIFY(w.settle());
-    QVERIFY(isKept(1));
+    QVERIFY(areKept(1));
   }
   QVERIFY(QDir(Autosave::folder()).isEmpty());
 }
@@ -193,14 +137,14 @@ void TestAutosave::itGoesWithTheWindow() {
 void TestAutosave::itGoesOnceAllIsSaved() {
   Journey w({at("ct.nrrd")});
   QVERIFY(w.settle());
-  QVERIFY(isKept(1));
+  QVERIFY(areKept(1));
   w.child<QAction>("saveSession")->trigger();
   answer(w, "saveSessionDialog", at("s.volumen"));
-  QVERIFY(isKept(0));
+  QVERIFY(areKept(0));
   w.child<QAction>("viewLeft")->trigger();
-  QVERIFY(isKept(1));
+  QVERIFY(areKept(1));
   w.child<QAction>("undo")->trigger();
-  QVERIFY(isKept(0));
+  QVERIFY(areKept(0));
 }
 
 void TestAutosave::changesOfASessionFileStay() {
@@ -213,10 +157,10 @@ void TestAutosave::changesOfASessionFileStay() {
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(at("s.volumen")), longest);
     QTRY_VERIFY(w.window.windowTitle().contains(QStringLiteral("s.volumen")));
     w.child<QAction>("viewLeft")->trigger();
-    left = textOf(w.window.session().workspace());
+    left = sessionTextOf(w.window.session().workspace());
     w.window.close();  // at once: what was not kept yet is kept now
   }
-  QCOMPARE(kept().size(), 1);
+  QCOMPARE(keptSessions().size(), 1);
   const QByteArray file = contentsOf(at("s.volumen"));
   Journey w;
   QTRY_VERIFY_WITH_TIMEOUT(offer(w)->isVisible(), longest);
@@ -225,27 +169,27 @@ void TestAutosave::changesOfASessionFileStay() {
                offer(w)->sentence().contains(QStringLiteral("were not saved")),
            qPrintable(offer(w)->sentence()));
   w.after([&] { click(w, "offerAccept"); });
-  QCOMPARE(textOf(w.window.session().workspace()), left);
+  QCOMPARE(sessionTextOf(w.window.session().workspace()), left);
   QVERIFY(w.window.windowTitle().contains(QStringLiteral("s.volumen")));
   QVERIFY(w.window.isWindowModified());
   QVERIFY(contentsOf(at("s.volumen")) == file);
   QTest::keyClick(&w.window, Qt::Key_S, Qt::ControlModifier);
   QTRY_VERIFY_WITH_TIMEOUT(!w.window.isWindowModified(), longest);
   QVERIFY(contentsOf(at("s.volumen")) != file);
-  QVERIFY(isKept(0));
+  QVERIFY(areKept(0));
 }
 
 void TestAutosave::twoWindowsKeepTwo() {
   Journey a({at("ct.nrrd")});
   QVERIFY(a.settle());
-  QVERIFY(isKept(1));
+  QVERIFY(areKept(1));
   {
     Journey b({QStringLiteral("phantom:sphere:32")});
     QVERIFY(b.settle());
-    QVERIFY(isKept(2));
+    QVERIFY(areKept(2));
     QVERIFY2(offer(b)->isHidden(), "what a running program keeps is not lost");
   }
-  QCOMPARE(kept().size(), 1);
+  QCOMPARE(keptSessions().size(), 1);
 }
 
 // 400 series and their looks in every view. This thread may compute for 20 ms at most between two events.
@@ -262,7 +206,7 @@ void TestAutosave::theWindowNeverWaitsForIt() {
   }
   w.series.editIf([](const auto&) { return true; }, [](SeriesState& state) { state.missing.emplace(); });
   session.open({}, w);
-  QVERIFY(isKept(1));
+  QVERIFY(areKept(1));
   const Gap usual = longestGap();
   Gap gap{1e9, 1e9};
   for (int n = 1; n <= 3; ++n) {
@@ -302,14 +246,15 @@ void TestAutosave::aProgramThatIsKilledIsRestored() {
   // As these tests open studies themselves (tests::openAlone()).
   QSettings(QStringLiteral("volumen"), QStringLiteral("volumen"))
       .setValue(QStringLiteral("layouts/other"), QStringLiteral("one"));
-  const auto program = started(QStringLiteral(VOLUMEN_PROGRAM), {QStringLiteral("open"), at("ct.nrrd"),
-                                                                 QStringLiteral("--scene"), file.fileName()});
+  const auto program =
+      startedProgram(QStringLiteral(VOLUMEN_PROGRAM),
+                     {QStringLiteral("open"), at("ct.nrrd"), QStringLiteral("--scene"), file.fileName()});
   // Once the scene is among what is kept.
   QTRY_VERIFY_WITH_TIMEOUT(
-      kept().size() == 1 &&
-          contentsOf(QDir(Autosave::folder()).filePath(kept()[0])).contains("\"height\": 77"),
+      keptSessions().size() == 1 &&
+          contentsOf(QDir(Autosave::folder()).filePath(keptSessions()[0])).contains("\"height\": 77"),
       longest);
-  kill(*program);
+  killProgram(*program);
   Journey w;
   QTRY_VERIFY_WITH_TIMEOUT(offer(w)->isVisible(), longest);
   QVERIFY2(offer(w)->sentence().contains(QStringLiteral("ended before it could save")),
@@ -321,27 +266,26 @@ void TestAutosave::aProgramThatIsKilledIsRestored() {
   same.window.open({at("ct.nrrd")}, scene);
   QVERIFY(same.settle());
   QVERIFY(same.window.view()->picture() == w.window.view()->picture());
-  QVERIFY2(isKept(2), "each window its own; that of the killed one is gone");
+  QVERIFY2(areKept(2), "each window its own; that of the killed one is gone");
 }
 
 void TestAutosave::aDragThatIsKilledIsRestored() {
   const QDir log(at("log"));
   QVERIFY(QDir().mkpath(log.path()));
-  const auto child = started(QCoreApplication::applicationFilePath(), {QStringLiteral("aWindowThatIsKilled")},
-                             {{QStringLiteral("VOLUMEN_ONLY"), QStringLiteral("TestAutosave")},
-                              {QLatin1String(logFolder), log.path()}});
-  QTRY_VERIFY_WITH_TIMEOUT(!notesIn(log).empty() && kept().size() == 1, longest);
+  const auto child = startedTest("TestAutosave", QStringLiteral("aWindowThatIsKilled"),
+                                 {{QLatin1String(logFolder), log.path()}});
+  QTRY_VERIFY_WITH_TIMEOUT(!notedStates(log).empty() && keptSessions().size() == 1, longest);
   QTest::qWait(3456);  // in the middle of the drag
   const qint64 killedAt = QDateTime::currentMSecsSinceEpoch();
-  kill(*child);
-  const std::vector<Noted> notes = notesIn(log);
+  killProgram(*child);
+  const std::vector<NotedState> notes = notedStates(log);
   QVERIFY(notes.size() > 10);
   Journey w;
   QTRY_VERIFY_WITH_TIMEOUT(offer(w)->isVisible(), longest);
   w.after([&] { click(w, "offerAccept"); });
-  const QString restored = textOf(w.window.session().workspace());
+  const QString restored = sessionTextOf(w.window.session().workspace());
   const auto noted =
-      std::find_if(notes.begin(), notes.end(), [&](const Noted& n) { return n.text == restored; });
+      std::find_if(notes.begin(), notes.end(), [&](const NotedState& n) { return n.text == restored; });
   QVERIFY2(noted != notes.end(), "a state that the window had");
   // Where the machine let the window stand still, it could not keep anything either.
   qint64 stoodStill = killedAt - notes.back().at;
@@ -352,16 +296,17 @@ void TestAutosave::aDragThatIsKilledIsRestored() {
 }
 
 void TestAutosave::itCanBeDiscardedOrLeft() {
-  const auto program = started(QStringLiteral(VOLUMEN_PROGRAM), {QStringLiteral("open"), at("ct.nrrd")});
-  QVERIFY(isKept(1));
-  kill(*program);
+  const auto program =
+      startedProgram(QStringLiteral(VOLUMEN_PROGRAM), {QStringLiteral("open"), at("ct.nrrd")});
+  QVERIFY(areKept(1));
+  killProgram(*program);
   {
     Journey w;
     QTRY_VERIFY_WITH_TIMEOUT(offer(w)->isVisible(), longest);
     click(w, "offerClose");
     QVERIFY(offer(w)->isHidden());
   }
-  QVERIFY2(kept().size() == 1, "left for another time");
+  QVERIFY2(keptSessions().size() == 1, "left for another time");
   Journey w;
   QTRY_VERIFY_WITH_TIMEOUT(offer(w)->isVisible(), longest);
   // Not by one press: the offer is there again.
@@ -370,23 +315,24 @@ void TestAutosave::itCanBeDiscardedOrLeft() {
   QTest::keyClick(w.child<QMessageBox>("discardBox"), Qt::Key_Escape);
   QVERIFY(offer(w)->isVisible());
   QTRY_VERIFY(!w.child<QMessageBox>("discardBox"));
-  QCOMPARE(kept().size(), 1);
+  QCOMPARE(keptSessions().size(), 1);
   click(w, "offerRefuse");
   discard(w);
-  QTRY_VERIFY_WITH_TIMEOUT(kept().isEmpty(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(keptSessions().isEmpty(), longest);
   QVERIFY(offer(w)->isHidden());
 }
 
 void TestAutosave::aProgramThatRunsKeepsItsOwn() {
-  const auto program = started(QStringLiteral(VOLUMEN_PROGRAM), {QStringLiteral("open"), at("ct.nrrd")});
-  QVERIFY(isKept(1));
+  const auto program =
+      startedProgram(QStringLiteral(VOLUMEN_PROGRAM), {QStringLiteral("open"), at("ct.nrrd")});
+  QVERIFY(areKept(1));
   Journey w({QStringLiteral("phantom:sphere:32")});
   QVERIFY(w.settle());
-  QVERIFY(isKept(2));
+  QVERIFY(areKept(2));
   QVERIFY(offer(w)->isHidden());
   program->terminate();
   QVERIFY(program->waitForFinished());
-  QVERIFY2(isKept(1), "ended in order, it leaves nothing");
+  QVERIFY2(areKept(1), "ended in order, it leaves nothing");
 }
 
 VOLUMEN_TEST(TestAutosave);

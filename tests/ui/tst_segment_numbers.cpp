@@ -94,7 +94,7 @@ void TestSegmentTable::followsTheSegments() {
                      withSegmentChanged(w.workspace(), w.series(), 1, [](Segment& s) { s.label = "=A"; }));
   QCOMPARE(w.table()->item(0, 0)->text(), QStringLiteral("=A"));
   QCOMPARE(w.cell(0, "Voxels"), QString::number(shellAndSmall()));
-  QVERIFY(w.step("keepLargest"));
+  QVERIFY(w.step("largest"));
   QTRY_COMPARE_WITH_TIMEOUT(w.cell(0, "Voxels"), QString::number(voxelsWhere(isShell)), longest);
   QVERIFY(w.press("segmentRemove"));
   QTRY_COMPARE_WITH_TIMEOUT(w.table()->rowCount(), 1, longest);

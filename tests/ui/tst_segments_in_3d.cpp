@@ -200,7 +200,7 @@ void TestSegmentsIn3d::changedVoxelsAreDrawnAnew() {
   QVERIFY(w.step("grow"));
   const QImage grown = w.picture();
   QVERIFY(!grown.isNull() && grown != before);
-  QVERIFY(w.step("keepLargest"));
+  QVERIFY(w.step("largest"));
   QVERIFY(w.isDrawn());
   QVERIFY2(w.isBlack(pSmall) && w.isRed(pHollow), "the small ball is an island");
   w.undo();
@@ -225,7 +225,7 @@ void TestSegmentsIn3d::onlyWhatChangedIsMadeAgain() {
   w.set(1, [](Segment& s) { s.opacity = 0.5; });
   QVERIFY(w.isDrawn());
   QVERIFY(w.field(1) == one && w.field(2) == two);
-  QVERIFY(w.step("keepLargest"));
+  QVERIFY(w.step("largest"));
   QVERIFY(w.field(1) != one && w.field(2) == two);
 }
 

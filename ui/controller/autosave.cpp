@@ -84,6 +84,15 @@ std::optional<LostSession> latestLost() {
   return {};
 }
 
+// With segments as they were kept last; those that never were are only named.
+Workspace withSegmentsKept(const Workspace& workspace, const SharedList<SegmentMap>& kept) {
+  Workspace made = withLabelsApart(workspace);
+  for (const SegmentMap& map : kept)
+    made.segmentMaps.editIf([&](const SegmentMap& other) { return other.series == map.series; },
+                            [&](SegmentMap& other) { other = map; });
+  return made;
+}
+
 }  // namespace
 
 // The file of this program, under a name that no other takes.
@@ -94,10 +103,14 @@ class Autosave::File {
       makePrivate(folder());
       lock_ = LockFile::take(lockOf(path_).toStdString());
     }
-    const Status whole =
-        saveSession(path_.toStdString(), withClosed(workspace), savedAs, LabelFiles::changes);
+    const std::string path = path_.toStdString();
+    const Workspace wanted = withClosed(workspace);
+    const Status whole = saveSession(path, wanted, savedAs, LabelFiles::changes);
     // Where there is no room for the labels of segments the rest is kept all the same.
-    if (!whole) (void)saveSession(path_.toStdString(), withLabelsApart(withClosed(workspace)), savedAs);
+    if (whole)
+      segments_ = wanted.segmentMaps;
+    else
+      (void)saveSession(path, withSegmentsKept(wanted, segments_), savedAs, LabelFiles::changes);
     return whole;
   }
 
@@ -110,6 +123,7 @@ class Autosave::File {
   void remove() {
     if (!lock_) return;
     removeKept(path_);
+    segments_.clear();
     lock_.reset();
   }
 
@@ -119,6 +133,7 @@ class Autosave::File {
                             .arg(QCoreApplication::applicationPid())
                             .arg(QRandomGenerator::system()->generate64(), 16, 16, QLatin1Char('0'));
   std::optional<LockFile> lock_;
+  SharedList<SegmentMap> segments_;  // as they were kept last
 };
 
 QString Autosave::folder() {

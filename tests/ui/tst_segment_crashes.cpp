@@ -1,0 +1,318 @@
+// Guards what was made of segments where the program is killed in a stroke or in a job, where the disk is
+// full as they are kept, and where their series is left or closed while a job works on it.
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <QRegularExpression>
+#include <QTemporaryDir>
+
+#include "io/files/write_volume.h"
+#include "tests/fixtures/chance.h"
+#include "tests/ui/killed_window.h"
+#include "tests/ui/segment_window.h"
+#include "tests/unit/suite.h"
+#include "ui/controller/open_session.h"
+#include "ui/widgets/banner.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+constexpr const char* crashFolder = "VOLUMEN_CRASH_FOLDER";  // set: this is the program that is killed
+
+// A ball among values by chance, so that what is made of it takes time and room.
+VolumePtr noisyBall() {
+  constexpr int n = 96;
+  Chance chance(7);
+  return volumeOf<std::int16_t>(glm::ivec3(n), glm::dmat3(1), [&](glm::dvec3 pVoxel) {
+    return (glm::length(pVoxel - (n - 1) / 2.0) < 40 ? 1000.0 : 0.0) + chance.below(200);
+  });
+}
+
+// A window with a series of a file, in planes, and the panel of segments in front.
+struct CrashWindow : Journey {
+  explicit CrashWindow(const QString& path) : Journey({path}) {
+    settle();
+    window.resize(1440, 900);
+    child<QAction>("layoutPlanes")->trigger();
+    child<QDockWidget>("segmentDock")->raise();
+    QCoreApplication::processEvents();
+  }
+
+  const Workspace& workspace() { return window.session().workspace(); }
+  int steps() { return window.session().undoStack().index(); }
+  bool isIdle() { return window.jobs().rows().empty(); }
+  bool idle() {
+    return QTest::qWaitFor([this] { return isIdle(); }, longest);
+  }
+  void click(const char* button) { QTest::mouseClick(child<QWidget>(button), Qt::LeftButton); }
+  bool make(double low, double high) {
+    click("segmentFromCurve");
+    child<QDoubleSpinBox>("segmentLow")->setValue(low);
+    child<QDoubleSpinBox>("segmentHigh")->setValue(high);
+    click("segment");
+    return idle();
+  }
+  void chooseStep(const char* kind) {
+    click("segmentChange");
+    auto* kinds = child<QComboBox>("segmentStepKind");
+    kinds->setCurrentIndex(kinds->findData(QLatin1String(kind)));
+  }
+  // One stroke of a segment of its own without end, every 10 ms a few pixels on.
+  void paint() {
+    click("segmentAdd");
+    child<QAction>("paintTool")->trigger();
+    auto* view = window.views()->viewAs<FlatView>(axialViewId);
+    Chance chance(3);
+    QPoint at = view->rect().center();
+    QTest::mousePress(view, Qt::LeftButton, {}, at);
+    for (int n = 0; n < 10000; ++n) {
+      at += QPoint(chance.below(13) - 6, chance.below(13) - 6);
+      QTest::mouseEvent(QTest::MouseMove, view, Qt::LeftButton, {}, at);
+      QTest::qWait(10);
+    }
+  }
+  // One job after the other; while one is not done yet, `busy` is there.
+  void compute(QFile& busy) {
+    for (int n = 0; n < 10000; ++n) {
+      chooseStep(n % 2 ? "invert" : "gaussian");
+      const int before = steps();
+      click("segmentApply");
+      (void)busy.open(QIODevice::WriteOnly);
+      busy.close();
+      (void)QTest::qWaitFor([&] { return steps() != before || isIdle(); }, longest);
+      busy.remove();
+      (void)idle();
+    }
+  }
+};
+
+// True once the program was stopped while the file was there: it is stopped still.
+bool isStoppedWhile(const QProcess& program, const QString& file) {
+  const auto pid = pid_t(program.processId());
+  return QTest::qWaitFor(
+      [&] {
+        ::kill(pid, SIGSTOP);
+        QTest::qSleep(5);
+        if (QFile::exists(file)) return true;
+        ::kill(pid, SIGCONT);
+        return false;
+      },
+      longest);
+}
+
+// A disk on which no room is left until it is freed; without the right to mount one there is none.
+class FullDisk {
+ public:
+  explicit FullDisk(const QString& folder) : folder_(folder.toUtf8()) {
+    QDir().mkpath(folder);
+    isThere_ = mount("tmpfs", folder_.constData(), "tmpfs", 0, "size=8m") == 0;
+  }
+  ~FullDisk() {
+    if (isThere_) umount2(folder_.constData(), MNT_DETACH);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+  bool isThere() const { return isThere_; }
+  void fill() {
+    const int file = ::open(fillerPath().constData(), O_WRONLY | O_CREAT, 0600);
+    const QByteArray bytes(4096, 'x');
+    while (::write(file, bytes.constData(), std::size_t(bytes.size())) > 0) {
+    }
+    ::close(file);
+  }
+  void free() { ::unlink(fillerPath().constData()); }
+
+ private:
+  QByteArray fillerPath() const { return folder_ + "/filler"; }
+
+  QByteArray folder_;
+  bool isThere_ = false;
+};
+
+// As long as it lives this process writes no file of more bytes.
+class ShortFiles {
+ public:
+  explicit ShortFiles(qint64 bytes) : handler_(::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit few = before_;
+    few.rlim_cur = rlim_t(bytes);
+    ::setrlimit(RLIMIT_FSIZE, &few);
+  }
+  ~ShortFiles() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    ::signal(SIGXFSZ, handler_);
+  }
+  ShortFiles(const ShortFiles&) = delete;
+  ShortFiles& operator=(const ShortFiles&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+// The only session that is kept, as it would be restored.
+std::optional<OpenedSession> keptNow() {
+  const QStringList names = keptSessions();
+  if (names.size() != 1) return {};
+  const auto opened = openSession(QDir(Autosave::folder()).filePath(names[0]).toStdString());
+  return opened ? std::optional<OpenedSession>(*opened) : std::nullopt;
+}
+
+bool keeps(const Workspace& workspace) {
+  const auto kept = keptNow();
+  return kept && kept->problems.isEmpty() && sessionTextOf(kept->workspace) == sessionTextOf(workspace);
+}
+
+// What lies in the folder of autosave that is half written.
+QStringList leftovers() {
+  static const QRegularExpression known(
+      QStringLiteral("^[^.]+\\.volumen(\\.lock|\\.[0-9a-f]{40}\\.(seg\\.nrrd|labels))?$|^filler$"));
+  QStringList names = QDir(Autosave::folder()).entryList(QDir::Files | QDir::Hidden);
+  names.removeIf([](const QString& name) { return known.match(name).hasMatch(); });
+  return names;
+}
+
+}  // namespace
+
+class TestSegmentCrashes : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void init();
+  void aWindowThatPaints();
+  void aWindowThatComputes();
+  void whatIsKilledIsAsItWas_data();
+  void whatIsKilledIsAsItWas();
+  void aFullDiskTakesNothing_data();
+  void aFullDiskTakesNothing();
+
+ private:
+  static bool isKilled() { return qEnvironmentVariableIsSet(crashFolder); }
+  // The window that is killed; every state that it has is noted.
+  void runUntilKilled(const std::function<void(CrashWindow&, const QDir&)>& run);
+  QString at(const char* name) const { return dir_->filePath(QLatin1String(name)); }
+  std::unique_ptr<QTemporaryDir> dir_;
+};
+
+void TestSegmentCrashes::init() {
+  if (isKilled()) return;
+  QDir(Autosave::folder()).removeRecursively();
+  dir_ = std::make_unique<QTemporaryDir>();
+}
+
+void TestSegmentCrashes::runUntilKilled(const std::function<void(CrashWindow&, const QDir&)>& run) {
+  if (!isKilled()) return;
+  const QDir folder(qEnvironmentVariable(crashFolder));
+  const QDir notes(folder.filePath(QStringLiteral("notes")));
+  CrashWindow w(folder.filePath(QStringLiteral("ct.nrrd")));
+  int number = 0;
+  connect(&w.window.session(), &Session::workspaceChanged, this,
+          [&](const Workspace&, const Workspace& after) { noteState(notes, number++, after); });
+  QVERIFY(w.make(990, 1250));
+  run(w, folder);
+}
+
+// No tests, but what whatIsKilledIsAsItWas() starts.
+void TestSegmentCrashes::aWindowThatPaints() {
+  runUntilKilled([](CrashWindow& w, const QDir&) { w.paint(); });
+}
+void TestSegmentCrashes::aWindowThatComputes() {
+  runUntilKilled([](CrashWindow& w, const QDir& folder) {
+    QFile busy(folder.filePath(QStringLiteral("busy")));
+    w.compute(busy);
+  });
+}
+
+void TestSegmentCrashes::whatIsKilledIsAsItWas_data() {
+  QTest::addColumn<QString>("window");
+  QTest::newRow("in a stroke") << QStringLiteral("aWindowThatPaints");
+  QTest::newRow("in a job") << QStringLiteral("aWindowThatComputes");
+}
+
+void TestSegmentCrashes::whatIsKilledIsAsItWas() {
+  QFETCH(QString, window);
+  QVERIFY(writeVolume(*noisyBall(), at("ct.nrrd").toStdString()));
+  const QDir notes(at("notes"));
+  QVERIFY(QDir().mkpath(notes.path()));
+  const auto program =
+      startedTest("TestSegmentCrashes", window, {{QLatin1String(crashFolder), dir_->path()}}, at("output"));
+  const auto isKept = [] {
+    const QStringList names = keptSessions();
+    return names.size() == 1 &&
+           contentsOf(QDir(Autosave::folder()).filePath(names[0])).contains("segmentMaps");
+  };
+  QVERIFY2(QTest::qWaitFor(isKept, longest), contentsOf(at("output")));
+  QTRY_VERIFY_WITH_TIMEOUT(notedStates(notes).size() > 5, longest);
+  QTest::qWait(2500);  // a time or two more
+  if (window == QStringLiteral("aWindowThatComputes")) QVERIFY(isStoppedWhile(*program, at("busy")));
+  killProgram(*program);
+  const std::vector<NotedState> noted = notedStates(notes);
+  Journey w;
+  auto* offer = w.child<QWidget>("offerBar");
+  QTRY_VERIFY_WITH_TIMEOUT(offer->isVisible(), longest);
+  w.after([&] { QTest::mouseClick(w.child<QWidget>("offerAccept"), Qt::LeftButton); });
+  const Workspace& restored = w.window.session().workspace();
+  QCOMPARE(restored.segmentMaps.size(), std::size_t(1));
+  QVERIFY(restored.segmentMaps.front().labels && !restored.segmentMaps.front().missing);
+  const QString text = sessionTextOf(restored);
+  const auto found =
+      std::find_if(noted.begin(), noted.end(), [&](const NotedState& state) { return state.text == text; });
+  QVERIFY2(found != noted.end(), "a state that the window had");
+  QVERIFY2(found != noted.begin(), "what was done since the first");
+}
+
+void TestSegmentCrashes::aFullDiskTakesNothing_data() {
+  QTest::addColumn<bool>("isMounted");
+  QTest::addColumn<bool>("hasRoomForSession");
+  QTest::newRow("a disk without room") << true << false;
+  QTest::newRow("no file may be written") << false << false;
+  QTest::newRow("room for the session, none for labels") << false << true;
+}
+
+void TestSegmentCrashes::aFullDiskTakesNothing() {
+  QFETCH(bool, isMounted);
+  QFETCH(bool, hasRoomForSession);
+  std::optional<FullDisk> disk;
+  if (isMounted && !disk.emplace(Autosave::folder()).isThere())
+    QSKIP("a small disk cannot be mounted here: that takes root with the right to mount");
+  QVERIFY(writeVolume(*noisyBall(), at("ct.nrrd").toStdString()));
+  CrashWindow w(at("ct.nrrd"));
+  QVERIFY(w.make(990, 1250));
+  QTRY_VERIFY_WITH_TIMEOUT(keeps(w.workspace()), longest);
+  const Workspace before = w.workspace();
+  const QString file = QDir(Autosave::folder()).filePath(keptSessions()[0]);
+  auto* banner = w.child<Banner>("banner");
+  banner->hide();
+  {
+    std::optional<ShortFiles> few;
+    if (isMounted)
+      disk->fill();
+    else
+      few.emplace(hasRoomForSession ? QFileInfo(file).size() + 4096 : 0);
+    QVERIFY(w.make(100, 150));  // every fourth voxel beside the ball
+    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
+    QVERIFY2(banner->sentence().contains(QStringLiteral("Cannot write ") + Autosave::folder()),
+             qPrintable(banner->sentence()));
+    QCOMPARE(leftovers(), QStringList());
+    QVERIFY2(keeps(before), "all that was kept before");
+    // What is no label is kept.
+    if (hasRoomForSession) {
+      w.child<QAction>("viewLeft")->trigger();
+      Workspace expected = w.workspace();
+      expected.segmentMaps = before.segmentMaps;
+      QTRY_VERIFY_WITH_TIMEOUT(keeps(expected), longest);
+    }
+  }
+  if (isMounted) disk->free();
+  QCOMPARE(w.workspace().segmentMaps.front().segments.size(), std::size_t(2));
+  w.child<QAction>("viewRight")->trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(keeps(w.workspace()), longest);
+}
+
+VOLUMEN_TEST(TestSegmentCrashes);
+#include "tst_segment_crashes.moc"

@@ -1,0 +1,366 @@
+// Guards that whatever is done to segments, in slices of any plane, in 3D and in the panel, is one step that
+// undo and redo lead through: sequences by chance, by real events, undone and done again to the byte.
+#include <QColorDialog>
+#include <QLineEdit>
+#include <QSlider>
+#include <QToolButton>
+#include <cstdlib>
+
+#include "tests/fixtures/chance.h"
+#include "tests/fixtures/seeds.h"
+#include "tests/ui/hand.h"
+#include "tests/ui/paint_window.h"
+#include "tests/unit/suite.h"
+#include "ui/controller/offered_steps.h"
+#include "ui/workspace/camera_moves.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+constexpr int mostSegments = 5;
+
+class SegmentSequence : public PaintWindow {
+ public:
+  explicit SegmentSequence(int seed) : chance_(std::uint64_t(seed)) {
+    (void)makeBoth();
+    first_ = steps();
+    states_ = {workspace()};
+  }
+
+  /// One thing by chance, which is a step at most. Empty, or what is wrong.
+  QString act();
+  /// Undone to the first state and done again to the last one. Empty, or what is wrong.
+  QString wrongUndone();
+  std::size_t states() const { return states_.size(); }
+
+ private:
+  struct Act {
+    const char* name;
+    int often;
+    void (SegmentSequence::*run)();
+  };
+  static const std::vector<Act>& acts();
+
+  bool isState(int n) {
+    const Workspace& state = states_[std::size_t(n)];
+    return withFocusOf(workspace(), state) == state;  // which is no part of a step
+  }
+  QString wrongLabels();
+  QString remember(int before, bool isNew);
+
+  ViewId anyView() { return axialViewId + chance_.below(3); }
+  // About where the balls are, in the pixels of a view.
+  QPoint anywhere(ViewId id) {
+    return pixelOf(12.0 * chance_.vector(), id) + QPoint(chance_.below(9), chance_.below(9));
+  }
+  std::vector<QPoint> anyWay(ViewId id, int points) {
+    std::vector<QPoint> way;
+    for (int n = 0; n < points; ++n) way.push_back(anywhere(id));
+    return way;
+  }
+  Qt::KeyboardModifiers ctrlOneIn(int n) { return chance_.oneIn(n) ? Qt::ControlModifier : Qt::NoModifier; }
+  Qt::KeyboardModifiers anyKeys() {
+    constexpr Qt::KeyboardModifier keys[] = {Qt::NoModifier, Qt::ControlModifier, Qt::AltModifier};
+    return keys[chance_.below(3)];
+  }
+  void pressButton(const char* name) { (void)SegmentWindow::press(name); }
+
+  void looksElsewhere();
+  void looksFromAside();
+  void paints();
+  void outlines();
+  void paintsSmartly();
+  void tracesLevel();
+  void takesPart();
+  void takesPartIn3d();
+  void finds();
+  void grows();
+  void changes();
+  void makes();
+  void fillsBetween();
+  void addsOrCopies();
+  void removes();
+  void chooses();
+  void ticks();
+  void colours();
+  void fades();
+  void renames();
+  void showsIn3d();
+  void follows();
+  void undoes();
+  void redoes();
+
+  Chance chance_;
+  int first_ = 0;                  // step at which chance begins
+  std::vector<Workspace> states_;  // that undo and redo lead through
+};
+
+const std::vector<SegmentSequence::Act>& SegmentSequence::acts() {
+  using S = SegmentSequence;
+  static const std::vector<Act> all{{"look elsewhere", 4, &S::looksElsewhere},
+                                    {"look from aside", 1, &S::looksFromAside},
+                                    {"paint", 5, &S::paints},
+                                    {"outline", 4, &S::outlines},
+                                    {"smart brush", 3, &S::paintsSmartly},
+                                    {"level trace", 3, &S::tracesLevel},
+                                    {"connected part", 4, &S::takesPart},
+                                    {"connected part in 3D", 3, &S::takesPartIn3d},
+                                    {"lesion", 2, &S::finds},
+                                    {"grow from seeds", 1, &S::grows},
+                                    {"change", 6, &S::changes},
+                                    {"range", 2, &S::makes},
+                                    {"fill between slices", 1, &S::fillsBetween},
+                                    {"add or copy", 2, &S::addsOrCopies},
+                                    {"remove", 2, &S::removes},
+                                    {"choose", 5, &S::chooses},
+                                    {"show or lock", 3, &S::ticks},
+                                    {"colour", 1, &S::colours},
+                                    {"opacity", 1, &S::fades},
+                                    {"rename", 1, &S::renames},
+                                    {"in 3D", 1, &S::showsIn3d},
+                                    {"recipe", 1, &S::follows},
+                                    {"undo", 2, &S::undoes},
+                                    {"redo", 1, &S::redoes}};
+  return all;
+}
+
+QString SegmentSequence::act() {
+  int all = 0;
+  for (const Act& each : acts()) all += each.often;
+  int n = chance_.below(all);
+  auto chosen = acts().begin();
+  for (; n >= chosen->often; ++chosen) n -= chosen->often;
+  session().endGesture();
+  const int before = steps() - first_;
+  (this->*chosen->run)();
+  const bool isNew = chosen->run != &SegmentSequence::redoes;
+  QString wrong = idle() ? remember(before, isNew) : QStringLiteral("it never ends");
+  if (wrong.isEmpty()) wrong = wrongLabels();
+  return wrong.isEmpty() ? wrong : QStringLiteral("%1: %2").arg(QLatin1String(chosen->name), wrong);
+}
+
+// `isNew`: a step that is made is none of those that were undone.
+QString SegmentSequence::remember(int before, bool isNew) {
+  const int after = steps() - first_;
+  if (std::abs(after - before) > 1) return QStringLiteral("%1 steps").arg(after - before);
+  if (after == before + 1 && isNew) {
+    states_.resize(std::size_t(after));
+    states_.push_back(workspace());
+  }
+  return isState(after) ? QString() : QStringLiteral("what is there is not that of its step");
+}
+
+// Of a part of the voxels: each is in a segment that there is, or in none.
+QString SegmentSequence::wrongLabels() {
+  if (!map()) return {};
+  for (int k = 0; k < 40; k += 3)
+    for (int j = 0; j < 40; j += 2)
+      for (int i = 0; i < 40; ++i)
+        if (const int label = map()->labels->at({i, j, k}); label != 0 && !findSegment(*map(), label))
+          return QStringLiteral("voxels of segment %1, which is none").arg(label);
+  return {};
+}
+
+QString SegmentSequence::wrongUndone() {
+  const auto wrongAt = [&](const char* what, int n) {
+    if (steps() - first_ == n && isState(n)) return QString();
+    return QStringLiteral("%1 to state %2 of %3").arg(QLatin1String(what)).arg(n).arg(states_.size());
+  };
+  const int last = int(states_.size()) - 1;
+  for (int n = steps() - first_; n-- > 0;) {
+    undo();
+    if (const QString wrong = wrongAt("undone", n); !wrong.isEmpty()) return wrong;
+  }
+  for (int n = 1; n <= last; ++n) {
+    redo();
+    if (const QString wrong = wrongAt("done again", n); !wrong.isEmpty()) return wrong;
+  }
+  return idle() ? QString() : QStringLiteral("it never ends");
+}
+
+void SegmentSequence::looksElsewhere() {
+  Crosshair crosshair = chance_.oneIn(2) ? throughMiddle() : obliquely();
+  crosshair.at = 14.0 * chance_.vector();
+  show(crosshair);
+}
+
+void SegmentSequence::looksFromAside() { take(chance_.oneIn(2) ? "viewLeft" : "viewRight"); }
+
+void SegmentSequence::paints() {
+  setBrush(chance_.oneIn(2), chance_.between(2, 12));
+  take("paintTool");
+  const ViewId id = anyView();
+  stroke(anyWay(id, 1 + chance_.below(4)), id, ctrlOneIn(3));
+}
+
+void SegmentSequence::outlines() {
+  take("outlineTool");
+  const ViewId id = anyView();
+  stroke(anyWay(id, 3 + chance_.below(4)), id, ctrlOneIn(3));
+}
+
+void SegmentSequence::paintsSmartly() {
+  setBrush(chance_.oneIn(2), chance_.between(3, 9));
+  take("smartBrushTool");
+  const ViewId id = anyView();
+  stroke(anyWay(id, 1 + chance_.below(3)), id, ctrlOneIn(4));
+}
+
+void SegmentSequence::tracesLevel() {
+  take("levelTraceTool");
+  const ViewId id = anyView();
+  QTest::mouseClick(view(id), Qt::LeftButton, ctrlOneIn(3), anywhere(id));
+}
+
+void SegmentSequence::takesPart() {
+  child<QDoubleSpinBox>("segmentLow")->setValue(chance_.below(900));
+  child<QDoubleSpinBox>("segmentHigh")->setValue(1200);
+  take("partTool");
+  const ViewId id = anyView();
+  QTest::mouseClick(view(id), Qt::LeftButton, anyKeys(), anywhere(id));
+}
+
+void SegmentSequence::takesPartIn3d() {
+  child<QDoubleSpinBox>("segmentLow")->setValue(700);
+  child<QDoubleSpinBox>("segmentHigh")->setValue(1200);
+  take("partTool");
+  VolumeView* scene = window.view();
+  const glm::dvec3 p = chance_.oneIn(2) ? inSmallBall : glm::dvec3(-5) + 8.0 * chance_.vector();
+  const glm::dvec2 at = seenAt(scene->camera(), {double(scene->width()), double(scene->height())}, p);
+  QTest::mouseClick(scene, Qt::LeftButton, anyKeys(), {int(at.x), int(at.y)});
+}
+
+void SegmentSequence::finds() {
+  if (count() >= mostSegments) return;
+  take("lesionTool");
+  const ViewId id = anyView();
+  const QPoint at = pixelOf(chance_.oneIn(2) ? inSmallBall : 12.0 * chance_.vector(), id);
+  drag(view(id), at, at + QPoint(20 + chance_.below(120), chance_.below(20)));
+}
+
+void SegmentSequence::grows() {
+  click("segmentGrowing");
+  pressButton("segmentGrow");
+}
+
+void SegmentSequence::changes() {
+  const auto all = offeredSteps();
+  const std::string name = all[std::size_t(chance_.below(int(all.size())))].name;
+  if (name == "split" && count() >= mostSegments) return;
+  (void)step(name);
+}
+
+void SegmentSequence::makes() {
+  const double low = chance_.below(1000);
+  (void)make(low, low + 500, count() < mostSegments ? "segment" : "segmentReplace");
+}
+
+void SegmentSequence::fillsBetween() {
+  click("segmentPaint");
+  pressButton("segmentFillBetween");
+}
+
+void SegmentSequence::addsOrCopies() {
+  if (count() < mostSegments) pressButton(chance_.oneIn(2) ? "segmentAdd" : "segmentDuplicate");
+}
+
+void SegmentSequence::removes() {
+  if (count() > 2) pressButton("segmentRemove");
+}
+
+void SegmentSequence::chooses() {
+  if (count() == 0) return;
+  const int row = chance_.below(int(count()));
+  list()->scrollToItem(list()->topLevelItem(row));
+  (void)choose(row);
+}
+
+// Of the current one: a click on another row would choose that first. What is hidden or locked is shown or
+// unlocked sooner than others are the reverse.
+void SegmentSequence::ticks() {
+  if (count() == 0) return;
+  const int column = chance_.below(2);
+  const bool isOff = column == 0 ? !current().visible : current().locked;
+  if (!isOff && !chance_.oneIn(3)) return;
+  const int row = list()->indexOfTopLevelItem(list()->currentItem());
+  list()->scrollToItem(list()->currentItem());
+  tick(row, column);
+}
+
+void SegmentSequence::colours() {
+  if (count() == 0) return;
+  click("segmentColour");
+  auto* dialog = child<QColorDialog>("colourDialog");
+  if (!dialog) return;
+  for (int n = 0; n < 2; ++n)
+    dialog->setCurrentColor(QColor(chance_.below(256), chance_.below(256), chance_.below(256)));
+  dialog->accept();
+  QTest::qWait(1);  // it is deleted
+}
+
+void SegmentSequence::fades() {
+  auto* slider = child<QSlider>("segmentFill");
+  slider->setFocus();
+  constexpr Qt::Key keys[] = {Qt::Key_Home, Qt::Key_End, Qt::Key_PageDown, Qt::Key_Left};
+  QTest::keyClick(slider, keys[chance_.below(4)]);
+  session().endGesture();
+}
+
+void SegmentSequence::renames() {
+  const int before = steps();
+  list()->setFocus();
+  QTest::keyClick(list(), Qt::Key_F2);
+  auto* field = list()->findChild<QLineEdit*>();
+  if (!field) return;
+  field->setText(QStringLiteral("Segment %1").arg(chance_.below(1000)));
+  QTest::keyClick(field, Qt::Key_Return);
+  (void)QTest::qWaitFor([&] { return steps() != before; }, 200);
+}
+
+void SegmentSequence::showsIn3d() { click("segmentsIn3d"); }
+
+void SegmentSequence::follows() {
+  if (count() < mostSegments)
+    Hand(window).menuOf(child<QToolButton>("segmentRecipes"), chance_.oneIn(2) ? "recipeBone" : "recipeBody");
+}
+
+void SegmentSequence::undoes() {
+  if (steps() > first_) undo();
+}
+
+void SegmentSequence::redoes() { redo(); }
+
+}  // namespace
+
+class TestSegmentSequences : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void allIsUndoneAndDoneAgain_data();
+  void allIsUndoneAndDoneAgain();
+};
+
+void TestSegmentSequences::allIsUndoneAndDoneAgain_data() {
+  QTest::addColumn<int>("seed");
+  const Seeds seeds = seedsOf(3, 10);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+// 200 things with VOLUMEN_THOROUGH.
+void TestSegmentSequences::allIsUndoneAndDoneAgain() {
+  QFETCH(int, seed);
+  const int acts = qEnvironmentVariableIsSet("VOLUMEN_THOROUGH") ? 200 : 40;
+  SegmentSequence w(seed);
+  QCOMPARE(w.count(), std::size_t(2));
+  for (int n = 0; n < acts; ++n) {
+    const QString wrong = w.act();
+    QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1, %2").arg(n).arg(wrong)));
+  }
+  QVERIFY2(w.states() > std::size_t(acts) / 4, qPrintable(QString::number(w.states())));
+  const QString wrong = w.wrongUndone();
+  QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+}
+
+VOLUMEN_TEST(TestSegmentSequences);
+#include "tst_segment_sequences.moc"
