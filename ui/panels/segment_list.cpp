@@ -21,7 +21,7 @@ namespace volumen {
 
 namespace {
 
-enum SegmentColumn { shownColumn, lockColumn, amountColumn };
+enum ListColumn { shownColumn, lockColumn, amountColumn };
 
 // A column whose texts nobody types.
 class NotTyped : public QStyledItemDelegate {
