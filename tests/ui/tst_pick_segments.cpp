@@ -60,6 +60,7 @@ class TestPickSegments : public QObject {
   void whatIsCutOpenShowsItsInside();
   void anEyeInsideSeesTheOtherSide();
   void aProjectionSeesNone();
+  void anEmptyClipBoxShowsNone();
   void fogAndPlatesAreTheirClosedForm_data();
   void fogAndPlatesAreTheirClosedForm();
   void whatTheReferenceDrawsIsPicked_data();
@@ -144,6 +145,19 @@ void TestPickSegments::aProjectionSeesNone() {
     const auto hit = seenOf(scene);
     QVERIFY(hit && !hit->segment);
   }
+}
+
+// Also at the volume's border, beyond which surfaces go on.
+void TestPickSegments::anEmptyClipBoxShowsNone() {
+  Scene scene = fogOf(0.5);
+  scene.segments = {plate(0, gridOfPlates - 1, 1)};
+  for (const double at : {0.0, 0.5, 1.0})
+    for (int axis = 0; axis < 3; ++axis) {
+      scene.clip = {};
+      scene.clip.boxLow[axis] = scene.clip.boxHigh[axis] = at;
+      QVERIFY(!seenOf(scene));
+      QVERIFY(!seenOf(scene, false, {{0, yOf(15), 0}, {0, 1, 0}}));
+    }
 }
 
 void TestPickSegments::fogAndPlatesAreTheirClosedForm_data() {

@@ -43,6 +43,16 @@ struct SurfaceSession {
     mask.set({0, 0, 0});
     change(withSegmentMap(session.workspace(), withMask(map(), 1, mask)));
   }
+  // False where the volume cannot be cut.
+  bool cut(const Mask& mask) {
+    const auto left = masked(*series->volume, mask);
+    if (!left) return false;
+    auto without = std::make_shared<LoadedSeries>(*series);
+    without->volume = *left;
+    session.takeMasked(mask, without);
+    session.setMask(QStringLiteral("test"), key, mask);
+    return true;
+  }
   void undo() { session.undoStack().undo(); }
   std::vector<SegmentSurface> drawn() { return session.drawnScene(sceneViewId).segments; }
   std::shared_ptr<const OccupancyField> field(int number) {
@@ -69,6 +79,7 @@ class TestSegmentSurfaceJobs : public QObject {
   void looksNeedNoJob();
   void onlyChangedVoxelsDo();
   void masksDoAsForTheProgram();
+  void aSeriesThatIsOpenedAgainMayHaveOtherSlices();
   void whatIsNotInAViewIsDropped();
   void aJobThatIsCancelledIsNotBegunAgain();
 };
@@ -130,11 +141,7 @@ void TestSegmentSurfaceJobs::masksDoAsForTheProgram() {
   QVERIFY(s.idle());
   const auto one = s.field(1);
   const Mask mask = cutAt(5);
-  auto without = std::make_shared<LoadedSeries>(*s.series);
-  without->volume = *masked(*s.series->volume, mask);
-  s.session.takeMasked(mask, without);
-  s.session.setMask(QStringLiteral("test"), s.key, mask);
-  QVERIFY(s.idle());
+  QVERIFY(s.cut(mask) && s.idle());
   QVERIFY(s.field(1)->values.size() < one->values.size());
   const std::vector<SegmentSurface> drawn = s.drawn(), again = surfacesOf(s.map(), *s.series->volume, mask);
   QCOMPARE(again.size(), drawn.size());
@@ -145,6 +152,26 @@ void TestSegmentSurfaceJobs::masksDoAsForTheProgram() {
   s.undo();
   QVERIFY(s.idle());
   QVERIFY(s.field(1)->values == one->values);
+}
+
+// What is left of it by a mask is found again.
+void TestSegmentSurfaceJobs::aSeriesThatIsOpenedAgainMayHaveOtherSlices() {
+  SurfaceSession s;
+  QVERIFY(s.idle());
+  const Mask mask = cutAt(5);
+  QVERIFY(s.cut(mask) && s.idle());
+  s.session.close({s.key});
+  auto longer = std::make_shared<LoadedSeries>(*s.series);
+  longer->volume = volumeOf<std::int16_t>({40, 40, 50}, glm::dmat3(1), [](glm::dvec3) { return 1000.0; });
+  longer->series.acquired = longer->volume->geometry();
+  s.series = longer;
+  s.session.show(longer);
+  s.add({800, 1200});
+  QVERIFY(s.cut(mask) && s.idle());
+  const std::vector<SegmentSurface> drawn = s.drawn(), again = surfacesOf(s.map(), *longer->volume, mask);
+  QCOMPARE(drawn.size(), std::size_t(1));
+  QCOMPARE(again.size(), drawn.size());
+  QVERIFY(drawn[0].field->box == again[0].field->box && drawn[0].field->values == again[0].field->values);
 }
 
 void TestSegmentSurfaceJobs::whatIsNotInAViewIsDropped() {

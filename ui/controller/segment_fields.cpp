@@ -9,9 +9,9 @@ namespace volumen {
 
 std::shared_ptr<const OccupancyField> surfaceFieldOf(const LabelMap& labels, int number, const BitMask* kept,
                                                      const MadeSurface* before, const CancelToken& cancel) {
-  BitMask voxels = maskOf(labels, std::uint8_t(number));
-  if (before && before->field && voxels == maskOf(*before->labels, std::uint8_t(number)))
+  if (before && before->field && holdSame(labels, *before->labels, std::uint8_t(number)))
     return before->field;
+  BitMask voxels = maskOf(labels, std::uint8_t(number));
   if (kept) voxels = intersected(std::move(voxels), *kept);
   return std::make_shared<const OccupancyField>(occupancyOf(voxels, surfaceSigma, cancel));
 }

@@ -53,7 +53,9 @@ SegmentSurfaceJobs::Wanted SegmentSurfaceJobs::wantedOf(const SegmentMap& map) c
     wanted.surfaces.push_back(std::move(surface));
   }
   if (mask.empty()) return wanted;
-  const bool isKnown = kept_ && kept_->series == map.series && kept_->mask == mask;
+  // A series that was closed may have been opened again with other slices.
+  const bool isKnown = kept_ && kept_->series == map.series && kept_->mask == mask &&
+                       kept_->voxels->geometry() == map.labels->geometry();
   wanted.kept = isKnown ? *kept_ : Kept{map.series, mask, nullptr};
   if (const LoadedSeriesPtr whole = session_.seriesWith(map.series, {})) wanted.whole = whole->volume;
   return wanted;

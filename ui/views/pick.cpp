@@ -45,6 +45,7 @@ Stretch visibleStretch(const Scene& scene, const VoxelGeometry& g, const SightLi
     s.cut(at[a], along[a], high[a] + (scene.clip.boxHigh[a] == 1 ? beyond : 0));
     s.cut(-at[a], -along[a], -low[a] + (scene.clip.boxLow[a] == 0 ? beyond : 0));
   }
+  if (glm::any(glm::equal(scene.clip.boxLow, scene.clip.boxHigh))) s.last = s.first;
   for (const ClipPlane& plane : scene.clip.planes) {
     const glm::dvec3 normal = glm::normalize(plane.normal);
     s.cut(glm::dot(normal, line.origin), glm::dot(normal, line.direction), plane.offset);

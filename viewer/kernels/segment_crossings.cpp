@@ -98,7 +98,7 @@ class CrossingWalk {
     }
     void enterAt(double t, glm::ivec3 low, glm::ivec3 high) {
       const glm::dvec3 at = (walk_.line_.origin + t * walk_.line_.move) * (1.0 / kEdge);
-      cube = glm::clamp(glm::ivec3(glm::max(at, 0.0)), low, high);
+      cube = glm::ivec3(glm::clamp(at, glm::dvec3(low), glm::dvec3(high)));
       for (int a = 0; a < 3; ++a)
         next[a] = walk_.line_.move[a] == 0 ? never : walk_.planeAt<kEdge>(a, cube[a] + (walk_.step_[a] > 0));
     }
@@ -118,8 +118,10 @@ class CrossingWalk {
     const double blockMm = blockEdge / std::max({moves.x, moves.y, moves.z});
     CubeWalk<blockEdge> walk(*this, t, low, high);
     while (t < t1) {
-      if (const int distance = cells_.distance(walk.cube); distance > 1) {
-        t += (distance - 1) * blockMm;
+      // So far from 0 that adding changes nothing, planes alone lead on.
+      const double farther = t + (cells_.distance(walk.cube) - 1) * blockMm;
+      if (farther > t) {
+        t = farther;
         walk.enterAt(t, low, high);
         continue;
       }
@@ -220,7 +222,7 @@ void appendCrossings(const SegmentCells& cells, const FieldLine& line, double t0
 
 glm::dvec3 fieldGradient(const OccupancyField& field, glm::dvec3 place) {
   const glm::ivec3 size = field.size(),
-                   cell = glm::clamp(glm::ivec3(glm::floor(place)), glm::ivec3(0), size - 2);
+                   cell(glm::clamp(glm::floor(place), glm::dvec3(0), glm::dvec3(size - 2)));
   const glm::dvec3 f = place - glm::dvec3(cell);
   const SobelWeights x(f.x), y(f.y), z(f.z);
   const glm::ivec3 low = glm::max(glm::ivec3(0), cell - 1), high = glm::min(size - 1, cell + 2);

@@ -142,6 +142,26 @@ LabelMap LabelEdit::done() const {
   return made;
 }
 
+bool holdSame(const LabelMap& a, const LabelMap& b, std::uint8_t label) {
+  if (a.geometry() != b.geometry()) return false;
+  const glm::ivec3 grid = a.geometry().size, bricks = a.bricks();
+  const auto labelIn = [](const LabelMap::Brick& brick, std::size_t place) {
+    return brick.voxels ? (*brick.voxels)[place] : brick.label;
+  };
+  for (int n = 0; n < bricks.x * bricks.y * bricks.z; ++n) {
+    const LabelMap::Brick &one = a.brick(std::size_t(n)), &other = b.brick(std::size_t(n));
+    if (one.voxels == other.voxels && one.label == other.label) continue;
+    const glm::ivec3 size = glm::min(glm::ivec3(brickEdge), grid - cornerOf(std::size_t(n), bricks));
+    for (int k = 0; k < size.z; ++k)
+      for (int j = 0; j < size.y; ++j)
+        for (int i = 0; i < size.x; ++i) {
+          const std::size_t place = placeIn({i, j, k});
+          if ((labelIn(one, place) == label) != (labelIn(other, place) == label)) return false;
+        }
+  }
+  return true;
+}
+
 std::array<std::int64_t, 256> labelCounts(const LabelMap& map) {
   std::array<std::int64_t, 256> counts{};
   const glm::ivec3 grid = map.geometry().size, bricks = map.bricks();

@@ -65,6 +65,9 @@ class LabelMap {
   std::vector<Brick> held_;
 };
 
+/// Whether the grids are the same, and the voxels of a label in both. Bricks that both share are not read.
+bool holdSame(const LabelMap& a, const LabelMap& b, std::uint8_t label);
+
 /// How many voxels of the grid have each label.
 std::array<std::int64_t, 256> labelCounts(const LabelMap& map);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
@@ -20,6 +21,7 @@ class TestSegmentCells : public QObject {
   void cellsAndDistancesAreThoseOfEveryVoxel();
   void crossingsPartInsideFromOutside_data() { cellsAndDistancesAreThoseOfEveryVoxel_data(); }
   void crossingsPartInsideFromOutside();
+  void linesFromVeryFarAwayEnd();
 };
 
 namespace {
@@ -151,6 +153,27 @@ void TestSegmentCells::crossingsPartInsideFromOutside() {
       const auto before = std::ranges::upper_bound(ends, t) - ends.begin();
       QCOMPARE(value > 0.5, before % 2 == 0);
     }
+  }
+}
+
+// A scene's target may be 1e30 mm away: along such lines a float of t may be longer than the field.
+void TestSegmentCells::linesFromVeryFarAwayEnd() {
+  OccupancyField field;
+  field.geometry.size = glm::ivec3(64);
+  field.box = {glm::ivec3(0), glm::ivec3(63)};
+  field.values.assign(64 * 64 * 64, 0.0f);
+  for (const int at : {10, 50}) field.values[std::size_t((at * 64 + at) * 64 + at)] = 1;
+  const SegmentCells cells(std::make_shared<const OccupancyField>(std::move(field)));
+  Chance chance(1);
+  for (int n = 0; n < 20000; ++n) {
+    const double farMm = chance.power(10, 30);
+    const glm::dvec3 move =
+        n % 4 == 0 ? glm::dvec3(1, 0, 0) : glm::normalize(chance.vector() + glm::dvec3(1e-3));
+    const FieldLine line{glm::dvec3(32) + 20.0 * chance.vector() - farMm * move, move};
+    std::vector<FieldCrossing> crossings;
+    appendCrossings(cells, line, -std::numeric_limits<double>::infinity(),
+                    std::numeric_limits<double>::infinity(), false, crossings);
+    for (const FieldCrossing& c : crossings) QVERIFY(std::isfinite(c.t));
   }
 }
 

@@ -17,6 +17,8 @@ class TestLabelMap : public QObject {
   void editsAreThoseOfATwin();
   void whatIsNotWrittenIsShared();
   void bricksOfOneLabelHoldNothing();
+  void whatHoldsTheSameIsThatOfEveryVoxel_data() { denseLabelsComeBack_data(); }
+  void whatHoldsTheSameIsThatOfEveryVoxel();
 };
 
 namespace {
@@ -129,6 +131,35 @@ void TestLabelMap::bricksOfOneLabelHoldNothing() {
   LabelEdit one(map);
   one.set({5, 5, 5}, 0);
   QCOMPARE(one.done().bytes(), sizeof(LabelMap::Voxels));
+}
+
+// Of maps that share their bricks, that hold others of the same voxels, and that differ in one voxel.
+void TestLabelMap::whatHoldsTheSameIsThatOfEveryVoxel() {
+  QFETCH(int, x);
+  QFETCH(int, y);
+  QFETCH(int, z);
+  std::mt19937 bits(29);
+  const DenseLabels dense = randomLabels({x, y, z}, bits);
+  const LabelMap map(dense), twin(dense);
+  for (int label = 0; label < 5; ++label) {
+    QVERIFY(holdSame(map, map, std::uint8_t(label)));
+    QVERIFY(holdSame(map, twin, std::uint8_t(label)));
+  }
+  for (int n = 0; n < 20; ++n) {
+    const glm::ivec3 at(int(bits() % unsigned(x)), int(bits() % unsigned(y)), int(bits() % unsigned(z)));
+    const auto before = map.at(at), after = std::uint8_t((before + 1 + bits() % 4) % 5);
+    LabelEdit edit(n % 2 ? map : twin);
+    edit.set(at, after);
+    const LabelMap changed = edit.done();
+    for (int label = 0; label < 5; ++label) {
+      const bool isSame = label != before && label != after;
+      QCOMPARE(holdSame(map, changed, std::uint8_t(label)), isSame);
+      QCOMPARE(holdSame(changed, map, std::uint8_t(label)), isSame);
+    }
+  }
+  DenseLabels moved = dense;
+  moved.geometry.origin.x += 1;
+  QVERIFY(!holdSame(map, LabelMap(moved), 3));
 }
 
 VOLUMEN_TEST(TestLabelMap);
