@@ -36,6 +36,8 @@ class TestSegmentSteps : public QObject {
   void theFewThatAreKnownInClosedForm();
   void whatIsAskedForMeanwhileWaits();
   void lockedSegmentsStayAsTheyAre();
+  void whatWasLockedMeanwhileLosesNothing_data();
+  void whatWasLockedMeanwhileLosesNothing();
   void aJobThatIsCancelledChangesNothing();
   void aSeriesThatIsClosedMeanwhileIsLeftAlone();
   void aSegmentThatIsUndoneMeanwhileIsLeftAlone();
@@ -202,6 +204,31 @@ void TestSegmentSteps::lockedSegmentsStayAsTheyAre() {
   QVERIFY(w.idle());
   QVERIFY(w.mask(2) == core);
   QVERIFY(w.child<Banner>("banner")->sentence().contains(QStringLiteral("is locked")));
+}
+
+void TestSegmentSteps::whatWasLockedMeanwhileLosesNothing_data() {
+  QTest::addColumn<std::string>("step");
+  QTest::addColumn<int>("locked");
+  QTest::newRow("merged into") << std::string("merge") << 1;
+  QTest::newRow("merged") << std::string("merge") << 2;
+  QTest::newRow("split") << std::string("split") << 1;
+}
+
+// Behind a job that is under way.
+void TestSegmentSteps::whatWasLockedMeanwhileLosesNothing() {
+  QFETCH(std::string, step);
+  QFETCH(int, locked);
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  std::map<std::string, StepValue> fields;
+  if (step == "merge") fields["other"] = std::string("2");
+  const SegmentWork work = workOf(offeredStep(step), fields, w.session());
+  SegmentMap map = *w.map();
+  QVERIFY(work.makeAll(map, {}).ok());
+  map.segments[std::size_t(locked - 1)].locked = true;
+  const auto made = work.makeAll(map, {});
+  QVERIFY(!made);
+  QVERIFY(QString::fromStdString(made.message()).contains(QStringLiteral("is locked")));
 }
 
 void TestSegmentSteps::aJobThatIsCancelledChangesNothing() {
