@@ -31,6 +31,7 @@ class TestSegmentSteps : public QObject {
   void aStepIsAJobAndAnUndoStep_data();
   void aStepIsAJobAndAnUndoStep();
   void theUsualOnesAreAClick();
+  void aWordOfAnotherKindIsNotTaken();
   void partsBecomeSegments();
   void allAreSmoothedTogether();
   void theFewThatAreKnownInClosedForm();
@@ -106,6 +107,21 @@ void TestSegmentSteps::theUsualOnesAreAClick() {
   QVERIFY(w.press("segmentStep-shrink"));
   QVERIFY(w.mask(1) == shrunk(own, 2));
   QCOMPARE(w.child<QComboBox>("segmentStepKind")->currentText(), QStringLiteral("Shrink"));
+}
+
+// Both have a field "across"; only one can be in the volume.
+void TestSegmentSteps::aWordOfAnotherKindIsNotTaken() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  w.chooseStep("fill");
+  auto* across = w.child<QComboBox>("stepField-across");
+  across->setCurrentIndex(across->findText(QStringLiteral("volume")));
+  Q_EMIT across->activated(across->currentIndex());
+  QVERIFY(w.step("betweenSlices"));
+  QCOMPARE(w.map()->steps.back().kind, std::string("betweenSlices"));
+  const auto again = readSteps(stepsJson(w.map()->steps));
+  QVERIFY2(again, again ? "" : again.message().c_str());
+  QVERIFY(*again == w.map()->steps);
 }
 
 void TestSegmentSteps::partsBecomeSegments() {

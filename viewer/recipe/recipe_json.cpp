@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t mostSegments = 255, mostPlaces = 100000;
-constexpr double mostMm = 1e6;  // of a place from the origin: no patient is farther
+constexpr double mostMm = 1e12;  // of a place from the origin: beyond, voxels are no numbers any more
 
 Code readCode(JsonFields* from, const char* name) {
   Code code;
