@@ -93,7 +93,7 @@ int run(const CompareOptions& options, const CancelToken& cancel) {
 std::function<int()> makeCompare(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<CompareOptions>();
   app.add_option("FIRST", options->first,
-                 "Segments: .seg.nrrd, .dcm (DICOM segmentation), or an image of labels")
+                 "Segments: a .seg.nrrd, a DICOM segmentation, or an image of labels")
       ->type_name("")
       ->required();
   app.add_option("SECOND", options->second, "Others, on the same grid or another one")
