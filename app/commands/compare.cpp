@@ -7,9 +7,7 @@
 #include "app/open_volume.h"
 #include "app/segment_text.h"
 #include "app/usage.h"
-#include "io/export/label_image.h"
-#include "io/export/seg_nrrd.h"
-#include "io/segmentation.h"
+#include "io/export/read_segments.h"
 
 namespace volumen {
 
@@ -19,23 +17,6 @@ struct CompareOptions {
   std::string first, second;
   bool json = false;
 };
-
-Result<SegmentsFile> readObject(const std::string& path, const CancelToken& cancel) {
-  const Result<Segmentation> object = loadSegmentation(path);
-  if (!object) return object.error();
-  const Result<VoxelGeometry> grid = gridOf(*object);
-  if (!grid) return Error{path + ": " + grid.message()};
-  SegmentsFile file{segmentedOf(*object, *grid, cancel), {}};
-  if (cancel.cancelled()) return Error{"Cancelled."};
-  return file;
-}
-
-// As its name ends: a file of Slicer, a DICOM segmentation, an image of labels.
-Result<SegmentsFile> readSegmentsOf(const std::string& path, const CancelToken& cancel) {
-  if (path.ends_with(".nrrd")) return readSegNrrd(path, {}, cancel);
-  if (path.ends_with(".dcm")) return readObject(path, cancel);
-  return readLabelImage(path, {}, cancel);
-}
 
 // A segment of a file, and the labels that it is in.
 struct SegmentIn {
@@ -87,11 +68,10 @@ void printCompared(const std::vector<ComparedSegments>& all, const std::vector<s
 }
 
 int run(const CompareOptions& options, const CancelToken& cancel) {
-  const Result<SegmentsFile> first = readSegmentsOf(options.first, cancel);
+  const Result<SegmentsFile> first = readSegments(options.first, {}, cancel);
   if (!first) return fail(first.message(), cancel);
-  Result<SegmentsFile> second = readSegmentsOf(options.second, cancel);
+  Result<SegmentsFile> second = readSegments(options.second, {}, cancel);
   if (!second) return fail(second.message(), cancel);
-  if (first->maps.empty() || second->maps.empty()) return fail("A file has no segments.");
   second = onGrid(std::move(*second), first->maps.front().labels.geometry());
   if (!second) return fail(second.message(), cancel);
   const auto all = compared(*first, *second, cancel);
@@ -113,7 +93,7 @@ int run(const CompareOptions& options, const CancelToken& cancel) {
 std::function<int()> makeCompare(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<CompareOptions>();
   app.add_option("FIRST", options->first,
-                 "Segments: .seg.nrrd, .dcm (DICOM segmentation), or an image of labels")
+                 "Segments: a .seg.nrrd, a DICOM segmentation, or an image of labels")
       ->type_name("")
       ->required();
   app.add_option("SECOND", options->second, "Others, on the same grid or another one")

@@ -30,17 +30,15 @@ bool hasSegments(const SegmentsFile& file) {
   return std::ranges::any_of(file.maps, [](const Segmented& map) { return !map.segments.empty(); });
 }
 
-Result<SegmentsFile> ofImage(const std::string& path, const VoxelGeometry& grid, const Progress& progress,
-                             const CancelToken& cancel) {
+// On its own grid.
+Result<SegmentsFile> segmentsOfImage(const std::string& path, const Progress& progress,
+                                     const CancelToken& cancel) {
   const auto header = readImageHeader(path, cancel);
   if (!header) return header.error();
   auto file =
       isSlicers(*header) ? readSegNrrd(path, progress, cancel) : readLabelImage(path, progress, cancel);
-  if (!file) return file.error();
-  if (!hasSegments(*file)) return Error{path + " holds no segments."};
-  auto placed = onGrid(std::move(*file), grid);
-  if (!placed) return Error{path + ": " + placed.message()};
-  return placed;
+  if (file && !hasSegments(*file)) return Error{path + " holds no segments."};
+  return file;
 }
 
 // Pictures that it names are where it lies, whatever frame of reference their files say.
@@ -54,34 +52,80 @@ bool liesIn(const DerivedObject& object, const Series& series) {
          });
 }
 
-Result<SegmentsFile> ofObject(const std::string& path, const Series& series, const VoxelGeometry& grid,
-                              const Progress& progress, const CancelToken& cancel) {
+Result<DerivedObject> objectOf(const std::string& path, const Progress& progress, const CancelToken& cancel) {
   const auto study = openFiles({path}, progress, cancel);
   if (!study) return study.error();
   if (!study->refused.empty()) return Error{path + ": " + study->refused.front().reason};
   const auto object = std::ranges::find(study->derived, DerivedKind::segmentation, &DerivedObject::kind);
   if (object == study->derived.end())
     return Error{path + " holds no segments: a DICOM segmentation, a .seg.nrrd or an image of labels does."};
+  return *object;
+}
+
+Result<Segmentation> segmentationOf(const std::string& path) {
+  auto segmentation = loadSegmentation(path);
+  if (segmentation && segmentation->segments.empty()) return Error{path + " holds no segments."};
+  return segmentation;
+}
+
+Result<SegmentsFile> segmentsOfObject(const std::string& path, const Progress& progress,
+                                      const CancelToken& cancel) {
+  if (const auto object = objectOf(path, progress, cancel); !object) return object.error();
+  const auto segmentation = segmentationOf(path);
+  if (!segmentation) return segmentation.error();
+  const auto grid = gridOf(*segmentation);
+  if (!grid) return Error{path + ": " + grid.message()};
+  SegmentsFile file{segmentedOf(*segmentation, *grid, cancel), {}};
+  if (cancel.cancelled()) return Error{"Cancelled."};
+  return file;
+}
+
+Result<SegmentsFile> placedImage(const std::string& path, const VoxelGeometry& grid, const Progress& progress,
+                                 const CancelToken& cancel) {
+  auto file = segmentsOfImage(path, progress, cancel);
+  if (!file) return file;
+  auto placed = onGrid(std::move(*file), grid);
+  if (!placed) return Error{path + ": " + placed.message()};
+  return placed;
+}
+
+Result<SegmentsFile> placedObject(const std::string& path, const Series& series, const VoxelGeometry& grid,
+                                  const Progress& progress, const CancelToken& cancel) {
+  const auto object = objectOf(path, progress, cancel);
+  if (!object) return object.error();
   if (!liesIn(*object, series))
     return Error{path + " is of another frame of reference than the series: its places are none of it."};
-  const auto segmentation = loadSegmentation(path);
+  const auto segmentation = segmentationOf(path);
   if (!segmentation) return segmentation.error();
-  if (segmentation->segments.empty()) return Error{path + " holds no segments."};
   auto placed = onGrid(*segmentation, grid, cancel);
   if (!placed) return Error{path + ": " + placed.message()};
   return placed;
 }
 
+// Reads an image or a DICOM object, as the contents of the file say.
+template <class OfImage, class OfObject>
+Result<SegmentsFile> readAs(const std::string& path, const OfImage& ofImage, const OfObject& ofObject) try {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return Error{path + " is no file that can be read."};
+  return looksLikeImageFile(path) ? ofImage() : ofObject();
+} catch (const std::bad_alloc&) {
+  return Error{path + ": there is not enough memory for its segments."};
+}
+
 }  // namespace
 
 Result<SegmentsFile> readSegments(const std::string& path, const Series& series, const VoxelGeometry& grid,
-                                  const Progress& progress, const CancelToken& cancel) try {
-  std::error_code none;
-  if (!std::filesystem::is_regular_file(path, none)) return Error{path + " is no file that can be read."};
-  return looksLikeImageFile(path) ? ofImage(path, grid, progress, cancel)
-                                  : ofObject(path, series, grid, progress, cancel);
-} catch (const std::bad_alloc&) {
-  return Error{path + ": there is not enough memory for its segments."};
+                                  const Progress& progress, const CancelToken& cancel) {
+  return readAs(
+      path, [&] { return placedImage(path, grid, progress, cancel); },
+      [&] { return placedObject(path, series, grid, progress, cancel); });
+}
+
+Result<SegmentsFile> readSegments(const std::string& path, const Progress& progress,
+                                  const CancelToken& cancel) {
+  return readAs(
+      path, [&] { return segmentsOfImage(path, progress, cancel); },
+      [&] { return segmentsOfObject(path, progress, cancel); });
 }
 
 bool isNamedAsSegments(const std::string& path) {

@@ -17,6 +17,10 @@ struct Series;
 Result<SegmentsFile> readSegments(const std::string& path, const Series& series, const VoxelGeometry& grid,
                                   const Progress& progress = {}, const CancelToken& cancel = {});
 
+/// The same on the grid of the file's own, wherever that lies; of a DICOM segmentation gridOf() it.
+Result<SegmentsFile> readSegments(const std::string& path, const Progress& progress = {},
+                                  const CancelToken& cancel = {});
+
 /// Whether a file says by its name that it holds segments, no picture: .seg.nrrd, or an image with a table of
 /// names beside it (label_table.h).
 bool isNamedAsSegments(const std::string& path);

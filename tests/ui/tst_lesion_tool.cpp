@@ -6,6 +6,7 @@
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/banner.h"
+#include "ui/workspace/segment_record.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -129,6 +130,10 @@ void TestLesionTool::aSphereMakesALesion() {
   QVERIFY(w.workspace() == before);
   w.redo();
   QVERIFY(w.workspace() == after);
+  const RecordedRecipe recorded = recordedRecipe(*w.map(), "PT");
+  QVERIFY(recorded.missing.empty());
+  const auto followed = follow(recorded.recipe, *w.session().series()->volume);
+  QVERIFY(followed && maskOf(followed->labels, 1) == w.mask(1));
 }
 
 // The tool stays in hand.

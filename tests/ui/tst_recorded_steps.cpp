@@ -59,6 +59,7 @@ class TestRecordedSteps : public CleanSettings {
   void whatIsDoneIsARecipe();
   void theProgramMakesTheSameVoxels();
   void numbersAreChangedAndRunAgain();
+  void slicesBetweenAreFilledByAStep();
   void whatNoStepMadeIsSaid();
 };
 
@@ -144,6 +145,20 @@ void TestRecordedSteps::numbersAreChangedAndRunAgain() {
   QVERIFY(w.mask(1) == grown(shell, 2));
   w.undo();
   QVERIFY(w.workspace() == before);
+}
+
+// The hollow ball and the small one have empty slices between them.
+void TestRecordedSteps::slicesBetweenAreFilledByAStep() {
+  SegmentWindow w;
+  QVERIFY(w.make(800, 1200));
+  const std::int64_t before = w.voxels(1);
+  w.click("segmentPaint");
+  QVERIFY(w.press("segmentFillBetween"));
+  QVERIFY(w.voxels(1) > before);
+  const RecordedRecipe recorded = recordedRecipe(*w.map(), {});
+  QVERIFY(recorded.missing.empty());
+  const auto made = follow(recorded.recipe, *w.session().series()->volume);
+  QVERIFY(made && maskOf(made->labels, 1) == w.mask(1));
 }
 
 // As a brush would change it.

@@ -65,6 +65,8 @@ class TestSegmentTable : public CleanSettings {
  private Q_SLOTS:
   void hasARowForEachSegment();
   void followsTheSegments();
+  void strokesAreMeasuredOnceTheyEnd();
+  void isInTheOrderOfTheListAtFirst();
   void isSortedByNumbers();
   void twoAreCompared();
   void isCopied();
@@ -100,6 +102,36 @@ void TestSegmentTable::followsTheSegments() {
   QTRY_COMPARE_WITH_TIMEOUT(w.table()->rowCount(), 1, longest);
   QVERIFY(w.press("segmentRemove"));
   QTRY_COMPARE_WITH_TIMEOUT(w.table()->rowCount(), 0, longest);
+}
+
+void TestSegmentTable::strokesAreMeasuredOnceTheyEnd() {
+  NumbersWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.open());
+  w.child<QAction>("paintTool")->trigger();
+  const QPoint at = w.showPlace({14.5, -14.5, 0.5});
+  const std::int64_t before = w.voxels(1);
+  QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
+  QTest::mouseEvent(QTest::MouseMove, w.view(), Qt::LeftButton, {}, at + QPoint(20, 0));
+  QVERIFY(w.voxels(1) > before);
+  QCOMPARE(w.table()->rowCount(), 2);
+  QCOMPARE(w.cell(0, "Voxels"), QString::number(before));
+  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, at + QPoint(20, 0));
+  QVERIFY(w.idle());
+  QTRY_COMPARE_WITH_TIMEOUT(w.table()->rowCount(), 2, longest);
+  QCOMPARE(w.cell(0, "Voxels"), QString::number(w.voxels(1)));
+}
+
+void TestSegmentTable::isInTheOrderOfTheListAtFirst() {
+  NumbersWindow w;
+  QVERIFY(w.makeBoth());
+  for (const auto& [number, name] : {std::pair(1, "A"), {2, "B"}})
+    w.session().change(
+        QStringLiteral("Rename"),
+        withSegmentChanged(w.workspace(), w.series(), number, [name = name](Segment& s) { s.label = name; }));
+  QVERIFY(w.open());
+  QCOMPARE(w.table()->item(0, 0)->text(), QStringLiteral("A"));
+  QCOMPARE(w.table()->item(1, 0)->text(), QStringLiteral("B"));
 }
 
 void TestSegmentTable::isSortedByNumbers() {

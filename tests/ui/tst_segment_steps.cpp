@@ -31,11 +31,14 @@ class TestSegmentSteps : public QObject {
   void aStepIsAJobAndAnUndoStep_data();
   void aStepIsAJobAndAnUndoStep();
   void theUsualOnesAreAClick();
+  void aWordOfAnotherKindIsNotTaken();
   void partsBecomeSegments();
   void allAreSmoothedTogether();
   void theFewThatAreKnownInClosedForm();
   void whatIsAskedForMeanwhileWaits();
   void lockedSegmentsStayAsTheyAre();
+  void whatWasLockedMeanwhileLosesNothing_data();
+  void whatWasLockedMeanwhileLosesNothing();
   void aJobThatIsCancelledChangesNothing();
   void aSeriesThatIsClosedMeanwhileIsLeftAlone();
   void aSegmentThatIsUndoneMeanwhileIsLeftAlone();
@@ -104,6 +107,21 @@ void TestSegmentSteps::theUsualOnesAreAClick() {
   QVERIFY(w.press("segmentStep-shrink"));
   QVERIFY(w.mask(1) == shrunk(own, 2));
   QCOMPARE(w.child<QComboBox>("segmentStepKind")->currentText(), QStringLiteral("Shrink"));
+}
+
+// Both have a field "across"; only one can be in the volume.
+void TestSegmentSteps::aWordOfAnotherKindIsNotTaken() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  w.chooseStep("fill");
+  auto* across = w.child<QComboBox>("stepField-across");
+  across->setCurrentIndex(across->findText(QStringLiteral("volume")));
+  Q_EMIT across->activated(across->currentIndex());
+  QVERIFY(w.step("betweenSlices"));
+  QCOMPARE(w.map()->steps.back().kind, std::string("betweenSlices"));
+  const auto again = readSteps(stepsJson(w.map()->steps));
+  QVERIFY2(again, again ? "" : again.message().c_str());
+  QVERIFY(*again == w.map()->steps);
 }
 
 void TestSegmentSteps::partsBecomeSegments() {
@@ -202,6 +220,31 @@ void TestSegmentSteps::lockedSegmentsStayAsTheyAre() {
   QVERIFY(w.idle());
   QVERIFY(w.mask(2) == core);
   QVERIFY(w.child<Banner>("banner")->sentence().contains(QStringLiteral("is locked")));
+}
+
+void TestSegmentSteps::whatWasLockedMeanwhileLosesNothing_data() {
+  QTest::addColumn<std::string>("step");
+  QTest::addColumn<int>("locked");
+  QTest::newRow("merged into") << std::string("merge") << 1;
+  QTest::newRow("merged") << std::string("merge") << 2;
+  QTest::newRow("split") << std::string("split") << 1;
+}
+
+// Behind a job that is under way.
+void TestSegmentSteps::whatWasLockedMeanwhileLosesNothing() {
+  QFETCH(std::string, step);
+  QFETCH(int, locked);
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  std::map<std::string, StepValue> fields;
+  if (step == "merge") fields["other"] = std::string("2");
+  const SegmentWork work = workOf(offeredStep(step), fields, w.session());
+  SegmentMap map = *w.map();
+  QVERIFY(work.makeAll(map, {}).ok());
+  map.segments[std::size_t(locked - 1)].locked = true;
+  const auto made = work.makeAll(map, {});
+  QVERIFY(!made);
+  QVERIFY(QString::fromStdString(made.message()).contains(QStringLiteral("is locked")));
 }
 
 void TestSegmentSteps::aJobThatIsCancelledChangesNothing() {

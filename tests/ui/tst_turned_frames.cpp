@@ -5,6 +5,7 @@
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/turned_frames.h"
+#include "tests/ui/turned_run.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -24,21 +25,8 @@ void TestTurnedFrames::pixelsAppearWhereTheTwinHasThem_data() {
 
 void TestTurnedFrames::pixelsAppearWhereTheTwinHasThem() {
   QFETCH(int, seed);
-  constexpr int length = 25;
-  TurnedFrames sequence{std::uint64_t(seed)};
-  QStringList done;
-  const auto failure = [&](const QString& why) {
-    return QStringLiteral("seed %1: %2\nafter %3").arg(seed).arg(why, done.join(QStringLiteral("\n      ")));
-  };
-  if (const QString why = sequence.wrong(); !why.isEmpty()) QFAIL(qPrintable(failure(why)));
-  while (done.size() < length) {
-    const QString what = sequence.act();
-    if (what.isEmpty()) continue;
-    done << what;
-    if (const QString why = sequence.wrong(); !why.isEmpty()) QFAIL(qPrintable(failure(why)));
-  }
-  if (const QString why = sequence.wrongUndone(); !why.isEmpty())
-    QFAIL(qPrintable(failure(QStringLiteral("undone and done again: ") + why)));
+  const QString why = wrongInSequence<TurnedFrames>(seed, 25);
+  QVERIFY2(why.isEmpty(), qPrintable(why));
 }
 
 VOLUMEN_TEST(TestTurnedFrames);

@@ -15,6 +15,7 @@
 #include "tests/ui/known_steps.h"
 #include "tests/ui/lock_twin.h"
 #include "tests/ui/test_series.h"
+#include "tests/ui/turned_run.h"
 #include "tests/unit/suite.h"
 #include "ui/views/slice_view.h"
 #include "ui/workspace/flat_plane.h"
@@ -309,23 +310,8 @@ void TestTurnedLocks::placesFollowAsTheTwinHasThem_data() {
 
 void TestTurnedLocks::placesFollowAsTheTwinHasThem() {
   QFETCH(int, seed);
-  constexpr int length = 40;
-  TurnedLocks sequence{std::uint64_t(seed)};
-  QStringList done;
-  const auto failure = [&](const QString& why) {
-    return QStringLiteral("seed %1: %2\nafter %3").arg(seed).arg(why, done.join(QStringLiteral("\n      ")));
-  };
-  if (const QString why = sequence.wrong(); !why.isEmpty()) QFAIL(qPrintable(failure(why)));
-  while (done.size() < length) {
-    const QString what = sequence.act();
-    if (what.isEmpty()) continue;
-    done << what;
-    if (const QString why = sequence.wrong(); !why.isEmpty()) QFAIL(qPrintable(failure(why)));
-  }
-  if (const QString why = sequence.wrongUndone(); !why.isEmpty())
-    QFAIL(qPrintable(failure(QStringLiteral("undone and done again: ") + why)));
-  if (const QString why = sequence.wrongInSession(); !why.isEmpty())
-    QFAIL(qPrintable(failure(QStringLiteral("in its session: ") + why)));
+  const QString why = wrongInSequence<TurnedLocks>(seed, 40);
+  QVERIFY2(why.isEmpty(), qPrintable(why));
 }
 
 VOLUMEN_TEST(TestTurnedLocks);

@@ -4,6 +4,7 @@
 // (turned_twin.h). VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S: N sequences, from S on.
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/clean_settings.h"
+#include "tests/ui/turned_run.h"
 #include "tests/ui/turned_sequence.h"
 #include "tests/unit/suite.h"
 
@@ -24,25 +25,8 @@ void TestTurnedViews::placesAppearWhereTheTwinHasThem_data() {
 
 void TestTurnedViews::placesAppearWhereTheTwinHasThem() {
   QFETCH(int, seed);
-  constexpr int length = 25;
-  TurnedSequence sequence{std::uint64_t(seed)};
-  QStringList done;
-  const auto failure = [&](const QString& why) {
-    return QStringLiteral("seed %1: %2\nafter %3").arg(seed).arg(why, done.join(QStringLiteral("\n      ")));
-  };
-  if (const QString why = sequence.wrong(); !why.isEmpty()) QFAIL(qPrintable(failure(why)));
-  while (done.size() < length && !sequence.isUndecided()) {
-    const QString what = sequence.act();
-    if (what.isEmpty()) continue;
-    done << what;
-    if (sequence.isUndecided()) break;
-    if (const QString why = sequence.wrong(); !why.isEmpty()) QFAIL(qPrintable(failure(why)));
-  }
-  if (sequence.isUndecided()) return;
-  if (const QString why = sequence.wrongUndone(); !why.isEmpty())
-    QFAIL(qPrintable(failure(QStringLiteral("undone and done again: ") + why)));
-  if (const QString why = sequence.wrongInSession(); !why.isEmpty())
-    QFAIL(qPrintable(failure(QStringLiteral("in its session: ") + why)));
+  const QString why = wrongInSequence<TurnedSequence>(seed, 25);
+  QVERIFY2(why.isEmpty(), qPrintable(why));
 }
 
 VOLUMEN_TEST(TestTurnedViews);

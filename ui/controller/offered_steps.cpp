@@ -79,10 +79,20 @@ Result<StepsWanted> offeredStepsOf(const StepKind& kind, const ChosenFields& fie
   return isOfValues ? keptIn(std::move(wanted), {step.segment}, volume, mask, cancel) : wanted;
 }
 
+// The Error: it was removed or locked since it was chosen.
+Status checkFree(const SegmentMap& map, int number) {
+  const Segment* segment = findSegment(map, number);
+  if (!segment) return Error{"The segment is not there any more."};
+  if (segment->locked) return Error{segment->label + " is locked: unlock it first."};
+  return {};
+}
+
 Result<SegmentMap> mergedSegments(SegmentMap map, int number, const std::string& name, const Volume& volume,
                                   const CancelToken& cancel) {
   const Segment* other = otherIn(map, name);
-  if (!other || !findSegment(map, number)) return Error{"The other segment is not there any more."};
+  if (!other) return Error{"The other segment is not there any more."};
+  for (const int changed : {number, other->number})
+    if (Status s = checkFree(map, changed); !s) return s.error();
   const int gone = other->number;
   Result<SegmentMap> made = withStepsDone(
       std::move(map), {{{"add", stepNameOf(number), {{"other", name}}}}, {number}}, volume, cancel);
@@ -94,7 +104,7 @@ Result<SegmentMap> mergedSegments(SegmentMap map, int number, const std::string&
 
 Result<SegmentMap> splitSegment(SegmentMap map, int number, double leastMl, const Volume& volume,
                                 const CancelToken& cancel) {
-  if (!findSegment(map, number)) return Error{"The segment is not there any more."};
+  if (Status s = checkFree(map, number); !s) return s.error();
   const Result<StepsWanted> wanted = stepsOfSplit(map, number, leastMl, cancel);
   return wanted ? withStepsDone(std::move(map), *wanted, volume, cancel) : Result<SegmentMap>(wanted.error());
 }

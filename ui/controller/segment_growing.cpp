@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
-#include "viewer/segment/brush.h"
 #include "viewer/segment/grow_from_seeds.h"
 
 namespace volumen {
@@ -57,17 +57,25 @@ std::string lesionName(const SegmentMap& map) {
 Result<SegmentMap> withLesion(SegmentMap map, const LesionWanted& wanted, const CancelToken& cancel) {
   const std::optional<int> number = freeNumber(map);
   if (!number) return Error{"There are 255 segments, and no more fit: remove one first."};
-  BitMask ball(wanted.volume->geometry());
-  addSpans(ball, ballStroke(ball.geometry(), wanted.pPatient, wanted.pPatient, wanted.radiusMm));
-  if (!wanted.mask.empty())
-    ball = intersected(std::move(ball), keptVoxels(*wanted.volume, wanted.mask, cancel));
-  const Result<BitMask> lesion = lesionIn(ball, *wanted.volume, wanted.threshold, cancel);
-  if (!lesion) return Error{"No lesion in the sphere: " + lesion.message() + "."};
-  Segment made;
-  made.number = *number;
-  made.label = lesionName(map);
-  made.description = wanted.said.toStdString();
-  return withMask(withSegment(std::move(map), std::move(made)), *number, *lesion);
+  Segment lesion;
+  lesion.number = *number;
+  lesion.label = lesionName(map);
+  lesion.description = wanted.said.toStdString();
+  constexpr double mostMm = 1000;  // that the step takes: more than a patient
+  const std::string sphere = "Sphere", own = stepNameOf(*number);
+  const auto& [amount, isShare] = wanted.threshold;
+  const double radiusMm = std::min(wanted.radiusMm, mostMm);
+  StepsWanted steps{{{"ball", sphere, {{"at", std::vector{wanted.pPatient}}, {"radiusMm", radiusMm}}}},
+                    {*number}};
+  steps = keptIn(std::move(steps), {sphere}, *wanted.volume, wanted.mask, cancel);
+  const std::string by = isShare ? "share" : "value";
+  steps.steps.push_back({"lesion", own, {{"in", sphere}, {"by", by}, {by, amount}}});
+  Result<SegmentMap> made =
+      withStepsDone(withSegment(std::move(map), std::move(lesion)), steps, *wanted.volume, cancel);
+  if (made || cancel.cancelled()) return made;
+  // Without the name of the step, which nobody chose.
+  const std::string why = made.message();
+  return Error{"No lesion in the sphere: " + why.substr(why.find(": ") + 2)};
 }
 
 }  // namespace

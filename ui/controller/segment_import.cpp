@@ -57,9 +57,7 @@ Result<SegmentMap> withSegmentsOf(const SegmentsFile& file, const QString& name,
   for (const Segmented& layer : file.maps) count += layer.segments.size();
   if (map.segments.size() + count > most)
     return Error{tr("%1 has %2 segments, and there are %3: at most 255 fit.")
-                     .arg(name)
-                     .arg(count)
-                     .arg(map.segments.size())
+                     .arg(name, QString::number(count), QString::number(map.segments.size()))
                      .toStdString()};
   const std::size_t first = map.segments.size();
   QStringList losses;

@@ -105,7 +105,7 @@ void SegmentJobs::take(const SegmentMap& base, const Result<SegmentMap>& made) {
   const bool isSame = segmentMapOn(workspace, work.series, work.volume->geometry()) == base;
   if (isSame || !made) waiting_.pop_front();
   if (!made) {
-    Q_EMIT failed(QString::fromStdString(made.message()));
+    Q_EMIT failed(shownText(made.message()));
   } else if (isSame) {
     session_.endGesture();
     session_.change(work.text, withSegmentMap(workspace, *made));

@@ -76,6 +76,12 @@ class Taking {
   std::set<std::string> changed_, byHand_;
 };
 
+// Recipes may have helpers of the same name.
+std::string freeHelper(const std::vector<Step>& steps, std::string name) {
+  while (std::ranges::find(steps, name, &Step::segment) != steps.end()) name += " 2";
+  return name;
+}
+
 bool isOnlyNarrowed(const std::vector<Step>& steps, const std::string& name) {
   return std::ranges::all_of(steps, [&](const Step& step) {
     return onlyNarrows(step) || std::ranges::count(changedBy(step), name) == 0;
@@ -112,7 +118,7 @@ Result<SegmentMap> withStepsDone(SegmentMap map, const StepsWanted& wanted, cons
 StepsWanted keptIn(StepsWanted wanted, const std::vector<std::string>& names, const Volume& volume,
                    const Mask& mask, const CancelToken& cancel) {
   if (mask.empty()) return wanted;
-  const std::string kept = "Kept";
+  const std::string kept = freeHelper(wanted.steps, "Kept");
   // Without cuts it is a step of a recipe.
   if (mask.lassos.empty()) {
     wanted.steps.push_back({"patient", kept});

@@ -34,6 +34,7 @@ QString exportFilters() {
 class Segmenting : public Feature {
  public:
   explicit Segmenting(Workbench& bench);
+  ~Segmenting() override { delete numbers_; }  // it knows the painter
 
  private:
   void makeExport();
@@ -183,7 +184,8 @@ void Segmenting::connectGrowth() {
 }
 
 void Segmenting::showNumbers() {
-  if (!numbers_) numbers_ = new SegmentNumbersDialog(session_, bench_.document.jobs, bench_.dialogParent());
+  if (!numbers_)
+    numbers_ = new SegmentNumbersDialog(session_, bench_.document.jobs, painter_, bench_.dialogParent());
   numbers_->show();
   numbers_->raise();
   numbers_->activateWindow();

@@ -73,8 +73,14 @@ QPushButton* dialogButton(QDialogButtonBox* box, const char* name, const QString
 
 }  // namespace
 
-SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, QWidget* parent)
-    : QDialog(parent), session_(session), table_(new QTableWidget), said_(plainLabel()), lane_(&jobs) {
+SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const SegmentPainter& painter,
+                                           QWidget* parent)
+    : QDialog(parent),
+      session_(session),
+      painter_(painter),
+      table_(new QTableWidget),
+      said_(plainLabel()),
+      lane_(&jobs) {
   setObjectName(QStringLiteral("segmentNumbersDialog"));
   setWindowTitle(tr("Numbers of segments"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -83,9 +89,11 @@ SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, QWidget
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SegmentNumbersDialog::showChoice);
   connect(&session_, &Session::changed, this, &SegmentNumbersDialog::follow);
   connect(&session_, &Session::workspaceChanged, this, &SegmentNumbersDialog::follow);
+  connect(&painter_, &SegmentPainter::ended, this, &SegmentNumbersDialog::follow);
   connect(&session_, &Session::preferencesChanged, this,
           [this](const Preferences& before, const Preferences& after) {
-            if (before.petUnit != after.petUnit) fillTable();
+            if (before.petUnit == after.petUnit) return;
+            if (measured_ && measured_->isDone) showMeasured();
           });
   follow();
 }
@@ -96,6 +104,7 @@ void SegmentNumbersDialog::makeLayout() {
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setAlternatingRowColors(true);
   table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);  // as in the list at first
   said_->setObjectName(QStringLiteral("segmentNumbersSaid"));
   said_->setWordWrap(true);
   said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -134,6 +143,7 @@ void SegmentNumbersDialog::follow() {
     const QString why = whyNoSegments(session_);
     return said_->setText(why.isEmpty() ? tr("There is no segment yet.") : why);
   }
+  if (painter_.isPainting()) return;
   const VolumePtr volume = wholeVolume(session_);
   if (measured_ && measured_->map == *map && measured_->volume == volume) return;
   const auto numbers = [](const SegmentMap& m) {
@@ -175,6 +185,10 @@ void SegmentNumbersDialog::take(const Result<std::vector<SegmentReport>>& report
   if (!reports) return said_->setText(QString::fromStdString(reports.message()));
   measured_->reports = *reports;
   measured_->isDone = true;
+  showMeasured();
+}
+
+void SegmentNumbersDialog::showMeasured() {
   fillTable();
   const Series& series = session_.series()->series;
   said_->setText(seriesText(series) + unitNote(series));

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "ui/controller/segment_painter.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/segment_report.h"
 #include "ui/workspace/session.h"
@@ -14,11 +15,14 @@
 namespace volumen {
 
 /// The numbers of all segments of the series that the panel Segments shows, a row each: sorted by a click on
-/// a head, copied, saved as CSV and JSON; two of them are compared. They follow the segments.
+/// a head, copied, saved as CSV and JSON; two of them are compared. They follow the segments; strokes once
+/// they end.
 class SegmentNumbersDialog : public QDialog {
   Q_OBJECT
  public:
-  SegmentNumbersDialog(Session& session, Jobs& jobs, QWidget* parent = nullptr);
+  /// The painter outlives it.
+  SegmentNumbersDialog(Session& session, Jobs& jobs, const SegmentPainter& painter,
+                       QWidget* parent = nullptr);
 
  private:
   /// What was measured of what.
@@ -33,6 +37,7 @@ class SegmentNumbersDialog : public QDialog {
   void follow();
   void measure();
   void take(const Result<std::vector<SegmentReport>>& reports);
+  void showMeasured();
   void fillTable();
   void showChoice();
   void compare();
@@ -45,6 +50,7 @@ class SegmentNumbersDialog : public QDialog {
   const SegmentReport* reportOf(int number) const;
 
   Session& session_;
+  const SegmentPainter& painter_;
   QTableWidget* table_;
   QLabel* said_;
   QPushButton *compare_, *copy_, *saveCsv_, *saveJson_;

@@ -7,6 +7,7 @@
 
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 #include "viewer/segment/between_slices.h"
@@ -26,11 +27,11 @@ QComboBox* narrowChoice(const char* name, const QString& label) {
   return choice;
 }
 
-Result<BitMask> betweenFilled(const SegmentMap& map, int number, const CancelToken& cancel) {
-  const BitMask own = maskOf(*map.labels, std::uint8_t(number));
-  const std::optional<int> axis = axisOfPaintedSlices(own);
+Result<StepsWanted> stepsBetween(const SegmentMap& map, int number, const CancelToken&) {
+  const std::optional<int> axis = axisOfPaintedSlices(maskOf(*map.labels, std::uint8_t(number)));
   if (!axis) return Error{"The current segment has no empty slices between painted ones."};
-  return filledBetweenSlices(own, *axis, cancel);
+  const std::string across(1, "ijk"[*axis]);
+  return StepsWanted{{{"betweenSlices", stepNameOf(number), {{"across", across}}}}, {number}};
 }
 
 }  // namespace
@@ -195,7 +196,7 @@ void SegmentPaintPage::fillBetween() {
   work.number = segmentShown(session_)->number;
   work.text = tr("Fill between slices");
   work.doing = tr("Filling between slices");
-  work.make = betweenFilled;
+  work.steps = stepsBetween;
   Q_EMIT workWanted(work);
 }
 

@@ -148,9 +148,12 @@ StepValue StepFields::valueOf(const StepField& field) const {
   if (namesSegment(field)) return segmentOf(field);
   const auto& typed = isOfValues(field) ? values_ : typed_;
   if (const auto given = typed.find(field.name); given != typed.end()) {
-    const auto* number = std::get_if<double>(&given->second);
-    if (!number) return given->second;
-    return std::clamp(*number, field.allowed.low, field.allowed.high);
+    if (const auto* number = std::get_if<double>(&given->second))
+      return std::clamp(*number, field.allowed.low, field.allowed.high);
+    // Another kind of step may have a field of that name with other words.
+    const auto* word = std::get_if<std::string>(&given->second);
+    return word && std::ranges::find(field.words, *word) == field.words.end() ? field.byDefault
+                                                                              : given->second;
   }
   // No end of the values is the end of those that there are.
   if (const auto* number = std::get_if<double>(&field.byDefault);

@@ -44,8 +44,10 @@ Numbers longestEnd(const SegmentReport& report) {
 
 Numbers numbersIf(const std::optional<double>& number) { return number ? Numbers{*number} : Numbers(); }
 
+// Padding has a volume and no value.
 Numbers timesMl(const SegmentReport& r) {
-  return r.millilitres && r.values.voxels > 0 ? Numbers{r.values.mean * *r.millilitres} : Numbers();
+  if (!r.millilitres || r.values.voxels == 0) return {};
+  return {r.values.mean * (*r.millilitres * (double(r.values.voxels) / double(r.voxels)))};
 }
 
 std::vector<SegmentColumn> allColumns() {

@@ -1,5 +1,6 @@
 #include "ui/workspace/segment_report.h"
 
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "ui/workspace/code_json.h"
@@ -31,7 +32,7 @@ Json columnJson(const SegmentColumn& column, const std::vector<double>& numbers)
 Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segments, const LabelMap& labels,
                                                   const Volume& volume, bool withPeaks,
                                                   const CancelToken& cancel,
-                                                  const SegmentProgress& progress) {
+                                                  const SegmentProgress& progress) try {
   std::vector<SegmentReport> all;
   for (const Segment& segment : segments) {
     if (progress) progress(segment, all.size());
@@ -48,6 +49,8 @@ Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segme
     all.push_back(std::move(report));
   }
   return all;
+} catch (const std::bad_alloc&) {
+  return Error{"There is not enough memory to measure the segments."};
 }
 
 bool hasPeaks(const std::string& modality) { return modality == "PT" || modality == "NM"; }

@@ -26,7 +26,7 @@ struct SegmentReport {
 using SegmentProgress = std::function<void(const Segment& segment, std::size_t done)>;
 
 /// Of all segments of a volume, whose grid is that of the labels; peaks where they are asked for: of nuclear
-/// medicine. The Error: cancelled.
+/// medicine. The Error: cancelled, or there is not enough memory.
 Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segments, const LabelMap& labels,
                                                   const Volume& volume, bool withPeaks,
                                                   const CancelToken& cancel = {},

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -16,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t mostSegments = 255, mostPlaces = 100000;
+constexpr double mostMm = 1e12;  // of a place from the origin: beyond, voxels are no numbers any more
 
 Code readCode(JsonFields* from, const char* name) {
   Code code;
@@ -56,8 +58,12 @@ std::vector<glm::dvec3> readPlaces(JsonFields& fields, const char* name) {
     return {};
   }
   std::vector<glm::dvec3> places(list->size());
-  for (std::size_t n = 0; n < places.size(); ++n)
+  for (std::size_t n = 0; n < places.size(); ++n) {
     fields.readNumbers((*list)[n], fields.pathOf(name, n), &places[n].x, 3);
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(std::abs(places[n][axis]) <= mostMm))
+        fields.refuse(fields.pathOf(name, n), "must be within " + numberText(mostMm) + " mm");
+  }
   return places;
 }
 
@@ -206,11 +212,12 @@ Result<Recipe> readRecipe(const std::string& json) {
   fields.read("name", recipe.name);
   fields.read("description", recipe.description);
   if (const nlohmann::json* list = fields.raw("modalities")) {
-    for (const nlohmann::json& one : *list)
-      if (one.is_string())
-        recipe.modalities.push_back(one.get<std::string>());
-      else
-        fields.refuse("modalities", "must be a list of words, as in [\"CT\"]");
+    const bool isList = list->is_array() && std::all_of(list->begin(), list->end(),
+                                                        [](const auto& one) { return one.is_string(); });
+    if (isList)
+      recipe.modalities = list->get<std::vector<std::string>>();
+    else
+      fields.refuse("modalities", "must be a list of words, as in [\"CT\"]");
   }
   fields.readList("segments", recipe.segments, readSegment);
   readSteps(fields, recipe.steps);

@@ -205,13 +205,10 @@ LabelMap painted(const LabelMap& map, const VoxelSpans& spans, const PaintRules&
   std::array<bool, 256> isKept{};
   for (const std::uint8_t label : rules.kept) isKept[label] = true;
   const auto& padding = rules.volume ? rules.volume->attributes().padding : std::nullopt;
-  const auto isIn = [](const ValueRange& range, double value) {
-    return value >= range.low && value <= range.high;
-  };
   const auto isValueMeant = [&](glm::ivec3 v) {
     if (!rules.range || !rules.volume) return true;
     const double value = rules.volume->value(v.x, v.y, v.z);
-    return isIn(*rules.range, value) && !(padding && isIn(*padding, value));
+    return value >= rules.range->low && value <= rules.range->high && !isPadding(padding, value);
   };
   LabelEdit edit(map);
   for (const RowSpan& span : spans)

@@ -13,8 +13,7 @@ BitMask fromValueOn(const BitMask& region, const Volume& volume, double least) {
   BitMask found(region.geometry());
   for (const glm::ivec3& v : voxelsOf(region)) {
     const double value = double(volume.value(v.x, v.y, v.z));
-    const bool isPadding = padding && value >= padding->low && value <= padding->high;
-    if (value >= least && !isPadding) found.set(v);
+    if (value >= least && !isPadding(padding, value)) found.set(v);
   }
   return found;
 }

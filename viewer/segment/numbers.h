@@ -56,7 +56,7 @@ struct SegmentLikeness {
   };
   std::optional<Distances> distances;
 };
-/// The Error: cancelled.
+/// The Error: cancelled, or there is not enough memory.
 Result<SegmentLikeness> likeness(const BitMask& a, const BitMask& b, const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cassert>
+#include <new>
 #include <numeric>
 #include <utility>
 
@@ -47,7 +48,7 @@ Result<SegmentLikeness::Distances> distancesBetween(const BitMask& a, const BitM
 
 }  // namespace
 
-Result<SegmentLikeness> likeness(const BitMask& a, const BitMask& b, const CancelToken& cancel) {
+Result<SegmentLikeness> likeness(const BitMask& a, const BitMask& b, const CancelToken& cancel) try {
   assert(a.geometry() == b.geometry());
   const std::int64_t inA = a.count(), inB = b.count();
   SegmentLikeness alike;
@@ -59,6 +60,8 @@ Result<SegmentLikeness> likeness(const BitMask& a, const BitMask& b, const Cance
   if (!found) return found.error();
   alike.distances = *found;
   return alike;
+} catch (const std::bad_alloc&) {
+  return Error{"There is not enough memory to compare the segments."};
 }
 
 }  // namespace volumen

@@ -9,11 +9,6 @@ namespace volumen {
 
 namespace {
 
-bool isNoPadding(const Volume& volume, double value) {
-  const std::optional<ValueRange>& padding = volume.attributes().padding;
-  return !padding || value < padding->low || value > padding->high;
-}
-
 template <class Visit>
 void forEachVoxel(const VoxelSpans& spans, const Visit& visit) {
   for (const RowSpan& span : spans)
@@ -55,7 +50,7 @@ std::optional<ValueRange> valuesUnder(const VoxelSpans& spans, const Volume& vol
   std::int64_t count = 0;
   forEachVoxel(spans, [&](glm::ivec3 v) {
     const double value = double(volume.value(v.x, v.y, v.z));
-    if (!isNoPadding(volume, value)) return;
+    if (isPadding(volume.attributes().padding, value)) return;
     if (count++ == 0) first = value;  // from which all are counted: no digits are lost far from 0
     sum += value - first, squares += (value - first) * (value - first);
   });
@@ -70,7 +65,7 @@ VoxelSpans connectedUnder(const VoxelSpans& spans, const Volume& volume, ValueRa
   BoxOfSpans box(spans);
   forEachVoxel(spans, [&](glm::ivec3 v) {
     const double value = double(volume.value(v.x, v.y, v.z));
-    if (value >= range.low && value <= range.high && isNoPadding(volume, value))
+    if (value >= range.low && value <= range.high && !isPadding(volume.attributes().padding, value))
       *box.at(v) = BoxOfSpans::isOpen;
   });
   std::vector<glm::ivec3> front;

@@ -38,11 +38,12 @@ QStringList wordsOf(const QString& text) { return text.split(QLatin1Char(' ')); 
 // The phantom `ramp` has the value i: ranges are slabs of 8 x 8 voxels of 1 mm.
 void TestCompareCommand::initTestCase() {
   for (const auto& [name, range] :
-       {std::pair("a.seg.nrrd", "2:5"), {"b.seg.nrrd", "4:7"}, {"b.nii.gz", "4:7"}})
+       {std::pair("a.seg.nrrd", "2:5"), {"b.seg.nrrd", "4:7"}, {"b.nii.gz", "4:7"}, {"b.mha", "4:7"}})
     QCOMPARE(runProgram(wordsOf(QStringLiteral("segment phantom:ramp:8 --range"))
                         << QLatin1String(range) << QStringLiteral("-o") << at(QLatin1String(name)))
                  .status,
              0);
+  QVERIFY(QFile::copy(at(QStringLiteral("b.seg.nrrd")), at(QStringLiteral("b"))));
 }
 
 void TestCompareCommand::planesAreCompared_data() {
@@ -51,6 +52,8 @@ void TestCompareCommand::planesAreCompared_data() {
   QTest::newRow("itself") << QStringLiteral("a.seg.nrrd") << 1.0;
   QTest::newRow("half of it") << QStringLiteral("b.seg.nrrd") << 0.5;
   QTest::newRow("half of it, an image of labels") << QStringLiteral("b.nii.gz") << 0.5;
+  QTest::newRow("half of it, another one") << QStringLiteral("b.mha") << 0.5;
+  QTest::newRow("half of it, a file without an ending") << QStringLiteral("b") << 0.5;
 }
 
 void TestCompareCommand::planesAreCompared() {

@@ -144,6 +144,8 @@ void TestRecipe::wrongOnesAreRefusedByName_data() {
        R"(must be "faces" or "edges" or "corners", not "all")");
   step("a field that is needed", R"({"step": "copy", "segment": "A"})", "steps[0].other is missing");
   step("places that are none", R"({"step": "keep", "segment": "A", "at": [1, 2, 3]})", "steps[0].at[0]");
+  step("a place beyond all volumes", R"({"step": "keep", "segment": "A", "at": [[0, 1e300, 0]]})",
+       "steps[0].at[0] must be within ");
   step("names that are none", R"({"step": "joint", "segment": "A", "with": "B"})",
        "steps[0].with must be a list of names");
   step("no segment", R"({"step": "invert"})", "steps[0].segment must be the segment");
@@ -160,6 +162,10 @@ void TestRecipe::wrongOnesAreRefusedByName_data() {
       << QStringLiteral(
              R"({"volumenRecipe": 1, "segments": [{"name": "A", "colour": [0.5, 0, 0]}], "steps": [{"step": "invert", "segment": "A"}]})")
       << QStringLiteral("segments[0].colour must be three whole numbers");
+  QTest::newRow("modalities that are no list")
+      << QStringLiteral(
+             R"({"volumenRecipe": 1, "modalities": "CT", "segments": [{"name": "A"}], "steps": [{"step": "invert", "segment": "A"}]})")
+      << QStringLiteral("modalities must be a list of words");
   QTest::newRow("an unknown field of the recipe")
       << QStringLiteral(
              R"({"volumenRecipe": 1, "author": "me", "segments": [{"name": "A"}], "steps": [{"step": "invert", "segment": "A"}]})")

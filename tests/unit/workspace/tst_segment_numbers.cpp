@@ -21,6 +21,7 @@ class TestSegmentNumbers : public QObject {
  private Q_SLOTS:
   void phantomOfTheIbsi();
   void suvHasItsNames();
+  void paddingTakesUpNothing();
   void whatThereIsNoneOfIsEmpty_data();
   void whatThereIsNoneOfIsEmpty();
   void csvComesBack();
@@ -129,6 +130,15 @@ void TestSegmentNumbers::suvHasItsNames() {
                    mean / 4 * double(mask.count()) / 1000) < 1e-9);
   QCOMPARE(columnHead(columnCalled("max"), suv), QStringLiteral("SUVmax (SUVbw)"));
   QCOMPARE(columnHead(columnCalled("valueTimesMillilitres"), suv), QStringLiteral("TLG (SUVbw ml)"));
+}
+
+void TestSegmentNumbers::paddingTakesUpNothing() {
+  SegmentReport report;
+  report.voxels = 4;
+  report.millilitres = 2;
+  report.values.voxels = 3;
+  report.values.mean = 10;
+  QCOMPARE(numberOf("valueTimesMillilitres", report), 15.0);
 }
 
 void TestSegmentNumbers::whatThereIsNoneOfIsEmpty_data() {

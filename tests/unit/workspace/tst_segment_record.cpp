@@ -189,6 +189,7 @@ class TestSegmentRecord : public QObject {
   void whatWasThereBeforeIsInNoRecipe();
   void aRemovedSegmentStaysWhereOthersComeFromIt();
   void whatIsMadeAnewForgetsWhatItWas();
+  void aHelperOfTheSameNameIsNotTakenForTheMask();
 };
 
 void TestSegmentRecord::aRecipeMakesTheSameVoxels_data() {
@@ -320,6 +321,16 @@ void TestSegmentRecord::whatIsMadeAnewForgetsWhatItWas() {
   QVERIFY((kindsOf(map) == Kinds{"range", "grow"}));
   map = withRange(map, 1, 4, 5, *volume);
   QVERIFY((kindsOf(map) == Kinds{"range"}));
+}
+
+void TestSegmentRecord::aHelperOfTheSameNameIsNotTakenForTheMask() {
+  Mask mask;
+  mask.tableRemoved = true;
+  const StepsWanted wanted{{{"range", "Kept"}, {"copy", "1", {{"other", std::string("Kept")}}}}, {1}};
+  const StepsWanted kept = keptIn(wanted, {"1"}, *columnsVolume(), mask, {});
+  QCOMPARE(kept.steps.size(), std::size_t(4));
+  QVERIFY(kept.steps[2].segment != "Kept");
+  QVERIFY(kept.steps[3].fields.at("other") == StepValue(kept.steps[2].segment));
 }
 
 VOLUMEN_TEST(TestSegmentRecord);

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+
+#include "tests/ui/journey.h"
+
+namespace volumen::tests {
+
+/// What it opens.
+inline const QString spherePhantom = QStringLiteral("phantom:sphere:64");
+
+/// A window with a sphere, and what is pressed in the panel of segments.
+struct SegmentsWindow : Journey {
+  explicit SegmentsWindow(const QStringList& paths = {spherePhantom}) : Journey(paths) { settle(); }
+
+  QString result() { return child<QLabel>("segmentResult")->text(); }
+  bool segment(double low, double high, const char* button = "segment") {
+    child<QDockWidget>("segmentDock")->raise();
+    child<QDoubleSpinBox>("segmentLow")->setValue(low);
+    child<QDoubleSpinBox>("segmentHigh")->setValue(high);
+    const QString before = result();
+    QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton);
+    return QTest::qWaitFor([&] { return result().contains(QStringLiteral("voxels")) && result() != before; },
+                           longest);
+  }
+  const Workspace& workspace() { return window.session().workspace(); }
+  const SegmentMap& map() { return workspace().segmentMaps.front(); }
+  void undo() { child<QAction>("undo")->trigger(); }
+  QUndoStack& undoStack() { return window.session().undoStack(); }
+};
+
+}  // namespace volumen::tests
