@@ -36,6 +36,7 @@ class Segmenting : public Feature {
  private:
   void makeExport();
   void connectSegmenter();
+  void connectAxis();
   void connectGrowth();
   void showExport();
   void takePart(const PartClick& click);
@@ -83,6 +84,7 @@ Segmenting::Segmenting(Workbench& bench)
       [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
   makeExport();
   connectSegmenter();
+  connectAxis();
   connectPainter();
   connectGrowth();
   connect(&grid_, &ViewGrid::partClicked, this, &Segmenting::takePart);
@@ -131,6 +133,21 @@ void Segmenting::connectSegmenter() {
   connect(&segmenter_, &SegmentJobs::saved, this, &Segmenting::tellSaved);
   connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   panel_->showSegments();
+}
+
+// The ends of the range on the axis of the curve. While one is dragged, 3D shows what of the curve is
+// between.
+void Segmenting::connectAxis() {
+  SegmentRange* page = &panel_->rangePage();
+  connect(page, &SegmentRange::rangeShown, this, [this](const std::optional<ValueRange>& range) {
+    Q_EMIT bench_.rangeShown(range);
+    if (!range) grid_.showOnly({});
+  });
+  connect(&bench_, &Workbench::rangeDragged, this, [this, page](const ValueRange& range, bool ended) {
+    page->takeDragged(range);
+    grid_.showOnly(ended ? std::nullopt
+                         : std::optional(VolumeRange{session_.series()->volume, page->range()}));
+  });
 }
 
 void Segmenting::connectPainter() {

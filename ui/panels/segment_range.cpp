@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QSignalBlocker>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <cmath>
@@ -112,6 +113,7 @@ void SegmentRange::connectFields() {
   for (QDoubleSpinBox* field : {low_, high_}) {
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, field] {
       if (field->hasFocus()) setPreviewing(true);
+      showOnAxis();
     });
     // Which of both has the focus then is known once it has moved.
     connect(field, &QDoubleSpinBox::editingFinished, this, [this] {
@@ -145,6 +147,26 @@ void SegmentRange::showInOtherUnit() {
   showSpans();
   low_->setValue(typed.low * factor_);
   high_->setValue(typed.high * factor_);
+}
+
+void SegmentRange::takeDragged(const ValueRange& dragged) {
+  bool moved = false;
+  for (const auto& [field, value] : {std::pair(low_, dragged.low), std::pair(high_, dragged.high)}) {
+    const QSignalBlocker quiet(field);
+    const double before = field->value();
+    field->setValue(value * factor_);
+    if (field->value() == before) continue;
+    moved = true;
+    field->setFocus();  // the tint goes with it
+  }
+  if (!moved) return;
+  setPreviewing(true);
+  showOnAxis();
+}
+
+void SegmentRange::showOnAxis() {
+  const bool isSeen = isVisible() && whyNoSegments(session_).isEmpty();
+  Q_EMIT rangeShown(isSeen ? std::optional(range()) : std::nullopt);
 }
 
 void SegmentRange::setTableAction(QAction* action) {
@@ -268,6 +290,7 @@ void SegmentRange::showSegments() {
   only_->setToolTip(
       toolTipOf(ranged() ? QString() : tr("Only of a segment that was made of a range of values.")));
   if (only_->isChecked() && (!ranged() || *ranged()->range != aloneRange_)) only_->setChecked(false);
+  showOnAxis();
 }
 
 void SegmentRange::setPreviewing(bool on) {
