@@ -47,6 +47,7 @@ Panels::Panels(Workbench& bench) : Feature(bench) {
   auto* transfer = new TransferPanel(session_);
   connect(&bench_, &Workbench::rangeShown, transfer->editor(), &CurveEditor::setRange);
   connect(transfer->editor(), &CurveEditor::rangeDragged, &bench_, &Workbench::rangeDragged);
+  connect(transfer, &TransferPanel::curvePulled, &bench_, &Workbench::curvePulled);
   const Workbench::DockEntry table[] = {
       {"transfer", tr("Opacity and colour"), transfer, {right, 0, true, About::scene}},
       {"flat", tr("Slices and frames"), flatPanel(), {right, 5, true, About::flat}},

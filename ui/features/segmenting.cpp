@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/export/export_segments.h"
+#include "ui/controller/curve_follower.h"
 #include "ui/controller/mask_jobs.h"
 #include "ui/controller/segment_painter.h"
 #include "ui/controller/segment_preview.h"
@@ -49,6 +50,7 @@ class Segmenting : public Feature {
   void tellSaved(const QStringList& files, const QStringList& notes, const SegmentMap& map);
 
   SegmentJobs segmenter_;
+  CurveFollower follower_;
   SegmentPainter painter_;
   std::function<void()> measureLater_;  // what a stroke that is being drawn came to
   SegmentPreview preview_;
@@ -63,6 +65,7 @@ class Segmenting : public Feature {
 Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
       segmenter_(session_, bench.document.jobs),
+      follower_(session_, bench.document.jobs),
       painter_(session_),
       preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
@@ -148,6 +151,8 @@ void Segmenting::connectAxis() {
     grid_.showOnly(ended ? std::nullopt
                          : std::optional(VolumeRange{session_.series()->volume, page->range()}));
   });
+  connect(&bench_, &Workbench::curvePulled, &follower_, &CurveFollower::follow);
+  connect(&follower_, &CurveFollower::failed, this, [this](const QString& sentence) { warn(sentence); });
 }
 
 void Segmenting::connectPainter() {

@@ -190,6 +190,8 @@ class Workbench : public QObject, public WindowParts {
   /// The axis of the curve is to show this range, or none; an end of it is dragged there.
   void rangeShown(const std::optional<volumen::ValueRange>& range);
   void rangeDragged(const volumen::ValueRange& range, bool ended);
+  /// The curve of the 3D view in focus was just pulled.
+  void curvePulled();
   /// Segments are to be changed.
   void segmentWorkWanted(const volumen::SegmentWork& work);
 };

@@ -57,6 +57,8 @@ class SegmentRange : public QWidget {
   void takeSpan(int n);
   void make();
   void replace();
+  void bind(bool on);
+  void replaceBy(const QString& text, const std::optional<CurveSpan>& span);
   SegmentWork workOf(const ValueRange& range) const;
   const Segment* ranged() const;
   void showOnly(bool on);
@@ -66,7 +68,7 @@ class SegmentRange : public QWidget {
   QComboBox* spans_;
   QDoubleSpinBox *low_, *high_;
   QPushButton *make_, *replace_;
-  QCheckBox* only_;
+  QCheckBox *follows_, *only_;
   QToolButton* part_;
   QComboBox* use_;
   double factor_ = 1;                // from values to the numbers in the fields
