@@ -44,8 +44,12 @@ Panels::Panels(Workbench& bench) : Feature(bench) {
   const auto lights = [this] { return stacked(new LightsPanel(session_), new MaterialPanel(session_)); };
   using About = Workbench::About;
   const Qt::DockWidgetArea right = Qt::RightDockWidgetArea;
+  auto* transfer = new TransferPanel(session_);
+  connect(&bench_, &Workbench::rangeShown, transfer->editor(), &CurveEditor::setRange);
+  connect(transfer->editor(), &CurveEditor::rangeDragged, &bench_, &Workbench::rangeDragged);
+  connect(transfer, &TransferPanel::curvePulled, &bench_, &Workbench::curvePulled);
   const Workbench::DockEntry table[] = {
-      {"transfer", tr("Opacity and colour"), new TransferPanel(session_), {right, 0, true, About::scene}},
+      {"transfer", tr("Opacity and colour"), transfer, {right, 0, true, About::scene}},
       {"flat", tr("Slices and frames"), flatPanel(), {right, 5, true, About::flat}},
       {"lights", tr("Lights"), scrolling(lights()), {right, 10, true, About::scene}},
       {"clip", tr("Clip"), bench_.ofScene(scrolling(new ClipPanel(session_))), {right, 20}},

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/export/export_segments.h"
+#include "ui/controller/curve_follower.h"
 #include "ui/controller/mask_jobs.h"
 #include "ui/controller/segment_cutting.h"
 #include "ui/controller/segment_painter.h"
@@ -39,6 +40,7 @@ class Segmenting : public Feature {
  private:
   void makeExport();
   void connectSegmenter();
+  void connectAxis();
   void connectGrowth();
   void showExport();
   void takePart(const PartClick& click);
@@ -52,6 +54,7 @@ class Segmenting : public Feature {
   void tellSaved(const QStringList& files, const QStringList& notes, const SegmentMap& map);
 
   SegmentJobs segmenter_;
+  CurveFollower follower_;
   SegmentPainter painter_;
   std::function<void()> measureLater_;  // what a stroke that is being drawn came to
   SegmentPreview preview_;
@@ -67,6 +70,7 @@ class Segmenting : public Feature {
 Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
       segmenter_(session_, bench.document.jobs),
+      follower_(session_, bench.document.jobs),
       painter_(session_),
       preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
@@ -90,6 +94,7 @@ Segmenting::Segmenting(Workbench& bench)
       [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
   makeExport();
   connectSegmenter();
+  connectAxis();
   connectPainter();
   connectGrowth();
   connect(&grid_, &ViewGrid::partClicked, this, &Segmenting::takePart);
@@ -139,6 +144,23 @@ void Segmenting::connectSegmenter() {
   connect(&segmenter_, &SegmentJobs::saved, this, &Segmenting::tellSaved);
   connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   panel_->showSegments();
+}
+
+// The ends of the range on the axis of the curve. While one is dragged, 3D shows what of the curve is
+// between.
+void Segmenting::connectAxis() {
+  SegmentRange* page = &panel_->rangePage();
+  connect(page, &SegmentRange::rangeShown, this, [this](const std::optional<ValueRange>& range) {
+    Q_EMIT bench_.rangeShown(range);
+    if (!range) grid_.showOnly({});
+  });
+  connect(&bench_, &Workbench::rangeDragged, this, [this, page](const ValueRange& range, bool ended) {
+    page->takeDragged(range);
+    grid_.showOnly(ended ? std::nullopt
+                         : std::optional(VolumeRange{session_.series()->volume, page->range()}));
+  });
+  connect(&bench_, &Workbench::curvePulled, &follower_, &CurveFollower::follow);
+  connect(&follower_, &CurveFollower::failed, this, [this](const QString& sentence) { warn(sentence); });
 }
 
 void Segmenting::connectPainter() {

@@ -187,6 +187,11 @@ class Workbench : public QObject, public WindowParts {
   void sliceMenuOpens(QMenu* menu, volumen::FlatView* view);
   /// The list of commands opens: features add a menu of what they have that stands in no menu.
   void commandsOpen(QMenu* more);
+  /// The axis of the curve is to show this range, or none; an end of it is dragged there.
+  void rangeShown(const std::optional<volumen::ValueRange>& range);
+  void rangeDragged(const volumen::ValueRange& range, bool ended);
+  /// The curve of the 3D view in focus was just pulled.
+  void curvePulled();
   /// Segments are to be changed.
   void segmentWorkWanted(const volumen::SegmentWork& work);
 };

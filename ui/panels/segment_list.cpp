@@ -169,8 +169,12 @@ void SegmentList::showRow(QTreeWidgetItem* item, const SegmentMap& map, const Se
   item->setCheckState(lockColumn, segment.locked ? Qt::Checked : Qt::Unchecked);
   item->setText(amountColumn, amountText(map, segment.number));
   item->setTextAlignment(amountColumn, Qt::AlignRight | Qt::AlignVCenter);
-  item->setToolTip(shownColumn,
-                   toolTipOf(QStringList{name, codesText(segment), tr("A double-click or F2 renames it.")}));
+  QFont font = list_->font();
+  font.setItalic(segment.span.has_value());
+  item->setFont(shownColumn, font);
+  const QString follows = segment.span ? tr("Follows the curve until it is changed by hand.") : QString();
+  item->setToolTip(shownColumn, toolTipOf(QStringList{name, codesText(segment), follows,
+                                                      tr("A double-click or F2 renames it.")}));
   item->setToolTip(lockColumn, toolTipOf(tr("Locked: nothing takes voxels from it or gives it some.")));
 }
 

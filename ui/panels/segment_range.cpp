@@ -3,17 +3,18 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QSignalBlocker>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <cmath>
 
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/curve_spans.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
-#include "viewer/scene/curve_edits.h"
 #include "viewer/scene/visible_range.h"
 #include "viewer/segment/mask.h"
 
@@ -55,6 +56,7 @@ SegmentRange::SegmentRange(Session& session, QWidget* parent)
       high_(valueField("segmentHigh", tr("Highest value"))),
       make_(new QPushButton(tr("Make segment"))),
       replace_(new QPushButton(tr("Replace"))),
+      follows_(new QCheckBox(tr("Follows the curve"))),
       only_(new QCheckBox(tr("Show only the segment"))),
       part_(new QToolButton),
       use_(new QComboBox) {
@@ -70,6 +72,7 @@ void SegmentRange::makeLayout() {
                                                                {spans_, "segmentSpans"},
                                                                {make_, "segment"},
                                                                {replace_, "segmentReplace"},
+                                                               {follows_, "segmentFollows"},
                                                                {only_, "segmentOnly"},
                                                                {part_, "segmentPart"},
                                                                {use_, "segmentPartUse"}})
@@ -98,6 +101,7 @@ void SegmentRange::makeLayout() {
   column->addWidget(spans_);
   column->addLayout(fields);
   column->addLayout(buttons);
+  column->addWidget(follows_, 0, Qt::AlignLeft);
   column->addWidget(only_, 0, Qt::AlignLeft);
   column->addLayout(part);
   column->addStretch();
@@ -112,6 +116,7 @@ void SegmentRange::connectFields() {
   for (QDoubleSpinBox* field : {low_, high_}) {
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, field] {
       if (field->hasFocus()) setPreviewing(true);
+      showOnAxis();
     });
     // Which of both has the focus then is known once it has moved.
     connect(field, &QDoubleSpinBox::editingFinished, this, [this] {
@@ -120,6 +125,7 @@ void SegmentRange::connectFields() {
       });
     });
   }
+  connect(follows_, &QCheckBox::clicked, this, &SegmentRange::bind);
   connect(only_, &QCheckBox::clicked, this, &SegmentRange::showOnly);
   connect(only_, &QCheckBox::toggled, this, &SegmentRange::tellPreview);
   connect(make_, &QPushButton::clicked, this, &SegmentRange::make);
@@ -132,6 +138,7 @@ void SegmentRange::connectFields() {
       return;
     showSpans();
     only_->setChecked(only_->isChecked() && after.scene.transferFunction == alone_);
+    showSegments();
   });
   connect(&session_, &Session::preferencesChanged, this,
           [this](const Preferences& before, const Preferences& after) {
@@ -145,6 +152,26 @@ void SegmentRange::showInOtherUnit() {
   showSpans();
   low_->setValue(typed.low * factor_);
   high_->setValue(typed.high * factor_);
+}
+
+void SegmentRange::takeDragged(const ValueRange& dragged) {
+  bool moved = false;
+  for (const auto& [field, value] : {std::pair(low_, dragged.low), std::pair(high_, dragged.high)}) {
+    const QSignalBlocker quiet(field);
+    const double before = field->value();
+    field->setValue(value * factor_);
+    if (field->value() == before) continue;
+    moved = true;
+    field->setFocus();  // the tint goes with it
+  }
+  if (!moved) return;
+  setPreviewing(true);
+  showOnAxis();
+}
+
+void SegmentRange::showOnAxis() {
+  const bool isSeen = isVisible() && whyNoSegments(session_).isEmpty();
+  Q_EMIT rangeShown(isSeen ? std::optional(range()) : std::nullopt);
 }
 
 void SegmentRange::setTableAction(QAction* action) {
@@ -176,12 +203,8 @@ PartUse SegmentRange::partUse(Qt::KeyboardModifiers keys) const {
 }
 
 Segment SegmentRange::segmentOf(const ValueRange& range) const {
-  const QString name = tr("%1 to %2%3")
-                           .arg(range.low * factor_)
-                           .arg(range.high * factor_)
-                           .arg(unitSuffix(session_.series()->series));
   Segment segment;
-  segment.label = name.trimmed().toStdString();
+  segment.label = nameOfRange(range, session_.series()->series);
   segment.range = range;
   return segment;
 }
@@ -208,16 +231,33 @@ void SegmentRange::make() {
   Q_EMIT workWanted(work);
 }
 
+void SegmentRange::replace() { replaceBy(tr("Replace segment"), {}); }
+
+// Bound to the chosen span, it is of its values at once.
+void SegmentRange::bind(bool on) {
+  if (on) {
+    const int number = spans_->currentIndex();
+    takeSpan(number);
+    return replaceBy(tr("Segment follows the curve"), CurveSpan{number, spans_->count()});
+  }
+  session_.endGesture();
+  session_.change(tr("Segment leaves the curve"),
+                  withSegmentChanged(session_.workspace(), keyOf(session_.series()->series),
+                                     segmentShown(session_)->number, [](Segment& s) { s.span.reset(); }));
+  session_.endGesture();
+}
+
 // A name of its own stays.
-void SegmentRange::replace() {
+void SegmentRange::replaceBy(const QString& text, const std::optional<CurveSpan>& span) {
   setPreviewing(false);
   const Segment* segment = segmentShown(session_);
   const bool isNamedByRange = segment->range && segment->label == segmentOf(*segment->range).label;
   SegmentWork work = workOf(range());
   work.number = segment->number;
-  work.text = tr("Replace segment");
-  work.change = [made = segmentOf(range()), isNamedByRange](Segment& s) {
+  work.text = text;
+  work.change = [made = segmentOf(range()), isNamedByRange, span](Segment& s) {
     s.range = made.range;
+    s.span = span;
     if (isNamedByRange) s.label = made.label;
   };
   Q_EMIT workWanted(work);
@@ -241,13 +281,10 @@ void SegmentRange::showSpans() {
 }
 
 void SegmentRange::takeSpan(int n) {
-  const std::vector<ValueRange> spans = visibleSpans(session_.scene().transferFunction);
-  if (n < 0 || n >= int(spans.size())) return;
-  const Histogram& histogram = session_.series()->histogram;
-  // Rounded inwards to what the fields show: the curve's foot itself is not visible, what is next to it is.
-  const double steps = std::pow(10.0, low_->decimals());
-  low_->setValue(std::ceil(steps * factor_ * std::max(spans[std::size_t(n)].low, histogram.low)) / steps);
-  high_->setValue(std::floor(steps * factor_ * std::min(spans[std::size_t(n)].high, histogram.high)) / steps);
+  const auto range = rangeOfSpan(session_.scene().transferFunction, n, *session_.series());
+  if (!range) return;
+  low_->setValue(range->low * factor_);
+  high_->setValue(range->high * factor_);
 }
 
 // The current segment where it is one of values; null: it is not.
@@ -264,10 +301,20 @@ void SegmentRange::showSegments() {
   replace_->setToolTip(toolTipOf(whyNotThis.isEmpty() ? tr("Puts these values into the segment in place of "
                                                            "its own.")
                                                       : whyNotThis));
+  const Segment* segment = segmentShown(session_);
+  const bool isAnySpan = session_.series() && !visibleSpans(session_.scene().transferFunction).empty();
+  follows_->setEnabled(whyNotThis.isEmpty() && (isAnySpan || segment->span));
+  follows_->setChecked(segment && segment->span);
+  follows_->setToolTip(
+      toolTipOf(whyNotThis.isEmpty()
+                    ? tr("The segment has the values of the chosen span of the curve, also once points "
+                         "of the curve are moved, until it is changed by hand.")
+                    : whyNotThis));
   only_->setEnabled(ranged() != nullptr);
   only_->setToolTip(
       toolTipOf(ranged() ? QString() : tr("Only of a segment that was made of a range of values.")));
   if (only_->isChecked() && (!ranged() || *ranged()->range != aloneRange_)) only_->setChecked(false);
+  showOnAxis();
 }
 
 void SegmentRange::setPreviewing(bool on) {

@@ -13,8 +13,8 @@
 
 namespace volumen {
 
-/// Makes segments of what is visible: the value range of a span of the curve, or a typed one, which slices
-/// tint while it is typed.
+/// Makes segments of what is visible: the value range of a span of the curve, one that is typed, or whose
+/// ends are dragged on the axis of the curve. Slices tint it meanwhile.
 class SegmentRange : public QWidget {
   Q_OBJECT
  public:
@@ -26,6 +26,8 @@ class SegmentRange : public QWidget {
   void setTableAction(QAction* action);
   /// The tool that takes connected parts.
   void setPartAction(QAction* action);
+  /// An end of the range was dragged on the axis of the curve: the fields follow.
+  void takeDragged(const ValueRange& dragged);
   /// As it is typed.
   ValueRange range() const;
   /// What becomes of a connected part: what is chosen, but with Ctrl held it is kept alone, with Alt removed.
@@ -37,17 +39,26 @@ class SegmentRange : public QWidget {
   void workWanted(const volumen::SegmentWork& work);
   /// What of which volume is looked at; none: nothing.
   void previewChanged(const std::optional<volumen::VolumeRange>& range);
+  /// What the axis of the curve is to show; none: nothing, the page is not seen or there is no series.
+  void rangeShown(const std::optional<volumen::ValueRange>& range);
+
+ protected:
+  void showEvent(QShowEvent*) override { showOnAxis(); }
+  void hideEvent(QHideEvent*) override { showOnAxis(); }
 
  private:
   void makeLayout();
   void connectFields();
   void showSpans();
   void showInOtherUnit();
+  void showOnAxis();
   void tellPreview();
   void setPreviewing(bool on);
   void takeSpan(int n);
   void make();
   void replace();
+  void bind(bool on);
+  void replaceBy(const QString& text, const std::optional<CurveSpan>& span);
   SegmentWork workOf(const ValueRange& range) const;
   const Segment* ranged() const;
   void showOnly(bool on);
@@ -57,7 +68,7 @@ class SegmentRange : public QWidget {
   QComboBox* spans_;
   QDoubleSpinBox *low_, *high_;
   QPushButton *make_, *replace_;
-  QCheckBox* only_;
+  QCheckBox *follows_, *only_;
   QToolButton* part_;
   QComboBox* use_;
   double factor_ = 1;                // from values to the numbers in the fields

@@ -38,6 +38,7 @@ class SegmentsPanel : public QWidget {
   /// Those behind the built-in recipes.
   void setRecipeActions(const QList<QAction*>& actions);
   const SegmentRange& range() const { return *range_; }
+  SegmentRange& rangePage() { return *range_; }
   const SegmentPaintPage& painting() const { return *paint_; }
   SegmentGrowPage& growPage() { return *growth_; }
 

@@ -157,6 +157,7 @@ void TransferPanel::connectEditor() {
     if (session_.scene().mode != Mode::composite) return editWindow(curve, what);
     session_.edit(
         what, [&](Scene& s) { s.transferFunction = curve; }, what);
+    Q_EMIT curvePulled();
   });
   connect(editor_, &CurveEditor::gestureFinished, this, [this] { session_.endGesture(); });
   connect(editor_, &CurveEditor::selectionChanged, this, &TransferPanel::showPoint);
@@ -239,6 +240,7 @@ void TransferPanel::changePoint(const std::function<void(CurvePoint&)>& change, 
         if (n + 1 < int(points.size())) point.value = std::min(point.value, points[n + 1].value);
       },
       what);
+  Q_EMIT curvePulled();
 }
 
 }  // namespace volumen

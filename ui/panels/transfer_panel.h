@@ -19,6 +19,10 @@ class TransferPanel : public QWidget {
   explicit TransferPanel(Session& session, QWidget* parent = nullptr);
   CurveEditor* editor() const { return editor_; }
 
+ Q_SIGNALS:
+  /// The curve of the scene was just changed here, as a step or a part of one.
+  void curvePulled();
+
  private:
   QWidget* makeModeRow();
   void makeScaleBox();

@@ -9,6 +9,7 @@
 #include "ui/views/clip_lines.h"
 #include "ui/views/colour_bar.h"
 #include "ui/views/cross_lines.h"
+#include "ui/widgets/colours.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/series_text.h"
@@ -22,7 +23,6 @@ namespace volumen {
 
 namespace {
 
-constexpr QRgb segmentColour = 0xffff6a3d;
 constexpr double segmentOpacity = 0.5;
 constexpr int beyondAnyEnd = 1 << 24;  // steps
 
@@ -104,8 +104,7 @@ SliceRequest SliceView::requestOf(const SlicePlane& plane) const {
                         greyMapping(overlayWindow(workspace.series.at(look.overlay), *over), *over),
                         look.overlayColours, look.overlayOpacity, relation->toFromFrom});
   if (segment_ && segment_->volume == shown->volume)
-    layers.push_back(
-        {segment_->volume, {}, {}, segmentOpacity, {}, TintedRange{segment_->range, segmentColour}});
+    layers.push_back({segment_->volume, {}, {}, segmentOpacity, {}, TintedRange{segment_->range, rangeTint}});
   return {id(), std::move(layers), plane, nullptr, look.layers, segmentLayers()};
 }
 

@@ -143,6 +143,10 @@ void ViewGrid::showSegment(const std::optional<VolumeRange>& segment) {
   each<SliceView>([&](SliceView& view) { view.showSegment(segment); });
 }
 
+void ViewGrid::showOnly(const std::optional<VolumeRange>& range) {
+  each<VolumeView>([&](VolumeView& view) { view.showOnly(range); });
+}
+
 void ViewGrid::showPreview(const std::optional<SegmentMap>& segments) {
   preview_ = segments;
   each<FlatView>([&](FlatView& view) { view.showPreview(segments); });

@@ -68,6 +68,8 @@ class ViewGrid : public QWidget {
   void setClipShown(bool shown);
   /// Tints a segment in slices of its volume; null: none.
   void showSegment(const std::optional<VolumeRange>& segment);
+  /// Shows in 3D only these values; none: what the scenes show.
+  void showOnly(const std::optional<VolumeRange>& range);
   /// Shows in flat views what would be segments of a series under those that are; none: nothing more.
   void showPreview(const std::optional<SegmentMap>& segments);
   /// A series that views wait for will not come.

@@ -8,6 +8,7 @@
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "viewer/plan/rule_lines.h"
+#include "viewer/scene/visible_range.h"
 
 namespace volumen {
 
@@ -85,7 +86,7 @@ void VolumeView::workspaceChanged(const Workspace& before) {
   const VolumePtr volume = drawn ? drawn->volume : nullptr;
   const bool isAnother = std::exchange(drawn_, volume) != volume;
   if (isAnother) isDrawn_ = false;
-  if (isAnother || (volume && (isNew || drawnScene_ != session_.drawnScene(id())))) requestPicture();
+  if (isAnother || (volume && (isNew || drawnScene_ != sceneToDraw()))) requestPicture();
 }
 
 QStringList VolumeView::warningsShown() const {
@@ -148,8 +149,20 @@ void VolumeView::requestPicture() {
   const LoadedSeriesPtr shown = session_.drawnSeries(id());
   const bool isShown = shown && isVisible() && showsScene(state().kind);
   drawService_.show(id(), isShown ? shown->volume : nullptr);
-  drawnScene_ = session_.drawnScene(id());
+  drawnScene_ = sceneToDraw();
   if (isShown) drawService_.request(id(), drawnScene_, pixels());
+}
+
+void VolumeView::showOnly(const std::optional<VolumeRange>& range) {
+  only_ = range;
+  if (drawn_ && drawnScene_ != sceneToDraw()) requestPicture();
+}
+
+Scene VolumeView::sceneToDraw() const {
+  Scene scene = session_.drawnScene(id());
+  if (only_ && only_->volume == drawn_)
+    scene.transferFunction = restrictedTo(scene.transferFunction, only_->range);
+  return scene;
 }
 
 void VolumeView::togglePlay() { cine_->togglePlay(); }

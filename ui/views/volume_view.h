@@ -5,6 +5,7 @@
 #include <map>
 
 #include "ui/controller/draw_service.h"
+#include "ui/controller/slice_image.h"
 #include "ui/overlays/overlays.h"
 #include "ui/tools/tool.h"
 #include "ui/views/drawn_measurement.h"
@@ -38,6 +39,9 @@ class VolumeView : public View {
   void setErrorShown(bool shown);
   /// What is on show: the picture, or its error.
   const QImage& shown() const;
+  /// Draws of a volume only the values of this range that the curve shows, whatever the scene says; none: the
+  /// scene.
+  void showOnly(const std::optional<VolumeRange>& range);
   void setTool(const Tool& tool);
   const Tool& tool() const { return *tool_; }
   /// The tool in hand in flat views: where it draws in 3D as well, the left button does that first.
@@ -108,6 +112,7 @@ class VolumeView : public View {
   void giveUp();
   void editCamera(const QString& what, const Camera& camera);
   void rememberFit(const Camera& fitted);
+  Scene sceneToDraw() const;
   const Scene& scene() const { return session_.sceneOf(id()); }
   glm::dvec2 size() const { return {double(width()), double(height())}; }
   Overlays overlays() const;
@@ -138,8 +143,9 @@ class VolumeView : public View {
   OrientationCube* cube_;
   WarningBadge* badge_;
   CineBar* cine_;
-  VolumePtr drawn_;       // the one that a picture was asked for
-  Scene drawnScene_;      // and of what
+  VolumePtr drawn_;   // the one that a picture was asked for
+  Scene drawnScene_;  // and of what
+  std::optional<VolumeRange> only_;
   bool isDrawn_ = false;  // since there has been one
   QImage picture_;
   QString caption_;

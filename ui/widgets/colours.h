@@ -12,6 +12,9 @@ inline QColor toQColor(glm::dvec3 c) {
                           float(std::clamp(c.z, 0.0, 1.0)));
 }
 
+/// What a range of values is tinted with while it is chosen: in slices and on the axis of the curve.
+inline constexpr QRgb rangeTint = 0xffff6a3d;
+
 inline glm::dvec3 fromQColor(const QColor& c) { return glm::dvec3(c.red(), c.green(), c.blue()) / 255.0; }
 
 }  // namespace volumen

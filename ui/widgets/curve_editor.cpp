@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <cmath>
+#include <utility>
 
 #include "ui/widgets/tissues.h"
 #include "viewer/scene/curve_edits.h"
@@ -13,12 +14,14 @@ namespace volumen {
 namespace {
 constexpr double rightMargin = 10;
 constexpr int lowestPlot = 90;
-constexpr double rampTop = 8, rampHeight = 12;   // below the plot
-constexpr double pointReach = 8, snapReach = 4;  // pixels
+constexpr double rampTop = 8, rampHeight = 12;                  // below the plot
+constexpr double pointReach = 8, snapReach = 4;                 // pixels
+constexpr double flagWidth = 9, flagHeight = 11, endReach = 4;  // of the ends of the range
 }  // namespace
 
 CurveEditor::CurveEditor(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);  // the pointer says what can be dragged
   setAccessibleName(tr("Opacity and colour curve"));
   setAccessibleDescription(
       tr("Tab walks the points, arrows move the selected one, Delete removes it, double-click adds one."));
@@ -54,6 +57,13 @@ QString CurveEditor::axisName() const {
   if (window_) return tr("Brightness");
   if (scale_ == OpacityScale::extinction) return tr("Extinction per mm");
   return curve_.unitDistance == 1 ? tr("Opacity per mm") : tr("Opacity per %1 mm").arg(curve_.unitDistance);
+}
+
+void CurveEditor::setRange(const std::optional<ValueRange>& range) {
+  if (range == range_) return;
+  range_ = range;
+  if (!range_ && drag_ == Drag::rangeEnd) drag_ = Drag::none;
+  update();
 }
 
 void CurveEditor::select(int n) {
@@ -132,6 +142,45 @@ int CurveEditor::swatchAt(QPointF position) const {
   return -1;
 }
 
+// Flags above the plot, each on the outer side of its end: of both ends in one place either can be taken.
+QRectF CurveEditor::rangeHandle(int end) const {
+  const double x = valueAxis().pixelOf(endOfRange(end));
+  return {end == 0 ? x - flagWidth : x, plotRect().top() - flagHeight, flagWidth, flagHeight};
+}
+
+// A flag, or the line under it; -1: neither.
+int CurveEditor::rangeEndAt(QPointF position) const {
+  if (!range_) return -1;
+  const QRectF plot = plotRect();
+  const auto isInView = [&](int end) {
+    const double x = valueAxis().pixelOf(endOfRange(end));
+    return x >= plot.left() - 1 && x <= plot.right() + 1;
+  };
+  for (int end : {0, 1})
+    if (isInView(end) && rangeHandle(end).contains(position)) return end;
+  if (position.y() < plot.top() || position.y() > plot.bottom()) return -1;
+  int nearest = -1;
+  double distance = endReach;
+  for (int end : {0, 1}) {
+    const double away = std::abs(valueAxis().pixelOf(endOfRange(end)) - position.x());
+    if (!isInView(end) || away >= distance) continue;
+    distance = away;
+    nearest = end;
+  }
+  return nearest;
+}
+
+void CurveEditor::dragRangeTo(double pixel) {
+  const double value = snapped(valueAxis().valueAt(endAtPress_ + pixel - pressedAt_.x()));
+  if (draggedEnd_ == 0)
+    range_->low = std::min(value, range_->high);
+  else
+    range_->high = std::max(value, range_->low);
+  update();
+  const ValueRange dragged = *range_;  // who hears of it may set another
+  Q_EMIT rangeDragged(dragged, false);
+}
+
 QString CurveEditor::moveText() const { return window_ ? tr("Window") : tr("Move curve point"); }
 
 void CurveEditor::change(TransferFunction curve, const QString& what) {
@@ -153,6 +202,14 @@ void CurveEditor::mousePressEvent(QMouseEvent* event) {
     Q_EMIT colourRequested(swatch);
     return;
   }
+  const int end = rangeEndAt(event->position());
+  const bool isAbovePoints = event->position().y() < plotRect().top() - pointReach / 2;
+  if (end >= 0 && (hit < 0 || isAbovePoints) && event->button() == Qt::LeftButton) {
+    drag_ = Drag::rangeEnd;
+    draggedEnd_ = end;
+    endAtPress_ = valueAxis().pixelOf(endOfRange(end));
+    return;
+  }
   select(hit);
   drag_ = hit >= 0 && event->button() == Qt::LeftButton ? Drag::point : Drag::pan;
   axisAtPress_ = valueAxis();
@@ -161,6 +218,11 @@ void CurveEditor::mousePressEvent(QMouseEvent* event) {
 
 void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
   if (drag_ == Drag::point && selected_ >= 0) dragPointTo(event->position(), event->modifiers());
+  if (drag_ == Drag::rangeEnd) dragRangeTo(event->position().x());
+  if (drag_ == Drag::none && rangeEndAt(event->position()) >= 0)
+    setCursor(Qt::SplitHCursor);
+  else if (drag_ == Drag::none)
+    unsetCursor();
   if (drag_ == Drag::pan) {
     const ValueAxis axis = axisAtPress_.panned(event->position().x() - pressedAt_.x());
     showValues(axis.low, axis.high);
@@ -168,8 +230,11 @@ void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void CurveEditor::mouseReleaseEvent(QMouseEvent*) {
-  if (drag_ == Drag::point) Q_EMIT gestureFinished();
-  drag_ = Drag::none;
+  const Drag ended = std::exchange(drag_, Drag::none);
+  if (ended == Drag::point) Q_EMIT gestureFinished();
+  if (ended != Drag::rangeEnd) return;
+  const ValueRange dragged = *range_;
+  Q_EMIT rangeDragged(dragged, true);
 }
 
 void CurveEditor::dragPointTo(QPointF position, Qt::KeyboardModifiers modifiers) {
@@ -195,7 +260,9 @@ double CurveEditor::snapped(double value) const {
 }
 
 void CurveEditor::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (window_ || event->button() != Qt::LeftButton || pointAt(event->position()) >= 0) return;
+  if (window_ || event->button() != Qt::LeftButton || pointAt(event->position()) >= 0 ||
+      rangeEndAt(event->position()) >= 0)
+    return;
   const QRectF plot = plotRect();
   if (!plot.adjusted(0, -pointReach, 0, pointReach).contains(event->position())) return;
   int added = -1;

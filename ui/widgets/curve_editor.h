@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "ui/widgets/axes.h"
 #include "viewer/scene/scene.h"
@@ -11,7 +12,7 @@ namespace volumen {
 /// The opacity and colour curve over the histogram in logarithmic counts. Drag moves a point (Shift: along
 /// one axis), double-click adds one, Delete or right-click removes it, arrows nudge (Shift: fine), Tab walks
 /// the points, the wheel zooms the value axis at the cursor, dragging empty ground pans it, Home shows all of
-/// it.
+/// it. A range of values may stand over it, whose two ends are dragged.
 class CurveEditor : public QWidget {
   Q_OBJECT
  public:
@@ -28,6 +29,12 @@ class CurveEditor : public QWidget {
   OpacityScale opacityScale() const { return window_ ? OpacityScale::linear : scale_; }
   /// What the vertical axis shows.
   QString axisName() const;
+
+  /// The range that stands over the curve; none: there is none.
+  void setRange(const std::optional<ValueRange>& range);
+  const std::optional<ValueRange>& range() const { return range_; }
+  /// Where the handle of its lower end (0) or upper one (1) is drawn.
+  QRectF rangeHandle(int end) const;
 
   /// Index of the selected point, -1 where none.
   int selected() const { return selected_; }
@@ -53,6 +60,8 @@ class CurveEditor : public QWidget {
   /// What was changed since the last time is one step.
   void gestureFinished();
   void selectionChanged(int n);
+  /// The user drags an end of the range; `ended`: the button is up.
+  void rangeDragged(const volumen::ValueRange& range, bool ended);
   /// The swatch of this point was clicked.
   void colourRequested(int n);
 
@@ -68,13 +77,16 @@ class CurveEditor : public QWidget {
   bool event(QEvent*) override;
 
  private:
-  enum class Drag { none, point, pan };
+  enum class Drag { none, point, rangeEnd, pan };
 
   QFont smallFont() const;
   QRectF plotRect() const;
   int pointAt(QPointF position) const;
   int swatchAt(QPointF position) const;
+  int rangeEndAt(QPointF position) const;
+  double endOfRange(int end) const { return end == 0 ? range_->low : range_->high; }
   void dragPointTo(QPointF position, Qt::KeyboardModifiers modifiers);
+  void dragRangeTo(double pixel);
   double snapped(double value) const;
   QString moveText() const;
   void removePoint(int n);
@@ -86,6 +98,7 @@ class CurveEditor : public QWidget {
   void paintTissues(QPainter&) const;
   void paintCurve(QPainter&) const;
   void paintRamp(QPainter&) const;
+  void paintRange(QPainter&) const;
 
   TransferFunction curve_;
   Histogram histogram_;
@@ -93,10 +106,13 @@ class CurveEditor : public QWidget {
   OpacityScale scale_ = OpacityScale::linear;
   bool window_ = false;
   double low_ = 0, high_ = 1;  // values in view
+  std::optional<ValueRange> range_;
   int selected_ = -1;
 
   Drag drag_ = Drag::none;
   QPointF pressedAt_, pointAtPress_;
+  int draggedEnd_ = 0;  // of the range
+  double endAtPress_ = 0;
   ValueAxis axisAtPress_;
 };
 

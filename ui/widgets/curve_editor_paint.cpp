@@ -50,6 +50,7 @@ void CurveEditor::paintEvent(QPaintEvent*) {
   paintTissues(painter);
   paintCurve(painter);
   paintRamp(painter);
+  paintRange(painter);
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
     painter.setBrush(Qt::NoBrush);
@@ -176,6 +177,29 @@ void CurveEditor::paintRamp(QPainter& painter) const {
     painter.setPen(QPen(palette().color(n == selected_ ? QPalette::Highlight : QPalette::WindowText),
                         n == selected_ ? 2 : 1));
     painter.drawRoundedRect(swatch, 2, 2);
+  }
+}
+
+// As slices tint it.
+void CurveEditor::paintRange(QPainter& painter) const {
+  if (!range_) return;
+  const QRectF plot = plotRect();
+  const ValueAxis axis = valueAxis();
+  const QColor colour = QColor::fromRgb(rangeTint);
+  const double low = std::clamp(axis.pixelOf(range_->low), plot.left(), plot.right()),
+               high = std::clamp(axis.pixelOf(range_->high), plot.left(), plot.right());
+  painter.fillRect(QRectF(QPointF(low, plot.top()), QPointF(high, plot.bottom())), faded(colour, 0.18));
+  for (int end : {0, 1}) {
+    const double x = axis.pixelOf(endOfRange(end));
+    if (x < plot.left() - 1 || x > plot.right() + 1) continue;
+    const QRectF flag = rangeHandle(end);
+    painter.setPen(QPen(colour, 1.4));
+    painter.drawLine(QPointF(x, flag.top()), QPointF(x, plot.bottom()));
+    painter.setPen(QPen(palette().color(QPalette::WindowText), 0.8));
+    painter.setBrush(colour);
+    const double outer = end == 0 ? flag.left() : flag.right();
+    painter.drawPolygon(QPolygonF{QPointF(x, flag.top()), QPointF(outer, flag.top() + 3),
+                                  QPointF(outer, flag.bottom() - 3), QPointF(x, flag.bottom())});
   }
 }
 

@@ -144,6 +144,27 @@ SegmentMap withHandMade(const SegmentMap& before, SegmentMap after) {
   return steps.empty() ? after : withRecorded(std::move(after), steps);
 }
 
+SegmentMap withLetGo(const SegmentMap& before, SegmentMap after) {
+  if (!before.labels || !after.labels || before.labels == after.labels ||
+      before.labels->geometry() != after.labels->geometry())
+    return after;
+  const auto isBound = [&](const Segment& segment) {
+    const auto was = std::ranges::find(before.segments, segment.number, &Segment::number);
+    return segment.span && was != before.segments.end() && was->span == segment.span &&
+           was->range == segment.range;
+  };
+  if (std::ranges::none_of(after.segments, isBound)) return after;
+  const LabelPairs pairs = labelChangesOf(*before.labels, *after.labels);
+  for (Segment& segment : after.segments) {
+    const auto own = std::size_t(segment.number);
+    bool isChanged = false;
+    for (std::size_t other = 0; other < 256; ++other)
+      isChanged |= pairs[256 * other + own] || pairs[256 * own + other];
+    if (isChanged && isBound(segment)) segment.span.reset();
+  }
+  return after;
+}
+
 std::vector<Step> stepsWithout(const SegmentMap& map, int number) {
   const std::string name = stepNameOf(number);
   std::set<std::string> taken, left = stepNamesOf(map);

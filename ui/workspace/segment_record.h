@@ -24,6 +24,9 @@ SegmentMap withRecorded(SegmentMap map, const std::vector<Step>& steps);
 /// `after`, which was made of `before`: where labels were changed and no step says how, the segments that
 /// they were changed of count as made by hand.
 SegmentMap withHandMade(const SegmentMap& before, SegmentMap after);
+/// `after`, which was made of `before`: segments that follow the curve and whose voxels changed, though their
+/// range did not, follow it no more: they were changed by hand.
+SegmentMap withLetGo(const SegmentMap& before, SegmentMap after);
 /// The steps, where the segment of a number is there no more.
 std::vector<Step> stepsWithout(const SegmentMap& map, int number);
 

@@ -147,6 +147,7 @@ Workspace withSegmentCopied(Workspace workspace, const SeriesKey& series, int nu
   copy.colour.reset();
   copy.trackingId.clear();
   copy.range.reset();
+  copy.span.reset();
   copy.locked = false;
   const VoxelGeometry grid = map->labels->geometry();
   return withNewSegment(std::move(workspace), series, grid, std::move(copy));

@@ -311,6 +311,12 @@ void fields(Fields& f, ValueRange& range) {
 }
 
 template <class Fields>
+void fields(Fields& f, CurveSpan& span) {
+  f("number", span.number, {0, 1000});
+  f("of", span.of, {1, 1000});
+}
+
+template <class Fields>
 void fields(Fields& f, Code& code) {
   f("value", code.value);
   f("scheme", code.scheme);
@@ -332,6 +338,7 @@ void fields(Fields& f, Segment& s) {
   f("coloured", coloured);
   f("colour", colour, {0, 255});
   f("range", s.range);
+  f.unlessNone("span", s.span);
   f("visible", s.visible);
   f("locked", s.locked);
   f("opacity", s.opacity, {0, 1});

@@ -308,7 +308,8 @@ Workspace withSegmentMap(Workspace workspace, const SegmentMap& map) {
   if (map.segments.empty())
     workspace.segmentMaps.eraseIf(isIt);
   else if (segmentMapOf(workspace, map.series))
-    workspace.segmentMaps.editIf(isIt, [&](SegmentMap& other) { other = withHandMade(other, map); });
+    workspace.segmentMaps.editIf(
+        isIt, [&](SegmentMap& other) { other = withLetGo(other, withHandMade(other, map)); });
   else
     workspace.segmentMaps.push_back(map);
   return workspace;

@@ -192,6 +192,7 @@ SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
     if (chance.oneIn(2))
       segment.colour = glm::u8vec3(chance.below(256), chance.below(256), chance.below(256));
     if (chance.oneIn(2)) segment.range = ValueRange{anyNumber(chance), anyNumber(chance)};
+    if (segment.range && chance.oneIn(3)) segment.span = CurveSpan{chance.below(3), 1 + chance.below(3)};
     if (chance.oneIn(3)) map.current = number;
     if (chance.oneIn(2)) map.steps = anySteps(chance, number);
   }

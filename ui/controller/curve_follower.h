@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QObject>
+
+#include "ui/document/job_lane.h"
+#include "ui/workspace/session.h"
+#include "viewer/segment/mask.h"
+
+namespace volumen {
+
+/// Makes segments that are bound to a span of the curve again when the curve is pulled: a job at a time, of
+/// the latest curve, each in the undo step of the pull.
+class CurveFollower : public QObject {
+  Q_OBJECT
+ public:
+  CurveFollower(Session& session, Jobs& jobs, QObject* parent = nullptr);
+
+  /// The curve of the 3D view in focus was just pulled, as a step or a part of one.
+  void follow();
+
+ Q_SIGNALS:
+  /// A sentence; not for what was cancelled.
+  void failed(const QString& sentence);
+
+ private:
+  void take(const Result<SegmentMap>& made);
+
+  Session& session_;
+  int step_ = -1;             // of the undo stack, which the curve was pulled in
+  SegmentMap base_;           // as it was when that began: what one pull takes from others it gives back
+  SegmentMap made_;           // what it came to so far
+  SegmentMap started_;        // as it was when the job began
+  TransferFunction curve_;    // that the job follows
+  bool pulledAgain_ = false;  // meanwhile
+  JobLane lane_;
+};
+
+}  // namespace volumen
