@@ -19,6 +19,8 @@ class TestDrafts : public QObject {
   void theRestIsExpectedAsItWas();
   void draftSeesWhatTheFullPictureSees_data();
   void draftSeesWhatTheFullPictureSees();
+  void draftsShowTheSegmentsOfThePictureAtRest_data();
+  void draftsShowTheSegmentsOfThePictureAtRest();
   void enlargingKeepsColours();
   void theScreenShowsWhatIsWritten();
   void draftLooksLikeStandard_data();
@@ -101,6 +103,34 @@ void TestDrafts::draftSeesWhatTheFullPictureSees() {
   const auto tangent = [](double fov) { return std::tan(glm::radians(fov) / 2); };
   QVERIFY(std::abs(tangent(view.camera.fov) / view.size.height() -
                    factor * tangent(camera.fov) / full.height()) < 1e-12);
+}
+
+void TestDrafts::draftsShowTheSegmentsOfThePictureAtRest_data() {
+  QTest::addColumn<Resampler>("resampler");
+  QTest::addColumn<Quality>("level");
+  QTest::addColumn<int>("shown");
+  QTest::newRow("the CPU draws them") << Resampler::cpu << Quality::standard << 1;
+  QTest::newRow("OpenGL leaves them out") << Resampler::gl << Quality::standard << 0;
+  QTest::newRow("a draft is the picture at rest") << Resampler::gl << Quality::draft << 1;
+}
+
+void TestDrafts::draftsShowTheSegmentsOfThePictureAtRest() {
+  QFETCH(Resampler, resampler);
+  QFETCH(Quality, level);
+  const VolumePtr volume = *makePhantom("sphere:16");
+  ScreenRequest request;
+  request.scene.segments = {{std::make_shared<const OccupancyField>(), glm::dvec3(1), 1}};
+  request.pixels = {16, 16};
+  request.resampler = resampler;
+  request.level = {level, 1};
+  Scene asked;
+  Draw draw;
+  draw.plan = [&](const Scene& scene, const RenderOptions&, const CancelToken&) -> Result<Planned> {
+    asked = scene;
+    return Error{"not drawn"};
+  };
+  QVERIFY(!drawPass(draw, *volume, request, {Quality::draft, 2}, {}));
+  QTEST(int(asked.segments.size()), "shown");
 }
 
 void TestDrafts::enlargingKeepsColours() {

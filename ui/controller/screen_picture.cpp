@@ -28,8 +28,11 @@ PassView viewOf(const ScreenRequest& request, Pass pass, const VoxelGeometry& ge
   view.options.size = {draft.size.width(), draft.size.height()};
   view.options.quality = pass.quality;
   view.options.step = pass.step;
-  if (pass.quality != Quality::draft && request.resampler == Resampler::gl)
+  if (request.resampler != Resampler::gl) return view;
+  if (pass.quality != Quality::draft)
     view.options.resampler = Resampler::gl;
+  else if (request.level.quality != Quality::draft)
+    view.scene.segments.clear();  // OpenGL will leave them out at rest
   return view;
 }
 

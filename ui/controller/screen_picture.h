@@ -16,7 +16,7 @@ struct ScreenRequest {
   int number = 0;
   Scene scene;  ///< without a camera: fitted to the picture
   QSize pixels;
-  Resampler resampler = Resampler::cpu;  ///< of all but drafts
+  Resampler resampler = Resampler::cpu;  ///< of all but drafts; those show no segments where it shows none
   PictureLevel level;                    ///< at rest
 };
 
