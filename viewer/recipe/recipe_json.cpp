@@ -117,7 +117,10 @@ void readField(JsonFields& fields, const StepField& field, Step& step) {
     value = readNames(fields, field.name);
   else
     value = readPlaces(fields, field.name);
-  if (value == field.byDefault) step.fields.erase(field.name);
+  if (value != field.byDefault) return;
+  if (field.need == StepField::Need::yes)
+    fields.refuse(fields.pathOf(field.name), "is empty: \"" + step.kind + "\" needs it");
+  step.fields.erase(field.name);
 }
 
 Step readStep(JsonFields fields) {

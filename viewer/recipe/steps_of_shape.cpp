@@ -70,8 +70,12 @@ Result<NamedMasks> joint(const StepInput& in) {
 
 std::vector<StepKind> stepsOfShape() {
   using enum StepKind::Use;
-  const auto radius = [](double mm) { return StepField{"radiusMm", "Radius", "mm", mm, {0, 100}}; };
-  const StepField sigma{"sigmaMm", "Standard deviation", "mm", 1.0, {0, 100}};
+  const auto radius = [](double mm, double most = 100) {
+    return StepField{"radiusMm", "Radius", "mm", mm, {0, most}};
+  };
+  // What costs the more the farther it reaches; beyond, no shape is left.
+  constexpr double mostSmoothing = 20;
+  const StepField sigma{"sigmaMm", "Standard deviation", "mm", 1.0, {0, mostSmoothing}};
   const std::vector<std::string> none;
   return {
       {"grow", "Grow", "with all within so many mm", {radius(1)}, changes, byRadius<grown>},
@@ -98,7 +102,7 @@ std::vector<StepKind> stepsOfShape() {
       {"median",
        "Smooth (median)",
        "where most voxels of a ball are in it",
-       {radius(1.5)},
+       {radius(1.5, mostSmoothing)},
        changes,
        byRadius<medianSmoothed>},
       {"gaussian", "Smooth", "where it is more than half after a Gaussian", {sigma}, changes, gaussian},

@@ -46,8 +46,9 @@ struct RowRange {
       return;
     }
     const double a = (least - at) / step, b = (most - at) / step;
-    low = int(std::max(double(low), std::ceil(std::min(a, b) - 1e-6)));
-    high = int(std::min(double(high), std::floor(std::max(a, b) + 1e-6)));
+    const double first = low, last = high;
+    low = int(std::clamp(std::ceil(std::min(a, b) - 1e-6), first, last + 1));
+    high = int(std::clamp(std::floor(std::max(a, b) + 1e-6), first - 1, last));
   }
 };
 

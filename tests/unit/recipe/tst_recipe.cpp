@@ -144,6 +144,10 @@ void TestRecipe::wrongOnesAreRefusedByName_data() {
        R"(must be "faces" or "edges" or "corners", not "all")");
   step("a field that is needed", R"({"step": "copy", "segment": "A"})", "steps[0].other is missing");
   step("places that are none", R"({"step": "keep", "segment": "A", "at": [1, 2, 3]})", "steps[0].at[0]");
+  step("a field that is needed and holds nothing", R"({"step": "keep", "segment": "A", "at": []})",
+       "steps[0].at is empty");
+  step("smoothing that leaves no shape", R"({"step": "gaussian", "segment": "A", "sigmaMm": 21})",
+       "steps[0].sigmaMm must be from 0 to 20, not 21");
   step("a place beyond all volumes", R"({"step": "keep", "segment": "A", "at": [[0, 1e300, 0]]})",
        "steps[0].at[0] must be within ");
   step("names that are none", R"({"step": "joint", "segment": "A", "with": "B"})",

@@ -307,6 +307,11 @@ void TestBrush::beyondTheGridIsNothing() {
       insideOutline(grid, std::array{far, far + glm::dvec3(5, 0, 0), far + glm::dvec3(0, 5, 0)}, n).empty());
   // Through all of it in one go.
   QCOMPARE(maskOfSpans(grid, ballStroke(grid, {-50, 3, 3}, {50, 3, 3}, 20)).count(), std::int64_t(512));
+  // More voxels away than can be counted.
+  for (const glm::dvec3 at : {glm::dvec3(1e12, 3, 3), glm::dvec3(-1e12, 3, 3)}) {
+    QVERIFY(ballStroke(grid, at, at, 5).empty());
+    QVERIFY(discStroke(grid, at, at, n, 5).empty());
+  }
 }
 
 void TestBrush::rulesSayWhatIsPainted() {
