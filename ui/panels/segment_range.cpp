@@ -36,9 +36,7 @@ QString endText(double value, int decimals) { return QLocale().toString(value, '
 
 // "Visible: above -454 HU".
 QString spanText(const ValueRange& span, int decimals, const QString& unit) {
-  const auto end = [&](double value) {
-    return (endText(value, decimals) + QLatin1Char(' ') + unit).trimmed();
-  };
+  const auto end = [&](double value) { return endText(value, decimals) + unit; };
   if (std::isinf(span.low) && std::isinf(span.high)) return SegmentRange::tr("Visible: all values");
   if (std::isinf(span.high)) return SegmentRange::tr("Visible: above %1").arg(end(span.low));
   if (std::isinf(span.low)) return SegmentRange::tr("Visible: below %1").arg(end(span.high));

@@ -52,7 +52,7 @@ void TestCurveSpans::spansOfferWhatTheyShow_data() {
 // screen.
 void TestCurveSpans::spansOfferWhatTheyShow() {
   QFETCH(bool, pet);
-  const Seeds seeds = seedsOf(300, 3000);
+  const Seeds seeds = seedsOf(5000, 50000);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
     Chance chance{std::uint64_t(seed)};
     const LoadedSeries series = seriesFrom(pet ? 0 : -1000, 3000, pet);

@@ -190,6 +190,7 @@ class TestSegmentRecord : public QObject {
   void aRemovedSegmentStaysWhereOthersComeFromIt();
   void whatIsMadeAnewForgetsWhatItWas();
   void aHelperOfTheSameNameIsNotTakenForTheMask();
+  void whatFollowsTheCurveIsLetGoOnceItsVoxelsChange();
 };
 
 void TestSegmentRecord::aRecipeMakesTheSameVoxels_data() {
@@ -331,6 +332,30 @@ void TestSegmentRecord::aHelperOfTheSameNameIsNotTakenForTheMask() {
   QCOMPARE(kept.steps.size(), std::size_t(4));
   QVERIFY(kept.steps[2].segment != "Kept");
   QVERIFY(kept.steps[3].fields.at("other") == StepValue(kept.steps[2].segment));
+}
+
+void TestSegmentRecord::whatFollowsTheCurveIsLetGoOnceItsVoxelsChange() {
+  const VolumePtr volume = columnsVolume();
+  SegmentMap map = withRange(withAnother(emptyMap(*volume)), 1, 3, 5, *volume);
+  map.segments[0].range = ValueRange{3, 5};
+  map.segments[0].span = CurveSpan{0, 1};
+  const auto isBound = [&](const SegmentMap& after) {
+    return withLetGo(map, after).segments[0].span.has_value();
+  };
+  QVERIFY(isBound(map));
+  // Another one beside it, and one that takes of it.
+  QVERIFY(isBound(withRange(withAnother(map), 2, 8, 9, *volume)));
+  QVERIFY(!isBound(withRange(withAnother(map), 2, 4, 9, *volume)));
+  QVERIFY(!isBound(*withStepsDone(map, {{{"grow", "1"}}, {1}}, *volume, {})));
+  SegmentMap painted = map;
+  LabelEdit edit(*map.labels);
+  edit.set({3, 0, 0}, 0);
+  painted.labels = std::make_shared<const LabelMap>(edit.done());
+  QVERIFY(!isBound(painted));
+  // By the curve.
+  SegmentMap followed = withRange(map, 1, 4, 5, *volume);
+  followed.segments[0].range = ValueRange{4, 5};
+  QVERIFY(isBound(followed));
 }
 
 VOLUMEN_TEST(TestSegmentRecord);
