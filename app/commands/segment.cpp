@@ -165,7 +165,7 @@ Result<std::vector<Segmented>> segmentsOf(const SegmentSource& source, Opened& o
   return std::move(file->maps);
 }
 
-Result<std::vector<SegmentReport>> numbersOf(std::span<const Segmented> maps, const Opened& opened,
+Result<std::vector<SegmentReport>> reportsOf(std::span<const Segmented> maps, const Opened& opened,
                                              const CancelToken& cancel) {
   std::vector<SegmentReport> all;
   for (const Segmented& map : maps) {
@@ -197,7 +197,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   noteKeptTilt(*opened);
   const auto segmented = segmentsOf(source, *opened, cancel);
   if (!segmented) return fail(segmented.message(), cancel);
-  const auto numbers = numbersOf(*segmented, *opened, cancel);
+  const auto numbers = reportsOf(*segmented, *opened, cancel);
   if (!numbers) return fail(numbers.message(), cancel);
   const auto exported = exportSegments(options.output, *segmented, opened->series, {}, cancel);
   if (!exported) return fail(exported.message(), cancel);
