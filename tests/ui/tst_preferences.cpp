@@ -257,6 +257,7 @@ void TestPreferences::choicesAreKeptAndReset() {
                              .referenceEnds = true,
                              .hideNames = true,
                              .memoryPercent = 50,
+                             .brush = {},
                              .windows = {}};
   QVERIFY(chosen == expected);
   Opened window;

@@ -1,7 +1,6 @@
 #include "ui/panels/segment_tissue.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 
 #include "ui/controller/segment_target.h"
@@ -44,7 +43,7 @@ void SegmentTissue::makeLayout() {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
-  row->addWidget(new QLabel(tr("Volume in 3D")));
+  row->addWidget(plainLabel(tr("Volume in 3D")));
   row->addWidget(where_, 1);
   row->addWidget(margin_);
 }
