@@ -127,7 +127,7 @@ void TestLesionTool::aSphereMakesALesion() {
   QCOMPARE(w.voxels(1), voxelsOfCone(radius));
   const Workspace after = w.workspace();
   w.undo();
-  QVERIFY(w.workspace() == before);
+  QVERIFY(w.isAs(before));
   w.redo();
   QVERIFY(w.workspace() == after);
   const RecordedRecipe recorded = recordedRecipe(*w.map(), "PT");

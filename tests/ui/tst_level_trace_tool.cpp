@@ -94,7 +94,7 @@ void TestLevelTraceTool::aClickTakesWhatIsInside() {
   QVERIFY(w.mask(w.current().number) == expected);
   const Workspace after = w.workspace();
   w.undo();
-  QVERIFY(w.workspace() == before);
+  QVERIFY(w.isAs(before));
   w.redo();
   QVERIFY(w.workspace() == after);
 }

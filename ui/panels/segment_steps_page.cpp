@@ -68,7 +68,9 @@ void SegmentStepsPage::fillKinds() {
 void SegmentStepsPage::makeLayout() {
   auto* grid = new QGridLayout;
   grid->setSpacing(4);
-  for (int n = 0; n < int(usual_.size()); ++n) grid->addWidget(usual_[std::size_t(n)].button, n / 3, n % 3);
+  constexpr int columns = 2;
+  for (int n = 0; n < int(usual_.size()); ++n)
+    grid->addWidget(usual_[std::size_t(n)].button, n / columns, n % columns);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);

@@ -98,18 +98,17 @@ void SegmentsPanel::makeLayout() {
   }
   group->buttons().front()->setChecked(true);
   row->addStretch();
-  row->addWidget(numbersButton_);
-  auto* told = new QHBoxLayout;
-  told->setSpacing(4);
-  told->addWidget(result_, 1);
-  told->addWidget(in3d_, 0, Qt::AlignTop);
-  told->addWidget(recipes_, 0, Qt::AlignTop);
-  told->addWidget(export_, 0, Qt::AlignTop);
+  auto* all = new QHBoxLayout;
+  all->setSpacing(4);
+  for (QWidget* widget : std::initializer_list<QWidget*>{in3d_, recipes_, numbersButton_, export_})
+    all->addWidget(widget);
+  all->addStretch();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(4);
   column->addWidget(list_, 1);
-  column->addLayout(told);
+  column->addWidget(result_);
+  column->addLayout(all);
   column->addWidget(tissue_);
   column->addLayout(row);
   column->addWidget(pages_);
