@@ -7,12 +7,14 @@
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/colours.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/widgets/untinted_icon.h"
 #include "ui/workspace/region_colours.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
@@ -42,9 +44,9 @@ QToolButton* listButton(const char* name, const QString& text) {
 int segmentNumberOf(const QTreeWidgetItem* item) { return item->data(shownColumn, Qt::UserRole).toInt(); }
 
 QIcon swatchOf(const QColor& colour) {
-  QPixmap pixmap(12, 12);
-  pixmap.fill(colour);
-  return pixmap;
+  QImage square(12, 12, QImage::Format_RGB32);
+  square.fill(colour);
+  return untintedIcon(square);
 }
 
 // "Tissue, Bone, Left".
@@ -92,7 +94,6 @@ void SegmentList::makeLayout() {
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(shownColumn, QHeaderView::Stretch);
-  list_->setMinimumHeight(60);
   colour_->setObjectName(QStringLiteral("segmentColour"));
   opacity_->setObjectName(QStringLiteral("segmentFill"));
   opacity_->setAccessibleName(tr("Opacity of the segment"));
@@ -152,11 +153,19 @@ void SegmentList::showSegments() {
     if (&segment == current) chosen = item;
   }
   if (list_->currentItem() != chosen) list_->setCurrentItem(chosen);
+  showRoom();
   if (current) {
     colour_->setColour(fromQColor(regionColour(current->colour, current->number)));
     opacity_->setValue(int(std::lround(100 * current->opacity)));
   }
   showButtons();
+}
+
+// As high as its rows, so that the pages below are seen; of many it scrolls.
+void SegmentList::showRoom() {
+  const int rows = std::clamp(list_->topLevelItemCount(), 3, 8);
+  const int row = std::max(list_->sizeHintForRow(0), list_->fontMetrics().height() + 4);
+  list_->setFixedHeight(list_->header()->sizeHint().height() + rows * row + 2 * list_->frameWidth());
 }
 
 void SegmentList::showRow(QTreeWidgetItem* item, const SegmentMap& map, const Segment& segment) {

@@ -26,6 +26,7 @@ class SegmentList : public QWidget {
  private:
   void makeLayout();
   void connectButtons();
+  void showRoom();
   void showRow(QTreeWidgetItem* item, const SegmentMap& map, const Segment& segment);
   void showButtons();
   QString amountText(const SegmentMap& map, int number) const;

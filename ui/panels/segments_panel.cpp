@@ -106,12 +106,13 @@ void SegmentsPanel::makeLayout() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(4);
-  column->addWidget(list_, 1);
+  column->addWidget(list_);
   column->addWidget(result_);
   column->addLayout(all);
   column->addWidget(tissue_);
   column->addLayout(row);
   column->addWidget(pages_);
+  column->addStretch();
 }
 
 // Those for the series in view, each a click.

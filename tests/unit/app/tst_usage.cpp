@@ -54,7 +54,7 @@ void TestUsage::whatIsMistypedIsToldAtOnce_data() {
   };
   row("rendre x", 2,
       "Unknown command \"rendre\". Did you mean render? Commands: open, render, slice, info, import, list, "
-      "forget, convert, segment, measure, accuracy, bench (plain `volumen` opens the window).");
+      "forget, convert, segment, compare, measure, accuracy, bench (plain `volumen` opens the window).");
   row("draw", 2, "Unknown command \"draw\". Commands: open");
   // There is no PATH /nowhere: what is complained about was looked at before it.
   row("render /nowhere --preset CT-bone -o a.png", 2,
