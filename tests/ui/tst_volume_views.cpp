@@ -48,7 +48,7 @@ struct TwoVolumes {
     delete menu;
     return entry;
   }
-  bool open() {
+  bool shown() {
     w.window.open({QStringLiteral("phantom:ct-head:48")});
     if (!w.settle()) return false;
     w.child<QAction>("layoutTwo")->trigger();
@@ -57,6 +57,13 @@ struct TwoVolumes {
     session().showAgain(series, rightView);
     return choose(leftView, "show3D") && isDrawn(leftView) && choose(rightView, "show3D") &&
            isDrawn(rightView);
+  }
+  /// Both are as wide as each other: of an odd number of pixels one has one more.
+  bool open() {
+    if (!shown()) return false;
+    const auto isEven = [this] { return volume(leftView)->width() == volume(rightView)->width(); };
+    if (!isEven()) w.window.resize(w.window.width() + 1, w.window.height());
+    return QTest::qWaitFor(isEven, longest);
   }
 };
 
