@@ -43,10 +43,7 @@ Status makeFolder(const std::string& folder) {
 
 Status writeReport(const std::string& folder, const char* name, const std::string& text) {
   const std::string path = (fs::path(folder) / name).string();
-  auto file = OutputFile::create(path);
-  if (!file) return file.error();
-  if (Status s = file->write(text); !s) return s;
-  if (Status s = file->commit(); !s) return s;
+  if (Status s = writeWholeFile(path, text); !s) return s;
   std::cout << printable(path) << '\n';
   return {};
 }

@@ -102,13 +102,6 @@ Status writePicture(const Rendered& done, const PictureText& text, const std::ve
   return writePictureWithWarnings(imageForFile(done.picture), text, warnings, warningLine, path);
 }
 
-Status writeText(const std::string& path, const std::string& text) {
-  auto file = OutputFile::create(path);
-  if (!file) return file.error();
-  if (Status s = file->write(text); !s) return s;
-  return file->commit();
-}
-
 // "head.png" and 7 -> "head-007.png".
 std::string numbered(const std::string& path, int n) {
   const std::size_t dot = path.rfind('.');
@@ -297,7 +290,7 @@ class Run {
     nlohmann::ordered_json stats = statsJson(done_, times_, *volume_);
     stats["warnings"] = sentences(warnings_);
     stats["unread"] = unreadJson(unread_);
-    const Status written = writeText(options_.statsFile, jsonText(stats));
+    const Status written = writeWholeFile(options_.statsFile, jsonText(stats));
     return written.ok() ? status : fail(written.message());
   }
 

@@ -15,7 +15,7 @@
 #include "io/export/export_segments.h"
 #include "io/export/read_segments.h"
 #include "io/files/output_file.h"
-#include "io/files/recipe_file.h"
+#include "ui/controller/recipe_files.h"
 #include "ui/workspace/segment_columns.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/scene/similar_name.h"
@@ -70,14 +70,6 @@ Result<Recipe> recipeOfRange(const SegmentOptions& options) {
   return recipe;
 }
 
-Result<Recipe> recipeOfFile(const std::string& path) {
-  const auto text = recipeText(path);
-  if (!text) return text.error();
-  Result<Recipe> recipe = readRecipe(*text);
-  if (!recipe) return Error{path + ": " + recipe.message()};
-  return recipe;
-}
-
 // What the command line calls a built-in recipe: "lungs-and-airways".
 std::string wordOf(const Recipe& recipe) {
   std::string word;
@@ -95,7 +87,7 @@ bool isFile(const std::string& recipe) {
 }
 
 Result<Recipe> recipeNamed(const std::string& name) {
-  if (isFile(name)) return recipeOfFile(name);
+  if (isFile(name)) return recipeFromFile(name);
   std::vector<std::string> words;
   for (const Recipe& recipe : builtInRecipes()) {
     if (wordOf(recipe) == name) return recipe;
@@ -177,14 +169,6 @@ Result<std::vector<SegmentReport>> reportsOf(std::span<const Segmented> maps, co
   return all;
 }
 
-// An Error names the file.
-Status writeCsv(const std::string& path, const std::string& text) {
-  auto file = OutputFile::create(path);
-  if (!file) return file.error();
-  if (Status s = file->write(text); !s) return s;
-  return file->commit();
-}
-
 int work(const SegmentOptions& options, SegmentSource source, const CancelToken& cancel) {
   for (const std::string& path : {options.output, options.csv})
     if (auto file = OutputFile::create(path); !path.empty() && !file) return fail(file.message());
@@ -204,7 +188,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   const ValueScale scale = valueScale(opened->series, PetUnit::suvBodyWeight);
   std::vector<std::string> files = exported->files;
   if (!options.csv.empty()) {
-    if (Status s = writeCsv(options.csv, segmentsAsCsv(*numbers, scale).toStdString()); !s)
+    if (Status s = writeWholeFile(options.csv, segmentsAsCsv(*numbers, scale).toStdString()); !s)
       return fail(s.message());
     files.push_back(options.csv);
   }

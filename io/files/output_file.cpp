@@ -153,4 +153,11 @@ Status OutputFile::commit() {
   return {};
 }
 
+Status writeWholeFile(const std::string& path, std::string_view bytes) {
+  auto file = OutputFile::create(path);
+  if (!file) return file.error();
+  if (Status s = file->write(bytes); !s) return s;
+  return file->commit();
+}
+
 }  // namespace volumen

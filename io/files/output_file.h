@@ -34,4 +34,7 @@ class OutputFile {
   std::unique_ptr<State> state_;
 };
 
+/// A file of these bytes. The Error names it.
+Status writeWholeFile(const std::string& path, std::string_view bytes);
+
 }  // namespace volumen

@@ -23,10 +23,7 @@ Status writeAs(const char* format, const QImage& image, const std::string& path,
     writer.setText(QString::fromStdString(key), QString::fromStdString(value));
   if (!writer.write(image))
     return Error{"Cannot write " + path + ": " + writer.errorString().toStdString() + "."};
-  auto out = OutputFile::create(path);
-  if (!out) return out.error();
-  if (Status s = out->write(bytes.data().constData(), std::size_t(bytes.data().size())); !s) return s;
-  return out->commit();
+  return writeWholeFile(path, {bytes.data().constData(), std::size_t(bytes.data().size())});
 }
 
 }  // namespace

@@ -64,10 +64,7 @@ Status writePresetFile(const std::string& name, const std::string& text, const s
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed) return Error{folder + " cannot be made: " + failed.message() + "."};
-  Result<OutputFile> file = OutputFile::create((fs::path(folder) / fileNameOf(name)).string());
-  if (!file) return file.error();
-  if (Status written = file->write(text); !written) return written;
-  return file->commit();
+  return writeWholeFile((fs::path(folder) / fileNameOf(name)).string(), text);
 }
 
 Status deletePresetFile(const std::string& path) {

@@ -66,17 +66,6 @@ struct AxisWindow : SegmentWindow {
   std::optional<ValueRange> visible() {
     return rangeOfSpan(session().scene().transferFunction, 0, *session().series());
   }
-  /// Pixels of the axial slice that are tinted.
-  int coloured() {
-    const QImage picture = view()->picture();
-    int count = 0;
-    for (int y = 0; y < picture.height(); ++y)
-      for (int x = 0; x < picture.width(); ++x) {
-        const QRgb c = picture.pixel(x, y);
-        count += qRed(c) != qGreen(c) || qGreen(c) != qBlue(c);
-      }
-    return count;
-  }
 };
 
 }  // namespace volumen::tests

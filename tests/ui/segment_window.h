@@ -122,6 +122,17 @@ struct SegmentWindow : MeasureWindow {
     });
     session().endGesture();
   }
+  /// Pixels of the axial slice that are tinted.
+  int coloured() {
+    const QImage picture = view()->picture();
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const QRgb c = picture.pixel(x, y);
+        count += qRed(c) != qGreen(c) || qGreen(c) != qBlue(c);
+      }
+    return count;
+  }
   /// A click on the check box of a row: 0: shown, 1: locked.
   void tick(int row, int column) {
     const QModelIndex index = list()->model()->index(row, column);

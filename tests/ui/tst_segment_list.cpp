@@ -353,26 +353,16 @@ void TestSegmentList::slicesShowThoseOfTheSeriesOverThem() {
 
 void TestSegmentList::aRangeIsTintedWhileItIsTyped() {
   SegmentWindow w;
-  const auto coloured = [&] {
-    const QImage picture = w.view()->picture();
-    int count = 0;
-    for (int y = 0; y < picture.height(); ++y)
-      for (int x = 0; x < picture.width(); ++x) {
-        const QRgb c = picture.pixel(x, y);
-        count += qRed(c) != qGreen(c) || qGreen(c) != qBlue(c);
-      }
-    return count;
-  };
   QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  QCOMPARE(coloured(), 0);
+  QCOMPARE(w.coloured(), 0);
   auto* low = w.child<QDoubleSpinBox>("segmentLow");
   low->setFocus();
   QTest::keyClick(low, Qt::Key_A, Qt::ControlModifier);
   QTest::keyClicks(low, QStringLiteral("-5"));  // air too
-  QTRY_VERIFY_WITH_TIMEOUT(coloured() > 100, longest);
+  QTRY_VERIFY_WITH_TIMEOUT(w.coloured() > 100, longest);
   QVERIFY(w.workspace().segmentMaps.empty());
   w.view()->setFocus();
-  QTRY_COMPARE_WITH_TIMEOUT(coloured(), 0, longest);
+  QTRY_COMPARE_WITH_TIMEOUT(w.coloured(), 0, longest);
 }
 
 void TestSegmentList::theyAreExportedByTheirEnding() {

@@ -173,10 +173,7 @@ Status saveSession(const std::string& path, const Workspace& workspace, const st
   if (!text) return Error{"Cannot write " + path + ": " + text.message()};
   const std::vector<std::string> before = segmentMapsNamedBy(path);
   if (Status s = writeSegmentMaps(path, workspace, labels); !s) return s;
-  auto file = OutputFile::create(path);
-  if (!file) return file.error();
-  if (Status s = file->write(*text); !s) return s;
-  if (Status s = file->commit(); !s) return s;
+  if (Status s = writeWholeFile(path, *text); !s) return s;
   removeSegmentMaps(path, before, workspace);
   return {};
 }

@@ -1,29 +1,15 @@
 #pragma once
 
-#include "ui/document/job_lane.h"
+#include <string>
+
 #include "viewer/recipe/recipe.h"
+#include "viewer/volume/result.h"
 
 namespace volumen {
 
-/// Reads and writes recipes; each a job.
-class RecipeFiles : public QObject {
-  Q_OBJECT
- public:
-  explicit RecipeFiles(Jobs& jobs, QObject* parent = nullptr);
-  /// Waits for what is being written.
-  ~RecipeFiles() override;
-
-  void open(const QString& path);
-  void save(const QString& path, const Recipe& recipe);
-
- Q_SIGNALS:
-  void opened(const volumen::Recipe& recipe);
-  void saved(const QString& path);
-  /// A sentence that names the file.
-  void failed(const QString& sentence);
-
- private:
-  JobLane open_, save_;
-};
+/// The recipe of a file (JSON). The Error names the file.
+Result<Recipe> recipeFromFile(const std::string& path);
+/// The Error names the file.
+Status writeRecipe(const std::string& path, const Recipe& recipe);
 
 }  // namespace volumen

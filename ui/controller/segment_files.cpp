@@ -142,10 +142,7 @@ std::shared_ptr<const LabelMap> labelsBeside(const std::string& session, const S
 
 Status writeChanges(const std::string& path, const BaseMaps::Base& base, const LabelMap& map) {
   const QByteArray changes = labelChanges(*base.labels, base.checksum, map);
-  auto file = OutputFile::create(path);
-  if (!file) return file.error();
-  if (Status s = file->write(changes.constData(), std::size_t(changes.size())); !s) return s;
-  return file->commit();
+  return writeWholeFile(path, {changes.constData(), std::size_t(changes.size())});
 }
 
 QString namesOf(const SegmentMap& map) {

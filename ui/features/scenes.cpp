@@ -1,5 +1,6 @@
 #include <QFileDialog>
 
+#include "ui/controller/file_jobs.h"
 #include "ui/controller/scene_files.h"
 #include "ui/features/feature.h"
 #include "ui/widgets/banner.h"
@@ -15,9 +16,11 @@ class Scenes : public Feature {
 
  private:
   void askForScene();
+  void openScene(const QString& path);
   void askForSceneFile();
+  void saveScene(const QString& path);
 
-  SceneFiles files_;
+  FileJobs files_;
 };
 
 Scenes::Scenes(Workbench& bench) : Feature(bench), files_(bench.document.jobs) {
@@ -26,12 +29,7 @@ Scenes::Scenes(Workbench& bench) : Feature(bench), files_(bench.document.jobs) {
       {"openScene", tr("Open scene..."), {}, "", false, [this](bool) { askForScene(); }, places});
   bench_.addAction(
       {"saveScene", tr("Save scene..."), {}, "", false, [this](bool) { askForSceneFile(); }, places});
-  connect(&files_, &SceneFiles::opened, this, [this](const Scene& scene) {
-    bench_.banner.hide();
-    session_.edit(tr("Open scene"), scene);
-  });
-  connect(&files_, &SceneFiles::saved, this, [this](const QString& path) { tell(tr("Saved %1").arg(path)); });
-  connect(&files_, &SceneFiles::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&files_, &FileJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
 }
 
 void Scenes::askForScene() {
@@ -41,8 +39,17 @@ void Scenes::askForScene() {
   dialog->setObjectName(QStringLiteral("openSceneDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, &files_, &SceneFiles::open);
+  connect(dialog, &QFileDialog::fileSelected, this, &Scenes::openScene);
   dialog->open();
+}
+
+void Scenes::openScene(const QString& path) {
+  files_.open(
+      tr("Reading the scene"), [path] { return sceneFromFile(path.toStdString()); },
+      [this](const Scene& scene) {
+        bench_.banner.hide();
+        session_.edit(tr("Open scene"), scene);
+      });
 }
 
 void Scenes::askForSceneFile() {
@@ -53,9 +60,15 @@ void Scenes::askForSceneFile() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("json"));
   dialog->selectFile(QStringLiteral("scene.json"));
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& path) { files_.save(path, bench_.sceneInView()); });
+  connect(dialog, &QFileDialog::fileSelected, this, &Scenes::saveScene);
   dialog->open();
+}
+
+void Scenes::saveScene(const QString& path) {
+  files_.save(
+      tr("Saving the scene"),
+      [path, scene = bench_.sceneInView()] { return writeScene(path.toStdString(), scene); },
+      [this, path] { tell(tr("Saved %1").arg(path)); });
 }
 
 }  // namespace

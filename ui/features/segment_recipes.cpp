@@ -1,5 +1,6 @@
 #include <QFileDialog>
 
+#include "ui/controller/file_jobs.h"
 #include "ui/controller/recipe_files.h"
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_target.h"
@@ -19,13 +20,14 @@ class SegmentRecipes : public Feature {
 
  private:
   void askWhatToRun();
+  void runFile(const QString& path);
   void askWhereToSave();
+  void save(const QString& path);
   void showSteps();
   void run(const Recipe& recipe, RecipeUse use);
   const SegmentMap* recorded();
 
-  RecipeFiles files_;
-  QStringList missing_;  // of what is being saved
+  FileJobs files_;
 };
 
 SegmentRecipes::SegmentRecipes(Workbench& bench) : Feature(bench), files_(bench.document.jobs) {
@@ -35,13 +37,7 @@ SegmentRecipes::SegmentRecipes(Workbench& bench) : Feature(bench), files_(bench.
   add("openRecipe", tr("Open recipe..."), &SegmentRecipes::askWhatToRun);
   add("saveRecipe", tr("Save steps as a recipe..."), &SegmentRecipes::askWhereToSave);
   add("recipeSteps", tr("Steps..."), &SegmentRecipes::showSteps);
-  connect(&files_, &RecipeFiles::opened, this, [this](const Recipe& recipe) { run(recipe, RecipeUse::add); });
-  connect(&files_, &RecipeFiles::saved, this, [this](const QString& path) {
-    const QString missing = missing_.join(QStringLiteral(", "));
-    tell(missing_.isEmpty() ? tr("Saved %1").arg(path)
-                            : tr("Saved %1. Made by hand and not in it: %2.").arg(path, missing));
-  });
-  connect(&files_, &RecipeFiles::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&files_, &FileJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
 }
 
 void SegmentRecipes::run(const Recipe& recipe, RecipeUse use) {
@@ -60,8 +56,14 @@ void SegmentRecipes::askWhatToRun() {
   dialog->setObjectName(QStringLiteral("openRecipeDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, &files_, &RecipeFiles::open);
+  connect(dialog, &QFileDialog::fileSelected, this, &SegmentRecipes::runFile);
   dialog->open();
+}
+
+void SegmentRecipes::runFile(const QString& path) {
+  files_.open(
+      tr("Reading the recipe"), [path] { return recipeFromFile(path.toStdString()); },
+      [this](const Recipe& recipe) { run(recipe, RecipeUse::add); });
 }
 
 // The segments with a record of them; null: none, which is told.
@@ -86,15 +88,24 @@ void SegmentRecipes::askWhereToSave() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("json"));
   dialog->selectFile(QStringLiteral("recipe.json"));
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    const SegmentMap* map = recorded();
-    if (!map) return;
-    const RecordedRecipe made = recordedRecipe(*map, session_.series()->series.modality);
-    missing_.clear();
-    for (const std::string& name : made.missing) missing_ << shownText(name);
-    files_.save(path, made.recipe);
-  });
+  connect(dialog, &QFileDialog::fileSelected, this, &SegmentRecipes::save);
   dialog->open();
+}
+
+void SegmentRecipes::save(const QString& path) {
+  const SegmentMap* map = recorded();
+  if (!map) return;
+  const RecordedRecipe made = recordedRecipe(*map, session_.series()->series.modality);
+  QStringList names;
+  for (const std::string& name : made.missing) names << shownText(name);
+  const QString saved =
+      names.isEmpty()
+          ? tr("Saved %1").arg(path)
+          : tr("Saved %1. Made by hand and not in it: %2.").arg(path, names.join(QStringLiteral(", ")));
+  files_.save(
+      tr("Saving the recipe"),
+      [path, recipe = made.recipe] { return writeRecipe(path.toStdString(), recipe); },
+      [this, saved] { tell(saved); });
 }
 
 void SegmentRecipes::showSteps() {

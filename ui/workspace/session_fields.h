@@ -24,6 +24,8 @@ struct Series;
 struct Limits {
   double low, high;
 };
+inline constexpr Limits mmLimits{-1e9, 1e9};
+inline constexpr Limits valueLimits{-1e33, 1e33};  ///< volumes hold up to 1e30
 
 /// The series of a session: everything behind their list refers to them by their number in it, from 0.
 struct NumberedSeries {

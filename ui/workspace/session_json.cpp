@@ -8,6 +8,7 @@
 #include "ui/workspace/session_check.h"
 #include "ui/workspace/session_entries.h"
 #include "ui/workspace/session_fields.h"
+#include "ui/workspace/session_segments.h"
 #include "ui/workspace/session_words.h"
 
 namespace volumen {
@@ -17,41 +18,15 @@ namespace {
 constexpr int version = 1;
 constexpr std::size_t mostMiB = 8;
 
-constexpr Limits lengths{-1e9, 1e9};   // mm
-constexpr Limits values{-1e33, 1e33};  // volumes hold up to 1e30
-
-bool isChecksum(const std::string& text) {
-  return text.size() == 40 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
-
-// As Volume::make asks of it.
-bool spansSpace(const VoxelGeometry& geometry) {
-  const glm::dvec3 mm = geometry.spacing();
-  return geometry.voxelVolume() / (mm.x * mm.y * mm.z) > 1e-9;
-}
-
 }  // namespace
 
 // One list a struct, for writing and reading (session_fields.h).
 
 template <class Fields>
 void fields(Fields& f, Window& w) {
-  f("centre", w.centre, values);
-  f("width", w.width, values);
+  f("centre", w.centre, valueLimits);
+  f("width", w.width, valueLimits);
   f.require("width", w.width != 0, "must not be 0");
-}
-
-template <class Fields>
-void fields(Fields& f, VoxelGeometry& g) {
-  constexpr Limits counts{1, 1e6};
-  f("sizeI", g.size.x, counts);
-  f("sizeJ", g.size.y, counts);
-  f("sizeK", g.size.z, counts);
-  f("stepI", g.patientFromVoxelStep[0], lengths);
-  f("stepJ", g.patientFromVoxelStep[1], lengths);
-  f("stepK", g.patientFromVoxelStep[2], lengths);
-  f("origin", g.origin, lengths);
-  f("calibrated", g.calibrated);
 }
 
 // How a picture lies in the patient. Rounding may take a cosine a little beyond 1.
@@ -69,11 +44,11 @@ void directions(Fields& f, glm::dvec3& right, glm::dvec3& down) {
 
 template <class Fields>
 void fields(Fields& f, Lasso& lasso) {
-  f("origin", lasso.origin, lengths);
+  f("origin", lasso.origin, mmLimits);
   directions(f, lasso.right, lasso.down);
   f("perspective", lasso.perspective);
   f("inside", lasso.inside);
-  f("points", lasso.points, lengths);
+  f("points", lasso.points, mmLimits);
 }
 
 template <class Fields>
@@ -106,7 +81,7 @@ struct SavedPlace {
 };
 template <class Fields>
 void fields(Fields& f, SavedPlace& place) {
-  f("at", place.at, lengths);
+  f("at", place.at, mmLimits);
 }
 
 template <class Fields>
@@ -192,7 +167,7 @@ void fields(Fields& f, PictureTurn& turn) {
 
 template <class Fields>
 void fields(Fields& f, FlatLook& look) {
-  f("panMm", look.panMm, lengths);
+  f("panMm", look.panMm, mmLimits);
   f("zoom", look.zoom, {1e-3, 1e4});
   f("turn", look.turn);
   f("slabMm", look.slabMm, {0, 1e6});
@@ -215,7 +190,7 @@ void fields(Fields& f, PlaneDirections& plane) {
 
 template <class Fields>
 void fields(Fields& f, Crosshair& crosshair) {
-  f("at", crosshair.at, lengths);
+  f("at", crosshair.at, mmLimits);
   f("axial", crosshair.axial);
   f("coronal", crosshair.coronal);
   f("sagittal", crosshair.sagittal);
@@ -238,7 +213,7 @@ void fields(Fields& f, Rigid& rigid) {
   f("right", rigid.rotation[0], parts);
   f("back", rigid.rotation[1], parts);
   f("up", rigid.rotation[2], parts);
-  f("shift", rigid.translation, lengths);
+  f("shift", rigid.translation, mmLimits);
   const glm::dmat3 unity = glm::transpose(rigid.rotation) * rigid.rotation;
   double off = std::abs(glm::determinant(rigid.rotation) - 1);
   for (int n = 0; n < 3; ++n) off = std::max(off, glm::length(unity[n] - glm::dmat3(1)[n]));
@@ -300,72 +275,8 @@ void fields(Fields& f, Measurement& m) {
   f("series", m.series);
   f("shape", m.shape);
   f("textPlaced", placed);
-  f("textOffset", offset, lengths);
+  f("textOffset", offset, mmLimits);
   if (placed) m.textOffset = offset;
-}
-
-template <class Fields>
-void fields(Fields& f, ValueRange& range) {
-  f("low", range.low, values);
-  f("high", range.high, values);
-}
-
-template <class Fields>
-void fields(Fields& f, CurveSpan& span) {
-  f("number", span.number, {0, 1000});
-  f("of", span.of, {1, 1000});
-}
-
-template <class Fields>
-void fields(Fields& f, Code& code) {
-  f("value", code.value);
-  f("scheme", code.scheme);
-  f("meaning", code.meaning);
-}
-
-template <class Fields>
-void fields(Fields& f, Segment& s) {
-  bool coloured = s.colour.has_value();
-  glm::dvec3 colour(s.colour.value_or(glm::u8vec3(0)));
-  f("number", s.number, {1, 255});
-  f("label", s.label);
-  f("description", s.description);
-  f.onceText("category", s.category, s.category.meaning);
-  f.onceText("type", s.type, s.type.meaning);
-  f.unlessFirst("modifier", s.modifier);
-  f("algorithm", s.algorithm);
-  f("trackingId", s.trackingId);
-  f("coloured", coloured);
-  f("colour", colour, {0, 255});
-  f("range", s.range);
-  f.unlessNone("span", s.span);
-  f("visible", s.visible);
-  f("locked", s.locked);
-  f("opacity", s.opacity, {0, 1});
-  if (coloured) s.colour = glm::u8vec3(colour);
-}
-
-template <class Fields>
-void fields(Fields& f, TissueShown& tissue) {
-  f("where", tissue.where, tissueWords);
-  f("marginMm", tissue.marginMm, {0, mostTissueMarginMm});
-}
-
-// The labels themselves lie in a file that their checksum names.
-template <class Fields>
-void fields(Fields& f, SegmentMap& map) {
-  SavedLabels saved = savedLabelsOf(map);
-  f("series", map.series);
-  f("labels", saved.checksum);
-  f("geometry", saved.geometry);
-  f("segments", map.segments);
-  f("current", map.current, {0, 255});
-  f("in3d", map.in3d);
-  f.unlessFirst("tissueIn3d", map.tissue);
-  f("steps", map.steps);
-  f.require("labels", isChecksum(saved.checksum), "must be 40 hexadecimal digits");
-  f.require("geometry", spansSpace(saved.geometry), "must have axes that span space");
-  if (!map.labels) map.missing = saved;
 }
 
 // Views that are as at first are not written where they come last, but for those that there always were.

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/workspace/session_fields.h"
+#include "ui/workspace/session_words.h"
+#include "ui/workspace/workspace.h"
+
+namespace volumen {
+
+// What sessions keep of segments and their grids: lists of fields (session_fields.h), part of those in session_json.cpp.
+
+inline bool isChecksum(const std::string& text) {
+  return text.size() == 40 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+// As Volume::make asks of it.
+inline bool spansSpace(const VoxelGeometry& geometry) {
+  const glm::dvec3 mm = geometry.spacing();
+  return geometry.voxelVolume() / (mm.x * mm.y * mm.z) > 1e-9;
+}
+
+template <class Fields>
+void fields(Fields& f, VoxelGeometry& g) {
+  constexpr Limits counts{1, 1e6};
+  f("sizeI", g.size.x, counts);
+  f("sizeJ", g.size.y, counts);
+  f("sizeK", g.size.z, counts);
+  f("stepI", g.patientFromVoxelStep[0], mmLimits);
+  f("stepJ", g.patientFromVoxelStep[1], mmLimits);
+  f("stepK", g.patientFromVoxelStep[2], mmLimits);
+  f("origin", g.origin, mmLimits);
+  f("calibrated", g.calibrated);
+}
+
+template <class Fields>
+void fields(Fields& f, ValueRange& range) {
+  f("low", range.low, valueLimits);
+  f("high", range.high, valueLimits);
+}
+
+template <class Fields>
+void fields(Fields& f, CurveSpan& span) {
+  f("number", span.number, {0, 1000});
+  f("of", span.of, {1, 1000});
+}
+
+template <class Fields>
+void fields(Fields& f, Code& code) {
+  f("value", code.value);
+  f("scheme", code.scheme);
+  f("meaning", code.meaning);
+}
+
+template <class Fields>
+void fields(Fields& f, Segment& s) {
+  bool coloured = s.colour.has_value();
+  glm::dvec3 colour(s.colour.value_or(glm::u8vec3(0)));
+  f("number", s.number, {1, 255});
+  f("label", s.label);
+  f("description", s.description);
+  f.onceText("category", s.category, s.category.meaning);
+  f.onceText("type", s.type, s.type.meaning);
+  f.unlessFirst("modifier", s.modifier);
+  f("algorithm", s.algorithm);
+  f("trackingId", s.trackingId);
+  f("coloured", coloured);
+  f("colour", colour, {0, 255});
+  f("range", s.range);
+  f.unlessNone("span", s.span);
+  f("visible", s.visible);
+  f("locked", s.locked);
+  f("opacity", s.opacity, {0, 1});
+  if (coloured) s.colour = glm::u8vec3(colour);
+}
+
+template <class Fields>
+void fields(Fields& f, TissueShown& tissue) {
+  f("where", tissue.where, tissueWords);
+  f("marginMm", tissue.marginMm, {0, mostTissueMarginMm});
+}
+
+// The labels themselves lie in a file that their checksum names.
+template <class Fields>
+void fields(Fields& f, SegmentMap& map) {
+  SavedLabels saved = savedLabelsOf(map);
+  f("series", map.series);
+  f("labels", saved.checksum);
+  f("geometry", saved.geometry);
+  f("segments", map.segments);
+  f("current", map.current, {0, 255});
+  f("in3d", map.in3d);
+  f.unlessFirst("tissueIn3d", map.tissue);
+  f("steps", map.steps);
+  f.require("labels", isChecksum(saved.checksum), "must be 40 hexadecimal digits");
+  f.require("geometry", spansSpace(saved.geometry), "must have axes that span space");
+  if (!map.labels) map.missing = saved;
+}
+
+}  // namespace volumen
