@@ -59,10 +59,7 @@ struct SegmentWindow : MeasureWindow {
   std::int64_t voxels(int number) { return mask(number).count(); }
   int steps() { return session().undoStack().index(); }
   /// But for the view in focus, which a press of the mouse chooses without a step.
-  bool isAs(Workspace before) {
-    before.focus = workspace().focus;
-    return workspace() == before;
-  }
+  bool isAs(const Workspace& before) { return withFocusOf(workspace(), before) == before; }
   QTreeWidget* list() { return child<QTreeWidget>("segmentList"); }
   QAbstractButton* button(const char* name) { return child<QAbstractButton>(name); }
   /// True once nothing is being changed or measured.

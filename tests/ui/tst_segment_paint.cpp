@@ -360,15 +360,13 @@ void TestSegmentPaint::randomStrokesAreThoseOfATwin() {
     QCOMPARE(w.steps() - first + 1, int(states.size()));
   }
   QVERIFY(states.size() > 40);
-  // The focus is none of the steps.
-  const auto isState = [&](const Workspace& state) { return withFocusOf(w.workspace(), state) == state; };
   for (int n = int(states.size()) - 1; n-- > 0;) {
     w.undo();
-    QVERIFY2(isState(states[std::size_t(n)]), qPrintable(QString::number(n)));
+    QVERIFY2(w.isAs(states[std::size_t(n)]), qPrintable(QString::number(n)));
   }
   for (std::size_t n = 1; n < states.size(); ++n) {
     w.redo();
-    QVERIFY2(isState(states[n]), qPrintable(QString::number(n)));
+    QVERIFY2(w.isAs(states[n]), qPrintable(QString::number(n)));
   }
   QVERIFY(w.idle());
 }

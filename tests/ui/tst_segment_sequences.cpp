@@ -43,10 +43,7 @@ class SegmentSequence : public PaintWindow {
   };
   static const std::vector<Act>& acts();
 
-  bool isState(int n) {
-    const Workspace& state = states_[std::size_t(n)];
-    return withFocusOf(workspace(), state) == state;  // which is no part of a step
-  }
+  bool isState(int n) { return isAs(states_[std::size_t(n)]); }
   QString wrongLabels();
   QString remember(int before, bool isNew);
 

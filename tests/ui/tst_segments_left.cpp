@@ -100,7 +100,6 @@ void TestSegmentsLeft::aSeriesIsLeftDuringAJob() {
   if (job.prepare) job.prepare(w);
   const SeriesKey series = w.series();
   const Workspace before = w.workspace();
-  const auto isBefore = [&] { return withFocusOf(w.workspace(), before) == before; };
   const int steps = w.steps();
   SegmentMap expected = *w.map();
   if (job.makesStep) {
@@ -110,7 +109,7 @@ void TestSegmentsLeft::aSeriesIsLeftDuringAJob() {
     expected = *w.map();
     QVERIFY(!(expected == before.segmentMaps.front()));
     w.undo();
-    QVERIFY(w.idle() && isBefore());
+    QVERIFY(w.idle() && w.isAs(before));
   }
   job.begin(w);
   QVERIFY(!w.window.jobs().rows().empty());
@@ -123,7 +122,7 @@ void TestSegmentsLeft::aSeriesIsLeftDuringAJob() {
   QVERIFY(made && *made == expected);
   QCOMPARE(w.steps(), steps + (job.makesStep ? 2 : 1));
   while (w.steps() > steps) w.undo();
-  QVERIFY(w.idle() && isBefore());
+  QVERIFY(w.idle() && w.isAs(before));
 }
 
 void TestSegmentsLeft::aSeriesIsClosedDuringAJob() {
@@ -143,7 +142,7 @@ void TestSegmentsLeft::aSeriesIsClosedDuringAJob() {
   QCOMPARE(w.steps(), steps + 1);
   w.undo();
   QVERIFY(w.idle());
-  QVERIFY(withFocusOf(w.workspace(), before) == before);
+  QVERIFY(w.isAs(before));
 }
 
 VOLUMEN_TEST(TestSegmentsLeft);
