@@ -43,14 +43,8 @@ class Hand {
   /// A path in the file dialog that is open, and Enter.
   void answer(const QString& path) {
     ++steps_;
-    for (QFileDialog* open : window_.findChildren<QFileDialog*>()) {
-      if (!open->isVisible()) continue;
-      auto* name = open->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-      name->setText(path);
-      Q_EMIT name->textEdited(path);  // else a file that the dialog offered, and found meanwhile, is taken
-      QTest::keyClick(name, Qt::Key_Return);
-      return;
-    }
+    for (QFileDialog* open : window_.findChildren<QFileDialog*>())
+      if (open->isVisible()) return acceptFile(*open, path);
     QFAIL("no file dialog is open");
   }
   void click(QWidget* on, QPointF at, Qt::KeyboardModifiers modifiers = {},

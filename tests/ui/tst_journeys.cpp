@@ -114,12 +114,7 @@ void TestJourneys::snapshotIsSavedAndReadBack() {
   const QString path = folder.filePath(QStringLiteral("head.png"));
   w.child<QComboBox>("snapshotQuality")->setCurrentIndex(0);
   w.child<QAction>("snapshot")->trigger();
-  auto* dialog = w.child<QFileDialog>("snapshotDialog");
-  QVERIFY(dialog);
-  auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-  QVERIFY(name);
-  name->setText(path);
-  QTest::keyClick(name, Qt::Key_Return);
+  answer(w, "snapshotDialog", path);
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longest);
   // The standard picture of the view's size is the picture in the view.
   const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB32);
@@ -138,9 +133,7 @@ void TestJourneys::snapshotOfAnySizeWithTransparentBackground() {
   w.child<QSpinBox>("snapshotHeight")->setValue(77);
   w.child<QComboBox>("snapshotBackground")->setCurrentIndex(4);
   w.child<QAction>("snapshot")->trigger();
-  auto* name = w.child<QFileDialog>("snapshotDialog")->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-  name->setText(path);
-  QTest::keyClick(name, Qt::Key_Return);
+  answer(w, "snapshotDialog", path);
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longest);
   const QImage saved(path);
   QCOMPARE(saved.size(), QSize(123, 77));
@@ -204,9 +197,7 @@ void TestJourneys::whatIsVisibleIsSegmentedShownAloneAndSaved() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("ball.seg.nrrd"));
   w.child<QAbstractButton>("segmentSave")->click();
-  auto* name = w.child<QFileDialog>("segmentDialog")->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-  name->setText(path);
-  QTest::keyClick(name, Qt::Key_Return);
+  answer(w, "segmentDialog", path);
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longest);
 }
 
