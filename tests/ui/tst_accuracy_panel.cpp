@@ -5,9 +5,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QLabel>
-#include <QLineEdit>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTemporaryDir>
