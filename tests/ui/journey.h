@@ -79,10 +79,10 @@ struct Journey {
 
 /// Types a path into a file dialog in place of what it offers, and accepts.
 inline void acceptFile(QFileDialog& dialog, const QString& path) {
-  auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-  name->setText(path);
   // A field without the keyboard, as in windows of tests, leaves selected what was offered, which is taken.
   dialog.findChild<QListView*>(QStringLiteral("listView"))->clearSelection();
+  auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+  name->setText(path);
   QTest::keyClick(name, Qt::Key_Return);
 }
 
