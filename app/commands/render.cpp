@@ -1,5 +1,7 @@
 #include <QImage>
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +15,7 @@
 #include "io/files/session_file.h"
 #include "ui/controller/segment_fields.h"
 #include "ui/workspace/made_tissue.h"
+#include "ui/workspace/segment_picture_text.h"
 #include "ui/workspace/segments.h"
 #include "viewer/plan/default_window.h"
 #include "viewer/plan/facts.h"
@@ -42,8 +45,10 @@ struct Times {
 };
 
 // What the picture's PNG says of itself.
-PictureText textOf(const Rendered& done) {
-  return pictureText(done.plan, {.estimated = estimateOf(done.error)});
+PictureText textOf(const Rendered& done, const SegmentsInPicture& segments) {
+  PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.error)});
+  std::ranges::move(textOfSegments(segments, done.plan.segments), std::back_inserter(text));
+  return text;
 }
 
 nlohmann::ordered_json pictureJson(const PictureText& text) {
@@ -63,7 +68,8 @@ nlohmann::ordered_json errorJson(const Rendered& done) {
   return out;
 }
 
-nlohmann::ordered_json statsJson(const Rendered& done, const Times& t, const Volume& volume) {
+nlohmann::ordered_json statsJson(const Rendered& done, const SegmentsInPicture& segments, const Times& t,
+                                 const Volume& volume) {
   const Plan& plan = done.plan;
   const RenderStats& s = done.stats;
   nlohmann::ordered_json out{
@@ -92,7 +98,7 @@ nlohmann::ordered_json statsJson(const Rendered& done, const Times& t, const Vol
       {"error", errorJson(done)}};
   if (done.error.empty()) out["errorUnknown"] = whyNoEstimate(plan);
   out["plan"] = nlohmann::ordered_json::parse(explainJson(plan, effectCosts(plan, s)));
-  out["picture"] = pictureJson(textOf(done));
+  out["picture"] = pictureJson(textOf(done, segments));
   return out;
 }
 
@@ -151,6 +157,7 @@ class Run {
     if (!scene) return fail(scene.message());
     if (isApart) scene = asWhole(*std::move(scene), *whole);
     scene->segments = std::move(segments);
+    if (session && session->segments) sayOf(*session->segments, scene->segments, isApart);
     RenderCaches caches(volume_);
     const int status = draw(*scene, *asked, caches);
     times_.totalMs = wallMs() - begin;
@@ -183,6 +190,14 @@ class Run {
     if (!session.segments->labels)
       printNotes({"The segments of the session were not found: they are not drawn."});
     return surfacesOf(*session.segments, whole, session.mask, cancel_);
+  }
+
+  // Surfaces of a map, in its order.
+  void sayOf(const SegmentMap& map, const std::vector<SegmentSurface>& surfaces, bool isApart) {
+    const std::vector<const Segment*> shown = segmentsIn3d(map);
+    std::vector<SegmentInScene> drawn;
+    for (std::size_t n = 0; n < surfaces.size(); ++n) drawn.push_back({shown[n], surfaces[n].field});
+    said_ = segmentsInPicture(drawn, isApart ? map.tissue : TissueShown{});
   }
 
   // Whether the volume itself is shown only inside or outside segments.
@@ -232,7 +247,8 @@ class Run {
       if (const int failed = drawFrames(*plan, caches)) return failed;
       if (options_.output.empty()) continue;
       const std::string path = options_.turntable ? numbered(options_.output, n) : options_.output;
-      const Status written = writePicture(done_, textOf(done_), warnings_, !options_.noWarningLine, path);
+      const Status written =
+          writePicture(done_, textOf(done_, said_), warnings_, !options_.noWarningLine, path);
       if (!written) return fail(written.message());
       told() << printable(path) << '\n';
       ++written_;
@@ -287,7 +303,7 @@ class Run {
                                          : explain(done_.plan, effectCosts(done_.plan, done_.stats)));
     if (options_.printScene) std::cout << sceneToJson(done_.plan.scene);
     if (options_.statsFile.empty()) return status;
-    nlohmann::ordered_json stats = statsJson(done_, times_, *volume_);
+    nlohmann::ordered_json stats = statsJson(done_, said_, times_, *volume_);
     stats["warnings"] = sentences(warnings_);
     stats["unread"] = unreadJson(unread_);
     const Status written = writeWholeFile(options_.statsFile, jsonText(stats));
@@ -302,6 +318,7 @@ class Run {
   VolumePtr volume_;
   std::vector<Warning> warnings_;
   std::vector<Unread> unread_;
+  SegmentsInPicture said_;
   Times times_;
   Rendered done_;
   int written_ = 0;

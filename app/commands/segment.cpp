@@ -10,6 +10,7 @@
 
 #include "app/command.h"
 #include "app/open_volume.h"
+#include "app/output_names.h"
 #include "app/segment_text.h"
 #include "app/usage.h"
 #include "io/export/export_segments.h"
@@ -169,6 +170,27 @@ Result<std::vector<SegmentReport>> reportsOf(std::span<const Segmented> maps, co
   return all;
 }
 
+// Nothing is written over what is read or written besides; only segments of a file are, by themselves.
+Status checkNames(const SegmentOptions& options, std::span<const Segmented> maps, const Series& series) {
+  auto written = filesOfExport(options.output, maps);
+  if (!written) return written.error();
+  std::vector<std::string> read = series.files;
+  if (isFile(options.recipe)) read.push_back(options.recipe);
+  if (!options.csv.empty()) written->push_back(options.csv);
+  if (Status s = checkApart(*written, read); !s || options.csv.empty()) return s;
+  return checkApart({&options.csv, 1}, {&options.from, 1});
+}
+
+// Empty where no file was asked for; it is there once it is committed.
+Result<std::optional<OutputFile>> writeCsv(const std::string& path, const std::vector<SegmentReport>& numbers,
+                                           const ValueScale& scale) {
+  if (path.empty()) return std::optional<OutputFile>();
+  auto file = OutputFile::create(path);
+  if (!file) return file.error();
+  if (Status s = file->write(segmentsAsCsv(numbers, scale).toStdString()); !s) return s.error();
+  return std::optional(std::move(*file));
+}
+
 int work(const SegmentOptions& options, SegmentSource source, const CancelToken& cancel) {
   for (const std::string& path : {options.output, options.csv})
     if (auto file = OutputFile::create(path); !path.empty() && !file) return fail(file.message());
@@ -181,15 +203,17 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   noteKeptTilt(*opened);
   const auto segmented = segmentsOf(source, *opened, cancel);
   if (!segmented) return fail(segmented.message(), cancel);
+  if (Status s = checkNames(options, *segmented, opened->series); !s) return fail(s.message());
   const auto numbers = reportsOf(*segmented, *opened, cancel);
   if (!numbers) return fail(numbers.message(), cancel);
+  const ValueScale scale = valueScale(opened->series, PetUnit::suvBodyWeight);
+  auto csv = writeCsv(options.csv, *numbers, scale);
+  if (!csv) return fail(csv.message());
   const auto exported = exportSegments(options.output, *segmented, opened->series, {}, cancel);
   if (!exported) return fail(exported.message(), cancel);
-  const ValueScale scale = valueScale(opened->series, PetUnit::suvBodyWeight);
   std::vector<std::string> files = exported->files;
-  if (!options.csv.empty()) {
-    if (Status s = writeWholeFile(options.csv, segmentsAsCsv(*numbers, scale).toStdString()); !s)
-      return fail(s.message());
+  if (*csv) {
+    if (Status s = (*csv)->commit(); !s) return fail(s.message());
     files.push_back(options.csv);
   }
   addNotes(opened->notes, *opened, *numbers);

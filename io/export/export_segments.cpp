@@ -5,9 +5,11 @@
 #include <cstdio>
 
 #include "io/export/label_image.h"
+#include "io/export/label_table.h"
 #include "io/export/seg_nrrd.h"
 #include "io/export/segmentation_dicom.h"
 #include "io/export/surface_file.h"
+#include "io/files/output_file.h"
 #include "io/study/series.h"
 
 namespace volumen {
@@ -45,15 +47,31 @@ Exported asLabels(const Export& e) {
 }
 
 // "scan-Bone.stl"; what a folder would read otherwise becomes "_".
-std::string pathOf(const Export& e, const Segment& segment) {
-  if (e.maps.size() == 1 && e.maps.front().segments.size() == 1) return e.path;
-  const std::size_t ending = e.path.rfind('.');
+std::string pathOf(const std::string& path, std::span<const Segmented> maps, const Segment& segment) {
+  if (maps.size() == 1 && maps.front().segments.size() == 1) return path;
+  const std::size_t ending = path.rfind('.');
   std::string name = segment.label;
   for (char& c : name)
     if (std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos ||
         static_cast<unsigned char>(c) < 32)
       c = '_';
-  return e.path.substr(0, ending) + "-" + name + e.path.substr(ending);
+  return path.substr(0, ending) + "-" + name + path.substr(ending);
+}
+
+// Of the segments that have voxels.
+Result<std::vector<std::string>> surfacePaths(const std::string& path, std::span<const Segmented> maps) {
+  std::vector<std::string> paths;
+  for (const Segmented& map : maps) {
+    const auto counts = labelCounts(map.labels);
+    for (const Segment& segment : map.segments) {
+      if (counts[std::size_t(segment.number)] == 0) continue;
+      std::string one = pathOf(path, maps, segment);
+      if (std::ranges::find(paths, one) != paths.end())
+        return Error{one + ": two segments would be written to it; give them different names."};
+      paths.push_back(std::move(one));
+    }
+  }
+  return paths;
 }
 
 std::string toldOf(const std::string& path, const BitMask& mask, const Surface& surface) {
@@ -66,9 +84,7 @@ std::string toldOf(const std::string& path, const BitMask& mask, const Surface& 
 
 Status addSurface(const Export& e, const Segmented& map, const Segment& segment, ExportedSegments& done) {
   const BitMask mask = maskOf(map.labels, std::uint8_t(segment.number));
-  const std::string path = pathOf(e, segment);
-  if (std::ranges::find(done.files, path) != done.files.end())
-    return Error{path + ": two segments would be written to it; give them different names."};
+  const std::string path = pathOf(e.path, e.maps, segment);
   if (mask.empty()) {
     done.notes.push_back(segment.label + " has no voxels, and no surface.");
     return {};
@@ -81,12 +97,17 @@ Status addSurface(const Export& e, const Segmented& map, const Segment& segment,
   return {};
 }
 
+// None is written where one of them cannot be.
 Exported asSurfaces(const Export& e) {
+  const auto paths = surfacePaths(e.path, e.maps);
+  if (!paths) return paths.error();
+  if (paths->empty()) return Error{e.path + " is not written: no segment has voxels."};
+  for (const std::string& path : *paths)
+    if (auto file = OutputFile::create(path); !file) return file.error();
   ExportedSegments done;
   for (const Segmented& map : e.maps)
     for (const Segment& segment : map.segments)
       if (Status s = addSurface(e, map, segment, done); !s) return s.error();
-  if (done.files.empty()) return Error{e.path + " is not written: no segment has voxels."};
   return done;
 }
 
@@ -130,6 +151,15 @@ Result<const SegmentFormat*> segmentFormatOf(const std::string& path) {
   const Result<const Row*> row = rowOf(path);
   if (!row) return row.error();
   return &(*row)->format;
+}
+
+Result<std::vector<std::string>> filesOfExport(const std::string& path, std::span<const Segmented> maps) {
+  const Result<const Row*> row = rowOf(path);
+  if (!row) return row.error();
+  if ((*row)->format.isSurface) return surfacePaths(path, maps);
+  std::vector<std::string> files{path};
+  if ((*row)->write == asLabels) files.push_back(labelTableOf(path));
+  return files;
 }
 
 Result<ExportedSegments> exportSegments(const std::string& path, std::span<const Segmented> maps,

@@ -32,6 +32,10 @@ std::span<const SegmentFormat> segmentFormats();
 /// That of a path by its ending, capitals or not; the Error names all endings.
 Result<const SegmentFormat*> segmentFormatOf(const std::string& path);
 
+/// The files that exportSegments() writes, the table beside an image of labels among them. The Error: two
+/// segments would have one.
+Result<std::vector<std::string>> filesOfExport(const std::string& path, std::span<const Segmented> maps);
+
 /// Writes the segments of a series as the ending of `path` says, hidden ones too; several maps, all of one
 /// grid, where they overlap, which .seg.nrrd, .dcm and surfaces hold. Surfaces
 /// (occupancy.h) are a file each: `path` for one segment, else with its name in front of the ending; their

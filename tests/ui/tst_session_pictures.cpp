@@ -158,6 +158,11 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
   QCOMPARE(contentsOf(folder.at("window.png")), contentsOf(folder.at("program.png")));
   const QString cut = window.text(QStringLiteral("volumen-cut"));
   QTEST(cut, "cut");
+  QCOMPARE(window.text(QStringLiteral("volumen-segments")),
+           what >= 6 ? QStringLiteral("Trunk, opacity 0.4\nSpine") : QString());
+  QCOMPARE(window.text(QStringLiteral("volumen-tissue")),
+           what >= 8 ? QStringLiteral("only inside the segments that are shown and within 3 mm of them")
+                     : QString());
   const Outcome b = runProgram(QStringLiteral("render %1 --explain").arg(folder.at("s.volumen")));
   QVERIFY2(b.status == 0, b.err);
   QCOMPARE(b.out.contains("on   cut: " + cut.toUtf8() + "; "), !cut.isEmpty());

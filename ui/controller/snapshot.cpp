@@ -94,8 +94,9 @@ void Snapshot::write(const std::shared_ptr<Drawn>& drawn) {
   const Shot& shot = shots_.front();
   PictureText text =
       pictureText(drawn->plan, {estimateOf(drawn->error), measured_ ? measured_(drawn->plan) : std::nullopt});
-  const PictureText warnings = warningText(shot.series->warnings);
-  text.insert(text.end(), warnings.begin(), warnings.end());
+  for (const PictureText& more :
+       {textOfSegments(shot.request.segments, drawn->plan.segments), warningText(shot.series->warnings)})
+    text.insert(text.end(), more.begin(), more.end());
   const glm::ivec2 size = drawn->picture.size;
   const Overlays over = chosenOverlays(viewOverlays(*shot.series, *drawn->plan.scene.camera, size),
                                        shot.request.shown, shot.series->warnings);

@@ -2,7 +2,7 @@
 #include "ui/features/feature.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/views/view_grid.h"
-#include "ui/workspace/series_text.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 
@@ -17,7 +17,7 @@ class Snapshots : public Feature {
   void connectViews();
   void tellSize();
   void tellName();
-  void take(const SnapshotRequest& request);
+  void take(SnapshotRequest request);
 
   Snapshot snapshot_;
   SnapshotPanel* panel_;
@@ -80,9 +80,12 @@ void Snapshots::tellName() {
     panel_->setName(seriesText(*series).replace(QLatin1Char('/'), QLatin1Char('_')));
 }
 
-void Snapshots::take(const SnapshotRequest& request) {
+void Snapshots::take(SnapshotRequest request) {
   if (!session_.series()) return warn(tr("Open a series first."));
-  snapshot_.take(session_.drawnSeries(sceneViewOf(session_.workspace())), bench_.sceneInView(), request);
+  const ViewId view = sceneViewOf(session_.workspace());
+  const MadeTissue* tissue = session_.tissueDrawn(view);
+  request.segments = segmentsInPicture(session_.segmentsDrawn(view), tissue ? tissue->shown : TissueShown{});
+  snapshot_.take(session_.drawnSeries(view), bench_.sceneInView(), request);
 }
 
 }  // namespace

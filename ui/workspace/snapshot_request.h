@@ -4,6 +4,7 @@
 #include <QString>
 #include <optional>
 
+#include "ui/workspace/segment_picture_text.h"
 #include "viewer/plan/options.h"
 #include "viewer/scene/scene.h"
 
@@ -25,7 +26,8 @@ struct SnapshotRequest {
   Quality quality = Quality::high;
   std::optional<Background> background;  ///< nothing: the scene's
   Annotations shown;
-  int pictures = 1;  ///< of a full turn about the camera's up axis
+  int pictures = 1;            ///< of a full turn about the camera's up axis
+  SegmentsInPicture segments{};  ///< of the series
 };
 
 }  // namespace volumen

@@ -1,10 +1,12 @@
 #include "viewer/recipe/recipe.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "viewer/recipe/recipe_texts.h"
 #include "viewer/recipe/step_kinds.h"
+#include "viewer/recipe/step_names.h"
 
 namespace volumen {
 
@@ -41,6 +43,16 @@ Result<NamedMasks> madeBy(const StepKind& kind, const StepInput& in) {
   return NamedMasks{{in.name(), std::move(*made)}};
 }
 
+// The step behind which nothing asks for a segment any more; for those of the recipe none.
+std::map<std::string, std::size_t> lastSteps(const Recipe& recipe) {
+  std::map<std::string, std::size_t> last;
+  for (std::size_t n = 0; n < recipe.steps.size(); ++n)
+    for (const auto& names : {changedBy(recipe.steps[n]), neededBy(recipe.steps[n])})
+      for (const std::string& name : names) last[name] = n;
+  for (const Segment& segment : recipe.segments) last[segment.label] = recipe.steps.size();
+  return last;
+}
+
 }  // namespace
 
 Status runStep(const Step& step, const Volume& volume, NamedMasks& masks, const CancelToken& cancel) {
@@ -55,12 +67,17 @@ Status runStep(const Step& step, const Volume& volume, NamedMasks& masks, const 
   return {};
 }
 
-Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel) {
+Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel) try {
   NamedMasks masks;
+  const auto last = lastSteps(recipe);
   for (std::size_t n = 0; n < recipe.steps.size(); ++n) {
     const Status done = runStep(recipe.steps[n], volume, masks, cancel);
     if (cancel.cancelled()) return Error{"Cancelled."};
     if (!done) return Error{"Step " + std::to_string(n + 1) + ", " + done.message()};
+    std::erase_if(masks, [&](const auto& named) { return last.at(named.first) == n; });
+    if (masks.size() > mostMasks)
+      return Error{"Step " + std::to_string(n + 1) + " makes more than " + std::to_string(mostMasks) +
+                   " segments that later steps ask for."};
     cancel.setDone(double(n + 1) / double(recipe.steps.size()));
   }
   Segmented result{recipe.segments, LabelMap(volume.geometry())};
@@ -71,6 +88,8 @@ Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const Cance
       result.labels = withLabel(result.labels, std::uint8_t(n + 1), mask->second);
   }
   return result;
+} catch (const std::bad_alloc&) {
+  return Error{"There is not enough memory for the segments of the recipe."};
 }
 
 const std::vector<Recipe>& builtInRecipes() {

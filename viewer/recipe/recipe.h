@@ -36,6 +36,8 @@ struct Recipe {
 
 /// The most steps of a recipe.
 inline constexpr std::size_t mostSteps = 10000;
+/// The most segments that are held at once while one is followed, those that help on the way among them.
+inline constexpr std::size_t mostMasks = 510;
 
 /// Masks of one grid by the names of their segments.
 using NamedMasks = std::map<std::string, BitMask>;

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "viewer/recipe/step_kinds.h"
+#include "viewer/scene/automatic.h"
 #include "viewer/segment/brush.h"
 #include "viewer/segment/lesion.h"
 #include "viewer/segment/range.h"
@@ -69,6 +70,8 @@ Result<BitMask> patient(const StepInput& in) {
   const VolumeAttributes& attributes = in.volume.attributes();
   if (attributes.modality != "CT" && !attributes.modality.empty())
     return Error{"values must be Hounsfield units: the series is " + attributes.modality + ", not CT"};
+  if (waterOf(in.volume) != 0)
+    return Error{"values must be Hounsfield units: the series lacks the rescale that makes them"};
   return patientMask(in.volume, in.cancel);
 }
 

@@ -48,7 +48,8 @@ struct SegmentLikeness {
   std::optional<double> dice;          ///< 2 |A and B| / (|A| + |B|); none where both are empty
   std::optional<double> differenceMl;  ///< volume of a - volume of b, voxels; none: not calibrated
   /// Between their surfaces (occupancy.h), mm: from the middles of all triangles of one to the other, exact;
-  /// the largest also from their corners. None where one is empty or the grid is not calibrated.
+  /// the largest also from their corners. 0 where floats, which points are, tell none. None where one is empty
+  /// or the grid is not calibrated.
   struct Distances {
     double largest = 0;  ///< Hausdorff
     double p95 = 0;      ///< the larger of both directed 95th percentiles, by area

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <utility>
@@ -25,6 +27,24 @@ double distanceOf95Percent(const SurfaceDistances& all) {
   return all.ofTriangles[order.back()];
 }
 
+// Points are floats: what is nearer than the last digit of the largest coordinate is no distance.
+double leastDistance(std::initializer_list<const Surface*> surfaces) {
+  float largest = 0;
+  for (const Surface* surface : surfaces)
+    for (const glm::vec3& p : surface->points)
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return double(largest) * double(std::numeric_limits<float>::epsilon());
+}
+
+// 0 in place of distances that are none.
+SurfaceDistances distancesFrom(const TriangleTree& of, const TriangleTree& to, double least,
+                               const CancelToken& cancel) {
+  SurfaceDistances all = distances(of, to, cancel);
+  for (double& d : all.ofTriangles) d = d < least ? 0 : d;
+  all.largest = all.largest < least ? 0 : all.largest;
+  return all;
+}
+
 Result<SegmentLikeness::Distances> distancesBetween(const BitMask& a, const BitMask& b,
                                                     const CancelToken& cancel) {
   const Result<Surface> ofA = surfaceOf(occupancyOf(a, surfaceSigma, cancel), cancel);
@@ -32,10 +52,11 @@ Result<SegmentLikeness::Distances> distancesBetween(const BitMask& a, const BitM
   if (cancel.cancelled()) return Error{"cancelled"};
   if (!ofA || !ofB) return ofA ? ofB.error() : ofA.error();
   const TriangleTree treeA(*ofA), treeB(*ofB);
+  const double least = leastDistance({&*ofA, &*ofB});
   SegmentLikeness::Distances found;
   double sum = 0, area = 0;
   for (const auto& [of, to] : {std::pair(&treeA, &treeB), {&treeB, &treeA}}) {
-    const SurfaceDistances all = distances(*of, *to, cancel);
+    const SurfaceDistances all = distancesFrom(*of, *to, least, cancel);
     if (cancel.cancelled()) return Error{"cancelled"};
     found.largest = std::max(found.largest, all.largest);
     found.p95 = std::max(found.p95, distanceOf95Percent(all));

@@ -1,4 +1,5 @@
 // Guards design.md 4 (command line: results on stdout, the rest on stderr, exit status) and 8 (segment).
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -29,6 +30,9 @@ class TestSegmentCommand : public QObject {
   void wrongUsageIsRefused_data();
   void wrongUsageIsRefused();
   void failureLeavesNoFile();
+  void nothingIsWrittenOver_data();
+  void nothingIsWrittenOver();
+  void segmentsOfAFileMayReplaceIt();
 };
 
 namespace {
@@ -253,6 +257,86 @@ void TestSegmentCommand::failureLeavesNoFile() {
                                       << folder.filePath(QStringLiteral("none/a.seg.nrrd")));
   QCOMPARE(noFolder.status, 1);
   QVERIFY(noFolder.err.contains("none/a.seg.nrrd") && noFolder.out.isEmpty());
+}
+
+namespace {
+
+// Names and contents.
+QMap<QString, QByteArray> allFilesIn(const QString& folder) {
+  QMap<QString, QByteArray> files;
+  for (const QString& name : QDir(folder).entryList(QDir::Files | QDir::Hidden))
+    files[name] = contentsOf(folder + QLatin1Char('/') + name);
+  return files;
+}
+
+void writeBytes(const QString& path, const QByteArray& bytes) {
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+}
+
+// Two segments of the ramp.
+QByteArray twoSegments(const QByteArray& second) {
+  return R"({"volumenRecipe": 1, "segments": [{"name": "x/A"}, {"name": ")" + second +
+         R"("}], "steps": [{"step": "range", "segment": "x/A", "high": 3}, {"step": "range", "segment": ")" +
+         second + R"(", "low": 5}]})";
+}
+
+}  // namespace
+
+void TestSegmentCommand::nothingIsWrittenOver_data() {
+  QTest::addColumn<QString>("arguments");
+  QTest::addColumn<QString>("sentence");
+  const auto row = [](const char* name, const char* arguments, const char* sentence) {
+    QTest::newRow(name) << QString::fromLatin1(arguments) << QString::fromLatin1(sentence);
+  };
+  const char *const twice = "another file of this command has this name", *const read =
+                                                                              "it is a file that is read";
+  row("the numbers over the segments", "scan.mha --range 2:3 -o a.seg.nrrd --csv a.seg.nrrd", twice);
+  row("by another spelling", "scan.mha --range 2:3 -o a.seg.nrrd --csv ./folder/../a.seg.nrrd", twice);
+  row("by a link", "scan.mha --range 2:3 -o old.seg.nrrd --csv link.csv", twice);
+  row("over the table of names", "scan.mha --range 2:3 -o a.nii.gz --csv a.label", twice);
+  row("over one of the surfaces", "scan.mha --recipe two.json -o a.stl --csv a-B.stl", twice);
+  row("two surfaces of one name", "scan.mha --recipe alike.json -o a.stl",
+      "two segments would be written to it");
+  row("a surface where a folder is", "scan.mha --recipe two.json -o b.stl", "b-B.stl: it is a folder");
+  row("the numbers over the recipe", "scan.mha --recipe two.json -o a.seg.nrrd --csv two.json", read);
+  row("the numbers over the segments that are read",
+      "scan.mha --from old.seg.nrrd -o a.mha --csv old.seg.nrrd", read);
+  row("the numbers over the series", "scan.mha --range 2:3 -o a.seg.nrrd --csv scan.mha", read);
+  row("segments over the series", "scan.mha --range 2:3 -o scan.mha", read);
+}
+
+void TestSegmentCommand::nothingIsWrittenOver() {
+  QFETCH(QString, arguments);
+  QFETCH(QString, sentence);
+  const QTemporaryDir folder;
+  const auto path = [&](const char* name) { return folder.filePath(QLatin1String(name)); };
+  QCOMPARE(runProgram({QStringLiteral("convert"), QStringLiteral("phantom:ramp:8"), QStringLiteral("-o"),
+                       path("scan.mha")})
+               .status,
+           0);
+  QCOMPARE(runSegment(words("phantom:ramp:8 --range 2:3 -o") << path("old.seg.nrrd")).status, 0);
+  writeBytes(path("two.json"), twoSegments("B"));
+  writeBytes(path("alike.json"), twoSegments("x:A"));
+  QVERIFY(QFile::link(path("old.seg.nrrd"), path("link.csv")));
+  QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("folder")) &&
+          QDir(folder.path()).mkdir(QStringLiteral("b-B.stl")));
+  const QMap<QString, QByteArray> before = allFilesIn(folder.path());
+  QCOMPARE(before.size(), 5);
+  const Outcome done = runProgramIn(folder.path(), words("segment") + arguments.split(QLatin1Char(' ')));
+  QCOMPARE(done.status, 1);
+  QVERIFY2(done.err.contains(sentence.toUtf8()) && done.out.isEmpty(), done.err.constData());
+  QVERIFY(allFilesIn(folder.path()) == before);
+}
+
+void TestSegmentCommand::segmentsOfAFileMayReplaceIt() {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("a.seg.nrrd"));
+  QCOMPARE(runSegment(words("phantom:ramp:8 --range 2:3 -o") << file).status, 0);
+  const QByteArray before = contentsOf(file);
+  const Outcome done = runSegment(words("phantom:ramp:8 --from") << file << QStringLiteral("-o") << file);
+  QVERIFY2(done.status == 0, done.err.constData());
+  QCOMPARE(contentsOf(file), before);
 }
 
 VOLUMEN_TEST(TestSegmentCommand);

@@ -23,6 +23,8 @@ class TestRecipe : public QObject {
   void wrongOnesAreRefusedByName();
   void stepsMakeSegments();
   void helpIsNotKept();
+  void helpIsLetGo_data();
+  void helpIsLetGo();
   void aStepThatCannotBeDoneIsNamed_data();
   void aStepThatCannotBeDoneIsNamed();
   void whatIsCancelledIsAnError();
@@ -208,6 +210,39 @@ void TestRecipe::helpIsNotKept() {
   const auto made = follow(recipe, *ramp());
   QVERIFY(made && made->segments.size() == 1);
   QCOMPARE(columns(made->labels, 1), QStringLiteral("....############"));
+}
+
+void TestRecipe::helpIsLetGo_data() {
+  QTest::addColumn<int>("names");
+  QTest::addColumn<bool>("atOnce");
+  QTest::addColumn<bool>("followed");
+  QTest::newRow("thousands one behind the other") << 4000 << false << true;
+  QTest::newRow("as many at once as may be") << 509 << true << true;
+  QTest::newRow("one more") << 510 << true << false;
+}
+
+// Each takes an eighth of a byte a voxel: thousands of a large series would be more than any memory.
+void TestRecipe::helpIsLetGo() {
+  QFETCH(int, names);
+  QFETCH(bool, atOnce);
+  QFETCH(bool, followed);
+  Recipe recipe;
+  recipe.segments = {named("A", 1)};
+  recipe.steps = {{"range", "A", {{"low", 4.0}}}};
+  std::vector<Step> asking;
+  for (int n = 0; n < names; ++n) {
+    const std::string name = "help " + std::to_string(n);
+    recipe.steps.push_back({"copy", name, {{"other", std::string("A")}}});
+    (atOnce ? asking : recipe.steps).push_back({"intersect", "A", {{"other", name}}});
+  }
+  recipe.steps.insert(recipe.steps.end(), asking.begin(), asking.end());
+  const auto made = follow(recipe, *ramp());
+  QVERIFY2(made.ok() == followed, made ? "" : made.message().c_str());
+  if (made)
+    QCOMPARE(columns(made->labels, 1), QStringLiteral("....############"));
+  else
+    QCOMPARE(QString::fromStdString(made.message()),
+             QStringLiteral("Step 511 makes more than 510 segments that later steps ask for."));
 }
 
 void TestRecipe::aStepThatCannotBeDoneIsNamed_data() {

@@ -1,0 +1,34 @@
+#include "app/output_names.h"
+
+#include <filesystem>
+#include <set>
+
+namespace volumen {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string placeOf(const std::string& path) {
+  std::error_code failed;
+  const fs::path place = fs::weakly_canonical(fs::absolute(path, failed), failed);
+  return failed ? path : place.string();
+}
+
+}  // namespace
+
+Status checkApart(std::span<const std::string> written, std::span<const std::string> read) {
+  std::set<std::string> inputs, outputs;
+  for (const std::string& path : std::set<std::string>(read.begin(), read.end()))
+    inputs.insert(placeOf(path));
+  for (const std::string& path : written) {
+    const std::string place = placeOf(path);
+    if (inputs.contains(place))
+      return Error{"Cannot write " + path + ": it is a file that is read; choose another name."};
+    if (!outputs.insert(place).second)
+      return Error{"Cannot write " + path + ": another file of this command has this name."};
+  }
+  return {};
+}
+
+}  // namespace volumen
