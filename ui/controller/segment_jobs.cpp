@@ -70,13 +70,13 @@ void SegmentJobs::next() {
       const SegmentMap base = segmentMapOn(session_.workspace(), work.series, work.volume->geometry());
       const Segment* segment = findSegment(base, work.number);
       if (known && known->missing)
-        Q_EMIT failed(tr("The segments of this series were not found with the session: no others are made."));
+        refuse(work, tr("The segments of this series were not found with the session: no others are made."));
       else if (work.makeAll)
         return begin(work, base);
       else if (work.number == 0 && !freeNumber(base))
-        Q_EMIT failed(tr("There are 255 segments, and no more fit: remove one first."));
+        refuse(work, tr("There are 255 segments, and no more fit: remove one first."));
       else if (segment && segment->locked)
-        Q_EMIT failed(tr("%1 is locked: unlock it first.").arg(shownText(segment->label)));
+        refuse(work, tr("%1 is locked: unlock it first.").arg(shownText(segment->label)));
       else if (segment || work.number == 0)
         return begin(work, base);
     }
@@ -117,7 +117,7 @@ void SegmentJobs::take(const SegmentMap& base, const Result<SegmentMap>& made) {
   const bool isSame = segmentMapOn(workspace, work.series, work.volume->geometry()) == base;
   if (isSame || !made) waiting_.pop_front();
   if (!made) {
-    Q_EMIT failed(shownText(made.message()));
+    refuse(work, shownText(made.message()));
   } else if (isSame) {
     session_.endGesture();
     session_.change(work.text, withSegmentMap(workspace, *made));
@@ -125,6 +125,11 @@ void SegmentJobs::take(const SegmentMap& base, const Result<SegmentMap>& made) {
     if (work.done) work.done();
   }
   next();
+}
+
+void SegmentJobs::refuse(const SegmentWork& work, const QString& why) {
+  if (work.refused) work.refused(why);
+  Q_EMIT failed(why);
 }
 
 // Nobody wants what is under way any more. The next one waits for the event loop: the workspace may be

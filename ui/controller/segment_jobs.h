@@ -31,6 +31,8 @@ struct SegmentWork {
   /// In place of all that: the map after it, on the job's thread.
   std::function<Result<SegmentMap>(const SegmentMap& map, const CancelToken& cancel)> makeAll{};
   std::function<void()> done{};  ///< called once it is a step
+  /// Called with a sentence where it is none, which is told all the same; not for what was cancelled.
+  std::function<void(const QString& why)> refused{};
 };
 
 /// What the segments of a map hold.
@@ -75,6 +77,7 @@ class SegmentJobs : public QObject {
   void begin(const SegmentWork& work, const SegmentMap& base);
   void take(const SegmentMap& base, const Result<SegmentMap>& made);
   void drop();
+  void refuse(const SegmentWork& work, const QString& why);
   bool isMaking() const { return change_.isBusy() || takeLater_; }
 
   Session& session_;
