@@ -1,5 +1,8 @@
 // Guards what segments are drawn by in 3D: made as a job wherever voxels or masks changed and nowhere else,
 // kept while it may be drawn, and the same as for the program.
+#include <QSignalSpy>
+#include <functional>
+
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/segment_fields.h"
@@ -38,9 +41,9 @@ struct SurfaceSession {
     change(withSegmentMap(with, withMask(made, made.current, voxelsInRange(*series->volume, range))));
   }
   // One more voxel of segment 1, apart from all others.
-  void addVoxel() {
+  void addVoxel(int i = 0) {
     BitMask mask = maskOf(*map().labels, 1);
-    mask.set({0, 0, 0});
+    mask.set({i, 0, 0});
     change(withSegmentMap(session.workspace(), withMask(map(), 1, mask)));
   }
   // False where the volume cannot be cut.
@@ -82,6 +85,8 @@ class TestSegmentSurfaceJobs : public QObject {
   void aSeriesThatIsOpenedAgainMayHaveOtherSlices();
   void whatIsNotInAViewIsDropped();
   void aJobThatIsCancelledIsNotBegunAgain();
+  void whatWasCancelledIsSaidAndTriedAgain_data();
+  void whatWasCancelledIsSaidAndTriedAgain();
 };
 
 void TestSegmentSurfaceJobs::theyAreDrawnOnceTheyAreMade() {
@@ -203,6 +208,46 @@ void TestSegmentSurfaceJobs::aJobThatIsCancelledIsNotBegunAgain() {
   s.undo();  // something changes
   QVERIFY(s.idle());
   QCOMPARE(s.drawn().size(), std::size_t(2));
+}
+
+void TestSegmentSurfaceJobs::whatWasCancelledIsSaidAndTriedAgain_data() {
+  QTest::addColumn<std::function<void(SurfaceSession&)>>("act");
+  const auto row = [](const char* name, const std::function<void(SurfaceSession&)>& act) {
+    QTest::newRow(name) << act;
+  };
+  row("In 3D off and on", [](SurfaceSession& s) {
+    s.change(withSegmentsIn3d(s.session.workspace(), s.key, false));
+    s.change(withSegmentsIn3d(s.session.workspace(), s.key, true));
+  });
+  row("a voxel more", [](SurfaceSession& s) { s.addVoxel(1); });
+  row("the colour of one", [](SurfaceSession& s) {
+    s.change(withSegmentChanged(s.session.workspace(), s.key, 1,
+                                [](Segment& segment) { segment.colour = glm::u8vec3(1, 2, 3); }));
+  });
+}
+
+// A look that was changed while it was made is no reason to try again.
+void TestSegmentSurfaceJobs::whatWasCancelledIsSaidAndTriedAgain() {
+  QFETCH(std::function<void(SurfaceSession&)>, act);
+  SurfaceSession s;
+  QVERIFY(s.idle());
+  QVERIFY(s.session.segmentsNotDrawn(sceneViewId).empty());
+  const QSignalSpy cancelled(&s.surfaces, &SegmentSurfaceJobs::cancelled);
+  s.addVoxel();
+  s.change(withSegmentChanged(s.session.workspace(), s.key, 1, [](Segment& one) { one.opacity = 0.5; }));
+  s.jobs.cancel(s.jobs.rows().front().id);
+  QCOMPARE(cancelled.size(), 1);
+  QVERIFY(s.jobs.rows().empty() && s.drawn().empty());
+  const QString says = notDrawnText(s.session.segmentsNotDrawn(sceneViewId));
+  QVERIFY2(says.startsWith(QStringLiteral("Not drawn in 3D: ")) && says.contains(QStringLiteral("cancelled")),
+           qPrintable(says));
+  for (const Segment& segment : s.map().segments)
+    QVERIFY2(says.contains(QString::fromStdString(segment.label)), qPrintable(says));
+  QCOMPARE(says.count(QLatin1Char('\n')), 0);
+  act(s);
+  QVERIFY(!s.jobs.rows().empty() && s.idle());
+  QCOMPARE(s.drawn().size(), std::size_t(2));
+  QVERIFY(s.session.segmentsNotDrawn(sceneViewId).empty());
 }
 
 VOLUMEN_TEST(TestSegmentSurfaceJobs);

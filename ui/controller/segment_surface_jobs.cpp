@@ -23,8 +23,19 @@ std::vector<SeriesKey> seriesIn3d(const Workspace& workspace) {
 
 SegmentSurfaceJobs::SegmentSurfaceJobs(Session& session, Jobs& jobs, QObject* parent)
     : QObject(parent), session_(session), lane_(&jobs) {
-  connect(&session_, &Session::workspaceChanged, this, &SegmentSurfaceJobs::next);
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.segmentMaps != after.segmentMaps) noteChanges(before, after);
+            next();
+          });
   next();
+}
+
+void SegmentSurfaceJobs::noteChanges(const Workspace& before, const Workspace& after) {
+  for (const SegmentMap& map : after.segmentMaps) {
+    const SegmentMap* was = segmentMapOf(before, map.series);
+    if (!was || *was != map) again_.insert(map.series);
+  }
 }
 
 void SegmentSurfaceJobs::next() {
@@ -35,6 +46,7 @@ void SegmentSurfaceJobs::next() {
     if (!map || !shown || !isOn(*map, shown->volume->geometry())) continue;
     const Wanted wanted = wantedOf(*map);
     const bool canBegin = !wanted.kept || wanted.kept->voxels || wanted.whole;
+    if (wanted.surfaces.empty()) again_.erase(series);
     if (!wanted.surfaces.empty() && canBegin) return begin(wanted);
   }
 }
@@ -48,7 +60,8 @@ SegmentSurfaceJobs::Wanted SegmentSurfaceJobs::wantedOf(const SegmentMap& map) c
       return made.series == surface.series && made.number == surface.number && made.mask == mask;
     });
     const bool isThere = before != session_.surfaces().end();
-    if (isThere && before->labels == map.labels) continue;
+    const bool isTriedAgain = isThere && !before->field && again_.contains(map.series);
+    if (isThere && before->labels == map.labels && !isTriedAgain) continue;
     wanted.before.push_back(isThere ? *before : MadeSurface());
     wanted.surfaces.push_back(std::move(surface));
   }
@@ -62,22 +75,29 @@ SegmentSurfaceJobs::Wanted SegmentSurfaceJobs::wantedOf(const SegmentMap& map) c
 }
 
 void SegmentSurfaceJobs::begin(const Wanted& wanted) {
+  again_.erase(wanted.surfaces.front().series);
   lane_.run(
       tr("Making surfaces of segments"), [wanted](const Job& job) { return made(wanted, job.cancel()); },
       [this, surfaces = wanted.surfaces](Result<Made> result) {
         if (!result) {
-          giveUp(surfaces);
+          giveUp(surfaces, tr("There was not enough memory for their surfaces."));
           Q_EMIT failed(QString::fromStdString(result.message()));
           return;
         }
         if (result->kept) kept_ = std::move(result->kept);
         session_.takeSurfaces(std::move(result->surfaces));
       },
-      [this, surfaces = wanted.surfaces] { giveUp(surfaces); });
+      [this, surfaces = wanted.surfaces] {
+        giveUp(surfaces, tr("Making their surfaces was cancelled."));
+        Q_EMIT cancelled(
+            tr("Segments are not drawn in 3D until one is changed, or In 3D is switched off and on."));
+      });
 }
 
-// They are made again once something changes.
-void SegmentSurfaceJobs::giveUp(std::vector<MadeSurface> surfaces) {
+// What was changed while they were made is no reason to try again.
+void SegmentSurfaceJobs::giveUp(std::vector<MadeSurface> surfaces, const QString& why) {
+  again_.erase(surfaces.front().series);
+  for (MadeSurface& surface : surfaces) surface.whyNot = why;
   session_.takeSurfaces(std::move(surfaces));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
@@ -10,7 +11,8 @@ namespace volumen {
 
 /// Makes what segments are drawn by in 3D, of the series in 3D views on screen, whenever their voxels, or
 /// what is taken away of the series, changed: a series at a time, as a job. Until then the session keeps what
-/// was there before.
+/// was there before. What could not be made, or was cancelled, is tried again once anything of the segments
+/// of its series changes.
 class SegmentSurfaceJobs : public QObject {
   Q_OBJECT
  public:
@@ -19,6 +21,8 @@ class SegmentSurfaceJobs : public QObject {
  Q_SIGNALS:
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
+  /// The user did: a sentence.
+  void cancelled(const QString& sentence);
 
  private:
   // What is left of a series by a mask.
@@ -40,14 +44,16 @@ class SegmentSurfaceJobs : public QObject {
     std::optional<Kept> kept;
   };
 
+  void noteChanges(const Workspace& before, const Workspace& after);
   void next();
   Wanted wantedOf(const SegmentMap& map) const;
   void begin(const Wanted& wanted);
-  void giveUp(std::vector<MadeSurface> surfaces);
+  void giveUp(std::vector<MadeSurface> surfaces, const QString& why);
   static Result<Made> made(const Wanted& wanted, const CancelToken& cancel);
 
   Session& session_;
-  std::optional<Kept> kept_;  // of the last series with a mask
+  std::optional<Kept> kept_;   // of the last series with a mask
+  std::set<SeriesKey> again_;  // of what was given up of these was something changed since
   JobLane lane_;
 };
 

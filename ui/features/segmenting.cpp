@@ -89,6 +89,8 @@ Segmenting::Segmenting(Workbench& bench)
   panel_->setTableAction(masker_.tableAction());
   connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   connect(&surfaces_, &SegmentSurfaceJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&surfaces_, &SegmentSurfaceJobs::cancelled, this,
+          [this](const QString& sentence) { tell(sentence); });
   connect(&tissues_, &TissueJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
