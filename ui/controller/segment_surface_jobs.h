@@ -12,11 +12,14 @@ namespace volumen {
 /// Makes what segments are drawn by in 3D, of the series in 3D views on screen, whenever their voxels, or
 /// what is taken away of the series, changed: a series at a time, as a job. Until then the session keeps what
 /// was there before. What could not be made, or was cancelled, is tried again once anything of the segments
-/// of its series changes.
+/// of its series changes. All of them together take at most a share of the machine's memory: what would go
+/// beyond is not drawn.
 class SegmentSurfaceJobs : public QObject {
   Q_OBJECT
  public:
-  SegmentSurfaceJobs(Session& session, Jobs& jobs, QObject* parent = nullptr);
+  /// `mostBytes`: of the fields of all surfaces.
+  SegmentSurfaceJobs(Session& session, Jobs& jobs, std::size_t mostBytes = SeriesPool::partOfMemory(25),
+                     QObject* parent = nullptr);
 
  Q_SIGNALS:
   /// A sentence; not for what was cancelled.
@@ -35,9 +38,10 @@ class SegmentSurfaceJobs : public QObject {
   struct Wanted {
     std::vector<MadeSurface> surfaces;
     std::vector<MadeSurface>
-        before;                // of each the last one with the same mask; without a field: there is none
-    std::optional<Kept> kept;  // where there is a mask; without voxels: they are to be found
-    VolumePtr whole;           // to find them in
+        before;                 // of each the last one with the same mask; without a field: there is none
+    std::optional<Kept> kept;   // where there is a mask; without voxels: they are to be found
+    VolumePtr whole;            // to find them in
+    std::size_t mostBytes = 0;  // beside other surfaces
   };
   struct Made {
     std::vector<MadeSurface> surfaces;
@@ -48,10 +52,13 @@ class SegmentSurfaceJobs : public QObject {
   void next();
   Wanted wantedOf(const SegmentMap& map) const;
   void begin(const Wanted& wanted);
+  std::size_t bytesBeside(const std::vector<MadeSurface>& wanted) const;
+  void tellRefused(const Wanted& wanted, const std::vector<MadeSurface>& made);
   void giveUp(std::vector<MadeSurface> surfaces, const QString& why);
   static Result<Made> made(const Wanted& wanted, const CancelToken& cancel);
 
   Session& session_;
+  const std::size_t mostBytes_;
   std::optional<Kept> kept_;   // of the last series with a mask
   std::set<SeriesKey> again_;  // of what was given up of these was something changed since
   JobLane lane_;
