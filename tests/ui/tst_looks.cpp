@@ -63,6 +63,8 @@ class TestLooks : public tests::CleanSettings {
   void nothingOverlapsOrIsCutOff();
   void panelsAreWholeInAUsualWindow_data();
   void panelsAreWholeInAUsualWindow();
+  void theOpenPageOfSegmentsIsSeen_data();
+  void theOpenPageOfSegmentsIsSeen();
   void panelsFoldToTheirTitles();
   void hiddenPanelsAreOpenedFromTheView();
   void layoutsOfEarlierVersionsDoNoHarm();
@@ -138,6 +140,45 @@ void TestLooks::panelsAreWholeInAUsualWindow() {
   auto* area = dock->findChild<QScrollArea*>();
   QVERIFY(area->isVisible());
   QCOMPARE(area->verticalScrollBar()->maximum(), 0);
+}
+
+void TestLooks::theOpenPageOfSegmentsIsSeen_data() {
+  QTest::addColumn<Theme>("theme");
+  QTest::newRow("dark") << Theme::dark;
+  QTest::newRow("light") << Theme::light;
+}
+
+namespace {
+
+// Pixels of a button's two highest and lowest rows that are not as its corner.
+int framePixels(QWidget* button) {
+  const QImage image = button->grab().toImage();
+  int framed = 0;
+  for (int x = 0; x < image.width(); ++x)
+    for (const int y : {0, 1, image.height() - 2, image.height() - 1})
+      framed += image.pixel(x, y) != image.pixel(0, 0);
+  return framed;
+}
+
+}  // namespace
+
+// Its button has a frame, as in the tool bar; those of the other pages have none.
+void TestLooks::theOpenPageOfSegmentsIsSeen() {
+  QFETCH(Theme, theme);
+  Sized window(QSize(1600, 1000), 100, theme);
+  window.dock("segment")->raise();
+  QCoreApplication::processEvents();
+  const std::vector<const char*> pages{"segmentFromCurve", "segmentPaint", "segmentGrowing", "segmentChange"};
+  const auto button = [&](const char* page) {
+    return window.findChild<QAbstractButton*>(QLatin1String(page));
+  };
+  for (const char* open : pages) {
+    QTest::mouseClick(button(open), Qt::LeftButton);
+    for (const char* page : pages) {
+      QCOMPARE(button(page)->isChecked(), page == open);
+      QVERIFY2((framePixels(button(page)) > button(page)->width()) == (page == open), page);
+    }
+  }
 }
 
 void TestLooks::panelsFoldToTheirTitles() {

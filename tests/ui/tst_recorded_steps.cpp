@@ -59,6 +59,7 @@ class TestRecordedSteps : public CleanSettings {
   void whatIsDoneIsARecipe();
   void theProgramMakesTheSameVoxels();
   void numbersAreChangedAndRunAgain();
+  void whatWasTypedStaysWhereARunFails();
   void slicesBetweenAreFilledByAStep();
   void whatNoStepMadeIsSaid();
 };
@@ -145,6 +146,42 @@ void TestRecordedSteps::numbersAreChangedAndRunAgain() {
   QVERIFY(w.mask(1) == grown(shell, 2));
   w.undo();
   QVERIFY(w.workspace() == before);
+}
+
+// Why is said beside it; once it has been run, what is recorded is shown again.
+void TestRecordedSteps::whatWasTypedStaysWhereARunFails() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  const BitMask shell = w.mask(1);
+  QVERIFY(w.step("grow"));
+  chooseInMenu(w, "recipeSteps");
+  auto* text = w.child<QPlainTextEdit>("stepsText");
+  auto* note = w.child<QLabel>("stepsNote");
+  const QString recorded = text->toPlainText();
+  text->moveCursor(QTextCursor::Start);
+  QVERIFY(text->find(QStringLiteral("\"step\": \"grow\"")));
+  QTextCursor behind = text->textCursor();
+  behind.clearSelection();
+  text->setTextCursor(behind);
+  QTest::keyClicks(text, QStringLiteral(", \"radiusMm\": 2"));
+  const QString typed = text->toPlainText();
+  QVERIFY(typed != recorded);
+  w.tick(0, 1);  // locked
+  const Workspace before = w.workspace();
+  QVERIFY(w.press("stepsRun"));
+  QVERIFY(w.workspace() == before);
+  QCOMPARE(text->toPlainText(), typed);
+  QVERIFY2(note->text().contains(QStringLiteral("is locked")), qPrintable(note->text()));
+  w.tick(0, 1);
+  QCOMPARE(text->toPlainText(), typed);
+  const int steps = w.steps();
+  QVERIFY(w.press("stepsRun"));
+  QCOMPARE(w.steps(), steps + 1);
+  QVERIFY(w.mask(1) == grown(shell, 2));
+  QVERIFY(text->toPlainText() != typed && text->toPlainText().contains(QStringLiteral("\"radiusMm\": 2")));
+  QCOMPARE(note->text(), QString());
+  w.undo();
+  QCOMPARE(text->toPlainText(), recorded);
 }
 
 // The hollow ball and the small one have empty slices between them.

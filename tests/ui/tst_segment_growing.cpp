@@ -1,13 +1,13 @@
 // Guards growing from seeds in the window: shown, unlocked segments are the seeds; about them or everywhere;
-// a job, one undo step; a preview that follows the seeds; locks, cancelling, series that are closed
-// meanwhile.
+// a job, one undo step, a step of the record; a preview that follows the seeds; locks, cancelling, series
+// that are closed meanwhile.
 #include <QCheckBox>
 #include <QComboBox>
 
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/banner.h"
-#include "viewer/segment/grow_from_seeds.h"
+#include "ui/workspace/segment_record.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -18,6 +18,8 @@ class TestSegmentGrowing : public QObject {
   void twoTissuesAreGrown_data();
   void twoTissuesAreGrown();
   void onlyAboutTheSeeds();
+  void itIsAStepOfTheRecord_data();
+  void itIsAStepOfTheRecord();
   void fewerThanTwoSeedsAreNotOffered();
   void hiddenAndLockedSegmentsStay();
   void thePreviewFollowsTheSeeds();
@@ -112,6 +114,54 @@ void TestSegmentGrowing::onlyAboutTheSeeds() {
   QVERIFY(grown.box() == (VoxelBox{box->low - 3, box->high + 3}));
   const glm::ivec3 size = box->high - box->low + 7;
   QCOMPARE(grown.count(), std::int64_t(size.x) * size.y * size.z);
+}
+
+void TestSegmentGrowing::itIsAStepOfTheRecord_data() {
+  QTest::addColumn<bool>("isEverywhere");
+  QTest::addColumn<bool>("isCut");
+  QTest::addColumn<bool>("isPainted");
+  QTest::newRow("about the seeds") << false << false << false;
+  QTest::newRow("everywhere") << true << false << false;
+  QTest::newRow("in what the scissors left") << true << true << false;
+  QTest::newRow("a seed was painted") << true << false << true;
+}
+
+// Its recipe makes the same voxels, a third segment being locked; where what it began with is no step, all
+// that grew counts as made by hand.
+void TestSegmentGrowing::itIsAStepOfTheRecord() {
+  QFETCH(bool, isEverywhere);
+  QFETCH(bool, isCut);
+  QFETCH(bool, isPainted);
+  GrowWindow w;
+  QVERIFY(w.makeSeeds() && w.make(216, 225) && w.showPage());
+  w.tick(2, 1);
+  if (isEverywhere) w.everywhere();
+  if (isCut) {
+    Lasso lasso;
+    lasso.points = {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}};
+    Mask mask;
+    mask.lassos = {std::make_shared<const Lasso>(lasso)};
+    w.session().setMask(QStringLiteral("test"), w.series(), mask);
+  }
+  if (isPainted)
+    w.session().change(QStringLiteral("test"), [&](Workspace& after) {
+      SegmentMap map = *w.map();
+      BitMask painted = w.mask(1);
+      painted.set({14, 14, 18});
+      after = withSegmentMap(std::move(after), withMask(map, 1, painted));
+    });
+  QVERIFY(w.idle() && w.grow());
+  const RecordedRecipe recorded = recordedRecipe(*w.map(), {});
+  const std::size_t byHand = isCut || isPainted ? 2 : 0;
+  QCOMPARE(recorded.missing.size(), byHand);
+  QCOMPARE(recorded.recipe.segments.size(), 3 - byHand);
+  if (byHand) return;
+  QCOMPARE(std::ranges::count(w.map()->steps, "growFromSeeds", &Step::kind), 1);
+  const auto again = readRecipe(recipeJson(recorded.recipe));
+  QVERIFY2(again, again ? "" : again.message().c_str());
+  const auto made = follow(*again, *w.session().series()->volume);
+  QVERIFY2(made, made ? "" : made.message().c_str());
+  QVERIFY(made->labels == *w.map()->labels);
 }
 
 void TestSegmentGrowing::fewerThanTwoSeedsAreNotOffered() {

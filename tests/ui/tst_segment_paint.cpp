@@ -26,6 +26,8 @@ class TestSegmentPaint : public QObject {
   void limitsSayWhereIsPainted_data();
   void limitsSayWhereIsPainted();
   void escGivesAStrokeUp();
+  void aJobThatEndsInAStrokeIsTheStepAfterIt_data();
+  void aJobThatEndsInAStrokeIsTheStepAfterIt();
   void aSeriesThatIsClosedInAStroke();
   void aStrokeThatIsUndoneIsOver();
   void nothingToEraseIsSaid();
@@ -218,6 +220,49 @@ void TestSegmentPaint::escGivesAStrokeUp() {
   QVERIFY(w.idle());
   w.stroke({at});
   QCOMPARE(w.steps(), steps + 1);
+}
+
+void TestSegmentPaint::aJobThatEndsInAStrokeIsTheStepAfterIt_data() {
+  QTest::addColumn<bool>("isGivenUp");
+  QTest::newRow("the stroke is drawn to its end") << false;
+  QTest::newRow("Esc gives the stroke up") << true;
+}
+
+// As if the step had been asked for once the stroke was drawn.
+void TestSegmentPaint::aJobThatEndsInAStrokeIsTheStepAfterIt() {
+  QFETCH(bool, isGivenUp);
+  PaintWindow w;
+  QVERIFY(w.makeBoth());
+  w.show(throughMiddle());
+  w.take("paintTool");
+  w.chooseStep("grow");
+  w.session().setFocus(axialViewId);  // as the press does
+  const std::vector<QPoint> way = w.pixelsOf({{0, 5, -5}, {6, 5, -5}, {12, 5, -5}}, axialViewId);
+  const int steps = w.steps();
+  const SegmentMap before = *w.map();
+  if (!isGivenUp) w.stroke(way);
+  const SegmentMap painted = *w.map();
+  QVERIFY(w.step("grow"));
+  const SegmentMap expected = *w.map();
+  while (w.steps() > steps) w.undo();
+  QVERIFY(w.idle() && *w.map() == before);
+  w.click("segmentApply");
+  w.press(way[0]);
+  QVERIFY(w.idle());  // the job ends
+  QTest::qWait(50);
+  w.move(way[1]);
+  QVERIFY(w.idle());
+  QTest::qWait(50);
+  QCOMPARE(w.steps(), steps + 1);
+  w.move(way[2]);
+  if (isGivenUp) QTest::keyClick(w.view(), Qt::Key_Escape);
+  w.release(way[2]);
+  QTRY_COMPARE_WITH_TIMEOUT(w.steps(), steps + (isGivenUp ? 1 : 2), longest);
+  QVERIFY(w.idle() && *w.map() == expected);
+  w.undo();
+  QVERIFY(w.idle() && *w.map() == painted);
+  if (!isGivenUp) w.undo();
+  QVERIFY(w.idle() && *w.map() == before);
 }
 
 void TestSegmentPaint::aSeriesThatIsClosedInAStroke() {

@@ -1,9 +1,14 @@
 // Guards what segments are drawn by in 3D: made as a job wherever voxels or masks changed and nowhere else,
-// kept while it may be drawn, and the same as for the program.
+// kept while it may be drawn, and the same as for the program; what is not drawn, cancelled or too large, is
+// said.
+#include <QSignalSpy>
+#include <functional>
+
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/segment_fields.h"
 #include "ui/controller/segment_surface_jobs.h"
+#include "viewer/segment/occupancy.h"
 #include "viewer/segment/range.h"
 
 using namespace volumen;
@@ -16,11 +21,11 @@ namespace {
 struct SurfaceSession {
   Session session;
   Jobs jobs;
-  SegmentSurfaceJobs surfaces{session, jobs};
+  SegmentSurfaceJobs surfaces;
   LoadedSeriesPtr series = hollowBalls();
   SeriesKey key = keyOf(series->series);
 
-  SurfaceSession() {
+  explicit SurfaceSession(std::size_t mostBytes = std::size_t(1) << 30) : surfaces(session, jobs, mostBytes) {
     session.show(series);
     session.change(QStringLiteral("test"), withLayout(session.workspace(), Layout::planes));
     add({800, 1200});
@@ -38,9 +43,9 @@ struct SurfaceSession {
     change(withSegmentMap(with, withMask(made, made.current, voxelsInRange(*series->volume, range))));
   }
   // One more voxel of segment 1, apart from all others.
-  void addVoxel() {
+  void addVoxel(int i = 0) {
     BitMask mask = maskOf(*map().labels, 1);
-    mask.set({0, 0, 0});
+    mask.set({i, 0, 0});
     change(withSegmentMap(session.workspace(), withMask(map(), 1, mask)));
   }
   // False where the volume cannot be cut.
@@ -82,6 +87,10 @@ class TestSegmentSurfaceJobs : public QObject {
   void aSeriesThatIsOpenedAgainMayHaveOtherSlices();
   void whatIsNotInAViewIsDropped();
   void aJobThatIsCancelledIsNotBegunAgain();
+  void whatWasCancelledIsSaidAndTriedAgain_data();
+  void whatWasCancelledIsSaidAndTriedAgain();
+  void whatTakesTooMuchMemoryIsNotDrawn_data();
+  void whatTakesTooMuchMemoryIsNotDrawn();
 };
 
 void TestSegmentSurfaceJobs::theyAreDrawnOnceTheyAreMade() {
@@ -203,6 +212,94 @@ void TestSegmentSurfaceJobs::aJobThatIsCancelledIsNotBegunAgain() {
   s.undo();  // something changes
   QVERIFY(s.idle());
   QCOMPARE(s.drawn().size(), std::size_t(2));
+}
+
+void TestSegmentSurfaceJobs::whatWasCancelledIsSaidAndTriedAgain_data() {
+  QTest::addColumn<std::function<void(SurfaceSession&)>>("act");
+  const auto row = [](const char* name, const std::function<void(SurfaceSession&)>& act) {
+    QTest::newRow(name) << act;
+  };
+  row("In 3D off and on", [](SurfaceSession& s) {
+    s.change(withSegmentsIn3d(s.session.workspace(), s.key, false));
+    s.change(withSegmentsIn3d(s.session.workspace(), s.key, true));
+  });
+  row("a voxel more", [](SurfaceSession& s) { s.addVoxel(1); });
+  row("the colour of one", [](SurfaceSession& s) {
+    s.change(withSegmentChanged(s.session.workspace(), s.key, 1,
+                                [](Segment& segment) { segment.colour = glm::u8vec3(1, 2, 3); }));
+  });
+}
+
+// A look that was changed while it was made is no reason to try again.
+void TestSegmentSurfaceJobs::whatWasCancelledIsSaidAndTriedAgain() {
+  QFETCH(std::function<void(SurfaceSession&)>, act);
+  SurfaceSession s;
+  QVERIFY(s.idle());
+  QVERIFY(s.session.segmentsNotDrawn(sceneViewId).empty());
+  const QSignalSpy cancelled(&s.surfaces, &SegmentSurfaceJobs::cancelled);
+  s.addVoxel();
+  s.change(withSegmentChanged(s.session.workspace(), s.key, 1, [](Segment& one) { one.opacity = 0.5; }));
+  s.jobs.cancel(s.jobs.rows().front().id);
+  QCOMPARE(cancelled.size(), 1);
+  QVERIFY(s.jobs.rows().empty() && s.drawn().empty());
+  const QString says = notDrawnText(s.session.segmentsNotDrawn(sceneViewId));
+  QVERIFY2(says.startsWith(QStringLiteral("Not drawn in 3D: ")) && says.contains(QStringLiteral("cancelled")),
+           qPrintable(says));
+  for (const Segment& segment : s.map().segments)
+    QVERIFY2(says.contains(QString::fromStdString(segment.label)), qPrintable(says));
+  QCOMPARE(says.count(QLatin1Char('\n')), 0);
+  act(s);
+  QVERIFY(!s.jobs.rows().empty() && s.idle());
+  QCOMPARE(s.drawn().size(), std::size_t(2));
+  QVERIFY(s.session.segmentsNotDrawn(sceneViewId).empty());
+}
+
+void TestSegmentSurfaceJobs::whatTakesTooMuchMemoryIsNotDrawn_data() {
+  QTest::addColumn<bool>("countsFirst");
+  QTest::addColumn<bool>("countsSecond");
+  QTest::addColumn<int>("more");  // bytes
+  QTest::addColumn<std::vector<int>>("drawn");
+  QTest::newRow("room for both") << true << true << 0 << std::vector<int>{1, 2};
+  QTest::newRow("a byte too little for both") << true << true << -1 << std::vector<int>{1};
+  QTest::newRow("a byte too little for the first") << true << false << -1 << std::vector<int>{2};
+  QTest::newRow("for none") << false << true << -1 << std::vector<int>{};
+}
+
+// In their order; once one is small enough it is drawn.
+void TestSegmentSurfaceJobs::whatTakesTooMuchMemoryIsNotDrawn() {
+  QFETCH(bool, countsFirst);
+  QFETCH(bool, countsSecond);
+  QFETCH(int, more);
+  QFETCH(std::vector<int>, drawn);
+  const auto bytesOfRange = [](ValueRange range) {
+    return occupancyBytes(voxelsInRange(*hollowBalls()->volume, range), surfaceSigma);
+  };
+  const std::size_t first = bytesOfRange({800, 1200}), second = bytesOfRange({400, 600});
+  QVERIFY(second < first);
+  SurfaceSession s((countsFirst ? first : 0) + (countsSecond ? second : 0) + std::size_t(more));
+  QStringList told;
+  QObject::connect(&s.surfaces, &SegmentSurfaceJobs::failed, &s.session,
+                   [&](const QString& sentence) { told << sentence; });
+  QVERIFY(s.idle());
+  for (const int number : {1, 2})
+    QCOMPARE(s.field(number) != nullptr, std::ranges::count(drawn, number) == 1);
+  if (s.field(1)) QCOMPARE(s.field(1)->values.size() * sizeof(float), first);
+  const auto refused = s.session.segmentsNotDrawn(sceneViewId);
+  QCOMPARE(refused.size(), 2 - drawn.size());
+  QCOMPARE(std::size_t(told.size()), refused.size());
+  for (const SegmentNotDrawn& one : refused)
+    QVERIFY2(one.whyNot.contains(QStringLiteral(" MB of memory")), qPrintable(one.whyNot));
+  for (const QString& sentence : told)
+    QVERIFY2(sentence.startsWith(QStringLiteral("Not drawn in 3D: ")), qPrintable(sentence));
+  if (drawn != std::vector<int>{2}) return;
+  s.addVoxel();
+  QVERIFY(s.idle());
+  QVERIFY2(!s.field(1) && told.size() == 1, "it is told once");
+  BitMask voxel(s.series->volume->geometry());
+  voxel.set({20, 20, 20});
+  s.change(withSegmentMap(s.session.workspace(), withMask(s.map(), 1, voxel)));
+  QVERIFY(s.idle());
+  QVERIFY(s.field(1) && s.field(2) && s.session.segmentsNotDrawn(sceneViewId).empty());
 }
 
 VOLUMEN_TEST(TestSegmentSurfaceJobs);

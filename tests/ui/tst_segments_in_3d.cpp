@@ -95,6 +95,7 @@ class TestSegmentsIn3d : public QObject {
   void toolsOfTheSurfaceWorkOnThem();
   void whatIsCutIsMissing();
   void projectionsSayThatTheyShowNone();
+  void effectsNameWhatWasCancelled();
 };
 
 void TestSegmentsIn3d::whatIsShownIsDrawn() {
@@ -312,6 +313,28 @@ void TestSegmentsIn3d::projectionsSayThatTheyShowNone() {
   QVERIFY(w.rest->image == without);
   const QString effects = w.child<QTextBrowser>("effectsPanel")->toPlainText();
   QVERIFY2(effects.contains(QStringLiteral("a projection of values has no surfaces")), qPrintable(effects));
+}
+
+// Until the box In 3D is off and on again.
+void TestSegmentsIn3d::effectsNameWhatWasCancelled() {
+  In3dWindow w;
+  QVERIFY(w.makeColoured());
+  const auto effects = [&] { return w.child<QTextBrowser>("effectsPanel")->toPlainText(); };
+  QVERIFY(!effects().contains(QStringLiteral("Not drawn in 3D")));
+  SegmentMap map = *w.map();
+  BitMask mask = w.mask(1);
+  mask.set({0, 0, 0});
+  w.session().change(QStringLiteral("test"), withSegmentMap(w.workspace(), withMask(map, 1, mask)));
+  int cancelled = 0;
+  for (const JobRow& row : w.window.jobs().rows())
+    if (row.text.contains(QStringLiteral("surfaces"))) w.window.jobs().cancel(row.id), ++cancelled;
+  QCOMPARE(cancelled, 1);
+  QVERIFY2(effects().contains(QStringLiteral("Making their surfaces was cancelled")), qPrintable(effects()));
+  QVERIFY(w.isDrawn() && w.isBlack(pSmall));
+  QVERIFY(effects().contains(QStringLiteral("Not drawn in 3D")));
+  w.click("segmentsIn3d"), w.click("segmentsIn3d");
+  QVERIFY(w.isDrawn() && w.isRed(pSmall));
+  QVERIFY(!effects().contains(QStringLiteral("Not drawn in 3D")));
 }
 
 VOLUMEN_TEST(TestSegmentsIn3d);

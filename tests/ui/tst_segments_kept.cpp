@@ -25,6 +25,7 @@ class TestSegmentsKept : public QObject {
   void changesMakeTheOtherMap();
   void sessionsKeepTwo();
   void sessionsOfBeforeOpen();
+  void aSessionWithAnUnknownStepOpens();
   void sessionsKeepIt_data();
   void sessionsKeepIt();
   void whatIsNotBesideTheSessionIsMissing_data();
@@ -42,6 +43,16 @@ std::string savedAs(const SessionFolder& folder, const Workspace& workspace, con
   const std::string path = folder.at(name).toStdString();
   const Status status = saveSession(path, workspace);
   return status ? path : std::string();
+}
+
+// Changes the first map of segments in a session file.
+bool changeMapIn(const std::string& path, void (*change)(nlohmann::ordered_json& map)) {
+  QFile file(QString::fromStdString(path));
+  if (!file.open(QIODevice::ReadOnly)) return false;
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(file.readAll().toStdString());
+  file.close();
+  change(json.at("segmentMaps").at(0));
+  return file.open(QIODevice::WriteOnly) && file.write(QByteArray::fromStdString(json.dump())) > 0;
 }
 
 QStringList labelFiles(const SessionFolder& folder) { return segmentFilesOf(folder.at("s.volumen")); }
@@ -132,24 +143,39 @@ void TestSegmentsKept::sessionsOfBeforeOpen() {
   SegmentsWindow w;
   QVERIFY(w.segment(0.5, 1));
   const std::string path = savedAs(folder, w.workspace());
-  QFile file(QString::fromStdString(path));
-  QVERIFY(file.open(QIODevice::ReadOnly));
-  nlohmann::ordered_json json = nlohmann::ordered_json::parse(file.readAll().toStdString());
-  file.close();
-  auto& map = json.at("segmentMaps").at(0);
-  map.erase("current");
-  auto& segment = map.at("segments").at(0);
-  for (const char* name : {"visible", "locked", "opacity"}) segment.erase(name);
-  segment["category"] = "Tissue";
-  segment["type"] = "Bone";
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  file.write(QByteArray::fromStdString(json.dump()));
-  file.close();
+  QVERIFY(changeMapIn(path, [](nlohmann::ordered_json& map) {
+    map.erase("current");
+    auto& segment = map.at("segments").at(0);
+    for (const char* name : {"visible", "locked", "opacity"}) segment.erase(name);
+    segment["category"] = "Tissue";
+    segment["type"] = "Bone";
+  }));
   const auto opened = openSession(path);
   QVERIFY2(opened, opened ? "" : opened.message().c_str());
   const Segment read = opened->workspace.segmentMaps.front().segments.front();
   QVERIFY(read.category == (Code{"", "", "Tissue"}) && read.type == (Code{"", "", "Bone"}));
   QVERIFY(read.visible && !read.locked && read.opacity == 1 && read.label == "0.5 to 1");
+}
+
+// Its segments are those that were saved, as made by hand, and that is told.
+void TestSegmentsKept::aSessionWithAnUnknownStepOpens() {
+  const SessionFolder folder;
+  SegmentsWindow w;
+  QVERIFY(w.segment(0.5, 1));
+  QVERIFY(!w.map().steps.empty());
+  const std::string path = savedAs(folder, w.workspace());
+  QVERIFY(changeMapIn(path, [](nlohmann::ordered_json& map) {
+    map.at("steps").push_back({{"step", "thaw"}, {"segment", "1"}});
+  }));
+  const auto opened = openSession(path);
+  QVERIFY2(opened, opened ? "" : opened.message().c_str());
+  QCOMPARE(opened->problems.size(), 1);
+  QVERIFY2(opened->problems.front().contains(QStringLiteral("\"thaw\" is no step")),
+           qPrintable(opened->problems.front()));
+  Workspace expected = w.workspace();
+  expected.segmentMaps.editIf([](const SegmentMap&) { return true; },
+                              [](SegmentMap& map) { map.steps.clear(); });
+  QVERIFY(opened->workspace == expected);
 }
 
 void TestSegmentsKept::sessionsKeepIt_data() {

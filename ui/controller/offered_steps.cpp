@@ -15,8 +15,10 @@ namespace {
 using StepPlaces = std::vector<glm::dvec3>;
 using ChosenFields = std::map<std::string, StepValue>;
 
+// Growing has a page of its own.
 bool isOffered(const StepKind& kind) {
-  return std::string(kind.name) != byHandStep &&
+  const std::string_view name = kind.name;
+  return name != byHandStep && name != growFromSeedsStep &&
          std::ranges::none_of(kind.fields, [](const StepField& field) {
            return field.need == StepField::Need::yes && std::holds_alternative<StepPlaces>(field.byDefault);
          });

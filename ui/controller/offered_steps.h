@@ -10,8 +10,8 @@
 namespace volumen {
 
 /// The kinds of steps that are offered on the current segment, in the order of a list: those of recipes but
-/// for what is clicked or painted, those that change it first; and two that are several steps: "split" makes
-/// its parts segments, "merge" takes another segment in, which goes.
+/// for what is clicked, painted or grown from seeds, those that change it first; and two that are several
+/// steps: "split" makes its parts segments, "merge" takes another segment in, which goes.
 std::span<const StepKind> offeredSteps();
 /// One of these by its name, which it must be.
 const StepKind& offeredStep(const std::string& name);

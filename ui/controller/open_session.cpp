@@ -144,6 +144,11 @@ class Search {
   std::map<std::string, Place> places_;
 };
 
+QString problemOf(const UnreadSteps& unread, const Workspace& workspace) {
+  return tr("How the segments of %1 were made cannot be read: %2 They count as made by hand.")
+      .arg(seriesText(*workspace.series.at(unread.series).series), shownText(unread.why));
+}
+
 }  // namespace
 
 Result<OpenedSession> openSession(const std::string& path, const Progress& progress,
@@ -162,6 +167,8 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
                                  [&](const SavedObject& saved) { return search.findObject(saved); });
   if (cancel.cancelled()) return Error{path + ": interrupted."};
   if (!session) return Error{path + ": " + session.message()};
+  for (const UnreadSteps& unread : session->unreadSteps)
+    search.problems << problemOf(unread, session->workspace);
   Workspace workspace =
       withSegmentMaps(std::move(session->workspace), path, search.problems, progress, cancel);
   return OpenedSession{std::move(workspace), session->savedAs, search.studies(), search.problems};

@@ -19,7 +19,8 @@ struct OpenedSession {
   Workspace workspace;
   std::string savedAs;  ///< of what was kept on the way: the session file it belongs to; empty: none yet
   std::vector<std::pair<std::string, std::shared_ptr<const Study>>> studies;  ///< by path
-  QStringList problems;  ///< a sentence for each series or object that is missing or has changed
+  QStringList
+      problems;  ///< a sentence for each series or object that is missing, has changed or is not whole
 };
 
 /// Reads a session file and looks for its series, and for the presentation states, structure sets and

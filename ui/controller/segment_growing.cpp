@@ -1,49 +1,43 @@
 #include "ui/controller/segment_growing.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
-#include "viewer/segment/grow_from_seeds.h"
+#include "viewer/recipe/step_kinds.h"
 
 namespace volumen {
 
 namespace {
 
-// About the box of the seeds.
-double marginOf(const BitMask& seeds) {
-  constexpr double share = 0.1, leastVoxels = 3;
-  const auto box = seeds.box();
-  if (!box) return 0;
-  const glm::dvec3 spacing = seeds.geometry().spacing(),
-                   edges = glm::dvec3(box->high - box->low + 1) * spacing;
-  return std::max(share * std::max({edges.x, edges.y, edges.z}),
-                  leastVoxels * std::max({spacing.x, spacing.y, spacing.z}));
-}
+// Without the name of the step, which nobody chose.
+std::string withoutStepName(const std::string& why) { return why.substr(why.find(": ") + 2); }
 
+// Seeds are named in the order of their numbers, which decides between paths of one cost.
 Result<SegmentMap> grownIn(SegmentMap map, const Volume& volume, const Mask& mask, GrowthRegion region,
                            const CancelToken& cancel) {
-  BitMask within = mask.empty() ? inverted(BitMask(volume.geometry())) : keptVoxels(volume, mask, cancel);
-  BitMask seeds(volume.geometry());
-  for (const Segment& segment : map.segments) {
-    const BitMask own = maskOf(*map.labels, std::uint8_t(segment.number));
+  StepsWanted wanted{{}, {}, true, {}};
+  std::vector<std::string> with, locked;
+  for (const Segment& segment : map.segments)
     if (isSeed(segment))
-      seeds = united(std::move(seeds), own);
+      wanted.numbers.push_back(segment.number);
     else
-      within = subtracted(std::move(within), own);
-  }
-  SeedGrowth growth;
-  growth.within = &within;
-  growth.marginMm = region == GrowthRegion::everywhere ? std::numeric_limits<double>::infinity()
-                                                       : marginOf(intersected(std::move(seeds), within));
-  const Result<LabelMap> grown = grownFromSeeds(volume, *map.labels, growth, cancel);
-  if (!grown) return grown.error();
-  for (const Segment& segment : std::vector(map.segments))
-    if (isSeed(segment))
-      map = withMask(std::move(map), segment.number, maskOf(*grown, std::uint8_t(segment.number)));
-  return map;
+      locked.push_back(stepNameOf(segment.number));
+  if (wanted.numbers.size() < 2)
+    return Error{"Nothing was grown: seeds of at least two segments are needed, shown and not locked."};
+  std::ranges::sort(wanted.numbers);
+  for (const int number : wanted.numbers) with.push_back(stepNameOf(number));
+  const std::string first = with.front();
+  with.erase(with.begin());
+  const std::string within = keptName(wanted, volume, mask, cancel),
+                    where = region == GrowthRegion::everywhere ? "everywhere" : "about";
+  wanted.steps.push_back({growFromSeedsStep,
+                          first,
+                          {{"with", with}, {"region", where}, {"within", within}, {"locked", locked}}});
+  Result<SegmentMap> made = withStepsDone(std::move(map), wanted, volume, cancel);
+  if (made || cancel.cancelled()) return made;
+  return Error{"Nothing was grown: " + withoutStepName(made.message())};
 }
 
 // "Lesion 1", "Lesion 2".
@@ -73,9 +67,7 @@ Result<SegmentMap> withLesion(SegmentMap map, const LesionWanted& wanted, const 
   Result<SegmentMap> made =
       withStepsDone(withSegment(std::move(map), std::move(lesion)), steps, *wanted.volume, cancel);
   if (made || cancel.cancelled()) return made;
-  // Without the name of the step, which nobody chose.
-  const std::string why = made.message();
-  return Error{"No lesion in the sphere: " + why.substr(why.find(": ") + 2)};
+  return Error{"No lesion in the sphere: " + withoutStepName(made.message())};
 }
 
 }  // namespace

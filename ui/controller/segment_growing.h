@@ -12,9 +12,9 @@ enum class GrowthRegion { aboutSeeds, everywhere };
 /// Whether a segment is one of the seeds: it is shown and not locked.
 bool isSeed(const Segment& segment);
 
-/// The work that gives all voxels of a region to the seeds (grow_from_seeds.h): segments that are hidden or
-/// locked and what the mask takes away stay as they are. About the seeds is a tenth of the longest edge of
-/// their box, and at least three voxels.
+/// The work that gives all voxels of a region to the seeds (grow_from_seeds.h), by the step "growFromSeeds":
+/// segments that are hidden or locked and what the mask takes away stay as they are. About the seeds is
+/// marginAboutSeeds().
 SegmentWork growthOf(const SeriesKey& series, VolumePtr volume, const Mask& mask, GrowthRegion region);
 
 /// A ball of the patient in which a lesion is looked for.

@@ -1,6 +1,7 @@
 #include "ui/controller/segment_jobs.h"
 
 #include <new>
+#include <utility>
 
 #include "io/export/export_segments.h"
 #include "ui/workspace/segment_record.h"
@@ -39,12 +40,19 @@ SegmentNumbers segmentNumbersOf(const std::shared_ptr<const LabelMap>& labels, i
 
 }  // namespace
 
-SegmentJobs::SegmentJobs(Session& session, Jobs& jobs, QObject* parent)
-    : QObject(parent), session_(session), change_(&jobs), measure_(&jobs), save_(&jobs) {
+SegmentJobs::SegmentJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent)
+    : QObject(parent), session_(session), painter_(painter), change_(&jobs), measure_(&jobs), save_(&jobs) {
   save_.keepToTheEnd();
   connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
-    if (change_.isBusy() && !after.series.contains(waiting_.front().series)) drop();
+    if (isMaking() && !after.series.contains(waiting_.front().series)) drop();
   });
+  // From the event loop: Esc undoes the steps since the press once the stroke has ended.
+  connect(
+      &painter_, &SegmentPainter::ended, this,
+      [this] {
+        if (const auto takeNow = std::exchange(takeLater_, nullptr)) takeNow();
+      },
+      Qt::QueuedConnection);
 }
 
 SegmentJobs::~SegmentJobs() { save_.wait(); }
@@ -55,20 +63,20 @@ void SegmentJobs::change(const SegmentWork& work) {
 }
 
 void SegmentJobs::next() {
-  while (!change_.isBusy() && !waiting_.empty()) {
+  while (!isMaking() && !waiting_.empty()) {
     const SegmentWork work = waiting_.front();
     if (session_.workspace().series.contains(work.series)) {
       const SegmentMap* known = segmentMapOf(session_.workspace(), work.series);
       const SegmentMap base = segmentMapOn(session_.workspace(), work.series, work.volume->geometry());
       const Segment* segment = findSegment(base, work.number);
       if (known && known->missing)
-        Q_EMIT failed(tr("The segments of this series were not found with the session: no others are made."));
+        refuse(work, tr("The segments of this series were not found with the session: no others are made."));
       else if (work.makeAll)
         return begin(work, base);
       else if (work.number == 0 && !freeNumber(base))
-        Q_EMIT failed(tr("There are 255 segments, and no more fit: remove one first."));
+        refuse(work, tr("There are 255 segments, and no more fit: remove one first."));
       else if (segment && segment->locked)
-        Q_EMIT failed(tr("%1 is locked: unlock it first.").arg(shownText(segment->label)));
+        refuse(work, tr("%1 is locked: unlock it first.").arg(shownText(segment->label)));
       else if (segment || work.number == 0)
         return begin(work, base);
     }
@@ -100,12 +108,16 @@ void SegmentJobs::begin(const SegmentWork& work, const SegmentMap& base) {
 
 // One step where the segments are still what it was made of; else it is made anew.
 void SegmentJobs::take(const SegmentMap& base, const Result<SegmentMap>& made) {
+  if (painter_.isPainting()) {
+    takeLater_ = [this, base, made] { take(base, made); };
+    return;
+  }
   const SegmentWork work = waiting_.front();
   const Workspace& workspace = session_.workspace();
   const bool isSame = segmentMapOn(workspace, work.series, work.volume->geometry()) == base;
   if (isSame || !made) waiting_.pop_front();
   if (!made) {
-    Q_EMIT failed(shownText(made.message()));
+    refuse(work, shownText(made.message()));
   } else if (isSame) {
     session_.endGesture();
     session_.change(work.text, withSegmentMap(workspace, *made));
@@ -115,10 +127,16 @@ void SegmentJobs::take(const SegmentMap& base, const Result<SegmentMap>& made) {
   next();
 }
 
+void SegmentJobs::refuse(const SegmentWork& work, const QString& why) {
+  if (work.refused) work.refused(why);
+  Q_EMIT failed(why);
+}
+
 // Nobody wants what is under way any more. The next one waits for the event loop: the workspace may be
 // telling of a change.
 void SegmentJobs::drop() {
   change_.giveUpAll();
+  takeLater_ = nullptr;
   waiting_.pop_front();
   QMetaObject::invokeMethod(
       this, [this] { next(); }, Qt::QueuedConnection);

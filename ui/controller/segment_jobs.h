@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 
+#include "ui/controller/segment_painter.h"
 #include "ui/controller/step_work.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
@@ -30,6 +31,8 @@ struct SegmentWork {
   /// In place of all that: the map after it, on the job's thread.
   std::function<Result<SegmentMap>(const SegmentMap& map, const CancelToken& cancel)> makeAll{};
   std::function<void()> done{};  ///< called once it is a step
+  /// Called with a sentence where it is none, which is told all the same; not for what was cancelled.
+  std::function<void(const QString& why)> refused{};
 };
 
 /// What the segments of a map hold.
@@ -42,11 +45,12 @@ struct SegmentNumbers {
 };
 
 /// Changes segments, measures and exports them; each a job, each change one undo step. Changes that are asked
-/// for while one is made wait for their turn, and work on what that came to.
+/// for while one is made wait for their turn, and work on what that came to. None becomes a step in the
+/// middle of a stroke: it comes after it.
 class SegmentJobs : public QObject {
   Q_OBJECT
  public:
-  SegmentJobs(Session& session, Jobs& jobs, QObject* parent = nullptr);
+  SegmentJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent = nullptr);
   /// Waits for what is being written.
   ~SegmentJobs() override;
 
@@ -73,9 +77,13 @@ class SegmentJobs : public QObject {
   void begin(const SegmentWork& work, const SegmentMap& base);
   void take(const SegmentMap& base, const Result<SegmentMap>& made);
   void drop();
+  void refuse(const SegmentWork& work, const QString& why);
+  bool isMaking() const { return change_.isBusy() || takeLater_; }
 
   Session& session_;
-  std::deque<SegmentWork> waiting_;  // the first is being made where the lane is busy
+  const SegmentPainter& painter_;
+  std::deque<SegmentWork> waiting_;  // the first is being made where isMaking()
+  std::function<void()> takeLater_;  // what the first came to, once the stroke has ended; null: nothing
   JobLane change_, measure_, save_;
 };
 

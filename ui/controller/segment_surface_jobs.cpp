@@ -10,6 +10,8 @@ namespace volumen {
 
 namespace {
 
+std::size_t bytesOf(const OccupancyField* field) { return field ? field->values.size() * sizeof(float) : 0; }
+
 std::vector<SeriesKey> seriesIn3d(const Workspace& workspace) {
   std::vector<SeriesKey> all;
   for (const ViewId id : viewsOnScreen(workspace)) {
@@ -21,10 +23,21 @@ std::vector<SeriesKey> seriesIn3d(const Workspace& workspace) {
 
 }  // namespace
 
-SegmentSurfaceJobs::SegmentSurfaceJobs(Session& session, Jobs& jobs, QObject* parent)
-    : QObject(parent), session_(session), lane_(&jobs) {
-  connect(&session_, &Session::workspaceChanged, this, &SegmentSurfaceJobs::next);
+SegmentSurfaceJobs::SegmentSurfaceJobs(Session& session, Jobs& jobs, std::size_t mostBytes, QObject* parent)
+    : QObject(parent), session_(session), mostBytes_(mostBytes), lane_(&jobs) {
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.segmentMaps != after.segmentMaps) noteChanges(before, after);
+            next();
+          });
   next();
+}
+
+void SegmentSurfaceJobs::noteChanges(const Workspace& before, const Workspace& after) {
+  for (const SegmentMap& map : after.segmentMaps) {
+    const SegmentMap* was = segmentMapOf(before, map.series);
+    if (!was || *was != map) again_.insert(map.series);
+  }
 }
 
 void SegmentSurfaceJobs::next() {
@@ -35,6 +48,7 @@ void SegmentSurfaceJobs::next() {
     if (!map || !shown || !isOn(*map, shown->volume->geometry())) continue;
     const Wanted wanted = wantedOf(*map);
     const bool canBegin = !wanted.kept || wanted.kept->voxels || wanted.whole;
+    if (wanted.surfaces.empty()) again_.erase(series);
     if (!wanted.surfaces.empty() && canBegin) return begin(wanted);
   }
 }
@@ -48,10 +62,12 @@ SegmentSurfaceJobs::Wanted SegmentSurfaceJobs::wantedOf(const SegmentMap& map) c
       return made.series == surface.series && made.number == surface.number && made.mask == mask;
     });
     const bool isThere = before != session_.surfaces().end();
-    if (isThere && before->labels == map.labels) continue;
+    const bool isTriedAgain = isThere && !before->field && again_.contains(map.series);
+    if (isThere && before->labels == map.labels && !isTriedAgain) continue;
     wanted.before.push_back(isThere ? *before : MadeSurface());
     wanted.surfaces.push_back(std::move(surface));
   }
+  wanted.mostBytes = mostBytes_ - std::min(mostBytes_, bytesBeside(wanted.surfaces));
   if (mask.empty()) return wanted;
   // A series that was closed may have been opened again with other slices.
   const bool isKnown = kept_ && kept_->series == map.series && kept_->mask == mask &&
@@ -61,23 +77,55 @@ SegmentSurfaceJobs::Wanted SegmentSurfaceJobs::wantedOf(const SegmentMap& map) c
   return wanted;
 }
 
+// Of the surfaces that stay as they are.
+std::size_t SegmentSurfaceJobs::bytesBeside(const std::vector<MadeSurface>& wanted) const {
+  std::size_t bytes = 0;
+  for (const MadeSurface& made : session_.surfaces()) {
+    const bool isReplaced = std::ranges::any_of(wanted, [&](const MadeSurface& surface) {
+      return surface.series == made.series && surface.number == made.number;
+    });
+    if (!isReplaced) bytes += bytesOf(made.field.get());
+  }
+  return bytes;
+}
+
 void SegmentSurfaceJobs::begin(const Wanted& wanted) {
+  again_.erase(wanted.surfaces.front().series);
   lane_.run(
       tr("Making surfaces of segments"), [wanted](const Job& job) { return made(wanted, job.cancel()); },
-      [this, surfaces = wanted.surfaces](Result<Made> result) {
+      [this, wanted](Result<Made> result) {
         if (!result) {
-          giveUp(surfaces);
+          giveUp(wanted.surfaces, tr("There was not enough memory for their surfaces."));
           Q_EMIT failed(QString::fromStdString(result.message()));
           return;
         }
         if (result->kept) kept_ = std::move(result->kept);
-        session_.takeSurfaces(std::move(result->surfaces));
+        session_.takeSurfaces(result->surfaces);
+        tellRefused(wanted, result->surfaces);
       },
-      [this, surfaces = wanted.surfaces] { giveUp(surfaces); });
+      [this, surfaces = wanted.surfaces] {
+        giveUp(surfaces, tr("Making their surfaces was cancelled."));
+        Q_EMIT cancelled(
+            tr("Segments are not drawn in 3D until one is changed, or In 3D is switched off and on."));
+      });
 }
 
-// They are made again once something changes.
-void SegmentSurfaceJobs::giveUp(std::vector<MadeSurface> surfaces) {
+// What would take too much memory; once, while that stays so.
+void SegmentSurfaceJobs::tellRefused(const Wanted& wanted, const std::vector<MadeSurface>& made) {
+  const SegmentMap* map = segmentMapOf(session_.workspace(), made.front().series);
+  std::vector<SegmentNotDrawn> refused;
+  for (std::size_t n = 0; map && n < made.size(); ++n) {
+    const Segment* segment = findSegment(*map, made[n].number);
+    if (segment && !made[n].whyNot.isEmpty() && wanted.before[n].whyNot.isEmpty())
+      refused.push_back({segment, made[n].whyNot});
+  }
+  if (!refused.empty()) Q_EMIT failed(notDrawnText(refused));
+}
+
+// What was changed while they were made is no reason to try again.
+void SegmentSurfaceJobs::giveUp(std::vector<MadeSurface> surfaces, const QString& why) {
+  again_.erase(surfaces.front().series);
+  for (MadeSurface& surface : surfaces) surface.whyNot = why;
   session_.takeSurfaces(std::move(surfaces));
 }
 
@@ -87,9 +135,16 @@ Result<SegmentSurfaceJobs::Made> SegmentSurfaceJobs::made(const Wanted& wanted,
   if (all.kept && !all.kept->voxels)
     all.kept->voxels = std::make_shared<const BitMask>(keptVoxels(*wanted.whole, all.kept->mask, cancel));
   const BitMask* kept = all.kept ? all.kept->voxels.get() : nullptr;
-  for (std::size_t n = 0; n < all.surfaces.size() && !cancel.cancelled(); ++n)
-    all.surfaces[n].field =
-        surfaceFieldOf(*all.surfaces[n].labels, all.surfaces[n].number, kept, &wanted.before[n], cancel);
+  std::size_t left = wanted.mostBytes;
+  for (std::size_t n = 0; n < all.surfaces.size() && !cancel.cancelled(); ++n) {
+    MadeSurface& surface = all.surfaces[n];
+    auto field = surfaceFieldOf(*surface.labels, surface.number, kept, left, &wanted.before[n], cancel);
+    if (field)
+      surface.field = std::move(*field);
+    else
+      surface.whyNot = QString::fromStdString(field.message());
+    left -= std::min(left, bytesOf(surface.field.get()));
+  }
   return all;
 } catch (const std::bad_alloc&) {
   return Error{"Segments are not shown in 3D: there is not enough memory for their surfaces."};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
@@ -10,15 +11,21 @@ namespace volumen {
 
 /// Makes what segments are drawn by in 3D, of the series in 3D views on screen, whenever their voxels, or
 /// what is taken away of the series, changed: a series at a time, as a job. Until then the session keeps what
-/// was there before.
+/// was there before. What could not be made, or was cancelled, is tried again once anything of the segments
+/// of its series changes. All of them together take at most a share of the machine's memory: what would go
+/// beyond is not drawn.
 class SegmentSurfaceJobs : public QObject {
   Q_OBJECT
  public:
-  SegmentSurfaceJobs(Session& session, Jobs& jobs, QObject* parent = nullptr);
+  /// `mostBytes`: of the fields of all surfaces.
+  SegmentSurfaceJobs(Session& session, Jobs& jobs, std::size_t mostBytes = SeriesPool::partOfMemory(25),
+                     QObject* parent = nullptr);
 
  Q_SIGNALS:
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
+  /// The user did: a sentence.
+  void cancelled(const QString& sentence);
 
  private:
   // What is left of a series by a mask.
@@ -31,23 +38,29 @@ class SegmentSurfaceJobs : public QObject {
   struct Wanted {
     std::vector<MadeSurface> surfaces;
     std::vector<MadeSurface>
-        before;                // of each the last one with the same mask; without a field: there is none
-    std::optional<Kept> kept;  // where there is a mask; without voxels: they are to be found
-    VolumePtr whole;           // to find them in
+        before;                 // of each the last one with the same mask; without a field: there is none
+    std::optional<Kept> kept;   // where there is a mask; without voxels: they are to be found
+    VolumePtr whole;            // to find them in
+    std::size_t mostBytes = 0;  // beside other surfaces
   };
   struct Made {
     std::vector<MadeSurface> surfaces;
     std::optional<Kept> kept;
   };
 
+  void noteChanges(const Workspace& before, const Workspace& after);
   void next();
   Wanted wantedOf(const SegmentMap& map) const;
   void begin(const Wanted& wanted);
-  void giveUp(std::vector<MadeSurface> surfaces);
+  std::size_t bytesBeside(const std::vector<MadeSurface>& wanted) const;
+  void tellRefused(const Wanted& wanted, const std::vector<MadeSurface>& made);
+  void giveUp(std::vector<MadeSurface> surfaces, const QString& why);
   static Result<Made> made(const Wanted& wanted, const CancelToken& cancel);
 
   Session& session_;
-  std::optional<Kept> kept_;  // of the last series with a mask
+  const std::size_t mostBytes_;
+  std::optional<Kept> kept_;   // of the last series with a mask
+  std::set<SeriesKey> again_;  // of what was given up of these was something changed since
   JobLane lane_;
 };
 

@@ -115,9 +115,8 @@ Result<SegmentMap> withStepsDone(SegmentMap map, const StepsWanted& wanted, cons
   return withRecorded(std::move(map), done);
 }
 
-StepsWanted keptIn(StepsWanted wanted, const std::vector<std::string>& names, const Volume& volume,
-                   const Mask& mask, const CancelToken& cancel) {
-  if (mask.empty()) return wanted;
+std::string keptName(StepsWanted& wanted, const Volume& volume, const Mask& mask, const CancelToken& cancel) {
+  if (mask.empty()) return {};
   const std::string kept = freeHelper(wanted.steps, "Kept");
   // Without cuts it is a step of a recipe.
   if (mask.lassos.empty()) {
@@ -126,6 +125,13 @@ StepsWanted keptIn(StepsWanted wanted, const std::vector<std::string>& names, co
     wanted.steps.push_back({byHandStep, kept});
     wanted.given.emplace(kept, keptVoxels(volume, mask, cancel));
   }
+  return kept;
+}
+
+StepsWanted keptIn(StepsWanted wanted, const std::vector<std::string>& names, const Volume& volume,
+                   const Mask& mask, const CancelToken& cancel) {
+  const std::string kept = keptName(wanted, volume, mask, cancel);
+  if (kept.empty()) return wanted;
   for (const std::string& name : names) wanted.steps.push_back({"intersect", name, {{"other", kept}}});
   return wanted;
 }

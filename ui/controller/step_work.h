@@ -21,6 +21,10 @@ struct StepsWanted {
 Result<SegmentMap> withStepsDone(SegmentMap map, const StepsWanted& wanted, const Volume& volume,
                                  const CancelToken& cancel);
 
+/// What to call, in steps behind these, the voxels that the mask leaves: what makes them is added. Empty
+/// where it takes nothing away.
+std::string keptName(StepsWanted& wanted, const Volume& volume, const Mask& mask, const CancelToken& cancel);
+
 /// With steps behind them that take from a segment what the mask takes from the volume; from several the
 /// same.
 StepsWanted keptIn(StepsWanted wanted, const std::vector<std::string>& names, const Volume& volume,

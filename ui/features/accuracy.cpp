@@ -54,6 +54,9 @@ Accuracy::Accuracy(Workbench& bench)
     panel_->showEstimate(drawn);
     if (!drawn.draft()) effects_->showPlan(*drawn.plan, drawn.stats);
   });
+  connect(&session_, &Session::workspaceChanged, effects_, [this](const Workspace&, const Workspace& after) {
+    effects_->showNotDrawn(notDrawnText(session_.segmentsNotDrawn(sceneViewOf(after))));
+  });
   connectMeter();
 }
 

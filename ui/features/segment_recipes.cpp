@@ -1,4 +1,5 @@
 #include <QFileDialog>
+#include <QPointer>
 
 #include "ui/controller/file_jobs.h"
 #include "ui/controller/recipe_files.h"
@@ -24,7 +25,8 @@ class SegmentRecipes : public Feature {
   void askWhereToSave();
   void save(const QString& path);
   void showSteps();
-  void run(const Recipe& recipe, RecipeUse use);
+  void run(const Recipe& recipe);
+  void runAgain(const Recipe& recipe, StepsDialog* dialog);
   const SegmentMap* recorded();
 
   FileJobs files_;
@@ -40,13 +42,26 @@ SegmentRecipes::SegmentRecipes(Workbench& bench) : Feature(bench), files_(bench.
   connect(&files_, &FileJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
 }
 
-void SegmentRecipes::run(const Recipe& recipe, RecipeUse use) {
+void SegmentRecipes::run(const Recipe& recipe) {
   const QString why = whyNoSegments(session_);
   if (!why.isEmpty()) return warn(why);
   const SeriesKey series = keyOf(session_.series()->series);
-  // The steps of a record say themselves what they leave out.
-  const Mask mask = use == RecipeUse::again ? Mask{} : session_.maskOf(series);
-  Q_EMIT bench_.segmentWorkWanted(workOf(recipe, series, wholeVolume(session_), mask, use));
+  Q_EMIT bench_.segmentWorkWanted(workOf(recipe, series, wholeVolume(session_), session_.maskOf(series)));
+}
+
+// The steps of a record say themselves what they leave out.
+void SegmentRecipes::runAgain(const Recipe& recipe, StepsDialog* dialog) {
+  const QString why = whyNoSegments(session_);
+  if (!why.isEmpty()) return dialog->showRefused(why);
+  SegmentWork work =
+      workOf(recipe, keyOf(session_.series()->series), wholeVolume(session_), {}, RecipeUse::again);
+  work.done = [shown = QPointer(dialog)] {
+    if (shown) shown->showDone();
+  };
+  work.refused = [shown = QPointer(dialog)](const QString& sentence) {
+    if (shown) shown->showRefused(sentence);
+  };
+  Q_EMIT bench_.segmentWorkWanted(work);
 }
 
 void SegmentRecipes::askWhatToRun() {
@@ -63,7 +78,7 @@ void SegmentRecipes::askWhatToRun() {
 void SegmentRecipes::runFile(const QString& path) {
   files_.open(
       tr("Reading the recipe"), [path] { return recipeFromFile(path.toStdString()); },
-      [this](const Recipe& recipe) { run(recipe, RecipeUse::add); });
+      [this](const Recipe& recipe) { run(recipe); });
 }
 
 // The segments with a record of them; null: none, which is told.
@@ -112,7 +127,7 @@ void SegmentRecipes::showSteps() {
   if (!recorded()) return;
   auto* dialog = new StepsDialog(session_, bench_.dialogParent());
   connect(dialog, &StepsDialog::runWanted, this,
-          [this](const Recipe& recipe) { run(recipe, RecipeUse::again); });
+          [this, dialog](const Recipe& recipe) { runAgain(recipe, dialog); });
   dialog->show();
 }
 

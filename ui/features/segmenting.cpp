@@ -53,9 +53,9 @@ class Segmenting : public Feature {
   void showNumbers();
   void tellSaved(const QStringList& files, const QStringList& notes, const SegmentMap& map);
 
+  SegmentPainter painter_;
   SegmentJobs segmenter_;
   CurveFollower follower_;
-  SegmentPainter painter_;
   std::function<void()> measureLater_;  // what a stroke that is being drawn came to
   SegmentPreview preview_;
   MaskJobs masker_;
@@ -69,9 +69,9 @@ class Segmenting : public Feature {
 
 Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
-      segmenter_(session_, bench.document.jobs),
-      follower_(session_, bench.document.jobs),
       painter_(session_),
+      segmenter_(session_, painter_, bench.document.jobs),
+      follower_(session_, bench.document.jobs),
       preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
       surfaces_(session_, bench.document.jobs),
@@ -89,6 +89,8 @@ Segmenting::Segmenting(Workbench& bench)
   panel_->setTableAction(masker_.tableAction());
   connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   connect(&surfaces_, &SegmentSurfaceJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&surfaces_, &SegmentSurfaceJobs::cancelled, this,
+          [this](const QString& sentence) { tell(sentence); });
   connect(&tissues_, &TissueJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });

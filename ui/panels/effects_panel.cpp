@@ -1,6 +1,7 @@
 #include "ui/panels/effects_panel.h"
 
 #include <QScrollBar>
+#include <utility>
 
 #include "viewer/render/effect_costs.h"
 
@@ -45,8 +46,21 @@ void EffectsPanel::showPlan(const Plan& plan, const RenderStats& stats) {
             .arg(effect.on ? tr("on") : tr("off"), effect.on ? QStringLiteral("<b>%1</b>").arg(name) : name,
                  escaped(effect.reason), effect.on && costs[n] ? bracketed(costText(*costs[n])) : QString());
   }
+  plan_ = html + QStringLiteral("</table>");
+  showAll();
+}
+
+void EffectsPanel::showNotDrawn(const QString& text) {
+  QString html;
+  for (const QString& line : text.split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+    html += QStringLiteral("<p>%1</p>").arg(line.toHtmlEscaped());
+  if (html == std::exchange(notDrawn_, html)) return;
+  showAll();
+}
+
+void EffectsPanel::showAll() {
   const int scrolled = verticalScrollBar()->value();
-  setHtml(html + QStringLiteral("</table>"));
+  setHtml(notDrawn_ + plan_);
   verticalScrollBar()->setValue(scrolled);
 }
 

@@ -80,6 +80,7 @@ QToolButton* SegmentsPanel::pageButton(const char* name, const QString& text, QW
   button->setObjectName(QLatin1String(name));
   button->setText(text);
   button->setCheckable(true);
+  button->setAutoRaise(true);  // as in a tool bar: the one that is chosen has a frame
   pages_->addWidget(page);
   connect(button, &QToolButton::clicked, pages_, [this, page] { pages_->setCurrentWidget(page); });
   return button;

@@ -80,8 +80,17 @@ void StepsDialog::showProblem() {
 void StepsDialog::run() {
   const auto recipe = readRecipe(text_->toPlainText().toStdString());
   if (!recipe) return;
-  text_->document()->setModified(false);  // what it comes to is shown
+  ran_ = text_->toPlainText();
   Q_EMIT runWanted(*recipe);
+}
+
+// What was typed meanwhile stays.
+void StepsDialog::showDone() {
+  if (text_->toPlainText() == ran_) showSteps();
+}
+
+void StepsDialog::showRefused(const QString& why) {
+  if (text_->toPlainText() == ran_) note_->setText(why);
 }
 
 }  // namespace volumen

@@ -11,11 +11,16 @@
 namespace volumen {
 
 /// The steps that made the segments of the series in view, as the text of a recipe, to be changed and run
-/// again. It follows what is done until a text is typed. Not modal; deletes itself when closed.
+/// again. It follows what is done until a text is typed, which stays until it has been run or is discarded.
+/// Not modal; deletes itself when closed.
 class StepsDialog : public QDialog {
   Q_OBJECT
  public:
   explicit StepsDialog(Session& session, QWidget* parent = nullptr);
+
+  /// What runWanted() came to: it was done, or why not.
+  void showDone();
+  void showRefused(const QString& why);
 
  Q_SIGNALS:
   /// A recipe for the segments of these names.
@@ -30,6 +35,7 @@ class StepsDialog : public QDialog {
   QPlainTextEdit* text_;
   QLabel* note_;
   QPushButton *run_, *reset_;
+  QString ran_;  // the text that was run last
 };
 
 }  // namespace volumen

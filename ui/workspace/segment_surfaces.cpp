@@ -1,12 +1,27 @@
 #include "ui/workspace/segment_surfaces.h"
 
+#include <QStringList>
 #include <algorithm>
 #include <utility>
 
 #include "ui/workspace/region_colours.h"
 #include "ui/workspace/segments.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
+
+QString notDrawnText(const std::vector<SegmentNotDrawn>& segments) {
+  QStringList reasons, lines;
+  for (const SegmentNotDrawn& one : segments)
+    if (!reasons.contains(one.whyNot)) reasons << one.whyNot;
+  for (const QString& reason : reasons) {
+    QStringList names;
+    for (const SegmentNotDrawn& one : segments)
+      if (one.whyNot == reason) names << shownText(one.segment->label);
+    lines << tr("Not drawn in 3D: %1. %2").arg(names.join(QStringLiteral(", ")), reason);
+  }
+  return lines.join(QLatin1Char('\n'));
+}
 
 std::vector<const Segment*> segmentsIn3d(const SegmentMap& map) {
   std::vector<const Segment*> shown;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <memory>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct MadeSurface {
   int number = 0;                                 ///< of the segment
   std::shared_ptr<const LabelMap> labels;         ///< that held its voxels
   Mask mask;                                      ///< what was taken away of them
-  std::shared_ptr<const OccupancyField> field{};  ///< null: it could not be made
+  std::shared_ptr<const OccupancyField> field{};  ///< null: it was not made
+  QString whyNot{};                               ///< a sentence, where it was not
 };
 
 /// A segment as it is drawn in a 3D view.
@@ -25,6 +27,15 @@ struct SegmentInScene {
   const Segment* segment;  ///< of the workspace
   std::shared_ptr<const OccupancyField> field;
 };
+
+/// A segment that is to be drawn in a 3D view and is not.
+struct SegmentNotDrawn {
+  const Segment* segment;  ///< of the workspace
+  QString whyNot;
+};
+
+/// Says which they are, and why, a line a reason; empty where there are none.
+QString notDrawnText(const std::vector<SegmentNotDrawn>& segments);
 
 /// The segments of a map that are to be drawn in 3D: those shown that are not wholly transparent; none of a
 /// map that is in slices alone.

@@ -52,6 +52,8 @@ class Session : public QObject {
   /// The segments that are drawn in a 3D view: of those that are to be, the ones whose surface has been made,
   /// as they are or as they were before their last change.
   std::vector<SegmentInScene> segmentsDrawn(ViewId view) const;
+  /// Those of them whose surface was not made, as they are.
+  std::vector<SegmentNotDrawn> segmentsNotDrawn(ViewId view) const;
   /// A series of the workspace; null: it is not in memory.
   LoadedSeriesPtr seriesNamed(const SeriesKey& key) const;
   /// The series of a view; null: none, or it is not in memory.

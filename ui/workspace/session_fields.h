@@ -75,8 +75,8 @@ class FieldWriter {
   }
   void operator()(const char* name, Scene& scene);
   void operator()(const char* name, Shape& shape);
-  /// As in a recipe; left out where there are none.
-  void operator()(const char* name, std::vector<Step>& steps);
+  /// How the segments of a series were made, as in a recipe; left out where nothing is known.
+  void stepsOf(const SeriesKey& series, const char* name, std::vector<Step>& steps);
   /// A number of the list; null: no series.
   void operator()(const char* name, SeriesKey& series);
   /// A frame of reference: its UID, or the number of the only series in it.
@@ -150,10 +150,18 @@ class FieldWriter {
   std::string& problem_;
 };
 
-/// Reads a JSON object into a struct; a missing field leaves what is there.
+/// How the segments of a series were made, which cannot be read: a sentence of a step.
+struct UnreadSteps {
+  SeriesKey series;
+  std::string why;
+};
+
+/// Reads a JSON object into a struct; a missing field leaves what is there. Steps that cannot be read are no
+/// problem: they are left out, and told in `unread`.
 class FieldReader {
  public:
-  FieldReader(JsonFields& json, const NumberedSeries& series) : json_(json), series_(series) {}
+  FieldReader(JsonFields& json, const NumberedSeries& series, std::vector<UnreadSteps>& unread)
+      : json_(json), series_(series), unread_(unread) {}
 
   void operator()(const char* name, bool& value) { json_.read(name, value); }
   void operator()(const char* name, std::string& value) { json_.read(name, value); }
@@ -178,7 +186,7 @@ class FieldReader {
   }
   void operator()(const char* name, Scene& scene);
   void operator()(const char* name, Shape& shape);
-  void operator()(const char* name, std::vector<Step>& steps);
+  void stepsOf(const SeriesKey& series, const char* name, std::vector<Step>& steps);
   void operator()(const char* name, SeriesKey& series);
   void frame(const char* name, std::string& frame);
 
@@ -227,7 +235,7 @@ class FieldReader {
     std::vector<std::pair<Key, T>> list;
     json_.readList(name, list, [&](JsonFields object) {
       std::pair<Key, T> entry;
-      FieldReader reader(object, series_);
+      FieldReader reader(object, series_, unread_);
       item(reader, entry.first, entry.second);
       object.refuseOthers();
       return entry;
@@ -239,7 +247,7 @@ class FieldReader {
  private:
   template <class T>
   void read(JsonFields& object, T& value) {
-    FieldReader reader(object, series_);
+    FieldReader reader(object, series_, unread_);
     fields(reader, value);
     object.refuseOthers();
   }
@@ -249,6 +257,7 @@ class FieldReader {
 
   JsonFields& json_;
   const NumberedSeries& series_;
+  std::vector<UnreadSteps>& unread_;
 };
 
 }  // namespace volumen

@@ -330,7 +330,8 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
   std::string problem;
   JsonFields json(*parsed, "", problem);
   NumberedSeries numbers;
-  FieldReader read(json, numbers);
+  SavedSession session;
+  FieldReader read(json, numbers, session.unreadSteps);
   int found = 0;
   read("volumenSession", found, {-1e9, 1e9});
   if (found != version)
@@ -338,7 +339,6 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
                                       std::to_string(found));
   std::vector<SeriesEntry> entries;
   read("series", entries);
-  SavedSession session;
   if (!problem.empty()) return Error{problem};
   for (SeriesEntry& entry : entries) {
     const SeriesState state = stateOf(std::move(entry), find);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "ui/workspace/session_fields.h"
 #include "ui/workspace/workspace.h"
 
 namespace volumen {
@@ -32,6 +33,7 @@ using FindSeries = std::function<std::shared_ptr<const Series>(const SavedSeries
 struct SavedSession {
   Workspace workspace;
   std::string savedAs;  ///< of what was kept on the way: the session file it belongs to; empty: none yet
+  std::vector<UnreadSteps> unreadSteps;  ///< of segments whose record is empty for that: as made by hand
 };
 
 /// Reads a session (JSON in UTF-8) that nobody has checked. Where `find` finds a series the workspace holds

@@ -9,7 +9,8 @@
 
 namespace volumen {
 
-// What sessions keep of segments and their grids: lists of fields (session_fields.h), part of those in session_json.cpp.
+// What sessions keep of segments and their grids: lists of fields (session_fields.h), part of those in
+// session_json.cpp.
 
 inline bool isChecksum(const std::string& text) {
   return text.size() == 40 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
@@ -92,7 +93,7 @@ void fields(Fields& f, SegmentMap& map) {
   f("current", map.current, {0, 255});
   f("in3d", map.in3d);
   f.unlessFirst("tissueIn3d", map.tissue);
-  f("steps", map.steps);
+  f.stepsOf(map.series, "steps", map.steps);
   f.require("labels", isChecksum(saved.checksum), "must be 40 hexadecimal digits");
   f.require("geometry", spansSpace(saved.geometry), "must have axes that span space");
   if (!map.labels) map.missing = saved;

@@ -23,6 +23,18 @@ std::vector<SegmentInScene> Session::segmentsDrawn(ViewId view) const {
   return drawn;
 }
 
+std::vector<SegmentNotDrawn> Session::segmentsNotDrawn(ViewId view) const {
+  std::vector<SegmentNotDrawn> notDrawn;
+  const SegmentMap* map = segmentMapOf(workspace_, workspace_.view(view).series);
+  if (!map) return notDrawn;
+  for (const Segment* segment : segmentsIn3d(*map))
+    for (const MadeSurface& made : surfaces_)
+      if (made.series == map->series && made.number == segment->number && made.labels == map->labels &&
+          !made.field)
+        notDrawn.push_back({segment, made.whyNot});
+  return notDrawn;
+}
+
 Scene Session::drawnScene(ViewId view) const {
   Scene scene = sceneOf(view);
   if (const MadeTissue* tissue = tissueDrawn(view)) {

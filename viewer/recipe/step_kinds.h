@@ -70,6 +70,8 @@ struct StepKind {
 
 /// The kind of what no recipe can do again; to follow it is an Error.
 inline constexpr const char* byHandStep = "byHand";
+/// The kind that grows several segments into what lies around them (grow_from_seeds.h).
+inline constexpr const char* growFromSeedsStep = "growFromSeeds";
 
 /// All of them, in the order of a menu. A new one is a row.
 std::span<const StepKind> stepKinds();

@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <limits>
+#include <span>
 
 #include "viewer/recipe/step_kinds.h"
 #include "viewer/segment/between_slices.h"
+#include "viewer/segment/grow_from_seeds.h"
 #include "viewer/segment/holes.h"
 #include "viewer/segment/morphology.h"
 #include "viewer/segment/smoothing.h"
@@ -37,8 +40,10 @@ Result<BitMask> betweenSlices(const StepInput& in) {
   return filledBetweenSlices(in.own(), axisOf(in), in.cancel);
 }
 
+constexpr std::size_t mostTogether = 255;  // that labels are enough for
+
 // The step's segment, those of "with" and those that are locked, each once.
-std::vector<std::string> jointNames(const StepInput& in, std::size_t& unlocked) {
+std::vector<std::string> namesTogether(const StepInput& in, std::size_t& unlocked) {
   std::vector<std::string> names{in.name()};
   const auto add = [&](const std::vector<std::string>& more) {
     for (const std::string& name : more)
@@ -50,20 +55,52 @@ std::vector<std::string> jointNames(const StepInput& in, std::size_t& unlocked) 
   return names;
 }
 
+// Labels 1, 2, ... for the names, of which the first is the step's segment.
+LabelMap labelsTogether(const StepInput& in, std::span<const std::string> names) {
+  LabelMap labels(in.volume.geometry());
+  for (std::size_t n = 0; n < names.size(); ++n)
+    labels = withLabel(labels, std::uint8_t(n + 1), n == 0 ? in.own() : in.mask(names[n]));
+  return labels;
+}
+
+NamedMasks masksTogether(const LabelMap& labels, std::span<const std::string> names) {
+  NamedMasks masks;
+  for (std::size_t n = 0; n < names.size(); ++n) masks.emplace(names[n], maskOf(labels, std::uint8_t(n + 1)));
+  return masks;
+}
+
 Result<NamedMasks> joint(const StepInput& in) {
   std::size_t unlocked = 0;
-  const std::vector<std::string> names = jointNames(in, unlocked);
-  if (names.size() > 255) return Error{"there are more than 255 segments"};
-  LabelMap labels(in.volume.geometry());
+  const std::vector<std::string> names = namesTogether(in, unlocked);
+  if (names.size() > mostTogether) return Error{"there are more than 255 segments"};
   std::vector<std::uint8_t> locked;
-  for (std::size_t n = 0; n < names.size(); ++n) {
-    labels = withLabel(labels, std::uint8_t(n + 1), n == 0 ? in.own() : in.mask(names[n]));
-    if (n >= unlocked) locked.push_back(std::uint8_t(n + 1));
-  }
-  labels = jointSmoothed(labels, in.number("sigmaMm"), locked, in.cancel);
-  NamedMasks made;
-  for (std::size_t n = 0; n < unlocked; ++n) made.emplace(names[n], maskOf(labels, std::uint8_t(n + 1)));
-  return made;
+  for (std::size_t n = unlocked; n < names.size(); ++n) locked.push_back(std::uint8_t(n + 1));
+  const LabelMap smoothed = jointSmoothed(labelsTogether(in, names), in.number("sigmaMm"), locked, in.cancel);
+  return masksTogether(smoothed, std::span(names).first(unlocked));
+}
+
+// What may be reached: of "within", where that is named, what is of no locked segment.
+BitMask openVoxels(const StepInput& in, std::span<const std::string> locked) {
+  BitMask open = in.namesSegment("within") ? in.segment("within") : inverted(BitMask(in.volume.geometry()));
+  for (const std::string& name : locked) open = subtracted(std::move(open), in.mask(name));
+  return open;
+}
+
+Result<NamedMasks> growFromSeeds(const StepInput& in) {
+  std::size_t unlocked = 0;
+  const std::vector<std::string> names = namesTogether(in, unlocked);
+  const std::span seeds = std::span(names).first(unlocked);
+  if (seeds.size() > mostTogether) return Error{"there are more than 255 segments"};
+  const LabelMap labels = labelsTogether(in, seeds);
+  const BitMask within = openVoxels(in, std::span(names).subspan(unlocked));
+  SeedGrowth growth;
+  growth.within = &within;
+  growth.marginMm = in.word("region") == "everywhere"
+                        ? std::numeric_limits<double>::infinity()
+                        : marginAboutSeeds(intersected(inverted(maskOf(labels, 0)), within));
+  const Result<LabelMap> grown = grownFromSeeds(in.volume, labels, growth, in.cancel);
+  if (!grown) return grown.error();
+  return masksTogether(*grown, seeds);
 }
 
 }  // namespace
@@ -113,6 +150,17 @@ std::vector<StepKind> stepsOfShape() {
        changes,
        nullptr,
        joint},
+      {growFromSeedsStep,
+       "Grow from seeds",
+       "with what the path of the smallest changes of value joins to it rather than to the other segments, "
+       "about all of them or everywhere; only within a segment, and not through locked ones",
+       {{"with", "With", "", none, {}, {}, StepField::Need::yes},
+        {"region", "Where", "", std::string("about"), {}, {"about", "everywhere"}},
+        {"within", "Within", "", std::string()},
+        {"locked", "Locked", "", none}},
+       changes,
+       nullptr,
+       growFromSeeds},
       {"betweenSlices",
        "Fill between slices",
        "with the slices between those that are painted",

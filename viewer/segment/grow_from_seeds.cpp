@@ -349,16 +349,24 @@ Result<LabelMap> grownFromSeeds(const Volume& volume, const LabelMap& seeds, con
                                 const CancelToken& cancel) try {
   const SeedsFound found = findSeeds(seeds, growth.within);
   if (found.labels < 2)
-    return Error{
-        "Growing from seeds needs seeds of at least two segments: paint into each of them, and into what "
-        "lies around as another one."};
+    return Error{"seeds of at least two segments are needed: what lies around is one of them, too"};
   Growth grown(volume, seeds, withMargin(found.box, volume.geometry(), growth.marginMm), growth, cancel);
   grown.run();
   LabelMap labels(grown.labels());
-  if (cancel.cancelled()) return Error{"Nothing was grown: cancelled."};
+  if (cancel.cancelled()) return Error{"it was cancelled"};
   return labels;
 } catch (const std::bad_alloc&) {
-  return Error{"Nothing was grown: there is not enough memory. Grow within a smaller margin."};
+  return Error{"there is not enough memory: grow within a smaller margin"};
+}
+
+double marginAboutSeeds(const BitMask& seeds) {
+  constexpr double share = 0.1, leastVoxels = 3;
+  const auto box = seeds.box();
+  if (!box) return 0;
+  const glm::dvec3 spacing = seeds.geometry().spacing(),
+                   edges = glm::dvec3(box->high - box->low + 1) * spacing;
+  return std::max(share * std::max({edges.x, edges.y, edges.z}),
+                  leastVoxels * std::max({spacing.x, spacing.y, spacing.z}));
 }
 
 }  // namespace volumen

@@ -26,9 +26,13 @@ inline constexpr int costsOfRange = 16384;
 /// that far) plus locality times its length in mm (rounded), at least 1. Background (0) in `seeds` is what is
 /// to be found; where the margin ends it stays. Of paths of one cost the smaller label wins, so that the
 /// bytes depend on no order. Volume and seeds are of one grid. `cancel` hears how far it is. Bucketed
-/// shortest paths (Dial 1969), in tiles, on all cores. The Error: fewer than two labels, too little memory,
-/// or cancelled.
+/// shortest paths (Dial 1969), in tiles, on all cores. The Error, in lower case and without a full stop:
+/// fewer than two labels, too little memory, or cancelled.
 Result<LabelMap> grownFromSeeds(const Volume& volume, const LabelMap& seeds, const SeedGrowth& growth,
                                 const CancelToken& cancel = {});
+
+/// The margin of what is grown about seeds, mm: a tenth of the longest edge of their box, and at least three
+/// voxels along the axis where those are longest; 0 where there are none.
+double marginAboutSeeds(const BitMask& seeds);
 
 }  // namespace volumen

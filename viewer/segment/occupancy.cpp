@@ -115,7 +115,21 @@ class OccupancyBlock {
   BitWindow window_, lines_, own_, thin_;
 };
 
+// What the field of a mask in `voxels` is held in.
+VoxelBox fieldBox(const VoxelBox& voxels, const GaussianKernel& kernel, const GaussianKernel& lineKernel) {
+  return grownBox(voxels, glm::max(kernel.reach(), lineKernel.reach()) + 1);
+}
+
 }  // namespace
+
+std::size_t occupancyBytes(const BitMask& mask, double sigma) {
+  const std::optional<VoxelBox> voxels = mask.box();
+  if (!voxels) return 0;
+  const VoxelBox box =
+      fieldBox(*voxels, GaussianKernel::inVoxels(sigma), GaussianKernel::inVoxels(lineSigma));
+  const glm::i64vec3 size = box.high - box.low + 1;
+  return std::size_t(size.x * size.y * size.z) * sizeof(float);
+}
 
 OccupancyField occupancyOf(const BitMask& mask, double sigma, const CancelToken& cancel) {
   OccupancyField field{mask.geometry(), {glm::ivec3(0), glm::ivec3(-1)}, {}};
@@ -125,7 +139,7 @@ OccupancyField occupancyOf(const BitMask& mask, double sigma, const CancelToken&
   const BitMask none(mask.geometry());
   const ThinParts parts = sigma > 0 ? thinPartsOf(mask, cancel) : ThinParts{none, none};
   if (cancel.cancelled()) return field;
-  field.box = grownBox(*box, glm::max(kernel.reach(), lineKernel.reach()) + 1);
+  field.box = fieldBox(*box, kernel, lineKernel);
   const glm::i64vec3 size = field.size();
   field.values = zeros<float>(std::size_t(size.x * size.y * size.z));
   forEachBlock(field.box, 16, cancel, [&] {

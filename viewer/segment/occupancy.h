@@ -14,6 +14,8 @@ namespace volumen {
 /// and outside, never elsewhere. Beyond the grid nothing is inside. Of no voxels the box is empty (high <
 /// low). On all cores; a cancelled one is half done, or has no box.
 OccupancyField occupancyOf(const BitMask& mask, double sigma, const CancelToken& cancel = {});
+/// Bytes of the values of that.
+std::size_t occupancyBytes(const BitMask& mask, double sigma);
 inline constexpr double surfaceSigma = 0.7;  ///< voxels: of pictures and of files alike
 
 }  // namespace volumen

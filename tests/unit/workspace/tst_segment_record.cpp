@@ -8,6 +8,7 @@
 #include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
+#include "ui/controller/segment_growing.h"
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_voxels.h"
 #include "ui/workspace/segment_record.h"
@@ -170,6 +171,12 @@ SegmentMap act(SegmentMap map, const VolumePtr& volume, Chance& chance, bool byH
       BitMask painted = maskOf(*map.labels, std::uint8_t(number));
       painted.set(glm::ivec3(chance.below(2), 1, chance.below(2)), chance.oneIn(2));
       return withHandMade(map, withMask(map, number, painted));
+    }
+    case 6: {
+      Mask cut = chance.oneIn(2) ? anyCut(chance) : Mask();
+      if (!byHand) cut.lassos.clear();
+      const auto made = growthOf(map.series, volume, cut, GrowthRegion(chance.below(2))).makeAll(map, cancel);
+      return made ? *made : map;
     }
     default:
       return done(anyStep(map, number, chance, byHand));

@@ -55,6 +55,8 @@ class TestSessionJson : public QObject {
   void seriesThatAreNotFoundAreKeptAsMissing();
   void segmentsAreInSlicesAloneWhereASessionSaysSo_data();
   void segmentsAreInSlicesAloneWhereASessionSaysSo();
+  void stepsThatCannotBeReadAreLeftOutWithTheirRecord_data();
+  void stepsThatCannotBeReadAreLeftOutWithTheirRecord();
   void pathsAreAlsoRelativeToTheSession_data();
   void pathsAreAlsoRelativeToTheSession();
   void refusalsNameTheField_data();
@@ -200,6 +202,46 @@ void TestSessionJson::segmentsAreInSlicesAloneWhereASessionSaysSo() {
   const auto read = sessionFromJson(session.dump(), {});
   QVERIFY2(read, qPrintable(refusal(session.dump())));
   QCOMPARE(read->workspace.segmentMaps.front().in3d, says.value_or(true));
+}
+
+void TestSessionJson::stepsThatCannotBeReadAreLeftOutWithTheirRecord_data() {
+  QTest::addColumn<QString>("step");  // behind one that can be read
+  QTest::addColumn<QString>("why");   // empty: it can be read, too
+  const auto row = [](const char* name, const char* step, const char* why) {
+    QTest::newRow(name) << QString::fromLatin1(step) << QString::fromLatin1(why);
+  };
+  row("all can be read", R"({"step": "grow", "segment": "1"})", "");
+  row("a kind of a newer program", R"({"step": "thaw", "segment": "1"})", "\"thaw\" is no step");
+  row("an unknown field", R"({"step": "grow", "segment": "1", "slowly": true})",
+      "steps[1].slowly is unknown");
+  row("a number out of range", R"({"step": "grow", "segment": "1", "radiusMm": -1})",
+      "steps[1].radiusMm must be");
+  row("no object", "7", "steps[1] must be");
+}
+
+// Of the map that has them alone; all else of the session is as it says.
+void TestSessionJson::stepsThatCannotBeReadAreLeftOutWithTheirRecord() {
+  QFETCH(QString, step);
+  QFETCH(QString, why);
+  Json session = plainSession();
+  Json map = {{"series", 0}, {"labels", std::string(40, 'a')}};
+  map["segments"] = Json::array({{{"number", 1}, {"label", "Bone"}}});
+  map["steps"] = Json::array({{{"step", "range"}, {"segment", "1"}, {"low", 300}}});
+  Json whole = map;
+  map["steps"].push_back(Json::parse(step.toStdString()));
+  session["segmentMaps"] = Json::array({map, whole});
+  const auto read = sessionFromJson(session.dump(), {});
+  QVERIFY2(read, qPrintable(refusal(session.dump())));
+  const SharedList<SegmentMap>& maps = read->workspace.segmentMaps;
+  QCOMPARE(maps.size(), std::size_t(2));
+  QCOMPARE(maps[0].steps.size(), std::size_t(why.isEmpty() ? 2 : 0));
+  QCOMPARE(maps[1].steps.size(), std::size_t(1));
+  QCOMPARE(maps[0].segments.front().label, std::string("Bone"));
+  QCOMPARE(read->unreadSteps.size(), std::size_t(why.isEmpty() ? 0 : 1));
+  if (why.isEmpty()) return;
+  QVERIFY(read->unreadSteps.front().series == maps[0].series);
+  const QString told = QString::fromStdString(read->unreadSteps.front().why);
+  QVERIFY2(told.contains(why) && told.endsWith(QLatin1Char('.')), qPrintable(told));
 }
 
 void TestSessionJson::pathsAreAlsoRelativeToTheSession_data() {
