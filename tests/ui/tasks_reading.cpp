@@ -103,7 +103,7 @@ int obliquePlane() {
   // A handle of the line that the coronal plane has in the axial view.
   const FlatView* view = r.w.view();
   const QPointF middle(view->rect().center());
-  const double reach = 0.36 * std::min(view->width(), view->height());
+  const double reach = 0.32 * std::min(view->width(), view->height());
   r.hand.drag(r.w.view(), middle + QPointF(reach, 0), middle + QPointF(reach * 0.9, reach * 0.43));
   DONE(r.crosshair().turned());
   return r.hand.steps();

@@ -40,12 +40,16 @@ struct Fused : Journey {
   bool opened() {
     return QTest::qWaitFor([this] { return window.session().series() != nullptr; }, longest);
   }
-  void choose(const QString& what) {
+  // `again`: by the second click of a double-click.
+  void choose(const QString& what, bool again = false) {
     auto* tree = child<QTreeWidget>("studyTree");
     for (QTreeWidgetItemIterator it(tree); *it; ++it)
       if ((*it)->text(0).startsWith(what) && (*it)->childCount() == 0) {
         const QRect place = tree->visualItemRect(*it);
-        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, place.center());
+        if (again)
+          QTest::mouseDClick(tree->viewport(), Qt::LeftButton, {}, place.center());
+        else
+          QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, place.center());
         return;
       }
     QFAIL("not in the list");
@@ -69,6 +73,7 @@ class TestFusion : public QObject {
   void seriesOpenInTheirUsualLayout();
   void aLayoutThatWasChosenComesBack();
   void petOpensOverItsCt();
+  void aDoubleClickChoosesOnce();
   void aStudyOfBothOpensFused();
   void overlaysAreChosenMixedAndUndone();
   void anotherFrameOfReferenceIsNoOverlay();
@@ -157,6 +162,19 @@ void TestFusion::petOpensOverItsCt() {
   for (int n = 0; n < 3; ++n) w.child<QAction>("undo")->trigger();
   QCOMPARE(w.modality(w.workspace().view(sceneViewId).series), std::string("CT"));
   QVERIFY(w.look(axialViewId).overlay.empty());
+}
+
+void TestFusion::aDoubleClickChoosesOnce() {
+  NEED_DATA(tests::dataPath("pet-ct"));
+  const UsualLayouts usual;
+  Fused w;
+  QVERIFY(w.opened());
+  w.choose(QStringLiteral("PT IBSI"));
+  QTRY_COMPARE_WITH_TIMEOUT(w.modality(w.workspace().view(sceneViewId).series), std::string("PT"), longest);
+  w.choose(QStringLiteral("PT IBSI"), true);  // the second click, once it is read
+  QCOMPARE(w.modality(w.workspace().view(axialViewId).series), std::string("CT"));
+  QCOMPARE(w.modality(w.look(axialViewId).overlay), std::string("PT"));
+  QCOMPARE(w.window.session().undoStack().count(), 1);
 }
 
 void TestFusion::aStudyOfBothOpensFused() {

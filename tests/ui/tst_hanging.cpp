@@ -48,7 +48,7 @@ void TestHanging::mammogramsFaceEachOther() {
   QVERIFY(w.facesEachOther(4));
   for (int n = 0; n < 4; ++n) {
     QVERIFY2(w.wallOff(n) < 0.5, cells[n]);
-    QCOMPARE(flatLookOf(w.workspace().view(firstCell + n)).turn.mirrored, n == 1);
+    QCOMPARE(flatLookOf(w.workspace().view(firstCell + n)).turn, (n == 1 ? PictureTurn{2} : PictureTurn{}));
     QVERIFY2(w.frameView(n)->overlays().topRight.contains(QLatin1String(cells[n])) ||
                  w.frameView(n)->overlays().topLeft.contains(QLatin1String(cells[n])),
              "the corner says side and view of the frame");
@@ -130,7 +130,7 @@ void TestHanging::aFrameThatCannotBeReadStopsNoOther() {
   w.child<QAction>("nextProtocol")->trigger();
   QCOMPARE(w.workspace().layout, Layout::four);
   QCOMPARE(w.told(0), QStringLiteral("R CC"));
-  QTRY_VERIFY_WITH_TIMEOUT(flatLookOf(w.workspace().view(firstCell + 1)).turn.mirrored, longest);
+  QTRY_COMPARE_WITH_TIMEOUT(flatLookOf(w.workspace().view(firstCell + 1)).turn, PictureTurn{2}, longest);
   for (int n = 1; n < 4; ++n) {
     const auto isAtTheEdge = [&] { return w.frameView(n)->frame() && w.wallOff(n) < 0.5; };
     QVERIFY(QTest::qWaitFor(isAtTheEdge, longest));
@@ -145,7 +145,7 @@ void TestHanging::aClickMeanwhileMakesNoSecondStep() {
   w.session().setFocus(firstCell + 1);
   w.session().endGesture();
   QVERIFY(w.facesEachOther(2));
-  QTRY_VERIFY(flatLookOf(w.workspace().view(firstCell + 1)).turn.mirrored);
+  QTRY_COMPARE(flatLookOf(w.workspace().view(firstCell + 1)).turn, PictureTurn{2});
   QCOMPARE(w.session().undoStack().count(), steps + 1);
   w.child<QAction>("undo")->trigger();
   QCOMPARE(w.workspace().layout, Layout::four);

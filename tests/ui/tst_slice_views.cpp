@@ -238,7 +238,7 @@ void TestSliceViews::handlesTurnTheOtherPlanes() {
   const QImage coronalBefore = w.view(coronalViewId)->picture();
   const QPointF middle = w.pixel(axialViewId, before.at);
   // The sagittal plane's line is upright; its upper handle goes 30 degrees clockwise.
-  const double reach = 0.36 * std::min(axial->width(), axial->height());
+  const double reach = 0.32 * std::min(axial->width(), axial->height());
   const auto around = [&](double angle) {
     return (middle + reach * QPointF(std::sin(angle), -std::cos(angle))).toPoint();
   };

@@ -4,7 +4,9 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QPersistentModelIndex>
+#include <QSignalBlocker>
 #include <QTreeWidgetItemIterator>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -50,6 +52,11 @@ bool standsFor(const Series& listed, const Series& series) {
 // A tree whose series can be dragged: by the path that was opened and their number in it.
 class StudyTree : public QTreeWidget {
  protected:
+  // Its first click has chosen; to choose again would put a PET alone in place of its fusion.
+  void mouseDoubleClickEvent(QMouseEvent* event) override {
+    const QSignalBlocker quiet(this);
+    QTreeWidget::mouseDoubleClickEvent(event);
+  }
   QStringList mimeTypes() const override { return {draggedSeriesType}; }
   QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
     if (items.isEmpty() || !items.front()->data(0, stepRole).isValid()) return nullptr;

@@ -15,7 +15,7 @@ constexpr int freeAround = 24;        // of that point, where no line is taken h
 constexpr double handleRadius = 4;    // as drawn
 constexpr double turnReach = 9;       // for a press
 constexpr double moveReach = 4;       // likewise
-constexpr double handleShare = 0.36;  // of the view's shorter side, from the crosshair's point
+constexpr double handleShare = 0.32;  // of the view's shorter side, from the crosshair's point
 
 QPointF middleOf(const SlicePress& press) {
   return press.pixelAt(crosshairOf(press.session.workspace(), press.view, *press.series).at);

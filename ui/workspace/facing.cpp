@@ -51,6 +51,13 @@ ChestWall chestWallOf(const LoadedFrame& frame) {
   return frame.colour() ? ChestWall::anywhere : brighterSide(frame);
 }
 
+bool liesUpsideDown(const LoadedFrame& frame) {
+  if (frame.columnSide.empty()) return false;
+  const char down = frame.columnSide.front();  // where columns lead to
+  const std::string& breast = frame.slice->series.laterality;
+  return down == 'S' || ((down == 'L' || down == 'R') && breast == std::string(1, down));
+}
+
 std::vector<FlatLook> facingLooks(const std::vector<FacingFrame>& frames, bool sameScale) {
   double mmPerPixel = 0;  // of frames whose pixels have a size
   for (const FacingFrame& f : frames)
@@ -64,7 +71,9 @@ std::vector<FlatLook> facingLooks(const std::vector<FacingFrame>& frames, bool s
     look.panMm = {0, 0};
     if (f.wanted == ChestWall::anywhere) continue;
     const ChestWall now = chestWallOf(*f.frame);
-    look.turn.mirrored = now != ChestWall::anywhere && now != f.wanted;
+    const bool facesAway = now != ChestWall::anywhere && now != f.wanted;
+    const bool isUpsideDown = liesUpsideDown(*f.frame);
+    look.turn = {isUpsideDown ? 2 : 0, facesAway != isUpsideDown};
     const double beside = (wholeMm(f).x - f.pixels.x * fitted / look.zoom) / 2;
     look.panMm.x = f.wanted == ChestWall::right ? beside : -beside;
   }

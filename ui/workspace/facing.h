@@ -9,6 +9,10 @@ namespace volumen {
 /// side that is brighter; `anywhere` where neither tells.
 ChestWall chestWallOf(const LoadedFrame& frame);
 
+/// Whether a mammogram, as acquired, has below what is shown above: the head, or of a breast seen from above
+/// (CC) its outer side. By the file's PatientOrientation; false where it says neither.
+bool liesUpsideDown(const LoadedFrame& frame);
+
 /// A frame in its view, and where its chest wall is wanted.
 struct FacingFrame {
   LoadedFramePtr frame;
@@ -17,9 +21,9 @@ struct FacingFrame {
   ChestWall wanted = ChestWall::anywhere;
 };
 
-/// The looks by which frames face each other: mirrored where their chest wall is on the other side than
-/// wanted, moved to that edge of the view, and, `sameScale`, as many mm a pixel as the one that needs most;
-/// those whose pixels have no size in mm fill their views.
+/// The looks by which frames face each other: upright, turned by half or mirrored where their chest wall is
+/// on the other side than wanted, moved to that edge of the view, and, `sameScale`, as many mm a pixel as the
+/// one that needs most; those whose pixels have no size in mm fill their views.
 std::vector<FlatLook> facingLooks(const std::vector<FacingFrame>& frames, bool sameScale);
 
 }  // namespace volumen

@@ -31,6 +31,10 @@ const Attribute attributes[] = {
     {&Series::time, timeText},
 };
 
+bool saysProjection(const Attribute& attribute) {
+  return attribute.value == &Series::laterality || attribute.value == &Series::viewPosition;
+}
+
 QString sizeText(const VoxelGeometry& g) {
   QString text = QStringLiteral("%1 x %2 x %3").arg(g.size.x).arg(g.size.y).arg(g.size.z);
   const glm::dvec3 mm = g.spacing();
@@ -75,7 +79,8 @@ QStringList tellingApart(const Series& series, const std::vector<const Series*>&
   for (const Attribute& attribute : attributes) {
     const std::string& value = series.*attribute.value;
     const auto differs = [&](const Series* other) { return other->*attribute.value != value; };
-    if (std::none_of(alike.begin(), alike.end(), differs)) continue;
+    const bool isAlwaysSaid = opensAsFrames(series) && saysProjection(attribute);
+    if (!isAlwaysSaid && std::none_of(alike.begin(), alike.end(), differs)) continue;
     std::erase_if(alike, differs);
     if (!value.empty()) found << attribute.text(value);
   }
@@ -115,7 +120,10 @@ QStringList factsOf(const Series& series, const std::vector<Warning>& warnings) 
     lines << tr("Slices %1").arg(thickness);
   if (const QString unit = unitSuffix(series); !unit.isEmpty())
     lines << tr("Values in%1%2").arg(unit, unitNote(series));
-  for (const Warning& w : warnings) lines << QStringLiteral("! ") + shownText(w.sentence);
+  // As a volume: frames are measured in pixels of their own.
+  const auto isOfVolume = [](const Warning& w) { return w.kind == WarningKind::notCalibrated; };
+  for (const Warning& w : warnings)
+    if (!opensAsFrames(series) || !isOfVolume(w)) lines << QStringLiteral("! ") + shownText(w.sentence);
   lines.removeAll(QString());
   return lines;
 }

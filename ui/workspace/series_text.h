@@ -27,7 +27,8 @@ bool areNamesakes(const Series& a, const Series& b);
 
 /// What tells a series apart from others of its name: the first of echo time, b-value, time point, label and
 /// time of day that differ, "TE 20 ms", "b 1000", "time point 3", "direction 12", "10:22:31"; several where
-/// none alone is enough, none where nothing does. `others`: of its name, itself included or not.
+/// none alone is enough, none where nothing does; side and view of single pictures always, "L CC". `others`:
+/// of its name, itself included or not.
 QStringList tellingApart(const Series& series, const std::vector<const Series*>& others);
 
 /// All that is known of a series, one thing a line, warnings last: patient, study, values, place of its
@@ -35,7 +36,7 @@ QStringList tellingApart(const Series& series, const std::vector<const Series*>&
 QStringList everythingOf(const Series& series);
 
 /// What pictures of a series are made of, one thing a line: its name, slices, size and spacing, thickness and
-/// unit of the values, each of these warnings last.
+/// unit of the values, each of these warnings last; of frames none that is of the volume they would make.
 QStringList factsOf(const Series& series, const std::vector<Warning>& warnings);
 
 /// What is to be known of a series beside what its picture says by itself: a sentence for each warning that

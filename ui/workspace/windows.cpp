@@ -112,7 +112,9 @@ QString namedWindow(const Window& window, const Series& series, const OwnWindows
 
 std::vector<NamedWindow> windowChoices(const LoadedSeries& series, const OwnWindows& own) {
   std::vector<NamedWindow> all{{tr("Automatic"), {}}};
-  const std::vector<Window>& files = series.volume->attributes().windows;
+  std::vector<Window> files;
+  for (const Window& window : series.volume->attributes().windows)
+    if (std::ranges::find(files, window) == files.end()) files.push_back(window);
   for (std::size_t n = 0; n < files.size(); ++n) {
     const QString name = files.size() == 1 ? tr("From file") : tr("From file, %1").arg(n + 1);
     all.push_back({namedWindowText(name, files[n], series.series), files[n]});

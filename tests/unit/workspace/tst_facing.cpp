@@ -10,7 +10,8 @@ namespace {
 
 // `columns` x 20 pixels of `mm`, the left half of one value, the right one of another.
 LoadedFramePtr breastFrame(const char* rows, float leftHalf, float rightHalf, int columns = 10, double mm = 1,
-                           bool inverted = false, PixelSizeKind kind = PixelSizeKind::atDetector) {
+                           bool inverted = false, PixelSizeKind kind = PixelSizeKind::atDetector,
+                           const char* columnsTo = "", const char* side = "") {
   Frame frame;
   frame.size = {columns, 20};
   for (int n = 0; n < columns * 20; ++n)
@@ -18,7 +19,9 @@ LoadedFramePtr breastFrame(const char* rows, float leftHalf, float rightHalf, in
   frame.greys = {{"", {{500, 1000}, WindowFunction::linear, {}, inverted}, false}};
   frame.pixel = {{mm, mm}, kind};
   frame.rowSide = rows;
+  frame.columnSide = columnsTo;
   Series series;
+  series.laterality = side;
   series.path = "breast";
   series.acquired.size = {columns, 20, 1};
   series.acquired.calibrated = false;
@@ -34,6 +37,8 @@ class TestFacing : public QObject {
   void theChestWallIsFound();
   void framesFaceEachOther_data();
   void framesFaceEachOther();
+  void breastsAreUpright_data();
+  void breastsAreUpright();
   void framesWithoutMmHaveNoScale();
 };
 
@@ -97,6 +102,54 @@ void TestFacing::framesFaceEachOther() {
   }
   const std::vector<FlatLook> free = facingLooks({{frames[0].frame, {}, {300, 200}}}, sameScale);
   QVERIFY(free[0] == FlatLook());
+}
+
+void TestFacing::breastsAreUpright_data() {
+  QTest::addColumn<QByteArray>("rows");
+  QTest::addColumn<QByteArray>("columns");
+  QTest::addColumn<QByteArray>("side");
+  QTest::addColumn<int>("wanted");
+  QTest::addColumn<int>("quarters");
+  QTest::addColumn<bool>("mirrored");
+  const auto row = [](const char* name, const char* rows, const char* columns, const char* side,
+                      ChestWall wanted, PictureTurn turn) {
+    QTest::newRow(name) << QByteArray(rows) << QByteArray(columns) << QByteArray(side) << int(wanted)
+                        << turn.quarters << turn.mirrored;
+  };
+  const ChestWall left = ChestWall::left, right = ChestWall::right;
+  row("R CC as it hangs", "P", "L", "R", right, {});
+  row("L CC as it hangs", "A", "R", "L", left, {});
+  row("L CC, half a turn", "P", "L", "L", left, {2, false});
+  row("R CC, half a turn", "A", "R", "R", right, {2, false});
+  row("L CC seen from below", "P", "R", "L", left, {0, true});
+  row("L CC top to bottom", "A", "L", "L", left, {2, true});
+  row("R MLO as it hangs", "P", "IL", "R", right, {});
+  row("L MLO, half a turn", "P", "SL", "L", left, {2, false});
+  row("L MLO, left to right", "P", "IR", "L", left, {0, true});
+  row("no side", "P", "L", "", left, {0, true});
+  row("no columns", "P", "", "L", left, {0, true});
+}
+
+void TestFacing::breastsAreUpright() {
+  QFETCH(QByteArray, rows);
+  QFETCH(QByteArray, columns);
+  QFETCH(QByteArray, side);
+  QFETCH(int, wanted);
+  QFETCH(int, quarters);
+  QFETCH(bool, mirrored);
+  const ChestWall edge = ChestWall(wanted);
+  const LoadedFramePtr frame = breastFrame(rows.constData(), 10, 900, 10, 1, false, PixelSizeKind::atDetector,
+                                           columns.constData(), side.constData());
+  const FlatLook look = facingLooks({{frame, {}, {300, 200}, edge}}, false).front();
+  QCOMPARE(look.turn.quarters, quarters);
+  QCOMPARE(look.turn.mirrored, mirrored);
+  // The column at the chest wall lies at the edge, however the picture was turned.
+  ViewState state;
+  state.kind = ViewKind::frames;
+  const SlicePlane plane = flatPlane(state, look, frame->geometry(), {}, {300, 200});
+  const double column = rows == "P" ? frame->geometry().size.x - 0.5 : -0.5;
+  const glm::dvec2 wall = plane.pixelFromPatient(frame->geometry().patientFromVoxel({column, 9.5, 0}));
+  QVERIFY(std::abs(wall.x - (edge == ChestWall::right ? 300 : 0)) < 1e-6);
 }
 
 // A pixel of 2 "mm" whose size nobody knows.

@@ -17,6 +17,7 @@ class TestSeriesText : public QObject {
   void namesakesAreToldApart_data();
   void namesakesAreToldApart();
   void everythingIsSaid();
+  void framesAreNotWarnedOfTheirVolume();
 };
 
 namespace {
@@ -97,6 +98,13 @@ void TestSeriesText::namesakesAreToldApart_data() {
   breasts[0].laterality = breasts[1].laterality = "L", breasts[2].laterality = "R";
   breasts[0].viewPosition = breasts[2].viewPosition = "CC", breasts[1].viewPosition = "MLO";
   QTest::newRow("projections") << breasts << QStringList{QStringLiteral("L CC")};
+  Series breast = with("", "", "", "10"), chest = breast, knee = breast;
+  breast.laterality = "R", breast.viewPosition = "MLO";
+  chest.viewPosition = "PA", knee.laterality = "R";
+  breast.notVolume = chest.notVolume = "A picture.";
+  QTest::newRow("a breast alone") << All{breast} << QStringList{QStringLiteral("R MLO")};
+  QTest::newRow("a chest alone") << All{chest} << QStringList{QStringLiteral("view PA")};
+  QTest::newRow("slices of a knee alone") << All{knee} << QStringList{};
   All labelled{with("20", "", "", "10"), with("20", "", "", "10")};
   labelled[0].label = "direction 12", labelled[1].label = "direction 13";
   QTest::newRow("a label") << labelled << QStringList{QStringLiteral("direction 12")};
@@ -139,6 +147,17 @@ void TestSeriesText::everythingIsSaid() {
   series.format = "NIfTI", series.path = "/data/brain.nii.gz", series.description = "FSL3.3";
   const QStringList file = everythingOf(series);
   QVERIFY(file.contains(QStringLiteral("MR brain.nii.gz")) && file.contains(QStringLiteral("FSL3.3")));
+}
+
+void TestSeriesText::framesAreNotWarnedOfTheirVolume() {
+  Series series = with("", "", "", "10");
+  series.warnings = {{"Not calibrated: no measurements in mm in 3D.", WarningKind::notCalibrated},
+                     {"A pixel is 0.2 x 0.2 mm.", WarningKind::other}};
+  const QString ofVolume = QStringLiteral("! Not calibrated: no measurements in mm in 3D."),
+                ofFrames = QStringLiteral("! A pixel is 0.2 x 0.2 mm."), mark = QStringLiteral("! ");
+  QCOMPARE(factsOf(series, series.warnings).filter(mark), (QStringList{ofVolume, ofFrames}));
+  series.notVolume = "A picture.";
+  QCOMPARE(factsOf(series, series.warnings).filter(mark), QStringList{ofFrames});
 }
 
 VOLUMEN_TEST(TestSeriesText);
