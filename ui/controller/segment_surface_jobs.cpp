@@ -30,12 +30,14 @@ SegmentSurfaceJobs::SegmentSurfaceJobs(Session& session, Jobs& jobs, QObject* pa
 void SegmentSurfaceJobs::next() {
   if (lane_.isBusy()) return;
   for (const SeriesKey& series : seriesIn3d(session_.workspace())) {
-    const SegmentMap* map = segmentMapOf(session_.workspace(), series);
     const LoadedSeriesPtr shown = session_.seriesNamed(series);
-    if (!map || !shown || !isOn(*map, shown->volume->geometry())) continue;
-    const Wanted wanted = wantedOf(*map);
-    const bool canBegin = !wanted.kept || wanted.kept->voxels || wanted.whole;
-    if (!wanted.surfaces.empty() && canBegin) return begin(wanted);
+    if (!shown) continue;
+    for (const SegmentMap* map : segmentMapsOf(session_.workspace(), series)) {
+      if (!isOn(*map, shown->volume->geometry())) continue;
+      const Wanted wanted = wantedOf(*map);
+      const bool canBegin = !wanted.kept || wanted.kept->voxels || wanted.whole;
+      if (!wanted.surfaces.empty() && canBegin) return begin(wanted);
+    }
   }
 }
 
@@ -43,9 +45,9 @@ SegmentSurfaceJobs::Wanted SegmentSurfaceJobs::wantedOf(const SegmentMap& map) c
   Wanted wanted;
   const Mask mask = session_.maskOf(map.series);
   for (const Segment* segment : segmentsIn3d(map)) {
-    MadeSurface surface{map.series, segment->number, map.labels, mask};
+    MadeSurface surface{map.series, map.number, segment->number, map.labels, mask};
     const auto before = std::ranges::find_if(session_.surfaces(), [&](const MadeSurface& made) {
-      return made.series == surface.series && made.number == surface.number && made.mask == mask;
+      return made.isOfSame(surface) && made.mask == mask;
     });
     const bool isThere = before != session_.surfaces().end();
     if (isThere && before->labels == map.labels) continue;

@@ -9,7 +9,7 @@
 namespace volumen {
 
 /// Makes what segments are drawn by in 3D, of the series in 3D views on screen, whenever their voxels, or
-/// what is taken away of the series, changed: a series at a time, as a job. Until then the session keeps what
+/// what is taken away of the series, changed: a map at a time, as a job. Until then the session keeps what
 /// was there before.
 class SegmentSurfaceJobs : public QObject {
   Q_OBJECT
@@ -27,7 +27,7 @@ class SegmentSurfaceJobs : public QObject {
     Mask mask;
     std::shared_ptr<const BitMask> voxels;
   };
-  // The surfaces of a series that are to be made, as yet without their fields.
+  // The surfaces of a map that are to be made, as yet without their fields.
   struct Wanted {
     std::vector<MadeSurface> surfaces;
     std::vector<MadeSurface>

@@ -9,7 +9,8 @@
 
 namespace volumen {
 
-// What sessions keep of segments and their grids: lists of fields (session_fields.h), part of those in session_json.cpp.
+// What sessions keep of segments and their grids: lists of fields (session_fields.h), part of those in
+// session_json.cpp.
 
 inline bool isChecksum(const std::string& text) {
   return text.size() == 40 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
@@ -86,6 +87,7 @@ template <class Fields>
 void fields(Fields& f, SegmentMap& map) {
   SavedLabels saved = savedLabelsOf(map);
   f("series", map.series);
+  f("number", map.number, {0, 1e6});
   f("labels", saved.checksum);
   f("geometry", saved.geometry);
   f("segments", map.segments);

@@ -55,6 +55,7 @@ class TestSessionJson : public QObject {
   void seriesThatAreNotFoundAreKeptAsMissing();
   void segmentsAreInSlicesAloneWhereASessionSaysSo_data();
   void segmentsAreInSlicesAloneWhereASessionSaysSo();
+  void aSeriesHasSeveralMapsOfSegments();
   void pathsAreAlsoRelativeToTheSession_data();
   void pathsAreAlsoRelativeToTheSession();
   void refusalsNameTheField_data();
@@ -200,6 +201,37 @@ void TestSessionJson::segmentsAreInSlicesAloneWhereASessionSaysSo() {
   const auto read = sessionFromJson(session.dump(), {});
   QVERIFY2(read, qPrintable(refusal(session.dump())));
   QCOMPARE(read->workspace.segmentMaps.front().in3d, says.value_or(true));
+}
+
+// Those of before have one, without a number; of several the first is worked on.
+void TestSessionJson::aSeriesHasSeveralMapsOfSegments() {
+  const auto read = [](const Json& maps) {
+    Json session = plainSession();
+    session["segmentMaps"] = maps;
+    const auto opened = sessionFromJson(session.dump(), {});
+    return opened ? opened->workspace : Workspace();
+  };
+  const auto refused = [](const Json& maps) {
+    Json session = plainSession();
+    session["segmentMaps"] = maps;
+    return refusal(session.dump());
+  };
+  const Json plain = {{"series", 0}, {"labels", std::string(40, 'a')}};
+  Json other = {{"series", 0}, {"labels", std::string(40, 'b')}, {"number", 2}};
+  QCOMPARE(read(Json::array({plain})).segmentMaps.front().number, 0);
+  const Workspace both = read(Json::array({other, plain}));
+  const SeriesKey key = both.series.begin()->first;
+  QCOMPARE(both.segmentMaps.size(), std::size_t(2));
+  QCOMPARE(segmentMapOf(both, key)->number, 2);
+  QCOMPARE(segmentMapsOf(both, key).front()->number, 0);
+  QVERIFY(segmentMapOf(both, key, 2) == segmentMapOf(both, key) && !segmentMapOf(both, key, 1));
+  other["in3d"] = false;
+  QVERIFY2(refused(Json::array({plain, other})).contains(QStringLiteral("of the other maps")),
+           "another look");
+  other["in3d"] = true, other["number"] = 0;
+  QVERIFY2(refused(Json::array({plain, other})).contains(QStringLiteral("is there twice")), "one number");
+  other["number"] = -1;
+  QVERIFY2(!refused(Json::array({other})).isEmpty(), "below 0");
 }
 
 void TestSessionJson::pathsAreAlsoRelativeToTheSession_data() {
