@@ -183,12 +183,14 @@ class Run {
   // As the session's 3D view draws them.
   std::vector<SegmentSurface> segmentsOf(const SessionView& session, const Volume& whole) const {
     std::vector<SegmentSurface> surfaces;
-    bool isMissing = false;
+    std::size_t missing = 0;
     for (const SegmentMap& map : session.segments) {
-      isMissing = isMissing || !map.labels;
+      missing += map.labels ? 0 : 1;
       std::ranges::move(surfacesOf(map, whole, session.mask, cancel_), std::back_inserter(surfaces));
     }
-    if (isMissing) printNotes({"Segments of the session were not found: they are not drawn."});
+    const char* which = missing == session.segments.size() ? "The" : "Some";
+    if (missing > 0)
+      printNotes({std::string(which) + " segments of the session were not found: they are not drawn."});
     return surfaces;
   }
 
