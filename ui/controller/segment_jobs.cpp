@@ -15,7 +15,7 @@ namespace {
 
 // With the work done to the segment of this number, on the job's thread.
 Result<SegmentMap> workDone(const SegmentWork& work, const SegmentMap& map, int number,
-                            const CancelToken& cancel) try {
+                            const CancelToken& cancel) {
   if (work.makeAll) {
     Result<SegmentMap> made = work.makeAll(map, cancel);
     return made ? withHandMade(map, std::move(*made)) : made;
@@ -28,8 +28,6 @@ Result<SegmentMap> workDone(const SegmentWork& work, const SegmentMap& map, int 
   const Result<BitMask> mask = work.make(map, number, cancel);
   if (!mask) return mask.error();
   return withHandMade(map, withMask(map, number, *mask));
-} catch (const std::bad_alloc&) {
-  return Error{"The segment was not changed: there is not enough memory."};
 }
 
 // What it is made of.
@@ -41,15 +39,13 @@ std::vector<SegmentMap> basesOf(const Workspace& workspace, const SegmentWork& w
 
 // What those come to.
 Result<std::vector<SegmentMap>> mapsMade(const SegmentWork& work, const std::vector<SegmentMap>& bases,
-                                         int number, const CancelToken& cancel) {
-  if (work.makeMaps) try {
-      return work.makeMaps(bases, cancel);
-    } catch (const std::bad_alloc&) {
-      return Error{"No segments were added: there is not enough memory."};
-    }
+                                         int number, const CancelToken& cancel) try {
+  if (work.makeMaps) return work.makeMaps(bases, cancel);
   Result<SegmentMap> made = workDone(work, bases.front(), number, cancel);
   if (!made) return made.error();
   return std::vector<SegmentMap>{std::move(*made)};
+} catch (const std::bad_alloc&) {
+  return Error{"Segments were not changed: there is not enough memory."};
 }
 
 Workspace withMade(const Workspace& workspace, const SegmentWork& work, const std::vector<SegmentMap>& bases,
