@@ -1,5 +1,7 @@
 #include "app/session_view.h"
 
+#include <algorithm>
+
 #include "app/progress.h"
 #include "ui/controller/open_session.h"
 #include "ui/workspace/segment_surfaces.h"
@@ -16,10 +18,12 @@ Result<SessionView> viewOf(const std::string& path, const OpenedSession& session
   const SeriesState& shown = workspace.series.at(view.series);
   if (shown.missing) return Error{path + ": " + session.problems.join(QLatin1Char(' ')).toStdString()};
   SessionView read{*shown.series, shown.mask, look->second.scene, {}, {}};
-  const SegmentMap* segments = segmentMapOf(workspace, view.series);
-  if (segments &&
-      (!segmentsIn3d(*segments).empty() || segments->tissue.where != TissueShown::Where::everywhere))
-    read.segments = *segments;
+  const std::vector<const SegmentMap*> maps = segmentMapsOf(workspace, view.series);
+  const bool isShown = std::ranges::any_of(maps, [](const SegmentMap* map) {
+    return !segmentsIn3d(*map).empty() || map->tissue.where != TissueShown::Where::everywhere;
+  });
+  for (const SegmentMap* map : maps)
+    if (isShown) read.segments.push_back(*map);
   if (workspace.goal.aim == Aim::level) read.quality = workspace.goal.level.quality;
   return read;
 }

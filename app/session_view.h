@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/study/series.h"
 #include "ui/workspace/segment_map.h"
@@ -17,8 +18,8 @@ struct SessionView {
   Series series;
   Mask mask;
   Scene scene;
-  std::optional<SegmentMap> segments;  ///< of the series; none: it has none, or the view shows none
-  std::optional<Quality> quality;      ///< none: the window chose it by time or error
+  std::vector<SegmentMap> segments;  ///< all maps of the series; none: the view shows none
+  std::optional<Quality> quality;    ///< none: the window chose it by time or error
 };
 
 /// Reads a session and finds the series of that view. The Error names the file, and the series where it is

@@ -142,14 +142,14 @@ class Run {
     printNotes(opened->notes);
     const Mask mask = session ? session->mask : Mask{options_.removeTable, {}};
     std::vector<SegmentSurface> segments;
-    if (session && session->segments) segments = segmentsOf(*session, *opened->loaded.drawn);
+    if (session) segments = segmentsOf(*session, *opened->loaded.drawn);
     const VolumePtr whole = opened->loaded.drawn;
     if (!mask.empty())
       if (Status taken = takeAway(mask, *opened, cancel_); !taken) return stopped(taken.message());
     volume_ = opened->loaded.drawn;
     const bool isApart = session && showsTissueApart(*session);
     if (isApart)
-      if (Status left = leaveTissue(*session->segments); !left) return stopped(left.message());
+      if (Status left = leaveTissue(*session); !left) return stopped(left.message());
     warnings_ = opened->loaded.warnings;
     unread_ = opened->loaded.unread;
     times_.loadMs = wallMs() - begin;
@@ -187,9 +187,16 @@ class Run {
 
   // As the session's 3D view draws them.
   std::vector<SegmentSurface> segmentsOf(const SessionView& session, const Volume& whole) const {
-    if (!session.segments->labels)
-      printNotes({"The segments of the session were not found: they are not drawn."});
-    return surfacesOf(*session.segments, whole, session.mask, cancel_);
+    std::vector<SegmentSurface> surfaces;
+    std::size_t missing = 0;
+    for (const SegmentMap& map : session.segments) {
+      missing += map.labels ? 0 : 1;
+      std::ranges::move(surfacesOf(map, whole, session.mask, cancel_), std::back_inserter(surfaces));
+    }
+    const char* which = missing == session.segments.size() ? "The" : "Some";
+    if (missing > 0)
+      printNotes({std::string(which) + " segments of the session were not found: they are not drawn."});
+    return surfaces;
   }
 
   // Surfaces of a map, in its order.
@@ -202,14 +209,18 @@ class Run {
 
   // Whether the volume itself is shown only inside or outside segments.
   bool showsTissueApart(const SessionView& session) const {
-    return session.segments && session.segments->tissue.where != TissueShown::Where::everywhere &&
-           isOn(*session.segments, volume_->geometry());
+    return std::ranges::any_of(session.segments, [&](const SegmentMap& map) {
+      return map.tissue.where != TissueShown::Where::everywhere && isOn(map, volume_->geometry());
+    });
   }
 
   // Makes what the volume shows what it shows in the session's 3D view.
-  Status leaveTissue(const SegmentMap& map) {
-    const Result<VolumePtr> left =
-        keptAlone(*volume_, tissueVoxels(*map.labels, numbersShown(map), map.tissue, cancel_), cancel_);
+  Status leaveTissue(const SessionView& session) {
+    std::vector<const SegmentMap*> maps;
+    for (const SegmentMap& map : session.segments) maps.push_back(&map);
+    const BitMask voxels =
+        tissueVoxels(segmentsShownOf(maps, volume_->geometry()), maps.front()->tissue, cancel_);
+    const Result<VolumePtr> left = keptAlone(*volume_, voxels, cancel_);
     if (!left) return left.error();
     volume_ = *left;
     return {};

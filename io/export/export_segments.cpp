@@ -40,8 +40,8 @@ Exported asDicom(const Export& e) {
 Exported asLabels(const Export& e) {
   if (e.maps.size() != 1)
     return Error{e.path +
-                 ": an image of labels has one segment at each voxel, and these overlap; .seg.nrrd and "
-                 ".dcm hold them."};
+                 ": an image of labels has one segment at each voxel, and these are in several maps, as what "
+                 "overlaps is; .seg.nrrd and .dcm hold them."};
   if (Status s = writeLabelImage(e.maps.front(), e.path, e.progress, e.cancel); !s) return s.error();
   return ExportedSegments{{e.path}, {}};
 }

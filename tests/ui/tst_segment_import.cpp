@@ -23,14 +23,14 @@ class TestSegmentImport : public QObject {
   void whatWasExportedComesBack_data();
   void whatWasExportedComesBack();
   void namesAndNumbersThatAreTakenBecomeOthers();
-  void whatIsThereKeepsItsVoxels();
+  void whatOverlapsGoesToAFurtherMap();
   void anotherGridIsToldWithFigures();
   void filesAreDroppedOnViewsAndPanel_data();
   void filesAreDroppedOnViewsAndPanel();
   void otherFilesOpenWhereTheyAreDropped();
   void filesThatAreNoneChangeNothing_data();
   void filesThatAreNoneChangeNothing();
-  void moreThan255AreRefused();
+  void moreThan255GoToAFurtherMap();
   void itWaitsForWhatIsBeingDone();
   void itCanBeGivenUpAtAnyMoment();
   void withoutASeriesThereIsNothingToAddTo();
@@ -105,6 +105,9 @@ void chooseInStudies(Journey& w, const char* rowText, const char* entry) {
   QFAIL(entry);
 }
 
+// In none of the balls.
+bool isNone(glm::dvec3 p) { return glm::length(p - 17.0) < 2; }
+
 }  // namespace
 
 void TestSegmentImport::whatWasExportedComesBack_data() {
@@ -164,34 +167,44 @@ void TestSegmentImport::namesAndNumbersThatAreTakenBecomeOthers() {
   QCOMPARE(w.voxels(1), voxelsWhere(isCore));
 }
 
-// The core is there; a layer holds all within 10 mm, and another one the core once more.
-void TestSegmentImport::whatIsThereKeepsItsVoxels() {
+// The core is there; a layer holds all within 10 mm, and another one the core once more, and what touches
+// none.
+void TestSegmentImport::whatOverlapsGoesToAFurtherMap() {
   ImportWindow w;
   QVERIFY(w.make(400, 600));
-  const BitMask core = w.mask(1);
+  const SegmentMap first = *w.map();
+  const Workspace before = w.workspace();
   const VoxelGeometry& grid = w.session().series()->volume->geometry();
-  const auto layer = [&](const char* name, double radius) {
+  const auto layer = [&](std::vector<Segment> segments, const std::function<int(glm::dvec3)>& labelOf) {
     LabelEdit edit{LabelMap(grid)};
     for (int k = 0; k < 40; ++k)
       for (int j = 0; j < 40; ++j)
-        for (int i = 0; i < 40; ++i)
-          if (glm::length(glm::dvec3(i, j, k) - 14.5) < radius) edit.set({i, j, k}, 1);
-    return Segmented{{{.number = 1, .label = name}}, edit.done()};
+        for (int i = 0; i < 40; ++i) edit.set({i, j, k}, std::uint8_t(labelOf(glm::dvec3(i, j, k) - 19.5)));
+    return Segmented{std::move(segments), edit.done()};
   };
-  const std::vector<Segmented> layers{layer("Ball", 10), layer("Core", 4)};
+  const auto isBall = [](glm::dvec3 p) { return glm::length(p + 5.0) < 10; };
+  const std::vector<Segmented> layers{
+      layer({{.number = 1, .label = "Ball"}}, [&](glm::dvec3 p) { return isBall(p) ? 1 : 0; }),
+      layer({{.number = 1, .label = "Core"}, {.number = 2, .label = "Small"}}, [](glm::dvec3 p) {
+        return isCore(p) ? 1 : isSmall(p) ? 2 : 0;
+      })};
   QVERIFY(writeSegNrrd(layers, w.at("a.seg.nrrd").toStdString()));
   QVERIFY(w.import(w.at("a.seg.nrrd")));
-  QCOMPARE(w.count(), std::size_t(3));
-  QVERIFY(w.mask(1) == core);
-  const std::int64_t ball = voxelsWhere([](glm::dvec3 p) { return glm::length(p + 5.0) < 10; });
-  QCOMPARE(w.voxels(2), ball - core.count());
-  QCOMPARE(w.voxels(3), std::int64_t(0));
-  const auto ml = [](std::int64_t voxels) { return QLocale().toString(double(voxels) / 1000, 'g', 3); };
-  for (const auto& [lost, of, name] :
-       {std::tuple(core.count(), ball, "Ball"), {core.count(), core.count(), "Core"}})
-    QVERIFY2(
-        w.told().contains(QStringLiteral("%1 of %2 ml of %3").arg(ml(lost), ml(of), QLatin1String(name))),
-        qPrintable(w.told()));
+  const auto voxels = [&](int map, const char* name) {
+    const SegmentMap* of = segmentMapOf(w.workspace(), w.series(), map);
+    const auto found = std::ranges::find(of->segments, std::string(name), &Segment::label);
+    return found == of->segments.end() ? -1 : maskOf(*of->labels, std::uint8_t(found->number)).count();
+  };
+  QCOMPARE(segmentMapsOf(w.workspace(), w.series()).size(), std::size_t(3));
+  QCOMPARE(voxels(0, first.segments[0].label.c_str()), voxelsWhere(isCore));
+  QCOMPARE(voxels(0, "Small"), voxelsWhere(isSmall));
+  QCOMPARE(voxels(1, "Ball"), voxelsWhere(isBall));
+  QCOMPARE(voxels(2, "Core"), voxelsWhere(isCore));
+  for (const char* says :
+       {"Map 2 holds what overlaps other segments: Ball", "Map 3 holds what overlaps other segments: Core"})
+    QVERIFY2(w.told().contains(QLatin1String(says)), qPrintable(w.told()));
+  w.undo();
+  QVERIFY(w.workspace() == before);
 }
 
 void TestSegmentImport::anotherGridIsToldWithFigures() {
@@ -280,33 +293,39 @@ void TestSegmentImport::filesThatAreNoneChangeNothing() {
   QVERIFY(w.workspace() == before && w.steps() == steps);
 }
 
-void TestSegmentImport::moreThan255AreRefused() {
+void TestSegmentImport::moreThan255GoToAFurtherMap() {
   ImportWindow w;
   QVERIFY(w.makeBoth());
   const Workspace before = w.workspace();
   const auto file = [&](const char* name, int count) {
-    return w.file(name, manySegments(count), [](glm::dvec3 p) { return isSmall(p) ? 1 : 0; });
+    return w.file(name, manySegments(count), [](glm::dvec3 p) { return isNone(p) ? 1 : 0; });
   };
-  QVERIFY(w.import(file("many.seg.nrrd", 254)));
-  QVERIFY2(w.told().contains(QStringLiteral("254 segments, and there are 2")), qPrintable(w.told()));
-  QVERIFY(w.workspace() == before);
   QVERIFY(w.import(file("fit.seg.nrrd", 253)));
   QCOMPARE(w.count(), std::size_t(255));
+  w.undo();
+  QVERIFY(w.workspace() == before);
+  QVERIFY(w.import(file("many.seg.nrrd", 254)));
+  const std::vector<const SegmentMap*> maps = segmentMapsOf(w.workspace(), w.series());
+  QVERIFY(maps.size() == 2 && maps[0]->segments.size() == 255 && maps[1]->segments.size() == 1);
 }
 
-// It works on what the step before came to: the core is grown first, and what it has taken is not given away.
+// It works on what the step before came to: the core is grown first, into where the file's segment lies.
 void TestSegmentImport::itWaitsForWhatIsBeingDone() {
   ImportWindow w;
   QVERIFY(w.makeBoth() && w.choose(1));
-  const QString file = w.file("a.seg.nrrd", manySegments(1), [](glm::dvec3) { return 1; });
+  const auto isAround = [](glm::dvec3 p) { return !isCore(p) && glm::length(p + 5.0) < 5; };
+  const QString file =
+      w.file("a.seg.nrrd", manySegments(1), [&](glm::dvec3 p) { return isAround(p) ? 1 : 0; });
   w.click("segmentChange");
   const int steps = w.steps();
   w.click("segmentStep-grow");
   w.startImport(file);
   QVERIFY(w.idle());
   QCOMPARE(w.steps(), steps + 2);
-  QVERIFY(w.voxels(2) > voxelsWhere(isCore));
-  QCOMPARE(w.voxels(1) + w.voxels(2) + w.voxels(3), std::int64_t(40 * 40 * 40));
+  QCOMPARE(w.map()->number, 1);
+  QCOMPARE(w.voxels(1), voxelsWhere(isAround));
+  const LabelMap& first = *segmentMapOf(w.workspace(), w.series(), 0)->labels;
+  QVERIFY(maskOf(first, 2).count() > voxelsWhere(isCore));
 }
 
 void TestSegmentImport::itCanBeGivenUpAtAnyMoment() {

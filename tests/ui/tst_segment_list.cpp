@@ -26,7 +26,7 @@ class TestSegmentList : public QObject {
   void eyeAndLockAreTicked();
   void colourAndOpacityAreSet();
   void aClickChoosesTheOneThatIsWorkedOn();
-  void aCopyHasNoVoxels();
+  void aCopyHasItsVoxelsInAnotherMap();
   void aSegmentGoesWithItsVoxels();
   void whatCannotBeDoneSaysWhy();
   void theListSaysHowLargeTheyAre();
@@ -119,20 +119,26 @@ void TestSegmentList::aClickChoosesTheOneThatIsWorkedOn() {
   QCOMPARE(w.child<QLabel>("segmentResult")->text(), core);
 }
 
-void TestSegmentList::aCopyHasNoVoxels() {
+void TestSegmentList::aCopyHasItsVoxelsInAnotherMap() {
   SegmentWindow w;
   QVERIFY(w.make(800, 1200));
   w.session().change(QStringLiteral("test"), withSegmentChanged(w.workspace(), w.series(), 1, [](Segment& s) {
                        s.label = "Bone";
                        s.type = {"272673000", "SCT", "Bone"};
                      }));
-  const auto labels = w.map()->labels;
+  const Workspace one = w.workspace();
+  const SegmentMap first = *w.map();
+  const BitMask bone = w.mask(1);
   QVERIFY(w.press("segmentDuplicate"));
-  QCOMPARE(w.count(), std::size_t(2));
+  QCOMPARE(w.workspace().segmentMaps.size(), std::size_t(2));
+  QVERIFY(*segmentMapOf(w.workspace(), w.series(), 0) == first);
+  QCOMPARE(w.map()->number, 1);
   QCOMPARE(w.current().label, std::string("Bone 2"));
-  QVERIFY(w.current().type == w.segment(0).type && w.current().colour != w.segment(0).colour);
-  QVERIFY(w.map()->labels == labels);
-  QCOMPARE(w.voxels(2), std::int64_t(0));
+  QVERIFY(w.current().type == first.segments[0].type && w.current().colour != first.segments[0].colour);
+  QVERIFY(w.mask(w.current().number) == bone);
+  QCOMPARE(w.list()->topLevelItem(1)->text(2), w.list()->topLevelItem(0)->text(2));
+  w.undo();
+  QVERIFY(w.workspace() == one);
 }
 
 void TestSegmentList::aSegmentGoesWithItsVoxels() {

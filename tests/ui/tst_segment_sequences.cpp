@@ -62,6 +62,7 @@ class SegmentSequence : public PaintWindow {
     constexpr Qt::KeyboardModifier keys[] = {Qt::NoModifier, Qt::ControlModifier, Qt::AltModifier};
     return keys[chance_.below(3)];
   }
+  int rows() { return list()->topLevelItemCount(); }  // segments of all maps
   void pressButton(const char* name) { (void)SegmentWindow::press(name); }
 
   void looksElsewhere();
@@ -149,14 +150,14 @@ QString SegmentSequence::remember(int before, bool isNew) {
   return isState(after) ? QString() : QStringLiteral("what is there is not that of its step");
 }
 
-// Of a part of the voxels: each is in a segment that there is, or in none.
+// Of a part of the voxels: each is, in each map, in a segment that there is, or in none.
 QString SegmentSequence::wrongLabels() {
-  if (!map()) return {};
-  for (int k = 0; k < 40; k += 3)
-    for (int j = 0; j < 40; j += 2)
-      for (int i = 0; i < 40; ++i)
-        if (const int label = map()->labels->at({i, j, k}); label != 0 && !findSegment(*map(), label))
-          return QStringLiteral("voxels of segment %1, which is none").arg(label);
+  for (const SegmentMap* map : segmentMapsOf(workspace(), series()))
+    for (int k = 0; k < 40; k += 3)
+      for (int j = 0; j < 40; j += 2)
+        for (int i = 0; i < 40; ++i)
+          if (const int label = map->labels->at({i, j, k}); label != 0 && !findSegment(*map, label))
+            return QStringLiteral("voxels of segment %1, which is none").arg(label);
   return {};
 }
 
@@ -260,16 +261,17 @@ void SegmentSequence::fillsBetween() {
 }
 
 void SegmentSequence::addsOrCopies() {
-  if (count() < mostSegments) pressButton(chance_.oneIn(2) ? "segmentAdd" : "segmentDuplicate");
+  const bool copies = chance_.oneIn(2) && rows() < 2 * mostSegments;
+  if (copies || count() < mostSegments) pressButton(copies ? "segmentDuplicate" : "segmentAdd");
 }
 
 void SegmentSequence::removes() {
-  if (count() > 2) pressButton("segmentRemove");
+  if (rows() > 2) pressButton("segmentRemove");
 }
 
 void SegmentSequence::chooses() {
-  if (count() == 0) return;
-  const int row = chance_.below(int(count()));
+  if (rows() == 0) return;
+  const int row = chance_.below(rows());
   list()->scrollToItem(list()->topLevelItem(row));
   (void)choose(row);
 }

@@ -24,8 +24,9 @@ bool segmentsAreMade(Journey& w) {
   return QTest::qWaitFor([&] { return w.window.jobs().rows().empty(); }, longest);
 }
 
-// The trunk, translucent, and the spine in it, in a thin volume; true once they are in the picture.
-bool showSegments(Journey& w) {
+// The trunk, translucent, and the spine in it, in one map or in two, in a thin volume; true once they are in
+// the picture.
+bool showSegments(Journey& w, int maps = 1) {
   Session& session = w.window.session();
   const bool isThin = settles(w, [&] {
     session.edit(QStringLiteral("thin"), [](Scene& s) {
@@ -41,8 +42,9 @@ bool showSegments(Journey& w) {
     Segment segment;
     segment.label = name;
     segment.opacity = opacity;
-    with = withNewSegment(std::move(with), series, volume->geometry(), segment);
-    const SegmentMap map = *segmentMapOf(with, series);
+    const int number = with.segmentMaps.empty() ? 0 : maps - 1;
+    with = withNewSegment(std::move(with), series, volume->geometry(), segment, number);
+    const SegmentMap map = *segmentMapOf(with, series, number);
     with = withSegmentMap(std::move(with), withMask(map, map.current, voxelsInRange(*volume, range)));
   }
   const QImage without = w.window.view()->picture();
@@ -90,10 +92,10 @@ void TestSessionPictures::theProgramDrawsTheSnapshot_data() {
       << 4 << QSize(200, 160) << QStringLiteral("1 outline, table removed");
   QTest::newRow("cut, in perspective") << 5 << QSize(200, 160) << QStringLiteral("1 outline");
   QTest::newRow("with segments") << 6 << QSize(220, 180) << no;
-  QTest::newRow("with segments, cut, without its table")
+  QTest::newRow("with segments in two maps, cut, without its table")
       << 7 << QSize(200, 160) << QStringLiteral("1 outline, table removed");
   QTest::newRow("only inside segments") << 8 << QSize(220, 180) << no;
-  QTest::newRow("only inside segments, cut, without its table")
+  QTest::newRow("only inside segments in two maps, cut, without its table")
       << 9 << QSize(200, 160) << QStringLiteral("1 outline, table removed");
 }
 
@@ -115,7 +117,7 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
     QTRY_VERIFY(w.window.views()->viewAs<FlatView>(coronalViewId));
     QTest::mouseClick(w.window.views()->viewAs<FlatView>(coronalViewId), Qt::LeftButton, {}, {50, 50});
   }
-  if (what >= 6) QVERIFY(showSegments(w));
+  if (what >= 6) QVERIFY(showSegments(w, what % 2 == 1 ? 2 : 1));
   if (what >= 8) QVERIFY(showInsideSegments(w));
   if (what == 4 || what == 5 || what == 7 || what == 9) {
     if (what != 5) QVERIFY(!w.after("removeTable").isNull());

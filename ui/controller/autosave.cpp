@@ -88,8 +88,9 @@ std::optional<LostSession> latestLost() {
 Workspace withSegmentsKept(const Workspace& workspace, const SharedList<SegmentMap>& kept) {
   Workspace made = withLabelsApart(workspace);
   for (const SegmentMap& map : kept)
-    made.segmentMaps.editIf([&](const SegmentMap& other) { return other.series == map.series; },
-                            [&](SegmentMap& other) { other = map; });
+    made.segmentMaps.editIf(
+        [&](const SegmentMap& other) { return other.series == map.series && other.number == map.number; },
+        [&](SegmentMap& other) { other = map; });
   return made;
 }
 

@@ -7,6 +7,7 @@
 #include "ui/controller/segment_target.h"
 #include "ui/controller/step_work.h"
 #include "ui/workspace/curve_spans.h"
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
@@ -23,13 +24,14 @@ struct Following {
 };
 
 // A name of its own stays.
-Following followingOf(const SegmentMap& base, const TransferFunction& curve, const LoadedSeries& series) {
-  Following wanted{base};
+Following followingOf(const SegmentMap& map, const std::vector<SegmentMap>& all,
+                      const TransferFunction& curve, const LoadedSeries& series) {
+  Following wanted{map};
   for (Segment& segment : wanted.map.segments) {
     const std::optional<ValueRange> range = rangeFollowed(segment, curve, series);
     if (!range || segment.locked || segment.range == range) continue;
     if (segment.range && segment.label == nameOfRange(*segment.range, series.series))
-      segment.label = freeName(base, nameOfRange(*range, series.series));
+      segment.label = freeName(all, nameOfRange(*range, series.series));
     segment.range = range;
     wanted.names.push_back(stepNameOf(segment.number));
     wanted.steps.steps.push_back(
@@ -39,12 +41,24 @@ Following followingOf(const SegmentMap& base, const TransferFunction& curve, con
   return wanted;
 }
 
-Result<SegmentMap> followed(const Following& wanted, const Volume& volume, const Mask& mask,
-                            const CancelToken& cancel) try {
-  if (wanted.names.empty()) return wanted.map;
-  return withStepsDone(wanted.map, keptIn(wanted.steps, wanted.names, volume, mask, cancel), volume, cancel);
+Result<std::vector<SegmentMap>> followed(const std::vector<Following>& all, const Volume& volume,
+                                         const Mask& mask, const CancelToken& cancel) try {
+  std::vector<SegmentMap> maps;
+  for (const Following& wanted : all) {
+    maps.push_back(wanted.map);
+    if (wanted.names.empty()) continue;
+    Result<SegmentMap> made =
+        withStepsDone(wanted.map, keptIn(wanted.steps, wanted.names, volume, mask, cancel), volume, cancel);
+    if (!made) return made.error();
+    maps.back() = std::move(*made);
+  }
+  return maps;
 } catch (const std::bad_alloc&) {
   return Error{"The segment does not follow the curve: there is not enough memory."};
+}
+
+bool followsCurve(const SegmentMap& map) {
+  return std::ranges::any_of(map.segments, [](const Segment& s) { return s.span.has_value(); });
 }
 
 }  // namespace
@@ -55,38 +69,46 @@ CurveFollower::CurveFollower(Session& session, Jobs& jobs, QObject* parent)
 void CurveFollower::follow() {
   pulledAgain_ = lane_.isBusy();
   if (pulledAgain_) return;
-  const SegmentMap* map = segmentsShown(session_);
-  if (!map || std::ranges::none_of(map->segments, [](const Segment& s) { return s.span.has_value(); }))
-    return;
+  const std::vector<SegmentMap> maps = allSegmentsShown(session_);
+  if (std::ranges::none_of(maps, followsCurve)) return;
   const int step = session_.undoStack().index();
-  if (step != step_ || *map != made_) base_ = *map;
+  if (step != step_ || maps != made_) base_ = maps;
   step_ = step;
-  started_ = *map;
+  started_ = maps;
   curve_ = session_.scene().transferFunction;
-  const Following wanted = followingOf(base_, curve_, *session_.series());
-  if (wanted.names.empty() && started_ == base_) return;
+  std::vector<Following> wanted;
+  for (const SegmentMap& map : base_) wanted.push_back(followingOf(map, base_, curve_, *session_.series()));
+  const bool isAsItWas = std::ranges::all_of(wanted, [](const Following& one) { return one.names.empty(); });
+  if (isAsItWas && started_ == base_) return;
   lane_.run(
       JobName(tr("Following the curve")),
-      [wanted, volume = wholeVolume(session_), mask = session_.maskOf(base_.series)](const Job& job) {
+      [wanted, volume = wholeVolume(session_), mask = session_.maskOf(base_.front().series)](const Job& job) {
         return followed(wanted, *volume, mask, job.cancel());
       },
-      [this](const Result<SegmentMap>& made) { take(made); }, [this] { pulledAgain_ = false; });
+      [this](const Result<std::vector<SegmentMap>>& made) { take(made); }, [this] { pulledAgain_ = false; });
 }
 
 // In the step of the pull where that is the last one still; nothing where the segments were changed
 // meanwhile, or the curve otherwise than by pulling on.
-void CurveFollower::take(const Result<SegmentMap>& made) {
+void CurveFollower::take(const Result<std::vector<SegmentMap>>& made) {
   const QUndoStack& steps = session_.undoStack();
-  const SegmentMap* now = segmentMapOf(session_.workspace(), base_.series);
+  const SeriesKey series = base_.front().series;
+  const auto maps = [&] {
+    std::vector<SegmentMap> all;
+    for (const SegmentMap* map : segmentMapsOf(session_.workspace(), series)) all.push_back(*map);
+    return all;
+  };
   const bool isLastStep = steps.index() == step_ && !steps.canRedo();
   const bool isCurve = session_.scene().transferFunction == curve_;
   const bool isWanted = pulledAgain_ ? isLastStep : isCurve && !steps.canRedo();
   if (!made && !pulledAgain_) Q_EMIT failed(QString::fromStdString(made.message()));
-  if (made && isWanted && now && *now == started_) {
+  if (made && isWanted && maps() == started_) {
     session_.playOn(isLastStep ? step_ - 1 : step_, [&] {
-      session_.change(tr("Segment follows the curve"), withSegmentMap(session_.workspace(), *made));
+      Workspace after = session_.workspace();
+      for (const SegmentMap& map : *made) after = withSegmentMap(std::move(after), map);
+      session_.change(tr("Segment follows the curve"), after);
     });
-    if (const SegmentMap* taken = segmentMapOf(session_.workspace(), base_.series)) made_ = *taken;
+    made_ = maps();
   }
   if (std::exchange(pulledAgain_, false)) follow();
 }

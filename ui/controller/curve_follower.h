@@ -23,15 +23,15 @@ class CurveFollower : public QObject {
   void failed(const QString& sentence);
 
  private:
-  void take(const Result<SegmentMap>& made);
+  void take(const Result<std::vector<SegmentMap>>& made);
 
   Session& session_;
-  int step_ = -1;             // of the undo stack, which the curve was pulled in
-  SegmentMap base_;           // as it was when that began: what one pull takes from others it gives back
-  SegmentMap made_;           // what it came to so far
-  SegmentMap started_;        // as it was when the job began
-  TransferFunction curve_;    // that the job follows
-  bool pulledAgain_ = false;  // meanwhile
+  int step_ = -1;                    // of the undo stack, which the curve was pulled in
+  std::vector<SegmentMap> base_;     // as they were when that began: what one pull takes it gives back
+  std::vector<SegmentMap> made_;     // what they came to so far
+  std::vector<SegmentMap> started_;  // as they were when the job began
+  TransferFunction curve_;           // that the job follows
+  bool pulledAgain_ = false;         // meanwhile
   JobLane lane_;
 };
 

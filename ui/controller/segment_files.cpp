@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 #include <new>
+#include <tuple>
 
 #include "io/export/seg_nrrd.h"
 #include "io/file_state.h"
@@ -52,7 +53,7 @@ KnownFiles& knownFiles() {
   return known;
 }
 
-// The maps that files of changes beside a session are changes of: of each series the one that was written
+// The maps that files of changes beside a session are changes of: of each map of a series what was written
 // whole last.
 class BaseMaps {
  public:
@@ -63,25 +64,25 @@ class BaseMaps {
 
   void set(const std::string& session, const SegmentMap& map, const std::string& checksum) {
     const std::lock_guard lock(mutex_);
-    bases_[{session, map.series}] = {checksum, map.labels};
+    bases_[{session, map.series, map.number}] = {checksum, map.labels};
   }
   // Null labels: there is none, or its file is not what it was.
   Base of(const std::string& session, const SegmentMap& map) {
     const std::lock_guard lock(mutex_);
-    const auto found = bases_.find({session, map.series});
+    const auto found = bases_.find({session, map.series, map.number});
     if (found == bases_.end() || found->second.labels->geometry() != map.labels->geometry()) return {};
     return knownFiles().contains(fileOf(session, found->second.checksum)) ? found->second : Base{};
   }
   bool holds(const std::string& session, const std::string& checksum) {
     const std::lock_guard lock(mutex_);
     return std::ranges::any_of(bases_, [&](const auto& base) {
-      return base.first.first == session && base.second.checksum == checksum;
+      return std::get<0>(base.first) == session && base.second.checksum == checksum;
     });
   }
 
  private:
   std::mutex mutex_;
-  std::map<std::pair<std::string, SeriesKey>, Base> bases_;
+  std::map<std::tuple<std::string, SeriesKey, int>, Base> bases_;
 };
 
 BaseMaps& baseMaps() {

@@ -1,73 +1,57 @@
 #include "ui/controller/segment_import.h"
 
 #include <QFileInfo>
-#include <QLocale>
+#include <map>
 #include <utility>
 
 #include "io/export/read_segments.h"
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
-#include "viewer/segment/added_labels.h"
 
 namespace volumen {
 
 namespace {
 
-// "0.30 of 3.40 ml of Tumour".
-QString lossText(const Segment& segment, std::int64_t lost, std::int64_t wanted, const VoxelGeometry& grid) {
-  const QString name = shownText(segment.label);
-  const auto voxels = [](std::int64_t count) { return QLocale().toString(qlonglong(count)); };
-  if (!grid.calibrated) return tr("%1 of %2 voxels of %3").arg(voxels(lost), voxels(wanted), name);
-  const auto ml = [&](std::int64_t count) {
-    return QLocale().toString(double(count) * grid.voxelVolume() / 1000, 'g', 3);
-  };
-  return tr("%1 of %2 ml of %3").arg(ml(lost), ml(wanted), name);
-}
-
-// With the segments of a layer. What each of them has lost to those before is added to `losses`.
-SegmentMap withLayer(SegmentMap map, const Segmented& layer, QStringList& losses) {
-  std::array<std::uint8_t, 256> numbers{};
-  for (const Segment& segment : layer.segments) {
-    map = withSegmentAdded(std::move(map), segment);
-    numbers[std::size_t(segment.number)] = std::uint8_t(map.current);
-  }
-  AddedLabels added = withLabelsAdded(*map.labels, layer.labels, numbers);
-  map.labels = std::make_shared<const LabelMap>(std::move(added.labels));
-  for (const Segment& segment : layer.segments) {
-    const auto n = std::size_t(segment.number);
-    if (added.lost[n] > 0)
-      losses << lossText(segment, added.lost[n], added.wanted[n], map.labels->geometry());
-  }
-  return map;
-}
-
-QString lossesText(const QStringList& losses) {
+// "Tumour, Edema".
+QString namesText(const QStringList& names) {
   constexpr int most = 5;
-  QStringList told = losses.mid(0, most);
-  if (losses.size() > most) told << tr("and of %1 more").arg(losses.size() - most);
-  return tr("Each voxel is in one segment, the one that was there before; left out: %1.")
-      .arg(told.join(QStringLiteral(", ")));
+  QStringList told = names.mid(0, most);
+  if (names.size() > most) told << tr("%1 more").arg(names.size() - most);
+  return told.join(QStringLiteral(", "));
 }
 
-// With all segments of a file, the first of them current.
-Result<SegmentMap> withSegmentsOf(const SegmentsFile& file, const QString& name, SegmentMap map,
-                                  QStringList& told) {
-  constexpr std::size_t most = 255;
-  std::size_t count = 0;
-  for (const Segmented& layer : file.maps) count += layer.segments.size();
-  if (map.segments.size() + count > most)
-    return Error{tr("%1 has %2 segments, and there are %3: at most 255 fit.")
-                     .arg(name, QString::number(count), QString::number(map.segments.size()))
-                     .toStdString()};
-  const std::size_t first = map.segments.size();
-  QStringList losses;
-  for (const Segmented& layer : file.maps) map = withLayer(std::move(map), layer, losses);
-  map.current = map.segments[first].number;
+// A sentence for each map that got some but the one that is worked on.
+QStringList furtherText(const AddedSegments& added) {
+  std::map<std::size_t, QStringList> names;
+  for (const SegmentPlace& place : added.places)
+    if (place.map > 0) names[place.map] << shownText(findSegment(added.maps[place.map], place.number)->label);
+  QStringList sentences;
+  for (const auto& [map, all] : names)
+    sentences << tr("%1 holds what overlaps other segments: %2.")
+                     .arg(mapName(added.maps[map].number), namesText(all));
+  return sentences;
+}
+
+// With all segments of a file; the first that was added is current, its map worked on.
+std::vector<SegmentMap> withSegmentsOf(const SegmentsFile& file, const QString& name,
+                                       std::vector<SegmentMap> maps, QStringList& told) {
+  AddedSegments all{std::move(maps)};
+  for (const Segmented& layer : file.maps) {
+    AddedSegments added = withSegmentsAdded(std::move(all.maps), layer);
+    all.maps = std::move(added.maps);
+    all.places.insert(all.places.end(), added.places.begin(), added.places.end());
+  }
+  const auto count = all.places.size();
   told << (count == 1 ? tr("Added a segment of %1.").arg(name)
                       : tr("Added %1 segments of %2.").arg(count).arg(name));
   for (const std::string& note : file.notes) told << shownText(note);
-  if (!losses.isEmpty()) told << lossesText(losses);
-  return map;
+  told << furtherText(all);
+  if (count == 0) return std::move(all.maps);
+  SegmentMap& first = all.maps[all.places.front().map];
+  first.current = all.places.front().number;
+  std::swap(all.maps.front(), first);
+  return std::move(all.maps);
 }
 
 }  // namespace
@@ -81,12 +65,13 @@ SegmentWork importOf(const QString& path, const Series& series, VolumePtr volume
   work.volume = std::move(volume);
   work.text = tr("Import segments");
   work.doing = tr("Importing segments");
-  work.makeAll = [path, name, series, grid = work.volume->geometry(), sentences](
-                     const SegmentMap& map, const CancelToken& cancel) -> Result<SegmentMap> {
+  work.makeMaps = [path, name, series, grid = work.volume->geometry(), sentences](
+                      const std::vector<SegmentMap>& maps,
+                      const CancelToken& cancel) -> Result<std::vector<SegmentMap>> {
     const Result<SegmentsFile> file = readSegments(path.toStdString(), series, grid, {}, cancel);
     if (!file) return file.error();
     sentences->clear();
-    return withSegmentsOf(*file, name, map, *sentences);
+    return withSegmentsOf(*file, name, maps, *sentences);
   };
   work.done = [sentences, told = std::move(told)] { told(*sentences); };
   return work;

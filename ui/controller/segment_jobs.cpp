@@ -1,9 +1,11 @@
 #include "ui/controller/segment_jobs.h"
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
 #include "io/export/export_segments.h"
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
@@ -14,7 +16,7 @@ namespace {
 
 // With the work done to the segment of this number, on the job's thread.
 Result<SegmentMap> workDone(const SegmentWork& work, const SegmentMap& map, int number,
-                            const CancelToken& cancel) try {
+                            const CancelToken& cancel) {
   if (work.makeAll) {
     Result<SegmentMap> made = work.makeAll(map, cancel);
     return made ? withHandMade(map, std::move(*made)) : made;
@@ -27,18 +29,56 @@ Result<SegmentMap> workDone(const SegmentWork& work, const SegmentMap& map, int 
   const Result<BitMask> mask = work.make(map, number, cancel);
   if (!mask) return mask.error();
   return withHandMade(map, withMask(map, number, *mask));
-} catch (const std::bad_alloc&) {
-  return Error{"The segment was not changed: there is not enough memory."};
 }
 
-SegmentNumbers segmentNumbersOf(const std::shared_ptr<const LabelMap>& labels, int number,
-                                const VolumePtr& volume) {
-  SegmentNumbers numbers{labels, volume, labelCounts(*labels), number, {}};
-  if (number > 0) numbers.values = valuesIn(maskOf(*labels, std::uint8_t(number)), *volume);
-  return numbers;
+// What it is made of.
+std::vector<SegmentMap> basesOf(const Workspace& workspace, const SegmentWork& work) {
+  const VoxelGeometry& grid = work.volume->geometry();
+  if (work.makeMaps) return segmentMapsOn(workspace, work.series, grid);
+  return {segmentMapOn(workspace, work.series, grid, work.map)};
+}
+
+// What those come to.
+Result<std::vector<SegmentMap>> mapsMade(const SegmentWork& work, const std::vector<SegmentMap>& bases,
+                                         int number, const CancelToken& cancel) try {
+  if (work.makeMaps) return work.makeMaps(bases, cancel);
+  Result<SegmentMap> made = workDone(work, bases.front(), number, cancel);
+  if (!made) return made.error();
+  return std::vector<SegmentMap>{std::move(*made)};
+} catch (const std::bad_alloc&) {
+  return Error{"Segments were not changed: there is not enough memory."};
+}
+
+Workspace withMade(const Workspace& workspace, const SegmentWork& work, const std::vector<SegmentMap>& bases,
+                   const std::vector<SegmentMap>& made) {
+  if (work.makeMaps) return withSegmentMapsOf(workspace, made);
+  std::vector<SegmentMap> all;
+  for (const SegmentMap* map : segmentMapsOf(workspace, work.series)) all.push_back(*map);
+  return withSegmentMap(workspace, withNamesApart(bases.front(), made.front(), all));
+}
+
+SegmentNumbers segmentNumbersOf(SegmentNumbers wanted, const SegmentNumbers& known) {
+  for (MapVoxels& map : wanted.maps) {
+    const MapVoxels* counted = known.of(map.labels);
+    map.voxels = counted ? counted->voxels : labelCounts(*map.labels);
+  }
+  const LabelMap& worked = *wanted.maps.front().labels;
+  if (wanted.number > 0)
+    wanted.values = valuesIn(maskOf(worked, std::uint8_t(wanted.number)), *wanted.volume);
+  return wanted;
 }
 
 }  // namespace
+
+bool SegmentNumbers::areOf(const SegmentNumbers& other) const {
+  return volume == other.volume && number == other.number &&
+         std::ranges::equal(maps, other.maps, {}, &MapVoxels::labels, &MapVoxels::labels);
+}
+
+const MapVoxels* SegmentNumbers::of(const std::shared_ptr<const LabelMap>& labels) const {
+  const auto found = std::ranges::find(maps, labels, &MapVoxels::labels);
+  return found == maps.end() ? nullptr : &*found;
+}
 
 SegmentJobs::SegmentJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent)
     : QObject(parent), session_(session), painter_(painter), change_(&jobs), measure_(&jobs), save_(&jobs) {
@@ -59,6 +99,10 @@ SegmentJobs::~SegmentJobs() { save_.wait(); }
 
 void SegmentJobs::change(const SegmentWork& work) {
   waiting_.push_back(work);
+  if (!work.map) {
+    const SegmentMap* worked = segmentMapOf(session_.workspace(), work.series);
+    waiting_.back().map = worked ? worked->number : 0;
+  }
   next();
 }
 
@@ -66,61 +110,62 @@ void SegmentJobs::next() {
   while (!isMaking() && !waiting_.empty()) {
     const SegmentWork work = waiting_.front();
     if (session_.workspace().series.contains(work.series)) {
-      const SegmentMap* known = segmentMapOf(session_.workspace(), work.series);
-      const SegmentMap base = segmentMapOn(session_.workspace(), work.series, work.volume->geometry());
+      const std::vector<SegmentMap> bases = basesOf(session_.workspace(), work);
+      const SegmentMap& base = bases.front();
       const Segment* segment = findSegment(base, work.number);
-      if (known && known->missing)
+      if (missesSegments(session_.workspace(), work.series))
         refuse(work, tr("The segments of this series were not found with the session: no others are made."));
-      else if (work.makeAll)
-        return begin(work, base);
+      else if (work.makeAll || work.makeMaps)
+        return begin(work, bases);
       else if (work.number == 0 && !freeNumber(base))
         refuse(work, tr("There are 255 segments, and no more fit: remove one first."));
       else if (segment && segment->locked)
         refuse(work, tr("%1 is locked: unlock it first.").arg(shownText(segment->label)));
       else if (segment || work.number == 0)
-        return begin(work, base);
+        return begin(work, bases);
     }
     waiting_.pop_front();
   }
   if (waiting_.empty()) Q_EMIT ended();
 }
 
-void SegmentJobs::begin(const SegmentWork& work, const SegmentMap& base) {
+void SegmentJobs::begin(const SegmentWork& work, const std::vector<SegmentMap>& bases) {
   Workspace with = session_.workspace();
   int number = work.number;
-  if (work.makeAll) {
-    // Whatever it makes is in its own map.
+  if (work.makeAll || work.makeMaps) {
+    // Whatever it makes is in its own maps.
   } else if (number == 0) {
     Segment made;
     if (work.change) work.change(made);
-    with = withNewSegment(std::move(with), work.series, work.volume->geometry(), std::move(made));
-    number = segmentMapOf(with, work.series)->current;
+    with = withNewSegment(std::move(with), work.series, work.volume->geometry(), std::move(made), work.map);
+    number = segmentMapOf(with, work.series, *work.map)->current;
   } else if (work.change) {
-    with = withSegmentChanged(std::move(with), work.series, number, work.change);
+    with = withSegmentChanged(withMapWorkedOn(std::move(with), work.series, *work.map), work.series, number,
+                              work.change);
   }
   change_.run(
       JobName(work.doing),
-      [work, number, map = segmentMapOn(with, work.series, work.volume->geometry())](const Job& job) {
-        return workDone(work, map, number, job.cancel());
+      [work, number, maps = basesOf(with, work)](const Job& job) {
+        return mapsMade(work, maps, number, job.cancel());
       },
-      [this, base](const Result<SegmentMap>& made) { take(base, made); }, [this] { drop(); });
+      [this, bases](const Result<std::vector<SegmentMap>>& made) { take(bases, made); }, [this] { drop(); });
 }
 
 // One step where the segments are still what it was made of; else it is made anew.
-void SegmentJobs::take(const SegmentMap& base, const Result<SegmentMap>& made) {
+void SegmentJobs::take(const std::vector<SegmentMap>& bases, const Result<std::vector<SegmentMap>>& made) {
   if (painter_.isPainting()) {
-    takeLater_ = [this, base, made] { take(base, made); };
+    takeLater_ = [this, bases, made] { take(bases, made); };
     return;
   }
   const SegmentWork work = waiting_.front();
   const Workspace& workspace = session_.workspace();
-  const bool isSame = segmentMapOn(workspace, work.series, work.volume->geometry()) == base;
+  const bool isSame = basesOf(workspace, work) == bases;
   if (isSame || !made) waiting_.pop_front();
   if (!made) {
     refuse(work, shownText(made.message()));
   } else if (isSame) {
     session_.endGesture();
-    session_.change(work.text, withSegmentMap(workspace, *made));
+    session_.change(work.text, withMade(workspace, work, bases, *made));
     session_.endGesture();
     if (work.done) work.done();
   }
@@ -142,30 +187,33 @@ void SegmentJobs::drop() {
       this, [this] { next(); }, Qt::QueuedConnection);
 }
 
-void SegmentJobs::measure(const std::shared_ptr<const LabelMap>& labels, int number,
-                          const VolumePtr& volume) {
+void SegmentJobs::measure(const SegmentNumbers& wanted) {
   measure_.giveUpAll();
   measure_.run(
       tr("Measuring segments"),
-      [labels, number, volume](const Job&) { return segmentNumbersOf(labels, number, volume); },
-      [this](const SegmentNumbers& numbers) { Q_EMIT measured(numbers); });
+      [wanted, known = counted_](const Job&) { return segmentNumbersOf(wanted, known); },
+      [this](const SegmentNumbers& numbers) {
+        counted_.maps = numbers.maps;
+        Q_EMIT measured(numbers);
+      });
 }
 
-void SegmentJobs::save(const SegmentMap& map, const Series& series, const QString& path) {
+void SegmentJobs::save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path) {
   save_.run(
       tr("Exporting segments"),
-      [map, series, path](const Job& job) {
-        const Segmented segments{map.segments, *map.labels};
-        return exportSegments(path.toStdString(), {&segments, 1}, series, {}, job.cancel());
+      [maps, series, path](const Job& job) {
+        std::vector<Segmented> segments;
+        for (const SegmentMap& map : maps) segments.push_back({map.segments, *map.labels});
+        return exportSegments(path.toStdString(), segments, series, {}, job.cancel());
       },
-      [this, map](const Result<ExportedSegments>& done) {
+      [this, maps](const Result<ExportedSegments>& done) {
         if (!done) return Q_EMIT failed(QString::fromStdString(done.message()));
         const auto texts = [](const std::vector<std::string>& all) {
           QStringList list;
           for (const std::string& text : all) list << shownText(text);
           return list;
         };
-        Q_EMIT saved(texts(done->files), texts(done->notes), map);
+        Q_EMIT saved(texts(done->files), texts(done->notes), maps);
       });
 }
 

@@ -30,18 +30,34 @@ struct SegmentWork {
   std::function<Result<StepsWanted>(const SegmentMap& map, int number, const CancelToken& cancel)> steps{};
   /// In place of all that: the map after it, on the job's thread.
   std::function<Result<SegmentMap>(const SegmentMap& map, const CancelToken& cancel)> makeAll{};
+  /// In place of all that: the maps of the series after it, the first worked on. They are given so, too, the
+  /// others by their numbers.
+  std::function<Result<std::vector<SegmentMap>>(const std::vector<SegmentMap>& maps,
+                                                const CancelToken& cancel)>
+      makeMaps{};
   std::function<void()> done{};  ///< called once it is a step
   /// Called with a sentence where it is none, which is told all the same; not for what was cancelled.
   std::function<void(const QString& why)> refused{};
+  std::optional<int> map{};  ///< that it works on; none: the one that is worked on as it is asked for
 };
 
-/// What the segments of a map hold.
-struct SegmentNumbers {
+/// How many voxels the segments of a map have.
+struct MapVoxels {
   std::shared_ptr<const LabelMap> labels;
-  VolumePtr volume;
   std::array<std::int64_t, 256> voxels{};  ///< by number
-  int number = 0;                          ///< of the segment that `values` is of; 0: none
-  SegmentValues values;
+};
+
+/// What the segments of a series hold.
+struct SegmentNumbers {
+  std::vector<MapVoxels> maps;  ///< the first is the one that is worked on
+  VolumePtr volume;
+  int number = 0;  ///< of the segment of the first map that `values` is of; 0: none
+  SegmentValues values{};
+
+  /// Whether both are of the same.
+  bool areOf(const SegmentNumbers& other) const;
+  /// Those of a map; null: it was not counted.
+  const MapVoxels* of(const std::shared_ptr<const LabelMap>& labels) const;
 };
 
 /// Changes segments, measures and exports them; each a job, each change one undo step. Changes that are asked
@@ -57,31 +73,33 @@ class SegmentJobs : public QObject {
   /// Ends in a step and ended(), or in failed() and ended(); nothing is done where the series was closed, or
   /// the segment removed, meanwhile.
   void change(const SegmentWork& work);
-  /// Gives up what was to be measured before. Ends in measured(). All are of one grid.
-  void measure(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume);
-  /// Writes the segments of a series as the ending of `path` says. Ends in saved() or failed(). The map has
-  /// labels.
-  void save(const SegmentMap& map, const Series& series, const QString& path);
+  /// Gives up what was to be measured before. Ends in measured(). `wanted` says what of: all are of one grid.
+  void measure(const SegmentNumbers& wanted);
+  /// Writes the segments of a series as the ending of `path` says. Ends in saved() or failed(). The maps have
+  /// labels, and there is one at least.
+  void save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path);
 
  Q_SIGNALS:
   /// Nothing is being changed any more.
   void ended();
   void measured(const volumen::SegmentNumbers& numbers);
   /// With the sentences that are to be known of it.
-  void saved(const QStringList& files, const QStringList& notes, const volumen::SegmentMap& map);
+  void saved(const QStringList& files, const QStringList& notes,
+             const std::vector<volumen::SegmentMap>& maps);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
 
  private:
   void next();
-  void begin(const SegmentWork& work, const SegmentMap& base);
-  void take(const SegmentMap& base, const Result<SegmentMap>& made);
+  void begin(const SegmentWork& work, const std::vector<SegmentMap>& bases);
+  void take(const std::vector<SegmentMap>& bases, const Result<std::vector<SegmentMap>>& made);
   void drop();
   void refuse(const SegmentWork& work, const QString& why);
   bool isMaking() const { return change_.isBusy() || takeLater_; }
 
   Session& session_;
   const SegmentPainter& painter_;
+  SegmentNumbers counted_;           // the last of each map: of what did not change they hold
   std::deque<SegmentWork> waiting_;  // the first is being made where isMaking()
   std::function<void()> takeLater_;  // what the first came to, once the stroke has ended; null: nothing
   JobLane change_, measure_, save_;

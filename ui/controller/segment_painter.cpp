@@ -47,7 +47,9 @@ void SegmentPainter::paint(const SegmentStroke& stroke, const PaintLimits& limit
     const QString why = whyNot(stroke);
     if (!why.isEmpty()) return Q_EMIT failed(why);
     const Segment* segment = segmentShown(session_);
-    target_ = Target{session_.series()->volume, segment ? segment->number : 0, limits};
+    const VolumePtr& volume = session_.series()->volume;
+    const int map = segmentMapOn(session_.workspace(), stroke.series, volume->geometry()).number;
+    target_ = Target{volume, map, segment ? segment->number : 0, limits};
     session_.endGesture();
   }
   if (target_ && !stroke.spans.empty()) add(stroke);
@@ -58,10 +60,10 @@ void SegmentPainter::add(const SegmentStroke& stroke) {
   if (!after.series.contains(stroke.series)) return;
   const VoxelGeometry& grid = target_->volume->geometry();
   if (target_->number == 0) {
-    after = withNewSegment(std::move(after), stroke.series, grid, {});
-    target_->number = segmentMapOf(after, stroke.series)->current;
+    after = withNewSegment(std::move(after), stroke.series, grid, {}, target_->map);
+    target_->number = segmentMapOf(after, stroke.series, target_->map)->current;
   }
-  SegmentMap map = segmentMapOn(after, stroke.series, grid);
+  SegmentMap map = segmentMapOn(after, stroke.series, grid, target_->map);
   const Segment* segment = findSegment(map, target_->number);
   if (!segment || segment->locked) return;
   map.labels = std::make_shared<const LabelMap>(

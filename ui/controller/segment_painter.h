@@ -38,7 +38,8 @@ class SegmentPainter : public QObject {
   // What a stroke that began works on.
   struct Target {
     VolumePtr volume;
-    int number;  // of the segment; 0: it is made once something is painted
+    int map;
+    int number;  // of the segment in it; 0: it is made once something is painted
     PaintLimits limits;
   };
   QString whyNot(const SegmentStroke& stroke) const;

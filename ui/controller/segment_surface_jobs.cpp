@@ -35,21 +35,23 @@ SegmentSurfaceJobs::SegmentSurfaceJobs(Session& session, Jobs& jobs, std::size_t
 
 void SegmentSurfaceJobs::noteChanges(const Workspace& before, const Workspace& after) {
   for (const SegmentMap& map : after.segmentMaps) {
-    const SegmentMap* was = segmentMapOf(before, map.series);
-    if (!was || *was != map) again_.insert(map.series);
+    const SegmentMap* was = segmentMapOf(before, map.series, map.number);
+    if (!was || *was != map) again_.insert({map.series, map.number});
   }
 }
 
 void SegmentSurfaceJobs::next() {
   if (lane_.isBusy()) return;
   for (const SeriesKey& series : seriesIn3d(session_.workspace())) {
-    const SegmentMap* map = segmentMapOf(session_.workspace(), series);
     const LoadedSeriesPtr shown = session_.seriesNamed(series);
-    if (!map || !shown || !isOn(*map, shown->volume->geometry())) continue;
-    const Wanted wanted = wantedOf(*map);
-    const bool canBegin = !wanted.kept || wanted.kept->voxels || wanted.whole;
-    if (wanted.surfaces.empty()) again_.erase(series);
-    if (!wanted.surfaces.empty() && canBegin) return begin(wanted);
+    if (!shown) continue;
+    for (const SegmentMap* map : segmentMapsOf(session_.workspace(), series)) {
+      if (!isOn(*map, shown->volume->geometry())) continue;
+      const Wanted wanted = wantedOf(*map);
+      const bool canBegin = !wanted.kept || wanted.kept->voxels || wanted.whole;
+      if (wanted.surfaces.empty()) again_.erase({series, map->number});
+      if (!wanted.surfaces.empty() && canBegin) return begin(wanted);
+    }
   }
 }
 
@@ -57,12 +59,12 @@ SegmentSurfaceJobs::Wanted SegmentSurfaceJobs::wantedOf(const SegmentMap& map) c
   Wanted wanted;
   const Mask mask = session_.maskOf(map.series);
   for (const Segment* segment : segmentsIn3d(map)) {
-    MadeSurface surface{map.series, segment->number, map.labels, mask};
+    MadeSurface surface{map.series, map.number, segment->number, map.labels, mask};
     const auto before = std::ranges::find_if(session_.surfaces(), [&](const MadeSurface& made) {
-      return made.series == surface.series && made.number == surface.number && made.mask == mask;
+      return made.isOfSame(surface) && made.mask == mask;
     });
     const bool isThere = before != session_.surfaces().end();
-    const bool isTriedAgain = isThere && !before->field && again_.contains(map.series);
+    const bool isTriedAgain = isThere && !before->field && again_.contains({map.series, map.number});
     if (isThere && before->labels == map.labels && !isTriedAgain) continue;
     wanted.before.push_back(isThere ? *before : MadeSurface());
     wanted.surfaces.push_back(std::move(surface));
@@ -81,16 +83,15 @@ SegmentSurfaceJobs::Wanted SegmentSurfaceJobs::wantedOf(const SegmentMap& map) c
 std::size_t SegmentSurfaceJobs::bytesBeside(const std::vector<MadeSurface>& wanted) const {
   std::size_t bytes = 0;
   for (const MadeSurface& made : session_.surfaces()) {
-    const bool isReplaced = std::ranges::any_of(wanted, [&](const MadeSurface& surface) {
-      return surface.series == made.series && surface.number == made.number;
-    });
+    const bool isReplaced =
+        std::ranges::any_of(wanted, [&](const MadeSurface& surface) { return surface.isOfSame(made); });
     if (!isReplaced) bytes += bytesOf(made.field.get());
   }
   return bytes;
 }
 
 void SegmentSurfaceJobs::begin(const Wanted& wanted) {
-  again_.erase(wanted.surfaces.front().series);
+  again_.erase({wanted.surfaces.front().series, wanted.surfaces.front().map});
   lane_.run(
       tr("Making surfaces of segments"), [wanted](const Job& job) { return made(wanted, job.cancel()); },
       [this, wanted](Result<Made> result) {
@@ -112,7 +113,7 @@ void SegmentSurfaceJobs::begin(const Wanted& wanted) {
 
 // What would take too much memory; once, while that stays so.
 void SegmentSurfaceJobs::tellRefused(const Wanted& wanted, const std::vector<MadeSurface>& made) {
-  const SegmentMap* map = segmentMapOf(session_.workspace(), made.front().series);
+  const SegmentMap* map = segmentMapOf(session_.workspace(), made.front().series, made.front().map);
   std::vector<SegmentNotDrawn> refused;
   for (std::size_t n = 0; map && n < made.size(); ++n) {
     const Segment* segment = findSegment(*map, made[n].number);
@@ -124,7 +125,7 @@ void SegmentSurfaceJobs::tellRefused(const Wanted& wanted, const std::vector<Mad
 
 // What was changed while they were made is no reason to try again.
 void SegmentSurfaceJobs::giveUp(std::vector<MadeSurface> surfaces, const QString& why) {
-  again_.erase(surfaces.front().series);
+  again_.erase({surfaces.front().series, surfaces.front().map});
   for (MadeSurface& surface : surfaces) surface.whyNot = why;
   session_.takeSurfaces(std::move(surfaces));
 }

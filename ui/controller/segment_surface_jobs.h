@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
@@ -10,7 +11,7 @@
 namespace volumen {
 
 /// Makes what segments are drawn by in 3D, of the series in 3D views on screen, whenever their voxels, or
-/// what is taken away of the series, changed: a series at a time, as a job. Until then the session keeps what
+/// what is taken away of the series, changed: a map at a time, as a job. Until then the session keeps what
 /// was there before. What could not be made, or was cancelled, is tried again once anything of the segments
 /// of its series changes. All of them together take at most a share of the machine's memory: what would go
 /// beyond is not drawn.
@@ -34,7 +35,7 @@ class SegmentSurfaceJobs : public QObject {
     Mask mask;
     std::shared_ptr<const BitMask> voxels;
   };
-  // The surfaces of a series that are to be made, as yet without their fields.
+  // The surfaces of a map that are to be made, as yet without their fields.
   struct Wanted {
     std::vector<MadeSurface> surfaces;
     std::vector<MadeSurface>
@@ -59,8 +60,9 @@ class SegmentSurfaceJobs : public QObject {
 
   Session& session_;
   const std::size_t mostBytes_;
-  std::optional<Kept> kept_;   // of the last series with a mask
-  std::set<SeriesKey> again_;  // of what was given up of these was something changed since
+  std::optional<Kept> kept_;  // of the last series with a mask
+  // Of what was given up of these maps, by their numbers, was something changed since.
+  std::set<std::pair<SeriesKey, int>> again_;
   JobLane lane_;
 };
 

@@ -1,5 +1,6 @@
 #include "ui/controller/segment_target.h"
 
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 
@@ -10,8 +11,7 @@ QString whyNoSegments(const Session& session) {
   if (!series) return tr("Open a series first.");
   if (series->series.curved)
     return tr("Volumes along a curve are not the patient's: segment the series that the curve was drawn in.");
-  const SegmentMap* map = segmentMapOf(session.workspace(), keyOf(series->series));
-  if (map && map->missing)
+  if (missesSegments(session.workspace(), keyOf(series->series)))
     return tr("The segments of this series were not found with its session: put their file beside it.");
   return {};
 }
@@ -23,9 +23,25 @@ const SegmentMap* segmentsShown(const Session& session) {
   return map && isOn(*map, series->volume->geometry()) ? map : nullptr;
 }
 
+std::vector<SegmentMap> allSegmentsShown(const Session& session) {
+  std::vector<SegmentMap> maps;
+  if (!segmentsShown(session)) return maps;
+  const LoadedSeriesPtr& series = session.series();
+  for (const SegmentMap* map : segmentMapsOf(session.workspace(), keyOf(series->series)))
+    if (isOn(*map, series->volume->geometry())) maps.push_back(*map);
+  return maps;
+}
+
 const Segment* segmentShown(const Session& session) {
   const SegmentMap* map = segmentsShown(session);
   return map ? currentSegment(*map) : nullptr;
+}
+
+QString noOtherSegment(const Session& session) {
+  const std::vector<SegmentMap> maps = allSegmentsShown(session);
+  return maps.size() < 2
+             ? tr("There is no other segment.")
+             : tr("There is no other segment in %1.").arg(mapName(segmentsShown(session)->number));
 }
 
 QString whyNotChanged(const Session& session) {

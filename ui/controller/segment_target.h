@@ -10,10 +10,14 @@ namespace volumen {
 
 /// Why it can have no segments, a sentence; empty: it can.
 QString whyNoSegments(const Session& session);
-/// Its segments on the grid of its volume; null: none, or whyNoSegments().
+/// Its map of segments that is worked on, on the grid of its volume; null: none, or whyNoSegments().
 const SegmentMap* segmentsShown(const Session& session);
-/// The one of them that is worked on; null: there is none.
+/// All its maps on that grid, by their numbers; none where segmentsShown() is null.
+std::vector<SegmentMap> allSegmentsShown(const Session& session);
+/// The one of segmentsShown() that is worked on; null: there is none.
 const Segment* segmentShown(const Session& session);
+/// That there is no other segment to work with, a sentence; of several maps which one has none.
+QString noOtherSegment(const Session& session);
 /// Why that cannot be changed, a sentence; empty: it can.
 QString whyNotChanged(const Session& session);
 /// All of its volume, what was cut away included, where that is in memory. Only without whyNoSegments().

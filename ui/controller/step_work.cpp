@@ -149,7 +149,7 @@ Result<StepsWanted> stepsOfSplit(SegmentMap& map, int number, double leastMl, co
     Segment part = whole;
     part.number = *free;
     part.label = freeName(map, whole.label);
-    part.colour = colourOfNumber(*free);
+    part.colour.reset();
     part.trackingId.clear();
     map = withSegment(std::move(map), std::move(part));
     const std::string name = stepNameOf(*free);

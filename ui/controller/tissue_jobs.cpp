@@ -14,8 +14,7 @@ namespace {
 Result<MadeTissue> withTissueLeft(MadeTissue wanted, const std::optional<MadeTissue>& before,
                                   const CancelToken& cancel) try {
   const Volume& volume = *wanted.of->volume;
-  wanted.voxels =
-      std::make_shared<const BitMask>(tissueVoxels(*wanted.labels, wanted.segments, wanted.shown, cancel));
+  wanted.voxels = std::make_shared<const BitMask>(tissueVoxels(wanted.segments, wanted.shown, cancel));
   if (before && before->left && before->of == wanted.of && *before->voxels == *wanted.voxels) {
     wanted.left = before->left;
     return wanted;
@@ -57,7 +56,7 @@ std::optional<MadeTissue> TissueJobs::firstWanted() const {
   for (const ViewId id : viewsOnScreen(workspace)) {
     const ViewState& view = workspace.view(id);
     if (!showsScene(view.kind)) continue;
-    const auto wanted = tissueWanted(segmentMapOf(workspace, view.series), session_.seriesOf(id));
+    const auto wanted = tissueWanted(segmentMapsOf(workspace, view.series), session_.seriesOf(id));
     if (!wanted) continue;
     const bool isMade =
         std::ranges::any_of(session_.tissues(), [&](const MadeTissue& made) { return made.isAs(*wanted); });

@@ -7,6 +7,7 @@
 #include "ui/controller/segment_target.h"
 #include "ui/features/feature.h"
 #include "ui/panels/steps_dialog.h"
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -113,10 +114,12 @@ void SegmentRecipes::save(const QString& path) {
   const RecordedRecipe made = recordedRecipe(*map, session_.series()->series.modality);
   QStringList names;
   for (const std::string& name : made.missing) names << shownText(name);
-  const QString saved =
+  QString saved =
       names.isEmpty()
           ? tr("Saved %1").arg(path)
           : tr("Saved %1. Made by hand and not in it: %2.").arg(path, names.join(QStringLiteral(", ")));
+  if (allSegmentsShown(session_).size() > 1)
+    saved += tr(" (the steps of %1 alone)").arg(mapName(map->number));
   files_.save(
       tr("Saving the recipe"),
       [path, recipe = made.recipe] { return writeRecipe(path.toStdString(), recipe); },

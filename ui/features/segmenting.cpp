@@ -47,11 +47,11 @@ class Segmenting : public Feature {
   void connectPainter();
   void paint(const SegmentStroke& stroke);
   void cutSegment(const SegmentCut& cut);
-  void measure(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume);
+  void measure(const SegmentNumbers& wanted);
   void follow(const Recipe& recipe);
   void askWhere();
   void showNumbers();
-  void tellSaved(const QStringList& files, const QStringList& notes, const SegmentMap& map);
+  void tellSaved(const QStringList& files, const QStringList& notes, const std::vector<SegmentMap>& maps);
 
   SegmentPainter painter_;
   SegmentJobs segmenter_;
@@ -187,12 +187,12 @@ void Segmenting::cutSegment(const SegmentCut& cut) {
 }
 
 // Of a segment that a stroke changes once that ends: numbers take longer than a picture.
-void Segmenting::measure(const std::shared_ptr<const LabelMap>& labels, int number, const VolumePtr& volume) {
+void Segmenting::measure(const SegmentNumbers& wanted) {
   measureLater_ = nullptr;
   if (painter_.isPainting())
-    measureLater_ = [=, this] { segmenter_.measure(labels, number, volume); };
+    measureLater_ = [this, wanted] { segmenter_.measure(wanted); };
   else
-    segmenter_.measure(labels, number, volume);
+    segmenter_.measure(wanted);
 }
 
 void Segmenting::connectGrowth() {
@@ -253,12 +253,13 @@ void Segmenting::takePart(const PartClick& click) {
 }
 
 // A surface is no segment any more: what was made by hand is not saved by it.
-void Segmenting::tellSaved(const QStringList& files, const QStringList& notes, const SegmentMap& map) {
+void Segmenting::tellSaved(const QStringList& files, const QStringList& notes,
+                           const std::vector<SegmentMap>& maps) {
   tell((QStringList(tr("Saved %1").arg(files.join(QStringLiteral(", ")))) + notes).join(QLatin1Char(' ')));
   const auto format = segmentFormatOf(files.front().toStdString());
   if (!format || (*format)->isSurface) return;
   HandWork work;
-  work.segmentMaps = {map};
+  work.segmentMaps = maps;
   bench_.document.files.savedApart(work);
 }
 
@@ -271,8 +272,8 @@ void Segmenting::askWhere() {
   dialog->setDefaultSuffix(usual);
   dialog->selectFile(QStringLiteral("segmentation.") + usual);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    if (const SegmentMap* map = segmentsShown(session_))
-      segmenter_.save(*map, session_.series()->series, path);
+    const std::vector<SegmentMap> maps = allSegmentsShown(session_);
+    if (!maps.empty()) segmenter_.save(maps, session_.series()->series, path);
   });
   dialog->open();
 }

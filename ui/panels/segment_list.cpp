@@ -16,6 +16,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/untinted_icon.h"
 #include "ui/workspace/region_colours.h"
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 
@@ -23,7 +24,8 @@ namespace volumen {
 
 namespace {
 
-enum ListColumn { shownColumn, lockColumn, amountColumn };
+enum ListColumn { shownColumn, lockColumn, amountColumn, mapColumn };
+constexpr int numberRole = Qt::UserRole, mapRole = Qt::UserRole + 1;
 
 // A column whose texts nobody types.
 class NotTyped : public QStyledItemDelegate {
@@ -41,7 +43,8 @@ QToolButton* listButton(const char* name, const QString& text) {
   return made;
 }
 
-int segmentNumberOf(const QTreeWidgetItem* item) { return item->data(shownColumn, Qt::UserRole).toInt(); }
+int segmentNumberOf(const QTreeWidgetItem* item) { return item->data(shownColumn, numberRole).toInt(); }
+int mapNumberOf(const QTreeWidgetItem* item) { return item->data(shownColumn, mapRole).toInt(); }
 
 QIcon swatchOf(const QColor& colour) {
   QImage square(12, 12, QImage::Format_RGB32);
@@ -68,6 +71,7 @@ SegmentList::SegmentList(Session& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
       list_(new QTreeWidget),
+      worked_(plainLabel()),
       add_(listButton("segmentAdd", tr("Add"))),
       duplicate_(listButton("segmentDuplicate", tr("Duplicate"))),
       remove_(listButton("segmentRemove", tr("Remove"))),
@@ -84,16 +88,18 @@ SegmentList::SegmentList(Session& session, QWidget* parent)
 void SegmentList::makeLayout() {
   list_->setObjectName(QStringLiteral("segmentList"));
   list_->setAccessibleName(tr("Segments"));
-  list_->setHeaderLabels({tr("Shown, name"), tr("Locked"), tr("ml")});
+  list_->setHeaderLabels({tr("Shown, name"), tr("Locked"), tr("ml"), tr("Map")});
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // what is cut off stands in the tool tip
-  for (const int column : {lockColumn, amountColumn})
+  for (const int column : {lockColumn, amountColumn, mapColumn})
     list_->setItemDelegateForColumn(column, new NotTyped(list_));
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(shownColumn, QHeaderView::Stretch);
+  worked_->setObjectName(QStringLiteral("segmentMap"));
+  worked_->setWordWrap(true);
   colour_->setObjectName(QStringLiteral("segmentColour"));
   opacity_->setObjectName(QStringLiteral("segmentFill"));
   opacity_->setAccessibleName(tr("Opacity of the segment"));
@@ -109,6 +115,7 @@ void SegmentList::makeLayout() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
   column->addWidget(list_, 1);
+  column->addWidget(worked_);
   column->addLayout(row);
 }
 
@@ -121,17 +128,15 @@ void SegmentList::connectButtons() {
     if (remove_->isEnabled()) remove();
   });
   connect(colour_, &ColourButton::colourEdited, this, [this](glm::dvec3 colour) {
-    if (const Segment* segment = segmentShown(session_))
-      edit(
-          tr("Colour of a segment"), segment->number,
-          [colour](Segment& s) { s.colour = glm::u8vec3(glm::round(255.0 * colour)); },
-          QStringLiteral("segment's colour"));
+    editCurrent(
+        tr("Colour of a segment"),
+        [colour](Segment& s) { s.colour = glm::u8vec3(glm::round(255.0 * colour)); },
+        QStringLiteral("segment's colour"));
   });
   connect(opacity_, &QSlider::valueChanged, this, [this](int percent) {
-    if (const Segment* segment = segmentShown(session_))
-      edit(
-          tr("Opacity of a segment"), segment->number, [percent](Segment& s) { s.opacity = percent / 100.0; },
-          QStringLiteral("segment's opacity"));
+    editCurrent(
+        tr("Opacity of a segment"), [percent](Segment& s) { s.opacity = percent / 100.0; },
+        QStringLiteral("segment's opacity"));
   });
   connect(colour_, &ColourButton::gestureFinished, &session_, &Session::endGesture);
   connect(opacity_, &QSlider::sliderReleased, &session_, &Session::endGesture);
@@ -140,18 +145,20 @@ void SegmentList::connectButtons() {
 // Rows stay the items they are, so that a name that is being typed stays in its field.
 void SegmentList::showSegments() {
   const QSignalBlocker quietList(list_), quietSlider(opacity_);
-  const SegmentMap* map = segmentsShown(session_);
+  const std::vector<SegmentMap> maps = allSegmentsShown(session_);
+  const SegmentMap* worked = segmentsShown(session_);
   const Segment* current = segmentShown(session_);
-  const int count = map ? int(map->segments.size()) : 0;
-  while (list_->topLevelItemCount() > count) delete list_->takeTopLevelItem(count);
+  int row = 0;
   QTreeWidgetItem* chosen = nullptr;
-  for (int n = 0; n < count; ++n) {
-    QTreeWidgetItem* item = list_->topLevelItem(n);
-    if (!item) item = new QTreeWidgetItem(list_);
-    const Segment& segment = map->segments[std::size_t(n)];
-    showRow(item, *map, segment);
-    if (&segment == current) chosen = item;
-  }
+  for (const SegmentMap& map : maps)
+    for (const Segment& segment : map.segments) {
+      QTreeWidgetItem* item = list_->topLevelItem(row++);
+      if (!item) item = new QTreeWidgetItem(list_);
+      showRow(item, map, segment);
+      if (map.number == worked->number && segment.number == current->number) chosen = item;
+    }
+  while (list_->topLevelItemCount() > row) delete list_->takeTopLevelItem(row);
+  showMaps(maps);
   if (list_->currentItem() != chosen) list_->setCurrentItem(chosen);
   showRoom();
   if (current) {
@@ -159,6 +166,14 @@ void SegmentList::showSegments() {
     opacity_->setValue(int(std::lround(100 * current->opacity)));
   }
   showButtons();
+}
+
+void SegmentList::showMaps(const std::vector<SegmentMap>& maps) {
+  list_->setColumnHidden(mapColumn, maps.size() < 2);
+  worked_->setVisible(maps.size() > 1);
+  if (maps.size() > 1)
+    worked_->setText(tr("%1 is worked on: tools and steps change its segments, others keep their voxels.")
+                         .arg(mapName(segmentsShown(session_)->number)));
 }
 
 // As high as its rows, so that the pages below are seen; of many it scrolls.
@@ -171,13 +186,15 @@ void SegmentList::showRoom() {
 void SegmentList::showRow(QTreeWidgetItem* item, const SegmentMap& map, const Segment& segment) {
   const QString name = shownText(segment.label);
   item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
-  item->setData(shownColumn, Qt::UserRole, segment.number);
+  item->setData(shownColumn, numberRole, segment.number);
+  item->setData(shownColumn, mapRole, map.number);
   item->setText(shownColumn, name);
   item->setIcon(shownColumn, swatchOf(regionColour(segment.colour, segment.number)));
   item->setCheckState(shownColumn, segment.visible ? Qt::Checked : Qt::Unchecked);
   item->setCheckState(lockColumn, segment.locked ? Qt::Checked : Qt::Unchecked);
   item->setText(amountColumn, amountText(map, segment.number));
   item->setTextAlignment(amountColumn, Qt::AlignRight | Qt::AlignVCenter);
+  item->setText(mapColumn, mapName(map.number));
   QFont font = list_->font();
   font.setItalic(segment.span.has_value());
   item->setFont(shownColumn, font);
@@ -188,8 +205,9 @@ void SegmentList::showRow(QTreeWidgetItem* item, const SegmentMap& map, const Se
 }
 
 QString SegmentList::amountText(const SegmentMap& map, int number) const {
-  if (!numbers_ || numbers_->labels != map.labels) return QStringLiteral("\u2026");
-  const std::int64_t voxels = numbers_->voxels[std::size_t(number)];
+  const MapVoxels* counted = numbers_ ? numbers_->of(map.labels) : nullptr;
+  if (!counted) return QStringLiteral("\u2026");
+  const std::int64_t voxels = counted->voxels[std::size_t(number)];
   const VoxelGeometry& grid = map.labels->geometry();
   if (!grid.calibrated) return tr("%1 voxels").arg(QLocale().toString(qlonglong(voxels)));
   const double ml = double(voxels) * grid.voxelVolume() / 1000;
@@ -201,14 +219,15 @@ void SegmentList::showButtons() {
   const SegmentMap* map = segmentsShown(session_);
   const Segment* current = segmentShown(session_);
   const QString whyNoMore =
-      map && !freeNumber(*map) ? tr("There are 255 segments, and no more fit.") : whyNone;
+      map && !freeNumber(*map) ? tr("There are 255 segments in this map, and no more fit.") : whyNone;
   const QString whyNoCurrent = !whyNone.isEmpty() ? whyNone
                                : current          ? QString()
                                                   : tr("There is no segment yet.");
   offerControl(add_, tr("Another segment, without voxels."), whyNoMore);
   offerControl(duplicate_,
-               tr("A segment with these codes and a name alike, without voxels: each voxel is in one."),
-               whyNoCurrent.isEmpty() ? whyNoMore : whyNoCurrent);
+               tr("A segment with these voxels and codes and a name alike, in another map: a map has each "
+                  "voxel once."),
+               whyNoCurrent);
   offerControl(remove_, tr("Removes the segment and its voxels (Del)."),
                whyNoCurrent.isEmpty() ? whyNotChanged(session_) : whyNoCurrent);
   offerControl(colour_, tr("Colour of the segment"), whyNoCurrent);
@@ -220,37 +239,48 @@ void SegmentList::showMeasured(const SegmentNumbers& numbers) {
   showSegments();
 }
 
-// An empty name is none.
+// An empty name is none. The map of what is changed is worked on.
 void SegmentList::itemChanged(QTreeWidgetItem* item, int column) {
-  const SegmentMap* map = segmentsShown(session_);
-  const Segment* segment = map ? findSegment(*map, segmentNumberOf(item)) : nullptr;
+  if (!segmentsShown(session_)) return;
+  const int map = mapNumberOf(item), number = segmentNumberOf(item);
+  const SegmentMap* of = segmentMapOf(session_.workspace(), keyOf(session_.series()->series), map);
+  const Segment* segment = of ? findSegment(*of, number) : nullptr;
   if (!segment) return;
   const QString name = item->text(shownColumn).trimmed(), before = shownText(segment->label);
   const bool isOn = item->checkState(column) == Qt::Checked;
-  const int number = segment->number;
   if (column == lockColumn)
-    edit((isOn ? tr("Lock %1") : tr("Unlock %1")).arg(before), number,
+    edit((isOn ? tr("Lock %1") : tr("Unlock %1")).arg(before), map, number,
          [isOn](Segment& s) { s.locked = isOn; });
   else if (column == shownColumn && isOn != segment->visible)
-    edit((isOn ? tr("Show %1") : tr("Hide %1")).arg(before), number,
+    edit((isOn ? tr("Show %1") : tr("Hide %1")).arg(before), map, number,
          [isOn](Segment& s) { s.visible = isOn; });
   else if (column == shownColumn && !name.isEmpty() && name != before)
-    edit(tr("Rename %1").arg(before), number, [&](Segment& s) { s.label = name.toStdString(); });
+    edit(tr("Rename %1").arg(before), map, number, [&](Segment& s) { s.label = name.toStdString(); });
   showSegments();
 }
 
-void SegmentList::edit(const QString& text, int number, const std::function<void(Segment&)>& change,
-                       const QString& mergeKey) {
+void SegmentList::edit(const QString& text, int map, int number,
+                       const std::function<void(Segment&)>& change) {
   const SeriesKey series = keyOf(session_.series()->series);
-  session_.change(text, withSegmentChanged(session_.workspace(), series, number, change), mergeKey);
-  if (mergeKey.isEmpty()) session_.endGesture();
+  session_.change(
+      text, withSegmentChanged(withMapWorkedOn(session_.workspace(), series, map), series, number, change));
+  session_.endGesture();
+}
+
+void SegmentList::editCurrent(const QString& text, const std::function<void(Segment&)>& change,
+                              const QString& mergeKey) {
+  const Segment* segment = segmentShown(session_);
+  if (!segment) return;
+  const SeriesKey series = keyOf(session_.series()->series);
+  session_.change(text, withSegmentChanged(session_.workspace(), series, segment->number, change), mergeKey);
 }
 
 void SegmentList::choose(const QTreeWidgetItem* item) {
   if (!item || !segmentsShown(session_)) return;
-  session_.change(
-      tr("Choose a segment"),
-      withCurrentSegment(session_.workspace(), keyOf(session_.series()->series), segmentNumberOf(item)));
+  const SeriesKey series = keyOf(session_.series()->series);
+  session_.change(tr("Choose a segment"),
+                  withCurrentSegment(withMapWorkedOn(session_.workspace(), series, mapNumberOf(item)), series,
+                                     segmentNumberOf(item)));
   session_.endGesture();
 }
 
@@ -261,10 +291,19 @@ void SegmentList::add() {
 }
 
 void SegmentList::duplicate() {
-  session_.change(tr("Duplicate segment"),
-                  withSegmentCopied(session_.workspace(), keyOf(session_.series()->series),
-                                    segmentShown(session_)->number));
-  session_.endGesture();
+  const SegmentMap& map = *segmentsShown(session_);
+  const Segment& segment = *segmentShown(session_);
+  SegmentWork work;
+  work.series = map.series;
+  work.volume = wholeVolume(session_);
+  work.text = tr("Duplicate %1").arg(shownText(segment.label));
+  work.doing = tr("Copying a segment");
+  work.makeMaps = [from = map.number, number = segment.number](
+                      const std::vector<SegmentMap>& maps,
+                      const CancelToken&) -> Result<std::vector<SegmentMap>> {
+    return withSegmentCopied(maps, from, number);
+  };
+  Q_EMIT workWanted(work);
 }
 
 void SegmentList::remove() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QLabel>
 #include <QSlider>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -10,8 +11,9 @@
 
 namespace volumen {
 
-/// The segments of the series in view: whether each is shown and locked, colour, name, ml. They are added,
-/// copied and removed here; the current row is the segment that is worked on.
+/// The segments of the series in view: whether each is shown and locked, colour, name, ml, and which map it
+/// is in where there are several. They are added, copied and removed here; the current row is the segment
+/// that is worked on, its map the one that tools and steps change.
 class SegmentList : public QWidget {
   Q_OBJECT
  public:
@@ -30,9 +32,10 @@ class SegmentList : public QWidget {
   void showRow(QTreeWidgetItem* item, const SegmentMap& map, const Segment& segment);
   void showButtons();
   QString amountText(const SegmentMap& map, int number) const;
+  void showMaps(const std::vector<SegmentMap>& maps);
   void itemChanged(QTreeWidgetItem* item, int column);
-  void edit(const QString& text, int number, const std::function<void(Segment&)>& change,
-            const QString& mergeKey = {});
+  void edit(const QString& text, int map, int number, const std::function<void(Segment&)>& change);
+  void editCurrent(const QString& text, const std::function<void(Segment&)>& change, const QString& mergeKey);
   void choose(const QTreeWidgetItem* item);
   void add();
   void duplicate();
@@ -40,6 +43,7 @@ class SegmentList : public QWidget {
 
   Session& session_;
   QTreeWidget* list_;
+  QLabel* worked_;  // which map is, where there are several
   QToolButton *add_, *duplicate_, *remove_;
   ColourButton* colour_;
   QSlider* opacity_;

@@ -9,6 +9,7 @@
 #include <QSaveFile>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -24,7 +25,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int sortRole = Qt::UserRole, numberRole = Qt::UserRole + 1;
+constexpr int sortRole = Qt::UserRole, reportRole = Qt::UserRole + 1;
 
 // Numbers are in order of their size, those that there are none of first.
 class NumberItem : public QTableWidgetItem {
@@ -36,9 +37,9 @@ class NumberItem : public QTableWidgetItem {
   }
 };
 
-QTableWidgetItem* nameItem(const Segment& segment) {
+QTableWidgetItem* nameItem(const Segment& segment, int report) {
   auto* item = new NumberItem(shownText(segment.label));
-  item->setData(numberRole, segment.number);
+  item->setData(reportRole, report);
   return item;
 }
 
@@ -69,6 +70,30 @@ QPushButton* dialogButton(QDialogButtonBox* box, const char* name, const QString
   button->setObjectName(QLatin1String(name));
   button->setAutoDefault(false);
   return button;
+}
+
+// Whether the numbers of both are the same.
+bool holdTheSame(const SegmentMap& a, const SegmentMap& b) {
+  return a.labels == b.labels &&
+         std::ranges::equal(a.segments, b.segments, {}, &Segment::number, &Segment::number);
+}
+
+Result<std::vector<SegmentReport>> reportsOf(const std::vector<SegmentMap>& maps, const Volume& volume,
+                                             bool withPeaks, const Job& job) {
+  std::size_t count = 0;
+  for (const SegmentMap& map : maps) count += map.segments.size();
+  std::vector<SegmentReport> all;
+  for (const SegmentMap& map : maps) {
+    auto reports =
+        segmentReports(map.segments, *map.labels, volume, withPeaks, job.cancel(),
+                       [&](const Segment& segment, std::size_t done) {
+                         job.tell(SegmentNumbersDialog::tr("Measuring %1").arg(shownText(segment.label)),
+                                  double(all.size() + done) / double(count));
+                       });
+    if (!reports) return reports;
+    std::ranges::move(*reports, std::back_inserter(all));
+  }
+  return all;
 }
 
 }  // namespace
@@ -135,8 +160,8 @@ void SegmentNumbersDialog::makeLayout() {
 
 // What a name or a colour changes is not measured again.
 void SegmentNumbersDialog::follow() {
-  const SegmentMap* map = segmentsShown(session_);
-  if (!map) {
+  std::vector<SegmentMap> maps = allSegmentsShown(session_);
+  if (maps.empty()) {
     lane_.giveUpAll();
     measured_.reset();
     fillTable();
@@ -145,21 +170,17 @@ void SegmentNumbersDialog::follow() {
   }
   if (painter_.isPainting()) return;
   const VolumePtr volume = wholeVolume(session_);
-  if (measured_ && measured_->map == *map && measured_->volume == volume) return;
-  const auto numbers = [](const SegmentMap& m) {
-    std::vector<int> all;
-    for (const Segment& segment : m.segments) all.push_back(segment.number);
-    return all;
-  };
-  const bool isSame = measured_ && measured_->isDone && measured_->map.labels == map->labels &&
-                      measured_->volume == volume && numbers(measured_->map) == numbers(*map);
+  if (measured_ && measured_->maps == maps && measured_->volume == volume) return;
+  const bool isSame = measured_ && measured_->isDone && measured_->volume == volume &&
+                      std::ranges::equal(measured_->maps, maps, holdTheSame);
   if (!isSame) {
-    measured_ = Measured{*map, volume};
+    measured_ = Measured{std::move(maps), volume};
     return measure();
   }
-  measured_->map = *map;
-  for (std::size_t n = 0; n < measured_->reports.size(); ++n)
-    measured_->reports[n].segment = map->segments[n];
+  measured_->maps = std::move(maps);
+  std::size_t n = 0;
+  for (const SegmentMap& map : measured_->maps)
+    for (const Segment& segment : map.segments) measured_->reports[n++].segment = segment;
   fillTable();
 }
 
@@ -170,12 +191,8 @@ void SegmentNumbersDialog::measure() {
   const bool withPeaks = hasPeaks(session_.series()->series.modality);
   lane_.run(
       tr("Measuring segments"),
-      [map = measured_->map, volume = measured_->volume, withPeaks](const Job& job) {
-        return segmentReports(map.segments, *map.labels, *volume, withPeaks, job.cancel(),
-                              [&](const Segment& segment, std::size_t done) {
-                                job.tell(tr("Measuring %1").arg(shownText(segment.label)),
-                                         double(done) / double(map.segments.size()));
-                              });
+      [maps = measured_->maps, volume = measured_->volume, withPeaks](const Job& job) {
+        return reportsOf(maps, *volume, withPeaks, job);
       },
       [this](const Result<std::vector<SegmentReport>>& reports) { take(reports); },
       [this] { said_->setText(tr("Cancelled: nothing was measured.")); });
@@ -205,7 +222,7 @@ void SegmentNumbersDialog::fillTable() {
   table_->setRowCount(measured_ ? int(measured_->reports.size()) : 0);
   for (int row = 0; row < table_->rowCount(); ++row) {
     const SegmentReport& report = measured_->reports[std::size_t(row)];
-    table_->setItem(row, 0, nameItem(report.segment));
+    table_->setItem(row, 0, nameItem(report.segment, row));
     int place = 1;
     for (const SegmentColumn& column : segmentColumns())
       table_->setItem(row, place++, numberItem(column, report, shown.factor));
@@ -218,23 +235,22 @@ void SegmentNumbersDialog::fillTable() {
 void SegmentNumbersDialog::showChoice() {
   const bool isThere = measured_ && measured_->isDone;
   for (QPushButton* button : {copy_, saveCsv_, saveJson_}) button->setEnabled(isThere);
-  compare_->setEnabled(isThere && chosenNumbers().size() == 2);
+  compare_->setEnabled(isThere && chosenReports().size() == 2);
   compare_->setToolTip(toolTipOf(compare_->isEnabled()
                                      ? tr("Dice, difference of volumes and distances of the two surfaces")
                                      : tr("Choose two rows first (Ctrl+click).")));
 }
 
 void SegmentNumbersDialog::compare() {
-  const std::vector<int> numbers = chosenNumbers();
-  const SegmentReport &a = *reportOf(numbers[0]), &b = *reportOf(numbers[1]);
+  const std::vector<std::size_t> chosen = chosenReports();
+  const SegmentReport &a = measured_->reports[chosen[0]], &b = measured_->reports[chosen[1]];
   const QString names = tr("%1 and %2").arg(shownText(a.segment.label), shownText(b.segment.label));
   lane_.giveUpAll();
   said_->setText(tr("Comparing..."));
   lane_.run(
       tr("Comparing segments"),
-      [labels = measured_->map.labels, numbers](const Job& job) {
-        return likeness(maskOf(*labels, std::uint8_t(numbers[0])), maskOf(*labels, std::uint8_t(numbers[1])),
-                        job.cancel());
+      [first = partOf(chosen[0]), second = partOf(chosen[1])](const Job& job) {
+        return likeness(first.mask(), second.mask(), job.cancel());
       },
       [this, names](const Result<SegmentLikeness>& alike) {
         said_->setText(alike ? QStringLiteral("%1: %2.").arg(names, likenessText(*alike))
@@ -292,17 +308,20 @@ ValueScale SegmentNumbersDialog::scale() const {
   return session_.series() ? shownScale(session_.series()->series) : ValueScale{};
 }
 
-std::vector<int> SegmentNumbersDialog::chosenNumbers() const {
-  std::vector<int> numbers;
+std::vector<std::size_t> SegmentNumbersDialog::chosenReports() const {
+  std::vector<std::size_t> chosen;
   for (const QModelIndex& index : table_->selectionModel()->selectedRows())
-    numbers.push_back(index.data(numberRole).toInt());
-  return numbers;
+    chosen.push_back(index.data(reportRole).toUInt());
+  return chosen;
 }
 
-const SegmentReport* SegmentNumbersDialog::reportOf(int number) const {
-  const auto found = std::ranges::find(measured_->reports, number,
-                                       [](const SegmentReport& report) { return report.segment.number; });
-  return found == measured_->reports.end() ? nullptr : &*found;
+SegmentNumbersDialog::Part SegmentNumbersDialog::partOf(std::size_t report) const {
+  std::size_t behind = 0;
+  for (const SegmentMap& map : measured_->maps) {
+    behind += map.segments.size();
+    if (report < behind) return {map.labels, measured_->reports[report].segment.number};
+  }
+  return {};
 }
 
 }  // namespace volumen

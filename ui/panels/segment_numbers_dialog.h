@@ -27,10 +27,17 @@ class SegmentNumbersDialog : public QDialog {
  private:
   /// What was measured of what.
   struct Measured {
-    SegmentMap map;
+    std::vector<SegmentMap> maps;  // by their numbers
     VolumePtr volume;
-    std::vector<SegmentReport> reports{};
+    std::vector<SegmentReport> reports{};  // map after map
     bool isDone = false;
+  };
+
+  /// The voxels of a segment.
+  struct Part {
+    std::shared_ptr<const LabelMap> labels{};
+    int number = 0;
+    BitMask mask() const { return maskOf(*labels, std::uint8_t(number)); }
   };
 
   void makeLayout();
@@ -46,8 +53,8 @@ class SegmentNumbersDialog : public QDialog {
   QString csvText() const;
   QString jsonText() const;
   ValueScale scale() const;
-  std::vector<int> chosenNumbers() const;
-  const SegmentReport* reportOf(int number) const;
+  std::vector<std::size_t> chosenReports() const;
+  Part partOf(std::size_t report) const;
 
   Session& session_;
   const SegmentPainter& painter_;

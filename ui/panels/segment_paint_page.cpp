@@ -173,7 +173,7 @@ void SegmentPaintPage::showOthers() {
   other_->setCurrentIndex(std::max(0, other_->findData(chosen)));
   other_->setEnabled(other_->count() > 0 && beside_->currentIndex() > 0);
   other_->setToolTip(toolTipOf(other_->count() > 0 ? tr("The segment to paint inside or outside")
-                                                   : tr("There is no other segment.")));
+                                                   : noOtherSegment(session_)));
 }
 
 PaintLimits SegmentPaintPage::limits(const ValueRange& range) const {

@@ -161,10 +161,10 @@ void SegmentsPanel::showSegments() {
   tissue_->showSegments();
   growth_->showSegments();
   numbersButton_->setEnabled(segmentsShown(session_) != nullptr);
-  numbersButton_->setToolTip(
-      toolTipOf(numbersButton_->isEnabled()
-                    ? tr("A table of all segments: volumes, area, values, axes; two are compared.")
-                    : tr("There is no segment yet.")));
+  numbersButton_->setToolTip(toolTipOf(
+      numbersButton_->isEnabled()
+          ? tr("A table of all segments of the series: volumes, area, values, axes; two are compared.")
+          : tr("There is no segment yet.")));
   askForNumbers();
   showResult();
 }
@@ -186,18 +186,17 @@ void SegmentsPanel::askForNumbers() {
     numbers_.reset();
     return;
   }
-  const SegmentNumbers wanted{map->labels, wholeVolume(session_), {}, segmentShown(session_)->number, {}};
-  const auto isOf = [&](const std::optional<SegmentNumbers>& n) {
-    return n && n->labels == wanted.labels && n->volume == wanted.volume && n->number == wanted.number;
-  };
-  if (isOf(asked_)) return;
+  SegmentNumbers wanted{{{map->labels}}, wholeVolume(session_), segmentShown(session_)->number};
+  for (const SegmentMap& other : allSegmentsShown(session_))
+    if (other.number != map->number) wanted.maps.push_back({other.labels});
+  if (asked_ && asked_->areOf(wanted)) return;
   asked_ = wanted;
   numbers_.reset();
-  Q_EMIT measureRequested(wanted.labels, wanted.number, wanted.volume);
+  Q_EMIT measureRequested(wanted);
 }
 
 void SegmentsPanel::showMeasured(const SegmentNumbers& numbers) {
-  if (!asked_ || asked_->labels != numbers.labels || asked_->number != numbers.number) return;
+  if (!asked_ || !asked_->areOf(numbers)) return;
   numbers_ = numbers;
   list_->showMeasured(numbers);
   showResult();
@@ -206,8 +205,9 @@ void SegmentsPanel::showMeasured(const SegmentNumbers& numbers) {
 void SegmentsPanel::showResult() {
   if (!numbers_) return result_->setText(session_.series() ? whyNoSegments(session_) : QString());
   const SegmentValues& s = numbers_->values;
-  const std::int64_t voxels = numbers_->voxels[std::size_t(numbers_->number)];
-  const VoxelGeometry& grid = numbers_->labels->geometry();
+  const MapVoxels& worked = numbers_->maps.front();
+  const std::int64_t voxels = worked.voxels[std::size_t(numbers_->number)];
+  const VoxelGeometry& grid = worked.labels->geometry();
   const ValueScale scale = shownScale(session_.series()->series);
   const QString unit = shownText(scale.unit);
   const int decimals = valueDecimals(*session_.series()) - 1;

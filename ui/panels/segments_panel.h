@@ -46,8 +46,8 @@ class SegmentsPanel : public QWidget {
   void workWanted(const volumen::SegmentWork& work);
   void numbersWanted();
   void recipeChosen(const volumen::Recipe& recipe);
-  void measureRequested(const std::shared_ptr<const volumen::LabelMap>& labels, int number,
-                        const volumen::VolumePtr& volume);
+  /// What of, without the numbers.
+  void measureRequested(const volumen::SegmentNumbers& wanted);
   /// What of which volume is looked at; none: nothing.
   void previewChanged(const std::optional<volumen::VolumeRange>& range);
 
@@ -73,7 +73,7 @@ class SegmentsPanel : public QWidget {
   SegmentStepsPage* steps_;
   SegmentGrowPage* growth_;
   QStackedWidget* pages_;
-  std::optional<SegmentNumbers> asked_;    // the last: its labels, volume and number
+  std::optional<SegmentNumbers> asked_;    // the last: what of
   std::optional<SegmentNumbers> numbers_;  // of what is shown
 };
 

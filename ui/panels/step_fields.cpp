@@ -117,7 +117,7 @@ QComboBox* StepFields::segmentsFor(const StepField& field) {
         box->addItem(shownText(segment.label), QString::fromStdString(stepNameOf(segment.number)));
   box->setCurrentIndex(std::max(0, box->findData(QString::fromStdString(segmentOf(field)))));
   box->setEnabled(box->count() > 0);
-  box->setToolTip(toolTipOf(box->count() > 0 ? tr(field.title) : tr("There is no other segment.")));
+  box->setToolTip(toolTipOf(box->count() > 0 ? tr(field.title) : noOtherSegment(session_)));
   connect(box, &QComboBox::activated, this,
           [this, &field, box] { take(field, box->currentData().toString().toStdString()); });
   return box;
@@ -177,7 +177,7 @@ QString StepFields::whyNot(const StepKind& kind) const {
   for (const StepField& field : kind.fields) {
     if (!namesSegment(field)) continue;
     const std::string name = segmentOf(field);
-    if (name.empty() && field.need == StepField::Need::yes) return tr("There is no other segment.");
+    if (name.empty() && field.need == StepField::Need::yes) return noOtherSegment(session_);
     // What takes its voxels needs them free.
     const std::string_view step(kind.name);
     if (step != "add" && step != "merge" && step != "copy") continue;

@@ -6,6 +6,7 @@
 
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -19,7 +20,6 @@ StepsDialog::StepsDialog(Session& session, QWidget* parent)
       reset_(new QPushButton(tr("Discard changes"))) {
   setObjectName(QStringLiteral("stepsDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
-  setWindowTitle(tr("Steps of the segments"));
   resize(560, 600);
   text_->setObjectName(QStringLiteral("stepsText"));
   text_->setAccessibleName(tr("Steps"));
@@ -56,6 +56,9 @@ StepsDialog::StepsDialog(Session& session, QWidget* parent)
 
 void StepsDialog::showSteps() {
   const SegmentMap* map = segmentsShown(session_);
+  const bool isOneOfSeveral = allSegmentsShown(session_).size() > 1;
+  setWindowTitle(isOneOfSeveral ? tr("Steps of the segments of %1").arg(mapName(map->number))
+                                : tr("Steps of the segments"));
   const RecordedRecipe recorded =
       map ? recordedRecipe(*map, session_.series()->series.modality) : RecordedRecipe{};
   text_->setPlainText(recorded.recipe.segments.empty() ? QString()

@@ -1,4 +1,5 @@
 #include <QPainter>
+#include <algorithm>
 
 #include "ui/controller/derived_objects.h"
 #include "ui/views/contour_lines.h"
@@ -66,13 +67,15 @@ std::vector<SegmentLayer> FlatView::segmentLayers() const {
   return layers;
 }
 
-// What would be segments of a series lies under those that are.
+// What would be segments of a series lies under those that are, and these under those that are worked on.
 void FlatView::addSegmentsOf(const SeriesKey& series, const Rigid& fromPlane,
                              std::vector<SegmentLayer>& layers) const {
-  const bool isPreviewed = preview_ && preview_->series == series;
-  for (const SegmentMap* map :
-       {isPreviewed ? &*preview_ : nullptr, segmentMapOf(session_.workspace(), series)})
-    if (auto layer = map ? layerOf(*map, fromPlane) : std::nullopt) layers.push_back(std::move(*layer));
+  const SegmentMap* worked = segmentMapOf(session_.workspace(), series);
+  std::vector<const SegmentMap*> maps = segmentMapsOf(session_.workspace(), series);
+  std::ranges::stable_partition(maps, [&](const SegmentMap* map) { return map != worked; });
+  if (preview_ && preview_->series == series) maps.insert(maps.begin(), &*preview_);
+  for (const SegmentMap* map : maps)
+    if (auto layer = layerOf(*map, fromPlane)) layers.push_back(std::move(*layer));
 }
 
 void FlatView::showPreview(const std::optional<SegmentMap>& segments) {

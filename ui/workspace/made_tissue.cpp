@@ -8,18 +8,24 @@
 
 namespace volumen {
 
-std::vector<int> numbersShown(const SegmentMap& map) {
-  std::vector<int> numbers;
-  for (const Segment& segment : map.segments)
-    if (segment.visible) numbers.push_back(segment.number);
-  return numbers;
+std::vector<ChosenSegments> segmentsShownOf(const std::vector<const SegmentMap*>& maps,
+                                            const VoxelGeometry& grid) {
+  std::vector<ChosenSegments> all;
+  for (const SegmentMap* map : maps) {
+    if (!isOn(*map, grid)) continue;
+    ChosenSegments& chosen = all.emplace_back(ChosenSegments{map->labels, {}});
+    for (const Segment& segment : map->segments)
+      if (segment.visible) chosen.numbers.push_back(segment.number);
+  }
+  return all;
 }
 
-std::optional<MadeTissue> tissueWanted(const SegmentMap* map, const LoadedSeriesPtr& series) {
-  if (!map || !series || map->tissue.where == TissueShown::Where::everywhere ||
-      !isOn(*map, series->volume->geometry()))
-    return {};
-  return MadeTissue{series, map->labels, numbersShown(*map), map->tissue};
+std::optional<MadeTissue> tissueWanted(const std::vector<const SegmentMap*>& maps,
+                                       const LoadedSeriesPtr& series) {
+  if (maps.empty() || !series || maps.front()->tissue.where == TissueShown::Where::everywhere) return {};
+  std::vector<ChosenSegments> shown = segmentsShownOf(maps, series->volume->geometry());
+  if (shown.empty()) return {};
+  return MadeTissue{series, std::move(shown), maps.front()->tissue};
 }
 
 bool isTissueOnScreen(const MadeTissue& tissue, const Workspace& workspace) {

@@ -14,25 +14,26 @@ struct Workspace;
 
 /// What 3D views draw of a series whose tissue is not shown everywhere, and what that was made of.
 struct MadeTissue {
-  LoadedSeriesPtr of;                      ///< the series, without what its mask takes away
-  std::shared_ptr<const LabelMap> labels;  ///< of its grid
-  std::vector<int> segments;               ///< the numbers of those that were shown
+  LoadedSeriesPtr of;                    ///< the series, without what its mask takes away
+  std::vector<ChosenSegments> segments;  ///< of its grid: those that were shown, of all its maps
   TissueShown shown;
   std::shared_ptr<const BitMask> voxels{};  ///< where tissue is left
   LoadedSeriesPtr left{};                   ///< with air elsewhere; null: it could not be made
 
   /// Whether both are made of the same.
   bool isAs(const MadeTissue& other) const {
-    return of == other.of && labels == other.labels && segments == other.segments && shown == other.shown;
+    return of == other.of && segments == other.segments && shown == other.shown;
   }
 };
 
-/// The numbers of the segments of a map that are shown.
-std::vector<int> numbersShown(const SegmentMap& map);
+/// The segments that are shown, of those of these maps that lie on the grid: an entry a map.
+std::vector<ChosenSegments> segmentsShownOf(const std::vector<const SegmentMap*>& maps,
+                                            const VoxelGeometry& grid);
 
-/// What is to be made for 3D views of a series with these segments (null: it has none); none: its tissue is
-/// shown everywhere, or the segments lie on another grid.
-std::optional<MadeTissue> tissueWanted(const SegmentMap* map, const LoadedSeriesPtr& series);
+/// What is to be made for 3D views of a series with these maps of segments; none: its tissue is shown
+/// everywhere, or all segments lie on another grid.
+std::optional<MadeTissue> tissueWanted(const std::vector<const SegmentMap*>& maps,
+                                       const LoadedSeriesPtr& series);
 
 /// Whether the series is in a 3D view on screen, and its tissue not to be shown everywhere.
 bool isTissueOnScreen(const MadeTissue& tissue, const Workspace& workspace);

@@ -38,7 +38,8 @@ std::string knownChecksumOf(const std::shared_ptr<const LabelMap>& labels) {
 bool SegmentMap::operator==(const SegmentMap& other) const {
   const bool same = labels == other.labels || (labels && other.labels && *labels == *other.labels);
   return same && series == other.series && segments == other.segments && missing == other.missing &&
-         current == other.current && in3d == other.in3d && steps == other.steps && tissue == other.tissue;
+         current == other.current && in3d == other.in3d && steps == other.steps && tissue == other.tissue &&
+         number == other.number;
 }
 
 std::string checksumOf(const LabelMap& labels) {

@@ -20,16 +20,20 @@ struct SavedLabels {
   bool operator==(const SavedLabels&) const = default;
 };
 
-/// Segments of a series: the label of each voxel of the grid that is drawn, and what each label is.
+/// Segments of a series that share no voxel: the label of each voxel of the grid that is drawn, and what each
+/// label is. What overlaps them is in further maps of the series.
 struct SegmentMap {
   SeriesKey series;
   std::vector<Segment> segments;           ///< each the voxels of its number
   std::shared_ptr<const LabelMap> labels;  ///< null: the file that holds them was not read
   std::optional<SavedLabels> missing;      ///< where they were not: which they are
   int current = 0;                         ///< the number of the one that is worked on; 0: the first
-  bool in3d = true;                        ///< those that are shown are drawn in 3D, too, not in slices alone
-  std::vector<Step> steps{};               ///< how they were made (segment_record.h)
-  TissueShown tissue{};                    ///< of the volume itself in 3D, by the segments that are shown
+  bool in3d = true;           ///< those that are shown are drawn in 3D, too, not in slices alone;
+                              ///< the same in all maps of a series
+  std::vector<Step> steps{};  ///< how they were made (segment_record.h)
+  TissueShown tissue{};       ///< of the volume itself in 3D, by the segments that are shown; the
+                              ///< same in all maps of a series
+  int number{};               ///< which of the maps of its series, from 0
   bool operator==(const SegmentMap& other) const;
 };
 

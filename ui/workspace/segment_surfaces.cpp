@@ -36,7 +36,7 @@ SegmentSurface surfaceOf(const Segment& segment, std::shared_ptr<const Occupancy
 }
 
 bool isOfSegmentOnScreen(const MadeSurface& surface, const Workspace& workspace) {
-  const SegmentMap* map = segmentMapOf(workspace, surface.series);
+  const SegmentMap* map = segmentMapOf(workspace, surface.series, surface.map);
   if (!map || !findSegment(*map, surface.number)) return false;
   return std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId id) {
     const ViewState& view = workspace.view(id);

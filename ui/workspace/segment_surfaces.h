@@ -15,11 +15,17 @@ struct Workspace;
 /// What a segment is drawn by in 3D, and what that was made of.
 struct MadeSurface {
   SeriesKey series;
-  int number = 0;                                 ///< of the segment
+  int map = 0;                                    ///< which of the maps of the series
+  int number = 0;                                 ///< of the segment in it
   std::shared_ptr<const LabelMap> labels;         ///< that held its voxels
   Mask mask;                                      ///< what was taken away of them
   std::shared_ptr<const OccupancyField> field{};  ///< null: it was not made
   QString whyNot{};                               ///< a sentence, where it was not
+
+  /// Whether both are of one segment.
+  bool isOfSame(const MadeSurface& other) const {
+    return series == other.series && map == other.map && number == other.number;
+  }
 };
 
 /// A segment as it is drawn in a 3D view.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/workspace/region_colours.h"
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/text.h"
 
@@ -15,6 +16,14 @@ constexpr int mostSegments = 255;
 Segment* editSegment(SegmentMap& map, int number) {
   const auto found = std::ranges::find(map.segments, number, &Segment::number);
   return found == map.segments.end() ? nullptr : &*found;
+}
+
+// "Segment 3", from this number on.
+std::string freshName(const std::vector<SegmentMap>& maps, int number) {
+  while (true) {
+    const std::string name = tr("Segment %1").arg(number++).toStdString();
+    if (freeName(maps, name) == name) return name;
+  }
 }
 
 SegmentMap* editMap(Workspace& workspace, const SeriesKey& series) {
@@ -87,7 +96,8 @@ SegmentMap withoutSegment(SegmentMap map, int number) {
 }
 
 SegmentMap withSegment(SegmentMap map, Segment segment) {
-  if (!segment.colour) segment.colour = colourOfNumber(segment.number);
+  constexpr int coloursApart = 3;
+  if (!segment.colour) segment.colour = colourOfNumber(segment.number + coloursApart * map.number);
   map.current = segment.number;
   map.segments.push_back(std::move(segment));
   return map;
@@ -121,42 +131,39 @@ Workspace withCurrentSegment(Workspace workspace, const SeriesKey& series, int n
 }
 
 Workspace withSegmentsIn3d(Workspace workspace, const SeriesKey& series, bool in3d) {
-  if (SegmentMap* map = editMap(workspace, series)) map->in3d = in3d;
+  workspace.segmentMaps.editIf([&](const SegmentMap& map) { return map.series == series; },
+                               [&](SegmentMap& map) { map.in3d = in3d; });
   return workspace;
 }
 
 Workspace withTissueShown(Workspace workspace, const SeriesKey& series, const TissueShown& tissue) {
-  if (SegmentMap* map = editMap(workspace, series)) map->tissue = tissue;
+  workspace.segmentMaps.editIf([&](const SegmentMap& map) { return map.series == series; },
+                               [&](SegmentMap& map) { map.tissue = tissue; });
   return workspace;
 }
 
 Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const VoxelGeometry& grid,
-                         Segment segment) {
-  SegmentMap map = segmentMapOn(workspace, series, grid);
+                         Segment segment, std::optional<int> number) {
+  SegmentMap map = segmentMapOn(workspace, series, grid, number);
   if (!freeNumber(map) || !workspace.series.contains(series)) return workspace;
-  map = withSegmentAdded(std::move(map), std::move(segment));
+  const SegmentMap before = map;
+  std::vector<SegmentMap> maps{map};
+  for (const SegmentMap* other : segmentMapsOf(workspace, series)) maps.push_back(*other);
+  if (segment.label.empty()) segment.label = freshName(maps, *freeNumber(map));
+  map = withNamesApart(before, withSegmentAdded(std::move(map), std::move(segment)), maps);
   const std::string made = stepNameOf(map.current);
   return withSegmentMap(std::move(workspace), withRecorded(std::move(map), {{"empty", made}}));
 }
 
-Workspace withSegmentCopied(Workspace workspace, const SeriesKey& series, int number) {
-  const SegmentMap* map = segmentMapOf(workspace, series);
-  const Segment* segment = map && map->labels ? findSegment(*map, number) : nullptr;
-  if (!segment) return workspace;
-  Segment copy = *segment;
-  copy.colour.reset();
-  copy.trackingId.clear();
-  copy.range.reset();
-  copy.span.reset();
-  copy.locked = false;
-  const VoxelGeometry grid = map->labels->geometry();
-  return withNewSegment(std::move(workspace), series, grid, std::move(copy));
-}
-
-SegmentMap segmentMapOn(const Workspace& workspace, const SeriesKey& series, const VoxelGeometry& grid) {
-  const SegmentMap* map = segmentMapOf(workspace, series);
+SegmentMap segmentMapOn(const Workspace& workspace, const SeriesKey& series, const VoxelGeometry& grid,
+                        std::optional<int> number) {
+  const SegmentMap* worked = segmentMapOf(workspace, series);
+  const SegmentMap* map = number ? segmentMapOf(workspace, series, *number) : worked;
   if (map && isOn(*map, grid)) return *map;
-  return {series, {}, std::make_shared<const LabelMap>(grid), {}};
+  SegmentMap made{series, {}, std::make_shared<const LabelMap>(grid), {}};
+  if (worked && isOn(*worked, grid)) made.in3d = worked->in3d, made.tissue = worked->tissue;
+  made.number = number ? *number : worked ? worked->number : 0;
+  return made;
 }
 
 }  // namespace volumen

@@ -38,29 +38,30 @@ SegmentMap withoutSegment(SegmentMap map, int number);
 // What follows takes no time. A series without such a segment stays as it is.
 
 /// With another segment of the map, which has no voxels yet and is current; its number must be free. It gets
-/// a colour of its own where it has none.
+/// a colour of its own where it has none, another one in each map.
 SegmentMap withSegment(SegmentMap map, Segment segment);
 /// With another segment that has no voxels yet and is current. It keeps its number where that is free, else
 /// it has the smallest that is; it gets a colour and a name where it has none, and another name where that is
 /// taken. As it was where 255 are there.
 SegmentMap withSegmentAdded(SegmentMap map, Segment segment);
-/// With a segment called, coloured, shown, locked otherwise; its number stays.
+/// With a segment of the map that is worked on called, coloured, shown, locked otherwise; its number stays.
 Workspace withSegmentChanged(Workspace workspace, const SeriesKey& series, int number,
                              const std::function<void(Segment&)>& change);
-/// With this segment current.
+/// With this segment of the map that is worked on current.
 Workspace withCurrentSegment(Workspace workspace, const SeriesKey& series, int number);
 /// With the segments of a series drawn in 3D, too, or in slices alone.
 Workspace withSegmentsIn3d(Workspace workspace, const SeriesKey& series, bool in3d);
 /// With the volume of a series shown in 3D there.
 Workspace withTissueShown(Workspace workspace, const SeriesKey& series, const TissueShown& tissue);
-/// With another segment without voxels in a series whose volume has this grid, current, in place of segments
-/// of other grids; its number, name and colour as withSegmentAdded() has them.
+/// With another segment without voxels in a map (none: that which is worked on) of a series whose volume has
+/// this grid, current there, in place of segments of other grids; its number and colour as withSegmentAdded()
+/// has them, its name one that no segment of the series has.
 Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const VoxelGeometry& grid,
-                         Segment segment);
-/// With a copy of a segment, called otherwise, that has no voxels: a voxel is in one segment.
-Workspace withSegmentCopied(Workspace workspace, const SeriesKey& series, int number);
+                         Segment segment, std::optional<int> map = {});
 
-/// The segments of a series on a grid; where there are none, or they lie on another one, an empty map.
-SegmentMap segmentMapOn(const Workspace& workspace, const SeriesKey& series, const VoxelGeometry& grid);
+/// The map of a number (none: that which is worked on) of a series on a grid; where there is none, or it lies
+/// on another one, an empty map.
+SegmentMap segmentMapOn(const Workspace& workspace, const SeriesKey& series, const VoxelGeometry& grid,
+                        std::optional<int> number = {});
 
 }  // namespace volumen

@@ -13,6 +13,11 @@ void checkSegments(JsonFields& json, const Workspace& workspace) {
     const std::string path = json.pathOf("segmentMaps", n);
     if (!workspace.series.contains(map.series))
       json.refuse(path + ".series", "must be the number of a series");
+    for (const SegmentMap* other : segmentMapsOf(workspace, map.series)) {
+      if (other != &map && other->number == map.number) json.refuse(path + ".number", "is there twice");
+      if (other->in3d != map.in3d || other->tissue != map.tissue)
+        json.refuse(path, "must have in3d and tissueIn3d of the other maps of its series");
+    }
     std::set<int> numbers;
     for (const Segment& segment : map.segments)
       if (!numbers.insert(segment.number).second)

@@ -87,6 +87,7 @@ template <class Fields>
 void fields(Fields& f, SegmentMap& map) {
   SavedLabels saved = savedLabelsOf(map);
   f("series", map.series);
+  f("number", map.number, {0, 1e6});
   f("labels", saved.checksum);
   f("geometry", saved.geometry);
   f("segments", map.segments);

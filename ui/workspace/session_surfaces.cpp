@@ -10,28 +10,30 @@ namespace volumen {
 std::vector<SegmentInScene> Session::segmentsDrawn(ViewId view) const {
   std::vector<SegmentInScene> drawn;
   const LoadedSeriesPtr series = seriesOf(view);
-  const SegmentMap* map = segmentMapOf(workspace_, workspace_.view(view).series);
-  if (!series || !map || !isOn(*map, series->volume->geometry())) return drawn;
-  for (const Segment* segment : segmentsIn3d(*map)) {
-    const auto made = std::ranges::find_if(surfaces_, [&](const MadeSurface& s) {
-      return s.series == map->series && s.number == segment->number;
-    });
-    if (made == surfaces_.end() || !made->field || made->field->geometry != series->volume->geometry())
-      continue;
-    drawn.push_back({segment, made->field});
+  if (!series) return drawn;
+  const VoxelGeometry& grid = series->volume->geometry();
+  for (const SegmentMap* map : segmentMapsOf(workspace_, workspace_.view(view).series)) {
+    if (!isOn(*map, grid)) continue;
+    for (const Segment* segment : segmentsIn3d(*map)) {
+      const auto made = std::ranges::find_if(surfaces_, [&](const MadeSurface& s) {
+        return s.series == map->series && s.map == map->number && s.number == segment->number;
+      });
+      if (made != surfaces_.end() && made->field && made->field->geometry == grid)
+        drawn.push_back({segment, made->field});
+    }
   }
   return drawn;
 }
 
 std::vector<SegmentNotDrawn> Session::segmentsNotDrawn(ViewId view) const {
   std::vector<SegmentNotDrawn> notDrawn;
-  const SegmentMap* map = segmentMapOf(workspace_, workspace_.view(view).series);
-  if (!map) return notDrawn;
-  for (const Segment* segment : segmentsIn3d(*map))
-    for (const MadeSurface& made : surfaces_)
-      if (made.series == map->series && made.number == segment->number && made.labels == map->labels &&
-          !made.field)
-        notDrawn.push_back({segment, made.whyNot});
+  for (const SegmentMap* map : segmentMapsOf(workspace_, workspace_.view(view).series))
+    for (const Segment* segment : segmentsIn3d(*map))
+      for (const MadeSurface& made : surfaces_) {
+        const bool isOfIt = made.series == map->series && made.map == map->number &&
+                            made.number == segment->number && made.labels == map->labels;
+        if (isOfIt && !made.field) notDrawn.push_back({segment, made.whyNot});
+      }
   return notDrawn;
 }
 
@@ -69,9 +71,7 @@ void Session::takeTissue(MadeTissue made) {
 
 void Session::takeSurfaces(std::vector<MadeSurface> made) {
   for (MadeSurface& surface : made) {
-    std::erase_if(surfaces_, [&](const MadeSurface& before) {
-      return before.series == surface.series && before.number == surface.number;
-    });
+    std::erase_if(surfaces_, [&](const MadeSurface& before) { return before.isOfSame(surface); });
     surfaces_.push_back(std::move(surface));
   }
   setWorkspace(workspace_);

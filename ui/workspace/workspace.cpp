@@ -72,6 +72,9 @@ void takeBack(Workspace& workspace, const Series& series) {
   }
   for (SegmentMap map : closed.segmentMaps) {
     map.series = keyOf(series);
+    while (segmentMapOf(workspace, map.series, map.number)) ++map.number;
+    if (const SegmentMap* there = segmentMapOf(workspace, map.series))
+      map.in3d = there->in3d, map.tissue = there->tissue;
     workspace.segmentMaps.push_back(std::move(map));
   }
   workspace.closed.erase(found);
@@ -304,20 +307,44 @@ Workspace without(Workspace workspace, const SeriesKey& key) {
 }
 
 Workspace withSegmentMap(Workspace workspace, const SegmentMap& map) {
-  const auto isIt = [&](const SegmentMap& other) { return other.series == map.series; };
-  if (map.segments.empty())
+  const auto isIt = [&](const SegmentMap& other) {
+    return other.series == map.series && other.number == map.number;
+  };
+  const auto isOfOtherGrid = [&](const SegmentMap& other) {
+    return other.series == map.series && other.labels && map.labels &&
+           other.labels->geometry() != map.labels->geometry();
+  };
+  if (map.segments.empty()) {
     workspace.segmentMaps.eraseIf(isIt);
-  else if (segmentMapOf(workspace, map.series))
+    return workspace;
+  }
+  if (segmentMapOf(workspace, map.series, map.number))
     workspace.segmentMaps.editIf(
         isIt, [&](SegmentMap& other) { other = withLetGo(other, withHandMade(other, map)); });
   else
     workspace.segmentMaps.push_back(map);
+  workspace.segmentMaps.eraseIf(isOfOtherGrid);
   return workspace;
 }
 
 const SegmentMap* segmentMapOf(const Workspace& workspace, const SeriesKey& series) {
   const auto found = std::ranges::find(workspace.segmentMaps, series, &SegmentMap::series);
   return found == workspace.segmentMaps.end() ? nullptr : &*found;
+}
+
+const SegmentMap* segmentMapOf(const Workspace& workspace, const SeriesKey& series, int number) {
+  const auto found = std::ranges::find_if(workspace.segmentMaps, [&](const SegmentMap& map) {
+    return map.series == series && map.number == number;
+  });
+  return found == workspace.segmentMaps.end() ? nullptr : &*found;
+}
+
+std::vector<const SegmentMap*> segmentMapsOf(const Workspace& workspace, const SeriesKey& series) {
+  std::vector<const SegmentMap*> maps;
+  for (const SegmentMap& map : workspace.segmentMaps)
+    if (map.series == series) maps.push_back(&map);
+  std::ranges::sort(maps, {}, &SegmentMap::number);
+  return maps;
 }
 
 Workspace withClosed(Workspace workspace) {

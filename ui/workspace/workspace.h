@@ -234,7 +234,7 @@ struct Workspace {
   bool measurementsShown = true;               ///< in flat views
   int selected = 0;                            ///< the measurement with handles; 0: none
   SharedList<KeyImage> keyImages;              ///< in the order in which they were marked
-  SharedList<SegmentMap> segmentMaps;          ///< one a series, none without segments
+  SharedList<SegmentMap> segmentMaps;          ///< of each series first the one worked on; none is empty
   SharedMap<DerivedKey, RegionsLook> regions;  ///< structure sets and segmentations over flat views
   SharedList<ClosedSeries> closed;             ///< in no session file
   Shared<Unlisted> unlisted;                   ///< in no session file
@@ -331,11 +331,16 @@ Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneL
 bool canChangeKind(ViewId view);
 /// Without this series: views that show it are empty, and what was measured on it comes back with it.
 Workspace without(Workspace workspace, const SeriesKey& key);
-/// With these segments in place of those that their series has; without segments it has no map. What was
-/// changed of their labels without a step is made by hand (segment_record.h).
+/// With these segments in place of those that the map of this number of their series has, and of maps of
+/// other grids; without segments that map is not there. What was changed of their labels without a step is
+/// made by hand (segment_record.h).
 Workspace withSegmentMap(Workspace workspace, const SegmentMap& map);
-/// The segments of a series; null: none.
+/// The map of a series that is worked on; null: it has no segments.
 const SegmentMap* segmentMapOf(const Workspace& workspace, const SeriesKey& series);
+/// The one of this number; null: there is none.
+const SegmentMap* segmentMapOf(const Workspace& workspace, const SeriesKey& series, int number);
+/// All maps of a series, by their numbers.
+std::vector<const SegmentMap*> segmentMapsOf(const Workspace& workspace, const SeriesKey& series);
 /// With the closed series that something was made on, in no view.
 Workspace withClosed(Workspace workspace);
 /// Another workspace in place of this one: what was made on series that it does not know comes back with

@@ -1,22 +1,19 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 
 #include "viewer/segment/label_map.h"
 
 namespace volumen {
 
-/// A label map, and what became of the labels that were added to it, by their number there.
-struct AddedLabels {
-  LabelMap labels;
-  std::array<std::int64_t, 256> wanted{};  ///< how many voxels they had
-  std::array<std::int64_t, 256> lost{};    ///< how many of these had a label already, which stayed
-};
+/// The labels of `other`, which is of the grid of `map`, that have a voxel where that has a label, too.
+std::bitset<256> labelsOverlapping(const LabelMap& map, const LabelMap& other);
 
 /// `map` with the labels of `other`, which is of its grid, where it has none: label n becomes `numbers[n]`; 0
 /// leaves it out.
-AddedLabels withLabelsAdded(const LabelMap& map, const LabelMap& other,
-                            const std::array<std::uint8_t, 256>& numbers);
+LabelMap withLabelsAdded(const LabelMap& map, const LabelMap& other,
+                         const std::array<std::uint8_t, 256>& numbers);
 
 }  // namespace volumen

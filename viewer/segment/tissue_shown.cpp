@@ -6,13 +6,14 @@
 
 namespace volumen {
 
-BitMask tissueVoxels(const LabelMap& labels, std::span<const int> segments, const TissueShown& shown,
+BitMask tissueVoxels(std::span<const ChosenSegments> maps, const TissueShown& shown,
                      const CancelToken& cancel) {
   using enum TissueShown::Where;
-  BitMask voxels(labels.geometry());
+  BitMask voxels(maps.front().labels->geometry());
   if (shown.where == everywhere) return inverted(std::move(voxels));
-  for (const int segment : segments)
-    voxels = united(std::move(voxels), maskOf(labels, std::uint8_t(segment)));
+  for (const ChosenSegments& map : maps)
+    for (const int segment : map.numbers)
+      voxels = united(std::move(voxels), maskOf(*map.labels, std::uint8_t(segment)));
   if (shown.marginMm > 0) voxels = grown(voxels, shown.marginMm, cancel);
   return shown.where == outside ? inverted(std::move(voxels)) : voxels;
 }

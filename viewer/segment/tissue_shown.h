@@ -1,8 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <span>
+#include <vector>
 
 #include "viewer/segment/bit_mask.h"
+#include "viewer/segment/label_map.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -17,9 +20,17 @@ struct TissueShown {
 };
 inline constexpr double mostTissueMarginMm = 50;
 
-/// The voxels where it is shown, for the segments that have these labels; without segments nothing is inside.
-/// On all cores. A cancelled one is half done.
-BitMask tissueVoxels(const LabelMap& labels, std::span<const int> segments, const TissueShown& shown,
+/// Segments of a map, by their labels.
+struct ChosenSegments {
+  std::shared_ptr<const LabelMap> labels;
+  std::vector<int> numbers;
+  /// Of one map, not only of equal ones.
+  bool operator==(const ChosenSegments&) const = default;
+};
+
+/// The voxels where it is shown, for segments of one or several maps of one grid; without segments nothing is
+/// inside. On all cores. A cancelled one is half done.
+BitMask tissueVoxels(std::span<const ChosenSegments> maps, const TissueShown& shown,
                      const CancelToken& cancel = {});
 
 }  // namespace volumen

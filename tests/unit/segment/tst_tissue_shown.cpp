@@ -47,27 +47,34 @@ void TestTissueShown::theVoxelsAreThoseOfTheDistances() {
   const Seeds seeds = seedsOf(150, 1500);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
     std::mt19937 random{unsigned(seed)};
-    const LabelMap labels = anySegments(random, anyGrid(random, {20, 7, 5}));
-    std::vector<int> segments;
-    for (const int label : {1, 7, 9, 255})
-      if (random() % 2) segments.push_back(label);
+    const VoxelGeometry grid = anyGrid(random, {20, 7, 5});
+    std::vector<ChosenSegments> maps(1 + random() % 3);
+    for (ChosenSegments& map : maps) {
+      map.labels = std::make_shared<const LabelMap>(anySegments(random, grid));
+      for (const int label : {1, 7, 9, 255})
+        if (random() % 2) map.numbers.push_back(label);
+    }
     const double marginMm = random() % 3 == 0 ? 0 : double(random() % 500) / 100;
-    const auto isNear = [&](glm::ivec3 v) { return isNearSegments(labels, segments, marginMm, v); };
-    const BitMask inside = tissueVoxels(labels, segments, {Where::inside, marginMm});
+    const auto isNear = [&](glm::ivec3 v) {
+      return std::ranges::any_of(maps, [&](const ChosenSegments& map) {
+        return isNearSegments(*map.labels, map.numbers, marginMm, v);
+      });
+    };
+    const BitMask inside = tissueVoxels(maps, {Where::inside, marginMm});
     QVERIFY2(isExactly(inside, isNear), caseOf(seed, inside).c_str());
-    QVERIFY2(tissueVoxels(labels, segments, {Where::outside, marginMm}) == inverted(inside),
+    QVERIFY2(tissueVoxels(maps, {Where::outside, marginMm}) == inverted(inside),
              caseOf(seed, inside).c_str());
-    QCOMPARE(tissueVoxels(labels, segments, {Where::everywhere, marginMm}).count(),
-             labels.geometry().voxelCount());
+    QCOMPARE(tissueVoxels(maps, {Where::everywhere, marginMm}).count(), grid.voxelCount());
   }
 }
 
 void TestTissueShown::withoutSegmentsNothingIsInside() {
-  const LabelMap labels(VoxelGeometry{.size = {70, 3, 2}});
-  QVERIFY(tissueVoxels(labels, {}, {Where::inside, 5}).empty());
-  QCOMPARE(tissueVoxels(labels, {}, {Where::outside, 5}).count(), std::int64_t(70 * 3 * 2));
-  const std::vector<int> one{1};
-  QVERIFY2(tissueVoxels(labels, one, {Where::inside, 5}).empty(), "a segment without voxels");
+  const auto labels = std::make_shared<const LabelMap>(VoxelGeometry{.size = {70, 3, 2}});
+  std::vector<ChosenSegments> maps{{labels, {}}, {labels, {}}};
+  QVERIFY(tissueVoxels(maps, {Where::inside, 5}).empty());
+  QCOMPARE(tissueVoxels(maps, {Where::outside, 5}).count(), std::int64_t(70 * 3 * 2));
+  maps.back().numbers = {1};
+  QVERIFY2(tissueVoxels(maps, {Where::inside, 5}).empty(), "a segment without voxels");
 }
 
 void TestTissueShown::whatIsLeftKeepsItsValues() {

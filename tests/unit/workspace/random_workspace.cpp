@@ -202,6 +202,18 @@ SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
   return map;
 }
 
+// Up to three, any of them worked on.
+void addSegmentMaps(Workspace& w, Chance& chance, const SeriesKey& key) {
+  const SegmentMap first = anySegments(chance, key);
+  const int count = chance.oneIn(3) ? 2 + chance.below(2) : 1, worked = chance.below(9);
+  for (int n = 0; n < count; ++n) {
+    SegmentMap map = n == 0 ? first : anySegments(chance, key);
+    map.number = (n + worked) % 9;
+    map.in3d = first.in3d, map.tissue = first.tissue;
+    w.segmentMaps.push_back(std::move(map));
+  }
+}
+
 }  // namespace
 
 Workspace randomWorkspace(std::uint64_t seed) {
@@ -249,7 +261,7 @@ Workspace randomWorkspace(std::uint64_t seed) {
       w.keyImages.push_back(image);
     }
   for (std::size_t n = 1; n < keys.size(); ++n)
-    if (chance.oneIn(3)) w.segmentMaps.push_back(anySegments(chance, keys[n]));
+    if (chance.oneIn(3)) addSegmentMaps(w, chance, keys[n]);
   for (int n = chance.below(3); n > 0; --n)
     w.regions.editOrAdd({"/data/rt" + std::to_string(n), anyText(chance)}) = anyRegions(chance);
   w.layout = allLayouts()[std::size_t(chance.below(int(allLayouts().size())))];

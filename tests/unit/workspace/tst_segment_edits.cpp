@@ -127,7 +127,6 @@ void TestSegmentEdits::whatIsNotThereChangesNothing() {
   QVERIFY(withSegmentChanged(w, key, 7, rename) == w && withSegmentChanged(w, none, 1, rename) == w);
   QVERIFY(withCurrentSegment(w, key, 7) == w && withCurrentSegment(w, none, 1) == w);
   QVERIFY(withNewSegment(w, none, gridOf({4, 4, 4}), {}) == w);
-  QVERIFY(withSegmentCopied(w, key, 7) == w && withSegmentCopied(w, none, 1) == w);
   QVERIFY(withMask(mapIn(w), 7, BitMask(gridOf({4, 4, 4}))) == mapIn(w));
   QCOMPARE(mapIn(withSegmentChanged(w, key, 1, rename)).segments.front().number, 1);
 }

@@ -57,6 +57,7 @@ class TestSessionJson : public QObject {
   void segmentsAreInSlicesAloneWhereASessionSaysSo();
   void stepsThatCannotBeReadAreLeftOutWithTheirRecord_data();
   void stepsThatCannotBeReadAreLeftOutWithTheirRecord();
+  void aSeriesHasSeveralMapsOfSegments();
   void pathsAreAlsoRelativeToTheSession_data();
   void pathsAreAlsoRelativeToTheSession();
   void refusalsNameTheField_data();
@@ -228,6 +229,7 @@ void TestSessionJson::stepsThatCannotBeReadAreLeftOutWithTheirRecord() {
   map["segments"] = Json::array({{{"number", 1}, {"label", "Bone"}}});
   map["steps"] = Json::array({{{"step", "range"}, {"segment", "1"}, {"low", 300}}});
   Json whole = map;
+  whole["number"] = 1;
   map["steps"].push_back(Json::parse(step.toStdString()));
   session["segmentMaps"] = Json::array({map, whole});
   const auto read = sessionFromJson(session.dump(), {});
@@ -242,6 +244,37 @@ void TestSessionJson::stepsThatCannotBeReadAreLeftOutWithTheirRecord() {
   QVERIFY(read->unreadSteps.front().series == maps[0].series);
   const QString told = QString::fromStdString(read->unreadSteps.front().why);
   QVERIFY2(told.contains(why) && told.endsWith(QLatin1Char('.')), qPrintable(told));
+}
+
+// Those of before have one, without a number; of several the first is worked on.
+void TestSessionJson::aSeriesHasSeveralMapsOfSegments() {
+  const auto read = [](const Json& maps) {
+    Json session = plainSession();
+    session["segmentMaps"] = maps;
+    const auto opened = sessionFromJson(session.dump(), {});
+    return opened ? opened->workspace : Workspace();
+  };
+  const auto refused = [](const Json& maps) {
+    Json session = plainSession();
+    session["segmentMaps"] = maps;
+    return refusal(session.dump());
+  };
+  const Json plain = {{"series", 0}, {"labels", std::string(40, 'a')}};
+  Json other = {{"series", 0}, {"labels", std::string(40, 'b')}, {"number", 2}};
+  QCOMPARE(read(Json::array({plain})).segmentMaps.front().number, 0);
+  const Workspace both = read(Json::array({other, plain}));
+  const SeriesKey key = both.series.begin()->first;
+  QCOMPARE(both.segmentMaps.size(), std::size_t(2));
+  QCOMPARE(segmentMapOf(both, key)->number, 2);
+  QCOMPARE(segmentMapsOf(both, key).front()->number, 0);
+  QVERIFY(segmentMapOf(both, key, 2) == segmentMapOf(both, key) && !segmentMapOf(both, key, 1));
+  other["in3d"] = false;
+  QVERIFY2(refused(Json::array({plain, other})).contains(QStringLiteral("of the other maps")),
+           "another look");
+  other["in3d"] = true, other["number"] = 0;
+  QVERIFY2(refused(Json::array({plain, other})).contains(QStringLiteral("is there twice")), "one number");
+  other["number"] = -1;
+  QVERIFY2(!refused(Json::array({other})).isEmpty(), "below 0");
 }
 
 void TestSessionJson::pathsAreAlsoRelativeToTheSession_data() {

@@ -1,0 +1,266 @@
+// Guards several maps of segments of one series: each is changed alone, one of them is worked on; what is
+// added loses no voxel and is in the first map where it fits, by chance against a twin; copies, names and
+// colours; closed series come back with all of their maps.
+#include "tests/fixtures/chance.h"
+#include "tests/fixtures/seeds.h"
+#include "tests/unit/suite.h"
+#include "ui/workspace/segment_maps.h"
+#include "ui/workspace/segments.h"
+
+using namespace volumen;
+using volumen::tests::Chance;
+
+namespace {
+
+VoxelGeometry gridOfMaps(glm::ivec3 size) {
+  VoxelGeometry grid;
+  grid.size = size;
+  return grid;
+}
+
+Series scannedSeries() {
+  Series series;
+  series.path = "/data/ct";
+  series.id = "1";
+  return series;
+}
+
+const SeriesKey scanKey = keyOf(scannedSeries());
+
+SegmentMap withoutSegments(const VoxelGeometry& grid, int number = 0) {
+  SegmentMap map{scanKey, {}, std::make_shared<const LabelMap>(grid), {}};
+  map.number = number;
+  return map;
+}
+
+Workspace withScannedSeries() {
+  Workspace workspace;
+  workspace.series.editOrAdd(scanKey).series = std::make_shared<const Series>(scannedSeries());
+  return workspace;
+}
+
+// Two maps with a segment each, the first worked on.
+Workspace withTwoMaps() {
+  const VoxelGeometry grid = gridOfMaps({4, 4, 4});
+  Workspace w = withNewSegment(withScannedSeries(), scanKey, grid, {});
+  return withNewSegment(std::move(w), scanKey, grid, {}, 1);
+}
+
+std::vector<std::size_t> voxelsOf(const LabelMap& labels, int number) {
+  std::vector<std::size_t> voxels;
+  const glm::ivec3 size = labels.geometry().size;
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i)
+        if (labels.at({i, j, k}) == number)
+          voxels.push_back((std::size_t(k) * std::size_t(size.y) + std::size_t(j)) * std::size_t(size.x) +
+                           std::size_t(i));
+  return voxels;
+}
+
+bool shareVoxels(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
+  return std::ranges::any_of(a, [&](std::size_t n) { return std::ranges::binary_search(b, n); });
+}
+
+// Some labels, each of which may have no voxel.
+Segmented layerByChance(Chance& chance, const VoxelGeometry& grid) {
+  Segmented layer{{}, LabelMap(grid)};
+  LabelEdit edit(layer.labels);
+  for (int number = 1 + chance.below(3); number < 9; number += 1 + chance.below(4)) {
+    layer.segments.push_back({.number = number, .label = "S" + std::to_string(chance.below(4))});
+    for (int voxels = chance.below(12); voxels > 0; --voxels)
+      edit.set({chance.below(grid.size.x), chance.below(grid.size.y), chance.below(grid.size.z)},
+               std::uint8_t(number));
+  }
+  layer.labels = edit.done();
+  return layer;
+}
+
+}  // namespace
+
+class TestSegmentMaps : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void oneIsWorkedOn();
+  void eachIsChangedAlone();
+  void lookIsThatOfAll();
+  void anotherGridTakesThePlaceOfAll();
+  void namesAndColoursAreApart();
+  void whatIsAddedFitsWhereItIs_data();
+  void whatIsAddedFitsWhereItIs();
+  void moreThan255GoToAFurtherMap();
+  void aCopyIsInAnotherMap_data();
+  void aCopyIsInAnotherMap();
+  void closedSeriesComeBackWithAll();
+};
+
+void TestSegmentMaps::oneIsWorkedOn() {
+  const Workspace w = withTwoMaps();
+  QCOMPARE(segmentMapOf(w, scanKey)->number, 0);
+  const Workspace second = withMapWorkedOn(w, scanKey, 1);
+  QCOMPARE(segmentMapOf(second, scanKey)->number, 1);
+  QVERIFY(second != w && withMapWorkedOn(second, scanKey, 0) == w);
+  QVERIFY(withMapWorkedOn(w, scanKey, 0) == w && withMapWorkedOn(w, scanKey, 7) == w);
+  QVERIFY(withMapWorkedOn(w, {"/none", "2"}, 1) == w);
+  QVERIFY(segmentMapsOf(second, scanKey).front()->number == 0 && segmentMapsOf(second, scanKey).size() == 2);
+  QCOMPARE(segmentMapsOn(second, scanKey, gridOfMaps({4, 4, 4})).front().number, 1);
+}
+
+void TestSegmentMaps::eachIsChangedAlone() {
+  const Workspace w = withTwoMaps();
+  const SegmentMap first = *segmentMapOf(w, scanKey, 0);
+  BitMask mask(gridOfMaps({4, 4, 4}));
+  mask.set({1, 2, 3});
+  Workspace changed = withSegmentMap(w, withMask(*segmentMapOf(w, scanKey, 1), 1, mask));
+  QVERIFY(*segmentMapOf(changed, scanKey, 0) == first);
+  QVERIFY(maskOf(*segmentMapOf(changed, scanKey, 1)->labels, 1) == mask);
+  changed = withSegmentMap(withMapWorkedOn(changed, scanKey, 1),
+                           withoutSegment(*segmentMapOf(changed, scanKey, 1), 1));
+  QVERIFY2(segmentMapsOf(changed, scanKey).size() == 1, "a map without segments goes");
+  QVERIFY2(*segmentMapOf(changed, scanKey) == first, "the one that is left is worked on");
+}
+
+void TestSegmentMaps::lookIsThatOfAll() {
+  const Workspace w = withTissueShown(withSegmentsIn3d(withTwoMaps(), scanKey, false), scanKey,
+                                      {TissueShown::Where::inside, 2});
+  for (const SegmentMap* map : segmentMapsOf(w, scanKey))
+    QVERIFY(!map->in3d && map->tissue.where == TissueShown::Where::inside);
+  const SegmentMap third = segmentMapOn(w, scanKey, gridOfMaps({4, 4, 4}), 2);
+  QVERIFY(third.number == 2 && !third.in3d && third.tissue == segmentMapOf(w, scanKey)->tissue);
+}
+
+void TestSegmentMaps::anotherGridTakesThePlaceOfAll() {
+  const Workspace w = withNewSegment(withTwoMaps(), scanKey, gridOfMaps({5, 4, 4}), {});
+  QCOMPARE(w.segmentMaps.size(), std::size_t(1));
+  QVERIFY(isOn(*segmentMapOf(w, scanKey), gridOfMaps({5, 4, 4})));
+}
+
+void TestSegmentMaps::namesAndColoursAreApart() {
+  Workspace w = withTwoMaps();
+  const Segment bone{.label = "Bone"};
+  for (const int map : {0, 1, 1}) w = withNewSegment(std::move(w), scanKey, gridOfMaps({4, 4, 4}), bone, map);
+  std::vector<std::string> names;
+  std::vector<glm::u8vec3> colours;
+  for (const SegmentMap* map : segmentMapsOf(w, scanKey))
+    for (const Segment& segment : map->segments) {
+      names.push_back(segment.label);
+      QVERIFY(std::ranges::find(colours, *segment.colour) == colours.end());
+      colours.push_back(*segment.colour);
+    }
+  const std::vector<std::string> expected{"Segment 1", "Bone", "Segment 2", "Bone 2", "Bone 3"};
+  QVERIFY(names == expected);
+}
+
+void TestSegmentMaps::whatIsAddedFitsWhereItIs_data() {
+  QTest::addColumn<int>("seed");
+  const tests::Seeds seeds = tests::seedsOf(100, 2000);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+// Layers one after the other; nothing that is there changes, all that comes has its voxels, and each is in no
+// later map than the first whose voxels (of before the layer) it leaves alone.
+void TestSegmentMaps::whatIsAddedFitsWhereItIs() {
+  QFETCH(int, seed);
+  Chance chance{std::uint64_t(seed)};
+  const VoxelGeometry grid = gridOfMaps({1 + chance.below(9), 1 + chance.below(5), 1 + chance.below(4)});
+  std::vector<SegmentMap> maps{withoutSegments(grid, chance.below(3))};
+  for (int layers = 1 + chance.below(5); layers > 0; --layers) {
+    const std::vector<SegmentMap> before = maps;
+    const Segmented layer = layerByChance(chance, grid);
+    const AddedSegments added = withSegmentsAdded(maps, layer);
+    maps = added.maps;
+    QCOMPARE(added.places.size(), layer.segments.size());
+    for (std::size_t n = 0; n < before.size(); ++n)
+      for (const Segment& segment : before[n].segments)
+        QVERIFY(voxelsOf(*maps[n].labels, segment.number) == voxelsOf(*before[n].labels, segment.number));
+    std::vector<SegmentPlace> places = added.places;
+    for (const Segment& segment : layer.segments) {
+      const std::vector<std::size_t> wanted = voxelsOf(layer.labels, segment.number);
+      std::size_t fits = 0;
+      const auto taken = [&](std::size_t n) {
+        return std::ranges::any_of(before[n].segments, [&](const Segment& there) {
+          return shareVoxels(wanted, voxelsOf(*before[n].labels, there.number));
+        });
+      };
+      while (fits < before.size() && taken(fits)) ++fits;
+      const auto is = [&](const SegmentPlace& place) {
+        return place.map == fits && voxelsOf(*maps[place.map].labels, place.number) == wanted;
+      };
+      const auto found = std::ranges::find_if(places, is);
+      QVERIFY2(found != places.end(), segment.label.c_str());
+      places.erase(found);
+    }
+    std::set<std::string> names;
+    std::set<int> numbers;
+    for (const SegmentMap& map : maps) {
+      QVERIFY(numbers.insert(map.number).second);
+      for (const Segment& segment : map.segments) QVERIFY(names.insert(segment.label).second);
+    }
+  }
+}
+
+void TestSegmentMaps::moreThan255GoToAFurtherMap() {
+  const VoxelGeometry grid = gridOfMaps({4, 4, 4});
+  std::vector<SegmentMap> maps{withoutSegments(grid)};
+  Segmented layer{{}, LabelMap(grid)};
+  for (int n = 1; n <= 200; ++n) layer.segments.push_back({.number = n, .label = "A" + std::to_string(n)});
+  for (int layers = 0; layers < 2; ++layers) maps = withSegmentsAdded(maps, layer).maps;
+  QCOMPARE(maps.size(), std::size_t(2));
+  QCOMPARE(maps[0].segments.size(), std::size_t(255));
+  QCOMPARE(maps[1].segments.size(), std::size_t(145));
+}
+
+void TestSegmentMaps::aCopyIsInAnotherMap_data() {
+  QTest::addColumn<int>("maps");
+  QTest::addColumn<bool>("taken");
+  QTest::addColumn<int>("expected");
+  QTest::newRow("into a new one") << 1 << false << 1;
+  QTest::newRow("into the one that is there") << 2 << false << 1;
+  QTest::newRow("past one that has its voxels") << 2 << true << 2;
+}
+
+void TestSegmentMaps::aCopyIsInAnotherMap() {
+  QFETCH(int, maps);
+  QFETCH(bool, taken);
+  QFETCH(int, expected);
+  const VoxelGeometry grid = gridOfMaps({4, 4, 4});
+  BitMask mask(grid);
+  mask.set({1, 2, 3});
+  Segment bone{.number = 3, .label = "Bone"};
+  bone.locked = true;
+  bone.trackingId = "1.2.3";
+  std::vector<SegmentMap> all{
+      withMask(withSegment(withoutSegments(grid), {.number = 3, .label = "Bone"}), 3, mask)};
+  all.front().segments.front() = bone;
+  if (maps == 2) {
+    const Segment other{.number = 1, .label = "Other"};
+    all.push_back(withMask(withSegment(withoutSegments(grid, 1), other), 1, taken ? mask : BitMask(grid)));
+  }
+  const std::vector<SegmentMap> copied = withSegmentCopied(all, 0, 3);
+  QCOMPARE(copied.size(), std::size_t(expected + 1));
+  QCOMPARE(copied.front().number, expected);
+  const Segment copy = *currentSegment(copied.front());
+  QCOMPARE(copy.label, std::string("Bone 2"));
+  QVERIFY(copy.colour && !copy.locked && copy.trackingId.empty());
+  QVERIFY(maskOf(*copied.front().labels, std::uint8_t(copy.number)) == mask);
+  const auto source = std::ranges::find(copied, 0, &SegmentMap::number);
+  QVERIFY(*source == all.front());
+  QVERIFY(withSegmentCopied(all, 0, 9) == all && withSegmentCopied(all, 5, 3) == all);
+}
+
+void TestSegmentMaps::closedSeriesComeBackWithAll() {
+  const Workspace w = withMapWorkedOn(withTwoMaps(), scanKey, 1);
+  const Workspace closed = without(w, scanKey);
+  QVERIFY(closed.segmentMaps.empty() && segmentMapsOf(closed, scanKey).empty());
+  QVERIFY(withClosed(closed).segmentMaps == w.segmentMaps);
+  // Where segments were made meanwhile they are not in each other's way.
+  Workspace again = closed;
+  again.series.editOrAdd(scanKey).series = std::make_shared<const Series>(scannedSeries());
+  again = withClosed(withNewSegment(std::move(again), scanKey, gridOfMaps({4, 4, 4}), {}));
+  std::vector<int> numbers;
+  for (const SegmentMap* map : segmentMapsOf(again, scanKey)) numbers.push_back(map->number);
+  QVERIFY((numbers == std::vector<int>{0, 1, 2}));
+}
+
+VOLUMEN_TEST(TestSegmentMaps);
+#include "tst_segment_maps.moc"

@@ -1,0 +1,149 @@
+#include "ui/workspace/segment_maps.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ui/workspace/segments.h"
+#include "ui/workspace/text.h"
+#include "viewer/segment/added_labels.h"
+
+namespace volumen {
+
+namespace {
+
+bool isCalled(const SegmentMap& map, const std::string& name) {
+  return std::ranges::find(map.segments, name, &Segment::label) != map.segments.end();
+}
+
+// Empty, shown as the others are.
+SegmentMap furtherMap(const std::vector<SegmentMap>& maps) {
+  SegmentMap made = maps.front();
+  made.segments.clear();
+  made.steps.clear();
+  made.current = 0;
+  made.labels = std::make_shared<const LabelMap>(maps.front().labels->geometry());
+  for (made.number = 0; std::ranges::find(maps, made.number, &SegmentMap::number) != maps.end();)
+    ++made.number;
+  return made;
+}
+
+// Adds to the map at `index` what takes no voxel of it; what is left over comes back.
+std::vector<Segment> addWhatFits(AddedSegments& all, std::size_t index, const LabelMap& labels,
+                                 const std::vector<Segment>& segments) {
+  SegmentMap& map = all.maps[index];
+  const std::bitset<256> overlapping = labelsOverlapping(*map.labels, labels);
+  std::array<std::uint8_t, 256> numbers{};
+  std::vector<Segment> left;
+  for (Segment segment : segments) {
+    const auto label = std::size_t(segment.number);
+    if (overlapping[label] || !freeNumber(map)) {
+      left.push_back(std::move(segment));
+      continue;
+    }
+    const SegmentMap before = map;
+    map = withNamesApart(before, withSegmentAdded(std::move(map), std::move(segment)), all.maps);
+    numbers[label] = std::uint8_t(map.current);
+    all.places.push_back({index, map.current});
+  }
+  if (left.size() < segments.size())
+    map.labels = std::make_shared<const LabelMap>(withLabelsAdded(*map.labels, labels, numbers));
+  return left;
+}
+
+}  // namespace
+
+QString mapName(int number) { return tr("Map %1").arg(number + 1); }
+
+bool missesSegments(const Workspace& workspace, const SeriesKey& series) {
+  return std::ranges::any_of(segmentMapsOf(workspace, series),
+                             [](const SegmentMap* map) { return map->missing.has_value(); });
+}
+
+Workspace withMapWorkedOn(Workspace workspace, const SeriesKey& series, int number) {
+  SharedList<SegmentMap>& maps = workspace.segmentMaps;
+  const auto isOfIt = [&](const SegmentMap& map) { return map.series == series; };
+  const auto isIt = [&](const SegmentMap& map) { return isOfIt(map) && map.number == number; };
+  const auto first = std::size_t(std::ranges::find_if(maps, isOfIt) - maps.begin());
+  const auto chosen = std::size_t(std::ranges::find_if(maps, isIt) - maps.begin());
+  if (chosen == maps.size() || chosen == first) return workspace;
+  const SegmentMap before = maps[first];
+  maps.edit(first) = SegmentMap(maps[chosen]);
+  maps.edit(chosen) = before;
+  return workspace;
+}
+
+std::vector<SegmentMap> segmentMapsOn(const Workspace& workspace, const SeriesKey& series,
+                                      const VoxelGeometry& grid) {
+  std::vector<SegmentMap> maps{segmentMapOn(workspace, series, grid)};
+  for (const SegmentMap* map : segmentMapsOf(workspace, series))
+    if (map->number != maps.front().number && isOn(*map, grid)) maps.push_back(*map);
+  return maps;
+}
+
+Workspace withSegmentMapsOf(Workspace workspace, const std::vector<SegmentMap>& maps) {
+  for (const SegmentMap& map : maps) workspace = withSegmentMap(std::move(workspace), map);
+  return maps.empty() ? workspace
+                      : withMapWorkedOn(std::move(workspace), maps.front().series, maps.front().number);
+}
+
+std::string freeName(const std::vector<SegmentMap>& maps, const std::string& wanted) {
+  const auto isTaken = [&](const std::string& name) {
+    return std::ranges::any_of(maps, [&](const SegmentMap& map) { return isCalled(map, name); });
+  };
+  std::string name = wanted;
+  for (int n = 2; isTaken(name); ++n) name = wanted + " " + std::to_string(n);
+  return name;
+}
+
+SegmentMap withNamesApart(const SegmentMap& before, SegmentMap after,
+                          const std::vector<SegmentMap>& ofSeries) {
+  const auto isTaken = [&](const std::string& name, const Segment& own) {
+    return std::ranges::any_of(
+               ofSeries,
+               [&](const SegmentMap& map) { return map.number != after.number && isCalled(map, name); }) ||
+           std::ranges::any_of(after.segments, [&](const Segment& other) {
+             return other.number != own.number && other.label == name;
+           });
+  };
+  for (Segment& segment : after.segments) {
+    if (findSegment(before, segment.number)) continue;
+    const std::string wanted = segment.label;
+    for (int n = 2; isTaken(segment.label, segment); ++n) segment.label = wanted + " " + std::to_string(n);
+  }
+  return after;
+}
+
+AddedSegments withSegmentsAdded(std::vector<SegmentMap> maps, const Segmented& added,
+                                std::optional<std::size_t> except) {
+  AddedSegments all{std::move(maps)};
+  std::vector<Segment> left = added.segments;
+  for (std::size_t n = 0; !left.empty(); ++n) {
+    if (n == except) continue;
+    if (n == all.maps.size()) all.maps.push_back(furtherMap(all.maps));
+    left = addWhatFits(all, n, added.labels, left);
+  }
+  return all;
+}
+
+std::vector<SegmentMap> withSegmentCopied(std::vector<SegmentMap> maps, int map, int number) {
+  const auto source = std::ranges::find(maps, map, &SegmentMap::number);
+  const Segment* segment = source == maps.end() ? nullptr : findSegment(*source, number);
+  if (!segment) return maps;
+  Segment copy = *segment;
+  copy.colour.reset();
+  copy.trackingId.clear();
+  copy.range.reset();
+  copy.span.reset();
+  copy.locked = false;
+  const LabelMap& labels = *source->labels;
+  const auto label = std::uint8_t(number);
+  const Segmented voxels{{std::move(copy)},
+                         withLabel(LabelMap(labels.geometry()), label, maskOf(labels, label))};
+  const auto index = std::size_t(source - maps.begin());
+  AddedSegments all = withSegmentsAdded(std::move(maps), voxels, index);
+  std::swap(all.maps.front(), all.maps[all.places.front().map]);
+  return std::move(all.maps);
+}
+
+}  // namespace volumen

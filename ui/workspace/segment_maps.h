@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/workspace/workspace.h"
+#include "viewer/segment/segmented.h"
+
+namespace volumen {
+
+// Several maps of one series, which hold what overlaps. All of them have a grid in common.
+
+/// What people call a map: "Map 2".
+QString mapName(int number);
+
+/// Whether the file of one of its maps was not read.
+bool missesSegments(const Workspace& workspace, const SeriesKey& series);
+/// With this map of a series the one that is worked on; as it was where there is none.
+Workspace withMapWorkedOn(Workspace workspace, const SeriesKey& series, int number);
+/// The maps of a series on a grid, the one that is worked on first, the others by their numbers; where that
+/// one lies on another grid, or there is none, an empty one alone.
+std::vector<SegmentMap> segmentMapsOn(const Workspace& workspace, const SeriesKey& series,
+                                      const VoxelGeometry& grid);
+/// With these maps of a series in place of those of their numbers, the first worked on.
+Workspace withSegmentMapsOf(Workspace workspace, const std::vector<SegmentMap>& maps);
+
+/// `wanted`, or with a number behind it where a segment of these maps is called so.
+std::string freeName(const std::vector<SegmentMap>& maps, const std::string& wanted);
+/// `after`, which was made of `before`, with its new segments called as none of the series' other maps.
+SegmentMap withNamesApart(const SegmentMap& before, SegmentMap after,
+                          const std::vector<SegmentMap>& ofSeries);
+
+/// A segment of one of several maps.
+struct SegmentPlace {
+  std::size_t map;  ///< index
+  int number;
+  bool operator==(const SegmentPlace&) const = default;
+};
+/// Maps with segments that were added, and where these are, in the order of maps.
+struct AddedSegments {
+  std::vector<SegmentMap> maps;
+  std::vector<SegmentPlace> places{};
+};
+
+// What follows takes time in large volumes: for other threads. The maps have labels, and there is one at
+// least.
+
+/// With segments that share no voxel, each in the first map, but for the one at `except`, of which it takes
+/// no voxel; else in a further one. They keep numbers, names and colours where those are free.
+AddedSegments withSegmentsAdded(std::vector<SegmentMap> maps, const Segmented& added,
+                                std::optional<std::size_t> except = {});
+/// With a copy of a segment, called otherwise, in the first other map where it takes no voxel; that map
+/// first, the copy current. As they were where there is no such segment.
+std::vector<SegmentMap> withSegmentCopied(std::vector<SegmentMap> maps, int map, int number);
+
+}  // namespace volumen
