@@ -141,7 +141,7 @@ class Run {
     if (!opened) return fail(opened.message(), cancel_);
     printNotes(opened->notes);
     const Mask mask = session ? session->mask : Mask{options_.removeTable, {}};
-    std::vector<SegmentSurface> segments;
+    std::vector<SegmentInScene> segments;
     if (session) segments = segmentsOf(*session, *opened->loaded.drawn);
     const VolumePtr whole = opened->loaded.drawn;
     if (!mask.empty())
@@ -156,8 +156,8 @@ class Run {
     auto scene = makeScene(options_.scene, *file, *volume_);
     if (!scene) return fail(scene.message());
     if (isApart) scene = asWhole(*std::move(scene), *whole);
-    scene->segments = std::move(segments);
-    if (session && session->segments) sayOf(*session->segments, scene->segments, isApart);
+    for (const SegmentInScene& one : segments) scene->segments.push_back(surfaceOf(*one.segment, one.field));
+    said_ = segmentsInPicture(segments, isApart ? session->segments.front().tissue : TissueShown{});
     RenderCaches caches(volume_);
     const int status = draw(*scene, *asked, caches);
     times_.totalMs = wallMs() - begin;
@@ -186,25 +186,19 @@ class Run {
   }
 
   // As the session's 3D view draws them.
-  std::vector<SegmentSurface> segmentsOf(const SessionView& session, const Volume& whole) const {
-    std::vector<SegmentSurface> surfaces;
+  std::vector<SegmentInScene> segmentsOf(const SessionView& session, const Volume& whole) const {
+    std::vector<SegmentInScene> drawn;
     std::size_t missing = 0;
     for (const SegmentMap& map : session.segments) {
       missing += map.labels ? 0 : 1;
-      std::ranges::move(surfacesOf(map, whole, session.mask, cancel_), std::back_inserter(surfaces));
+      const std::vector<const Segment*> shown = segmentsIn3d(map);
+      const std::vector<SegmentSurface> surfaces = surfacesOf(map, whole, session.mask, cancel_);
+      for (std::size_t n = 0; n < surfaces.size(); ++n) drawn.push_back({shown[n], surfaces[n].field});
     }
     const char* which = missing == session.segments.size() ? "The" : "Some";
     if (missing > 0)
       printNotes({std::string(which) + " segments of the session were not found: they are not drawn."});
-    return surfaces;
-  }
-
-  // Surfaces of a map, in its order.
-  void sayOf(const SegmentMap& map, const std::vector<SegmentSurface>& surfaces, bool isApart) {
-    const std::vector<const Segment*> shown = segmentsIn3d(map);
-    std::vector<SegmentInScene> drawn;
-    for (std::size_t n = 0; n < surfaces.size(); ++n) drawn.push_back({shown[n], surfaces[n].field});
-    said_ = segmentsInPicture(drawn, isApart ? map.tissue : TissueShown{});
+    return drawn;
   }
 
   // Whether the volume itself is shown only inside or outside segments.
