@@ -7,6 +7,7 @@
 #include "io/export/read_segments.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 #include "viewer/segment/added_labels.h"
 
 namespace volumen {
@@ -19,7 +20,7 @@ QString lossText(const Segment& segment, std::int64_t lost, std::int64_t wanted,
   const auto voxels = [](std::int64_t count) { return QLocale().toString(qlonglong(count)); };
   if (!grid.calibrated) return tr("%1 of %2 voxels of %3").arg(voxels(lost), voxels(wanted), name);
   const auto ml = [&](std::int64_t count) {
-    return QLocale().toString(double(count) * grid.voxelVolume() / 1000, 'g', 3);
+    return digitsText(double(count) * grid.voxelVolume() / 1000, 3);
   };
   return tr("%1 of %2 ml of %3").arg(ml(lost), ml(wanted), name);
 }
