@@ -69,7 +69,7 @@ QString sheetOf(const Colours& c, Theme theme) {
              "QTreeView::item, QListView::item { padding: 3px 2px; }"
              "QStatusBar::item { border: 0; }"
              "QDockWidget QToolButton:checked { color: %10; background: %5; border: 1px solid %5;"
-             " border-radius: 2px; padding: 2px 2px 2px 3px; }"
+             " border-radius: 2px; padding: 1px; }"
              "QCheckBox::indicator, QListView::indicator, QTreeView::indicator { width: 14px; height: 14px; "
              "border: 1px solid %6;"
              " border-radius: 3px; background: %7; }"
