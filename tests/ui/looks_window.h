@@ -2,6 +2,9 @@
 
 #include <QScrollArea>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "tests/ui/segment_window.h"
 #include "ui/views/volume_view.h"
@@ -82,7 +85,7 @@ struct LooksWindow : SegmentWindow {
     const QPoint at = showPlace(p, id);
     std::vector<QPoint> corners;
     for (int n = 0; n < 24; ++n) {
-      const double turn = n * 2 * 3.14159265 / 24;
+      const double turn = n * 2 * std::numbers::pi / 24;
       corners.push_back(at + (pixels(mm, id) * QPointF(std::cos(turn), 0.8 * std::sin(turn))).toPoint());
     }
     return corners;

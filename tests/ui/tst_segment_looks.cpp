@@ -336,47 +336,66 @@ Q_DECLARE_METATYPE(Look)
 class TestSegmentLooks : public CleanSettings {
   Q_OBJECT
  private Q_SLOTS:
-  void toolsAtWork_data();
-  void toolsAtWork();
+  void onCt_data();
+  void onCt() { lookAtRow(); }
+  void onMr_data();
+  void onMr() { lookAtRow(); }
+  void onPet_data();
+  void onPet() { lookAtRow(); }
   void cleanupTestCase() { window_.reset(); }
 
  private:
+  void lookAtRow();
+
   std::unique_ptr<LooksWindow> window_;  // opened by the first row of its data
   QString opened_;
   int firstStep_ = 0;
 };
 
-void TestSegmentLooks::toolsAtWork_data() {
+void TestSegmentLooks::onCt_data() {
   QTest::addColumn<QString>("data");
   QTest::addColumn<Look>("look");
-  const auto add = [](const char* data, const char* name, Look look) {
-    QTest::addRow("%s, %s", data, name) << QString::fromLatin1(data) << look;
+  const auto add = [](const char* name, Look look) {
+    QTest::newRow(name) << QStringLiteral("ct-chest-lidc0314-138") << look;
   };
-  constexpr const char* ct = "ct-chest-lidc0314-138";
-  add(ct, "an end on the axis of the curve", curveEnd);
-  add(ct, "connected part", connectedPart);
-  add(ct, "paint", paintStroke);
-  add(ct, "outline", outline);
-  add(ct, "cut in a slice", cutInSlice);
-  add(ct, "recipe and cut in 3D", cutIn3d);
-  add(ct, "only inside segments", onlyInside);
-  add(ct, "import", import);
-  constexpr const char* mr = "mr-head-siemens-gap-175";
-  add(mr, "smart brush", smartBrush);
-  add(mr, "level trace", levelTrace);
-  add(mr, "grow from seeds", growFromSeeds);
-  add(mr, "fill between slices", fillBetween);
-  add(mr, "change", change);
-  add(mr, "numbers", numbers);
-  add(mr, "recipe", headSurface);
-  add("pet-ct/sts019-pet", "lesion", [](LooksWindow& w) { lesionIn(w, "pet"); });
-  add("pet-ct/sts019-ct;pet-ct/sts019-pet", "lesion", [](LooksWindow& w) {
-    fuse(w);
-    lesionIn(w, "pet-ct");
-  });
+  add("an end on the axis of the curve", curveEnd);
+  add("connected part", connectedPart);
+  add("paint", paintStroke);
+  add("outline", outline);
+  add("cut in a slice", cutInSlice);
+  add("recipe and cut in 3D", cutIn3d);
+  add("only inside segments", onlyInside);
+  add("import", import);
 }
 
-void TestSegmentLooks::toolsAtWork() {
+void TestSegmentLooks::onMr_data() {
+  QTest::addColumn<QString>("data");
+  QTest::addColumn<Look>("look");
+  const auto add = [](const char* name, Look look) {
+    QTest::newRow(name) << QStringLiteral("mr-head-siemens-gap-175") << look;
+  };
+  add("smart brush", smartBrush);
+  add("level trace", levelTrace);
+  add("grow from seeds", growFromSeeds);
+  add("fill between slices", fillBetween);
+  add("change", change);
+  add("numbers", numbers);
+  add("recipe", headSurface);
+}
+
+void TestSegmentLooks::onPet_data() {
+  QTest::addColumn<QString>("data");
+  QTest::addColumn<Look>("look");
+  QTest::newRow("lesion") << QStringLiteral("pet-ct/sts019-pet")
+                          << Look([](LooksWindow& w) { lesionIn(w, "pet"); });
+  QTest::newRow("lesion over CT") << QStringLiteral("pet-ct/sts019-ct;pet-ct/sts019-pet")
+                                  << Look([](LooksWindow& w) {
+                                       fuse(w);
+                                       lesionIn(w, "pet-ct");
+                                     });
+}
+
+void TestSegmentLooks::lookAtRow() {
   QFETCH(QString, data);
   QFETCH(Look, look);
   if (opened_ != data) {
