@@ -75,7 +75,7 @@ void paintStroke(LooksWindow& w) {
   QVERIFY(w.voxels(1) > 1000);
 }
 
-void outline(LooksWindow& w) {
+void outlineDrawn(LooksWindow& w) {
   w.showPage("segmentPaint", "segmentFillBetween");
   w.take("outlineTool");
   std::vector<QPoint> way = w.roundAt(pHeart, 55);
@@ -147,7 +147,7 @@ void paintBall(LooksWindow& w, glm::dvec3 p, double mm) {
   QVERIFY(w.idle());
 }
 
-void change(LooksWindow& w) {
+void hollowedBall(LooksWindow& w) {
   paintBall(w, pStem, 60);
   w.chooseStep("shell");
   w.showPage("segmentChange", "segmentApply");
@@ -179,17 +179,17 @@ void shotOfTable(LooksWindow& w, const char* name, const char* head) {
   picture.save(QDir(folder).filePath(QLatin1String(name)) + QStringLiteral(".png"));
 }
 
-bool openTable(LooksWindow& w, int rows) {
+bool openNumbers(LooksWindow& w, int rows) {
   w.click("segmentNumbersButton");
   const auto table = [&] { return w.child<QTableWidget>("segmentNumbers"); };
   return QTest::qWaitFor([&] { return table() && table()->rowCount() == rows; }, longest) && w.idle();
 }
 
-void numbers(LooksWindow& w) {
+void tableOfNumbers(LooksWindow& w) {
   paintBall(w, pStem, 60);
   w.click("segmentAdd");
   paintBall(w, pWhite, 40);
-  QVERIFY(openTable(w, 2));
+  QVERIFY(openNumbers(w, 2));
   w.child<QTableWidget>("segmentNumbers")->selectAll();
   QCoreApplication::processEvents();
   QVERIFY(w.SegmentWindow::press("segmentNumbersCompare"));
@@ -198,7 +198,7 @@ void numbers(LooksWindow& w) {
   w.child<QDialog>("segmentNumbersDialog")->close();
 }
 
-void import(LooksWindow& w) {
+void importFile(LooksWindow& w) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("bone.seg.nrrd"));
   paintBall(w, pVertebra, 60);
@@ -227,7 +227,7 @@ void smartBrush(LooksWindow& w) {
   QVERIFY(w.voxels(1) > 50);
 }
 
-void levelTrace(LooksWindow& w) {
+void lineOfLevel(LooksWindow& w) {
   w.showPage("segmentGrowing", "growPreview");
   w.take("levelTraceTool");
   const QPoint at = w.showPlace(pVentricle);
@@ -239,7 +239,7 @@ void levelTrace(LooksWindow& w) {
   QVERIFY(w.idle() && w.count() == 1 && w.voxels(1) > 100);
 }
 
-void growFromSeeds(LooksWindow& w) {
+void seedsPreviewed(LooksWindow& w) {
   w.showPage("segmentGrowing", "growPreview");
   w.session().prefer([](Preferences& p) { p.brush = {true, 10}; });
   const QPoint at = w.showPlace(pStem);
@@ -258,7 +258,7 @@ void growFromSeeds(LooksWindow& w) {
   QVERIFY(w.voxels(1) > 100000);
 }
 
-void fillBetween(LooksWindow& w) {
+void slicesFilled(LooksWindow& w) {
   w.showPage("segmentPaint", "segmentFillBetween");
   w.take("outlineTool");
   w.stroke(w.roundAt(pStem, 25));
@@ -293,7 +293,7 @@ bool greenSoon(LooksWindow& w) {
       longest);
 }
 
-void lesionIn(LooksWindow& w, const QByteArray& data) {
+void lesionInSphere(LooksWindow& w, const QByteArray& data) {
   const auto name = [&](const char* what) { return data + "-" + what; };
   w.showPage("segmentGrowing", "growPreview");
   w.take("lesionTool");
@@ -311,13 +311,13 @@ void lesionIn(LooksWindow& w, const QByteArray& data) {
   QVERIFY(greenSoon(w));
   QTest::qWait(500);  // the other planes
   w.shot(name("lesion-done").constData());
-  QVERIFY(openTable(w, 1));
+  QVERIFY(openNumbers(w, 1));
   shotOfTable(w, name("numbers").constData(), "TLG");
   w.child<QDialog>("segmentNumbersDialog")->close();
 }
 
 // A click on the PET, which then lies over its CT.
-void fuse(LooksWindow& w) {
+void fusePetOverCt(LooksWindow& w) {
   auto* tree = w.child<QTreeWidget>("studyTree");
   for (QTreeWidgetItemIterator it(tree); *it; ++it)
     if ((*it)->text(0).startsWith(QStringLiteral("PT IBSI")) && (*it)->childCount() == 0) {
@@ -361,11 +361,11 @@ void TestSegmentLooks::onCt_data() {
   add("an end on the axis of the curve", curveEnd);
   add("connected part", connectedPart);
   add("paint", paintStroke);
-  add("outline", outline);
+  add("outline", outlineDrawn);
   add("cut in a slice", cutInSlice);
   add("recipe and cut in 3D", cutIn3d);
   add("only inside segments", onlyInside);
-  add("import", import);
+  add("import", importFile);
 }
 
 void TestSegmentLooks::onMr_data() {
@@ -375,11 +375,11 @@ void TestSegmentLooks::onMr_data() {
     QTest::newRow(name) << QStringLiteral("mr-head-siemens-gap-175") << look;
   };
   add("smart brush", smartBrush);
-  add("level trace", levelTrace);
-  add("grow from seeds", growFromSeeds);
-  add("fill between slices", fillBetween);
-  add("change", change);
-  add("numbers", numbers);
+  add("level trace", lineOfLevel);
+  add("grow from seeds", seedsPreviewed);
+  add("fill between slices", slicesFilled);
+  add("change", hollowedBall);
+  add("numbers", tableOfNumbers);
   add("recipe", headSurface);
 }
 
@@ -387,11 +387,11 @@ void TestSegmentLooks::onPet_data() {
   QTest::addColumn<QString>("data");
   QTest::addColumn<Look>("look");
   QTest::newRow("lesion") << QStringLiteral("pet-ct/sts019-pet")
-                          << Look([](LooksWindow& w) { lesionIn(w, "pet"); });
+                          << Look([](LooksWindow& w) { lesionInSphere(w, "pet"); });
   QTest::newRow("lesion over CT") << QStringLiteral("pet-ct/sts019-ct;pet-ct/sts019-pet")
                                   << Look([](LooksWindow& w) {
-                                       fuse(w);
-                                       lesionIn(w, "pet-ct");
+                                       fusePetOverCt(w);
+                                       lesionInSphere(w, "pet-ct");
                                      });
 }
 
