@@ -81,6 +81,9 @@ struct MeasureWindow : Journey {
     session().setFocus(axialViewId);  // as a press would: it is no step
   }
 
+  /// With what is opened, as it hangs.
+  explicit MeasureWindow(const QStringList& paths) : Journey(paths) {}
+
   Session& session() { return window.session(); }
   FlatView* view(ViewId id = axialViewId) { return window.views()->viewAs<FlatView>(id); }
   const SharedList<Measurement>& all() { return session().workspace().measurements; }

@@ -47,6 +47,8 @@ struct SegmentWindow : MeasureWindow {
     child<QDockWidget>("segmentDock")->raise();
     QCoreApplication::processEvents();
   }
+  /// With what is opened, as it hangs.
+  explicit SegmentWindow(const QStringList& paths) : MeasureWindow(paths) {}
 
   const Workspace& workspace() { return session().workspace(); }
   SeriesKey series() { return keyOf(session().series()->series); }

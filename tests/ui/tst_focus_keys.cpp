@@ -217,7 +217,7 @@ void TestFocusKeys::toolTipsNameKeys() {
 void TestFocusKeys::whatALetterChoseIsTold() {
   Focus w;
   w.press(Qt::Key_T);
-  QCOMPARE(w.child<QLabel>("toldText")->text(), QStringLiteral("Left drag: Arrow"));
+  QCOMPARE(w.child<QLabel>("toldText")->text(), QStringLiteral("Left button: Arrow"));
 }
 
 VOLUMEN_TEST(TestFocusKeys);

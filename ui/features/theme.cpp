@@ -68,6 +68,8 @@ QString sheetOf(const Colours& c, Theme theme) {
              "QTreeView, QListView { border: 1px solid %3; }"
              "QTreeView::item, QListView::item { padding: 3px 2px; }"
              "QStatusBar::item { border: 0; }"
+             "QDockWidget QToolButton:checked { color: %10; background: %5; border: 1px solid %5;"
+             " border-radius: 2px; padding: 1px; }"
              "QCheckBox::indicator, QListView::indicator { width: 14px; height: 14px; border: 1px solid %6;"
              " border-radius: 3px; background: %7; }"
              "QCheckBox::indicator:checked { border-color: %5; background: %5; image: "
@@ -78,7 +80,7 @@ QString sheetOf(const Colours& c, Theme theme) {
              "QCheckBox::indicator:disabled { border-color: %3; background: %3; }")
       .arg(name(c.text), name(c.button), name(c.line), name(c.window), name(c.accent), name(c.muted),
            name(c.base), isDark ? QStringLiteral("dark") : QStringLiteral("light"),
-           isDark ? QStringLiteral("light") : QStringLiteral("dark"));
+           isDark ? QStringLiteral("light") : QStringLiteral("dark"), name(c.onAccent));
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ ToolsInFocus::ToolsInFocus(Workbench& bench) : Feature(bench) {
           [this](const Workspace& before, const Workspace& after) {
             if (showsOther(before, after) || before.focus != after.focus) show();
           });
-  connect(&grid_, &ViewGrid::toolChanged, this, [this] { tell(tr("Left drag: %1").arg(grid_.tool().text)); });
+  connect(&grid_, &ViewGrid::toolChanged, this,
+          [this] { tell(tr("Left button: %1").arg(grid_.tool().text)); });
 }
 
 void ToolsInFocus::show() {

@@ -1,8 +1,9 @@
 #include "ui/panels/segment_grow_page.h"
 
 #include <QAction>
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -76,18 +77,22 @@ SegmentGrowPage::SegmentGrowPage(Session& session, QWidget* parent)
 }
 
 void SegmentGrowPage::makeLayout() {
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(4);
-  grid->addWidget(lesion_, 0, 0);
-  grid->addWidget(threshold_, 0, 1);
-  grid->addWidget(trace_, 1, 0);
-  grid->addWidget(smart_, 1, 1);
-  grid->addWidget(grow_, 2, 0);
-  grid->addWidget(region_, 2, 1);
-  grid->addWidget(preview_, 3, 0, 1, 2, Qt::AlignLeft);
-  grid->setColumnStretch(1, 1);
-  grid->setRowStretch(4, 1);
+  auto* ball = new QHBoxLayout;
+  ball->addWidget(lesion_);
+  ball->addWidget(threshold_, 1);
+  auto* lines = new QHBoxLayout;
+  lines->addWidget(trace_);
+  lines->addWidget(smart_);
+  lines->addStretch();
+  auto* seeds = new QHBoxLayout;
+  seeds->addWidget(grow_);
+  seeds->addWidget(region_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  for (QHBoxLayout* row : {ball, lines, seeds}) column->addLayout(row);
+  column->addWidget(preview_, 0, Qt::AlignLeft);
+  column->addStretch();
 }
 
 void SegmentGrowPage::setToolActions(QAction* lesion, QAction* trace, QAction* smart) {
@@ -163,11 +168,18 @@ void SegmentGrowPage::grow() {
   Q_EMIT growthWanted(growthWork());
 }
 
+// A view of another series of that frame, such as the CT under a PET, shows the same places.
+bool SegmentGrowPage::isInFrameOf(const SeriesKey& shown, const Series& series) const {
+  const auto found = session_.workspace().series.find(shown);
+  return found != session_.workspace().series.end() &&
+         frameOfReference(*found->second.series) == frameOfReference(series);
+}
+
 QString SegmentGrowPage::whyNoLesion(const DrawnBall& ball) const {
   const QString why = whyNoSegments(session_);
   if (!why.isEmpty()) return why;
   const Series& series = session_.series()->series;
-  if (ball.series != keyOf(series))
+  if (!isInFrameOf(ball.series, series))
     return tr("The panel Segments is about another series: draw in a view of that one.");
   if (lesionThresholds[std::size_t(threshold_->currentIndex())].isShare) return {};
   const ValueScale scale = valueScale(series, PetUnit::suvBodyWeight);
@@ -179,14 +191,14 @@ QString SegmentGrowPage::whyNoLesion(const DrawnBall& ball) const {
 
 SegmentWork SegmentGrowPage::lesionWork(const DrawnBall& ball) const {
   const Series& series = session_.series()->series;
-  LesionWanted wanted{wholeVolume(session_), session_.maskOf(ball.series), ball.pPatient, ball.radiusMm,
+  LesionWanted wanted{wholeVolume(session_), session_.maskOf(keyOf(series)), ball.pPatient, ball.radiusMm,
                       lesionThresholds[std::size_t(threshold_->currentIndex())]};
   wanted.said = tr("From %1 on, within %2 mm of %3")
                     .arg(thresholdText(wanted.threshold))
                     .arg(ball.radiusMm, 0, 'f', 1)
                     .arg(placeText(series, ball.pPatient));
   if (!wanted.threshold.isShare) wanted.threshold.amount /= valueScale(series, PetUnit::suvBodyWeight).factor;
-  return lesionOf(ball.series, wanted);
+  return lesionOf(keyOf(series), wanted);
 }
 
 void SegmentGrowPage::takeBall(const DrawnBall& ball) {

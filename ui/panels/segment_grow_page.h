@@ -38,6 +38,7 @@ class SegmentGrowPage : public QWidget {
 
  private:
   void makeLayout();
+  bool isInFrameOf(const SeriesKey& shown, const Series& series) const;
   QString whyNoLesion(const DrawnBall& ball) const;
   QString whyNotGrown() const;
   SegmentWork lesionWork(const DrawnBall& ball) const;

@@ -53,7 +53,7 @@ QTableWidgetItem* numberItem(const SegmentColumn& column, const SegmentReport& r
 
 // "Dice 0.8505, volume difference 0.2 ml, ...": what there is.
 QString likenessText(const SegmentLikeness& alike) {
-  const auto text = [](double number) { return QString::number(number, 'g', 4); };
+  const auto text = [](double number) { return digitsText(number, 4); };
   QStringList parts;
   if (alike.dice) parts << SegmentNumbersDialog::tr("Dice %1").arg(text(*alike.dice));
   if (alike.differenceMl)
@@ -216,7 +216,8 @@ void SegmentNumbersDialog::fillTable() {
   table_->setSortingEnabled(false);  // rows would move while they are filled
   table_->clear();
   QStringList heads{tr("Name")};
-  for (const SegmentColumn& column : segmentColumns()) heads << columnHead(column, shown);
+  for (const SegmentColumn& column : segmentColumns())
+    heads << columnHead(column, shown).replace(QStringLiteral("mm^2"), QStringLiteral("mm\u00b2"));
   table_->setColumnCount(int(heads.size()));
   table_->setHorizontalHeaderLabels(heads);
   table_->setRowCount(measured_ ? int(measured_->reports.size()) : 0);

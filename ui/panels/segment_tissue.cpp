@@ -13,7 +13,7 @@ SegmentTissue::SegmentTissue(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), where_(new QComboBox), margin_(new QDoubleSpinBox) {
   where_->setObjectName(QStringLiteral("segmentTissue"));
   where_->setAccessibleName(tr("Where the volume is shown in 3D"));
-  where_->addItems({tr("all of it"), tr("only inside shown segments"), tr("without shown segments")});
+  where_->addItems({tr("all of it"), tr("inside segments"), tr("without segments")});
   where_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   where_->setMinimumContentsLength(6);
   margin_->setObjectName(QStringLiteral("segmentTissueMargin"));
@@ -60,10 +60,12 @@ void SegmentTissue::showSegments() {
       !map && whyNoSegments(session_).isEmpty() ? tr("There is no segment yet.") : whyNoSegments(session_);
   where_->setEnabled(map != nullptr);
   where_->setCurrentIndex(int(tissue.where));
-  where_->setToolTip(toolTipOf(map ? tr("Where 3D views show the volume itself. What lies in a segment that "
-                                        "is drawn opaque is behind its surface: make it translucent, or take "
-                                        "segments out of 3D by In 3D.")
-                                   : why));
+  where_->setToolTip(toolTipOf(
+      map ? tr("Where 3D views show the volume itself: all of it, or only what is inside or outside of "
+               "the segments that are shown. What lies in a segment that "
+               "is drawn opaque is behind its surface: make it translucent, or take "
+               "segments out of 3D by In 3D.")
+          : why));
   const bool isGrown = map && tissue.where != TissueShown::Where::everywhere;
   const QSignalBlocker quiet(margin_);
   margin_->setEnabled(isGrown);

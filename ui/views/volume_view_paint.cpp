@@ -49,6 +49,8 @@ Overlays VolumeView::overlays() const {
   QStringList more{stepText(session_.workspace(), state().series)};
   more << lossyText(shown->series) << maskTexts(session_.maskOf(state().series));
   if (const MadeTissue* tissue = session_.tissueDrawn(id())) more << tissueText(tissue->shown);
+  if (scene().mode != Mode::composite && !session_.segmentsDrawn(id()).empty())
+    more << tr("no segments in projections");
   more.removeAll(QString());
   const QString zoomText = tr("Zoom %1 %").arg(std::lround(100 * zoom()));
   if (scene().mode != Mode::composite) o.topRight << windowText(windowInUse(scene(), *shown), shown->series);

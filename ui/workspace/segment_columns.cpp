@@ -7,6 +7,7 @@
 
 #include "ui/workspace/csv.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/value_text.h"
 
 namespace volumen {
 
@@ -140,7 +141,7 @@ QString headWithUnit(const QString& name, const QString& unit) {
 // Whole numbers as they are.
 QString readableNumber(double number) {
   return number == std::round(number) && std::abs(number) < 1e15 ? QString::number(qint64(number))
-                                                                 : QString::number(number, 'g', 5);
+                                                                 : digitsText(number, 5);
 }
 
 }  // namespace

@@ -46,6 +46,12 @@ Window storedWindow(const Window& shown, const Series& series) {
   return times(shown, 1 / shownScale(series).factor);
 }
 
+QString digitsText(double number, int digits) {
+  const double size = std::abs(number);
+  const bool isLong = size >= std::pow(10, digits) - 0.5 && size < 1e15;
+  return isLong ? QString::number(number, 'f', 0) : QString::number(number, 'g', digits);
+}
+
 std::pair<QString, QString> windowNumbers(const Window& window) {
   constexpr double most = 1e9, least = 1e-4;  // beyond these only an exponent is readable
   const double width = std::abs(window.width);

@@ -24,6 +24,9 @@ QString valueText(const LoadedSeries& shown, double value);
 /// How many decimals tell the numbers of a series apart.
 int valueDecimals(const LoadedSeries& shown);
 
+/// Of so many digits, whole where it has more before the point: never "1.3e+06".
+QString digitsText(double number, int digits);
+
 /// A window or a range in the numbers on screen, and back.
 Window shownWindow(const Window& window, const Series& series);
 /// "Bone (2000 / 400)": a name, with width and centre as they are shown.

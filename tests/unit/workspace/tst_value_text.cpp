@@ -1,4 +1,4 @@
-// Guards how the numbers of a window read.
+// Guards how the numbers of a window, and long numbers, read.
 #include "tests/unit/suite.h"
 #include "ui/workspace/value_text.h"
 
@@ -9,6 +9,8 @@ class TestValueText : public QObject {
  private Q_SLOTS:
   void windowsRead_data();
   void windowsRead();
+  void digitsRead_data();
+  void digitsRead();
 };
 
 void TestValueText::windowsRead_data() {
@@ -35,6 +37,26 @@ void TestValueText::windowsRead() {
   QFETCH(double, width);
   QFETCH(double, centre);
   QTEST(windowText({centre, width}, {}), "text");
+}
+
+void TestValueText::digitsRead_data() {
+  QTest::addColumn<double>("number");
+  QTest::addColumn<QString>("text");
+  const auto row = [](double number, const char* text) {
+    QTest::newRow(text) << number << QString::fromLatin1(text);
+  };
+  row(0.012345678, "0.012346");
+  row(-3.25, "-3.25");
+  row(99999.4, "99999");
+  row(99999.5, "100000");
+  row(943761.2, "943761");
+  row(-27141234, "-27141234");
+  row(3e15, "3e+15");
+}
+
+void TestValueText::digitsRead() {
+  QFETCH(double, number);
+  QTEST(digitsText(number, 5), "text");
 }
 
 VOLUMEN_TEST(TestValueText);

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <QScrollArea>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "tests/ui/segment_window.h"
+#include "ui/views/volume_view.h"
+
+namespace volumen::tests {
+
+/// A small screen with studies as they hang, the panel of segments in front with most of the room beside
+/// them.
+struct LooksWindow : SegmentWindow {
+  std::optional<ScreenPicture> rest;  ///< of the 3D view
+
+  explicit LooksWindow(const QStringList& paths) : SegmentWindow(paths) { window.resize(1366, 768); }
+
+  /// True once all views have their picture.
+  bool open() {
+    if (!QTest::qWaitFor([this] { return session().series() && areDrawn(); }, longest)) return false;
+    QObject::connect(window.view(), &VolumeView::drawn, window.view(), [this](const ScreenPicture& picture) {
+      if (picture.atRest) rest = picture;
+    });
+    return idle();
+  }
+  bool areDrawn() {
+    return std::ranges::all_of(viewsOnScreen(workspace()), [this](ViewId id) {
+      const View* view = window.views()->viewOf(id);
+      if (const auto* flat = qobject_cast<const FlatView*>(view)) return !flat->picture().isNull();
+      const auto* scene = qobject_cast<const VolumeView*>(view);
+      return scene && !scene->picture().isNull();
+    });
+  }
+  void begin() {
+    child<QDockWidget>("transferDock")->raise();
+    child<QDockWidget>("segmentDock")->raise();
+    window.resizeDocks({child<QDockWidget>("transferDock"), child<QDockWidget>("segmentDock")}, {130, 530},
+                       Qt::Vertical);
+    QCoreApplication::processEvents();
+  }
+  void shot(const char* name) {
+    QCoreApplication::processEvents();  // texts have their room
+    Journey::shot(name);
+  }
+  void take(const char* tool) { child<QAction>(tool)->trigger(); }
+  VolumeView* scene() { return window.view(); }
+  /// True once the picture at rest of the 3D view is that of its scene as it is.
+  bool isAtRest() {
+    const auto isOfNow = [this] {
+      if (!rest || rest->image.size() != scene()->pixels()) return false;
+      Scene now = session().drawnScene(sceneViewId);
+      if (!now.camera) now.camera = rest->scene.camera;
+      return rest->scene == now && rest->volume == session().drawnSeries(sceneViewId)->volume;
+    };
+    return idle() && QTest::qWaitFor(isOfNow, longest);
+  }
+  void press(QWidget* on, QPoint at, Qt::KeyboardModifiers keys = {}) {
+    QTest::mousePress(on, Qt::LeftButton, keys, at);
+  }
+  void move(QWidget* on, QPoint to, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseEvent(QTest::MouseMove, on, Qt::LeftButton, keys, to);
+  }
+  void release(QWidget* on, QPoint at, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseRelease(on, Qt::LeftButton, keys, at);
+  }
+  /// Presses at the first place and goes along the others.
+  void go(QWidget* on, const std::vector<QPoint>& way, Qt::KeyboardModifiers keys = {}) {
+    press(on, way.front(), keys);
+    for (const QPoint p : way) move(on, p, keys);
+  }
+  void stroke(const std::vector<QPoint>& way) {
+    go(view(), way);
+    release(view(), way.back());
+  }
+  /// Logical pixels of mm in a flat view.
+  int pixels(double mm, ViewId id = axialViewId) {
+    const FlatView* on = view(id);
+    return int(mm / on->plane()->mmPerPixel / on->devicePixelRatioF());
+  }
+  /// The slice through a place that a view shows, and corners there of so many mm.
+  std::vector<QPoint> roundAt(glm::dvec3 p, double mm, ViewId id = axialViewId) {
+    const QPoint at = showPlace(p, id);
+    std::vector<QPoint> corners;
+    for (int n = 0; n < 24; ++n) {
+      const double turn = n * 2 * std::numbers::pi / 24;
+      corners.push_back(at + (pixels(mm, id) * QPointF(std::cos(turn), 0.8 * std::sin(turn))).toPoint());
+    }
+    return corners;
+  }
+  /// The picture of a view without what is painted over it is tinted in so many pixels, soon.
+  bool isTinted(int pixels) {
+    return QTest::qWaitFor([&] { return coloured() > pixels; }, longest);
+  }
+  QImage seen(QWidget* on) { return on->grab().toImage(); }
+  /// How many pixels differ.
+  static int unlike(const QImage& a, const QImage& b) {
+    int count = 0;
+    for (int y = 0; y < std::min(a.height(), b.height()); ++y)
+      for (int x = 0; x < std::min(a.width(), b.width()); ++x) count += a.pixel(x, y) != b.pixel(x, y);
+    return count;
+  }
+  /// The page of a button, with what is below on it in sight where it can be.
+  void showPage(const char* name, const char* lowest) {
+    click(name);
+    QCoreApplication::processEvents();
+    auto* below = child<QWidget>(lowest);
+    for (QWidget* over = below->parentWidget(); over; over = over->parentWidget())
+      if (auto* area = qobject_cast<QScrollArea*>(over)) area->ensureWidgetVisible(below);
+    QCoreApplication::processEvents();
+  }
+};
+
+}  // namespace volumen::tests
