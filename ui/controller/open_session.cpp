@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -171,7 +172,10 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
     search.problems << problemOf(unread, session->workspace);
   Workspace workspace =
       withSegmentMaps(std::move(session->workspace), path, search.problems, progress, cancel);
-  return OpenedSession{std::move(workspace), session->savedAs, search.studies(), search.problems};
+  const bool areWhole = session->unreadSteps.empty() &&
+                        std::ranges::none_of(workspace.segmentMaps,
+                                             [](const SegmentMap& map) { return map.missing.has_value(); });
+  return OpenedSession{std::move(workspace), session->savedAs, search.studies(), search.problems, areWhole};
 }
 
 Status saveSession(const std::string& path, const Workspace& workspace, const std::string& savedAs,
