@@ -17,6 +17,7 @@ class TestLesionTool : public QObject {
   void aSphereMakesALesion_data();
   void aSphereMakesALesion();
   void lesionsAreCounted();
+  void theyAreCountedOverAllMaps();
   void itIsSeenWhileItIsDrawn();
   void theSphereGoesThroughThePointerInOtherSlices();
   void escGivesItUp();
@@ -150,6 +151,18 @@ void TestLesionTool::lesionsAreCounted() {
   QCOMPARE(w.current().number, 2);
   QTest::keyClick(w.view(), Qt::Key_Escape);
   QVERIFY(!w.window.views()->tool().clicks);
+}
+
+void TestLesionTool::theyAreCountedOverAllMaps() {
+  LesionWindow w;
+  QVERIFY(w.draw(inOther, 8));
+  w.click("segmentDuplicate");
+  QVERIFY(w.idle());
+  QCOMPARE(w.map()->number, 1);
+  QVERIFY(w.draw(inLesion, 12.5));
+  QCOMPARE(w.map()->number, 1);
+  QCOMPARE(w.count(), std::size_t(2));
+  QCOMPARE(w.current().label, std::string("Lesion 2"));
 }
 
 void TestLesionTool::itIsSeenWhileItIsDrawn() {

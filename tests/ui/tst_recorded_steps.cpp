@@ -60,6 +60,7 @@ class TestRecordedSteps : public CleanSettings {
   void theProgramMakesTheSameVoxels();
   void numbersAreChangedAndRunAgain();
   void whatWasTypedStaysWhereARunFails();
+  void theyAreRunInTheMapThatTheyAreOf();
   void slicesBetweenAreFilledByAStep();
   void whatNoStepMadeIsSaid();
 };
@@ -182,6 +183,28 @@ void TestRecordedSteps::whatWasTypedStaysWhereARunFails() {
   QCOMPARE(note->text(), QString());
   w.undo();
   QCOMPARE(text->toPlainText(), recorded);
+}
+
+// Another one is worked on meanwhile.
+void TestRecordedSteps::theyAreRunInTheMapThatTheyAreOf() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  const BitMask shell = w.mask(1);
+  QVERIFY(w.step("grow"));
+  chooseInMenu(w, "recipeSteps");
+  auto* text = w.child<QPlainTextEdit>("stepsText");
+  text->moveCursor(QTextCursor::Start);
+  QVERIFY(text->find(QStringLiteral("\"step\": \"grow\"")));
+  QTextCursor behind = text->textCursor();
+  behind.clearSelection();
+  text->setTextCursor(behind);
+  QTest::keyClicks(text, QStringLiteral(", \"radiusMm\": 2"));
+  QVERIFY(w.press("segmentDuplicate"));
+  const SegmentMap other = *w.map();
+  QCOMPARE(other.number, 1);
+  QVERIFY(w.press("stepsRun"));
+  QVERIFY(*segmentMapOf(w.workspace(), w.series(), 1) == other);
+  QVERIFY(maskOf(*segmentMapOf(w.workspace(), w.series(), 0)->labels, 1) == grown(shell, 2));
 }
 
 // The hollow ball and the small one have empty slices between them.

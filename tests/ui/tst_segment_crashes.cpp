@@ -169,6 +169,22 @@ bool keeps(const Workspace& workspace) {
   return kept && kept->problems.isEmpty() && sessionTextOf(kept->workspace) == sessionTextOf(workspace);
 }
 
+// Whether of two maps the one that there is no room for is named, the other as it was, but shown as now.
+// Undone then.
+bool namesACopy(CrashWindow& w) {
+  w.click("segmentDuplicate");
+  if (!w.idle()) return false;
+  w.click("segmentsIn3d");
+  const auto namesBoth = [] {
+    const auto kept = keptNow();
+    return kept && kept->workspace.segmentMaps.size() == 2 && !kept->workspace.segmentMaps[0].in3d;
+  };
+  const bool isNamed = QTest::qWaitFor(namesBoth, longest);
+  w.child<QAction>("undo")->trigger();
+  w.child<QAction>("undo")->trigger();
+  return isNamed;
+}
+
 // What lies in the folder of autosave that is half written.
 QStringList leftovers() {
   static const QRegularExpression known(
@@ -306,6 +322,7 @@ void TestSegmentCrashes::aFullDiskTakesNothing() {
       Workspace expected = w.workspace();
       expected.segmentMaps = before.segmentMaps;
       QTRY_VERIFY_WITH_TIMEOUT(keeps(expected), longest);
+      QVERIFY(namesACopy(w));
     }
   }
   if (isMounted) disk->free();

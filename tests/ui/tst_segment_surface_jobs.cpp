@@ -89,6 +89,8 @@ class TestSegmentSurfaceJobs : public QObject {
   void aJobThatIsCancelledIsNotBegunAgain();
   void whatWasCancelledIsSaidAndTriedAgain_data();
   void whatWasCancelledIsSaidAndTriedAgain();
+  void whatWasCancelledOfAMapIsTriedAgainWhereAnotherChanges();
+  void hiddenOnesMakeRoom();
   void whatTakesTooMuchMemoryIsNotDrawn_data();
   void whatTakesTooMuchMemoryIsNotDrawn();
 };
@@ -252,6 +254,44 @@ void TestSegmentSurfaceJobs::whatWasCancelledIsSaidAndTriedAgain() {
   QVERIFY(!s.jobs.rows().empty() && s.idle());
   QCOMPARE(s.drawn().size(), std::size_t(2));
   QVERIFY(s.session.segmentsNotDrawn(sceneViewId).empty());
+}
+
+void TestSegmentSurfaceJobs::whatWasCancelledOfAMapIsTriedAgainWhereAnotherChanges() {
+  SurfaceSession s;
+  QVERIFY(s.idle());
+  const Workspace with = withNewSegment(s.session.workspace(), s.key, s.series->volume->geometry(), {}, 1);
+  s.change(withSegmentMap(
+      with, withMask(*segmentMapOf(with, s.key, 1), 1, voxelsInRange(*s.series->volume, {400, 1200}))));
+  QCOMPARE(s.jobs.rows().size(), std::size_t(1));
+  s.jobs.cancel(s.jobs.rows().front().id);
+  QVERIFY(s.idle());
+  QCOMPARE(s.session.segmentsNotDrawn(sceneViewId).size(), std::size_t(1));
+  QCOMPARE(s.map().number, 0);
+  s.change(withSegmentChanged(s.session.workspace(), s.key, 1, [](Segment& one) { one.opacity = 0.5; }));
+  QVERIFY(s.idle());
+  QVERIFY(s.session.segmentsNotDrawn(sceneViewId).empty());
+  QCOMPARE(s.drawn().size(), std::size_t(3));
+}
+
+// Not before room is needed: looksNeedNoJob().
+void TestSegmentSurfaceJobs::hiddenOnesMakeRoom() {
+  const auto bytesOfRange = [](ValueRange range) {
+    return occupancyBytes(voxelsInRange(*hollowBalls()->volume, range), surfaceSigma);
+  };
+  SurfaceSession s(bytesOfRange({800, 1200}) + bytesOfRange({400, 600}) - 1);
+  const QSignalSpy told(&s.surfaces, &SegmentSurfaceJobs::failed);
+  QVERIFY(s.idle());
+  QVERIFY(s.field(1) && !s.field(2));
+  QCOMPARE(told.size(), 1);
+  s.change(withSegmentChanged(s.session.workspace(), s.key, 1, [](Segment& one) { one.visible = false; }));
+  QVERIFY(s.idle());
+  QVERIFY(!s.field(1) && s.field(2) && s.session.segmentsNotDrawn(sceneViewId).empty());
+  QCOMPARE(told.size(), 1);
+  s.undo();
+  QVERIFY(s.idle());
+  QVERIFY2(!s.field(1) && s.field(2), "what is drawn stays");
+  QCOMPARE(told.size(), 2);
+  QCOMPARE(s.session.segmentsNotDrawn(sceneViewId).size(), std::size_t(1));
 }
 
 void TestSegmentSurfaceJobs::whatTakesTooMuchMemoryIsNotDrawn_data() {

@@ -32,6 +32,7 @@ class TestSegmentsKept : public QObject {
   void whatIsNotBesideTheSessionIsMissing();
   void filesThatNoSessionNamesGo();
   void aFileThatWasDamagedIsWrittenAgain();
+  void workThatCannotBeReadIsKept_data();
   void workThatCannotBeReadIsKept();
   void theLabelsMoveWithDiscardedWork();
 };
@@ -275,16 +276,30 @@ void TestSegmentsKept::aFileThatWasDamagedIsWrittenAgain() {
   QVERIFY(openSession(path)->workspace == w.workspace());
 }
 
-// Restored without its labels, which are put aside for another day.
+void TestSegmentsKept::workThatCannotBeReadIsKept_data() {
+  QTest::addColumn<bool>("areLabels");
+  QTest::newRow("its labels") << true;
+  QTest::newRow("how it was made") << false;
+}
+
+// Restored without that, and put aside for another day.
 void TestSegmentsKept::workThatCannotBeReadIsKept() {
+  QFETCH(bool, areLabels);
   {
     SegmentsWindow w;
     QVERIFY(w.segment(0.5, 1));
     w.window.end();
   }
   const QDir kept(Autosave::folder());
-  const QString file = kept.filePath(kept.entryList({QStringLiteral("*.seg.nrrd")}).value(0));
-  QVERIFY(QFile(file).resize(100));
+  const auto fileOf = [&](const char* ending) {
+    return kept.filePath(kept.entryList({QLatin1String(ending)}, QDir::Files).value(0));
+  };
+  if (areLabels)
+    QVERIFY(QFile(fileOf("*.seg.nrrd")).resize(100));
+  else
+    QVERIFY(changeMapIn(fileOf("*.volumen").toStdString(), [](nlohmann::ordered_json& map) {
+      map.at("steps").push_back({{"step", "thaw"}, {"segment", "1"}});
+    }));
   Journey w;
   QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("offerBar")->isVisible(), longest);
   QTest::mouseClick(w.child<QWidget>("offerAccept"), Qt::LeftButton);

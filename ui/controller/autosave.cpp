@@ -84,13 +84,20 @@ std::optional<LostSession> latestLost() {
   return {};
 }
 
+// Shown as `shown` is: all maps of a series are alike in that.
+SegmentMap withLookOf(const SegmentMap& shown, SegmentMap map) {
+  map.in3d = shown.in3d;
+  map.tissue = shown.tissue;
+  return map;
+}
+
 // With segments as they were kept last; those that never were are only named.
 Workspace withSegmentsKept(const Workspace& workspace, const SharedList<SegmentMap>& kept) {
   Workspace made = withLabelsApart(workspace);
   for (const SegmentMap& map : kept)
     made.segmentMaps.editIf(
         [&](const SegmentMap& other) { return other.series == map.series && other.number == map.number; },
-        [&](SegmentMap& other) { other = map; });
+        [&](SegmentMap& other) { other = withLookOf(other, map); });
   return made;
 }
 

@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -13,6 +14,7 @@
 #include "ui/controller/find_saved.h"
 #include "ui/controller/segment_files.h"
 #include "ui/data/picture_stacks.h"
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/text.h"
 
@@ -145,8 +147,10 @@ class Search {
 };
 
 QString problemOf(const UnreadSteps& unread, const Workspace& workspace) {
+  const QString series = seriesText(*workspace.series.at(unread.series).series);
+  const bool isOneOfSeveral = segmentMapsOf(workspace, unread.series).size() > 1;
   return tr("How the segments of %1 were made cannot be read: %2 They count as made by hand.")
-      .arg(seriesText(*workspace.series.at(unread.series).series), shownText(unread.why));
+      .arg(isOneOfSeveral ? tr("%1 (%2)").arg(series, mapName(unread.map)) : series, shownText(unread.why));
 }
 
 }  // namespace
@@ -171,7 +175,10 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
     search.problems << problemOf(unread, session->workspace);
   Workspace workspace =
       withSegmentMaps(std::move(session->workspace), path, search.problems, progress, cancel);
-  return OpenedSession{std::move(workspace), session->savedAs, search.studies(), search.problems};
+  const bool areWhole = session->unreadSteps.empty() &&
+                        std::ranges::none_of(workspace.segmentMaps,
+                                             [](const SegmentMap& map) { return map.missing.has_value(); });
+  return OpenedSession{std::move(workspace), session->savedAs, search.studies(), search.problems, areWhole};
 }
 
 Status saveSession(const std::string& path, const Workspace& workspace, const std::string& savedAs,

@@ -19,8 +19,9 @@ struct OpenedSession {
   Workspace workspace;
   std::string savedAs;  ///< of what was kept on the way: the session file it belongs to; empty: none yet
   std::vector<std::pair<std::string, std::shared_ptr<const Study>>> studies;  ///< by path
-  QStringList
-      problems;  ///< a sentence for each series or object that is missing, has changed or is not whole
+  /// A sentence for each series or object that is missing, has changed or is not whole.
+  QStringList problems;
+  bool segmentsAreWhole = true;  ///< the labels of all, and how they were made, were read
 };
 
 /// Reads a session file and looks for its series, and for the presentation states, structure sets and

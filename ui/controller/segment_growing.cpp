@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
@@ -41,10 +42,11 @@ Result<SegmentMap> grownIn(SegmentMap map, const Volume& volume, const Mask& mas
 }
 
 // "Lesion 1", "Lesion 2".
-std::string lesionName(const SegmentMap& map) {
+std::string lesionName(std::vector<SegmentMap> maps, const SegmentMap& map) {
+  maps.push_back(map);
   for (int n = 1;; ++n) {
     const std::string name = tr("Lesion %1").arg(n).toStdString();
-    if (std::ranges::find(map.segments, name, &Segment::label) == map.segments.end()) return name;
+    if (freeName(maps, name) == name) return name;
   }
 }
 
@@ -53,7 +55,7 @@ Result<SegmentMap> withLesion(SegmentMap map, const LesionWanted& wanted, const 
   if (!number) return Error{"There are 255 segments, and no more fit: remove one first."};
   Segment lesion;
   lesion.number = *number;
-  lesion.label = lesionName(map);
+  lesion.label = lesionName(wanted.beside, map);
   lesion.description = wanted.said.toStdString();
   constexpr double mostMm = 1000;  // that the step takes: more than a patient
   const std::string sphere = "Sphere", own = stepNameOf(*number);

@@ -24,10 +24,12 @@ struct LesionWanted {
   glm::dvec3 pPatient;
   double radiusMm;
   LesionThreshold threshold;
-  QString said{};  ///< of the segment, its description
+  QString said{};                    ///< of the segment, its description
+  std::vector<SegmentMap> beside{};  ///< of the series: what their segments are called it is not
 };
 
-/// The work that adds a segment, "Lesion 1", for the lesion in a ball (lesion.h).
+/// The work that adds a segment, "Lesion 1", or with the next number that is free in the series, for the
+/// lesion in a ball (lesion.h).
 SegmentWork lesionOf(const SeriesKey& series, const LesionWanted& wanted);
 
 }  // namespace volumen

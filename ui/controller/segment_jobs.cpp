@@ -109,22 +109,24 @@ void SegmentJobs::change(const SegmentWork& work) {
 void SegmentJobs::next() {
   while (!isMaking() && !waiting_.empty()) {
     const SegmentWork work = waiting_.front();
+    QString why;
     if (session_.workspace().series.contains(work.series)) {
       const std::vector<SegmentMap> bases = basesOf(session_.workspace(), work);
       const SegmentMap& base = bases.front();
       const Segment* segment = findSegment(base, work.number);
       if (missesSegments(session_.workspace(), work.series))
-        refuse(work, tr("The segments of this series were not found with the session: no others are made."));
+        why = tr("The segments of this series were not found with the session: no others are made.");
       else if (work.makeAll || work.makeMaps)
         return begin(work, bases);
       else if (work.number == 0 && !freeNumber(base))
-        refuse(work, tr("There are 255 segments, and no more fit: remove one first."));
+        why = tr("There are 255 segments, and no more fit: remove one first.");
       else if (segment && segment->locked)
-        refuse(work, tr("%1 is locked: unlock it first.").arg(shownText(segment->label)));
+        why = tr("%1 is locked: unlock it first.").arg(shownText(segment->label));
       else if (segment || work.number == 0)
         return begin(work, bases);
     }
-    waiting_.pop_front();
+    waiting_.pop_front();  // before it is told: whoever hears it may ask for another change
+    if (!why.isEmpty()) refuse(work, why);
   }
   if (waiting_.empty()) Q_EMIT ended();
 }

@@ -35,15 +35,9 @@ QString SegmentPainter::whyNot(const SegmentStroke& stroke) const {
 
 void SegmentPainter::paint(const SegmentStroke& stroke, const PaintLimits& limits) {
   using enum SegmentStroke::Phase;
-  if (stroke.phase == ends) {
-    if (!target_) return;
-    target_.reset();
-    session_.endGesture();
-    Q_EMIT ended();
-    return;
-  }
+  if (stroke.phase == ends) return end();
   if (stroke.phase == begins) {
-    target_.reset();
+    end();  // of one whose end nobody told
     const QString why = whyNot(stroke);
     if (!why.isEmpty()) return Q_EMIT failed(why);
     const Segment* segment = segmentShown(session_);
@@ -53,6 +47,13 @@ void SegmentPainter::paint(const SegmentStroke& stroke, const PaintLimits& limit
     session_.endGesture();
   }
   if (target_ && !stroke.spans.empty()) add(stroke);
+}
+
+void SegmentPainter::end() {
+  if (!target_) return;
+  target_.reset();
+  session_.endGesture();
+  Q_EMIT ended();
 }
 
 void SegmentPainter::add(const SegmentStroke& stroke) {

@@ -44,6 +44,7 @@ class SegmentPainter : public QObject {
   };
   QString whyNot(const SegmentStroke& stroke) const;
   void add(const SegmentStroke& stroke);
+  void end();
 
   Session& session_;
   std::optional<Target> target_;

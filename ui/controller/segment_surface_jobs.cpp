@@ -33,11 +33,12 @@ SegmentSurfaceJobs::SegmentSurfaceJobs(Session& session, Jobs& jobs, std::size_t
   next();
 }
 
+// Of one map it may leave room for the surfaces of another.
 void SegmentSurfaceJobs::noteChanges(const Workspace& before, const Workspace& after) {
-  for (const SegmentMap& map : after.segmentMaps) {
-    const SegmentMap* was = segmentMapOf(before, map.series, map.number);
-    if (!was || *was != map) again_.insert({map.series, map.number});
-  }
+  const auto areOne = [](const SegmentMap* a, const SegmentMap* b) { return a == b || *a == *b; };
+  for (const SegmentMap& map : after.segmentMaps)
+    if (!std::ranges::equal(segmentMapsOf(before, map.series), segmentMapsOf(after, map.series), areOne))
+      again_.insert({map.series, map.number});
 }
 
 void SegmentSurfaceJobs::next() {
@@ -101,6 +102,9 @@ void SegmentSurfaceJobs::begin(const Wanted& wanted) {
           return;
         }
         if (result->kept) kept_ = std::move(result->kept);
+        const bool lacksRoom = std::ranges::any_of(
+            result->surfaces, [](const MadeSurface& surface) { return !surface.whyNot.isEmpty(); });
+        if (lacksRoom && session_.dropHiddenSurfaces()) return tryAgain(wanted);
         session_.takeSurfaces(result->surfaces);
         tellRefused(wanted, result->surfaces);
       },
@@ -109,6 +113,11 @@ void SegmentSurfaceJobs::begin(const Wanted& wanted) {
         Q_EMIT cancelled(
             tr("Segments are not drawn in 3D until one is changed, or In 3D is switched off and on."));
       });
+}
+
+void SegmentSurfaceJobs::tryAgain(const Wanted& wanted) {
+  again_.insert({wanted.surfaces.front().series, wanted.surfaces.front().map});
+  next();
 }
 
 // What would take too much memory; once, while that stays so.

@@ -14,7 +14,7 @@ namespace volumen {
 /// what is taken away of the series, changed: a map at a time, as a job. Until then the session keeps what
 /// was there before. What could not be made, or was cancelled, is tried again once anything of the segments
 /// of its series changes. All of them together take at most a share of the machine's memory: what would go
-/// beyond is not drawn.
+/// beyond is not drawn. Those of hidden segments are kept while there is room.
 class SegmentSurfaceJobs : public QObject {
   Q_OBJECT
  public:
@@ -54,6 +54,7 @@ class SegmentSurfaceJobs : public QObject {
   Wanted wantedOf(const SegmentMap& map) const;
   void begin(const Wanted& wanted);
   std::size_t bytesBeside(const std::vector<MadeSurface>& wanted) const;
+  void tryAgain(const Wanted& wanted);
   void tellRefused(const Wanted& wanted, const std::vector<MadeSurface>& made);
   void giveUp(std::vector<MadeSurface> surfaces, const QString& why);
   static Result<Made> made(const Wanted& wanted, const CancelToken& cancel);
@@ -61,7 +62,7 @@ class SegmentSurfaceJobs : public QObject {
   Session& session_;
   const std::size_t mostBytes_;
   std::optional<Kept> kept_;  // of the last series with a mask
-  // Of what was given up of these maps, by their numbers, was something changed since.
+  // Maps, by their numbers, of whose series something was changed since surfaces of them were given up.
   std::set<std::pair<SeriesKey, int>> again_;
   JobLane lane_;
 };

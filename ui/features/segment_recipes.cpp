@@ -27,7 +27,7 @@ class SegmentRecipes : public Feature {
   void save(const QString& path);
   void showSteps();
   void run(const Recipe& recipe);
-  void runAgain(const Recipe& recipe, StepsDialog* dialog);
+  void runAgain(const Recipe& recipe, int map, StepsDialog* dialog);
   const SegmentMap* recorded();
 
   FileJobs files_;
@@ -50,12 +50,13 @@ void SegmentRecipes::run(const Recipe& recipe) {
   Q_EMIT bench_.segmentWorkWanted(workOf(recipe, series, wholeVolume(session_), session_.maskOf(series)));
 }
 
-// The steps of a record say themselves what they leave out.
-void SegmentRecipes::runAgain(const Recipe& recipe, StepsDialog* dialog) {
+// The steps of a record say themselves what they leave out. Another map may be worked on by now.
+void SegmentRecipes::runAgain(const Recipe& recipe, int map, StepsDialog* dialog) {
   const QString why = whyNoSegments(session_);
   if (!why.isEmpty()) return dialog->showRefused(why);
-  SegmentWork work =
-      workOf(recipe, keyOf(session_.series()->series), wholeVolume(session_), {}, RecipeUse::again);
+  const SeriesKey series = keyOf(session_.series()->series);
+  SegmentWork work = workOf(recipe, series, wholeVolume(session_), {}, RecipeUse::again);
+  if (segmentMapOf(session_.workspace(), series, map)) work.map = map;
   work.done = [shown = QPointer(dialog)] {
     if (shown) shown->showDone();
   };
@@ -130,7 +131,7 @@ void SegmentRecipes::showSteps() {
   if (!recorded()) return;
   auto* dialog = new StepsDialog(session_, bench_.dialogParent());
   connect(dialog, &StepsDialog::runWanted, this,
-          [this, dialog](const Recipe& recipe) { runAgain(recipe, dialog); });
+          [this, dialog](const Recipe& recipe, int map) { runAgain(recipe, map, dialog); });
   dialog->show();
 }
 

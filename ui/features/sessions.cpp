@@ -188,10 +188,8 @@ void Sessions::showSession(const QString& path, const OpenedSession& opened) {
   offerToLocate();
   if (restores) {
     files_.restored(QString::fromStdString(opened.savedAs));
-    const auto wasRead = [](const SegmentMap& map) { return !map.missing; };
-    const bool isWhole = std::ranges::all_of(opened.workspace.segmentMaps, wasRead);
     // What could not be read of it may be readable another day.
-    if (isWhole)
+    if (opened.segmentsAreWhole)
       autosave_.replace(isLost ? *std::exchange(lost_, {}) : *earlier);
     else if (isLost)
       autosave_.discard(*std::exchange(lost_, {}));

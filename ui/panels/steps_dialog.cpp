@@ -56,6 +56,7 @@ StepsDialog::StepsDialog(Session& session, QWidget* parent)
 
 void StepsDialog::showSteps() {
   const SegmentMap* map = segmentsShown(session_);
+  if (map) map_ = map->number;
   const bool isOneOfSeveral = allSegmentsShown(session_).size() > 1;
   setWindowTitle(isOneOfSeveral ? tr("Steps of the segments of %1").arg(mapName(map->number))
                                 : tr("Steps of the segments"));
@@ -84,7 +85,7 @@ void StepsDialog::run() {
   const auto recipe = readRecipe(text_->toPlainText().toStdString());
   if (!recipe) return;
   ran_ = text_->toPlainText();
-  Q_EMIT runWanted(*recipe);
+  Q_EMIT runWanted(*recipe, map_);
 }
 
 // What was typed meanwhile stays.

@@ -23,8 +23,8 @@ class StepsDialog : public QDialog {
   void showRefused(const QString& why);
 
  Q_SIGNALS:
-  /// A recipe for the segments of these names.
-  void runWanted(const volumen::Recipe& recipe);
+  /// A recipe for the segments of these names, in the map of this number, whose steps it was.
+  void runWanted(const volumen::Recipe& recipe, int map);
 
  private:
   void showSteps();
@@ -35,6 +35,7 @@ class StepsDialog : public QDialog {
   QPlainTextEdit* text_;
   QLabel* note_;
   QPushButton *run_, *reset_;
+  int map_ = 0;  // whose steps are shown
   QString ran_;  // the text that was run last
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/workspace/segment_maps.h"
+
 namespace volumen {
 
 namespace {
@@ -44,7 +46,8 @@ Workspace withSeriesMoved(Workspace w, const SeriesKey& from, const Series& to) 
   const auto rename = [&](auto& made) { made.series = key; };
   w.measurements.editIf(isOfIt, rename);
   w.keyImages.editIf(isOfIt, rename);
-  w.segmentMaps.editIf(isOfIt, rename);
+  // The series may be there already, with segments of its own.
+  if (from != key) w.segmentMaps.editIf(isOfIt, [&](SegmentMap& map) { map = asMapOf(w, key, map); });
   return w;
 }
 

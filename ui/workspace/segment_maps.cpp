@@ -73,6 +73,14 @@ Workspace withMapWorkedOn(Workspace workspace, const SeriesKey& series, int numb
   return workspace;
 }
 
+SegmentMap asMapOf(const Workspace& workspace, const SeriesKey& series, SegmentMap map) {
+  map.series = series;
+  while (segmentMapOf(workspace, series, map.number)) ++map.number;
+  if (const SegmentMap* there = segmentMapOf(workspace, series))
+    map.in3d = there->in3d, map.tissue = there->tissue;
+  return map;
+}
+
 std::vector<SegmentMap> segmentMapsOn(const Workspace& workspace, const SeriesKey& series,
                                       const VoxelGeometry& grid) {
   std::vector<SegmentMap> maps{segmentMapOn(workspace, series, grid)};
@@ -87,7 +95,7 @@ Workspace withSegmentMapsOf(Workspace workspace, const std::vector<SegmentMap>& 
                       : withMapWorkedOn(std::move(workspace), maps.front().series, maps.front().number);
 }
 
-std::string freeName(const std::vector<SegmentMap>& maps, const std::string& wanted) {
+std::string freeName(std::span<const SegmentMap> maps, const std::string& wanted) {
   const auto isTaken = [&](const std::string& name) {
     return std::ranges::any_of(maps, [&](const SegmentMap& map) { return isCalled(map, name); });
   };

@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ QString mapName(int number);
 bool missesSegments(const Workspace& workspace, const SeriesKey& series);
 /// With this map of a series the one that is worked on; as it was where there is none.
 Workspace withMapWorkedOn(Workspace workspace, const SeriesKey& series, int number);
+/// `map` as one more of a series: where one there has its number it gets another one, and it is shown as they
+/// are.
+SegmentMap asMapOf(const Workspace& workspace, const SeriesKey& series, SegmentMap map);
 /// The maps of a series on a grid, the one that is worked on first, the others by their numbers; where that
 /// one lies on another grid, or there is none, an empty one alone.
 std::vector<SegmentMap> segmentMapsOn(const Workspace& workspace, const SeriesKey& series,
@@ -27,7 +31,7 @@ std::vector<SegmentMap> segmentMapsOn(const Workspace& workspace, const SeriesKe
 Workspace withSegmentMapsOf(Workspace workspace, const std::vector<SegmentMap>& maps);
 
 /// `wanted`, or with a number behind it where a segment of these maps is called so.
-std::string freeName(const std::vector<SegmentMap>& maps, const std::string& wanted);
+std::string freeName(std::span<const SegmentMap> maps, const std::string& wanted);
 /// `after`, which was made of `before`, with its new segments called as none of the series' other maps.
 SegmentMap withNamesApart(const SegmentMap& before, SegmentMap after,
                           const std::vector<SegmentMap>& ofSeries);

@@ -51,12 +51,7 @@ std::optional<int> freeNumber(const SegmentMap& map) {
 }
 
 std::string freeName(const SegmentMap& map, const std::string& wanted) {
-  const auto isTaken = [&](const std::string& name) {
-    return std::ranges::find(map.segments, name, &Segment::label) != map.segments.end();
-  };
-  std::string name = wanted;
-  for (int n = 2; isTaken(name); ++n) name = wanted + " " + std::to_string(n);
-  return name;
+  return freeName(std::span(&map, 1), wanted);
 }
 
 glm::u8vec3 colourOfNumber(int number) {

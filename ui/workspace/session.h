@@ -92,6 +92,8 @@ class Session : public QObject {
   /// Keeps these surfaces in place of those of the same segments, for as long as the segments are there and
   /// their series is in a 3D view on screen.
   void takeSurfaces(std::vector<MadeSurface> made);
+  /// Forgets those of segments that are not drawn; whether there were any.
+  bool dropHiddenSurfaces();
   const std::vector<MadeSurface>& surfaces() const { return surfaces_; }
   /// Keeps this in place of what was made of the same series, for as long as isTissueOnScreen().
   void takeTissue(MadeTissue made);

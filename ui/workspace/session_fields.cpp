@@ -83,7 +83,7 @@ void FieldWriter::operator()(const char* name, Shape& shape) {
     problem_ = pathOf(name) + ": " + valid.message();
 }
 
-void FieldWriter::stepsOf(const SeriesKey&, const char* name, std::vector<Step>& steps) {
+void FieldWriter::stepsOf(const SeriesKey&, int, const char* name, std::vector<Step>& steps) {
   if (!steps.empty()) json_[name] = Json::parse(stepsJson(steps));
 }
 
@@ -157,14 +157,14 @@ void FieldReader::operator()(const char* name, Shape& shape) {
     json_.refuse(json_.pathOf(name) + ":", unended(valid.message()));
 }
 
-void FieldReader::stepsOf(const SeriesKey& series, const char* name, std::vector<Step>& steps) {
+void FieldReader::stepsOf(const SeriesKey& series, int map, const char* name, std::vector<Step>& steps) {
   const nlohmann::json* list = json_.raw(name);
   if (!list) return;
   Result<std::vector<Step>> read = readSteps(list->dump());
   if (read)
     steps = std::move(*read);
   else
-    unread_.push_back({series, read.message()});
+    unread_.push_back({series, map, read.message()});
 }
 
 // The number of a series; none where the field is missing or null, or refused.

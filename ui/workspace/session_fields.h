@@ -75,8 +75,8 @@ class FieldWriter {
   }
   void operator()(const char* name, Scene& scene);
   void operator()(const char* name, Shape& shape);
-  /// How the segments of a series were made, as in a recipe; left out where nothing is known.
-  void stepsOf(const SeriesKey& series, const char* name, std::vector<Step>& steps);
+  /// How the segments of a map were made, as in a recipe; left out where nothing is known.
+  void stepsOf(const SeriesKey& series, int map, const char* name, std::vector<Step>& steps);
   /// A number of the list; null: no series.
   void operator()(const char* name, SeriesKey& series);
   /// A frame of reference: its UID, or the number of the only series in it.
@@ -150,9 +150,10 @@ class FieldWriter {
   std::string& problem_;
 };
 
-/// How the segments of a series were made, which cannot be read: a sentence of a step.
+/// How the segments of a map were made, which cannot be read: a sentence of a step.
 struct UnreadSteps {
   SeriesKey series;
+  int map;  ///< its number
   std::string why;
 };
 
@@ -186,7 +187,7 @@ class FieldReader {
   }
   void operator()(const char* name, Scene& scene);
   void operator()(const char* name, Shape& shape);
-  void stepsOf(const SeriesKey& series, const char* name, std::vector<Step>& steps);
+  void stepsOf(const SeriesKey& series, int map, const char* name, std::vector<Step>& steps);
   void operator()(const char* name, SeriesKey& series);
   void frame(const char* name, std::string& frame);
 

@@ -94,7 +94,7 @@ void fields(Fields& f, SegmentMap& map) {
   f("current", map.current, {0, 255});
   f("in3d", map.in3d);
   f.unlessFirst("tissueIn3d", map.tissue);
-  f.stepsOf(map.series, "steps", map.steps);
+  f.stepsOf(map.series, map.number, "steps", map.steps);
   f.require("labels", isChecksum(saved.checksum), "must be 40 hexadecimal digits");
   f.require("geometry", spansSpace(saved.geometry), "must have axes that span space");
   if (!map.labels) map.missing = saved;

@@ -77,6 +77,16 @@ void Session::takeSurfaces(std::vector<MadeSurface> made) {
   setWorkspace(workspace_);
 }
 
+bool Session::dropHiddenSurfaces() {
+  const auto isHidden = [&](const MadeSurface& surface) {
+    const SegmentMap* map = segmentMapOf(workspace_, surface.series, surface.map);
+    if (!surface.field || !map) return false;
+    const std::vector<const Segment*> drawn = segmentsIn3d(*map);
+    return std::ranges::find(drawn, surface.number, &Segment::number) == drawn.end();
+  };
+  return std::erase_if(surfaces_, isHidden) > 0;
+}
+
 void Session::dropUndrawn() {
   std::erase_if(surfaces_, [&](const MadeSurface& s) { return !isOfSegmentOnScreen(s, workspace_); });
   std::erase_if(tissues_, [&](const MadeTissue& t) { return !isTissueOnScreen(t, workspace_); });

@@ -5,6 +5,7 @@
 
 #include "io/curved.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/time_points.h"
 
@@ -70,13 +71,8 @@ void takeBack(Workspace& workspace, const Series& series) {
     image.series = keyOf(series);
     workspace.keyImages.push_back(std::move(image));
   }
-  for (SegmentMap map : closed.segmentMaps) {
-    map.series = keyOf(series);
-    while (segmentMapOf(workspace, map.series, map.number)) ++map.number;
-    if (const SegmentMap* there = segmentMapOf(workspace, map.series))
-      map.in3d = there->in3d, map.tissue = there->tissue;
-    workspace.segmentMaps.push_back(std::move(map));
-  }
+  for (const SegmentMap& map : closed.segmentMaps)
+    workspace.segmentMaps.push_back(asMapOf(workspace, keyOf(series), map));
   workspace.closed.erase(found);
 }
 

@@ -5,6 +5,7 @@
 #include "tests/unit/suite.h"
 #include "tests/unit/workspace/random_workspace.h"
 #include "ui/workspace/moved.h"
+#include "ui/workspace/segments.h"
 #include "ui/workspace/session_json.h"
 
 using namespace volumen;
@@ -14,6 +15,7 @@ class TestMoved : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void allThatNamesASeriesFollowsIt();
+  void itsSegmentsJoinThoseThatAreThere();
   void allThatNamesAnObjectFollowsIt();
   void objectsAreNamedBesideTheSession();
   void oldSessionsFindTheirObjects();
@@ -46,6 +48,31 @@ void TestMoved::allThatNamesASeriesFollowsIt() {
     QVERIFY2(moved == opened->workspace, qPrintable(QStringLiteral("seed %1").arg(seed)));
   }
   QVERIFY(missing > 20);
+}
+
+// It was opened by another path meanwhile, and segmented.
+void TestMoved::itsSegmentsJoinThoseThatAreThere() {
+  Series missing, there;
+  missing.path = "/data/ct", there.path = "/moved/ct";
+  VoxelGeometry grid;
+  grid.size = {4, 4, 4};
+  Workspace w;
+  for (const Series& series : {missing, there}) {
+    const SeriesKey key = keyOf(series);
+    w.series.editOrAdd(key).series = std::make_shared<const Series>(series);
+    w = withNewSegment(withNewSegment(std::move(w), key, grid, {}), key, grid, {}, 1);
+  }
+  w = withSegmentsIn3d(std::move(w), keyOf(missing), false);
+  const Workspace moved = withSeriesMoved(w, keyOf(missing), there);
+  QCOMPARE(moved.segmentMaps.size(), std::size_t(4));
+  for (int number = 0; number < 4; ++number) {
+    const SegmentMap* map = segmentMapOf(moved, keyOf(there), number);
+    QVERIFY(map && map->in3d);
+  }
+  const auto text = sessionToJson(moved, "/data");
+  QVERIFY(text);
+  const auto back = sessionFromJson(*text, {});
+  QVERIFY2(back, back ? "" : back.message().c_str());
 }
 
 void TestMoved::allThatNamesAnObjectFollowsIt() {

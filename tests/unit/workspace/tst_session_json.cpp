@@ -231,6 +231,7 @@ void TestSessionJson::stepsThatCannotBeReadAreLeftOutWithTheirRecord() {
   Json whole = map;
   whole["number"] = 1;
   map["steps"].push_back(Json::parse(step.toStdString()));
+  map["number"] = 4;
   session["segmentMaps"] = Json::array({map, whole});
   const auto read = sessionFromJson(session.dump(), {});
   QVERIFY2(read, qPrintable(refusal(session.dump())));
@@ -242,6 +243,7 @@ void TestSessionJson::stepsThatCannotBeReadAreLeftOutWithTheirRecord() {
   QCOMPARE(read->unreadSteps.size(), std::size_t(why.isEmpty() ? 0 : 1));
   if (why.isEmpty()) return;
   QVERIFY(read->unreadSteps.front().series == maps[0].series);
+  QCOMPARE(read->unreadSteps.front().map, 4);
   const QString told = QString::fromStdString(read->unreadSteps.front().why);
   QVERIFY2(told.contains(why) && told.endsWith(QLatin1Char('.')), qPrintable(told));
 }
