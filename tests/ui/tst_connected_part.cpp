@@ -6,6 +6,7 @@
 #include "tests/ui/surface_window.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/banner.h"
+#include "ui/workspace/segment_record.h"
 #include "viewer/segment/parts.h"
 
 using namespace volumen;
@@ -21,6 +22,34 @@ BitMask partAt(const BitMask& mask, glm::dvec3 p) {
 
 constexpr glm::dvec3 inAir(18, -18, 12);
 
+// Two balls of 1000 (radius 6, 8 mm before and behind the middle) that a rod of radius 1.5 joins; else 0.
+constexpr glm::dvec3 inLeftBall(-8, 0, 0), inRightBall(8, 0, 0), inRod(0.5, 0.5, 0.5);
+constexpr double widerThanRod = 2;  // mm
+LoadedSeriesPtr joinedBalls() {
+  auto series = std::make_shared<LoadedSeries>(*hollowBalls());
+  series->volume = volumeOf<std::int16_t>(glm::ivec3(40), glm::dmat3(1), [](glm::dvec3 pVoxel) {
+    const glm::dvec3 p = pVoxel - 19.5;
+    const bool inRods = std::abs(p.x) < 8 && std::hypot(p.y, p.z) < 1.5;
+    return inRods || glm::distance(p, inLeftBall) < 6 || glm::distance(p, inRightBall) < 6 ? 1000.0 : 0.0;
+  });
+  series->firstScene.transferFunction.points = {{500, {1, 1, 1}, 0.0}, {500, {1, 1, 1}, 1.0}};
+  return series;
+}
+bool isIn(const BitMask& mask, glm::dvec3 p) {
+  return mask.at(glm::ivec3(glm::round(mask.geometry().voxelFromPatient(p))));
+}
+// By the kernel.
+BitMask leftBall(const BitMask& both) {
+  const glm::ivec3 seed(glm::round(both.geometry().voxelFromPatient(inLeftBall)));
+  return connectedBeyond(both, std::span(&seed, 1), Neighbours::faces, widerThanRod);
+}
+// As by hand: with the keys, and Return.
+void typeInto(QDoubleSpinBox* field, double value) {
+  field->selectAll();
+  QTest::keyClicks(field, QLocale().toString(value));
+  QTest::keyClick(field, Qt::Key_Return);
+}
+
 }  // namespace
 
 class TestConnectedPart : public QObject {
@@ -31,6 +60,12 @@ class TestConnectedPart : public QObject {
   void withKeysOrThePanelThePartIsKeptOrRemoved();
   void aClickBesideSaysWhyThereIsNone();
   void aClickInThreeDTakesWhatIsSeen();
+  void aLeakGuardStopsAtThinBridges_data();
+  void aLeakGuardStopsAtThinBridges();
+  void aLeakGuardOfASegmentKeepsOrRemoves_data();
+  void aLeakGuardOfASegmentKeepsOrRemoves();
+  void whatIsThinnerThanTheGuardIsSaid();
+  void aLeakGuardWorksInThreeD();
   void escPutsTheToolAway();
 };
 
@@ -126,6 +161,109 @@ void TestConnectedPart::aClickInThreeDTakesWhatIsSeen() {
   QVERIFY(idle());
   QCOMPARE(w.session().undoStack().index(), steps + 1);
   QVERIFY(w.told().contains(QStringLiteral("Nothing is seen there")));
+}
+
+void TestConnectedPart::aLeakGuardStopsAtThinBridges_data() {
+  QTest::addColumn<double>("guard");
+  QTest::newRow("off: both balls") << 0.0;
+  QTest::newRow("wider than the rod: one") << widerThanRod;
+}
+
+void TestConnectedPart::aLeakGuardStopsAtThinBridges() {
+  QFETCH(double, guard);
+  SegmentWindow w(joinedBalls());
+  w.child<QDoubleSpinBox>("segmentLow")->setValue(500);
+  w.child<QDoubleSpinBox>("segmentHigh")->setValue(1500);
+  auto* field = w.child<QDoubleSpinBox>("segmentLeakGuard");
+  QCOMPARE(field->text(), QStringLiteral("Off"));
+  typeInto(field, guard);
+  w.child<QAction>("partTool")->trigger();
+  const QPoint at = w.showPlace(inLeftBall);
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
+  QVERIFY(w.idle());
+  QCOMPARE(w.steps(), steps + 1);
+  BitMask both(w.mask(1).geometry());
+  const Volume& volume = *w.session().series()->volume;
+  for (int k = 0; k < 40; ++k)
+    for (int j = 0; j < 40; ++j)
+      for (int i = 0; i < 40; ++i)
+        if (volume.value(i, j, k) > 0) both.set({i, j, k});
+  const BitMask made = w.mask(1);
+  QVERIFY(made == (guard > 0 ? leftBall(both) : both));
+  QVERIFY(isIn(made, inLeftBall));
+  QCOMPARE(isIn(made, inRightBall), guard == 0);
+  const Workspace after = w.workspace();
+  const RecordedRecipe recorded = recordedRecipe(*w.map(), "CT");
+  QVERIFY(recorded.missing.empty());
+  const auto again = readRecipe(recipeJson(recorded.recipe));
+  QVERIFY(again);
+  QCOMPARE(recipeJson(*again).find("leakGuardMm") != std::string::npos, guard > 0);
+  const auto followed = follow(*again, volume);
+  QVERIFY(followed && maskOf(followed->labels, 1) == made);
+  w.undo();
+  QVERIFY(w.isAs(before));
+  w.redo();
+  QVERIFY(w.workspace() == after);
+  QCOMPARE(field->value(), guard);
+}
+
+void TestConnectedPart::aLeakGuardOfASegmentKeepsOrRemoves_data() {
+  QTest::addColumn<int>("keys");
+  QTest::addColumn<bool>("kept");
+  QTest::newRow("Ctrl keeps one ball") << int(Qt::ControlModifier) << true;
+  QTest::newRow("Alt removes one ball") << int(Qt::AltModifier) << false;
+}
+
+void TestConnectedPart::aLeakGuardOfASegmentKeepsOrRemoves() {
+  QFETCH(int, keys);
+  QFETCH(bool, kept);
+  SegmentWindow w(joinedBalls());
+  QVERIFY(w.make(500, 1500));
+  const BitMask both = w.mask(1);
+  typeInto(w.child<QDoubleSpinBox>("segmentLeakGuard"), widerThanRod);
+  w.child<QAction>("partTool")->trigger();
+  const QPoint at = w.showPlace(inLeftBall);
+  QTest::mouseClick(w.view(), Qt::LeftButton, Qt::KeyboardModifiers(keys), at);
+  QVERIFY(w.idle());
+  const BitMask made = w.mask(1);
+  QVERIFY(made == (kept ? leftBall(both) : subtracted(both, leftBall(both))));
+  QCOMPARE(isIn(made, inRightBall), !kept);
+  const RecordedRecipe recorded = recordedRecipe(*w.map(), "CT");
+  QVERIFY(recorded.missing.empty());
+  const auto followed = follow(recorded.recipe, *w.session().series()->volume);
+  QVERIFY(followed && maskOf(followed->labels, 1) == made);
+  w.undo();
+  QVERIFY(w.mask(1) == both);
+}
+
+void TestConnectedPart::whatIsThinnerThanTheGuardIsSaid() {
+  SegmentWindow w(joinedBalls());
+  w.child<QDoubleSpinBox>("segmentLow")->setValue(500);
+  w.child<QDoubleSpinBox>("segmentHigh")->setValue(1500);
+  typeInto(w.child<QDoubleSpinBox>("segmentLeakGuard"), 7);
+  w.child<QAction>("partTool")->trigger();
+  const QPoint at = w.showPlace(inRod);
+  const Workspace before = w.workspace();
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
+  QVERIFY(w.idle());
+  QVERIFY(w.child<Banner>("banner")->sentence().contains(QStringLiteral("leak guard")));
+  QVERIFY(w.isAs(before));
+}
+
+void TestConnectedPart::aLeakGuardWorksInThreeD() {
+  SurfaceWindow w(joinedBalls());
+  w.child<QDoubleSpinBox>("segmentLow")->setValue(500);
+  w.child<QDoubleSpinBox>("segmentHigh")->setValue(1500);
+  w.child<QDoubleSpinBox>("segmentLeakGuard")->setValue(widerThanRod);
+  w.child<QAction>("partTool")->trigger();
+  w.click(w.pixelOf({inLeftBall.x, -6, 0}));
+  QVERIFY(QTest::qWaitFor([&] { return w.window.jobs().rows().empty(); }, longest));
+  QCOMPARE(w.session().workspace().segmentMaps.size(), std::size_t(1));
+  const BitMask made = maskOf(*w.session().workspace().segmentMaps.front().labels, 1);
+  QVERIFY(isIn(made, inLeftBall));
+  QVERIFY(!isIn(made, inRightBall));
 }
 
 void TestConnectedPart::escPutsTheToolAway() {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ui/workspace/segment_record.h"
+#include "viewer/segment/parts.h"
 
 namespace volumen {
 
@@ -32,6 +33,18 @@ std::optional<glm::ivec3> nearestIn(const BitMask& mask, glm::dvec3 pPatient, in
   return nearest;
 }
 
+constexpr const char* partName = "Part";
+
+// The part of a segment with a leak guard stays alone, or goes.
+StepsWanted guardedPart(const Step& connectedStep, const std::string& own, PartUse use, int number) {
+  Step step = connectedStep;
+  if (use == PartUse::keep) {
+    step.segment = own;
+    return {{step}, {number}};
+  }
+  return {{{"copy", partName, {{"other", own}}}, step, {"subtract", own, {{"other", partName}}}}, {number}};
+}
+
 }  // namespace
 
 Result<StepsWanted> stepsOfPart(const PartWanted& wanted, const SegmentMap& map, int number,
@@ -47,12 +60,19 @@ Result<StepsWanted> stepsOfPart(const PartWanted& wanted, const SegmentMap& map,
                        "or change the range in the panel Segments."
                      : "The voxel that was clicked is not in the current segment: click on one that is."};
   const std::vector<glm::dvec3> at{whole.geometry().patientFromVoxel(*seed)};
-  const std::string own = stepNameOf(number), part = "Part";
+  const std::string own = stepNameOf(number), part = partName;
+  Step connectedStep{"connected", part, {{"at", at}}};
+  if (wanted.leakGuardMm > 0) {
+    connectedStep.fields["leakGuardMm"] = wanted.leakGuardMm;
+    if (connectedBeyond(whole, std::span(&*seed, 1), Neighbours::faces, wanted.leakGuardMm, cancel).empty())
+      return Error{"What was clicked is thinner than twice the leak guard: make that smaller."};
+    if (!isOfRange) return guardedPart(connectedStep, own, wanted.use, number);
+  }
   if (!isOfRange)
     return StepsWanted{{{wanted.use == PartUse::keep ? "keep" : "remove", own, {{"at", at}}}}, {number}};
   StepsWanted steps{{{"range", part, {{"low", wanted.range.low}, {"high", wanted.range.high}}}}, {number}};
   steps = keptIn(std::move(steps), {part}, *wanted.volume, wanted.mask, cancel);
-  steps.steps.push_back({"connected", part, {{"at", at}}});
+  steps.steps.push_back(connectedStep);
   steps.steps.push_back({"add", own, {{"other", part}}});
   return steps;
 }

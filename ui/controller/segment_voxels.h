@@ -19,6 +19,7 @@ struct PartWanted {
   glm::dvec3 pPatient;  ///< mm
   bool onSurface;       ///< the nearest voxel within two of it counts
   PartUse use;
+  double leakGuardMm = 0;  ///< nothing goes through what is thinner than twice that
 };
 
 /// The steps that do that to the segment of a number, voxels connected by faces. The Error says why there is

@@ -245,7 +245,7 @@ void Segmenting::takePart(const PartClick& click) {
   else
     work.change = [made = panel_->range().segmentOf(range)](Segment& s) { s = made; };
   const PartWanted wanted{work.volume, session_.maskOf(click.series), range, click.pPatient, click.onSurface,
-                          use};
+                          use,         panel_->range().leakGuardMm()};
   work.steps = [wanted](const SegmentMap& map, int number, const CancelToken& cancel) {
     return stepsOfPart(wanted, map, number, cancel);
   };

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "ui/controller/segment_target.h"
+#include "ui/panels/leak_guard.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/curve_spans.h"
 #include "ui/workspace/segment_record.h"
@@ -57,7 +58,8 @@ SegmentRange::SegmentRange(Session& session, QWidget* parent)
       follows_(new QCheckBox(tr("Follows the curve"))),
       only_(new QCheckBox(tr("Show only the segment"))),
       part_(new QToolButton),
-      use_(new QComboBox) {
+      use_(new QComboBox),
+      guard_(leakGuardField()) {
   makeLayout();
   connectFields();
   showSpans();
@@ -92,6 +94,10 @@ void SegmentRange::makeLayout() {
   auto* part = new QHBoxLayout;
   part->addWidget(part_);
   part->addWidget(use_, 1);
+  auto* guard = new QHBoxLayout;
+  guard->addWidget(plainLabel(tr("Leak guard")));
+  guard->addWidget(guard_);
+  guard->addStretch();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
@@ -102,6 +108,7 @@ void SegmentRange::makeLayout() {
   column->addWidget(follows_, 0, Qt::AlignLeft);
   column->addWidget(only_, 0, Qt::AlignLeft);
   column->addLayout(part);
+  column->addLayout(guard);
   column->addStretch();
 }
 

@@ -32,6 +32,8 @@ class SegmentRange : public QWidget {
   ValueRange range() const;
   /// What becomes of a connected part: what is chosen, but with Ctrl held it is kept alone, with Alt removed.
   PartUse partUse(Qt::KeyboardModifiers keys) const;
+  /// Of connected parts, mm (PartWanted).
+  double leakGuardMm() const { return guard_->value(); }
   /// A segment of these values, called by them.
   Segment segmentOf(const ValueRange& range) const;
 
@@ -71,6 +73,7 @@ class SegmentRange : public QWidget {
   QCheckBox *follows_, *only_;
   QToolButton* part_;
   QComboBox* use_;
+  QDoubleSpinBox* guard_;
   double factor_ = 1;                // from values to the numbers in the fields
   bool isPreviewing_ = false;        // the range that is being typed
   ValueRange aloneRange_;            // what "show only" shows

@@ -32,7 +32,8 @@ std::vector<glm::dvec2> traceAt(const SlicePress& pointer) {
 
 }  // namespace
 
-void paintLevelTrace(QPainter& painter, const SlicePress& pointer) {
+void paintLevelTrace(QPainter& painter, const SlicePress& shown) {
+  const SlicePress pointer = ofPainted(shown);
   if (pointer.frame) return;
   QPolygonF line;
   for (const glm::dvec2 p : traceAt(pointer)) line << QPointF(p.x, p.y) / pointer.pixelRatio;
@@ -46,8 +47,9 @@ void paintLevelTrace(QPainter& painter, const SlicePress& pointer) {
 }
 
 // A click is all of it. Ctrl: what is inside is erased.
-std::unique_ptr<Drag> beginLevelTrace(const SlicePress& press) {
-  if (!press.paint) return nullptr;
+std::unique_ptr<Drag> beginLevelTrace(const SlicePress& pressed) {
+  if (!pressed.paint) return nullptr;
+  const SlicePress press = ofPainted(pressed);
   SegmentStroke stroke;
   stroke.series = keyOf(press.series->series);
   stroke.erases = press.keys & Qt::ControlModifier;

@@ -85,13 +85,16 @@ class OutlineDrag : public Drag {
 };
 
 // Ctrl as it began: erases.
-void paintInside(const SlicePress& press, const OutlinePoints& points) {
+void paintInside(const SlicePress& drawnIn, OutlinePoints points) {
+  const SlicePress press = ofPainted(drawnIn);
   SegmentStroke stroke;
   stroke.series = keyOf(press.series->series);
   stroke.erases = press.keys & Qt::ControlModifier;
   stroke.onFrame = press.frame.has_value();
-  if (!stroke.onFrame)
+  if (!stroke.onFrame) {
+    for (glm::dvec3& p : points) p = press.plane.patientFromPixel(drawnIn.plane.pixelFromPatient(p));
     stroke.spans = insideOutline(press.series->volume->geometry(), points, press.plane.normal());
+  }
   press.paint(stroke);
   stroke.phase = SegmentStroke::Phase::ends;
   press.paint(stroke);

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "ui/tools/tool.h"
+#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/links.h"
 #include "viewer/segment/smart_brush.h"
 
 namespace volumen {
@@ -65,14 +67,27 @@ class PaintDrag : public Drag {
 
 }  // namespace
 
+SlicePress ofPainted(SlicePress press) {
+  const LoadedSeriesPtr& worked = press.session.series();
+  const Workspace& workspace = press.session.workspace();
+  if (press.frame || !worked || flatLookOf(workspace.view(press.view)).overlay != keyOf(worked->series))
+    return press;
+  const auto relation =
+      relationOf(workspace, frameOfReference(press.series->series), frameOfReference(worked->series));
+  if (!relation) return press;
+  press.plane = carriedTo(relation->toFromFrom, press.plane);
+  press.series = worked;
+  return press;
+}
+
 std::unique_ptr<Drag> beginPaint(const SlicePress& press) {
   if (!press.paint) return nullptr;
-  return std::make_unique<PaintDrag>(press, false);
+  return std::make_unique<PaintDrag>(ofPainted(press), false);
 }
 
 std::unique_ptr<Drag> beginSmartBrush(const SlicePress& press) {
   if (!press.paint) return nullptr;
-  return std::make_unique<PaintDrag>(press, true);
+  return std::make_unique<PaintDrag>(ofPainted(press), true);
 }
 
 void paintBrushAt(QPainter& painter, const SlicePress& pointer) {

@@ -165,6 +165,9 @@ std::unique_ptr<Drag> beginRegionWindow(const SlicePress& press);
 /// Takes the connected part of a voxel, or of the surface that is seen.
 std::unique_ptr<Drag> beginPart(const SlicePress& press);
 std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press);
+/// A press as tools that paint have it: where the panel Segments is about the series that lies over the one
+/// shown, of that series and with the plane in its space.
+SlicePress ofPainted(SlicePress press);
 /// Paints the current segment by a brush, or erases: a disc in the slice, or a ball.
 std::unique_ptr<Drag> beginPaint(const SlicePress& press);
 /// The same, but only what is joined to the pointer and alike to what was under the brush as it was pressed.

@@ -158,7 +158,9 @@ SegmentMap act(SegmentMap map, const VolumePtr& volume, Chance& chance, bool byH
       return done(parts);
     }
     case 3: {
-      const PartWanted part{volume, {}, {2, 4}, 3.0 * chance.vector(), true, PartUse(chance.below(3))};
+      const PartUse use = PartUse(chance.below(3));
+      const double guard = chance.oneIn(2) ? chance.between(0, 1.5) : 0;
+      const PartWanted part{volume, {}, {2, 4}, 3.0 * chance.vector(), true, use, guard};
       return done(stepsOfPart(part, map, number, cancel));
     }
     case 4: {
