@@ -25,15 +25,22 @@ void widen(double& low, double& high) {
   low -= room, high += room;
 }
 
-Chart drawnOf(const MeasuredChart& measured, const QPalette& palette) {
+// Names are elided so that the legend leaves the chart room.
+Chart drawnOf(const MeasuredChart& measured, const QPalette& palette, const QFontMetrics& metrics,
+              int nameWidth) {
   Chart chart;
   chart.xTitle = measured.xTitle, chart.yTitle = measured.yTitle;
   chart.logarithmic = false;
   const QColor ink = palette.color(QPalette::WindowText);
-  chart.colours = {ink, paler(ink, 0.7), paler(ink, 0.16), paler(ink, 0.08)};
-  for (const std::vector<QPointF>& line : measured.lines) {
+  chart.colours = {ink, paler(ink, 0.7), paler(ink, 0.16), paler(ink, 0.08), palette.color(QPalette::Base)};
+  for (std::size_t n = 0; n < measured.lines.size(); ++n) {
+    const std::vector<QPointF>& line = measured.lines[n];
     ChartSeries& series = chart.series.emplace_back();
     series.colour = palette.color(QPalette::Highlight);
+    if (!measured.looks.empty()) {
+      series.name = metrics.elidedText(measured.looks[n].name, Qt::ElideRight, nameWidth);
+      series.colour = measured.looks[n].colour;
+    }
     series.line = true;
     series.bare = !measured.marked && line.size() > 1;
     for (const QPointF p : line) series.points.push_back({p.x(), p.y(), {}, false});
@@ -80,7 +87,8 @@ void ChartView::setChart(const MeasuredChart& chart) {
 void ChartView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Base));
-  if (!chart_.lines.empty()) drawChart(painter, rect(), drawnOf(chart_, palette()), spanOf(chart_), fontPx);
+  if (chart_.lines.empty()) return;
+  drawChart(painter, rect(), drawnOf(chart_, palette(), fontMetrics(), width() / 3), spanOf(chart_), fontPx);
 }
 
 }  // namespace volumen

@@ -6,7 +6,7 @@
 
 namespace volumen {
 
-/// A chart of values under a measurement, in the colours of the window. Knows no session.
+/// A chart of values under a measurement or of segments, in the colours of the window. Knows no session.
 class ChartView : public QWidget {
   Q_OBJECT
  public:

@@ -104,12 +104,13 @@ SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const S
       session_(session),
       painter_(painter),
       table_(new QTableWidget),
+      charts_(new SegmentChartBox),
       said_(plainLabel()),
       lane_(&jobs) {
   setObjectName(QStringLiteral("segmentNumbersDialog"));
   setWindowTitle(tr("Numbers of segments"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(1000, 360);
+  resize(1000, 640);
   makeLayout();
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SegmentNumbersDialog::showChoice);
   connect(&session_, &Session::changed, this, &SegmentNumbersDialog::follow);
@@ -154,6 +155,7 @@ void SegmentNumbersDialog::makeLayout() {
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
   auto* column = new QVBoxLayout(this);
   column->addWidget(table_, 1);
+  column->addWidget(charts_, 1);
   column->addWidget(said_);
   column->addWidget(buttons);
 }
@@ -240,6 +242,10 @@ void SegmentNumbersDialog::showChoice() {
   compare_->setToolTip(toolTipOf(compare_->isEnabled()
                                      ? tr("Dice, difference of volumes and distances of the two surfaces")
                                      : tr("Choose two rows first (Ctrl+click).")));
+  std::vector<SegmentReport> chosen;
+  if (isThere)
+    for (const std::size_t n : chosenReports()) chosen.push_back(measured_->reports[n]);
+  charts_->setChosen(chosen, scale());
 }
 
 void SegmentNumbersDialog::compare() {
