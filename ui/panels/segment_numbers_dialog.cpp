@@ -104,7 +104,7 @@ SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const S
       session_(session),
       painter_(painter),
       table_(new QTableWidget),
-      charts_(new SegmentChartBox),
+      charts_(new SegmentChartBox(session, jobs)),
       said_(plainLabel()),
       lane_(&jobs) {
   setObjectName(QStringLiteral("segmentNumbersDialog"));
@@ -242,10 +242,10 @@ void SegmentNumbersDialog::showChoice() {
   compare_->setToolTip(toolTipOf(compare_->isEnabled()
                                      ? tr("Dice, difference of volumes and distances of the two surfaces")
                                      : tr("Choose two rows first (Ctrl+click).")));
-  std::vector<SegmentReport> chosen;
   if (isThere)
-    for (const std::size_t n : chosenReports()) chosen.push_back(measured_->reports[n]);
-  charts_->setChosen(chosen, scale());
+    charts_->setMeasured(measured_->maps, measured_->reports, chosenReports());
+  else
+    charts_->setMeasured({}, {}, {});
 }
 
 void SegmentNumbersDialog::compare() {
@@ -305,8 +305,13 @@ QString SegmentNumbersDialog::csvText() const {
 
 QString SegmentNumbersDialog::jsonText() const {
   if (!measured_) return {};
-  const nlohmann::ordered_json all{{"segments", segmentsJson(measured_->reports, scale().factor)},
-                                   {"unit", scale().unit}};
+  nlohmann::ordered_json all{{"segments", segmentsJson(measured_->reports, scale().factor)},
+                             {"unit", scale().unit}};
+  if (const SegmentsOverTime* values = charts_->overTime()) {
+    all["timeAxis"] = values->axis.title.toStdString();
+    for (std::size_t n = 0; n < measured_->reports.size(); ++n)
+      all["segments"][n]["timePoints"] = timePointsJson(*values, n);
+  }
   return QString::fromStdString(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
          QLatin1Char('\n');
 }

@@ -16,7 +16,7 @@
 namespace volumen {
 
 /// The numbers of all segments of the series that the panel Segments shows, a row each: sorted by a click on
-/// a head, copied, saved as CSV and JSON; those that are chosen are drawn as histograms, two are compared.
+/// a head, copied, saved as CSV and JSON; those that are chosen are drawn as charts, two are compared.
 /// They follow the segments; strokes once they end.
 class SegmentNumbersDialog : public QDialog {
   Q_OBJECT

@@ -97,11 +97,14 @@ QString chartAsCsv(const MeasuredChart& chart) {
   const bool isNamed = !chart.looks.empty();
   QStringList heads{quoted(chart.xTitle), quoted(chart.yTitle)};
   if (isNamed) heads.prepend(quoted(tr("Name")));
+  if (!chart.sds.empty()) heads << quoted(tr("SD"));
   QStringList rows{heads.join(QLatin1Char(','))};
   for (std::size_t n = 0; n < chart.lines.size(); ++n) {
     if (n > 0) rows << QString(heads.size() - 1, QLatin1Char(','));
-    for (const QPointF p : chart.lines[n]) {
+    for (std::size_t k = 0; k < chart.lines[n].size(); ++k) {
+      const QPointF p = chart.lines[n][k];
       QStringList fields{csvNumber(p.x()), csvNumber(p.y())};
+      if (!chart.sds.empty()) fields << csvNumber(chart.sds[n][k]);
       if (isNamed) fields.prepend(csvField(harmlessName(chart.looks[n].name)));
       rows << fields.join(QLatin1Char(','));
     }

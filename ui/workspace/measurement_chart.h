@@ -41,6 +41,7 @@ struct MeasuredChart {
   bool marked = false;                      ///< with a mark at each point: few that were measured
   QString problem;                          ///< why there is nothing, or less than there might be
   std::vector<ChartLineLook> looks{};       ///< one a line; empty: all are of one thing
+  std::vector<std::vector<double>> sds{};   ///< of each point of each line; empty: none is told
   bool operator==(const MeasuredChart&) const = default;
 };
 
@@ -58,8 +59,8 @@ MeasuredChart histogramChart(const Shape& region, const Volume& volume, const Va
 MeasuredChart timeChart(const StepAxis& axis, const std::vector<std::optional<double>>& means,
                         const std::string& unit);
 
-/// RFC 4180: a line of headings, then a line a point, in front the name where lines have names; lines are
-/// parted by an empty row.
+/// RFC 4180: a line of headings, then a line a point, in front the name where lines have names, behind it
+/// the SD where there is one; lines are parted by an empty row.
 QString chartAsCsv(const MeasuredChart& chart);
 
 }  // namespace volumen

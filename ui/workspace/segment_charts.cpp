@@ -5,13 +5,9 @@
 
 namespace volumen {
 
-namespace {
-
 ChartLineLook lookOf(const Segment& segment) {
   return {shownText(segment.label), regionColour(segment.colour, segment.number)};
 }
-
-}  // namespace
 
 MeasuredChart segmentHistograms(std::span<const SegmentReport> segments, const ValueScale& scale) {
   MeasuredChart all = histogramChart(ValueCounts{}, scale, tr("Voxels"));
