@@ -162,7 +162,7 @@ void hollowedBall(LooksWindow& w) {
 // The table over the foot of the window, as it can stand on the screen, with a column in sight.
 void shotOfTable(LooksWindow& w, const char* name, const char* head) {
   auto* dialog = w.child<QDialog>("segmentNumbersDialog");
-  dialog->resize(1000, 190);
+  dialog->resize(1000, 440);
   QCoreApplication::processEvents();
   auto* table = w.child<QTableWidget>("segmentNumbers");
   int column = 0;

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -14,7 +15,10 @@
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
+#include "ui/panels/segment_chart_box.h"
+#include "ui/workspace/segment_charts.h"
 #include "ui/workspace/segment_columns.h"
+#include "ui/workspace/value_text.h"
 #include "viewer/segment/numbers.h"
 
 using namespace volumen;
@@ -46,6 +50,28 @@ struct NumbersWindow : SegmentWindow {
     const QPoint place = table()->visualItemRect(table()->item(row, 0)).center();
     QTest::mouseClick(table()->viewport(), Qt::LeftButton, keys, place);
   }
+  const MeasuredChart& chart() { return child<ChartView>("segmentChart")->chart(); }
+  QString chartSaid() { return child<QLabel>("segmentChartSaid")->text(); }
+  // Of the segment of that number alone.
+  MeasuredChart histogramOf(int number) {
+    SegmentReport report;
+    report.segment = segment(std::size_t(number - 1));
+    report.values = valuesIn(mask(number), *session().series()->volume);
+    return segmentHistograms({&report, 1}, shownScale(session().series()->series));
+  }
+  // Pixels of the chart of about that colour: edges are soft.
+  int pixelsLike(QColor colour) {
+    const QImage picture = child<ChartView>("segmentChart")->grab().toImage();
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const QColor at = picture.pixelColor(x, y);
+        count += std::abs(at.red() - colour.red()) + std::abs(at.green() - colour.green()) +
+                     std::abs(at.blue() - colour.blue()) <
+                 90;
+      }
+    return count;
+  }
   void clickHead(int column) {
     QHeaderView* head = table()->horizontalHeader();
     QTest::mouseClick(
@@ -69,6 +95,7 @@ class TestSegmentTable : public CleanSettings {
   void isInTheOrderOfTheListAtFirst();
   void isSortedByNumbers();
   void twoAreCompared();
+  void chosenOnesAreDrawn();
   void isCopied();
   void isSaved();
   void isInSuv();
@@ -162,6 +189,34 @@ void TestSegmentTable::twoAreCompared() {
       qPrintable(w.said()));
 }
 
+void TestSegmentTable::chosenOnesAreDrawn() {
+  NumbersWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.open());
+  auto* copy = w.child<QToolButton>("segmentChartCopy");
+  QVERIFY(w.chart().lines.empty() && !copy->isEnabled());
+  QVERIFY2(w.chartSaid().startsWith(QStringLiteral("Choose rows")), qPrintable(w.chartSaid()));
+  w.chooseRow(0);
+  QVERIFY(!w.chart().lines.empty());
+  QVERIFY(w.chart() == w.histogramOf(1));
+  w.chooseRow(1, Qt::ControlModifier);
+  QCOMPARE(w.chart().lines.size(), std::size_t(2));
+  QVERIFY(w.chart().lines[1] == w.histogramOf(2).lines[0]);
+  for (const ChartLineLook& look : w.chart().looks) QVERIFY(w.pixelsLike(look.colour) > 20);
+  w.shot("segment-histograms");
+  QTest::mouseClick(copy, Qt::LeftButton);
+  QCOMPARE(QGuiApplication::clipboard()->text(), chartAsCsv(w.chart()));
+  // What is chosen goes with what was measured.
+  w.session().change(QStringLiteral("Rename"),
+                     withSegmentChanged(w.workspace(), w.series(), 1, [](Segment& s) { s.label = "A"; }));
+  w.chooseRow(0);
+  QCOMPARE(w.chart().looks[0].name, QStringLiteral("A"));
+  QVERIFY(w.step("largest"));
+  QVERIFY(w.idle() && w.chart().lines.empty());
+  w.chooseRow(0);
+  QVERIFY(w.chart() == w.histogramOf(1));
+}
+
 void TestSegmentTable::isCopied() {
   NumbersWindow w;
   QVERIFY(w.makeBoth());
@@ -197,6 +252,8 @@ void TestSegmentTable::isSaved() {
   const auto read = nlohmann::json::parse(contentsOf(json).toStdString());
   QCOMPARE(read["segments"].size(), std::size_t(2));
   QCOMPARE(read["segments"][1]["voxels"].get<std::int64_t>(), voxelsWhere(isCore));
+  QVERIFY(read["segments"][1]["histogram"]["counts"].get<std::vector<std::int64_t>>() ==
+          std::vector{voxelsWhere(isCore)});
   w.click("segmentNumbersCsv");
   answer(w, "segmentNumbersFileDialog", folder.filePath(QStringLiteral("none/a.csv")));
   QTRY_VERIFY_WITH_TIMEOUT(w.said().startsWith(QStringLiteral("Cannot write")), longest);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/load.h"
+#include "ui/controller/time_steps.h"
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
@@ -12,21 +12,10 @@ namespace volumen {
 
 namespace {
 
-// A step of a series, and its voxels where they are in memory.
-struct TimeStep {
-  Series series;
-  LoadedSeriesPtr loaded;
-  double factor = 1;  // to what its values are shown in
-};
-
 // The mean of a region in a step; none: no voxel inside, or it cannot be read.
 std::optional<double> meanIn(const TimeStep& step, const Shape& region, const Job& job) {
-  VolumePtr volume = step.loaded ? step.loaded->volume : nullptr;
-  if (!volume) {
-    const Result<Loaded> loaded = loadSeries(step.series, job.progress(), job.cancel());
-    if (!loaded) return {};
-    volume = loaded->drawn;
-  }
+  const VolumePtr volume = volumeOf(step, job);
+  if (!volume) return {};
   const auto values = regionValues(region, *volume);
   return values ? std::optional(values->mean * step.factor) : std::nullopt;
 }
@@ -123,22 +112,19 @@ void ChartJobs::start(const Wanted& wanted, const Ground& ground) {
 }
 
 void ChartJobs::startOverTime(const Wanted& wanted) {
-  const std::vector<const Series*> series = timePointsOf(session_.workspace(), wanted.series);
-  std::vector<TimeStep> steps;
-  for (const Series* step : series)
-    steps.push_back({*step, session_.seriesNamed(keyOf(*step)), shownScale(*step).factor});
-  const bool isRead = std::ranges::any_of(steps, [](const TimeStep& step) { return !step.loaded; });
+  TimeSteps steps = timeStepsOf(session_, wanted.series);
+  const bool isRead = std::ranges::any_of(steps.all, [](const TimeStep& step) { return !step.loaded; });
   const JobName name =
-      isRead ? JobName(tr("Reading all time points"), seriesText(*series.front())) : JobName();
+      isRead ? JobName(tr("Reading all time points"), seriesText(steps.all.front().series)) : JobName();
   lane_.run(
       name,
-      [wanted, steps = std::move(steps), axis = stepAxisOf(series)](const Job& job) {
+      [wanted, steps = std::move(steps)](const Job& job) {
         std::vector<std::optional<double>> means;
-        for (const TimeStep& step : steps) {
+        for (const TimeStep& step : steps.all) {
           if (job.cancelled()) break;
           means.push_back(meanIn(step, wanted.shape, job));
         }
-        return timeChart(axis, means, wanted.scale.unit);
+        return timeChart(steps.axis, means, wanted.scale.unit);
       },
       [this, id = wanted.measurement](const MeasuredChart& chart) { Q_EMIT ready(id, chart); },
       [this, id = wanted.measurement] {

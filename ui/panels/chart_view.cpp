@@ -25,19 +25,39 @@ void widen(double& low, double& high) {
   low -= room, high += room;
 }
 
-Chart drawnOf(const MeasuredChart& measured, const QPalette& palette) {
+// From one SD below each mean to one above it.
+void addBars(Chart& chart, const MeasuredChart& measured) {
+  for (std::size_t n = 0; n < measured.sds.size(); ++n)
+    for (std::size_t k = 0; k < measured.sds[n].size(); ++k) {
+      const QPointF p = measured.lines[n][k];
+      const double sd = measured.sds[n][k];
+      ChartSeries bar{{}, paler(chart.series[n].colour, 0.5), true, false, {}, true};
+      for (const double y : {p.y() - sd, p.y() + sd}) bar.points.push_back({p.x(), y, {}, false});
+      chart.series.push_back(std::move(bar));
+    }
+}
+
+// Names are elided so that the legend leaves the chart room.
+Chart drawnOf(const MeasuredChart& measured, const QPalette& palette, const QFontMetrics& metrics,
+              int nameWidth) {
   Chart chart;
   chart.xTitle = measured.xTitle, chart.yTitle = measured.yTitle;
   chart.logarithmic = false;
   const QColor ink = palette.color(QPalette::WindowText);
-  chart.colours = {ink, paler(ink, 0.7), paler(ink, 0.16), paler(ink, 0.08)};
-  for (const std::vector<QPointF>& line : measured.lines) {
+  chart.colours = {ink, paler(ink, 0.7), paler(ink, 0.16), paler(ink, 0.08), palette.color(QPalette::Base)};
+  for (std::size_t n = 0; n < measured.lines.size(); ++n) {
+    const std::vector<QPointF>& line = measured.lines[n];
     ChartSeries& series = chart.series.emplace_back();
     series.colour = palette.color(QPalette::Highlight);
+    if (!measured.looks.empty()) {
+      series.name = metrics.elidedText(measured.looks[n].name, Qt::ElideRight, nameWidth);
+      series.colour = measured.looks[n].colour;
+    }
     series.line = true;
     series.bare = !measured.marked && line.size() > 1;
     for (const QPointF p : line) series.points.push_back({p.x(), p.y(), {}, false});
   }
+  addBars(chart, measured);
   return chart;
 }
 
@@ -45,10 +65,12 @@ Chart drawnOf(const MeasuredChart& measured, const QPalette& palette) {
 
 QRectF spanOf(const MeasuredChart& chart) {
   double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
-  for (const std::vector<QPointF>& line : chart.lines)
-    for (const QPointF p : line) {
+  for (std::size_t n = 0; n < chart.lines.size(); ++n)
+    for (std::size_t k = 0; k < chart.lines[n].size(); ++k) {
+      const QPointF p = chart.lines[n][k];
+      const double sd = chart.sds.empty() ? 0 : chart.sds[n][k];
       left = std::min(left, p.x()), right = std::max(right, p.x());
-      low = std::min(low, p.y()), high = std::max(high, p.y());
+      low = std::min(low, p.y() - sd), high = std::max(high, p.y() + sd);
     }
   if (left > right) return {0, 0, 1, 1};
   if (low >= 0) low = 0;
@@ -80,7 +102,8 @@ void ChartView::setChart(const MeasuredChart& chart) {
 void ChartView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Base));
-  if (!chart_.lines.empty()) drawChart(painter, rect(), drawnOf(chart_, palette()), spanOf(chart_), fontPx);
+  if (chart_.lines.empty()) return;
+  drawChart(painter, rect(), drawnOf(chart_, palette(), fontMetrics(), width() / 3), spanOf(chart_), fontPx);
 }
 
 }  // namespace volumen

@@ -104,12 +104,13 @@ SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const S
       session_(session),
       painter_(painter),
       table_(new QTableWidget),
+      charts_(new SegmentChartBox(session, jobs)),
       said_(plainLabel()),
       lane_(&jobs) {
   setObjectName(QStringLiteral("segmentNumbersDialog"));
   setWindowTitle(tr("Numbers of segments"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(1000, 360);
+  resize(1000, 640);
   makeLayout();
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SegmentNumbersDialog::showChoice);
   connect(&session_, &Session::changed, this, &SegmentNumbersDialog::follow);
@@ -154,6 +155,7 @@ void SegmentNumbersDialog::makeLayout() {
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
   auto* column = new QVBoxLayout(this);
   column->addWidget(table_, 1);
+  column->addWidget(charts_, 1);
   column->addWidget(said_);
   column->addWidget(buttons);
 }
@@ -240,6 +242,10 @@ void SegmentNumbersDialog::showChoice() {
   compare_->setToolTip(toolTipOf(compare_->isEnabled()
                                      ? tr("Dice, difference of volumes and distances of the two surfaces")
                                      : tr("Choose two rows first (Ctrl+click).")));
+  if (isThere)
+    charts_->setMeasured(measured_->maps, measured_->reports, chosenReports());
+  else
+    charts_->setMeasured({}, {}, {});
 }
 
 void SegmentNumbersDialog::compare() {
@@ -299,8 +305,13 @@ QString SegmentNumbersDialog::csvText() const {
 
 QString SegmentNumbersDialog::jsonText() const {
   if (!measured_) return {};
-  const nlohmann::ordered_json all{{"segments", segmentsJson(measured_->reports, scale().factor)},
-                                   {"unit", scale().unit}};
+  nlohmann::ordered_json all{{"segments", segmentsJson(measured_->reports, scale().factor)},
+                             {"unit", scale().unit}};
+  if (const SegmentsOverTime* values = charts_->overTime()) {
+    all["timeAxis"] = values->axis.title.toStdString();
+    for (std::size_t n = 0; n < measured_->reports.size(); ++n)
+      all["segments"][n]["timePoints"] = timePointsJson(*values, n);
+  }
   return QString::fromStdString(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
          QLatin1Char('\n');
 }

@@ -9,14 +9,15 @@
 
 #include "ui/controller/segment_painter.h"
 #include "ui/document/job_lane.h"
+#include "ui/panels/segment_chart_box.h"
 #include "ui/workspace/segment_report.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {
 
 /// The numbers of all segments of the series that the panel Segments shows, a row each: sorted by a click on
-/// a head, copied, saved as CSV and JSON; two of them are compared. They follow the segments; strokes once
-/// they end.
+/// a head, copied, saved as CSV and JSON; those that are chosen are drawn as charts, two are compared.
+/// They follow the segments; strokes once they end.
 class SegmentNumbersDialog : public QDialog {
   Q_OBJECT
  public:
@@ -59,6 +60,7 @@ class SegmentNumbersDialog : public QDialog {
   Session& session_;
   const SegmentPainter& painter_;
   QTableWidget* table_;
+  SegmentChartBox* charts_;
   QLabel* said_;
   QPushButton *compare_, *copy_, *saveCsv_, *saveJson_;
   std::optional<Measured> measured_;

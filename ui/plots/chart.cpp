@@ -103,7 +103,9 @@ class ChartPainter {
         chart_.logarithmic ? frame_.bottom() - size.height() - 0.8 * px_ : frame_.top() + 0.8 * px_;
     const QRectF box(frame_.left() + 0.8 * px_, top, size.width(), size.height());
     p_.setPen(chart_.colours.grid);
-    p_.setBrush(QColor(255, 255, 255, 230));
+    QColor behind = chart_.colours.paper;
+    behind.setAlpha(230);
+    p_.setBrush(behind);
     p_.drawRoundedRect(box, 4, 4);
     places.take(box);
     double y = box.top() + 0.3 * px_ + line / 2;

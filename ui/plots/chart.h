@@ -28,6 +28,7 @@ struct ChartSeries {
 /// What a chart is drawn with, but for its points: by default for white paper.
 struct ChartColours {
   QColor ink{40, 44, 52}, note{100, 106, 116}, grid{226, 229, 234}, minorGrid{242, 244, 247};
+  QColor paper{255, 255, 255};  ///< behind the legend
 };
 
 /// A chart of points over two axes, both logarithmic or both linear from 0.

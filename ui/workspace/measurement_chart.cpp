@@ -1,9 +1,10 @@
 #include "ui/workspace/measurement_chart.h"
 
-#include <QLocale>
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/workspace/csv.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 #include "viewer/measure/profile.h"
@@ -20,8 +21,6 @@ QString quoted(const QString& text) {
   QString inside = text;
   return QLatin1Char('"') + inside.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
 }
-
-QString inFull(double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); }
 
 }  // namespace
 
@@ -56,16 +55,11 @@ MeasuredChart profileChart(std::span<const glm::dvec3> line, const Volume& volum
   return chart;
 }
 
-MeasuredChart histogramChart(const Shape& region, const Volume& volume, const ValueScale& scale,
-                             const QString& counted) {
+MeasuredChart histogramChart(const ValueCounts& counts, const ValueScale& scale, const QString& counted) {
   MeasuredChart chart;
   chart.xTitle = valueTitle(scale.unit);
   chart.yTitle = counted;
-  const ValueCounts counts = countsOf(region, volume);
-  if (counts.counts.empty()) {
-    chart.problem = tr("The region holds no values.");
-    return chart;
-  }
+  if (counts.counts.empty()) return chart;
   std::vector<QPointF>& stairs = chart.lines.emplace_back();
   const auto edge = [&](std::size_t bin) { return (counts.low + counts.width * double(bin)) * scale.factor; };
   stairs.emplace_back(edge(0), 0);
@@ -74,6 +68,13 @@ MeasuredChart histogramChart(const Shape& region, const Volume& volume, const Va
     stairs.emplace_back(edge(bin + 1), double(counts.counts[bin]));
   }
   stairs.emplace_back(edge(counts.counts.size()), 0);
+  return chart;
+}
+
+MeasuredChart histogramChart(const Shape& region, const Volume& volume, const ValueScale& scale,
+                             const QString& counted) {
+  MeasuredChart chart = histogramChart(countsOf(region, volume), scale, counted);
+  if (chart.lines.empty()) chart.problem = tr("The region holds no values.");
   return chart;
 }
 
@@ -93,13 +94,22 @@ MeasuredChart timeChart(const StepAxis& axis, const std::vector<std::optional<do
 }
 
 QString chartAsCsv(const MeasuredChart& chart) {
-  QString text = QStringLiteral("%1,%2\r\n").arg(quoted(chart.xTitle), quoted(chart.yTitle));
+  const bool isNamed = !chart.looks.empty();
+  QStringList heads{quoted(chart.xTitle), quoted(chart.yTitle)};
+  if (isNamed) heads.prepend(quoted(tr("Name")));
+  if (!chart.sds.empty()) heads << quoted(tr("SD"));
+  QStringList rows{heads.join(QLatin1Char(','))};
   for (std::size_t n = 0; n < chart.lines.size(); ++n) {
-    if (n > 0) text += QStringLiteral(",\r\n");
-    for (const QPointF p : chart.lines[n])
-      text += QStringLiteral("%1,%2\r\n").arg(inFull(p.x()), inFull(p.y()));
+    if (n > 0) rows << QString(heads.size() - 1, QLatin1Char(','));
+    for (std::size_t k = 0; k < chart.lines[n].size(); ++k) {
+      const QPointF p = chart.lines[n][k];
+      QStringList fields{csvNumber(p.x()), csvNumber(p.y())};
+      if (!chart.sds.empty()) fields << csvNumber(chart.sds[n][k]);
+      if (isNamed) fields.prepend(csvField(harmlessName(chart.looks[n].name)));
+      rows << fields.join(QLatin1Char(','));
+    }
   }
-  return text;
+  return rows.join(QStringLiteral("\r\n")) + QStringLiteral("\r\n");
 }
 
 }  // namespace volumen

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QColor>
 #include <QPointF>
 #include <QString>
 #include <optional>
@@ -26,12 +27,21 @@ QString chartText(ChartKind kind);
 /// Those that a measurement has, the first one by default; none: its values make no chart.
 std::vector<ChartKind> chartsOf(const Workspace& workspace, const Measurement& measurement);
 
-/// Values of a measurement along an axis, with what the axes say.
+/// Whose values a line shows, where a chart has those of several things.
+struct ChartLineLook {
+  QString name;
+  QColor colour;
+  bool operator==(const ChartLineLook&) const = default;
+};
+
+/// Values of a measurement or of segments along an axis, with what the axes say.
 struct MeasuredChart {
   QString xTitle, yTitle;
   std::vector<std::vector<QPointF>> lines;  ///< each runs on without a gap
   bool marked = false;                      ///< with a mark at each point: few that were measured
   QString problem;                          ///< why there is nothing, or less than there might be
+  std::vector<ChartLineLook> looks{};       ///< one a line; empty: all are of one thing
+  std::vector<std::vector<double>> sds{};   ///< of each point of each line; empty: none is told
   bool operator==(const MeasuredChart&) const = default;
 };
 
@@ -39,7 +49,9 @@ struct MeasuredChart {
 MeasuredChart profileChart(std::span<const glm::dvec3> line, const Volume& volume, const ValueScale& scale,
                            Interpolation interpolation, const Measured& length);
 
-/// A staircase: how many voxels of a region have which values. `counted`: what voxels are called there.
+/// A staircase: how many voxels have which values, of a region or as they were counted. `counted`: what
+/// voxels are called there.
+MeasuredChart histogramChart(const ValueCounts& counts, const ValueScale& scale, const QString& counted);
 MeasuredChart histogramChart(const Shape& region, const Volume& volume, const ValueScale& scale,
                              const QString& counted);
 
@@ -47,7 +59,8 @@ MeasuredChart histogramChart(const Shape& region, const Volume& volume, const Va
 MeasuredChart timeChart(const StepAxis& axis, const std::vector<std::optional<double>>& means,
                         const std::string& unit);
 
-/// RFC 4180: a line of headings, then a line a point; lines are parted by an empty row.
+/// RFC 4180: a line of headings, then a line a point, in front the name where lines have names, behind it
+/// the SD where there is one; lines are parted by an empty row.
 QString chartAsCsv(const MeasuredChart& chart);
 
 }  // namespace volumen

@@ -27,6 +27,11 @@ Json columnJson(const SegmentColumn& column, const std::vector<double>& numbers)
   return list;
 }
 
+Json histogramJson(const ValueCounts& counts, double factor) {
+  if (counts.counts.empty()) return {};
+  return {{"from", counts.low * factor}, {"width", counts.width * factor}, {"counts", counts.counts}};
+}
+
 }  // namespace
 
 Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segments, const LabelMap& labels,
@@ -64,6 +69,7 @@ Json segmentsJson(std::span<const SegmentReport> all, double factor) {
               {"type", codeJson(report.segment.type)}};
     for (const SegmentColumn& column : segmentColumns())
       json[column.key] = columnJson(column, segmentNumbers(column, report, factor));
+    json["histogram"] = histogramJson(report.values.histogram, factor);
     list.push_back(std::move(json));
   }
   return list;

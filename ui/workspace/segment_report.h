@@ -34,8 +34,8 @@ Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segme
 /// Whether peaks are told of series of this modality (PT, NM).
 bool hasPeaks(const std::string& modality);
 
-/// One object a segment (resources/docs/segment.md): what it is, and a member for each of segmentColumns();
-/// what there is none of is null. Values times `factor`.
+/// One object a segment (resources/docs/segment.md): what it is, a member for each of segmentColumns(), and
+/// the histogram; what there is none of is null. Values times `factor`.
 nlohmann::ordered_json segmentsJson(std::span<const SegmentReport> all, double factor);
 /// What likeness() says.
 nlohmann::ordered_json likenessJson(const SegmentLikeness& alike);

@@ -56,29 +56,17 @@ std::vector<ProfilePoint> profileAlong(std::span<const glm::dvec3> line, const V
   return profile;
 }
 
-ValueCounts countsOf(const Shape& region, const Volume& volume, int mostBins) {
+ValueCounts countsOf(const Shape& region, const Volume& volume) {
   std::vector<double> values;
-  bool whole = true;
+  bool areWhole = true;
   forEachVoxelOf(region, volume, [&](glm::ivec3, double value) {
     values.push_back(value);
-    whole = whole && value == std::round(value);
+    areWhole = areWhole && value == std::round(value);
   });
-  ValueCounts counts;
-  if (values.empty()) return counts;
+  if (values.empty()) return {};
   const auto [least, most] = std::ranges::minmax(values);
-  counts.low = least;
-  if (whole) {
-    counts.width = std::ceil((most - least + 1) / mostBins);
-    counts.low = least - 0.5;
-  } else if (most > least) {
-    counts.width = (most - least) / mostBins;
-  }
-  const int last = most > least || whole ? int(std::floor((most - counts.low) / counts.width)) : 0;
-  counts.counts.resize(std::size_t(std::min(last, mostBins - 1) + 1));
-  for (const double value : values) {
-    const auto bin = std::size_t(std::max(0.0, std::floor((value - counts.low) / counts.width)));
-    ++counts.counts[std::min(bin, counts.counts.size() - 1)];
-  }
+  ValueCounts counts = binsFor({least, most}, areWhole);
+  for (const double value : values) counts.add(value);
   return counts;
 }
 

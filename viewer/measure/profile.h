@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "viewer/measure/shape.h"
 #include "viewer/slice/plane.h"
+#include "viewer/volume/histogram.h"
 
 namespace volumen {
 
@@ -22,15 +22,7 @@ struct ProfilePoint {
 std::vector<ProfilePoint> profileAlong(std::span<const glm::dvec3> line, const Volume& volume,
                                        Interpolation interpolation);
 
-/// How often values occur, in bins of one width.
-struct ValueCounts {
-  double low = 0,
-         width = 1;  ///< of the first bin; it holds low <= v < low + width, the last one its end, too
-  std::vector<std::int64_t> counts;  ///< empty: there are no values
-};
-
-/// Of the voxels of a region (forEachVoxelOf()), at most `mostBins` bins. Whole numbers have bins of a whole
-/// width about them (low is a half), so that none holds more of them than another; equal values have one bin.
-ValueCounts countsOf(const Shape& region, const Volume& volume, int mostBins = 64);
+/// Of the voxels of a region (forEachVoxelOf()), in binsFor() them.
+ValueCounts countsOf(const Shape& region, const Volume& volume);
 
 }  // namespace volumen

@@ -85,6 +85,8 @@ std::int64_t rankOf(int percent, std::int64_t count) {
   return std::max<std::int64_t>(1, (percent * count + 99) / 100);
 }
 
+bool isWhole(double value) { return value == std::round(value); }
+
 SegmentValues numbersOf(const std::vector<CountedValue>& values) {
   SegmentValues out;
   for (const CountedValue& v : values) out.voxels += v.count;
@@ -105,6 +107,10 @@ SegmentValues numbersOf(const std::vector<CountedValue>& values) {
   out.p10 = atRank(rankOf(10, out.voxels));
   out.median = atRank(rankOf(50, out.voxels));
   out.p90 = atRank(rankOf(90, out.voxels));
+  out.histogram =
+      binsFor({out.min, out.max},
+              std::ranges::all_of(values, [](const CountedValue& v) { return isWhole(v.value); }));
+  for (const CountedValue& v : values) out.histogram.add(v.value, v.count);
   return out;
 }
 
@@ -129,6 +135,9 @@ SegmentValues numbersOf(std::vector<float> values) {
   out.p10 = atRank(rankOf(10, out.voxels));
   out.median = atRank(rankOf(50, out.voxels));
   out.p90 = atRank(rankOf(90, out.voxels));
+  out.histogram =
+      binsFor({out.min, out.max}, std::ranges::all_of(values, [](float v) { return isWhole(double(v)); }));
+  for (const float v : values) out.histogram.add(double(v));
   return out;
 }
 
@@ -162,26 +171,6 @@ SegmentValues valuesIn(const BitMask& mask, const Volume& volume) {
       volume.stored());
   if (out.voxels > 0) out.maxAt = firstWith(mask, volume, out.max);
   return out;
-}
-
-std::vector<std::int64_t> histogramIn(const BitMask& mask, const Volume& volume, ValueRange range, int bins) {
-  assert(mask.size() == volume.size() && range.low < range.high && bins > 0);
-  const std::size_t last = std::size_t(bins) - 1;
-  std::vector<std::int64_t> counts(last + 1);
-  const auto add = [&](double value, std::int64_t count) {
-    if (!(range.low <= value && value <= range.high)) return;
-    const double place = (value - range.low) / (range.high - range.low) * bins;
-    counts[std::min(std::size_t(place), last)] += count;
-  };
-  std::visit(
-      [&]<class T>(const std::vector<T>& stored) {
-        if constexpr (std::is_same_v<T, float>)
-          for (const float v : floatValues(mask, volume, stored)) add(double(v), 1);
-        else
-          for (const CountedValue& v : countedValues(mask, volume, stored)) add(v.value, v.count);
-      },
-      volume.stored());
-  return counts;
 }
 
 std::vector<glm::ivec3> voxelsOf(const BitMask& mask) {

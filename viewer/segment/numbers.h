@@ -6,6 +6,7 @@
 
 #include "viewer/segment/bit_mask.h"
 #include "viewer/segment/surface.h"
+#include "viewer/volume/histogram.h"
 
 namespace volumen {
 
@@ -16,7 +17,8 @@ struct SegmentValues {
   std::int64_t voxels = 0;  ///< of which there is a value; of none all else here is 0
   double mean = 0, sd = 0;  ///< sd by n: of the voxels, not of a sample
   double min = 0, max = 0, median = 0, p10 = 0, p90 = 0;
-  glm::ivec3 maxAt{0};  ///< voxel; of several the first in memory
+  glm::ivec3 maxAt{0};      ///< voxel; of several the first in memory
+  ValueCounts histogram{};  ///< in binsFor() them
 };
 
 /// Form and place, patient space. Lengths, areas, volumes only of calibrated grids.
@@ -36,9 +38,6 @@ struct SegmentForm {
 SegmentValues valuesIn(const BitMask& mask, const Volume& volume);
 /// None where the mask is empty or its grid is not calibrated; the Error: cancelled.
 Result<std::optional<SegmentForm>> formOf(const BitMask& mask, const CancelToken& cancel = {});
-/// How many voxels have a value in each of `bins` equal parts of low..high, a value between two in the upper,
-/// `high` itself in the last; what lies outside is in none, and padding neither. low < high.
-std::vector<std::int64_t> histogramIn(const BitMask& mask, const Volume& volume, ValueRange range, int bins);
 
 /// The voxels of a mask in memory order: about which peakAbout() of viewer/measure is asked.
 std::vector<glm::ivec3> voxelsOf(const BitMask& mask);
@@ -48,8 +47,8 @@ struct SegmentLikeness {
   std::optional<double> dice;          ///< 2 |A and B| / (|A| + |B|); none where both are empty
   std::optional<double> differenceMl;  ///< volume of a - volume of b, voxels; none: not calibrated
   /// Between their surfaces (occupancy.h), mm: from the middles of all triangles of one to the other, exact;
-  /// the largest also from their corners. 0 where floats, which points are, tell none. None where one is empty
-  /// or the grid is not calibrated.
+  /// the largest also from their corners. 0 where floats, which points are, tell none. None where one is
+  /// empty or the grid is not calibrated.
   struct Distances {
     double largest = 0;  ///< Hausdorff
     double p95 = 0;      ///< the larger of both directed 95th percentiles, by area

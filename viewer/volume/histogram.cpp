@@ -15,6 +15,8 @@ namespace {
 constexpr std::int64_t chunk =
     1 << 20;  // voxels a task; small enough to share out, large enough to forget the sharing
 
+constexpr int mostBins = 64;  // of binsFor()
+
 // Calls work(first, last) for runs of voxels on all cores.
 void overVoxels(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) {
   const std::int64_t chunks = (std::int64_t(count) + chunk - 1) / chunk;
@@ -39,15 +41,15 @@ std::vector<std::int64_t> countStored(const std::vector<T>& values) {
 }
 
 // The values (real units, ascending) with their counts; integers only.
-struct ValueCounts {
+struct CountedValues {
   std::vector<float> values;
   std::vector<std::int64_t> counts;
 };
 
 template <class T>
-ValueCounts valueCounts(const Volume& volume, const std::vector<T>& stored) {
+CountedValues countedValues(const Volume& volume, const std::vector<T>& stored) {
   const auto counts = countStored(stored);
-  ValueCounts out;
+  CountedValues out;
   for (std::size_t b = 0; b < counts.size(); ++b) {
     if (counts[b] == 0) continue;
     out.values.push_back(volume.realValue(double(b) + double(std::numeric_limits<T>::min())));
@@ -65,7 +67,7 @@ std::int64_t rankOf(int perMille, std::int64_t count) {
   return std::max<std::int64_t>(1, (perMille * count + 999) / 1000);
 }
 
-std::vector<float> percentilesOf(const ValueCounts& all, const std::vector<int>& perMille,
+std::vector<float> percentilesOf(const CountedValues& all, const std::vector<int>& perMille,
                                  std::int64_t count) {
   std::vector<float> out;
   for (int p : perMille) {
@@ -95,7 +97,7 @@ std::vector<float> percentiles(const Volume& volume, const std::vector<int>& per
         if constexpr (std::is_same_v<T, float>)
           return percentilesOf(stored, perMille);  // floats are kept as real values
         else
-          return percentilesOf(valueCounts(volume, stored), perMille, volume.geometry().voxelCount());
+          return percentilesOf(countedValues(volume, stored), perMille, volume.geometry().voxelCount());
       },
       volume.stored());
 }
@@ -142,13 +144,32 @@ Histogram histogram(const Volume& volume, int bins) {
             bins = int(steps);
           }
           h.counts.assign(bins, 0);
-          const ValueCounts all = valueCounts(volume, stored);
+          const CountedValues all = countedValues(volume, stored);
           for (std::size_t n = 0; n < all.values.size(); ++n)
             if (!isPadding(padding, all.values[n])) h.counts[binOf(all.values[n])] += all.counts[n];
         }
       },
       volume.stored());
   return h;
+}
+
+void ValueCounts::add(double value, std::int64_t times) {
+  const auto bin = std::size_t(std::max(0.0, std::floor((value - low) / width)));
+  counts[std::min(bin, counts.size() - 1)] += times;
+}
+
+ValueCounts binsFor(ValueRange values, bool areWhole) {
+  const auto [least, most] = values;
+  ValueCounts bins{.low = least, .counts = {}};
+  if (areWhole) {
+    bins.width = std::ceil((most - least + 1) / mostBins);
+    bins.low = least - 0.5;
+  } else if (most > least) {
+    bins.width = (most - least) / mostBins;
+  }
+  const int last = int(std::floor((most - bins.low) / bins.width));
+  bins.counts.resize(std::size_t(std::min(last, mostBins - 1) + 1));
+  return bins;
 }
 
 double valueOfRank(const Histogram& h, double part) {

@@ -3,10 +3,13 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include "tests/fixtures/grids.h"
+#include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/segment/bit_masks.h"
 #include "tests/unit/segment/shape_masks.h"
@@ -26,7 +29,10 @@ class TestNumbers : public QObject {
   void nothingHasNoValues_data();
   void nothingHasNoValues();
   void digitsFarFromZeroAreKept();
+  void histogramsCountEachVoxelOnce_data();
   void histogramsCountEachVoxelOnce();
+  void histogramsOfFewValues_data();
+  void histogramsOfFewValues();
   void millilitresFollowTheGrid_data();
   void millilitresFollowTheGrid();
   void formOfBodies_data();
@@ -150,6 +156,7 @@ void TestNumbers::nothingHasNoValues() {
   QCOMPARE(found.voxels, std::int64_t(0));
   QCOMPARE(found.mean, 0.0);
   QCOMPARE(found.max, 0.0);
+  QVERIFY(found.histogram.counts.empty());
 }
 
 // A million and a little: a sum of squares would have lost it.
@@ -166,23 +173,76 @@ void TestNumbers::digitsFarFromZeroAreKept() {
   QVERIFY(std::abs(found.sd - 0.125) < 1e-9);
 }
 
+void TestNumbers::histogramsCountEachVoxelOnce_data() { addTypes(); }
+
+// Up to the end of each bin there are as many values as below it; ends between fractions are rounded.
 void TestNumbers::histogramsCountEachVoxelOnce() {
-  std::mt19937 random(5);
-  for (const char* type : {"uint8", "few", "float", "negative slope", "padding"})
-    for (int n = 0; n < 60; ++n) {
-      const VoxelGeometry grid = anyGrid(random);
-      const BitMask mask = anyMask(random, grid);
-      const VolumePtr volume = anyVolume(grid, QString::fromLatin1(type), random);
-      const ValueRange range{-4.0 + int(random() % 3), 4.0 + int(random() % 200)};
-      const int bins = 1 + int(random() % 40);
-      std::vector<std::int64_t> twin(std::size_t(bins), 0);
-      for (const double v : valuesOneByOne(mask, *volume)) {
-        if (v < range.low || v > range.high) continue;
-        const int bin = v == range.high ? bins - 1 : int((v - range.low) / (range.high - range.low) * bins);
-        ++twin[std::size_t(bin)];
-      }
-      QVERIFY2(histogramIn(mask, *volume, range, bins) == twin, caseOf(n, mask).c_str());
+  QFETCH(QString, type);
+  const Seeds seeds = seedsOf(60, 2000);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    std::mt19937 random{unsigned(seed)};
+    const VoxelGeometry grid = anyGrid(random);
+    const BitMask mask = anyMask(random, grid);
+    const VolumePtr volume = anyVolume(grid, type, random);
+    const ValueCounts found = valuesIn(mask, *volume).histogram;
+    std::vector<double> values = valuesOneByOne(mask, *volume);
+    QCOMPARE(std::accumulate(found.counts.begin(), found.counts.end(), std::int64_t(0)),
+             std::int64_t(values.size()));
+    if (values.empty()) continue;
+    std::ranges::sort(values);
+    const double least = values.front(), most = values.back();
+    const bool areWhole = std::ranges::all_of(values, [](double v) { return v == std::floor(v); });
+    if (areWhole) {
+      QCOMPARE(found.low, least - 0.5);
+      QCOMPARE(found.width, std::ceil((most - least + 1) / 64));
+    } else {
+      QCOMPARE(found.low, least);
+      QCOMPARE(found.counts.size(), std::size_t(most > least ? 64 : 1));
     }
+    QVERIFY(found.counts.size() <= 64 && found.counts.front() > 0 && found.counts.back() > 0);
+    const double room = areWhole ? 0 : 1e-9 * (most - least);
+    std::int64_t below = 0;
+    for (std::size_t bin = 0; bin + 1 < found.counts.size(); ++bin) {
+      below += found.counts[bin];
+      const double end = found.low + found.width * double(bin + 1);
+      const auto fewest = std::ranges::lower_bound(values, end - room) - values.begin();
+      const auto largest = std::ranges::lower_bound(values, end + room) - values.begin();
+      QVERIFY2(fewest <= below && below <= largest, caseOf(seed, mask).c_str());
+    }
+  }
+}
+
+void TestNumbers::histogramsOfFewValues_data() {
+  QTest::addColumn<QList<float>>("values");
+  QTest::addColumn<double>("low");
+  QTest::addColumn<double>("width");
+  QTest::addColumn<QList<int>>("counts");
+  QList<float> upTo64;
+  for (int n = 0; n <= 64; ++n) upTo64 << float(n);
+  QList<int> twoEach(32, 2);
+  QTest::newRow("one voxel") << QList<float>{7} << 6.5 << 1.0 << QList<int>{1};
+  QTest::newRow("one fraction") << QList<float>{0.25f} << 0.25 << 1.0 << QList<int>{1};
+  QTest::newRow("equal whole numbers") << QList<float>{-3, -3, -3} << -3.5 << 1.0 << QList<int>{3};
+  QTest::newRow("equal fractions") << QList<float>{0.5f, 0.5f} << 0.5 << 1.0 << QList<int>{2};
+  QTest::newRow("a gap") << QList<float>{1, 3, 1} << 0.5 << 1.0 << QList<int>{2, 0, 1};
+  QTest::newRow("more numbers than bins") << upTo64 << -0.5 << 2.0 << (twoEach << 1);
+  QTest::newRow("NaN is the smallest")
+      << QList<float>{std::numeric_limits<float>::quiet_NaN(), 5, 4} << 3.5 << 1.0 << QList<int>{2, 1};
+}
+
+void TestNumbers::histogramsOfFewValues() {
+  QFETCH(QList<float>, values);
+  QFETCH(double, low);
+  QFETCH(double, width);
+  QFETCH(QList<int>, counts);
+  VolumeParts parts;
+  parts.geometry.size = {int(values.size()), 1, 1};
+  parts.values = std::vector<float>(values.begin(), values.end());
+  const BitMask all = inverted(BitMask(parts.geometry));
+  const ValueCounts found = valuesIn(all, *volumeFrom(std::move(parts))).histogram;
+  QCOMPARE(found.low, low);
+  QCOMPARE(found.width, width);
+  QVERIFY(std::ranges::equal(found.counts, counts));
 }
 
 void TestNumbers::millilitresFollowTheGrid_data() {

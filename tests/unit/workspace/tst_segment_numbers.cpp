@@ -253,6 +253,11 @@ void TestSegmentNumbers::jsonHasEachColumn() {
       QVERIFY2(found.get<std::vector<double>>() == numbers, column.key);
     }
   }
+  const ValueCounts& counts = all[0].values.histogram;
+  QVERIFY(json[0]["histogram"]["counts"].get<std::vector<std::int64_t>>() == counts.counts);
+  QCOMPARE(json[0]["histogram"]["from"].get<double>(), 2 * counts.low);
+  QCOMPARE(json[0]["histogram"]["width"].get<double>(), 2 * counts.width);
+  QVERIFY(!counts.counts.empty() && json[1]["histogram"].is_null());
   QVERIFY(json[0]["voxels"].is_number_integer() && json[0]["boxLast"][0].is_number_integer());
   QVERIFY(json[0]["category"].is_null() && json[1]["mean"].is_null() && json[1]["centroid"].is_null());
   QCOMPARE(json[1]["name"].get<std::string>(), std::string("Nothing"));

@@ -1,0 +1,38 @@
+#include "ui/controller/segment_time_values.h"
+
+#include "ui/workspace/text.h"
+#include "viewer/segment/numbers.h"
+
+namespace volumen {
+
+namespace {
+
+// Null or of another size: the step has none.
+std::optional<StepValues> valuesOfStep(const VolumePtr& volume, const BitMask& mask, double factor) {
+  if (!volume || volume->size() != mask.size()) return {};
+  const SegmentValues values = valuesIn(mask, *volume);
+  if (values.voxels == 0) return {};
+  return StepValues{values.mean * factor, values.sd * factor, values.min * factor, values.max * factor};
+}
+
+}  // namespace
+
+SegmentsOverTime segmentsIn(const TimeSteps& steps, const std::vector<SegmentMap>& maps,
+                            const std::string& unit, const Job& job) {
+  SegmentsOverTime found{steps.axis, unit, {}};
+  for (const SegmentMap& map : maps) found.segments.resize(found.segments.size() + map.segments.size());
+  for (std::size_t n = 0; n < steps.all.size(); ++n) {
+    if (job.cancelled()) break;
+    job.tell(tr("Measuring time point %1 of %2").arg(n + 1).arg(steps.all.size()),
+             double(n) / double(steps.all.size()));
+    const VolumePtr volume = volumeOf(steps.all[n], job);
+    std::size_t segment = 0;
+    for (const SegmentMap& map : maps)
+      for (const Segment& each : map.segments)
+        found.segments[segment++].push_back(
+            valuesOfStep(volume, maskOf(*map.labels, std::uint8_t(each.number)), steps.all[n].factor));
+  }
+  return found;
+}
+
+}  // namespace volumen

@@ -1,0 +1,134 @@
+#include "ui/panels/segment_chart_box.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/controller/segment_time_values.h"
+#include "ui/widgets/plain_text.h"
+#include "ui/workspace/segment_charts.h"
+#include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
+#include "ui/workspace/value_text.h"
+
+namespace volumen {
+
+SegmentChartBox::SegmentChartBox(const Session& session, Jobs& jobs, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      kind_(new QComboBox),
+      said_(plainLabel()),
+      copy_(new QToolButton),
+      view_(new ChartView),
+      lane_(&jobs) {
+  makeLayout();
+  connect(copy_, &QToolButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(chartAsCsv(view_->chart())); });
+  connect(kind_, &QComboBox::activated, this, [this] {
+    if (!overTime_ && !lane_.isBusy()) wanted_.reset();  // cancelled: once more
+    showChosen();
+  });
+  setMeasured({}, {}, {});
+}
+
+void SegmentChartBox::makeLayout() {
+  kind_->setObjectName(QStringLiteral("segmentChartKind"));
+  kind_->setAccessibleName(tr("What is drawn"));
+  kind_->addItem(chartText(ChartKind::histogram), int(ChartKind::histogram));
+  said_->setObjectName(QStringLiteral("segmentChartSaid"));
+  said_->setWordWrap(true);
+  copy_->setObjectName(QStringLiteral("segmentChartCopy"));
+  copy_->setText(tr("Copy as CSV"));
+  copy_->setToolTip(tr("Copy the numbers of the chart"));
+  view_->setObjectName(QStringLiteral("segmentChart"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  row->addWidget(kind_);
+  row->addWidget(said_, 1);
+  row->addWidget(copy_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addLayout(row);
+  column->addWidget(view_, 1);
+}
+
+void SegmentChartBox::setMeasured(const std::vector<SegmentMap>& maps,
+                                  const std::vector<SegmentReport>& reports,
+                                  const std::vector<std::size_t>& chosen) {
+  maps_ = maps, reports_ = reports, chosen_ = chosen;
+  if (wanted_ && *wanted_ != wantedNow()) {
+    lane_.giveUpAll();
+    wanted_.reset();
+    overTime_.reset();
+  }
+  offerKinds();
+  showChosen();
+}
+
+// Over time where the series has several time points.
+void SegmentChartBox::offerKinds() {
+  const bool isOverTime =
+      session_.series() && hasTimePoints(session_.workspace(), keyOf(session_.series()->series));
+  if (!isOverTime)
+    kind_->removeItem(1);
+  else if (kind_->count() < 2)
+    kind_->addItem(chartText(ChartKind::overTime), int(ChartKind::overTime));
+  kind_->setEnabled(isOverTime);
+}
+
+void SegmentChartBox::showChosen() {
+  const auto kind = ChartKind(kind_->currentData().toInt());
+  if (chosen_.empty()) return draw({}, tr("Choose rows: their values are drawn here."));
+  if (kind == ChartKind::histogram) {
+    std::vector<SegmentReport> shown;
+    for (const std::size_t n : chosen_) shown.push_back(reports_[n]);
+    return draw(segmentHistograms(shown, scale()), {});
+  }
+  if (!wanted_) read(wantedNow());
+  if (overTime_) return draw(segmentsOverTimeChart(*overTime_, reports_, chosen_), {});
+  draw({}, lane_.isBusy() ? tr("Reading all time points...")
+                          : tr("Reading was cancelled. Choose the chart again to read them."));
+}
+
+SegmentChartBox::Wanted SegmentChartBox::wantedNow() const {
+  Wanted wanted{{}, {}, scale()};
+  for (const SegmentMap& map : maps_)
+    for (const Segment& segment : map.segments) wanted.segments.emplace_back(map.labels, segment.number);
+  if (session_.series())
+    for (const Series* step : timePointsOf(session_.workspace(), keyOf(session_.series()->series)))
+      wanted.steps.push_back(keyOf(*step));
+  return wanted;
+}
+
+// Of whole volumes, as all numbers of segments.
+void SegmentChartBox::read(const Wanted& wanted) {
+  wanted_ = wanted;
+  const Series& series = session_.series()->series;
+  TimeSteps steps = timeStepsOf(session_, keyOf(series));
+  for (TimeStep& step : steps.all) step.loaded = session_.seriesWith(keyOf(step.series), {});
+  lane_.run(
+      JobName(tr("Reading all time points"), seriesText(series)),
+      [steps = std::move(steps), maps = maps_, unit = wanted.scale.unit](const Job& job) {
+        return segmentsIn(steps, maps, unit, job);
+      },
+      [this](const SegmentsOverTime& values) {
+        overTime_ = values;
+        showChosen();
+      },
+      [this] { showChosen(); });
+}
+
+void SegmentChartBox::draw(const MeasuredChart& chart, const QString& sentence) {
+  view_->setChart(chart);
+  copy_->setEnabled(!chart.lines.empty());
+  said_->setText(sentence.isEmpty() ? chart.problem : sentence);
+}
+
+ValueScale SegmentChartBox::scale() const {
+  return session_.series() ? shownScale(session_.series()->series) : ValueScale{};
+}
+
+}  // namespace volumen
