@@ -15,6 +15,12 @@
 
 namespace volumen {
 
+namespace {
+
+constexpr std::size_t mostUnchosen = 6;  // more lines than that cannot be told apart
+
+}  // namespace
+
 SegmentChartBox::SegmentChartBox(const Session& session, Jobs& jobs, QWidget* parent)
     : QWidget(parent),
       session_(session),
@@ -59,6 +65,8 @@ void SegmentChartBox::setMeasured(const std::vector<SegmentMap>& maps,
                                   const std::vector<SegmentReport>& reports,
                                   const std::vector<std::size_t>& chosen) {
   maps_ = maps, reports_ = reports, chosen_ = chosen;
+  if (chosen_.empty() && reports_.size() <= mostUnchosen)
+    for (std::size_t n = 0; n < reports_.size(); ++n) chosen_.push_back(n);
   if (wanted_ && *wanted_ != wantedNow()) {
     lane_.giveUpAll();
     wanted_.reset();

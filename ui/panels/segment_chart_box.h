@@ -21,7 +21,8 @@ class SegmentChartBox : public QWidget {
  public:
   SegmentChartBox(const Session& session, Jobs& jobs, QWidget* parent = nullptr);
 
-  /// The segments of these maps were measured, map after map; none: nothing was. Some of them are drawn.
+  /// The segments of these maps were measured, map after map; none: nothing was. Those that are chosen are
+  /// drawn, or, where none is, all if they are few.
   void setMeasured(const std::vector<SegmentMap>& maps, const std::vector<SegmentReport>& reports,
                    const std::vector<std::size_t>& chosen);
   /// What was measured of them over time; null: that was not asked for, or is under way.
