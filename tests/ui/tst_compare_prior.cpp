@@ -42,8 +42,10 @@ struct ListedDays {
   std::string opened() const {
     std::string all;
     const Result<Index> index = Index::open(home.toStdString());
-    if (!index || !index->studies()) return "failed";
-    for (const IndexedStudy& study : *index->studies()) all += study.openedAt;
+    if (!index) return "failed";
+    const auto studies = index->studies();
+    if (!studies) return "failed";
+    for (const IndexedStudy& study : *studies) all += study.openedAt;
     return all;
   }
   Services services() const {
