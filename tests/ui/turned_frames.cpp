@@ -128,8 +128,11 @@ TurnedFrames::Seen TurnedFrames::seen(ViewId id) {
       if (std::ranges::find(onScreen_, other) != onScreen_.end())
         mm = std::max(mm, fittedMm({.picture = l.picture}, sizes_.at(other)));
     look.zoom = fittedMm({.picture = look.picture}, s.size) / mm;
-    const bool isAtRight = picture.breast.rowsTo[0] == 'P';
-    look.seen = isAtRight == isRight ? glm::dmat2(1) : mirror;
+    // Its outer side not below; mirrored where that alone does not bring its wall to the inner edge.
+    const QString to = QString::fromLatin1(picture.breast.rowsTo);
+    const bool isUpsideDown = to.endsWith(QLatin1String(picture.breast.side));
+    const bool facesAway = to.startsWith(QLatin1Char('P')) != isRight;
+    look.seen = (facesAway == isUpsideDown ? glm::dmat2(1) : mirror) * (isUpsideDown ? -1.0 : 1.0);
     const double least = std::min(picture.spacing.x, picture.spacing.y);
     const double wide = std::ceil(pixels.x * picture.spacing.x / least - 1e-6) * least;
     const double beside = (wide - s.size.x * mm) / 2;
