@@ -30,6 +30,17 @@ void chooseInMenu(SegmentWindow& w, const char* entry) {
   Hand(w.window).menuOf(w.child<QToolButton>("segmentRecipes"), entry);
 }
 
+// A radius of 2 mm into the step "grow", by keys; false: there is no such step.
+bool typeBehindGrow(QPlainTextEdit& text) {
+  text.moveCursor(QTextCursor::Start);
+  if (!text.find(QStringLiteral("\"step\": \"grow\""))) return false;
+  QTextCursor behind = text.textCursor();
+  behind.clearSelection();
+  text.setTextCursor(behind);
+  QTest::keyClicks(&text, QStringLiteral(", \"radiusMm\": 2"));
+  return true;
+}
+
 // The recipe that the window saves; none: it saved none.
 std::optional<Recipe> savedRecipe(SegmentWindow& w, const QString& path) {
   chooseInMenu(w, "saveRecipe");
@@ -159,12 +170,7 @@ void TestRecordedSteps::whatWasTypedStaysWhereARunFails() {
   auto* text = w.child<QPlainTextEdit>("stepsText");
   auto* note = w.child<QLabel>("stepsNote");
   const QString recorded = text->toPlainText();
-  text->moveCursor(QTextCursor::Start);
-  QVERIFY(text->find(QStringLiteral("\"step\": \"grow\"")));
-  QTextCursor behind = text->textCursor();
-  behind.clearSelection();
-  text->setTextCursor(behind);
-  QTest::keyClicks(text, QStringLiteral(", \"radiusMm\": 2"));
+  QVERIFY(typeBehindGrow(*text));
   const QString typed = text->toPlainText();
   QVERIFY(typed != recorded);
   w.tick(0, 1);  // locked
@@ -193,12 +199,7 @@ void TestRecordedSteps::theyAreRunInTheMapThatTheyAreOf() {
   QVERIFY(w.step("grow"));
   chooseInMenu(w, "recipeSteps");
   auto* text = w.child<QPlainTextEdit>("stepsText");
-  text->moveCursor(QTextCursor::Start);
-  QVERIFY(text->find(QStringLiteral("\"step\": \"grow\"")));
-  QTextCursor behind = text->textCursor();
-  behind.clearSelection();
-  text->setTextCursor(behind);
-  QTest::keyClicks(text, QStringLiteral(", \"radiusMm\": 2"));
+  QVERIFY(typeBehindGrow(*text));
   QVERIFY(w.press("segmentDuplicate"));
   const SegmentMap other = *w.map();
   QCOMPARE(other.number, 1);
