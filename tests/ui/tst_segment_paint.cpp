@@ -20,6 +20,7 @@ class TestSegmentPaint : public QObject {
   void aStrokeIsAStep();
   void aDiscIsACircleOfItsSlice();
   void theSliceShowsTheStrokeWhileItIsDrawn();
+  void surfacesWaitForTheEndOfAStroke();
   void ctrlAndThePageErase_data();
   void ctrlAndThePageErase();
   void lockedSegmentsStayAsTheyAre();
@@ -121,6 +122,20 @@ void TestSegmentPaint::theSliceShowsTheStrokeWhileItIsDrawn() {
   w.move(way[1]);
   QTRY_VERIFY(!isGrey(colour(way[1])));
   w.release(way[1]);
+}
+
+void TestSegmentPaint::surfacesWaitForTheEndOfAStroke() {
+  PaintWindow w;
+  w.show(throughMiddle());
+  w.take("paintTool");
+  const std::vector<QPoint> way = w.pixelsOf(throughBall, axialViewId);
+  w.press(way.front());
+  for (const QPoint p : way) {
+    w.move(p);
+    QVERIFY(!QTest::qWaitFor([&] { return !w.session().surfaces().empty(); }, 100));
+  }
+  w.release(way.back());
+  QTRY_COMPARE_WITH_TIMEOUT(w.session().surfaces().size(), std::size_t(1), longest);
 }
 
 void TestSegmentPaint::ctrlAndThePageErase_data() {

@@ -21,11 +21,13 @@ namespace {
 struct SurfaceSession {
   Session session;
   Jobs jobs;
+  SegmentPainter painter{session};
   SegmentSurfaceJobs surfaces;
   LoadedSeriesPtr series = hollowBalls();
   SeriesKey key = keyOf(series->series);
 
-  explicit SurfaceSession(std::size_t mostBytes = std::size_t(1) << 30) : surfaces(session, jobs, mostBytes) {
+  explicit SurfaceSession(std::size_t mostBytes = std::size_t(1) << 30)
+      : surfaces(session, painter, jobs, mostBytes) {
     session.show(series);
     session.change(QStringLiteral("test"), withLayout(session.workspace(), Layout::planes));
     add({800, 1200});

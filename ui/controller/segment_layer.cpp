@@ -6,6 +6,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
+#include <utility>
+
+#include "ui/controller/colour_mix.h"
+#include "viewer/volume/parallel.h"
+#include "viewer/volume/voxel_box.h"
 
 namespace volumen {
 
@@ -30,12 +35,6 @@ QRect reachOf(const SegmentPlaces& places, const SlicePlane& plane) {
   return {QPoint(int(low.x), int(low.y)), QPoint(int(high.x) - 1, int(high.y) - 1)};
 }
 
-QRgb mixed(QRgb under, QRgb over, double part) {
-  const auto channel = [&](int a, int b) { return int(std::lround((1 - part) * a + part * b)); };
-  return qRgb(channel(qRed(under), qRed(over)), channel(qGreen(under), qGreen(over)),
-              channel(qBlue(under), qBlue(over)));
-}
-
 // Which of the shown segments each pixel of a part of the picture is in, from 1; 0: none.
 struct LabelledPixels {
   QRect area;
@@ -43,8 +42,12 @@ struct LabelledPixels {
 
   explicit LabelledPixels(const QRect& part)
       : area(part), labels(std::size_t(part.width()) * std::size_t(part.height())) {}
-  std::uint8_t& at(int x, int y) {
-    return labels[std::size_t(y - area.top()) * std::size_t(area.width()) + std::size_t(x - area.left())];
+  std::uint8_t& at(int x, int y) { return labels[place(x, y)]; }
+  std::uint8_t at(int x, int y) const { return labels[place(x, y)]; }
+
+ private:
+  std::size_t place(int x, int y) const {
+    return std::size_t(y - area.top()) * std::size_t(area.width()) + std::size_t(x - area.left());
   }
 };
 
@@ -54,6 +57,37 @@ LabelledPixels labelledPixels(const SegmentPlaces& places, const SlicePlane& pla
     for (int x = pixels.area.left(); x <= pixels.area.right(); ++x)
       pixels.at(x, y) = places.holds(plane.patientFromPixel({x + 0.5, y + 0.5}));
   return pixels;
+}
+
+// The voxels, whole bricks of them, in which a map has labels: from `low` on, before `high`.
+VoxelBox labelledBox(const LabelMap& map) {
+  VoxelBox box{map.geometry().size, glm::ivec3(0)};
+  std::size_t n = 0;
+  for (int k = 0; k < map.bricks().z; ++k)
+    for (int j = 0; j < map.bricks().y; ++j)
+      for (int i = 0; i < map.bricks().x; ++i) {
+        const LabelMap::Brick& brick = map.brick(n++);
+        if (!brick.voxels && brick.label == 0) continue;
+        const glm::ivec3 first = glm::ivec3(i, j, k) * LabelMap::edge;
+        box.low = glm::min(box.low, first);
+        box.high = glm::max(box.high, glm::min(first + LabelMap::edge, map.geometry().size));
+      }
+  return box;
+}
+
+// Between which pixels of a row, the last one not among them, a box may be met: a little more than needed.
+std::pair<int, int> pixelsWithin(const VoxelBox& box, glm::dvec3 first, glm::dvec3 step, int count) {
+  double from = 0, to = count;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = box.low[axis] - first[axis], high = box.high[axis] - first[axis];
+    if (std::abs(step[axis]) * count < 1e-6) {
+      if (low > 1e-3 || high < -1e-3) return {0, 0};
+      continue;
+    }
+    from = std::max(from, std::min(low / step[axis], high / step[axis]) - 1);
+    to = std::min(to, std::max(low / step[axis], high / step[axis]) + 1);
+  }
+  return from < to ? std::pair(int(from), std::min(count, int(std::ceil(to)))) : std::pair(0, 0);
 }
 
 // From pixel to pixel the voxel goes on by the same step.
@@ -68,35 +102,49 @@ LabelledPixels labelledPixels(const LabelMap& map, const SlicePlane& plane, cons
   };
   const glm::dvec3 first = voxelAt(0.5, 0.5), right = voxelAt(1.5, 0.5) - first,
                    down = voxelAt(0.5, 1.5) - first, size(map.geometry().size);
-  for (int y = 0; y < plane.size.y; ++y)
-    for (int x = 0; x < plane.size.x; ++x) {
-      const glm::dvec3 v = first + double(x) * right + double(y) * down;
-      const bool isInside = v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x < size.x && v.y < size.y && v.z < size.z;
-      if (isInside) pixels.at(x, y) = shownAs[map.at(glm::ivec3(v))];
+  const VoxelBox box = labelledBox(map);
+  parallelFor(plane.size.y, 0, [&](std::int64_t begin, std::int64_t end) {
+    for (int y = int(begin); y < int(end); ++y) {
+      const auto [from, to] = pixelsWithin(box, first + double(y) * down, right, plane.size.x);
+      for (int x = from; x < to; ++x) {
+        const glm::dvec3 v = first + double(x) * right + double(y) * down;
+        const bool isInside =
+            v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x < size.x && v.y < size.y && v.z < size.z;
+        if (isInside) pixels.at(x, y) = shownAs[map.at(glm::ivec3(v))];
+      }
     }
+  });
   return pixels;
 }
 
 // Beyond the picture all goes on.
-void paint(QImage& picture, LabelledPixels pixels, std::span<const SegmentLayer::Shown> shown,
+void paint(QImage& picture, const LabelledPixels& pixels, std::span<const SegmentLayer::Shown> shown,
            double opacity) {
-  const QRect area = pixels.area;
+  std::vector<ColourMix> insides, outlines;
+  for (const SegmentLayer::Shown& segment : shown) {
+    const double part = opacity * segment.opacity;
+    insides.emplace_back(segment.colour, part);
+    outlines.emplace_back(segment.colour, std::min(1.0, 2 * part));
+  }
+  const QRect area = pixels.area, whole = picture.rect();
   const auto differs = [&](int x, int y, std::uint8_t label) {
-    if (!picture.rect().contains(x, y)) return false;
+    if (x < 0 || y < 0 || x >= whole.width() || y >= whole.height()) return false;
     return !area.contains(x, y) || pixels.at(x, y) != label;
   };
-  for (int y = area.top(); y <= area.bottom(); ++y) {
-    auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
-    for (int x = area.left(); x <= area.right(); ++x) {
-      const std::uint8_t label = pixels.at(x, y);
-      if (label == 0) continue;
-      const SegmentLayer::Shown& segment = shown[label - 1u];
-      const bool isOutline = differs(x - 1, y, label) || differs(x + 1, y, label) ||
-                             differs(x, y - 1, label) || differs(x, y + 1, label);
-      const double part = opacity * segment.opacity;
-      line[x] = mixed(line[x], segment.colour, isOutline ? std::min(1.0, 2 * part) : part);
+  auto* const first = reinterpret_cast<QRgb*>(picture.bits());
+  const auto width = std::size_t(picture.width());
+  parallelFor(area.height(), 0, [&](std::int64_t begin, std::int64_t end) {
+    for (int y = area.top() + int(begin); y < area.top() + int(end); ++y) {
+      QRgb* line = first + std::size_t(y) * width;
+      for (int x = area.left(); x <= area.right(); ++x) {
+        const std::uint8_t label = pixels.at(x, y);
+        if (label == 0) continue;
+        const bool isOutline = differs(x - 1, y, label) || differs(x + 1, y, label) ||
+                               differs(x, y - 1, label) || differs(x, y + 1, label);
+        line[x] = (isOutline ? outlines : insides)[label - 1u](line[x]);
+      }
     }
-  }
+  });
 }
 
 }  // namespace

@@ -23,13 +23,15 @@ std::vector<SeriesKey> seriesIn3d(const Workspace& workspace) {
 
 }  // namespace
 
-SegmentSurfaceJobs::SegmentSurfaceJobs(Session& session, Jobs& jobs, std::size_t mostBytes, QObject* parent)
-    : QObject(parent), session_(session), mostBytes_(mostBytes), lane_(&jobs) {
+SegmentSurfaceJobs::SegmentSurfaceJobs(Session& session, const SegmentPainter& painter, Jobs& jobs,
+                                       std::size_t mostBytes, QObject* parent)
+    : QObject(parent), session_(session), painter_(painter), mostBytes_(mostBytes), lane_(&jobs) {
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
             if (before.segmentMaps != after.segmentMaps) noteChanges(before, after);
             next();
           });
+  connect(&painter_, &SegmentPainter::ended, this, &SegmentSurfaceJobs::next);
   next();
 }
 
@@ -42,7 +44,7 @@ void SegmentSurfaceJobs::noteChanges(const Workspace& before, const Workspace& a
 }
 
 void SegmentSurfaceJobs::next() {
-  if (lane_.isBusy()) return;
+  if (lane_.isBusy() || painter_.isPainting()) return;
   for (const SeriesKey& series : seriesIn3d(session_.workspace())) {
     const LoadedSeriesPtr shown = session_.seriesNamed(series);
     if (!shown) continue;

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "ui/controller/segment_painter.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
 #include "viewer/segment/bit_mask.h"
@@ -11,16 +12,16 @@
 namespace volumen {
 
 /// Makes what segments are drawn by in 3D, of the series in 3D views on screen, whenever their voxels, or
-/// what is taken away of the series, changed: a map at a time, as a job. Until then the session keeps what
-/// was there before. What could not be made, or was cancelled, is tried again once anything of the segments
-/// of its series changes. All of them together take at most a share of the machine's memory: what would go
-/// beyond is not drawn. Those of hidden segments are kept while there is room.
+/// what is taken away of the series, changed: a map at a time, as a job; of a stroke once it ends. Until then
+/// the session keeps what was there before. What could not be made, or was cancelled, is tried again once
+/// anything of the segments of its series changes. All of them together take at most a share of the machine's
+/// memory: what would go beyond is not drawn. Those of hidden segments are kept while there is room.
 class SegmentSurfaceJobs : public QObject {
   Q_OBJECT
  public:
   /// `mostBytes`: of the fields of all surfaces.
-  SegmentSurfaceJobs(Session& session, Jobs& jobs, std::size_t mostBytes = SeriesPool::partOfMemory(25),
-                     QObject* parent = nullptr);
+  SegmentSurfaceJobs(Session& session, const SegmentPainter& painter, Jobs& jobs,
+                     std::size_t mostBytes = SeriesPool::partOfMemory(25), QObject* parent = nullptr);
 
  Q_SIGNALS:
   /// A sentence; not for what was cancelled.
@@ -60,6 +61,7 @@ class SegmentSurfaceJobs : public QObject {
   static Result<Made> made(const Wanted& wanted, const CancelToken& cancel);
 
   Session& session_;
+  const SegmentPainter& painter_;
   const std::size_t mostBytes_;
   std::optional<Kept> kept_;  // of the last series with a mask
   // Maps, by their numbers, of whose series something was changed since surfaces of them were given up.

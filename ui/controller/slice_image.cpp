@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ui/controller/colour_mix.h"
 #include "viewer/slice/slice.h"
 
 namespace volumen {
@@ -43,36 +44,29 @@ SlicePlane planeMovedBy(SlicePlane plane, const Rigid& rigid) {
   return plane;
 }
 
-// The voxels of a range on the plane itself, whatever is shown under them.
-Status tint(std::span<std::uint32_t> pixels, const SliceLayer& layer, SlicePlane plane) {
+}  // namespace
+
+// The voxels of the range on the plane itself, whatever is shown under them.
+Result<QImage> withTint(QImage picture, const SliceLayer& layer, SlicePlane plane) {
   plane.slabMm = 0;
   plane.interpolation = Interpolation::nearest;
   plane.average = false;
   const Result<SliceValues> slice = resampleSlice(*layer.volume, plane);
   if (!slice) return slice.error();
-  const auto mixed = [&](int under, int over) {
-    return int(std::lround(under + layer.opacity * (over - under)));
-  };
-  const QRgb over = layer.tinted->colour;
+  if (picture.format() != QImage::Format_RGB32) picture = picture.convertToFormat(QImage::Format_RGB32);
+  const ColourMix mixed(layer.tinted->colour, layer.opacity);
+  const ValueRange range = layer.tinted->range;
+  const std::span<std::uint32_t> pixels = pixelsOf(picture);
   for (std::size_t n = 0; n < pixels.size(); ++n) {
     const double value = slice->values[n];  // NaN is in no range
-    if (!(value >= layer.tinted->range.low && value <= layer.tinted->range.high)) continue;
-    const QRgb under = pixels[n];
-    pixels[n] = qRgb(mixed(qRed(under), qRed(over)), mixed(qGreen(under), qGreen(over)),
-                     mixed(qBlue(under), qBlue(over)));
+    if (value >= range.low && value <= range.high) pixels[n] = mixed(pixels[n]);
   }
-  return {};
+  return picture;
 }
-
-}  // namespace
 
 Result<QImage> sliceImage(const std::vector<SliceLayer>& layers, const SlicePlane& plane) {
   QImage image;
   for (const SliceLayer& layer : layers) {
-    if (layer.tinted) {
-      if (const Status tinted = tint(pixelsOf(image), layer, plane); !tinted) return Error{tinted.message()};
-      continue;
-    }
     const Result<SliceValues> slice = resampleSlice(*layer.volume, planeMovedBy(plane, layer.fromPlane));
     if (!slice) return Error{slice.message()};
     if (image.isNull()) {

@@ -30,12 +30,14 @@ struct SliceLayer {
   ColourMap colours = ColourMap::grey;
   double opacity = 1;                   ///< of layers above the first
   Rigid fromPlane{};                    ///< from the plane's patient space to the volume's
-  std::optional<TintedRange> tinted{};  ///< of layers above the first: in place of its greys and colours
+  std::optional<TintedRange> tinted{};  ///< of the last layers: in place of its greys and colours
   bool operator==(const SliceLayer&) const = default;
 };
 
-/// The layers on one plane, the first at the bottom, as many pixels as the plane has; black where it lies
-/// outside. The Error is that of resampleSlice().
+/// The layers on one plane, none of them tinted, the first at the bottom, as many pixels as the plane has;
+/// black where it lies outside. The Error is that of resampleSlice().
 Result<QImage> sliceImage(const std::vector<SliceLayer>& layers, const SlicePlane& plane);
+/// The picture of that plane with a tinted layer over it. The Error is the same.
+Result<QImage> withTint(QImage picture, const SliceLayer& layer, SlicePlane plane);
 
 }  // namespace volumen

@@ -3,30 +3,36 @@
 #include <mutex>
 #include <utility>
 
-#include "ui/controller/frame_picture.h"
+#include "ui/controller/picture_underneath.h"
 
 namespace volumen {
 
 namespace {
 
-Result<QImage> drawPicture(const SliceRequest& request) {
-  if (!request.frame) return sliceImage(request.layers, request.plane);
-  return drawFrame(*request.frame, request.plane, request.layers.front().grey, request.withLayers);
-}
-
-}  // namespace
-
-Result<QImage> drawSlice(const SliceRequest& request) {
-  Result<QImage> picture = drawPicture(request);
+// Over what lies underneath.
+Result<QImage> withTintsAndSegments(Result<QImage> picture, const SliceRequest& request) {
+  for (const SliceLayer& layer : request.layers)
+    if (layer.tinted && picture) picture = withTint(std::move(*picture), layer, request.plane);
   if (!picture) return picture;
   for (const SegmentLayer& layer : request.segments)
     *picture = withSegments(std::move(*picture), request.plane, layer);
   return picture;
 }
 
+}  // namespace
+
+Result<QImage> drawSlice(const SliceRequest& request) {
+  return withTintsAndSegments(drawUnderneath(request), request);
+}
+
 struct SliceService::Waiting {
-  std::mutex mutex;  // guards what follows
+  std::mutex mutex;  // guards the request
   std::optional<SliceRequest> request;
+  PictureUnderneath underneath;  // of the lane's thread
+
+  Result<QImage> draw(const SliceRequest& latest) {
+    return withTintsAndSegments(latest.frame ? drawUnderneath(latest) : underneath.of(latest), latest);
+  }
 };
 
 void SliceService::request(SliceRequest latest) {
@@ -44,7 +50,7 @@ void SliceService::request(SliceRequest latest) {
           const std::lock_guard lock(waiting->mutex);
           request = std::exchange(waiting->request, {});
         }
-        Result<QImage> image = request ? drawSlice(*request) : Result<QImage>(QImage());
+        Result<QImage> image = request ? waiting->draw(*request) : Result<QImage>(QImage());
         return std::pair(std::move(request), std::move(image));
       },
       [this](const std::pair<std::optional<SliceRequest>, Result<QImage>>& drawn) {

@@ -74,7 +74,7 @@ Segmenting::Segmenting(Workbench& bench)
       follower_(session_, bench.document.jobs),
       preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
-      surfaces_(session_, bench.document.jobs),
+      surfaces_(session_, painter_, bench.document.jobs),
       tissues_(session_, painter_, bench.document.jobs),
       panel_(new SegmentsPanel(session_)),
       fromFiles_(bench, segmenter_, *panel_) {
