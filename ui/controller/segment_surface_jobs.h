@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "ui/controller/segment_fields.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
 #include "viewer/segment/bit_mask.h"
@@ -19,7 +20,7 @@ class SegmentSurfaceJobs : public QObject {
   Q_OBJECT
  public:
   /// `mostBytes`: of the fields of all surfaces.
-  SegmentSurfaceJobs(Session& session, Jobs& jobs, std::size_t mostBytes = SeriesPool::partOfMemory(25),
+  SegmentSurfaceJobs(Session& session, Jobs& jobs, std::size_t mostBytes = mostSurfaceBytes(),
                      QObject* parent = nullptr);
 
  Q_SIGNALS:
