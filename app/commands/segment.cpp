@@ -17,6 +17,7 @@
 #include "io/export/read_segments.h"
 #include "io/files/output_file.h"
 #include "ui/controller/recipe_files.h"
+#include "ui/controller/segment_recipes.h"
 #include "ui/workspace/segment_columns.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/scene/similar_name.h"
@@ -132,16 +133,6 @@ void addNotes(std::vector<std::string>& notes, const Opened& opened,
     if (n.voxels == 0) notes.push_back(n.segment.label + ": no voxel is in it.");
 }
 
-// Which series a recipe is for, where that is told.
-void noteModality(std::vector<std::string>& notes, const Opened& opened, const Recipe& recipe) {
-  const std::string& modality = opened.series.modality;
-  if (recipe.modalities.empty() || modality.empty()) return;
-  for (const std::string& one : recipe.modalities)
-    if (one == modality) return;
-  notes.push_back("The recipe \"" + recipe.name + "\" is for " + recipe.modalities.front() +
-                  ", the series is " + modality + ": look at what it found.");
-}
-
 // One map; of a file whose segments overlap, several.
 Result<std::vector<Segmented>> segmentsOf(const SegmentSource& source, Opened& opened,
                                           const CancelToken& cancel) {
@@ -149,7 +140,7 @@ Result<std::vector<Segmented>> segmentsOf(const SegmentSource& source, Opened& o
   if (source.recipe) {
     auto made = follow(*source.recipe, volume, cancel);
     if (!made) return Error{source.recipe->name + ": " + made.message()};
-    noteModality(opened.notes, opened, *source.recipe);
+    for (const std::string& note : notesOf(*source.recipe, opened.series)) opened.notes.push_back(note);
     return std::vector{std::move(*made)};
   }
   auto file = readSegments(source.file, opened.series, volume.geometry(), {}, cancel);
