@@ -5,12 +5,18 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <fstream>
 #include <functional>
 
+#include "io/open.h"
+#include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
+#include "ui/workspace/time_points.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -18,6 +24,9 @@ using namespace volumen::tests;
 class TestSegmentTold : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void valuesOverTimeAreThoseOfEachVolume_data();
+  void valuesOverTimeAreThoseOfEachVolume();
+  void oneVolumeHasNoneOverTime();
   void contrastThatIsNotNamedIsSaid_data();
   void contrastThatIsNotNamedIsSaid();
   void recipesForOtherModalitiesAreSaid();
@@ -43,6 +52,15 @@ constexpr const char* brightRecipe =
     R"({"volumenRecipe": 1, "name": "Bright", "modalities": ["CT"], "contrast": true,
         "segments": [{"name": "A"}], "steps": [{"step": "range", "segment": "A", "low": 0}]})";
 
+// The numbers of the one segment that there is.
+QJsonObject numbersIn(const Outcome& done) {
+  return QJsonDocument::fromJson(done.out)[QStringLiteral("segments")].toArray().at(0).toObject();
+}
+
+QString timeAxisIn(const Outcome& done) {
+  return QJsonDocument::fromJson(done.out)[QStringLiteral("timeAxis")].toString();
+}
+
 }  // namespace
 
 // 8 x 8 x 8 voxels: in the n-th a voxel has n (x + 2 y) + z.
@@ -58,6 +76,52 @@ std::string TestSegmentTold::fourVolumes() const {
       file.write(reinterpret_cast<const char*>(&value), sizeof value);
     }
   return path;
+}
+
+void TestSegmentTold::valuesOverTimeAreThoseOfEachVolume_data() {
+  QTest::addColumn<QString>("data");
+  QTest::addColumn<QString>("axis");
+  QTest::newRow("volumes of a file") << QString() << QStringLiteral("Volume");
+  QTest::newRow("time points") << QStringLiteral("dicom-geometry/mr-fmri-ge-50") << QStringLiteral("Volume");
+  QTest::newRow("echoes") << QStringLiteral("field-cases/c66h-echo-time") << QStringLiteral("Echo time (ms)");
+}
+
+// As each volume alone says of the same voxels, whichever was segmented.
+void TestSegmentTold::valuesOverTimeAreThoseOfEachVolume() {
+  QFETCH(QString, data);
+  QFETCH(QString, axis);
+  const std::string path = data.isEmpty() ? fourVolumes() : dataPath(data.toStdString());
+  NEED_DATA(path);
+  const auto study = openStudy(path);
+  QVERIFY(study && study->volumes.size() > 1);
+  std::vector<const Series*> steps;
+  for (const Series& series : study->volumes) steps.push_back(&series);
+  sortTimePoints(steps);
+  const auto told = [&](const Series& series, const QStringList& how) {
+    return segment(QString::fromStdString(path),
+                   QStringList{QStringLiteral("--series"), QString::fromStdString(series.id)} + how);
+  };
+  const Outcome first = told(*steps.back(), {QStringLiteral("--range"), QStringLiteral("8:")});
+  QVERIFY2(first.status == 0 && timeAxisIn(first) == axis, first.err.constData());
+  const QJsonArray points = numbersIn(first)[QStringLiteral("timePoints")].toArray();
+  QCOMPARE(std::size_t(points.size()), steps.size());
+  for (int n = 0; n < int(points.size()); ++n) {
+    const Outcome alone = told(*steps[std::size_t(n)], {QStringLiteral("--from"), at("a.seg.nrrd")});
+    const QJsonObject numbers = numbersIn(alone), point = points[n].toObject();
+    QVERIFY(timeAxisIn(alone) == axis && numbers[QStringLiteral("voxels")].toInt() > 0);
+    QVERIFY(numbers[QStringLiteral("timePoints")].toArray() == points);
+    for (const char* what : {"mean", "sd", "min", "max"})
+      QCOMPARE(point[QLatin1String(what)].toDouble(-1), numbers[QLatin1String(what)].toDouble(-2));
+    if (n > 0) QVERIFY(point[QStringLiteral("mean")] != points[n - 1].toObject()[QStringLiteral("mean")]);
+    if (data.isEmpty()) QCOMPARE(point[QStringLiteral("at")].toInt(), n + 1);
+  }
+}
+
+void TestSegmentTold::oneVolumeHasNoneOverTime() {
+  const Outcome done =
+      segment(QStringLiteral("phantom:ramp:8"), {QStringLiteral("--range"), QStringLiteral("2:3")});
+  QCOMPARE(numbersIn(done)[QStringLiteral("voxels")].toInt(), 128);
+  QVERIFY(!done.out.contains("timeAxis") && !done.out.contains("timePoints"));
 }
 
 // One of 8 x 8 pixels, "a.dcm", as the program writes it, changed.
