@@ -10,6 +10,7 @@
 #include "io/study/choose.h"
 #include "io/zip_archive.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
 #include "viewer/scene/automatic.h"
 
 namespace volumen {
@@ -73,6 +74,18 @@ std::string choiceNote(const std::string& path, const Study& study, const std::s
          ". Choose another with --series.";
 }
 
+// What Opened has of them.
+std::vector<Series> timePointsIn(const Study& study, std::size_t chosen) {
+  std::vector<const Series*> steps;
+  for (const Series& series : study.volumes)
+    if (areTimePoints(study.volumes[chosen], series)) steps.push_back(&series);
+  if (steps.size() < 2) return {};
+  sortTimePoints(steps);
+  std::vector<Series> all;
+  for (const Series* step : steps) all.push_back(*step);
+  return all;
+}
+
 Result<Opened> open(const std::string& path, const std::string& wanted, const Progress& progress,
                     const CancelToken& cancel) {
   const Result<Study> study = openPath(path, progress, cancel);
@@ -82,6 +95,7 @@ Result<Opened> open(const std::string& path, const std::string& wanted, const Pr
   if (!chosen) return Error{chosen.message() + " " + printable(path) + " holds:" + listOf(*study)};
   Result<Opened> opened = load(study->volumes[*chosen], progress, cancel);
   if (!opened) return opened;
+  opened->timePoints = timePointsIn(*study, *chosen);
   if (const std::string note = choiceNote(path, *study, wanted, *chosen); !note.empty())
     opened->notes.insert(opened->notes.begin(), note);
   return opened;

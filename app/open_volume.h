@@ -17,7 +17,8 @@ struct Study;
 struct Opened {
   Series series;
   Loaded loaded;
-  std::vector<std::string> notes;  ///< sentences for stderr
+  std::vector<std::string> notes;    ///< sentences for stderr
+  std::vector<Series> timePoints{};  ///< of its series, itself included, in order; empty: it is the only one
 
   /// How a command ends that did its work on it.
   int status() const;

@@ -187,15 +187,21 @@ class Run {
 
   // As the session's 3D view draws them.
   std::vector<SegmentInScene> segmentsOf(const SessionView& session, const Volume& whole) const {
+    const std::vector<SegmentMap>& maps = session.segments;
     std::vector<SegmentInScene> drawn;
-    std::size_t missing = 0;
-    for (const SegmentMap& map : session.segments) {
-      missing += map.labels ? 0 : 1;
-      const std::vector<const Segment*> shown = segmentsIn3d(map);
-      const std::vector<SegmentSurface> surfaces = surfacesOf(map, whole, session.mask, cancel_);
-      for (std::size_t n = 0; n < surfaces.size(); ++n) drawn.push_back({shown[n], surfaces[n].field});
+    std::vector<SegmentNotDrawn> refused;
+    for (const MadeSurface& made : surfacesOf(maps, whole, session.mask, mostSurfaceBytes(), cancel_)) {
+      const Segment* segment =
+          findSegment(*std::ranges::find(maps, made.map, &SegmentMap::number), made.number);
+      if (made.field)
+        drawn.push_back({segment, made.field});
+      else
+        refused.push_back({segment, made.whyNot});
     }
-    const char* which = missing == session.segments.size() ? "The" : "Some";
+    for (const QString& line : notDrawnText(refused).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+      printNotes({line.toStdString()});
+    const auto missing = std::ranges::count_if(maps, [](const SegmentMap& map) { return !map.labels; });
+    const char* which = missing == std::ssize(maps) ? "The" : "Some";
     if (missing > 0)
       printNotes({std::string(which) + " segments of the session were not found: they are not drawn."});
     return drawn;

@@ -11,13 +11,17 @@
 #include "app/command.h"
 #include "app/open_volume.h"
 #include "app/output_names.h"
+#include "app/progress.h"
 #include "app/segment_text.h"
 #include "app/usage.h"
 #include "io/export/export_segments.h"
 #include "io/export/read_segments.h"
 #include "io/files/output_file.h"
 #include "ui/controller/recipe_files.h"
+#include "ui/controller/segment_recipes.h"
+#include "ui/controller/segment_time_values.h"
 #include "ui/workspace/segment_columns.h"
+#include "ui/workspace/value_text.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/scene/similar_name.h"
 
@@ -106,15 +110,23 @@ void removeTable(Recipe& recipe) {
     recipe.steps.push_back({"intersect", segment.label, {{"other", std::string("Patient")}}});
 }
 
-void printJson(const std::vector<SegmentReport>& numbers, const ValueScale& scale, const Opened& opened,
-               const SegmentSource& source, const std::vector<std::string>& files) {
+// What there is to say of the segments; values over time where their series has several time points.
+struct SegmentNumbersTold {
+  std::vector<SegmentReport> reports;
+  ValueScale scale;
+  std::optional<SegmentsOverTime> overTime{};
+};
+
+void printJson(const SegmentNumbersTold& numbers, const Opened& opened, const SegmentSource& source,
+               const std::vector<std::string>& files) {
   nlohmann::ordered_json all{{"series", opened.series.id}};
   if (source.recipe)
     all["recipe"] = nlohmann::ordered_json::parse(recipeJson(*source.recipe));
   else
     all["from"] = source.file;
-  all["segments"] = segmentsJson(numbers, scale.factor);
-  all["unit"] = scale.unit;
+  all["segments"] = segmentsJson(numbers.reports, numbers.scale.factor);
+  all["unit"] = numbers.scale.unit;
+  if (numbers.overTime) addTimePoints(all, *numbers.overTime);
   all["files"] = files;
   all["warnings"] = sentences(opened.loaded.warnings);
   all["unread"] = unreadJson(opened.loaded.unread);
@@ -132,16 +144,6 @@ void addNotes(std::vector<std::string>& notes, const Opened& opened,
     if (n.voxels == 0) notes.push_back(n.segment.label + ": no voxel is in it.");
 }
 
-// Which series a recipe is for, where that is told.
-void noteModality(std::vector<std::string>& notes, const Opened& opened, const Recipe& recipe) {
-  const std::string& modality = opened.series.modality;
-  if (recipe.modalities.empty() || modality.empty()) return;
-  for (const std::string& one : recipe.modalities)
-    if (one == modality) return;
-  notes.push_back("The recipe \"" + recipe.name + "\" is for " + recipe.modalities.front() +
-                  ", the series is " + modality + ": look at what it found.");
-}
-
 // One map; of a file whose segments overlap, several.
 Result<std::vector<Segmented>> segmentsOf(const SegmentSource& source, Opened& opened,
                                           const CancelToken& cancel) {
@@ -149,7 +151,7 @@ Result<std::vector<Segmented>> segmentsOf(const SegmentSource& source, Opened& o
   if (source.recipe) {
     auto made = follow(*source.recipe, volume, cancel);
     if (!made) return Error{source.recipe->name + ": " + made.message()};
-    noteModality(opened.notes, opened, *source.recipe);
+    for (const std::string& note : notesOf(*source.recipe, opened.series)) opened.notes.push_back(note);
     return std::vector{std::move(*made)};
   }
   auto file = readSegments(source.file, opened.series, volume.geometry(), {}, cancel);
@@ -158,15 +160,35 @@ Result<std::vector<Segmented>> segmentsOf(const SegmentSource& source, Opened& o
   return std::move(file->maps);
 }
 
-Result<std::vector<SegmentReport>> reportsOf(std::span<const Segmented> maps, const Opened& opened,
-                                             const CancelToken& cancel) {
-  std::vector<SegmentReport> all;
-  for (const Segmented& map : maps) {
-    auto numbers = segmentReports(map.segments, map.labels, *opened.loaded.drawn,
+// None where the series has one time point.
+std::optional<SegmentsOverTime> overTimeOf(std::span<const Segmented> maps, const Opened& opened,
+                                           const std::string& unit, const CancelToken& cancel) {
+  if (opened.timePoints.empty()) return {};
+  std::vector<const Series*> known;
+  for (const Series& step : opened.timePoints) known.push_back(&step);
+  TimeSteps steps = timeStepsOf(known);
+  for (TimeStep& step : steps.all)
+    if (step.series.id == opened.series.id) step.volume = opened.loaded.drawn;
+  std::vector<SegmentMap> measured;
+  for (const Segmented& map : maps)
+    measured.push_back({{}, map.segments, std::make_shared<const LabelMap>(map.labels), {}});
+  SegmentsOverTime values = segmentsIn(steps, measured, unit, terminalProgress(), cancel);
+  endTerminalProgress();
+  return values;
+}
+
+// Values over time where they are asked for.
+Result<SegmentNumbersTold> numbersOf(std::span<const Segmented> maps, const Opened& opened, bool withTime,
+                                     const CancelToken& cancel) {
+  SegmentNumbersTold all{{}, shownScale(opened.series)};
+  for (std::size_t n = 0; n < maps.size(); ++n) {
+    auto reports = segmentReports(maps[n].segments, maps[n].labels, *opened.loaded.drawn,
                                   hasPeaks(opened.series.modality), cancel);
-    if (!numbers) return numbers.error();
-    std::ranges::move(*numbers, std::back_inserter(all));
+    if (!reports) return reports.error();
+    for (SegmentReport& report : *reports) report.map = int(n);
+    std::ranges::move(*reports, std::back_inserter(all.reports));
   }
+  if (withTime) all.overTime = overTimeOf(maps, opened, all.scale.unit, cancel);
   return all;
 }
 
@@ -182,12 +204,12 @@ Status checkNames(const SegmentOptions& options, std::span<const Segmented> maps
 }
 
 // Empty where no file was asked for; it is there once it is committed.
-Result<std::optional<OutputFile>> writeCsv(const std::string& path, const std::vector<SegmentReport>& numbers,
-                                           const ValueScale& scale) {
+Result<std::optional<OutputFile>> writeCsv(const std::string& path, const SegmentNumbersTold& numbers) {
   if (path.empty()) return std::optional<OutputFile>();
   auto file = OutputFile::create(path);
   if (!file) return file.error();
-  if (Status s = file->write(segmentsAsCsv(numbers, scale).toStdString()); !s) return s.error();
+  if (Status s = file->write(segmentsAsCsv(numbers.reports, numbers.scale).toStdString()); !s)
+    return s.error();
   return std::optional(std::move(*file));
 }
 
@@ -204,10 +226,9 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   const auto segmented = segmentsOf(source, *opened, cancel);
   if (!segmented) return fail(segmented.message(), cancel);
   if (Status s = checkNames(options, *segmented, opened->series); !s) return fail(s.message());
-  const auto numbers = reportsOf(*segmented, *opened, cancel);
+  const auto numbers = numbersOf(*segmented, *opened, options.json, cancel);
   if (!numbers) return fail(numbers.message(), cancel);
-  const ValueScale scale = valueScale(opened->series, PetUnit::suvBodyWeight);
-  auto csv = writeCsv(options.csv, *numbers, scale);
+  auto csv = writeCsv(options.csv, *numbers);
   if (!csv) return fail(csv.message());
   const auto exported = exportSegments(options.output, *segmented, opened->series, {}, cancel);
   if (!exported) return fail(exported.message(), cancel);
@@ -216,13 +237,13 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
     if (Status s = (*csv)->commit(); !s) return fail(s.message());
     files.push_back(options.csv);
   }
-  addNotes(opened->notes, *opened, *numbers);
+  addNotes(opened->notes, *opened, numbers->reports);
   opened->notes.insert(opened->notes.end(), exported->notes.begin(), exported->notes.end());
   printNotes(opened->notes);
   if (options.json) {
-    printJson(*numbers, scale, *opened, source, files);
+    printJson(*numbers, *opened, source, files);
   } else {
-    std::cout << segmentsText(*numbers, scale);
+    std::cout << segmentsText(numbers->reports, numbers->scale);
     for (const std::string& file : files) std::cout << "file: " << printable(file) << '\n';
   }
   return opened->status();

@@ -146,6 +146,13 @@ Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels) 
   return format;
 }
 
+std::string readContrastAgent(const DataSet& data) {
+  std::string agent = data.utf8(0x00180010, data.root());
+  for (const DataSet::Scope& item : data.items(0x00180012, data.root()))
+    if (agent.empty()) agent = data.utf8(0x00080104, item);
+  return agent;
+}
+
 Cine readCine(const DataSet& data, int frames) {
   Cine cine;
   const DataSet::Scope root = data.root();

@@ -15,6 +15,9 @@ void readIdentity(const DataSet& data, FileHeader& header);
 /// missing, wrong or of a kind that is not read (colours of one bit or of a kind that is not in use).
 Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels);
 
+/// ContrastBolusAgent, else what the codes of agents say; empty: none is named.
+std::string readContrastAgent(const DataSet& data);
+
 /// How the frames are to be played.
 Cine readCine(const DataSet& data, int frames);
 

@@ -184,6 +184,7 @@ Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet&
                               std::to_string(format->frames) + (format->frames == 1 ? " frame" : " frames") +
                               " take " + std::to_string(needed) + ": the rest is not shown");
   header.cine = readCine(data, format->frames);
+  header.contrastAgent = readContrastAgent(data);
   header.frames = std::move(*frames);
   constexpr std::uint64_t endMark = 8;
   if (const Range last = header.frames.back().back();

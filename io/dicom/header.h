@@ -92,8 +92,8 @@ struct Concatenation {
 /// What a file says about itself and its pictures.
 struct FileHeader : SeriesIdentity {
   std::string path, sopInstanceUid;
-  std::string unit;  ///< Series::unit
-  std::string time;  ///< as Series has it
+  std::string unit;                 ///< Series::unit
+  std::string time, contrastAgent;  ///< as Series has them
   TransferSyntax syntax{"", "", Coding::native, {}, false};
   PixelFormat format;
   std::optional<Mosaic> mosaic;  ///< the frames are its tiles; `format` is that of a tile

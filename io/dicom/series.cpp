@@ -170,8 +170,10 @@ Series describe(const Part& part, const Split& split) {
   s.label = split.label;
   s.splitBy = split.by;
   s.sliceThickness = commonThickness(part.entries);
-  for (const Entry& e : part.entries)
+  for (const Entry& e : part.entries) {
     if (!s.lossyRatio) s.lossyRatio = e.file->lossyRatio;
+    if (s.contrastAgent.empty()) s.contrastAgent = e.file->contrastAgent;
+  }
   std::vector<const FileHeader*> headers;
   for (const Entry& e : part.entries) {
     s.files.push_back(e.file->path);

@@ -32,16 +32,17 @@ struct ProjectionView {
 /// how to load it.
 struct Series : SeriesIdentity {
   std::string id;  ///< SeriesInstanceUID or file name, "#n" behind it where that holds several (design.md 10)
-  std::string path;       ///< the file, or the folder that holds the files
-  std::string format;     ///< "DICOM", "phantom" or that of the file: "NRRD", "NIfTI", "MetaImage", ...
-  std::string unit;       ///< of the values: "HU", "Bq/ml", "SUV"; empty where they have none
-  SuvFactors suv;         ///< of PET
-  std::string time;       ///< of day, as DICOM writes it: of the acquisition, else of the series
-  std::string echoTime;   ///< ms, as in the file; empty where it is not given
-  std::string bValue;     ///< diffusion weight, s/mm^2, as in the file; empty where it is not given
-  std::string timePoint;  ///< of a series in time, as in the file; empty where it is not given
-  std::string label;      ///< what else tells it from the other volumes of its series or file, in a few
-                          ///< words: "direction 12", "component x", "2 of 5"; empty where nothing does
+  std::string path;           ///< the file, or the folder that holds the files
+  std::string format;         ///< "DICOM", "phantom" or that of the file: "NRRD", "NIfTI", "MetaImage", ...
+  std::string unit;           ///< of the values: "HU", "Bq/ml", "SUV"; empty where they have none
+  SuvFactors suv;             ///< of PET
+  std::string contrastAgent;  ///< DICOM: as in the file, of codes their words; empty: it names none
+  std::string time;           ///< of day, as DICOM writes it: of the acquisition, else of the series
+  std::string echoTime;       ///< ms, as in the file; empty where it is not given
+  std::string bValue;         ///< diffusion weight, s/mm^2, as in the file; empty where it is not given
+  std::string timePoint;      ///< of a series in time, as in the file; empty where it is not given
+  std::string label;          ///< what else tells it from the other volumes of its series or file, in a few
+                              ///< words: "direction 12", "component x", "2 of 5"; empty where nothing does
 
   std::vector<SplitBy> splitBy;  ///< what tells it from the other volumes of its series, first things first
   double sliceThickness = 0;     ///< SliceThickness, mm; 0: not given, or not the same of all slices

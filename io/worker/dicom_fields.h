@@ -46,8 +46,8 @@ inline void fields(Wire& w, dicom::PetFacts& p) {
 
 inline void fields(Wire& w, dicom::FileHeader& h) {
   fields(w, static_cast<SeriesIdentity&>(h));
-  w(h.path, h.sopInstanceUid, h.unit, h.time, h.syntax, h.format, h.mosaic, h.concatenation, h.frames,
-    h.inflatedFrom, h.slices, h.notVolume, h.cine, h.warnings);
+  w(h.path, h.sopInstanceUid, h.unit, h.time, h.contrastAgent, h.syntax, h.format, h.mosaic, h.concatenation,
+    h.frames, h.inflatedFrom, h.slices, h.notVolume, h.cine, h.warnings);
   w(h.pet);
 }
 

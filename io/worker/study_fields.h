@@ -51,9 +51,9 @@ inline void fields(Wire& w, SplitBy& s) { w(s.attribute, s.value, s.words); }
 inline void fields(Wire& w, ProjectionView& p) { w(p.laterality, p.viewPosition); }
 inline void fields(Wire& w, Series& s) {
   fields(w, static_cast<SeriesIdentity&>(s));
-  w(s.id, s.path, s.format, s.unit, s.time, s.echoTime, s.bValue, s.timePoint, s.label, s.splitBy,
-    s.sliceThickness, s.acquired, s.valueType, s.warnings, s.regular, s.files, s.frames, s.sopInstanceUids,
-    s.projections, s.notVolume, s.cine);
+  w(s.id, s.path, s.format, s.unit, s.contrastAgent, s.time, s.echoTime, s.bValue, s.timePoint, s.label,
+    s.splitBy, s.sliceThickness, s.acquired, s.valueType, s.warnings, s.regular, s.files, s.frames,
+    s.sopInstanceUids, s.projections, s.notVolume, s.cine);
   w(s.suv.bodyWeight, s.suv.leanBodyMass, s.suv.bodySurface, s.suv.why);
 }
 

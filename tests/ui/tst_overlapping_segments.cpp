@@ -1,5 +1,7 @@
 // Guards window.md "Segments" of several maps, by real events: segments that overlap keep their voxels, are
 // listed, drawn, measured, exported and saved together; what is done in one map leaves the others.
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <QLabel>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -7,6 +9,7 @@
 #include <cstdlib>
 
 #include "io/export/seg_nrrd.h"
+#include "tests/fixtures/program.h"
 #include "tests/ui/paint_window.h"
 #include "tests/ui/session_folder.h"
 #include "tests/ui/sphere_segments.h"
@@ -205,6 +208,12 @@ void TestOverlappingSegments::bothAreMeasuredAndCompared() {
   for (const int row : {0, 1})
     QTest::mouseClick(table->viewport(), Qt::LeftButton, row == 0 ? Qt::NoModifier : Qt::ControlModifier,
                       table->visualItemRect(table->item(row, 0)).center());
+  const QString saved = w.at("numbers.json");
+  w.click("segmentNumbersJson");
+  answer(w, "segmentNumbersFileDialog", saved);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(saved), longest);
+  const QJsonArray told = QJsonDocument::fromJson(contentsOf(saved))[QStringLiteral("segments")].toArray();
+  for (const int row : {0, 1}) QCOMPARE(told[row][QStringLiteral("map")].toInt(), row + 1);
   QVERIFY(w.pushed("segmentNumbersCompare"));
   const double inBoth = double(voxelsWhere([](glm::dvec3 p) { return isBallAboutHollow(p) && isLow(p); }));
   const double dice = 2 * inBoth / double(voxelsWhere(isBallAboutHollow) + voxelsWhere(isLow));

@@ -154,14 +154,18 @@ void TestSegmentImport::namesAndNumbersThatAreTakenBecomeOthers() {
   ImportWindow w;
   QVERIFY(w.make(400, 600));
   const std::string name = w.segment(0).label;
-  const QString file =
-      w.file("a.seg.nrrd", {{.number = 1, .label = name}, {.number = 7, .label = "Other"}}, [](glm::dvec3 p) {
-        return isShell(p) ? 1 : isSmall(p) ? 7 : 0;
-      });
+  const auto colour = w.segment(0).colour;
+  const std::vector<Segment> twins{{.number = 1, .label = name, .colour = colour},
+                                   {.number = 7, .label = "Other", .colour = glm::u8vec3(1, 2, 3)}};
+  const QString file = w.file("a.seg.nrrd", twins, [](glm::dvec3 p) {
+    return isShell(p) ? 1 : isSmall(p) ? 7 : 0;
+  });
   QVERIFY(w.import(file));
   QCOMPARE(w.count(), std::size_t(3));
-  QCOMPARE(w.segment(1).label, name + " 2");
+  QCOMPARE(w.segment(1).label, name + " (2)");
   QVERIFY(w.segment(0).number == 1 && w.segment(1).number == 2 && w.segment(2).number == 7);
+  QVERIFY(w.segment(0).colour == colour && w.segment(1).colour && w.segment(1).colour != colour);
+  QVERIFY(w.segment(2).colour == glm::u8vec3(1, 2, 3));
   QCOMPARE(w.voxels(2), voxelsWhere(isShell));
   QCOMPARE(w.voxels(7), voxelsWhere(isSmall));
   QCOMPARE(w.voxels(1), voxelsWhere(isCore));

@@ -133,7 +133,7 @@ void TestSegmentList::aCopyHasItsVoxelsInAnotherMap() {
   QCOMPARE(w.workspace().segmentMaps.size(), std::size_t(2));
   QVERIFY(*segmentMapOf(w.workspace(), w.series(), 0) == first);
   QCOMPARE(w.map()->number, 1);
-  QCOMPARE(w.current().label, std::string("Bone 2"));
+  QCOMPARE(w.current().label, std::string("Bone (2)"));
   QVERIFY(w.current().type == first.segments[0].type && w.current().colour != first.segments[0].colour);
   QVERIFY(w.mask(w.current().number) == bone);
   QCOMPARE(w.list()->topLevelItem(1)->text(2), w.list()->topLevelItem(0)->text(2));

@@ -42,6 +42,8 @@ class TestSegmentRecipes : public CleanSettings {
   void aClickIsOneStep();
   void lockedSegmentsKeepTheirVoxels();
   void whatCannotBeFoundIsSaid();
+  void contrastThatIsNotNamedIsSaid_data();
+  void contrastThatIsNotNamedIsSaid();
   void aRealChestHasTheBonesThatTheRecipeFinds();
 };
 
@@ -107,6 +109,35 @@ void TestSegmentRecipes::whatCannotBeFoundIsSaid() {
   QTRY_VERIFY_WITH_TIMEOUT(
       w.child<Banner>("banner")->sentence().contains(QStringLiteral("no trachea was found")), longest);
   QVERIFY(w.workspace() == before);
+}
+
+void TestSegmentRecipes::contrastThatIsNotNamedIsSaid_data() {
+  QTest::addColumn<QString>("recipe");
+  QTest::addColumn<QString>("agent");
+  QTest::addColumn<bool>("said");
+  QTest::newRow("no agent") << QStringLiteral("recipeVessels with contrast") << QString() << true;
+  QTest::newRow("an agent") << QStringLiteral("recipeVessels with contrast") << QStringLiteral("IOHEXOL")
+                            << false;
+  QTest::newRow("a recipe that needs none") << QStringLiteral("recipeBone") << QString() << false;
+}
+
+// Once it has been followed.
+void TestSegmentRecipes::contrastThatIsNotNamedIsSaid() {
+  QFETCH(QString, recipe);
+  QFETCH(QString, agent);
+  QFETCH(bool, said);
+  const LoadedSeriesPtr plain = ofModality("CT");
+  auto series = std::make_shared<LoadedSeries>(*plain);
+  series->series.format = "DICOM";
+  series->series.contrastAgent = agent.toStdString();
+  SegmentWindow w(series);
+  const QByteArray entry = recipe.toLatin1();
+  Hand(w.window).menuOf(w.child<QToolButton>("segmentRecipes"), entry.constData());
+  QTRY_COMPARE_WITH_TIMEOUT(w.count(), std::size_t(1), longest);
+  QVERIFY(w.idle());
+  const auto* banner = w.child<Banner>("banner");
+  const QString told = banner->isVisible() ? banner->sentence() : QString();
+  QVERIFY2(told.contains(QStringLiteral("The header names no contrast agent")) == said, qPrintable(told));
 }
 
 // Of a chest of a woman: its bones are about a litre, and white in slices.

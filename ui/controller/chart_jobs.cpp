@@ -14,7 +14,7 @@ namespace {
 
 // The mean of a region in a step; none: no voxel inside, or it cannot be read.
 std::optional<double> meanIn(const TimeStep& step, const Shape& region, const Job& job) {
-  const VolumePtr volume = volumeOf(step, job);
+  const VolumePtr volume = volumeOf(step, job.progress(), job.cancel());
   if (!volume) return {};
   const auto values = regionValues(region, *volume);
   return values ? std::optional(values->mean * step.factor) : std::nullopt;
@@ -113,7 +113,7 @@ void ChartJobs::start(const Wanted& wanted, const Ground& ground) {
 
 void ChartJobs::startOverTime(const Wanted& wanted) {
   TimeSteps steps = timeStepsOf(session_, wanted.series);
-  const bool isRead = std::ranges::any_of(steps.all, [](const TimeStep& step) { return !step.loaded; });
+  const bool isRead = std::ranges::any_of(steps.all, [](const TimeStep& step) { return !step.volume; });
   const JobName name =
       isRead ? JobName(tr("Reading all time points"), seriesText(steps.all.front().series)) : JobName();
   lane_.run(

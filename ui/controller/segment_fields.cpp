@@ -1,9 +1,11 @@
 #include "ui/controller/segment_fields.h"
 
 #include <QLocale>
-#include <limits>
+#include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "ui/data/series_pool.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 #include "viewer/segment/occupancy.h"
@@ -17,15 +19,14 @@ QString megabytes(std::size_t bytes) {
   return tr("%1 MB").arg(QLocale().toString(mb, 'f', mb < 10 ? 1 : 0));
 }
 
-}  // namespace
-
-Result<std::shared_ptr<const OccupancyField>> surfaceFieldOf(const LabelMap& labels, int number,
-                                                             const BitMask* kept, std::size_t mostBytes,
-                                                             const MadeSurface* before,
-                                                             const CancelToken& cancel) {
-  if (before && before->field && holdSame(labels, *before->labels, std::uint8_t(number)))
-    return before->field;
-  BitMask voxels = maskOf(labels, std::uint8_t(number));
+// The Error: it would take more than so many bytes.
+Result<std::shared_ptr<const OccupancyField>> fieldOf(const MadeSurface& surface, const MadeSurface* before,
+                                                      const BitMask* kept, std::size_t mostBytes,
+                                                      const CancelToken& cancel) {
+  const LabelMap& labels = *surface.labels;
+  const auto number = std::uint8_t(surface.number);
+  if (before && before->field && holdSame(labels, *before->labels, number)) return before->field;
+  BitMask voxels = maskOf(labels, number);
   if (kept) voxels = intersected(std::move(voxels), *kept);
   if (const std::size_t bytes = occupancyBytes(voxels, surfaceSigma); bytes > mostBytes)
     return Error{tr("Its surface would take %1 of memory; %2 are left for surfaces.")
@@ -34,17 +35,38 @@ Result<std::shared_ptr<const OccupancyField>> surfaceFieldOf(const LabelMap& lab
   return std::make_shared<const OccupancyField>(occupancyOf(voxels, surfaceSigma, cancel));
 }
 
-std::vector<SegmentSurface> surfacesOf(const SegmentMap& map, const Volume& whole, const Mask& mask,
-                                       const CancelToken& cancel) {
-  std::vector<SegmentSurface> surfaces;
-  const std::vector<const Segment*> shown = segmentsIn3d(map);
-  if (shown.empty() || !isOn(map, whole.geometry())) return surfaces;
+}  // namespace
+
+std::size_t mostSurfaceBytes() { return SeriesPool::partOfMemory(25); }
+
+std::size_t bytesOf(const MadeSurface& surface) {
+  return surface.field ? surface.field->values.size() * sizeof(float) : 0;
+}
+
+void makeFields(std::vector<MadeSurface>& surfaces, const std::vector<MadeSurface>& before,
+                const BitMask* kept, std::size_t mostBytes, const CancelToken& cancel) {
+  std::size_t left = mostBytes;
+  for (std::size_t n = 0; n < surfaces.size() && !cancel.cancelled(); ++n) {
+    MadeSurface& surface = surfaces[n];
+    auto field = fieldOf(surface, n < before.size() ? &before[n] : nullptr, kept, left, cancel);
+    if (field)
+      surface.field = std::move(*field);
+    else
+      surface.whyNot = QString::fromStdString(field.message());
+    left -= std::min(left, bytesOf(surface));
+  }
+}
+
+std::vector<MadeSurface> surfacesOf(std::span<const SegmentMap> maps, const Volume& whole, const Mask& mask,
+                                    std::size_t mostBytes, const CancelToken& cancel) {
+  std::vector<MadeSurface> surfaces;
+  for (const SegmentMap& map : maps)
+    if (isOn(map, whole.geometry()))
+      for (const Segment* segment : segmentsIn3d(map))
+        surfaces.push_back({map.series, map.number, segment->number, map.labels, mask});
   std::optional<BitMask> kept;
-  if (!mask.empty()) kept = keptVoxels(whole, mask, cancel);
-  for (const Segment* segment : shown)
-    surfaces.push_back(
-        surfaceOf(*segment, *surfaceFieldOf(*map.labels, segment->number, kept ? &*kept : nullptr,
-                                            std::numeric_limits<std::size_t>::max(), nullptr, cancel)));
+  if (!surfaces.empty() && !mask.empty()) kept = keptVoxels(whole, mask, cancel);
+  makeFields(surfaces, {}, kept ? &*kept : nullptr, mostBytes, cancel);
   return surfaces;
 }
 

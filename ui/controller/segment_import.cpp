@@ -36,12 +36,7 @@ QStringList furtherText(const AddedSegments& added) {
 // With all segments of a file; the first that was added is current, its map worked on.
 std::vector<SegmentMap> withSegmentsOf(const SegmentsFile& file, const QString& name,
                                        std::vector<SegmentMap> maps, QStringList& told) {
-  AddedSegments all{std::move(maps)};
-  for (const Segmented& layer : file.maps) {
-    AddedSegments added = withSegmentsAdded(std::move(all.maps), layer);
-    all.maps = std::move(added.maps);
-    all.places.insert(all.places.end(), added.places.begin(), added.places.end());
-  }
+  AddedSegments all = withSegmentsAdded(std::move(maps), file.maps);
   const auto count = all.places.size();
   told << (count == 1 ? tr("Added a segment of %1.").arg(name)
                       : tr("Added %1 segments of %2.").arg(count).arg(name));

@@ -54,7 +54,7 @@ Workspace withMade(const Workspace& workspace, const SegmentWork& work, const st
   if (work.makeMaps) return withSegmentMapsOf(workspace, made);
   std::vector<SegmentMap> all;
   for (const SegmentMap* map : segmentMapsOf(workspace, work.series)) all.push_back(*map);
-  return withSegmentMap(workspace, withNamesApart(bases.front(), made.front(), all));
+  return withSegmentMap(workspace, withNewOnesApart(bases.front(), made.front(), all));
 }
 
 SegmentNumbers segmentNumbersOf(SegmentNumbers wanted, const SegmentNumbers& known) {

@@ -12,6 +12,10 @@ namespace volumen {
 /// those that have none of their own, none.
 std::vector<const Recipe*> recipesFor(const std::string& modality);
 
+/// What is to be said where a recipe is followed on a series: that it is for another modality, or for series
+/// with contrast agent, of which the header names none. Sentences.
+std::vector<std::string> notesOf(const Recipe& recipe, const Series& series);
+
 /// What becomes of a recipe's segments: others beside those of the series; or, where the recipe was recorded
 /// of these (segment_record.h), the voxels of those of the same name.
 enum class RecipeUse { add, again };

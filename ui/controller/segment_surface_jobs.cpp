@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <new>
 
-#include "ui/controller/segment_fields.h"
 #include "ui/workspace/segments.h"
 
 namespace volumen {
 
 namespace {
-
-std::size_t bytesOf(const OccupancyField* field) { return field ? field->values.size() * sizeof(float) : 0; }
 
 std::vector<SeriesKey> seriesIn3d(const Workspace& workspace) {
   std::vector<SeriesKey> all;
@@ -88,7 +85,7 @@ std::size_t SegmentSurfaceJobs::bytesBeside(const std::vector<MadeSurface>& want
   for (const MadeSurface& made : session_.surfaces()) {
     const bool isReplaced =
         std::ranges::any_of(wanted, [&](const MadeSurface& surface) { return surface.isOfSame(made); });
-    if (!isReplaced) bytes += bytesOf(made.field.get());
+    if (!isReplaced) bytes += bytesOf(made);
   }
   return bytes;
 }
@@ -147,16 +144,7 @@ Result<SegmentSurfaceJobs::Made> SegmentSurfaceJobs::made(const Wanted& wanted,
   if (all.kept && !all.kept->voxels)
     all.kept->voxels = std::make_shared<const BitMask>(keptVoxels(*wanted.whole, all.kept->mask, cancel));
   const BitMask* kept = all.kept ? all.kept->voxels.get() : nullptr;
-  std::size_t left = wanted.mostBytes;
-  for (std::size_t n = 0; n < all.surfaces.size() && !cancel.cancelled(); ++n) {
-    MadeSurface& surface = all.surfaces[n];
-    auto field = surfaceFieldOf(*surface.labels, surface.number, kept, left, &wanted.before[n], cancel);
-    if (field)
-      surface.field = std::move(*field);
-    else
-      surface.whyNot = QString::fromStdString(field.message());
-    left -= std::min(left, bytesOf(surface.field.get()));
-  }
+  makeFields(all.surfaces, wanted.before, kept, wanted.mostBytes, cancel);
   return all;
 } catch (const std::bad_alloc&) {
   return Error{"Segments are not shown in 3D: there is not enough memory for their surfaces."};

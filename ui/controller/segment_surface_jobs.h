@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "ui/controller/segment_fields.h"
 #include "ui/controller/segment_painter.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
@@ -21,7 +22,7 @@ class SegmentSurfaceJobs : public QObject {
  public:
   /// `mostBytes`: of the fields of all surfaces.
   SegmentSurfaceJobs(Session& session, const SegmentPainter& painter, Jobs& jobs,
-                     std::size_t mostBytes = SeriesPool::partOfMemory(25), QObject* parent = nullptr);
+                     std::size_t mostBytes = mostSurfaceBytes(), QObject* parent = nullptr);
 
  Q_SIGNALS:
   /// A sentence; not for what was cancelled.

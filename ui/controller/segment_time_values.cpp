@@ -1,6 +1,5 @@
 #include "ui/controller/segment_time_values.h"
 
-#include "ui/workspace/text.h"
 #include "viewer/segment/numbers.h"
 
 namespace volumen {
@@ -18,14 +17,13 @@ std::optional<StepValues> valuesOfStep(const VolumePtr& volume, const BitMask& m
 }  // namespace
 
 SegmentsOverTime segmentsIn(const TimeSteps& steps, const std::vector<SegmentMap>& maps,
-                            const std::string& unit, const Job& job) {
+                            const std::string& unit, const Progress& progress, const CancelToken& cancel) {
   SegmentsOverTime found{steps.axis, unit, {}};
   for (const SegmentMap& map : maps) found.segments.resize(found.segments.size() + map.segments.size());
   for (std::size_t n = 0; n < steps.all.size(); ++n) {
-    if (job.cancelled()) break;
-    job.tell(tr("Measuring time point %1 of %2").arg(n + 1).arg(steps.all.size()),
-             double(n) / double(steps.all.size()));
-    const VolumePtr volume = volumeOf(steps.all[n], job);
+    if (cancel.cancelled()) break;
+    if (progress) progress("measuring time points", n, steps.all.size());
+    const VolumePtr volume = volumeOf(steps.all[n], progress, cancel);
     std::size_t segment = 0;
     for (const SegmentMap& map : maps)
       for (const Segment& each : map.segments)

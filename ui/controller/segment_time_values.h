@@ -10,8 +10,9 @@
 namespace volumen {
 
 /// The values of all segments, map after map, in each step of their series; `unit`: what the factors of the
-/// steps lead to. For jobs.
+/// steps lead to. Takes its time; a cancelled one is half done.
 SegmentsOverTime segmentsIn(const TimeSteps& steps, const std::vector<SegmentMap>& maps,
-                            const std::string& unit, const Job& job);
+                            const std::string& unit, const Progress& progress = {},
+                            const CancelToken& cancel = {});
 
 }  // namespace volumen

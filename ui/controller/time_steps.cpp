@@ -6,17 +6,22 @@
 
 namespace volumen {
 
+TimeSteps timeStepsOf(const std::vector<const Series*>& steps) {
+  TimeSteps made{{}, stepAxisOf(steps)};
+  for (const Series* step : steps) made.all.push_back({*step, nullptr, shownScale(*step).factor});
+  return made;
+}
+
 TimeSteps timeStepsOf(const Session& session, const SeriesKey& series) {
-  const std::vector<const Series*> known = timePointsOf(session.workspace(), series);
-  TimeSteps steps{{}, stepAxisOf(known)};
-  for (const Series* step : known)
-    steps.all.push_back({*step, session.seriesNamed(keyOf(*step)), shownScale(*step).factor});
+  TimeSteps steps = timeStepsOf(timePointsOf(session.workspace(), series));
+  for (TimeStep& step : steps.all)
+    if (const LoadedSeriesPtr loaded = session.seriesNamed(keyOf(step.series))) step.volume = loaded->volume;
   return steps;
 }
 
-VolumePtr volumeOf(const TimeStep& step, const Job& job) {
-  if (step.loaded) return step.loaded->volume;
-  const Result<Loaded> loaded = loadSeries(step.series, job.progress(), job.cancel());
+VolumePtr volumeOf(const TimeStep& step, const Progress& progress, const CancelToken& cancel) {
+  if (step.volume) return step.volume;
+  const Result<Loaded> loaded = loadSeries(step.series, progress, cancel);
   return loaded ? loaded->drawn : nullptr;
 }
 

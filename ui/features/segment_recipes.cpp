@@ -14,8 +14,8 @@ namespace volumen {
 
 namespace {
 
-// What was done on segments as a recipe: saved, read and run, changed and run again. Its actions stand in the
-// menu of the panel Segments.
+// Recipes of segments: followed, also those of a file; what was done as one: saved, changed and run again.
+// The actions stand in the menu of the panel Segments.
 class SegmentRecipes : public Feature {
  public:
   explicit SegmentRecipes(Workbench& bench);
@@ -41,13 +41,19 @@ SegmentRecipes::SegmentRecipes(Workbench& bench) : Feature(bench), files_(bench.
   add("saveRecipe", tr("Save steps as a recipe..."), &SegmentRecipes::askWhereToSave);
   add("recipeSteps", tr("Steps..."), &SegmentRecipes::showSteps);
   connect(&files_, &FileJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&bench_, &Workbench::recipeWanted, this, &SegmentRecipes::run);
 }
 
+// Its segments become more segments of the series that the panel shows.
 void SegmentRecipes::run(const Recipe& recipe) {
   const QString why = whyNoSegments(session_);
   if (!why.isEmpty()) return warn(why);
-  const SeriesKey series = keyOf(session_.series()->series);
-  Q_EMIT bench_.segmentWorkWanted(workOf(recipe, series, wholeVolume(session_), session_.maskOf(series)));
+  const Series& series = session_.series()->series;
+  SegmentWork work = workOf(recipe, keyOf(series), wholeVolume(session_), session_.maskOf(keyOf(series)));
+  QStringList notes;
+  for (const std::string& note : notesOf(recipe, series)) notes << shownText(note);
+  if (!notes.isEmpty()) work.done = [this, notes] { warn(notes.join(QLatin1Char(' '))); };
+  Q_EMIT bench_.segmentWorkWanted(work);
 }
 
 // The steps of a record say themselves what they leave out. Another map may be worked on by now.

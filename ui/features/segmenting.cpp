@@ -9,7 +9,6 @@
 #include "ui/controller/segment_cutting.h"
 #include "ui/controller/segment_painter.h"
 #include "ui/controller/segment_preview.h"
-#include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_surface_jobs.h"
 #include "ui/controller/segment_target.h"
 #include "ui/controller/tissue_jobs.h"
@@ -48,7 +47,6 @@ class Segmenting : public Feature {
   void paint(const SegmentStroke& stroke);
   void cutSegment(const SegmentCut& cut);
   void measure(const SegmentNumbers& wanted);
-  void follow(const Recipe& recipe);
   void askWhere();
   void showNumbers();
   void tellSaved(const QStringList& files, const QStringList& notes, const std::vector<SegmentMap>& maps);
@@ -138,7 +136,7 @@ void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
   connect(panel_, &SegmentsPanel::numbersWanted, this, &Segmenting::showNumbers);
   connect(&bench_, &Workbench::segmentWorkWanted, &segmenter_, &SegmentJobs::change);
-  connect(panel_, &SegmentsPanel::recipeChosen, this, &Segmenting::follow);
+  connect(panel_, &SegmentsPanel::recipeChosen, &bench_, &Workbench::recipeWanted);
   connect(panel_, &SegmentsPanel::previewChanged, &grid_, &ViewGrid::showSegment);
   connect(panel_, &SegmentsPanel::measureRequested, this, &Segmenting::measure);
   connect(&segmenter_, &SegmentJobs::ended, panel_, &SegmentsPanel::showSegments);
@@ -213,14 +211,6 @@ void Segmenting::showNumbers() {
   numbers_->show();
   numbers_->raise();
   numbers_->activateWindow();
-}
-
-// Its segments become more segments of the series that the panel shows.
-void Segmenting::follow(const Recipe& recipe) {
-  const QString why = whyNoSegments(session_);
-  if (!why.isEmpty()) return warn(why);
-  const SeriesKey series = keyOf(session_.series()->series);
-  segmenter_.change(workOf(recipe, series, wholeVolume(session_), session_.maskOf(series)));
 }
 
 // Of the series that the panel shows; a first part makes a segment.

@@ -194,6 +194,8 @@ class Workbench : public QObject, public WindowParts {
   void curvePulled();
   /// Segments are to be changed.
   void segmentWorkWanted(const volumen::SegmentWork& work);
+  /// A recipe is to be followed on the series that the panel Segments shows.
+  void recipeWanted(const volumen::Recipe& recipe);
 };
 
 }  // namespace volumen

@@ -116,11 +116,14 @@ void SegmentChartBox::read(const Wanted& wanted) {
   wanted_ = wanted;
   const Series& series = session_.series()->series;
   TimeSteps steps = timeStepsOf(session_, keyOf(series));
-  for (TimeStep& step : steps.all) step.loaded = session_.seriesWith(keyOf(step.series), {});
+  for (TimeStep& step : steps.all) {
+    const LoadedSeriesPtr whole = session_.seriesWith(keyOf(step.series), {});
+    step.volume = whole ? whole->volume : nullptr;
+  }
   lane_.run(
       JobName(tr("Reading all time points"), seriesText(series)),
       [steps = std::move(steps), maps = maps_, unit = wanted.scale.unit](const Job& job) {
-        return segmentsIn(steps, maps, unit, job);
+        return segmentsIn(steps, maps, unit, job.progress(), job.cancel());
       },
       [this](const SegmentsOverTime& values) {
         overTime_ = values;

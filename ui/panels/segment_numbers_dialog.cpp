@@ -91,6 +91,7 @@ Result<std::vector<SegmentReport>> reportsOf(const std::vector<SegmentMap>& maps
                                   double(all.size() + done) / double(count));
                        });
     if (!reports) return reports;
+    for (SegmentReport& report : *reports) report.map = map.number;
     std::ranges::move(*reports, std::back_inserter(all));
   }
   return all;
@@ -307,11 +308,7 @@ QString SegmentNumbersDialog::jsonText() const {
   if (!measured_) return {};
   nlohmann::ordered_json all{{"segments", segmentsJson(measured_->reports, scale().factor)},
                              {"unit", scale().unit}};
-  if (const SegmentsOverTime* values = charts_->overTime()) {
-    all["timeAxis"] = values->axis.title.toStdString();
-    for (std::size_t n = 0; n < measured_->reports.size(); ++n)
-      all["segments"][n]["timePoints"] = timePointsJson(*values, n);
-  }
+  if (const SegmentsOverTime* values = charts_->overTime()) addTimePoints(all, *values);
   return QString::fromStdString(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
          QLatin1Char('\n');
 }

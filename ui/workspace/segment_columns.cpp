@@ -169,7 +169,7 @@ QString columnText(const SegmentColumn& column, const SegmentReport& report, dou
 }
 
 QString segmentsAsCsv(std::span<const SegmentReport> all, const ValueScale& scale) {
-  QStringList heads{tr("Name")};
+  QStringList heads{tr("Name"), tr("Map")};
   for (const SegmentColumn& column : segmentColumns()) {
     const QString name = columnName(column, scale), unit = columnUnit(column, scale);
     if (column.parts.empty()) heads << csvField(headWithUnit(name, unit));
@@ -178,7 +178,8 @@ QString segmentsAsCsv(std::span<const SegmentReport> all, const ValueScale& scal
   }
   QString text = heads.join(QLatin1Char(',')) + QStringLiteral("\r\n");
   for (const SegmentReport& report : all) {
-    QStringList fields{csvField(harmlessName(QString::fromStdString(report.segment.label)))};
+    QStringList fields{csvField(harmlessName(QString::fromStdString(report.segment.label))),
+                       QString::number(report.map + 1)};
     for (const SegmentColumn& column : segmentColumns()) {
       const Numbers numbers = segmentNumbers(column, report, scale.factor);
       for (std::size_t n = 0; n < std::max<std::size_t>(1, column.parts.size()); ++n)

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <utility>
 
+#include "ui/workspace/region_colours.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 #include "viewer/segment/added_labels.h"
@@ -28,9 +30,59 @@ SegmentMap furtherMap(const std::vector<SegmentMap>& maps) {
   return made;
 }
 
-// Adds to the map at `index` what takes no voxel of it; what is left over comes back.
+// "Bone (3)" is a third "Bone".
+struct CountedName {
+  std::string name;
+  int count = 1;
+};
+
+CountedName countedName(const std::string& name) {
+  constexpr int most = 999;  // more is a year, or whatever else
+  const std::size_t open = name.rfind(" (");
+  if (open == std::string::npos || !name.ends_with(')')) return {name};
+  const char *const first = name.data() + open + 2, *const end = name.data() + name.size() - 1;
+  int count = 0;
+  const auto read = std::from_chars(first, end, count);
+  const bool isCount = read.ec == std::errc() && read.ptr == end && count >= 2 && count < most;
+  return isCount ? CountedName{name.substr(0, open), count} : CountedName{name};
+}
+
+template <class IsTaken>
+std::string nameApart(const std::string& wanted, const IsTaken& isTaken) {
+  auto [name, count] = countedName(wanted);
+  std::string apart = wanted;
+  while (isTaken(apart)) apart = name + " (" + std::to_string(++count) + ")";
+  return apart;
+}
+
+bool isColour(std::span<const SegmentMap> maps, glm::u8vec3 colour) {
+  const auto isOf = [&](const Segment& s) { return s.colour.value_or(colourOfNumber(s.number)) == colour; };
+  return std::ranges::any_of(maps,
+                             [&](const SegmentMap& map) { return std::ranges::any_of(map.segments, isOf); });
+}
+
+// With its new segments called as none of the series.
+SegmentMap withNamesApart(const SegmentMap& before, SegmentMap after,
+                          const std::vector<SegmentMap>& ofSeries) {
+  const auto isTaken = [&](const std::string& name, const Segment& own) {
+    return std::ranges::any_of(
+               ofSeries,
+               [&](const SegmentMap& map) { return map.number != after.number && isCalled(map, name); }) ||
+           std::ranges::any_of(after.segments, [&](const Segment& other) {
+             return other.number != own.number && other.label == name;
+           });
+  };
+  for (Segment& segment : after.segments)
+    if (!findSegment(before, segment.number))
+      segment.label =
+          nameApart(segment.label, [&](const std::string& name) { return isTaken(name, segment); });
+  return after;
+}
+
+// Adds to the map at `index` what takes no voxel of it; what is left over comes back. `there`: the maps
+// before anything was added.
 std::vector<Segment> addWhatFits(AddedSegments& all, std::size_t index, const LabelMap& labels,
-                                 const std::vector<Segment>& segments) {
+                                 const std::vector<Segment>& segments, const std::vector<SegmentMap>& there) {
   SegmentMap& map = all.maps[index];
   const std::bitset<256> overlapping = labelsOverlapping(*map.labels, labels);
   std::array<std::uint8_t, 256> numbers{};
@@ -41,6 +93,8 @@ std::vector<Segment> addWhatFits(AddedSegments& all, std::size_t index, const La
       left.push_back(std::move(segment));
       continue;
     }
+    if (!segment.colour || isColour(there, *segment.colour))
+      segment.colour = freeColour(all.maps, map.number, segment.number);
     const SegmentMap before = map;
     map = withNamesApart(before, withSegmentAdded(std::move(map), std::move(segment)), all.maps);
     numbers[label] = std::uint8_t(map.current);
@@ -96,40 +150,46 @@ Workspace withSegmentMapsOf(Workspace workspace, const std::vector<SegmentMap>& 
 }
 
 std::string freeName(std::span<const SegmentMap> maps, const std::string& wanted) {
-  const auto isTaken = [&](const std::string& name) {
+  return nameApart(wanted, [&](const std::string& name) {
     return std::ranges::any_of(maps, [&](const SegmentMap& map) { return isCalled(map, name); });
-  };
-  std::string name = wanted;
-  for (int n = 2; isTaken(name); ++n) name = wanted + " " + std::to_string(n);
-  return name;
+  });
 }
 
-SegmentMap withNamesApart(const SegmentMap& before, SegmentMap after,
-                          const std::vector<SegmentMap>& ofSeries) {
-  const auto isTaken = [&](const std::string& name, const Segment& own) {
-    return std::ranges::any_of(
-               ofSeries,
-               [&](const SegmentMap& map) { return map.number != after.number && isCalled(map, name); }) ||
-           std::ranges::any_of(after.segments, [&](const Segment& other) {
-             return other.number != own.number && other.label == name;
-           });
-  };
-  for (Segment& segment : after.segments) {
-    if (findSegment(before, segment.number)) continue;
-    const std::string wanted = segment.label;
-    for (int n = 2; isTaken(segment.label, segment); ++n) segment.label = wanted + " " + std::to_string(n);
-  }
+glm::u8vec3 freeColour(std::span<const SegmentMap> maps, int map, int number) {
+  constexpr int mapsApart = 3;
+  const int first = number + mapsApart * map;
+  for (int n = first; n < first + coloursOfNumbers; ++n)
+    if (!isColour(maps, colourOfNumber(n))) return colourOfNumber(n);
+  return colourOfNumber(first);
+}
+
+SegmentMap withNewOnesApart(const SegmentMap& before, SegmentMap after,
+                            const std::vector<SegmentMap>& ofSeries) {
+  after = withNamesApart(before, std::move(after), ofSeries);
+  std::vector<SegmentMap> there{before};
+  for (const SegmentMap& map : ofSeries)
+    if (map.number != after.number) there.push_back(map);
+  std::vector<SegmentMap> all = there;
+  all.front() = after;
+  for (Segment& segment : after.segments)
+    if (!findSegment(before, segment.number) && segment.colour && isColour(there, *segment.colour)) {
+      segment.colour = freeColour(all, after.number, segment.number);
+      all.front() = after;
+    }
   return after;
 }
 
-AddedSegments withSegmentsAdded(std::vector<SegmentMap> maps, const Segmented& added,
+AddedSegments withSegmentsAdded(std::vector<SegmentMap> maps, std::span<const Segmented> layers,
                                 std::optional<std::size_t> except) {
+  const std::vector<SegmentMap> there = maps;
   AddedSegments all{std::move(maps)};
-  std::vector<Segment> left = added.segments;
-  for (std::size_t n = 0; !left.empty(); ++n) {
-    if (n == except) continue;
-    if (n == all.maps.size()) all.maps.push_back(furtherMap(all.maps));
-    left = addWhatFits(all, n, added.labels, left);
+  for (const Segmented& layer : layers) {
+    std::vector<Segment> left = layer.segments;
+    for (std::size_t n = 0; !left.empty(); ++n) {
+      if (n == except) continue;
+      if (n == all.maps.size()) all.maps.push_back(furtherMap(all.maps));
+      left = addWhatFits(all, n, layer.labels, left, there);
+    }
   }
   return all;
 }
@@ -149,7 +209,7 @@ std::vector<SegmentMap> withSegmentCopied(std::vector<SegmentMap> maps, int map,
   const Segmented voxels{{std::move(copy)},
                          withLabel(LabelMap(labels.geometry()), label, maskOf(labels, label))};
   const auto index = std::size_t(source - maps.begin());
-  AddedSegments all = withSegmentsAdded(std::move(maps), voxels, index);
+  AddedSegments all = withSegmentsAdded(std::move(maps), {&voxels, 1}, index);
   std::swap(all.maps.front(), all.maps[all.places.front().map]);
   return std::move(all.maps);
 }

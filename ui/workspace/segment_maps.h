@@ -30,11 +30,16 @@ std::vector<SegmentMap> segmentMapsOn(const Workspace& workspace, const SeriesKe
 /// With these maps of a series in place of those of their numbers, the first worked on.
 Workspace withSegmentMapsOf(Workspace workspace, const std::vector<SegmentMap>& maps);
 
-/// `wanted`, or with a number behind it where a segment of these maps is called so.
+/// `wanted`, or with a number behind it where a segment of these maps is called so: "Bone (2)", and of that
+/// "Bone (3)".
 std::string freeName(std::span<const SegmentMap> maps, const std::string& wanted);
-/// `after`, which was made of `before`, with its new segments called as none of the series' other maps.
-SegmentMap withNamesApart(const SegmentMap& before, SegmentMap after,
-                          const std::vector<SegmentMap>& ofSeries);
+/// The colour that a new segment of this number in a map of this number has: where a segment of these maps
+/// has that, the next one that none has; where they have all, that of the number.
+glm::u8vec3 freeColour(std::span<const SegmentMap> maps, int map, int number);
+/// `after`, which was made of `before`, with its new segments called as none of the series, and coloured as
+/// none that was there before.
+SegmentMap withNewOnesApart(const SegmentMap& before, SegmentMap after,
+                            const std::vector<SegmentMap>& ofSeries);
 
 /// A segment of one of several maps.
 struct SegmentPlace {
@@ -51,9 +56,10 @@ struct AddedSegments {
 // What follows takes time in large volumes: for other threads. The maps have labels, and there is one at
 // least.
 
-/// With segments that share no voxel, each in the first map, but for the one at `except`, of which it takes
-/// no voxel; else in a further one. They keep numbers, names and colours where those are free.
-AddedSegments withSegmentsAdded(std::vector<SegmentMap> maps, const Segmented& added,
+/// With the segments of layers, each in the first map, but for the one at `except`, of which it takes no
+/// voxel; else in a further one. They keep numbers, names and colours where those are free; of colours, where
+/// no segment that was there before has them.
+AddedSegments withSegmentsAdded(std::vector<SegmentMap> maps, std::span<const Segmented> layers,
                                 std::optional<std::size_t> except = {});
 /// With a copy of a segment, called otherwise, in the first other map where it takes no voxel; that map
 /// first, the copy current. As they were where there is no such segment.

@@ -63,7 +63,8 @@ bool hasPeaks(const std::string& modality) { return modality == "PT" || modality
 Json segmentsJson(std::span<const SegmentReport> all, double factor) {
   Json list = Json::array();
   for (const SegmentReport& report : all) {
-    Json json{{"number", report.segment.number},
+    Json json{{"map", report.map + 1},
+              {"number", report.segment.number},
               {"name", report.segment.label},
               {"category", codeJson(report.segment.category)},
               {"type", codeJson(report.segment.type)}};

@@ -20,13 +20,14 @@ struct SegmentReport {
   SegmentValues values;
   std::optional<SegmentForm> form;  ///< none: no voxels, or the series is not calibrated
   std::optional<double> peak;       ///< the largest mean of a ball of 1 ml about one of its voxels
+  int map = 0;                      ///< which of the maps of its series, from 0
 };
 
 /// How far it is: which segment is measured, and how many were.
 using SegmentProgress = std::function<void(const Segment& segment, std::size_t done)>;
 
-/// Of all segments of a volume, whose grid is that of the labels; peaks where they are asked for: of nuclear
-/// medicine. The Error: cancelled, or there is not enough memory.
+/// Of all segments of a volume, whose grid is that of the labels, as those of its first map; peaks where they
+/// are asked for: of nuclear medicine. The Error: cancelled, or there is not enough memory.
 Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segments, const LabelMap& labels,
                                                   const Volume& volume, bool withPeaks,
                                                   const CancelToken& cancel = {},
@@ -34,8 +35,8 @@ Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segme
 /// Whether peaks are told of series of this modality (PT, NM).
 bool hasPeaks(const std::string& modality);
 
-/// One object a segment (resources/docs/segment.md): what it is, a member for each of segmentColumns(), and
-/// the histogram; what there is none of is null. Values times `factor`.
+/// One object a segment (resources/docs/segment.md): its map, what it is, a member for each of
+/// segmentColumns(), and the histogram; what there is none of is null. Values times `factor`.
 nlohmann::ordered_json segmentsJson(std::span<const SegmentReport> all, double factor);
 /// What likeness() says.
 nlohmann::ordered_json likenessJson(const SegmentLikeness& alike);

@@ -91,8 +91,7 @@ SegmentMap withoutSegment(SegmentMap map, int number) {
 }
 
 SegmentMap withSegment(SegmentMap map, Segment segment) {
-  constexpr int coloursApart = 3;
-  if (!segment.colour) segment.colour = colourOfNumber(segment.number + coloursApart * map.number);
+  if (!segment.colour) segment.colour = freeColour(std::span(&map, 1), map.number, segment.number);
   map.current = segment.number;
   map.segments.push_back(std::move(segment));
   return map;
@@ -145,7 +144,7 @@ Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const Vox
   std::vector<SegmentMap> maps{map};
   for (const SegmentMap* other : segmentMapsOf(workspace, series)) maps.push_back(*other);
   if (segment.label.empty()) segment.label = freshName(maps, *freeNumber(map));
-  map = withNamesApart(before, withSegmentAdded(std::move(map), std::move(segment)), maps);
+  map = withNewOnesApart(before, withSegmentAdded(std::move(map), std::move(segment)), maps);
   const std::string made = stepNameOf(map.current);
   return withSegmentMap(std::move(workspace), withRecorded(std::move(map), {{"empty", made}}));
 }

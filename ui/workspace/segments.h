@@ -16,10 +16,10 @@ const Segment* findSegment(const SegmentMap& map, int number);
 const Segment* currentSegment(const SegmentMap& map);
 /// The smallest number that no segment has; none: all 255 are taken.
 std::optional<int> freeNumber(const SegmentMap& map);
-/// `wanted`, or with a number behind it where another segment is called so: "Bone 2".
+/// `wanted`, or with a number behind it where another segment is called so: "Bone (2)".
 std::string freeName(const SegmentMap& map, const std::string& wanted);
-/// The colour that a new segment of this number has: its own in every file, also where others choose those of
-/// segments without one.
+/// The colour of a number, which new segments have as their own (freeColour()): in every file, also where
+/// others choose those of segments without one.
 glm::u8vec3 colourOfNumber(int number);
 /// The numbers of the locked segments.
 std::vector<std::uint8_t> lockedNumbers(const SegmentMap& map);
@@ -38,7 +38,7 @@ SegmentMap withoutSegment(SegmentMap map, int number);
 // What follows takes no time. A series without such a segment stays as it is.
 
 /// With another segment of the map, which has no voxels yet and is current; its number must be free. It gets
-/// a colour of its own where it has none, another one in each map.
+/// a colour that no other one there has where it has none.
 SegmentMap withSegment(SegmentMap map, Segment segment);
 /// With another segment that has no voxels yet and is current. It keeps its number where that is free, else
 /// it has the smallest that is; it gets a colour and a name where it has none, and another name where that is
@@ -54,8 +54,8 @@ Workspace withSegmentsIn3d(Workspace workspace, const SeriesKey& series, bool in
 /// With the volume of a series shown in 3D there.
 Workspace withTissueShown(Workspace workspace, const SeriesKey& series, const TissueShown& tissue);
 /// With another segment without voxels in a map (none: that which is worked on) of a series whose volume has
-/// this grid, current there, in place of segments of other grids; its number and colour as withSegmentAdded()
-/// has them, its name one that no segment of the series has.
+/// this grid, current there, in place of segments of other grids; its number as withSegmentAdded() has it,
+/// its name and colour such as no segment of the series has.
 Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const VoxelGeometry& grid,
                          Segment segment, std::optional<int> map = {});
 

@@ -43,4 +43,10 @@ nlohmann::ordered_json timePointsJson(const SegmentsOverTime& values, std::size_
   return list;
 }
 
+void addTimePoints(nlohmann::ordered_json& numbers, const SegmentsOverTime& values) {
+  numbers["timeAxis"] = values.axis.title.toStdString();
+  for (std::size_t n = 0; n < values.segments.size(); ++n)
+    numbers["segments"][n]["timePoints"] = timePointsJson(values, n);
+}
+
 }  // namespace volumen

@@ -33,5 +33,7 @@ MeasuredChart segmentsOverTimeChart(const SegmentsOverTime& values, std::span<co
 /// A list of the steps of one segment: `at` along the axis, `mean`, `sd`, `min`, `max`; null where there is
 /// no value.
 nlohmann::ordered_json timePointsJson(const SegmentsOverTime& values, std::size_t segment);
+/// Adds them to the JSON of the numbers of these segments: `timeAxis`, and the list of each of `segments`.
+void addTimePoints(nlohmann::ordered_json& numbers, const SegmentsOverTime& values);
 
 }  // namespace volumen

@@ -129,6 +129,12 @@ std::optional<bool> contrastOf(const Series& series) {
   return {};
 }
 
+bool namesContrast(const Series& series) {
+  const std::string& agent = series.contrastAgent;
+  const bool isNamed = !agent.empty() && !isOneOf(agent, "none|no|nil|no contrast");
+  return isNamed || contrastOf(series).value_or(false);
+}
+
 std::optional<ViewKind> acquiredPlaneOf(const Series& series) {
   if (!series.notVolume.empty() || !series.acquired.calibrated) return {};
   return acquiredKind(series.acquired);

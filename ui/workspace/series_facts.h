@@ -21,6 +21,8 @@ std::optional<Weighting> weightingOf(const Series& series);
 std::optional<Kernel> kernelOf(const Series& series);
 /// Whether contrast agent was given, where the words of the description say it.
 std::optional<bool> contrastOf(const Series& series);
+/// Whether the header says that contrast agent was given: by its name, or by the words of the description.
+bool namesContrast(const Series& series);
 /// The plane of the patient that its slices are closest to; none: not calibrated, or no volume.
 std::optional<ViewKind> acquiredPlaneOf(const Series& series);
 

@@ -31,6 +31,7 @@ struct Recipe {
   std::vector<std::string> modalities;  ///< that it is offered for; none: all
   std::vector<Segment> segments;        ///< numbers are 1, 2, ...
   std::vector<Step> steps;
+  bool needsContrast = false;  ///< it is for series with contrast agent
   bool operator==(const Recipe&) const = default;
 };
 

@@ -222,6 +222,7 @@ Result<Recipe> readRecipe(const std::string& json) {
     else
       fields.refuse("modalities", "must be a list of words, as in [\"CT\"]");
   }
+  fields.read("contrast", recipe.needsContrast);
   fields.readList("segments", recipe.segments, readSegment);
   readSteps(fields, recipe.steps);
   if (recipe.segments.empty() || recipe.segments.size() > mostSegments)
@@ -255,6 +256,7 @@ std::string recipeJson(const Recipe& recipe) {
   Json json{{"volumenRecipe", 1}, {"name", recipe.name}};
   if (!recipe.description.empty()) json["description"] = recipe.description;
   if (!recipe.modalities.empty()) json["modalities"] = recipe.modalities;
+  if (recipe.needsContrast) json["contrast"] = true;
   for (const Segment& segment : recipe.segments) json["segments"].push_back(segmentJson(segment));
   json["steps"] = Json::array();
   for (const Step& step : recipe.steps) json["steps"].push_back(stepJson(step));

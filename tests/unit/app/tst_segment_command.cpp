@@ -78,6 +78,7 @@ void TestSegmentCommand::labelsAndMeasuresARange() {
   const int voxels = (last - first + 1) * 16 * 16;
   const QJsonObject segment = only(all);
   QCOMPARE(segment[QStringLiteral("voxels")].toInt(), voxels);
+  QCOMPARE(segment[QStringLiteral("map")].toInt(), 1);
   QCOMPARE(segment[QStringLiteral("millilitres")].toDouble(), voxels / 1000.0);
   QCOMPARE(segment[QStringLiteral("min")].toDouble(), double(first));
   QCOMPARE(segment[QStringLiteral("max")].toDouble(), double(last));
@@ -185,7 +186,8 @@ void TestSegmentCommand::overlapsStayOverlaps() {
   QVERIFY(writeSegNrrd(layers, path("in.seg.nrrd").toStdString()));
   const auto convert = [&](const char* to) {
     return runSegment(words("phantom:ramp:8 --json --from")
-                      << path("in.seg.nrrd") << QStringLiteral("-o") << path(to));
+                      << path("in.seg.nrrd") << QStringLiteral("-o") << path(to) << QStringLiteral("--csv")
+                      << path("numbers.csv"));
   };
   const Outcome done = convert("out.seg.nrrd");
   QVERIFY2(done.status == 0, done.err.constData());
@@ -193,6 +195,10 @@ void TestSegmentCommand::overlapsStayOverlaps() {
       QJsonDocument::fromJson(done.out).object()[QStringLiteral("segments")].toArray();
   QCOMPARE(segments.size(), 2);
   for (const QJsonValue& segment : segments) QCOMPARE(segment[QStringLiteral("voxels")].toInt(), 512);
+  for (const int n : {0, 1}) QCOMPARE(segments[n][QStringLiteral("map")].toInt(), n + 1);
+  const QByteArray csv = contentsOf(path("numbers.csv"));
+  QVERIFY2(csv.startsWith("Name,Map,Voxels,") && csv.contains("\na,1,512,") && csv.contains("\nb,2,512,"),
+           csv.constData());
   QCOMPARE(readSegNrrd(path("out.seg.nrrd").toStdString())->maps.size(), std::size_t(2));
   const Outcome refused = convert("out.nii.gz");
   QCOMPARE(refused.status, 1);

@@ -68,6 +68,7 @@ Recipe anyRecipe(std::uint64_t seed) {
   Chance chance(seed);
   Recipe recipe{"Recipe " + std::to_string(seed), chance.oneIn(2) ? "\"quoted\"\n" : "", {}, {}, {}};
   if (chance.oneIn(2)) recipe.modalities = {"CT", "MR"};
+  recipe.needsContrast = chance.oneIn(2);
   const std::vector<std::string> names{"A", "B", "\xc3\x84"};
   for (int n = 0; n < 3; ++n) {
     Segment segment = named(names[std::size_t(n)], n + 1);
@@ -103,6 +104,7 @@ void TestRecipe::builtInOnesAreComplete() {
     const auto again = readRecipe(recipeJson(recipe));
     QVERIFY2(again, again ? "" : again.message().c_str());
     QVERIFY(*again == recipe);
+    QCOMPARE(recipe.needsContrast, recipe.name == "Vessels with contrast");
   }
 }
 

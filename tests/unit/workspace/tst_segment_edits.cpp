@@ -73,9 +73,10 @@ void TestSegmentEdits::newOnesGetWhatIsFree() {
   std::vector<std::pair<int, std::string>> seen;
   for (const Segment& s : mapIn(w).segments) seen.emplace_back(s.number, s.label);
   const std::vector<std::pair<int, std::string>> expected{
-      {1, "Segment 1"}, {3, "Segment 3"}, {2, "Bone"}, {4, "Bone 2"}};
+      {1, "Segment 1"}, {3, "Segment 3"}, {2, "Bone"}, {4, "Bone (2)"}};
   QVERIFY(seen == expected);
   QVERIFY(findSegment(mapIn(w), 2)->colour == bone.colour && findSegment(mapIn(w), 1)->colour);
+  QVERIFY(findSegment(mapIn(w), 4)->colour == colourOfNumber(4));
 }
 
 void TestSegmentEdits::anAddedOneKeepsWhatIsFree() {
@@ -85,7 +86,7 @@ void TestSegmentEdits::anAddedOneKeepsWhatIsFree() {
   QVERIFY(map.current == 7 && map.segments.back() == bone);
   map = withSegmentAdded(map, bone);
   QCOMPARE(map.segments.back().number, 1);
-  QCOMPARE(map.segments.back().label, std::string("Bone 2"));
+  QCOMPARE(map.segments.back().label, std::string("Bone (2)"));
   QVERIFY(map.segments.back().colour == bone.colour);
   for (const int number : {0, -3, 256}) {
     map = withSegmentAdded(map, {.number = number});

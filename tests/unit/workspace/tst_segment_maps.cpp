@@ -86,6 +86,10 @@ class TestSegmentMaps : public QObject {
   void lookIsThatOfAll();
   void anotherGridTakesThePlaceOfAll();
   void namesAndColoursAreApart();
+  void namesAreCounted_data();
+  void namesAreCounted();
+  void coloursThatAreTakenBecomeOthers();
+  void newColoursAreFreeInAllMaps();
   void whatIsAddedFitsWhereItIs_data();
   void whatIsAddedFitsWhereItIs();
   void moreThan255GoToAFurtherMap();
@@ -147,8 +151,99 @@ void TestSegmentMaps::namesAndColoursAreApart() {
       QVERIFY(std::ranges::find(colours, *segment.colour) == colours.end());
       colours.push_back(*segment.colour);
     }
-  const std::vector<std::string> expected{"Segment 1", "Bone", "Segment 2", "Bone 2", "Bone 3"};
+  const std::vector<std::string> expected{"Segment 1", "Bone", "Segment 2", "Bone (2)", "Bone (3)"};
   QVERIFY(names == expected);
+}
+
+void TestSegmentMaps::namesAreCounted_data() {
+  QTest::addColumn<QStringList>("there");
+  QTest::addColumn<QString>("wanted");
+  QTest::addColumn<QString>("name");
+  const auto row = [](const char* what, const QStringList& there, const char* wanted, const char* name) {
+    QTest::newRow(what) << there << QString::fromLatin1(wanted) << QString::fromLatin1(name);
+  };
+  const QString bone = QStringLiteral("Bone"), second = QStringLiteral("Bone (2)");
+  row("free", {bone}, "Skin", "Skin");
+  row("taken", {bone}, "Bone", "Bone (2)");
+  row("with a number", {QStringLiteral("Segment 1")}, "Segment 1", "Segment 1 (2)");
+  row("the second, too", {bone, second}, "Bone", "Bone (3)");
+  row("of the second", {bone, second}, "Bone (2)", "Bone (3)");
+  row("without the first", {second}, "Bone (2)", "Bone (3)");
+  row("a year", {QStringLiteral("Bone (2024)")}, "Bone (2024)", "Bone (2024) (2)");
+  row("a word", {QStringLiteral("Bone (left)")}, "Bone (left)", "Bone (left) (2)");
+  row("nothing in brackets", {QStringLiteral("Bone ()")}, "Bone ()", "Bone () (2)");
+}
+
+// In one map, in another one, and in both.
+void TestSegmentMaps::namesAreCounted() {
+  QFETCH(QStringList, there);
+  QFETCH(QString, wanted);
+  QFETCH(QString, name);
+  const VoxelGeometry grid = gridOfMaps({4, 4, 4});
+  for (std::size_t split = 0; split <= std::size_t(there.size()); ++split) {
+    std::vector<SegmentMap> maps{withoutSegments(grid), withoutSegments(grid, 1)};
+    for (std::size_t n = 0; n < std::size_t(there.size()); ++n) {
+      SegmentMap& map = maps[n < split ? 0 : 1];
+      map = withSegment(map, {.number = *freeNumber(map), .label = there[qsizetype(n)].toStdString()});
+    }
+    QCOMPARE(freeName(maps, wanted.toStdString()), name.toStdString());
+    const Segmented layer{{{.number = 1, .label = wanted.toStdString()}}, LabelMap(grid)};
+    const AddedSegments added = withSegmentsAdded(maps, {&layer, 1});
+    const SegmentPlace place = added.places.front();
+    QCOMPARE(findSegment(added.maps[place.map], place.number)->label, name.toStdString());
+  }
+}
+
+// Of those that were there; what is alike in the file stays so.
+void TestSegmentMaps::coloursThatAreTakenBecomeOthers() {
+  const VoxelGeometry grid = gridOfMaps({4, 4, 4});
+  const glm::u8vec3 bone(240, 219, 163), skin(1, 2, 3);
+  std::vector<SegmentMap> maps{
+      withSegment(withoutSegments(grid), {.number = 1, .label = "Bone", .colour = bone})};
+  DenseLabels all{grid, std::vector<std::uint8_t>(64, 1)};
+  const std::vector<Segmented> layers{
+      {{{.number = 1, .label = "Bone", .colour = bone}}, LabelMap(all)},
+      {{{.number = 1, .label = "Skin", .colour = skin}, {.number = 2, .label = "Fat", .colour = skin}},
+       LabelMap(all)}};
+  const AddedSegments added = withSegmentsAdded(maps, layers);
+  const auto colourOf = [&](const std::string& name) {
+    for (const SegmentMap& map : added.maps)
+      for (const Segment& segment : map.segments)
+        if (segment.label == name) return segment.colour;
+    return std::optional<glm::u8vec3>();
+  };
+  QVERIFY(colourOf("Bone") == bone && colourOf("Bone (2)") == colourOfNumber(1));
+  QVERIFY(colourOf("Skin") == skin && colourOf("Fat") == skin);
+  // A recipe that is followed twice.
+  const SegmentMap& before = added.maps.front();
+  SegmentMap after = withSegmentAdded(before, {.label = "Bone", .colour = bone});
+  after = withNewOnesApart(before, withSegmentAdded(after, {.label = "Marrow", .colour = bone}), added.maps);
+  std::vector<glm::u8vec3> colours;
+  for (const SegmentMap& map : added.maps)
+    for (const Segment& segment : map.segments) colours.push_back(*segment.colour);
+  QCOMPARE(after.segments.size(), before.segments.size() + 2);
+  for (std::size_t n = before.segments.size(); n < after.segments.size(); ++n) {
+    const glm::u8vec3 colour = *after.segments[n].colour;
+    QVERIFY2(std::ranges::find(colours, colour) == colours.end(), after.segments[n].label.c_str());
+    colours.push_back(colour);
+  }
+}
+
+// Ten of them, in whichever of three maps; then they begin again.
+void TestSegmentMaps::newColoursAreFreeInAllMaps() {
+  const VoxelGeometry grid = gridOfMaps({4, 4, 4});
+  Workspace w = withScannedSeries();
+  std::vector<glm::u8vec3> colours;
+  for (int n = 0; n < 10; ++n) {
+    const int map = n % 3;
+    w = withNewSegment(std::move(w), scanKey, grid, {}, map);
+    const glm::u8vec3 colour = *currentSegment(*segmentMapOf(w, scanKey, map))->colour;
+    QVERIFY(std::ranges::find(colours, colour) == colours.end());
+    colours.push_back(colour);
+  }
+  w = withNewSegment(std::move(w), scanKey, grid, {}, 0);
+  const glm::u8vec3 eleventh = *currentSegment(*segmentMapOf(w, scanKey, 0))->colour;
+  QVERIFY(std::ranges::find(colours, eleventh) != colours.end());
 }
 
 void TestSegmentMaps::whatIsAddedFitsWhereItIs_data() {
@@ -167,7 +262,7 @@ void TestSegmentMaps::whatIsAddedFitsWhereItIs() {
   for (int layers = 1 + chance.below(5); layers > 0; --layers) {
     const std::vector<SegmentMap> before = maps;
     const Segmented layer = layerByChance(chance, grid);
-    const AddedSegments added = withSegmentsAdded(maps, layer);
+    const AddedSegments added = withSegmentsAdded(maps, {&layer, 1});
     maps = added.maps;
     QCOMPARE(added.places.size(), layer.segments.size());
     for (std::size_t n = 0; n < before.size(); ++n)
@@ -204,7 +299,7 @@ void TestSegmentMaps::moreThan255GoToAFurtherMap() {
   std::vector<SegmentMap> maps{withoutSegments(grid)};
   Segmented layer{{}, LabelMap(grid)};
   for (int n = 1; n <= 200; ++n) layer.segments.push_back({.number = n, .label = "A" + std::to_string(n)});
-  for (int layers = 0; layers < 2; ++layers) maps = withSegmentsAdded(maps, layer).maps;
+  for (int layers = 0; layers < 2; ++layers) maps = withSegmentsAdded(maps, {&layer, 1}).maps;
   QCOMPARE(maps.size(), std::size_t(2));
   QCOMPARE(maps[0].segments.size(), std::size_t(255));
   QCOMPARE(maps[1].segments.size(), std::size_t(145));
@@ -240,8 +335,8 @@ void TestSegmentMaps::aCopyIsInAnotherMap() {
   QCOMPARE(copied.size(), std::size_t(expected + 1));
   QCOMPARE(copied.front().number, expected);
   const Segment copy = *currentSegment(copied.front());
-  QCOMPARE(copy.label, std::string("Bone 2"));
-  QVERIFY(copy.colour && !copy.locked && copy.trackingId.empty());
+  QCOMPARE(copy.label, std::string("Bone (2)"));
+  QVERIFY(copy.colour && *copy.colour != colourOfNumber(3) && !copy.locked && copy.trackingId.empty());
   QVERIFY(maskOf(*copied.front().labels, std::uint8_t(copy.number)) == mask);
   const auto source = std::ranges::find(copied, 0, &SegmentMap::number);
   QVERIFY(*source == all.front());
@@ -260,6 +355,16 @@ void TestSegmentMaps::closedSeriesComeBackWithAll() {
   std::vector<int> numbers;
   for (const SegmentMap* map : segmentMapsOf(again, scanKey)) numbers.push_back(map->number);
   QVERIFY((numbers == std::vector<int>{0, 1, 2}));
+  // And they are shown as those, as a session wants it.
+  const Workspace flat =
+      without(withTissueShown(withSegmentsIn3d(w, scanKey, false), scanKey, {TissueShown::Where::inside, 2}),
+              scanKey);
+  again = flat;
+  again.series.editOrAdd(scanKey).series = std::make_shared<const Series>(scannedSeries());
+  again = withClosed(withNewSegment(std::move(again), scanKey, gridOfMaps({4, 4, 4}), {}));
+  QCOMPARE(segmentMapsOf(again, scanKey).size(), std::size_t(3));
+  for (const SegmentMap* map : segmentMapsOf(again, scanKey))
+    QVERIFY(map->in3d && map->tissue == TissueShown{});
 }
 
 VOLUMEN_TEST(TestSegmentMaps);

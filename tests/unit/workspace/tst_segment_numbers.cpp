@@ -189,6 +189,7 @@ void TestSegmentNumbers::csvComesBack() {
       for (int n = chance.below(12); n > 0; --n) name += letters[chance.below(int(letters.size()))];
       report.segment.label = name.toStdString();
       report.voxels = chance.below(1 << 30);
+      report.map = chance.below(3);
       report.values.voxels = 1;
       report.values.mean = chance.between(-1, 1) * std::pow(10, chance.between(-30, 30));
       if (chance.oneIn(2)) report.form = SegmentForm{.areaMm2 = chance.share(), .centroid = chance.vector()};
@@ -204,7 +205,8 @@ void TestSegmentNumbers::csvComesBack() {
       const QString name = QString::fromStdString(all[n].segment.label);
       QVERIFY(row[0] == name || row[0] == QLatin1Char('\'') + name);
       QVERIFY(row[0].isEmpty() || !QStringLiteral("=+-@\t\r\n").contains(row[0].front()));
-      QCOMPARE(row[1].toDouble(), double(all[n].voxels));
+      QCOMPARE(row[1].toInt(), all[n].map + 1);
+      QCOMPARE(row[2].toDouble(), double(all[n].voxels));
       QCOMPARE(row[mean].toDouble(), all[n].values.mean);
       QCOMPARE(row[x].isEmpty(), !all[n].form);
       if (all[n].form) QCOMPARE(row[x].toDouble(), all[n].form->centroid.x);
@@ -239,6 +241,7 @@ void TestSegmentNumbers::jsonHasEachColumn() {
   std::vector<SegmentReport> all{reportOf(mask, *countingVolume(mask.geometry()))};
   all.emplace_back();
   all.back().segment.label = "Nothing";
+  all.back().map = 1;
   const auto json = segmentsJson(all, 2);
   QCOMPARE(json.size(), std::size_t(2));
   for (const SegmentColumn& column : segmentColumns()) {
@@ -261,6 +264,7 @@ void TestSegmentNumbers::jsonHasEachColumn() {
   QVERIFY(json[0]["voxels"].is_number_integer() && json[0]["boxLast"][0].is_number_integer());
   QVERIFY(json[0]["category"].is_null() && json[1]["mean"].is_null() && json[1]["centroid"].is_null());
   QCOMPARE(json[1]["name"].get<std::string>(), std::string("Nothing"));
+  QVERIFY(json[0]["map"] == 1 && json[1]["map"] == 2);
 }
 
 void TestSegmentNumbers::cancelledIsSaid() {
