@@ -1,6 +1,9 @@
 // Guards a second series over the first, colour maps, and the layout that a series opens in: real events on a
 // real PET and its CT.
+#include <QComboBox>
+#include <QInputDialog>
 #include <QMenu>
+#include <QMimeData>
 #include <QSlider>
 #include <QTreeWidget>
 
@@ -27,18 +30,39 @@ struct UsualLayouts {
   ~UsualLayouts() { tests::openAlone(); }
 };
 
-// The PET and the CT of a study.
-struct Fused : Journey {
-  Fused()
-      : Journey({QString::fromStdString(tests::dataPath("pet-ct/sts019-ct")),
-                 QString::fromStdString(tests::dataPath("pet-ct/sts019-pet"))}) {}
+QString fusedFolder(const char* name) {
+  return QString::fromStdString(tests::dataPath(std::string("pet-ct/sts019-") + name));
+}
+
+// A window that says what of a PET and a CT it shows.
+struct PetCtWindow : Journey {
+  using Journey::Journey;
+
   const Workspace& workspace() { return window.session().workspace(); }
   const FlatLook look(ViewId id) { return flatLookOf(workspace().view(id)); }
   std::string modality(const SeriesKey& key) {
     return key.empty() ? "" : workspace().series.at(key).series->modality;
   }
+  // The PET in 3D, and in all planes over the CT.
+  bool isFused() {
+    const auto hasBoth = [this](ViewId id) {
+      return modality(workspace().view(id).series) == "CT" && modality(look(id).overlay) == "PT";
+    };
+    return modality(workspace().view(sceneViewId).series) == "PT" && hasBoth(axialViewId) &&
+           hasBoth(coronalViewId) && hasBoth(sagittalViewId);
+  }
+};
+
+// The CT of a study, and its PET in the list alone.
+struct CtAlone : PetCtWindow {
+  CtAlone() : PetCtWindow(QStringList{fusedFolder("ct")}) {
+    window.document().loader.open(fusedFolder("pet"));
+  }
+
   bool opened() {
-    return QTest::qWaitFor([this] { return window.session().series() != nullptr; }, longest);
+    return QTest::qWaitFor(
+        [this] { return window.session().series() && window.document().open.volumes().size() == 2; },
+        longest);
   }
   // `again`: by the second click of a double-click.
   void choose(const QString& what, bool again = false) {
@@ -75,6 +99,10 @@ class TestFusion : public QObject {
   void petOpensOverItsCt();
   void aDoubleClickChoosesOnce();
   void aStudyOfBothOpensFused();
+  void bothThatAreNamedOpenFused_data();
+  void bothThatAreNamedOpenFused();
+  void thoseOfTwoPatientsDoNot();
+  void projectionAndSlicesHaveOneWindow();
   void overlaysAreChosenMixedAndUndone();
   void anotherFrameOfReferenceIsNoOverlay();
   void colourMapsAreShown();
@@ -120,7 +148,7 @@ void TestFusion::aLayoutThatWasChosenComesBack() {
 void TestFusion::petOpensOverItsCt() {
   NEED_DATA(tests::dataPath("pet-ct"));
   const UsualLayouts usual;
-  Fused w;
+  CtAlone w;
   QVERIFY(w.opened());
   QCOMPARE(w.modality(w.workspace().view(axialViewId).series), std::string("CT"));
   w.choose(QStringLiteral("PT IBSI"));
@@ -167,7 +195,7 @@ void TestFusion::petOpensOverItsCt() {
 void TestFusion::aDoubleClickChoosesOnce() {
   NEED_DATA(tests::dataPath("pet-ct"));
   const UsualLayouts usual;
-  Fused w;
+  CtAlone w;
   QVERIFY(w.opened());
   w.choose(QStringLiteral("PT IBSI"));
   QTRY_COMPARE_WITH_TIMEOUT(w.modality(w.workspace().view(sceneViewId).series), std::string("PT"), longest);
@@ -181,26 +209,114 @@ void TestFusion::aStudyOfBothOpensFused() {
   const std::string data = tests::dataPath("pet-ct");
   NEED_DATA(data);
   const UsualLayouts usual;
-  Journey w({QString::fromStdString(data)});
-  const auto modalityOf = [&](const SeriesKey& key) {
-    const Workspace& workspace = w.window.session().workspace();
-    return key.empty() ? std::string() : workspace.series.at(key).series->modality;
-  };
+  PetCtWindow w(QStringList{QString::fromStdString(data)});
   QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
-  const Workspace& workspace = w.window.session().workspace();
-  QCOMPARE(modalityOf(workspace.view(sceneViewId).series), std::string("PT"));
-  for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId}) {
-    QCOMPARE(modalityOf(workspace.view(id).series), std::string("CT"));
-    QCOMPARE(modalityOf(flatLookOf(workspace.view(id)).overlay), std::string("PT"));
+  QVERIFY(w.isFused());
+  for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId})
     QTRY_VERIFY_WITH_TIMEOUT(!w.window.views()->viewAs<FlatView>(id)->picture().isNull(), longest);
-  }
   QVERIFY2(!w.child<QAction>("undo")->isEnabled(), "opening is no step");
+}
+
+namespace {
+
+using OpenBoth = std::function<void(PetCtWindow&, const QStringList&)>;
+
+void openAtOnce(PetCtWindow& w, const QStringList& paths) { w.window.open(paths); }
+
+void dropBoth(PetCtWindow& w, const QStringList& paths) {
+  QMimeData data;
+  QList<QUrl> urls;
+  for (const QString& path : paths) urls << QUrl::fromLocalFile(path);
+  data.setUrls(urls);
+  QVERIFY(tests::drop(data, &w.window));
+}
+
+// The second one is read once the first is on screen, as from a slow disk.
+void openSlowly(PetCtWindow& w, const QStringList& paths) {
+  OpenIntent together;
+  together.isShown = std::make_shared<bool>(false);
+  for (const QString& path : paths) {
+    w.window.document().loader.open(path, together);
+    QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
+  }
+}
+
+}  // namespace
+
+void TestFusion::bothThatAreNamedOpenFused_data() {
+  QTest::addColumn<QStringList>("paths");
+  QTest::addColumn<OpenBoth>("open");
+  const QStringList ctAndPet{fusedFolder("ct"), fusedFolder("pet")}, petAndCt{ctAndPet[1], ctAndPet[0]};
+  QTest::newRow("the CT first") << ctAndPet << OpenBoth(openAtOnce);
+  QTest::newRow("the PET first") << petAndCt << OpenBoth(openAtOnce);
+  QTest::newRow("dropped, the CT first") << ctAndPet << OpenBoth(dropBoth);
+  QTest::newRow("dropped, the PET first") << petAndCt << OpenBoth(dropBoth);
+  QTest::newRow("the PET is read late") << ctAndPet << OpenBoth(openSlowly);
+  QTest::newRow("the CT is read late") << petAndCt << OpenBoth(openSlowly);
+}
+
+void TestFusion::bothThatAreNamedOpenFused() {
+  QFETCH(QStringList, paths);
+  QFETCH(OpenBoth, open);
+  NEED_DATA(tests::dataPath("pet-ct"));
+  const UsualLayouts usual;
+  PetCtWindow w;
+  open(w, paths);
+  QTRY_VERIFY_WITH_TIMEOUT(w.isFused(), longest);
+  for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId})
+    QTRY_VERIFY_WITH_TIMEOUT(!w.window.views()->viewAs<FlatView>(id)->picture().isNull(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
+}
+
+void TestFusion::thoseOfTwoPatientsDoNot() {
+  const std::string chest = tests::dataPath("ct-chest-lidc0314-138");
+  NEED_DATA(chest);
+  const UsualLayouts usual;
+  PetCtWindow w(QStringList{QString::fromStdString(chest), fusedFolder("pet")});
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() && w.window.document().open.volumes().size() == 2,
+                           longest);
+  QTRY_VERIFY_WITH_TIMEOUT(!w.window.document().loader.isBusy(), longest);
+  QCOMPARE(w.modality(w.workspace().view(sceneViewId).series), std::string("CT"));
+  QVERIFY(w.look(axialViewId).overlay.empty());
+}
+
+// As it opens, and by the preset; what was set by hand and saved as a preset of one's own stays.
+void TestFusion::projectionAndSlicesHaveOneWindow() {
+  NEED_DATA(tests::dataPath("pet-ct"));
+  PetCtWindow w(QStringList{fusedFolder("pet")});
+  Session& session = w.window.session();
+  QTRY_VERIFY_WITH_TIMEOUT(session.series() != nullptr, longest);
+  const LoadedSeriesPtr pet = session.series();
+  const Window ofPlanes = flatWindow(w.workspace().series.at(keyOf(pet->series)), *pet);
+  const double suv = 1 / pet->series.suv.bodyWeight.value();
+  QVERIFY(std::abs(endsOf(ofPlanes).dark - 7 * suv) < 1e-9 && std::abs(endsOf(ofPlanes).bright) < 1e-9);
+  QCOMPARE(session.scene().mode, Mode::mip);
+  QCOMPARE(session.scene().window, std::optional(ofPlanes));
+  const Window wider{7.5 * suv, -15 * suv};
+  session.edit(QStringLiteral("test"), [&](Scene& scene) { scene.window = wider; });
+  w.child<QAction>("savePreset")->trigger();
+  auto* dialog = w.child<QInputDialog>("presetNameDialog");
+  QVERIFY(dialog && dialog->isVisible());
+  QTest::keyClicks(dialog->findChild<QLineEdit*>(), QStringLiteral("to 15"));
+  QTest::keyClick(dialog, Qt::Key_Return);
+  auto* box = w.child<QComboBox>("presets");
+  const auto choose = [&](const char* preset) {
+    Q_EMIT box->activated(box->findData(QLatin1String(preset)));
+    return QTest::qWaitFor([&] { return session.state().preset->name == preset; }, longest);
+  };
+  QVERIFY(choose("PET-MIP"));
+  QCOMPARE(session.scene().window, std::optional(ofPlanes));
+  QVERIFY(choose("to 15"));
+  QCOMPARE(session.scene().window, std::optional(wider));
+  w.child<QAction>("deletePreset")->trigger();
+  QVERIFY(choose("auto"));
+  QCOMPARE(session.scene().window, std::optional(ofPlanes));
 }
 
 void TestFusion::overlaysAreChosenMixedAndUndone() {
   NEED_DATA(tests::dataPath("pet-ct"));
   const UsualLayouts usual;
-  Fused w;
+  CtAlone w;
   QVERIFY(w.opened());
   const Workspace before = w.workspace();
   QAction* pet = w.entry("overlayMenu", QStringLiteral("PT IBSI"));
@@ -221,7 +337,7 @@ void TestFusion::overlaysAreChosenMixedAndUndone() {
 
 void TestFusion::anotherFrameOfReferenceIsNoOverlay() {
   NEED_DATA(tests::dataPath("ct-chest-lidc0314-138"));
-  Fused w;
+  CtAlone w;
   QVERIFY(w.opened());
   w.window.open({QString::fromStdString(tests::dataPath("ct-chest-lidc0314-138"))});
   QTRY_VERIFY_WITH_TIMEOUT(w.child<QTreeWidget>("studyTree")->topLevelItemCount() > 1, longest);
