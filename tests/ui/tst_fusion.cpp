@@ -3,55 +3,26 @@
 #include <QComboBox>
 #include <QInputDialog>
 #include <QMenu>
-#include <QMimeData>
 #include <QSlider>
 #include <QTreeWidget>
 
-#include "tests/fixtures/fixtures.h"
+#include "tests/ui/fusion_window.h"
 #include "tests/ui/gestures.h"
-#include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/camera_moves.h"
-#include "ui/workspace/flat_plane.h"
 #include "ui/workspace/windows.h"
 
 using namespace volumen;
+using volumen::tests::fusedFolder;
 using volumen::tests::Journey;
 using volumen::tests::longest;
+using volumen::tests::PetCtWindow;
+using volumen::tests::UsualLayouts;
 
 namespace {
-
-// Until the next window is opened.
-struct UsualLayouts {
-  UsualLayouts() { tests::openAlone(false); }
-  ~UsualLayouts() { tests::openAlone(); }
-};
-
-QString fusedFolder(const char* name) {
-  return QString::fromStdString(tests::dataPath(std::string("pet-ct/sts019-") + name));
-}
-
-// A window that says what of a PET and a CT it shows.
-struct PetCtWindow : Journey {
-  using Journey::Journey;
-
-  const Workspace& workspace() { return window.session().workspace(); }
-  const FlatLook look(ViewId id) { return flatLookOf(workspace().view(id)); }
-  std::string modality(const SeriesKey& key) {
-    return key.empty() ? "" : workspace().series.at(key).series->modality;
-  }
-  // The PET in 3D, and in all planes over the CT.
-  bool isFused() {
-    const auto hasBoth = [this](ViewId id) {
-      return modality(workspace().view(id).series) == "CT" && modality(look(id).overlay) == "PT";
-    };
-    return modality(workspace().view(sceneViewId).series) == "PT" && hasBoth(axialViewId) &&
-           hasBoth(coronalViewId) && hasBoth(sagittalViewId);
-  }
-};
 
 // The CT of a study, and its PET in the list alone.
 struct CtAlone : PetCtWindow {
@@ -98,10 +69,6 @@ class TestFusion : public QObject {
   void aLayoutThatWasChosenComesBack();
   void petOpensOverItsCt();
   void aDoubleClickChoosesOnce();
-  void aStudyOfBothOpensFused();
-  void bothThatAreNamedOpenFused_data();
-  void bothThatAreNamedOpenFused();
-  void thoseOfTwoPatientsDoNot();
   void projectionAndSlicesHaveOneWindow();
   void overlaysAreChosenMixedAndUndone();
   void anotherFrameOfReferenceIsNoOverlay();
@@ -203,81 +170,6 @@ void TestFusion::aDoubleClickChoosesOnce() {
   QCOMPARE(w.modality(w.workspace().view(axialViewId).series), std::string("CT"));
   QCOMPARE(w.modality(w.look(axialViewId).overlay), std::string("PT"));
   QCOMPARE(w.window.session().undoStack().count(), 1);
-}
-
-void TestFusion::aStudyOfBothOpensFused() {
-  const std::string data = tests::dataPath("pet-ct");
-  NEED_DATA(data);
-  const UsualLayouts usual;
-  PetCtWindow w(QStringList{QString::fromStdString(data)});
-  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
-  QVERIFY(w.isFused());
-  for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId})
-    QTRY_VERIFY_WITH_TIMEOUT(!w.window.views()->viewAs<FlatView>(id)->picture().isNull(), longest);
-  QVERIFY2(!w.child<QAction>("undo")->isEnabled(), "opening is no step");
-}
-
-namespace {
-
-using OpenBoth = std::function<void(PetCtWindow&, const QStringList&)>;
-
-void openAtOnce(PetCtWindow& w, const QStringList& paths) { w.window.open(paths); }
-
-void dropBoth(PetCtWindow& w, const QStringList& paths) {
-  QMimeData data;
-  QList<QUrl> urls;
-  for (const QString& path : paths) urls << QUrl::fromLocalFile(path);
-  data.setUrls(urls);
-  QVERIFY(tests::drop(data, &w.window));
-}
-
-// The second one is read once the first is on screen, as from a slow disk.
-void openSlowly(PetCtWindow& w, const QStringList& paths) {
-  OpenIntent together;
-  together.isShown = std::make_shared<bool>(false);
-  for (const QString& path : paths) {
-    w.window.document().loader.open(path, together);
-    QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
-  }
-}
-
-}  // namespace
-
-void TestFusion::bothThatAreNamedOpenFused_data() {
-  QTest::addColumn<QStringList>("paths");
-  QTest::addColumn<OpenBoth>("open");
-  const QStringList ctAndPet{fusedFolder("ct"), fusedFolder("pet")}, petAndCt{ctAndPet[1], ctAndPet[0]};
-  QTest::newRow("the CT first") << ctAndPet << OpenBoth(openAtOnce);
-  QTest::newRow("the PET first") << petAndCt << OpenBoth(openAtOnce);
-  QTest::newRow("dropped, the CT first") << ctAndPet << OpenBoth(dropBoth);
-  QTest::newRow("dropped, the PET first") << petAndCt << OpenBoth(dropBoth);
-  QTest::newRow("the PET is read late") << ctAndPet << OpenBoth(openSlowly);
-  QTest::newRow("the CT is read late") << petAndCt << OpenBoth(openSlowly);
-}
-
-void TestFusion::bothThatAreNamedOpenFused() {
-  QFETCH(QStringList, paths);
-  QFETCH(OpenBoth, open);
-  NEED_DATA(tests::dataPath("pet-ct"));
-  const UsualLayouts usual;
-  PetCtWindow w;
-  open(w, paths);
-  QTRY_VERIFY_WITH_TIMEOUT(w.isFused(), longest);
-  for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId})
-    QTRY_VERIFY_WITH_TIMEOUT(!w.window.views()->viewAs<FlatView>(id)->picture().isNull(), longest);
-  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
-}
-
-void TestFusion::thoseOfTwoPatientsDoNot() {
-  const std::string chest = tests::dataPath("ct-chest-lidc0314-138");
-  NEED_DATA(chest);
-  const UsualLayouts usual;
-  PetCtWindow w(QStringList{QString::fromStdString(chest), fusedFolder("pet")});
-  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() && w.window.document().open.volumes().size() == 2,
-                           longest);
-  QTRY_VERIFY_WITH_TIMEOUT(!w.window.document().loader.isBusy(), longest);
-  QCOMPARE(w.modality(w.workspace().view(sceneViewId).series), std::string("CT"));
-  QVERIFY(w.look(axialViewId).overlay.empty());
 }
 
 // As it opens, and by the preset; what was set by hand and saved as a preset of one's own stays.
