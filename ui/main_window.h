@@ -18,7 +18,7 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   /// Opens files, folders, phantoms or sessions; the largest series of the first that holds any is shown, by
-  /// the scene where one is given.
+  /// the scene where one is given, else a PET over its CT where both are among them.
   void open(const QStringList& paths, const std::optional<Scene>& scene = {});
   /// Closes the window without asking; what is not saved is offered at the next start.
   void end();

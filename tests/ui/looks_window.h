@@ -4,27 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
+#include "tests/ui/final_picture.h"
 #include "tests/ui/segment_window.h"
-#include "ui/views/volume_view.h"
 
 namespace volumen::tests {
 
 /// A small screen with studies as they hang, the panel of segments in front with most of the room beside
 /// them.
 struct LooksWindow : SegmentWindow {
-  std::optional<ScreenPicture> rest;  ///< of the 3D view
+  FinalPicture rest{window};  ///< of the 3D view
 
   explicit LooksWindow(const QStringList& paths) : SegmentWindow(paths) { window.resize(1366, 768); }
 
   /// True once all views have their picture.
   bool open() {
-    if (!QTest::qWaitFor([this] { return session().series() && areDrawn(); }, longest)) return false;
-    QObject::connect(window.view(), &VolumeView::drawn, window.view(), [this](const ScreenPicture& picture) {
-      if (picture.atRest) rest = picture;
-    });
-    return idle();
+    return QTest::qWaitFor([this] { return session().series() && areDrawn(); }, longest) && idle();
   }
   bool areDrawn() {
     return std::ranges::all_of(viewsOnScreen(workspace()), [this](ViewId id) {
@@ -49,13 +44,7 @@ struct LooksWindow : SegmentWindow {
   VolumeView* scene() { return window.view(); }
   /// True once the picture at rest of the 3D view is that of its scene as it is.
   bool isAtRest() {
-    const auto isOfNow = [this] {
-      if (!rest || rest->image.size() != scene()->pixels()) return false;
-      Scene now = session().drawnScene(sceneViewId);
-      if (!now.camera) now.camera = rest->scene.camera;
-      return rest->scene == now && rest->volume == session().drawnSeries(sceneViewId)->volume;
-    };
-    return idle() && QTest::qWaitFor(isOfNow, longest);
+    return idle() && QTest::qWaitFor([this] { return rest.isThere(); }, longest);
   }
   void press(QWidget* on, QPoint at, Qt::KeyboardModifiers keys = {}) {
     QTest::mousePress(on, Qt::LeftButton, keys, at);

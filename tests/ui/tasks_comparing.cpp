@@ -68,17 +68,19 @@ int referenceLines() {
 struct PetCt : Journey {
   Hand hand{window};
 
-  PetCt()
-      : Journey({QString::fromStdString(dataPath("pet-ct/sts019-ct")),
-                 QString::fromStdString(dataPath("pet-ct/sts019-pet"))}) {
+  PetCt() : Journey({QString::fromStdString(dataPath("pet-ct/sts019-ct"))}) {
     openAlone(false);
+    window.document().loader.open(QString::fromStdString(dataPath("pet-ct/sts019-pet")));  // not shown yet
   }
   ~PetCt() { openAlone(); }
   const Workspace& workspace() { return window.session().workspace(); }
   FlatView* view() { return window.views()->viewAs<FlatView>(axialViewId); }
   FlatLook look() { return flatLookOf(workspace().view(axialViewId)); }
   bool isFused() {
-    if (!QTest::qWaitFor([&] { return window.session().series() != nullptr; }, longest)) return false;
+    const auto isOpen = [&] {
+      return window.session().series() && window.document().open.volumes().size() == 2;
+    };
+    if (!QTest::qWaitFor(isOpen, longest)) return false;
     auto* tree = child<QTreeWidget>("studyTree");
     for (QTreeWidgetItemIterator it(tree); *it; ++it)
       if ((*it)->text(0).startsWith(QStringLiteral("PT IBSI")) && (*it)->childCount() == 0) {

@@ -159,6 +159,8 @@ void TestFlatPanel::slabAndInterpolationAreSet() {
   QCOMPARE(w.look().slabMm, 12.5);
   auto* smooth = w.child<QCheckBox>("flatInterpolated");
   QVERIFY(smooth->isChecked());
+  for (const QString& text : {smooth->text(), w.child<QAction>("interpolate")->text()})
+    QCOMPARE(text, QStringLiteral("Interpolate between voxels"));
   QTest::mouseClick(smooth, Qt::LeftButton, {}, QPoint(8, smooth->height() / 2));
   QVERIFY(w.look().nearest && w.look(coronalViewId).nearest);
   QCOMPARE(w.steps(), steps + 3);
@@ -229,6 +231,9 @@ void TestFlatPanel::framesHaveNoSlab() {
   QVERIFY(!w.child<QWidget>("flatSlab")->isVisible());
   QVERIFY(!w.child<QWidget>("overlayButton")->isVisible());
   QVERIFY(w.child<QWidget>("noSlab")->isVisible());
+  for (const QString& text :
+       {w.child<QCheckBox>("flatInterpolated")->text(), w.child<QAction>("interpolate")->text()})
+    QCOMPARE(text, QStringLiteral("Interpolate between pixels"));
   // Its own windows and LUTs, first of them the one in use.
   auto* choice = w.child<QComboBox>("flatWindowChoice");
   QStringList names;

@@ -1,44 +1,39 @@
 // Guards a second series over the first, colour maps, and the layout that a series opens in: real events on a
 // real PET and its CT.
+#include <QComboBox>
+#include <QInputDialog>
 #include <QMenu>
 #include <QSlider>
 #include <QTreeWidget>
 
-#include "tests/fixtures/fixtures.h"
+#include "tests/ui/fusion_window.h"
 #include "tests/ui/gestures.h"
-#include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/camera_moves.h"
-#include "ui/workspace/flat_plane.h"
 #include "ui/workspace/windows.h"
 
 using namespace volumen;
+using volumen::tests::fusedFolder;
 using volumen::tests::Journey;
 using volumen::tests::longest;
+using volumen::tests::PetCtWindow;
+using volumen::tests::UsualLayouts;
 
 namespace {
 
-// Until the next window is opened.
-struct UsualLayouts {
-  UsualLayouts() { tests::openAlone(false); }
-  ~UsualLayouts() { tests::openAlone(); }
-};
-
-// The PET and the CT of a study.
-struct Fused : Journey {
-  Fused()
-      : Journey({QString::fromStdString(tests::dataPath("pet-ct/sts019-ct")),
-                 QString::fromStdString(tests::dataPath("pet-ct/sts019-pet"))}) {}
-  const Workspace& workspace() { return window.session().workspace(); }
-  const FlatLook look(ViewId id) { return flatLookOf(workspace().view(id)); }
-  std::string modality(const SeriesKey& key) {
-    return key.empty() ? "" : workspace().series.at(key).series->modality;
+// The CT of a study, and its PET in the list alone.
+struct CtAlone : PetCtWindow {
+  CtAlone() : PetCtWindow(QStringList{fusedFolder("ct")}) {
+    window.document().loader.open(fusedFolder("pet"));
   }
+
   bool opened() {
-    return QTest::qWaitFor([this] { return window.session().series() != nullptr; }, longest);
+    return QTest::qWaitFor(
+        [this] { return window.session().series() && window.document().open.volumes().size() == 2; },
+        longest);
   }
   // `again`: by the second click of a double-click.
   void choose(const QString& what, bool again = false) {
@@ -74,7 +69,7 @@ class TestFusion : public QObject {
   void aLayoutThatWasChosenComesBack();
   void petOpensOverItsCt();
   void aDoubleClickChoosesOnce();
-  void aStudyOfBothOpensFused();
+  void projectionAndSlicesHaveOneWindow();
   void overlaysAreChosenMixedAndUndone();
   void anotherFrameOfReferenceIsNoOverlay();
   void colourMapsAreShown();
@@ -120,7 +115,7 @@ void TestFusion::aLayoutThatWasChosenComesBack() {
 void TestFusion::petOpensOverItsCt() {
   NEED_DATA(tests::dataPath("pet-ct"));
   const UsualLayouts usual;
-  Fused w;
+  CtAlone w;
   QVERIFY(w.opened());
   QCOMPARE(w.modality(w.workspace().view(axialViewId).series), std::string("CT"));
   w.choose(QStringLiteral("PT IBSI"));
@@ -167,7 +162,7 @@ void TestFusion::petOpensOverItsCt() {
 void TestFusion::aDoubleClickChoosesOnce() {
   NEED_DATA(tests::dataPath("pet-ct"));
   const UsualLayouts usual;
-  Fused w;
+  CtAlone w;
   QVERIFY(w.opened());
   w.choose(QStringLiteral("PT IBSI"));
   QTRY_COMPARE_WITH_TIMEOUT(w.modality(w.workspace().view(sceneViewId).series), std::string("PT"), longest);
@@ -177,30 +172,43 @@ void TestFusion::aDoubleClickChoosesOnce() {
   QCOMPARE(w.window.session().undoStack().count(), 1);
 }
 
-void TestFusion::aStudyOfBothOpensFused() {
-  const std::string data = tests::dataPath("pet-ct");
-  NEED_DATA(data);
-  const UsualLayouts usual;
-  Journey w({QString::fromStdString(data)});
-  const auto modalityOf = [&](const SeriesKey& key) {
-    const Workspace& workspace = w.window.session().workspace();
-    return key.empty() ? std::string() : workspace.series.at(key).series->modality;
+// As it opens, and by the preset; what was set by hand and saved as a preset of one's own stays.
+void TestFusion::projectionAndSlicesHaveOneWindow() {
+  NEED_DATA(tests::dataPath("pet-ct"));
+  PetCtWindow w(QStringList{fusedFolder("pet")});
+  Session& session = w.window.session();
+  QTRY_VERIFY_WITH_TIMEOUT(session.series() != nullptr, longest);
+  const LoadedSeriesPtr pet = session.series();
+  const Window ofPlanes = flatWindow(w.workspace().series.at(keyOf(pet->series)), *pet);
+  const double suv = 1 / pet->series.suv.bodyWeight.value();
+  QVERIFY(std::abs(endsOf(ofPlanes).dark - 7 * suv) < 1e-9 && std::abs(endsOf(ofPlanes).bright) < 1e-9);
+  QCOMPARE(session.scene().mode, Mode::mip);
+  QCOMPARE(session.scene().window, std::optional(ofPlanes));
+  const Window wider{7.5 * suv, -15 * suv};
+  session.edit(QStringLiteral("test"), [&](Scene& scene) { scene.window = wider; });
+  w.child<QAction>("savePreset")->trigger();
+  auto* dialog = w.child<QInputDialog>("presetNameDialog");
+  QVERIFY(dialog && dialog->isVisible());
+  QTest::keyClicks(dialog->findChild<QLineEdit*>(), QStringLiteral("to 15"));
+  QTest::keyClick(dialog, Qt::Key_Return);
+  auto* box = w.child<QComboBox>("presets");
+  const auto choose = [&](const char* preset) {
+    Q_EMIT box->activated(box->findData(QLatin1String(preset)));
+    return QTest::qWaitFor([&] { return session.state().preset->name == preset; }, longest);
   };
-  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
-  const Workspace& workspace = w.window.session().workspace();
-  QCOMPARE(modalityOf(workspace.view(sceneViewId).series), std::string("PT"));
-  for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId}) {
-    QCOMPARE(modalityOf(workspace.view(id).series), std::string("CT"));
-    QCOMPARE(modalityOf(flatLookOf(workspace.view(id)).overlay), std::string("PT"));
-    QTRY_VERIFY_WITH_TIMEOUT(!w.window.views()->viewAs<FlatView>(id)->picture().isNull(), longest);
-  }
-  QVERIFY2(!w.child<QAction>("undo")->isEnabled(), "opening is no step");
+  QVERIFY(choose("PET-MIP"));
+  QCOMPARE(session.scene().window, std::optional(ofPlanes));
+  QVERIFY(choose("to 15"));
+  QCOMPARE(session.scene().window, std::optional(wider));
+  w.child<QAction>("deletePreset")->trigger();
+  QVERIFY(choose("auto"));
+  QCOMPARE(session.scene().window, std::optional(ofPlanes));
 }
 
 void TestFusion::overlaysAreChosenMixedAndUndone() {
   NEED_DATA(tests::dataPath("pet-ct"));
   const UsualLayouts usual;
-  Fused w;
+  CtAlone w;
   QVERIFY(w.opened());
   const Workspace before = w.workspace();
   QAction* pet = w.entry("overlayMenu", QStringLiteral("PT IBSI"));
@@ -221,7 +229,7 @@ void TestFusion::overlaysAreChosenMixedAndUndone() {
 
 void TestFusion::anotherFrameOfReferenceIsNoOverlay() {
   NEED_DATA(tests::dataPath("ct-chest-lidc0314-138"));
-  Fused w;
+  CtAlone w;
   QVERIFY(w.opened());
   w.window.open({QString::fromStdString(tests::dataPath("ct-chest-lidc0314-138"))});
   QTRY_VERIFY_WITH_TIMEOUT(w.child<QTreeWidget>("studyTree")->topLevelItemCount() > 1, longest);

@@ -1,11 +1,12 @@
 // Guards how the window looks with what hospitals send, hung as it is when it is opened: at every size of
-// screen each view has room and its picture, and nothing overlaps or is cut off. Where $VOLUMEN_SHOTS names a
-// folder, every size is photographed for the eye; QT_SCALE_FACTOR=2 does so for a screen of twice the
-// density.
+// screen each view has room and its picture, nothing overlaps or is cut off, and the window fits the screen.
+// Where $VOLUMEN_SHOTS names a folder, every size is photographed for the eye; QT_SCALE_FACTOR=2 does so for
+// a screen of twice the density.
 #include <algorithm>
 
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/clean_settings.h"
+#include "tests/ui/final_picture.h"
 #include "tests/ui/hung_studies.h"
 #include "tests/ui/journey.h"
 #include "tests/ui/window_flaws.h"
@@ -18,6 +19,7 @@ using namespace volumen::tests;
 namespace {
 
 constexpr int leastWidth = 150, leastHeight = 120;  // of a view, in which its texts can be read
+constexpr QSize smallScreen(1366, 700);             // of a laptop, without the bars of its desktop
 
 // The views on screen, once each has its picture.
 std::vector<View*> drawnViews(MainWindow& window) {
@@ -81,16 +83,24 @@ void TestProtocolLooks::studiesAreShownAsTheyHang() {
   NEED_DATA(data.toStdString());
   openAlone(false);
   MainWindow window(realServices());
+  const FinalPicture scene(window);
   window.resize(size);
   window.show();
   window.open({data});
   QTRY_COMPARE_WITH_TIMEOUT(int(drawnViews(window).size()), views, longest);
   QTRY_VERIFY_WITH_TIMEOUT(window.jobs().rows().empty(), longest);
   QTest::qWait(300);  // pictures of views that were turned towards each other
+  const bool hasScene = std::ranges::any_of(
+      drawnViews(window), [](View* view) { return qobject_cast<VolumeView*>(view) != nullptr; });
+  QTRY_VERIFY_WITH_TIMEOUT(!hasScene || scene.isThere(), longest);
   if (const QString folder = qEnvironmentVariable("VOLUMEN_SHOTS"); !folder.isEmpty())
     window.grab().save(QDir(folder).filePath(
         QString(path).replace(QLatin1Char('/'), QLatin1Char('_')) +
         QStringLiteral("-%1-x%2.png").arg(size.width()).arg(qRound(window.devicePixelRatioF()))));
+  QCOMPARE(window.size(), size);
+  const QSize least = window.minimumSizeHint();
+  QVERIFY2(QRect({}, smallScreen).contains(QRect({}, least)),
+           qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height())));
   for (const View* view : drawnViews(window)) {
     QVERIFY2(view->width() >= leastWidth && view->height() >= leastHeight,
              qPrintable(view->accessibleName()));

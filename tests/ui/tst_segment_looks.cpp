@@ -1,151 +1,23 @@
-// Guards how the tools of segments look while they are used on CT, MR and PET of hospitals, by real events on
+// Guards how the tools of segments look while they are used on MR and PET of hospitals, by real events on
 // a small screen: what is being done is seen in the picture, and no text of the window is cut off. Where
 // $VOLUMEN_SHOTS names a folder, each is photographed for the eye.
 #include <QComboBox>
 #include <QPainter>
 #include <QTableWidget>
-#include <QTemporaryDir>
-#include <QTreeWidgetItemIterator>
 
-#include "tests/fixtures/fixtures.h"
-#include "tests/ui/clean_settings.h"
 #include "tests/ui/hand.h"
-#include "tests/ui/looks_window.h"
-#include "tests/ui/window_flaws.h"
-#include "tests/unit/suite.h"
+#include "tests/ui/look_rows.h"
 #include "ui/widgets/banner.h"
-#include "ui/widgets/curve_editor.h"
 
 using namespace volumen;
 using namespace volumen::tests;
 
 namespace {
 
-using Look = void (*)(LooksWindow& w);
-
-// In the chest.
-constexpr glm::dvec3 pHeart(-6, 140, -542.8), pVertebra(-10, 228, -542.8), pLung(-76, 152, -542.8);
 // In the head; the white matter is that of the frontal lobe, the last one lies on the border of the right
 // ventricle.
 constexpr glm::dvec3 pStem(-6, -14, 21), pWhite(20, -75, 45), pVentricle(-14, -45, 45);
 constexpr glm::dvec3 pTumour(-19, -76, -157);
-
-void curveEnd(LooksWindow& w) {
-  w.window.resizeDocks({w.child<QDockWidget>("transferDock"), w.child<QDockWidget>("segmentDock")},
-                       {330, 330}, Qt::Vertical);
-  w.click("segmentFromCurve");
-  auto* curve = w.child<CurveEditor>("curveEditor");
-  curve->showValues(-1000, 1500);
-  w.showPlace(pVertebra);
-  w.child<QDoubleSpinBox>("segmentLow")->setValue(100);
-  w.child<QDoubleSpinBox>("segmentHigh")->setValue(1200);
-  QCoreApplication::processEvents();
-  const QPoint flag = curve->rangeHandle(0).center().toPoint(), to = flag + QPoint(12, 0);
-  w.press(curve, flag);
-  w.move(curve, to);
-  QVERIFY(w.child<QDoubleSpinBox>("segmentLow")->value() > 120);
-  QVERIFY(w.isTinted(300));
-  QTest::qWait(500);  // 3D meanwhile
-  w.shot("ct-curve-end");
-  w.release(curve, to);
-}
-
-void connectedPart(LooksWindow& w) {
-  w.showPage("segmentFromCurve", "segmentPartUse");
-  w.child<QDoubleSpinBox>("segmentLow")->setValue(-1024);
-  w.child<QDoubleSpinBox>("segmentHigh")->setValue(-500);
-  w.take("partTool");
-  const QPoint at = w.showPlace(pLung);
-  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
-  QVERIFY(w.idle());
-  QVERIFY(w.count() == 1 && w.voxels(1) > 500000);
-  QVERIFY(w.isTinted(5000) && w.isAtRest());
-  w.shot("ct-connected-part");
-}
-
-void paintStroke(LooksWindow& w) {
-  w.showPage("segmentPaint", "segmentFillBetween");
-  w.child<QDoubleSpinBox>("brushMm")->setValue(25);
-  w.take("paintTool");
-  const QPoint at = w.showPlace(pHeart);
-  w.go(w.view(), {at - QPoint(40, 0), at - QPoint(10, 20), at + QPoint(25, 10)});
-  QVERIFY(w.isTinted(1000));
-  w.shot("ct-paint-stroke");
-  w.release(w.view(), at + QPoint(25, 10));
-  QVERIFY(w.voxels(1) > 1000);
-}
-
-void outlineDrawn(LooksWindow& w) {
-  w.showPage("segmentPaint", "segmentFillBetween");
-  w.take("outlineTool");
-  std::vector<QPoint> way = w.roundAt(pHeart, 55);
-  way.resize(19);
-  const QImage before = w.seen(w.view());
-  w.go(w.view(), way);
-  QVERIFY(LooksWindow::unlike(before, w.seen(w.view())) > 100);
-  w.shot("ct-outline-drawn");
-  w.release(w.view(), way.back());
-  QVERIFY(w.isTinted(2000) && w.voxels(1) > 5000);
-  w.shot("ct-outline-done");
-}
-
-void cutInSlice(LooksWindow& w) {
-  QVERIFY(w.make(180, 2000));
-  w.showPage("segmentPaint", "segmentFillBetween");
-  w.take("segmentScissorsTool");
-  const std::vector<QPoint> way = w.roundAt(pVertebra, 45);
-  QVERIFY(w.isTinted(500));
-  const std::int64_t before = w.voxels(1);
-  w.go(w.view(), way);
-  w.shot("ct-cut-in-slice-drawn");
-  w.release(w.view(), way.back());
-  QVERIFY(w.idle());
-  QVERIFY(w.voxels(1) < before - 10000);
-}
-
-void cutIn3d(LooksWindow& w) {
-  Hand(w.window).menuOf(w.child<QToolButton>("segmentRecipes"), "recipeBone");
-  QVERIFY(QTest::qWaitFor([&] { return w.count() == 1; }, longest) && w.isAtRest());
-  w.shot("ct-recipe-bone");
-  w.showPage("segmentPaint", "segmentFillBetween");
-  w.take("segmentScissorsTool");
-  const QPoint middle = w.scene()->rect().center();
-  const std::vector<QPoint> way{middle + QPoint(10, -90), middle + QPoint(120, -80), middle + QPoint(125, 0),
-                                middle + QPoint(110, 90), middle + QPoint(20, 70)};
-  const std::int64_t before = w.voxels(1);
-  w.session().setFocus(sceneViewId);
-  w.go(w.scene(), way);
-  w.shot("ct-cut-in-3d-drawn");
-  w.release(w.scene(), way.back());
-  QVERIFY(w.idle());
-  QVERIFY(w.voxels(1) < before - 10000);
-  QVERIFY(w.isAtRest());
-  w.shot("ct-cut-in-3d-done");
-}
-
-void onlyInside(LooksWindow& w) {
-  w.take("outlineTool");
-  const std::vector<QPoint> way = w.roundAt(pHeart, 70);
-  w.stroke(way);
-  QVERIFY(w.voxels(1) > 5000);
-  w.click("segmentsIn3d");
-  QVERIFY(w.step("grow"));
-  auto* where = w.child<QComboBox>("segmentTissue");
-  QTest::keyClick(where, Qt::Key_Down);
-  auto* margin = w.child<QDoubleSpinBox>("segmentTissueMargin");
-  margin->setValue(20);
-  QVERIFY(w.isAtRest());
-  QVERIFY(!w.session().tissues().empty());
-  w.shot("ct-only-inside");
-}
-
-// A ball, as the brush paints one by a click.
-void paintBall(LooksWindow& w, glm::dvec3 p, double mm) {
-  w.session().prefer([mm](Preferences& preferences) { preferences.brush = {true, mm}; });
-  w.take("paintTool");
-  w.stroke({w.showPlace(p)});
-  QVERIFY(w.idle());
-}
 
 void hollowedBall(LooksWindow& w) {
   paintBall(w, pStem, 60);
@@ -196,24 +68,6 @@ void tableOfNumbers(LooksWindow& w) {
   QVERIFY(w.child<QLabel>("segmentNumbersSaid")->text().contains(QStringLiteral("Dice 0,")));
   shotOfTable(w, "mr-numbers", "Median");
   w.child<QDialog>("segmentNumbersDialog")->close();
-}
-
-void importFile(LooksWindow& w) {
-  const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("bone.seg.nrrd"));
-  paintBall(w, pVertebra, 60);
-  w.take("exportSegments");
-  answer(w, "segmentDialog", path);
-  QVERIFY(w.idle() && QFile::exists(path));
-  QMimeData files;
-  files.setUrls({QUrl::fromLocalFile(path)});
-  QVERIFY(drop(files, w.view()));
-  // A copy of what is there: in a map of its own, which is worked on.
-  const auto isImported = [&] { return w.workspace().segmentMaps.size() == 2 && w.count() == 1; };
-  QVERIFY(QTest::qWaitFor(isImported, longest));
-  w.showPlace(pVertebra);
-  QVERIFY(w.isTinted(500) && w.isAtRest());
-  w.shot("ct-import");
 }
 
 void smartBrush(LooksWindow& w) {
@@ -318,14 +172,8 @@ void lesionInSphere(LooksWindow& w, const QByteArray& data) {
   w.child<QDialog>("segmentNumbersDialog")->close();
 }
 
-// A click on the PET, which then lies over its CT.
-void fusePetOverCt(LooksWindow& w) {
-  auto* tree = w.child<QTreeWidget>("studyTree");
-  for (QTreeWidgetItemIterator it(tree); *it; ++it)
-    if ((*it)->text(0).startsWith(QStringLiteral("PT IBSI")) && (*it)->childCount() == 0) {
-      QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(*it).center());
-      break;
-    }
+// Both were opened, so that the PET lies over its CT.
+void awaitFusion(LooksWindow& w) {
   QVERIFY(QTest::qWaitFor(
       [&] { return !flatLookOf(w.workspace().view(axialViewId)).overlay.empty() && w.areDrawn(); }, longest));
   QVERIFY(w.idle());
@@ -333,46 +181,18 @@ void fusePetOverCt(LooksWindow& w) {
 
 }  // namespace
 
-Q_DECLARE_METATYPE(Look)
-
-class TestSegmentLooks : public CleanSettings {
+class TestSegmentLooks : public LookRows {
   Q_OBJECT
  private Q_SLOTS:
-  void onCt_data();
-  void onCt() { lookAtRow(); }
   void onMr_data();
   void onMr() { lookAtRow(); }
   void onPet_data();
   void onPet() { lookAtRow(); }
-  void cleanupTestCase() { window_.reset(); }
-
- private:
-  void lookAtRow();
-
-  std::unique_ptr<LooksWindow> window_;  // opened by the first row of its data
-  QString opened_;
-  int firstStep_ = 0;
+  void cleanupTestCase() { closeWindow(); }
 };
 
-void TestSegmentLooks::onCt_data() {
-  QTest::addColumn<QString>("data");
-  QTest::addColumn<Look>("look");
-  const auto add = [](const char* name, Look look) {
-    QTest::newRow(name) << QStringLiteral("ct-chest-lidc0314-138") << look;
-  };
-  add("an end on the axis of the curve", curveEnd);
-  add("connected part", connectedPart);
-  add("paint", paintStroke);
-  add("outline", outlineDrawn);
-  add("cut in a slice", cutInSlice);
-  add("recipe and cut in 3D", cutIn3d);
-  add("only inside segments", onlyInside);
-  add("import", importFile);
-}
-
 void TestSegmentLooks::onMr_data() {
-  QTest::addColumn<QString>("data");
-  QTest::addColumn<Look>("look");
+  addColumns();
   const auto add = [](const char* name, Look look) {
     QTest::newRow(name) << QStringLiteral("mr-head-siemens-gap-175") << look;
   };
@@ -386,42 +206,14 @@ void TestSegmentLooks::onMr_data() {
 }
 
 void TestSegmentLooks::onPet_data() {
-  QTest::addColumn<QString>("data");
-  QTest::addColumn<Look>("look");
+  addColumns();
   QTest::newRow("lesion") << QStringLiteral("pet-ct/sts019-pet")
                           << Look([](LooksWindow& w) { lesionInSphere(w, "pet"); });
   QTest::newRow("lesion over CT") << QStringLiteral("pet-ct/sts019-ct;pet-ct/sts019-pet")
                                   << Look([](LooksWindow& w) {
-                                       fusePetOverCt(w);
+                                       awaitFusion(w);
                                        lesionInSphere(w, "pet-ct");
                                      });
-}
-
-void TestSegmentLooks::lookAtRow() {
-  QFETCH(QString, data);
-  QFETCH(Look, look);
-  if (opened_ != data) {
-    QStringList paths;
-    for (const QString& name : data.split(QLatin1Char(';'))) {
-      const std::string path = dataPath(name.toStdString());
-      NEED_DATA(path);
-      paths << QString::fromStdString(path);
-    }
-    openAlone(false);
-    window_.reset();
-    window_ = std::make_unique<LooksWindow>(paths);
-    QVERIFY(window_->open());
-    opened_ = data;
-    firstStep_ = window_->steps();
-  }
-  window_->begin();
-  look(*window_);
-  QCoreApplication::processEvents();
-  const QStringList found = flaws(window_->window);
-  window_->take("windowTool");
-  window_->session().undoStack().setIndex(firstStep_);
-  QVERIFY(window_->idle());
-  QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
 }
 
 VOLUMEN_TEST(TestSegmentLooks);

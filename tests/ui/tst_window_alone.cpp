@@ -11,7 +11,6 @@
 #include "tests/unit/suite.h"
 #include "ui/overlays/overlays.h"
 #include "ui/views/colour_bar.h"
-#include "ui/widgets/banner.h"
 #include "ui/workspace/key_image_list.h"
 #include "ui/workspace/session_json.h"
 #include "ui/workspace/view_window.h"
@@ -309,14 +308,20 @@ void TestWindowAlone::coloursHaveNone() {
   NEED_DATA(dataPath("dicom-2d"));
   Frames w({"sc-rgb-41.dcm"});
   QVERIFY(w.shows());
-  const Workspace before = w.workspace();
-  w.child<QAction>("windowAlone")->trigger();
-  QVERIFY(w.child<Banner>("banner")->sentence().startsWith(QStringLiteral("Colours are shown as they are")));
-  QVERIFY(w.workspace() == before && !w.child<QAction>("windowAlone")->isChecked());
+  QAction* action = w.child<QAction>("windowAlone");
+  QTRY_VERIFY_WITH_TIMEOUT(!action->isEnabled(), longest);
+  auto* menu = w.child<QMenu>("windowMenu");
+  Q_EMIT menu->aboutToShow();
+  QVERIFY(menu->actions().front()->text().startsWith(QStringLiteral("Colours are shown as they are")));
   // A session may give them one: nothing is said of it.
-  w.session().change(QStringLiteral("test"), withWindowAlone(before, axialViewId, true));
+  w.session().change(QStringLiteral("test"), withWindowAlone(w.workspace(), axialViewId, true));
   QVERIFY(w.look().windowAlone);
   QCOMPARE(w.view()->overlays().bottomRight, QString());
+  // Greys that come in their place have one.
+  w.window.open({dataFile("cr-hip-mono2-jpeg12.dcm")});
+  QTRY_VERIFY_WITH_TIMEOUT(w.view()->windowShown() && action->isEnabled(), longest);
+  w.child<QAction>("undo")->trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(!action->isEnabled(), longest);
 }
 
 VOLUMEN_TEST(TestWindowAlone);

@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "tests/ui/frames_window.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
 
@@ -31,6 +32,7 @@ class TestWindowChoices : public QObject {
  private Q_SLOTS:
   void aRightClickChoosesOne();
   void theMenuSaysWhichIsChosen();
+  void ofTheSameWindowsOneHasTheMark();
   void theNameStandsWhileItHolds();
   void whatHasNoTissuesHasNone();
   void withoutASliceItSaysSo();
@@ -65,6 +67,21 @@ void TestWindowChoices::theMenuSaysWhichIsChosen() {
   QVERIFY(chosenIn(menu).startsWith(QStringLiteral("Brain (80 / 40)")));
   entry(menu, "Invert")->trigger();
   QVERIFY(flatLookOf(w.view()->state()).inverted);
+}
+
+// A radiograph is shown by the window of its file, which is what is automatic.
+void TestWindowChoices::ofTheSameWindowsOneHasTheMark() {
+  NEED_FILES();
+  Frames w({"cr-hip-mono2-jpeg12.dcm"});
+  QVERIFY(w.shows());
+  const std::vector<FlatView::WindowChoice> windows = w.view()->windows();
+  QVERIFY(std::ranges::count_if(windows, &FlatView::WindowChoice::isChosen) > 1);
+  auto* menu = w.child<QMenu>("windowMenu");
+  Q_EMIT menu->aboutToShow();
+  QCOMPARE(chosenIn(menu), QStringLiteral("Automatic\t0"));
+  QVERIFY(w.after([&] { drag(w.view(), {100, 100}, {140, 130}); }));
+  Q_EMIT menu->aboutToShow();
+  QCOMPARE(chosenIn(menu), QString());
 }
 
 void TestWindowChoices::theNameStandsWhileItHolds() {

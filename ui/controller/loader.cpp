@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 #include <utility>
 
 #include "io/curved.h"
@@ -10,8 +11,10 @@
 #include "io/open.h"
 #include "ui/data/picture_stacks.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/windows.h"
 #include "viewer/plan/default_window.h"
 #include "viewer/scene/automatic.h"
+#include "viewer/scene/presets.h"
 #include "viewer/slice/first_window.h"
 
 namespace volumen {
@@ -54,7 +57,7 @@ Result<LoadedSeriesPtr> loadShown(const Series& series, const VolumePtr& source,
   if (series.unit.empty()) shown->usual = usualRange(*loaded->drawn);
   Result<Scene> scene = makeScene("auto", *loaded->drawn);
   if (!scene) return scene.error();
-  shown->firstScene = std::move(*scene);
+  shown->firstScene = withUptakeWindow(std::move(*scene), series);
   return LoadedSeriesPtr(shown);
 }
 
@@ -167,11 +170,18 @@ void Loader::take(const SeriesKey& series, const Result<LoadedSeriesPtr>& shown)
   }
 }
 
-void Loader::makePreset(const QString& name, VolumePtr volume) {
+void Loader::makePreset(const QString& name, const LoadedSeriesPtr& series) {
   load_.run(
       tr("Making the preset"),
-      [name, volume, makeScene = makeScene_](const Job&) { return makeScene(name.toStdString(), *volume); },
-      orFailed([this, name, volume](const Scene& scene) { Q_EMIT presetReady(name, scene, volume); }));
+      [name = name.toStdString(), series, makeScene = makeScene_](const Job&) {
+        Result<Scene> scene = makeScene(name, *series->volume);
+        // One of the user's own has the window that it was saved with.
+        const bool isOwn = name != "auto" && std::ranges::find(presetNames(), name) == presetNames().end();
+        if (scene && !isOwn) *scene = withUptakeWindow(*scene, series->series);
+        return scene;
+      },
+      orFailed(
+          [this, name, series](const Scene& scene) { Q_EMIT presetReady(name, scene, series->volume); }));
 }
 
 }  // namespace volumen

@@ -34,12 +34,14 @@ class Loader : public QObject {
   void load(const Series& series, const std::optional<Scene>& scene = {});
   /// The same for one that is not shown yet, told by loadedAhead().
   void loadAhead(const Series& series);
-  void makePreset(const QString& name, VolumePtr volume);
+  void makePreset(const QString& name, const LoadedSeriesPtr& series);
   /// Gives up all.
   void cancel();
   bool isBusy() const { return open_.isBusy() || load_.isBusy(); }
   /// Whether a series is being loaded to be shown.
   bool isLoading() const { return loading_ && !isAhead_; }
+  /// Which one; none: none is.
+  std::optional<SeriesKey> loadingToShow() const { return isLoading() ? loading_ : std::nullopt; }
   /// Gives up the load that is under way alone.
   void cancelLoad();
 

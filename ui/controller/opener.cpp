@@ -68,6 +68,26 @@ void Opener::showFirst(const Study& study, const std::optional<Scene>& scene) {
   if (const std::vector<Series> frames = frameSeries(study); !frames.empty()) showFrames(frames.front());
 }
 
+void Opener::showFused(const Study& study) {
+  const Workspace& workspace = session_.workspace();
+  if (workspace.focus >= firstComparedId) return;
+  const std::optional<SeriesKey> loading = loader_.loadingToShow();
+  const SeriesKey key = loading.value_or(workspace.view(sceneViewId).series);
+  const ViewState& planes = workspace.view(axialViewId);
+  const bool isShown = planes.series == key && !showsFrames(planes.kind);
+  if (isShown && !flatLookOf(planes).overlay.empty()) return;
+  const std::vector<const Series*> open = open_.volumes();
+  const auto first = std::ranges::find_if(open, [&](const Series* s) { return keyOf(*s) == key; });
+  if (first == open.end()) return;
+  if (const Series& pet = petOver(**first, study); &pet != *first) return loader_.load(pet);
+  // A PET that is still being loaded comes over it by itself.
+  const Series* ct = (*first)->modality == "PT" && isShown && !loading ? ctUnder(**first) : nullptr;
+  const auto isCt = [&](const Series& s) { return keyOf(s) == keyOf(*ct); };
+  if (!ct || std::ranges::none_of(study.volumes, isCt)) return;
+  session_.endGesture();
+  session_.change(tr("Show %1").arg(seriesText(*ct)), fusedWith(workspace, *ct));
+}
+
 void Opener::chooseLayout(Layout layout) {
   const Workspace& workspace = session_.workspace();
   if (isInSecond(workspace.focus)) return session_.change(tr("Layout"), withSecondLayout(workspace, layout));

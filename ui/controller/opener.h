@@ -25,6 +25,9 @@ class Opener : public QObject {
   /// Shows the largest volume of a study by this scene, without one a PET whose CT that is over it, or a
   /// largerStack(); where there is no volume, its first pictures.
   void showFirst(const Study& study, const std::optional<Scene>& scene);
+  /// Of a study that is opened together with the one that is shown first: a PET over the CT of that, or the
+  /// CT under its PET.
+  void showFused(const Study& study);
 
   /// What a series brings with it: the layout of its modality, unless series are being compared; where it was
   /// never shown before its time points, and the CT under a PET.

@@ -57,8 +57,11 @@ void Loading::showStudy(const QString& path, const std::shared_ptr<const Study>&
     return bench_.banner.add(tr("No images found in %1.").arg(pathText(path.toStdString())), details);
   if (!study->refused.empty()) bench_.banner.add(unreadText(*study), details);
   bench_.document.recent.add(path);
-  if (intent.isShown && !std::exchange(*intent.isShown, true))
+  if (!intent.isShown) return;
+  if (!std::exchange(*intent.isShown, true))
     bench_.document.opener.showFirst(*study, intent.scene);
+  else if (!intent.scene)
+    bench_.document.opener.showFused(*study);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ Presets::Presets(Workbench& bench)
 }
 
 void Presets::choose(const QString& name) {
-  if (session_.series()) bench_.document.loader.makePreset(name, session_.series()->volume);
+  if (session_.series()) bench_.document.loader.makePreset(name, session_.series());
 }
 
 void Presets::addCommands(QMenu* more) {

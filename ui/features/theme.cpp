@@ -70,13 +70,16 @@ QString sheetOf(const Colours& c, Theme theme) {
              "QStatusBar::item { border: 0; }"
              "QDockWidget QToolButton:checked { color: %10; background: %5; border: 1px solid %5;"
              " border-radius: 2px; padding: 1px; }"
-             "QCheckBox::indicator, QListView::indicator { width: 14px; height: 14px; border: 1px solid %6;"
-             " border-radius: 3px; background: %7; }"
+             "QCheckBox::indicator, QAbstractItemView::indicator { width: 14px; height: 14px;"
+             " border: 1px solid %6; border-radius: 3px; background: %7; }"
+             // Over the style's own box, which the padding of items leaves where it was.
+             "QAbstractItemView::indicator { left: -2px; }"
              "QCheckBox::indicator:checked { border-color: %5; background: %5; image: "
              "url(:/icons/check-%8.svg); }"
              // On a selected row the accent would not be seen.
-             "QListView::indicator:checked { image: url(:/icons/check-%9.svg); }"
+             "QAbstractItemView::indicator:checked { image: url(:/icons/check-%9.svg); }"
              "QCheckBox::indicator:focus { border-color: %5; }"
+             "QAbstractItemView::indicator:disabled { border-color: %3; }"
              "QCheckBox::indicator:disabled { border-color: %3; background: %3; }")
       .arg(name(c.text), name(c.button), name(c.line), name(c.window), name(c.accent), name(c.muted),
            name(c.base), isDark ? QStringLiteral("dark") : QStringLiteral("light"),

@@ -36,8 +36,7 @@ WindowAlone::WindowAlone(Workbench& bench)
 void WindowAlone::setAlone(bool alone) {
   const FlatView* view = bench_.flatViewInFocus();
   follow();  // a click has changed its mark
-  if (!view || !view->shown()) return warn(tr("Click a slice or a frame first."));
-  if (view->windows().empty()) return warn(tr("Colours are shown as they are: there is no window to set."));
+  if (!view || !view->windowShown()) return warn(tr("Click a slice or a frame first."));
   session_.endGesture();
   session_.change(action_->text(), withWindowAlone(session_.workspace(), view->id(), alone));
   session_.endGesture();
@@ -48,7 +47,11 @@ void WindowAlone::follow() {
   const ViewId id = showsFrames(workspace, workspace.focus) ? framesViewOf(workspace.focus) : workspace.focus;
   const ViewState& view = workspace.view(id);
   const bool isShown = isFlat(view.kind) && seriesIn(workspace, id);
-  action_->setEnabled(isShown);
+  const FlatView* seen = bench_.flatViewInFocus();
+  const bool isColour = seen && seen->shown() && !seen->windowShown();
+  // Whether a frame has colours is known once it is read.
+  if (seen) connect(seen, &FlatView::settled, this, &WindowAlone::follow, Qt::UniqueConnection);
+  action_->setEnabled(isShown && !isColour);
   action_->setChecked(isShown && flatLookOf(view).windowAlone);
 }
 

@@ -2,6 +2,7 @@
 #include <QPointer>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/features/feature.h"
@@ -22,6 +23,7 @@ class WindowChoices : public Feature {
 
  private:
   QList<QAction*> choicesOf(QMenu* menu, FlatView* view) const;
+  QString whyNone() const;
   std::optional<OwnWindow> inUse() const;
   void showDialog();
 
@@ -38,7 +40,7 @@ WindowChoices::WindowChoices(Workbench& bench) : Feature(bench) {
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
     menu->clear();
     menu->addActions(choicesOf(menu, bench_.flatViewInFocus()));
-    if (menu->isEmpty()) menu->addAction(tr("Click a slice or a frame first."))->setEnabled(false);
+    if (menu->isEmpty()) menu->addAction(whyNone())->setEnabled(false);
     menu->addSeparator();
     menu->addAction(bench_.action("windowAlone"));
     menu->addAction(bench_.action("regionWindowTool"));
@@ -55,13 +57,15 @@ QList<QAction*> WindowChoices::choicesOf(QMenu* menu, FlatView* view) const {
   QList<QAction*> all;
   if (!view) return all;
   const std::vector<FlatView::WindowChoice> windows = view->windows();
+  // Several may be the same: of frames the automatic window is the first of the file.
+  const auto chosen = std::ranges::find_if(windows, &FlatView::WindowChoice::isChosen);
   for (int n = 0; n < int(windows.size()); ++n) {
     const QString digit = n < 10 ? QStringLiteral("\t%1").arg(n) : QString();
     QString name = windows[std::size_t(n)].name;
     name.replace(QLatin1Char('&'), QStringLiteral("&&"));
     auto* action = new QAction(name + digit, menu);
     action->setCheckable(true);
-    action->setChecked(windows[std::size_t(n)].isChosen);
+    action->setChecked(n == chosen - windows.begin());
     // A clip may play on, and have other windows by then.
     connect(action, &QAction::triggered, view, [view, n, chosen = windows[std::size_t(n)].name] {
       const std::vector<FlatView::WindowChoice> now = view->windows();
@@ -73,6 +77,12 @@ QList<QAction*> WindowChoices::choicesOf(QMenu* menu, FlatView* view) const {
   auto* invert = new QAction(tr("Invert") + QStringLiteral("\tI"), menu);
   connect(invert, &QAction::triggered, view, &FlatView::invert);
   return all << invert;
+}
+
+QString WindowChoices::whyNone() const {
+  const FlatView* view = bench_.flatViewInFocus();
+  return view && view->shown() ? tr("Colours are shown as they are: there is no window to set.")
+                               : tr("Click a slice or a frame first.");
 }
 
 std::optional<OwnWindow> WindowChoices::inUse() const {

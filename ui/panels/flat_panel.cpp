@@ -128,7 +128,7 @@ QWidget* FlatPanel::makeWindow() {
 QWidget* FlatPanel::makeColours() {
   colourMap_ = comboOf("flatColours", tr("Colour map"));
   addColourMaps(colourMap_);
-  interpolated_ = new QCheckBox(tr("Interpolate between voxels"));
+  interpolated_ = new QCheckBox(interpolationText(ViewKind::axial));
   interpolated_->setObjectName(QStringLiteral("flatInterpolated"));
   QWidget* part = partOf(tr("Colours and pixels"));
   part->layout()->addWidget(colourMap_);
@@ -246,6 +246,7 @@ void FlatPanel::showWindow(const FlatShown& shown) {
   for (QWidget* part : std::initializer_list<QWidget*>{choice_, values_, inverted_, colourMap_})
     part->setVisible(any);
   noWindow_->setVisible(!any);
+  interpolated_->setText(interpolationText(view.kind));
   interpolated_->setChecked(!flatLookOf(view).nearest);
   if (!any) return;
   if (textsIn(choice_) != shown.windows) {

@@ -91,6 +91,10 @@ void setInterpolated(Session& session, bool on) {
                  withFlatLooks(session.workspace(), view, [on](FlatLook& look) { look.nearest = !on; }));
 }
 
+QString interpolationText(ViewKind kind) {
+  return showsFrames(kind) ? tr("Interpolate between pixels") : tr("Interpolate between voxels");
+}
+
 QMenu* makeSlabMenu(Session& session, QWidget* parent) {
   auto* menu = new QMenu(tr("Slab"), parent);
   menu->setObjectName(QStringLiteral("slabMenu"));
@@ -99,11 +103,12 @@ QMenu* makeSlabMenu(Session& session, QWidget* parent) {
 }
 
 QAction* makeInterpolationAction(Session& session, QObject* parent) {
-  auto* action = new QAction(tr("Interpolate between voxels"), parent);
+  auto* action = new QAction(parent);
   action->setObjectName(QStringLiteral("interpolate"));
   action->setCheckable(true);
   const auto show = [action, &session] {
     const ViewState& view = session.workspace().view(flatViewInFocus(session.workspace()));
+    action->setText(interpolationText(view.kind));
     action->setEnabled(!view.series.empty() && isFlat(view.kind));
     action->setChecked(!flatLookOf(view).nearest);
   };

@@ -24,6 +24,8 @@ void setInterpolated(Session& session, bool on);
 /// How the flat view in focus makes a pixel of voxels: thickness and mode of its slab.
 QMenu* makeSlabMenu(Session& session, QWidget* parent);
 
+/// What that is called: of frames between pixels, of slices between voxels.
+QString interpolationText(ViewKind kind);
 /// Whether the flat view in focus interpolates between voxels, of a group all its planes.
 QAction* makeInterpolationAction(Session& session, QObject* parent);
 

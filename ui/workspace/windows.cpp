@@ -132,6 +132,13 @@ Scene withMode(Scene scene, Mode mode, const LoadedSeries& series) {
   return scene;
 }
 
+Scene withUptakeWindow(Scene scene, const Series& series) {
+  const std::optional<Window> uptake = uptakeWindow(series);
+  if (scene.window && uptake)
+    scene.window = Window{uptake->centre, std::copysign(uptake->width, scene.window->width)};
+  return scene;
+}
+
 WindowEnds endsOf(const Window& window) {
   return {window.centre - window.width / 2, window.centre + window.width / 2};
 }

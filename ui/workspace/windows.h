@@ -54,6 +54,10 @@ QString namedWindow(const Window& window, const Series& series, const OwnWindows
 /// The scene drawn in another mode; a projection without a window gets one that suits its values.
 Scene withMode(Scene scene, Mode mode, const LoadedSeries& series);
 
+/// The scene of one of the program's own presets for a series: PET whose SUV is known is projected by the
+/// window that its planes begin with, so that one grey is one uptake in all views.
+Scene withUptakeWindow(Scene scene, const Series& series);
+
 /// Its darkest and brightest value: low > high where it is inverted.
 struct WindowEnds {
   double dark, bright;

@@ -53,29 +53,7 @@ void makeSchema(const std::string& path, std::size_t version) {
   QVERIFY((*db)->takeStatus().ok());
 }
 
-// As an index of before institutions has it.
-void forgetInstitutions(const IndexFolder& folder) {
-  const auto db = Database::open(folder.index() + "/index.sqlite");
-  (*db)->run("ALTER TABLE study DROP COLUMN institution");
-  (*db)->run("UPDATE study SET words = 'a'");
-  (*db)->runOnce("PRAGMA user_version = 2");
-  QVERIFY((*db)->takeStatus().ok());
-}
-
-// Of the studies by their patients, in their order; "?" where it is not known.
-QString institutionsIn(const IndexFolder& folder) {
-  folder.open();  // which brings the schema up to date
-  const auto db = Database::open(folder.index() + "/index.sqlite");
-  QStringList all;
-  for (Rows rows = (*db)->run("SELECT IFNULL(institution, '?') FROM study ORDER BY patient_name");
-       rows.next();)
-    all << QString::fromStdString(rows.text(0));
-  return all.join(QLatin1Char(';'));
-}
-
 }  // namespace
-
-Q_DECLARE_METATYPE(Spoil)
 
 class TestIndexSafety : public QObject {
   Q_OBJECT
@@ -85,10 +63,6 @@ class TestIndexSafety : public QObject {
   void wholeIsNot_data();
   void wholeIsNot();
   void olderSchemaIsUpdated();
-  void institutionsAreReadLater();
-  void institutionsAreOfTheFilesIndexed_data();
-  void institutionsAreOfTheFilesIndexed();
-  void institutionsAreNoReasonToBeCancelled();
   void killedImportGoesOn();
   void twoProgramsAtOnce();
   void threadsReadWhileOneWrites();
@@ -207,122 +181,6 @@ void TestIndexSafety::olderSchemaIsUpdated() {
   const auto db = Database::open(path);
   QCOMPARE((*db)->number("PRAGMA user_version"), std::int64_t(indexSteps().size()));
   QCOMPARE((*db)->number("SELECT COUNT(*) FROM series_folder"), std::int64_t(1));
-}
-
-// An index of before institutions: it keeps all that it knows, and the next import of anything reads one file
-// a study, where that is there.
-void TestIndexSafety::institutionsAreReadLater() {
-  const IndexFolder folder;
-  folder.add({"a/1", "A", "1.1", "1.1.1", 0});
-  folder.add({"a/2", "A", "1.1", "1.1.1", 1});
-  folder.add({"b/1", "B", "1.2", "1.2.1", 0});
-  folder.add({"c/1", "C", "1.3", "1.3.1", 0});
-  folder.import();
-  const std::string expected = tests::contentsOf(folder.open());
-  QVERIFY(folder.open().opened(studiesIn(folder.open()).at(0).id).ok());
-  forgetInstitutions(folder);
-  fs::rename(folder.data("b"), folder.data("") + "-away");
-  {
-    const Index index = folder.open();
-    QCOMPARE(index.notice(), std::string());
-    const std::vector<IndexedStudy> all = studiesIn(index);
-    QCOMPARE(all.size(), std::size_t(3));
-    QVERIFY(std::ranges::all_of(all, [](const IndexedStudy& s) { return s.institution.empty(); }));
-    QCOMPARE(std::ranges::count(all, std::string(), &IndexedStudy::openedAt), std::ptrdiff_t(2));
-  }
-  const ImportReport report = folder.import("c");
-  QVERIFY(report.unchanged == 1 && report.added == 0 && report.changed == 0);
-  QCOMPARE(studiesIn(folder.open(), {.words = "louis hopital"}).size(), std::size_t(2));
-  fs::rename(folder.data("") + "-away", folder.data("b"));
-  folder.import("c");
-  QCOMPARE(studiesIn(folder.open(), {.words = "louis hopital"}).size(), std::size_t(3));
-  QCOMPARE(tests::contentsOf(folder.open()), expected);
-}
-
-void TestIndexSafety::institutionsAreOfTheFilesIndexed_data() {
-  QTest::addColumn<Spoil>("spoil");  // of a file
-  QTest::addColumn<QString>("made");
-  const auto row = [](const char* name, Spoil spoil, const char* made) {
-    QTest::newRow(name) << spoil << QString::fromLatin1(made);
-  };
-  row(
-      "a file as it was", [](const std::string&) {}, "North");
-  row(
-      "one that changed",
-      [](const std::string& path) {
-        std::vector<std::uint8_t> bytes = readAll(path);
-        bytes.push_back(0);
-        writeAll(path, bytes);
-      },
-      "?");
-  row(
-      "one written to by the time of before",
-      [](const std::string& path) {
-        const auto before = fs::last_write_time(path);
-        writeAll(path, std::vector<std::uint8_t>(fs::file_size(path), 0xa5));
-        fs::last_write_time(path, before);
-      },
-      "?");
-  row(
-      "another one in its place",
-      [](const std::string& path) {
-        const auto before = fs::last_write_time(path);
-        fs::copy_file(path, path + ".copy");
-        fs::rename(path, path + ".kept");  // so that its inode is not given again
-        fs::rename(path + ".copy", path);
-        fs::last_write_time(path, before);
-      },
-      "?");
-  row(
-      "one that is gone", [](const std::string& path) { fs::remove(path); }, "?");
-}
-
-// One file of the study, spoilt before it is read for it.
-void TestIndexSafety::institutionsAreOfTheFilesIndexed() {
-  QFETCH(Spoil, spoil);
-  QFETCH(QString, made);
-  const IndexFolder folder;
-  MadeFile file{"a/1", "A", "1.1", "1.1.1", 0};
-  file.institution = "North";
-  folder.add(file);
-  // Of two series one names it.
-  MadeFile silent{"b/1", "B", "1.2", "1.2.1", 0}, named{"b/2", "B", "1.2", "1.2.2", 1};
-  silent.institution = "", named.institution = "South";
-  folder.add(silent);
-  folder.add(named);
-  MadeFile nowhere{"c/1", "C", "1.3", "1.3.1", 0};
-  nowhere.institution = "";
-  folder.add(nowhere);
-  folder.add({"d/1", "D", "1.4", "1.4.1", 0});
-  folder.import();
-  forgetInstitutions(folder);
-  QCOMPARE(institutionsIn(folder), QStringLiteral("?;?;?;?"));
-  spoil(folder.data("a/1"));
-  QVERIFY(!folder.import("d").cancelled);
-  QCOMPARE(institutionsIn(folder), made + QStringLiteral(";South;;Hôpital Saint-Louis"));
-}
-
-// It is told as something of its own, and goes on with the next import.
-void TestIndexSafety::institutionsAreNoReasonToBeCancelled() {
-  const IndexFolder folder;
-  for (int n = 0; n < 5; ++n) {
-    const std::string uid = "1." + std::to_string(n);
-    folder.add({"f" + std::to_string(n) + "/1", "P" + std::to_string(n), uid, uid + ".1", 0, {}, "North"});
-  }
-  folder.import();
-  forgetInstitutions(folder);
-  const CancelToken cancel;
-  const auto stopAtThird = [&](const char* what, std::size_t done, std::size_t total) {
-    if (std::string(what) != readingInstitutions) return;
-    QCOMPARE(total, std::size_t(5));
-    if (done == 2) cancel.cancel();
-  };
-  const Result<ImportReport> report = folder.open().import({folder.data("f0")}, stopAtThird, cancel);
-  QVERIFY(report && !report->cancelled);
-  QCOMPARE(report->unchanged, 1);
-  QCOMPARE(institutionsIn(folder), QStringLiteral("North;North;North;?;?"));
-  folder.import("f0");
-  QCOMPARE(institutionsIn(folder), QStringLiteral("North;North;North;North;North"));
 }
 
 // The program is killed again and again, each time a little later; VOLUMEN_KILLS sets how often.

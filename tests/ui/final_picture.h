@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "ui/main_window.h"
+#include "ui/views/volume_view.h"
+
+namespace volumen::tests {
+
+/// Says when the 3D view of a window shows its last picture: no draft, and of the scene as it is. It hears of
+/// the pictures from its own beginning on.
+class FinalPicture : public QObject {
+ public:
+  explicit FinalPicture(MainWindow& window) : session_(window.session()), view_(window.view()) {
+    connect(view_, &VolumeView::drawn, this, [this](const ScreenPicture& picture) {
+      if (picture.atRest) rest_ = picture;
+    });
+  }
+  bool isThere() const {
+    if (!rest_ || rest_->image.size() != view_->pixels()) return false;
+    Scene now = session_.drawnScene(view_->id());
+    if (!now.camera) now.camera = rest_->scene.camera;
+    return rest_->scene == now && rest_->volume == session_.drawnSeries(view_->id())->volume;
+  }
+
+ private:
+  const Session& session_;
+  VolumeView* const view_;
+  std::optional<ScreenPicture> rest_;
+};
+
+}  // namespace volumen::tests

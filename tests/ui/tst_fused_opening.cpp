@@ -1,0 +1,97 @@
+// Guards that a PET and the CT of its study open as one picture: by their folder, by a path each in any
+// order, and dropped; those of two patients do not. Real files.
+#include <QMimeData>
+
+#include "tests/ui/fusion_window.h"
+#include "tests/ui/gestures.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+using OpenBoth = std::function<void(PetCtWindow&, const QStringList&)>;
+
+void openAtOnce(PetCtWindow& w, const QStringList& paths) { w.window.open(paths); }
+
+void dropBoth(PetCtWindow& w, const QStringList& paths) {
+  QMimeData data;
+  QList<QUrl> urls;
+  for (const QString& path : paths) urls << QUrl::fromLocalFile(path);
+  data.setUrls(urls);
+  QVERIFY(tests::drop(data, &w.window));
+}
+
+// The second one is read once the first is on screen, as from a slow disk.
+void openSlowly(PetCtWindow& w, const QStringList& paths) {
+  OpenIntent together;
+  together.isShown = std::make_shared<bool>(false);
+  for (const QString& path : paths) {
+    w.window.document().loader.open(path, together);
+    QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
+  }
+}
+
+}  // namespace
+
+class TestFusedOpening : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aStudyOfBothOpensFused();
+  void bothThatAreNamedOpenFused_data();
+  void bothThatAreNamedOpenFused();
+  void thoseOfTwoPatientsDoNot();
+};
+
+void TestFusedOpening::aStudyOfBothOpensFused() {
+  const std::string data = tests::dataPath("pet-ct");
+  NEED_DATA(data);
+  const UsualLayouts usual;
+  PetCtWindow w(QStringList{QString::fromStdString(data)});
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
+  QVERIFY(w.isFused());
+  for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId})
+    QTRY_VERIFY_WITH_TIMEOUT(!w.window.views()->viewAs<FlatView>(id)->picture().isNull(), longest);
+  QVERIFY2(!w.child<QAction>("undo")->isEnabled(), "opening is no step");
+}
+
+void TestFusedOpening::bothThatAreNamedOpenFused_data() {
+  QTest::addColumn<QStringList>("paths");
+  QTest::addColumn<OpenBoth>("open");
+  const QStringList ctAndPet{fusedFolder("ct"), fusedFolder("pet")}, petAndCt{ctAndPet[1], ctAndPet[0]};
+  QTest::newRow("the CT first") << ctAndPet << OpenBoth(openAtOnce);
+  QTest::newRow("the PET first") << petAndCt << OpenBoth(openAtOnce);
+  QTest::newRow("dropped, the CT first") << ctAndPet << OpenBoth(dropBoth);
+  QTest::newRow("dropped, the PET first") << petAndCt << OpenBoth(dropBoth);
+  QTest::newRow("the PET is read late") << ctAndPet << OpenBoth(openSlowly);
+  QTest::newRow("the CT is read late") << petAndCt << OpenBoth(openSlowly);
+}
+
+void TestFusedOpening::bothThatAreNamedOpenFused() {
+  QFETCH(QStringList, paths);
+  QFETCH(OpenBoth, open);
+  NEED_DATA(tests::dataPath("pet-ct"));
+  const UsualLayouts usual;
+  PetCtWindow w;
+  open(w, paths);
+  QTRY_VERIFY_WITH_TIMEOUT(w.isFused(), longest);
+  for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId})
+    QTRY_VERIFY_WITH_TIMEOUT(!w.window.views()->viewAs<FlatView>(id)->picture().isNull(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
+}
+
+void TestFusedOpening::thoseOfTwoPatientsDoNot() {
+  const std::string chest = tests::dataPath("ct-chest-lidc0314-138");
+  NEED_DATA(chest);
+  const UsualLayouts usual;
+  PetCtWindow w(QStringList{QString::fromStdString(chest), fusedFolder("pet")});
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() && w.window.document().open.volumes().size() == 2,
+                           longest);
+  QTRY_VERIFY_WITH_TIMEOUT(!w.window.document().loader.isBusy(), longest);
+  QCOMPARE(w.modality(w.workspace().view(sceneViewId).series), std::string("CT"));
+  QVERIFY(w.look(axialViewId).overlay.empty());
+}
+
+VOLUMEN_TEST(TestFusedOpening);
+#include "tst_fused_opening.moc"
