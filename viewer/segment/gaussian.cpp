@@ -86,24 +86,24 @@ GaussianKernel::Row GaussianKernel::rowOf(int y, int z, const std::vector<double
   return row;
 }
 
-GaussianKernel GaussianKernel::inVoxels(double sigma) {
-  VoxelGeometry even;
-  return inPatient(even, sigma);
+GaussianKernel GaussianKernel::inVoxels(double sigma) { return alongAxes(glm::dvec3(sigma)); }
+
+GaussianKernel GaussianKernel::alongAxes(glm::dvec3 sigma) {
+  GaussianKernel kernel;
+  std::array<std::vector<double>, 3> weights;
+  for (int a = 0; a < 3; ++a) {
+    weights[a] = gaussianWeights(sigma[a]);
+    kernel.reach_[a] = int(weights[a].size() / 2);
+  }
+  kernel.rows_.push_back(kernel.rowOf(0, 0, weights[0]));
+  kernel.alongJAndK_ = {byDistance(weights[1]), byDistance(weights[2])};
+  return kernel;
 }
 
 GaussianKernel GaussianKernel::inPatient(const VoxelGeometry& geometry, double sigmaMm) {
-  GaussianKernel kernel;
   const glm::dmat3& step = geometry.patientFromVoxelStep;
-  if (isOrthogonal(step)) {
-    std::array<std::vector<double>, 3> weights;
-    for (int a = 0; a < 3; ++a) {
-      weights[a] = gaussianWeights(sigmaMm / glm::length(step[a]));
-      kernel.reach_[a] = int(weights[a].size() / 2);
-    }
-    kernel.rows_.push_back(kernel.rowOf(0, 0, weights[0]));
-    kernel.alongJAndK_ = {byDistance(weights[1]), byDistance(weights[2])};
-    return kernel;
-  }
+  if (isOrthogonal(step)) return alongAxes(sigmaMm / geometry.spacing());
+  GaussianKernel kernel;
   // The ball of 4 standard deviations reaches along an axis as far as that row of L^-1 is long.
   const glm::dmat3 back = glm::transpose(geometry.voxelFromPatientStep());
   for (int a = 0; a < 3; ++a) kernel.reach_[a] = int(cutAt * sigmaMm * glm::length(back[a]));

@@ -13,6 +13,8 @@ class GaussianKernel {
  public:
   /// Of `sigma` voxels along each axis; 0: the voxel alone.
   static GaussianKernel inVoxels(double sigma);
+  /// Of so many voxels along each of them, a product of three.
+  static GaussianKernel alongAxes(glm::dvec3 sigma);
   /// Of sigmaMm in patient space. Where the axes of the grid are orthogonal it is a product of three along
   /// them; on sheared grids each row (y, z) of it has its own along i, cut and shifted as the grid demands.
   static GaussianKernel inPatient(const VoxelGeometry& geometry, double sigmaMm);

@@ -1,18 +1,16 @@
 #include "viewer/segment/surface_area.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 #include <numeric>
 
-#include "viewer/volume/parallel.h"
+#include "viewer/segment/gaussian.h"
 
 namespace volumen {
 
@@ -20,155 +18,162 @@ namespace {
 
 using glm::dvec3;
 
-constexpr int mostSteps = 63;  // along an axis: a row is moved within two words
+constexpr int rowsOfFaces = 48;    // of a block, along j and k
+constexpr int slopeReach = 2;      // voxels
+constexpr double sameWay = 0.985;  // cosine of 10 degrees
 
-// A step of the grid, and what it is in patient space.
-struct GridStep {
-  glm::ivec3 step;
-  dvec3 unit;
-  double length;  // mm
+// The mask in a block of blockWidth voxels along i, smoothed.
+class SmoothedBlock {
+ public:
+  explicit SmoothedBlock(const GaussianKernel& kernel) : reach_(kernel.reach()), smooth_(kernel) {}
+
+  void read(const BitMask& mask, const VoxelBox& box) {
+    window_.read(mask, grownBox(box, reach_), BeyondGrid::nothing);
+    values_ = smooth_.smoothed(window_);
+    row_ = blockWidth, slice_ = row_ * (box.high.y - box.low.y + 1);
+  }
+  // Along each axis of the grid, a voxel; by differences of fourth order.
+  dvec3 slopes(glm::ivec3 v) const {
+    const float* const at = values_ + v.z * slice_ + v.y * row_ + v.x;
+    const auto along = [&](std::ptrdiff_t n) {
+      return (8 * (double(at[n]) - double(at[-n])) - (double(at[2 * n]) - double(at[-2 * n]))) / 12;
+    };
+    return {along(1), along(row_), along(slice_)};
+  }
+
+ private:
+  const glm::ivec3 reach_;
+  GaussianBlock smooth_;
+  BitWindow window_;
+  const float* values_ = nullptr;
+  std::ptrdiff_t row_ = 0, slice_ = 0;
 };
 
-// How long directions may be, mm: as long as that angles between slices and the columns that cross them are
-// filled, and no longer, for long steps miss edges.
-double reachOf(const VoxelGeometry& geometry) {
-  const glm::dmat3& step = geometry.patientFromVoxelStep;
-  const double longest = std::max({glm::length(step[0]), glm::length(step[1]), glm::length(step[2])});
-  return std::max(1.3 * longest, 2.3 * std::cbrt(geometry.voxelVolume()));
-}
+// For one thread: what the faces of voxels in a block come to, seen along the normals.
+class FacesSeen {
+ public:
+  FacesSeen(const BitMask& mask, const std::vector<BrickFace>& faces, const GaussianKernel& narrow,
+            const GaussianKernel& wide, double share)
+      : mask_(mask),
+        faces_(faces),
+        share_(share),
+        patientFromSlopes_(glm::transpose(glm::inverse(mask.geometry().patientFromVoxelStep))),
+        narrow_(narrow),
+        wide_(wide) {}
 
-// One of each pair +-d of the steps to neighbours and of others within reach, none a multiple of another one,
-// the shortest first.
-std::vector<GridStep> stepsWithinReach(const VoxelGeometry& geometry) {
-  const double reach = reachOf(geometry);
-  const glm::dmat3 rows = glm::transpose(glm::inverse(geometry.patientFromVoxelStep));
-  glm::ivec3 most;
-  for (int a = 0; a < 3; ++a)
-    most[a] = int(std::clamp(std::floor(reach * glm::length(rows[a])), 1.0, double(mostSteps)));
-  std::vector<GridStep> all;
-  for (int k = 0; k <= most.z; ++k)
-    for (int j = k ? -most.y : 0; j <= most.y; ++j)
-      for (int i = k || j ? -most.x : 1; i <= most.x; ++i) {
-        if (std::gcd(std::gcd(i, j), k) != 1) continue;
-        const dvec3 d = geometry.patientFromVoxelStep * dvec3(i, j, k);
-        const bool isNeighbour = std::max({std::abs(i), std::abs(j), k}) == 1;
-        if (const double length = glm::length(d); isNeighbour || length <= reach)
-          all.push_back({{i, j, k}, d / length, length});
-      }
-  std::ranges::stable_sort(all, [](const GridStep& a, const GridStep& b) {
-    return a.length < b.length * (1 - 1e-9);  // what is as long stays in order
-  });
-  return all;
-}
-
-// Without those that run nearly as a shorter one does.
-std::vector<GridStep> apart(const std::vector<GridStep>& all) {
-  const double near = std::cos(8 * std::numbers::pi / 180);
-  std::vector<GridStep> kept;
-  for (const GridStep& step : all)
-    if (std::ranges::none_of(kept,
-                             [&](const GridStep& k) { return std::abs(glm::dot(k.unit, step.unit)) > near; }))
-      kept.push_back(step);
-  return kept;
-}
-
-// Points of half the sphere, spread evenly (a spiral).
-std::vector<dvec3> pointsOfSphere() {
-  constexpr int count = 600;
-  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
-  std::vector<dvec3> points;
-  for (int n = 0; n < count; ++n) {
-    const double z = (n + 0.5) / count, turn = n * golden, r = std::sqrt(1 - z * z);
-    points.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+  // Of the faces at voxels of `own`. The box, blockWidth voxels along i, also holds what the slopes there and
+  // at the voxels beyond the faces reach.
+  double area(const VoxelBox& own, const VoxelBox& box) {
+    bits_.read(mask_, box, BeyondGrid::nothing);
+    if (bits_.empty() || bits_.full()) return 0;
+    narrow_.read(mask_, box);
+    wide_.read(mask_, box);
+    double sum = 0;
+    for (const BrickFace& face : faces_) sum += sumOf(face, {own.low - box.low, own.high - box.low});
+    return sum;
   }
-  return points;
-}
 
-// The weights, none below 0, with which planes of every direction n come out nearest to their area: sum
-// w |u n| = 1/2 in the least squares (multiplicative updates: Daube-Witherspoon and Muehllehner 1986).
-std::vector<double> weightsOf(const std::vector<GridStep>& steps) {
-  const std::vector<dvec3> points = pointsOfSphere();
-  const std::size_t count = steps.size();
-  std::vector<double> wanted(count), products(count * count);
-  std::vector<double> cosines(count * points.size());
-  for (std::size_t d = 0; d < count; ++d)
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      cosines[d * points.size() + p] = std::abs(glm::dot(steps[d].unit, points[p]));
-      wanted[d] += cosines[d * points.size() + p] / 2;
+ private:
+  double sumOf(const BrickFace& face, const VoxelBox& own) const;
+  double seen(const BrickFace& face, glm::ivec3 voxel) const;
+
+  const BitMask& mask_;
+  const std::vector<BrickFace>& faces_;
+  const double share_;
+  const glm::dmat3 patientFromSlopes_;
+  SmoothedBlock narrow_, wide_;
+  BitWindow bits_;
+};
+
+double FacesSeen::sumOf(const BrickFace& face, const VoxelBox& own) const {
+  const glm::ivec3 step = face.step;
+  const std::uint64_t columns = ~std::uint64_t(0) >> (63 - own.high.x) & ~std::uint64_t(0) << own.low.x;
+  double sum = 0;
+  for (int k = own.low.z; k <= own.high.z; ++k)
+    for (int j = own.low.y; j <= own.high.y; ++j) {
+      const std::uint64_t other = bits_.row(j + step.y, k + step.z)[0];
+      std::uint64_t found = bits_.row(j, k)[0] ^ (step.x < 0 ? other << -step.x : other >> step.x);
+      for (found &= columns; found; found &= found - 1) sum += seen(face, {std::countr_zero(found), j, k});
     }
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b <= a; ++b) {
-      const auto ofA = cosines.begin() + std::ptrdiff_t(a * points.size()),
-                 ofB = cosines.begin() + std::ptrdiff_t(b * points.size());
-      products[a * count + b] = products[b * count + a] =
-          std::inner_product(ofA, ofA + std::ptrdiff_t(points.size()), ofB, 0.0);
-    }
-  std::vector<double> weights(count, 1 / double(count)), next(count);
-  for (int round = 0; round < 1000; ++round) {
-    for (std::size_t a = 0; a < count; ++a)
-      next[a] = weights[a] * wanted[a] /
-                std::inner_product(weights.begin(), weights.end(),
-                                   products.begin() + std::ptrdiff_t(a * count), 0.0);
-    weights.swap(next);
-  }
-  return weights;
+  return sum * face.area;
 }
 
-// How many voxels of two rows are in both, `from` moved by `along` bits down (0 to 63).
-std::int64_t overlap(std::span<const std::uint64_t> row, std::span<const std::uint64_t> from, int along) {
-  std::int64_t count = 0;
-  for (std::size_t w = 0; w < row.size(); ++w) {
-    std::uint64_t there = from[w];
-    if (along) there = there >> along | (w + 1 < from.size() ? from[w + 1] << (64 - along) : 0);
-    count += std::popcount(row[w] & there);
-  }
-  return count;
+// The share of a face that is seen along the normal.
+double FacesSeen::seen(const BrickFace& face, glm::ivec3 voxel) const {
+  const auto gradient = [&](const SmoothedBlock& of) {
+    return patientFromSlopes_ * (of.slopes(voxel) + of.slopes(voxel + face.step));
+  };
+  const dvec3 narrow = gradient(narrow_), wide = gradient(wide_);
+  const double length = glm::length(narrow), wideLength = glm::length(wide);
+  if (!(length > 1e-5)) return 1;  // it has no normal: smoothing leaves nothing of it
+  const double found = std::abs(glm::dot(narrow, face.normal)) / length;
+  // An edge turns the normal by less; what is thinner than the Gaussians by more.
+  if (!(glm::dot(narrow, wide) > sameWay * length * wideLength)) return found;
+  return found + share_ * (found - std::abs(glm::dot(wide, face.normal)) / wideLength);
 }
 
-// For each direction, how many voxels of the mask have their neighbour there in it.
-std::vector<std::int64_t> neighbourCounts(const BitMask& mask, const std::vector<CrossingDirection>& all) {
-  const glm::ivec3 size = mask.size();
-  std::vector<std::atomic<std::int64_t>> counts(all.size());
-  parallelFor(size.z, 0, [&](std::int64_t begin, std::int64_t end) {
-    for (int k = int(begin); k < int(end); ++k)
-      for (int j = 0; j < size.y; ++j) {
-        const auto row = mask.row(j, k);
-        if (std::ranges::all_of(row, [](std::uint64_t word) { return word == 0; })) continue;
-        for (std::size_t d = 0; d < all.size(); ++d) {
-          const glm::ivec3 step = all[d].step;
-          const int y = j + step.y, z = k + step.z;
-          if (y < 0 || y >= size.y || z >= size.z) continue;
-          const auto there = mask.row(y, z);
-          counts[d] += step.x < 0 ? overlap(there, row, -step.x) : overlap(row, there, step.x);
-        }
-      }
-  });
-  return {counts.begin(), counts.end()};
+// Which two bricks of the next row, moved along by so many bricks, share the face of one: their places from
+// it, and their shares of the face.
+std::array<std::pair<int, double>, 2> sharesOf(double moved) {
+  moved = std::clamp(moved, -20.0, 20.0);  // rows are moved within a word
+  if (std::abs(moved - std::round(moved)) < 1e-6) moved = std::round(moved);
+  const double whole = std::floor(moved);
+  return {{{-int(whole), 1 - (moved - whole)}, {-int(whole) - 1, moved - whole}}};
 }
 
 }  // namespace
 
-std::vector<CrossingDirection> crossingDirections(const VoxelGeometry& geometry) {
-  const std::vector<GridStep> steps = apart(stepsWithinReach(geometry));
-  const std::vector<double> weights = weightsOf(steps);
-  std::vector<CrossingDirection> all;
-  for (std::size_t d = 0; d < steps.size(); ++d)
-    all.push_back({steps[d].step, weights[d], 2 * weights[d] * geometry.voxelVolume() / steps[d].length});
-  return all;
+std::vector<BrickFace> brickFaces(const VoxelGeometry& geometry) {
+  const glm::dmat3& step = geometry.patientFromVoxelStep;
+  const dvec3 x = glm::normalize(step[0]), z = glm::normalize(glm::cross(step[0], step[1])),
+              y = glm::cross(z, x);
+  const dvec3 edge(glm::length(step[0]), glm::dot(step[1], y), std::abs(glm::dot(step[2], z)));
+  std::vector<BrickFace> faces{{{1, 0, 0}, x, edge.y * edge.z}};
+  const double rowMoved = glm::dot(step[1], x) / edge.x;
+  for (const auto& [i, share] : sharesOf(rowMoved))
+    if (share > 0) faces.push_back({{i, 1, 0}, y, share * edge.x * edge.z});
+  for (const auto& [j, part] : sharesOf(glm::dot(step[2], y) / edge.y))
+    for (const auto& [i, share] : sharesOf(glm::dot(step[2], x) / edge.x + j * rowMoved))
+      if (part * share > 0) faces.push_back({{i, j, 1}, z, part * share * edge.x * edge.y});
+  return faces;
+}
+
+AreaSmoothing areaSmoothing(const VoxelGeometry& geometry) {
+  const glm::dmat3& step = geometry.patientFromVoxelStep;
+  const double longest = std::max({glm::length(step[0]), glm::length(step[1]), glm::length(step[2])});
+  const double even = std::cbrt(geometry.voxelVolume());
+  const double narrow = 2 * std::sqrt(longest * even);
+  // Thick slices do not tell edges from what is round: less is added.
+  return {narrow, std::sqrt(2.0) * narrow,
+          std::clamp((4.9 - longest / even) / 2.5, 0.0, 1.0) / (std::sqrt(2.0) - 1)};
 }
 
 double boundaryArea(const BitMask& mask) {
-  const std::int64_t voxels = mask.count();
-  if (voxels == 0) return 0;
-  const std::vector<CrossingDirection> directions = crossingDirections(mask.geometry());
-  const std::vector<std::int64_t> neighbours = neighbourCounts(mask, directions);
-  double area = 0;
-  for (std::size_t d = 0; d < directions.size(); ++d) {
-    // Every line enters and leaves where a voxel has no neighbour behind or before it.
-    const double crossings = 2 * double(voxels - neighbours[d]);
-    area += directions[d].areaOfCrossing * crossings;
-  }
-  return area;
+  const std::optional<VoxelBox> voxels = mask.box();
+  if (!voxels) return 0;
+  const std::vector<BrickFace> faces = brickFaces(mask.geometry());
+  const AreaSmoothing smoothing = areaSmoothing(mask.geometry());
+  const auto narrow = GaussianKernel::alongAxes(smoothing.narrowMm / mask.geometry().spacing()),
+             wide = GaussianKernel::alongAxes(smoothing.wideMm / mask.geometry().spacing());
+  glm::ivec3 before(0), behind(0);  // how far steps lead
+  for (const BrickFace& face : faces)
+    before = glm::max(before, -face.step), behind = glm::max(behind, face.step);
+  const VoxelBox all{voxels->low - behind, voxels->high + before};
+  before += slopeReach, behind += slopeReach;
+  const glm::ivec3 edge(blockWidth - before.x - behind.x, rowsOfFaces, rowsOfFaces);
+  const glm::i64vec3 blocks = (all.high - all.low + edge) / edge;
+  std::vector<double> areas(std::size_t(blocks.x * blocks.y * blocks.z));
+  parallelFor(std::int64_t(areas.size()), 0, [&](std::int64_t begin, std::int64_t end) {
+    FacesSeen seen(mask, faces, narrow, wide, smoothing.share);
+    for (std::int64_t n = begin; n < end; ++n) {
+      const glm::ivec3 place(n % blocks.x, n / blocks.x % blocks.y, n / blocks.x / blocks.y);
+      const VoxelBox own{all.low + place * edge, glm::min(all.low + place * edge + edge - 1, all.high)};
+      VoxelBox box{own.low - before, own.high + behind};
+      box.high.x = box.low.x + blockWidth - 1;
+      areas[std::size_t(n)] = seen.area(own, box);
+    }
+  });
+  return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
 }  // namespace volumen
