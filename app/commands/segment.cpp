@@ -34,6 +34,7 @@ constexpr glm::u8vec3 boneIvory{240, 219, 163};
 struct SegmentOptions {
   std::string path, range, recipe, from, output, series, csv;
   bool json = false, removeTable = false;
+  double reducedByMm = 0;
 };
 
 // What segments are made by, or the file that holds them.
@@ -230,7 +231,8 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   if (!numbers) return fail(numbers.message(), cancel);
   auto csv = writeCsv(options.csv, *numbers);
   if (!csv) return fail(csv.message());
-  const auto exported = exportSegments(options.output, *segmented, opened->series, {}, cancel);
+  const auto exported =
+      exportSegments(options.output, *segmented, opened->series, {}, cancel, {options.reducedByMm});
   if (!exported) return fail(exported.message(), cancel);
   std::vector<std::string> files = exported->files;
   if (*csv) {
@@ -252,7 +254,10 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
 int run(const SegmentOptions& options, const CancelToken& cancel) {
   const int given = !options.range.empty() + !options.recipe.empty() + !options.from.empty();
   if (given != 1) return failUsage("Give one of --range LOW:HIGH, --recipe NAME and --from FILE.");
-  if (const auto format = segmentFormatOf(options.output); !format) return failUsage(format.message());
+  const auto format = segmentFormatOf(options.output);
+  if (!format) return failUsage(format.message());
+  if (options.reducedByMm > 0 && !(*format)->isSurface)
+    return failUsage("--reduce goes with surfaces: -o FILE.stl, .ply or .obj.");
   if (!options.from.empty()) {
     if (options.removeTable) return failUsage("--remove-table goes with --range and --recipe.");
     return work(options, {{}, options.from}, cancel);
@@ -294,6 +299,11 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
       ->type_name("FILE")
       ->required();
   addSeries(app, options->series);
+  number(
+      app.add_option(
+          "--reduce", options->reducedByMm,
+          "Surfaces with fewer triangles, none of them farther off than about so many mm; they stay closed"),
+      0.001, 100);
   app.add_flag("--remove-table", options->removeTable,
                "CT: segment the patient alone, without table, cushions and cables");
   app.add_option("--csv", options->csv, "Write the numbers of all segments, a row each")->type_name("FILE");

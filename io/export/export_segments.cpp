@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <filesystem>
 
 #include "io/export/label_image.h"
 #include "io/export/label_table.h"
@@ -23,6 +24,7 @@ struct Export {
   const Series& series;
   const Progress& progress;
   const CancelToken& cancel;
+  SurfaceWriting surfaces;
 };
 using Exported = Result<ExportedSegments>;
 
@@ -82,6 +84,13 @@ std::string toldOf(const std::string& path, const BitMask& mask, const Surface& 
   return path + ": " + text + ".";
 }
 
+std::string reductionTold(const std::string& path, const Surface& all, const Surface& fewer) {
+  char text[200];
+  std::snprintf(text, sizeof text, "reduced from %zu triangles and %.4g ml, at most %.2g mm off them",
+                all.triangles.size(), volumeOf(all) / 1000, deviation(fewer, all).largest);
+  return path + ": " + text + ".";
+}
+
 Status addSurface(const Export& e, const Segmented& map, const Segment& segment, ExportedSegments& done) {
   const BitMask mask = maskOf(map.labels, std::uint8_t(segment.number));
   const std::string path = pathOf(e.path, e.maps, segment);
@@ -89,10 +98,13 @@ Status addSurface(const Export& e, const Segmented& map, const Segment& segment,
     done.notes.push_back(segment.label + " has no voxels, and no surface.");
     return {};
   }
-  const Result<Surface> surface = surfaceOf(occupancyOf(mask, surfaceSigma, e.cancel), e.cancel);
-  if (!surface) return surface.error();
-  if (Status s = writeSurface(*surface, path, e.cancel); !s) return s;
-  done.notes.push_back(toldOf(path, mask, *surface));
+  const Result<Surface> all = surfaceOf(occupancyOf(mask, surfaceSigma, e.cancel), e.cancel);
+  if (!all) return all.error();
+  const double byMm = e.surfaces.reducedByMm;
+  const Surface surface = byMm > 0 ? reduced(*all, byMm, e.cancel) : *all;
+  if (Status s = writeSurface(surface, path, e.cancel); !s) return s;
+  done.notes.push_back(toldOf(path, mask, surface));
+  if (byMm > 0) done.notes.push_back(reductionTold(path, *all, surface));
   done.files.push_back(path);
   return {};
 }
@@ -136,6 +148,18 @@ Result<const Row*> rowOf(const std::string& path) {
   return Error{path + ": segments are written as " + endings + "."};
 }
 
+// The Error: a file to be written is one of the series.
+Status checkApartFrom(const Series& series, std::span<const std::string> written) {
+  std::error_code none;
+  for (const std::string& path : written) {
+    if (!std::filesystem::exists(path, none)) continue;
+    for (const std::string& file : series.files)
+      if (std::filesystem::equivalent(path, file, none))
+        return Error{path + " is not written: it is a file of the series."};
+  }
+  return {};
+}
+
 }  // namespace
 
 std::span<const SegmentFormat> segmentFormats() {
@@ -164,10 +188,13 @@ Result<std::vector<std::string>> filesOfExport(const std::string& path, std::spa
 
 Result<ExportedSegments> exportSegments(const std::string& path, std::span<const Segmented> maps,
                                         const Series& series, const Progress& progress,
-                                        const CancelToken& cancel) {
+                                        const CancelToken& cancel, SurfaceWriting surfaces) {
   const Result<const Row*> row = rowOf(path);
   if (!row) return row.error();
-  return (*row)->write({path, maps, series, progress, cancel});
+  const auto written = filesOfExport(path, maps);
+  if (!written) return written.error();
+  if (Status s = checkApartFrom(series, *written); !s) return s.error();
+  return (*row)->write({path, maps, series, progress, cancel, surfaces});
 }
 
 }  // namespace volumen

@@ -27,6 +27,11 @@ struct SegmentFormat {
   bool isSurface = false;
 };
 
+/// How surfaces are written.
+struct SurfaceWriting {
+  double reducedByMm = 0;  ///< with fewer triangles, none farther off than this (reduced()); 0: with all
+};
+
 /// All of them, the usual one first.
 std::span<const SegmentFormat> segmentFormats();
 /// That of a path by its ending, capitals or not; the Error names all endings.
@@ -39,9 +44,10 @@ Result<std::vector<std::string>> filesOfExport(const std::string& path, std::spa
 /// Writes the segments of a series as the ending of `path` says, hidden ones too; several maps, all of one
 /// grid, where they overlap, which .seg.nrrd, .dcm and surfaces hold. Surfaces
 /// (occupancy.h) are a file each: `path` for one segment, else with its name in front of the ending; their
-/// notes tell volumes, area and triangles. Each file appears whole or not at all. The Error names it.
+/// notes tell volumes, area and triangles, and of reduced ones how far they are off. Each file appears whole
+/// or not at all, and none over a file of the series. The Error names it.
 Result<ExportedSegments> exportSegments(const std::string& path, std::span<const Segmented> maps,
                                         const Series& series, const Progress& progress = {},
-                                        const CancelToken& cancel = {});
+                                        const CancelToken& cancel = {}, SurfaceWriting surfaces = {});
 
 }  // namespace volumen

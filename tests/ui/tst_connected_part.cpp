@@ -56,6 +56,8 @@ class TestConnectedPart : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void aClickTakesTheConnectedPart();
+  void aClickInAnyPlaneTakesIt_data();
+  void aClickInAnyPlaneTakesIt();
   void withKeysOrThePanelThePartIsKeptOrRemoved_data();
   void withKeysOrThePanelThePartIsKeptOrRemoved();
   void aClickBesideSaysWhyThereIsNone();
@@ -94,6 +96,38 @@ void TestConnectedPart::aClickTakesTheConnectedPart() {
   QVERIFY(w.workspace() == one);
   w.undo();
   QVERIFY(w.workspace() == before);
+}
+
+void TestConnectedPart::aClickInAnyPlaneTakesIt_data() {
+  QTest::addColumn<int>("view");
+  QTest::addColumn<bool>("isOblique");
+  QTest::newRow("coronal") << int(coronalViewId) << false;
+  QTest::newRow("sagittal") << int(sagittalViewId) << false;
+  QTest::newRow("oblique") << int(axialViewId) << true;
+  QTest::newRow("oblique sagittal") << int(sagittalViewId) << true;
+}
+
+void TestConnectedPart::aClickInAnyPlaneTakesIt() {
+  QFETCH(int, view);
+  QFETCH(bool, isOblique);
+  SegmentWindow w;
+  w.child<QDoubleSpinBox>("segmentLow")->setValue(800);
+  w.child<QDoubleSpinBox>("segmentHigh")->setValue(1200);
+  w.child<QAction>("partTool")->trigger();
+  w.showPlace(inSmallBall, ViewId(view));
+  if (isOblique) w.turnPlanes();
+  const glm::dvec2 pixel = w.view(ViewId(view))->plane()->pixelFromPatient(inSmallBall);
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  QTest::mouseClick(w.view(ViewId(view)), Qt::LeftButton, {}, {int(pixel.x), int(pixel.y)});
+  QVERIFY(w.idle());
+  QCOMPARE(w.steps(), steps + 1);
+  QCOMPARE(w.voxels(1), voxelsWhere(isSmall));
+  const Workspace after = w.workspace();
+  w.undo();
+  QVERIFY(w.isAs(before));
+  w.redo();
+  QVERIFY(w.workspace() == after);
 }
 
 void TestConnectedPart::withKeysOrThePanelThePartIsKeptOrRemoved_data() {

@@ -23,6 +23,7 @@ class TestLesionTool : public QObject {
   void escGivesItUp();
   void refusedInASentence_data();
   void refusedInASentence();
+  void withoutMillimetresItIsRefused();
   void aClickIsNone();
   void lockedSegmentsKeepTheirVoxels();
   void aSeriesThatIsClosedMeanwhileIsLeftAlone();
@@ -250,6 +251,20 @@ void TestLesionTool::refusedInASentence() {
   w.child<QComboBox>("lesionThreshold")->setCurrentIndex(0);
   QVERIFY(w.draw(inLesion, 12.5));
   QCOMPARE(w.count(), std::size_t(1));
+}
+
+void TestLesionTool::withoutMillimetresItIsRefused() {
+  auto series = std::make_shared<LoadedSeries>(*twoLesions());
+  VolumeParts parts{series->volume->geometry(), series->volume->stored(), 1, 0, {}};
+  parts.geometry.calibrated = false;
+  series->volume = volumeFrom(std::move(parts));
+  series->series.acquired = series->volume->geometry();
+  LesionWindow w(series);
+  w.showPlace(inLesion);
+  const Workspace before = w.workspace();
+  QVERIFY(w.draw(inLesion, 12.5));
+  QVERIFY2(w.said().contains(QStringLiteral("how large its voxels are")), qPrintable(w.said()));
+  QVERIFY(w.isAs(before));
 }
 
 void TestLesionTool::aClickIsNone() {

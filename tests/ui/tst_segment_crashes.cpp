@@ -23,6 +23,7 @@ using namespace volumen::tests;
 namespace {
 
 constexpr const char* crashFolder = "VOLUMEN_CRASH_FOLDER";  // set: this is the program that is killed
+constexpr qint64 keptWithinMs = 2000;
 
 // A ball among values by chance, so that what is made of it takes time and room.
 VolumePtr noisyBall() {
@@ -266,6 +267,7 @@ void TestSegmentCrashes::whatIsKilledIsAsItWas() {
   QTRY_VERIFY_WITH_TIMEOUT(notedStates(notes).size() > 5, longest);
   QTest::qWait(2500);  // a time or two more
   if (window == QStringLiteral("aWindowThatComputes")) QVERIFY(isStoppedWhile(*program, at("busy")));
+  const qint64 killedAt = QDateTime::currentMSecsSinceEpoch();
   killProgram(*program);
   const std::vector<NotedState> noted = notedStates(notes);
   Journey w;
@@ -280,6 +282,12 @@ void TestSegmentCrashes::whatIsKilledIsAsItWas() {
       std::find_if(noted.begin(), noted.end(), [&](const NotedState& state) { return state.text == text; });
   QVERIFY2(found != noted.end(), "a state that the window had");
   QVERIFY2(found != noted.begin(), "what was done since the first");
+  // Where the machine let the window stand still, or a job was under way, there was nothing new to keep.
+  qint64 stoodStill = killedAt - noted.back().at;
+  for (std::size_t n = 1; n < noted.size(); ++n)
+    stoodStill = std::max(stoodStill, noted[n].at - noted[n - 1].at);
+  const qint64 lost = killedAt - found->at;
+  QVERIFY2(lost <= keptWithinMs + stoodStill, qPrintable(QStringLiteral("%1 ms lost").arg(lost)));
 }
 
 void TestSegmentCrashes::aFullDiskTakesNothing_data() {

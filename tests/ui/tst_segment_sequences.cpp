@@ -78,6 +78,9 @@ class SegmentSequence : public PaintWindow {
   void changes();
   void makes();
   void fillsBetween();
+  void cuts();
+  void cutsIn3d();
+  void showsTissue();
   void addsOrCopies();
   void removes();
   void chooses();
@@ -110,6 +113,9 @@ const std::vector<SegmentSequence::Act>& SegmentSequence::acts() {
                                     {"change", 6, &S::changes},
                                     {"range", 2, &S::makes},
                                     {"fill between slices", 1, &S::fillsBetween},
+                                    {"cut segment", 3, &S::cuts},
+                                    {"cut segment in 3D", 2, &S::cutsIn3d},
+                                    {"volume in 3D", 2, &S::showsTissue},
                                     {"add or copy", 2, &S::addsOrCopies},
                                     {"remove", 2, &S::removes},
                                     {"choose", 5, &S::chooses},
@@ -258,6 +264,34 @@ void SegmentSequence::makes() {
 void SegmentSequence::fillsBetween() {
   click("segmentPaint");
   pressButton("segmentFillBetween");
+}
+
+void SegmentSequence::cuts() {
+  child<QDoubleSpinBox>("cutMm")->setValue(chance_.oneIn(2) ? 0 : chance_.between(0.5, 8));
+  take("segmentScissorsTool");
+  const ViewId id = anyView();
+  stroke(anyWay(id, 3 + chance_.below(4)), id, ctrlOneIn(3));
+}
+
+// About one of the balls.
+void SegmentSequence::cutsIn3d() {
+  take("segmentScissorsTool");
+  VolumeView* scene = window.view();
+  const glm::dvec3 p = chance_.oneIn(2) ? inSmallBall : glm::dvec3(-5) + 4.0 * chance_.vector();
+  const glm::dvec2 at = seenAt(scene->camera(), {double(scene->width()), double(scene->height())}, p);
+  const QPoint middle{int(at.x), int(at.y)};
+  const int far = 20 + chance_.below(60);
+  const Qt::KeyboardModifiers keys = ctrlOneIn(3);
+  QTest::mousePress(scene, Qt::LeftButton, keys, middle + QPoint(-far, -far));
+  for (const QPoint by : {QPoint(far, -far), QPoint(far, far), QPoint(-far, far)})
+    QTest::mouseEvent(QTest::MouseMove, scene, Qt::LeftButton, keys, middle + by);
+  QTest::mouseRelease(scene, Qt::LeftButton, keys, middle + QPoint(-far, far));
+}
+
+void SegmentSequence::showsTissue() {
+  constexpr Qt::Key keys[] = {Qt::Key_Home, Qt::Key_Down, Qt::Key_End};
+  auto* where = child<QComboBox>("segmentTissue");
+  if (where->isEnabled()) QTest::keyClick(where, keys[chance_.below(3)]);
 }
 
 void SegmentSequence::addsOrCopies() {

@@ -13,6 +13,7 @@
 #include "ui/controller/open_session.h"
 #include "ui/controller/segment_files.h"
 #include "ui/workspace/segments.h"
+#include "viewer/segment/brush.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -23,6 +24,7 @@ class TestSegmentsKept : public QObject {
   void init() { QDir(Autosave::folder()).removeRecursively(); }
   void autosaveKeepsWhatChanged();
   void changesMakeTheOtherMap();
+  void aStrokeCostsItsBricks();
   void sessionsKeepTwo();
   void sessionsOfBeforeOpen();
   void aSessionWithAnUnknownStepOpens();
@@ -110,6 +112,19 @@ void TestSegmentsKept::changesMakeTheOtherMap() {
     (void)withLabelChanges(base, damaged);
     (void)withLabelChanges(LabelMap(VoxelGeometry{}), changes);
   }
+}
+
+// A ball of 20 voxels reaches into eight bricks at most, of 32 KB each: of a map of 79 million voxels no more
+// is held for undo, and less is written.
+void TestSegmentsKept::aStrokeCostsItsBricks() {
+  VoxelGeometry grid;
+  grid.size = {512, 512, 300};
+  const LabelMap before(grid);
+  const glm::dvec3 middle(255, 256, 160);
+  const LabelMap after = painted(before, ballStroke(grid, middle, middle, 10), PaintRules{.label = 1});
+  QCOMPARE(labelCounts(after)[1], std::int64_t(4169));
+  QVERIFY(after.bytes() - before.bytes() <= 8 * sizeof(LabelMap::Voxels));
+  QVERIFY(labelChanges(before, std::string(40, 'a'), after).size() < 8 * 1024);
 }
 
 // Both, with all that was chosen for them.

@@ -65,6 +65,21 @@ void TestSegmentsLeft::aSeriesIsLeftDuringAJob_data() {
         w.chooseStep("joint");
         w.setField("sigmaMm", 2);
       });
+  row(
+      "cut segment",
+      [](W w) {
+        const glm::dvec2 at = w.view()->plane()->pixelFromPatient(inSmallBall);
+        const int half = int(5 / w.view()->plane()->mmPerPixel);
+        const QPoint middle{int(at.x), int(at.y)};
+        QTest::mousePress(w.view(), Qt::LeftButton, {}, middle + QPoint(-half, -half));
+        for (const QPoint by : {QPoint(half, -half), QPoint(half, half), QPoint(-half, half)})
+          QTest::mouseEvent(QTest::MouseMove, w.view(), Qt::LeftButton, {}, middle + by);
+        QTest::mouseRelease(w.view(), Qt::LeftButton, {}, middle + QPoint(-half, half));
+      },
+      [](W w) {
+        w.child<QAction>("segmentScissorsTool")->trigger();
+        w.showPlace(inSmallBall);
+      });
   row("removed", [](W w) { w.click("segmentRemove"); });
   row(
       "fill between slices", [](W w) { w.click("segmentFillBetween"); },

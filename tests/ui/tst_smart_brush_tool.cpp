@@ -18,6 +18,7 @@ void TestSmartBrushTool::onlyWhatIsAlikeIsPainted_data() {
   QTest::addColumn<bool>("isOblique");
   QTest::newRow("a disc") << false << false;
   QTest::newRow("a ball") << true << false;
+  QTest::newRow("a disc, oblique") << false << true;
   QTest::newRow("a ball, oblique") << true << true;
 }
 

@@ -181,6 +181,8 @@ QString SegmentGrowPage::whyNoLesion(const DrawnBall& ball) const {
   const Series& series = session_.series()->series;
   if (!isInFrameOf(ball.series, series))
     return tr("The panel Segments is about another series: draw in a view of that one.");
+  if (!session_.series()->volume->geometry().calibrated)
+    return tr("The file does not say how large its voxels are: a sphere of so many mm cannot be drawn.");
   if (lesionThresholds[std::size_t(threshold_->currentIndex())].isShare) return {};
   const ValueScale scale = valueScale(series, PetUnit::suvBodyWeight);
   if (scale.unit.starts_with("SUV")) return {};

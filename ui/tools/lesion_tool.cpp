@@ -55,10 +55,7 @@ class LesionDrag : public Drag {
   }
 
  private:
-  bool isBall() const {
-    return press_.series->volume->geometry().calibrated &&
-           radiusMm_ >= leastBallPixels * press_.pixelRatio * plane_.mmPerPixel;
-  }
+  bool isBall() const { return radiusMm_ >= leastBallPixels * press_.pixelRatio * plane_.mmPerPixel; }
   void reach(QPointF p) {
     const glm::dvec2 pixel = glm::dvec2(p.x(), p.y()) * press_.pixelRatio;
     radiusMm_ = glm::distance(pMiddle_, plane_.patientFromPixel(pixel));

@@ -33,6 +33,7 @@ class TestSegmentCommand : public QObject {
   void nothingIsWrittenOver_data();
   void nothingIsWrittenOver();
   void segmentsOfAFileMayReplaceIt();
+  void surfacesAreReducedOnRequest();
 };
 
 namespace {
@@ -227,6 +228,9 @@ void TestSegmentCommand::wrongUsageIsRefused_data() {
   row("only a colon", "phantom:ramp:8 --range : -o a.seg.nrrd", "is not LOW:HIGH");
   row("upside down", "phantom:ramp:8 --range 5:1 -o a.seg.nrrd", "\"5:1\" is not");
   row("words", "phantom:ramp:8 --range bone:skin -o a.seg.nrrd", "is not LOW:HIGH");
+  row("fewer triangles of no surface", "phantom:ramp:8 --range 1:2 --reduce 0.1 -o a.seg.nrrd",
+      "--reduce goes with surfaces");
+  row("a reduction of nothing", "phantom:ramp:8 --range 1:2 --reduce 0 -o a.stl", "--reduce");
   row("nan", "phantom:ramp:8 --range nan:1 -o a.seg.nrrd", "is not LOW:HIGH");
   row("unit behind it", "phantom:ramp:8 --range 1:2HU -o a.seg.nrrd", "is not LOW:HIGH");
   row("another format", "phantom:ramp:8 --range 1:2 -o a.xyz",
@@ -343,6 +347,24 @@ void TestSegmentCommand::segmentsOfAFileMayReplaceIt() {
   const Outcome done = runSegment(words("phantom:ramp:8 --from") << file << QStringLiteral("-o") << file);
   QVERIFY2(done.status == 0, done.err.constData());
   QCOMPARE(contentsOf(file), before);
+}
+
+// A binary STL has 84 bytes, and 50 a triangle.
+void TestSegmentCommand::surfacesAreReducedOnRequest() {
+  const QTemporaryDir folder;
+  const QString all = folder.filePath(QStringLiteral("all.stl")),
+                fewer = folder.filePath(QStringLiteral("fewer.stl"));
+  const auto made = [](const QString& more, const QString& path) {
+    return runSegment(words("phantom:sphere:32 --range 1:") + more.split(QLatin1Char(' '), Qt::SkipEmptyParts)
+                      << QStringLiteral("-o") << path);
+  };
+  const Outcome whole = made({}, all), reduced = made(QStringLiteral("--reduce 0.3"), fewer);
+  QVERIFY2(whole.status == 0 && !whole.err.contains("reduced"), whole.err.constData());
+  QVERIFY2(reduced.status == 0, reduced.err.constData());
+  const auto triangles = [](const QString& path) { return (contentsOf(path).size() - 84) / 50; };
+  QVERIFY(triangles(fewer) > 20 && triangles(fewer) < triangles(all) / 2);
+  const QByteArray told = "reduced from " + QByteArray::number(triangles(all)) + " triangles and ";
+  QVERIFY2(reduced.err.contains(told) && reduced.err.contains(" mm off them."), reduced.err.constData());
 }
 
 VOLUMEN_TEST(TestSegmentCommand);

@@ -35,6 +35,7 @@ class TestReadSegments : public QObject {
   void cutOffFilesCostASentence_data();
   void cutOffFilesCostASentence();
   void namesThatSaySo();
+  void aFileOfTheSeriesIsNotWrittenOver();
 };
 
 namespace {
@@ -238,6 +239,22 @@ void TestReadSegments::namesThatSaySo() {
   QVERIFY(!isNamedAsSegments(in.write(".dcm")));
   std::filesystem::remove(in.folder.path("out.label"));
   QVERIFY(!isNamedAsSegments(in.folder.path("out.nii.gz")));
+}
+
+// By its own name, and by a link to it.
+void TestReadSegments::aFileOfTheSeriesIsNotWrittenOver() {
+  Sliced in;
+  const std::string path = in.folder.path("slice.dcm"), link = in.folder.path("link.seg.nrrd");
+  std::filesystem::rename(in.series.files[3], path);
+  in.series.files[3] = path;
+  std::filesystem::create_symlink(path, link);
+  const std::vector<std::uint8_t> before = readAll(path);
+  for (const std::string& wanted : {path, link}) {
+    const auto done = exportSegments(wanted, {&in.segments, 1}, in.series);
+    QVERIFY(!done);
+    QCOMPARE(done.message(), wanted + " is not written: it is a file of the series.");
+    QVERIFY(readAll(path) == before);
+  }
 }
 
 VOLUMEN_TEST(TestReadSegments);

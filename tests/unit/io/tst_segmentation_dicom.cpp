@@ -2,8 +2,6 @@
 // where pictures are missing; what is refused; dciodvfy finds no error in those of real series.
 #include <QElapsedTimer>
 #include <QFile>
-#include <QProcess>
-#include <QStandardPaths>
 #include <set>
 
 #include "io/export/segmentation_dicom.h"
@@ -31,20 +29,6 @@ class TestSegmentationDicom : public QObject {
   void realSeriesAreValid_data();
   void realSeriesAreValid();
 };
-
-namespace {
-
-QStringList errorsOf(const std::string& path) {
-  QProcess check;
-  check.start(QStringLiteral("dciodvfy"), {QString::fromStdString(path)});
-  check.waitForFinished(60000);
-  QStringList errors;
-  for (const QByteArray& line : (check.readAllStandardError() + check.readAllStandardOutput()).split('\n'))
-    if (line.startsWith("Error")) errors << QString::fromUtf8(line);
-  return errors;
-}
-
-}  // namespace
 
 void TestSegmentationDicom::whatIsNotSaidIsFilledIn() {
   Chance chance(3);
@@ -282,9 +266,8 @@ void TestSegmentationDicom::realSeriesAreValid() {
   QCOMPARE(maps.size(), std::size_t(1));
   if (!series.regular) QVERIFY(maps[0].labels == in.labels);
   QCOMPARE(isSaid(*notes, "138 frames of reference"), name.startsWith(QStringLiteral("ct-chest")));
-  if (QStandardPaths::findExecutable(QStringLiteral("dciodvfy")).isEmpty())
-    QSKIP("dciodvfy (package dicom3tools) is not installed");
-  const QStringList errors = errorsOf(path);
+  NEED_DCIODVFY();
+  const QStringList errors = dciodvfyErrors(path);
   QVERIFY2(errors.isEmpty(), qPrintable(errors.join(QLatin1Char('\n'))));
 }
 

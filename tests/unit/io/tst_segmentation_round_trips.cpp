@@ -19,6 +19,7 @@ class TestSegmentationRoundTrips : public QObject {
   void masksComeBackAsTheyWent();
   void labelMapsComeBackAsTheyWent();
   void pydicomReadsTheSame();
+  void dciodvfyFindsNoError();
   void coloursComeBackAsTheyWent();
 };
 
@@ -194,6 +195,27 @@ void TestSegmentationRoundTrips::pydicomReadsTheSame() {
       QString::fromUtf8(reader.readAllStandardOutput()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
   QVERIFY2(reader.exitCode() == 0, reader.readAllStandardError());
   QCOMPARE(read, expected);
+}
+
+// Of what real series seldom have: a pixel a frame, one slice, segments that overlap, hundreds of them.
+void TestSegmentationRoundTrips::dciodvfyFindsNoError() {
+  NEED_DCIODVFY();
+  const Seeds seeds = seedsOf(8, 200);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    Chance chance{std::uint64_t(seed)};
+    const glm::ivec2 size =
+        chance.oneIn(4) ? glm::ivec2(1) : glm::ivec2(1 + chance.below(40), 1 + chance.below(40));
+    const Slices slices(size, even(1 + chance.below(9), chance.between(0.3, 4)), chance);
+    std::vector<SegmentVoxels> in;
+    for (int n = chance.oneIn(8) ? 255 : 1 + chance.below(4); n > 0; --n)
+      in.push_back({randomSegment(n, chance), randomMask(slices.grid, chance)});
+    in.front().mask.set({0, 0, 0});
+    const auto notes = writeSegmentationDicom(in, slices.series, {}, slices.seg());
+    QVERIFY2(notes, notes ? "" : notes.message().c_str());
+    const QStringList errors = dciodvfyErrors(slices.seg());
+    QVERIFY2(errors.isEmpty(),
+             qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(errors.join(QLatin1Char('\n')))));
+  }
 }
 
 // The words of CIELab are fine enough for all of sRGB: 255 colours of one file, thousands over all.

@@ -6,6 +6,8 @@
 #include "tests/unit/suite.h"
 #include "viewer/phantoms/phantoms.h"
 #include "viewer/render/render.h"
+#include "viewer/segment/occupancy.h"
+#include "viewer/segment/range.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -23,6 +25,18 @@ struct Case {
   RenderOptions options;
 };
 using Change = void (*)(Case&);
+
+VolumePtr smallHead() { return *makePhantom("ct-head:40"); }
+
+// Its soft tissue, which goes around its bone.
+void addSegments(Scene& scene, double softOpacity, double boneOpacity) {
+  const VolumePtr head = smallHead();
+  const auto fieldOf = [&](ValueRange range) {
+    return std::make_shared<const OccupancyField>(occupancyOf(voxelsInRange(*head, range), surfaceSigma));
+  };
+  scene.segments = {{fieldOf({-100, 200}), {0.9, 0.4, 0.3}, softOpacity},
+                    {fieldOf({300, 3000}), {0.9, 0.9, 0.7}, boneOpacity}};
+}
 }  // namespace
 Q_DECLARE_METATYPE(Change)
 
@@ -114,6 +128,20 @@ void TestTargets::everyCpuTargetGivesTheSameBytes_data() {
     c.options.step.reset();
   });
   row("nothing left out", [](Case& c) { c.options.full = true; });
+  row("an opaque segment", [](Case& c) { addSegments(c.scene, 0, 1); });
+  row("segments, a level", [](Case& c) {
+    addSegments(c.scene, 0.3, 1);
+    c.options.step.reset();
+  });
+  row("translucent segments, a level, unlit, in perspective", [](Case& c) {
+    addSegments(c.scene, 0.3, 0.6);
+    c.options.step.reset();
+    c.scene.shading.lit = false;
+    c.scene.camera = Camera{.target = glm::dvec3(0),
+                            .direction = {1, 2, -0.5},
+                            .projection = Projection::perspective,
+                            .distance = 150};
+  });
 }
 
 void TestTargets::everyCpuTargetGivesTheSameBytes() {
@@ -122,7 +150,7 @@ void TestTargets::everyCpuTargetGivesTheSameBytes() {
   c.options.size = {61, 47};
   c.options.step = 0.7;
   change(c);
-  const VolumePtr head = *makePhantom("ct-head:40");
+  const VolumePtr head = smallHead();
   std::optional<Picture> first;
   QStringList others;
   const auto seen = onEveryCpuTarget([&] {

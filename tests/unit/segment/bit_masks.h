@@ -11,14 +11,17 @@
 
 namespace volumen::tests {
 
-/// A small grid by chance of one of the shapes that there are (grids.h): up to `most` voxels along each axis,
-/// now and then a single one, so that rows end within a word, at its end and behind it.
+/// A small grid by chance of one of the shapes that there are, thick slices too (grids.h): up to `most`
+/// voxels along each axis, now and then a single one, so that rows end within a word, at its end and behind
+/// it.
 inline VoxelGeometry anyGrid(std::mt19937& random, glm::ivec3 most = {70, 9, 7}) {
   VoxelGeometry grid;
   for (int axis = 0; axis < 3; ++axis)
     grid.size[axis] = random() % 8 == 0 ? 1 : 1 + int(random() % unsigned(most[axis]));
   if (random() % 6 == 0) grid.size.x = std::min(64, most.x);
-  grid.patientFromVoxelStep = grids[random() % std::size(grids)].patientFromVoxelStep;
+  const std::size_t shape = random() % (std::size(grids) + std::size(thickGrids));
+  grid.patientFromVoxelStep =
+      (shape < std::size(grids) ? grids[shape] : thickGrids[shape - std::size(grids)]).patientFromVoxelStep;
   grid.origin = {-3, 5, 0.25};
   return grid;
 }

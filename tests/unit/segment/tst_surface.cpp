@@ -11,6 +11,7 @@
 #include "tests/fixtures/grids.h"
 #include "tests/fixtures/real_volume.h"
 #include "tests/fixtures/seeds.h"
+#include "tests/unit/segment/drawn_volume.h"
 #include "tests/unit/segment/shape_masks.h"
 #include "tests/unit/suite.h"
 #include "viewer/segment/farthest_points.h"
@@ -41,37 +42,6 @@ namespace {
 
 int pointsInside(const OccupancyField& field) {
   return int(std::ranges::count_if(field.values, [](float v) { return v >= 0.5f; }));
-}
-
-// The part of a cell where the trilinear field is at least 1/2, by counting points.
-double partInside(const OccupancyField& field, glm::ivec3 cell) {
-  const glm::ivec3 size = field.size();
-  double v[8];
-  for (int c = 0; c < 8; ++c) {
-    const glm::ivec3 x = cell + glm::ivec3(c & 1, c >> 1 & 1, c >> 2);
-    v[c] = double(field.values[std::size_t((x.z * size.y + x.y) * size.x + x.x)]);
-  }
-  constexpr int n = 10;
-  int inside = 0;
-  for (int k = 0; k < n; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) {
-        const dvec3 f = (dvec3(i, j, k) + 0.5) / double(n);
-        double at[4];
-        for (int c = 0; c < 4; ++c) at[c] = v[2 * c] + (v[2 * c + 1] - v[2 * c]) * f.x;
-        const double low = at[0] + (at[1] - at[0]) * f.y, high = at[2] + (at[3] - at[2]) * f.y;
-        inside += low + (high - low) * f.z >= 0.5;
-      }
-  return inside / double(n * n * n);
-}
-
-double volumeInside(const OccupancyField& field) {
-  double cells = 0;
-  const glm::ivec3 size = field.size();
-  for (int k = 0; k + 1 < size.z; ++k)
-    for (int j = 0; j + 1 < size.y; ++j)
-      for (int i = 0; i + 1 < size.x; ++i) cells += partInside(field, {i, j, k});
-  return cells * field.geometry.voxelVolume();
 }
 
 QByteArray seedText(std::uint64_t seed, const std::string& what) {
@@ -115,7 +85,7 @@ void TestSurface::liesNearTheFieldsOwnVolume() {
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     const OccupancyField field = anyField(seed);
     const double voxel = field.geometry.voxelVolume();
-    const double volume = volumeOf(*surfaceOf(field)) / voxel, inside = volumeInside(field) / voxel;
+    const double volume = volumeOf(*surfaceOf(field)) / voxel, inside = drawnVolume(field) / voxel;
     const auto cells = double(field.values.size());
     QVERIFY2(std::abs(volume - inside) < 1 + 0.05 * cells,
              seedText(seed, std::to_string(volume) + ", not " + std::to_string(inside)));

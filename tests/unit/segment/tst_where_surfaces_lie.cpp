@@ -1,0 +1,175 @@
+// Guards segment.md, "Its surface", of phantoms and of real segments, on every kind of grid: what is written
+// is closed, lies nowhere farther than half a voxel from the border of the voxels, and encloses what pictures
+// draw. Random masks: VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S.
+#include <cmath>
+
+#include "tests/fixtures/grids.h"
+#include "tests/fixtures/real_volume.h"
+#include "tests/fixtures/seeds.h"
+#include "tests/unit/segment/drawn_volume.h"
+#include "tests/unit/segment/field_masks.h"
+#include "tests/unit/segment/shape_masks.h"
+#include "tests/unit/suite.h"
+#include "viewer/segment/range.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestWhereSurfacesLie : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void phantoms_data();
+  void phantoms();
+  void anyMask();
+  void realSegments_data();
+  void realSegments();
+};
+
+namespace {
+
+using glm::dmat3, glm::dvec3, glm::ivec3;
+
+constexpr double halfAVoxel = 0.5, roundedPoints = 1e-3;  // floats of mm, in voxels
+
+// From a place, in voxels, to the border of the voxels, as far as that lies in the cell of the place.
+double fromBorder(const BitMask& mask, dvec3 p) {
+  const auto isIn = [&](ivec3 v) {
+    for (int a = 0; a < 3; ++a)
+      if (v[a] < 0 || v[a] >= mask.size()[a]) return false;
+    return mask.at(v);
+  };
+  const ivec3 cell(glm::floor(p));
+  double nearest = HUGE_VAL;
+  for (int corner = 0; corner < 8; ++corner)
+    for (int axis = 0; axis < 3; ++axis) {
+      if (corner >> axis & 1) continue;
+      const ivec3 v = cell + ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+      ivec3 next = v;
+      next[axis] += 1;
+      if (isIn(v) == isIn(next)) continue;
+      // The face between both is a square of 1 about the middle.
+      const dvec3 away = glm::abs(p - dvec3(v + next) / 2.0);
+      dvec3 beyond = glm::max(away - 0.5, 0.0);
+      beyond[axis] = away[axis];
+      nearest = std::min(nearest, glm::length(beyond));
+    }
+  return nearest;
+}
+
+// The farthest of corners, edges and insides of all triangles, in voxels.
+double farthestFromBorder(const Surface& surface, const BitMask& mask) {
+  constexpr int parts = 3;
+  double farthest = 0;
+  for (const auto& t : surface.triangles)
+    for (int a = 0; a <= parts; ++a)
+      for (int b = 0; a + b <= parts; ++b) {
+        const dvec3 share = dvec3(a, b, parts - a - b) / double(parts);
+        dvec3 p(0);
+        for (int n = 0; n < 3; ++n) p += share[n] * dvec3(surface.points[t[std::size_t(n)]]);
+        farthest = std::max(farthest, fromBorder(mask, mask.geometry().voxelFromPatient(p)));
+      }
+  return farthest;
+}
+
+// Empty, or what is wrong; `off`: how much more or less than what is drawn it may enclose, a part of that.
+QString wrongSurface(const BitMask& mask, double off) {
+  const OccupancyField field = occupancyOf(mask, surfaceSigma);
+  const Surface surface = *surfaceOf(field);
+  if (const std::string wrong = notClosed(surface); !wrong.empty()) return QString::fromStdString(wrong);
+  const double farthest = farthestFromBorder(surface, mask);
+  if (!(farthest < halfAVoxel + roundedPoints))
+    return QStringLiteral("%1 voxels from the border").arg(farthest);
+  const double ratio = volumeOf(surface) / drawnVolume(field);
+  return std::abs(ratio - 1) <= off ? QString() : QStringLiteral("%1 of what is drawn").arg(ratio);
+}
+
+}  // namespace
+
+void TestWhereSurfacesLie::phantoms_data() {
+  QTest::addColumn<dmat3>("step");
+  QTest::addColumn<Shape3>("shape");
+  QTest::addColumn<bool>("isCut");
+  QTest::addColumn<double>("off");
+  const Shape3 outer = ball(14), inner = ball(11);
+  const std::pair<const char*, Shape3> shapes[] = {
+      {"ball", ball(10)},
+      {"tilted cylinder", cylinder(9, 30, {1, 2, 3})},
+      {"long ellipsoid", ellipsoid({24, 8, 6})},
+      {"hollow ball", [=](dvec3 p) { return outer(p) && !inner(p); }},
+      {"two balls that touch",
+       [=, left = ball(6, {-6, 1, 0}), right = ball(6, {6, 0, 1})](dvec3 p) { return left(p) || right(p); }},
+  };
+  const auto rows = [&](const Grid& grid, double off) {
+    for (const auto& [name, shape] : shapes)
+      for (const bool isCut : {false, true})
+        QTest::addRow("%s, %s%s", name, grid.name, isCut ? ", to the end of the grid" : "")
+            << grid.patientFromVoxelStep << shape << isCut << off;
+  };
+  for (const Grid& grid : grids) rows(grid, 0.01);
+  for (const Grid& grid : thickGrids) rows(grid, 0.04);  // bodies of two to six slices
+}
+
+// The grid ends in the middle of the body, or around it.
+void TestWhereSurfacesLie::phantoms() {
+  QFETCH(dmat3, step);
+  QFETCH(Shape3, shape);
+  QFETCH(bool, isCut);
+  QFETCH(double, off);
+  VoxelGeometry grid = gridAbout(step, 26);
+  if (isCut) grid.size -= grid.size / 2;
+  const BitMask mask = maskOfShape(grid, shape);
+  QVERIFY(mask.count() > 30);
+  const QString wrong = wrongSurface(mask, off);
+  QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+}
+
+// Of noise the surface parts what the field joins across faces: no volume is asked of it.
+void TestWhereSurfacesLie::anyMask() {
+  const Seeds seeds = seedsOf(100, 2000);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    Chance chance{std::uint64_t(seed)};
+    VoxelGeometry grid = anyGrid(chance, 9);
+    if (chance.oneIn(4)) grid.patientFromVoxelStep = thickGrids[chance.below(2)].patientFromVoxelStep;
+    grid.origin = 300.0 * chance.vector();
+    const BitMask mask = tests::anyMask(chance, grid);
+    if (mask.empty()) continue;
+    const QString wrong = wrongSurface(mask, HUGE_VAL);
+    QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(wrong)));
+  }
+}
+
+void TestWhereSurfacesLie::realSegments_data() {
+  QTest::addColumn<QString>("series");
+  QTest::addColumn<double>("low");
+  QTest::addColumn<double>("high");
+  QTest::addColumn<double>("off");
+  const auto row = [](const char* name, const char* series, double low, double high, double off) {
+    QTest::newRow(name) << QString::fromLatin1(series) << low << high << off;
+  };
+  // Parts of a voxel or two are more off than large ones.
+  row("bone of a chest", "ct-chest-lidc0314-138", 226, 3000, 0.015);
+  row("air of a chest", "ct-chest-lidc0314-138", -2000, -500, 0.005);
+  row("bone of a head in thick, tilted slices", "dicom-geometry/ct-ge-tilt-varspacing-28", 226, 3000, 0.005);
+  row("a PET from SUV 2.5 on", "pet-ct/sts019-pet", 2.5, 1e9, 0.025);
+  row("a head by MR", "mr-head-siemens-gap-175", 200, 1e9, 0.015);
+}
+
+// Seven slices of each: to look at every edge takes its time.
+void TestWhereSurfacesLie::realSegments() {
+  QFETCH(QString, series);
+  QFETCH(double, low);
+  QFETCH(double, high);
+  QFETCH(double, off);
+  const VolumePtr volume = realVolume(series.toStdString());
+  NEED_VOLUME(volume);
+  BitMask mask = voxelsInRange(*volume, {low, high});
+  const int middle = mask.size().z / 2;
+  for (int k = 0; k < mask.size().z; ++k)
+    for (int j = 0; j < mask.size().y && std::abs(k - middle) > 3; ++j) std::ranges::fill(mask.row(j, k), 0);
+  QVERIFY(mask.count() > 300);
+  const QString wrong = wrongSurface(mask, off);
+  QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+}
+
+VOLUMEN_TEST(TestWhereSurfacesLie);
+#include "tst_where_surfaces_lie.moc"
