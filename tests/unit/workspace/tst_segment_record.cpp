@@ -249,7 +249,7 @@ void TestSegmentRecord::runAgainNothingChanges() {
 // Between two maps, in which more is done meanwhile.
 void TestSegmentRecord::movedSegmentsTakeTheirStepsAlong() {
   QFETCH(bool, byHand);
-  const Seeds seeds = seedsOf(100, 3000);
+  const Seeds seeds = seedsOf(40, 2000);
   int moves = 0, madeBySteps = 0;
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
     Chance chance{std::uint64_t(seed)};
@@ -259,7 +259,7 @@ void TestSegmentRecord::movedSegmentsTakeTheirStepsAlong() {
     for (int n = 0; n < 30; ++n) {
       SegmentMap& map = maps[std::size_t(chance.below(2))];
       map = act(std::move(map), volume, chance, byHand);
-      if (n < 10 || maps[0].segments.empty()) continue;
+      if (n % 10 != 9 || maps[0].segments.empty()) continue;
       const int number = maps[0].segments[std::size_t(chance.below(int(maps[0].segments.size())))].number;
       const auto moved = withSegmentMoved(maps, maps[0].number, number, maps[1].number);
       if (!moved) continue;
@@ -273,7 +273,7 @@ void TestSegmentRecord::movedSegmentsTakeTheirStepsAlong() {
       }
     }
   }
-  QVERIFY(moves > seeds.count && madeBySteps > moves / 4);
+  QVERIFY(moves > seeds.count / 2 && madeBySteps > moves / 5);
 }
 
 namespace {
