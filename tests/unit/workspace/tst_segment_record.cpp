@@ -266,11 +266,11 @@ void TestSegmentRecord::movedSegmentsTakeTheirStepsAlong() {
       maps = moved->maps;
       ++moves;
       madeBySteps += isMadeBySteps(maps.front(), maps.front().current);
-      for (const SegmentMap& one : maps) {
-        const QString other = difference(one, *volume);
-        QVERIFY2(other.isEmpty(), qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(other)));
-        QVERIFY(byHand || recordedRecipe(one, "CT").missing.empty());
-      }
+    }
+    for (const SegmentMap& map : maps) {
+      const QString other = difference(map, *volume);
+      QVERIFY2(other.isEmpty(), qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(other)));
+      QVERIFY(byHand || recordedRecipe(map, "CT").missing.empty());
     }
   }
   QVERIFY(moves > seeds.count / 2 && madeBySteps > moves / 5);
