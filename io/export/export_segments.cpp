@@ -102,8 +102,7 @@ Status addSurface(const Export& e, const Segmented& map, const Segment& segment,
   const Result<Surface> all = surfaceOf(occupancyOf(mask, surfaceSigma, e.cancel), e.cancel);
   if (!all) return all.error();
   const double byMm = e.surfaces.reducedByMm;
-  const std::optional<Surface> fewer =
-      byMm > 0 ? std::optional(reduced(*all, byMm, e.cancel)) : std::nullopt;
+  const std::optional<Surface> fewer = byMm > 0 ? std::optional(reduced(*all, byMm, e.cancel)) : std::nullopt;
   const Surface& surface = fewer ? *fewer : *all;
   if (Status s = writeSurface(surface, path, e.cancel); !s) return s;
   done.notes.push_back(toldOf(path, mask, surface));
