@@ -198,6 +198,7 @@ class Run {
       else
         refused.push_back({segment, made.whyNot});
     }
+    if (cancel_.cancelled()) return drawn;  // not made, which is no refusal
     for (const QString& line : notDrawnText(refused).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
       printNotes({line.toStdString()});
     const auto missing = std::ranges::count_if(maps, [](const SegmentMap& map) { return !map.labels; });

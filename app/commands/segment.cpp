@@ -190,6 +190,7 @@ Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Op
     std::ranges::move(*reports, std::back_inserter(all.reports));
   }
   if (withTime) all.overTime = overTimeOf(maps, opened, all.scale.unit, cancel);
+  if (cancel.cancelled()) return Error{"Cancelled."};  // they are half done
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "io/export/label_image.h"
 #include "io/export/label_table.h"
@@ -101,10 +102,11 @@ Status addSurface(const Export& e, const Segmented& map, const Segment& segment,
   const Result<Surface> all = surfaceOf(occupancyOf(mask, surfaceSigma, e.cancel), e.cancel);
   if (!all) return all.error();
   const double byMm = e.surfaces.reducedByMm;
-  const Surface surface = byMm > 0 ? reduced(*all, byMm, e.cancel) : *all;
+  const std::optional<Surface> fewer = byMm > 0 ? std::optional(reduced(*all, byMm, e.cancel)) : std::nullopt;
+  const Surface& surface = fewer ? *fewer : *all;
   if (Status s = writeSurface(surface, path, e.cancel); !s) return s;
   done.notes.push_back(toldOf(path, mask, surface));
-  if (byMm > 0) done.notes.push_back(reductionTold(path, *all, surface));
+  if (fewer) done.notes.push_back(reductionTold(path, *all, surface));
   done.files.push_back(path);
   return {};
 }

@@ -85,6 +85,7 @@ class TestSegmentSurfaceJobs : public QObject {
   void theyAreDrawnOnceTheyAreMade();
   void looksNeedNoJob();
   void onlyChangedVoxelsDo();
+  void whatIsUndoneMeanwhileIsNotMade();
   void masksDoAsForTheProgram();
   void aSeriesThatIsOpenedAgainMayHaveOtherSlices();
   void whatIsNotInAViewIsDropped();
@@ -147,6 +148,22 @@ void TestSegmentSurfaceJobs::onlyChangedVoxelsDo() {
   s.undo();
   QVERIFY(s.idle());
   QVERIFY(s.field(1)->values == one->values && s.field(2) == two);
+}
+
+// As Esc undoes a stroke once it has ended.
+void TestSegmentSurfaceJobs::whatIsUndoneMeanwhileIsNotMade() {
+  SurfaceSession s;
+  QVERIFY(s.idle());
+  const auto one = s.field(1);
+  s.addVoxel();
+  QVERIFY(!s.jobs.rows().empty());
+  s.undo();
+  QVERIFY(s.jobs.rows().empty());
+  QTest::qWait(100);
+  QVERIFY(s.field(1) == one);
+  s.addVoxel();
+  QVERIFY(s.idle());
+  QVERIFY(s.field(1) && s.field(1) != one);
 }
 
 void TestSegmentSurfaceJobs::masksDoAsForTheProgram() {

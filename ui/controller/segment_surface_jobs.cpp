@@ -41,7 +41,9 @@ void SegmentSurfaceJobs::noteChanges(const Workspace& before, const Workspace& a
 }
 
 void SegmentSurfaceJobs::next() {
-  if (lane_.isBusy() || painter_.isPainting()) return;
+  if (painter_.isPainting()) return;
+  if (lane_.isBusy() && isInVain()) lane_.giveUpAll();
+  if (lane_.isBusy()) return;
   for (const SeriesKey& series : seriesIn3d(session_.workspace())) {
     const LoadedSeriesPtr shown = session_.seriesNamed(series);
     if (!shown) continue;
@@ -53,6 +55,12 @@ void SegmentSurfaceJobs::next() {
       if (!wanted.surfaces.empty() && canBegin) return begin(wanted);
     }
   }
+}
+
+// A stroke that was given up, say: its map is as it was, and has its surfaces.
+bool SegmentSurfaceJobs::isInVain() const {
+  const SegmentMap* map = segmentMapOf(session_.workspace(), underWay_.series, underWay_.map);
+  return map && map->labels && map->labels != underWay_.labels && wantedOf(*map).surfaces.empty();
 }
 
 SegmentSurfaceJobs::Wanted SegmentSurfaceJobs::wantedOf(const SegmentMap& map) const {
@@ -91,7 +99,8 @@ std::size_t SegmentSurfaceJobs::bytesBeside(const std::vector<MadeSurface>& want
 }
 
 void SegmentSurfaceJobs::begin(const Wanted& wanted) {
-  again_.erase({wanted.surfaces.front().series, wanted.surfaces.front().map});
+  underWay_ = wanted.surfaces.front();
+  again_.erase({underWay_.series, underWay_.map});
   lane_.run(
       tr("Making surfaces of segments"), [wanted](const Job& job) { return made(wanted, job.cancel()); },
       [this, wanted](Result<Made> result) {

@@ -13,10 +13,11 @@
 namespace volumen {
 
 /// Makes what segments are drawn by in 3D, of the series in 3D views on screen, whenever their voxels, or
-/// what is taken away of the series, changed: a map at a time, as a job; of a stroke once it ends. Until then
-/// the session keeps what was there before. What could not be made, or was cancelled, is tried again once
-/// anything of the segments of its series changes. All of them together take at most a share of the machine's
-/// memory: what would go beyond is not drawn. Those of hidden segments are kept while there is room.
+/// what is taken away of the series, changed: a map at a time, as a job; of a stroke once it ends, and none
+/// of one that is given up. Until then the session keeps what was there before. What could not be made, or
+/// was cancelled, is tried again once anything of the segments of its series changes. All of them together
+/// take at most a share of the machine's memory: what would go beyond is not drawn. Those of hidden segments
+/// are kept while there is room.
 class SegmentSurfaceJobs : public QObject {
   Q_OBJECT
  public:
@@ -53,6 +54,7 @@ class SegmentSurfaceJobs : public QObject {
 
   void noteChanges(const Workspace& before, const Workspace& after);
   void next();
+  bool isInVain() const;
   Wanted wantedOf(const SegmentMap& map) const;
   void begin(const Wanted& wanted);
   std::size_t bytesBeside(const std::vector<MadeSurface>& wanted) const;
@@ -67,6 +69,7 @@ class SegmentSurfaceJobs : public QObject {
   std::optional<Kept> kept_;  // of the last series with a mask
   // Maps, by their numbers, of whose series something was changed since surfaces of them were given up.
   std::set<std::pair<SeriesKey, int>> again_;
+  MadeSurface underWay_;  // the first that the last job was to make
   JobLane lane_;
 };
 

@@ -60,6 +60,11 @@ bool saysPlusC(const std::string& description) {
   return at != std::string::npos && (at + 2 == said.size() || !isLetter(said[at + 2]));
 }
 
+// Whether what a file has for the agent is one: some write that there was none.
+bool isAgent(const std::string& agent) {
+  return !agent.empty() && !isOneOf(agent, "none|no|nil|no contrast");
+}
+
 // Siemens numbers its kernels by sharpness: "B70f", "Br40d", "I31f".
 int sharpnessOf(const std::string& kernel) {
   const std::size_t digit = kernel.find_first_of("0123456789");
@@ -124,15 +129,13 @@ std::optional<bool> contrastOf(const Series& series) {
   if (hasWord(said, "native|unenhanced|w/o|=pre|=wo|=no|=non|=without|=ohne|=vor|=kein|=keine|=nativ"))
     return false;
   if (saysPlusC(said) || hasWord(said, "gadolinium|contrast|enhanced|=gd|=gad|=post|=km|=ce") ||
-      !valueOfSplit(series, "ContrastBolusAgent").empty())
+      isAgent(valueOfSplit(series, "ContrastBolusAgent")))
     return true;
   return {};
 }
 
 bool namesContrast(const Series& series) {
-  const std::string& agent = series.contrastAgent;
-  const bool isNamed = !agent.empty() && !isOneOf(agent, "none|no|nil|no contrast");
-  return isNamed || contrastOf(series).value_or(false);
+  return isAgent(series.contrastAgent) || contrastOf(series).value_or(false);
 }
 
 std::optional<ViewKind> acquiredPlaneOf(const Series& series) {

@@ -34,6 +34,7 @@ class TestHangingProtocols : public QObject {
   void refusalsNameTheField();
   void wordsOfSeries_data();
   void wordsOfSeries();
+  void noneIsNoAgent();
   void fastSpinEchoIsNoFatSaturation();
   void thoseOfTheProgramAreRead();
   void anOwnOneHidesThatOfItsName();
@@ -166,6 +167,18 @@ void TestHangingProtocols::wordsOfSeries() {
   else
     QCOMPARE(w ? int(*w) : -1, weighting);
   QCOMPARE(c ? int(*c) : -1, contrast);
+}
+
+// A study in which some series have an agent and others say that they have none is split by that.
+void TestHangingProtocols::noneIsNoAgent() {
+  for (const auto& [agent, isGiven] : {std::pair("IOHEXOL 350", true), {"NONE", false}, {"No", false}}) {
+    Series series;
+    series.description = "Chest";
+    series.contrastAgent = agent;
+    series.splitBy = {{"ContrastBolusAgent", agent, {}}};
+    QVERIFY2(namesContrast(series) == isGiven, agent);
+    QVERIFY2(contrastOf(series).value_or(false) == isGiven, agent);
+  }
 }
 
 void TestHangingProtocols::fastSpinEchoIsNoFatSaturation() {
