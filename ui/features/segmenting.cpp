@@ -215,6 +215,7 @@ void Segmenting::showNumbers() {
 
 // Of the series that the panel shows; a first part makes a segment.
 void Segmenting::takePart(const PartClick& click) {
+  if (click.onFrame) return warn(tr("Frames have no connected parts: show the series as slices."));
   const QString why = whyNoSegments(session_);
   if (!why.isEmpty()) return warn(why);
   if (click.series != keyOf(session_.series()->series))
@@ -234,8 +235,14 @@ void Segmenting::takePart(const PartClick& click) {
     work.number = segment->number;
   else
     work.change = [made = panel_->range().segmentOf(range)](Segment& s) { s = made; };
-  const PartWanted wanted{work.volume, session_.maskOf(click.series), range, click.pPatient, click.onSurface,
-                          use,         panel_->range().leakGuardMm()};
+  const PartWanted wanted{work.volume,
+                          session_.maskOf(click.series),
+                          range,
+                          click.pPatient,
+                          click.onSurface,
+                          use,
+                          panel_->range().leakGuardMm(),
+                          panel_->range().partNeighbours()};
   work.steps = [wanted](const SegmentMap& map, int number, const CancelToken& cancel) {
     return stepsOfPart(wanted, map, number, cancel);
   };

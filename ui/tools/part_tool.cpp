@@ -6,7 +6,8 @@ namespace volumen {
 
 std::unique_ptr<Drag> beginPart(const SlicePress& press) {
   if (press.takePart)
-    press.takePart({keyOf(press.series->series), press.patientAt(press.at), false, press.keys});
+    press.takePart(
+        {keyOf(press.series->series), press.patientAt(press.at), false, press.keys, press.frame.has_value()});
   return nullptr;
 }
 
