@@ -69,7 +69,7 @@ Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
       painter_(session_),
       segmenter_(session_, painter_, bench.document.jobs),
-      follower_(session_, bench.document.jobs),
+      follower_(session_, painter_, bench.document.jobs),
       preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
       surfaces_(session_, painter_, bench.document.jobs),
@@ -134,6 +134,7 @@ void Segmenting::showExport() {
 
 void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
+  connect(panel_, &SegmentsPanel::told, this, [this](const QString& sentence) { warn(sentence); });
   connect(panel_, &SegmentsPanel::numbersWanted, this, &Segmenting::showNumbers);
   connect(&bench_, &Workbench::segmentWorkWanted, &segmenter_, &SegmentJobs::change);
   connect(panel_, &SegmentsPanel::recipeChosen, &bench_, &Workbench::recipeWanted);
@@ -269,7 +270,7 @@ void Segmenting::askWhere() {
   dialog->setDefaultSuffix(usual);
   dialog->selectFile(QStringLiteral("segmentation.") + usual);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    const std::vector<SegmentMap> maps = allSegmentsShown(session_);
+    const std::vector<SegmentMap> maps = copiesOf(allSegmentsShown(session_));
     if (!maps.empty()) segmenter_.save(maps, session_.series()->series, path);
   });
   dialog->open();
