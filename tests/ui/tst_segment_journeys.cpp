@@ -1,17 +1,14 @@
-// Guards two whole ways from pictures to numbers, by real events: a chest CT whose bone is found, rid of an
-// island, cut and read, saved, killed and opened again; a lesion in PET, its SUVpeak and TLG in a CSV file.
-#include <QTableWidget>
+// Guards a whole way from pictures to numbers, by real events: a chest CT whose bone is found, rid of an
+// island, cut and read, saved, killed and opened again.
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <numbers>
 
 #include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/hand.h"
 #include "tests/ui/killed_window.h"
+#include "tests/ui/numbers_table.h"
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "viewer/segment/parts.h"
@@ -23,34 +20,6 @@ namespace {
 
 constexpr const char* journeyFolder = "VOLUMEN_JOURNEY_FOLDER";  // set: this is the program that is killed
 constexpr glm::ivec3 alongK(0, 0, 1);
-
-// All texts of the table of numbers, by row and head.
-QStringList tableTexts(Journey& w) {
-  QStringList texts;
-  const auto* table = w.child<QTableWidget>("segmentNumbers");
-  for (int row = 0; row < table->rowCount(); ++row)
-    for (int column = 0; column < table->columnCount(); ++column)
-      texts << table->horizontalHeaderItem(column)->text() + QLatin1Char('\t') +
-                   table->item(row, column)->text();
-  return texts;
-}
-
-// True once the table of numbers is open and measured.
-bool openTable(Journey& w) {
-  QTest::mouseClick(w.child<QWidget>("segmentNumbersButton"), Qt::LeftButton);
-  return QTest::qWaitFor(
-      [&] {
-        const auto* table = w.child<QTableWidget>("segmentNumbers");
-        return table && table->rowCount() > 0 && w.window.jobs().rows().empty();
-      },
-      longest);
-}
-
-QString cellOf(Journey& w, const QString& head) {
-  for (const QString& text : tableTexts(w))
-    if (text.startsWith(head + QLatin1Char('\t'))) return text.section(QLatin1Char('\t'), 1);
-  return {};
-}
 
 // A series that is in memory once the window that read it is gone.
 LoadedSeriesPtr seriesReadFrom(const QString& folder) {
@@ -156,7 +125,6 @@ class TestSegmentJourneys : public QObject {
  private Q_SLOTS:
   void aChestThatIsKilled();
   void aChestFromItsPictureToASessionAndBack();
-  void aLesionFromPetToCsv();
 };
 
 // No test, but what aChestFromItsPictureToASessionAndBack() starts.
@@ -254,89 +222,6 @@ void TestSegmentJourneys::aChestFromItsPictureToASessionAndBack() {
   QCoreApplication::processEvents();
   QVERIFY(openTable(again));
   QCOMPARE(tableTexts(again), told.mid(1));
-}
-
-namespace {
-
-constexpr glm::dvec3 pHot(2.5, -3.5, 1.5);                       // the centre of a voxel
-constexpr double hotTop = 16, hotMm = 11, suvOfBecquerel = 0.5;  // SUV 8
-
-double hotValue(glm::dvec3 p) { return hotTop * std::max(0.0, 1 - glm::distance(p, pHot) / hotMm); }
-
-// A cone of 16 Bq/ml in 0, of SUV 8.
-LoadedSeriesPtr hotPet() {
-  auto series = std::make_shared<LoadedSeries>(*seriesOf(volumeOf<float>(
-      glm::ivec3(40), glm::dmat3(1), [](glm::dvec3 pVoxel) { return hotValue(pVoxel - 19.5); })));
-  series->series.acquired = series->volume->geometry();
-  series->series.modality = "PT";
-  series->series.unit = "Bq/ml";
-  series->series.suv.bodyWeight = suvOfBecquerel;
-  series->firstScene.transferFunction.points = {{1, {1, 1, 1}, 0.0}, {8, {1, 1, 1}, 1.0}};
-  return series;
-}
-
-// Of a CSV of one row without quotes: the field below each head.
-std::map<QString, QString> fieldsOfCsv(const QByteArray& csv) {
-  const QStringList lines = QString::fromUtf8(csv).split(QStringLiteral("\r\n"));
-  std::map<QString, QString> fields;
-  if (lines.size() != 3) return fields;
-  const QStringList heads = lines[0].split(QLatin1Char(',')), values = lines[1].split(QLatin1Char(','));
-  if (heads.size() != values.size()) return fields;
-  for (qsizetype n = 0; n < heads.size(); ++n) fields[heads[n]] = values[n];
-  return fields;
-}
-
-}  // namespace
-
-// From 41 % of the top on a cone is one of 59 % of its radius r. The mean of a cone in a ball of radius b
-// about its middle is top (1 - 3 b / (4 r)); the ball of 1 ml has 6.2 mm, and lies in the lesion.
-void TestSegmentJourneys::aLesionFromPetToCsv() {
-  const QTemporaryDir folder;
-  SegmentWindow w(hotPet());
-  w.click("segmentGrowing");
-  w.child<QComboBox>("lesionThreshold")->setCurrentIndex(0);
-  w.child<QAction>("lesionTool")->trigger();
-  const QPoint at = w.showPlace(pHot);
-  drag(w.view(), at, at + QPoint(int(12.5 / w.view()->plane()->mmPerPixel), 0));
-  QVERIFY(w.idle());
-  QCOMPARE(w.count(), std::size_t(1));
-  QVERIFY(openTable(w));
-  w.click("segmentNumbersCsv");
-  const QString path = folder.filePath(QStringLiteral("lesion.csv"));
-  answer(w, "segmentNumbersFileDialog", path);
-  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longest);
-  const std::map<QString, QString> fields = fieldsOfCsv(contentsOf(path));
-  const auto number = [&](const char* head) {
-    const auto field = fields.find(QLatin1String(head));
-    return field == fields.end() ? NAN : field->second.toDouble();
-  };
-  const auto isNear = [](double is, double wanted, double part) { return std::abs(is / wanted - 1) < part; };
-
-  // Of its voxels, one by one.
-  const double top = hotTop * suvOfBecquerel, radius = 0.59 * hotMm;
-  std::int64_t voxels = 0;
-  double sum = 0;
-  for (int k = 0; k < 40; ++k)
-    for (int j = 0; j < 40; ++j)
-      for (int i = 0; i < 40; ++i) {
-        const glm::dvec3 p = glm::dvec3(i, j, k) - 19.5;
-        if (glm::distance(p, pHot) > radius + 1e-6) continue;
-        ++voxels;
-        sum += suvOfBecquerel * double(float(hotValue(p)));
-      }
-  QCOMPARE(number("Voxels"), double(voxels));
-  QCOMPARE(number("Volume (ml)"), double(voxels) / 1000);
-  QCOMPARE(number("SUVmax (SUVbw)"), top);
-  QVERIFY(isNear(number("SUVmean (SUVbw)"), sum / double(voxels), 1e-6));
-  QVERIFY(isNear(number("TLG (SUVbw ml)"), sum / 1000, 1e-6));
-  // As far as voxels of 1 mm allow: of the cone.
-  const double ballMm = std::cbrt(1000 * 3 / (4 * std::numbers::pi));
-  QVERIFY(isNear(number("SUVpeak (SUVbw)"), top * (1 - 0.75 * ballMm / hotMm), 0.01));
-  const double coneMl = 4 * std::numbers::pi / 3 * radius * radius * radius / 1000;
-  QVERIFY(isNear(number("TLG (SUVbw ml)"), coneMl * top * (1 - 0.75 * 0.59), 0.05));
-  // And what is read in the window is what the file says, to five digits.
-  for (const char* head : {"SUVpeak (SUVbw)", "TLG (SUVbw ml)", "SUVmax (SUVbw)"})
-    QVERIFY2(isNear(cellOf(w, QLatin1String(head)).toDouble(), number(head), 1e-4), head);
 }
 
 VOLUMEN_TEST(TestSegmentJourneys);

@@ -32,7 +32,8 @@ class TestSegmentPaint : public QObject {
   void aSeriesThatIsClosedInAStroke();
   void aStrokeThatIsUndoneIsOver();
   void nothingToEraseIsSaid();
-  void framesAreNotPaintedOn();
+  void framesHaveNoSegments_data();
+  void framesHaveNoSegments();
   void keysAndThePageSetTheBrush();
   void theBrushIsDrawnAtThePointer();
   void randomStrokesAreThoseOfATwin_data();
@@ -322,18 +323,38 @@ void TestSegmentPaint::nothingToEraseIsSaid() {
   QVERIFY(w.said().contains(QStringLiteral("add a segment first")));
 }
 
-void TestSegmentPaint::framesAreNotPaintedOn() {
+void TestSegmentPaint::framesHaveNoSegments_data() {
+  QTest::addColumn<QByteArray>("file");
+  QTest::addColumn<QByteArray>("tool");
+  QTest::addColumn<QString>("says");
+  constexpr const char* unpainted = "Frames cannot be painted on";
+  constexpr std::pair<const char*, const char*> tools[] = {
+      {"paintTool", unpainted},
+      {"outlineTool", unpainted},
+      {"levelTraceTool", unpainted},
+      {"smartBrushTool", unpainted},
+      {"lesionTool", "A lesion cannot be found on frames"},
+      {"partTool", "Frames have no connected parts"}};
+  for (const char* file : {"cr-hip-mono2-jpeg12.dcm", clipFile, "xa-96frames.dcm"})
+    for (const auto& [tool, says] : tools)
+      QTest::addRow("%s, %.2s", tool, file)
+          << QByteArray(file) << QByteArray(tool) << QString::fromLatin1(says);
+}
+
+void TestSegmentPaint::framesHaveNoSegments() {
+  QFETCH(QByteArray, file);
+  QFETCH(QByteArray, tool);
+  QFETCH(QString, says);
   NEED_FILES();
-  Frames w({"cr-hip-mono2-jpeg12.dcm"});
+  Frames w({file.constData()});
   QVERIFY(w.shows());
   const Workspace before = w.workspace();
-  for (const char* tool : {"paintTool", "outlineTool"}) {
-    w.child<QAction>(tool)->trigger();
-    const QPoint at = w.view()->rect().center();
-    drag(w.view(), at, at + QPoint(40, 40));
-    QVERIFY(w.workspace() == before);
-    QVERIFY(w.child<Banner>("banner")->sentence().contains(QStringLiteral("Frames cannot be painted on")));
-  }
+  w.child<QAction>(tool.constData())->trigger();
+  const QPoint at = w.view()->rect().center();
+  drag(w.view(), at, at + QPoint(40, 40));
+  QVERIFY(w.workspace() == before);
+  const QString said = w.child<Banner>("banner")->sentence();
+  QVERIFY2(said.contains(says), qPrintable(said));
 }
 
 void TestSegmentPaint::keysAndThePageSetTheBrush() {

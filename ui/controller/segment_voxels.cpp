@@ -61,15 +61,19 @@ Result<StepsWanted> stepsOfPart(const PartWanted& wanted, const SegmentMap& map,
                      : "The voxel that was clicked is not in the current segment: click on one that is."};
   const std::vector<glm::dvec3> at{whole.geometry().patientFromVoxel(*seed)};
   const std::string own = stepNameOf(number), part = partName;
-  Step connectedStep{"connected", part, {{"at", at}}};
+  Step connectedStep{"connected", part, {{"at", at}, {"neighbours", wanted.neighbours}}};
   if (wanted.leakGuardMm > 0) {
     connectedStep.fields["leakGuardMm"] = wanted.leakGuardMm;
+    // Whether there is one does not depend on which voxels touch.
     if (connectedBeyond(whole, std::span(&*seed, 1), Neighbours::faces, wanted.leakGuardMm, cancel).empty())
       return Error{"What was clicked is thinner than twice the leak guard: make that smaller."};
     if (!isOfRange) return guardedPart(connectedStep, own, wanted.use, number);
   }
   if (!isOfRange)
-    return StepsWanted{{{wanted.use == PartUse::keep ? "keep" : "remove", own, {{"at", at}}}}, {number}};
+    return StepsWanted{{{wanted.use == PartUse::keep ? "keep" : "remove",
+                         own,
+                         {{"at", at}, {"neighbours", wanted.neighbours}}}},
+                       {number}};
   StepsWanted steps{{{"range", part, {{"low", wanted.range.low}, {"high", wanted.range.high}}}}, {number}};
   steps = keptIn(std::move(steps), {part}, *wanted.volume, wanted.mask, cancel);
   steps.steps.push_back(connectedStep);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "ui/controller/step_work.h"
 #include "viewer/segment/bit_mask.h"
 #include "viewer/segment/mask.h"
@@ -19,11 +21,11 @@ struct PartWanted {
   glm::dvec3 pPatient;  ///< mm
   bool onSurface;       ///< the nearest voxel within two of it counts
   PartUse use;
-  double leakGuardMm = 0;  ///< nothing goes through what is thinner than twice that
+  double leakGuardMm = 0;            ///< nothing goes through what is thinner than twice that
+  std::string neighbours = "faces";  ///< which voxels touch, a word of the step "connected"
 };
 
-/// The steps that do that to the segment of a number, voxels connected by faces. The Error says why there is
-/// no part.
+/// The steps that do that to the segment of a number. The Error says why there is no part.
 Result<StepsWanted> stepsOfPart(const PartWanted& wanted, const SegmentMap& map, int number,
                                 const CancelToken& cancel);
 

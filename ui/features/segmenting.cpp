@@ -236,8 +236,14 @@ void Segmenting::takePart(const PartClick& click) {
     work.number = segment->number;
   else
     work.change = [made = panel_->range().segmentOf(range)](Segment& s) { s = made; };
-  const PartWanted wanted{work.volume, session_.maskOf(click.series), range, click.pPatient, click.onSurface,
-                          use,         panel_->range().leakGuardMm()};
+  const PartWanted wanted{work.volume,
+                          session_.maskOf(click.series),
+                          range,
+                          click.pPatient,
+                          click.onSurface,
+                          use,
+                          panel_->range().leakGuardMm(),
+                          panel_->range().partNeighbours()};
   work.steps = [wanted](const SegmentMap& map, int number, const CancelToken& cancel) {
     return stepsOfPart(wanted, map, number, cancel);
   };

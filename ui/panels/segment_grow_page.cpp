@@ -176,6 +176,7 @@ bool SegmentGrowPage::isInFrameOf(const SeriesKey& shown, const Series& series) 
 }
 
 QString SegmentGrowPage::whyNoLesion(const DrawnBall& ball) const {
+  if (ball.onFrame) return tr("A lesion cannot be found on frames: show the series as slices.");
   const QString why = whyNoSegments(session_);
   if (!why.isEmpty()) return why;
   const Series& series = session_.series()->series;

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "ui/controller/segment_target.h"
-#include "ui/panels/leak_guard.h"
+#include "ui/panels/part_fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/curve_spans.h"
 #include "ui/workspace/segment_record.h"
@@ -59,7 +59,8 @@ SegmentRange::SegmentRange(Session& session, QWidget* parent)
       only_(new QCheckBox(tr("Show only the segment"))),
       part_(new QToolButton),
       use_(new QComboBox),
-      guard_(leakGuardField()) {
+      guard_(leakGuardField()),
+      neighbours_(partNeighboursField()) {
   makeLayout();
   connectFields();
   showSpans();
@@ -98,6 +99,10 @@ void SegmentRange::makeLayout() {
   guard->addWidget(plainLabel(tr("Leak guard")));
   guard->addWidget(guard_);
   guard->addStretch();
+  auto* touching = new QHBoxLayout;
+  touching->addWidget(plainLabel(tr("Touching by")));
+  touching->addWidget(neighbours_);
+  touching->addStretch();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
@@ -109,6 +114,7 @@ void SegmentRange::makeLayout() {
   column->addWidget(only_, 0, Qt::AlignLeft);
   column->addLayout(part);
   column->addLayout(guard);
+  column->addLayout(touching);
   column->addStretch();
 }
 

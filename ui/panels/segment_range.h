@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <optional>
+#include <string>
 
 #include "ui/controller/segment_jobs.h"
 #include "ui/controller/segment_voxels.h"
@@ -34,6 +35,8 @@ class SegmentRange : public QWidget {
   PartUse partUse(Qt::KeyboardModifiers keys) const;
   /// Of connected parts, mm (PartWanted).
   double leakGuardMm() const { return guard_->value(); }
+  /// Likewise, which of their voxels touch.
+  std::string partNeighbours() const { return neighbours_->currentText().toStdString(); }
   /// A segment of these values, called by them.
   Segment segmentOf(const ValueRange& range) const;
 
@@ -74,6 +77,7 @@ class SegmentRange : public QWidget {
   QToolButton* part_;
   QComboBox* use_;
   QDoubleSpinBox* guard_;
+  QComboBox* neighbours_;
   double factor_ = 1;                // from values to the numbers in the fields
   bool isPreviewing_ = false;        // the range that is being typed
   ValueRange aloneRange_;            // what "show only" shows

@@ -61,7 +61,8 @@ class LesionDrag : public Drag {
     radiusMm_ = glm::distance(pMiddle_, plane_.patientFromPixel(pixel));
   }
   void tell(DrawnBall::State state) const {
-    if (press_.takeBall) press_.takeBall({keyOf(press_.series->series), pMiddle_, radiusMm_, state});
+    if (press_.takeBall)
+      press_.takeBall({keyOf(press_.series->series), pMiddle_, radiusMm_, state, press_.frame.has_value()});
   }
 
   const SlicePress press_;

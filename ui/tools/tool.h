@@ -32,6 +32,7 @@ struct DrawnBall {
   glm::dvec3 pPatient;  ///< its middle, mm
   double radiusMm = 0;
   State state = State::drawing;
+  bool onFrame = false;  ///< of a picture that is no slice of a volume
 };
 
 /// A view of slices or frames when the mouse was pressed, as far as tools know it.

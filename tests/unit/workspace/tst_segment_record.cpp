@@ -2,6 +2,7 @@
 // segments that are removed, merged and split, its recipe makes the same voxels; what was made by hand, and
 // all that comes from it, is in no recipe, and said.
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "tests/fixtures/chance.h"
@@ -161,7 +162,8 @@ SegmentMap act(SegmentMap map, const VolumePtr& volume, Chance& chance, bool byH
     case 3: {
       const PartUse use = PartUse(chance.below(3));
       const double guard = chance.oneIn(2) ? chance.between(0, 1.5) : 0;
-      const PartWanted part{volume, {}, {2, 4}, 3.0 * chance.vector(), true, use, guard};
+      const char* touching = std::array{"faces", "edges", "corners"}[std::size_t(chance.below(3))];
+      const PartWanted part{volume, {}, {2, 4}, 3.0 * chance.vector(), true, use, guard, touching};
       return done(stepsOfPart(part, map, number, cancel));
     }
     case 4: {

@@ -1,4 +1,4 @@
-#include "ui/panels/leak_guard.h"
+#include "ui/panels/part_fields.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -10,10 +10,16 @@
 
 namespace volumen {
 
+namespace {
+
+const StepField& fieldOfConnected(std::string_view name) {
+  return *std::ranges::find(stepKind("connected")->fields, name, &StepField::name);
+}
+
+}  // namespace
+
 QDoubleSpinBox* leakGuardField() {
-  const std::vector<StepField>& fields = stepKind("connected")->fields;
-  const ValueRange allowed =
-      std::ranges::find(fields, std::string_view("leakGuardMm"), &StepField::name)->allowed;
+  const ValueRange allowed = fieldOfConnected("leakGuardMm").allowed;
   auto* field = new QDoubleSpinBox;
   field->setObjectName(QStringLiteral("segmentLeakGuard"));
   field->setAccessibleName(tr("Leak guard of connected parts"));
@@ -27,6 +33,17 @@ QDoubleSpinBox* leakGuardField() {
   field->setSpecialValueText(tr("Off"));
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
   field->setMinimumWidth(70);
+  return field;
+}
+
+QComboBox* partNeighboursField() {
+  auto* field = new QComboBox;
+  field->setObjectName(QStringLiteral("segmentPartNeighbours"));
+  field->setAccessibleName(tr("Which voxels touch in connected parts"));
+  field->setToolTip(
+      toolTipOf(tr("Which voxels of a connected part touch: those that share a face (6 "
+                   "neighbours), an edge too (18), a corner too (26).")));
+  for (const char* word : fieldOfConnected("neighbours").words) field->addItem(QLatin1String(word));
   return field;
 }
 
