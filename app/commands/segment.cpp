@@ -179,8 +179,8 @@ std::optional<SegmentsOverTime> overTimeOf(std::span<const Segmented> maps, cons
 }
 
 // Values over time where they are asked for.
-Result<SegmentNumbersTold> numbersOf(std::span<const Segmented> maps, const Opened& opened, bool withTime,
-                                     const CancelToken& cancel) {
+Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Opened& opened, bool withTime,
+                                       const CancelToken& cancel) {
   SegmentNumbersTold all{{}, shownScale(opened.series)};
   for (std::size_t n = 0; n < maps.size(); ++n) {
     auto reports = segmentReports(maps[n].segments, maps[n].labels, *opened.loaded.drawn,
@@ -227,7 +227,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   const auto segmented = segmentsOf(source, *opened, cancel);
   if (!segmented) return fail(segmented.message(), cancel);
   if (Status s = checkNames(options, *segmented, opened->series); !s) return fail(s.message());
-  const auto numbers = numbersOf(*segmented, *opened, options.json, cancel);
+  const auto numbers = numbersTold(*segmented, *opened, options.json, cancel);
   if (!numbers) return fail(numbers.message(), cancel);
   auto csv = writeCsv(options.csv, *numbers);
   if (!csv) return fail(csv.message());

@@ -2,6 +2,7 @@
 // step each.
 #include <QComboBox>
 
+#include "tests/ui/frames_window.h"
 #include "tests/ui/segment_window.h"
 #include "tests/ui/surface_window.h"
 #include "tests/unit/suite.h"
@@ -68,6 +69,7 @@ class TestConnectedPart : public QObject {
   void aLeakGuardOfASegmentKeepsOrRemoves();
   void whatIsThinnerThanTheGuardIsSaid();
   void aLeakGuardWorksInThreeD();
+  void framesHaveNone();
   void escPutsTheToolAway();
 };
 
@@ -298,6 +300,17 @@ void TestConnectedPart::aLeakGuardWorksInThreeD() {
   const BitMask made = maskOf(*w.session().workspace().segmentMaps.front().labels, 1);
   QVERIFY(isIn(made, inLeftBall));
   QVERIFY(!isIn(made, inRightBall));
+}
+
+void TestConnectedPart::framesHaveNone() {
+  NEED_FILES();
+  Frames w({"cr-hip-mono2-jpeg12.dcm"});
+  QVERIFY(w.shows());
+  const Workspace before = w.workspace();
+  w.child<QAction>("partTool")->trigger();
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, w.view()->rect().center());
+  QVERIFY(w.workspace() == before);
+  QVERIFY(w.child<Banner>("banner")->sentence().contains(QStringLiteral("Frames have no connected parts")));
 }
 
 void TestConnectedPart::escPutsTheToolAway() {

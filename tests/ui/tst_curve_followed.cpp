@@ -34,6 +34,8 @@ class TestCurveFollowed : public QObject {
   void aLockedOneStays();
   void itWaitsWhileTheCurveShowsOtherSpans();
   void undoneMeanwhileItStays();
+  void whatIsDoneMeanwhileIsWaitedFor_data();
+  void whatIsDoneMeanwhileIsWaitedFor();
 };
 
 void TestCurveFollowed::aPulledCurveTakesItsSegmentWithIt_data() {
@@ -241,6 +243,44 @@ void TestCurveFollowed::undoneMeanwhileItStays() {
   QCoreApplication::processEvents();
   QVERIFY(w.workspace() == before);
   QVERIFY(w.session().undoStack().canRedo());
+}
+
+void TestCurveFollowed::whatIsDoneMeanwhileIsWaitedFor_data() {
+  QTest::addColumn<QString>("act");
+  for (const char* act : {"a stroke", "a stroke that is given up", "another segment"})
+    QTest::newRow(act) << act;
+}
+
+// The curve was pulled just before; the job is back while the stroke is being drawn.
+void TestCurveFollowed::whatIsDoneMeanwhileIsWaitedFor() {
+  QFETCH(QString, act);
+  const bool isGivenUp = act.endsWith(QStringLiteral("given up"));
+  AxisWindow w;
+  QVERIFY(w.makeBound(300) && w.press("segmentAdd"));
+  w.child<QAction>("paintTool")->trigger();
+  const QPoint at = w.showPlace({10, -10, -10});
+  const Workspace before = w.workspace();
+  const int steps = w.steps();
+  w.pull(0, 560);
+  if (act == QStringLiteral("another segment")) {
+    w.click("segmentAdd");
+    QVERIFY2(w.voxels(1) == voxelsWhere(isAnyBall), "the job is not back yet");
+  } else {
+    QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
+    QVERIFY(w.idle());
+    QVERIFY2(w.voxels(1) == voxelsWhere(isAnyBall), "nothing becomes a step in the middle of a stroke");
+    QVERIFY(w.voxels(2) > 0);
+    if (isGivenUp) QTest::keyClick(w.view(), Qt::Key_Escape);
+    QTest::mouseRelease(w.view(), Qt::LeftButton, {}, at);
+  }
+  QTRY_COMPARE_WITH_TIMEOUT(w.voxels(1), voxelsWhere(isBright), longest);
+  QVERIFY(w.idle());
+  QCOMPARE(w.steps(), steps + (isGivenUp ? 1 : 2));
+  QCOMPARE(w.count(), std::size_t(act == QStringLiteral("another segment") ? 3 : 2));
+  QCOMPARE(w.voxels(2) > 0, act == QStringLiteral("a stroke"));
+  while (w.steps() > steps) w.undo();
+  QVERIFY(w.idle());
+  QVERIFY(w.isAs(before));
 }
 
 VOLUMEN_TEST(TestCurveFollowed);

@@ -57,20 +57,32 @@ Result<std::vector<SegmentMap>> followed(const std::vector<Following>& all, cons
   return Error{"The segment does not follow the curve: there is not enough memory."};
 }
 
-bool followsCurve(const SegmentMap& map) {
-  return std::ranges::any_of(map.segments, [](const Segment& s) { return s.span.has_value(); });
+bool followsCurve(const SegmentMap* map) {
+  return std::ranges::any_of(map->segments, [](const Segment& s) { return s.span.has_value(); });
 }
 
 }  // namespace
 
-CurveFollower::CurveFollower(Session& session, Jobs& jobs, QObject* parent)
-    : QObject(parent), session_(session), lane_(&jobs) {}
+CurveFollower::CurveFollower(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent)
+    : QObject(parent), session_(session), painter_(painter), lane_(&jobs) {
+  // From the event loop: Esc undoes the steps since the press once the stroke has ended.
+  connect(
+      &painter_, &SegmentPainter::ended, this,
+      [this] {
+        if (std::exchange(waitsForStroke_, false)) begin(session_.undoStack().canRedo());
+      },
+      Qt::QueuedConnection);
+}
 
-void CurveFollower::follow() {
+void CurveFollower::follow() { begin(false); }
+
+void CurveFollower::begin(bool overUndone) {
   pulledAgain_ = lane_.isBusy();
   if (pulledAgain_) return;
-  const std::vector<SegmentMap> maps = allSegmentsShown(session_);
-  if (std::ranges::none_of(maps, followsCurve)) return;
+  overUndone_ = overUndone;
+  const std::vector<const SegmentMap*> shown = allSegmentsShown(session_);
+  if (std::ranges::none_of(shown, followsCurve)) return;
+  const std::vector<SegmentMap> maps = copiesOf(shown);
   const int step = session_.undoStack().index();
   if (step != step_ || maps != made_) base_ = maps;
   step_ = step;
@@ -88,21 +100,24 @@ void CurveFollower::follow() {
       [this](const Result<std::vector<SegmentMap>>& made) { take(made); }, [this] { pulledAgain_ = false; });
 }
 
-// In the step of the pull where that is the last one still; nothing where the segments were changed
-// meanwhile, or the curve otherwise than by pulling on.
+// In the step of the pull where that is the last one still; made anew where the segments were changed
+// meanwhile; nothing where the curve was, otherwise than by pulling on.
 void CurveFollower::take(const Result<std::vector<SegmentMap>>& made) {
+  if (painter_.isPainting()) {
+    pulledAgain_ = false;
+    waitsForStroke_ = true;
+    return;
+  }
   const QUndoStack& steps = session_.undoStack();
   const SeriesKey series = base_.front().series;
-  const auto maps = [&] {
-    std::vector<SegmentMap> all;
-    for (const SegmentMap* map : segmentMapsOf(session_.workspace(), series)) all.push_back(*map);
-    return all;
-  };
-  const bool isLastStep = steps.index() == step_ && !steps.canRedo();
-  const bool isCurve = session_.scene().transferFunction == curve_;
-  const bool isWanted = pulledAgain_ ? isLastStep : isCurve && !steps.canRedo();
+  const auto maps = [&] { return copiesOf(segmentMapsOf(session_.workspace(), series)); };
+  const bool isEnd = overUndone_ || !steps.canRedo();
+  const bool isLastStep = steps.index() == step_ && isEnd;
+  const bool isOfNow = session_.scene().transferFunction == curve_ && isEnd;
+  const bool isWanted = pulledAgain_ ? isLastStep : isOfNow;
+  const bool isSame = maps() == started_;
   if (!made && !pulledAgain_) Q_EMIT failed(QString::fromStdString(made.message()));
-  if (made && isWanted && maps() == started_) {
+  if (made && isWanted && isSame) {
     session_.playOn(isLastStep ? step_ - 1 : step_, [&] {
       Workspace after = session_.workspace();
       for (const SegmentMap& map : *made) after = withSegmentMap(std::move(after), map);
@@ -110,7 +125,7 @@ void CurveFollower::take(const Result<std::vector<SegmentMap>>& made) {
     });
     made_ = maps();
   }
-  if (std::exchange(pulledAgain_, false)) follow();
+  if (std::exchange(pulledAgain_, false) || (isOfNow && !isSame)) follow();
 }
 
 }  // namespace volumen

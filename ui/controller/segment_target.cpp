@@ -23,13 +23,18 @@ const SegmentMap* segmentsShown(const Session& session) {
   return map && isOn(*map, series->volume->geometry()) ? map : nullptr;
 }
 
-std::vector<SegmentMap> allSegmentsShown(const Session& session) {
-  std::vector<SegmentMap> maps;
-  if (!segmentsShown(session)) return maps;
+std::vector<const SegmentMap*> allSegmentsShown(const Session& session) {
+  if (!segmentsShown(session)) return {};
   const LoadedSeriesPtr& series = session.series();
-  for (const SegmentMap* map : segmentMapsOf(session.workspace(), keyOf(series->series)))
-    if (isOn(*map, series->volume->geometry())) maps.push_back(*map);
+  std::vector<const SegmentMap*> maps = segmentMapsOf(session.workspace(), keyOf(series->series));
+  std::erase_if(maps, [&](const SegmentMap* map) { return !isOn(*map, series->volume->geometry()); });
   return maps;
+}
+
+std::vector<SegmentMap> copiesOf(const std::vector<const SegmentMap*>& maps) {
+  std::vector<SegmentMap> copies;
+  for (const SegmentMap* map : maps) copies.push_back(*map);
+  return copies;
 }
 
 const Segment* segmentShown(const Session& session) {
@@ -38,8 +43,7 @@ const Segment* segmentShown(const Session& session) {
 }
 
 QString noOtherSegment(const Session& session) {
-  const std::vector<SegmentMap> maps = allSegmentsShown(session);
-  return maps.size() < 2
+  return allSegmentsShown(session).size() < 2
              ? tr("There is no other segment.")
              : tr("There is no other segment in %1.").arg(mapName(segmentsShown(session)->number));
 }

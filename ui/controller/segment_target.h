@@ -12,8 +12,10 @@ namespace volumen {
 QString whyNoSegments(const Session& session);
 /// Its map of segments that is worked on, on the grid of its volume; null: none, or whyNoSegments().
 const SegmentMap* segmentsShown(const Session& session);
-/// All its maps on that grid, by their numbers; none where segmentsShown() is null.
-std::vector<SegmentMap> allSegmentsShown(const Session& session);
+/// All its maps on that grid, by their numbers; none where segmentsShown() is null. They are those of the
+/// workspace as it is: what outlives it is copied.
+std::vector<const SegmentMap*> allSegmentsShown(const Session& session);
+std::vector<SegmentMap> copiesOf(const std::vector<const SegmentMap*>& maps);
 /// The one of segmentsShown() that is worked on; null: there is none.
 const Segment* segmentShown(const Session& session);
 /// That there is no other segment to work with, a sentence; of several maps which one has none.

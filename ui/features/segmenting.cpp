@@ -61,7 +61,7 @@ Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
       painter_(session_),
       segmenter_(session_, painter_, bench.document.jobs),
-      follower_(session_, bench.document.jobs),
+      follower_(session_, painter_, bench.document.jobs),
       preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
       surfaces_(session_, painter_, bench.document.jobs),
@@ -127,6 +127,7 @@ void Segmenting::showExport() {
 
 void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
+  connect(panel_, &SegmentsPanel::told, this, [this](const QString& sentence) { warn(sentence); });
   connect(panel_, &SegmentsPanel::numbersWanted, this, &Segmenting::showNumbers);
   connect(&bench_, &Workbench::segmentWorkWanted, &segmenter_, &SegmentJobs::change);
   connect(panel_, &SegmentsPanel::recipeChosen, &bench_, &Workbench::recipeWanted);
@@ -208,6 +209,7 @@ void Segmenting::showNumbers() {
 
 // Of the series that the panel shows; a first part makes a segment.
 void Segmenting::takePart(const PartClick& click) {
+  if (click.onFrame) return warn(tr("Frames have no connected parts: show the series as slices."));
   const QString why = whyNoSegments(session_);
   if (!why.isEmpty()) return warn(why);
   if (click.series != keyOf(session_.series()->series))

@@ -63,7 +63,7 @@ void SegmentsToFiles::ask() {
 
 // As they are now, whatever becomes of them while something is asked.
 void SegmentsToFiles::save(const QString& path) {
-  const std::vector<SegmentMap> maps = allSegmentsShown(session_);
+  const std::vector<SegmentMap> maps = copiesOf(allSegmentsShown(session_));
   if (maps.empty()) return;
   const auto format = segmentFormatOf(path.toStdString());
   if (format && (*format)->isSurface) return chooseSurfaces(maps, path);

@@ -199,7 +199,7 @@ SegmentWork SegmentGrowPage::lesionWork(const DrawnBall& ball) const {
                     .arg(thresholdText(wanted.threshold))
                     .arg(ball.radiusMm, 0, 'f', 1)
                     .arg(placeText(series, ball.pPatient));
-  wanted.beside = allSegmentsShown(session_);
+  wanted.beside = copiesOf(allSegmentsShown(session_));
   if (!wanted.threshold.isShare) wanted.threshold.amount /= valueScale(series, PetUnit::suvBodyWeight).factor;
   return lesionOf(keyOf(series), wanted);
 }

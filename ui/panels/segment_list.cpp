@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLocale>
+#include <QMenu>
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "ui/controller/segment_moving.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/colours.h"
 #include "ui/widgets/plain_text.h"
@@ -81,6 +83,7 @@ SegmentList::SegmentList(Session& session, QWidget* parent)
   connect(list_, &QTreeWidget::itemChanged, this, &SegmentList::itemChanged);
   connect(list_, &QTreeWidget::currentItemChanged, this,
           [this](const QTreeWidgetItem* item) { choose(item); });
+  connect(list_, &QTreeWidget::customContextMenuRequested, this, &SegmentList::showMenu);
   connectButtons();
   showSegments();
 }
@@ -92,6 +95,7 @@ void SegmentList::makeLayout() {
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+  list_->setContextMenuPolicy(Qt::CustomContextMenu);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // what is cut off stands in the tool tip
   for (const int column : {lockColumn, amountColumn, mapColumn})
     list_->setItemDelegateForColumn(column, new NotTyped(list_));
@@ -145,20 +149,20 @@ void SegmentList::connectButtons() {
 // Rows stay the items they are, so that a name that is being typed stays in its field.
 void SegmentList::showSegments() {
   const QSignalBlocker quietList(list_), quietSlider(opacity_);
-  const std::vector<SegmentMap> maps = allSegmentsShown(session_);
+  const std::vector<const SegmentMap*> maps = allSegmentsShown(session_);
   const SegmentMap* worked = segmentsShown(session_);
   const Segment* current = segmentShown(session_);
   int row = 0;
   QTreeWidgetItem* chosen = nullptr;
-  for (const SegmentMap& map : maps)
-    for (const Segment& segment : map.segments) {
+  for (const SegmentMap* map : maps)
+    for (const Segment& segment : map->segments) {
       QTreeWidgetItem* item = list_->topLevelItem(row++);
       if (!item) item = new QTreeWidgetItem(list_);
-      showRow(item, map, segment);
-      if (map.number == worked->number && segment.number == current->number) chosen = item;
+      showRow(item, *map, segment);
+      if (map == worked && segment.number == current->number) chosen = item;
     }
   while (list_->topLevelItemCount() > row) delete list_->takeTopLevelItem(row);
-  showMaps(maps);
+  showMaps(maps.size() > 1);
   if (list_->currentItem() != chosen) list_->setCurrentItem(chosen);
   showRoom();
   if (current) {
@@ -168,10 +172,10 @@ void SegmentList::showSegments() {
   showButtons();
 }
 
-void SegmentList::showMaps(const std::vector<SegmentMap>& maps) {
-  list_->setColumnHidden(mapColumn, maps.size() < 2);
-  worked_->setVisible(maps.size() > 1);
-  if (maps.size() > 1)
+void SegmentList::showMaps(bool areSeveral) {
+  list_->setColumnHidden(mapColumn, !areSeveral);
+  worked_->setVisible(areSeveral);
+  if (areSeveral)
     worked_->setText(tr("%1 is worked on: tools and steps change its segments, others keep their voxels.")
                          .arg(mapName(segmentsShown(session_)->number)));
 }
@@ -304,6 +308,41 @@ void SegmentList::duplicate() {
     return withSegmentCopied(maps, from, number);
   };
   Q_EMIT workWanted(work);
+}
+
+// What the buttons do with the segment of a row, and into which other maps it can go.
+void SegmentList::showMenu(QPoint at) {
+  QTreeWidgetItem* item = list_->itemAt(at);
+  if (!item) return;
+  list_->setCurrentItem(item);
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("segmentMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setToolTipsVisible(true);
+  const auto offer = [menu](QAction* action, bool isOffered, const QString& toolTip) {
+    action->setEnabled(isOffered);
+    action->setToolTip(toolTip);
+  };
+  const auto offerMove = [&](const QString& text, std::optional<int> to) {
+    const QString why = whyNotChanged(session_);
+    const auto move = [this, to] {
+      Q_EMIT workWanted(moveOf(session_, to, [this](const QString& sentence) { Q_EMIT told(sentence); }));
+    };
+    offer(
+        menu->addAction(text, this, move), why.isEmpty(),
+        toolTipOf(QStringList{tr("It takes its voxels from the segments there; where a locked one has some, "
+                                 "it stays where it is."),
+                              why}));
+  };
+  offer(menu->addAction(duplicate_->text(), this, &SegmentList::duplicate), duplicate_->isEnabled(),
+        duplicate_->toolTip());
+  const SegmentMap* worked = segmentsShown(session_);
+  for (const SegmentMap* map : allSegmentsShown(session_))
+    if (map != worked) offerMove(tr("Move to %1").arg(mapName(map->number)), map->number);
+  if (worked->segments.size() > 1) offerMove(tr("Move to a new map"), {});
+  offer(menu->addAction(remove_->text(), this, &SegmentList::remove), remove_->isEnabled(),
+        remove_->toolTip());
+  menu->popup(list_->viewport()->mapToGlobal(at));
 }
 
 void SegmentList::remove() {

@@ -12,8 +12,8 @@
 namespace volumen {
 
 /// The segments of the series in view: whether each is shown and locked, colour, name, ml, and which map it
-/// is in where there are several. They are added, copied and removed here; the current row is the segment
-/// that is worked on, its map the one that tools and steps change.
+/// is in where there are several. They are added, copied, moved and removed here; the current row is the
+/// segment that is worked on, its map the one that tools and steps change.
 class SegmentList : public QWidget {
   Q_OBJECT
  public:
@@ -24,6 +24,8 @@ class SegmentList : public QWidget {
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
+  /// A sentence on what work came to.
+  void told(const QString& sentence);
 
  private:
   void makeLayout();
@@ -32,7 +34,8 @@ class SegmentList : public QWidget {
   void showRow(QTreeWidgetItem* item, const SegmentMap& map, const Segment& segment);
   void showButtons();
   QString amountText(const SegmentMap& map, int number) const;
-  void showMaps(const std::vector<SegmentMap>& maps);
+  void showMaps(bool areSeveral);
+  void showMenu(QPoint at);
   void itemChanged(QTreeWidgetItem* item, int column);
   void edit(const QString& text, int map, int number, const std::function<void(Segment&)>& change);
   void editCurrent(const QString& text, const std::function<void(Segment&)>& change, const QString& mergeKey);

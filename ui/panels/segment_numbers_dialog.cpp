@@ -9,6 +9,7 @@
 #include <QSaveFile>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -163,8 +164,8 @@ void SegmentNumbersDialog::makeLayout() {
 
 // What a name or a colour changes is not measured again.
 void SegmentNumbersDialog::follow() {
-  std::vector<SegmentMap> maps = allSegmentsShown(session_);
-  if (maps.empty()) {
+  const std::vector<const SegmentMap*> shown = allSegmentsShown(session_);
+  if (shown.empty()) {
     lane_.giveUpAll();
     measured_.reset();
     fillTable();
@@ -173,10 +174,14 @@ void SegmentNumbersDialog::follow() {
   }
   if (painter_.isPainting()) return;
   const VolumePtr volume = wholeVolume(session_);
-  if (measured_ && measured_->maps == maps && measured_->volume == volume) return;
-  const bool isSame = measured_ && measured_->isDone && measured_->volume == volume &&
-                      std::ranges::equal(measured_->maps, maps, holdTheSame);
-  if (!isSame) {
+  const bool isOfIt = measured_ && measured_->volume == volume;
+  const auto areMeasured = [&](const auto& alike) {
+    const auto itself = [](const SegmentMap* map) -> const SegmentMap& { return *map; };
+    return isOfIt && std::ranges::equal(measured_->maps, shown, alike, {}, itself);
+  };
+  if (areMeasured(std::equal_to<>())) return;
+  std::vector<SegmentMap> maps = copiesOf(shown);
+  if (!measured_ || !measured_->isDone || !areMeasured(holdTheSame)) {
     measured_ = Measured{std::move(maps), volume};
     return measure();
   }

@@ -45,6 +45,7 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
   recipes_->setMenu(new QMenu(recipes_));
   makeLayout();
   connect(list_, &SegmentList::workWanted, this, &SegmentsPanel::workWanted);
+  connect(list_, &SegmentList::told, this, &SegmentsPanel::told);
   connect(range_, &SegmentRange::workWanted, this, [this](const SegmentWork& work) {
     result_->setText(tr("Segmenting..."));
     Q_EMIT workWanted(work);
@@ -187,8 +188,8 @@ void SegmentsPanel::askForNumbers() {
     return;
   }
   SegmentNumbers wanted{{{map->labels}}, wholeVolume(session_), segmentShown(session_)->number};
-  for (const SegmentMap& other : allSegmentsShown(session_))
-    if (other.number != map->number) wanted.maps.push_back({other.labels});
+  for (const SegmentMap* other : allSegmentsShown(session_))
+    if (other != map) wanted.maps.push_back({other->labels});
   if (asked_ && asked_->areOf(wanted)) return;
   asked_ = wanted;
   numbers_.reset();

@@ -44,6 +44,8 @@ class SegmentsPanel : public QWidget {
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
+  /// A sentence on what work came to.
+  void told(const QString& sentence);
   void numbersWanted();
   void recipeChosen(const volumen::Recipe& recipe);
   /// What of, without the numbers.

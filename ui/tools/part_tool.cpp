@@ -4,9 +4,11 @@ namespace volumen {
 
 // A click is all of it: what becomes of the part is the panel's.
 
-std::unique_ptr<Drag> beginPart(const SlicePress& press) {
+std::unique_ptr<Drag> beginPart(const SlicePress& pressed) {
+  const SlicePress press = ofPainted(pressed);
   if (press.takePart)
-    press.takePart({keyOf(press.series->series), press.patientAt(press.at), false, press.keys});
+    press.takePart(
+        {keyOf(press.series->series), press.patientAt(press.at), false, press.keys, press.frame.has_value()});
   return nullptr;
 }
 

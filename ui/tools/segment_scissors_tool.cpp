@@ -7,7 +7,8 @@ namespace volumen {
 namespace {
 
 // Along the normal of the slice. Ctrl as it began: all else goes.
-SegmentCut cutInSlice(const SlicePress& press, const std::vector<glm::dvec3>& outline) {
+SegmentCut cutInSlice(const SlicePress& drawnIn, const std::vector<glm::dvec3>& outline) {
+  const SlicePress press = ofPainted(drawnIn);
   SegmentCut cut{keyOf(press.series->series)};
   cut.inSlice = true;
   cut.onFrame = press.frame.has_value();
@@ -17,8 +18,8 @@ SegmentCut cutInSlice(const SlicePress& press, const std::vector<glm::dvec3>& ou
   cut.lasso.down = press.plane.down;
   cut.lasso.inside = !(press.keys & Qt::ControlModifier);
   for (const glm::dvec3& place : outline) {
-    const glm::dvec3 d = place - cut.lasso.origin;
-    cut.lasso.points.emplace_back(glm::dot(d, cut.lasso.right), glm::dot(d, cut.lasso.down));
+    const glm::dvec3 d = place - drawnIn.plane.centre;
+    cut.lasso.points.emplace_back(glm::dot(d, drawnIn.plane.right), glm::dot(d, drawnIn.plane.down));
   }
   return cut;
 }

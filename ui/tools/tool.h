@@ -22,6 +22,7 @@ struct PartClick {
   glm::dvec3 pPatient;     ///< mm
   bool onSurface = false;  ///< of a surface seen in 3D, which lies between voxels
   Qt::KeyboardModifiers keys{};
+  bool onFrame = false;  ///< a picture that is no slice of a volume
 };
 
 /// A ball that is drawn about a place of a slice.
@@ -165,8 +166,8 @@ std::unique_ptr<Drag> beginRegionWindow(const SlicePress& press);
 /// Takes the connected part of a voxel, or of the surface that is seen.
 std::unique_ptr<Drag> beginPart(const SlicePress& press);
 std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press);
-/// A press as tools that paint have it: where the panel Segments is about the series that lies over the one
-/// shown, of that series and with the plane in its space.
+/// A press as tools that change segments have it: where the panel Segments is about the series that lies over
+/// the one shown, of that series and with the plane in its space.
 SlicePress ofPainted(SlicePress press);
 /// Paints the current segment by a brush, or erases: a disc in the slice, or a ball.
 std::unique_ptr<Drag> beginPaint(const SlicePress& press);

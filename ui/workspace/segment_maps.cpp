@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/workspace/region_colours.h"
+#include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 #include "viewer/segment/added_labels.h"
@@ -103,6 +104,26 @@ std::vector<Segment> addWhatFits(AddedSegments& all, std::size_t index, const La
   if (left.size() < segments.size())
     map.labels = std::make_shared<const LabelMap>(withLabelsAdded(*map.labels, labels, numbers));
   return left;
+}
+
+std::size_t indexOfMap(const std::vector<SegmentMap>& maps, int number) {
+  return std::size_t(std::ranges::find(maps, number, &SegmentMap::number) - maps.begin());
+}
+
+// The record of a map to which a segment was moved from another one: what might overlap it with other numbers
+// is apart, too. `before`: without it, `overlapping`: the labels that it met there.
+SegmentMap withMovedRecorded(const SegmentMap& before, SegmentMap after, const SegmentMap& from, int number,
+                             const std::bitset<256>& overlapping) {
+  if (!isMadeBySteps(from, number)) return withHandMade(before, std::move(after));
+  const std::string own = stepNameOf(after.current);
+  std::vector<Step> steps = stepsTaken(from, number, before, after.current);
+  for (const Segment& segment : before.segments) {
+    if (!overlapping[std::size_t(segment.number)] && !isMadeBySteps(before, segment.number)) continue;
+    const std::string other = stepNameOf(segment.number);
+    const std::string &less = segment.locked ? own : other, &what = segment.locked ? other : own;
+    steps.push_back({"subtract", less, {{"other", what}}});
+  }
+  return withRecorded(std::move(after), steps);
 }
 
 }  // namespace
@@ -212,6 +233,36 @@ std::vector<SegmentMap> withSegmentCopied(std::vector<SegmentMap> maps, int map,
   AddedSegments all = withSegmentsAdded(std::move(maps), {&voxels, 1}, index);
   std::swap(all.maps.front(), all.maps[all.places.front().map]);
   return std::move(all.maps);
+}
+
+Result<MovedSegment> withSegmentMoved(std::vector<SegmentMap> maps, int map, int number,
+                                      std::optional<int> to) {
+  if (!to) {
+    maps.push_back(furtherMap(maps));
+    to = maps.back().number;
+  }
+  const std::size_t source = indexOfMap(maps, map), target = indexOfMap(maps, *to);
+  const Segment* segment = source < maps.size() ? findSegment(maps[source], number) : nullptr;
+  if (!segment || segment->locked || target == maps.size())
+    return Error{"The segment to move was locked or removed meanwhile, or the map that it was to be in."};
+  const SegmentMap before = maps[target];
+  if (!freeNumber(before)) return Error{"There are 255 segments in that map, and no more fit."};
+  const BitMask mask = maskOf(*maps[source].labels, std::uint8_t(number));
+  const LabelMap alone = withLabel(LabelMap(mask.geometry()), std::uint8_t(number), mask);
+  const std::bitset<256> overlapping = labelsOverlapping(alone, *before.labels);
+  for (const Segment& other : before.segments)
+    if (other.locked && overlapping[std::size_t(other.number)])
+      return Error{other.label + " is locked there and has some of its voxels: unlock it first."};
+  SegmentMap after = withSegmentAdded(before, *segment);
+  after = withMask(std::move(after), after.current, mask);
+  std::int64_t taken = 0;
+  const auto had = labelCounts(*before.labels), has = labelCounts(*after.labels);
+  for (const Segment& other : before.segments)
+    taken += had[std::size_t(other.number)] - has[std::size_t(other.number)];
+  maps[target] = withMovedRecorded(before, std::move(after), maps[source], number, overlapping);
+  maps[source] = withoutSegment(std::move(maps[source]), number);
+  std::swap(maps.front(), maps[target]);
+  return MovedSegment{std::move(maps), taken};
 }
 
 }  // namespace volumen

@@ -8,6 +8,7 @@
 
 #include "ui/workspace/workspace.h"
 #include "viewer/segment/segmented.h"
+#include "viewer/volume/result.h"
 
 namespace volumen {
 
@@ -64,5 +65,16 @@ AddedSegments withSegmentsAdded(std::vector<SegmentMap> maps, std::span<const Se
 /// With a copy of a segment, called otherwise, in the first other map where it takes no voxel; that map
 /// first, the copy current. As they were where there is no such segment.
 std::vector<SegmentMap> withSegmentCopied(std::vector<SegmentMap> maps, int map, int number);
+
+/// Maps with a segment that was moved, the one that it is in first, it current there.
+struct MovedSegment {
+  std::vector<SegmentMap> maps;
+  std::int64_t taken;  ///< voxels that it took from segments there
+};
+/// With a segment in another map, that of the number `to` (none: a further one), with all that it is and the
+/// steps that made it; its number stays where it is free there. It takes its voxels from those there; the
+/// Error says that one of them is locked, or what else keeps it.
+Result<MovedSegment> withSegmentMoved(std::vector<SegmentMap> maps, int map, int number,
+                                      std::optional<int> to);
 
 }  // namespace volumen

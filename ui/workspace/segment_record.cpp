@@ -177,6 +177,28 @@ std::vector<Step> stepsWithout(const SegmentMap& map, int number) {
   return stepsBehind(steps, left);
 }
 
+bool isMadeBySteps(const SegmentMap& map, int number) {
+  Making making;
+  for (const Step& step : map.steps) making.add(step);
+  return !making.isByHand(stepNameOf(number));
+}
+
+std::vector<Step> stepsTaken(const SegmentMap& from, int number, const SegmentMap& to, int as) {
+  const std::string own = stepNameOf(number);
+  const std::set<std::string> ofSegments = stepNamesOf(from);
+  std::set<std::string> taken = stepNamesOf(to);
+  for (const Step& step : to.steps) taken.insert(step.segment);
+  std::map<std::string, std::string> names{{own, stepNameOf(as)}};
+  std::vector<Step> steps;
+  for (const Step& step : stepsBehind(from.steps, {own}))
+    steps.push_back(renamed(step, [&](const std::string& one) {
+      const auto known = names.find(one);
+      if (known != names.end()) return known->second;
+      return names[one] = freeOf(taken, ofSegments.contains(one) ? one + removedEnding : one);
+    }));
+  return steps;
+}
+
 std::set<std::string> madeByHand(const std::vector<Step>& steps) {
   Making making;
   for (const Step& step : steps) making.add(step);

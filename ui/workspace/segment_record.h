@@ -29,6 +29,11 @@ SegmentMap withHandMade(const SegmentMap& before, SegmentMap after);
 SegmentMap withLetGo(const SegmentMap& before, SegmentMap after);
 /// The steps, where the segment of a number is there no more.
 std::vector<Step> stepsWithout(const SegmentMap& map, int number);
+/// Whether steps alone make a segment of a map.
+bool isMadeBySteps(const SegmentMap& map, int number);
+/// Those that make a segment of one map, as another one has them, in which it has the number `as`: what helps
+/// on the way has names that are free there.
+std::vector<Step> stepsTaken(const SegmentMap& from, int number, const SegmentMap& to, int as);
 
 /// What of these steps, which were done on segments that were there before, no recipe can make again: names.
 std::set<std::string> madeByHand(const std::vector<Step>& steps);

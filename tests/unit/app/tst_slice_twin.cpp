@@ -21,7 +21,7 @@ using glm::dvec3;
 namespace {
 
 constexpr const char* chest = "ct-chest-lidc0314-138";
-constexpr const char* head = "mr-head-ge-mprage-130";  // oblique
+constexpr const char* obliqueHead = "mr-head-ge-mprage-130";  // oblique
 constexpr const char* tilted = "dicom-geometry/ct-ge-tilt-varspacing-28";
 constexpr const char* sheared = "nifti-meta/niivue/shear.nii.gz";
 constexpr const char* leftHanded = "nifti-meta/nibabel/anatomical.nii";
@@ -144,11 +144,12 @@ void TestSliceTwin::namedPlanesOfStudies_data() {
       {.plane = "sagittal", .fromCentre = 33, .mmPerPixel = 2, .slabMm = 25.5, .slab = mean});
   row("chest, slab half outside", chest, {.fromCentre = 138, .mmPerPixel = 2, .slabMm = 9.3, .slab = min});
   row("chest, outside", chest, {.fromCentre = 150, .mmPerPixel = 3});
-  row("head, axial", head, {});
-  row("head, coronal", head, {.plane = "coronal"});
-  row("head, sagittal", head, {.plane = "sagittal"});
-  row("head, slab of minima", head, {.plane = "coronal", .fromCentre = 11, .slabMm = 7.7, .slab = min});
-  row("head, averaged", head, {.mmPerPixel = 2.2, .interpolation = nearest, .average = true});
+  row("head, axial", obliqueHead, {});
+  row("head, coronal", obliqueHead, {.plane = "coronal"});
+  row("head, sagittal", obliqueHead, {.plane = "sagittal"});
+  row("head, slab of minima", obliqueHead,
+      {.plane = "coronal", .fromCentre = 11, .slabMm = 7.7, .slab = min});
+  row("head, averaged", obliqueHead, {.mmPerPixel = 2.2, .interpolation = nearest, .average = true});
   row("tilted, axial", tilted, {});
   row("tilted, coronal", tilted, {.plane = "coronal"});
   row("tilted, sagittal", tilted, {.plane = "sagittal", .fromCentre = 21});
@@ -176,7 +177,7 @@ void TestSliceTwin::namedPlanesOfStudies() {
 
 void TestSliceTwin::obliquePlanesOfStudies_data() {
   QTest::addColumn<QString>("file");
-  for (const char* file : {chest, head, tilted, sheared, leftHanded})
+  for (const char* file : {chest, obliqueHead, tilted, sheared, leftHanded})
     QTest::newRow(file) << QString::fromLatin1(file);
 }
 

@@ -1,6 +1,9 @@
 // Guards several maps of segments of one series: each is changed alone, one of them is worked on; what is
-// added loses no voxel and is in the first map where it fits, by chance against a twin; copies, names and
-// colours; closed series come back with all of their maps.
+// added loses no voxel and is in the first map where it fits, by chance against a twin; copies, moves, names
+// and colours; closed series come back with all of their maps.
+#include <iterator>
+#include <map>
+
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
@@ -95,6 +98,8 @@ class TestSegmentMaps : public QObject {
   void moreThan255GoToAFurtherMap();
   void aCopyIsInAnotherMap_data();
   void aCopyIsInAnotherMap();
+  void whatIsMovedTakesItsVoxels_data();
+  void whatIsMovedTakesItsVoxels();
   void closedSeriesComeBackWithAll();
 };
 
@@ -341,6 +346,67 @@ void TestSegmentMaps::aCopyIsInAnotherMap() {
   const auto source = std::ranges::find(copied, 0, &SegmentMap::number);
   QVERIFY(*source == all.front());
   QVERIFY(withSegmentCopied(all, 0, 9) == all && withSegmentCopied(all, 5, 3) == all);
+}
+
+void TestSegmentMaps::whatIsMovedTakesItsVoxels_data() {
+  QTest::addColumn<int>("seed");
+  const tests::Seeds seeds = tests::seedsOf(200, 3000);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+// Out of map 2 into map 0, or a new one, which is 1; nothing is moved where a locked segment has a voxel of
+// it.
+void TestSegmentMaps::whatIsMovedTakesItsVoxels() {
+  QFETCH(int, seed);
+  Chance chance{std::uint64_t(seed)};
+  const VoxelGeometry grid = gridOfMaps({1 + chance.below(9), 1 + chance.below(5), 1 + chance.below(4)});
+  std::vector<SegmentMap> maps;
+  for (const int number : {2, 0}) {
+    SegmentMap map = withoutSegments(grid, number);
+    const Segmented layer = layerByChance(chance, grid);
+    for (const Segment& segment : layer.segments) map = withSegment(std::move(map), segment);
+    for (Segment& segment : map.segments) segment.locked = chance.oneIn(4);
+    map.labels = std::make_shared<const LabelMap>(layer.labels);
+    maps.push_back(std::move(map));
+  }
+  const Segment segment = maps[0].segments[std::size_t(chance.below(int(maps[0].segments.size())))];
+  const bool isNew = chance.oneIn(3);
+  const SegmentMap target = isNew ? withoutSegments(grid, 1) : maps[1];
+  const std::vector<std::size_t> voxels = voxelsOf(*maps[0].labels, segment.number);
+  bool isKept = segment.locked;
+  std::map<int, std::vector<std::size_t>> left;
+  std::size_t taken = 0;
+  for (const Segment& other : target.segments) {
+    const std::vector<std::size_t> had = voxelsOf(*target.labels, other.number);
+    std::vector<std::size_t>& has = left[other.number];
+    std::ranges::set_difference(had, voxels, std::back_inserter(has));
+    isKept |= other.locked && has != had;
+    taken += had.size() - has.size();
+  }
+  const std::optional<int> to = isNew ? std::optional<int>() : 0;
+  const auto moved = withSegmentMoved(maps, 2, segment.number, to);
+  QCOMPARE(moved.ok(), !isKept);
+  QVERIFY(!withSegmentMoved(maps, 2, 99, to) && !withSegmentMoved(maps, 7, segment.number, to));
+  if (!moved) return;
+  QCOMPARE(moved->taken, std::int64_t(taken));
+  const SegmentMap& after = moved->maps.front();
+  QCOMPARE(after.number, target.number);
+  const Segment there = *currentSegment(after);
+  QVERIFY(there.number == segment.number || findSegment(target, segment.number));
+  QVERIFY(there.label.starts_with(segment.label));
+  Segment expected = segment;
+  expected.number = there.number, expected.label = there.label;
+  QVERIFY(there == expected);
+  QVERIFY(voxelsOf(*after.labels, there.number) == voxels);
+  for (const Segment& other : target.segments) {
+    QVERIFY(*findSegment(after, other.number) == other);
+    QVERIFY(voxelsOf(*after.labels, other.number) == left[other.number]);
+  }
+  const SegmentMap source = *std::ranges::find(moved->maps, 2, &SegmentMap::number);
+  QVERIFY(!findSegment(source, segment.number) && voxelsOf(*source.labels, segment.number).empty());
+  QCOMPARE(source.segments.size() + 1, maps[0].segments.size());
+  for (const Segment& other : source.segments)
+    QVERIFY(voxelsOf(*source.labels, other.number) == voxelsOf(*maps[0].labels, other.number));
 }
 
 void TestSegmentMaps::closedSeriesComeBackWithAll() {

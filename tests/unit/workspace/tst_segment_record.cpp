@@ -11,6 +11,7 @@
 #include "ui/controller/segment_growing.h"
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_voxels.h"
+#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "viewer/recipe/step_kinds.h"
@@ -193,6 +194,8 @@ class TestSegmentRecord : public QObject {
   void aRecipeMakesTheSameVoxels_data();
   void aRecipeMakesTheSameVoxels();
   void runAgainNothingChanges();
+  void movedSegmentsTakeTheirStepsAlong_data() { aRecipeMakesTheSameVoxels_data(); }
+  void movedSegmentsTakeTheirStepsAlong();
   void otherNumbersAreOtherVoxels();
   void whatWasPaintedIsInNoRecipe();
   void whatWasThereBeforeIsInNoRecipe();
@@ -241,6 +244,36 @@ void TestSegmentRecord::runAgainNothingChanges() {
     QVERIFY2(*again->labels == *map.labels, qPrintable(QString::number(seed)));
     QVERIFY2(difference(*again, *volume).isEmpty(), qPrintable(QString::number(seed)));
   }
+}
+
+// Between two maps, in which more is done meanwhile.
+void TestSegmentRecord::movedSegmentsTakeTheirStepsAlong() {
+  QFETCH(bool, byHand);
+  const Seeds seeds = seedsOf(40, 2000);
+  int moves = 0, madeBySteps = 0;
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    Chance chance{std::uint64_t(seed)};
+    const VolumePtr volume = noise(chance);
+    std::vector<SegmentMap> maps(2, emptyMap(*volume));
+    maps[1].number = 1;
+    for (int n = 0; n < 30; ++n) {
+      SegmentMap& map = maps[std::size_t(chance.below(2))];
+      map = act(std::move(map), volume, chance, byHand);
+      if (n % 10 != 9 || maps[0].segments.empty()) continue;
+      const int number = maps[0].segments[std::size_t(chance.below(int(maps[0].segments.size())))].number;
+      const auto moved = withSegmentMoved(maps, maps[0].number, number, maps[1].number);
+      if (!moved) continue;
+      maps = moved->maps;
+      ++moves;
+      madeBySteps += isMadeBySteps(maps.front(), maps.front().current);
+    }
+    for (const SegmentMap& map : maps) {
+      const QString other = difference(map, *volume);
+      QVERIFY2(other.isEmpty(), qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(other)));
+      QVERIFY(byHand || recordedRecipe(map, "CT").missing.empty());
+    }
+  }
+  QVERIFY(moves > seeds.count / 2 && madeBySteps > moves / 5);
 }
 
 namespace {
