@@ -34,7 +34,7 @@ constexpr glm::u8vec3 boneIvory{240, 219, 163};
 struct SegmentOptions {
   std::string path, range, recipe, from, output, series, csv;
   bool json = false, removeTable = false;
-  double reducedByMm = 0;
+  SurfaceWriting surfaces;
 };
 
 // What segments are made by, or the file that holds them.
@@ -196,7 +196,7 @@ Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Op
 
 // Nothing is written over what is read or written besides; only segments of a file are, by themselves.
 Status checkNames(const SegmentOptions& options, std::span<const Segmented> maps, const Series& series) {
-  auto written = filesOfExport(options.output, maps);
+  auto written = filesOfExport(options.output, maps, options.surfaces);
   if (!written) return written.error();
   std::vector<std::string> read = series.files;
   if (isFile(options.recipe)) read.push_back(options.recipe);
@@ -233,7 +233,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   auto csv = writeCsv(options.csv, *numbers);
   if (!csv) return fail(csv.message());
   const auto exported =
-      exportSegments(options.output, *segmented, opened->series, {}, cancel, {options.reducedByMm});
+      exportSegments(options.output, *segmented, opened->series, {}, cancel, options.surfaces);
   if (!exported) return fail(exported.message(), cancel);
   std::vector<std::string> files = exported->files;
   if (*csv) {
@@ -257,8 +257,10 @@ int run(const SegmentOptions& options, const CancelToken& cancel) {
   if (given != 1) return failUsage("Give one of --range LOW:HIGH, --recipe NAME and --from FILE.");
   const auto format = segmentFormatOf(options.output);
   if (!format) return failUsage(format.message());
-  if (options.reducedByMm > 0 && !(*format)->isSurface)
-    return failUsage("--reduce goes with surfaces: -o FILE.stl, .ply or .obj.");
+  for (const auto& [isGiven, option] : {std::pair(options.surfaces.reducedByMm > 0, "--reduce"),
+                                        std::pair(options.surfaces.inOneFile, "--one-file")})
+    if (isGiven && !(*format)->isSurface)
+      return failUsage(std::string(option) + " goes with surfaces: -o FILE.stl, .ply or .obj.");
   if (!options.from.empty()) {
     if (options.removeTable) return failUsage("--remove-table goes with --range and --recipe.");
     return work(options, {{}, options.from}, cancel);
@@ -302,9 +304,11 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
   addSeries(app, options->series);
   number(
       app.add_option(
-          "--reduce", options->reducedByMm,
+          "--reduce", options->surfaces.reducedByMm,
           "Surfaces with fewer triangles, none of them farther off than about so many mm; they stay closed"),
       0.001, 100);
+  app.add_flag("--one-file", options->surfaces.inOneFile,
+               "The surfaces of all segments in one file, in place of a file a segment");
   app.add_flag("--remove-table", options->removeTable,
                "CT: segment the patient alone, without table, cushions and cables");
   app.add_option("--csv", options->csv, "Write the numbers of all segments, a row each")->type_name("FILE");

@@ -25,7 +25,7 @@ struct Export {
   const Series& series;
   const Progress& progress;
   const CancelToken& cancel;
-  SurfaceWriting surfaces;
+  const SurfaceWriting& surfaces;
 };
 using Exported = Result<ExportedSegments>;
 
@@ -62,12 +62,14 @@ std::string pathOf(const std::string& path, std::span<const Segmented> maps, con
 }
 
 // Of the segments that have voxels.
-Result<std::vector<std::string>> surfacePaths(const std::string& path, std::span<const Segmented> maps) {
+Result<std::vector<std::string>> surfacePaths(const std::string& path, std::span<const Segmented> maps,
+                                              bool inOneFile) {
   std::vector<std::string> paths;
   for (const Segmented& map : maps) {
     const auto counts = labelCounts(map.labels);
     for (const Segment& segment : map.segments) {
       if (counts[std::size_t(segment.number)] == 0) continue;
+      if (inOneFile) return std::vector{path};
       std::string one = pathOf(path, maps, segment);
       if (std::ranges::find(paths, one) != paths.end())
         return Error{one + ": two segments would be written to it; give them different names."};
@@ -77,52 +79,48 @@ Result<std::vector<std::string>> surfacePaths(const std::string& path, std::span
   return paths;
 }
 
-std::string toldOf(const std::string& path, const BitMask& mask, const Surface& surface) {
-  char text[200];
-  std::snprintf(text, sizeof text, "%zu triangles, %.4g ml inside (%.4g ml by voxels), %.4g cm^2",
-                surface.triangles.size(), volumeOf(surface) / 1000,
-                double(mask.count()) * mask.geometry().voxelVolume() / 1000, areaOf(surface) / 100);
-  return path + ": " + text + ".";
-}
-
-std::string reductionTold(const std::string& path, const Surface& all, const Surface& fewer) {
-  char text[200];
-  std::snprintf(text, sizeof text, "reduced from %zu triangles and %.4g ml, at most %.2g mm off them",
-                all.triangles.size(), volumeOf(all) / 1000, deviation(fewer, all).largest);
-  return path + ": " + text + ".";
-}
-
-Status addSurface(const Export& e, const Segmented& map, const Segment& segment, ExportedSegments& done) {
-  const BitMask mask = maskOf(map.labels, std::uint8_t(segment.number));
-  const std::string path = pathOf(e.path, e.maps, segment);
-  if (mask.empty()) {
-    done.notes.push_back(segment.label + " has no voxels, and no surface.");
-    return {};
+// The Error: a file to be written is one of the series.
+Status checkApartFrom(const Series& series, std::span<const std::string> written) {
+  std::error_code none;
+  for (const std::string& path : written) {
+    if (!std::filesystem::exists(path, none)) continue;
+    for (const std::string& file : series.files)
+      if (std::filesystem::equivalent(path, file, none))
+        return Error{path + " is not written: it is a file of the series."};
   }
-  const Result<Surface> all = surfaceOf(occupancyOf(mask, surfaceSigma, e.cancel), e.cancel);
-  if (!all) return all.error();
-  const double byMm = e.surfaces.reducedByMm;
-  const std::optional<Surface> fewer = byMm > 0 ? std::optional(reduced(*all, byMm, e.cancel)) : std::nullopt;
-  const Surface& surface = fewer ? *fewer : *all;
-  if (Status s = writeSurface(surface, path, e.cancel); !s) return s;
-  done.notes.push_back(toldOf(path, mask, surface));
-  if (fewer) done.notes.push_back(reductionTold(path, *all, surface));
-  done.files.push_back(path);
   return {};
 }
 
-// None is written where one of them cannot be.
+Status checkWritable(std::span<const std::string> paths) {
+  for (const std::string& path : paths)
+    if (auto file = OutputFile::create(path); !file) return file.error();
+  return {};
+}
+
+std::vector<std::string> surfaceNotes(std::span<const std::string> files,
+                                      std::span<const SurfaceToWrite> surfaces, bool inOneFile) {
+  std::vector<std::string> notes;
+  std::size_t file = 0;
+  for (const SurfaceToWrite& each : surfaces) {
+    if (each.surface.triangles.empty()) {
+      notes.push_back(each.name + " has no voxels, and no surface.");
+      continue;
+    }
+    const std::string about = inOneFile ? files[0] + ": " + each.name : files[file++];
+    for (const std::string& told : toldOf(each)) notes.push_back(about + ": " + told);
+  }
+  return notes;
+}
+
+// Where they could not be written none is made.
 Exported asSurfaces(const Export& e) {
-  const auto paths = surfacePaths(e.path, e.maps);
+  const auto paths = surfacePaths(e.path, e.maps, e.surfaces.inOneFile);
   if (!paths) return paths.error();
   if (paths->empty()) return Error{e.path + " is not written: no segment has voxels."};
-  for (const std::string& path : *paths)
-    if (auto file = OutputFile::create(path); !file) return file.error();
-  ExportedSegments done;
-  for (const Segmented& map : e.maps)
-    for (const Segment& segment : map.segments)
-      if (Status s = addSurface(e, map, segment, done); !s) return s.error();
-  return done;
+  if (Status s = checkWritable(*paths); !s) return s.error();
+  const auto surfaces = surfacesToWrite(e.maps, e.surfaces.reducedByMm, e.cancel);
+  if (!surfaces) return surfaces.error();
+  return exportSurfaces(*paths, *surfaces, e.series, e.cancel);
 }
 
 // A row a kind of file.
@@ -150,18 +148,6 @@ Result<const Row*> rowOf(const std::string& path) {
   return Error{path + ": segments are written as " + endings + "."};
 }
 
-// The Error: a file to be written is one of the series.
-Status checkApartFrom(const Series& series, std::span<const std::string> written) {
-  std::error_code none;
-  for (const std::string& path : written) {
-    if (!std::filesystem::exists(path, none)) continue;
-    for (const std::string& file : series.files)
-      if (std::filesystem::equivalent(path, file, none))
-        return Error{path + " is not written: it is a file of the series."};
-  }
-  return {};
-}
-
 }  // namespace
 
 std::span<const SegmentFormat> segmentFormats() {
@@ -179,10 +165,11 @@ Result<const SegmentFormat*> segmentFormatOf(const std::string& path) {
   return &(*row)->format;
 }
 
-Result<std::vector<std::string>> filesOfExport(const std::string& path, std::span<const Segmented> maps) {
+Result<std::vector<std::string>> filesOfExport(const std::string& path, std::span<const Segmented> maps,
+                                               const SurfaceWriting& surfaces) {
   const Result<const Row*> row = rowOf(path);
   if (!row) return row.error();
-  if ((*row)->format.isSurface) return surfacePaths(path, maps);
+  if ((*row)->format.isSurface) return surfacePaths(path, maps, surfaces.inOneFile);
   std::vector<std::string> files{path};
   if ((*row)->write == asLabels) files.push_back(labelTableOf(path));
   return files;
@@ -190,13 +177,31 @@ Result<std::vector<std::string>> filesOfExport(const std::string& path, std::spa
 
 Result<ExportedSegments> exportSegments(const std::string& path, std::span<const Segmented> maps,
                                         const Series& series, const Progress& progress,
-                                        const CancelToken& cancel, SurfaceWriting surfaces) {
+                                        const CancelToken& cancel, const SurfaceWriting& surfaces) {
   const Result<const Row*> row = rowOf(path);
   if (!row) return row.error();
-  const auto written = filesOfExport(path, maps);
+  const auto written = filesOfExport(path, maps, surfaces);
   if (!written) return written.error();
   if (Status s = checkApartFrom(series, *written); !s) return s.error();
   return (*row)->write({path, maps, series, progress, cancel, surfaces});
+}
+
+// None is written where one of them cannot be.
+Result<ExportedSegments> exportSurfaces(std::span<const std::string> files,
+                                        std::span<const SurfaceToWrite> surfaces, const Series& series,
+                                        const CancelToken& cancel) {
+  if (files.empty()) return Error{"Nothing is written: no segment has voxels."};
+  if (Status s = checkApartFrom(series, files); !s) return s.error();
+  if (Status s = checkWritable(files); !s) return s.error();
+  std::vector<SurfacePart> parts;
+  for (const SurfaceToWrite& each : surfaces)
+    if (!each.surface.triangles.empty()) parts.push_back({each.name, &each.surface});
+  const bool inOneFile = parts.size() > files.size();
+  for (std::size_t n = 0; n < files.size(); ++n) {
+    const std::span all(parts);
+    if (Status s = writeSurfaces(inOneFile ? all : all.subspan(n, 1), files[n], cancel); !s) return s.error();
+  }
+  return ExportedSegments{{files.begin(), files.end()}, surfaceNotes(files, surfaces, inOneFile)};
 }
 
 }  // namespace volumen

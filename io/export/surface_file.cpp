@@ -7,6 +7,7 @@
 #include <cstring>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <new>
 
 #include "io/files/header_text.h"
@@ -50,12 +51,21 @@ void append(std::string& bytes, const T& value) {
   bytes.append(raw, sizeof value);
 }
 
-// 80 bytes that do not begin with "solid", the number of triangles, and 50 bytes each.
-Status writeStl(const Surface& surface, OutputFile& file, const CancelToken& cancel) {
-  std::string header = surfaceSpace;
-  header.resize(80, ' ');
-  append(header, std::uint32_t(surface.triangles.size()));
-  if (Status s = file.write(header); !s) return s;
+using SurfaceParts = std::span<const SurfacePart>;
+
+std::size_t pointsOf(SurfaceParts parts) {
+  std::size_t count = 0;
+  for (const SurfacePart& part : parts) count += part.surface->points.size();
+  return count;
+}
+
+std::size_t trianglesOf(SurfaceParts parts) {
+  std::size_t count = 0;
+  for (const SurfacePart& part : parts) count += part.surface->triangles.size();
+  return count;
+}
+
+Status writeStlTriangles(const Surface& surface, OutputFile& file, const CancelToken& cancel) {
   return writeParts(
       file, surface.triangles.size(), cancel, [&](std::size_t first, std::size_t end, std::string& bytes) {
         for (std::size_t t = first; t < end; ++t) {
@@ -70,21 +80,47 @@ Status writeStl(const Surface& surface, OutputFile& file, const CancelToken& can
       });
 }
 
-Status writePly(const Surface& surface, OutputFile& file, const CancelToken& cancel) {
-  const std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + surfaceSpace +
-                             "\nelement vertex " + std::to_string(surface.points.size()) +
-                             "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-                             std::to_string(surface.triangles.size()) +
-                             "\nproperty list uchar int vertex_indices\nend_header\n";
+// 80 bytes that do not begin with "solid", the number of triangles, and 50 bytes each.
+Status writeStl(SurfaceParts parts, OutputFile& file, const CancelToken& cancel) {
+  std::string header = surfaceSpace;
+  header.resize(80, ' ');
+  append(header, std::uint32_t(trianglesOf(parts)));
   if (Status s = file.write(header); !s) return s;
-  if (Status s = file.write(surface.points.data(), surface.points.size() * sizeof(glm::vec3)); !s) return s;
+  for (const SurfacePart& part : parts)
+    if (Status s = writeStlTriangles(*part.surface, file, cancel); !s) return s;
+  return {};
+}
+
+// `before`: how many points of others stand in front of its own.
+Status writePlyFaces(const Surface& surface, std::uint32_t before, OutputFile& file,
+                     const CancelToken& cancel) {
   return writeParts(file, surface.triangles.size(), cancel,
                     [&](std::size_t first, std::size_t end, std::string& bytes) {
                       for (std::size_t t = first; t < end; ++t) {
                         bytes += char(3);
-                        append(bytes, surface.triangles[t]);
+                        for (const std::uint32_t corner : surface.triangles[t])
+                          append(bytes, before + corner);
                       }
                     });
+}
+
+Status writePly(SurfaceParts parts, OutputFile& file, const CancelToken& cancel) {
+  const std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + surfaceSpace +
+                             "\nelement vertex " + std::to_string(pointsOf(parts)) +
+                             "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                             std::to_string(trianglesOf(parts)) +
+                             "\nproperty list uchar int vertex_indices\nend_header\n";
+  if (Status s = file.write(header); !s) return s;
+  for (const SurfacePart& part : parts) {
+    const auto& points = part.surface->points;
+    if (Status s = file.write(points.data(), points.size() * sizeof(glm::vec3)); !s) return s;
+  }
+  std::uint32_t before = 0;
+  for (const SurfacePart& part : parts) {
+    if (Status s = writePlyFaces(*part.surface, before, file, cancel); !s) return s;
+    before += std::uint32_t(part.surface->points.size());
+  }
+  return {};
 }
 
 // The shortest digits that are read as the same number.
@@ -95,31 +131,54 @@ void appendNumber(std::string& text, T value) {
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }
 
-Status writeObj(const Surface& surface, OutputFile& file, const CancelToken& cancel) {
-  if (Status s = file.write("# " + surfaceSpace + "\n"); !s) return s;
-  Status points = writeParts(file, surface.points.size(), cancel,
-                             [&](std::size_t first, std::size_t end, std::string& text) {
-                               for (std::size_t n = first; n < end; ++n) {
-                                 text += 'v';
-                                 for (int a = 0; a < 3; ++a) appendNumber(text, surface.points[n][a]);
-                                 text += '\n';
-                               }
-                             });
-  if (!points) return points;
-  return writeParts(file, surface.triangles.size(), cancel,
+Status writeObjPoints(const Surface& surface, OutputFile& file, const CancelToken& cancel) {
+  return writeParts(file, surface.points.size(), cancel,
                     [&](std::size_t first, std::size_t end, std::string& text) {
-                      for (std::size_t t = first; t < end; ++t) {
-                        text += 'f';
-                        for (const std::uint32_t corner : surface.triangles[t])
-                          appendNumber(text, corner + 1);
+                      for (std::size_t n = first; n < end; ++n) {
+                        text += 'v';
+                        for (int a = 0; a < 3; ++a) appendNumber(text, surface.points[n][a]);
                         text += '\n';
                       }
                     });
 }
 
+Status writeObjFaces(const Surface& surface, std::uint32_t before, OutputFile& file,
+                     const CancelToken& cancel) {
+  return writeParts(file, surface.triangles.size(), cancel,
+                    [&](std::size_t first, std::size_t end, std::string& text) {
+                      for (std::size_t t = first; t < end; ++t) {
+                        text += 'f';
+                        for (const std::uint32_t corner : surface.triangles[t])
+                          appendNumber(text, before + corner + 1);
+                        text += '\n';
+                      }
+                    });
+}
+
+// A blank would begin the name of a second group.
+std::string groupLine(std::string name) {
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) <= ' ' || c == 127) c = '_';
+  return "g " + name + "\n";
+}
+
+Status writeObj(SurfaceParts parts, OutputFile& file, const CancelToken& cancel) {
+  if (Status s = file.write("# " + surfaceSpace + "\n"); !s) return s;
+  for (const SurfacePart& part : parts)
+    if (Status s = writeObjPoints(*part.surface, file, cancel); !s) return s;
+  std::uint32_t before = 0;
+  for (const SurfacePart& part : parts) {
+    if (parts.size() > 1)
+      if (Status s = file.write(groupLine(part.name)); !s) return s;
+    if (Status s = writeObjFaces(*part.surface, before, file, cancel); !s) return s;
+    before += std::uint32_t(part.surface->points.size());
+  }
+  return {};
+}
+
 struct SurfaceWriter {
   const char* ending;  // in lower case, with its dot
-  Status (*write)(const Surface& surface, OutputFile& file, const CancelToken& cancel);
+  Status (*write)(SurfaceParts parts, OutputFile& file, const CancelToken& cancel);
 };
 constexpr std::array<SurfaceWriter, 3> surfaceWriters{
     {{".stl", writeStl}, {".ply", writePly}, {".obj", writeObj}}};
@@ -140,13 +199,22 @@ std::string surfaceEndings() {
   return text;
 }
 
-Status writeSurface(const Surface& surface, const std::string& path, const CancelToken& cancel) try {
+Status writeSurface(const Surface& surface, const std::string& path, const CancelToken& cancel) {
+  const SurfacePart all{{}, &surface};
+  return writeSurfaces({&all, 1}, path, cancel);
+}
+
+Status writeSurfaces(std::span<const SurfacePart> parts, const std::string& path,
+                     const CancelToken& cancel) try {
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();  // of PLY's int
   const SurfaceWriter* writer = surfaceWriterOf(path);
   if (!writer) return Error{"Cannot write " + path + ": surfaces are written as " + surfaceEndings() + "."};
-  if (surface.triangles.empty()) return Error{"Cannot write " + path + ": the segment is empty."};
+  if (trianglesOf(parts) == 0) return Error{"Cannot write " + path + ": the segment is empty."};
+  if (trianglesOf(parts) > most || pointsOf(parts) > most)
+    return Error{"Cannot write " + path + ": these are too many triangles for one file."};
   Result<OutputFile> file = OutputFile::create(path);
   if (!file) return file.error();
-  if (Status s = writer->write(surface, *file, cancel); !s) return s;
+  if (Status s = writer->write(parts, *file, cancel); !s) return s;
   return file->commit();
 } catch (const std::bad_alloc&) {
   return Error{"Cannot write " + path + ": there is not enough memory."};

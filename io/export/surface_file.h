@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "viewer/segment/surface.h"
@@ -15,5 +16,17 @@ std::string surfaceEndings();
 /// "SPACE=LPS". Points as float32; the normals of .stl are those of its triangles. The file appears whole or
 /// not at all; an Error names it: another ending, a surface without triangles, cancelled.
 Status writeSurface(const Surface& surface, const std::string& path, const CancelToken& cancel = {});
+
+/// One of several surfaces of a file.
+struct SurfacePart {
+  std::string name;
+  const Surface* surface = nullptr;  ///< has triangles
+};
+
+/// The same of several, one after the other, each with points of its own: closed by itself where it was. In
+/// .obj each is a group ("g NAME", blanks of the name as "_"), in .stl and .ply nothing parts them. An Error
+/// also where there are none, or too many triangles for one file.
+Status writeSurfaces(std::span<const SurfacePart> parts, const std::string& path,
+                     const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -4,7 +4,6 @@
 #include <new>
 #include <utility>
 
-#include "io/export/export_segments.h"
 #include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
@@ -200,14 +199,30 @@ void SegmentJobs::measure(const SegmentNumbers& wanted) {
       });
 }
 
+std::vector<Segmented> segmentedOf(const std::vector<SegmentMap>& maps) {
+  std::vector<Segmented> segments;
+  for (const SegmentMap& map : maps) segments.push_back({map.segments, *map.labels});
+  return segments;
+}
+
 void SegmentJobs::save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path) {
-  save_.run(
-      tr("Exporting segments"),
-      [maps, series, path](const Job& job) {
-        std::vector<Segmented> segments;
-        for (const SegmentMap& map : maps) segments.push_back({map.segments, *map.labels});
-        return exportSegments(path.toStdString(), segments, series, {}, job.cancel());
+  write(
+      [maps, series, path](const CancelToken& cancel) {
+        return exportSegments(path.toStdString(), segmentedOf(maps), series, {}, cancel);
       },
+      maps);
+}
+
+void SegmentJobs::saveSurfaces(const std::shared_ptr<const std::vector<SurfaceToWrite>>& surfaces,
+                               const Series& series, const std::vector<std::string>& files) {
+  write([surfaces, series,
+         files](const CancelToken& cancel) { return exportSurfaces(files, *surfaces, series, cancel); },
+        {});
+}
+
+void SegmentJobs::write(const Writing& writing, const std::vector<SegmentMap>& maps) {
+  save_.run(
+      tr("Exporting segments"), [writing](const Job& job) { return writing(job.cancel()); },
       [this, maps](const Result<ExportedSegments>& done) {
         if (!done) return Q_EMIT failed(QString::fromStdString(done.message()));
         const auto texts = [](const std::vector<std::string>& all) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 
+#include "io/export/export_segments.h"
 #include "ui/controller/segment_painter.h"
 #include "ui/controller/step_work.h"
 #include "ui/document/job_lane.h"
@@ -60,6 +61,9 @@ struct SegmentNumbers {
   const MapVoxels* of(const std::shared_ptr<const LabelMap>& labels) const;
 };
 
+/// As they are written. The maps have labels.
+std::vector<Segmented> segmentedOf(const std::vector<SegmentMap>& maps);
+
 /// Changes segments, measures and exports them; each a job, each change one undo step. Changes that are asked
 /// for while one is made wait for their turn, and work on what that came to. None becomes a step in the
 /// middle of a stroke: it comes after it.
@@ -78,6 +82,9 @@ class SegmentJobs : public QObject {
   /// Writes the segments of a series as the ending of `path` says. Ends in saved() or failed(). The maps have
   /// labels, and there is one at least.
   void save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path);
+  /// The same of surfaces that were made, to the files that exportSurfaces() takes; saved() names no maps.
+  void saveSurfaces(const std::shared_ptr<const std::vector<SurfaceToWrite>>& surfaces, const Series& series,
+                    const std::vector<std::string>& files);
 
  Q_SIGNALS:
   /// Nothing is being changed any more.
@@ -90,6 +97,9 @@ class SegmentJobs : public QObject {
   void failed(const QString& sentence);
 
  private:
+  using Writing = std::function<Result<ExportedSegments>(const CancelToken& cancel)>;
+
+  void write(const Writing& writing, const std::vector<SegmentMap>& maps);
   void next();
   void begin(const SegmentWork& work, const std::vector<SegmentMap>& bases);
   void take(const std::vector<SegmentMap>& bases, const Result<std::vector<SegmentMap>>& made);

@@ -1,4 +1,3 @@
-#include <QFileDialog>
 #include <QPointer>
 #include <functional>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "ui/controller/segment_target.h"
 #include "ui/controller/tissue_jobs.h"
 #include "ui/features/segments_from_files.h"
+#include "ui/features/segments_to_files.h"
 #include "ui/panels/segment_numbers_dialog.h"
 #include "ui/panels/segments_panel.h"
 #include "ui/views/view_grid.h"
@@ -21,14 +21,6 @@
 namespace volumen {
 
 namespace {
-
-// "Segmentations of 3D Slicer (*.seg.nrrd)", a row a format.
-QString exportFilters() {
-  QStringList filters;
-  for (const SegmentFormat& format : segmentFormats())
-    filters << QStringLiteral("%1 (*%2)").arg(QLatin1String(format.noun), QLatin1String(format.ending));
-  return filters.join(QStringLiteral(";;"));
-}
 
 // Segments of a volume, and what is taken away from it: its table, what the scissors cut.
 class Segmenting : public Feature {
@@ -47,7 +39,6 @@ class Segmenting : public Feature {
   void paint(const SegmentStroke& stroke);
   void cutSegment(const SegmentCut& cut);
   void measure(const SegmentNumbers& wanted);
-  void askWhere();
   void showNumbers();
   void tellSaved(const QStringList& files, const QStringList& notes, const std::vector<SegmentMap>& maps);
 
@@ -61,6 +52,7 @@ class Segmenting : public Feature {
   TissueJobs tissues_;
   SegmentsPanel* panel_;
   SegmentsFromFiles fromFiles_;
+  SegmentsToFiles toFiles_;
   QAction* export_;
   QPointer<SegmentNumbersDialog> numbers_;
 };
@@ -75,7 +67,8 @@ Segmenting::Segmenting(Workbench& bench)
       surfaces_(session_, painter_, bench.document.jobs),
       tissues_(session_, painter_, bench.document.jobs),
       panel_(new SegmentsPanel(session_)),
-      fromFiles_(bench, segmenter_, *panel_) {
+      fromFiles_(bench, segmenter_, *panel_),
+      toFiles_(bench, segmenter_) {
   bench_.addDock({"segment",
                   tr("Segments"),
                   bench_.ofScene(Workbench::scrolling(panel_)),
@@ -115,7 +108,7 @@ void Segmenting::makeExport() {
                               {},
                               "",
                               false,
-                              [this](bool) { askWhere(); },
+                              [this](bool) { toFiles_.ask(); },
                               {{"fileMenu", 40, 20}}});
   panel_->setExportAction(export_);
   connect(&session_, &Session::workspaceChanged, this, &Segmenting::showExport);
@@ -259,21 +252,6 @@ void Segmenting::tellSaved(const QStringList& files, const QStringList& notes,
   HandWork work;
   work.segmentMaps = maps;
   bench_.document.files.savedApart(work);
-}
-
-void Segmenting::askWhere() {
-  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Export segments"), {}, exportFilters());
-  dialog->setObjectName(QStringLiteral("segmentDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  const QString usual = QLatin1String(segmentFormats().front().ending + 1);
-  dialog->setDefaultSuffix(usual);
-  dialog->selectFile(QStringLiteral("segmentation.") + usual);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    const std::vector<SegmentMap> maps = copiesOf(allSegmentsShown(session_));
-    if (!maps.empty()) segmenter_.save(maps, session_.series()->series, path);
-  });
-  dialog->open();
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ class TestSegmentCommand : public QObject {
   void nothingIsWrittenOver();
   void segmentsOfAFileMayReplaceIt();
   void surfacesAreReducedOnRequest();
+  void surfacesOfAllStandInOneFileOnRequest();
 };
 
 namespace {
@@ -230,6 +231,8 @@ void TestSegmentCommand::wrongUsageIsRefused_data() {
   row("words", "phantom:ramp:8 --range bone:skin -o a.seg.nrrd", "is not LOW:HIGH");
   row("fewer triangles of no surface", "phantom:ramp:8 --range 1:2 --reduce 0.1 -o a.seg.nrrd",
       "--reduce goes with surfaces");
+  row("one file of no surface", "phantom:ramp:8 --range 1:2 --one-file -o a.seg.nrrd",
+      "--one-file goes with surfaces");
   row("a reduction of nothing", "phantom:ramp:8 --range 1:2 --reduce 0 -o a.stl", "--reduce");
   row("nan", "phantom:ramp:8 --range nan:1 -o a.seg.nrrd", "is not LOW:HIGH");
   row("unit behind it", "phantom:ramp:8 --range 1:2HU -o a.seg.nrrd", "is not LOW:HIGH");
@@ -365,6 +368,27 @@ void TestSegmentCommand::surfacesAreReducedOnRequest() {
   QVERIFY(triangles(fewer) > 20 && triangles(fewer) < triangles(all) / 2);
   const QByteArray told = "reduced from " + QByteArray::number(triangles(all)) + " triangles and ";
   QVERIFY2(reduced.err.contains(told) && reduced.err.contains(" mm off them."), reduced.err.constData());
+}
+
+void TestSegmentCommand::surfacesOfAllStandInOneFileOnRequest() {
+  const QTemporaryDir folder;
+  const QString recipe = folder.filePath(QStringLiteral("two.json")),
+                file = folder.filePath(QStringLiteral("a.stl"));
+  writeBytes(recipe, twoSegments("B"));
+  const auto made = [&](const QStringList& more) {
+    return runSegment(words("phantom:ramp:8 --recipe") << recipe << QStringLiteral("-o") << file << more);
+  };
+  const auto triangles = [](const QString& path) { return (contentsOf(path).size() - 84) / 50; };
+  QCOMPARE(made({}).status, 0);
+  QVERIFY(!QFile::exists(file));
+  qsizetype apart = 0;
+  for (const QString& each : QDir(folder.path()).entryList({QStringLiteral("a-*.stl")}))
+    apart += triangles(folder.filePath(each));
+  const Outcome together = made({QStringLiteral("--one-file")});
+  QVERIFY2(together.status == 0, together.err.constData());
+  QVERIFY(apart > 0);
+  QCOMPARE(triangles(file), apart);
+  QVERIFY2(together.err.contains("a.stl: B: "), together.err.constData());
 }
 
 VOLUMEN_TEST(TestSegmentCommand);

@@ -24,6 +24,9 @@ class TestSurfaceFile : public QObject {
   void saysItsSpace_data();
   void saysItsSpace();
   void manyTrianglesComeInOrder();
+  void severalStandOneAfterTheOther_data();
+  void severalStandOneAfterTheOther();
+  void groupsHaveTheirNames();
   void whatIsNotWritten_data();
   void whatIsNotWritten();
   void aCancelledOneLeavesWhatWasThere();
@@ -186,6 +189,46 @@ void TestSurfaceFile::manyTrianglesComeInOrder() {
     QVERIFY(writeSurface(surface, path.toStdString()).ok());
     QVERIFY2(readSurface(path) == cornersOfAll(surface), name);
   }
+}
+
+void TestSurfaceFile::severalStandOneAfterTheOther_data() { addEndings(); }
+
+void TestSurfaceFile::severalStandOneAfterTheOther() {
+  QFETCH(QString, name);
+  const Surface all[] = {blockSurface(grids[0], {4, 3, 5}), blockSurface(grids[1], {2, 2, 2}),
+                         blockSurface(grids[2], {3, 1, 2})};
+  const SurfacePart parts[] = {{"a", &all[0]}, {"b", &all[1]}, {"c", &all[2]}};
+  const QTemporaryDir folder;
+  QVERIFY(writeSurfaces(parts, folder.filePath(name).toStdString()).ok());
+  Corners wanted;
+  for (const Surface& surface : all)
+    for (const auto& triangle : cornersOfAll(surface)) wanted.push_back(triangle);
+  QVERIFY(readSurface(folder.filePath(name)) == wanted);
+}
+
+// One surface alone has none.
+void TestSurfaceFile::groupsHaveTheirNames() {
+  const Surface block = blockSurface(grids[0], {2, 2, 2});
+  const SurfacePart parts[] = {{"left lung", &block}, {"a\nv 0 0 0", &block}, {"Rückenmark", &block}};
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("a.obj"));
+  const auto groups = [&](std::span<const SurfacePart> written) {
+    if (!writeSurfaces(written, path.toStdString())) return QByteArrayList{"not written"};
+    QByteArrayList lines;
+    std::size_t faces = 0;
+    for (const QByteArray& line : bytesOf(path).split('\n')) {
+      if (line.startsWith("f ")) ++faces;
+      if (line.startsWith("g ")) lines << line << QByteArray::number(qulonglong(faces));
+    }
+    return lines;
+  };
+  const QByteArray n = QByteArray::number(qulonglong(block.triangles.size())),
+                   twice = QByteArray::number(qulonglong(2 * block.triangles.size()));
+  QCOMPARE(groups(parts), QByteArrayList({"g left_lung", "0", "g a_v_0_0_0", n,
+                                          "g R\xc3\xbc"
+                                          "ckenmark",
+                                          twice}));
+  QCOMPARE(groups(std::span(parts).first(1)), QByteArrayList());
 }
 
 void TestSurfaceFile::whatIsNotWritten_data() {

@@ -1,0 +1,110 @@
+#include "ui/features/segments_to_files.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <algorithm>
+
+#include "io/export/export_segments.h"
+#include "ui/controller/segment_target.h"
+#include "ui/panels/surface_dialog.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+// "Segmentations of 3D Slicer (*.seg.nrrd)", a row a format.
+QString exportFilters() {
+  QStringList filters;
+  for (const SegmentFormat& format : segmentFormats())
+    filters << QStringLiteral("%1 (*%2)").arg(QLatin1String(format.noun), QLatin1String(format.ending));
+  return filters.join(QStringLiteral(";;"));
+}
+
+// Those that are there already, but for the one that was typed: the file dialog asked about that.
+QStringList replacedBeside(const QString& typed, const std::vector<std::string>& files) {
+  QStringList replaced;
+  for (const std::string& file : files) {
+    const QString path = QString::fromStdString(file);
+    if (path != typed && QFileInfo::exists(path)) replaced << path;
+  }
+  return replaced;
+}
+
+// The first ten, and how many more.
+QString namesText(const QStringList& files) {
+  constexpr qsizetype most = 10;
+  QStringList names;
+  for (const QString& file : files.first(std::min(most, files.size())))
+    names << shownText(QFileInfo(file).fileName().toStdString());
+  const QString text = names.join(QStringLiteral(", "));
+  return files.size() > most ? SegmentsToFiles::tr("%1 and %2 more").arg(text).arg(files.size() - most)
+                             : text;
+}
+
+}  // namespace
+
+SegmentsToFiles::SegmentsToFiles(Workbench& bench, SegmentJobs& segmenter)
+    : Feature(bench), segmenter_(segmenter) {}
+
+void SegmentsToFiles::ask() {
+  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Export segments"), {}, exportFilters());
+  dialog->setObjectName(QStringLiteral("segmentDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  const QString usual = QLatin1String(segmentFormats().front().ending + 1);
+  dialog->setDefaultSuffix(usual);
+  dialog->selectFile(QStringLiteral("segmentation.") + usual);
+  connect(dialog, &QFileDialog::fileSelected, this, &SegmentsToFiles::save);
+  dialog->open();
+}
+
+// As they are now, whatever becomes of them while something is asked.
+void SegmentsToFiles::save(const QString& path) {
+  const std::vector<SegmentMap> maps = copiesOf(allSegmentsShown(session_));
+  if (maps.empty()) return;
+  const auto format = segmentFormatOf(path.toStdString());
+  if (format && (*format)->isSurface) return chooseSurfaces(maps, path);
+  writeTo(path, filesOfExport(path.toStdString(), segmentedOf(maps)),
+          [this, maps, series = session_.series()->series, path](const std::vector<std::string>&) {
+            segmenter_.save(maps, series, path);
+          });
+}
+
+void SegmentsToFiles::chooseSurfaces(const std::vector<SegmentMap>& maps, const QString& path) {
+  auto* dialog = new SurfaceDialog(maps, bench_.document.jobs, bench_.dialogParent());
+  connect(dialog, &QDialog::accepted, this, [this, dialog, maps, series = session_.series()->series, path] {
+    writeTo(path, filesOfExport(path.toStdString(), segmentedOf(maps), dialog->writing()),
+            [this, surfaces = dialog->surfaces(), series](const std::vector<std::string>& files) {
+              segmenter_.saveSurfaces(surfaces, series, files);
+            });
+  });
+  dialog->open();
+}
+
+void SegmentsToFiles::writeTo(const QString& path, const Result<std::vector<std::string>>& files,
+                              const std::function<void(const std::vector<std::string>& files)>& write) {
+  if (!files) return warn(QString::fromStdString(files.message()));
+  const QStringList replaced = replacedBeside(path, *files);
+  if (replaced.isEmpty()) return write(*files);
+  askBeforeReplacing(replaced, [write, files = *files] { write(files); });
+}
+
+void SegmentsToFiles::askBeforeReplacing(const QStringList& files, const std::function<void()>& replace) {
+  auto* box =
+      new QMessageBox(QMessageBox::Question, QStringLiteral("volumen"),
+                      files.size() == 1 ? tr("Replace a file that is there already?")
+                                        : tr("Replace %1 files that are there already?").arg(files.size()),
+                      QMessageBox::Cancel, bench_.dialogParent());
+  box->setObjectName(QStringLiteral("replaceBox"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setTextFormat(Qt::PlainText);
+  box->setInformativeText(namesText(files));
+  box->setDefaultButton(QMessageBox::Cancel);
+  connect(box->addButton(tr("Replace"), QMessageBox::DestructiveRole), &QPushButton::clicked, this, replace);
+  box->open();
+}
+
+}  // namespace volumen

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QDialog>
+#include <memory>
+#include <vector>
+
+#include "io/export/export_segments.h"
+#include "ui/document/job_lane.h"
+#include "ui/workspace/segments.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace volumen {
+
+/// Surfaces as they are to be written.
+using SurfacesToWrite = std::shared_ptr<const std::vector<SurfaceToWrite>>;
+
+/// Asks how the surfaces of segments are written, makes them, and tells their triangles, volumes and areas
+/// before they are saved.
+class SurfaceDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// The maps have labels.
+  SurfaceDialog(std::vector<SegmentMap> maps, Jobs& jobs, QWidget* parent = nullptr);
+
+  SurfaceWriting writing() const;
+  /// As they were made for that; there are some once the dialog was accepted.
+  const SurfacesToWrite& surfaces() const { return surfaces_; }
+
+ private:
+  void addChoices(QFormLayout& form);
+  void make();
+  void take(Result<std::vector<SurfaceToWrite>> made);
+  void fillTable();
+
+  const std::vector<SegmentMap> maps_;
+  QComboBox* files_;
+  QCheckBox* reduce_;
+  QDoubleSpinBox* byMm_;
+  QTableWidget* table_;
+  QLabel* said_;
+  QPushButton* save_;
+  SurfacesToWrite surfaces_;  // null: they are being made
+  JobLane lane_;
+};
+
+}  // namespace volumen
