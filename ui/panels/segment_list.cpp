@@ -319,29 +319,23 @@ void SegmentList::showMenu(QPoint at) {
   menu->setObjectName(QStringLiteral("segmentMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setToolTipsVisible(true);
-  const auto offer = [menu](QAction* action, bool isOffered, const QString& toolTip) {
-    action->setEnabled(isOffered);
-    action->setToolTip(toolTip);
-  };
   const auto offerMove = [&](const QString& text, std::optional<int> to) {
     const QString why = whyNotChanged(session_);
     const auto move = [this, to] {
       Q_EMIT workWanted(moveOf(session_, to, [this](const QString& sentence) { Q_EMIT told(sentence); }));
     };
-    offer(
-        menu->addAction(text, this, move), why.isEmpty(),
-        toolTipOf(QStringList{tr("It takes its voxels from the segments there; where a locked one has some, "
-                                 "it stays where it is."),
-                              why}));
+    QAction* action = menu->addAction(text, this, move);
+    action->setEnabled(why.isEmpty());
+    action->setToolTip(toolTipOf(QStringList{
+        tr("It takes its voxels from the segments there; where a locked one has some, it stays where it is."),
+        why}));
   };
-  offer(menu->addAction(duplicate_->text(), this, &SegmentList::duplicate), duplicate_->isEnabled(),
-        duplicate_->toolTip());
+  menu->addAction(duplicate_->text(), this, &SegmentList::duplicate)->setEnabled(duplicate_->isEnabled());
   const SegmentMap* worked = segmentsShown(session_);
   for (const SegmentMap* map : allSegmentsShown(session_))
     if (map != worked) offerMove(tr("Move to %1").arg(mapName(map->number)), map->number);
   if (worked->segments.size() > 1) offerMove(tr("Move to a new map"), {});
-  offer(menu->addAction(remove_->text(), this, &SegmentList::remove), remove_->isEnabled(),
-        remove_->toolTip());
+  menu->addAction(remove_->text(), this, &SegmentList::remove)->setEnabled(remove_->isEnabled());
   menu->popup(list_->viewport()->mapToGlobal(at));
 }
 
