@@ -2,12 +2,15 @@
 
 #include <QRect>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
+#include <utility>
 
 #include "ui/controller/colour_mix.h"
-#include "ui/controller/label_picture.h"
 #include "viewer/volume/parallel.h"
+#include "viewer/volume/voxel_box.h"
 
 namespace volumen {
 
@@ -56,6 +59,64 @@ LabelledPixels labelledPixels(const SegmentPlaces& places, const SlicePlane& pla
   return pixels;
 }
 
+// The voxels, whole bricks of them, in which a map has labels: from `low` on, before `high`.
+VoxelBox labelledBox(const LabelMap& map) {
+  VoxelBox box{map.geometry().size, glm::ivec3(0)};
+  std::size_t n = 0;
+  for (int k = 0; k < map.bricks().z; ++k)
+    for (int j = 0; j < map.bricks().y; ++j)
+      for (int i = 0; i < map.bricks().x; ++i) {
+        const LabelMap::Brick& brick = map.brick(n++);
+        if (!brick.voxels && brick.label == 0) continue;
+        const glm::ivec3 first = glm::ivec3(i, j, k) * LabelMap::edge;
+        box.low = glm::min(box.low, first);
+        box.high = glm::max(box.high, glm::min(first + LabelMap::edge, map.geometry().size));
+      }
+  return box;
+}
+
+// Between which pixels of a row, the last one not among them, a box may be met: a little more than needed.
+std::pair<int, int> pixelsWithin(const VoxelBox& box, glm::dvec3 first, glm::dvec3 step, int count) {
+  double from = 0, to = count;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = box.low[axis] - first[axis], high = box.high[axis] - first[axis];
+    if (std::abs(step[axis]) * count < 1e-6) {
+      if (low > 1e-3 || high < -1e-3) return {0, 0};
+      continue;
+    }
+    from = std::max(from, std::min(low / step[axis], high / step[axis]) - 1);
+    to = std::min(to, std::max(low / step[axis], high / step[axis]) + 1);
+  }
+  return from < to ? std::pair(int(from), std::min(count, int(std::ceil(to)))) : std::pair(0, 0);
+}
+
+// From pixel to pixel the voxel goes on by the same step.
+LabelledPixels labelledPixels(const LabelMap& map, const SlicePlane& plane, const SegmentLayer& layer) {
+  std::array<std::uint8_t, 256> shownAs{};
+  for (std::size_t n = 0; n < layer.shown.size(); ++n)
+    shownAs[layer.shown[n].segment & 255] = std::uint8_t(n + 1);
+  LabelledPixels pixels(QRect(0, 0, plane.size.x, plane.size.y));
+  const auto voxelAt = [&](double x, double y) {
+    const glm::dvec3 p = layer.fromPlane(plane.patientFromPixel({x, y}));
+    return map.geometry().voxelFromPatient(p) + 0.5;  // of which the whole part is the nearest one
+  };
+  const glm::dvec3 first = voxelAt(0.5, 0.5), right = voxelAt(1.5, 0.5) - first,
+                   down = voxelAt(0.5, 1.5) - first, size(map.geometry().size);
+  const VoxelBox box = labelledBox(map);
+  parallelFor(plane.size.y, 0, [&](std::int64_t begin, std::int64_t end) {
+    for (int y = int(begin); y < int(end); ++y) {
+      const auto [from, to] = pixelsWithin(box, first + double(y) * down, right, plane.size.x);
+      for (int x = from; x < to; ++x) {
+        const glm::dvec3 v = first + double(x) * right + double(y) * down;
+        const bool isInside =
+            v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x < size.x && v.y < size.y && v.z < size.z;
+        if (isInside) pixels.at(x, y) = shownAs[map.at(glm::ivec3(v))];
+      }
+    }
+  });
+  return pixels;
+}
+
 // Beyond the picture all goes on.
 void paint(QImage& picture, const LabelledPixels& pixels, std::span<const SegmentLayer::Shown> shown,
            double opacity) {
@@ -91,7 +152,8 @@ void paint(QImage& picture, const LabelledPixels& pixels, std::span<const Segmen
 QImage withSegments(QImage picture, const SlicePlane& plane, const SegmentLayer& layer) {
   if (picture.format() != QImage::Format_RGB32) picture = picture.convertToFormat(QImage::Format_RGB32);
   if (layer.labels) {
-    paintLabels(picture, plane, layer);
+    if (!layer.shown.empty())
+      paint(picture, labelledPixels(*layer.labels, plane, layer), layer.shown, layer.opacity);
     return picture;
   }
   for (const SegmentLayer::Shown& shown : layer.shown) {

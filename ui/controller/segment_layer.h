@@ -27,9 +27,9 @@ struct SegmentLayer {
   bool operator==(const SegmentLayer&) const = default;
 };
 
-/// The picture of a plane with the segments mixed in: those of a map by how much of each pixel they cover
-/// (slices.md 1); those of a segmentation at the pixels whose centre they hold, outlined at those beside one
-/// above, below, left or right that they do not hold.
+/// The picture of a plane with the segments mixed in at the pixels whose centre they hold: of a map those
+/// whose nearest voxel has the label. Pixels beside one above, below, left or right that the segment does not
+/// hold are its outline.
 QImage withSegments(QImage picture, const SlicePlane& plane, const SegmentLayer& layer);
 
 }  // namespace volumen
