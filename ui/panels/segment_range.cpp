@@ -99,10 +99,8 @@ void SegmentRange::makeLayout() {
   guard->addWidget(plainLabel(tr("Leak guard")));
   guard->addWidget(guard_);
   guard->addStretch();
-  auto* touching = new QHBoxLayout;
-  touching->addWidget(plainLabel(tr("Touching by")));
-  touching->addWidget(neighbours_);
-  touching->addStretch();
+  guard->addWidget(plainLabel(tr("by")));
+  guard->addWidget(neighbours_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
@@ -114,7 +112,6 @@ void SegmentRange::makeLayout() {
   column->addWidget(only_, 0, Qt::AlignLeft);
   column->addLayout(part);
   column->addLayout(guard);
-  column->addLayout(touching);
   column->addStretch();
 }
 
