@@ -5,16 +5,17 @@
 #include <QElapsedTimer>
 #include <algorithm>
 
+#include "tests/bench/print_times.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
 #include "ui/views/first_image.h"
 #include "ui/views/view_grid.h"
-#include "viewer/evaluation/statistics.h"
 
 using namespace volumen;
 using namespace volumen::tests;
+using volumen::bench::printTimes;
 
 namespace {
 
@@ -43,11 +44,6 @@ struct Chest : Journey {
   }
 };
 
-void print(const char* what, std::vector<double> ms) {
-  const double most = *std::ranges::max_element(ms);
-  qInfo("%s: median %.1f ms, largest %.1f ms of %d", what, median(ms), most, int(ms.size()));
-}
-
 }  // namespace
 
 class BenchReading : public QObject {
@@ -72,8 +68,8 @@ void BenchReading::theFirstImage() {
                             longest));
     volumeMs.push_back(double(clock.nsecsElapsed()) / 1e6);
   }
-  print("first image of 138 slices, after their headers", imageMs);
-  print("the planes of the volume", volumeMs);
+  printTimes("first image of 138 slices, after their headers", imageMs);
+  printTimes("the planes of the volume", volumeMs);
 }
 
 void BenchReading::theWheel() {
@@ -89,9 +85,9 @@ void BenchReading::theWheel() {
   const QSize size = w.view(axialViewId)->pixels();
   for (int n = 0; n < times; ++n)
     one.push_back(w.until({axialViewId}, [&] { wheel(w.view(axialViewId), n % 2 ? 1 : -1); }));
-  print("wheel to picture beside two planes and 3D", three);
+  printTimes("wheel to picture beside two planes and 3D", three);
   qInfo("one view of %d x %d pixels", size.width(), size.height());
-  print("wheel to picture alone", one);
+  printTimes("wheel to picture alone", one);
 }
 
 void BenchReading::layoutsAndSeries() {
@@ -120,8 +116,8 @@ void BenchReading::layoutsAndSeries() {
   const Series head = w.session().series()->series;
   for (int n = 0; n < times; ++n)
     series.push_back(w.until({axialViewId}, [&] { w.window.document().opener.show(n % 2 ? head : chest); }));
-  print("a layout switched", layouts);
-  print("a series switched that was shown before", series);
+  printTimes("a layout switched", layouts);
+  printTimes("a series switched that was shown before", series);
 }
 
 VOLUMEN_TEST(BenchReading);

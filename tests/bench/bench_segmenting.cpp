@@ -7,14 +7,15 @@
 #include <algorithm>
 #include <set>
 
+#include "tests/bench/print_times.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/curve_editor.h"
-#include "viewer/evaluation/statistics.h"
 
 using namespace volumen;
 using namespace volumen::tests;
+using volumen::bench::printTimes;
 
 namespace {
 
@@ -53,11 +54,6 @@ struct ChestSegments : SegmentWindow {
     return awaited.empty() ? double(clock.nsecsElapsed()) / 1e6 : -1;
   }
 };
-
-void printTimes(const char* what, std::vector<double> ms) {
-  const double most = *std::ranges::max_element(ms);
-  qInfo("%s: median %.1f ms, largest %.1f ms of %d", what, median(ms), most, int(ms.size()));
-}
 
 }  // namespace
 

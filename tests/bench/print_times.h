@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QtGlobal>
+#include <algorithm>
+#include <vector>
+
+#include "viewer/evaluation/statistics.h"
+
+namespace volumen::bench {
+
+/// A line on what was measured so often.
+inline void printTimes(const char* what, const std::vector<double>& ms) {
+  qInfo("%s: median %.1f ms, largest %.1f ms of %d", what, median(ms), *std::ranges::max_element(ms),
+        int(ms.size()));
+}
+
+}  // namespace volumen::bench
