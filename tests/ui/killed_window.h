@@ -1,11 +1,9 @@
 #pragma once
 
-#include <QDateTime>
 #include <QDir>
 #include <QProcess>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "tests/fixtures/program.h"
 #include "tests/ui/journey.h"
@@ -28,30 +26,40 @@ inline QString sessionTextOf(const Workspace& workspace) {
   return QString::fromStdString(*sessionToJson(workspace, "/"));
 }
 
-/// Writes a file of some milliseconds since the epoch and the workspace then.
-inline void noteState(const QDir& folder, int number, const Workspace& workspace) {
-  QFile file(folder.filePath(QStringLiteral("%1").arg(number, 6, 10, QLatin1Char('0'))));
-  if (file.open(QIODevice::WriteOnly))
-    file.write(QByteArray::number(QDateTime::currentMSecsSinceEpoch()) + '\n' +
-               sessionTextOf(workspace).toUtf8());
+/// Waits until the only session that is kept was written that many times more.
+inline bool isKeptAgain(int times) {
+  const auto now = [] {
+    const QStringList names = keptSessions();
+    return names.size() == 1 ? contentsOf(QDir(Autosave::folder()).filePath(names[0])) : QByteArray();
+  };
+  for (int n = 0; n < times; ++n)
+    if (!QTest::qWaitFor([&now, last = now()] { return now() != last; }, longest)) return false;
+  return true;
 }
 
-/// What noteState() wrote.
-struct NotedState {
-  qint64 at = 0;
-  QString text;
-};
+/// Writes a file of a workspace.
+inline void noteState(const QDir& folder, int number, const Workspace& workspace) {
+  QFile file(folder.filePath(QStringLiteral("%1").arg(number, 6, 10, QLatin1Char('0'))));
+  if (file.open(QIODevice::WriteOnly)) file.write(sessionTextOf(workspace).toUtf8());
+}
 
-/// Those of a folder that are whole, in the order of their numbers.
-inline std::vector<NotedState> notedStates(const QDir& folder) {
-  std::vector<NotedState> notes;
+/// What noteState() wrote: those of a folder that are whole, in the order of their numbers.
+inline QStringList notedStates(const QDir& folder) {
+  QStringList notes;
   for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
-    const QByteArray bytes = contentsOf(folder.filePath(name));
-    const qsizetype line = bytes.indexOf('\n');
-    if (line > 0 && bytes.endsWith("}\n"))
-      notes.push_back({bytes.left(line).toLongLong(), QString::fromUtf8(bytes.mid(line + 1))});
+    const QByteArray text = contentsOf(folder.filePath(name));
+    if (text.endsWith("}\n")) notes.append(QString::fromUtf8(text));
   }
   return notes;
+}
+
+/// Waits while a window that notes its states goes on, until what it keeps is at least as new as the states
+/// that were noted at first; how many those were, 0 where nothing is kept any more. A keeping that waits for
+/// the end of a drag does not come to this.
+inline qsizetype statesKeptOnTheWay(const QDir& notes) {
+  const qsizetype noted = notedStates(notes).size();
+  // Of three writings the first may be under way, the second have begun in the moment of the count.
+  return isKeptAgain(3) ? noted : 0;
 }
 
 /// Starts a program, without a display, with the settings, caches and kept sessions of this one. What it
