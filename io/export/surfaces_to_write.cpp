@@ -14,7 +14,7 @@ Result<SurfaceToWrite> surfaceOfSegment(const Segmented& map, const Segment& seg
   SurfaceToWrite made{segment.label};
   const BitMask mask = maskOf(map.labels, std::uint8_t(segment.number));
   if (mask.empty()) return made;
-  Result<Surface> all = surfaceOf(occupancyOf(mask, surfaceSigma, cancel), cancel);
+  Result<Surface> all = volumePreservingSurface(occupancyOf(mask, surfaceSigma, cancel), cancel);
   if (!all) return all.error();
   if (reducedByMm > 0) {
     made.surface = reduced(*all, reducedByMm, cancel);

@@ -121,7 +121,7 @@ Result<std::optional<SegmentForm>> formOf(const BitMask& mask, const CancelToken
     form.axisMm[int(n)] = 4 * std::sqrt(std::max(0.0, spread[order[n]][order[n]]));
   }
 
-  const Result<Surface> surface = surfaceOf(occupancyOf(mask, surfaceSigma, cancel), cancel);
+  const Result<Surface> surface = volumePreservingSurface(occupancyOf(mask, surfaceSigma, cancel), cancel);
   if (cancel.cancelled()) return Error{"cancelled"};
   if (!surface) return surface.error();
   form.surfaceMl = volumeOf(*surface) / 1000;

@@ -47,8 +47,8 @@ SurfaceDistances distancesFrom(const TriangleTree& of, const TriangleTree& to, d
 
 Result<SegmentLikeness::Distances> distancesBetween(const BitMask& a, const BitMask& b,
                                                     const CancelToken& cancel) {
-  const Result<Surface> ofA = surfaceOf(occupancyOf(a, surfaceSigma, cancel), cancel);
-  const Result<Surface> ofB = surfaceOf(occupancyOf(b, surfaceSigma, cancel), cancel);
+  const Result<Surface> ofA = volumePreservingSurface(occupancyOf(a, surfaceSigma, cancel), cancel);
+  const Result<Surface> ofB = volumePreservingSurface(occupancyOf(b, surfaceSigma, cancel), cancel);
   if (cancel.cancelled()) return Error{"cancelled"};
   if (!ofA || !ofB) return ofA ? ofB.error() : ofA.error();
   const TriangleTree treeA(*ofA), treeB(*ofB);

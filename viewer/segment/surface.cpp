@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
 #include <new>
 #include <numeric>
+#include <utility>
 
 #include "viewer/segment/cell_triangles.h"
 #include "viewer/volume/parallel.h"
@@ -37,17 +39,20 @@ class SurfaceMaker {
         places_(std::size_t(size_.y) * std::size_t(size_.z)),
         mirrored_(glm::determinant(field.geometry.patientFromVoxelStep) < 0) {}
 
-  Result<Surface> make() {
+  Status make() {
     forEachRow([&](int j, int k) { findInside(j, k); });
     forEachRow([&](int j, int k) { countRow(j, k); });
     if (!placeRows()) return Error{"The surface has 2^31 triangles or more: take a smaller part of it."};
     forEachRow([&](int j, int k) { makePoints(j, k); });
     forEachRow([&](int j, int k) { makeTriangles(j, k); });
-    if (cancel_.cancelled()) return Error{"cancelled"};
-    return std::move(surface_);
+    return ended();
   }
+  // Moves the points along their edges so that the surface encloses a volume, mm^3.
+  Status enclose(double volume);
+  Surface& surface() { return surface_; }
 
  private:
+  Status ended() const { return cancel_.cancelled() ? Status(Error{"cancelled"}) : Status(); }
   template <class Work>
   void forEachRow(const Work& work) const {
     parallelFor(std::int64_t(places_.size()), 0, [&](std::int64_t begin, std::int64_t end) {
@@ -103,6 +108,7 @@ class SurfaceMaker {
   std::vector<Word> inside_;
   std::vector<RowPlace> places_;
   bool mirrored_;
+  double level_ = surfaceLevel;  // where the points are
   Surface surface_;
 };
 
@@ -171,7 +177,7 @@ bool SurfaceMaker::placeRows() {
 }
 
 glm::vec3 SurfaceMaker::crossing(glm::ivec3 point, int axis, float here, float there) const {
-  const double part = (double(surfaceLevel) - double(here)) / (double(there) - double(here));
+  const double part = (level_ - double(here)) / (double(there) - double(here));
   glm::dvec3 x(point + field_.box.low);
   x[axis] += std::clamp(part, nearestToPoint, 1 - nearestToPoint);
   return glm::vec3(field_.geometry.patientFromVoxel(x));
@@ -243,6 +249,22 @@ void SurfaceMaker::makeTriangles(int j, int k) {
   }
 }
 
+// By the secant method: the lower the level, the more is inside.
+Status SurfaceMaker::enclose(double volume) {
+  constexpr double farthest = 0.05, near = 1e-4;
+  constexpr int mostSteps = 6;
+  double last = level_, lastOff = volumeOf(surface_) - volume;
+  level_ += std::copysign(0.01, lastOff);
+  for (int n = 0; n < mostSteps && std::abs(lastOff) > near * volume && !cancel_.cancelled(); ++n) {
+    forEachRow([&](int j, int k) { makePoints(j, k); });
+    const double off = volumeOf(surface_) - volume, step = off * (level_ - last) / (off - lastOff);
+    if (!std::isfinite(step)) break;
+    last = std::exchange(level_, std::clamp(level_ - step, surfaceLevel - farthest, surfaceLevel + farthest));
+    lastOff = off;
+  }
+  return ended();
+}
+
 // The sum over all triangles: of parts of fixed length, added in order.
 template <class Term>
 double summed(const Surface& surface, const Term& term) {
@@ -263,7 +285,18 @@ double summed(const Surface& surface, const Term& term) {
 }  // namespace
 
 Result<Surface> surfaceOf(const OccupancyField& field, const CancelToken& cancel) try {
-  return SurfaceMaker(field, cancel).make();
+  SurfaceMaker maker(field, cancel);
+  if (const Status made = maker.make(); !made) return made.error();
+  return std::move(maker.surface());
+} catch (const std::bad_alloc&) {
+  return Error{"There is not enough memory for the surface."};
+}
+
+Result<Surface> volumePreservingSurface(const OccupancyField& field, const CancelToken& cancel) try {
+  SurfaceMaker maker(field, cancel);
+  if (const Status made = maker.make(); !made) return made.error();
+  if (const Status moved = maker.enclose(volumeOf(field, cancel)); !moved) return moved.error();
+  return std::move(maker.surface());
 } catch (const std::bad_alloc&) {
   return Error{"There is not enough memory for the surface."};
 }

@@ -74,7 +74,7 @@ double farthestFromBorder(const Surface& surface, const BitMask& mask) {
 // Empty, or what is wrong; `off`: how much more or less than what is drawn it may enclose, a part of that.
 QString wrongSurface(const BitMask& mask, double off) {
   const OccupancyField field = occupancyOf(mask, surfaceSigma);
-  const Surface surface = *surfaceOf(field);
+  const Surface surface = *volumePreservingSurface(field);
   if (const std::string wrong = notClosed(surface); !wrong.empty()) return QString::fromStdString(wrong);
   const double farthest = farthestFromBorder(surface, mask);
   if (!(farthest < halfAVoxel + roundedPoints))
