@@ -17,7 +17,8 @@ OccupancyField occupancyOf(const BitMask& mask, double sigma, const CancelToken&
 /// Bytes of the values of that.
 std::size_t occupancyBytes(const BitMask& mask, double sigma);
 /// Where the trilinear field is at least 1/2, mm^3: what pictures draw. Of cells that are in part inside by
-/// 5 x 5 lines along z, each exact. The same digits for any number of threads; cancelled: any number.
+/// 5 x 5 lines along the steepest axis,
+/// each exact. The same digits for any number of threads; cancelled: any number.
 double volumeOf(const OccupancyField& field, const CancelToken& cancel = {});
 inline constexpr double surfaceSigma = 0.7;  ///< voxels: of pictures and of files alike
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "viewer/segment/occupancy.h"
@@ -17,19 +18,35 @@ float partInside(float first, float last) {
   return std::max(atFirst, atLast) / (std::max(atFirst, atLast) - std::min(atFirst, atLast));
 }
 
-// Of a cell with the values of four columns of two: (0, 0), (1, 0), (0, 1), (1, 1) in x and y.
-float partInside(const std::array<std::array<float, 2>, 4>& columns) {
+using Corners = std::array<float, 8>;  // of a cell, x fastest
+
+// The axis along which the values of a cell differ most.
+std::size_t steepestAxis(const Corners& v) {
+  std::array<float, 3> slope{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t c = 0; c < 8; ++c)
+      if (!(c >> axis & 1)) slope[axis] += v[c | std::size_t(1) << axis] - v[c];
+  const auto steeper = [&](std::size_t a, std::size_t b) { return std::abs(slope[b]) > std::abs(slope[a]); };
+  const std::size_t first = steeper(0, 1) ? 1 : 0;
+  return steeper(first, 2) ? 2 : first;
+}
+
+// By lines along that axis, which a flat face crosses: all of them at the same place where it is a face of
+// the grid, so that lines across it would all be off by the same.
+float partInside(const Corners& v) {
   constexpr int n = 5;
+  const std::size_t axis = steepestAxis(v), along = std::size_t(1) << axis;
+  const std::size_t x = std::size_t(1) << (axis + 1) % 3, y = std::size_t(1) << (axis + 2) % 3;
   float sum = 0;
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
-      const float x = (float(i) + 0.5f) / n, y = (float(j) + 0.5f) / n;
+      const float atX = (float(i) + 0.5f) / n, atY = (float(j) + 0.5f) / n;
       const auto at = [&](std::size_t end) {
-        const float low = columns[0][end] + x * (columns[1][end] - columns[0][end]);
-        const float high = columns[2][end] + x * (columns[3][end] - columns[2][end]);
-        return low + y * (high - low);
+        const float low = v[end] + atX * (v[end | x] - v[end]);
+        const float high = v[end | y] + atX * (v[end | x | y] - v[end | y]);
+        return low + atY * (high - low);
       };
-      sum += partInside(at(0), at(1));
+      sum += partInside(at(0), at(along));
     }
   return sum / float(n * n);
 }
@@ -53,7 +70,7 @@ double cellsInside(const OccupancyField& field, int j, int k, std::vector<float>
     if (std::min(least[i], least[i + 1]) >= 0.5f)
       cells += 1;
     else
-      cells += double(partInside({{{a[i], c[i]}, {a[i + 1], c[i + 1]}, {b[i], d[i]}, {b[i + 1], d[i + 1]}}}));
+      cells += double(partInside(Corners{a[i], a[i + 1], b[i], b[i + 1], c[i], c[i + 1], d[i], d[i + 1]}));
   }
   return cells;
 }
