@@ -1,7 +1,10 @@
 #include "ui/controller/slice_service.h"
 
+#include <algorithm>
+#include <map>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "ui/controller/picture_underneath.h"
 
@@ -19,57 +22,95 @@ Result<QImage> withTintsAndSegments(Result<QImage> picture, const SliceRequest& 
   return picture;
 }
 
+struct SlicePictureOrNot {
+  std::optional<SliceRequest> request;  // none: it was dropped
+  Result<QImage> image = QImage();
+};
+
 }  // namespace
 
 Result<QImage> drawSlice(const SliceRequest& request) {
   return withTintsAndSegments(drawUnderneath(request), request);
 }
 
-struct SliceService::Waiting {
-  std::mutex mutex;  // guards the request
-  std::optional<SliceRequest> request;
-  PictureUnderneath underneath;  // of the lane's thread
+// What is asked for and not begun; for both threads.
+class SliceService::Queue {
+ public:
+  struct Turn {
+    SliceRequest request;
+    std::shared_ptr<PictureUnderneath> underneath;  // of the lane's thread
+  };
 
-  Result<QImage> draw(const SliceRequest& latest) {
-    return withTintsAndSegments(latest.frame ? drawUnderneath(latest) : underneath.of(latest), latest);
+  // False where it takes the place of one that waited.
+  bool ask(SliceRequest latest, bool isInFocus) {
+    const std::lock_guard lock(mutex_);
+    const auto before = std::ranges::find(waiting_, pictureOf(latest), &Waiting::picture);
+    if (before != waiting_.end()) {
+      *before = {std::move(latest), isInFocus};
+      return false;
+    }
+    waiting_.push_back({std::move(latest), isInFocus});
+    return true;
   }
+
+  void drop(ViewId view) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(waiting_, [view](const Waiting& one) { return one.request.view == view; });
+  }
+
+  std::optional<Turn> next() {
+    const std::lock_guard lock(mutex_);
+    if (waiting_.empty()) return {};
+    auto chosen = std::ranges::find_if(
+        waiting_, [this](const Waiting& one) { return one.isInFocus && one.picture() != last_; });
+    if (chosen == waiting_.end()) chosen = waiting_.begin();
+    Turn turn{std::move(chosen->request), {}};
+    waiting_.erase(chosen);
+    last_ = pictureOf(turn.request);
+    auto& underneath = underneath_[*last_];
+    if (!underneath) underneath = std::make_shared<PictureUnderneath>();
+    turn.underneath = underneath;
+    return turn;
+  }
+
+ private:
+  using Picture = std::pair<ViewId, bool>;  // of a view, or of its lens
+  static Picture pictureOf(const SliceRequest& request) { return {request.view, request.ofLens}; }
+  struct Waiting {
+    SliceRequest request;
+    bool isInFocus = false;
+    Picture picture() const { return pictureOf(request); }
+  };
+
+  std::mutex mutex_;
+  std::vector<Waiting> waiting_;  // in the order in which they were asked for
+  std::optional<Picture> last_;
+  std::map<Picture, std::shared_ptr<PictureUnderneath>> underneath_;
 };
 
-void SliceService::request(SliceRequest latest) {
-  std::shared_ptr<Waiting>& waiting = waiting_[{latest.view, latest.ofLens}];
-  if (!waiting) waiting = std::make_shared<Waiting>();
-  {
-    const std::lock_guard lock(waiting->mutex);
-    if (std::exchange(waiting->request, std::move(latest))) return;
-  }
+SliceService::SliceService(QObject* parent) : QObject(parent), queue_(std::make_shared<Queue>()) {}
+
+void SliceService::request(SliceRequest latest, bool isInFocus) {
+  if (!queue_->ask(std::move(latest), isInFocus)) return;
   lane_.run(
       {},
-      [waiting](const Job&) {
-        std::optional<SliceRequest> request;
-        {
-          const std::lock_guard lock(waiting->mutex);
-          request = std::exchange(waiting->request, {});
-        }
-        Result<QImage> image = request ? waiting->draw(*request) : Result<QImage>(QImage());
-        return std::pair(std::move(request), std::move(image));
+      [queue = queue_](const Job&) {
+        const std::optional<Queue::Turn> turn = queue->next();
+        if (!turn) return SlicePictureOrNot{};
+        const SliceRequest& request = turn->request;
+        return SlicePictureOrNot{
+            request, withTintsAndSegments(
+                         request.frame ? drawUnderneath(request) : turn->underneath->of(request), request)};
       },
-      [this](const std::pair<std::optional<SliceRequest>, Result<QImage>>& drawn) {
-        const auto& [request, image] = drawn;
-        if (!request) return;  // it was dropped
-        if (image)
-          Q_EMIT ready({*request, *image});
+      [this](const SlicePictureOrNot& drawn) {
+        if (!drawn.request) return;
+        if (drawn.image)
+          Q_EMIT ready({*drawn.request, *drawn.image});
         else
-          Q_EMIT failed(request->view, QString::fromStdString(image.message()));
+          Q_EMIT failed(drawn.request->view, QString::fromStdString(drawn.image.message()));
       });
 }
 
-void SliceService::drop(ViewId view) {
-  for (const bool ofLens : {false, true}) {
-    const auto waiting = waiting_.find({view, ofLens});
-    if (waiting == waiting_.end()) continue;
-    const std::lock_guard lock(waiting->second->mutex);
-    waiting->second->request.reset();
-  }
-}
+void SliceService::drop(ViewId view) { queue_->drop(view); }
 
 }  // namespace volumen

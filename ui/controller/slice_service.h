@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QImage>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -39,9 +38,10 @@ Result<QImage> drawSlice(const SliceRequest& request);
 class SliceService : public QObject {
   Q_OBJECT
  public:
-  explicit SliceService(QObject* parent = nullptr) : QObject(parent) {}
+  explicit SliceService(QObject* parent = nullptr);
 
-  void request(SliceRequest latest);
+  /// `isInFocus`: what the hand works in comes before others that wait, but not twice running before them.
+  void request(SliceRequest latest, bool isInFocus = false);
   /// Gives up what is asked for of a view and of its lens.
   void drop(ViewId view);
 
@@ -51,10 +51,9 @@ class SliceService : public QObject {
   void failed(int view, const QString& sentence);
 
  private:
-  // The latest request of a view that is not begun; it keeps the turn of the one it replaced.
-  struct Waiting;
+  class Queue;
 
-  std::map<std::pair<ViewId, bool>, std::shared_ptr<Waiting>> waiting_;  // by view, and whether of its lens
+  std::shared_ptr<Queue> queue_;
   JobLane lane_;
 };
 

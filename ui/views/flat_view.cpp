@@ -66,7 +66,7 @@ void FlatView::askForPicture() {
   SliceRequest request = requestOf(*now);
   if (asked_ == request) return;
   asked_ = request;
-  service_.request(std::move(request));
+  service_.request(std::move(request), session_.workspace().focus == id());
 }
 
 std::optional<SliceRequest> FlatView::requestFor(QSize pixels) const {
