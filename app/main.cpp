@@ -86,7 +86,7 @@ constexpr Entry commands[] = {
     {"convert", "Write a series as .nrrd, .nii.gz, .mha or DICOM", volumen::makeConvert, true},
     {"segment", "Segment by a recipe or a value range, and measure", volumen::makeSegment, true},
     {"compare", "Compare the segments of two files", volumen::makeCompare},
-    {"measure", "Measure lengths, angles, regions and volumes", volumen::makeMeasure, true},
+    {"measure", "Measure lengths, angles, regions, volumes and segments", volumen::makeMeasure, true},
     {"accuracy", "Measure what every setting costs in time and accuracy", volumen::makeAccuracy, true},
     {"bench", "Measure how fast a scene is drawn from all around", volumen::makeBench, true},
 };

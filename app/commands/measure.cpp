@@ -5,6 +5,8 @@
 #include "app/command.h"
 #include "app/open_volume.h"
 #include "app/option_words.h"
+#include "app/output_names.h"
+#include "app/segment_numbers.h"
 #include "app/usage.h"
 #include "io/frames.h"
 #include "io/index/index_path.h"
@@ -19,7 +21,7 @@ namespace volumen {
 namespace {
 
 struct MeasureOptions {
-  std::string path, shapes, series, unit;
+  std::string path, shapes, segments, csv, series, unit;
 };
 
 const OptionWords<PetUnit> unitWords{{"SUVbw", PetUnit::suvBodyWeight},
@@ -27,13 +29,16 @@ const OptionWords<PetUnit> unitWords{{"SUVbw", PetUnit::suvBodyWeight},
                                      {"SUVbsa", PetUnit::suvBodySurface},
                                      {"file", PetUnit::file}};
 
+PetUnit unitWanted(const MeasureOptions& options) {
+  return options.unit.empty() ? PetUnit::suvBodyWeight : meaning(unitWords, options.unit);
+}
+
 /// What the values of a series are given in: SUVbw where none was asked for and it can be had; an Error where
 /// what was asked for cannot be.
 Result<ValueScale> scaleFor(const Series& series, const MeasureOptions& options) {
-  if (options.unit.empty()) return valueScale(series, PetUnit::suvBodyWeight);
-  const PetUnit wanted = meaning(unitWords, options.unit);
+  const PetUnit wanted = unitWanted(options);
   ValueScale scale = valueScale(series, wanted);
-  if (wanted == PetUnit::file || scale.unit == options.unit) return scale;
+  if (options.unit.empty() || wanted == PetUnit::file || scale.unit == options.unit) return scale;
   return Error{series.path + ": " + (scale.why.empty() ? "no SUV: it is no PET series" : scale.why) + "."};
 }
 
@@ -43,7 +48,9 @@ nlohmann::ordered_json jsonOf(Shape shape, const Result<Measured>& measured, dou
   return measuredToJson(shape, measured);
 }
 
+/// None where no file is named.
 Result<std::vector<Shape>> readShapes(const std::string& path) {
+  if (path.empty()) return std::vector<Shape>();
   constexpr std::uint64_t mostBytes = 16 << 20;
   const auto file = RegularFile::open(path);
   if (!file) return Error{"Cannot read the shapes " + path + ": " + file.message() + "."};
@@ -92,7 +99,7 @@ Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape, 
   return scaled(measureOnFrame(shape, pixelsOf(**shown), scale->unit), scale->factor);
 }
 
-/// What shapes are measured on; of the two what they need.
+/// What is measured on; of the two what is needed.
 struct Sources {
   std::optional<Opened> volume;
   std::vector<Series> frames;
@@ -102,7 +109,7 @@ Result<Sources> open(const MeasureOptions& options, const std::vector<Shape>& sh
                      const CancelToken& cancel) {
   const auto isOnFrame = [](const Shape& shape) { return shape.frame.has_value(); };
   Sources sources;
-  if (shapes.empty() || !std::ranges::all_of(shapes, isOnFrame)) {
+  if (!options.segments.empty() || shapes.empty() || !std::ranges::all_of(shapes, isOnFrame)) {
     Result<Opened> opened = openVolume(options.path, options.series, cancel);
     if (!opened) return opened.error();
     sources.volume = std::move(*opened);
@@ -115,47 +122,85 @@ Result<Sources> open(const MeasureOptions& options, const std::vector<Shape>& sh
   return sources;
 }
 
-void noteOf(Opened& opened, const ValueScale& scale) {
+void addNotes(Opened& opened, const ValueScale& scale, bool hasShapes) {
   const Volume& volume = *opened.loaded.drawn;
   if (opened.loaded.drawn != opened.loaded.acquired)
     opened.notes.push_back("Measured on the evenly spaced slices that are shown in 3D: " +
                            std::to_string(volume.size().z) + ".");
-  if (!volume.geometry().calibrated)
+  if (hasShapes && !volume.geometry().calibrated)
     opened.notes.push_back("Not calibrated: lengths are in pixels, volumes in voxels.");
   if (!scale.why.empty())
     opened.notes.push_back("Values are in " + (scale.unit.empty() ? "no known unit" : scale.unit) + ", " +
                            scale.why + ".");
-  printNotes(opened.notes);
 }
 
-int run(const MeasureOptions& options, const CancelToken& cancel) {
-  const Result<std::vector<Shape>> shapes = readShapes(options.shapes);
-  if (!shapes) return fail(shapes.message());
-  Result<Sources> sources = open(options, *shapes, cancel);
+// `used` gets the series of the pictures that they are on.
+nlohmann::ordered_json measurementsOf(const std::vector<Shape>& shapes, const Sources& sources,
+                                      const ValueScale& scale, const MeasureOptions& options,
+                                      std::vector<const Series*>& used, const CancelToken& cancel) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Shape& shape : shapes) {
+    if (cancel.cancelled()) break;
+    const Result<Measured> measured =
+        shape.frame ? measuredOn(sources.frames, shape, options, used)
+                    : scaled(measure(shape, *sources.volume->loaded.drawn, scale.unit, cancel), scale.factor);
+    all.push_back(jsonOf(shape, measured, scale.factor));
+  }
+  return all;
+}
+
+// Their numbers to the JSON and to the CSV that is asked for, what is to be said of them to the notes.
+Status measureSegments(nlohmann::ordered_json& all, Opened& opened, const MeasureOptions& options,
+                       const CancelToken& cancel) {
+  const auto maps = segmentsOfFile(options.segments, opened, cancel);
+  if (!maps) return maps.error();
+  std::vector<std::string> read = opened.series.files;
+  read.insert(read.end(), {options.segments, options.shapes});
+  if (!options.csv.empty())
+    if (Status s = checkApart({&options.csv, 1}, read); !s) return s;
+  const auto numbers = numbersTold(*maps, opened, unitWanted(options), true, cancel);
+  if (!numbers) return numbers.error();
+  addSegments(all, *numbers);
+  addSegmentNotes(opened, numbers->reports);
+  auto csv = writeCsv(options.csv, *numbers);
+  if (!csv) return csv.error();
+  return *csv ? (*csv)->commit() : Status();
+}
+
+int work(const MeasureOptions& options, const std::vector<Shape>& shapes, const CancelToken& cancel) {
+  Result<Sources> sources = open(options, shapes, cancel);
   if (!sources) return fail(sources.message(), cancel);
   std::optional<Opened>& opened = sources->volume;
-  nlohmann::ordered_json all, numbers = nlohmann::ordered_json::array();
+  nlohmann::ordered_json all;
   const Result<ValueScale> scale = opened ? scaleFor(opened->series, options) : ValueScale{};
   if (!scale) return fail(scale.message());
   if (opened) all["series"] = opened->series.id;
   if (!scale->why.empty()) all["noSuv"] = scale->why;
+  const bool hasShapes = !options.shapes.empty();
   std::vector<const Series*> used;
-  for (const Shape& shape : *shapes) {
-    const Result<Measured> measured =
-        shape.frame ? measuredOn(sources->frames, shape, options, used)
-                    : scaled(measure(shape, *opened->loaded.drawn, scale->unit, cancel), scale->factor);
-    if (cancel.cancelled()) return fail({}, cancel);
-    numbers.push_back(jsonOf(shape, measured, scale->factor));
-  }
+  if (hasShapes) all["measurements"] = measurementsOf(shapes, *sources, *scale, options, used, cancel);
+  if (cancel.cancelled()) return fail({}, cancel);
   const std::vector<Unread> unread = unreadOf(opened, used);
   if (Status whole = checkLosses(options.path, unread); !whole) return fail(whole.message());
-  if (opened) noteOf(*opened, *scale);
-  if (!opened) printNotes(unreadSentences(used));
-  all["measurements"] = std::move(numbers);
+  if (opened) addNotes(*opened, *scale, hasShapes);
+  if (!options.segments.empty())
+    if (Status s = measureSegments(all, *opened, options, cancel); !s) return fail(s.message(), cancel);
+  printNotes(opened ? opened->notes : unreadSentences(used));
   if (opened) all["warnings"] = sentences(opened->loaded.warnings);
   all["unread"] = unreadJson(unread);
   std::cout << jsonText(all);
   return statusWith(unread);
+}
+
+int run(const MeasureOptions& options, const CancelToken& cancel) {
+  if (options.shapes.empty() && options.segments.empty())
+    return failUsage("Give --roi FILE, --segments FILE or both.");
+  if (!options.csv.empty()) {
+    if (options.segments.empty()) return failUsage("--csv goes with --segments FILE.");
+    if (auto file = OutputFile::create(options.csv); !file) return fail(file.message());
+  }
+  const Result<std::vector<Shape>> shapes = readShapes(options.shapes);
+  return shapes ? work(options, *shapes, cancel) : fail(shapes.message());
 }
 
 }  // namespace
@@ -166,8 +211,12 @@ std::function<int()> makeMeasure(CLI::App& app, const CancelToken& cancel) {
   app.add_option("--roi", options->shapes,
                  "The shapes to measure, in patient mm or pixels of a frame, as JSON: a list of {\"kind\", "
                  "\"points\", \"plane\" or \"frame\"}")
-      ->type_name("FILE")
-      ->required();
+      ->type_name("FILE");
+  app.add_option("--segments", options->segments,
+                 "Segments to measure, brought to the grid of PATH: a DICOM segmentation, .seg.nrrd, or an "
+                 "image of labels")
+      ->type_name("FILE");
+  app.add_option("--csv", options->csv, "Write the numbers of all segments, a row each")->type_name("FILE");
   addSeries(app, options->series);
   oneOf(app.add_option(
             "--unit", options->unit,
@@ -175,7 +224,7 @@ std::function<int()> makeMeasure(CLI::App& app, const CancelToken& cancel) {
         keys(unitWords))
       ->type_name("UNIT");
   addExamples(app, {"volumen measure scans/ --roi shapes.json",
-                    "volumen measure scans/ --series 1 --roi shapes.json"});
+                    "volumen measure scans/ --segments first.seg.nrrd --csv numbers.csv"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 

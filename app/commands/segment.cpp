@@ -11,17 +11,12 @@
 #include "app/command.h"
 #include "app/open_volume.h"
 #include "app/output_names.h"
-#include "app/progress.h"
+#include "app/segment_numbers.h"
 #include "app/segment_text.h"
 #include "app/usage.h"
 #include "io/export/export_segments.h"
-#include "io/export/read_segments.h"
-#include "io/files/output_file.h"
 #include "ui/controller/recipe_files.h"
 #include "ui/controller/segment_recipes.h"
-#include "ui/controller/segment_time_values.h"
-#include "ui/workspace/segment_columns.h"
-#include "ui/workspace/value_text.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/scene/similar_name.h"
 
@@ -111,13 +106,6 @@ void removeTable(Recipe& recipe) {
     recipe.steps.push_back({"intersect", segment.label, {{"other", std::string("Patient")}}});
 }
 
-// What there is to say of the segments; values over time where their series has several time points.
-struct SegmentNumbersTold {
-  std::vector<SegmentReport> reports;
-  ValueScale scale;
-  std::optional<SegmentsOverTime> overTime{};
-};
-
 void printJson(const SegmentNumbersTold& numbers, const Opened& opened, const SegmentSource& source,
                const std::vector<std::string>& files) {
   nlohmann::ordered_json all{{"series", opened.series.id}};
@@ -125,73 +113,28 @@ void printJson(const SegmentNumbersTold& numbers, const Opened& opened, const Se
     all["recipe"] = nlohmann::ordered_json::parse(recipeJson(*source.recipe));
   else
     all["from"] = source.file;
-  all["segments"] = segmentsJson(numbers.reports, numbers.scale.factor);
-  all["unit"] = numbers.scale.unit;
-  if (numbers.overTime) addTimePoints(all, *numbers.overTime);
+  addSegments(all, numbers);
   all["files"] = files;
   all["warnings"] = sentences(opened.loaded.warnings);
   all["unread"] = unreadJson(opened.loaded.unread);
   std::cout << jsonText(all);
 }
 
-void addNotes(std::vector<std::string>& notes, const Opened& opened,
-              const std::vector<SegmentReport>& numbers) {
+void addNotes(Opened& opened, std::span<const SegmentReport> numbers) {
   if (opened.loaded.drawn != opened.loaded.acquired)
-    notes.push_back("Segments have the evenly spaced slices that are shown in 3D: " +
-                    std::to_string(opened.loaded.drawn->size().z) + ".");
-  if (!opened.loaded.drawn->geometry().calibrated)
-    notes.push_back("Not calibrated: no lengths, areas and volumes.");
-  for (const SegmentReport& n : numbers)
-    if (n.voxels == 0) notes.push_back(n.segment.label + ": no voxel is in it.");
+    opened.notes.push_back("Segments have the evenly spaced slices that are shown in 3D: " +
+                           std::to_string(opened.loaded.drawn->size().z) + ".");
+  addSegmentNotes(opened, numbers);
 }
 
 // One map; of a file whose segments overlap, several.
 Result<std::vector<Segmented>> segmentsOf(const SegmentSource& source, Opened& opened,
                                           const CancelToken& cancel) {
-  const Volume& volume = *opened.loaded.drawn;
-  if (source.recipe) {
-    auto made = follow(*source.recipe, volume, cancel);
-    if (!made) return Error{source.recipe->name + ": " + made.message()};
-    for (const std::string& note : notesOf(*source.recipe, opened.series)) opened.notes.push_back(note);
-    return std::vector{std::move(*made)};
-  }
-  auto file = readSegments(source.file, opened.series, volume.geometry(), {}, cancel);
-  if (!file) return file.error();
-  opened.notes.insert(opened.notes.end(), file->notes.begin(), file->notes.end());
-  return std::move(file->maps);
-}
-
-// None where the series has one time point.
-std::optional<SegmentsOverTime> overTimeOf(std::span<const Segmented> maps, const Opened& opened,
-                                           const std::string& unit, const CancelToken& cancel) {
-  if (opened.timePoints.empty()) return {};
-  std::vector<const Series*> known;
-  for (const Series& step : opened.timePoints) known.push_back(&step);
-  TimeSteps steps = timeStepsOf(known);
-  for (TimeStep& step : steps.all)
-    if (step.series.id == opened.series.id) step.volume = opened.loaded.drawn;
-  std::vector<SegmentMap> measured;
-  for (const Segmented& map : maps)
-    measured.push_back({{}, map.segments, std::make_shared<const LabelMap>(map.labels), {}});
-  SegmentsOverTime values = segmentsIn(steps, measured, unit, terminalProgress(), cancel);
-  endTerminalProgress();
-  return values;
-}
-
-// Values over time where they are asked for.
-Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Opened& opened, bool withTime,
-                                       const CancelToken& cancel) {
-  SegmentNumbersTold all{{}, shownScale(opened.series)};
-  for (std::size_t n = 0; n < maps.size(); ++n) {
-    auto reports = segmentReports(maps[n].segments, maps[n].labels, *opened.loaded.drawn,
-                                  hasPeaks(opened.series.modality), cancel);
-    if (!reports) return reports.error();
-    for (SegmentReport& report : *reports) report.map = int(n);
-    std::ranges::move(*reports, std::back_inserter(all.reports));
-  }
-  if (withTime) all.overTime = overTimeOf(maps, opened, all.scale.unit, cancel);
-  if (cancel.cancelled()) return Error{"Cancelled."};  // they are half done
-  return all;
+  if (!source.recipe) return segmentsOfFile(source.file, opened, cancel);
+  auto made = follow(*source.recipe, *opened.loaded.drawn, cancel);
+  if (!made) return Error{source.recipe->name + ": " + made.message()};
+  for (const std::string& note : notesOf(*source.recipe, opened.series)) opened.notes.push_back(note);
+  return std::vector{std::move(*made)};
 }
 
 // Nothing is written over what is read or written besides; only segments of a file are, by themselves.
@@ -203,16 +146,6 @@ Status checkNames(const SegmentOptions& options, std::span<const Segmented> maps
   if (!options.csv.empty()) written->push_back(options.csv);
   if (Status s = checkApart(*written, read); !s || options.csv.empty()) return s;
   return checkApart({&options.csv, 1}, {&options.from, 1});
-}
-
-// Empty where no file was asked for; it is there once it is committed.
-Result<std::optional<OutputFile>> writeCsv(const std::string& path, const SegmentNumbersTold& numbers) {
-  if (path.empty()) return std::optional<OutputFile>();
-  auto file = OutputFile::create(path);
-  if (!file) return file.error();
-  if (Status s = file->write(segmentsAsCsv(numbers.reports, numbers.scale).toStdString()); !s)
-    return s.error();
-  return std::optional(std::move(*file));
 }
 
 int work(const SegmentOptions& options, SegmentSource source, const CancelToken& cancel) {
@@ -228,7 +161,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   const auto segmented = segmentsOf(source, *opened, cancel);
   if (!segmented) return fail(segmented.message(), cancel);
   if (Status s = checkNames(options, *segmented, opened->series); !s) return fail(s.message());
-  const auto numbers = numbersTold(*segmented, *opened, options.json, cancel);
+  const auto numbers = numbersTold(*segmented, *opened, PetUnit::suvBodyWeight, options.json, cancel);
   if (!numbers) return fail(numbers.message(), cancel);
   auto csv = writeCsv(options.csv, *numbers);
   if (!csv) return fail(csv.message());
@@ -240,7 +173,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
     if (Status s = (*csv)->commit(); !s) return fail(s.message());
     files.push_back(options.csv);
   }
-  addNotes(opened->notes, *opened, numbers->reports);
+  addNotes(*opened, numbers->reports);
   opened->notes.insert(opened->notes.end(), exported->notes.begin(), exported->notes.end());
   printNotes(opened->notes);
   if (options.json) {

@@ -6,14 +6,14 @@
 
 namespace volumen {
 
-TimeSteps timeStepsOf(const std::vector<const Series*>& steps) {
+TimeSteps timeStepsOf(const std::vector<const Series*>& steps, PetUnit unit) {
   TimeSteps made{{}, stepAxisOf(steps)};
-  for (const Series* step : steps) made.all.push_back({*step, nullptr, shownScale(*step).factor});
+  for (const Series* step : steps) made.all.push_back({*step, nullptr, valueScale(*step, unit).factor});
   return made;
 }
 
 TimeSteps timeStepsOf(const Session& session, const SeriesKey& series) {
-  TimeSteps steps = timeStepsOf(timePointsOf(session.workspace(), series));
+  TimeSteps steps = timeStepsOf(timePointsOf(session.workspace(), series), shownPetUnit());
   for (TimeStep& step : steps.all)
     if (const LoadedSeriesPtr loaded = session.seriesNamed(keyOf(step.series))) step.volume = loaded->volume;
   return steps;

@@ -13,7 +13,7 @@ namespace volumen {
 struct TimeStep {
   Series series;
   VolumePtr volume{};
-  double factor = 1;  ///< to what its values are shown in
+  double factor = 1;  ///< to the unit that they are told in
 };
 
 /// The steps of a series, itself included, and where each stands.
@@ -21,9 +21,9 @@ struct TimeSteps {
   std::vector<TimeStep> all;
   StepAxis axis;
 };
-/// Of these, which are in order; none is in memory.
-TimeSteps timeStepsOf(const std::vector<const Series*>& steps);
-/// Of a series that the workspace knows.
+/// Of these, which are in order; none is in memory. Their factors: to `unit` of PET.
+TimeSteps timeStepsOf(const std::vector<const Series*>& steps, PetUnit unit);
+/// Of a series that the workspace knows, in the unit that is shown.
 TimeSteps timeStepsOf(const Session& session, const SeriesKey& series);
 
 /// The volume of a step, read where it is not in memory; null: it cannot be read. Takes its time.

@@ -1,15 +1,12 @@
 // Guards slices.md 4 and 5: `volumen measure` prints every shape's numbers as JSON and names what it refuses;
 // resources/docs/measure.md lists every kind and field.
-#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QTemporaryDir>
 #include <cmath>
 
-#include "io/open.h"
 #include "tests/fixtures/fixtures.h"
-#include "tests/fixtures/program.h"
+#include "tests/unit/app/measure_case.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -23,30 +20,12 @@ class TestMeasureCommand : public QObject {
   void unitsAreTheStudys();
   void petIsSuv_data();
   void petIsSuv();
-  void petOnFramesIsSuv();
   void anSuvThatCannotBeHadIsRefused();
   void whyThereIsNoSuvIsTold();
   void drawnVolumeOfBone();
   void refused_data();
   void refused();
-  void framesAsAcquired_data();
-  void framesAsAcquired();
   void documentHasEveryKindAndField();
-
- private:
-  Outcome measured(const QString& path, const QByteArray& shapes, const QStringList& more = {}) {
-    QFile file(folder_.filePath(QStringLiteral("shapes.json")));
-    if (!file.open(QIODevice::WriteOnly)) return {-1, {}, "no file"};
-    file.write(shapes);
-    file.close();
-    return runProgram(QStringList{QStringLiteral("measure"), path, QStringLiteral("--roi"), file.fileName()} +
-                      more);
-  }
-  QJsonObject only(const QString& path, const QByteArray& shapes) {
-    return QJsonDocument::fromJson(measured(path, shapes).out)[QStringLiteral("measurements")][0].toObject();
-  }
-
-  QTemporaryDir folder_;
 };
 
 namespace {
@@ -113,7 +92,7 @@ void TestMeasureCommand::numbersOfEveryKind_data() {
 void TestMeasureCommand::numbersOfEveryKind() {
   QFETCH(QByteArray, shape);
   QFETCH(QByteArray, numbers);
-  const QJsonObject found = only(ramp, '[' + shape + ']');
+  const QJsonObject found = measuredShape(ramp, '[' + shape + ']');
   const QJsonObject wanted = QJsonDocument::fromJson(numbers).object();
   QVERIFY(!wanted.isEmpty());
   for (const QString& key : wanted.keys()) {
@@ -127,7 +106,7 @@ void TestMeasureCommand::numbersOfEveryKind() {
 }
 
 void TestMeasureCommand::shapesKeepTheirOrderAndNames() {
-  const Outcome done = measured(ramp, R"([{"kind": "probe", "points": [[0, 0, 0]], "name": "one"},
+  const Outcome done = measuredShapes(ramp, R"([{"kind": "probe", "points": [[0, 0, 0]], "name": "one"},
       {"kind": "angle", "points": [[0, 0, 0], [0, 0, 0], [0, 0, 0]], "name": "two"},
       {"kind": "length", "points": [[0, 0, 0], [1, 0, 0]]}])");
   QVERIFY2(done.status == 0, done.err.constData());
@@ -145,8 +124,8 @@ void TestMeasureCommand::shapesKeepTheirOrderAndNames() {
 void TestMeasureCommand::unitsAreTheStudys() {
   const std::string chest = dataPath("ct-chest-lidc0314-138");
   NEED_DATA(chest);
-  const QJsonObject probe =
-      only(QString::fromStdString(chest), R"([{"kind": "probe", "points": [[-200.9, -58.9, -679.5]]}])");
+  const QJsonObject probe = measuredShape(QString::fromStdString(chest),
+                                          R"([{"kind": "probe", "points": [[-200.9, -58.9, -679.5]]}])");
   QCOMPARE(probe[QStringLiteral("unit")].toString(), QStringLiteral("HU"));
   QCOMPARE(probe[QStringLiteral("index")].toArray(), (QJsonArray{0, 0, 0}));
 }
@@ -174,11 +153,11 @@ void TestMeasureCommand::petIsSuv() {
   QFETCH(QString, unit);
   QFETCH(double, mean);
   const QStringList more = option.isEmpty() ? QStringList() : QStringList{QStringLiteral("--unit"), option};
-  const Outcome done = measured(QString::fromStdString(cases) + QLatin1Char('/') + path, R"([
+  const Outcome done = measuredShapes(QString::fromStdString(cases) + QLatin1Char('/') + path, R"([
       {"kind": "rectangle", "points": [[0.5, 0.5, 1], [5.5, 5.5, 1]],
        "plane": {"centre": [3, 3, 1], "right": [1, 0, 0], "down": [0, 1, 0]}},
       {"kind": "probe", "points": [[2, 2, 1]]}, {"kind": "volume", "range": [1000, null]}])",
-                                more);
+                                      more);
   QVERIFY2(done.status == 0, done.err.constData());
   const QJsonArray all = QJsonDocument::fromJson(done.out)[QStringLiteral("measurements")].toArray();
   const auto near = [](const QJsonValue& value, double x) {
@@ -195,28 +174,15 @@ void TestMeasureCommand::petIsSuv() {
   QVERIFY(near(all[2][QStringLiteral("range")][0], mean / 2));
 }
 
-void TestMeasureCommand::petOnFramesIsSuv() {
-  const std::string path = dataPath("field-cases/c28-suv-bqml");
-  NEED_DATA(path);
-  const volumen::Result<volumen::Study> study = volumen::openStudy(path);
-  QVERIFY(study.ok());
-  const QByteArray shape = R"([{"kind": "probe", "points": [[2, 2]], "frame": {"instance": ")" +
-                           QByteArray::fromStdString(study->volumes.at(0).sopInstanceUids[1]) +
-                           R"(", "number": 0}}])";
-  const QJsonObject probe = only(QString::fromStdString(path), shape);
-  QVERIFY(std::abs(probe[QStringLiteral("number")].toDouble() - 0.584255) < 1e-6);
-  QCOMPARE(probe[QStringLiteral("unit")].toString(), QStringLiteral("SUVbw"));
-}
-
 void TestMeasureCommand::anSuvThatCannotBeHadIsRefused() {
   const std::string path = dataPath("field-cases/c28-suv-bqml");
   NEED_DATA(path);
   const QByteArray probe = R"([{"kind": "probe", "points": [[2, 2, 1]]}])";
-  const Outcome lean =
-      measured(QString::fromStdString(path), probe, {QStringLiteral("--unit"), QStringLiteral("SUVlbm")});
+  const Outcome lean = measuredShapes(QString::fromStdString(path), probe,
+                                      {QStringLiteral("--unit"), QStringLiteral("SUVlbm")});
   QCOMPARE(lean.status, 1);
   QVERIFY2(lean.err.contains("no SUVlbm: PatientSize (0010,1020) is missing."), lean.err.constData());
-  const Outcome ct = measured(ramp, probe, {QStringLiteral("--unit"), QStringLiteral("SUVbw")});
+  const Outcome ct = measuredShapes(ramp, probe, {QStringLiteral("--unit"), QStringLiteral("SUVbw")});
   QCOMPARE(ct.status, 1);
   QVERIFY2(ct.err.contains("it is no PET series."), ct.err.constData());
 }
@@ -224,7 +190,8 @@ void TestMeasureCommand::anSuvThatCannotBeHadIsRefused() {
 void TestMeasureCommand::whyThereIsNoSuvIsTold() {
   const std::string path = dataPath("field-cases/c66q-frame-reference-time");
   NEED_DATA(path);
-  const Outcome done = measured(QString::fromStdString(path), R"([{"kind": "volume", "range": [0, null]}])");
+  const Outcome done =
+      measuredShapes(QString::fromStdString(path), R"([{"kind": "volume", "range": [0, null]}])");
   QVERIFY2(done.status == 0, done.err.constData());
   const QString why = QJsonDocument::fromJson(done.out)[QStringLiteral("noSuv")].toString();
   QVERIFY2(why.startsWith(QStringLiteral("no SUV: ")) && why.contains(QStringLiteral("(0")), qPrintable(why));
@@ -234,7 +201,7 @@ void TestMeasureCommand::whyThereIsNoSuvIsTold() {
 // By voxels and as drawn, a study's bone agrees within what its surface is rough by.
 void TestMeasureCommand::drawnVolumeOfBone() {
   const QJsonObject bone =
-      only(QStringLiteral("phantom:ct-head:64"), R"([{"kind": "volume", "range": [300, null]}])");
+      measuredShape(QStringLiteral("phantom:ct-head:64"), R"([{"kind": "volume", "range": [300, null]}])");
   const double number = bone[QStringLiteral("number")].toDouble(),
                drawn = bone[QStringLiteral("drawn")].toDouble();
   QVERIFY(number > 100 && std::abs(drawn - number) < 0.1 * number);
@@ -296,106 +263,16 @@ void TestMeasureCommand::refused_data() {
 void TestMeasureCommand::refused() {
   QFETCH(QByteArray, shapes);
   QFETCH(QByteArray, sentence);
-  const Outcome done = measured(ramp, shapes);
+  const Outcome done = measuredShapes(ramp, shapes);
   QCOMPARE(done.status, 1);
   QVERIFY2(done.err.contains(sentence), done.err.constData());
   QVERIFY(done.out.isEmpty());
 }
 
-void TestMeasureCommand::framesAsAcquired_data() {
-  QTest::addColumn<QString>("file");
-  QTest::addColumn<QByteArray>("shape");    // without its frame
-  QTest::addColumn<QByteArray>("numbers");  // JSON, within 1e-5 of each number
-  const auto row = [](const char* name, const char* file, const char* shape, const char* numbers) {
-    QTest::newRow(name) << QString::fromLatin1(file) << QByteArray(shape) << QByteArray(numbers);
-  };
-  // 2 (2 s^2 / 12)^(1/2) of the pixel's extent s along the line.
-  row("at the detector", "cr-chest-mono1-jpeg8.dcm", R"("length", "points": [[100, 900], [1100, 900]])",
-      R"({"number": 175, "unit": "mm", "calibration": "at detector", "plusMinus": 0.14288690166})");
-  row("magnification corrected", "mg-ermf-overlay-shutter.dcm",
-      R"("length", "points": [[10, 5], [10, 1005]])",
-      R"({"number": 81.46923, "unit": "mm", "calibration": "magnification corrected"})");
-  row("an area at the detector", "cr-chest-mono1-jpeg8.dcm",
-      R"("rectangle", "points": [[100, 900], [200, 1100]])",
-      R"({"number": 612.5, "unit": "mm^2", "calibration": "at detector", "pixels": 20000})");
-  row("no size", "xa-96frames.dcm", R"("length", "points": [[0, 0], [30, 40]])",
-      R"({"number": 50, "unit": "px", "calibration": null})");
-  row("in the patient", "ct-two-windows.dcm", R"("length", "points": [[0, 0], [300, 400]])",
-      R"({"number": 143.5546875, "unit": "mm", "calibration": null})");
-  row("values of CT", "ct-two-windows.dcm", R"("probe", "points": [[256.4, 255.6]])",
-      R"({"number": 202, "unit": "HU", "index": [256, 256], "point": [256.4, 255.6], "padding": false})");
-  row("one pixel inside", "ct-two-windows.dcm", R"("rectangle", "points": [[159.5, 189.5], [160.5, 190.5]])",
-      R"({"pixels": 1, "mean": 141, "sd": 0, "min": 141, "max": 141, "valueUnit": "HU"})");
-  row("no pixel inside", "ct-two-windows.dcm", R"("ellipse", "points": [[10.2, 10.2], [10.8, 10.8]])",
-      R"({"pixels": 0, "problem": "no pixel inside"})");
-  row("after the modality LUT", "cr-dental-mono1-modalitylut.dcm", R"("probe", "points": [[988, 700]])",
-      R"({"number": 376, "unit": null})");
-  row("padding", "mg-sigmoid-voilut3.dcm", R"("probe", "points": [[100, 100]])",
-      R"({"number": 0, "padding": true})");
-  row("padding is left out", "mg-sigmoid-voilut3.dcm", R"("rectangle", "points": [[90, 90], [110, 110]])",
-      R"({"pixels": 0, "problem": "no pixel inside"})");
-  const char* const clip = "us-cine-aspect-regions.dcm";
-  row("ultrasound: across in its region", clip, R"("length", "points": [[100, 200], [200, 200]])",
-      R"({"number": 28.5714, "unit": "mm", "calibration": null})");
-  row("ultrasound: down in its region", clip, R"("length", "points": [[100, 200], [100, 300]])",
-      R"({"number": 22.8571, "unit": "mm"})");
-  row("ultrasound: an area takes both", clip, R"("rectangle", "points": [[100, 200], [200, 300]])",
-      R"({"number": 653.0594, "unit": "mm^2"})");
-  row("ultrasound: out of every region", clip, R"("length", "points": [[100, 360], [200, 360]])",
-      R"({"number": 100, "unit": "px"})");
-  row("ultrasound: one end outside", clip, R"("length", "points": [[100, 300], [100, 360]])",
-      R"({"number": 60, "unit": "px"})");
-  row("ultrasound: time is no length", clip, R"("length", "points": [[100, 390], [200, 390]])",
-      R"({"number": 100, "unit": "px", "across": {"number": 0.502315, "unit": "s"}})");
-  row("ultrasound: when", clip, R"("probe", "points": [[140, 390]])",
-      R"({"across": {"number": 0.502315, "unit": "s"}})");
-  // atan(0.8): the picture is drawn 0.8 times as high.
-  row("ultrasound: angles of what is seen", clip,
-      R"("angle", "points": [[300, 360], [200, 360], [300, 460]])",
-      R"({"number": 38.6598083, "unit": "degrees"})");
-  row("colours", clip, R"("probe", "points": [[184, 399]])", R"({"number": null, "unit": null})");
-  row("an area of colours", clip, R"("rectangle", "points": [[0, 400], [20, 410]])",
-      R"({"number": 200, "unit": "px^2", "pixels": null, "mean": null, "problem": null})");
-  row("outside", clip, R"("probe", "points": [[479.6, 0]])",
-      R"({"problem": "The point lies outside the picture."})");
-}
-
-// The figures of the data's README.
-void TestMeasureCommand::framesAsAcquired() {
-  NEED_DATA(dataPath("dicom-2d"));
-  QFETCH(QString, file);
-  QFETCH(QByteArray, shape);
-  QFETCH(QByteArray, numbers);
-  const QString path = QString::fromStdString(dataPath("dicom-2d")) + u'/' + file;
-  const auto study = volumen::openStudy(path.toStdString());
-  QVERIFY(study.ok());
-  const std::string instance = study->images.empty() ? study->volumes.front().sopInstanceUids.front()
-                                                     : study->images.front().sopInstanceUid;
-  const QJsonObject found = only(path, R"([{"frame": {"instance": ")" + QByteArray::fromStdString(instance) +
-                                           R"("}, "kind": )" + shape + "}]");
-  const QJsonObject wanted = QJsonDocument::fromJson(numbers).object();
-  QVERIFY(!wanted.isEmpty());
-  const auto isNear = [](const QJsonValue& a, const QJsonValue& b) {
-    return a.isDouble() && b.isDouble()
-               ? std::abs(a.toDouble() - b.toDouble()) <= 1e-5 * std::max(1.0, std::abs(b.toDouble()))
-               : a == b;
-  };
-  for (const QString& key : wanted.keys()) {
-    if (wanted[key].isNull()) {
-      QVERIFY2(found[key].isNull() || found[key].isUndefined(), qPrintable(key));
-    } else if (wanted[key].isObject()) {
-      QVERIFY(isNear(found[key][QStringLiteral("number")], wanted[key][QStringLiteral("number")]));
-      QCOMPARE(found[key][QStringLiteral("unit")], wanted[key][QStringLiteral("unit")]);
-    } else {
-      QVERIFY2(isNear(found[key], wanted[key]), QJsonDocument(found).toJson().constData());
-    }
-  }
-}
-
 void TestMeasureCommand::documentHasEveryKindAndField() {
   const QByteArray page = contentsOf(QStringLiteral(VOLUMEN_SOURCE_DIR "/resources/docs/measure.md"));
   // The sentence that refuses a kind lists all of them.
-  const QByteArray refusal = measured(ramp, R"([{"kind": "?"}])").err;
+  const QByteArray refusal = measuredShapes(ramp, R"([{"kind": "?"}])").err;
   const QList<QByteArray> quoted = refusal.left(refusal.indexOf(", not")).split('"');
   QVERIFY(quoted.size() > 17);
   for (qsizetype n = 1; n < quoted.size(); n += 2)
@@ -403,7 +280,7 @@ void TestMeasureCommand::documentHasEveryKindAndField() {
   for (const char* shape :
        {R"({"kind": "volume", "range": [3, 6]})", R"({"kind": "probe", "points": [[0, 0, 0]]})",
         R"({"kind": "length", "name": "a", "points": [[0, 0, 0], [1, 0, 0]]})"})
-    for (const QString& key : only(ramp, QByteArray("[") + shape + ']').keys())
+    for (const QString& key : measuredShape(ramp, QByteArray("[") + shape + ']').keys())
       QVERIFY2(page.contains('`' + key.toLatin1() + '`'), qPrintable(key));
 }
 

@@ -1,0 +1,81 @@
+#include "app/segment_numbers.h"
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/progress.h"
+#include "io/export/read_segments.h"
+#include "ui/controller/segment_time_values.h"
+#include "ui/workspace/segment_columns.h"
+
+namespace volumen {
+
+namespace {
+
+// None where the series has one time point.
+std::optional<SegmentsOverTime> overTimeOf(std::span<const Segmented> maps, const Opened& opened,
+                                           PetUnit unit, const CancelToken& cancel) {
+  if (opened.timePoints.empty()) return {};
+  std::vector<const Series*> known;
+  for (const Series& step : opened.timePoints) known.push_back(&step);
+  TimeSteps steps = timeStepsOf(known, unit);
+  for (TimeStep& step : steps.all)
+    if (step.series.id == opened.series.id) step.volume = opened.loaded.drawn;
+  std::vector<SegmentMap> measured;
+  for (const Segmented& map : maps)
+    measured.push_back({{}, map.segments, std::make_shared<const LabelMap>(map.labels), {}});
+  SegmentsOverTime values =
+      segmentsIn(steps, measured, valueScale(opened.series, unit).unit, terminalProgress(), cancel);
+  endTerminalProgress();
+  return values;
+}
+
+}  // namespace
+
+Result<std::vector<Segmented>> segmentsOfFile(const std::string& file, Opened& opened,
+                                              const CancelToken& cancel) {
+  auto read = readSegments(file, opened.series, opened.loaded.drawn->geometry(), {}, cancel);
+  if (!read) return read.error();
+  opened.notes.insert(opened.notes.end(), read->notes.begin(), read->notes.end());
+  return std::move(read->maps);
+}
+
+Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Opened& opened, PetUnit unit,
+                                       bool withTime, const CancelToken& cancel) {
+  SegmentNumbersTold all{{}, valueScale(opened.series, unit)};
+  for (std::size_t n = 0; n < maps.size(); ++n) {
+    auto reports = segmentReports(maps[n].segments, maps[n].labels, *opened.loaded.drawn,
+                                  hasPeaks(opened.series.modality), cancel);
+    if (!reports) return reports.error();
+    for (SegmentReport& report : *reports) report.map = int(n);
+    std::ranges::move(*reports, std::back_inserter(all.reports));
+  }
+  if (withTime) all.overTime = overTimeOf(maps, opened, unit, cancel);
+  if (cancel.cancelled()) return Error{"Cancelled."};  // they are half done
+  return all;
+}
+
+void addSegments(nlohmann::ordered_json& all, const SegmentNumbersTold& numbers) {
+  all["segments"] = segmentsJson(numbers.reports, numbers.scale.factor);
+  all["unit"] = numbers.scale.unit;
+  if (numbers.overTime) addTimePoints(all, *numbers.overTime);
+}
+
+void addSegmentNotes(Opened& opened, std::span<const SegmentReport> reports) {
+  if (!opened.loaded.drawn->geometry().calibrated)
+    opened.notes.push_back("Not calibrated: segments have no lengths, areas and volumes.");
+  for (const SegmentReport& report : reports)
+    if (report.voxels == 0) opened.notes.push_back(report.segment.label + ": no voxel is in it.");
+}
+
+Result<std::optional<OutputFile>> writeCsv(const std::string& path, const SegmentNumbersTold& numbers) {
+  if (path.empty()) return std::optional<OutputFile>();
+  auto file = OutputFile::create(path);
+  if (!file) return file.error();
+  if (Status s = file->write(segmentsAsCsv(numbers.reports, numbers.scale).toStdString()); !s)
+    return s.error();
+  return std::optional(std::move(*file));
+}
+
+}  // namespace volumen

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QJsonObject>
+#include <QString>
+#include <QStringList>
+
+#include "tests/fixtures/program.h"
+
+namespace volumen::tests {
+
+/// Runs `volumen measure PATH --roi shapes.json OPTIONS`, whose shapes are this JSON.
+Outcome measuredShapes(const QString& path, const QByteArray& shapes, const QStringList& options = {});
+
+/// The numbers of the only shape.
+QJsonObject measuredShape(const QString& path, const QByteArray& shapes);
+
+}  // namespace volumen::tests
