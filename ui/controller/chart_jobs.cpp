@@ -12,12 +12,15 @@ namespace volumen {
 
 namespace {
 
-// The mean of a region in a step; none: no voxel inside, or it cannot be read.
-std::optional<double> meanIn(const TimeStep& step, const Shape& region, const Job& job) {
+// The mean of a region in a step; none: no voxel inside, it has another unit, or it cannot be read.
+std::optional<double> meanIn(const TimeStep& step, const Shape& region, const std::string& unit,
+                             const Job& job) {
+  const std::optional<double> factor = factorTo(unit, step);
+  if (!factor) return {};
   const VolumePtr volume = volumeOf(step, job.progress(), job.cancel());
   if (!volume) return {};
   const auto values = regionValues(region, *volume);
-  return values ? std::optional(values->mean * step.factor) : std::nullopt;
+  return values ? std::optional(values->mean * *factor) : std::nullopt;
 }
 
 MeasuredChart colourHasNone() {
@@ -122,7 +125,7 @@ void ChartJobs::startOverTime(const Wanted& wanted) {
         std::vector<std::optional<double>> means;
         for (const TimeStep& step : steps.all) {
           if (job.cancelled()) break;
-          means.push_back(meanIn(step, wanted.shape, job));
+          means.push_back(meanIn(step, wanted.shape, wanted.scale.unit, job));
         }
         return timeChart(steps.axis, means, wanted.scale.unit);
       },

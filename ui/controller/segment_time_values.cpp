@@ -23,12 +23,13 @@ SegmentsOverTime segmentsIn(const TimeSteps& steps, const std::vector<SegmentMap
   for (std::size_t n = 0; n < steps.all.size(); ++n) {
     if (cancel.cancelled()) break;
     if (progress) progress("measuring time points", n, steps.all.size());
-    const VolumePtr volume = volumeOf(steps.all[n], progress, cancel);
+    const std::optional<double> factor = factorTo(unit, steps.all[n]);
+    const VolumePtr volume = factor ? volumeOf(steps.all[n], progress, cancel) : nullptr;
     std::size_t segment = 0;
     for (const SegmentMap& map : maps)
       for (const Segment& each : map.segments)
         found.segments[segment++].push_back(
-            valuesOfStep(volume, maskOf(*map.labels, std::uint8_t(each.number)), steps.all[n].factor));
+            valuesOfStep(volume, maskOf(*map.labels, std::uint8_t(each.number)), factor.value_or(1)));
   }
   return found;
 }

@@ -8,7 +8,7 @@ namespace volumen {
 
 TimeSteps timeStepsOf(const std::vector<const Series*>& steps, PetUnit unit) {
   TimeSteps made{{}, stepAxisOf(steps)};
-  for (const Series* step : steps) made.all.push_back({*step, nullptr, valueScale(*step, unit).factor});
+  for (const Series* step : steps) made.all.push_back({*step, nullptr, valueScale(*step, unit)});
   return made;
 }
 
@@ -17,6 +17,10 @@ TimeSteps timeStepsOf(const Session& session, const SeriesKey& series) {
   for (TimeStep& step : steps.all)
     if (const LoadedSeriesPtr loaded = session.seriesNamed(keyOf(step.series))) step.volume = loaded->volume;
   return steps;
+}
+
+std::optional<double> factorTo(const std::string& unit, const TimeStep& step) {
+  return step.scale.unit == unit ? std::optional(step.scale.factor) : std::nullopt;
 }
 
 VolumePtr volumeOf(const TimeStep& step, const Progress& progress, const CancelToken& cancel) {

@@ -32,6 +32,7 @@ class TestMeasureSegments : public QObject {
   void anotherGridIsBroughtToThisOne();
   void petIsInTheUnitAskedFor_data();
   void petIsInTheUnitAskedFor();
+  void aTimeInAnotherUnitHasNoValues();
   void shapesAreMeasuredBesides();
   void whatThereIsNoneOfIsSaid();
   void refused_data();
@@ -46,7 +47,7 @@ class TestMeasureSegments : public QObject {
   void write(const char* name, const QByteArray& bytes) const;
   /// 8 x 7 x 6 voxels of 2 x 2 x 2 mm: volumes of int16, or labels.
   void writeNrrd(const char* name, const std::vector<std::vector<std::int16_t>>& volumes) const;
-  void writePetOfTwoTimes() const;
+  void writePetOfTwoTimes(bool isWeighedTwice) const;
 
   std::unique_ptr<QTemporaryDir> folder_;
 };
@@ -197,8 +198,9 @@ void TestMeasureSegments::anotherGridIsBroughtToThisOne() {
   QCOMPARE(segmentIn(done)[QStringLiteral("mean")].toDouble(), 2.5);  // 6 and 7 of the larger one
 }
 
-// The PET of one time point again 19 s later, with values twice as large.
-void TestMeasureSegments::writePetOfTwoTimes() const {
+// The PET of one time point again 19 s later, with values twice as large; without the patient's weight there
+// is no SUV of them.
+void TestMeasureSegments::writePetOfTwoTimes(bool isWeighedTwice) const {
   const QDir source(QString::fromStdString(dataPath("field-cases/c28-suv-bqml")));
   QVERIFY(QDir(folder_->path()).mkdir(QStringLiteral("pet")));
   for (const QString& name : source.entryList({QStringLiteral("*.dcm")}))
@@ -213,6 +215,7 @@ void TestMeasureSegments::writePetOfTwoTimes() const {
                        uid = QByteArray(instance.c_str()) + '.' + QByteArray::number(time);
       data.putAndInsertString(DCM_SOPInstanceUID, uid.constData());
       data.putAndInsertString(DCM_RescaleSlope, scaled.constData());
+      if (time == 2 && !isWeighedTwice) data.findAndDeleteElement(DCM_PatientWeight);
       data.putAndInsertString(DCM_FrameReferenceTime, time == 1 ? "1000" : "20000");
       const QString path = at(QStringLiteral("pet/%1-%2").arg(time).arg(name));
       QVERIFY(file.saveFile(OFFilename(path.toUtf8().constData()), EXS_LittleEndianExplicit).good());
@@ -233,7 +236,7 @@ void TestMeasureSegments::petIsInTheUnitAskedFor() {
   QFETCH(QString, option);
   QFETCH(QString, unit);
   QFETCH(double, mean);
-  writePetOfTwoTimes();
+  writePetOfTwoTimes(true);
   QCOMPARE(told(QStringLiteral("segment pet/ --range 1000: -o a.seg.nrrd")).status, 0);
   const Outcome done =
       told(QStringLiteral("measure pet/ --series 1 --segments a.seg.nrrd --csv a.csv") + option);
@@ -247,6 +250,22 @@ void TestMeasureSegments::petIsInTheUnitAskedFor() {
   for (int time = 0; time < 2; ++time)
     QVERIFY(isAbout(times[time][QStringLiteral("mean")], (time + 1) * mean));
   QVERIFY(contentsOf(at(QStringLiteral("a.csv"))).contains('(' + unit.toUtf8() + ')'));
+}
+
+void TestMeasureSegments::aTimeInAnotherUnitHasNoValues() {
+  NEED_DATA(dataPath("field-cases/c28-suv-bqml"));
+  writePetOfTwoTimes(false);
+  QCOMPARE(told(QStringLiteral("segment pet/ --range 1000: -o a.seg.nrrd")).status, 0);
+  const auto meansIn = [&](const char* unit) {
+    const Outcome done =
+        told(QStringLiteral("measure pet/ --series 1 --segments a.seg.nrrd --unit ") + QLatin1String(unit));
+    return segmentIn(done)[QStringLiteral("timePoints")].toArray();
+  };
+  const QJsonArray suv = meansIn("SUVbw"), file = meansIn("file");
+  QVERIFY(suv.size() == 2 && file.size() == 2);
+  QVERIFY(isAbout(suv[0][QStringLiteral("mean")], 0.584255));
+  QVERIFY(suv[1].isNull());
+  QVERIFY(isAbout(file[1][QStringLiteral("mean")], 4000));
 }
 
 void TestMeasureSegments::shapesAreMeasuredBesides() {
