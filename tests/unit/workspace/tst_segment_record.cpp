@@ -308,7 +308,7 @@ void TestSegmentRecord::otherNumbersAreOtherVoxels() {
   map = withRange(map, 2, 8, 9, *volume);
   Recipe recipe = recordedRecipe(map, {}).recipe;
   for (Step& step : recipe.steps)
-    if (step.kind == "range" && step.segment == "A 2") step.fields["low"] = 3.0;
+    if (step.kind == "range" && step.segment == "A (2)") step.fields["low"] = 3.0;
   const auto again = workOf(recipe, map.series, volume, {}, RecipeUse::again).makeAll(map, CancelToken());
   QVERIFY(again);
   QCOMPARE(maskOf(*again->labels, 1).count(), std::int64_t(3 * 9));
@@ -323,10 +323,10 @@ void TestSegmentRecord::whatWasPaintedIsInNoRecipe() {
   BitMask painted = maskOf(*map.labels, 2);
   painted.set({0, 0, 0});
   SegmentMap after = withHandMade(map, withMask(map, 2, painted));
-  QVERIFY((recordedRecipe(after, {}).missing == Kinds{"A 2"}));
+  QVERIFY((recordedRecipe(after, {}).missing == Kinds{"A (2)"}));
   painted.set({4, 0, 0});
   after = withHandMade(after, withMask(after, 2, painted));
-  QVERIFY((recordedRecipe(after, {}).missing == Kinds{"A", "A 2"}));
+  QVERIFY((recordedRecipe(after, {}).missing == Kinds{"A", "A (2)"}));
   QVERIFY(difference(after, *volume).isEmpty());
   // Made anew, it is.
   after = withRange(after, 2, 8, 9, *volume);
@@ -341,7 +341,7 @@ void TestSegmentRecord::whatWasThereBeforeIsInNoRecipe() {
   map = withRange(withAnother(map), 2, 8, 9, *volume);
   QVERIFY((recordedRecipe(map, {}).missing == Kinds{"A"}));
   map = *withStepsDone(map, {{{"add", "2", {{"other", std::string("1")}}}}, {2}}, *volume, {});
-  QVERIFY((recordedRecipe(map, {}).missing == Kinds{"A", "A 2"}));
+  QVERIFY((recordedRecipe(map, {}).missing == Kinds{"A", "A (2)"}));
 }
 
 void TestSegmentRecord::aRemovedSegmentStaysWhereOthersComeFromIt() {
