@@ -18,7 +18,8 @@ Result<SurfaceToWrite> surfaceOfSegment(const Segmented& map, const Segment& seg
   if (!all) return all.error();
   if (reducedByMm > 0) {
     made.surface = reduced(*all, reducedByMm, cancel);
-    made.before = {all->triangles.size(), volumeOf(*all) / 1000, deviation(made.surface, *all).largest};
+    made.before = {all->triangles.size(), volumeOf(*all) / 1000,
+                   deviation(made.surface, *all, cancel).largest};
   } else {
     made.surface = std::move(*all);
   }
