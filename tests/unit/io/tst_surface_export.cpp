@@ -84,7 +84,7 @@ void TestSurfaceExport::eachFileIsItsSegments() {
 }
 
 void TestSurfaceExport::cancelledAtAnyMomentAllAreThereOrNone() {
-  const Segmented balls = ballsAndNothing(60);
+  const Segmented balls = ballsAndNothing(40);
   QElapsedTimer timer;
   const auto exported = [&](const QTemporaryDir& folder, const CancelToken& cancel) {
     return exportSegments(folder.filePath(QStringLiteral("b.obj")).toStdString(), {&balls, 1}, Series(), {},
