@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 
 #include "io/export/label_image.h"
@@ -112,12 +113,40 @@ std::vector<std::string> surfaceNotes(std::span<const std::string> files,
   return notes;
 }
 
+Status commitAll(std::vector<OutputFile>& files) {
+  for (OutputFile& file : files)
+    if (Status s = file.commit(); !s) return s;
+  return {};
+}
+
+// The surface of one segment after the other is made, written aside and let go; once all are written they
+// appear.
+Exported asFileEach(const Export& e, const std::vector<std::string>& paths) {
+  ExportedSegments done{paths, {}};
+  std::vector<OutputFile> written;
+  for (const Segmented& map : e.maps)
+    for (const Segment& segment : map.segments) {
+      const auto made = surfaceToWrite(map, segment, e.surfaces.reducedByMm, e.cancel);
+      if (!made) return made.error();
+      std::ranges::move(surfaceNotes(std::span(paths).subspan(written.size()), {&*made, 1}, false),
+                        std::back_inserter(done.notes));
+      if (made->surface.triangles.empty()) continue;
+      const SurfacePart part{made->name, &made->surface};
+      auto file = surfacesAside({&part, 1}, paths[written.size()], e.cancel);
+      if (!file) return file.error();
+      written.push_back(std::move(*file));
+    }
+  if (Status s = commitAll(written); !s) return s.error();
+  return done;
+}
+
 // Where they could not be written none is made.
 Exported asSurfaces(const Export& e) {
   const auto paths = surfacePaths(e.path, e.maps, e.surfaces.inOneFile);
   if (!paths) return paths.error();
   if (paths->empty()) return Error{e.path + " is not written: no segment has voxels."};
   if (Status s = checkWritable(*paths); !s) return s.error();
+  if (!e.surfaces.inOneFile) return asFileEach(e, *paths);
   const auto surfaces = surfacesToWrite(e.maps, e.surfaces.reducedByMm, e.cancel);
   if (!surfaces) return surfaces.error();
   return exportSurfaces(*paths, *surfaces, e.series, e.cancel);
@@ -197,10 +226,14 @@ Result<ExportedSegments> exportSurfaces(std::span<const std::string> files,
   for (const SurfaceToWrite& each : surfaces)
     if (!each.surface.triangles.empty()) parts.push_back({each.name, &each.surface});
   const bool inOneFile = parts.size() > files.size();
+  std::vector<OutputFile> written;
   for (std::size_t n = 0; n < files.size(); ++n) {
     const std::span all(parts);
-    if (Status s = writeSurfaces(inOneFile ? all : all.subspan(n, 1), files[n], cancel); !s) return s.error();
+    auto file = surfacesAside(inOneFile ? all : all.subspan(n, 1), files[n], cancel);
+    if (!file) return file.error();
+    written.push_back(std::move(*file));
   }
+  if (Status s = commitAll(written); !s) return s.error();
   return ExportedSegments{{files.begin(), files.end()}, surfaceNotes(files, surfaces, inOneFile)};
 }
 

@@ -48,7 +48,9 @@ Result<std::vector<std::string>> filesOfExport(const std::string& path, std::spa
 /// grid, where they overlap, which .seg.nrrd, .dcm and surfaces hold. Surfaces
 /// (occupancy.h) are a file each: `path` for one segment, else with its name in front of the ending; or all
 /// are in `path`. Their notes tell volumes, area and triangles, and of reduced ones how far they are off.
-/// Each file appears whole or not at all, and none over a file of the series. The Error names it.
+/// Surfaces are made, written and let go one after the other where each has a file. Each file appears whole
+/// or not at all, those of surfaces once all are written, and none over a file of the series. The Error names
+/// it.
 Result<ExportedSegments> exportSegments(const std::string& path, std::span<const Segmented> maps,
                                         const Series& series, const Progress& progress = {},
                                         const CancelToken& cancel = {}, const SurfaceWriting& surfaces = {});

@@ -204,8 +204,13 @@ Status writeSurface(const Surface& surface, const std::string& path, const Cance
   return writeSurfaces({&all, 1}, path, cancel);
 }
 
-Status writeSurfaces(std::span<const SurfacePart> parts, const std::string& path,
-                     const CancelToken& cancel) try {
+Status writeSurfaces(std::span<const SurfacePart> parts, const std::string& path, const CancelToken& cancel) {
+  Result<OutputFile> file = surfacesAside(parts, path, cancel);
+  return file ? file->commit() : file.error();
+}
+
+Result<OutputFile> surfacesAside(std::span<const SurfacePart> parts, const std::string& path,
+                                 const CancelToken& cancel) try {
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();  // of PLY's int
   const SurfaceWriter* writer = surfaceWriterOf(path);
   if (!writer) return Error{"Cannot write " + path + ": surfaces are written as " + surfaceEndings() + "."};
@@ -214,8 +219,8 @@ Status writeSurfaces(std::span<const SurfacePart> parts, const std::string& path
     return Error{"Cannot write " + path + ": these are too many triangles for one file."};
   Result<OutputFile> file = OutputFile::create(path);
   if (!file) return file.error();
-  if (Status s = writer->write(parts, *file, cancel); !s) return s;
-  return file->commit();
+  if (Status s = writer->write(parts, *file, cancel); !s) return s.error();
+  return file;
 } catch (const std::bad_alloc&) {
   return Error{"Cannot write " + path + ": there is not enough memory."};
 }

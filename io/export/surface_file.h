@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "io/files/output_file.h"
 #include "viewer/segment/surface.h"
 #include "viewer/volume/cancel.h"
 
@@ -28,5 +29,9 @@ struct SurfacePart {
 /// also where there are none, or too many triangles for one file.
 Status writeSurfaces(std::span<const SurfacePart> parts, const std::string& path,
                      const CancelToken& cancel = {});
+
+/// The same, written aside: it appears once it is committed.
+Result<OutputFile> surfacesAside(std::span<const SurfacePart> parts, const std::string& path,
+                                 const CancelToken& cancel = {});
 
 }  // namespace volumen

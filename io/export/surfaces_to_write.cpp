@@ -7,42 +7,40 @@
 
 namespace volumen {
 
-namespace {
-
-Result<SurfaceToWrite> surfaceOfSegment(const Segmented& map, const Segment& segment, double reducedByMm,
-                                        const CancelToken& cancel) {
+Result<SurfaceToWrite> surfaceToWrite(const Segmented& map, const Segment& segment, double reducedByMm,
+                                      const CancelToken& cancel) try {
+  const Error interrupted{"Interrupted; nothing was written."};
   SurfaceToWrite made{segment.label};
   const BitMask mask = maskOf(map.labels, std::uint8_t(segment.number));
   if (mask.empty()) return made;
   Result<Surface> all = volumePreservingSurface(occupancyOf(mask, surfaceSigma, cancel), cancel);
-  if (!all) return all.error();
+  if (!all) return cancel.cancelled() ? interrupted : all.error();
   if (reducedByMm > 0) {
     made.surface = reduced(*all, reducedByMm, cancel);
-    made.before = {all->triangles.size(), volumeOf(*all) / 1000, deviation(made.surface, *all).largest};
+    made.before = {all->triangles.size(), volumeOf(*all) / 1000,
+                   deviation(made.surface, *all, cancel).largest};
   } else {
     made.surface = std::move(*all);
   }
   made.voxelsMl = double(mask.count()) * mask.geometry().voxelVolume() / 1000;
   made.insideMl = volumeOf(made.surface) / 1000;
   made.areaCm2 = areaOf(made.surface) / 100;
+  if (cancel.cancelled()) return interrupted;
   return made;
+} catch (const std::bad_alloc&) {
+  return Error{"There is not enough memory for the surface of " + segment.label + "."};
 }
 
-}  // namespace
-
 Result<std::vector<SurfaceToWrite>> surfacesToWrite(std::span<const Segmented> maps, double reducedByMm,
-                                                    const CancelToken& cancel) try {
+                                                    const CancelToken& cancel) {
   std::vector<SurfaceToWrite> all;
   for (const Segmented& map : maps)
     for (const Segment& segment : map.segments) {
-      auto made = surfaceOfSegment(map, segment, reducedByMm, cancel);
+      auto made = surfaceToWrite(map, segment, reducedByMm, cancel);
       if (!made) return made.error();
-      if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
       all.push_back(std::move(*made));
     }
   return all;
-} catch (const std::bad_alloc&) {
-  return Error{"There is not enough memory for the surfaces."};
 }
 
 std::vector<std::string> toldOf(const SurfaceToWrite& surface) {

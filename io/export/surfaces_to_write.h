@@ -29,8 +29,11 @@ struct SurfaceToWrite {
   std::optional<Unreduced> before{};
 };
 
-/// Of each segment, in the order of the maps; with fewer triangles where `reducedByMm` is not 0 (reduced()).
-/// The Error: cancelled, too little memory.
+/// Of one segment of a map; with fewer triangles where `reducedByMm` is not 0 (reduced()). The Error:
+/// cancelled, too little memory.
+Result<SurfaceToWrite> surfaceToWrite(const Segmented& map, const Segment& segment, double reducedByMm,
+                                      const CancelToken& cancel = {});
+/// The same of each segment, in the order of the maps.
 Result<std::vector<SurfaceToWrite>> surfacesToWrite(std::span<const Segmented> maps, double reducedByMm,
                                                     const CancelToken& cancel = {});
 

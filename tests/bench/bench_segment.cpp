@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "tests/bench/often.h"
 #include "viewer/segment/brush.h"
 #include "viewer/segment/grow_from_seeds.h"
 #include "viewer/segment/holes.h"
@@ -155,14 +156,6 @@ void paintedByObliqueDisc(benchmark::State& state) {
   for (auto _ : state)
     benchmark::DoNotOptimize(
         painted(none, discStroke(none.geometry(), from, to, normal, double(state.range(0)) / 2), {}));
-}
-
-void often(benchmark::internal::Benchmark* bench) {
-  bench->MeasureProcessCPUTime()
-      ->UseRealTime()
-      ->Unit(benchmark::kMillisecond)
-      ->Repetitions(9)
-      ->ReportAggregatesOnly();
 }
 
 BENCHMARK(threshold)->Apply(often);

@@ -8,6 +8,7 @@
 
 #include "io/export/export_segments.h"
 #include "io/export/read_segments.h"
+#include "tests/bench/often.h"
 #include "tests/fixtures/real_volume.h"
 #include "viewer/segment/range.h"
 
@@ -63,14 +64,6 @@ void read(benchmark::State& state, const char* name) {
   for (auto _ : state)
     if (const auto file = readSegments(path, chest().series, chest().volume->geometry()); !file)
       state.SkipWithError(file.message().c_str());
-}
-
-void often(benchmark::internal::Benchmark* bench) {
-  bench->MeasureProcessCPUTime()
-      ->UseRealTime()
-      ->Unit(benchmark::kMillisecond)
-      ->Repetitions(9)
-      ->ReportAggregatesOnly();
 }
 
 BENCHMARK_CAPTURE(written, DICOM SEG, "both.dcm", &Chest::boneAndRest)->Apply(often);

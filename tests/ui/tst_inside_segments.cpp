@@ -97,6 +97,7 @@ class TestInsideSegments : public QObject {
   void lightIsThatOfTheWhole();
   void segmentsAreFollowed();
   void aStrokeCountsOnceItEnds();
+  void aStrokeThatIsGivenUpBeginsNothing();
   void aCancelledOneIsNotBegunAgain();
   void aSeriesIsClosedMeanwhile();
   void aSessionKeepsIt();
@@ -235,8 +236,36 @@ void TestInsideSegments::aStrokeCountsOnceItEnds() {
     QVERIFY(w.map()->labels != labels && w.left() == before);
   }
   w.release(way.back());
+  QTRY_VERIFY_WITH_TIMEOUT(w.left() != before, longest);
+  QVERIFY(w.idle() && w.voxelsLeft() == w.mask(2));
+}
+
+void TestInsideSegments::aStrokeThatIsGivenUpBeginsNothing() {
+  TissueWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.choose(1));
+  w.tick(0, 0);
+  w.showTissue(Tissue::inside);
+  w.show(throughMiddle());
+  w.setBrush(true, 6);
+  w.take("paintTool");
   QVERIFY(w.idle());
-  QVERIFY(w.left() != before && w.voxelsLeft() == w.mask(2));
+  const LoadedSeriesPtr before = w.left();
+  int begun = 0;
+  QObject::connect(&w.window.jobs(), &Jobs::changed, w.view(), [&] {
+    for (const JobRow& row : w.window.jobs().rows()) begun += row.text.startsWith(QStringLiteral("Leaving"));
+  });
+  const std::vector<QPoint> way = w.pixelsOf(throughBall, axialViewId);
+  const auto labels = w.map()->labels;
+  w.press(way[0]);
+  w.move(way.back());
+  QVERIFY(w.map()->labels != labels);
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  w.release(way.back());
+  QTest::qWait(50);
+  QVERIFY(w.idle() && w.map()->labels == labels);
+  QCOMPARE(begun, 0);
+  QVERIFY(w.left() == before);
 }
 
 void TestInsideSegments::aCancelledOneIsNotBegunAgain() {

@@ -45,7 +45,7 @@ double rmsDifference(const QImage& a, const QImage& b) {
 }  // namespace
 
 void TestOpenGlResampler::theSamePictureComesFromOpenGl() {
-  makeOffscreenGlSurface();
+  const bool hasGl = makeOffscreenGlSurface();
   DrawService service(drawWithCaches);
   QSignalSpy failures(&service, &DrawService::failed);
   service.show(0, *makePhantom("ct-head:48"));
@@ -57,11 +57,9 @@ void TestOpenGlResampler::theSamePictureComesFromOpenGl() {
   // The CPU goes from cell to cell where OpenGL takes plain steps, and both keep the promise of `standard`:
   // 42 dB, an RMSE of 2.03/255 each.
   QVERIFY(rmsDifference(cpu.image, gl.image) <= 4.06);
-  if (!failures.isEmpty()) {
-    QCOMPARE(gl.plan->resampler, Resampler::cpu);
-    QSKIP(qPrintable(failures[0][1].toString()));
-  }
-  QCOMPARE(gl.plan->resampler, Resampler::gl);
+  QCOMPARE(failures.isEmpty(), hasGl);
+  QCOMPARE(gl.plan->resampler, hasGl ? Resampler::gl : Resampler::cpu);
+  if (!hasGl) QSKIP("the platform has no OpenGL 3.3 without a window: only the fallback was tested");
 }
 
 VOLUMEN_TEST(TestOpenGlResampler);

@@ -5,6 +5,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPointer>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -92,6 +93,8 @@ class TestSegmentTable : public CleanSettings {
   void hasARowForEachSegment();
   void followsTheSegments();
   void strokesAreMeasuredOnceTheyEnd();
+  void aStrokeThatIsGivenUpIsNotMeasured();
+  void closedItMeasuresNothing();
   void isInTheOrderOfTheListAtFirst();
   void isSortedByNumbers();
   void twoAreCompared();
@@ -144,9 +147,43 @@ void TestSegmentTable::strokesAreMeasuredOnceTheyEnd() {
   QCOMPARE(w.table()->rowCount(), 2);
   QCOMPARE(w.cell(0, "Voxels"), QString::number(before));
   QTest::mouseRelease(w.view(), Qt::LeftButton, {}, at + QPoint(20, 0));
-  QVERIFY(w.idle());
-  QTRY_COMPARE_WITH_TIMEOUT(w.table()->rowCount(), 2, longest);
-  QCOMPARE(w.cell(0, "Voxels"), QString::number(w.voxels(1)));
+  const auto isMeasured = [&] {
+    return w.table()->rowCount() == 2 && w.cell(0, "Voxels") == QString::number(w.voxels(1));
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(isMeasured(), longest);
+}
+
+void TestSegmentTable::aStrokeThatIsGivenUpIsNotMeasured() {
+  NumbersWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.open());
+  const QString said = w.said();
+  w.child<QAction>("paintTool")->trigger();
+  const QPoint at = w.showPlace({14.5, -14.5, 0.5});
+  const std::int64_t before = w.voxels(1);
+  QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
+  QTest::mouseEvent(QTest::MouseMove, w.view(), Qt::LeftButton, {}, at + QPoint(20, 0));
+  QVERIFY(w.voxels(1) > before);
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, at + QPoint(20, 0));
+  QCOMPARE(w.voxels(1), before);
+  QCOMPARE(w.said(), said);
+  QCoreApplication::processEvents();
+  QCOMPARE(w.said(), said);
+  QCOMPARE(w.table()->rowCount(), 2);
+}
+
+// Also before it is deleted.
+void TestSegmentTable::closedItMeasuresNothing() {
+  NumbersWindow w;
+  QVERIFY(w.makeBoth());
+  w.click("segmentNumbersButton");
+  const QPointer<QDialog> dialog = w.child<QDialog>("segmentNumbersDialog");
+  QCOMPARE(w.window.jobs().rows().size(), std::size_t(1));
+  QTest::keyClick(dialog, Qt::Key_Escape);
+  QVERIFY(dialog && !dialog->isVisible());
+  QVERIFY(w.window.jobs().rows().empty());
+  QTRY_VERIFY_WITH_TIMEOUT(!dialog, longest);
 }
 
 void TestSegmentTable::isInTheOrderOfTheListAtFirst() {

@@ -2,97 +2,34 @@
 // but the volume changes. Real events on a file of several volumes.
 #include <QAbstractButton>
 #include <QContextMenuEvent>
-#include <QLabel>
 #include <QMenu>
 #include <QMimeData>
-#include <QSlider>
 #include <QTemporaryDir>
 #include <QTreeWidget>
-#include <fstream>
 
 #include "tests/ui/gestures.h"
-#include "tests/ui/journey.h"
+#include "tests/ui/perfusion_window.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/views/cine_bar.h"
 #include "ui/views/drawn_measurement.h"
-#include "ui/views/flat_view.h"
-#include "ui/views/view_grid.h"
-#include "ui/widgets/banner.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/time_points.h"
 
 using namespace volumen;
 using namespace volumen::tests;
 
-namespace {
-
-constexpr int edge = 16, steps = 4;
-
-// An NRRD file of `steps` volumes; those of the n-th have the value 100 n everywhere but for a frame of 0.
-QString fourVolumes(const QTemporaryDir& folder) {
-  const QString path = folder.filePath(QStringLiteral("perfusion.nrrd"));
-  std::ofstream file(path.toStdString(), std::ios::binary);
-  file << "NRRD0005\ntype: int16\ndimension: 4\nspace: left-posterior-superior\nsizes: " << edge << ' '
-       << edge << ' ' << edge << ' ' << steps
-       << "\nspace directions: (2,0,0) (0,2,0) (0,0,2) none\nkinds: domain domain domain time\nspace origin: "
-          "(0,0,0)\nendian: little\nencoding: raw\n\n";
-  for (int n = 1; n <= steps; ++n)
-    for (int k = 0; k < edge; ++k)
-      for (int j = 0; j < edge; ++j)
-        for (int i = 0; i < edge; ++i) {
-          const bool inside = std::min({i, j, k}) > 2 && std::max({i, j, k}) < edge - 3;
-          const auto value = std::int16_t(inside ? 100 * n : 0);
-          file.write(reinterpret_cast<const char*>(&value), sizeof value);
-        }
-  return path;
-}
-
-struct Perfusion : Journey {
-  explicit Perfusion(const QString& path) {
-    openAlone(false);
-    window.open({path});
-  }
-  ~Perfusion() { openAlone(); }
-  Session& session() { return window.session(); }
-  const Workspace& workspace() { return session().workspace(); }
-  FlatView* view(ViewId id = axialViewId) { return window.views()->viewAs<FlatView>(id); }
-  bool opened() {
-    return QTest::qWaitFor([&] { return session().series() && view() && view()->isVisible(); }, longest);
-  }
-  // The value of the volume on screen, once it is there.
-  bool shows(int value) {
-    return QTest::qWaitFor(
-        [&] {
-          const LoadedSeriesPtr shown = session().seriesOf(axialViewId);
-          return shown && shown->volume->value(edge / 2, edge / 2, edge / 2) == value;
-        },
-        longest);
-  }
-  QSlider* slider(ViewId id = axialViewId) { return view(id)->findChild<QSlider*>(); }
-  void key(int code) { QTest::keyClick(view(), Qt::Key(code)); }
-  QString corner() { return view()->overlays().topRight.join(QLatin1Char('\n')); }
-};
-
-}  // namespace
-
 class TestTimePoints : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() { path_ = fourVolumes(folder_); }
   void keysStepInAllViewsOfTheGroup();
-  void theNextOneIsLoadedAhead();
-  void memoryWithoutRoomLoadsNothingAhead();
   void theSliderIsThereWhereThereAreSeveral();
   void aClipRunsInTime();
   void itRunsOnWhileSomethingElseIsChanged();
   void whatIsMeasuredIn3dIsOfOneStep();
   void theListHasOneRow();
   void theSliderIsIn3dToo();
-  void bothNeighboursAreLoadedAhead();
-  void theLastPictureStaysUntilTheNextIsThere();
-  void whatDoesNotComeLeavesNoOldPicture();
-  void aFileThatIsGoneIsGivenUp();
 
  private:
   QTemporaryDir folder_;
@@ -139,47 +76,11 @@ void TestTimePoints::keysStepInAllViewsOfTheGroup() {
   QVERIFY(w.workspace().view(axialViewId).series == first);
 }
 
-void TestTimePoints::theNextOneIsLoadedAhead() {
-  Perfusion w(path_);
-  QVERIFY(w.opened());
-  const auto held = [&](int n) {
-    const auto all = timePointsOf(w.workspace(), w.workspace().view(axialViewId).series);
-    return all.size() == steps && w.session().seriesNamed(keyOf(*all[std::size_t(n)])) != nullptr;
-  };
-  QTRY_VERIFY_WITH_TIMEOUT(held(1), longest);
-  QVERIFY2(w.shows(100), "it is not shown for that");
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  w.key(Qt::Key_Right);
-  QVERIFY2(!w.view()->picture().isNull(), "no flash of black between two steps");
-  QCOMPARE(w.session().seriesOf(axialViewId)->volume->value(8, 8, 8), 200.f);
-  QTRY_VERIFY_WITH_TIMEOUT(held(2), longest);
-}
-
-void TestTimePoints::memoryWithoutRoomLoadsNothingAhead() {
-  SeriesPool pool(100);
-  const auto volume = [] {
-    VolumeParts parts;
-    parts.geometry.size = {40, 1, 1};
-    parts.values = std::vector<std::uint8_t>(40);
-    std::vector<std::string> warnings;
-    auto series = std::make_shared<LoadedSeries>();
-    series->volume = *Volume::make(std::move(parts), warnings);
-    return series;
-  };
-  pool.put({{"a", "1"}, {}}, volume());
-  pool.put({{"a", "2"}, {}}, volume());
-  pool.setOnScreen({{{"a", "1"}, {}}});
-  QVERIFY(pool.hasRoomFor(60));
-  QVERIFY(!pool.hasRoomFor(61));
-  pool.setOnScreen({{{"a", "1"}, {}}}, 10);
-  QVERIFY2(pool.hasRoomFor(50) && !pool.hasRoomFor(51), "what is held elsewhere counts");
-}
-
 void TestTimePoints::theSliderIsThereWhereThereAreSeveral() {
   Perfusion w(path_);
   QVERIFY(w.opened());
   QVERIFY(w.slider()->isVisible());
-  QCOMPARE(w.slider()->maximum(), steps - 1);
+  QCOMPARE(w.slider()->maximum(), Perfusion::steps - 1);
   QTest::mouseClick(w.slider(), Qt::LeftButton, {}, {w.slider()->width() - 3, w.slider()->height() / 2});
   QVERIFY(w.slider()->value() > 0);
   QCOMPARE(w.slider(coronalViewId)->value(), w.slider()->value());
@@ -324,91 +225,8 @@ void TestTimePoints::theSliderIsIn3dToo() {
   QVERIFY(!last.isNull() && slider->value() > 0);
   w.shot("time-points-3d");
   const LoadedSeriesPtr shown = w.window.session().series();
-  QCOMPARE(shown->volume->value(edge / 2, edge / 2, edge / 2), 100.f * float(slider->value() + 1));
-}
-
-void TestTimePoints::bothNeighboursAreLoadedAhead() {
-  Perfusion w(path_);
-  QVERIFY(w.opened());
-  const auto isHeld = [&](int n) {
-    const auto all = timePointsOf(w.workspace(), w.workspace().view(axialViewId).series);
-    return w.session().seriesNamed(keyOf(*all[std::size_t(n)])) != nullptr;
-  };
-  QTRY_VERIFY_WITH_TIMEOUT(isHeld(1), longest);
-  QVERIFY(!isHeld(2));
-  // From the first to the last, past two that nobody has asked for.
-  w.slider()->setValue(3);
-  QVERIFY(w.shows(400));
-  QTRY_VERIFY_WITH_TIMEOUT(isHeld(2), longest);
-}
-
-namespace {
-
-// The grey of the middle, where the volume is.
-int middleOf(FlatView* view) {
-  const QImage seen = view->grab().toImage();
-  return qGray(seen.pixel(seen.width() / 2 + 9, seen.height() / 2 + 9));
-}
-
-// A window whose second step is no longer in memory, though it was; nothing is loaded any more.
-struct StepAwaited : Perfusion {
-  using Perfusion::Perfusion;
-  LoadedSeriesPtr second;
-
-  bool wait() {
-    const auto next = [&] {
-      return session().seriesNamed(
-          keyOf(*timePointsOf(workspace(), workspace().view(axialViewId).series)[1]));
-    };
-    if (!opened() || !QTest::qWaitFor([&] { return next() && middleOf(view()) > 100; }, longest))
-      return false;
-    second = next();
-    QObject::disconnect(&session(), &Session::seriesNeeded, nullptr, nullptr);
-    session().pool().forget(keyOf(second->series));
-    key(Qt::Key_Right);
-    return !session().seriesOf(axialViewId);
-  }
-  QLabel* mark() { return view()->findChild<QLabel*>(QStringLiteral("loadingMark")); }
-};
-
-}  // namespace
-
-void TestTimePoints::theLastPictureStaysUntilTheNextIsThere() {
-  StepAwaited w(path_);
-  QVERIFY(w.wait());
-  QVERIFY2(middleOf(w.view()) > 100, "no flash of black");
-  QVERIFY2(!w.mark()->isVisible(), "not at once");
-  QTRY_VERIFY_WITH_TIMEOUT(w.mark()->isVisible(), longest);
-  QVERIFY(middleOf(w.view()) > 100);
-  w.shot("time-points-loading");
-  w.session().keep(w.second);
-  QVERIFY(w.shows(200));
-  QVERIFY(!w.mark()->isVisible());
-}
-
-// What will not come is not awaited under its name.
-void TestTimePoints::whatDoesNotComeLeavesNoOldPicture() {
-  StepAwaited w(path_);
-  QVERIFY(w.wait());
-  w.window.views()->giveUpWaiting(keyOf(w.second->series));
-  QVERIFY(middleOf(w.view()) < 10);
-  w.session().keep(w.second);
-  QVERIFY(w.shows(200));
-  QTRY_VERIFY_WITH_TIMEOUT(middleOf(w.view()) > 100, longest);
-}
-
-void TestTimePoints::aFileThatIsGoneIsGivenUp() {
-  const QTemporaryDir folder;
-  const QString path = fourVolumes(folder);
-  Perfusion w(path);
-  QVERIFY(w.opened());
-  QTRY_VERIFY_WITH_TIMEOUT(middleOf(w.view()) > 100, longest);
-  QTRY_VERIFY_WITH_TIMEOUT(w.window.jobs().rows().empty(), longest);
-  QVERIFY(QFile::remove(path));
-  w.slider()->setValue(3);
-  QTRY_VERIFY_WITH_TIMEOUT(w.child<Banner>("banner")->isVisible(), longest);
-  QVERIFY(middleOf(w.view()) < 10);
-  QVERIFY(!w.view()->findChild<QLabel*>(QStringLiteral("loadingMark"))->isVisible());
+  QCOMPARE(shown->volume->value(Perfusion::edge / 2, Perfusion::edge / 2, Perfusion::edge / 2),
+           100.f * float(slider->value() + 1));
 }
 
 VOLUMEN_TEST(TestTimePoints);

@@ -35,7 +35,8 @@ Result<MadeTissue> withTissueLeft(MadeTissue wanted, const std::optional<MadeTis
 TissueJobs::TissueJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent)
     : QObject(parent), session_(session), painter_(painter), lane_(&jobs) {
   connect(&session_, &Session::workspaceChanged, this, &TissueJobs::next);
-  connect(&painter_, &SegmentPainter::ended, this, &TissueJobs::next);
+  // From the event loop: Esc undoes the steps since the press once the stroke has ended.
+  connect(&painter_, &SegmentPainter::ended, this, &TissueJobs::next, Qt::QueuedConnection);
   next();
 }
 

@@ -11,6 +11,7 @@
 #include "ui/views/picture_run.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/frame_look.h"
+#include "ui/workspace/free_name.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/view_window.h"
@@ -76,11 +77,13 @@ QString numberText(const MadePicture& made) {
   return {};
 }
 
-// Of a folder that is not there yet: "NAME", "NAME (2)".
-QString freeName(const QString& folder, const QString& name) {
-  QString free = folder + QLatin1Char('/') + name;
-  for (int n = 2; QFileInfo::exists(free); ++n) free = QStringLiteral("%1/%2 (%3)").arg(folder, name).arg(n);
-  return free;
+// Of a folder that is not there yet.
+QString freeFolder(const QString& parent, const QString& name) {
+  const auto pathOf = [&](const std::string& one) {
+    return parent + QLatin1Char('/') + QString::fromStdString(one);
+  };
+  return pathOf(
+      freeName(name.toStdString(), [&](const std::string& one) { return QFileInfo::exists(pathOf(one)); }));
 }
 
 PictureFiles::PictureFiles(Workbench& bench) : Feature(bench) {
@@ -200,7 +203,7 @@ void PictureFiles::writeStack(const Wanted& wanted, const QString& folder) {
         return writeMade(picture, picture.image, QStringLiteral("%1/%2-%3.png").arg(pictures, name, number));
       },
       [aside, pictures, made, folder, name = wanted.name] {
-        const QString target = freeName(folder, name);
+        const QString target = freeFolder(folder, name);
         if (!QDir().rename(pictures, target))
           return Status(Error{tr("Cannot write %1: choose another folder.").arg(target).toStdString()});
         *made = target;

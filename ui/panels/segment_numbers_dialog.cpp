@@ -117,13 +117,28 @@ SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const S
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SegmentNumbersDialog::showChoice);
   connect(&session_, &Session::changed, this, &SegmentNumbersDialog::follow);
   connect(&session_, &Session::workspaceChanged, this, &SegmentNumbersDialog::follow);
-  connect(&painter_, &SegmentPainter::ended, this, &SegmentNumbersDialog::follow);
+  // From the event loop: Esc undoes the steps since the press once the stroke has ended.
+  connect(&painter_, &SegmentPainter::ended, this, &SegmentNumbersDialog::follow, Qt::QueuedConnection);
   connect(&session_, &Session::preferencesChanged, this,
           [this](const Preferences& before, const Preferences& after) {
             if (before.petUnit == after.petUnit) return;
             if (measured_ && measured_->isDone) showMeasured();
           });
+  connect(this, &QDialog::finished, this, &SegmentNumbersDialog::giveUp);
   follow();
+}
+
+// Closed, it is deleted only from the event loop.
+void SegmentNumbersDialog::giveUp() {
+  session_.disconnect(this);
+  painter_.disconnect(this);
+  forget();
+}
+
+void SegmentNumbersDialog::forget() {
+  lane_.giveUpAll();
+  measured_.reset();
+  fillTable();
 }
 
 void SegmentNumbersDialog::makeLayout() {
@@ -166,9 +181,7 @@ void SegmentNumbersDialog::makeLayout() {
 void SegmentNumbersDialog::follow() {
   const std::vector<const SegmentMap*> shown = allSegmentsShown(session_);
   if (shown.empty()) {
-    lane_.giveUpAll();
-    measured_.reset();
-    fillTable();
+    forget();
     const QString why = whyNoSegments(session_);
     return said_->setText(why.isEmpty() ? tr("There is no segment yet.") : why);
   }

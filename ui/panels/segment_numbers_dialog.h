@@ -43,6 +43,8 @@ class SegmentNumbersDialog : public QDialog {
 
   void makeLayout();
   void follow();
+  void giveUp();
+  void forget();
   void measure();
   void take(const Result<std::vector<SegmentReport>>& reports);
   void showMeasured();

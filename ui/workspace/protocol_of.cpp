@@ -5,6 +5,7 @@
 
 #include "ui/data/frame_series.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/free_name.h"
 #include "ui/workspace/hanging_protocol.h"
 #include "ui/workspace/patients.h"
 #include "ui/workspace/value_text.h"
@@ -79,10 +80,9 @@ class ProtocolMaker {
       if (known.rule == entry.rule && known.prior == entry.prior) return {known.name, rank};
     const Series& series = *picture.series;
     const std::string words = oneOnly(series.description.empty() ? series.modality : series.description);
-    const std::string name = words.empty() ? "series" : words;
-    entry.name = name;
-    for (int n = 2; std::ranges::count(protocol.series, entry.name, &ProtocolSeries::name) > 0; ++n)
-      entry.name = name + " " + std::to_string(n);
+    entry.name = freeName(words.empty() ? "series" : words, [&](const std::string& name) {
+      return std::ranges::count(protocol.series, name, &ProtocolSeries::name) > 0;
+    });
     protocol.when.prior = protocol.when.prior || entry.prior > 0;
     protocol.series.push_back(entry);
     return {entry.name, rank};

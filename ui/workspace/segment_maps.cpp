@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 
+#include "ui/workspace/free_name.h"
 #include "ui/workspace/region_colours.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
@@ -31,31 +31,6 @@ SegmentMap furtherMap(const std::vector<SegmentMap>& maps) {
   return made;
 }
 
-// "Bone (3)" is a third "Bone".
-struct CountedName {
-  std::string name;
-  int count = 1;
-};
-
-CountedName countedName(const std::string& name) {
-  constexpr int most = 999;  // more is a year, or whatever else
-  const std::size_t open = name.rfind(" (");
-  if (open == std::string::npos || !name.ends_with(')')) return {name};
-  const char *const first = name.data() + open + 2, *const end = name.data() + name.size() - 1;
-  int count = 0;
-  const auto read = std::from_chars(first, end, count);
-  const bool isCount = read.ec == std::errc() && read.ptr == end && count >= 2 && count < most;
-  return isCount ? CountedName{name.substr(0, open), count} : CountedName{name};
-}
-
-template <class IsTaken>
-std::string nameApart(const std::string& wanted, const IsTaken& isTaken) {
-  auto [name, count] = countedName(wanted);
-  std::string apart = wanted;
-  while (isTaken(apart)) apart = name + " (" + std::to_string(++count) + ")";
-  return apart;
-}
-
 bool isColour(std::span<const SegmentMap> maps, glm::u8vec3 colour) {
   const auto isOf = [&](const Segment& s) { return s.colour.value_or(colourOfNumber(s.number)) == colour; };
   return std::ranges::any_of(maps,
@@ -76,7 +51,7 @@ SegmentMap withNamesApart(const SegmentMap& before, SegmentMap after,
   for (Segment& segment : after.segments)
     if (!findSegment(before, segment.number))
       segment.label =
-          nameApart(segment.label, [&](const std::string& name) { return isTaken(name, segment); });
+          freeName(segment.label, [&](const std::string& name) { return isTaken(name, segment); });
   return after;
 }
 
@@ -171,7 +146,7 @@ Workspace withSegmentMapsOf(Workspace workspace, const std::vector<SegmentMap>& 
 }
 
 std::string freeName(std::span<const SegmentMap> maps, const std::string& wanted) {
-  return nameApart(wanted, [&](const std::string& name) {
+  return freeName(wanted, [&](const std::string& name) {
     return std::ranges::any_of(maps, [&](const SegmentMap& map) { return isCalled(map, name); });
   });
 }

@@ -4,6 +4,7 @@
 #include <bitset>
 #include <glm/common.hpp>
 
+#include "ui/workspace/free_name.h"
 #include "viewer/recipe/step_kinds.h"
 #include "viewer/recipe/step_names.h"
 
@@ -97,11 +98,9 @@ std::vector<Step> stepsOfChanges(const LabelPairs& pairs, const SegmentMap& map)
   return byHand;
 }
 
-// "Bone", or "Bone 2" where that is taken.
-std::string freeOf(std::set<std::string>& taken, const std::string& wanted) {
-  std::string name = wanted;
-  for (int n = 2; !taken.insert(name).second; ++n) name = wanted + " " + std::to_string(n);
-  return name;
+// Taken from now on.
+std::string takenName(std::set<std::string>& taken, const std::string& wanted) {
+  return freeName(wanted, [&](const std::string& name) { return !taken.insert(name).second; });
 }
 
 // What recipes hold of a segment.
@@ -169,7 +168,7 @@ std::vector<Step> stepsWithout(const SegmentMap& map, int number) {
   const std::string name = stepNameOf(number);
   std::set<std::string> taken, left = stepNamesOf(map);
   for (const Step& step : map.steps) taken.insert(step.segment);
-  const std::string removed = freeOf(taken, name + removedEnding);
+  const std::string removed = takenName(taken, name + removedEnding);
   std::vector<Step> steps;
   for (const Step& step : map.steps)
     steps.push_back(renamed(step, [&](const std::string& one) { return one == name ? removed : one; }));
@@ -194,7 +193,7 @@ std::vector<Step> stepsTaken(const SegmentMap& from, int number, const SegmentMa
     steps.push_back(renamed(step, [&](const std::string& one) {
       const auto known = names.find(one);
       if (known != names.end()) return known->second;
-      return names[one] = freeOf(taken, ofSegments.contains(one) ? one + removedEnding : one);
+      return names[one] = takenName(taken, ofSegments.contains(one) ? one + removedEnding : one);
     }));
   return steps;
 }
@@ -209,7 +208,7 @@ std::map<int, std::string> namesInRecipe(const SegmentMap& map) {
   std::set<std::string> taken;
   std::map<int, std::string> names;
   for (const Segment& segment : map.segments)
-    names[segment.number] = freeOf(taken, segment.label.empty() ? "Segment" : segment.label);
+    names[segment.number] = takenName(taken, segment.label.empty() ? "Segment" : segment.label);
   return names;
 }
 
@@ -238,7 +237,7 @@ RecordedRecipe recordedRecipe(const SegmentMap& map, const std::string& modality
   for (const Step& step : stepsBehind(map.steps, kept))
     recorded.recipe.steps.push_back(renamed(step, [&](const std::string& one) {
       const auto known = names.find(one);
-      return known != names.end() ? known->second : names[one] = freeOf(taken, one);
+      return known != names.end() ? known->second : names[one] = takenName(taken, one);
     }));
   return recorded;
 }

@@ -107,7 +107,7 @@ Result<std::optional<SegmentForm>> formOf(const BitMask& mask, const CancelToken
   SegmentForm form;
   form.voxelMl = double(moments.voxels) * geometry.voxelVolume() / 1000;
   form.box = moments.box;
-  form.areaMm2 = boundaryArea(mask);
+  form.areaMm2 = boundaryArea(mask, cancel);
   form.centroid = geometry.patientFromVoxel(
       dvec3(double(moments.sum[0]), double(moments.sum[1]), double(moments.sum[2])) / double(moments.voxels));
 

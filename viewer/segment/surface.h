@@ -39,10 +39,10 @@ double areaOf(const Surface& surface);
 Surface reduced(Surface surface, double toleranceMm, const CancelToken& cancel = {});
 
 /// Distances (mm) of `of` from `to`, exact: the largest from the corners and middles of its triangles, and
-/// the mean from their middles, weighted by area. 0 where one has no triangles.
+/// the mean from their middles, weighted by area. 0 where one has no triangles; cancelled, they are not true.
 struct Deviation {
   double largest = 0, mean = 0;
 };
-Deviation deviation(const Surface& of, const Surface& to);
+Deviation deviation(const Surface& of, const Surface& to, const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -148,7 +148,7 @@ AreaSmoothing areaSmoothing(const VoxelGeometry& geometry) {
           std::clamp((4.9 - longest / even) / 2.5, 0.0, 1.0) / (std::sqrt(2.0) - 1)};
 }
 
-double boundaryArea(const BitMask& mask) {
+double boundaryArea(const BitMask& mask, const CancelToken& cancel) {
   const std::optional<VoxelBox> voxels = mask.box();
   if (!voxels) return 0;
   const std::vector<BrickFace> faces = brickFaces(mask.geometry());
@@ -165,7 +165,7 @@ double boundaryArea(const BitMask& mask) {
   std::vector<double> areas(std::size_t(blocks.x * blocks.y * blocks.z));
   parallelFor(std::int64_t(areas.size()), 0, [&](std::int64_t begin, std::int64_t end) {
     FacesSeen seen(mask, faces, narrow, wide, smoothing.share);
-    for (std::int64_t n = begin; n < end; ++n) {
+    for (std::int64_t n = begin; n < end && !cancel.cancelled(); ++n) {
       const glm::ivec3 place(n % blocks.x, n / blocks.x % blocks.y, n / blocks.x / blocks.y);
       const VoxelBox own{all.low + place * edge, glm::min(all.low + place * edge + edge - 1, all.high)};
       VoxelBox box{own.low - before, own.high + behind};

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "viewer/segment/bit_mask.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
 
@@ -32,7 +33,7 @@ AreaSmoothing areaSmoothing(const VoxelGeometry& geometry);
 /// Gaussians round edges, which takes area in proportion to their width: what two find is extrapolated to
 /// none, except where their normals differ by 10 degrees or more, as they do where something is thin. What
 /// lies outside the grid is not in the mask. How far it is off: resources/docs/segment.md. On all cores; the
-/// same for any number of threads.
-double boundaryArea(const BitMask& mask);
+/// same for any number of threads. Cancelled: of what was done by then.
+double boundaryArea(const BitMask& mask, const CancelToken& cancel = {});
 
 }  // namespace volumen

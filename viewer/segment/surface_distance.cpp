@@ -168,9 +168,9 @@ SurfaceDistances distances(const TriangleTree& of, const TriangleTree& to, const
   return found;
 }
 
-Deviation deviation(const Surface& of, const Surface& to) {
+Deviation deviation(const Surface& of, const Surface& to, const CancelToken& cancel) {
   if (of.triangles.empty() || to.triangles.empty()) return {};
-  const SurfaceDistances all = distances(TriangleTree(of), TriangleTree(to));
+  const SurfaceDistances all = distances(TriangleTree(of), TriangleTree(to), cancel);
   const double area = std::accumulate(all.areas.begin(), all.areas.end(), 0.0);
   const double sum = std::inner_product(all.areas.begin(), all.areas.end(), all.ofTriangles.begin(), 0.0);
   return {all.largest, area > 0 ? sum / area : 0};

@@ -7,10 +7,10 @@
 #include <chrono>
 #include <limits>
 #include <optional>
-#include <thread>
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/grids.h"
+#include "tests/fixtures/later_cancel.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/segment/bit_masks.h"
@@ -179,26 +179,6 @@ void TestStepLimits::everyStepOfAVolume() {
   }
   QVERIFY2(done > 10 * seeds.count, "most steps can be done");
 }
-
-namespace {
-
-// Cancels after a while, on another thread.
-class LaterCancel {
- public:
-  LaterCancel(const CancelToken& cancel, std::chrono::nanoseconds after)
-      : thread_([cancel, after] {
-          std::this_thread::sleep_for(after);
-          cancel.cancel();
-        }) {}
-  ~LaterCancel() { thread_.join(); }
-  LaterCancel(const LaterCancel&) = delete;
-  LaterCancel& operator=(const LaterCancel&) = delete;
-
- private:
-  std::thread thread_;
-};
-
-}  // namespace
 
 void TestStepLimits::cancelledAtAnyMoment_data() {
   QTest::addColumn<QString>("name");

@@ -2,13 +2,16 @@
 // forms, and the digital phantom of the IBSI.
 #include <tbb/global_control.h>
 
+#include <QElapsedTimer>
 #include <algorithm>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <random>
 
+#include "tests/fixtures/chance.h"
 #include "tests/fixtures/grids.h"
+#include "tests/fixtures/later_cancel.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/segment/bit_masks.h"
@@ -39,6 +42,7 @@ class TestNumbers : public QObject {
   void formOfBodies();
   void formOfAnyMask();
   void formOfThePhantom();
+  void formCancelledAtAnyMoment();
   void noFormOfNothing();
 };
 
@@ -336,6 +340,25 @@ void TestNumbers::formOfThePhantom() {
   QCOMPARE(form.voxelMl, 0.592);
   QVERIFY(std::abs(form.axisMm.x - 11.33) < 5e-3 && std::abs(form.axisMm.y - 9.24) < 5e-3 &&
           std::abs(form.axisMm.z - 8.48) < 5e-3);
+}
+
+// All of it is found, or nothing.
+void TestNumbers::formCancelledAtAnyMoment() {
+  const BitMask mask = inverted(BitMask({.size = {90, 60, 40}}));
+  QElapsedTimer timer;
+  timer.start();
+  const SegmentForm whole = **formOf(mask);
+  const std::int64_t took = timer.nsecsElapsed();
+  const Seeds seeds = seedsOf(20, 200);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    Chance chance{std::uint64_t(seed)};
+    const CancelToken cancel;
+    const LaterCancel later(cancel, std::chrono::nanoseconds(std::int64_t(chance.share() * double(took))));
+    const auto form = formOf(mask, cancel);
+    if (!form) continue;
+    QCOMPARE((*form)->areaMm2, whole.areaMm2);
+    QCOMPARE((*form)->surfaceMl, whole.surfaceMl);
+  }
 }
 
 void TestNumbers::noFormOfNothing() {

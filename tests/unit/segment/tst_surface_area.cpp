@@ -30,6 +30,7 @@ class TestSurfaceArea : public QObject {
   void bricksTouch();
   void isTheDefinition();
   void bordersOfTheGridAreBoundary();
+  void cancelledEndsEarly();
 };
 
 namespace {
@@ -266,6 +267,13 @@ void TestSurfaceArea::bordersOfTheGridAreBoundary() {
       for (int i = 0; i < 64; ++i) inside.set({i + 3, j + 1, k + 2});
   QCOMPARE(boundaryArea(all), boundaryArea(inside));
   QCOMPARE(boundaryArea(BitMask({.size = {64, 7, 5}})), 0.0);
+}
+
+void TestSurfaceArea::cancelledEndsEarly() {
+  const BitMask all = inverted(BitMask({.size = {200, 150, 150}}));
+  const CancelToken cancel;
+  cancel.cancel();
+  QCOMPARE(boundaryArea(all, cancel), 0.0);
 }
 
 VOLUMEN_TEST(TestSurfaceArea);

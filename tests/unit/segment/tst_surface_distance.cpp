@@ -20,6 +20,7 @@ class TestSurfaceDistance : public QObject {
   void fewerTrianglesStayClosed();
   void flatFacesAreTwoTriangles();
   void deviationIsExact();
+  void cancelledEndsEarly();
   void farthestPointsAreTheFarthest();
 };
 
@@ -142,6 +143,14 @@ void TestSurfaceDistance::farthestPointsAreTheFarthest() {
     const auto ends = farthestPoints(surface);
     QCOMPARE(glm::distance(dvec3(ends[0]), dvec3(ends[1])), farthest);
   }
+}
+
+void TestSurfaceDistance::cancelledEndsEarly() {
+  const Surface ball = ballSurface(15, glm::dmat3(1)), smaller = ballSurface(12, glm::dmat3(1));
+  QVERIFY(deviation(ball, smaller).largest > 2);
+  const CancelToken cancel;
+  cancel.cancel();
+  QCOMPARE(deviation(ball, smaller, cancel).largest, 0.0);
 }
 
 VOLUMEN_TEST(TestSurfaceDistance);

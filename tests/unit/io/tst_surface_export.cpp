@@ -1,0 +1,110 @@
+// Guards the export of surfaces to a file a segment: each holds the surface of its segment, and where one is
+// not written none is there.
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
+#include <glm/geometric.hpp>
+
+#include "io/export/export_segments.h"
+#include "io/export/surface_file.h"
+#include "io/study/series.h"
+#include "tests/fixtures/chance.h"
+#include "tests/fixtures/later_cancel.h"
+#include "tests/fixtures/seeds.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestSurfaceExport : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void eachFileIsItsSegments_data();
+  void eachFileIsItsSegments();
+  void cancelledAtAnyMomentAllAreThereOrNone();
+};
+
+namespace {
+
+// Two balls, and between them in the list a segment without voxels.
+Segmented ballsAndNothing(int edge) {
+  LabelEdit edit{LabelMap(VoxelGeometry{.size = {2 * edge, edge, edge}})};
+  for (int k = 0; k < edge; ++k)
+    for (int j = 0; j < edge; ++j)
+      for (int i = 0; i < 2 * edge; ++i) {
+        const double half = edge / 2.0;
+        const glm::dvec3 p(i % edge, j, k);
+        if (glm::distance(p, glm::dvec3(half)) < half - 2)
+          edit.set({i, j, k}, std::uint8_t(i < edge ? 1 : 3));
+      }
+  return {{{.number = 1, .label = "Left"}, {.number = 2, .label = "None"}, {.number = 3, .label = "Right"}},
+          edit.done()};
+}
+
+QByteArray bytesOfFile(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QStringList filesIn(const QTemporaryDir& folder) {
+  return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden, QDir::Name);
+}
+
+}  // namespace
+
+void TestSurfaceExport::eachFileIsItsSegments_data() {
+  QTest::addColumn<double>("reducedByMm");
+  QTest::newRow("all triangles") << 0.0;
+  QTest::newRow("fewer triangles") << 0.3;
+}
+
+void TestSurfaceExport::eachFileIsItsSegments() {
+  QFETCH(double, reducedByMm);
+  const QTemporaryDir folder;
+  const Segmented balls = ballsAndNothing(16);
+  const auto done = exportSegments(folder.filePath(QStringLiteral("b.stl")).toStdString(), {&balls, 1},
+                                   Series(), {}, {}, {reducedByMm, false});
+  QVERIFY2(done, done ? "" : done.message().c_str());
+  QCOMPARE(filesIn(folder), QStringList({QStringLiteral("b-Left.stl"), QStringLiteral("b-Right.stl")}));
+  std::vector<std::string> notes;
+  for (const Segment& segment : balls.segments) {
+    const SurfaceToWrite made = *surfaceToWrite(balls, segment, reducedByMm);
+    const std::string path = folder.filePath(QStringLiteral("b-")).toStdString() + segment.label + ".stl";
+    if (made.surface.triangles.empty()) {
+      notes.push_back(segment.label + " has no voxels, and no surface.");
+      continue;
+    }
+    for (const std::string& told : toldOf(made)) notes.push_back(path + ": " + told);
+    const QByteArray written = bytesOfFile(QString::fromStdString(path));
+    QVERIFY(writeSurface(made.surface, path));
+    QVERIFY(bytesOfFile(QString::fromStdString(path)) == written);
+  }
+  QVERIFY(done->notes == notes);
+}
+
+void TestSurfaceExport::cancelledAtAnyMomentAllAreThereOrNone() {
+  const Segmented balls = ballsAndNothing(40);
+  QElapsedTimer timer;
+  const auto exported = [&](const QTemporaryDir& folder, const CancelToken& cancel) {
+    return exportSegments(folder.filePath(QStringLiteral("b.obj")).toStdString(), {&balls, 1}, Series(), {},
+                          cancel, {0.1, false});
+  };
+  timer.start();
+  const QTemporaryDir whole;
+  QVERIFY(exported(whole, {}));
+  const std::int64_t took = timer.nsecsElapsed();
+  const Seeds seeds = seedsOf(10, 100);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
+    Chance chance{std::uint64_t(seed)};
+    const QTemporaryDir folder;
+    const CancelToken cancel;
+    const LaterCancel later(cancel, std::chrono::nanoseconds(std::int64_t(chance.share() * double(took))));
+    const auto done = exported(folder, cancel);
+    QCOMPARE(filesIn(folder).size(), done ? 2 : 0);
+    if (!done) QCOMPARE(done.message(), std::string("Interrupted; nothing was written."));
+  }
+}
+
+VOLUMEN_TEST(TestSurfaceExport);
+#include "tst_surface_export.moc"

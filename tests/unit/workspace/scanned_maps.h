@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+
+#include "ui/workspace/segment_maps.h"
+#include "ui/workspace/segments.h"
+
+namespace volumen::tests {
+
+/// Of 1 mm.
+inline VoxelGeometry gridOfMaps(glm::ivec3 size) {
+  VoxelGeometry grid;
+  grid.size = size;
+  return grid;
+}
+
+inline Series scannedSeries() {
+  Series series;
+  series.path = "/data/ct";
+  series.id = "1";
+  return series;
+}
+
+inline const SeriesKey scanKey = keyOf(scannedSeries());
+
+/// A map of that series.
+inline SegmentMap withoutSegments(const VoxelGeometry& grid, int number = 0) {
+  SegmentMap map{scanKey, {}, std::make_shared<const LabelMap>(grid), {}};
+  map.number = number;
+  return map;
+}
+
+}  // namespace volumen::tests
