@@ -127,7 +127,7 @@ void TestLooks::nothingOverlapsOrIsCutOff() {
 
 void TestLooks::panelsAreWholeInAUsualWindow_data() {
   QTest::addColumn<QString>("name");
-  for (const char* name : {"lights", "clip", "segment", "snapshot"})
+  for (const char* name : {"transfer", "lights", "clip", "segment", "snapshot"})
     QTest::newRow(name) << QString::fromLatin1(name);
 }
 

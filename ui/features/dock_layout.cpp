@@ -235,7 +235,9 @@ void DockLayout::shareRoom() {
   const int fitting = window_.findChild<StudiesPanel*>()->fittingWidth();
   const int studies =
       std::min(std::max(std::clamp(width * 16 / 100, 150, 260), fitting), std::max(150, (width - 400) / 4));
-  const int curve = std::max(height * 2 / 5, 330);
+  // In a low window the curve scrolls rather than the segments: their list and the page below are seen
+  // together.
+  const int curve = std::min(std::max(height * 2 / 5, 375), std::max(height - 500, 280));
   QDockWidget *list = bench_.dock("studies"), *transfer = bench_.dock("transfer");
   window_.resizeDocks({list, transfer}, {studies, right}, Qt::Horizontal);
   window_.resizeDocks({transfer, bench_.dock("lights")}, {curve, height - curve}, Qt::Vertical);

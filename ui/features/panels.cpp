@@ -49,7 +49,7 @@ Panels::Panels(Workbench& bench) : Feature(bench) {
   connect(transfer->editor(), &CurveEditor::rangeDragged, &bench_, &Workbench::rangeDragged);
   connect(transfer, &TransferPanel::curvePulled, &bench_, &Workbench::curvePulled);
   const Workbench::DockEntry table[] = {
-      {"transfer", tr("Opacity and colour"), transfer, {right, 0, true, About::scene}},
+      {"transfer", tr("Opacity and colour"), scrolling(transfer), {right, 0, true, About::scene}},
       {"flat", tr("Slices and frames"), flatPanel(), {right, 5, true, About::flat}},
       {"lights", tr("Lights"), scrolling(lights()), {right, 10, true, About::scene}},
       {"clip", tr("Clip"), bench_.ofScene(scrolling(new ClipPanel(session_))), {right, 20}},

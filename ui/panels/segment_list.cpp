@@ -28,6 +28,13 @@ namespace {
 
 enum ListColumn { shownColumn, lockColumn, amountColumn, mapColumn };
 constexpr int numberRole = Qt::UserRole, mapRole = Qt::UserRole + 1;
+constexpr int leastRows = 4, mostRows = 8;
+
+// Asks for no more height than it must have.
+class LowTree : public QTreeWidget {
+ public:
+  QSize sizeHint() const override { return {QTreeWidget::sizeHint().width(), minimumHeight()}; }
+};
 
 // A column whose texts nobody types.
 class NotTyped : public QStyledItemDelegate {
@@ -72,7 +79,7 @@ void offerControl(QWidget* control, const QString& says, const QString& whyNot) 
 SegmentList::SegmentList(Session& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      list_(new QTreeWidget),
+      list_(new LowTree),
       worked_(plainLabel()),
       add_(listButton("segmentAdd", tr("Add"))),
       duplicate_(listButton("segmentDuplicate", tr("Duplicate"))),
@@ -180,11 +187,16 @@ void SegmentList::showMaps(bool areSeveral) {
                          .arg(mapName(segmentsShown(session_)->number)));
 }
 
-// As high as its rows, so that the pages below are seen; of many it scrolls.
+// As high as its rows where there is room, so that the pages below are seen; of more it scrolls.
 void SegmentList::showRoom() {
-  const int rows = std::clamp(list_->topLevelItemCount(), 3, 8);
   const int row = std::max(list_->sizeHintForRow(0), list_->fontMetrics().height() + 4);
-  list_->setFixedHeight(list_->header()->sizeHint().height() + rows * row + 2 * list_->frameWidth());
+  const int least = list_->header()->sizeHint().height() + leastRows * row + 2 * list_->frameWidth();
+  const int more = (std::clamp(list_->topLevelItemCount(), leastRows, mostRows) - leastRows) * row;
+  list_->setMinimumHeight(least);
+  list_->setMaximumHeight(least + more);
+  const QLayout& all = *layout();
+  setMaximumHeight(
+      more + (all.hasHeightForWidth() ? all.totalHeightForWidth(width()) : all.totalSizeHint().height()));
 }
 
 void SegmentList::showRow(QTreeWidgetItem* item, const SegmentMap& map, const Segment& segment) {

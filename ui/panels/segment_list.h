@@ -27,6 +27,9 @@ class SegmentList : public QWidget {
   /// A sentence on what work came to.
   void told(const QString& sentence);
 
+ protected:
+  void resizeEvent(QResizeEvent*) override { showRoom(); }
+
  private:
   void makeLayout();
   void connectButtons();

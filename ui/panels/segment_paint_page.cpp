@@ -96,12 +96,11 @@ void SegmentPaintPage::makeLayout() {
   column->addLayout(size);
   column->addWidget(inRange_, 0, Qt::AlignLeft);
   column->addLayout(where);
-  column->addLayout(cutRow());
-  column->addWidget(fill_, 0, Qt::AlignLeft);
+  column->addLayout(lastRow());
   column->addStretch();
 }
 
-QHBoxLayout* SegmentPaintPage::cutRow() {
+QHBoxLayout* SegmentPaintPage::lastRow() {
   cut_->setObjectName(QStringLiteral("segmentCut"));
   cutMm_->setObjectName(QStringLiteral("cutMm"));
   cutMm_->setAccessibleName(tr("Depth of a cut in a slice"));
@@ -113,11 +112,12 @@ QHBoxLayout* SegmentPaintPage::cutRow() {
   cutMm_->setSuffix(tr(" mm"));
   cutMm_->setSpecialValueText(tr("All slices"));
   cutMm_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  cutMm_->setMinimumWidth(80);
+  cutMm_->setMinimumWidth(70);
   auto* row = new QHBoxLayout;
+  row->setSpacing(4);
   row->addWidget(cut_);
-  row->addWidget(cutMm_);
-  row->addStretch();
+  row->addWidget(cutMm_, 1);
+  row->addWidget(fill_);
   return row;
 }
 

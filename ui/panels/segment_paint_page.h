@@ -35,7 +35,7 @@ class SegmentPaintPage : public QWidget {
 
  private:
   void makeLayout();
-  QHBoxLayout* cutRow();
+  QHBoxLayout* lastRow();
   void connectFields();
   void showBrush();
   void showOthers();

@@ -84,6 +84,11 @@ void SegmentRange::makeLayout() {
   use_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   use_->setMinimumContentsLength(6);
   use_->setToolTip(toolTipOf(tr("What a click does. Ctrl+click keeps only the part, Alt+click removes it.")));
+  spans_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  spans_->setMinimumContentsLength(12);
+  auto* top = new QHBoxLayout;
+  top->addWidget(table_);
+  top->addWidget(spans_, 1);
   auto* fields = new QHBoxLayout;
   fields->addWidget(plainLabel(tr("From")));
   fields->addWidget(low_, 1);
@@ -92,6 +97,10 @@ void SegmentRange::makeLayout() {
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(make_, 1);
   buttons->addWidget(replace_, 1);
+  auto* checks = new QHBoxLayout;
+  checks->addWidget(follows_);
+  checks->addWidget(only_);
+  checks->addStretch();
   auto* part = new QHBoxLayout;
   part->addWidget(part_);
   part->addWidget(use_, 1);
@@ -104,14 +113,10 @@ void SegmentRange::makeLayout() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  column->addWidget(table_, 0, Qt::AlignLeft);
-  column->addWidget(spans_);
-  column->addLayout(fields);
-  column->addLayout(buttons);
-  column->addWidget(follows_, 0, Qt::AlignLeft);
-  column->addWidget(only_, 0, Qt::AlignLeft);
-  column->addLayout(part);
-  column->addLayout(guard);
+  for (QHBoxLayout* row : {top, fields, buttons, checks, part, guard}) {
+    row->setSpacing(4);
+    column->addLayout(row);
+  }
   column->addStretch();
 }
 

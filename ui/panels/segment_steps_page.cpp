@@ -1,6 +1,7 @@
 #include "ui/panels/segment_steps_page.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "ui/controller/segment_target.h"
@@ -68,16 +69,19 @@ void SegmentStepsPage::fillKinds() {
 void SegmentStepsPage::makeLayout() {
   auto* grid = new QGridLayout;
   grid->setSpacing(4);
-  constexpr int columns = 2;
+  constexpr int columns = 3;
   for (int n = 0; n < int(usual_.size()); ++n)
     grid->addWidget(usual_[std::size_t(n)].button, n / columns, n % columns);
+  auto* any = new QHBoxLayout;
+  any->setSpacing(4);
+  any->addWidget(kinds_, 1);
+  any->addWidget(apply_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
   column->addLayout(grid);
-  column->addWidget(kinds_);
+  column->addLayout(any);
   column->addWidget(fields_);
-  column->addWidget(apply_);
   column->addStretch();
 }
 

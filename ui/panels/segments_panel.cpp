@@ -82,9 +82,17 @@ QToolButton* SegmentsPanel::pageButton(const char* name, const QString& text, QW
   button->setText(text);
   button->setCheckable(true);
   button->setAutoRaise(true);  // as in a tool bar: the one that is chosen has a frame
+  page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   pages_->addWidget(page);
-  connect(button, &QToolButton::clicked, pages_, [this, page] { pages_->setCurrentWidget(page); });
+  connect(button, &QToolButton::clicked, this, [this, page] { showPage(page); });
   return button;
+}
+
+// It alone says how high the panel is; all say how wide, so that nothing moves sideways.
+void SegmentsPanel::showPage(QWidget* page) {
+  pages_->currentWidget()->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+  page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  pages_->setCurrentWidget(page);
 }
 
 void SegmentsPanel::makeLayout() {
@@ -99,6 +107,7 @@ void SegmentsPanel::makeLayout() {
     row->addWidget(button);
   }
   group->buttons().front()->setChecked(true);
+  showPage(range_);
   row->addStretch();
   auto* all = new QHBoxLayout;
   all->setSpacing(4);
@@ -106,15 +115,15 @@ void SegmentsPanel::makeLayout() {
     all->addWidget(widget);
   all->addStretch();
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
+  column->setContentsMargins(8, 4, 8, 4);
   column->setSpacing(4);
-  column->addWidget(list_);
+  column->addWidget(list_, 1);
   column->addWidget(result_);
   column->addLayout(all);
-  column->addWidget(tissue_);
   column->addLayout(row);
   column->addWidget(pages_);
   column->addStretch();
+  column->addWidget(tissue_);
 }
 
 // Those for the series in view, each a click.

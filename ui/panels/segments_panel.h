@@ -56,6 +56,7 @@ class SegmentsPanel : public QWidget {
  private:
   void makeLayout();
   QToolButton* pageButton(const char* name, const QString& text, QWidget* page);
+  void showPage(QWidget* page);
   void fillRecipes();
   void showIn3d();
   void askForNumbers();

@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,21 +32,27 @@ bool isCount(const StepField& field) {
 }  // namespace
 
 StepFields::StepFields(Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), form_(new QFormLayout(this)) {
-  form_->setContentsMargins(0, 0, 0, 0);
-  form_->setSpacing(4);
+    : QWidget(parent), session_(session), grid_(new QGridLayout(this)) {
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setSpacing(4);
+  for (const int column : {1, 3}) grid_->setColumnStretch(column, 1);
 }
 
 void StepFields::showKind(const StepKind& kind) {
   forgetOtherSeries();
   if (const QStringList all = shownBy(kind); std::exchange(shown_, all) == all) return;
-  while (form_->rowCount() > 0) form_->removeRow(0);
+  qDeleteAll(findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+  const auto chosen = std::ranges::count_if(kind.fields, isChosen);
+  int n = 0;
   for (const StepField& field : kind.fields) {
     if (!isChosen(field)) continue;
     QWidget* made = fieldFor(field);
     made->setObjectName(QStringLiteral("stepField-") + QLatin1String(field.name));
     made->setAccessibleName(tr(field.title));
-    form_->addRow(plainLabel(tr(field.title)), made);
+    // Two beside each other; the last has the rest of its row.
+    const int row = n / 2, column = n % 2 * 2, columns = ++n == chosen && column == 0 ? 3 : 1;
+    grid_->addWidget(plainLabel(tr(field.title)), row, column);
+    grid_->addWidget(made, row, column + 1, 1, columns);
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <QComboBox>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <map>
 #include <string>
 
@@ -38,7 +38,7 @@ class StepFields : public QWidget {
   QStringList shownBy(const StepKind& kind) const;
 
   Session& session_;
-  QFormLayout* form_;
+  QGridLayout* grid_;
   std::map<std::string, StepValue> typed_;   // by name of field, but for
   std::map<std::string, StepValue> values_;  // values of the series, not as shown
   LoadedSeriesPtr series_;

@@ -34,7 +34,7 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
   makeScaleBox();
   makePages();
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
+  column->setContentsMargins(8, 4, 8, 4);
   column->addWidget(makeModeRow());
   column->addWidget(editor_, 1);
   column->addWidget(pages_);
