@@ -264,7 +264,7 @@ void TestMeasureSegments::aTimeInAnotherUnitHasNoValues() {
   const QJsonArray suv = meansIn("SUVbw"), file = meansIn("file");
   QVERIFY(suv.size() == 2 && file.size() == 2);
   QVERIFY(isAbout(suv[0][QStringLiteral("mean")], 0.584255));
-  QVERIFY(suv[1].isNull());
+  QVERIFY(suv[1][QStringLiteral("mean")].isNull());
   QVERIFY(isAbout(file[1][QStringLiteral("mean")], 4000));
 }
 
