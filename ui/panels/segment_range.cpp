@@ -56,7 +56,7 @@ SegmentRange::SegmentRange(Session& session, QWidget* parent)
       make_(new QPushButton(tr("Make segment"))),
       replace_(new QPushButton(tr("Replace"))),
       follows_(new QCheckBox(tr("Follows the curve"))),
-      only_(new QCheckBox(tr("Show only the segment"))),
+      only_(new QCheckBox(tr("Only the segment"))),
       part_(new QToolButton),
       use_(new QComboBox),
       guard_(leakGuardField()),

@@ -13,8 +13,8 @@ namespace volumen {
 namespace {
 
 // Those that are a click, three in a row.
-constexpr const char* usualSteps[] = {"largest",  "fill",  "invert", "grow",   "shrink",
-                                      "gaussian", "close", "open",   "islands"};
+constexpr const char* usualSteps[] = {"fill",     "invert", "largest", "grow",   "shrink",
+                                      "gaussian", "close",  "open",    "islands"};
 
 // "Grow 3 mm": with its length, where it has one.
 QString usualText(const StepKind& kind, const std::map<std::string, StepValue>& values) {
@@ -68,7 +68,7 @@ void SegmentStepsPage::fillKinds() {
 
 void SegmentStepsPage::makeLayout() {
   auto* grid = new QGridLayout;
-  grid->setSpacing(4);
+  grid->setSpacing(2);
   constexpr int columns = 3;
   for (int n = 0; n < int(usual_.size()); ++n)
     grid->addWidget(usual_[std::size_t(n)].button, n / columns, n % columns);

@@ -115,7 +115,7 @@ void SegmentsPanel::makeLayout() {
     all->addWidget(widget);
   all->addStretch();
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 4, 8, 4);
+  column->setContentsMargins(4, 4, 4, 4);
   column->setSpacing(4);
   column->addWidget(list_, 1);
   column->addWidget(result_);
