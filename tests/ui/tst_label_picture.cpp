@@ -1,52 +1,169 @@
-// Guards that segments are mixed into slices as it is defined, pixel by pixel.
+// Guards how segments are drawn in slices: a twin that goes by the definition, place by place, and closed
+// forms: straight borders at any angle, the faces of voxels, a ball, thin things, labels that touch.
+#include <tbb/global_control.h>
+
+#include <QImage>
+#include <map>
+
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/chance_slices.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/picture_underneath.h"
+#include "ui/controller/segment_layer.h"
 
 using namespace volumen;
 using namespace volumen::tests;
 
 namespace {
 
-// Pixel by pixel, each voxel looked for by itself.
-QImage segmentsByPixel(const SliceRequest& request) {
-  QImage picture = (*drawUnderneath(request)).convertToFormat(QImage::Format_RGB32);
-  const SlicePlane& plane = request.plane;
-  const auto mix = [](QRgb under, QRgb over, double part) {
-    const auto channel = [&](int a, int b) { return int(std::lround((1 - part) * a + part * b)); };
-    return qRgb(channel(qRed(under), qRed(over)), channel(qGreen(under), qGreen(over)),
-                channel(qBlue(under), qBlue(over)));
-  };
-  const auto voxelOf = [&](const VoxelGeometry& grid, int x, int y) -> std::optional<glm::ivec3> {
-    const glm::dvec3 v = grid.voxelFromPatient(plane.patientFromPixel({x + 0.5, y + 0.5})) + 0.5;
-    if (glm::any(glm::lessThan(v, glm::dvec3(0))) ||
-        glm::any(glm::greaterThanEqual(v, glm::dvec3(grid.size))))
-      return {};
-    return glm::ivec3(v);
-  };
-  for (const SegmentLayer& layer : request.segments) {
-    const auto labelAt = [&](int x, int y) {
-      const auto voxel = voxelOf(layer.labels->geometry(), x, y);
-      const std::uint8_t label = voxel ? layer.labels->at(*voxel) : 0;
-      return label == 1 || label == 3 ? int(label) : 0;
-    };
-    const QImage under = picture;
-    for (int y = 0; y < picture.height(); ++y)
-      for (int x = 0; x < picture.width(); ++x) {
-        const int label = labelAt(x, y);
-        if (label == 0) continue;
-        bool isOutline = false;
-        for (const QPoint by : {QPoint(-1, 0), QPoint(1, 0), QPoint(0, -1), QPoint(0, 1)})
-          if (picture.rect().contains(QPoint(x, y) + by))
-            isOutline |= labelAt(x + by.x(), y + by.y()) != label;
-        const double part = layer.opacity * 0.7;
-        picture.setPixel(
-            x, y,
-            mix(under.pixel(x, y), qRgb(200, 20 * label, 90), isOutline ? std::min(1.0, 2 * part) : part));
-      }
+constexpr QRgb redLabel = qRgb(255, 0, 0), blueLabel = qRgb(0, 0, 255), black = qRgb(0, 0, 0);
+constexpr auto nearest = Interpolation::nearest, linear = Interpolation::linear;
+
+// With the label that `labelOf` gives each voxel; label 1 is shown, in red.
+template <class LabelOf>
+SegmentLayer redLayer(glm::ivec3 size, const LabelOf& labelOf) {
+  VoxelGeometry grid;
+  grid.size = size;
+  LabelEdit edit{LabelMap(grid)};
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i) edit.set({i, j, k}, std::uint8_t(labelOf({i, j, k})));
+  SegmentLayer layer;
+  layer.labels = std::make_shared<const LabelMap>(edit.done());
+  layer.shown = {{1, redLabel, 1}};
+  return layer;
+}
+
+SlicePlane turnedPlane(glm::dvec3 centre, double mm, double degrees, Interpolation interpolation) {
+  const double turned = degrees * 3.14159265358979 / 180;
+  SlicePlane plane;
+  plane.centre = centre;
+  plane.right = {std::cos(turned), std::sin(turned), 0};
+  plane.down = {-std::sin(turned), std::cos(turned), 0};
+  plane.mmPerPixel = mm;
+  plane.size = {60, 50};
+  plane.interpolation = interpolation;
+  return plane;
+}
+
+QImage segmentsOver(QRgb under, const SlicePlane& plane, const SegmentLayer& layer) {
+  QImage picture(plane.size.x, plane.size.y, QImage::Format_RGB32);
+  picture.fill(under);
+  return withSegments(picture, plane, layer);
+}
+
+// The part of a unit square that lies where x * normal.x + y * normal.y < distance from its centre.
+double partOfPixel(glm::dvec2 normal, double distance) {
+  const double a = std::max(std::abs(normal.x), std::abs(normal.y)),
+               b = std::min(std::abs(normal.x), std::abs(normal.y)), d = std::abs(distance);
+  if (d >= (a + b) / 2) return distance > 0 ? 1 : 0;
+  const double larger =
+      d <= (a - b) / 2 ? 0.5 + d / a : 1 - ((a + b) / 2 - d) * ((a + b) / 2 - d) / (2 * a * b);
+  return distance > 0 ? larger : 1 - larger;
+}
+
+// What the places of each pixel show, by the definition; pixels with a place where rounding decides are
+// unsure.
+class PlaceTwin {
+ public:
+  PlaceTwin(const SegmentLayer& layer, const SlicePlane& plane) : layer_(layer), plane_(plane) {
+    const VoxelGeometry& grid = layer.labels->geometry();
+    const auto voxelAt = [&](glm::dvec2 p) { return grid.voxelFromPatient(plane.patientFromPixel(p)); };
+    for (int a = 0; a < 2; ++a)
+      parts_[a] = std::max(1, int(std::ceil(glm::length(voxelAt({a == 0, a == 1}) - voxelAt({0, 0})) / 1.3)));
+    for (int y = 0; y < plane.size.y; ++y)
+      for (int x = 0; x < plane.size.x; ++x) pixels_.push_back(lookAt(x, y));
   }
-  return picture;
+
+  bool isSure(int x, int y) const {
+    return at(x, y).isSure && at(x - 1, y).isSure && at(x + 1, y).isSure && at(x, y - 1).isSure &&
+           at(x, y + 1).isSure;
+  }
+  glm::dvec3 colour(int x, int y, glm::dvec3 under) const {
+    const double all = 5 * parts_.x * parts_.y;
+    double covered = 0, hidden = 0;
+    glm::dvec3 sum(0);
+    for (std::size_t n = 0; n < layer_.shown.size(); ++n) {
+      const int number = int(n) + 1, here = count(x, y, number);
+      const int beside[] = {count(x - 1, y, number), count(x + 1, y, number), count(x, y - 1, number),
+                            count(x, y + 1, number)};
+      const int inner = std::min(here, *std::ranges::min_element(beside));
+      const bool isThin = here > 0 && *std::ranges::max_element(beside) <= here;
+      const int seen = isThin ? std::max(here, int(std::ceil(all / 2))) : here;
+      const double part = layer_.opacity * layer_.shown[n].opacity;
+      const double hides = inner * part + (seen - inner) * std::min(1.0, 2 * part);
+      const QRgb c = layer_.shown[n].colour;
+      covered += seen, hidden += hides, sum += hides * glm::dvec3(qRed(c), qGreen(c), qBlue(c));
+    }
+    const double whole = std::max(all, covered);
+    return (1 - hidden / whole) * under + sum / whole;
+  }
+
+ private:
+  struct Pixel {
+    std::map<int, int> counts;
+    bool isSure = true;
+  };
+
+  // Beyond the picture all goes on.
+  const Pixel& at(int x, int y) const {
+    const glm::ivec2 held = glm::clamp(glm::ivec2(x, y), glm::ivec2(0), plane_.size - 1);
+    return pixels_[std::size_t(held.y * plane_.size.x + held.x)];
+  }
+  int count(int x, int y, int number) const {
+    const auto found = at(x, y).counts.find(number);
+    return found == at(x, y).counts.end() ? 0 : found->second;
+  }
+  Pixel lookAt(int x, int y) const {
+    Pixel pixel;
+    for (int j = 0; j < parts_.y; ++j)
+      for (int i = 0; i < parts_.x; ++i)
+        for (const glm::dvec2 from : {glm::dvec2(0, 0), {0.2, 0.4}, {0.4, -0.2}, {-0.2, -0.4}, {-0.4, 0.2}}) {
+          const glm::dvec2 inPixel = (glm::dvec2(i, j) + 0.5 + from) / glm::dvec2(parts_);
+          ++pixel.counts[look(glm::dvec2(x, y) + inPixel, pixel.isSure)];
+        }
+    return pixel;
+  }
+  int shownOf(glm::ivec3 voxel) const {
+    const glm::ivec3 held = glm::clamp(voxel, glm::ivec3(0), layer_.labels->geometry().size - 1);
+    const auto found =
+        std::ranges::find(layer_.shown, layer_.labels->at(held), &SegmentLayer::Shown::segment);
+    return found == layer_.shown.end() ? 0 : int(found - layer_.shown.begin()) + 1;
+  }
+  int look(glm::dvec2 pPixel, bool& isSure) const {
+    constexpr double rounding = 1e-4, shareRounding = 2e-3;
+    const VoxelGeometry& grid = layer_.labels->geometry();
+    const glm::dvec3 v = grid.voxelFromPatient(plane_.patientFromPixel(pPixel));
+    const glm::dvec3 toFace = glm::abs(v + 0.5 - glm::round(v + 0.5));
+    const bool isAtFace = std::min({toFace.x, toFace.y, toFace.z}) < rounding;
+    for (int a = 0; a < 3; ++a)
+      if (v[a] < -0.5 || v[a] >= grid.size[a] - 0.5) return isSure = isSure && !isAtFace, 0;
+    if (plane_.interpolation == nearest)
+      return isSure = isSure && !isAtFace, shownOf(glm::ivec3(glm::floor(v + 0.5)));
+    std::map<int, double> shares;
+    for (int c = 0; c < 8; ++c) {
+      const glm::ivec3 voxel = glm::ivec3(glm::floor(v)) + glm::ivec3(c & 1, c >> 1 & 1, c >> 2);
+      const glm::dvec3 share = 1.0 - glm::abs(v - glm::dvec3(voxel));
+      shares[shownOf(voxel)] += share.x * share.y * share.z;
+    }
+    const auto largest = std::ranges::max_element(shares, {}, [](const auto& one) { return one.second; });
+    for (const auto& [number, share] : shares)
+      isSure = isSure && (number == largest->first || share < largest->second - shareRounding);
+    return largest->first;
+  }
+
+  const SegmentLayer& layer_;
+  const SlicePlane& plane_;
+  glm::ivec2 parts_;
+  std::vector<Pixel> pixels_;
+};
+
+void addZoomRows(const std::vector<double>& mms) {
+  QTest::addColumn<double>("mm");
+  QTest::addColumn<Interpolation>("interpolation");
+  for (const double mm : mms)
+    for (const auto interpolation : {nearest, linear})
+      QTest::addRow("%g mm a pixel, %s", mm, interpolation == nearest ? "nearest" : "linear")
+          << mm << interpolation;
 }
 
 }  // namespace
@@ -54,24 +171,179 @@ QImage segmentsByPixel(const SliceRequest& request) {
 class TestLabelPicture : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void segmentsAreThoseOfATwin();
+  void pixelsAreThoseOfATwin_data();
+  void pixelsAreThoseOfATwin();
+  void tiltedBordersCoverTheirPart_data() { addZoomRows({0.13, 0.6, 1.0, 1.3, 2.4, 5}); }
+  void tiltedBordersCoverTheirPart();
+  void nearestVoxelsAreDrawnToTheirFaces();
+  void aBallIsRoundWhereItIsInterpolated();
+  void thinThingsAreSeenAtAnyZoom_data() { addZoomRows({0.125, 0.5, 0.9, 1.0, 1.4, 2.3, 5.0}); }
+  void thinThingsAreSeenAtAnyZoom();
+  void labelsThatTouchLeaveNoSeam_data() { addZoomRows({0.07, 0.3, 1.0, 1.7}); }
+  void labelsThatTouchLeaveNoSeam();
+  void oneThreadDrawsTheSame();
 };
 
-void TestLabelPicture::segmentsAreThoseOfATwin() {
-  const std::vector<VolumePtr> volumes{shearedRamp(0), shearedRamp(60)};
-  const Seeds seeds = seedsOf(40, 2000);
-  int tinted = 0;
-  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
-    Chance chance{std::uint64_t(seed)};
-    SliceRequest request = requestUnder(volumes[0], chance);
-    request.segments.push_back(chanceSegments(chance, volumes[0]->geometry()));
-    const Result<QImage> picture = drawSlice(request);
-    QVERIFY(picture);
-    const QImage expected = segmentsByPixel(request);
-    QVERIFY2(*picture == expected, qPrintable(QStringLiteral("seed %1").arg(seed)));
-    tinted += expected != (*drawUnderneath(request)).convertToFormat(QImage::Format_RGB32) ? 1 : 0;
+void TestLabelPicture::pixelsAreThoseOfATwin_data() {
+  QTest::addColumn<int>("seed");
+  const Seeds seeds = seedsOf(30, 1000);
+  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+void TestLabelPicture::pixelsAreThoseOfATwin() {
+  QFETCH(int, seed);
+  Chance chance{std::uint64_t(seed)};
+  const VoxelGeometry grid = shearedRamp(0)->geometry();
+  SlicePlane plane = chancePlane(chance);
+  plane.interpolation = chance.oneIn(2) ? nearest : linear;
+  const SegmentLayer layer = chanceSegments(chance, grid);
+  const QImage picture = segmentsOver(qRgb(100, 100, 100), plane, layer);
+  const PlaceTwin twin(layer, plane);
+  int unsure = 0;
+  for (int y = 0; y < plane.size.y; ++y)
+    for (int x = 0; x < plane.size.x; ++x) {
+      if (!twin.isSure(x, y)) {
+        ++unsure;
+        continue;
+      }
+      const QRgb seen = picture.pixel(x, y);
+      const glm::dvec3 off =
+          glm::abs(twin.colour(x, y, glm::dvec3(100)) - glm::dvec3(qRed(seen), qGreen(seen), qBlue(seen)));
+      QVERIFY2(std::max({off.x, off.y, off.z}) < 0.51,
+               qPrintable(QStringLiteral("%1 %2: %3 %4 %5").arg(x).arg(y).arg(off.x).arg(off.y).arg(off.z)));
+    }
+  QVERIFY2(unsure <= 0.2 * plane.size.x * plane.size.y, qPrintable(QString::number(unsure)));
+}
+
+// A half-space, turned by any angle. Five places are off by 0.29 at most, and by 0.075 in the mean square.
+void TestLabelPicture::tiltedBordersCoverTheirPart() {
+  QFETCH(double, mm);
+  QFETCH(Interpolation, interpolation);
+  SegmentLayer layer = redLayer({240, 200, 2}, [](glm::ivec3 voxel) { return voxel.x < 120 ? 1 : 0; });
+  layer.opacity = 1;
+  double most = 0, squares = 0;
+  int pixels = 0;
+  for (int degrees = 1; degrees < 180; degrees += 3) {
+    const SlicePlane plane = turnedPlane({119.5 - 0.27 * mm, 100, 0.25}, mm, degrees, interpolation);
+    const QImage picture = segmentsOver(black, plane, layer);
+    for (int y = 15; y < 35; ++y)
+      for (int x = 15; x < 45; ++x) {
+        const double distance = (119.5 - plane.patientFromPixel({x + 0.5, y + 0.5}).x) / mm;
+        if (std::abs(distance) > 0.75) continue;
+        const double off = std::abs(qRed(picture.pixel(x, y)) / 255.0 -
+                                    partOfPixel({plane.right.x, plane.down.x}, distance));
+        most = std::max(most, off), squares += off * off, ++pixels;
+      }
   }
-  QVERIFY(tinted > seeds.count / 2);
+  QVERIFY(pixels > 500);
+  QVERIFY2(most < 0.295, qPrintable(QString::number(most)));
+  QVERIFY2(std::sqrt(squares / pixels) < 0.08, qPrintable(QString::number(std::sqrt(squares / pixels))));
+}
+
+// Two voxels beside each other, eight pixels wide each, with an outline of one pixel.
+void TestLabelPicture::nearestVoxelsAreDrawnToTheirFaces() {
+  SegmentLayer layer =
+      redLayer(glm::ivec3(9), [](glm::ivec3 v) { return v == glm::ivec3(4) || v == glm::ivec3(5, 4, 4); });
+  layer.opacity = 0.4;
+  SlicePlane plane = turnedPlane(glm::dvec3(4), 0.125, 0, nearest);
+  plane.size = {40, 40};
+  const QImage picture = segmentsOver(black, plane, layer);
+  const QRect voxels(16, 16, 16, 8), inside = voxels.adjusted(1, 1, -1, -1);
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x)
+      QCOMPARE(picture.pixel(x, y), inside.contains(x, y)   ? qRgb(102, 0, 0)
+                                    : voxels.contains(x, y) ? qRgb(204, 0, 0)
+                                                            : black);
+}
+
+// Of 9.3 voxels, ten pixels each: no border is farther than half a voxel's diagonal from the sphere's, its
+// area is that of a circle, and it has no corners: the outline is about as long as the circle.
+void TestLabelPicture::aBallIsRoundWhereItIsInterpolated() {
+  constexpr double radius = 9.3, mm = 0.1, pi = 3.14159265358979;
+  SegmentLayer layer = redLayer(
+      glm::ivec3(25), [](glm::ivec3 voxel) { return glm::length(glm::dvec3(voxel) - 12.0) < radius; });
+  SlicePlane plane = turnedPlane(glm::dvec3(12), mm, 20, linear);
+  plane.size = {240, 240};
+  layer.opacity = 1;
+  const QImage whole = segmentsOver(black, plane, layer);
+  double area = 0;
+  for (int y = 0; y < 240; ++y)
+    for (int x = 0; x < 240; ++x) {
+      const double from = glm::length(plane.patientFromPixel({x + 0.5, y + 0.5}) - 12.0),
+                   part = qRed(whole.pixel(x, y)) / 255.0;
+      QVERIFY2(from > radius - 0.9 || part == 1, qPrintable(QString::number(from)));
+      QVERIFY2(from < radius + 0.9 || part == 0, qPrintable(QString::number(from)));
+      area += part * mm * mm;
+    }
+  QVERIFY2(std::abs(area / (pi * radius * radius) - 1) < 0.03, qPrintable(QString::number(area)));
+  // Outlines are whole where they are not half hidden: opacity 1/2 against 1, of which the inside is left.
+  layer.opacity = 0.5;
+  const QImage half = segmentsOver(black, plane, layer);
+  double outline = 0;
+  for (int y = 0; y < 240; ++y)
+    for (int x = 0; x < 240; ++x)
+      outline += (2.0 * qRed(half.pixel(x, y)) - qRed(whole.pixel(x, y))) / 255.0 * mm;
+  QVERIFY2(outline > 2 * pi * radius && outline < 2 * pi * radius * 1.6,
+           qPrintable(QString::number(outline)));
+}
+
+// One voxel has half a pixel's outline somewhere, a line of them half of its width all along.
+void TestLabelPicture::thinThingsAreSeenAtAnyZoom() {
+  QFETCH(double, mm);
+  QFETCH(Interpolation, interpolation);
+  constexpr int middle = 150;
+  SegmentLayer voxel =
+      redLayer({2 * middle, 2 * middle, 3}, [](glm::ivec3 v) { return v == glm::ivec3(middle, middle, 1); });
+  SegmentLayer line =
+      redLayer({2 * middle, 2 * middle, 3}, [](glm::ivec3 v) { return v.y == middle && v.z == 1; });
+  voxel.opacity = line.opacity = 0.5;
+  Chance chance{3};
+  for (int n = 0; n < 30; ++n) {
+    const glm::dvec3 by = mm * chance.vector();
+    const SlicePlane plane =
+        turnedPlane({middle + by.x, middle + by.y, 1}, mm, chance.between(0, 180), interpolation);
+    const QImage one = segmentsOver(black, plane, voxel), many = segmentsOver(black, plane, line);
+    const auto strongest = [](const QImage& picture, glm::dvec2 p) {
+      int most = 0;
+      for (int y = int(p.y) - 1; y <= int(p.y) + 1; ++y)
+        for (int x = int(p.x) - 1; x <= int(p.x) + 1; ++x) most = std::max(most, qRed(picture.pixel(x, y)));
+      return most;
+    };
+    const double half = 0.47 * 255, ofWidth = std::min(half, 0.5 / mm * 255);
+    QVERIFY(strongest(one, plane.pixelFromPatient({middle, middle, 1})) > half);
+    for (double x = -15 * mm; x < 15 * mm; x += 0.5 * mm)
+      QVERIFY2(strongest(many, plane.pixelFromPatient({middle + x, middle, 1})) > ofWidth,
+               qPrintable(QString::number(x)));
+  }
+}
+
+// Every voxel has one of three labels, by chance: all is their colour.
+void TestLabelPicture::labelsThatTouchLeaveNoSeam() {
+  QFETCH(double, mm);
+  QFETCH(Interpolation, interpolation);
+  Chance chance{7};
+  SegmentLayer layer = redLayer(glm::ivec3(100), [&](glm::ivec3) { return 1 + chance.below(3); });
+  layer.shown = {{1, blueLabel, 1}, {2, blueLabel, 1}, {3, blueLabel, 1}};
+  layer.opacity = 1;
+  SlicePlane plane = turnedPlane(glm::dvec3(49.37), mm, 31, interpolation);
+  plane.down = glm::normalize(glm::cross(glm::normalize(glm::dvec3(0.1, 0.2, 1)), plane.right));
+  plane.size = {40, 40};
+  QImage all(40, 40, QImage::Format_RGB32);
+  all.fill(blueLabel);
+  QVERIFY(segmentsOver(qRgb(255, 255, 255), plane, layer) == all);
+}
+
+void TestLabelPicture::oneThreadDrawsTheSame() {
+  Chance chance{5};
+  const VoxelGeometry grid = shearedRamp(0)->geometry();
+  for (int n = 0; n < 10; ++n) {
+    SlicePlane plane = chancePlane(chance);
+    plane.size = {90, 80};
+    const SegmentLayer layer = chanceSegments(chance, grid);
+    const QImage many = segmentsOver(black, plane, layer);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    QVERIFY(segmentsOver(black, plane, layer) == many);
+  }
 }
 
 VOLUMEN_TEST(TestLabelPicture);

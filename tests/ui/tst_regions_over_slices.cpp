@@ -128,8 +128,9 @@ void TestRegionsOverSlices::segmentsTintTheirPixels() {
   QVERIFY(tinted(planeAt({0, 0, 0})) == block);
   QVERIFY(tinted(planeAt({0, 0, 1.4})) == block);
   QVERIFY(tinted(planeAt({0, 0, 1.6})) == std::pair(0, 0));
-  // Coronal through it: as wide, and as high as its plane is thick; centres on its two faces are inside.
-  QVERIFY(tinted(planeAt({0, -8, 0}, {1, 0, 0}, {0, 0, -1})) == std::pair(14 * 2, 16 * 4 - 14 * 2));
+  // Coronal through it: as wide, and as high as its plane is thick; moved by half a pixel, so that its two
+  // faces lie between pixels.
+  QVERIFY(tinted(planeAt({0, -8, 0.5}, {1, 0, 0}, {0, 0, -1})) == std::pair(14, 16 * 3 - 14));
 }
 
 VOLUMEN_TEST(TestRegionsOverSlices);

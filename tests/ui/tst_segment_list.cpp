@@ -7,8 +7,6 @@
 #include <QSlider>
 #include <QTemporaryDir>
 
-#include "tests/fixtures/chance.h"
-#include "tests/fixtures/seeds.h"
 #include "tests/ui/segment_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
@@ -31,8 +29,6 @@ class TestSegmentList : public QObject {
   void whatCannotBeDoneSaysWhy();
   void theListSaysHowLargeTheyAre();
   void slicesShowThem();
-  void pixelsAreThoseOfTheNearestVoxel_data();
-  void pixelsAreThoseOfTheNearestVoxel();
   void theyAreCarriedOntoAnotherPlane();
   void aLargePictureTakesMilliseconds();
   void slicesShowThoseOfTheSeriesOverThem();
@@ -205,61 +201,6 @@ void TestSegmentList::slicesShowThem() {
   QTRY_VERIFY_WITH_TIMEOUT(isGrey(at(middle)), longest);
   w.undo();
   QTRY_VERIFY_WITH_TIMEOUT(!isGrey(at(middle)), longest);
-}
-
-void TestSegmentList::pixelsAreThoseOfTheNearestVoxel_data() {
-  QTest::addColumn<int>("seed");
-  const Seeds seeds = seedsOf(30, 300);
-  for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
-}
-
-// Planes and grids by chance, sheared ones too. The twin goes from each pixel by itself; pixels within 1e-9
-// voxels of where two voxels meet may be either's, of which chance makes none.
-void TestSegmentList::pixelsAreThoseOfTheNearestVoxel() {
-  QFETCH(int, seed);
-  Chance chance{std::uint64_t(seed)};
-  VoxelGeometry grid;
-  grid.size = {5 + chance.below(40), 5 + chance.below(40), 1 + chance.below(40)};
-  for (int a = 0; a < 3; ++a) grid.patientFromVoxelStep[a] += 0.4 * chance.vector();
-  grid.origin = -0.5 * (grid.patientFromVoxelStep * glm::dvec3(grid.size)) + chance.vector();
-  LabelEdit edit{LabelMap(grid)};
-  for (int n = 0; n < 3000; ++n)
-    edit.set({chance.below(grid.size.x), chance.below(grid.size.y), chance.below(grid.size.z)},
-             std::uint8_t(chance.below(4)));
-  SegmentLayer layer;
-  layer.labels = std::make_shared<const LabelMap>(edit.done());
-  layer.shown = {{1, qRgb(255, 0, 0), 1}, {3, qRgb(0, 0, 255), 0.5}};
-  layer.opacity = 0.5;
-  SlicePlane plane;
-  plane.right = glm::normalize(chance.vector() + glm::dvec3(0, 0, 1e-3));
-  plane.down = glm::normalize(glm::cross(plane.right, chance.vector() + glm::dvec3(1e-3, 0, 0)));
-  plane.centre = 3.0 * chance.vector();
-  plane.mmPerPixel = chance.between(0.2, 1.5);
-  plane.size = {30 + chance.below(40), 30 + chance.below(40)};
-  const auto labelAt = [&](int x, int y) {
-    const glm::dvec3 v = grid.voxelFromPatient(plane.patientFromPixel({x + 0.5, y + 0.5}));
-    const glm::ivec3 nearest(glm::round(v));
-    for (int a = 0; a < 3; ++a)
-      if (nearest[a] < 0 || nearest[a] >= grid.size[a]) return 0;
-    const int label = layer.labels->at(nearest);
-    return label == 2 ? 0 : label;  // hidden
-  };
-  QImage grey(plane.size.x, plane.size.y, QImage::Format_Grayscale8);
-  grey.fill(100);
-  const QImage picture = withSegments(grey, plane, layer);
-  for (int y = 0; y < plane.size.y; ++y)
-    for (int x = 0; x < plane.size.x; ++x) {
-      const int label = labelAt(x, y);
-      bool isOutline = false;
-      for (const auto& [i, j] : {std::pair(x - 1, y), {x + 1, y}, {x, y - 1}, {x, y + 1}})
-        isOutline = isOutline || (picture.rect().contains(i, j) && labelAt(i, j) != label);
-      const double part = (label == 1 ? 0.5 : 0.25) * (isOutline ? 2 : 1);
-      const glm::dvec3 colour = label == 1 ? glm::dvec3(255, 0, 0) : glm::dvec3(0, 0, 255);
-      const glm::dvec3 mixed = label == 0 ? glm::dvec3(100) : (1 - part) * glm::dvec3(100) + part * colour;
-      const QRgb seen = picture.pixel(x, y);
-      QVERIFY2(glm::length(mixed - glm::dvec3(qRed(seen), qGreen(seen), qBlue(seen))) < 1.5,
-               qPrintable(QStringLiteral("%1 %2: %3").arg(x).arg(y).arg(label)));
-    }
 }
 
 // A map seen from a plane whose patient space is another one: as if the plane lay there.

@@ -27,9 +27,10 @@ struct SegmentLayer {
   bool operator==(const SegmentLayer&) const = default;
 };
 
-/// The picture of a plane with the segments mixed in at the pixels whose centre they hold: of a map those
-/// whose nearest voxel has the label. Pixels beside one above, below, left or right that the segment does not
-/// hold are its outline.
+/// The picture of a plane with the segments mixed in by how much of each pixel they cover (SegmentSamples):
+/// of what a segment covers, the least that the pixel and the four beside it have is its inside, the rest its
+/// outline. One too thin for more covers half a pixel at least; where all together cover more than a pixel,
+/// each has less. Segments of an object are drawn one over the other. On all cores.
 QImage withSegments(QImage picture, const SlicePlane& plane, const SegmentLayer& layer);
 
 }  // namespace volumen

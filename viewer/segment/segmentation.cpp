@@ -97,23 +97,47 @@ SegmentPlaces::SegmentPlaces(const Segmentation& segmentation, std::size_t segme
   std::ranges::sort(planes_, {}, &Plane::along);
 }
 
-std::optional<SegmentPlaces::Pixel> SegmentPlaces::pixelAt(glm::dvec3 p) const {
+const SegmentPlaces::Plane* SegmentPlaces::planeAt(double along) const {
   constexpr double touching = 1e-6;  // a place on the face between two planes belongs to one of them
-  if (planes_.empty()) return {};
-  const double along = glm::dot(p, normal_);
+  if (planes_.empty()) return nullptr;
   auto plane = std::ranges::lower_bound(planes_, along, {}, &Plane::along);
   if (plane == planes_.end() || (plane != planes_.begin() && along - plane[-1].along < plane->along - along))
     --plane;
-  if (std::abs(plane->along - along) > all_.thickness / 2 * (1 + touching)) return {};
-  const glm::dvec3 from = p - all_.frames[plane->frame].origin;
-  return Pixel{plane->frame, {glm::dot(from, all_.right) / all_.mm.x, glm::dot(from, all_.down) / all_.mm.y}};
+  return std::abs(plane->along - along) > all_.thickness / 2 * (1 + touching) ? nullptr : &*plane;
+}
+
+SegmentPlaces::Pixel SegmentPlaces::pixelOf(const Plane& plane, glm::dvec3 p) const {
+  const glm::dvec3 from = p - all_.frames[plane.frame].origin;
+  return {plane.frame, {glm::dot(from, all_.right) / all_.mm.x, glm::dot(from, all_.down) / all_.mm.y}};
+}
+
+std::optional<SegmentPlaces::Pixel> SegmentPlaces::pixelAt(glm::dvec3 p) const {
+  const Plane* plane = planeAt(glm::dot(p, normal_));
+  return plane ? std::optional(pixelOf(*plane, p)) : std::nullopt;
+}
+
+bool SegmentPlaces::isSet(const Pixel& pixel) const {
+  const double x = std::floor(pixel.at.x + 0.5), y = std::floor(pixel.at.y + 0.5);
+  return x >= 0 && y >= 0 && x < all_.size.x && y < all_.size.y && all_.isSet(pixel.frame, int(x), int(y));
 }
 
 bool SegmentPlaces::holds(glm::dvec3 p) const {
   const auto pixel = pixelAt(p);
-  if (!pixel) return false;
-  const double x = std::floor(pixel->at.x + 0.5), y = std::floor(pixel->at.y + 0.5);
-  return x >= 0 && y >= 0 && x < all_.size.x && y < all_.size.y && all_.isSet(pixel->frame, int(x), int(y));
+  return pixel && isSet(*pixel);
+}
+
+// On a line within a plane the nearest plane stays the same, and the pixel goes on evenly.
+void SegmentPlaces::holdsAlong(glm::dvec3 pFirst, glm::dvec3 step, std::span<std::uint8_t> held) const {
+  const auto placeOf = [&](std::size_t n) { return pFirst + double(n) * step; };
+  if (std::abs(glm::dot(step, normal_)) * double(held.size()) > 1e-9) {
+    for (std::size_t n = 0; n < held.size(); ++n) held[n] = holds(placeOf(n));
+    return;
+  }
+  std::ranges::fill(held, std::uint8_t(0));
+  const auto first = pixelAt(pFirst);
+  if (!first) return;
+  const glm::dvec2 on(glm::dot(step, all_.right) / all_.mm.x, glm::dot(step, all_.down) / all_.mm.y);
+  for (std::size_t n = 0; n < held.size(); ++n) held[n] = isSet({first->frame, first->at + double(n) * on});
 }
 
 // What holds at the corners of a slice holds between them: places are linear, and what is nearest to a plane

@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "viewer/segment/bit_mask.h"
@@ -53,6 +54,8 @@ class SegmentPlaces {
   SegmentPlaces(const Segmentation& segmentation, std::size_t segment);
 
   bool holds(glm::dvec3 pPatient) const;
+  /// The same of places on a line, each `step` (mm) from the one before: 1 where it holds one, else 0.
+  void holdsAlong(glm::dvec3 pFirst, glm::dvec3 step, std::span<std::uint8_t> held) const;
   /// Slice `k` of a mask, whose voxels are set where this holds their centre. Fast where a plane lies on it
   /// pixel by voxel.
   void fill(BitMask& mask, int k) const;
@@ -69,6 +72,10 @@ class SegmentPlaces {
     std::size_t frame;
     glm::dvec2 at;  ///< column and row, of the pixel's centre whole numbers
   };
+  /// The nearest plane at so many mm along the normal; null where that is too far away.
+  const Plane* planeAt(double along) const;
+  Pixel pixelOf(const Plane& plane, glm::dvec3 pPatient) const;
+  bool isSet(const Pixel& pixel) const;
   /// In the nearest plane; none where that is too far away.
   std::optional<Pixel> pixelAt(glm::dvec3 pPatient) const;
   /// The plane whose pixels lie on the voxels of a slice one by one, each nearest to its own; none where

@@ -1,0 +1,282 @@
+#include "ui/controller/label_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <utility>
+
+namespace volumen {
+
+namespace {
+
+constexpr int brickEdge = LabelMap::edge;
+
+// Voxels, by 2^-32: steps along a line add up without an error, whoever takes them.
+using Fixed = glm::vec<3, std::int64_t>;
+
+Fixed fixedOf(glm::dvec3 v) {
+  constexpr double one = 4294967296.0;
+  return {std::llround(v.x * one), std::llround(v.y * one), std::llround(v.z * one)};
+}
+
+// Where in its brick the voxel that a place is in lies.
+unsigned placeInBrick(const Fixed& v) {
+  constexpr unsigned edge = brickEdge;
+  return unsigned(v.x >> 32) % edge +
+         edge * (unsigned(v.y >> 32) % edge + edge * (unsigned(v.z >> 32) % edge));
+}
+
+// The first whole number of steps, each of them larger than 0, that are as far.
+std::int64_t stepsTo(std::int64_t far, std::int64_t step) { return far <= 0 ? 0 : (far + step - 1) / step; }
+
+// The labels of the eight voxels around a place, a byte each, i fastest.
+using Eight = std::uint64_t;
+
+bool areSame(Eight labels) { return labels == (labels >> 8 | labels << 56); }
+
+const LabelMap::Brick& brickOf(const LabelMap& map, glm::ivec3 voxel) {
+  const glm::ivec3 at = voxel / brickEdge, count = map.bricks();
+  return map.brick(std::size_t(at.x) +
+                   std::size_t(count.x) * (std::size_t(at.y) + std::size_t(count.y) * std::size_t(at.z)));
+}
+
+// Voxels of which eight, around a place, are in the same bricks each: all of one brick but for the last ones,
+// or those between two bricks.
+struct EightBricks {
+  std::array<const std::uint8_t*, 8> labels;
+  std::array<int, 8> offsets, masks;  // from the place of the first one; 0: the brick has one label
+  bool isOneBrick;                    // of several labels, the eight beside each other
+
+  EightBricks(const LabelMap& map, glm::ivec3 first) {
+    const glm::ivec3 last = map.geometry().size - 1;
+    const int from = int(placeInBrick(Fixed(first) << std::int64_t(32)));
+    for (std::size_t c = 0; c < 8; ++c) {
+      const glm::ivec3 corner(c & 1, c >> 1 & 1, c >> 2),
+          voxel = glm::clamp(first + corner, glm::ivec3(0), last);
+      const LabelMap::Brick& brick = brickOf(map, voxel);
+      labels[c] = brick.voxels ? brick.voxels->data() : &brick.label;
+      masks[c] = brick.voxels ? -1 : 0;
+      offsets[c] = int(placeInBrick(Fixed(voxel) << std::int64_t(32))) - from;
+    }
+    constexpr int row = brickEdge, slice = brickEdge * brickEdge;
+    isOneBrick = masks[0] != 0 && labels[7] == labels[0] && offsets[7] == 1 + row + slice;
+  }
+  bool areOneLabel() const {
+    bool isOne = true;
+    for (std::size_t c = 0; c < 8; ++c) isOne = isOne && masks[c] == 0 && *labels[c] == *labels[0];
+    return isOne;
+  }
+  Eight at(unsigned place) const {
+    Eight eight = 0;
+    if (isOneBrick) {
+      constexpr unsigned row = brickEdge, slice = brickEdge * brickEdge;
+      const auto pair = [&](unsigned n) {
+        std::uint16_t two;
+        std::memcpy(&two, labels[0] + place + n, 2);
+        return Eight(two);
+      };
+      return pair(0) | pair(row) << 16 | pair(slice) << 32 | pair(slice + row) << 48;
+    }
+    for (std::size_t c = 0; c < 8; ++c)
+      eight |= Eight(labels[c][(int(place) + offsets[c]) & masks[c]]) << 8 * c;
+    return eight;
+  }
+};
+
+}  // namespace
+
+// Places on a straight line.
+struct LabelReader::Line {
+  Fixed first, step;
+
+  Line from(std::int64_t n) const { return {first + n * step, step}; }
+  // Which of the first `count` places lie between two corners of a box, the high one not in it.
+  std::pair<std::int64_t, std::int64_t> within(glm::ivec3 low, glm::ivec3 high, std::int64_t count) const {
+    std::int64_t from = 0, to = count;
+    for (int a = 0; a < 3; ++a) {
+      const std::int64_t below = (std::int64_t(low[a]) << 32) - first[a],
+                         above = (std::int64_t(high[a]) << 32) - first[a];
+      if (step[a] > 0)
+        from = std::max(from, stepsTo(below, step[a])), to = std::min(to, stepsTo(above, step[a]));
+      if (step[a] < 0)
+        from = std::max(from, stepsTo(1 - above, -step[a])), to = std::min(to, stepsTo(1 - below, -step[a]));
+      if (step[a] == 0 && (below > 0 || above <= 0)) to = 0;
+    }
+    return {from, to};
+  }
+};
+
+// Finds the number with the largest share, of many places at once.
+class LabelReader::Shares {
+ public:
+  Shares(std::span<std::uint8_t> numbers, const std::array<std::uint8_t, 256>& shownAs)
+      : numbers_(numbers), shownAs_(shownAs) {}
+
+  // Of place `n`; `v` counts from the centres of voxels.
+  void find(std::size_t n, Eight around, const Fixed& v) {
+    if (areSame(around)) {
+      numbers_[n] = shownAs_[around & 255];
+      return;
+    }
+    for (std::size_t c = 0; c < 8; ++c)
+      around_[c][count_] = std::uint8_t(shownAs_[around >> 8 * c & 255] - 1);
+    for (int a = 0; a < 3; ++a) far_[std::size_t(a)][count_] = std::uint16_t(std::uint32_t(v[a]) >> 17);
+    places_[count_] = n;
+    if (++count_ == most) finish();
+  }
+  void finish();
+
+ private:
+  static constexpr std::size_t most = 64;
+  template <class T>
+  using Lanes = std::array<T, most>;
+
+  void weigh(std::array<Lanes<std::uint16_t>, 8>& weights) const;
+
+  std::span<std::uint8_t> numbers_;
+  const std::array<std::uint8_t, 256>& shownAs_;
+  std::size_t count_ = 0;
+  std::array<Lanes<std::uint16_t>, 8> around_{};  // numbers less 1, by which background is the last
+  std::array<Lanes<std::uint16_t>, 3> far_{};     // along each axis from the nearer voxels, by 2^-15
+  Lanes<std::size_t> places_{};
+};
+
+// By 2^-13 of a voxel, all eight together.
+void LabelReader::Shares::weigh(std::array<Lanes<std::uint16_t>, 8>& weights) const {
+  constexpr std::uint16_t whole = 1 << 15;
+  const auto part = [&](std::size_t c, std::size_t axis, std::size_t n) {
+    return c >> axis & 1 ? far_[axis][n] : std::uint16_t(whole - far_[axis][n]);
+  };
+  const auto product = [](unsigned a, unsigned b) { return std::uint16_t(a * b >> 16); };
+  for (std::size_t c = 0; c < 8; ++c)
+    for (std::size_t n = 0; n < most; ++n)
+      weights[c][n] = product(part(c, 0, n), product(part(c, 1, n), part(c, 2, n)));
+}
+
+void LabelReader::Shares::finish() {
+  std::array<Lanes<std::uint16_t>, 8> weights, shares;
+  weigh(weights);
+  Lanes<std::uint16_t> largest{}, first;
+  first.fill(255);
+  // Values are read before they are chosen among: such loops become vectors.
+  for (std::size_t d = 0; d < 8; ++d)
+    for (std::size_t n = 0; n < most; ++n) {
+      std::uint16_t sum = 0;
+      for (std::size_t c = 0; c < 8; ++c) {
+        const std::uint16_t weight = weights[c][n];
+        sum = std::uint16_t(sum + (around_[c][n] == around_[d][n] ? weight : 0));
+      }
+      shares[d][n] = sum;
+      largest[n] = sum > largest[n] ? sum : largest[n];
+    }
+  for (std::size_t d = 0; d < 8; ++d)
+    for (std::size_t n = 0; n < most; ++n) {
+      const std::uint16_t number = around_[d][n], before = first[n];
+      const std::uint16_t met = shares[d][n] == largest[n] ? number : std::uint16_t(255);
+      first[n] = met < before ? met : before;
+    }
+  for (std::size_t n = 0; n < count_; ++n) numbers_[places_[n]] = std::uint8_t(first[n] + 1);
+  count_ = 0;
+}
+
+LabelReader::LabelReader(const SegmentLayer& layer, const SlicePlane& plane)
+    : map_(*layer.labels),
+      toPlane_(layer.fromPlane.inverse()),
+      nearest_(plane.interpolation == Interpolation::nearest) {
+  for (std::size_t n = 0; n < layer.shown.size(); ++n)
+    shownAs_[layer.shown[n].segment & 255] = std::uint8_t(n + 1);
+  const auto voxelAt = [&](double x, double y) {
+    return map_.geometry().voxelFromPatient(layer.fromPlane(plane.patientFromPixel({x, y})));
+  };
+  first_ = voxelAt(0, 0), right_ = voxelAt(1, 0) - first_, down_ = voxelAt(0, 1) - first_;
+  low_ = map_.geometry().size, high_ = glm::ivec3(0);
+  std::size_t n = 0;
+  for (int k = 0; k < map_.bricks().z; ++k)
+    for (int j = 0; j < map_.bricks().y; ++j)
+      for (int i = 0; i < map_.bricks().x; ++i) {
+        const LabelMap::Brick& brick = map_.brick(n++);
+        if (!brick.voxels && shownAs_[brick.label] == 0) continue;
+        const glm::ivec3 corner = glm::ivec3(i, j, k) * brickEdge;
+        low_ = glm::min(low_, corner);
+        high_ = glm::max(high_, glm::min(corner + brickEdge, map_.geometry().size));
+      }
+}
+
+glm::dvec2 LabelReader::voxelsPerPixel() const { return {glm::length(right_), glm::length(down_)}; }
+
+std::vector<glm::dvec3> LabelReader::corners() const {
+  std::vector<glm::dvec3> corners;
+  const double beyond = nearest_ ? 0.5 : 1;  // the outermost voxels' centres
+  for (int c = 0; c < 8 && low_.x < high_.x; ++c) {
+    const glm::dvec3 low = glm::dvec3(low_) - beyond, high = glm::dvec3(high_ - 1) + beyond;
+    const glm::dvec3 corner(c & 1 ? high.x : low.x, c & 2 ? high.y : low.y, c & 4 ? high.z : low.z);
+    corners.push_back(toPlane_(map_.geometry().patientFromVoxel(corner)));
+  }
+  return corners;
+}
+
+void LabelReader::read(glm::dvec2 pFirst, double step, std::span<std::uint8_t> numbers) const {
+  constexpr double farthest = 1 << 30;  // voxels
+  const glm::dvec3 first = first_ + pFirst.x * right_ + pFirst.y * down_ + 0.5, on = step * right_;
+  const glm::dvec3 reach = glm::abs(first) + double(numbers.size()) * glm::abs(on);
+  if (!(std::max({reach.x, reach.y, reach.z}) < farthest)) return;
+  const Line line{fixedOf(first), fixedOf(on)};
+  nearest_ ? readNearest(line, numbers) : readLargest(line, numbers);
+}
+
+void LabelReader::readNearest(const Line& line, std::span<std::uint8_t> numbers) const {
+  auto [from, to] = line.within(low_, high_, std::int64_t(numbers.size()));
+  while (from < to) {
+    const Line rest = line.from(from);
+    const glm::ivec3 corner = glm::ivec3(rest.first >> std::int64_t(32)) & ~(brickEdge - 1);
+    const std::int64_t count = rest.within(corner, corner + brickEdge, to - from).second;
+    const LabelMap::Brick& brick = brickOf(map_, corner);
+    std::uint8_t* const out = &numbers[std::size_t(from)];
+    if (!brick.voxels) std::fill_n(out, count, shownAs_[brick.label]);
+    Fixed v = rest.first;
+    for (std::int64_t n = 0; brick.voxels && n < count; ++n, v += rest.step)
+      out[n] = shownAs_[(*brick.voxels)[placeInBrick(v)]];
+    from += count;
+  }
+}
+
+// Along a line through voxels that are in the same bricks; eight voxels are read once while places stay
+// between them. The last voxel of the grid stands for those beyond it.
+void LabelReader::readLargest(const Line& line, std::span<std::uint8_t> numbers) const {
+  auto [from, to] = line.within(glm::max(low_ - 1, 0), glm::min(high_ + 1, map_.geometry().size),
+                                std::int64_t(numbers.size()));
+  // Rounded to the parts of a voxel that Shares knows.
+  constexpr std::int64_t toCentres = (1LL << 31) - (1LL << 16);
+  Shares shares(numbers, shownAs_);
+  while (from < to) {
+    Line rest = line.from(from);
+    rest.first -= toCentres;
+    const glm::ivec3 first(rest.first >> std::int64_t(32)),
+        last = glm::min(first | (brickEdge - 1), map_.geometry().size - 1);
+    glm::ivec3 low, high;
+    for (int a = 0; a < 3; ++a) {
+      const bool isBetween = first[a] < 0 || first[a] == last[a];
+      low[a] = isBetween ? first[a] : first[a] & ~(brickEdge - 1),
+      high[a] = isBetween ? first[a] + 1 : last[a];
+    }
+    const std::int64_t count = rest.within(low, high, to - from).second;
+    const EightBricks bricks(map_, first);
+    if (bricks.areOneLabel()) {
+      std::fill_n(&numbers[std::size_t(from)], count, shownAs_[*bricks.labels[0]]);
+    } else {
+      unsigned read = placeInBrick(rest.first);
+      Eight eight = bricks.at(read);
+      for (std::int64_t n = from; n < from + count; ++n, rest.first += rest.step) {
+        if (const unsigned place = placeInBrick(rest.first); place != read) eight = bricks.at(read = place);
+        shares.find(std::size_t(n), eight, rest.first);
+      }
+    }
+    from += count;
+  }
+  shares.finish();
+}
+
+}  // namespace volumen
