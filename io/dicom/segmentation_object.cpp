@@ -35,8 +35,9 @@ Code codeAt(const DataSet& data, std::uint32_t tag, Scope item) {
 /// Reads one segmentation object.
 class SegmentationReader {
  public:
-  SegmentationReader(const InspectedFile& file, const DataSet& data, const std::string& path)
-      : file_(file), data_(data), path_(path) {}
+  SegmentationReader(const InspectedFile& file, const DataSet& data, const std::string& path,
+                     glm::ivec2 pictures)
+      : file_(file), data_(data), path_(path), pictures_(pictures) {}
 
   Result<Segmentation> run() {
     if (Status s = readSize(); !s) return s.error();
@@ -139,6 +140,31 @@ class SegmentationReader {
     return {};
   }
 
+  std::uint64_t bytesThere() const {
+    const Element& pixels = *file_.scanned.dataSet.pixels;
+    return std::min(pixels.length, file_.scanned.size - std::min(file_.scanned.size, pixels.offset));
+  }
+
+  /// Of pixels that are not compressed. More than Rows x Columns x NumberOfFrames, and one byte for an even
+  /// length, means that one of these is wrong, and all pixels are elsewhere than they seem.
+  Status checkLength(std::uint64_t bitsOfPixel) const {
+    const std::uint64_t pixels =
+        std::uint64_t(out_.size.x) * std::uint64_t(out_.size.y) * std::uint64_t(frames_);
+    const std::uint64_t needed = (pixels * bitsOfPixel + 7) / 8, there = bytesThere();
+    const auto text = [](auto number) { return std::to_string(std::int64_t(number)); };
+    const std::string ofNeeded = text(there) + " of " + text(needed) + " bytes are there" + picturesDiffer();
+    if (there < needed) return Error{"its pixel data is cut off: " + ofNeeded};
+    if (file_.scanned.dataSet.pixels->length <= needed + needed % 2) return {};
+    return Error{"its pixel data is longer than Rows x Columns x NumberOfFrames (" + text(out_.size.y) +
+                 " x " + text(out_.size.x) + " x " + text(frames_) + "): " + ofNeeded};
+  }
+
+  std::string picturesDiffer() const {
+    if (pictures_ == glm::ivec2(0) || pictures_ == out_.size) return {};
+    return "; the pictures that it names have " + std::to_string(pictures_.y) + " rows and " +
+           std::to_string(pictures_.x) + " columns";
+  }
+
   /// Bits run on from frame to frame (PS3.5 8.1.1).
   Status readBits() {
     const ScannedFile& scanned = file_.scanned;
@@ -146,13 +172,8 @@ class SegmentationReader {
     if (scanned.syntax.coding != Coding::native || pixels.length == undefinedLength)
       return Error{"its frames of one bit a pixel are compressed (" + std::string(scanned.syntax.name) +
                    "), which is not read"};
-    const std::uint64_t needed =
-        (std::uint64_t(out_.size.x) * std::uint64_t(out_.size.y) * std::uint64_t(frames_) + 7) / 8;
-    const std::uint64_t there = std::min(pixels.length, scanned.size - std::min(scanned.size, pixels.offset));
-    if (there < needed)
-      return Error{"its pixel data is cut off: " + std::to_string(there) + " of " + std::to_string(needed) +
-                   " bytes are there"};
-    auto bytes = bytesAt(pixels.offset, std::min(there, needed + needed % 2));
+    if (Status s = checkLength(1); !s) return s;
+    auto bytes = bytesAt(pixels.offset, bytesThere());
     if (!bytes) return bytes.error();
     if (pixels.bigEndian && pixels.vr == vrOf('O', 'W')) swapBytesOfWords(*bytes);
     out_.bits = std::move(*bytes);
@@ -171,6 +192,9 @@ class SegmentationReader {
 
   /// Fractions of MaximumFractionalValue, one byte a pixel, decoded as any picture is.
   Status readFractions() {
+    const int most = data_.word(0x0062000e, data_.root()).value_or(255);
+    if (file_.scanned.syntax.coding == Coding::native)
+      if (Status s = checkLength(8); !s) return s;
     const auto file = RegularFile::open(path_);
     if (!file) return file.error();
     FileHeader header;
@@ -180,7 +204,6 @@ class SegmentationReader {
     if (Status s = readPicture(*file, file_.scanned, data_, header); !s) return s;
     const auto pixels = PixelSource::open(header);
     if (!pixels) return pixels.error();
-    const int most = data_.word(0x0062000e, data_.root()).value_or(255);
     const std::size_t perFrame = header.format.framePixels();
     BitPacker bits;
     for (std::size_t n = 0; n < out_.frames.size(); ++n) {
@@ -197,6 +220,7 @@ class SegmentationReader {
   const InspectedFile& file_;
   const DataSet& data_;
   std::string path_;
+  glm::ivec2 pictures_;
   double frames_ = 0;
   std::unordered_map<int, std::size_t> byNumber_;
   Segmentation out_;
@@ -207,17 +231,17 @@ class SegmentationReader {
 
 namespace {
 
-Result<Segmentation> loadSegmentationHere(const std::string& path) {
+Result<Segmentation> loadSegmentationHere(const std::string& path, const glm::ivec2& pictures) {
   return dicom::loadObject<Segmentation>(path, DerivedKind::segmentation,
                                          [&](const dicom::InspectedFile& file, const dicom::DataSet& data) {
-                                           return dicom::SegmentationReader(file, data, path).run();
+                                           return dicom::SegmentationReader(file, data, path, pictures).run();
                                          });
 }
 
 }  // namespace
 
-Result<Segmentation> loadSegmentation(const std::string& path) {
-  return dicom::isolatedFile<loadSegmentationHere>(path, 0);
+Result<Segmentation> loadSegmentation(const std::string& path, glm::ivec2 pictures) {
+  return dicom::isolatedFile<loadSegmentationHere>(path, 0, pictures);
 }
 
 }  // namespace volumen

@@ -31,6 +31,8 @@ class TestSegmentationObject : public QObject {
   void byteOrderDoesNotMatter();
   void damagedOnesAreRefused_data();
   void damagedOnesAreRefused();
+  void wrongValuesAreNamed_data();
+  void wrongValuesAreNamed();
 };
 
 namespace {
@@ -74,6 +76,8 @@ void write(const std::string& path, const Made& made) {
     if (made.edit) made.edit(data);
   });
 }
+
+using Edit = std::function<void(DcmItem&)>;
 
 /// The smallest box that holds a mask.
 VoxelBox boxOf(const BitMask& mask) { return *mask.box(); }
@@ -257,6 +261,49 @@ void TestSegmentationObject::damagedOnesAreRefused() {
   const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
   QVERIFY2(!s, "loaded");
   QVERIFY2(s.message().find(says.toStdString()) != std::string::npos && s.message().ends_with("."),
+           s.message().c_str());
+}
+
+void TestSegmentationObject::wrongValuesAreNamed_data() {
+  QTest::addColumn<Edit>("edit");
+  QTest::addColumn<bool>("fractional");
+  QTest::addColumn<QByteArray>("says");
+  const auto add = [](const char* name, const Edit& edit, const char* says, bool fractional = false) {
+    QTest::newRow(name) << edit << fractional << QByteArray(says);
+  };
+  const auto word = [](unsigned group, unsigned element, unsigned value) -> Edit {
+    return [=](DcmItem& data) { putWord(data, group, element, value); };
+  };
+  const auto bytes = [](std::size_t count) -> Edit {
+    return [=](DcmItem& data) {
+      const std::vector<Uint8> zeros(count);
+      data.putAndInsertUint8Array(DCM_PixelData, zeros.data(), zeros.size());
+    };
+  };
+  const char* const longer = "longer than Rows x Columns x NumberOfFrames";
+  add("too few rows", word(0x0028, 0x0010, 2), "NumberOfFrames (2 x 3 x 2): 4 of 2 bytes");
+  add("one row", word(0x0028, 0x0010, 1), longer);
+  add("too few columns", word(0x0028, 0x0011, 1), "NumberOfFrames (3 x 1 x 2): 4 of 1 bytes");
+  add("too many columns", word(0x0028, 0x0011, 9), "cut off: 4 of 7 bytes");
+  add("bytes behind the bits", bytes(6), longer);
+  add("bytes behind the fractions", bytes(12), "NumberOfFrames (2 x 2 x 2): 12 of 8 bytes", true);
+}
+
+void TestSegmentationObject::wrongValuesAreNamed() {
+  QFETCH(Edit, edit);
+  QFETCH(bool, fractional);
+  QFETCH(QByteArray, says);
+  const DicomFolder folder;
+  Made made;
+  if (fractional) made = {2, 2, 2, 8, "FRACTIONAL", {0, 49, 50, 100, 0, 0, 0, 0}};
+  write(folder.path("seg"), made);
+  QVERIFY(loadSegmentation(folder.path("seg")).ok());
+  made.edit = edit;
+  write(folder.path("seg"), made);
+  const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
+  QVERIFY2(!s, "loaded");
+  QVERIFY2(s.message().find(says) != std::string::npos && s.message().starts_with(folder.path("seg")) &&
+               s.message().ends_with("."),
            s.message().c_str());
 }
 
