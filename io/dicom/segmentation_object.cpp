@@ -20,7 +20,7 @@ namespace {
 
 using Scope = DataSet::Scope;
 
-constexpr std::uint32_t segmentOfFrame = 0x0062000a, typeOfSegment = 0x0062000f;
+constexpr std::uint32_t segmentOfFrame = 0x0062000a, typeOfSegment = 0x0062000f, numberOfFrames = 0x00280008;
 
 /// The first code of a sequence; its value may be one of three attributes (PS3.3 8.8).
 Code codeAt(const DataSet& data, std::uint32_t tag, Scope item) {
@@ -49,17 +49,34 @@ class SegmentationReader {
   }
 
  private:
+  /// Why the value of a text attribute is not taken.
+  Error wrong(const std::string& name, std::uint32_t tag, Scope scope, const char* wanted) const {
+    constexpr std::size_t mostShown = 64;
+    if (!data_.has(tag, scope)) return Error{"its " + name + " is missing"};
+    return Error{"its " + name + " is \"" + toUtf8(data_.text(tag, scope).substr(0, mostShown), {}) +
+                 "\", not " + wanted};
+  }
+
+  Result<int> readLength(const char* name, std::uint32_t tag) const {
+    const auto length = data_.word(tag, data_.root());
+    if (!length) return Error{std::string("its ") + name + " is missing"};
+    if (*length == 0) return Error{std::string("its ") + name + " is 0"};
+    return int(*length);
+  }
+
   Status readSize() {
     const Scope root = data_.root();
     const std::string type = data_.text(0x00620001, root);
     if (type != "BINARY" && type != "FRACTIONAL")
       return Error{"its SegmentationType is \"" + toUtf8(type, {}) + "\"; BINARY and FRACTIONAL are read"};
     out_.fractional = type == "FRACTIONAL";
-    out_.size = {data_.word(0x00280011, root).value_or(0), data_.word(0x00280010, root).value_or(0)};
-    frames_ = data_.has(0x00280008, root) ? data_.number(0x00280008, root).value_or(0) : 1;
-    if (out_.size.x == 0 || out_.size.y == 0) return Error{"its Rows or Columns are missing"};
+    const Result<int> rows = readLength("Rows", 0x00280010), columns = readLength("Columns", 0x00280011);
+    if (!rows) return rows.error();
+    if (!columns) return columns.error();
+    out_.size = {*columns, *rows};
+    frames_ = data_.has(numberOfFrames, root) ? data_.number(numberOfFrames, root).value_or(0) : 1;
     if (!(frames_ >= 1 && frames_ <= frameLimit && frames_ == std::floor(frames_)))
-      return Error{"its NumberOfFrames is no number of frames"};
+      return wrong("NumberOfFrames", numberOfFrames, root, "a number of frames");
     const auto allocated = data_.word(0x00280100, root);
     if (allocated != (out_.fractional ? 8 : 1))
       return Error{"its BitsAllocated does not go with its SegmentationType " + type};
@@ -90,8 +107,11 @@ class SegmentationReader {
   Status readFrames() {
     const auto ofAll = data_.items(FrameScopes::sharedGroups, data_.root());
     const auto ofFrames = data_.items(FrameScopes::perFrameGroups, data_.root());
+    const bool isCounted = data_.has(numberOfFrames, data_.root());
     if (double(ofFrames.size()) != frames_)
-      return Error{"it has functional groups for " + std::to_string(ofFrames.size()) + " of its frames"};
+      return Error{"its NumberOfFrames is " +
+                   (isCounted ? std::to_string(std::int64_t(frames_)) : std::string("missing")) +
+                   ", but it has functional groups for " + std::to_string(ofFrames.size()) + " frames"};
     for (std::size_t n = 0; n < ofFrames.size(); ++n) {
       const FrameScopes at(data_, ofFrames[n], ofAll.empty() ? Scope{} : ofAll[0]);
       if (Status s = readFrame(at); !s) return Error{"frame " + std::to_string(n + 1) + ": " + s.message()};
@@ -102,11 +122,16 @@ class SegmentationReader {
   Status readFrame(const FrameScopes& at) {
     const auto segment = byNumber_.find(data_.word(0x0062000b, at.of(segmentOfFrame)).value_or(0));
     if (segment == byNumber_.end()) return Error{"its segment is not one of those of the file"};
-    const auto position = data_.numbers(0x00200032, at.ofGroupAlone(0x00209113));
-    const auto directions = data_.numbers(0x00200037, at.of(0x00209116));
-    const auto mm = readSpacing(data_, 0x00280030, at.of(pixelMeasures));
-    if (!position || position->size() < 3 || !directions || directions->size() < 6 || !mm)
-      return Error{"its place, directions or pixel spacing are missing"};
+    const Scope place = at.ofGroupAlone(0x00209113), plane = at.of(0x00209116),
+                measures = at.of(pixelMeasures);
+    const auto position = data_.numbers(0x00200032, place);
+    if (!position || position->size() < 3)
+      return wrong("ImagePositionPatient", 0x00200032, place, "three numbers");
+    const auto directions = data_.numbers(0x00200037, plane);
+    if (!directions || directions->size() < 6)
+      return wrong("ImageOrientationPatient", 0x00200037, plane, "six numbers");
+    const auto mm = readSpacing(data_, 0x00280030, measures);
+    if (!mm) return wrong("PixelSpacing", 0x00280030, measures, "two lengths above 0");
     constexpr double farthest = 1e7;
     if (std::ranges::any_of(*position, [](double x) { return std::abs(x) > farthest; }))
       return Error{"its place is more than 10 km away"};

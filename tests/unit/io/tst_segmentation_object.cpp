@@ -79,6 +79,14 @@ void write(const std::string& path, const Made& made) {
 
 using Edit = std::function<void(DcmItem&)>;
 
+/// The measures of all frames.
+DcmItem& measuresOf(DcmItem& data) {
+  DcmItem *shared = nullptr, *measures = nullptr;
+  data.findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared);
+  shared->findAndGetSequenceItem(DCM_PixelMeasuresSequence, measures);
+  return *measures;
+}
+
 /// The smallest box that holds a mask.
 VoxelBox boxOf(const BitMask& mask) { return *mask.box(); }
 
@@ -223,7 +231,7 @@ void TestSegmentationObject::damagedOnesAreRefused_data() {
   QTest::newRow("a segment twice") << 5 << QStringLiteral("two of its segments have the number 1");
   QTest::newRow("eight bits of one") << 6 << QStringLiteral("BitsAllocated");
   QTest::newRow("an unknown type") << 7 << QStringLiteral("SegmentationType is \"LABELMAP\"");
-  QTest::newRow("no place") << 8 << QStringLiteral("frame 3: its place");
+  QTest::newRow("no place") << 8 << QStringLiteral("frame 3: its ImagePositionPatient is missing");
   QTest::newRow("no pixels") << 9 << QStringLiteral("no pixel data");
   QTest::newRow("directions that are none") << 10 << QStringLiteral("right angles");
 }
@@ -274,6 +282,9 @@ void TestSegmentationObject::wrongValuesAreNamed_data() {
   const auto word = [](unsigned group, unsigned element, unsigned value) -> Edit {
     return [=](DcmItem& data) { putWord(data, group, element, value); };
   };
+  const auto spacing = [](const char* value) -> Edit {
+    return [=](DcmItem& data) { put(measuresOf(data), 0x0028, 0x0030, value); };
+  };
   const auto bytes = [](std::size_t count) -> Edit {
     return [=](DcmItem& data) {
       const std::vector<Uint8> zeros(count);
@@ -287,6 +298,16 @@ void TestSegmentationObject::wrongValuesAreNamed_data() {
   add("too many columns", word(0x0028, 0x0011, 9), "cut off: 4 of 7 bytes");
   add("bytes behind the bits", bytes(6), longer);
   add("bytes behind the fractions", bytes(12), "NumberOfFrames (2 x 2 x 2): 12 of 8 bytes", true);
+  add("no row", word(0x0028, 0x0010, 0), "its Rows is 0");
+  add("no column", word(0x0028, 0x0011, 0), "its Columns is 0");
+  add(
+      "Rows missing", [](DcmItem& data) { data.findAndDeleteElement(DCM_Rows); }, "its Rows is missing");
+  add(
+      "NumberOfFrames missing", [](DcmItem& data) { data.findAndDeleteElement(DCM_NumberOfFrames); },
+      "its NumberOfFrames is missing, but it has functional groups for 2 frames");
+  add("a negative spacing", spacing("-1\\-1"), R"(PixelSpacing is "-1\-1", not two lengths above 0)");
+  add("one spacing", spacing("0.5"), R"(PixelSpacing is "0.5", not)");
+  add("no spacing", spacing(""), "frame 1: its PixelSpacing is missing");
 }
 
 void TestSegmentationObject::wrongValuesAreNamed() {
