@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <unordered_map>
 
 #include "io/dicom/attributes.h"
@@ -45,6 +47,7 @@ class SegmentationReader {
     if (Status s = readFrames(); !s) return s.error();
     const Status pixels = out_.fractional ? readFractions() : readBits();
     if (!pixels) return pixels.error();
+    uniteRepeated();
     return std::move(out_);
   }
 
@@ -240,6 +243,46 @@ class SegmentationReader {
     }
     out_.bits = bits.bytes();
     return {};
+  }
+
+  /// A place has one frame of a segment: those that repeat it are united with the first.
+  void uniteRepeated() {
+    std::map<std::array<std::int64_t, 4>, std::size_t> firstAt;
+    std::vector<std::size_t> kept;
+    for (std::size_t n = 0; n < out_.frames.size(); ++n) {
+      const glm::dvec3 um = 1000.0 * out_.frames[n].origin;
+      const auto [first, isNew] =
+          firstAt.emplace(std::array{std::int64_t(out_.frames[n].segment), std::int64_t(std::llround(um.x)),
+                                     std::int64_t(std::llround(um.y)), std::int64_t(std::llround(um.z))},
+                          n);
+      isNew ? kept.push_back(n) : addBits(n, first->second);
+    }
+    const std::size_t repeated = out_.frames.size() - kept.size();
+    if (repeated == 0) return;
+    keepFrames(kept);
+    out_.notes.push_back("Frames of " + path_ + " repeat a place of their segment (" +
+                         std::to_string(repeated) + "): their voxels are united with those of the first.");
+  }
+
+  void addBits(std::size_t from, std::size_t to) {
+    const std::size_t pixels = out_.rowAt(1, 0);
+    for (std::size_t n = 0; n < pixels; ++n)
+      if (bitAt(out_.bits, from * pixels + n))
+        out_.bits[(to * pixels + n) / 8] |= std::uint8_t(1 << (to * pixels + n) % 8);
+  }
+
+  void keepFrames(const std::vector<std::size_t>& kept) {
+    const std::size_t pixels = out_.rowAt(1, 0);
+    std::vector<SegmentFrame> frames;
+    std::vector<std::uint64_t> words((pixels + 63) / 64);
+    BitPacker bits;
+    for (const std::size_t n : kept) {
+      frames.push_back(out_.frames[n]);
+      unpackWords(out_.bits, n * pixels, pixels, words);
+      bits.add(words, pixels);
+    }
+    out_.frames = std::move(frames);
+    out_.bits = bits.bytes();
   }
 
   const InspectedFile& file_;

@@ -78,7 +78,7 @@ Result<SegmentsFile> segmentsOfObject(const std::string& path, const Progress& p
   if (!segmentation) return segmentation.error();
   const auto grid = gridOf(*segmentation);
   if (!grid) return Error{path + ": " + grid.message()};
-  SegmentsFile file{segmentedOf(*segmentation, *grid, cancel), {}};
+  SegmentsFile file{segmentedOf(*segmentation, *grid, cancel), segmentation->notes};
   if (cancel.cancelled()) return Error{"Cancelled."};
   return file;
 }

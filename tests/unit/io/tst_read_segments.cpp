@@ -29,6 +29,7 @@ class TestReadSegments : public QObject {
   void theyComeBackAsTheyWent();
   void whatAnotherGridCostsIsTold_data();
   void whatAnotherGridCostsIsTold();
+  void repeatedFramesAreNoOtherGrid();
   void whatDiffersFromItsPicturesIsTold_data();
   void whatDiffersFromItsPicturesIsTold();
   void rowsForColumnsAreTold();
@@ -144,6 +145,28 @@ void TestReadSegments::whatAnotherGridCostsIsTold() {
   const auto elsewhere = readSegments(path, in.series, grid);
   QVERIFY(!elsewhere);
   QCOMPARE(elsewhere.message(), path + ": All of its segments lie outside the series.");
+}
+
+// All frames of both segments are made those of the first, so that each place comes twice.
+void TestReadSegments::repeatedFramesAreNoOtherGrid() {
+  Sliced in;
+  const std::string path = in.write(".dcm");
+  editFile(path, [](DcmDataset& data) {
+    DcmItem *frame = nullptr, *segment = nullptr;
+    for (long n = 0; data.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frame, n).good();
+         ++n) {
+      frame->findAndGetSequenceItem(DCM_SegmentIdentificationSequence, segment);
+      segment->putAndInsertUint16(DCM_ReferencedSegmentNumber, 1);
+    }
+  });
+  const auto out = readSegments(path, in.series, in.grid);
+  QVERIFY2(out, out ? "" : out.message().c_str());
+  QCOMPARE(labelCounts(out->maps[0].labels)[1], std::int64_t(4 * 3 * 9));
+  QCOMPARE(out->notes.size(), std::size_t(1));
+  QVERIFY2(out->notes[0].find("repeat a place of their segment (4)") != std::string::npos,
+           out->notes[0].c_str());
+  const auto own = readSegments(path);
+  QVERIFY(own && own->notes == out->notes);
 }
 
 void TestReadSegments::whatDiffersFromItsPicturesIsTold_data() {

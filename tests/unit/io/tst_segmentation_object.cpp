@@ -33,6 +33,7 @@ class TestSegmentationObject : public QObject {
   void damagedOnesAreRefused();
   void wrongValuesAreNamed_data();
   void wrongValuesAreNamed();
+  void repeatedFramesAreUnited();
 };
 
 namespace {
@@ -326,6 +327,29 @@ void TestSegmentationObject::wrongValuesAreNamed() {
   QVERIFY2(s.message().find(says) != std::string::npos && s.message().starts_with(folder.path("seg")) &&
                s.message().ends_with("."),
            s.message().c_str());
+}
+
+// Three frames of 9 bits, the last where the first is, of the same segment.
+void TestSegmentationObject::repeatedFramesAreUnited() {
+  const DicomFolder folder;
+  Made made{.frames = 3, .bytes = {0x03, 0x02, 0x18, 0x00}};  // pixels 0 1; 0; 1 2
+  made.edit = [](DcmItem& data) {
+    DcmItem *frame = nullptr, *plane = nullptr;
+    data.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frame, 2);
+    frame->findAndGetSequenceItem(DCM_PlanePositionSequence, plane);
+    put(*plane, 0x0020, 0x0032, "10\\20\\0.0");
+  };
+  write(folder.path("seg"), made);
+  const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
+  QVERIFY2(s, s ? "" : s.message().c_str());
+  QCOMPARE(s->frames.size(), std::size_t(2));
+  QCOMPARE(s->frames[1].origin, glm::dvec3(10, 20, 2));
+  std::string set;
+  for (std::size_t frame = 0; frame < 2; ++frame)
+    for (int n = 0; n < 9; ++n) set += s->isSet(frame, n % 3, n / 3) ? '1' : '0';
+  QCOMPARE(set, std::string("111000000100000000"));
+  QCOMPARE(s->notes.size(), std::size_t(1));
+  QVERIFY2(s->notes[0].find("repeat a place of their segment (1)") != std::string::npos, s->notes[0].c_str());
 }
 
 VOLUMEN_TEST(TestSegmentationObject);
