@@ -80,6 +80,8 @@ class SegmentationReader {
     frames_ = data_.has(numberOfFrames, root) ? data_.number(numberOfFrames, root).value_or(0) : 1;
     if (!(frames_ >= 1 && frames_ <= frameLimit && frames_ == std::floor(frames_)))
       return wrong("NumberOfFrames", numberOfFrames, root, "a number of frames");
+    const int samples = data_.word(0x00280002, root).value_or(1);
+    if (samples != 1) return Error{"its SamplesPerPixel is " + std::to_string(samples) + ", not 1"};
     const auto allocated = data_.word(0x00280100, root);
     if (allocated != (out_.fractional ? 8 : 1))
       return Error{"its BitsAllocated does not go with its SegmentationType " + type};
@@ -221,6 +223,9 @@ class SegmentationReader {
   /// Fractions of MaximumFractionalValue, one byte a pixel, decoded as any picture is.
   Status readFractions() {
     const int most = data_.word(0x0062000e, data_.root()).value_or(255);
+    if (most < 1 || most > 255)
+      return Error{"its MaximumFractionalValue is " + std::to_string(most) +
+                   ", not 1 to 255 as its 8 bits can hold"};
     if (file_.scanned.syntax.coding == Coding::native)
       if (Status s = checkLength(8); !s) return s;
     const auto file = RegularFile::open(path_);

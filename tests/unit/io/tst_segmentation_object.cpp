@@ -309,6 +309,9 @@ void TestSegmentationObject::wrongValuesAreNamed_data() {
   add("a negative spacing", spacing("-1\\-1"), R"(PixelSpacing is "-1\-1", not two lengths above 0)");
   add("one spacing", spacing("0.5"), R"(PixelSpacing is "0.5", not)");
   add("no spacing", spacing(""), "frame 1: its PixelSpacing is missing");
+  add("three samples a pixel", word(0x0028, 0x0002, 3), "its SamplesPerPixel is 3");
+  add("fractions of 0", word(0x0062, 0x000e, 0), "its MaximumFractionalValue is 0", true);
+  add("fractions of 16 bits", word(0x0062, 0x000e, 65535), "its MaximumFractionalValue is 65535", true);
 }
 
 void TestSegmentationObject::wrongValuesAreNamed() {
