@@ -194,7 +194,8 @@ Json contents(const Segmentation& s) {
           {"columns", s.size.x},
           {"rows", s.size.y},
           {"frames", s.frames.size()},
-          {"segments", segments}};
+          {"segments", segments},
+          {"warnings", s.notes}};
 }
 
 template <class Value>

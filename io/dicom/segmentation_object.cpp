@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <unordered_map>
 
 #include "io/dicom/attributes.h"
@@ -20,7 +22,7 @@ namespace {
 
 using Scope = DataSet::Scope;
 
-constexpr std::uint32_t segmentOfFrame = 0x0062000a, typeOfSegment = 0x0062000f;
+constexpr std::uint32_t segmentOfFrame = 0x0062000a, typeOfSegment = 0x0062000f, numberOfFrames = 0x00280008;
 
 /// The first code of a sequence; its value may be one of three attributes (PS3.3 8.8).
 Code codeAt(const DataSet& data, std::uint32_t tag, Scope item) {
@@ -35,8 +37,9 @@ Code codeAt(const DataSet& data, std::uint32_t tag, Scope item) {
 /// Reads one segmentation object.
 class SegmentationReader {
  public:
-  SegmentationReader(const InspectedFile& file, const DataSet& data, const std::string& path)
-      : file_(file), data_(data), path_(path) {}
+  SegmentationReader(const InspectedFile& file, const DataSet& data, const std::string& path,
+                     glm::ivec2 pictures)
+      : file_(file), data_(data), path_(path), pictures_(pictures) {}
 
   Result<Segmentation> run() {
     if (Status s = readSize(); !s) return s.error();
@@ -44,21 +47,41 @@ class SegmentationReader {
     if (Status s = readFrames(); !s) return s.error();
     const Status pixels = out_.fractional ? readFractions() : readBits();
     if (!pixels) return pixels.error();
+    uniteRepeated();
     return std::move(out_);
   }
 
  private:
+  /// Why the value of a text attribute is not taken.
+  Error wrong(const std::string& name, std::uint32_t tag, Scope scope, const char* wanted) const {
+    constexpr std::size_t mostShown = 64;
+    if (!data_.has(tag, scope)) return Error{"its " + name + " is missing"};
+    return Error{"its " + name + " is \"" + toUtf8(data_.text(tag, scope).substr(0, mostShown), {}) +
+                 "\", not " + wanted};
+  }
+
+  Result<int> readLength(const char* name, std::uint32_t tag) const {
+    const auto length = data_.word(tag, data_.root());
+    if (!length) return Error{std::string("its ") + name + " is missing"};
+    if (*length == 0) return Error{std::string("its ") + name + " is 0"};
+    return int(*length);
+  }
+
   Status readSize() {
     const Scope root = data_.root();
     const std::string type = data_.text(0x00620001, root);
     if (type != "BINARY" && type != "FRACTIONAL")
       return Error{"its SegmentationType is \"" + toUtf8(type, {}) + "\"; BINARY and FRACTIONAL are read"};
     out_.fractional = type == "FRACTIONAL";
-    out_.size = {data_.word(0x00280011, root).value_or(0), data_.word(0x00280010, root).value_or(0)};
-    frames_ = data_.has(0x00280008, root) ? data_.number(0x00280008, root).value_or(0) : 1;
-    if (out_.size.x == 0 || out_.size.y == 0) return Error{"its Rows or Columns are missing"};
+    const Result<int> rows = readLength("Rows", 0x00280010), columns = readLength("Columns", 0x00280011);
+    if (!rows) return rows.error();
+    if (!columns) return columns.error();
+    out_.size = {*columns, *rows};
+    frames_ = data_.has(numberOfFrames, root) ? data_.number(numberOfFrames, root).value_or(0) : 1;
     if (!(frames_ >= 1 && frames_ <= frameLimit && frames_ == std::floor(frames_)))
-      return Error{"its NumberOfFrames is no number of frames"};
+      return wrong("NumberOfFrames", numberOfFrames, root, "a number of frames");
+    const int samples = data_.word(0x00280002, root).value_or(1);
+    if (samples != 1) return Error{"its SamplesPerPixel is " + std::to_string(samples) + ", not 1"};
     const auto allocated = data_.word(0x00280100, root);
     if (allocated != (out_.fractional ? 8 : 1))
       return Error{"its BitsAllocated does not go with its SegmentationType " + type};
@@ -89,8 +112,11 @@ class SegmentationReader {
   Status readFrames() {
     const auto ofAll = data_.items(FrameScopes::sharedGroups, data_.root());
     const auto ofFrames = data_.items(FrameScopes::perFrameGroups, data_.root());
+    const bool isCounted = data_.has(numberOfFrames, data_.root());
     if (double(ofFrames.size()) != frames_)
-      return Error{"it has functional groups for " + std::to_string(ofFrames.size()) + " of its frames"};
+      return Error{"its NumberOfFrames is " +
+                   (isCounted ? std::to_string(std::int64_t(frames_)) : std::string("missing")) +
+                   ", but it has functional groups for " + std::to_string(ofFrames.size()) + " frames"};
     for (std::size_t n = 0; n < ofFrames.size(); ++n) {
       const FrameScopes at(data_, ofFrames[n], ofAll.empty() ? Scope{} : ofAll[0]);
       if (Status s = readFrame(at); !s) return Error{"frame " + std::to_string(n + 1) + ": " + s.message()};
@@ -101,11 +127,16 @@ class SegmentationReader {
   Status readFrame(const FrameScopes& at) {
     const auto segment = byNumber_.find(data_.word(0x0062000b, at.of(segmentOfFrame)).value_or(0));
     if (segment == byNumber_.end()) return Error{"its segment is not one of those of the file"};
-    const auto position = data_.numbers(0x00200032, at.ofGroupAlone(0x00209113));
-    const auto directions = data_.numbers(0x00200037, at.of(0x00209116));
-    const auto mm = readSpacing(data_, 0x00280030, at.of(pixelMeasures));
-    if (!position || position->size() < 3 || !directions || directions->size() < 6 || !mm)
-      return Error{"its place, directions or pixel spacing are missing"};
+    const Scope place = at.ofGroupAlone(0x00209113), plane = at.of(0x00209116),
+                measures = at.of(pixelMeasures);
+    const auto position = data_.numbers(0x00200032, place);
+    if (!position || position->size() < 3)
+      return wrong("ImagePositionPatient", 0x00200032, place, "three numbers");
+    const auto directions = data_.numbers(0x00200037, plane);
+    if (!directions || directions->size() < 6)
+      return wrong("ImageOrientationPatient", 0x00200037, plane, "six numbers");
+    const auto mm = readSpacing(data_, 0x00280030, measures);
+    if (!mm) return wrong("PixelSpacing", 0x00280030, measures, "two lengths above 0");
     constexpr double farthest = 1e7;
     if (std::ranges::any_of(*position, [](double x) { return std::abs(x) > farthest; }))
       return Error{"its place is more than 10 km away"};
@@ -139,6 +170,31 @@ class SegmentationReader {
     return {};
   }
 
+  std::uint64_t bytesThere() const {
+    const Element& pixels = *file_.scanned.dataSet.pixels;
+    return std::min(pixels.length, file_.scanned.size - std::min(file_.scanned.size, pixels.offset));
+  }
+
+  /// Of pixels that are not compressed. More than Rows x Columns x NumberOfFrames, and one byte for an even
+  /// length, means that one of these is wrong, and all pixels are elsewhere than they seem.
+  Status checkLength(std::uint64_t bitsOfPixel) const {
+    const std::uint64_t pixels =
+        std::uint64_t(out_.size.x) * std::uint64_t(out_.size.y) * std::uint64_t(frames_);
+    const std::uint64_t needed = (pixels * bitsOfPixel + 7) / 8, there = bytesThere();
+    const auto text = [](auto number) { return std::to_string(std::int64_t(number)); };
+    const std::string ofNeeded = text(there) + " of " + text(needed) + " bytes are there" + picturesDiffer();
+    if (there < needed) return Error{"its pixel data is cut off: " + ofNeeded};
+    if (file_.scanned.dataSet.pixels->length <= needed + needed % 2) return {};
+    return Error{"its pixel data is longer than Rows x Columns x NumberOfFrames (" + text(out_.size.y) +
+                 " x " + text(out_.size.x) + " x " + text(frames_) + "): " + ofNeeded};
+  }
+
+  std::string picturesDiffer() const {
+    if (pictures_ == glm::ivec2(0) || pictures_ == out_.size) return {};
+    return "; the pictures that it names have " + std::to_string(pictures_.y) + " rows and " +
+           std::to_string(pictures_.x) + " columns";
+  }
+
   /// Bits run on from frame to frame (PS3.5 8.1.1).
   Status readBits() {
     const ScannedFile& scanned = file_.scanned;
@@ -146,13 +202,8 @@ class SegmentationReader {
     if (scanned.syntax.coding != Coding::native || pixels.length == undefinedLength)
       return Error{"its frames of one bit a pixel are compressed (" + std::string(scanned.syntax.name) +
                    "), which is not read"};
-    const std::uint64_t needed =
-        (std::uint64_t(out_.size.x) * std::uint64_t(out_.size.y) * std::uint64_t(frames_) + 7) / 8;
-    const std::uint64_t there = std::min(pixels.length, scanned.size - std::min(scanned.size, pixels.offset));
-    if (there < needed)
-      return Error{"its pixel data is cut off: " + std::to_string(there) + " of " + std::to_string(needed) +
-                   " bytes are there"};
-    auto bytes = bytesAt(pixels.offset, std::min(there, needed + needed % 2));
+    if (Status s = checkLength(1); !s) return s;
+    auto bytes = bytesAt(pixels.offset, bytesThere());
     if (!bytes) return bytes.error();
     if (pixels.bigEndian && pixels.vr == vrOf('O', 'W')) swapBytesOfWords(*bytes);
     out_.bits = std::move(*bytes);
@@ -171,6 +222,12 @@ class SegmentationReader {
 
   /// Fractions of MaximumFractionalValue, one byte a pixel, decoded as any picture is.
   Status readFractions() {
+    const int most = data_.word(0x0062000e, data_.root()).value_or(255);
+    if (most < 1 || most > 255)
+      return Error{"its MaximumFractionalValue is " + std::to_string(most) +
+                   ", not 1 to 255 as its 8 bits can hold"};
+    if (file_.scanned.syntax.coding == Coding::native)
+      if (Status s = checkLength(8); !s) return s;
     const auto file = RegularFile::open(path_);
     if (!file) return file.error();
     FileHeader header;
@@ -180,7 +237,6 @@ class SegmentationReader {
     if (Status s = readPicture(*file, file_.scanned, data_, header); !s) return s;
     const auto pixels = PixelSource::open(header);
     if (!pixels) return pixels.error();
-    const int most = data_.word(0x0062000e, data_.root()).value_or(255);
     const std::size_t perFrame = header.format.framePixels();
     BitPacker bits;
     for (std::size_t n = 0; n < out_.frames.size(); ++n) {
@@ -194,9 +250,50 @@ class SegmentationReader {
     return {};
   }
 
+  /// A place has one frame of a segment: those that repeat it are united with the first.
+  void uniteRepeated() {
+    std::map<std::array<std::int64_t, 4>, std::size_t> firstAt;
+    std::vector<std::size_t> kept;
+    for (std::size_t n = 0; n < out_.frames.size(); ++n) {
+      const glm::dvec3 um = 1000.0 * out_.frames[n].origin;
+      const auto [first, isNew] =
+          firstAt.emplace(std::array{std::int64_t(out_.frames[n].segment), std::int64_t(std::llround(um.x)),
+                                     std::int64_t(std::llround(um.y)), std::int64_t(std::llround(um.z))},
+                          n);
+      isNew ? kept.push_back(n) : addBits(n, first->second);
+    }
+    const std::size_t repeated = out_.frames.size() - kept.size();
+    if (repeated == 0) return;
+    keepFrames(kept);
+    out_.notes.push_back("Frames of " + path_ + " repeat a place of their segment (" +
+                         std::to_string(repeated) + "): their voxels are united with those of the first.");
+  }
+
+  void addBits(std::size_t from, std::size_t to) {
+    const std::size_t pixels = out_.rowAt(1, 0);
+    for (std::size_t n = 0; n < pixels; ++n)
+      if (bitAt(out_.bits, from * pixels + n))
+        out_.bits[(to * pixels + n) / 8] |= std::uint8_t(1 << (to * pixels + n) % 8);
+  }
+
+  void keepFrames(const std::vector<std::size_t>& kept) {
+    const std::size_t pixels = out_.rowAt(1, 0);
+    std::vector<SegmentFrame> frames;
+    std::vector<std::uint64_t> words((pixels + 63) / 64);
+    BitPacker bits;
+    for (const std::size_t n : kept) {
+      frames.push_back(out_.frames[n]);
+      unpackWords(out_.bits, n * pixels, pixels, words);
+      bits.add(words, pixels);
+    }
+    out_.frames = std::move(frames);
+    out_.bits = bits.bytes();
+  }
+
   const InspectedFile& file_;
   const DataSet& data_;
   std::string path_;
+  glm::ivec2 pictures_;
   double frames_ = 0;
   std::unordered_map<int, std::size_t> byNumber_;
   Segmentation out_;
@@ -207,17 +304,17 @@ class SegmentationReader {
 
 namespace {
 
-Result<Segmentation> loadSegmentationHere(const std::string& path) {
+Result<Segmentation> loadSegmentationHere(const std::string& path, const glm::ivec2& pictures) {
   return dicom::loadObject<Segmentation>(path, DerivedKind::segmentation,
                                          [&](const dicom::InspectedFile& file, const dicom::DataSet& data) {
-                                           return dicom::SegmentationReader(file, data, path).run();
+                                           return dicom::SegmentationReader(file, data, path, pictures).run();
                                          });
 }
 
 }  // namespace
 
-Result<Segmentation> loadSegmentation(const std::string& path) {
-  return dicom::isolatedFile<loadSegmentationHere>(path, 0);
+Result<Segmentation> loadSegmentation(const std::string& path, glm::ivec2 pictures) {
+  return dicom::isolatedFile<loadSegmentationHere>(path, 0, pictures);
 }
 
 }  // namespace volumen

@@ -41,15 +41,18 @@ Result<SegmentsFile> segmentsOfImage(const std::string& path, const Progress& pr
   return file;
 }
 
+bool namesPictureOf(const DerivedObject& object, const Series& series) {
+  const std::unordered_set<std::string_view> here(series.sopInstanceUids.begin(),
+                                                  series.sopInstanceUids.end());
+  return std::ranges::any_of(object.pictures, [&](const ReferencedPicture& picture) {
+    return here.contains(picture.sopInstanceUid);
+  });
+}
+
 // Pictures that it names are where it lies, whatever frame of reference their files say.
 bool liesIn(const DerivedObject& object, const Series& series) {
   const std::string &own = object.frameOfReferenceUid, &frame = series.frameOfReferenceUid;
-  const std::unordered_set<std::string_view> here(series.sopInstanceUids.begin(),
-                                                  series.sopInstanceUids.end());
-  return own.empty() || frame.empty() || own == frame ||
-         std::ranges::any_of(object.pictures, [&](const ReferencedPicture& picture) {
-           return here.contains(picture.sopInstanceUid);
-         });
+  return own.empty() || frame.empty() || own == frame || namesPictureOf(object, series);
 }
 
 Result<DerivedObject> objectOf(const std::string& path, const Progress& progress, const CancelToken& cancel) {
@@ -62,8 +65,8 @@ Result<DerivedObject> objectOf(const std::string& path, const Progress& progress
   return *object;
 }
 
-Result<Segmentation> segmentationOf(const std::string& path) {
-  auto segmentation = loadSegmentation(path);
+Result<Segmentation> segmentationOf(const std::string& path, glm::ivec2 pictures = glm::ivec2(0)) {
+  auto segmentation = loadSegmentation(path, pictures);
   if (segmentation && segmentation->segments.empty()) return Error{path + " holds no segments."};
   return segmentation;
 }
@@ -75,7 +78,7 @@ Result<SegmentsFile> segmentsOfObject(const std::string& path, const Progress& p
   if (!segmentation) return segmentation.error();
   const auto grid = gridOf(*segmentation);
   if (!grid) return Error{path + ": " + grid.message()};
-  SegmentsFile file{segmentedOf(*segmentation, *grid, cancel), {}};
+  SegmentsFile file{segmentedOf(*segmentation, *grid, cancel), segmentation->notes};
   if (cancel.cancelled()) return Error{"Cancelled."};
   return file;
 }
@@ -89,16 +92,24 @@ Result<SegmentsFile> placedImage(const std::string& path, const VoxelGeometry& g
   return placed;
 }
 
+std::string rowsText(glm::ivec2 size) {
+  return std::to_string(size.y) + " rows and " + std::to_string(size.x) + " columns";
+}
+
 Result<SegmentsFile> placedObject(const std::string& path, const Series& series, const VoxelGeometry& grid,
                                   const Progress& progress, const CancelToken& cancel) {
   const auto object = objectOf(path, progress, cancel);
   if (!object) return object.error();
   if (!liesIn(*object, series))
     return Error{path + " is of another frame of reference than the series: its places are none of it."};
-  const auto segmentation = segmentationOf(path);
+  const glm::ivec2 pictures = namesPictureOf(*object, series) ? series.acquired.size : glm::ivec3(0);
+  const auto segmentation = segmentationOf(path, pictures);
   if (!segmentation) return segmentation.error();
   auto placed = onGrid(*segmentation, grid, cancel);
   if (!placed) return Error{path + ": " + placed.message()};
+  if (pictures != glm::ivec2(0) && pictures != segmentation->size)
+    placed->notes.push_back("The frames of " + path + " have " + rowsText(segmentation->size) +
+                            "; the pictures that it names have " + rowsText(pictures) + ".");
   return placed;
 }
 

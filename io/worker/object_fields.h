@@ -85,7 +85,7 @@ inline void fields(Wire& w, Segment& s) {
 }
 inline void fields(Wire& w, SegmentFrame& f) { w(f.segment, f.origin); }
 inline void fields(Wire& w, Segmentation& s) {
-  w(s.fractional, s.size, s.right, s.down, s.mm, s.thickness, s.segments, s.frames, s.bits);
+  w(s.fractional, s.size, s.right, s.down, s.mm, s.thickness, s.segments, s.frames, s.bits, s.notes);
 }
 
 inline void fields(Wire& w, dicom::AttributeLine& l) { w(l.depth, l.tag, l.name, l.vr, l.value); }

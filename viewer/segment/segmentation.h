@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "viewer/segment/bit_mask.h"
@@ -32,6 +33,7 @@ struct Segmentation {
   std::vector<Segment> segments;
   std::vector<SegmentFrame> frames;
   std::vector<std::uint8_t> bits;  ///< frame after frame (packed_bits.h)
+  std::vector<std::string> notes;  ///< sentences that are to be known
 
   /// Which of the bits is the first of a row.
   std::size_t rowAt(std::size_t frame, int y) const {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
 #include "io/export/export_segments.h"
 #include "io/export/read_segments.h"
@@ -28,6 +29,10 @@ class TestReadSegments : public QObject {
   void theyComeBackAsTheyWent();
   void whatAnotherGridCostsIsTold_data();
   void whatAnotherGridCostsIsTold();
+  void repeatedFramesAreNoOtherGrid();
+  void whatDiffersFromItsPicturesIsTold_data();
+  void whatDiffersFromItsPicturesIsTold();
+  void rowsForColumnsAreTold();
   void anotherFrameOfReferenceIsRefused();
   void whatHoldsNoneIsRefused_data();
   void whatHoldsNoneIsRefused();
@@ -76,6 +81,14 @@ struct Sliced {
     return exportSegments(path, {&segments, 1}, series) ? path : std::string();
   }
 };
+
+/// Changes the elements of a DICOM file.
+void editFile(const std::string& path, const std::function<void(DcmDataset&)>& edit) {
+  DcmFileFormat file;
+  if (file.loadFile(path.c_str()).bad()) return;
+  edit(*file.getDataset());
+  file.saveFile(path.c_str());
+}
 
 void addEndings(const std::vector<const char*>& endings) {
   QTest::addColumn<QByteArray>("ending");
@@ -132,6 +145,74 @@ void TestReadSegments::whatAnotherGridCostsIsTold() {
   const auto elsewhere = readSegments(path, in.series, grid);
   QVERIFY(!elsewhere);
   QCOMPARE(elsewhere.message(), path + ": All of its segments lie outside the series.");
+}
+
+// All frames of both segments are made those of the first, so that each place comes twice.
+void TestReadSegments::repeatedFramesAreNoOtherGrid() {
+  Sliced in;
+  const std::string path = in.write(".dcm");
+  editFile(path, [](DcmDataset& data) {
+    DcmItem *frame = nullptr, *segment = nullptr;
+    for (long n = 0; data.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frame, n).good();
+         ++n) {
+      frame->findAndGetSequenceItem(DCM_SegmentIdentificationSequence, segment);
+      segment->putAndInsertUint16(DCM_ReferencedSegmentNumber, 1);
+    }
+  });
+  const auto out = readSegments(path, in.series, in.grid);
+  QVERIFY2(out, out ? "" : out.message().c_str());
+  QCOMPARE(labelCounts(out->maps[0].labels)[1], std::int64_t(4 * 3 * 9));
+  QCOMPARE(out->notes.size(), std::size_t(1));
+  QVERIFY2(out->notes[0].find("repeat a place of their segment (4)") != std::string::npos,
+           out->notes[0].c_str());
+  const auto own = readSegments(path);
+  QVERIFY(own && own->notes == out->notes);
+}
+
+void TestReadSegments::whatDiffersFromItsPicturesIsTold_data() {
+  QTest::addColumn<int>("rows");
+  QTest::addColumn<int>("columns");
+  QTest::addColumn<QByteArray>("says");
+  QTest::newRow("rows too few") << 6 << 9 << QByteArray("(6 x 9 x 8): 64 of 54 bytes are there");
+  QTest::newRow("rows too many") << 8 << 9 << QByteArray("cut off: 64 of 72 bytes are there");
+  QTest::newRow("columns too few") << 7 << 8 << QByteArray("(7 x 8 x 8): 64 of 56 bytes are there");
+}
+
+// The pictures that it names are those of the series.
+void TestReadSegments::whatDiffersFromItsPicturesIsTold() {
+  QFETCH(int, rows);
+  QFETCH(int, columns);
+  QFETCH(QByteArray, says);
+  Sliced in;
+  const std::string path = in.write(".dcm");
+  editFile(path, [&](DcmDataset& data) {
+    data.putAndInsertUint16(DCM_Rows, Uint16(rows));
+    data.putAndInsertUint16(DCM_Columns, Uint16(columns));
+  });
+  const auto out = readSegments(path, in.series, in.grid);
+  QVERIFY(!out);
+  const std::string pictures = "; the pictures that it names have 7 rows and 9 columns.";
+  QVERIFY2(out.message().starts_with(path) && out.message().ends_with(says.toStdString() + pictures),
+           out.message().c_str());
+  Series other = in.series;
+  other.sopInstanceUids.clear();
+  const auto ofOther = readSegments(path, other, in.grid);
+  QVERIFY(!ofOther && ofOther.message().ends_with("are there."));
+}
+
+// As many pixels, of which hardly one is where it was.
+void TestReadSegments::rowsForColumnsAreTold() {
+  Sliced in;
+  const std::string path = in.write(".dcm");
+  editFile(path, [](DcmDataset& data) {
+    data.putAndInsertUint16(DCM_Rows, 9);
+    data.putAndInsertUint16(DCM_Columns, 7);
+  });
+  const auto out = readSegments(path, in.series, in.grid);
+  QVERIFY2(out, out ? "" : out.message().c_str());
+  QCOMPARE(out->notes.back(), "The frames of " + path +
+                                  " have 9 rows and 7 columns; the pictures that it names have 7 rows and 9 "
+                                  "columns.");
 }
 
 void TestReadSegments::anotherFrameOfReferenceIsRefused() {

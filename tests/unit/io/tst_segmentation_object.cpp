@@ -31,6 +31,9 @@ class TestSegmentationObject : public QObject {
   void byteOrderDoesNotMatter();
   void damagedOnesAreRefused_data();
   void damagedOnesAreRefused();
+  void wrongValuesAreNamed_data();
+  void wrongValuesAreNamed();
+  void repeatedFramesAreUnited();
 };
 
 namespace {
@@ -73,6 +76,16 @@ void write(const std::string& path, const Made& made) {
     data.putAndInsertUint8Array(DCM_PixelData, made.bytes.data(), made.bytes.size());
     if (made.edit) made.edit(data);
   });
+}
+
+using Edit = std::function<void(DcmItem&)>;
+
+/// The measures of all frames.
+DcmItem& measuresOf(DcmItem& data) {
+  DcmItem *shared = nullptr, *measures = nullptr;
+  data.findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared);
+  shared->findAndGetSequenceItem(DCM_PixelMeasuresSequence, measures);
+  return *measures;
 }
 
 /// The smallest box that holds a mask.
@@ -219,7 +232,7 @@ void TestSegmentationObject::damagedOnesAreRefused_data() {
   QTest::newRow("a segment twice") << 5 << QStringLiteral("two of its segments have the number 1");
   QTest::newRow("eight bits of one") << 6 << QStringLiteral("BitsAllocated");
   QTest::newRow("an unknown type") << 7 << QStringLiteral("SegmentationType is \"LABELMAP\"");
-  QTest::newRow("no place") << 8 << QStringLiteral("frame 3: its place");
+  QTest::newRow("no place") << 8 << QStringLiteral("frame 3: its ImagePositionPatient is missing");
   QTest::newRow("no pixels") << 9 << QStringLiteral("no pixel data");
   QTest::newRow("directions that are none") << 10 << QStringLiteral("right angles");
 }
@@ -258,6 +271,88 @@ void TestSegmentationObject::damagedOnesAreRefused() {
   QVERIFY2(!s, "loaded");
   QVERIFY2(s.message().find(says.toStdString()) != std::string::npos && s.message().ends_with("."),
            s.message().c_str());
+}
+
+void TestSegmentationObject::wrongValuesAreNamed_data() {
+  QTest::addColumn<Edit>("edit");
+  QTest::addColumn<bool>("fractional");
+  QTest::addColumn<QByteArray>("says");
+  const auto add = [](const char* name, const Edit& edit, const char* says, bool fractional = false) {
+    QTest::newRow(name) << edit << fractional << QByteArray(says);
+  };
+  const auto word = [](unsigned group, unsigned element, unsigned value) -> Edit {
+    return [=](DcmItem& data) { putWord(data, group, element, value); };
+  };
+  const auto spacing = [](const char* value) -> Edit {
+    return [=](DcmItem& data) { put(measuresOf(data), 0x0028, 0x0030, value); };
+  };
+  const auto bytes = [](std::size_t count) -> Edit {
+    return [=](DcmItem& data) {
+      const std::vector<Uint8> zeros(count);
+      data.putAndInsertUint8Array(DCM_PixelData, zeros.data(), zeros.size());
+    };
+  };
+  const char* const longer = "longer than Rows x Columns x NumberOfFrames";
+  add("too few rows", word(0x0028, 0x0010, 2), "NumberOfFrames (2 x 3 x 2): 4 of 2 bytes");
+  add("one row", word(0x0028, 0x0010, 1), longer);
+  add("too few columns", word(0x0028, 0x0011, 1), "NumberOfFrames (3 x 1 x 2): 4 of 1 bytes");
+  add("too many columns", word(0x0028, 0x0011, 9), "cut off: 4 of 7 bytes");
+  add("bytes behind the bits", bytes(6), longer);
+  add("bytes behind the fractions", bytes(12), "NumberOfFrames (2 x 2 x 2): 12 of 8 bytes", true);
+  add("no row", word(0x0028, 0x0010, 0), "its Rows is 0");
+  add("no column", word(0x0028, 0x0011, 0), "its Columns is 0");
+  add(
+      "Rows missing", [](DcmItem& data) { data.findAndDeleteElement(DCM_Rows); }, "its Rows is missing");
+  add(
+      "NumberOfFrames missing", [](DcmItem& data) { data.findAndDeleteElement(DCM_NumberOfFrames); },
+      "its NumberOfFrames is missing, but it has functional groups for 2 frames");
+  add("a negative spacing", spacing("-1\\-1"), R"(PixelSpacing is "-1\-1", not two lengths above 0)");
+  add("one spacing", spacing("0.5"), R"(PixelSpacing is "0.5", not)");
+  add("no spacing", spacing(""), "frame 1: its PixelSpacing is missing");
+  add("three samples a pixel", word(0x0028, 0x0002, 3), "its SamplesPerPixel is 3");
+  add("fractions of 0", word(0x0062, 0x000e, 0), "its MaximumFractionalValue is 0", true);
+  add("fractions of 16 bits", word(0x0062, 0x000e, 65535), "its MaximumFractionalValue is 65535", true);
+}
+
+void TestSegmentationObject::wrongValuesAreNamed() {
+  QFETCH(Edit, edit);
+  QFETCH(bool, fractional);
+  QFETCH(QByteArray, says);
+  const DicomFolder folder;
+  Made made;
+  if (fractional) made = {2, 2, 2, 8, "FRACTIONAL", {0, 49, 50, 100, 0, 0, 0, 0}};
+  write(folder.path("seg"), made);
+  QVERIFY(loadSegmentation(folder.path("seg")).ok());
+  made.edit = edit;
+  write(folder.path("seg"), made);
+  const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
+  QVERIFY2(!s, "loaded");
+  QVERIFY2(s.message().find(says) != std::string::npos && s.message().starts_with(folder.path("seg")) &&
+               s.message().ends_with("."),
+           s.message().c_str());
+}
+
+// Three frames of 9 bits, the last where the first is, of the same segment.
+void TestSegmentationObject::repeatedFramesAreUnited() {
+  const DicomFolder folder;
+  Made made{.frames = 3, .bytes = {0x03, 0x02, 0x18, 0x00}};  // pixels 0 1; 0; 1 2
+  made.edit = [](DcmItem& data) {
+    DcmItem *frame = nullptr, *plane = nullptr;
+    data.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, frame, 2);
+    frame->findAndGetSequenceItem(DCM_PlanePositionSequence, plane);
+    put(*plane, 0x0020, 0x0032, "10\\20\\0.0");
+  };
+  write(folder.path("seg"), made);
+  const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
+  QVERIFY2(s, s ? "" : s.message().c_str());
+  QCOMPARE(s->frames.size(), std::size_t(2));
+  QCOMPARE(s->frames[1].origin, glm::dvec3(10, 20, 2));
+  std::string set;
+  for (std::size_t frame = 0; frame < 2; ++frame)
+    for (int n = 0; n < 9; ++n) set += s->isSet(frame, n % 3, n / 3) ? '1' : '0';
+  QCOMPARE(set, std::string("111000000100000000"));
+  QCOMPARE(s->notes.size(), std::size_t(1));
+  QVERIFY2(s->notes[0].find("repeat a place of their segment (1)") != std::string::npos, s->notes[0].c_str());
 }
 
 VOLUMEN_TEST(TestSegmentationObject);
