@@ -4,12 +4,12 @@
 #include <array>
 #include <utility>
 
-#include "ui/workspace/free_name.h"
 #include "ui/workspace/region_colours.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 #include "viewer/segment/added_labels.h"
+#include "viewer/volume/free_name.h"
 
 namespace volumen {
 
