@@ -309,8 +309,6 @@ void TestSegmentCommand::nothingIsWrittenOver_data() {
   row("by a link", "scan.mha --range 2:3 -o old.seg.nrrd --csv link.csv", twice);
   row("over the table of names", "scan.mha --range 2:3 -o a.nii.gz --csv a.label", twice);
   row("over one of the surfaces", "scan.mha --recipe two.json -o a.stl --csv a-B.stl", twice);
-  row("two surfaces of one name", "scan.mha --recipe alike.json -o a.stl",
-      "two segments would be written to it");
   row("a surface where a folder is", "scan.mha --recipe two.json -o b.stl", "b-B.stl: it is a folder");
   row("the numbers over the recipe", "scan.mha --recipe two.json -o a.seg.nrrd --csv two.json", read);
   row("the numbers over the segments that are read",
