@@ -37,7 +37,9 @@ Result<SegmentsFile> segmentsOfImage(const std::string& path, const Progress& pr
   if (!header) return header.error();
   auto file =
       isSlicers(*header) ? readSegNrrd(path, progress, cancel) : readLabelImage(path, progress, cancel);
-  if (file && !hasSegments(*file)) return Error{path + " holds no segments."};
+  if (!file) return file;
+  if (!hasSegments(*file)) return Error{path + " holds no segments."};
+  std::ranges::copy(header->data.files, std::back_inserter(file->files));
   return file;
 }
 
@@ -107,7 +109,10 @@ template <class OfImage, class OfObject>
 Result<SegmentsFile> readAs(const std::string& path, const OfImage& ofImage, const OfObject& ofObject) try {
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none)) return Error{path + " is no file that can be read."};
-  return looksLikeImageFile(path) ? ofImage() : ofObject();
+  Result<SegmentsFile> file = looksLikeImageFile(path) ? ofImage() : ofObject();
+  if (!file) return file;
+  file->files.push_back(path);
+  return file;
 } catch (const std::bad_alloc&) {
   return Error{path + ": there is not enough memory for its segments."};
 }

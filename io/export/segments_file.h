@@ -10,8 +10,9 @@ namespace volumen {
 
 /// What a file of segments holds: a label map a layer, all of one grid.
 struct SegmentsFile {
-  std::vector<Segmented> maps;
-  std::vector<std::string> notes;  ///< sentences that are to be known
+  std::vector<Segmented> maps{};
+  std::vector<std::string> notes{};     ///< sentences that are to be known
+  std::vector<std::string> files{};     ///< all that were read for it: the table of names, files of data, too
 };
 
 /// The same on the grid of a volume: each voxel has what the voxel of the file that holds its centre has.
