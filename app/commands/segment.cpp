@@ -19,6 +19,7 @@
 #include "ui/controller/segment_recipes.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/scene/similar_name.h"
+#include "viewer/segment/names_and_colours.h"
 
 namespace volumen {
 
@@ -135,6 +136,7 @@ Result<SegmentsFile> segmentsOf(const SegmentSource& source, Opened& opened, con
   for (const std::string& note : notesOf(*source.recipe, opened.series)) opened.notes.push_back(note);
   SegmentsFile all;
   all.maps.push_back(std::move(*made));
+  addColours(all.maps);
   return all;
 }
 

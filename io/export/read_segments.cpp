@@ -13,6 +13,7 @@
 #include "io/files/write_volume.h"
 #include "io/open.h"
 #include "io/segmentation.h"
+#include "viewer/segment/names_and_colours.h"
 
 namespace volumen {
 
@@ -104,6 +105,18 @@ Result<SegmentsFile> placedObject(const std::string& path, const Series& series,
   return placed;
 }
 
+// With names that differ, and colours.
+SegmentsFile toldApart(SegmentsFile file, const std::string& path) {
+  const NamesGiven given = addNames(file.maps);
+  if (!given.unnamed.empty())
+    file.notes.push_back(path + ": what has no name is called " + listedFirst(given.unnamed) + ".");
+  if (!given.alike.empty())
+    file.notes.push_back(path + ": what has the name of another segment is called " +
+                         listedFirst(given.alike) + ".");
+  addColours(file.maps);
+  return file;
+}
+
 // Reads an image or a DICOM object, as the contents of the file say.
 template <class OfImage, class OfObject>
 Result<SegmentsFile> readAs(const std::string& path, const OfImage& ofImage, const OfObject& ofObject) try {
@@ -112,7 +125,7 @@ Result<SegmentsFile> readAs(const std::string& path, const OfImage& ofImage, con
   Result<SegmentsFile> file = looksLikeImageFile(path) ? ofImage() : ofObject();
   if (!file) return file;
   file->files.push_back(path);
-  return file;
+  return toldApart(std::move(*file), path);
 } catch (const std::bad_alloc&) {
   return Error{path + ": there is not enough memory for its segments."};
 }

@@ -11,7 +11,8 @@ namespace volumen {
 struct Series;
 
 /// Reads the segments of a file on a grid of a series (onGrid): a DICOM segmentation, a segmentation of 3D
-/// Slicer, or an image of labels, as its contents say. The Error names the file: it is none of them, is
+/// Slicer, or an image of labels, as its contents say. All have a colour, and a name that no other one has;
+/// names that were given are told. The Error names the file: it is none of them, is
 /// damaged, holds no segments, is of another frame of reference than the series and names none of its
 /// pictures, or all of it lies outside.
 Result<SegmentsFile> readSegments(const std::string& path, const Series& series, const VoxelGeometry& grid,

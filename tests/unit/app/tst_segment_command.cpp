@@ -34,6 +34,8 @@ class TestSegmentCommand : public QObject {
   void nothingIsWrittenOver();
   void segmentsOfAFileMayReplaceIt_data();
   void segmentsOfAFileMayReplaceIt();
+  void segmentsWithoutAColourGetTheNextOfTheTen_data();
+  void segmentsWithoutAColourGetTheNextOfTheTen();
   void aNumberThatIsTooLargeIsNamed();
   void surfacesAreReducedOnRequest();
   void surfacesOfAllStandInOneFileOnRequest();
@@ -361,6 +363,30 @@ void TestSegmentCommand::segmentsOfAFileMayReplaceIt() {
   const Outcome done = runSegment(words("phantom:ramp:8 --from") << file << QStringLiteral("-o") << file);
   QVERIFY2(done.status == 0, done.err.constData());
   QCOMPARE(contentsOf(file), before);
+}
+
+void TestSegmentCommand::segmentsWithoutAColourGetTheNextOfTheTen_data() {
+  QTest::addColumn<QString>("how");
+  QTest::newRow("a recipe") << QStringLiteral("--recipe two.json");
+  QTest::newRow("labels without a table") << QStringLiteral("--from lab.nii.gz");
+}
+
+// Two segments: 60, 180, 75 and 255, 225, 25 of 255.
+void TestSegmentCommand::segmentsWithoutAColourGetTheNextOfTheTen() {
+  QFETCH(QString, how);
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("a.seg.nrrd"));
+  writeBytes(folder.filePath(QStringLiteral("two.json")), twoSegments("B"));
+  QCOMPARE(
+      runProgramIn(folder.path(), words("segment phantom:ramp:8 --recipe two.json -o lab.nii.gz")).status, 0);
+  QVERIFY(QFile::remove(folder.filePath(QStringLiteral("lab.label"))));
+  const Outcome done = runProgramIn(
+      folder.path(), words("segment phantom:ramp:8 -o a.seg.nrrd") + how.split(QLatin1Char(' ')));
+  QVERIFY2(done.status == 0, done.err.constData());
+  const auto read = readSegNrrd(file.toStdString());
+  QVERIFY(read && read->maps.size() == 1 && read->maps[0].segments.size() == 2);
+  QVERIFY(read->maps[0].segments[0].colour == glm::u8vec3(60, 180, 75));
+  QVERIFY(read->maps[0].segments[1].colour == glm::u8vec3(255, 225, 25));
 }
 
 void TestSegmentCommand::aNumberThatIsTooLargeIsNamed() {
