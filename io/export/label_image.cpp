@@ -21,7 +21,7 @@ std::vector<LabelRow> tableBeside(const std::string& path, SegmentsFile& file) {
   file.files.push_back(table);
   auto rows = readLabelTable(table);
   if (rows) return std::move(*rows);
-  file.notes.push_back(rows.message());
+  file.notes.push_back(rows.message() + " None of its names and colours was taken.");
   return {};
 }
 
