@@ -44,15 +44,18 @@ Result<SegmentsFile> segmentsOfImage(const std::string& path, const Progress& pr
   return file;
 }
 
-// Pictures that it names are where it lies, whatever frame of reference their files say.
-bool liesIn(const DerivedObject& object, const Series& series) {
-  const std::string &own = object.frameOfReferenceUid, &frame = series.frameOfReferenceUid;
-  const std::unordered_set<std::string_view> here(series.sopInstanceUids.begin(),
-                                                  series.sopInstanceUids.end());
-  return own.empty() || frame.empty() || own == frame ||
-         std::ranges::any_of(object.pictures, [&](const ReferencedPicture& picture) {
-           return here.contains(picture.sopInstanceUid);
-         });
+std::vector<std::string> picturesOf(const DerivedObject& object) {
+  std::vector<std::string> uids;
+  for (const ReferencedPicture& picture : object.pictures) uids.push_back(picture.sopInstanceUid);
+  return uids;
+}
+
+// Whether two lie in one space; pictures that both name are there, whatever frames of reference they say.
+bool areTogether(const std::string& frame, const std::vector<std::string>& pictures,
+                 const std::string& otherFrame, const std::vector<std::string>& otherPictures) {
+  const std::unordered_set<std::string_view> others(otherPictures.begin(), otherPictures.end());
+  return frame.empty() || otherFrame.empty() || frame == otherFrame ||
+         std::ranges::any_of(pictures, [&](const std::string& uid) { return others.contains(uid); });
 }
 
 Result<DerivedObject> objectOf(const std::string& path, const Progress& progress, const CancelToken& cancel) {
@@ -73,13 +76,16 @@ Result<Segmentation> segmentationOf(const std::string& path) {
 
 Result<SegmentsFile> segmentsOfObject(const std::string& path, const Progress& progress,
                                       const CancelToken& cancel) {
-  if (const auto object = objectOf(path, progress, cancel); !object) return object.error();
+  const auto object = objectOf(path, progress, cancel);
+  if (!object) return object.error();
   const auto segmentation = segmentationOf(path);
   if (!segmentation) return segmentation.error();
   const auto grid = gridOf(*segmentation);
   if (!grid) return Error{path + ": " + grid.message()};
-  SegmentsFile file{segmentedOf(*segmentation, *grid, cancel), {}};
+  SegmentsFile file{.maps = segmentedOf(*segmentation, *grid, cancel)};
   if (cancel.cancelled()) return Error{"Cancelled."};
+  file.frameOfReferenceUid = object->frameOfReferenceUid;
+  file.pictures = picturesOf(*object);
   return file;
 }
 
@@ -96,7 +102,8 @@ Result<SegmentsFile> placedObject(const std::string& path, const Series& series,
                                   const Progress& progress, const CancelToken& cancel) {
   const auto object = objectOf(path, progress, cancel);
   if (!object) return object.error();
-  if (!liesIn(*object, series))
+  if (!areTogether(object->frameOfReferenceUid, picturesOf(*object), series.frameOfReferenceUid,
+                   series.sopInstanceUids))
     return Error{path + " is of another frame of reference than the series: its places are none of it."};
   const auto segmentation = segmentationOf(path);
   if (!segmentation) return segmentation.error();
@@ -144,6 +151,10 @@ Result<SegmentsFile> readSegments(const std::string& path, const Progress& progr
   return readAs(
       path, [&] { return segmentsOfImage(path, progress, cancel); },
       [&] { return segmentsOfObject(path, progress, cancel); });
+}
+
+bool areOfOneSpace(const SegmentsFile& a, const SegmentsFile& b) {
+  return areTogether(a.frameOfReferenceUid, a.pictures, b.frameOfReferenceUid, b.pictures);
 }
 
 bool isNamedAsSegments(const std::string& path) {

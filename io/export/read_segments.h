@@ -22,6 +22,10 @@ Result<SegmentsFile> readSegments(const std::string& path, const Series& series,
 Result<SegmentsFile> readSegments(const std::string& path, const Progress& progress = {},
                                   const CancelToken& cancel = {});
 
+/// Whether the places of two files (on grids of their own) are those of one space: their frames of reference
+/// do not differ, or they name the same pictures.
+bool areOfOneSpace(const SegmentsFile& a, const SegmentsFile& b);
+
 /// Whether a file says by its name that it holds segments, no picture: .seg.nrrd, or an image with a table of
 /// names beside it (label_table.h).
 bool isNamedAsSegments(const std::string& path);
