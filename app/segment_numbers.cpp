@@ -33,12 +33,10 @@ std::optional<SegmentsOverTime> overTimeOf(std::span<const Segmented> maps, cons
 
 }  // namespace
 
-Result<std::vector<Segmented>> segmentsOfFile(const std::string& file, Opened& opened,
-                                              const CancelToken& cancel) {
+Result<SegmentsFile> segmentsOfFile(const std::string& file, Opened& opened, const CancelToken& cancel) {
   auto read = readSegments(file, opened.series, opened.loaded.drawn->geometry(), {}, cancel);
-  if (!read) return read.error();
-  opened.notes.insert(opened.notes.end(), read->notes.begin(), read->notes.end());
-  return std::move(read->maps);
+  if (read) opened.notes.insert(opened.notes.end(), read->notes.begin(), read->notes.end());
+  return read;
 }
 
 Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Opened& opened, PetUnit unit,

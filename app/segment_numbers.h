@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/open_volume.h"
+#include "io/export/segments_file.h"
 #include "io/files/output_file.h"
 #include "io/study/suv.h"
 #include "ui/workspace/segments_over_time.h"
-#include "viewer/segment/segmented.h"
 
 namespace volumen {
 
@@ -23,8 +23,7 @@ struct SegmentNumbersTold {
 
 /// The segments of a file on the grid of what was opened (readSegments), whose notes get what that changes:
 /// one map; where segments overlap, several. The Error names the file.
-Result<std::vector<Segmented>> segmentsOfFile(const std::string& file, Opened& opened,
-                                              const CancelToken& cancel);
+Result<SegmentsFile> segmentsOfFile(const std::string& file, Opened& opened, const CancelToken& cancel);
 
 /// The numbers of maps on the grid of what was opened, values of PET in `unit` where that can be had; over
 /// time on request. The Error: cancelled, or there is not enough memory.

@@ -67,12 +67,26 @@ void printCompared(const std::vector<ComparedSegments>& all, const std::vector<s
   std::cout << jsonText({{"pairs", pairs}, {"notes", notes}});
 }
 
+// The segments of the second file on the grid of the first.
+Result<SegmentsFile> secondOnFirst(const CompareOptions& options, const SegmentsFile& first,
+                                   const CancelToken& cancel) {
+  Result<SegmentsFile> second = readSegments(options.second, {}, cancel);
+  if (!second) return second;
+  if (!areOfOneSpace(first, *second))
+    return Error{options.second + " is of another frame of reference than " + options.first +
+                 ", and names none of its pictures: their places cannot be compared."};
+  const std::size_t told = second->notes.size();
+  second = onGrid(std::move(*second), first.maps.front().labels.geometry(), options.first);
+  if (!second) return Error{options.second + ": " + second.message()};
+  for (std::size_t n = told; n < second->notes.size(); ++n)
+    second->notes[n] = options.second + ": " + second->notes[n];
+  return second;
+}
+
 int run(const CompareOptions& options, const CancelToken& cancel) {
   const Result<SegmentsFile> first = readSegments(options.first, {}, cancel);
   if (!first) return fail(first.message(), cancel);
-  Result<SegmentsFile> second = readSegments(options.second, {}, cancel);
-  if (!second) return fail(second.message(), cancel);
-  second = onGrid(std::move(*second), first->maps.front().labels.geometry());
+  const Result<SegmentsFile> second = secondOnFirst(options, *first, cancel);
   if (!second) return fail(second.message(), cancel);
   const auto all = compared(*first, *second, cancel);
   if (!all) return fail(all.message(), cancel);

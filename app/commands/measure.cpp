@@ -152,13 +152,14 @@ nlohmann::ordered_json measurementsOf(const std::vector<Shape>& shapes, const So
 // Their numbers to the JSON and to the CSV that is asked for, what is to be said of them to the notes.
 Status measureSegments(nlohmann::ordered_json& all, Opened& opened, const MeasureOptions& options,
                        const CancelToken& cancel) {
-  const auto maps = segmentsOfFile(options.segments, opened, cancel);
-  if (!maps) return maps.error();
+  const auto segments = segmentsOfFile(options.segments, opened, cancel);
+  if (!segments) return segments.error();
   std::vector<std::string> read = opened.series.files;
-  read.insert(read.end(), {options.segments, options.shapes});
+  read.insert(read.end(), segments->files.begin(), segments->files.end());
+  read.push_back(options.shapes);
   if (!options.csv.empty())
     if (Status s = checkApart({&options.csv, 1}, read); !s) return s;
-  const auto numbers = numbersTold(*maps, opened, unitWanted(options), true, cancel);
+  const auto numbers = numbersTold(segments->maps, opened, unitWanted(options), true, cancel);
   if (!numbers) return numbers.error();
   addSegments(all, *numbers);
   addSegmentNotes(opened, numbers->reports);

@@ -19,6 +19,7 @@
 #include "ui/controller/segment_recipes.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/scene/similar_name.h"
+#include "viewer/segment/names_and_colours.h"
 
 namespace volumen {
 
@@ -128,24 +129,28 @@ void addNotes(Opened& opened, std::span<const SegmentReport> numbers) {
 }
 
 // One map; of a file whose segments overlap, several.
-Result<std::vector<Segmented>> segmentsOf(const SegmentSource& source, Opened& opened,
-                                          const CancelToken& cancel) {
+Result<SegmentsFile> segmentsOf(const SegmentSource& source, Opened& opened, const CancelToken& cancel) {
   if (!source.recipe) return segmentsOfFile(source.file, opened, cancel);
   auto made = follow(*source.recipe, *opened.loaded.drawn, cancel);
   if (!made) return Error{source.recipe->name + ": " + made.message()};
   for (const std::string& note : notesOf(*source.recipe, opened.series)) opened.notes.push_back(note);
-  return std::vector{std::move(*made)};
+  SegmentsFile all;
+  all.maps.push_back(std::move(*made));
+  addColours(all.maps);
+  return all;
 }
 
 // Nothing is written over what is read or written besides; only segments of a file are, by themselves.
-Status checkNames(const SegmentOptions& options, std::span<const Segmented> maps, const Series& series) {
-  auto written = filesOfExport(options.output, maps, options.surfaces);
+Status checkNames(const SegmentOptions& options, const SegmentsFile& segments, const Series& series) {
+  auto written = filesOfExport(options.output, segments.maps, options.surfaces);
   if (!written) return written.error();
   std::vector<std::string> read = series.files;
+  const bool replaces = !options.from.empty() && !checkApart({&options.output, 1}, {&options.from, 1});
   if (isFile(options.recipe)) read.push_back(options.recipe);
+  if (!replaces) read.insert(read.end(), segments.files.begin(), segments.files.end());
   if (!options.csv.empty()) written->push_back(options.csv);
   if (Status s = checkApart(*written, read); !s || options.csv.empty()) return s;
-  return checkApart({&options.csv, 1}, {&options.from, 1});
+  return checkApart({&options.csv, 1}, segments.files);
 }
 
 int work(const SegmentOptions& options, SegmentSource source, const CancelToken& cancel) {
@@ -158,15 +163,15 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
     removeTable(*source.recipe);
   }
   noteKeptTilt(*opened);
-  const auto segmented = segmentsOf(source, *opened, cancel);
-  if (!segmented) return fail(segmented.message(), cancel);
-  if (Status s = checkNames(options, *segmented, opened->series); !s) return fail(s.message());
-  const auto numbers = numbersTold(*segmented, *opened, PetUnit::suvBodyWeight, options.json, cancel);
+  const auto segments = segmentsOf(source, *opened, cancel);
+  if (!segments) return fail(segments.message(), cancel);
+  if (Status s = checkNames(options, *segments, opened->series); !s) return fail(s.message());
+  const auto numbers = numbersTold(segments->maps, *opened, PetUnit::suvBodyWeight, options.json, cancel);
   if (!numbers) return fail(numbers.message(), cancel);
   auto csv = writeCsv(options.csv, *numbers);
   if (!csv) return fail(csv.message());
   const auto exported =
-      exportSegments(options.output, *segmented, opened->series, {}, cancel, options.surfaces);
+      exportSegments(options.output, segments->maps, opened->series, {}, cancel, options.surfaces);
   if (!exported) return fail(exported.message(), cancel);
   std::vector<std::string> files = exported->files;
   if (*csv) {

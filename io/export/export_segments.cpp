@@ -14,6 +14,7 @@
 #include "io/export/surface_file.h"
 #include "io/files/output_file.h"
 #include "io/study/series.h"
+#include "viewer/volume/free_name.h"
 
 namespace volumen {
 
@@ -50,31 +51,45 @@ Exported asLabels(const Export& e) {
   return ExportedSegments{{e.path}, {}};
 }
 
-// "scan-Bone.stl"; what a folder would read otherwise becomes "_".
-std::string pathOf(const std::string& path, std::span<const Segmented> maps, const Segment& segment) {
-  if (maps.size() == 1 && maps.front().segments.size() == 1) return path;
-  const std::size_t ending = path.rfind('.');
-  std::string name = segment.label;
+// As part of the name of a file: what a folder would read otherwise becomes "_", long ones are cut.
+std::string fileWordOf(std::string name) {
+  constexpr std::size_t mostBytes = 100;
+  const auto isInside = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };  // UTF-8
+  if (name.size() > mostBytes) {
+    std::size_t end = mostBytes;
+    while (end > 0 && isInside(name[end])) --end;
+    name.resize(end);
+  }
   for (char& c : name)
     if (std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos ||
         static_cast<unsigned char>(c) < 32)
       c = '_';
-  return path.substr(0, ending) + "-" + name + path.substr(ending);
+  return name;
+}
+
+// "scan-Bone.stl"; another one where that is one of those.
+std::string pathBeside(const std::string& path, const Segment& segment,
+                       const std::vector<std::string>& others) {
+  const std::size_t ending = path.rfind('.');
+  const auto pathOf = [&](const std::string& word) {
+    return path.substr(0, ending) + "-" + word + path.substr(ending);
+  };
+  return pathOf(freeName(fileWordOf(segment.label), [&](const std::string& word) {
+    return std::ranges::find(others, pathOf(word)) != others.end();
+  }));
 }
 
 // Of the segments that have voxels.
-Result<std::vector<std::string>> surfacePaths(const std::string& path, std::span<const Segmented> maps,
-                                              bool inOneFile) {
+std::vector<std::string> surfacePaths(const std::string& path, std::span<const Segmented> maps,
+                                      bool inOneFile) {
+  const bool isAlone = maps.size() == 1 && maps.front().segments.size() == 1;
   std::vector<std::string> paths;
   for (const Segmented& map : maps) {
     const auto counts = labelCounts(map.labels);
     for (const Segment& segment : map.segments) {
       if (counts[std::size_t(segment.number)] == 0) continue;
-      if (inOneFile) return std::vector{path};
-      std::string one = pathOf(path, maps, segment);
-      if (std::ranges::find(paths, one) != paths.end())
-        return Error{one + ": two segments would be written to it; give them different names."};
-      paths.push_back(std::move(one));
+      if (inOneFile || isAlone) return {path};
+      paths.push_back(pathBeside(path, segment, paths));
     }
   }
   return paths;
@@ -142,14 +157,13 @@ Exported asFileEach(const Export& e, const std::vector<std::string>& paths) {
 
 // Where they could not be written none is made.
 Exported asSurfaces(const Export& e) {
-  const auto paths = surfacePaths(e.path, e.maps, e.surfaces.inOneFile);
-  if (!paths) return paths.error();
-  if (paths->empty()) return Error{e.path + " is not written: no segment has voxels."};
-  if (Status s = checkWritable(*paths); !s) return s.error();
-  if (!e.surfaces.inOneFile) return asFileEach(e, *paths);
+  const std::vector<std::string> paths = surfacePaths(e.path, e.maps, e.surfaces.inOneFile);
+  if (paths.empty()) return Error{e.path + " is not written: no segment has voxels."};
+  if (Status s = checkWritable(paths); !s) return s.error();
+  if (!e.surfaces.inOneFile) return asFileEach(e, paths);
   const auto surfaces = surfacesToWrite(e.maps, e.surfaces.reducedByMm, e.cancel);
   if (!surfaces) return surfaces.error();
-  return exportSurfaces(*paths, *surfaces, e.series, e.cancel);
+  return exportSurfaces(paths, *surfaces, e.series, e.cancel);
 }
 
 // A row a kind of file.

@@ -40,7 +40,8 @@ std::span<const SegmentFormat> segmentFormats();
 Result<const SegmentFormat*> segmentFormatOf(const std::string& path);
 
 /// The files that exportSegments() writes, the table beside an image of labels among them; of surfaces those
-/// of segments that have voxels. The Error: two segments would have one.
+/// of segments that have voxels. Names of segments of more than 100 bytes are cut in them, and files of two
+/// differ by a number: "scan-Bone (2).stl". The Error: no such ending.
 Result<std::vector<std::string>> filesOfExport(const std::string& path, std::span<const Segmented> maps,
                                                const SurfaceWriting& surfaces = {});
 

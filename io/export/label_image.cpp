@@ -14,13 +14,14 @@ namespace volumen {
 namespace {
 
 // None where there is no table, or it cannot be read.
-std::vector<LabelRow> tableBeside(const std::string& path, std::vector<std::string>& notes) {
+std::vector<LabelRow> tableBeside(const std::string& path, SegmentsFile& file) {
   const std::string table = labelTableOf(path);
   std::error_code none;
   if (!std::filesystem::exists(table, none)) return {};
+  file.files.push_back(table);
   auto rows = readLabelTable(table);
   if (rows) return std::move(*rows);
-  notes.push_back(rows.message());
+  file.notes.push_back(rows.message() + " None of its names and colours was taken.");
   return {};
 }
 
@@ -76,7 +77,7 @@ Result<SegmentsFile> readLabelImage(const std::string& path, const Progress& pro
   const auto values = LabelValues::read(*header, 0, path, progress, cancel);
   if (!values) return values.error();
   SegmentsFile file;
-  auto rows = allRows(*values, tableBeside(path, file.notes), path);
+  auto rows = allRows(*values, tableBeside(path, file), path);
   if (!rows) return rows.error();
   keepThoseThere(*values, *rows);
   std::vector<std::uint32_t> numbers;

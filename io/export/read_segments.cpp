@@ -13,6 +13,7 @@
 #include "io/files/write_volume.h"
 #include "io/open.h"
 #include "io/segmentation.h"
+#include "viewer/segment/names_and_colours.h"
 
 namespace volumen {
 
@@ -37,22 +38,29 @@ Result<SegmentsFile> segmentsOfImage(const std::string& path, const Progress& pr
   if (!header) return header.error();
   auto file =
       isSlicers(*header) ? readSegNrrd(path, progress, cancel) : readLabelImage(path, progress, cancel);
-  if (file && !hasSegments(*file)) return Error{path + " holds no segments."};
+  if (!file) return file;
+  if (!hasSegments(*file)) return Error{path + " holds no segments."};
+  std::ranges::copy(header->data.files, std::back_inserter(file->files));
   return file;
 }
 
-bool namesPictureOf(const DerivedObject& object, const Series& series) {
-  const std::unordered_set<std::string_view> here(series.sopInstanceUids.begin(),
-                                                  series.sopInstanceUids.end());
-  return std::ranges::any_of(object.pictures, [&](const ReferencedPicture& picture) {
-    return here.contains(picture.sopInstanceUid);
-  });
+std::vector<std::string> picturesOf(const DerivedObject& object) {
+  std::vector<std::string> uids;
+  for (const ReferencedPicture& picture : object.pictures) uids.push_back(picture.sopInstanceUid);
+  return uids;
 }
 
-// Pictures that it names are where it lies, whatever frame of reference their files say.
-bool liesIn(const DerivedObject& object, const Series& series) {
-  const std::string &own = object.frameOfReferenceUid, &frame = series.frameOfReferenceUid;
-  return own.empty() || frame.empty() || own == frame || namesPictureOf(object, series);
+bool haveOneInCommon(const std::vector<std::string>& pictures,
+                     const std::vector<std::string>& otherPictures) {
+  const std::unordered_set<std::string_view> others(otherPictures.begin(), otherPictures.end());
+  return std::ranges::any_of(pictures, [&](const std::string& uid) { return others.contains(uid); });
+}
+
+// Whether two lie in one space; pictures that both name are there, whatever frames of reference they say.
+bool areTogether(const std::string& frame, const std::vector<std::string>& pictures,
+                 const std::string& otherFrame, const std::vector<std::string>& otherPictures) {
+  return frame.empty() || otherFrame.empty() || frame == otherFrame ||
+         haveOneInCommon(pictures, otherPictures);
 }
 
 Result<DerivedObject> objectOf(const std::string& path, const Progress& progress, const CancelToken& cancel) {
@@ -73,13 +81,16 @@ Result<Segmentation> segmentationOf(const std::string& path, glm::ivec2 pictures
 
 Result<SegmentsFile> segmentsOfObject(const std::string& path, const Progress& progress,
                                       const CancelToken& cancel) {
-  if (const auto object = objectOf(path, progress, cancel); !object) return object.error();
+  const auto object = objectOf(path, progress, cancel);
+  if (!object) return object.error();
   const auto segmentation = segmentationOf(path);
   if (!segmentation) return segmentation.error();
   const auto grid = gridOf(*segmentation);
   if (!grid) return Error{path + ": " + grid.message()};
-  SegmentsFile file{segmentedOf(*segmentation, *grid, cancel), segmentation->notes};
+  SegmentsFile file{.maps = segmentedOf(*segmentation, *grid, cancel), .notes = segmentation->notes};
   if (cancel.cancelled()) return Error{"Cancelled."};
+  file.frameOfReferenceUid = object->frameOfReferenceUid;
+  file.pictures = picturesOf(*object);
   return file;
 }
 
@@ -100,9 +111,11 @@ Result<SegmentsFile> placedObject(const std::string& path, const Series& series,
                                   const Progress& progress, const CancelToken& cancel) {
   const auto object = objectOf(path, progress, cancel);
   if (!object) return object.error();
-  if (!liesIn(*object, series))
+  if (!areTogether(object->frameOfReferenceUid, picturesOf(*object), series.frameOfReferenceUid,
+                   series.sopInstanceUids))
     return Error{path + " is of another frame of reference than the series: its places are none of it."};
-  const glm::ivec2 pictures = namesPictureOf(*object, series) ? series.acquired.size : glm::ivec3(0);
+  const glm::ivec2 pictures =
+      haveOneInCommon(picturesOf(*object), series.sopInstanceUids) ? series.acquired.size : glm::ivec3(0);
   const auto segmentation = segmentationOf(path, pictures);
   if (!segmentation) return segmentation.error();
   auto placed = onGrid(*segmentation, grid, cancel);
@@ -113,12 +126,27 @@ Result<SegmentsFile> placedObject(const std::string& path, const Series& series,
   return placed;
 }
 
+// With names that differ, and colours.
+SegmentsFile toldApart(SegmentsFile file, const std::string& path) {
+  const NamesGiven given = addNames(file.maps);
+  if (!given.unnamed.empty())
+    file.notes.push_back(path + ": what has no name is called " + listedFirst(given.unnamed) + ".");
+  if (!given.alike.empty())
+    file.notes.push_back(path + ": what has the name of another segment is called " +
+                         listedFirst(given.alike) + ".");
+  addColours(file.maps);
+  return file;
+}
+
 // Reads an image or a DICOM object, as the contents of the file say.
 template <class OfImage, class OfObject>
 Result<SegmentsFile> readAs(const std::string& path, const OfImage& ofImage, const OfObject& ofObject) try {
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none)) return Error{path + " is no file that can be read."};
-  return looksLikeImageFile(path) ? ofImage() : ofObject();
+  Result<SegmentsFile> file = looksLikeImageFile(path) ? ofImage() : ofObject();
+  if (!file) return file;
+  file->files.push_back(path);
+  return toldApart(std::move(*file), path);
 } catch (const std::bad_alloc&) {
   return Error{path + ": there is not enough memory for its segments."};
 }
@@ -137,6 +165,10 @@ Result<SegmentsFile> readSegments(const std::string& path, const Progress& progr
   return readAs(
       path, [&] { return segmentsOfImage(path, progress, cancel); },
       [&] { return segmentsOfObject(path, progress, cancel); });
+}
+
+bool areOfOneSpace(const SegmentsFile& a, const SegmentsFile& b) {
+  return areTogether(a.frameOfReferenceUid, a.pictures, b.frameOfReferenceUid, b.pictures);
 }
 
 bool isNamedAsSegments(const std::string& path) {

@@ -2,12 +2,14 @@
 #include <cmath>
 #include <map>
 #include <new>
+#include <set>
 
 #include "io/export/seg_nrrd.h"
 #include "io/export/seg_nrrd_tags.h"
 #include "io/files/header_text.h"
 #include "io/files/image_file.h"
 #include "io/files/label_values.h"
+#include "viewer/segment/names_and_colours.h"
 
 namespace volumen {
 
@@ -46,7 +48,9 @@ Result<std::uint32_t> numberIn(const Fields& fields, const std::string& key, std
   return std::uint32_t(*number);
 }
 
-Result<std::optional<Entry>> entryOf(const Fields& fields, std::size_t n, std::uint64_t layers) {
+// `noColours` gets the field of a colour that is none.
+Result<std::optional<Entry>> entryOf(const Fields& fields, std::size_t n, std::uint64_t layers,
+                                     std::vector<std::string>& noColours) {
   const std::string name = "Segment" + std::to_string(n) + "_";
   const auto text = [&](const char* key) {
     const auto found = fields.find(name + key);
@@ -57,7 +61,10 @@ Result<std::optional<Entry>> entryOf(const Fields& fields, std::size_t n, std::u
     return std::optional<Entry>();
   Entry entry;
   entry.segment.label = fields.contains(name + "Name") ? text("Name") : text("ID");
-  entry.segment.colour = colourIn(text("Color"));
+  const std::string colour = text("Color");
+  entry.segment.colour = colourIn(colour);
+  if (!colour.empty() && !entry.segment.colour)
+    noColours.push_back(name + "Color '" + fieldText(colour) + "'");
   readTags(text("Tags"), entry.segment);
   const auto layer = numberIn(fields, name + "Layer", 0, layers - 1, n);  // older files: one a segment
   if (!layer) return layer.error();
@@ -71,12 +78,12 @@ Result<std::optional<Entry>> entryOf(const Fields& fields, std::size_t n, std::u
   return std::optional<Entry>(std::move(entry));
 }
 
-Result<std::vector<Entry>> entriesOf(const ImageHeader& header) {
+Result<std::vector<Entry>> entriesOf(const ImageHeader& header, std::vector<std::string>& noColours) {
   const Fields fields(header.keyValues.begin(), header.keyValues.end());
   const std::uint64_t layers = header.data.volumes();
   std::vector<Entry> all;
   while (true) {
-    auto entry = entryOf(fields, all.size(), layers);
+    auto entry = entryOf(fields, all.size(), layers, noColours);
     if (!entry) return entry.error();
     if (!*entry) return all;
     all.push_back(std::move(**entry));
@@ -91,8 +98,9 @@ std::vector<Entry> namedByNumber(const LabelValues& values, std::uint64_t layer)
   return all;
 }
 
+// `leftOut` gets the numbers of voxels that are of no segment.
 Result<Segmented> layerOf(const LabelValues& values, const std::vector<Entry>& entries,
-                          std::vector<std::string>& notes) {
+                          std::set<std::uint32_t>& leftOut) {
   std::vector<std::uint32_t> numbers;
   for (const Entry& entry : entries) {
     if (std::ranges::find(numbers, entry.value) != numbers.end())
@@ -102,9 +110,7 @@ Result<Segmented> layerOf(const LabelValues& values, const std::vector<Entry>& e
   const auto labels = labelsFor(numbers);
   if (!labels) return labels.error();
   for (const std::uint32_t value : values.present())
-    if (std::ranges::find(numbers, value) == numbers.end())
-      notes.push_back("Voxels of the label " + std::to_string(value) +
-                      " are of no segment, and were left out.");
+    if (std::ranges::find(numbers, value) == numbers.end()) leftOut.insert(value);
   Segmented made{{}, LabelMap(values.labels(*labels))};
   for (std::size_t n = 0; n < entries.size(); ++n) {
     made.segments.push_back(entries[n].segment);
@@ -113,9 +119,27 @@ Result<Segmented> layerOf(const LabelValues& values, const std::vector<Entry>& e
   return made;
 }
 
+std::vector<std::string> notesOfReading(const std::string& path, const std::vector<std::string>& noColours,
+                                        const std::set<std::uint32_t>& leftOut) {
+  std::vector<std::string> notes, numbers;
+  if (!noColours.empty())
+    notes.push_back(path + ": other colours were taken for " + listedFirst(noColours) +
+                    "; three numbers from 0 to 1 are meant.");
+  for (const std::uint32_t value : leftOut) numbers.push_back(std::to_string(value));
+  if (numbers.size() == 1)
+    notes.push_back(path + ": voxels of the label " + numbers.front() +
+                    " are of no segment, and were left out.");
+  else if (!numbers.empty())
+    notes.push_back(path + ": voxels of " + std::to_string(numbers.size()) +
+                    " labels are of no segment, and were left out: " + listedFirst(numbers) + ".");
+  return notes;
+}
+
 Result<SegmentsFile> readLayers(const ImageHeader& header, const std::string& path, const Progress& progress,
                                 const CancelToken& cancel) {
-  auto entries = entriesOf(header);
+  std::vector<std::string> noColours;
+  std::set<std::uint32_t> leftOut;
+  auto entries = entriesOf(header, noColours);
   if (!entries) return Error{path + ": " + entries.message()};
   SegmentsFile file;
   for (std::uint64_t layer = 0; layer < header.data.volumes(); ++layer) {
@@ -124,10 +148,11 @@ Result<SegmentsFile> readLayers(const ImageHeader& header, const std::string& pa
     std::vector<Entry> own;
     if (entries->empty()) own = namedByNumber(*values, layer);
     std::ranges::copy_if(*entries, std::back_inserter(own), [&](const Entry& e) { return e.layer == layer; });
-    auto map = layerOf(*values, own, file.notes);
+    auto map = layerOf(*values, own, leftOut);
     if (!map) return Error{path + ": " + map.message()};
     file.maps.push_back(std::move(*map));
   }
+  file.notes = notesOfReading(path, noColours, leftOut);
   return file;
 }
 

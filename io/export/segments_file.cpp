@@ -70,26 +70,26 @@ struct Moved {
   double outside = 0;  // in the file, outside the series
 };
 
-Status noteMoved(SegmentsFile& file, const std::string& from, const Moved& moved) {
+Status noteMoved(SegmentsFile& file, const std::string& from, const std::string& to, const Moved& moved) {
   if (moved.after == 0 && moved.outside == moved.before)
-    return Error{"All of its segments lie outside the series."};
-  file.notes.push_back("The segments lie on another grid" + from +
-                       ": each voxel of the series has what the nearest of them has; " +
-                       mlText(moved.before) + " became " + mlText(moved.after) + ".");
+    return Error{"All of its segments lie outside " + to + "."};
+  file.notes.push_back("The segments lie on another grid" + from + ": each voxel of " + to +
+                       " has what the nearest of them has; " + mlText(moved.before) + " became " +
+                       mlText(moved.after) + ".");
   if (moved.outside > 0)
-    file.notes.push_back(mlText(moved.outside) +
-                         " of the segments lie outside the series, and were left out.");
+    file.notes.push_back(mlText(moved.outside) + " of the segments lie outside " + to +
+                         ", and were left out.");
   return {};
 }
 
 }  // namespace
 
-Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid) {
+Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid, const std::string& whose) {
   if (file.maps.empty()) return file;
   const VoxelGeometry own = file.maps.front().labels.geometry();
   if (!own.calibrated || !grid.calibrated) {
     if (own.size != grid.size)
-      return Error{"The segments have " + sizeText(own.size) + " voxels and the series " +
+      return Error{"The segments have " + sizeText(own.size) + " voxels and " + whose + " " +
                    sizeText(grid.size) + ", and where they lie is not known."};
     for (Segmented& map : file.maps) {
       DenseLabels labels = map.labels.dense();
@@ -108,7 +108,7 @@ Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid) {
   if (before == 0) return file;
   const Moved moved{double(before) * own.voxelVolume(), double(after) * grid.voxelVolume(),
                     double(outside) * own.voxelVolume()};
-  if (Status s = noteMoved(file, " (" + sizeText(own.size) + " voxels)", moved); !s) return s.error();
+  if (Status s = noteMoved(file, " (" + sizeText(own.size) + " voxels)", whose, moved); !s) return s.error();
   return file;
 }
 
@@ -124,7 +124,7 @@ Result<SegmentsFile> onGrid(const Segmentation& s, const VoxelGeometry& grid, co
   if (before == after) return file;
   const Moved moved{double(before) * pixel, double(after) * grid.voxelVolume(),
                     double(pixelsOutside(s, grid)) * pixel};
-  if (Status status = noteMoved(file, "", moved); !status) return status.error();
+  if (Status status = noteMoved(file, "", "the series", moved); !status) return status.error();
   return file;
 }
 

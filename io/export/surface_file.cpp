@@ -9,9 +9,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <new>
+#include <set>
 
 #include "io/files/header_text.h"
 #include "io/files/output_file.h"
+#include "viewer/volume/free_name.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -156,10 +158,17 @@ Status writeObjFaces(const Surface& surface, std::uint32_t before, OutputFile& f
 }
 
 // A blank would begin the name of a second group.
-std::string groupLine(std::string name) {
+std::string groupNameOf(std::string name) {
   for (char& c : name)
     if (static_cast<unsigned char>(c) <= ' ' || c == 127) c = '_';
-  return "g " + name + "\n";
+  return name;
+}
+
+// `taken` gets its name.
+std::string groupLine(const std::string& name, std::set<std::string>& taken) {
+  const std::string free =
+      freeName(name, [&](const std::string& one) { return !taken.insert(groupNameOf(one)).second; });
+  return "g " + groupNameOf(free) + "\n";
 }
 
 Status writeObj(SurfaceParts parts, OutputFile& file, const CancelToken& cancel) {
@@ -167,9 +176,10 @@ Status writeObj(SurfaceParts parts, OutputFile& file, const CancelToken& cancel)
   for (const SurfacePart& part : parts)
     if (Status s = writeObjPoints(*part.surface, file, cancel); !s) return s;
   std::uint32_t before = 0;
+  std::set<std::string> groups;
   for (const SurfacePart& part : parts) {
     if (parts.size() > 1)
-      if (Status s = file.write(groupLine(part.name)); !s) return s;
+      if (Status s = file.write(groupLine(part.name, groups)); !s) return s;
     if (Status s = writeObjFaces(*part.surface, before, file, cancel); !s) return s;
     before += std::uint32_t(part.surface->points.size());
   }

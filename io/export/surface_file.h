@@ -25,8 +25,8 @@ struct SurfacePart {
 };
 
 /// The same of several, one after the other, each with points of its own: closed by itself where it was. In
-/// .obj each is a group ("g NAME", blanks of the name as "_"), in .stl and .ply nothing parts them. An Error
-/// also where there are none, or too many triangles for one file.
+/// .obj each is a group ("g NAME", blanks of the name as "_", no two called alike), in .stl and .ply nothing
+/// parts them. An Error also where there are none, or too many triangles for one file.
 Status writeSurfaces(std::span<const SurfacePart> parts, const std::string& path,
                      const CancelToken& cancel = {});
 

@@ -11,10 +11,10 @@
 #include "ui/views/picture_run.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/frame_look.h"
-#include "ui/workspace/free_name.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/view_window.h"
+#include "viewer/volume/free_name.h"
 
 namespace volumen {
 

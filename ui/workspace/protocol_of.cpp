@@ -5,11 +5,11 @@
 
 #include "ui/data/frame_series.h"
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/free_name.h"
 #include "ui/workspace/hanging_protocol.h"
 #include "ui/workspace/patients.h"
 #include "ui/workspace/value_text.h"
 #include "ui/workspace/view_window.h"
+#include "viewer/volume/free_name.h"
 
 namespace volumen {
 

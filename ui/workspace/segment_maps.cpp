@@ -4,12 +4,12 @@
 #include <array>
 #include <utility>
 
-#include "ui/workspace/free_name.h"
-#include "ui/workspace/region_colours.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 #include "viewer/segment/added_labels.h"
+#include "viewer/segment/names_and_colours.h"
+#include "viewer/volume/free_name.h"
 
 namespace volumen {
 
@@ -153,10 +153,7 @@ std::string freeName(std::span<const SegmentMap> maps, const std::string& wanted
 
 glm::u8vec3 freeColour(std::span<const SegmentMap> maps, int map, int number) {
   constexpr int mapsApart = 3;
-  const int first = number + mapsApart * map;
-  for (int n = first; n < first + coloursOfNumbers; ++n)
-    if (!isColour(maps, colourOfNumber(n))) return colourOfNumber(n);
-  return colourOfNumber(first);
+  return freeTenColour(number + mapsApart * map, [&](glm::u8vec3 colour) { return isColour(maps, colour); });
 }
 
 SegmentMap withNewOnesApart(const SegmentMap& before, SegmentMap after,

@@ -4,9 +4,9 @@
 #include <bitset>
 #include <glm/common.hpp>
 
-#include "ui/workspace/free_name.h"
 #include "viewer/recipe/step_kinds.h"
 #include "viewer/recipe/step_names.h"
+#include "viewer/volume/free_name.h"
 
 namespace volumen {
 

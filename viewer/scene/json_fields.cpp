@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "viewer/scene/number_text.h"
@@ -15,11 +16,13 @@ namespace {
 
 constexpr std::size_t deepestNesting = 32;
 
-// Goes through a text and notes what a parsed value no longer shows: how deep it was, and fields given twice.
+// Goes through a text and notes what a parsed value no longer shows: how deep it was, fields given twice, and
+// where a number is that no double holds.
 // A callback of json::parse could, too, but takes time by the square of a list's length.
 class Nesting : public nlohmann::json_sax<json> {
  public:
   std::string problem;
+  std::optional<std::size_t> tooLargeAt;  // the byte behind the number; `problem` says which it is
 
   bool null() override { return value(); }
   bool boolean(bool) override { return value(); }
@@ -38,8 +41,12 @@ class Nesting : public nlohmann::json_sax<json> {
     if (!level.keys.insert(name).second) problem = path() + " is given twice.";
     return problem.empty();
   }
-  // json::parse says what and where.
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+  // Of all else json::parse says what and where.
+  bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception& e) override {
+    constexpr int numberOverflow = 406;
+    if (e.id != numberOverflow) return false;
+    tooLargeAt = byte;
+    problem = (path().empty() ? "the number" : path()) + " is too large";
     return false;
   }
 
@@ -117,13 +124,13 @@ Result<json> parseJson(const std::string& text, std::size_t mostMiB) {
     return Error{"The JSON is larger than " + std::to_string(mostMiB) + " MiB."};
   Nesting nesting;
   json::sax_parse(text, &nesting);
+  if (nesting.tooLargeAt)
+    return Error{"Not JSON at " + placeInText(text, *nesting.tooLargeAt) + ": " + nesting.problem + "."};
   if (!nesting.problem.empty()) return Error{nesting.problem};
   try {
     return json::parse(text);
   } catch (const json::parse_error& e) {
     return Error{"Not JSON at " + placeInText(text, e.byte) + ": " + reasonOf(e.what()) + "."};
-  } catch (const json::out_of_range& e) {
-    return Error{"A number is too large: " + std::string(e.what()).substr(0, 100) + "."};
   }
 }
 

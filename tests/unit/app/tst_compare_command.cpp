@@ -1,5 +1,9 @@
 // Guards segment.md, "Numbers": segments of two files are compared by name, on the grid of the first, and the
 // numbers of `segment --csv` are those of its JSON.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -22,6 +26,9 @@ class TestCompareCommand : public QObject {
   void textForPeople();
   void whatCannotBeComparedIsSaid_data();
   void whatCannotBeComparedIsSaid();
+  void anotherFrameOfReferenceIsRefused_data();
+  void anotherFrameOfReferenceIsRefused();
+  void anotherGridIsToldByTheNamesOfTheFiles();
   void csvIsTheJson();
 
  private:
@@ -99,6 +106,67 @@ void TestCompareCommand::whatCannotBeComparedIsSaid() {
   QCOMPARE(done.status, 1);
   QCOMPARE(done.out, QByteArray());
   QVERIFY2(QString::fromUtf8(done.err).contains(sentence), done.err);
+}
+
+void TestCompareCommand::anotherFrameOfReferenceIsRefused_data() {
+  QTest::addColumn<QByteArray>("frame");
+  QTest::addColumn<bool>("ofItsPictures");
+  QTest::addColumn<int>("status");
+  QTest::newRow("the same one") << QByteArray("1.2.3") << false << 0;
+  QTest::newRow("another one") << QByteArray("1.2.4") << false << 1;
+  QTest::newRow("another one of the same pictures") << QByteArray("1.2.4") << true << 0;
+  QTest::newRow("none") << QByteArray() << false << 0;
+}
+
+// A DICOM segmentation on the slices of the ramp, and the same of another frame of reference, or other
+// pictures.
+void TestCompareCommand::anotherFrameOfReferenceIsRefused() {
+  QFETCH(QByteArray, frame);
+  QFETCH(bool, ofItsPictures);
+  QFETCH(int, status);
+  const QString slices = at(QStringLiteral("slices/")), own = at(QStringLiteral("own.dcm")),
+                other = at(QStringLiteral("other.dcm"));
+  if (!QDir(slices).exists())
+    QCOMPARE(runProgram(wordsOf(QStringLiteral("convert phantom:ramp:8 -o")) << slices).status, 0);
+  QCOMPARE(runProgram({QStringLiteral("segment"), slices, QStringLiteral("--range"), QStringLiteral("2:5"),
+                       QStringLiteral("-o"), own})
+               .status,
+           0);
+  DcmFileFormat file;
+  QVERIFY(file.loadFile(OFFilename(own.toUtf8().constData())).good());
+  DcmDataset& data = *file.getDataset();
+  data.putAndInsertString(DCM_FrameOfReferenceUID, "1.2.3");
+  QVERIFY(file.saveFile(OFFilename(own.toUtf8().constData()), EXS_LittleEndianExplicit).good());
+  data.putAndInsertString(DCM_FrameOfReferenceUID, frame.constData());
+  if (!ofItsPictures) {
+    data.findAndDeleteElement(DCM_ReferencedSeriesSequence);
+    DcmItem* shared = nullptr;
+    for (long n = 0; data.findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, shared, n).good(); ++n)
+      shared->findAndDeleteElement(DCM_DerivationImageSequence);
+  }
+  QVERIFY(file.saveFile(OFFilename(other.toUtf8().constData()), EXS_LittleEndianExplicit).good());
+  for (const auto& [first, second] : {std::pair(own, other), {other, own}}) {
+    const Outcome done = runProgram({QStringLiteral("compare"), first, second});
+    QVERIFY2(done.status == status, done.err.constData());
+    const QString refused =
+        second + QStringLiteral(" is of another frame of reference than ") + first + QLatin1Char(',');
+    QCOMPARE(QString::fromUtf8(done.err).contains(refused), status != 0);
+  }
+}
+
+// 8 voxels of 16 along each axis.
+void TestCompareCommand::anotherGridIsToldByTheNamesOfTheFiles() {
+  const QString large = at(QStringLiteral("large.seg.nrrd")), small = at(QStringLiteral("a.seg.nrrd"));
+  QCOMPARE(runProgram(wordsOf(QStringLiteral("segment phantom:ramp:16 --range 6:7 -o")) << large).status, 0);
+  const Outcome done = runProgram({QStringLiteral("compare"), small, large});
+  QCOMPARE(done.status, 0);
+  QVERIFY2(
+      !done.err.contains("the series") &&
+          QString::fromUtf8(done.err).contains(
+              large +
+              QStringLiteral(": The segments lie on another grid (16 x 16 x 16 voxels): each voxel of ") +
+              small),
+      done.err.constData());
 }
 
 void TestCompareCommand::csvIsTheJson() {

@@ -320,6 +320,7 @@ void TestMeasureSegments::refused_data() {
   row("an SUV of no PET", "scan.mha --segments a.seg.nrrd --unit SUVbw", 1, "it is no PET series.");
   row("no folder for the CSV", "scan.mha --segments a.seg.nrrd --csv none/a.csv", 1, "none/a.csv");
   row("over the segments", "scan.mha --segments a.seg.nrrd --csv a.seg.nrrd", 1, "it is a file that is read");
+  row("over the table of names", "scan.mha --segments b.mha --csv b.label", 1, "it is a file that is read");
   row("over the series", "scan.mha --segments a.seg.nrrd --csv scan.mha", 1, "it is a file that is read");
   row("over the shapes", "scan.mha --segments a.seg.nrrd --roi shapes.json --csv ./shapes.json", 1,
       "it is a file that is read");
@@ -331,6 +332,7 @@ void TestMeasureSegments::refused() {
   QFETCH(QByteArray, sentence);
   QCOMPARE(told(QStringLiteral("convert phantom:ramp:8 -o scan.mha")).status, 0);
   QCOMPARE(told(QStringLiteral("segment phantom:ramp:8 --range 2:3 -o a.seg.nrrd")).status, 0);
+  QCOMPARE(told(QStringLiteral("segment phantom:ramp:8 --range 2:3 -o b.mha")).status, 0);
   QVERIFY(QDir(folder_->path()).mkdir(QStringLiteral("folder")));
   write("shapes.json", "[]");
   const QByteArray head =
@@ -346,7 +348,7 @@ void TestMeasureSegments::refused() {
     return files;
   };
   const QMap<QString, QByteArray> before = all();
-  QCOMPARE(before.size(), 5);
+  QCOMPARE(before.size(), 7);
   const Outcome done = told(QStringLiteral("measure ") + arguments);
   QCOMPARE(done.status, status);
   QVERIFY2(done.err.contains(sentence) && done.out.isEmpty(), done.err.constData());

@@ -32,7 +32,11 @@ class TestSegmentCommand : public QObject {
   void failureLeavesNoFile();
   void nothingIsWrittenOver_data();
   void nothingIsWrittenOver();
+  void segmentsOfAFileMayReplaceIt_data();
   void segmentsOfAFileMayReplaceIt();
+  void segmentsWithoutAColourGetTheNextOfTheTen_data();
+  void segmentsWithoutAColourGetTheNextOfTheTen();
+  void aNumberThatIsTooLargeIsNamed();
   void surfacesAreReducedOnRequest();
   void surfacesOfAllStandInOneFileOnRequest();
 };
@@ -309,14 +313,16 @@ void TestSegmentCommand::nothingIsWrittenOver_data() {
   row("by a link", "scan.mha --range 2:3 -o old.seg.nrrd --csv link.csv", twice);
   row("over the table of names", "scan.mha --range 2:3 -o a.nii.gz --csv a.label", twice);
   row("over one of the surfaces", "scan.mha --recipe two.json -o a.stl --csv a-B.stl", twice);
-  row("two surfaces of one name", "scan.mha --recipe alike.json -o a.stl",
-      "two segments would be written to it");
   row("a surface where a folder is", "scan.mha --recipe two.json -o b.stl", "b-B.stl: it is a folder");
   row("the numbers over the recipe", "scan.mha --recipe two.json -o a.seg.nrrd --csv two.json", read);
   row("the numbers over the segments that are read",
       "scan.mha --from old.seg.nrrd -o a.mha --csv old.seg.nrrd", read);
   row("the numbers over the series", "scan.mha --range 2:3 -o a.seg.nrrd --csv scan.mha", read);
   row("segments over the series", "scan.mha --range 2:3 -o scan.mha", read);
+  row("the numbers over the table of names", "scan.mha --from lab.mha -o a.seg.nrrd --csv lab.label", read);
+  row("the numbers over it, the labels replaced", "scan.mha --from lab.mha -o lab.mha --csv lab.label",
+      twice);
+  row("a table over that of other labels", "scan.mha --from lab.mha -o lab.nii.gz", read);
 }
 
 void TestSegmentCommand::nothingIsWrittenOver() {
@@ -330,26 +336,69 @@ void TestSegmentCommand::nothingIsWrittenOver() {
            0);
   QCOMPARE(runSegment(words("phantom:ramp:8 --range 2:3 -o") << path("old.seg.nrrd")).status, 0);
   writeBytes(path("two.json"), twoSegments("B"));
-  writeBytes(path("alike.json"), twoSegments("x:A"));
+  QCOMPARE(runSegment(words("phantom:ramp:8 --range 2:3 -o") << path("lab.mha")).status, 0);
   QVERIFY(QFile::link(path("old.seg.nrrd"), path("link.csv")));
   QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("folder")) &&
           QDir(folder.path()).mkdir(QStringLiteral("b-B.stl")));
   const QMap<QString, QByteArray> before = allFilesIn(folder.path());
-  QCOMPARE(before.size(), 5);
+  QCOMPARE(before.size(), 6);
   const Outcome done = runProgramIn(folder.path(), words("segment") + arguments.split(QLatin1Char(' ')));
   QCOMPARE(done.status, 1);
   QVERIFY2(done.err.contains(sentence.toUtf8()) && done.out.isEmpty(), done.err.constData());
   QVERIFY(allFilesIn(folder.path()) == before);
 }
 
+void TestSegmentCommand::segmentsOfAFileMayReplaceIt_data() {
+  QTest::addColumn<QString>("name");
+  QTest::newRow("segments") << QStringLiteral("a.seg.nrrd");
+  QTest::newRow("labels and their table") << QStringLiteral("a.mha");
+}
+
 void TestSegmentCommand::segmentsOfAFileMayReplaceIt() {
+  QFETCH(QString, name);
   const QTemporaryDir folder;
-  const QString file = folder.filePath(QStringLiteral("a.seg.nrrd"));
+  const QString file = folder.filePath(name);
   QCOMPARE(runSegment(words("phantom:ramp:8 --range 2:3 -o") << file).status, 0);
   const QByteArray before = contentsOf(file);
   const Outcome done = runSegment(words("phantom:ramp:8 --from") << file << QStringLiteral("-o") << file);
   QVERIFY2(done.status == 0, done.err.constData());
   QCOMPARE(contentsOf(file), before);
+}
+
+void TestSegmentCommand::segmentsWithoutAColourGetTheNextOfTheTen_data() {
+  QTest::addColumn<QString>("how");
+  QTest::newRow("a recipe") << QStringLiteral("--recipe two.json");
+  QTest::newRow("labels without a table") << QStringLiteral("--from lab.nii.gz");
+}
+
+// Two segments: 60, 180, 75 and 255, 225, 25 of 255.
+void TestSegmentCommand::segmentsWithoutAColourGetTheNextOfTheTen() {
+  QFETCH(QString, how);
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("a.seg.nrrd"));
+  writeBytes(folder.filePath(QStringLiteral("two.json")), twoSegments("B"));
+  QCOMPARE(
+      runProgramIn(folder.path(), words("segment phantom:ramp:8 --recipe two.json -o lab.nii.gz")).status, 0);
+  QVERIFY(QFile::remove(folder.filePath(QStringLiteral("lab.label"))));
+  const Outcome done = runProgramIn(
+      folder.path(), words("segment phantom:ramp:8 -o a.seg.nrrd") + how.split(QLatin1Char(' ')));
+  QVERIFY2(done.status == 0, done.err.constData());
+  const auto read = readSegNrrd(file.toStdString());
+  QVERIFY(read && read->maps.size() == 1 && read->maps[0].segments.size() == 2);
+  QVERIFY(read->maps[0].segments[0].colour == glm::u8vec3(60, 180, 75));
+  QVERIFY(read->maps[0].segments[1].colour == glm::u8vec3(255, 225, 25));
+}
+
+void TestSegmentCommand::aNumberThatIsTooLargeIsNamed() {
+  const QTemporaryDir folder;
+  writeBytes(folder.filePath(QStringLiteral("big.json")),
+             R"({"volumenRecipe": 1, "segments": [{"name": "A"}],
+ "steps": [{"step": "range", "segment": "A", "low": 1e400}]})");
+  const Outcome done =
+      runProgramIn(folder.path(), words("segment phantom:ramp:8 --recipe big.json -o a.seg.nrrd"));
+  QCOMPARE(done.status, 1);
+  QVERIFY2(done.err.contains("big.json: Not JSON at line 2, column 57: steps[0].low is too large."),
+           done.err.constData());
 }
 
 // A binary STL has 84 bytes, and 50 a triangle.

@@ -163,7 +163,8 @@ void TestLabelImage::aDamagedTableIsTold() {
   QVERIFY2(out, out ? "" : out.message().c_str());
   QCOMPARE(out->notes.size(), std::size_t(1));
   QVERIFY2(out->notes[0].find(says.toStdString()) != std::string::npos &&
-               out->notes[0].starts_with(labelTableOf(path)),
+               out->notes[0].starts_with(labelTableOf(path)) &&
+               out->notes[0].ends_with(". None of its names and colours was taken."),
            out->notes[0].c_str());
   QCOMPARE(out->maps[0].segments.at(0).label, std::string("Label 1"));
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <set>
 
 #include "io/export/export_segments.h"
 #include "io/export/read_segments.h"
@@ -17,6 +18,7 @@
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
 #include "viewer/segment/label_map.h"
+#include "viewer/segment/names_and_colours.h"
 #include "viewer/segment/tissue_codes.h"
 
 using namespace volumen;
@@ -34,6 +36,9 @@ class TestReadSegments : public QObject {
   void whatDiffersFromItsPicturesIsTold();
   void rowsForColumnsAreTold();
   void anotherFrameOfReferenceIsRefused();
+  void namesAndColoursAreGivenWhereThereAreNone_data();
+  void namesAndColoursAreGivenWhereThereAreNone();
+  void filesAreThoseThatWereRead();
   void whatHoldsNoneIsRefused_data();
   void whatHoldsNoneIsRefused();
   void filesOfOthersCostASentence();
@@ -226,6 +231,69 @@ void TestReadSegments::anotherFrameOfReferenceIsRefused() {
   QVERIFY(!refused && refused.message().find("another frame of reference") != std::string::npos);
   other.frameOfReferenceUid.clear();  // a series that is no DICOM
   QVERIFY(readSegments(path, other, in.grid).ok());
+}
+
+void TestReadSegments::namesAndColoursAreGivenWhereThereAreNone_data() {
+  QTest::addColumn<QByteArray>("first");
+  QTest::addColumn<QByteArray>("second");
+  QTest::addColumn<QByteArray>("firstGiven");
+  QTest::addColumn<QByteArray>("secondGiven");
+  QTest::addColumn<QByteArray>("told");
+  const auto row = [](const char* title, const char* first, const char* second, const char* firstGiven,
+                      const char* secondGiven, const char* told) {
+    QTest::newRow(title) << QByteArray(first) << QByteArray(second) << QByteArray(firstGiven)
+                         << QByteArray(secondGiven) << QByteArray(told);
+  };
+  const char* const unnamed = ": what has no name is called ";
+  row("two names", "Bone", "Skin", "Bone", "Skin", "");
+  row("twice one", "Bone", "Bone", "Bone", "Bone (2)",
+      ": what has the name of another segment is called Bone (2).");
+  row("none", "", "Skin", "Segment 1", "Skin", (QByteArray(unnamed) + "Segment 1.").constData());
+  row("blanks", "Bone", "  ", "Bone", "Segment 2", (QByteArray(unnamed) + "Segment 2.").constData());
+  row("none twice", "", "", "Segment 1", "Segment 2",
+      (QByteArray(unnamed) + "Segment 1, Segment 2.").constData());
+  row("one that another has", "", "Segment 1", "Segment 1 (2)", "Segment 1",
+      (QByteArray(unnamed) + "Segment 1 (2).").constData());
+}
+
+void TestReadSegments::namesAndColoursAreGivenWhereThereAreNone() {
+  QFETCH(QByteArray, first);
+  QFETCH(QByteArray, second);
+  QFETCH(QByteArray, firstGiven);
+  QFETCH(QByteArray, secondGiven);
+  QFETCH(QByteArray, told);
+  Sliced in;
+  const std::string path = in.folder.path("a.seg.nrrd");
+  const std::string header =
+      "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 1 1\n"
+      "space directions: (1,0,0) (0,1,0) (0,0,2)\nencoding: raw\nspace origin: (0,0,0)\n"
+      "Segment0_Name:=" +
+      first.toStdString() +
+      "\nSegment0_LabelValue:=1\nSegment0_Layer:=0\nSegment1_Name:=" + second.toStdString() +
+      "\nSegment1_LabelValue:=2\nSegment1_Layer:=0\n\n\1\2";
+  writeAll(path, {header.begin(), header.end()});
+  const auto out = readSegments(path);
+  QVERIFY2(out, out ? "" : out.message().c_str());
+  const std::vector<Segment>& segments = out->maps.at(0).segments;
+  QCOMPARE(segments.size(), std::size_t(2));
+  QCOMPARE(segments[0].label, firstGiven.toStdString());
+  QCOMPARE(segments[1].label, secondGiven.toStdString());
+  QVERIFY(segments[0].colour == tenColour(1) && segments[1].colour == tenColour(2));
+  QCOMPARE(out->notes.size(), std::size_t(told.isEmpty() ? 0 : 1));
+  if (!told.isEmpty()) QCOMPARE(out->notes[0], path + told.toStdString());
+}
+
+void TestReadSegments::filesAreThoseThatWereRead() {
+  Sliced in;
+  const auto filesOf = [&](const std::string& path) {
+    const auto out = readSegments(path, in.series, in.grid);
+    return out ? std::set<std::string>(out->files.begin(), out->files.end()) : std::set<std::string>();
+  };
+  const std::string image = in.write(".nii.gz");
+  QVERIFY(filesOf(image) == (std::set{image, in.folder.path("out.label")}));
+  const std::string slicers = in.write(".seg.nrrd"), dicom = in.write(".dcm");
+  QVERIFY(filesOf(slicers) == std::set{slicers});
+  QVERIFY(filesOf(dicom) == std::set{dicom});
 }
 
 void TestReadSegments::whatHoldsNoneIsRefused_data() {

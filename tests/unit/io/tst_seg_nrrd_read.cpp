@@ -24,6 +24,9 @@ class TestSegNrrdRead : public QObject {
   void labelsWithoutFieldsAreNamedByNumber();
   void croppedFilesLieWhereTheyLay();
   void anEmptyFileHasItsSegments();
+  void coloursThatAreNoneAreTold_data();
+  void coloursThatAreNoneAreTold();
+  void labelsOfNoSegmentAreToldAtOnce();
   void contradictionsAreRefused_data();
   void contradictionsAreRefused();
   void damagedFilesNeverCrash();
@@ -126,8 +129,9 @@ void TestSegNrrdRead::slicersFieldsAreUnderstood() {
   QVERIFY(!segments[1].colour && segments[1].number == 1);
   QCOMPARE(out->maps[0].labels.dense().labels, (std::vector<std::uint8_t>{2, 1, 0, 0}));
   QVERIFY(out->maps[0].labels.geometry() == row(4));
-  QCOMPARE(out->notes.size(), std::size_t(1));
-  QVERIFY(out->notes[0].find("label 7") != std::string::npos);
+  QCOMPARE(out->notes.size(), std::size_t(2));
+  QVERIFY(out->notes[0].find("Segment1_Color '2 0 0'") != std::string::npos);
+  QCOMPARE(out->notes[1], path + ": voxels of the label 7 are of no segment, and were left out.");
 }
 
 void TestSegNrrdRead::aSegmentALayerAsOlderFilesHaveIt() {
@@ -187,6 +191,33 @@ void TestSegNrrdRead::anEmptyFileHasItsSegments() {
   QVERIFY2(out->notes.empty(), out->notes.empty() ? "" : out->notes[0].c_str());
   QCOMPARE(out->maps.at(0).segments.size(), std::size_t(1));
   QVERIFY(out->maps[0].labels == LabelMap(row(5)));
+}
+
+void TestSegNrrdRead::coloursThatAreNoneAreTold_data() {
+  QTest::addColumn<QByteArray>("colour");
+  for (const char* colour : {"nan 0 0", "0 -inf 0", "70000 0 0", "x x x", "0.5", "0 0 0 0", "1,0,0"})
+    QTest::newRow(colour) << QByteArray(colour);
+}
+
+void TestSegNrrdRead::coloursThatAreNoneAreTold() {
+  QFETCH(QByteArray, colour);
+  const QTemporaryDir folder;
+  const std::string path =
+      fileOf(folder, "2 1 1", "Segment0_Name:=a\nSegment0_Color:=" + colour.toStdString() + "\n", {1, 0});
+  const auto out = readSegNrrd(path);
+  QVERIFY2(out, out ? "" : out.message().c_str());
+  QCOMPARE(out->notes, std::vector{path + ": other colours were taken for Segment0_Color '" +
+                                   colour.toStdString() + "'; three numbers from 0 to 1 are meant."});
+  QVERIFY(!out->maps.at(0).segments.at(0).colour);
+}
+
+void TestSegNrrdRead::labelsOfNoSegmentAreToldAtOnce() {
+  const QTemporaryDir folder;
+  const std::string path = fileOf(folder, "8 1 1", "Segment0_Name:=a\n", {1, 9, 3, 3, 4, 5, 6, 7});
+  const auto out = readSegNrrd(path);
+  QVERIFY2(out, out ? "" : out.message().c_str());
+  QCOMPARE(out->notes, std::vector{path + ": voxels of 6 labels are of no segment, and were left out: 3, 4, "
+                                          "5, 6, 7 and 1 more."});
 }
 
 void TestSegNrrdRead::contradictionsAreRefused_data() {

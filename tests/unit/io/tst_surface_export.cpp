@@ -22,6 +22,8 @@ class TestSurfaceExport : public QObject {
  private Q_SLOTS:
   void eachFileIsItsSegments_data();
   void eachFileIsItsSegments();
+  void filesOfSegmentsDiffer_data();
+  void filesOfSegmentsDiffer();
   void cancelledAtAnyMomentAllAreThereOrNone();
 };
 
@@ -81,6 +83,39 @@ void TestSurfaceExport::eachFileIsItsSegments() {
     QVERIFY(bytesOfFile(QString::fromStdString(path)) == written);
   }
   QVERIFY(done->notes == notes);
+}
+
+void TestSurfaceExport::filesOfSegmentsDiffer_data() {
+  QTest::addColumn<QString>("left");
+  QTest::addColumn<QString>("right");
+  QTest::addColumn<QStringList>("files");
+  const QString a99(99, QLatin1Char('a')), umlauts(3000, QChar(0xe4));
+  const auto row = [](const char* name, const QString& left, const QString& right, const QString& first,
+                      const QString& second) {
+    QTest::newRow(name) << left << right << QStringList{first, second};
+  };
+  row("what a folder reads otherwise", QStringLiteral("x/A"), QStringLiteral("x:A"), QStringLiteral("x_A"),
+      QStringLiteral("x_A (2)"));
+  row("two long names", a99 + QStringLiteral("bc"), a99 + QStringLiteral("bd"), a99 + QLatin1Char('b'),
+      a99 + QStringLiteral("b (2)"));
+  row("no half letters", a99 + QChar(0xe4), umlauts, a99, umlauts.left(50));
+}
+
+void TestSurfaceExport::filesOfSegmentsDiffer() {
+  QFETCH(QString, left);
+  QFETCH(QString, right);
+  QFETCH(QStringList, files);
+  const QTemporaryDir folder;
+  Segmented balls = ballsAndNothing(16);
+  balls.segments[0].label = left.toStdString(), balls.segments[2].label = right.toStdString();
+  const std::string path = folder.filePath(QStringLiteral("b.stl")).toStdString();
+  const auto done = exportSegments(path, {&balls, 1}, Series());
+  QVERIFY2(done, done ? "" : done.message().c_str());
+  std::vector<std::string> wanted;
+  for (const QString& name : files)
+    wanted.push_back(folder.filePath(QStringLiteral("b-") + name + QStringLiteral(".stl")).toStdString());
+  QCOMPARE(done->files, wanted);
+  QCOMPARE(filesIn(folder).size(), 2);
 }
 
 void TestSurfaceExport::cancelledAtAnyMomentAllAreThereOrNone() {

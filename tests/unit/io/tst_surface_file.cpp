@@ -209,7 +209,11 @@ void TestSurfaceFile::severalStandOneAfterTheOther() {
 // One surface alone has none.
 void TestSurfaceFile::groupsHaveTheirNames() {
   const Surface block = blockSurface(grids[0], {2, 2, 2});
-  const SurfacePart parts[] = {{"left lung", &block}, {"a\nv 0 0 0", &block}, {"Rückenmark", &block}};
+  const SurfacePart parts[] = {{"left lung", &block},
+                               {"a\nv 0 0 0", &block},
+                               {"Rückenmark", &block},
+                               {"left_lung", &block},
+                               {"left\tlung", &block}};
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("a.obj"));
   const auto groups = [&](std::span<const SurfacePart> written) {
@@ -222,12 +226,14 @@ void TestSurfaceFile::groupsHaveTheirNames() {
     }
     return lines;
   };
-  const QByteArray n = QByteArray::number(qulonglong(block.triangles.size())),
-                   twice = QByteArray::number(qulonglong(2 * block.triangles.size()));
-  QCOMPARE(groups(parts), QByteArrayList({"g left_lung", "0", "g a_v_0_0_0", n,
-                                          "g R\xc3\xbc"
-                                          "ckenmark",
-                                          twice}));
+  const auto times = [&](std::size_t n) {
+    return QByteArray::number(qulonglong(n * block.triangles.size()));
+  };
+  QCOMPARE(groups(parts),
+           QByteArrayList({"g left_lung", "0", "g a_v_0_0_0", times(1),
+                           "g R\xc3\xbc"
+                           "ckenmark",
+                           times(2), "g left_lung_(2)", times(3), "g left_lung_(3)", times(4)}));
   QCOMPARE(groups(std::span(parts).first(1)), QByteArrayList());
 }
 

@@ -190,7 +190,10 @@ void TestSceneRefusals::whatIsNoJsonIsRefusedWithItsPlace_data() {
   row("single quotes", "{'mode': 'mip'}", "Not JSON at line 1, column 2: ");
   row("NaN", "{\"shading\": {\"ambient\": NaN}}", "Not JSON at line 1, column 25: ");
   row("no UTF-8", "{\"mode\": \"\xff\"}", "Not JSON at line 1, column 11: ");
-  row("beyond double", "{\"shading\": {\"ambient\": 1e999}}", "A number is too large: ");
+  row("beyond double", "{\"shading\": {\"ambient\": 1e999}}",
+      "Not JSON at line 1, column 29: shading.ambient is too large.");
+  row("beyond double in a list", "{\"lights\":\n [{}, {\"intensity\": 1e400}]}",
+      "Not JSON at line 2, column 25: lights[1].intensity is too large.");
   row("cut in the middle", "{\"lights\": [{\"intensity\": 1", "Not JSON at line 1, column ");
   row("deep lists", QByteArray(2000000, '['), "The JSON is nested too deeply.");
   row("deep objects, all closed", QByteArray("{\"a\":").repeated(200000) + "1" + QByteArray(200000, '}'),

@@ -1,4 +1,4 @@
-#include "ui/workspace/free_name.h"
+#include "viewer/volume/free_name.h"
 
 #include <charconv>
 
