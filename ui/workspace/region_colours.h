@@ -6,9 +6,6 @@
 
 namespace volumen {
 
-/// How many colours those of numbers are; then they begin again.
-inline constexpr int coloursOfNumbers = 10;
-
 /// The colour of a region or segment: the file's, else one of a few that are far apart, by its number.
 QColor regionColour(const std::optional<glm::u8vec3>& ofFile, int number);
 
