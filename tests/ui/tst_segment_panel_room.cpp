@@ -61,6 +61,7 @@ class TestSegmentPanelRoom : public CleanSettings {
   void listAndPageAreSeenTogether_data();
   void listAndPageAreSeenTogether();
   void soAreTheFieldsOfAnyStep();
+  void theCurveStaysInAWindowMadeSmaller();
   void noPageOverlapsWithLargeText();
 };
 
@@ -98,6 +99,17 @@ void TestSegmentPanelRoom::soAreTheFieldsOfAnyStep() {
     QVERIFY2(w.rowsSeen() >= 4, qPrintable(kinds->itemText(n)));
     QCOMPARE(flaws(w), QStringList());
   }
+}
+
+void TestSegmentPanelRoom::theCurveStaysInAWindowMadeSmaller() {
+  LaptopWindow w({1440, 900});
+  w.resize(1366, 768);
+  const auto* curve = w.child<QWidget>("curveEditor");
+  const auto heightSeen = [&] { return curve->visibleRegion().boundingRect().height(); };
+  QTRY_VERIFY2(heightSeen() >= 140, qPrintable(QString::number(heightSeen())));
+  QStringList unseen;
+  QTRY_VERIFY2((unseen = w.unseen()).isEmpty(), qPrintable(unseen.join(QLatin1Char('\n'))));
+  QVERIFY2(w.rowsSeen() >= 4, qPrintable(QString::number(w.rowsSeen())));
 }
 
 void TestSegmentPanelRoom::noPageOverlapsWithLargeText() {

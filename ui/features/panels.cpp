@@ -40,7 +40,7 @@ class Panels : public Feature {
 };
 
 Panels::Panels(Workbench& bench) : Feature(bench) {
-  const auto scrolling = Workbench::scrolling;
+  const auto scrolling = [](QWidget* panel) { return Workbench::scrolling(panel); };
   const auto lights = [this] { return stacked(new LightsPanel(session_), new MaterialPanel(session_)); };
   using About = Workbench::About;
   const Qt::DockWidgetArea right = Qt::RightDockWidgetArea;
@@ -48,8 +48,12 @@ Panels::Panels(Workbench& bench) : Feature(bench) {
   connect(&bench_, &Workbench::rangeShown, transfer->editor(), &CurveEditor::setRange);
   connect(transfer->editor(), &CurveEditor::rangeDragged, &bench_, &Workbench::rangeDragged);
   connect(transfer, &TransferPanel::curvePulled, &bench_, &Workbench::curvePulled);
+  constexpr int leastCurve = 195;  // of its panel: the mode and the curve itself
   const Workbench::DockEntry table[] = {
-      {"transfer", tr("Opacity and colour"), scrolling(transfer), {right, 0, true, About::scene}},
+      {"transfer",
+       tr("Opacity and colour"),
+       Workbench::scrolling(transfer, leastCurve),
+       {right, 0, true, About::scene}},
       {"flat", tr("Slices and frames"), flatPanel(), {right, 5, true, About::flat}},
       {"lights", tr("Lights"), scrolling(lights()), {right, 10, true, About::scene}},
       {"clip", tr("Clip"), bench_.ofScene(scrolling(new ClipPanel(session_))), {right, 20}},

@@ -20,7 +20,7 @@ namespace {
 
 class Scrolling : public QScrollArea {
  public:
-  explicit Scrolling(QWidget* panel) {
+  Scrolling(QWidget* panel, int leastHeight) : leastHeight_(leastHeight) {
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -28,7 +28,7 @@ class Scrolling : public QScrollArea {
   }
 
   QSize minimumSizeHint() const override {
-    return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width(), 60};
+    return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width(), leastHeight_};
   }
 
  protected:
@@ -37,6 +37,9 @@ class Scrolling : public QScrollArea {
     if (object == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
     return QScrollArea::eventFilter(object, event);
   }
+
+ private:
+  int leastHeight_;
 };
 
 }  // namespace
@@ -124,7 +127,7 @@ QDockWidget* Workbench::addDock(const DockEntry& entry) {
   return dock;
 }
 
-QWidget* Workbench::scrolling(QWidget* panel) { return new Scrolling(panel); }
+QWidget* Workbench::scrolling(QWidget* panel, int leastHeight) { return new Scrolling(panel, leastHeight); }
 
 QWidget* Workbench::ofScene(QWidget* panel) {
   auto* explained = new Explained(panel);

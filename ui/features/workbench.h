@@ -140,9 +140,9 @@ class Workbench : public QObject, public WindowParts {
   /// scene is ofScene().
   QDockWidget* addDock(const DockEntry& entry);
   QDockWidget* dock(const char* name) const { return docks.at(QLatin1String(name)).widget; }
-  /// A panel that may be given less height than it has, so that the window fits a small screen; never less
-  /// width.
-  static QWidget* scrolling(QWidget* panel);
+  /// A panel that may be given less height than it has, `leastHeight` at the least, so that the window fits a
+  /// small screen; never less width.
+  static QWidget* scrolling(QWidget* panel, int leastHeight = 60);
   /// A panel that works on the scene of view(): seen while that shows what is in focus, else a sentence
   /// stands in its place.
   QWidget* ofScene(QWidget* panel);
