@@ -57,9 +57,12 @@ void TestOpenGlResampler::theSamePictureComesFromOpenGl() {
   // The CPU goes from cell to cell where OpenGL takes plain steps, and both keep the promise of `standard`:
   // 42 dB, an RMSE of 2.03/255 each.
   QVERIFY(rmsDifference(cpu.image, gl.image) <= 4.06);
-  QCOMPARE(failures.isEmpty(), hasGl);
-  QCOMPARE(gl.plan->resampler, hasGl ? Resampler::gl : Resampler::cpu);
-  if (!hasGl) QSKIP("the platform has no OpenGL 3.3 without a window: only the fallback was tested");
+  QVERIFY2(!hasGl || failures.isEmpty(), "where Qt has OpenGL nothing may fail");
+  if (!failures.isEmpty()) {  // neither Qt's OpenGL nor another one
+    QCOMPARE(gl.plan->resampler, Resampler::cpu);
+    QSKIP(qPrintable(failures[0][1].toString()));
+  }
+  QCOMPARE(gl.plan->resampler, Resampler::gl);
 }
 
 VOLUMEN_TEST(TestOpenGlResampler);
