@@ -212,7 +212,8 @@ void TestLabelPicture::pixelsAreThoseOfATwin() {
       QVERIFY2(std::max({off.x, off.y, off.z}) < 0.51,
                qPrintable(QStringLiteral("%1 %2: %3 %4 %5").arg(x).arg(y).arg(off.x).arg(off.y).arg(off.z)));
     }
-  QVERIFY2(unsure <= 0.2 * plane.size.x * plane.size.y, qPrintable(QString::number(unsure)));
+  // Large pixels have up to hundreds of places: most pixels are compared all the same.
+  QVERIFY2(unsure < 0.5 * plane.size.x * plane.size.y, qPrintable(QString::number(unsure)));
 }
 
 // A half-space, turned by any angle. Five places are off by 0.29 at most, and by 0.075 in the mean square.
