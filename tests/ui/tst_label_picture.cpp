@@ -173,6 +173,7 @@ class TestLabelPicture : public QObject {
  private Q_SLOTS:
   void pixelsAreThoseOfATwin_data();
   void pixelsAreThoseOfATwin();
+  void mostPixelsWereCompared();
   void tiltedBordersCoverTheirPart_data() { addZoomRows({0.13, 0.6, 1.0, 1.3, 2.4, 5}); }
   void tiltedBordersCoverTheirPart();
   void nearestVoxelsAreDrawnToTheirFaces();
@@ -182,6 +183,9 @@ class TestLabelPicture : public QObject {
   void labelsThatTouchLeaveNoSeam_data() { addZoomRows({0.07, 0.3, 1.0, 1.7}); }
   void labelsThatTouchLeaveNoSeam();
   void oneThreadDrawsTheSame();
+
+ private:
+  std::int64_t pixels_ = 0, unsure_ = 0;
 };
 
 void TestLabelPicture::pixelsAreThoseOfATwin_data() {
@@ -212,8 +216,13 @@ void TestLabelPicture::pixelsAreThoseOfATwin() {
       QVERIFY2(std::max({off.x, off.y, off.z}) < 0.51,
                qPrintable(QStringLiteral("%1 %2: %3 %4 %5").arg(x).arg(y).arg(off.x).arg(off.y).arg(off.z)));
     }
-  // Large pixels have up to hundreds of places: most pixels are compared all the same.
-  QVERIFY2(unsure < 0.5 * plane.size.x * plane.size.y, qPrintable(QString::number(unsure)));
+  pixels_ += plane.size.x * plane.size.y;
+  unsure_ += unsure;
+}
+
+// Of single pictures of a few large pixels, each of hundreds of places, few may be.
+void TestLabelPicture::mostPixelsWereCompared() {
+  QVERIFY2(5 * unsure_ <= pixels_, qPrintable(QStringLiteral("%1 of %2").arg(unsure_).arg(pixels_)));
 }
 
 // A half-space, turned by any angle. Five places are off by 0.29 at most, and by 0.075 in the mean square.
