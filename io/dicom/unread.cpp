@@ -7,6 +7,7 @@
 
 #include "io/regular_file.h"
 #include "io/zip_archive.h"
+#include "viewer/volume/listed_first.h"
 
 namespace volumen::dicom {
 namespace {
@@ -78,10 +79,7 @@ std::string namesOf(const std::vector<const Unread*>& files) {
   std::vector<std::string> names;  // a file may hold several slices
   for (const Unread* file : files)
     if (std::ranges::find(names, fileName(file->path)) == names.end()) names.push_back(fileName(file->path));
-  std::string text;
-  for (std::size_t n = 0; n < std::min(most, names.size()); ++n) text += (n ? ", " : "") + names[n];
-  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
-  return text;
+  return listedFirst(names, most);
 }
 
 /// Of files of the series, of which `interpolated` slices were made up.

@@ -14,6 +14,7 @@
 #include "io/open.h"
 #include "io/segmentation.h"
 #include "viewer/segment/names_and_colours.h"
+#include "viewer/volume/listed_first.h"
 
 namespace volumen {
 

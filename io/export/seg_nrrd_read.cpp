@@ -10,6 +10,7 @@
 #include "io/files/image_file.h"
 #include "io/files/label_values.h"
 #include "viewer/segment/names_and_colours.h"
+#include "viewer/volume/listed_first.h"
 
 namespace volumen {
 

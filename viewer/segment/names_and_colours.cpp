@@ -61,12 +61,4 @@ NamesGiven addNames(std::span<Segmented> maps) {
   return given;
 }
 
-std::string listedFirst(std::span<const std::string> names) {
-  constexpr std::size_t most = 5;
-  std::string text;
-  for (const std::string& name : names.first(std::min(most, names.size())))
-    text += (text.empty() ? "" : ", ") + name;
-  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more" : text;
-}
-
 }  // namespace volumen

@@ -26,7 +26,4 @@ struct NamesGiven {
 /// them another one (freeName()): no two are called alike then.
 NamesGiven addNames(std::span<Segmented> maps);
 
-/// The first five of several, and how many there are besides: "Bone, Skin and 7 more".
-std::string listedFirst(std::span<const std::string> names);
-
 }  // namespace volumen
