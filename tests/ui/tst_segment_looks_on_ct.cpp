@@ -80,7 +80,7 @@ void cutInSlice(LooksWindow& w) {
   w.showPage("segmentPaint", "segmentFillBetween");
   w.take("segmentScissorsTool");
   const std::vector<QPoint> way = w.roundAt(pVertebra, 45);
-  QVERIFY(w.isTinted(500));
+  QVERIFY(w.isTinted(500) && w.isAtRest());
   const std::int64_t before = w.voxels(1);
   w.go(w.view(), way);
   w.shot("ct-cut-in-slice-drawn");

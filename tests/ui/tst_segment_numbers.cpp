@@ -17,6 +17,7 @@
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/segment_chart_box.h"
+#include "ui/widgets/frozen_column.h"
 #include "ui/workspace/segment_charts.h"
 #include "ui/workspace/segment_columns.h"
 #include "ui/workspace/value_text.h"
@@ -97,6 +98,7 @@ class TestSegmentTable : public CleanSettings {
   void closedItMeasuresNothing();
   void isInTheOrderOfTheListAtFirst();
   void isSortedByNumbers();
+  void namesStayInSight();
   void twoAreCompared();
   void chosenOnesAreDrawn();
   void isCopied();
@@ -207,6 +209,36 @@ void TestSegmentTable::isSortedByNumbers() {
   const bool firstIsSmaller = w.cell(0, "Voxels").toInt() < w.cell(1, "Voxels").toInt();
   w.clickHead(voxels);
   QCOMPARE(w.cell(0, "Voxels").toInt() < w.cell(1, "Voxels").toInt(), !firstIsSmaller);
+}
+
+// Rows are chosen and sorted by their names too, and no number hides below them.
+void TestSegmentTable::namesStayInSight() {
+  NumbersWindow w;
+  QVERIFY(w.makeBoth());
+  QVERIFY(w.open());
+  w.child<QDialog>("segmentNumbersDialog")->resize(500, 440);
+  QTableWidget* table = w.table();
+  auto* names = w.child<FrozenColumn>("segmentNames");
+  table->setCurrentCell(0, table->columnCount() - 1);
+  QCoreApplication::processEvents();
+  QVERIFY(!table->viewport()->rect().intersects(table->visualItemRect(table->item(0, 0))));
+  const QPoint second = names->visualRect(names->model()->index(1, 0)).center();
+  QCOMPARE(names->childAt(names->viewport()->mapTo(names, second)), names->viewport());
+  QCOMPARE(names->viewport()->mapTo(table, second).y(),
+           table->viewport()->mapTo(table, table->visualItemRect(table->item(1, 0)).center()).y());
+  QTest::mouseClick(names->viewport(), Qt::LeftButton, {}, second);
+  QVERIFY(table->selectionModel()->isRowSelected(1) && !table->selectionModel()->isRowSelected(0));
+  QTest::mouseClick(names->horizontalHeader()->viewport(), Qt::LeftButton, {}, {10, 10});
+  const QString first = table->item(0, 0)->text();
+  QTest::mouseClick(names->horizontalHeader()->viewport(), Qt::LeftButton, {}, {10, 10});
+  QVERIFY(table->item(0, 0)->text() != first);
+  table->setFocus();
+  table->setCurrentCell(0, table->columnCount() - 1);
+  for (int column = table->columnCount() - 2; column > 0; --column) {
+    QTest::keyClick(table, Qt::Key_Left);
+    QCOMPARE(table->currentColumn(), column);
+    QVERIFY(table->visualItemRect(table->currentItem()).left() >= names->width());
+  }
 }
 
 void TestSegmentTable::twoAreCompared() {

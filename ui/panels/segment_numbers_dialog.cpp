@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ui/controller/segment_target.h"
+#include "ui/widgets/frozen_column.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/csv.h"
 #include "ui/workspace/segment_columns.h"
@@ -170,6 +171,7 @@ void SegmentNumbersDialog::makeLayout() {
   connect(action, &QAction::triggered, this, &SegmentNumbersDialog::copy);
   table_->addAction(action);
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  (new FrozenColumn(table_))->setObjectName(QStringLiteral("segmentNames"));  // whose the numbers are
   auto* column = new QVBoxLayout(this);
   column->addWidget(table_, 1);
   column->addWidget(charts_, 1);
