@@ -35,25 +35,6 @@ class LesionDrag : public Drag {
   void planeChanged(const SlicePlane& plane) override { plane_ = plane; }
   bool drawsOver() const override { return true; }
 
-  // Its cut with the slice.
-  void paint(QPainter& painter, QSizeF) const override {
-    const double away = glm::dot(pMiddle_ - plane_.centre, plane_.normal());
-    if (std::abs(away) >= radiusMm_) return;
-    const glm::dvec2 at = plane_.pixelFromPatient(pMiddle_) / press_.pixelRatio;
-    const double radius =
-        std::sqrt(radiusMm_ * radiusMm_ - away * away) / plane_.mmPerPixel / press_.pixelRatio;
-    QPainterPath circle, text;
-    circle.addEllipse(QPointF(at.x, at.y), radius, radius);
-    text.addText(at.x + 0.75 * radius + 6, at.y + 0.75 * radius + 6, painter.font(),
-                 tr("r %1 mm").arg(radiusMm_, 0, 'f', 1));
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    for (const QPainterPath& path : {circle, text}) painter.strokePath(path, QPen(QColor(0, 0, 0, 150), 3));
-    painter.strokePath(circle, QPen(ballColour, 1.4));
-    painter.fillPath(text, ballColour);
-    painter.restore();
-  }
-
  private:
   bool isBall() const { return radiusMm_ >= leastBallPixels * press_.pixelRatio * plane_.mmPerPixel; }
   void reach(QPointF p) {
@@ -72,6 +53,24 @@ class LesionDrag : public Drag {
 };
 
 }  // namespace
+
+void paintBall(QPainter& painter, const SlicePlane& plane, double pixelRatio, glm::dvec3 pMiddle,
+               double radiusMm) {
+  const double away = glm::dot(pMiddle - plane.centre, plane.normal());
+  if (std::abs(away) >= radiusMm) return;
+  const glm::dvec2 at = plane.pixelFromPatient(pMiddle) / pixelRatio;
+  const double radius = std::sqrt(radiusMm * radiusMm - away * away) / plane.mmPerPixel / pixelRatio;
+  QPainterPath circle, text;
+  circle.addEllipse(QPointF(at.x, at.y), radius, radius);
+  text.addText(at.x + 0.75 * radius + 6, at.y + 0.75 * radius + 6, painter.font(),
+               tr("r %1 mm").arg(radiusMm, 0, 'f', 1));
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const QPainterPath& path : {circle, text}) painter.strokePath(path, QPen(QColor(0, 0, 0, 150), 3));
+  painter.strokePath(circle, QPen(ballColour, 1.4));
+  painter.fillPath(text, ballColour);
+  painter.restore();
+}
 
 std::unique_ptr<Drag> beginLesion(const SlicePress& press) { return std::make_unique<LesionDrag>(press); }
 

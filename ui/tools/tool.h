@@ -208,6 +208,10 @@ std::vector<Tool> measuringTools();
 /// Moves the part of a measurement that was pressed.
 std::unique_ptr<Drag> beginMeasurementEdit(const SlicePress& press, const MeasurementHit& hit);
 
+/// Paints where a slice cuts a ball about a place of its patient space, mm, and the radius of the ball.
+void paintBall(QPainter& painter, const SlicePlane& plane, double pixelRatio, glm::dvec3 pMiddle,
+               double radiusMm);
+
 /// How much faster than the pointer a window follows it: Shift: fine, Ctrl: fast.
 double windowDragSpeed(Qt::KeyboardModifiers keys);
 /// How the view shows its series.

@@ -51,6 +51,8 @@ class FlatView : public View {
   void setTool(const Tool& tool);
   /// Shows what would be segments of a series under those that are; none: nothing more.
   void showPreview(const std::optional<SegmentMap>& segments);
+  /// A ball that is being drawn in some view: slices show where they cut it. None: there is none.
+  void showBall(const std::optional<DrawnBall>& ball);
   /// So many steps down.
   virtual void scroll(int steps) = 0;
   /// To a place of the stack, from 0; a clip ends there.
@@ -213,6 +215,7 @@ class FlatView : public View {
   void paintShown(QPainter& painter) const override;
   void paintWith(QPainter& painter, const QImage& picture) const;
   void paintOver(QPainter& painter) const;
+  void paintDrawnBall(QPainter& painter) const;
   std::vector<QWidget*> badges() const override;
   QStringList warningsShown() const override { return warnings().sentences; }
   void paintEvent(QPaintEvent*) override;
@@ -285,6 +288,7 @@ class FlatView : public View {
   std::optional<SliceRequest> asked_;  // the last
   std::optional<SliceRequest> drawn_;  // that of picture_
   std::unique_ptr<Drag> drag_;
+  std::optional<DrawnBall> ball_;
   std::optional<SegmentMap> preview_;      // under those of its series
   std::optional<SliceRequest> lensAsked_;  // the last of drag_
   std::optional<SlicePicture> lens_;

@@ -60,11 +60,29 @@ void FlatView::paintWith(QPainter& painter, const QImage& picture) const {
   }
 }
 
+void FlatView::showBall(const std::optional<DrawnBall>& ball) {
+  ball_ = ball;
+  update();
+}
+
+// One of another frame of reference where the registration has it.
+void FlatView::paintDrawnBall(QPainter& painter) const {
+  if (!ball_ || shapeFrame()) return;
+  const Workspace& workspace = session_.workspace();
+  const auto of = workspace.series.find(ball_->series);
+  if (of == workspace.series.end()) return;
+  const auto relation =
+      relationOf(workspace, frameOfReference(*of->second.series), frameOfReference(shown()->series));
+  if (!relation) return;
+  paintBall(painter, *plane(), devicePixelRatioF(), relation->toFromFrom(ball_->pPatient), ball_->radiusMm);
+}
+
 // What lies over the picture.
 void FlatView::paintOver(QPainter& painter) const {
   paintLines(painter);
   paintReferenceLines(painter, referenceLines(), rect());
   paintMeasurements(painter, drawnMeasurements());
+  paintDrawnBall(painter);
   if (drag_) drag_->paint(painter, size());
   paintOverlays(painter, overlays(), overlayArea());
   paintColours(painter);

@@ -162,7 +162,11 @@ void ViewGrid::connectView(View* view) {
   connect(view, &View::dropped, this, &ViewGrid::dropped);
   connect(view, &View::partClicked, this, &ViewGrid::partClicked);
   connect(view, &View::strokePainted, this, &ViewGrid::strokePainted);
-  connect(view, &View::ballDrawn, this, &ViewGrid::ballDrawn);
+  connect(view, &View::ballDrawn, this, [this](const DrawnBall& ball) {
+    const auto seen = ball.state == DrawnBall::State::drawing ? std::optional(ball) : std::nullopt;
+    each<FlatView>([&](FlatView& flat) { flat.showBall(seen); });
+    Q_EMIT ballDrawn(ball);
+  });
   connect(view, &View::segmentCut, this, &ViewGrid::segmentCut);
   connect(view, &View::menuRequested, this,
           [this, view](QPoint global) { Q_EMIT menuRequested(view, global); });
