@@ -5,9 +5,7 @@
 
 #include <QDir>
 #include <QFile>
-#include <QProcess>
 #include <QRegularExpression>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <cmath>
 #include <map>
@@ -16,6 +14,7 @@
 #include "io/load.h"
 #include "io/open.h"
 #include "io/study/choose.h"
+#include "tests/fixtures/dciodvfy.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
@@ -100,16 +99,6 @@ std::string sourceOf(DcmItem& copy) {
   DcmItem* item = nullptr;
   copy.findAndGetSequenceItem(DCM_SourceImageSequence, item);
   return item ? textOf(*item, DCM_ReferencedSOPInstanceUID) : std::string();
-}
-
-std::set<QString> errorsOf(const QString& path) {
-  QProcess check;
-  check.start(QStringLiteral("dciodvfy"), {path});
-  check.waitForFinished(60000);
-  std::set<QString> errors;
-  for (const QByteArray& line : (check.readAllStandardError() + check.readAllStandardOutput()).split('\n'))
-    if (line.startsWith("Error")) errors.insert(QString::fromUtf8(line));
-  return errors;
 }
 
 // Removes files from a copy of a folder.
@@ -240,8 +229,7 @@ void TestConvertDicom::valuesStay() {
 void TestConvertDicom::isValid() {
   QFETCH(QString, name);
   NEED_DATA(dataPath(name.toStdString()));
-  if (QStandardPaths::findExecutable(QStringLiteral("dciodvfy")).isEmpty())
-    QSKIP("dciodvfy (package dicom3tools) is not installed");
+  NEED_DCIODVFY();
   const QStringList copies = filesIn(copyOf(name));
   QVERIFY(!copies.isEmpty());
   const std::map<std::string, QString> sources =
@@ -249,8 +237,8 @@ void TestConvertDicom::isValid() {
   const QString& copy = copies[copies.size() / 2];
   DcmFileFormat file;
   QVERIFY(file.loadFile(OFFilename(copy.toUtf8().constData())).good());
-  const std::set<QString> before = errorsOf(sources.at(sourceOf(*file.getDataset())));
-  for (const QString& error : errorsOf(copy)) QVERIFY2(before.contains(error), qPrintable(error));
+  const QStringList before = dciodvfyErrors(sources.at(sourceOf(*file.getDataset())));
+  for (const QString& error : dciodvfyErrors(copy)) QVERIFY2(before.contains(error), qPrintable(error));
 }
 
 void TestConvertDicom::enhancedPicturesKeepWhatTheirFramesSay() {

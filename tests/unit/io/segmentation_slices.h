@@ -3,9 +3,6 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
-#include <QProcess>
-#include <QStandardPaths>
-#include <QStringList>
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <string>
@@ -110,20 +107,4 @@ inline bool isSaid(const std::vector<std::string>& notes, const char* words) {
   return std::ranges::any_of(notes, [&](const std::string& n) { return n.find(words) != std::string::npos; });
 }
 
-/// What dciodvfy finds wrong in a DICOM file.
-inline QStringList dciodvfyErrors(const std::string& path) {
-  QProcess check;
-  check.start(QStringLiteral("dciodvfy"), {QString::fromStdString(path)});
-  check.waitForFinished(60000);
-  QStringList errors;
-  for (const QByteArray& line : (check.readAllStandardError() + check.readAllStandardOutput()).split('\n'))
-    if (line.startsWith("Error")) errors << QString::fromUtf8(line);
-  return errors;
-}
-
 }  // namespace volumen::tests
-
-/// Leaves the test function, counted as skipped, where that program is not there.
-#define NEED_DCIODVFY()                                                     \
-  if (QStandardPaths::findExecutable(QStringLiteral("dciodvfy")).isEmpty()) \
-  QSKIP("dciodvfy (package dicom3tools) is not installed")

@@ -7,6 +7,7 @@
 #include "io/export/segmentation_dicom.h"
 #include "io/load.h"
 #include "io/segmentation.h"
+#include "tests/fixtures/dciodvfy.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/io/segmentation_slices.h"
@@ -267,7 +268,7 @@ void TestSegmentationDicom::realSeriesAreValid() {
   if (!series.regular) QVERIFY(maps[0].labels == in.labels);
   QCOMPARE(isSaid(*notes, "138 frames of reference"), name.startsWith(QStringLiteral("ct-chest")));
   NEED_DCIODVFY();
-  const QStringList errors = dciodvfyErrors(path);
+  const QStringList errors = dciodvfyErrors(QString::fromStdString(path));
   QVERIFY2(errors.isEmpty(), qPrintable(errors.join(QLatin1Char('\n'))));
 }
 

@@ -6,6 +6,7 @@
 
 #include "io/export/segmentation_dicom.h"
 #include "io/segmentation.h"
+#include "tests/fixtures/dciodvfy.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/io/segmentation_slices.h"
 #include "tests/unit/suite.h"
@@ -212,7 +213,7 @@ void TestSegmentationRoundTrips::dciodvfyFindsNoError() {
     in.front().mask.set({0, 0, 0});
     const auto notes = writeSegmentationDicom(in, slices.series, {}, slices.seg());
     QVERIFY2(notes, notes ? "" : notes.message().c_str());
-    const QStringList errors = dciodvfyErrors(slices.seg());
+    const QStringList errors = dciodvfyErrors(QString::fromStdString(slices.seg()));
     QVERIFY2(errors.isEmpty(),
              qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(errors.join(QLatin1Char('\n')))));
   }
