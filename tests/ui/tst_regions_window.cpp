@@ -1,5 +1,9 @@
 // Guards window.md "Objects that refer to pictures": contours and segments lie over slices, by real events on
 // real files.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <QTemporaryDir>
 #include <cmath>
 
 #include "tests/ui/derived_2d.h"
@@ -15,6 +19,7 @@ class TestRegionsWindow : public QObject {
   void contoursLieOnTheirSlices();
   void contoursAreCutByOtherPlanes();
   void segmentsAreTinted();
+  void whatIsWrongWithThemIsTold();
 };
 
 void TestRegionsWindow::contoursLieOnTheirSlices() {
@@ -114,6 +119,39 @@ void TestRegionsWindow::segmentsAreTinted() {
   QTRY_COMPARE_WITH_TIMEOUT(tinted(), 0, longest);
   w.child<QAction>("undo")->trigger();
   QTRY_COMPARE_WITH_TIMEOUT(tinted(), 1832, longest);
+}
+
+// Its one frame, and that again.
+void TestRegionsWindow::whatIsWrongWithThemIsTold() {
+  NEED_REFERENCES();
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("twice.dcm"));
+  DcmFileFormat file;
+  QVERIFY(file.loadFile(dataPath("dicom-2d/seg-on-CT_small.dcm").c_str()).good());
+  DcmDataset& data = *file.getDataset();
+  DcmSequenceOfItems* frames = nullptr;
+  QVERIFY(data.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, frames).good());
+  QCOMPARE(frames->card(), 1ul);
+  QVERIFY(frames->append(new DcmItem(*frames->getItem(0))).good());
+  QVERIFY(data.putAndInsertString(DCM_NumberOfFrames, "2").good());
+  const Uint8* bits = nullptr;
+  unsigned long count = 0;
+  QVERIFY(data.findAndGetUint8Array(DCM_PixelData, bits, &count).good());
+  std::vector<Uint8> twice(bits, bits + count);
+  twice.insert(twice.end(), bits, bits + count);
+  QVERIFY(data.putAndInsertUint8Array(DCM_PixelData, twice.data(), count * 2).good());
+  QVERIFY(file.saveFile(path.toUtf8().constData()).good());
+  References2d w({});
+  w.window.open({QString::fromStdString(dataPath(ct)), path});
+  QVERIFY(w.has("Segmentation"));
+  w.click("Segmentation");
+  QVERIFY(w.has("first segment", "regionList"));
+  QTreeWidgetItem* note = w.item("repeat a place of their segment (1)", "regionList");
+  QVERIFY(note && note->text(0).startsWith(QStringLiteral("! Frames of ")));
+  const Workspace before = w.workspace();
+  QTest::mouseDClick(w.tree("regionList")->viewport(), Qt::LeftButton, {},
+                     w.tree("regionList")->visualItemRect(note).center());
+  QVERIFY(w.workspace() == before);
 }
 
 VOLUMEN_TEST(TestRegionsWindow);

@@ -125,11 +125,11 @@ void RegionsPanel::showAll() {
       for (const RegionOfInterest& region : regions->contours->regions)
         addRegion(item, look, region.number, shownText(region.name),
                   regionColour(region.colour, region.number));
-    if (regions->segmentation)
-      for (const Segment& segment : regions->segmentation->segments)
-        addRegion(item, look, segment.number, shownText(segment.label),
-                  regionColour(segment.colour, segment.number));
-    if (look.kind != DerivedKind::segmentation) continue;
+    if (!regions->segmentation) continue;
+    for (const std::string& note : regions->segmentation->notes) addNote(item, shownText(note));
+    for (const Segment& segment : regions->segmentation->segments)
+      addRegion(item, look, segment.number, shownText(segment.label),
+                regionColour(segment.colour, segment.number));
     if (!std::exchange(anySegments, true)) opacity_->setValue(int(std::lround(100 * look.opacity)));
   }
   list_->verticalScrollBar()->setValue(scrolled);
@@ -160,6 +160,12 @@ void RegionsPanel::addRegion(QTreeWidgetItem* parent, const RegionsLook& look, i
   for (const int role : {pathOfRegion, idOfRegion}) item->setData(0, role, parent->data(0, role));
   item->setData(0, numberOfRegion, number);
   item->setCheckState(0, look.shows(number) ? Qt::Checked : Qt::Unchecked);
+}
+
+void RegionsPanel::addNote(QTreeWidgetItem* parent, const QString& sentence) {
+  auto* item = new QTreeWidgetItem(parent, {QStringLiteral("! ") + sentence});
+  item->setToolTip(0, toolTipOf(sentence));
+  item->setFlags(Qt::ItemIsEnabled);
 }
 
 void RegionsPanel::toggle(QTreeWidgetItem* item) {

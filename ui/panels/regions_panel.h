@@ -26,6 +26,7 @@ class RegionsPanel : public QWidget {
   QTreeWidgetItem* addObject(const DerivedKey& key, const RegionsLook& look, bool shown);
   void addRegion(QTreeWidgetItem* parent, const RegionsLook& look, int number, const QString& text,
                  const QColor& colour);
+  void addNote(QTreeWidgetItem* parent, const QString& sentence);
   void toggle(QTreeWidgetItem* item);
   void choose(QTreeWidgetItem* item);
   void showMenu(QPoint position);

@@ -9,6 +9,7 @@
 #include "viewer/scene/json_fields.h"
 #include "viewer/scene/number_text.h"
 #include "viewer/scene/similar_name.h"
+#include "viewer/volume/free_name.h"
 
 namespace volumen {
 
@@ -33,7 +34,7 @@ Code readCode(JsonFields* from, const char* name) {
 Segment readSegment(JsonFields fields) {
   Segment segment;
   fields.read("name", segment.label);
-  if (segment.label.empty()) fields.refuse(fields.pathOf("name"), "must be the segment's name");
+  if (isBlank(segment.label)) fields.refuse(fields.pathOf("name"), "must be the segment's name");
   fields.read("description", segment.description);
   segment.category = readCode(&fields, "category");
   segment.type = readCode(&fields, "type");
@@ -127,7 +128,7 @@ Step readStep(JsonFields fields) {
   Step step;
   fields.read("step", step.kind);
   fields.read("segment", step.segment);
-  if (step.segment.empty())
+  if (isBlank(step.segment))
     fields.refuse(fields.pathOf("segment"), "must be the segment that the step makes");
   const StepKind* const kind = stepKind(step.kind);
   if (!kind) {

@@ -16,10 +16,6 @@ constexpr glm::u8vec3 tenColours[] = {{230, 25, 75},   {60, 180, 75},  {255, 225
                                       {245, 130, 49},  {70, 240, 240}, {240, 50, 230}, {188, 246, 12},
                                       {250, 190, 190}, {0, 128, 128}};
 
-bool isBlank(const std::string& name) {
-  return std::ranges::all_of(name, [](unsigned char c) { return c <= ' '; });
-}
-
 }  // namespace
 
 glm::u8vec3 tenColour(int number) {

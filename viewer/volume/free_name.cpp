@@ -1,5 +1,6 @@
 #include "viewer/volume/free_name.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace volumen {
@@ -24,6 +25,10 @@ CountedName countedName(const std::string& name) {
 }
 
 }  // namespace
+
+bool isBlank(const std::string& name) {
+  return std::ranges::all_of(name, [](unsigned char c) { return c <= ' '; });
+}
 
 std::string freeName(const std::string& wanted, const std::function<bool(const std::string&)>& isTaken) {
   auto [name, count] = countedName(wanted);

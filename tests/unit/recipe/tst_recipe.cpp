@@ -157,11 +157,17 @@ void TestRecipe::wrongOnesAreRefusedByName_data() {
   step("names that are none", R"({"step": "joint", "segment": "A", "with": "B"})",
        "steps[0].with must be a list of names");
   step("no segment", R"({"step": "invert"})", "steps[0].segment must be the segment");
+  step("a segment of a blank name", R"({"step": "invert", "segment": " "})",
+       "steps[0].segment must be the segment");
   step("nothing makes a segment", R"({"step": "invert", "segment": "B"})", R"(is made by no step: "A")");
   QTest::newRow("no recipe") << QStringLiteral("{}") << QStringLiteral("volumenRecipe must be 1");
   QTest::newRow("a newer one") << QStringLiteral(R"({"volumenRecipe": 2})")
                                << QStringLiteral("volumenRecipe must be 1");
   QTest::newRow("no JSON") << QStringLiteral("{,") << QStringLiteral("line 1");
+  QTest::newRow("a blank name")
+      << QStringLiteral(
+             R"({"volumenRecipe": 1, "segments": [{"name": " \t"}], "steps": [{"step": "invert", "segment": " \t"}]})")
+      << QStringLiteral("segments[0].name must be the segment's name");
   QTest::newRow("two of one name")
       << QStringLiteral(
              R"({"volumenRecipe": 1, "segments": [{"name": "A"}, {"name": "A"}], "steps": [{"step": "invert", "segment": "A"}]})")
