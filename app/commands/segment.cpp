@@ -142,7 +142,8 @@ Result<SegmentsFile> segmentsOf(const SegmentSource& source, Opened& opened, con
 
 // Nothing is written over what is read or written besides; only segments of a file are, by themselves.
 Status checkNames(const SegmentOptions& options, const SegmentsFile& segments, const Series& series) {
-  auto written = filesOfExport(options.output, segments.maps, options.surfaces);
+  auto written = options.output.empty() ? std::vector<std::string>()
+                                        : filesOfExport(options.output, segments.maps, options.surfaces);
   if (!written) return written.error();
   std::vector<std::string> read = series.files;
   const bool replaces = !options.from.empty() && !checkApart({&options.output, 1}, {&options.from, 1});
@@ -151,6 +152,28 @@ Status checkNames(const SegmentOptions& options, const SegmentsFile& segments, c
   if (!options.csv.empty()) written->push_back(options.csv);
   if (Status s = checkApart(*written, read); !s || options.csv.empty()) return s;
   return checkApart({&options.csv, 1}, segments.files);
+}
+
+// Nothing where numbers alone are asked for.
+Result<ExportedSegments> exportedOf(const SegmentOptions& options, const SegmentsFile& segments,
+                                    const Series& series, const CancelToken& cancel) {
+  if (options.output.empty()) return ExportedSegments();
+  return exportSegments(options.output, segments.maps, series, {}, cancel, options.surfaces);
+}
+
+// Whether the file can be written, and has surfaces where an option is about them.
+Status checkFormat(const SegmentOptions& options) {
+  const SegmentFormat* format = nullptr;
+  if (!options.output.empty()) {
+    const auto found = segmentFormatOf(options.output);
+    if (!found) return found.error();
+    format = *found;
+  }
+  for (const auto& [isGiven, option] : {std::pair(options.surfaces.reducedByMm > 0, "--reduce"),
+                                        std::pair(options.surfaces.inOneFile, "--one-file")})
+    if (isGiven && !(format && format->isSurface))
+      return Error{std::string(option) + " goes with surfaces: -o FILE.stl, .ply or .obj."};
+  return {};
 }
 
 int work(const SegmentOptions& options, SegmentSource source, const CancelToken& cancel) {
@@ -170,8 +193,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   if (!numbers) return fail(numbers.message(), cancel);
   auto csv = writeCsv(options.csv, *numbers);
   if (!csv) return fail(csv.message());
-  const auto exported =
-      exportSegments(options.output, segments->maps, opened->series, {}, cancel, options.surfaces);
+  const auto exported = exportedOf(options, *segments, opened->series, cancel);
   if (!exported) return fail(exported.message(), cancel);
   std::vector<std::string> files = exported->files;
   if (*csv) {
@@ -193,12 +215,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
 int run(const SegmentOptions& options, const CancelToken& cancel) {
   const int given = !options.range.empty() + !options.recipe.empty() + !options.from.empty();
   if (given != 1) return failUsage("Give one of --range LOW:HIGH, --recipe NAME and --from FILE.");
-  const auto format = segmentFormatOf(options.output);
-  if (!format) return failUsage(format.message());
-  for (const auto& [isGiven, option] : {std::pair(options.surfaces.reducedByMm > 0, "--reduce"),
-                                        std::pair(options.surfaces.inOneFile, "--one-file")})
-    if (isGiven && !(*format)->isSurface)
-      return failUsage(std::string(option) + " goes with surfaces: -o FILE.stl, .ply or .obj.");
+  if (Status s = checkFormat(options); !s) return failUsage(s.message());
   if (!options.from.empty()) {
     if (options.removeTable) return failUsage("--remove-table goes with --range and --recipe.");
     return work(options, {{}, options.from}, cancel);
@@ -235,10 +252,9 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
       ->type_name("FILE");
   app.add_option(
          "-o,--output", options->output,
-         "The file to write: .seg.nrrd (3D Slicer), .dcm (DICOM segmentation), .nii.gz or .mha (labels, and "
-         "a table of names beside them), .stl, .ply or .obj (surfaces)")
-      ->type_name("FILE")
-      ->required();
+         "The file to write; none: numbers alone. It is .seg.nrrd (3D Slicer), .dcm (DICOM segmentation), "
+         ".nii.gz or .mha (labels, and a table of names beside them), .stl, .ply or .obj (surfaces)")
+      ->type_name("FILE");
   addSeries(app, options->series);
   number(
       app.add_option(
@@ -252,7 +268,8 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
   app.add_option("--csv", options->csv, "Write the numbers of all segments, a row each")->type_name("FILE");
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
   addExamples(app, {"volumen segment scans/ --recipe bone -o bone.stl",
-                    "volumen segment scans/ --range :-300 --csv air.csv -o air.seg.nrrd"});
+                    "volumen segment scans/ --range :-300 --csv air.csv -o air.seg.nrrd",
+                    "volumen segment scans/ --recipe lungs-and-airways --json"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 
