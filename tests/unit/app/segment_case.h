@@ -1,8 +1,10 @@
 #pragma once
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QMap>
 #include <QTest>
 
 #include "tests/fixtures/program.h"
@@ -27,6 +29,14 @@ inline QStringList words(const char* text) { return QString::fromLatin1(text).sp
 inline void writeBytes(const QString& path, const QByteArray& bytes) {
   QFile file(path);
   QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+}
+
+/// Names and contents of the files in a folder.
+inline QMap<QString, QByteArray> allFilesIn(const QString& folder) {
+  QMap<QString, QByteArray> files;
+  for (const QString& name : QDir(folder).entryList(QDir::Files | QDir::Hidden))
+    files[name] = contentsOf(folder + QLatin1Char('/') + name);
+  return files;
 }
 
 }  // namespace volumen::tests

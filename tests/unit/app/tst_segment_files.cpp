@@ -35,14 +35,6 @@ class TestSegmentFiles : public QObject {
 
 namespace {
 
-// Names and contents.
-QMap<QString, QByteArray> allFilesIn(const QString& folder) {
-  QMap<QString, QByteArray> files;
-  for (const QString& name : QDir(folder).entryList(QDir::Files | QDir::Hidden))
-    files[name] = contentsOf(folder + QLatin1Char('/') + name);
-  return files;
-}
-
 // Two segments of the ramp.
 QByteArray twoSegments(const QByteArray& second) {
   return R"({"volumenRecipe": 1, "segments": [{"name": "x/A"}, {"name": ")" + second +
