@@ -36,6 +36,16 @@ struct TissueWindow : PaintWindow {
     QTest::keyClicks(margin(), QString::number(mm));
     QTest::keyClick(margin(), Qt::Key_Return);
   }
+  /// A brush for the core, inside which alone tissue is shown; false where that is not made.
+  bool takeBrushForCore() {
+    if (!makeBoth() || !choose(1)) return false;
+    tick(0, 0);
+    showTissue(Tissue::inside);
+    show(throughMiddle());
+    setBrush(true, 6);
+    take("paintTool");
+    return idle();
+  }
   VolumePtr whole() { return session().seriesNamed(series())->volume; }
   LoadedSeriesPtr left() { return session().tissues().empty() ? nullptr : session().tissues().front().left; }
   /// Where tissue is left; only while something is left out.
@@ -218,14 +228,7 @@ void TestInsideSegments::segmentsAreFollowed() {
 
 void TestInsideSegments::aStrokeCountsOnceItEnds() {
   TissueWindow w;
-  QVERIFY(w.makeBoth());
-  QVERIFY(w.choose(1));
-  w.tick(0, 0);
-  w.showTissue(Tissue::inside);
-  w.show(throughMiddle());
-  w.setBrush(true, 6);
-  w.take("paintTool");
-  QVERIFY(w.idle());
+  QVERIFY(w.takeBrushForCore());
   const LoadedSeriesPtr before = w.left();
   const auto labels = w.map()->labels;
   const std::vector<QPoint> way = w.pixelsOf(throughBall, axialViewId);
@@ -242,14 +245,7 @@ void TestInsideSegments::aStrokeCountsOnceItEnds() {
 
 void TestInsideSegments::aStrokeThatIsGivenUpBeginsNothing() {
   TissueWindow w;
-  QVERIFY(w.makeBoth());
-  QVERIFY(w.choose(1));
-  w.tick(0, 0);
-  w.showTissue(Tissue::inside);
-  w.show(throughMiddle());
-  w.setBrush(true, 6);
-  w.take("paintTool");
-  QVERIFY(w.idle());
+  QVERIFY(w.takeBrushForCore());
   const LoadedSeriesPtr before = w.left();
   int begun = 0;
   QObject::connect(&w.window.jobs(), &Jobs::changed, w.view(), [&] {

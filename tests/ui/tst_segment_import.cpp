@@ -1,18 +1,12 @@
 // Guards window.md "Segments": what was exported is imported again, the same to the voxel, in one step; files
-// are asked for and dropped; overlaps, other grids and files that are none are told; nothing changes until
-// all of it is there.
-#include <QContextMenuEvent>
-#include <QMenu>
-#include <QTemporaryDir>
+// are asked for; overlaps, other grids and files that are none are told; nothing changes until all of it is
+// there.
 #include <QThread>
+#include <algorithm>
 
-#include "io/export/dicom_series.h"
-#include "io/export/export_segments.h"
 #include "io/export/seg_nrrd.h"
-#include "tests/ui/segment_window.h"
+#include "tests/ui/import_window.h"
 #include "tests/unit/suite.h"
-#include "ui/widgets/banner.h"
-#include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -25,84 +19,20 @@ class TestSegmentImport : public QObject {
   void namesAndNumbersThatAreTakenBecomeOthers();
   void whatOverlapsGoesToAFurtherMap();
   void anotherGridIsToldWithFigures();
-  void filesAreDroppedOnViewsAndPanel_data();
-  void filesAreDroppedOnViewsAndPanel();
-  void otherFilesOpenWhereTheyAreDropped();
   void filesThatAreNoneChangeNothing_data();
   void filesThatAreNoneChangeNothing();
   void moreThan255GoToAFurtherMap();
   void itWaitsForWhatIsBeingDone();
   void itCanBeGivenUpAtAnyMoment();
   void withoutASeriesThereIsNothingToAddTo();
-  void anObjectIsEditedAsSegments_data();
-  void anObjectIsEditedAsSegments();
 };
 
 namespace {
-
-struct ImportWindow : SegmentWindow {
-  using SegmentWindow::SegmentWindow;
-
-  QTemporaryDir folder;
-
-  QString at(const char* name) const { return folder.filePath(QLatin1String(name)); }
-  QString told() {
-    return child<Banner>("banner")->isVisible() ? child<Banner>("banner")->sentence() : QString();
-  }
-  void startImport(const QString& path) {
-    child<QAction>("importSegments")->trigger();
-    answer(*this, "segmentImportDialog", path);
-  }
-  bool import(const QString& path) {
-    startImport(path);
-    return idle();
-  }
-  bool exportTo(const QString& path) {
-    child<QAction>("exportSegments")->trigger();
-    answer(*this, "segmentDialog", path);
-    return idle() && QFile::exists(path);
-  }
-  bool removeAll() {
-    while (count() > 0)
-      if (!press("segmentRemove")) return false;
-    return true;
-  }
-  /// A segmentation of one layer that holds the voxels of the series for which `labelOf` is not 0.
-  QString file(const char* name, const std::vector<Segment>& segments,
-               const std::function<int(glm::dvec3 pPatient)>& labelOf) {
-    const VoxelGeometry& grid = session().series()->volume->geometry();
-    LabelEdit edit{LabelMap(grid)};
-    for (int k = 0; k < grid.size.z; ++k)
-      for (int j = 0; j < grid.size.y; ++j)
-        for (int i = 0; i < grid.size.x; ++i)
-          edit.set({i, j, k}, std::uint8_t(labelOf(glm::dvec3(i, j, k) - 19.5)));
-    return writeSegNrrd(edit.done(), segments, at(name).toStdString()) ? at(name) : QString();
-  }
-};
 
 std::vector<Segment> manySegments(int count) {
   std::vector<Segment> all;
   for (int n = 1; n <= count; ++n) all.push_back({.number = n, .label = "S" + std::to_string(n)});
   return all;
-}
-
-// An entry of the menu of a row, by the right mouse button.
-void chooseInStudies(Journey& w, const char* rowText, const char* entry) {
-  auto* tree = w.child<QTreeWidget>("studyTree");
-  const auto row = [&] {
-    return tree->findItems(QLatin1String(rowText), Qt::MatchContains | Qt::MatchRecursive).value(0);
-  };
-  QTRY_VERIFY_WITH_TIMEOUT(row() && w.window.jobs().rows().empty(), longest);
-  tree->scrollToItem(row());
-  const QPoint at = tree->visualItemRect(row()).center();
-  QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree->viewport()->mapToGlobal(at));
-  QCoreApplication::sendEvent(tree->viewport(), &event);
-  auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-  QVERIFY(menu);
-  for (QAction* action : menu->actions())
-    if (action->text() == QLatin1String(entry))
-      return QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
-  QFAIL(entry);
 }
 
 // In none of the balls.
@@ -178,20 +108,12 @@ void TestSegmentImport::whatOverlapsGoesToAFurtherMap() {
   QVERIFY(w.make(400, 600));
   const SegmentMap first = *w.map();
   const Workspace before = w.workspace();
-  const VoxelGeometry& grid = w.session().series()->volume->geometry();
-  const auto layer = [&](std::vector<Segment> segments, const std::function<int(glm::dvec3)>& labelOf) {
-    LabelEdit edit{LabelMap(grid)};
-    for (int k = 0; k < 40; ++k)
-      for (int j = 0; j < 40; ++j)
-        for (int i = 0; i < 40; ++i) edit.set({i, j, k}, std::uint8_t(labelOf(glm::dvec3(i, j, k) - 19.5)));
-    return Segmented{std::move(segments), edit.done()};
-  };
   const auto isBall = [](glm::dvec3 p) { return glm::length(p + 5.0) < 10; };
   const std::vector<Segmented> layers{
-      layer({{.number = 1, .label = "Ball"}}, [&](glm::dvec3 p) { return isBall(p) ? 1 : 0; }),
-      layer({{.number = 1, .label = "Core"}, {.number = 2, .label = "Small"}}, [](glm::dvec3 p) {
-        return isCore(p) ? 1 : isSmall(p) ? 2 : 0;
-      })};
+      {{{.number = 1, .label = "Ball"}}, w.labelsBy([&](glm::dvec3 p) { return isBall(p) ? 1 : 0; })},
+      {{{.number = 1, .label = "Core"}, {.number = 2, .label = "Small"}}, w.labelsBy([](glm::dvec3 p) {
+         return isCore(p) ? 1 : isSmall(p) ? 2 : 0;
+       })}};
   QVERIFY(writeSegNrrd(layers, w.at("a.seg.nrrd").toStdString()));
   QVERIFY(w.import(w.at("a.seg.nrrd")));
   const auto voxels = [&](int map, const char* name) {
@@ -221,51 +143,6 @@ void TestSegmentImport::anotherGridIsToldWithFigures() {
   QCOMPARE(w.voxels(1), std::int64_t(40 * 40 * 40));
   QVERIFY2(w.told().contains(QStringLiteral("512 ml became 64 ml")), qPrintable(w.told()));
   QVERIFY2(w.told().contains(QStringLiteral("448 ml of the segments lie outside")), qPrintable(w.told()));
-}
-
-void TestSegmentImport::filesAreDroppedOnViewsAndPanel_data() {
-  QTest::addColumn<QString>("name");
-  QTest::addColumn<bool>("onPanel");
-  for (const char* name : {"a.seg.nrrd", "a.nii.gz"})
-    for (const bool onPanel : {false, true})
-      QTest::addRow("%s, %s", name, onPanel ? "panel" : "view") << QString::fromLatin1(name) << onPanel;
-  QTest::newRow("labels without a table, panel") << QStringLiteral("b.mha") << true;
-}
-
-void TestSegmentImport::filesAreDroppedOnViewsAndPanel() {
-  QFETCH(QString, name);
-  QFETCH(bool, onPanel);
-  ImportWindow w;
-  QVERIFY(w.makeBoth());
-  const QString path = w.at(qPrintable(name));
-  QVERIFY(w.exportTo(path));
-  if (name.startsWith(QLatin1Char('b'))) QVERIFY(QFile::remove(w.at("b.label")));
-  const std::int64_t core = w.voxels(2);
-  QVERIFY(w.removeAll());
-  QMimeData files;
-  files.setUrls({QUrl::fromLocalFile(path)});
-  const Workspace before = w.workspace();
-  const int steps = w.steps();
-  QVERIFY(drop(files, onPanel ? static_cast<QWidget*>(w.list()) : w.view()));
-  QVERIFY(w.idle());
-  QCOMPARE(w.count(), std::size_t(2));
-  QCOMPARE(w.voxels(2), core);
-  QCOMPARE(w.steps(), steps + 1);
-  w.undo();
-  QVERIFY(w.workspace() == before);
-}
-
-// An image without a table of names may be a picture: dropped on a view it opens as one.
-void TestSegmentImport::otherFilesOpenWhereTheyAreDropped() {
-  ImportWindow w;
-  QVERIFY(w.makeBoth() && w.exportTo(w.at("a.nii.gz")));
-  QVERIFY(QFile::remove(w.at("a.label")));
-  const SeriesKey before = w.series();
-  QMimeData files;
-  files.setUrls({QUrl::fromLocalFile(w.at("a.nii.gz"))});
-  QVERIFY(drop(files, w.view()));
-  QTRY_VERIFY_WITH_TIMEOUT(w.session().series() && w.series() != before, longest);
-  QCOMPARE(w.count(), std::size_t(0));
 }
 
 void TestSegmentImport::filesThatAreNoneChangeNothing_data() {
@@ -356,43 +233,6 @@ void TestSegmentImport::withoutASeriesThereIsNothingToAddTo() {
   Journey w;
   const auto* action = w.child<QAction>("importSegments");
   QVERIFY(!action->isEnabled() && action->toolTip().contains(QStringLiteral("Open a series")));
-}
-
-void TestSegmentImport::anObjectIsEditedAsSegments_data() {
-  QTest::addColumn<bool>("dropped");
-  QTest::newRow("by the menu of the list of studies") << false;
-  QTest::newRow("dropped on a view") << true;
-}
-
-// A series of files with a DICOM segmentation beside it.
-void TestSegmentImport::anObjectIsEditedAsSegments() {
-  QFETCH(bool, dropped);
-  const QTemporaryDir folder;
-  const QString slices = folder.filePath(QStringLiteral("ct"));
-  QVERIFY(writeDicomSeries(**makePhantom("ct-head:40"), {}, slices.toStdString()));
-  Journey w({slices});
-  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series(), longest);
-  const LoadedSeriesPtr series = w.window.session().series();
-  Segmented made{{{.number = 1, .label = "Block", .colour = glm::u8vec3(9, 8, 7)}},
-                 LabelMap(series->volume->geometry())};
-  LabelEdit edit(made.labels);
-  for (int n = 0; n < 1000; ++n) edit.set({10 + n % 10, 10 + n / 10 % 10, 10 + n / 100}, 1);
-  made.labels = edit.done();
-  const QString path = folder.filePath(QStringLiteral("seg.dcm"));
-  QVERIFY(exportSegments(path.toStdString(), {&made, 1}, series->series));
-  QMimeData files;
-  files.setUrls({QUrl::fromLocalFile(path)});
-  if (dropped) {
-    QVERIFY(drop(files, w.window.view()));
-  } else {
-    w.window.open({path});
-    chooseInStudies(w, "Segmentation", "Edit as segments");
-  }
-  const auto map = [&] { return segmentMapOf(w.window.session().workspace(), keyOf(series->series)); };
-  QTRY_VERIFY_WITH_TIMEOUT(map(), longest);
-  QVERIFY(*map()->labels == made.labels);
-  QCOMPARE(map()->segments.front().label, std::string("Block"));
-  QVERIFY(map()->segments.front().colour == made.segments.front().colour);
 }
 
 VOLUMEN_TEST(TestSegmentImport);

@@ -52,6 +52,14 @@ struct NumbersWindow : SegmentWindow {
     const QPoint place = table()->visualItemRect(table()->item(row, 0)).center();
     QTest::mouseClick(table()->viewport(), Qt::LeftButton, keys, place);
   }
+  // Paints where nothing is, the button still down; where the mouse is.
+  QPoint beginStroke() {
+    child<QAction>("paintTool")->trigger();
+    const QPoint from = showPlace({14.5, -14.5, 0.5}), to = from + QPoint(20, 0);
+    QTest::mousePress(view(), Qt::LeftButton, {}, from);
+    QTest::mouseEvent(QTest::MouseMove, view(), Qt::LeftButton, {}, to);
+    return to;
+  }
   const MeasuredChart& chart() { return child<ChartView>("segmentChart")->chart(); }
   QString chartSaid() { return child<QLabel>("segmentChartSaid")->text(); }
   // Of the segment of that number alone.
@@ -140,15 +148,12 @@ void TestSegmentTable::strokesAreMeasuredOnceTheyEnd() {
   NumbersWindow w;
   QVERIFY(w.makeBoth());
   QVERIFY(w.open());
-  w.child<QAction>("paintTool")->trigger();
-  const QPoint at = w.showPlace({14.5, -14.5, 0.5});
   const std::int64_t before = w.voxels(1);
-  QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
-  QTest::mouseEvent(QTest::MouseMove, w.view(), Qt::LeftButton, {}, at + QPoint(20, 0));
+  const QPoint at = w.beginStroke();
   QVERIFY(w.voxels(1) > before);
   QCOMPARE(w.table()->rowCount(), 2);
   QCOMPARE(w.cell(0, "Voxels"), QString::number(before));
-  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, at + QPoint(20, 0));
+  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, at);
   const auto isMeasured = [&] {
     return w.table()->rowCount() == 2 && w.cell(0, "Voxels") == QString::number(w.voxels(1));
   };
@@ -160,14 +165,11 @@ void TestSegmentTable::aStrokeThatIsGivenUpIsNotMeasured() {
   QVERIFY(w.makeBoth());
   QVERIFY(w.open());
   const QString said = w.said();
-  w.child<QAction>("paintTool")->trigger();
-  const QPoint at = w.showPlace({14.5, -14.5, 0.5});
   const std::int64_t before = w.voxels(1);
-  QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
-  QTest::mouseEvent(QTest::MouseMove, w.view(), Qt::LeftButton, {}, at + QPoint(20, 0));
+  const QPoint at = w.beginStroke();
   QVERIFY(w.voxels(1) > before);
   QTest::keyClick(w.view(), Qt::Key_Escape);
-  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, at + QPoint(20, 0));
+  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, at);
   QCOMPARE(w.voxels(1), before);
   QCOMPARE(w.said(), said);
   QCoreApplication::processEvents();

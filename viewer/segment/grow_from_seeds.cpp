@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "viewer/segment/bucket_queue.h"
 #include "viewer/volume/buffer.h"
 #include "viewer/volume/histogram.h"
 #include "viewer/volume/parallel.h"
@@ -126,32 +127,6 @@ struct GrowthTile {
   }
 };
 
-// Voxels in order of what they cost, in one window of costs; of one cost in no order.
-class BucketQueue {
- public:
-  BucketQueue() : heads_(windowCosts, none) {}
-  void push(Cost bucket, int voxel) {
-    nodes_.push_back({heads_[bucket], voxel});
-    heads_[bucket] = int(nodes_.size()) - 1;
-  }
-  // The next of a bucket; < 0 where there is none.
-  int pop(Cost bucket) {
-    const int node = heads_[bucket];
-    if (node == none) return none;
-    heads_[bucket] = nodes_[std::size_t(node)].next;
-    return nodes_[std::size_t(node)].voxel;
-  }
-  void clear() { nodes_.clear(); }
-
- private:
-  static constexpr int none = -1;
-  struct Node {
-    int next, voxel;
-  };
-  std::vector<int> heads_;
-  std::vector<Node> nodes_;
-};
-
 // Shortest paths tile by tile. Costs and labels of voxels are only ever bettered, until nothing can be: what
 // that ends in is one, in whatever order tiles are taken.
 class Growth {
@@ -186,7 +161,7 @@ class Growth {
       for (std::size_t n = 0; n < tiles_.size(); ++n)
         if (tiles_[n] && tiles_[n]->earliest - earliest < windowCosts) open.push_back(n);
       parallelFor(std::int64_t(open.size()), 0, [&](std::int64_t begin, std::int64_t end) {
-        BucketQueue queue;
+        BucketQueue queue(windowCosts);
         for (std::int64_t n = begin; n < end && !cancel_.cancelled(); ++n)
           follow(open[std::size_t(n)], earliest, queue);
       });

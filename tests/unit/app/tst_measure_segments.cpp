@@ -5,7 +5,6 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <QDir>
-#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -16,6 +15,7 @@
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
+#include "tests/unit/app/segment_case.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -44,7 +44,7 @@ class TestMeasureSegments : public QObject {
   Outcome told(const QString& commandLine) const {
     return runProgramIn(folder_->path(), commandLine.split(QLatin1Char(' ')));
   }
-  void write(const char* name, const QByteArray& bytes) const;
+  void write(const char* name, const QByteArray& bytes) const { writeBytes(at(QLatin1String(name)), bytes); }
   /// 8 x 7 x 6 voxels of 2 x 2 x 2 mm: volumes of int16, or labels.
   void writeNrrd(const char* name, const std::vector<std::vector<std::int16_t>>& volumes) const;
   void writePetOfTwoTimes(bool isWeighedTwice) const;
@@ -76,11 +76,6 @@ std::vector<std::int16_t> valuesByChance(std::uint64_t seed, int below) {
 }  // namespace
 
 void TestMeasureSegments::init() { folder_ = std::make_unique<QTemporaryDir>(); }
-
-void TestMeasureSegments::write(const char* name, const QByteArray& bytes) const {
-  QFile file(at(QLatin1String(name)));
-  QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
-}
 
 void TestMeasureSegments::writeNrrd(const char* name,
                                     const std::vector<std::vector<std::int16_t>>& volumes) const {
@@ -341,18 +336,12 @@ void TestMeasureSegments::refused() {
   write("far.nrrd", head + "type: uint8\nspace origin: (500,0,0)\n\n" + QByteArray(64, '\1'));
   write("values.nrrd",
         head + "type: float\nspace origin: (0,0,0)\n\n" + QByteArray("\0\0\0\x3f", 4).repeated(64));
-  const auto all = [&] {
-    QMap<QString, QByteArray> files;
-    for (const QString& name : QDir(folder_->path()).entryList(QDir::Files | QDir::Hidden))
-      files[name] = contentsOf(at(name));
-    return files;
-  };
-  const QMap<QString, QByteArray> before = all();
+  const QMap<QString, QByteArray> before = allFilesIn(folder_->path());
   QCOMPARE(before.size(), 7);
   const Outcome done = told(QStringLiteral("measure ") + arguments);
   QCOMPARE(done.status, status);
   QVERIFY2(done.err.contains(sentence) && done.out.isEmpty(), done.err.constData());
-  QVERIFY(all() == before);
+  QVERIFY(allFilesIn(folder_->path()) == before);
 }
 
 VOLUMEN_TEST(TestMeasureSegments);

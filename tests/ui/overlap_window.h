@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QLabel>
+
+#include "tests/ui/import_window.h"
+
+namespace volumen::tests {
+
+inline bool isBallAboutHollow(glm::dvec3 p) { return glm::length(p + 5.0) < 10; }
+inline bool isLow(glm::dvec3 p) { return p.z < -5; }
+
+/// Imported: in map 1 "Ball", all within 10 mm of the middle of the hollow ball, in map 2 "Low", the lower
+/// part of the volume.
+struct OverlapWindow : ImportWindow {
+  Segmented layer(const char* name, glm::u8vec3 colour, bool (*isIn)(glm::dvec3)) {
+    return {{{.number = 1, .label = name, .colour = colour}}, labelsBy(isIn)};
+  }
+  bool importBoth() {
+    const std::vector<Segmented> layers{layer("Ball", {255, 0, 0}, isBallAboutHollow),
+                                        layer("Low", {0, 255, 0}, isLow)};
+    return writeSegNrrd(layers, at("both.seg.nrrd").toStdString()) && import(at("both.seg.nrrd"));
+  }
+  const SegmentMap& mapOf(int number) { return *segmentMapOf(workspace(), series(), number); }
+  BitMask maskIn(int number) { return maskOf(*mapOf(number).labels, 1); }
+  /// What is said of the map that is worked on.
+  QString worked() {
+    const auto* label = child<QLabel>("segmentMap");
+    return label->isVisible() ? label->text() : QString();
+  }
+  QString cell(int row, int column) { return list()->topLevelItem(row)->text(column); }
+};
+
+}  // namespace volumen::tests

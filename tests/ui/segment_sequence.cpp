@@ -1,0 +1,61 @@
+#include "tests/ui/segment_sequence.h"
+
+#include <cstdlib>
+
+namespace volumen::tests {
+
+QString SegmentSequence::act() {
+  int all = 0;
+  for (const Act& each : acts()) all += each.often;
+  int n = chance_.below(all);
+  auto chosen = acts().begin();
+  for (; n >= chosen->often; ++chosen) n -= chosen->often;
+  session().endGesture();
+  const int before = steps() - first_;
+  (this->*chosen->run)();
+  const bool isNew = chosen->run != &SegmentSequence::redoes;
+  QString wrong = idle() ? remember(before, isNew) : QStringLiteral("it never ends");
+  if (wrong.isEmpty()) wrong = wrongLabels();
+  return wrong.isEmpty() ? wrong : QStringLiteral("%1: %2").arg(QLatin1String(chosen->name), wrong);
+}
+
+// `isNew`: a step that is made is none of those that were undone.
+QString SegmentSequence::remember(int before, bool isNew) {
+  const int after = steps() - first_;
+  if (std::abs(after - before) > 1) return QStringLiteral("%1 steps").arg(after - before);
+  if (after == before + 1 && isNew) {
+    states_.resize(std::size_t(after));
+    states_.push_back(workspace());
+  }
+  return isState(after) ? QString() : QStringLiteral("what is there is not that of its step");
+}
+
+// Of a part of the voxels: each is, in each map, in a segment that there is, or in none.
+QString SegmentSequence::wrongLabels() {
+  for (const SegmentMap* map : segmentMapsOf(workspace(), series()))
+    for (int k = 0; k < 40; k += 3)
+      for (int j = 0; j < 40; j += 2)
+        for (int i = 0; i < 40; ++i)
+          if (const int label = map->labels->at({i, j, k}); label != 0 && !findSegment(*map, label))
+            return QStringLiteral("voxels of segment %1, which is none").arg(label);
+  return {};
+}
+
+QString SegmentSequence::wrongUndone() {
+  const auto wrongAt = [&](const char* what, int n) {
+    if (steps() - first_ == n && isState(n)) return QString();
+    return QStringLiteral("%1 to state %2 of %3").arg(QLatin1String(what)).arg(n).arg(states_.size());
+  };
+  const int last = int(states_.size()) - 1;
+  for (int n = steps() - first_; n-- > 0;) {
+    undo();
+    if (const QString wrong = wrongAt("undone", n); !wrong.isEmpty()) return wrong;
+  }
+  for (int n = 1; n <= last; ++n) {
+    redo();
+    if (const QString wrong = wrongAt("done again", n); !wrong.isEmpty()) return wrong;
+  }
+  return idle() ? QString() : QStringLiteral("it never ends");
+}
+
+}  // namespace volumen::tests

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/fixtures/chance.h"
+#include "tests/ui/paint_window.h"
+
+namespace volumen::tests {
+
+/// A window in which things are done to segments by chance, by real events, and what is there after each
+/// step.
+class SegmentSequence : public PaintWindow {
+ public:
+  explicit SegmentSequence(int seed) : chance_(std::uint64_t(seed)) {
+    (void)makeBoth();
+    first_ = steps();
+    states_ = {workspace()};
+  }
+
+  /// One thing by chance, which is a step at most. Empty, or what is wrong.
+  QString act();
+  /// Undone to the first state and done again to the last one. Empty, or what is wrong.
+  QString wrongUndone();
+  std::size_t states() const { return states_.size(); }
+
+ private:
+  struct Act {
+    const char* name;
+    int often;
+    void (SegmentSequence::*run)();
+  };
+  static const std::vector<Act>& acts();
+
+  bool isState(int n) { return isAs(states_[std::size_t(n)]); }
+  QString wrongLabels();
+  QString remember(int before, bool isNew);
+
+  ViewId anyView() { return axialViewId + chance_.below(3); }
+  // About where the balls are, in the pixels of a view.
+  QPoint anywhere(ViewId id) {
+    return pixelOf(12.0 * chance_.vector(), id) + QPoint(chance_.below(9), chance_.below(9));
+  }
+  std::vector<QPoint> anyWay(ViewId id, int points) {
+    std::vector<QPoint> way;
+    for (int n = 0; n < points; ++n) way.push_back(anywhere(id));
+    return way;
+  }
+  Qt::KeyboardModifiers ctrlOneIn(int n) { return chance_.oneIn(n) ? Qt::ControlModifier : Qt::NoModifier; }
+  Qt::KeyboardModifiers anyKeys() {
+    constexpr Qt::KeyboardModifier keys[] = {Qt::NoModifier, Qt::ControlModifier, Qt::AltModifier};
+    return keys[chance_.below(3)];
+  }
+  int rows() { return list()->topLevelItemCount(); }  // segments of all maps
+  void pressButton(const char* name) { (void)SegmentWindow::press(name); }
+
+  void looksElsewhere();
+  void looksFromAside();
+  void paints();
+  void outlines();
+  void paintsSmartly();
+  void tracesLevel();
+  void takesPart();
+  void takesPartIn3d();
+  void finds();
+  void grows();
+  void changes();
+  void makes();
+  void fillsBetween();
+  void cuts();
+  void cutsIn3d();
+  void showsTissue();
+  void addsOrCopies();
+  void removes();
+  void chooses();
+  void ticks();
+  void colours();
+  void fades();
+  void renames();
+  void showsIn3d();
+  void follows();
+  void undoes();
+  void redoes();
+
+  Chance chance_;
+  int first_ = 0;                  // step at which chance begins
+  std::vector<Workspace> states_;  // that undo and redo lead through
+};
+
+}  // namespace volumen::tests

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tests/ui/segment_window.h"
+#include "ui/controller/segment_fields.h"
+#include "ui/controller/segment_surface_jobs.h"
+#include "viewer/segment/occupancy.h"
+#include "viewer/segment/range.h"
+
+namespace volumen::tests {
+
+/// A session without a window, its 3D view beside planes: the hollow ball with the small one is segment 1,
+/// the core segment 2.
+struct SurfaceSession {
+  Session session;
+  Jobs jobs;
+  SegmentPainter painter{session};
+  SegmentSurfaceJobs surfaces;
+  LoadedSeriesPtr series = hollowBalls();
+  SeriesKey key = keyOf(series->series);
+
+  explicit SurfaceSession(std::size_t mostBytes = std::size_t(1) << 30)
+      : surfaces(session, painter, jobs, mostBytes) {
+    session.show(series);
+    session.change(QStringLiteral("test"), withLayout(session.workspace(), Layout::planes));
+    add({800, 1200});
+    add({400, 600});
+  }
+
+  const SegmentMap& map() { return *segmentMapOf(session.workspace(), key); }
+  bool idle() {
+    return QTest::qWaitFor([this] { return jobs.rows().empty(); }, longest);
+  }
+  void change(const Workspace& after) { session.change(QStringLiteral("test"), after); }
+  void add(ValueRange range) {
+    const Workspace with = withNewSegment(session.workspace(), key, series->volume->geometry(), {});
+    const SegmentMap& made = *segmentMapOf(with, key);
+    change(withSegmentMap(with, withMask(made, made.current, voxelsInRange(*series->volume, range))));
+  }
+  /// One more voxel of segment 1, apart from all others.
+  void addVoxel(int i = 0) {
+    BitMask mask = maskOf(*map().labels, 1);
+    mask.set({i, 0, 0});
+    change(withSegmentMap(session.workspace(), withMask(map(), 1, mask)));
+  }
+  /// False where the volume cannot be cut.
+  bool cut(const Mask& mask) {
+    const auto left = masked(*series->volume, mask);
+    if (!left) return false;
+    auto without = std::make_shared<LoadedSeries>(*series);
+    without->volume = *left;
+    session.takeMasked(mask, without);
+    session.setMask(QStringLiteral("test"), key, mask);
+    return true;
+  }
+  void undo() { session.undoStack().undo(); }
+  std::vector<SegmentSurface> drawn() { return session.drawnScene(sceneViewId).segments; }
+  std::shared_ptr<const OccupancyField> field(int number) {
+    for (const MadeSurface& made : session.surfaces())
+      if (made.number == number) return made.field;
+    return nullptr;
+  }
+};
+
+}  // namespace volumen::tests
