@@ -20,6 +20,7 @@ class TestSegmentCommand : public QObject {
   void labelsAndMeasuresARange();
   void writtenFileHoldsTheLabels();
   void textForPeople();
+  void numbersAreToldWithoutAFile();
   void emptyRangeIsDoneAndSaid();
   void wrongUsageIsRefused_data();
   void wrongUsageIsRefused();
@@ -91,6 +92,21 @@ void TestSegmentCommand::textForPeople() {
   QCOMPARE(done.err, QByteArray());
 }
 
+void TestSegmentCommand::numbersAreToldWithoutAFile() {
+  const QTemporaryDir folder;
+  const QString csv = folder.filePath(QStringLiteral("a.csv"));
+  const Outcome text = runSegment(words("phantom:ramp:8 --range 2:3"));
+  QCOMPARE(text.status, 0);
+  QVERIFY(text.out.contains("Range 2:3") && !text.out.contains("file:") && text.err.isEmpty());
+  const Outcome json = runSegment(words("phantom:ramp:8 --range 2:3 --json"));
+  const QJsonObject all = QJsonDocument::fromJson(json.out).object();
+  QCOMPARE(only(all)[QStringLiteral("voxels")].toInt(), 128);
+  QVERIFY(all[QStringLiteral("files")].toArray().isEmpty());
+  QCOMPARE(runSegment(words("phantom:ramp:8 --range 2:3 --csv") << csv).status, 0);
+  QCOMPARE(allFilesIn(folder.path()).keys(), QStringList{QStringLiteral("a.csv")});
+  QVERIFY(contentsOf(csv).contains("Range 2:3,1,128,"));
+}
+
 void TestSegmentCommand::emptyRangeIsDoneAndSaid() {
   const QTemporaryDir folder;
   const QString file = folder.filePath(QStringLiteral("a.seg.nrrd"));
@@ -118,7 +134,8 @@ void TestSegmentCommand::wrongUsageIsRefused_data() {
   row("a file without the table", "phantom:ramp:8 --from a.seg.nrrd --remove-table -o b.seg.nrrd",
       "--remove-table goes with --range and --recipe");
   row("a recipe that is misspelled", "phantom:ramp:8 --recipe bones -o a.stl", "did you mean \"bone\"?");
-  row("no output", "phantom:ramp:8 --range 1:2", "Missing -o FILE");
+  row("fewer triangles of no file", "phantom:ramp:8 --range 1:2 --reduce 1", "--reduce goes with surfaces");
+  row("surfaces in no file", "phantom:ramp:8 --range 1:2 --one-file", "--one-file goes with surfaces");
   row("no path", "--range 1:2 -o a.seg.nrrd", "PATH");
   row("one number", "phantom:ramp:8 --range 12 -o a.seg.nrrd", "is not LOW:HIGH");
   row("only a colon", "phantom:ramp:8 --range : -o a.seg.nrrd", "is not LOW:HIGH");
