@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "app/command.h"
 #include "app/open_volume.h"
@@ -18,6 +19,7 @@
 #include "ui/controller/recipe_files.h"
 #include "ui/controller/segment_recipes.h"
 #include "viewer/recipe/recipe.h"
+#include "viewer/recipe/step_kinds.h"
 #include "viewer/scene/similar_name.h"
 #include "viewer/segment/names_and_colours.h"
 
@@ -110,10 +112,12 @@ void removeTable(Recipe& recipe) {
 void printJson(const SegmentNumbersTold& numbers, const Opened& opened, const SegmentSource& source,
                const std::vector<std::string>& files) {
   nlohmann::ordered_json all{{"series", opened.series.id}};
-  if (source.recipe)
+  if (source.recipe) {
     all["recipe"] = nlohmann::ordered_json::parse(recipeJson(*source.recipe));
-  else
+    all["recipeUnit"] = opened.series.unit;
+  } else {
     all["from"] = source.file;
+  }
   addSegments(all, numbers);
   all["files"] = files;
   all["warnings"] = sentences(opened.loaded.warnings);
@@ -121,11 +125,24 @@ void printJson(const SegmentNumbersTold& numbers, const Opened& opened, const Se
   std::cout << jsonText(all);
 }
 
-void addNotes(Opened& opened, std::span<const SegmentReport> numbers) {
+// Whether a step compares with a value that it names; a lesion by a value has one that may be left out.
+bool namesValue(const Step& step) {
+  const StepKind* const kind = stepKind(step.kind);
+  return kind && std::ranges::any_of(kind->fields, [&](const StepField& field) {
+           const auto given = step.fields.find(field.name);
+           return given != step.fields.end() && (std::string_view(field.unit) == "value" ||
+                                                 given->second == StepValue(std::string("value")));
+         });
+}
+
+void addNotes(Opened& opened, const SegmentSource& source, const SegmentNumbersTold& numbers) {
+  if (source.recipe && numbers.scale.factor != 1 && std::ranges::any_of(source.recipe->steps, namesValue))
+    opened.notes.push_back("Values that were given are in " + opened.series.unit +
+                           ", the unit of the file; numbers are told in " + numbers.scale.unit + ".");
   if (opened.loaded.drawn != opened.loaded.acquired)
     opened.notes.push_back("Segments have the evenly spaced slices that are shown in 3D: " +
                            std::to_string(opened.loaded.drawn->size().z) + ".");
-  addSegmentNotes(opened, numbers);
+  addSegmentNotes(opened, numbers.reports);
 }
 
 // One map; of a file whose segments overlap, several.
@@ -200,7 +217,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
     if (Status s = (*csv)->commit(); !s) return fail(s.message());
     files.push_back(options.csv);
   }
-  addNotes(*opened, numbers->reports);
+  addNotes(*opened, source, *numbers);
   opened->notes.insert(opened->notes.end(), exported->notes.begin(), exported->notes.end());
   printNotes(opened->notes);
   if (options.json) {
@@ -239,8 +256,10 @@ void addListRecipes(CLI::App& app) {
 std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<SegmentOptions>();
   addPath(app, options->path)->required();
-  app.add_option("--range", options->range,
-                 "Values to segment, both ends included: LOW:HIGH, LOW: or :HIGH (HU for CT)")
+  app.add_option(
+         "--range", options->range,
+         "Values to segment, both ends included, in the unit of the file (HU for CT): LOW:HIGH, LOW: or "
+         ":HIGH")
       ->type_name("LOW:HIGH");
   app.add_option("--recipe", options->recipe, "A recipe by name, or a file that ends in .json")
       ->type_name("NAME");

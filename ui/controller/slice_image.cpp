@@ -57,10 +57,8 @@ Result<QImage> withTint(QImage picture, const SliceLayer& layer, SlicePlane plan
   const ColourMix mixed(layer.tinted->colour, layer.opacity);
   const ValueRange range = layer.tinted->range;
   const std::span<std::uint32_t> pixels = pixelsOf(picture);
-  for (std::size_t n = 0; n < pixels.size(); ++n) {
-    const double value = slice->values[n];  // NaN is in no range
-    if (value >= range.low && value <= range.high) pixels[n] = mixed(pixels[n]);
-  }
+  for (std::size_t n = 0; n < pixels.size(); ++n)
+    if (holds(range, double(slice->values[n]))) pixels[n] = mixed(pixels[n]);  // NaN is in no range
   return picture;
 }
 

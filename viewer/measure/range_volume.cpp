@@ -33,8 +33,6 @@ class Slice {
 // The box ends half a voxel beyond the outermost centres: cells there are half as wide.
 double width(int cell, int count) { return cell < 0 || cell == count - 1 ? 0.5 : 1; }
 
-bool holds(ValueRange range, double value) { return value >= range.low && value <= range.high; }
-
 // Beside padding there is nothing to interpolate with: each corner stands for its eighth.
 Part eighthsInRange(const std::array<float, 8>& corners, ValueRange range, ValueRange padding) {
   const auto counts = [&](float v) { return holds(range, double(v)) && !holds(padding, double(v)); };
@@ -93,7 +91,7 @@ std::int64_t voxelsInRange(const Volume& volume, ValueRange range) {
     for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k)
       for (std::size_t n = k * slice; n < (k + 1) * slice; ++n) {
         const double value = double(volume.valueAt(n));
-        slices[k] += holds(range, value) && !(padding && holds(*padding, value));
+        slices[k] += holds(range, value) && !isPadding(padding, value);
       }
   });
   std::int64_t voxels = 0;
@@ -103,7 +101,8 @@ std::int64_t voxelsInRange(const Volume& volume, ValueRange range) {
 
 }  // namespace
 
-Result<RangeVolume> rangeVolume(const Volume& volume, ValueRange range, const CancelToken& cancel) {
+Result<RangeVolume> rangeVolume(const Volume& volume, ValueRange asked, const CancelToken& cancel) {
+  const ValueRange range = inFloats(asked);
   RangeVolume result;
   result.voxels = voxelsInRange(volume, range);
   for (double tolerance = 0.02; tolerance > 1e-12; tolerance /= 8) {

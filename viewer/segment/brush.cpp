@@ -209,7 +209,7 @@ LabelMap painted(const LabelMap& map, const VoxelSpans& spans, const PaintRules&
   const auto isValueMeant = [&](glm::ivec3 v) {
     if (!rules.range || !rules.volume) return true;
     const double value = rules.volume->value(v.x, v.y, v.z);
-    return value >= rules.range->low && value <= rules.range->high && !isPadding(padding, value);
+    return holds(*rules.range, value) && !isPadding(padding, value);
   };
   LabelEdit edit(map);
   for (const RowSpan& span : spans)

@@ -35,7 +35,7 @@ Result<BitMask> lesionIn(const BitMask& region, const Volume& volume, LesionThre
                          const CancelToken& cancel) {
   const SegmentValues values = valuesIn(region, volume);
   if (values.voxels == 0) return Error{"no voxel of the region has a value"};
-  const double least = threshold.isShare ? threshold.amount * values.max : threshold.amount;
+  const double least = double(float(threshold.isShare ? threshold.amount * values.max : threshold.amount));
   if (values.max < least) return Error{"no value of the region reaches the threshold"};
   const glm::ivec3 at[] = {values.maxAt};
   BitMask found = connected(fromValueOn(region, volume, least), at, Neighbours::faces, cancel);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -47,13 +46,8 @@ std::optional<Stored<T>> storedIn(const Volume& volume, ValueRange range) {
 // Floats are stored as they are.
 template <>
 std::optional<Stored<float>> storedIn(const Volume&, ValueRange range) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   if (!(range.low <= range.high)) return {};
-  float low = float(range.low), high = float(range.high);
-  if (double(low) < range.low) low = std::nextafter(low, infinity);
-  if (double(high) > range.high) high = std::nextafter(high, -infinity);
-  if (low > high) return {};
-  return Stored<float>{low, high};
+  return Stored<float>{float(range.low), float(range.high)};
 }
 
 // Up to 64 values, a bit each.
@@ -92,10 +86,10 @@ BitMask voxelsInRange(const Volume& volume, ValueRange range) {
   BitMask mask(volume.geometry());
   std::visit(
       [&]<class T>(const std::vector<T>& values) {
-        const auto in = storedIn<T>(volume, range);
+        const auto in = storedIn<T>(volume, inFloats(range));
         if (!in) return;
         const auto& padding = volume.attributes().padding;
-        const auto out = padding ? storedIn<T>(volume, *padding) : std::nullopt;
+        const auto out = padding ? storedIn<T>(volume, inFloats(*padding)) : std::nullopt;
         if (out)
           findAll(mask, values, [in = *in, out = *out](T v) { return in.holds(v) & !out.holds(v); });
         else

@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// The voxels where range.low <= value <= range.high, real units, and the value is no padding; ends may be
-/// infinite. On all cores, by SIMD.
+/// The voxels where range.low <= value <= range.high (holds()), real units, and the value is no padding; ends
+/// may be infinite. On all cores, by SIMD.
 BitMask voxelsInRange(const Volume& volume, ValueRange range);
 
 }  // namespace volumen

@@ -65,7 +65,7 @@ VoxelSpans connectedUnder(const VoxelSpans& spans, const Volume& volume, ValueRa
   BoxOfSpans box(spans);
   forEachVoxel(spans, [&](glm::ivec3 v) {
     const double value = double(volume.value(v.x, v.y, v.z));
-    if (value >= range.low && value <= range.high && !isPadding(volume.attributes().padding, value))
+    if (holds(range, value) && !isPadding(volume.attributes().padding, value))
       *box.at(v) = BoxOfSpans::isOpen;
   });
   std::vector<glm::ivec3> front;

@@ -55,9 +55,21 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
+/// A range with its ends rounded to float32, as values of voxels are: what a file says is 0.7 lies from 0.7
+/// on.
+inline ValueRange inFloats(ValueRange range) {
+  return {double(float(range.low)), double(float(range.high))};
+}
+
+/// Whether the value of a voxel lies in a range, by inFloats().
+inline bool holds(ValueRange range, double value) {
+  const ValueRange compared = inFloats(range);
+  return value >= compared.low && value <= compared.high;
+}
+
 /// Whether a value is padding; none of them is where there is no range of it.
 inline bool isPadding(const std::optional<ValueRange>& padding, double value) {
-  return padding && value >= padding->low && value <= padding->high;
+  return padding && holds(*padding, value);
 }
 
 /// A display window (picture.md 6), real units.

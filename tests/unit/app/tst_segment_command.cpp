@@ -7,6 +7,7 @@
 
 #include "io/load.h"
 #include "io/open.h"
+#include "tests/fixtures/fixtures.h"
 #include "tests/unit/app/segment_case.h"
 #include "tests/unit/suite.h"
 
@@ -21,6 +22,8 @@ class TestSegmentCommand : public QObject {
   void writtenFileHoldsTheLabels();
   void textForPeople();
   void numbersAreToldWithoutAFile();
+  void valuesOfPetAreSaidToBeInTheUnitOfTheFile_data();
+  void valuesOfPetAreSaidToBeInTheUnitOfTheFile();
   void emptyRangeIsDoneAndSaid();
   void wrongUsageIsRefused_data();
   void wrongUsageIsRefused();
@@ -105,6 +108,35 @@ void TestSegmentCommand::numbersAreToldWithoutAFile() {
   QCOMPARE(runSegment(words("phantom:ramp:8 --range 2:3 --csv") << csv).status, 0);
   QCOMPARE(allFilesIn(folder.path()).keys(), QStringList{QStringLiteral("a.csv")});
   QVERIFY(contentsOf(csv).contains("Range 2:3,1,128,"));
+}
+
+void TestSegmentCommand::valuesOfPetAreSaidToBeInTheUnitOfTheFile_data() {
+  QTest::addColumn<QString>("steps");
+  QTest::addColumn<bool>("isSaid");
+  QTest::newRow("a range") << R"({"step": "range", "segment": "A", "low": 1000})" << true;
+  QTest::newRow("the value of a lesion, left out")
+      << R"({"step": "invert", "segment": "B"}, {"step": "lesion", "segment": "A", "in": "B", "by": "value"})"
+      << true;
+  QTest::newRow("a share")
+      << R"({"step": "invert", "segment": "B"}, {"step": "lesion", "segment": "A", "in": "B"})" << false;
+}
+
+void TestSegmentCommand::valuesOfPetAreSaidToBeInTheUnitOfTheFile() {
+  QFETCH(QString, steps);
+  QFETCH(bool, isSaid);
+  const QString pet = QString::fromStdString(dataPath("field-cases/c28-suv-bqml"));
+  NEED_DATA(pet.toStdString());
+  const QTemporaryDir folder;
+  const QString recipe = folder.filePath(QStringLiteral("r.json"));
+  writeBytes(recipe, QStringLiteral(R"({"volumenRecipe": 1, "segments": [{"name": "A"}], "steps": [%1]})")
+                         .arg(steps)
+                         .toUtf8());
+  const Outcome done = runSegment({pet, QStringLiteral("--recipe"), recipe, QStringLiteral("--json")});
+  QCOMPARE(done.status, 0);
+  const QJsonObject all = QJsonDocument::fromJson(done.out).object();
+  QCOMPARE(all[QStringLiteral("unit")].toString(), QStringLiteral("SUVbw"));
+  QCOMPARE(all[QStringLiteral("recipeUnit")].toString(), QStringLiteral("Bq/ml"));
+  QCOMPARE(done.err.contains("are in Bq/ml, the unit of the file; numbers are told in SUVbw."), isSaid);
 }
 
 void TestSegmentCommand::emptyRangeIsDoneAndSaid() {

@@ -30,6 +30,7 @@ class TestRangeVolume : public QObject {
   void emptyAndWhole_data();
   void emptyAndWhole();
   void paddingHasNoVolume();
+  void endsWithDecimalsAreIncluded();
 };
 
 namespace {
@@ -231,6 +232,21 @@ void TestRangeVolume::paddingHasNoVolume() {
   QCOMPARE(low.drawnVoxels, 0.0);
   QCOMPARE(all.voxels, std::int64_t(32));
   QCOMPARE(all.drawnVoxels, 32.0);
+}
+
+// 0.7, 0.3 and others are no float32.
+void TestRangeVolume::endsWithDecimalsAreIncluded() {
+  VolumeParts parts;
+  parts.geometry.size = {100, 1, 1};
+  parts.values = std::vector<std::uint8_t>(100);
+  for (int n = 0; n < 100; ++n)
+    std::get<std::vector<std::uint8_t>>(parts.values)[std::size_t(n)] = std::uint8_t(n);
+  parts.slope = 0.1;
+  const VolumePtr volume = volumeFrom(std::move(parts));
+  for (int n = 0; n < 100; ++n) {
+    QCOMPARE(volumeOfRange(*volume, n / 10.0, n / 10.0).voxels, std::int64_t(1));
+    QCOMPARE(volumeOfRange(*volume, n / 10.0, infinity).voxels, std::int64_t(100 - n));
+  }
 }
 
 VOLUMEN_TEST(TestRangeVolume);

@@ -19,6 +19,8 @@ class TestRange : public QObject {
   void findsExactlyTheClosedRange_data();
   void findsExactlyTheClosedRange();
   void anyRangeOfAnyVolume();
+  void endsWithDecimalsAreIncluded_data();
+  void endsWithDecimalsAreIncluded();
   void paddingIsNoTissue_data();
   void paddingIsNoTissue();
 };
@@ -126,7 +128,9 @@ void TestRange::anyRangeOfAnyVolume() {
     const VolumePtr volume = volumeFrom(std::move(parts));
     const BitMask mask = voxelsInRange(*volume, range);
     some += !mask.empty();
-    const auto holds = [](ValueRange r, double value) { return r.low <= value && value <= r.high; };
+    const auto holds = [](ValueRange r, double value) {
+      return double(float(r.low)) <= value && value <= double(float(r.high));
+    };
     QVERIFY2(isExactly(mask,
                        [&](glm::ivec3 v) {
                          const double value = double(volume->value(v.x, v.y, v.z));
@@ -135,6 +139,28 @@ void TestRange::anyRangeOfAnyVolume() {
              qPrintable(QStringLiteral("seed %1: %2 to %3").arg(seed).arg(range.low).arg(range.high)));
   }
   QVERIFY2(some > seeds.count / 5, "most ranges hold nothing");
+}
+
+// 0.0, 0.1 ... 99.9, of which float32 holds but some exactly.
+void TestRange::endsWithDecimalsAreIncluded_data() {
+  QTest::addColumn<VolumePtr>("volume");
+  std::vector<std::uint16_t> stored(1000);
+  std::vector<float> floats(1000);
+  for (int n = 0; n < 1000; ++n)
+    stored[std::size_t(n)] = std::uint16_t(n), floats[std::size_t(n)] = float(n / 10.0);
+  QTest::newRow("stored as whole numbers") << volumeOf({10, 100, 1}, stored, 0.1);
+  QTest::newRow("stored as they are") << volumeOf({10, 100, 1}, floats);
+}
+
+void TestRange::endsWithDecimalsAreIncluded() {
+  QFETCH(VolumePtr, volume);
+  for (int n = 0; n < 1000; ++n) {
+    const double end = n / 10.0;
+    QCOMPARE(voxelsInRange(*volume, {end, end}).count(), std::int64_t(1));
+    QCOMPARE(voxelsInRange(*volume, {end, infinity}).count(), std::int64_t(1000 - n));
+    QCOMPARE(voxelsInRange(*volume, {-infinity, end}).count(), std::int64_t(n + 1));
+    QVERIFY(isPadding(ValueRange{end, end}, volume->valueAt(std::size_t(n))));
+  }
 }
 
 void TestRange::paddingIsNoTissue_data() {
