@@ -173,6 +173,8 @@ class TestLabelPicture : public QObject {
  private Q_SLOTS:
   void pixelsAreThoseOfATwin_data();
   void pixelsAreThoseOfATwin();
+  void planesOfVoxelsAreThoseOfATwin_data();
+  void planesOfVoxelsAreThoseOfATwin();
   void mostPixelsWereCompared();
   void tiltedBordersCoverTheirPart_data() { addZoomRows({0.13, 0.6, 1.0, 1.3, 2.4, 5}); }
   void tiltedBordersCoverTheirPart();
@@ -185,6 +187,8 @@ class TestLabelPicture : public QObject {
   void oneThreadDrawsTheSame();
 
  private:
+  void compareWithTwin(const SlicePlane& plane, const SegmentLayer& layer);
+
   std::int64_t pixels_ = 0, unsure_ = 0;
 };
 
@@ -201,6 +205,41 @@ void TestLabelPicture::pixelsAreThoseOfATwin() {
   SlicePlane plane = chancePlane(chance);
   plane.interpolation = chance.oneIn(2) ? nearest : linear;
   const SegmentLayer layer = chanceSegments(chance, grid);
+  compareWithTwin(plane, layer);
+}
+
+// Across each axis, at the centres of voxels, beside and between them, and beyond the outermost ones.
+void TestLabelPicture::planesOfVoxelsAreThoseOfATwin_data() {
+  QTest::addColumn<int>("across");
+  QTest::addColumn<double>("at");
+  for (int across = 0; across < 3; ++across)
+    for (const double at : {0.0, 20.0, 31.0, 32.0, 20 + 1e-9, 20 - 1e-9, 20.001, 19.999, 31.3, 20.5, -0.4})
+      QTest::addRow("across %c at %.10g", "ijk"[across], at) << across << at;
+}
+
+// With the other two axes along the picture's sides in either order, and flipped.
+void TestLabelPicture::planesOfVoxelsAreThoseOfATwin() {
+  QFETCH(int, across);
+  QFETCH(double, at);
+  VoxelGeometry grid;
+  grid.size = rampSize;
+  grid.patientFromVoxelStep = glm::dmat3(0, 1.1, 0, 0, 0, -0.8, 1.7, 0, 0);
+  for (int turn = 0; turn < 8; ++turn) {
+    Chance chance{std::uint64_t(turn)};
+    const int along = (across + 1 + turn % 2) % 3, down = 3 - across - along;
+    glm::dvec3 vCentre(chance.between(15, 25), chance.between(15, 25), chance.between(15, 25));
+    vCentre[across] = at;
+    SlicePlane plane;
+    plane.centre = grid.patientFromVoxel(vCentre);
+    plane.right = glm::normalize(grid.patientFromVoxelStep[along]) * (turn & 2 ? 1.0 : -1.0);
+    plane.down = glm::normalize(grid.patientFromVoxelStep[down]) * (turn & 4 ? 1.0 : -1.0);
+    plane.mmPerPixel = chance.between(0.3, 2);
+    plane.size = {45, 35};
+    compareWithTwin(plane, chanceSegments(chance, grid));
+  }
+}
+
+void TestLabelPicture::compareWithTwin(const SlicePlane& plane, const SegmentLayer& layer) {
   const QImage picture = segmentsOver(qRgb(100, 100, 100), plane, layer);
   const PlaceTwin twin(layer, plane);
   int unsure = 0;

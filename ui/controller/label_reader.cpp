@@ -45,45 +45,63 @@ const LabelMap::Brick& brickOf(const LabelMap& map, glm::ivec3 voxel) {
 
 // Voxels of which eight, around a place, are in the same bricks each: all of one brick but for the last ones,
 // or those between two bricks.
-struct EightBricks {
-  std::array<const std::uint8_t*, 8> labels;
-  std::array<int, 8> offsets, masks;  // from the place of the first one; 0: the brick has one label
-  bool isOneBrick;                    // of several labels, the eight beside each other
-
+class EightBricks {
+ public:
+  // Of the eight from this one on.
   EightBricks(const LabelMap& map, glm::ivec3 first) {
-    const glm::ivec3 last = map.geometry().size - 1;
-    const int from = int(placeInBrick(Fixed(first) << std::int64_t(32)));
-    for (std::size_t c = 0; c < 8; ++c) {
-      const glm::ivec3 corner(c & 1, c >> 1 & 1, c >> 2),
-          voxel = glm::clamp(first + corner, glm::ivec3(0), last);
-      const LabelMap::Brick& brick = brickOf(map, voxel);
-      labels[c] = brick.voxels ? brick.voxels->data() : &brick.label;
-      masks[c] = brick.voxels ? -1 : 0;
-      offsets[c] = int(placeInBrick(Fixed(voxel) << std::int64_t(32))) - from;
+    const glm::ivec3 last = map.geometry().size - 1, count = map.bricks();
+    // Of the near and of the far voxels along each axis: which brick they are in, and where in it.
+    std::array<std::array<std::size_t, 2>, 3> bricks, places;
+    std::size_t brickOn = 1, placeOn = 1;
+    isOneBrick_ = true;
+    for (int a = 0; a < 3; ++a) {
+      auto &brick = bricks[std::size_t(a)], &place = places[std::size_t(a)];
+      for (int far = 0; far < 2; ++far) {
+        const auto v = std::size_t(std::clamp(first[a] + far, 0, last[a]));
+        brick[std::size_t(far)] = v / brickEdge * brickOn, place[std::size_t(far)] = v % brickEdge * placeOn;
+      }
+      isOneBrick_ = isOneBrick_ && place[1] > place[0];
+      brickOn *= std::size_t(count[a]), placeOn *= brickEdge;
     }
-    constexpr int row = brickEdge, slice = brickEdge * brickEdge;
-    isOneBrick = masks[0] != 0 && labels[7] == labels[0] && offsets[7] == 1 + row + slice;
+    for (std::size_t c = 0; c < (isOneBrick_ ? 1 : 8); ++c) {
+      const std::size_t i = c & 1, j = c >> 1 & 1, k = c >> 2;
+      const LabelMap::Brick& brick = map.brick(bricks[0][i] + bricks[1][j] + bricks[2][k]);
+      labels_[c] = brick.voxels ? &(*brick.voxels)[places[0][i] + places[1][j] + places[2][k]] : &brick.label;
+      masks_[c] = brick.voxels ? -1 : 0;
+    }
   }
+
   bool areOneLabel() const {
-    bool isOne = true;
-    for (std::size_t c = 0; c < 8; ++c) isOne = isOne && masks[c] == 0 && *labels[c] == *labels[0];
+    bool isOne = masks_[0] == 0;
+    for (std::size_t c = 1; c < (isOneBrick_ ? 1 : 8); ++c)
+      isOne = isOne && masks_[c] == 0 && *labels_[c] == *labels_[0];
     return isOne;
   }
-  Eight at(unsigned place) const {
+  std::uint8_t firstLabel() const { return *labels_[0]; }
+
+  // Whether they are beside each other.
+  bool areOfOneBrick() const { return isOneBrick_; }
+  // The eight so far from the first ones in their brick.
+  Eight ofOneBrick(std::ptrdiff_t far) const {
+    constexpr std::ptrdiff_t row = brickEdge, slice = brickEdge * brickEdge;
+    const auto pair = [from = labels_[0] + far](std::ptrdiff_t n) {
+      std::uint16_t two;
+      std::memcpy(&two, from + n, 2);
+      return Eight(two);
+    };
+    return pair(0) | pair(row) << 16 | pair(slice) << 32 | pair(slice + row) << 48;
+  }
+  // The same where they are of several bricks.
+  Eight ofBricks(std::ptrdiff_t far) const {
     Eight eight = 0;
-    if (isOneBrick) {
-      constexpr unsigned row = brickEdge, slice = brickEdge * brickEdge;
-      const auto pair = [&](unsigned n) {
-        std::uint16_t two;
-        std::memcpy(&two, labels[0] + place + n, 2);
-        return Eight(two);
-      };
-      return pair(0) | pair(row) << 16 | pair(slice) << 32 | pair(slice + row) << 48;
-    }
-    for (std::size_t c = 0; c < 8; ++c)
-      eight |= Eight(labels[c][(int(place) + offsets[c]) & masks[c]]) << 8 * c;
+    for (std::size_t c = 0; c < 8; ++c) eight |= Eight(labels_[c][far & masks_[c]]) << 8 * c;
     return eight;
   }
+
+ private:
+  std::array<const std::uint8_t*, 8> labels_{};  // of the first ones; of one brick only that of the first
+  std::array<std::ptrdiff_t, 8> masks_{};        // 0: the brick has one label
+  bool isOneBrick_;
 };
 
 }  // namespace
@@ -121,8 +139,7 @@ class LabelReader::Shares {
       numbers_[n] = shownAs_[around & 255];
       return;
     }
-    for (std::size_t c = 0; c < 8; ++c)
-      around_[c][count_] = std::uint8_t(shownAs_[around >> 8 * c & 255] - 1);
+    eights_[count_] = around;
     for (int a = 0; a < 3; ++a) far_[std::size_t(a)][count_] = std::uint16_t(std::uint32_t(v[a]) >> 17);
     places_[count_] = n;
     if (++count_ == most) finish();
@@ -130,7 +147,7 @@ class LabelReader::Shares {
   void finish();
 
  private:
-  static constexpr std::size_t most = 64;
+  static constexpr std::size_t most = 16;  // two vectors: their loops are unrolled
   template <class T>
   using Lanes = std::array<T, most>;
 
@@ -139,46 +156,52 @@ class LabelReader::Shares {
   std::span<std::uint8_t> numbers_;
   const std::array<std::uint8_t, 256>& shownAs_;
   std::size_t count_ = 0;
-  std::array<Lanes<std::uint16_t>, 8> around_{};  // numbers less 1, by which background is the last
-  std::array<Lanes<std::uint16_t>, 3> far_{};     // along each axis from the nearer voxels, by 2^-15
+  Lanes<Eight> eights_{};
+  std::array<Lanes<std::uint16_t>, 3> far_{};  // along each axis from the nearer voxels, by 2^-15
   Lanes<std::size_t> places_{};
 };
 
 // By 2^-13 of a voxel, all eight together.
 void LabelReader::Shares::weigh(std::array<Lanes<std::uint16_t>, 8>& weights) const {
   constexpr std::uint16_t whole = 1 << 15;
-  const auto part = [&](std::size_t c, std::size_t axis, std::size_t n) {
-    return c >> axis & 1 ? far_[axis][n] : std::uint16_t(whole - far_[axis][n]);
+  const auto part = [&](std::size_t far, std::size_t axis, std::size_t n) {
+    return far ? far_[axis][n] : std::uint16_t(whole - far_[axis][n]);
   };
   const auto product = [](unsigned a, unsigned b) { return std::uint16_t(a * b >> 16); };
-  for (std::size_t c = 0; c < 8; ++c)
-    for (std::size_t n = 0; n < most; ++n)
-      weights[c][n] = product(part(c, 0, n), product(part(c, 1, n), part(c, 2, n)));
+  for (std::size_t pair = 0; pair < 4; ++pair)
+    for (std::size_t n = 0; n < most; ++n) {
+      const std::uint16_t both = product(part(pair & 1, 1, n), part(pair >> 1, 2, n));
+      weights[2 * pair][n] = product(part(0, 0, n), both);
+      weights[2 * pair + 1][n] = product(part(1, 0, n), both);
+    }
 }
 
 void LabelReader::Shares::finish() {
-  std::array<Lanes<std::uint16_t>, 8> weights, shares;
+  std::array<Lanes<std::uint16_t>, 8> around, weights;
+  for (std::size_t n = 0; n < most; ++n)
+    for (std::size_t c = 0; c < 8; ++c) around[c][n] = shownAs_[eights_[n] >> 8 * c & 255];
   weigh(weights);
+  // Of voxels of the same number, the last one has its share, the ones before parts of it. Values are read
+  // before they are chosen among: such loops become vectors.
+  auto shares = weights;
   Lanes<std::uint16_t> largest{}, first;
-  first.fill(255);
-  // Values are read before they are chosen among: such loops become vectors.
-  for (std::size_t d = 0; d < 8; ++d)
-    for (std::size_t n = 0; n < most; ++n) {
-      std::uint16_t sum = 0;
-      for (std::size_t c = 0; c < 8; ++c) {
+  for (std::size_t d = 0; d < 8; ++d) {
+    for (std::size_t c = 0; c < d; ++c)
+      for (std::size_t n = 0; n < most; ++n) {
         const std::uint16_t weight = weights[c][n];
-        sum = std::uint16_t(sum + (around_[c][n] == around_[d][n] ? weight : 0));
+        shares[d][n] = std::uint16_t(shares[d][n] + (around[c][n] == around[d][n] ? weight : 0));
       }
-      shares[d][n] = sum;
-      largest[n] = sum > largest[n] ? sum : largest[n];
-    }
+    for (std::size_t n = 0; n < most; ++n) largest[n] = shares[d][n] > largest[n] ? shares[d][n] : largest[n];
+  }
+  constexpr std::uint16_t background = 256;  // behind all others
+  first.fill(background);
   for (std::size_t d = 0; d < 8; ++d)
     for (std::size_t n = 0; n < most; ++n) {
-      const std::uint16_t number = around_[d][n], before = first[n];
-      const std::uint16_t met = shares[d][n] == largest[n] ? number : std::uint16_t(255);
+      const std::uint16_t number = around[d][n] == 0 ? background : around[d][n], before = first[n];
+      const std::uint16_t met = shares[d][n] == largest[n] ? number : background;
       first[n] = met < before ? met : before;
     }
-  for (std::size_t n = 0; n < count_; ++n) numbers_[places_[n]] = std::uint8_t(first[n] + 1);
+  for (std::size_t n = 0; n < count_; ++n) numbers_[places_[n]] = std::uint8_t(first[n]);
   count_ = 0;
 }
 
@@ -265,14 +288,20 @@ void LabelReader::readLargest(const Line& line, std::span<std::uint8_t> numbers)
     const std::int64_t count = rest.within(low, high, to - from).second;
     const EightBricks bricks(map_, first);
     if (bricks.areOneLabel()) {
-      std::fill_n(&numbers[std::size_t(from)], count, shownAs_[*bricks.labels[0]]);
+      std::fill_n(&numbers[std::size_t(from)], count, shownAs_[bricks.firstLabel()]);
     } else {
-      unsigned read = placeInBrick(rest.first);
-      Eight eight = bricks.at(read);
-      for (std::int64_t n = from; n < from + count; ++n, rest.first += rest.step) {
-        if (const unsigned place = placeInBrick(rest.first); place != read) eight = bricks.at(read = place);
-        shares.find(std::size_t(n), eight, rest.first);
-      }
+      const auto follow = [&](const auto& eightAt) {
+        const unsigned start = placeInBrick(rest.first);
+        unsigned read = start;
+        Eight eight = eightAt(0);
+        for (std::int64_t n = from; n < from + count; ++n, rest.first += rest.step) {
+          if (const unsigned place = placeInBrick(rest.first); place != read)
+            read = place, eight = eightAt(std::ptrdiff_t(place) - std::ptrdiff_t(start));
+          shares.find(std::size_t(n), eight, rest.first);
+        }
+      };
+      bricks.areOfOneBrick() ? follow([&](std::ptrdiff_t far) { return bricks.ofOneBrick(far); })
+                             : follow([&](std::ptrdiff_t far) { return bricks.ofBricks(far); });
     }
     from += count;
   }

@@ -115,8 +115,9 @@ void SegmentSamples::noteNumbers(int row) {
 void SegmentSamples::count(int row, std::size_t number, int from, int to, std::uint16_t* counts) const {
   const auto parts = std::size_t(parts_.x), pixels = std::size_t(to - from);
   std::fill_n(counts, pixels, std::uint16_t(0));
+  const auto wanted = std::uint8_t(number);  // of the places' own width: sixteen are compared at once
   const auto add = [&](std::size_t x, std::uint8_t met) {
-    counts[x] = std::uint16_t(counts[x] + (met == number));
+    counts[x] = std::uint16_t(counts[x] + (met == wanted));
   };
   for (std::size_t n = 0; n < linesOfRow(); ++n) {
     const std::uint8_t* place = line(row, n).data() + std::size_t(from) * parts;
