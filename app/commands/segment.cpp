@@ -287,8 +287,7 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
   app.add_option("--csv", options->csv, "Write the numbers of all segments, a row each")->type_name("FILE");
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
   addExamples(app, {"volumen segment scans/ --recipe bone -o bone.stl",
-                    "volumen segment scans/ --range :-300 --csv air.csv -o air.seg.nrrd",
-                    "volumen segment scans/ --recipe lungs-and-airways --json"});
+                    "volumen segment scans/ --range :-300 --csv air.csv -o air.seg.nrrd"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 
