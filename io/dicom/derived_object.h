@@ -2,6 +2,7 @@
 
 #include "io/dicom/data_set.h"
 #include "io/dicom/header.h"
+#include "viewer/segment/code.h"
 
 namespace volumen::dicom {
 
@@ -14,6 +15,10 @@ std::vector<ReferencedPicture> readPictures(const DataSet& data, DataSet::Scope 
 
 /// What a file of kind `kind` says of itself.
 DerivedObject readDerivedObject(const DataSet& data, const FileHeader& header, DerivedKind kind);
+
+/// The first code of a sequence, empty where there is none; its value may be one of three attributes
+/// (PS3.3 8.8).
+Code codeAt(const DataSet& data, std::uint32_t sequence, DataSet::Scope scope);
 
 /// The file of an object of kind `kind`, and its elements. An Error is a sentence that names the file and why
 /// it is not such an object.

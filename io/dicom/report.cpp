@@ -15,16 +15,6 @@ using Scope = DataSet::Scope;
 
 constexpr std::uint32_t content = 0x0040a730, conceptName = 0x0040a043;
 
-Code codeAt(const DataSet& data, std::uint32_t tag, Scope item) {
-  const auto codes = data.items(tag, item);
-  if (codes.empty()) return {};
-  const auto text = [&](std::uint32_t part) { return data.utf8(part, codes[0]); };
-  Code code{text(0x00080100), text(0x00080102), text(0x00080104)};
-  for (const std::uint32_t longer : {0x00080119u, 0x00080120u})
-    if (code.value.empty()) code.value = text(longer);
-  return code;
-}
-
 Code nameOf(const DataSet& data, Scope item) { return codeAt(data, conceptName, item); }
 
 /// Reads one report; content items are walked without recursion.

@@ -24,16 +24,6 @@ using Scope = DataSet::Scope;
 
 constexpr std::uint32_t segmentOfFrame = 0x0062000a, typeOfSegment = 0x0062000f, numberOfFrames = 0x00280008;
 
-/// The first code of a sequence; its value may be one of three attributes (PS3.3 8.8).
-Code codeAt(const DataSet& data, std::uint32_t tag, Scope item) {
-  const auto codes = data.items(tag, item);
-  if (codes.empty()) return {};
-  Code code{{}, data.utf8(0x00080102, codes[0]), data.utf8(0x00080104, codes[0])};
-  for (const std::uint32_t value : {0x00080100u, 0x00080119u, 0x00080120u})
-    if (code.value.empty()) code.value = data.utf8(value, codes[0]);
-  return code;
-}
-
 /// Reads one segmentation object.
 class SegmentationReader {
  public:

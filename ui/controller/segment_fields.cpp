@@ -20,11 +20,11 @@ QString megabytes(std::size_t bytes) {
 }
 
 // The Error: it would take more than so many bytes.
-Result<std::shared_ptr<const OccupancyField>> fieldOf(const MadeSurface& surface, const MadeSurface* before,
+Result<std::shared_ptr<const OccupancyField>> fieldOf(const MadeSurface& made, const MadeSurface* before,
                                                       const BitMask* kept, std::size_t mostBytes,
                                                       const CancelToken& cancel) {
-  const LabelMap& labels = *surface.labels;
-  const auto number = std::uint8_t(surface.number);
+  const LabelMap& labels = *made.labels;
+  const auto number = std::uint8_t(made.number);
   if (before && before->field && holdSame(labels, *before->labels, number)) return before->field;
   BitMask voxels = maskOf(labels, number);
   if (kept) voxels = intersected(std::move(voxels), *kept);

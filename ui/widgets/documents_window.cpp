@@ -6,6 +6,9 @@
 #include <QListWidget>
 #include <QTextBrowser>
 
+// Outside the namespace, as Qt asks. Without this, the linker leaves the pages in their library.
+static void loadPages() { Q_INIT_RESOURCE(documents); }
+
 namespace volumen {
 namespace {
 
@@ -28,6 +31,7 @@ QString titleOf(const QString& page) {
 }  // namespace
 
 DocumentsWindow::DocumentsWindow(QWidget* parent) : QDialog(parent) {
+  loadPages();
   setObjectName(QStringLiteral("documents"));
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("volumen: documentation"));
