@@ -180,6 +180,11 @@ void TestLabelImage::whatIsNoImageOfLabelsIsRefused() {
     writeValues(path, {0, 1, wrong});
     QVERIFY(refused(path, "no labels"));
   }
+  writeValues(path, {0, 1, 1});
+  writeText(labelTableOf(path), "1 2 3 4 1 1 1 \"a\"\n1 5 6 7 1 1 1 \"b\"\n");
+  const auto twice = readLabelImage(path);
+  QVERIFY(!twice);
+  QCOMPARE(twice.message(), labelTableOf(path) + " has two rows for the label 1.");
   std::vector<float> many(256);
   for (std::size_t n = 0; n < many.size(); ++n) many[n] = float(n + 1);
   writeValues(path, many);
