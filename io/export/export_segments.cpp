@@ -15,6 +15,7 @@
 #include "io/files/output_file.h"
 #include "io/study/series.h"
 #include "viewer/volume/free_name.h"
+#include "viewer/volume/listed_first.h"
 
 namespace volumen {
 
@@ -48,7 +49,11 @@ Exported asLabels(const Export& e) {
                  ": an image of labels has one segment at each voxel, and these are in several maps, as what "
                  "overlaps is; .seg.nrrd and .dcm hold them."};
   if (Status s = writeLabelImage(e.maps.front(), e.path, e.progress, e.cancel); !s) return s.error();
-  return ExportedSegments{{e.path}, {}};
+  ExportedSegments done{{e.path}, {}};
+  if (const auto changed = namesChangedInTable(e.maps.front().segments); !changed.empty())
+    done.notes.push_back("Names in " + labelTableOf(e.path) +
+                         " have one line without quotation marks: " + listedFirst(changed) + ".");
+  return done;
 }
 
 // As part of the name of a file: what a folder would read otherwise becomes "_", long ones are cut.

@@ -16,12 +16,12 @@ inline void fields(Wire& w, LabelRow& r) { w(r.value, r.segment, r.segment.visib
 
 namespace {
 
-std::string quoted(std::string name) {
+std::string nameInTable(std::string name) {
   for (char& c : name) {
     if (c == '"') c = '\'';
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
   }
-  return '"' + name + '"';
+  return name;
 }
 
 std::string rowText(const Segment& s) {
@@ -29,7 +29,7 @@ std::string rowText(const Segment& s) {
   char numbers[96];
   std::snprintf(numbers, sizeof numbers, "%5d %5d %4d %4d %8s %2d %2d    ", s.number, colour.x, colour.y,
                 colour.z, exactText(s.opacity).c_str(), s.visible, s.visible);
-  return numbers + quoted(s.label) + '\n';
+  return numbers + ('"' + nameInTable(s.label)) + "\"\n";
 }
 
 // Number, red, green, blue, opacity, shown, mesh shown, "name"; nothing where it is none.
@@ -81,6 +81,14 @@ std::string labelTableOf(const std::string& image) {
     if (const std::string name = lowerCase(image); name.ends_with(ending))
       return image.substr(0, image.size() - std::string_view(ending).size()) + ".label";
   return image + ".label";
+}
+
+std::vector<std::string> namesChangedInTable(std::span<const Segment> segments) {
+  std::vector<std::string> changed;
+  for (const Segment& segment : segments)
+    if (std::string name = nameInTable(segment.label); name != segment.label)
+      changed.push_back(std::move(name));
+  return changed;
 }
 
 Result<OutputFile> writeLabelTable(std::span<const Segment> segments, const std::string& path) {

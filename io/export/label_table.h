@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "io/files/image_header.h"
 #include "io/files/output_file.h"
@@ -15,8 +16,11 @@ namespace volumen {
 /// shown, name.
 std::string labelTableOf(const std::string& image);
 
-/// A quotation mark in a name becomes an apostrophe, a line end a blank. It is there once it is committed.
+/// A quotation mark in a name becomes an apostrophe, a line end, a tab and the like a blank. It is there once
+/// it is committed.
 Result<OutputFile> writeLabelTable(std::span<const Segment> segments, const std::string& path);
+/// What such a table calls the segments that it calls otherwise.
+std::vector<std::string> namesChangedInTable(std::span<const Segment> segments);
 
 /// A row of such a table, and the number that it is for.
 struct LabelRow {

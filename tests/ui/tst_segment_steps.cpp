@@ -32,6 +32,7 @@ class TestSegmentSteps : public QObject {
   void aStepIsAJobAndAnUndoStep();
   void theUsualOnesAreAClick();
   void aWordOfAnotherKindIsNotTaken();
+  void aReversedRangeIsNotTaken();
   void partsBecomeSegments();
   void allAreSmoothedTogether();
   void theFewThatAreKnownInClosedForm();
@@ -122,6 +123,19 @@ void TestSegmentSteps::aWordOfAnotherKindIsNotTaken() {
   const auto again = readSteps(stepsJson(w.map()->steps));
   QVERIFY2(again, again ? "" : again.message().c_str());
   QVERIFY(*again == w.map()->steps);
+}
+
+// No recipe can hold it.
+void TestSegmentSteps::aReversedRangeIsNotTaken() {
+  SegmentWindow w;
+  QVERIFY(w.makeBoth());
+  w.chooseStep("range");
+  w.setField("low", 500);
+  w.setField("high", 400);
+  const QAbstractButton* apply = w.button("segmentApply");
+  QVERIFY(!apply->isEnabled() && apply->toolTip().contains(QStringLiteral("ends below where it begins")));
+  w.setField("high", 500);
+  QVERIFY(apply->isEnabled());
 }
 
 void TestSegmentSteps::partsBecomeSegments() {

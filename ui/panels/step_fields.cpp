@@ -13,6 +13,7 @@
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "viewer/recipe/step_names.h"
 
 namespace volumen {
 
@@ -22,11 +23,6 @@ bool isOfValues(const StepField& field) { return std::string_view(field.unit) ==
 
 bool namesSegment(const StepField& field) {
   return std::holds_alternative<std::string>(field.byDefault) && field.words.empty();
-}
-
-// Counts are whole.
-bool isCount(const StepField& field) {
-  return *field.unit == '\0' && std::holds_alternative<double>(field.byDefault) && field.allowed.low >= 1;
 }
 
 }  // namespace
@@ -90,7 +86,9 @@ QWidget* StepFields::numberFor(const StepField& field) {
   auto* spin = new QDoubleSpinBox;
   const bool ofValues = isOfValues(field) && session_.series();
   const double factor = ofValues ? shownScale(session_.series()->series).factor : 1;
-  spin->setDecimals(isCount(field) ? 0 : ofValues ? valueDecimals(*session_.series()) : 2);
+  spin->setDecimals(field.number == StepField::Number::whole ? 0
+                    : ofValues                               ? valueDecimals(*session_.series())
+                                                             : 2);
   spin->setRange(std::max(-most, factor * field.allowed.low), std::min(most, factor * field.allowed.high));
   spin->setSuffix(ofValues              ? unitSuffix(session_.series()->series)
                   : *field.unit == '\0' ? QString()
@@ -181,6 +179,7 @@ std::map<std::string, StepValue> StepFields::valuesFor(const StepKind& kind) con
 QString StepFields::whyNot(const StepKind& kind) const {
   const QString why = whyNotChanged(session_);
   if (!why.isEmpty()) return why;
+  if (isRangeReversed({kind.name, {}, valuesFor(kind)})) return tr("The range ends below where it begins.");
   for (const StepField& field : kind.fields) {
     if (!namesSegment(field)) continue;
     const std::string name = segmentOf(field);

@@ -6,6 +6,7 @@
 
 #include "viewer/recipe/recipe.h"
 #include "viewer/recipe/step_kinds.h"
+#include "viewer/recipe/step_names.h"
 #include "viewer/scene/json_fields.h"
 #include "viewer/scene/number_text.h"
 #include "viewer/scene/similar_name.h"
@@ -20,6 +21,11 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t mostSegments = 255, mostPlaces = 100000;
 constexpr double mostMm = 1e12;  // of a place from the origin: beyond, voxels are no numbers any more
 
+// Codes of files may lack some.
+bool hasAllParts(const Code& code) {
+  return !isBlank(code.value) && !isBlank(code.scheme) && !isBlank(code.meaning);
+}
+
 Code readCode(JsonFields* from, const char* name) {
   Code code;
   if (auto fields = from->object(name)) {
@@ -27,6 +33,8 @@ Code readCode(JsonFields* from, const char* name) {
     fields->read("scheme", code.scheme);
     fields->read("meaning", code.meaning);
     fields->refuseOthers();
+    if (!hasAllParts(code))
+      from->refuse(from->pathOf(name), "must have a value, its scheme and its meaning, or be left out");
   }
   return code;
 }
@@ -75,6 +83,8 @@ double readNumber(JsonFields& fields, const StepField& field) {
     fields.refuse(fields.pathOf(field.name), "must be from " + numberText(field.allowed.low) + " to " +
                                                  numberText(field.allowed.high) + ", not " +
                                                  numberText(number));
+  if (field.number == StepField::Number::whole && number != std::floor(number))
+    fields.refuse(fields.pathOf(field.name), "must be a whole number, not " + numberText(number));
   return number;
 }
 
@@ -140,6 +150,9 @@ Step readStep(JsonFields fields) {
     return step;
   }
   for (const StepField& field : kind->fields) readField(fields, field, step);
+  if (isRangeReversed(step))
+    fields.refuse(fields.pathOf("low"), "must be at most \"high\", which is " +
+                                            numberText(std::get<double>(step.fields.at("high"))));
   fields.refuseOthers();
   return step;
 }
@@ -148,6 +161,21 @@ void readSteps(JsonFields& fields, std::vector<Step>& steps) {
   fields.readList("steps", steps, readStep);
   if (steps.size() > mostSteps)
     fields.refuse("steps", "must be at most " + std::to_string(mostSteps) + " steps");
+}
+
+// Where no step made a segment, one that leaves it empty is about another: a mistyped name.
+void checkOrder(const std::vector<Step>& steps, JsonFields& fields) {
+  std::set<std::string> made;
+  for (std::size_t n = 0; n < steps.size(); ++n) {
+    const Step& step = steps[n];
+    if (leavesEmpty(step) && !made.contains(step.segment)) {
+      const auto meant = similarName(step.segment, {made.begin(), made.end()});
+      return fields.refuse(fields.pathOf("steps", n) + ".segment",
+                           JsonFields::quoted(step.segment) + " is made by no step before \"" + step.kind +
+                               '"' + (meant ? ": " + JsonFields::quoted(*meant) + " is" : std::string()));
+    }
+    for (const std::string& name : changedBy(step)) made.insert(name);
+  }
 }
 
 void checkNames(const Recipe& recipe, JsonFields& fields) {
@@ -172,7 +200,7 @@ Json segmentJson(const Segment& segment) {
   if (!segment.description.empty()) json["description"] = segment.description;
   for (const auto& [name, code] :
        {std::pair("category", &segment.category), {"type", &segment.type}, {"modifier", &segment.modifier}})
-    if (*code != Code()) json[name] = codeJson(*code);
+    if (hasAllParts(*code)) json[name] = codeJson(*code);
   if (segment.colour) json["colour"] = {segment.colour->r, segment.colour->g, segment.colour->b};
   return json;
 }
@@ -229,6 +257,7 @@ Result<Recipe> readRecipe(const std::string& json) {
   if (recipe.segments.empty() || recipe.segments.size() > mostSegments)
     fields.refuse("segments", "must be a list of 1 to " + std::to_string(mostSegments) + " segments");
   for (std::size_t n = 0; n < recipe.segments.size(); ++n) recipe.segments[n].number = int(n + 1);
+  checkOrder(recipe.steps, fields);
   checkNames(recipe, fields);
   fields.refuseOthers();
   if (!problem.empty()) return Error{problem};

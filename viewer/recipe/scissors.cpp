@@ -20,6 +20,7 @@ glm::dvec3 unitAcross(glm::dvec3 unit) {
 
 // The lasso that goes through these places, seen from the first place of a line along it.
 Result<Lasso> lassoThrough(const ScissorsPlaces& outline, const ScissorsPlaces& sight, bool perspective) {
+  if (outline.size() < 3) return Error{"outline must be three places or more"};
   if (sight.size() != 2 || !(glm::distance(sight[0], sight[1]) > 0))
     return Error{"sight must be two places, one behind the other"};
   const glm::dvec3 forward = glm::normalize(sight[1] - sight[0]);

@@ -45,6 +45,7 @@ class StepInput {
 /// What a step can be told. Its type is that of `byDefault`.
 struct StepField {
   enum class Need { no, yes };
+  enum class Number { real, whole };
   const char* name;
   const char* title;  ///< for people
   const char* unit;   ///< "mm", "ml", "value"; empty: none
@@ -52,12 +53,14 @@ struct StepField {
   ValueRange allowed{};              ///< of a number, both ends inside
   std::vector<const char*> words{};  ///< that a text may be; none: it is the name of a segment
   Need need = Need::no;              ///< whether it must be given
+  Number number = Number::real;      ///< whole: it counts something
 };
 
 /// A kind of step.
 struct StepKind {
-  /// What becomes of its segment: it is made, whatever it was; changed; or only made smaller.
-  enum class Use { makes, changes, narrows };
+  /// What becomes of its segment: it is made, whatever it was; changed; changed, but left empty where it is
+  /// empty; or only made smaller.
+  enum class Use { makes, changes, reshapes, narrows };
   const char* name;
   const char* title;  ///< a few words, for people
   const char* says;   ///< what it makes of its segment, for people

@@ -48,9 +48,20 @@ bool onlyNarrows(const Step& step) {
   return kind && kind->use == StepKind::Use::narrows;
 }
 
+bool leavesEmpty(const Step& step) {
+  const StepKind* const kind = stepKind(step.kind);
+  return kind && (kind->use == StepKind::Use::reshapes || kind->use == StepKind::Use::narrows);
+}
+
 bool makesAnew(const Step& step) {
   const StepKind* const kind = stepKind(step.kind);
   return kind && kind->use == StepKind::Use::makes;
+}
+
+bool isRangeReversed(const Step& step) {
+  const auto low = step.fields.find("low"), high = step.fields.find("high");
+  return low != step.fields.end() && high != step.fields.end() &&
+         std::get<double>(low->second) > std::get<double>(high->second);
 }
 
 Step renamed(Step step, const std::function<std::string(const std::string&)>& name) {

@@ -16,9 +16,13 @@ std::vector<std::string> changedBy(const Step& step);
 /// The segments that it needs as they were before: those that its fields name, and all that it changes where
 /// it does not make them.
 std::vector<std::string> neededBy(const Step& step);
-/// Whether it can only make its segment smaller; whether it makes it, whatever it was.
+/// Whether it can only make its segment smaller; whether it leaves an empty one empty; whether it makes it,
+/// whatever it was.
 bool onlyNarrows(const Step& step);
+bool leavesEmpty(const Step& step);
 bool makesAnew(const Step& step);
+/// Whether its range of values ("low", "high") ends below where it begins.
+bool isRangeReversed(const Step& step);
 
 /// With other names of segments.
 Step renamed(Step step, const std::function<std::string(const std::string&)>& name);

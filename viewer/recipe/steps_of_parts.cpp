@@ -80,6 +80,7 @@ Result<BitMask> airTree(const StepInput& in) {
 
 std::vector<StepKind> stepsOfParts() {
   using Need = StepField::Need;
+  using enum StepField::Number;
   using enum StepKind::Use;
   constexpr double unlimited = std::numeric_limits<double>::infinity();
   const StepField neighbours{
@@ -92,7 +93,7 @@ std::vector<StepKind> stepsOfParts() {
       {"largest",
        "Keep largest",
        "its largest parts",
-       {{"count", "How many", "", 1.0, {1, 1000}}, neighbours},
+       {{"count", "How many", "", 1.0, {1, 1000}, {}, Need::no, whole}, neighbours},
        narrows,
        largest},
       {"islands",
@@ -144,7 +145,7 @@ std::vector<StepKind> stepsOfParts() {
       {"part",
        "Part of another",
        "the part of another segment that is so many-th in size; none where there are fewer",
-       {other, {"rank", "Rank", "", 2.0, {1, 1e6}}, neighbours},
+       {other, {"rank", "Rank", "", 2.0, {1, 1e6}, {}, Need::no, whole}, neighbours},
        makes,
        part},
       {"trachea",

@@ -37,6 +37,7 @@ std::optional<std::string> similarName(const std::string& word, const std::vecto
   std::optional<std::string> best;
   std::size_t least = word.size() / 3 + 1;
   for (const std::string& name : names) {
+    if (name.size() > word.size() + least) continue;
     const std::size_t d = distance(lowerCase(word), lowerCase(name));
     if (d < least) least = d, best = name;
   }

@@ -28,7 +28,8 @@ class TestSegmentCommand : public QObject {
   void wrongUsageIsRefused_data();
   void wrongUsageIsRefused();
   void failureLeavesNoFile();
-  void aNumberThatIsTooLargeIsNamed();
+  void whatIsWrongInARecipeIsNamed_data();
+  void whatIsWrongInARecipeIsNamed();
 };
 
 void TestSegmentCommand::labelsAndMeasuresARange_data() {
@@ -216,16 +217,34 @@ void TestSegmentCommand::failureLeavesNoFile() {
   QVERIFY(noFolder.err.contains("none/a.seg.nrrd") && noFolder.out.isEmpty());
 }
 
-void TestSegmentCommand::aNumberThatIsTooLargeIsNamed() {
+void TestSegmentCommand::whatIsWrongInARecipeIsNamed_data() {
+  QTest::addColumn<QByteArray>("steps");
+  QTest::addColumn<QByteArray>("sentence");
+  QTest::newRow("a number that is too large")
+      << QByteArray(R"({"step": "range", "segment": "A", "low": 1e400})")
+      << QByteArray("mine.json: Not JSON at line 2, column 57: steps[0].low is too large.");
+  QTest::newRow("a mistyped segment")
+      << QByteArray(R"({"step": "range", "segment": "A"}, {"step": "grow", "segment": "a"})")
+      << QByteArray(R"(mine.json: steps[1].segment "a" is made by no step before "grow": "A" is.)");
+  QTest::newRow("an outline of two places")
+      << QByteArray(R"({"step": "range", "segment": "A"}, {"step": "scissors", "segment": "A",
+                        "outline": [[0, 0, 0], [1, 1, 1]], "sight": [[0, 0, 0], [0, 0, 1]]})")
+      << QByteArray("Mine: Step 2, scissors: outline must be three places or more.");
+}
+
+void TestSegmentCommand::whatIsWrongInARecipeIsNamed() {
+  QFETCH(QByteArray, steps);
+  QFETCH(QByteArray, sentence);
   const QTemporaryDir folder;
-  writeBytes(folder.filePath(QStringLiteral("big.json")),
-             R"({"volumenRecipe": 1, "segments": [{"name": "A"}],
- "steps": [{"step": "range", "segment": "A", "low": 1e400}]})");
+  writeBytes(folder.filePath(QStringLiteral("mine.json")),
+             R"({"volumenRecipe": 1, "name": "Mine", "segments": [{"name": "A"}],
+ "steps": [)" + steps +
+                 "]}");
   const Outcome done =
-      runProgramIn(folder.path(), words("segment phantom:ramp:8 --recipe big.json -o a.seg.nrrd"));
+      runProgramIn(folder.path(), words("segment phantom:ramp:8 --recipe mine.json -o a.seg.nrrd"));
   QCOMPARE(done.status, 1);
-  QVERIFY2(done.err.contains("big.json: Not JSON at line 2, column 57: steps[0].low is too large."),
-           done.err.constData());
+  QVERIFY2(done.err.contains(sentence), done.err.constData());
+  QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("a.seg.nrrd"))));
 }
 
 VOLUMEN_TEST(TestSegmentCommand);

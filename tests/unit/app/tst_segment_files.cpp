@@ -23,6 +23,8 @@ class TestSegmentFiles : public QObject {
   void filesAreConverted();
   void aFileOfAnotherGridIsBroughtToThisOne();
   void overlapsStayOverlaps();
+  void namesThatTheFileCannotHoldAreTold_data();
+  void namesThatTheFileCannotHoldAreTold();
   void nothingIsWrittenOver_data();
   void nothingIsWrittenOver();
   void segmentsOfAFileMayReplaceIt_data();
@@ -121,6 +123,33 @@ void TestSegmentFiles::overlapsStayOverlaps() {
   QCOMPARE(refused.status, 1);
   QVERIFY2(refused.err.contains("in several maps"), refused.err.constData());
   QVERIFY(!QFile::exists(path("out.nii.gz")));
+}
+
+void TestSegmentFiles::namesThatTheFileCannotHoldAreTold_data() {
+  QTest::addColumn<QByteArray>("name");
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<QByteArray>("told");
+  const auto row = [](const char* what, const char* name, const char* file, const char* told) {
+    QTest::newRow(what) << QByteArray(name) << QString::fromLatin1(file) << QByteArray(told);
+  };
+  row("a quotation mark", R"(5\" bone)", "a.nii.gz", "5' bone.");
+  row("a line end", R"(a\nb)", "a.mha", "a b.");
+  row("a tab", R"(a\tb)", "a.nii.gz", "a b.");
+  row("a plain name", "a b", "a.mha", "");
+  row("a file that holds any", R"(5\" bone)", "a.seg.nrrd", "");
+}
+
+void TestSegmentFiles::namesThatTheFileCannotHoldAreTold() {
+  QFETCH(QByteArray, name);
+  QFETCH(QString, file);
+  QFETCH(QByteArray, told);
+  const QTemporaryDir folder;
+  writeBytes(folder.filePath(QStringLiteral("two.json")), twoSegments(name));
+  const Outcome done =
+      runProgramIn(folder.path(), words("segment phantom:ramp:16 --recipe two.json -o") << file);
+  QVERIFY2(done.status == 0, done.err.constData());
+  const QByteArray sentence = "Names in a.label have one line without quotation marks: " + told;
+  QVERIFY2(done.err.contains(sentence) != told.isEmpty(), done.err.constData());
 }
 
 void TestSegmentFiles::nothingIsWrittenOver_data() {

@@ -185,6 +185,12 @@ void TestLabelImage::whatIsNoImageOfLabelsIsRefused() {
   writeValues(path, many);
   QVERIFY(refused(path, "256 segments"));
   QVERIFY(refused(in(folder, "none.mha"), "cannot be opened"));
+  const std::string twice = in(folder, "twice.mha");
+  writeValues(twice, {0, 1, 1});
+  writeText(labelTableOf(twice), "1 2 3 4 1 1 1 \"a\"\n1 5 6 7 1 1 1 \"b\"\n");
+  const auto ofTwoRows = readLabelImage(twice);
+  QVERIFY(!ofTwoRows);
+  QCOMPARE(ofTwoRows.message(), labelTableOf(twice) + " has two rows for the label 1.");
   const Segmented made{{}, LabelMap(VoxelGeometry{.size = {2, 2, 2}})};
   const Status ending = writeLabelImage(made, in(folder, "a.png"));
   QVERIFY(!ending && ending.message().find(".nii.gz") != std::string::npos);

@@ -1,7 +1,9 @@
 // Guards recipes: their JSON both ways, what is refused by name, that those built in can be read, and that
 // steps work on the segments that they name.
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
@@ -9,6 +11,7 @@
 #include "tests/unit/suite.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/recipe/step_kinds.h"
+#include "viewer/recipe/step_names.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -21,6 +24,7 @@ class TestRecipe : public QObject {
   void randomOnesComeBack();
   void wrongOnesAreRefusedByName_data();
   void wrongOnesAreRefusedByName();
+  void onlyAWholeCodeIsWritten();
   void stepsMakeSegments();
   void helpIsNotKept();
   void helpIsLetGo_data();
@@ -53,8 +57,11 @@ QString columns(const LabelMap& labels, int label) {
 
 StepValue anyValue(const StepField& field, const std::string& segment, Chance& chance) {
   if (std::holds_alternative<bool>(field.byDefault)) return chance.oneIn(2);
-  if (std::holds_alternative<double>(field.byDefault))
-    return chance.between(std::max(field.allowed.low, -1e6), std::min(field.allowed.high, 1e6));
+  if (std::holds_alternative<double>(field.byDefault)) {
+    const double number =
+        chance.between(std::max(field.allowed.low, -1e6), std::min(field.allowed.high, 1e6));
+    return field.number == StepField::Number::whole ? std::round(number) : number;
+  }
   if (std::holds_alternative<std::string>(field.byDefault))
     return field.words.empty() ? segment : std::string(field.words[chance.below(int(field.words.size()))]);
   if (std::holds_alternative<std::vector<std::string>>(field.byDefault))
@@ -83,6 +90,7 @@ Recipe anyRecipe(std::uint64_t seed) {
     for (const StepField& field : kind.fields)
       if (field.need == StepField::Need::yes || chance.oneIn(2))
         step.fields[field.name] = anyValue(field, names[std::size_t(chance.below(3))], chance);
+    if (isRangeReversed(step)) std::swap(step.fields.at("low"), step.fields.at("high"));
     std::erase_if(step.fields, [&](const auto& given) {
       return std::ranges::any_of(kind.fields, [&](const StepField& field) {
         return field.name == given.first && field.byDefault == given.second;
@@ -159,6 +167,26 @@ void TestRecipe::wrongOnesAreRefusedByName_data() {
   step("no segment", R"({"step": "invert"})", "steps[0].segment must be the segment");
   step("a segment of a blank name", R"({"step": "invert", "segment": " "})",
        "steps[0].segment must be the segment");
+  const char* const made = R"({"step": "range", "segment": "A", "low": 1}, )";
+  const auto behind = [&](const char* name, const QByteArray& text, const char* says) {
+    step(name, (made + text).constData(), says);
+  };
+  behind("a step on a mistyped segment", R"({"step": "grow", "segment": "a"})",
+         R"(steps[1].segment "a" is made by no step before "grow": "A" is.)");
+  behind("a step on a segment that comes later",
+         R"({"step": "largest", "segment": "Bone"}, {"step": "range", "segment": "Bone"})",
+         R"(steps[1].segment "Bone" is made by no step before "largest".)");
+  step("seeds that none has made", R"({"step": "growFromSeeds", "segment": "A", "with": ["B"]})",
+       R"(steps[0].segment "A" is made by no step before "growFromSeeds".)");
+  behind("a count that is not whole", R"({"step": "largest", "segment": "A", "count": 1.9999})",
+         "steps[1].count must be a whole number, not 1.9999.");
+  behind("a rank that is not whole", R"({"step": "part", "segment": "A", "other": "A", "rank": 2.5})",
+         "steps[1].rank must be a whole number, not 2.5.");
+  step("a range that is reversed", R"({"step": "range", "segment": "A", "low": 5, "high": 3})",
+       R"(steps[0].low must be at most "high", which is 3.)");
+  step("a range to paint on that is reversed",
+       R"({"step": "paint", "segment": "A", "at": [[0, 0, 0]], "low": 5, "high": 3})",
+       R"(steps[0].low must be at most "high", which is 3.)");
   step("nothing makes a segment", R"({"step": "invert", "segment": "B"})", R"(is made by no step: "A")");
   QTest::newRow("no recipe") << QStringLiteral("{}") << QStringLiteral("volumenRecipe must be 1");
   QTest::newRow("a newer one") << QStringLiteral(R"({"volumenRecipe": 2})")
@@ -176,6 +204,17 @@ void TestRecipe::wrongOnesAreRefusedByName_data() {
       << QStringLiteral(
              R"({"volumenRecipe": 1, "segments": [{"name": "A", "colour": [0.5, 0, 0]}], "steps": [{"step": "invert", "segment": "A"}]})")
       << QStringLiteral("segments[0].colour must be three whole numbers");
+  const auto coded = [](const char* name, const char* field, const char* code) {
+    QTest::newRow(name)
+        << QStringLiteral(
+               R"({"volumenRecipe": 1, "segments": [{"name": "A", "%1": %2}], "steps": [{"step": "invert", "segment": "A"}]})")
+               .arg(QLatin1String(field), QLatin1String(code))
+        << QStringLiteral("segments[0].%1 must have a value, its scheme and its meaning")
+               .arg(QLatin1String(field));
+  };
+  coded("a code without its scheme", "type", R"({"value": "272673000", "meaning": "Bone"})");
+  coded("a code without its meaning", "category", R"({"value": "85756007", "scheme": "SCT"})");
+  coded("a code without its value", "modifier", R"({"scheme": "SCT", "meaning": "Left"})");
   QTest::newRow("modalities that are no list")
       << QStringLiteral(
              R"({"volumenRecipe": 1, "modalities": "CT", "segments": [{"name": "A"}], "steps": [{"step": "invert", "segment": "A"}]})")
@@ -192,6 +231,19 @@ void TestRecipe::wrongOnesAreRefusedByName() {
   const auto read = readRecipe(recipe.toStdString());
   QVERIFY(!read);
   QVERIFY2(QString::fromStdString(read.message()).contains(says), read.message().c_str());
+}
+
+// Files may hold codes in parts, and a recipe of their segments is read again.
+void TestRecipe::onlyAWholeCodeIsWritten() {
+  Recipe recipe;
+  recipe.segments = {named("A", 1)};
+  recipe.segments[0].category = {"85756007", "SCT", "Tissue"};
+  recipe.segments[0].type = {"272673000", "SCT", ""};
+  recipe.steps = {{"range", "A"}};
+  const auto again = readRecipe(recipeJson(recipe));
+  QVERIFY2(again, again ? "" : again.message().c_str());
+  QVERIFY(again->segments[0].category == recipe.segments[0].category);
+  QVERIFY(again->segments[0].type == Code());
 }
 
 void TestRecipe::stepsMakeSegments() {

@@ -225,26 +225,29 @@ void TestRecipeSteps::scissorsCutAsTheirLassoDoes() {
 }
 
 void TestRecipeSteps::scissorsThatSeeNothingAreRefused_data() {
+  QTest::addColumn<Places>("outline");
   QTest::addColumn<Places>("sight");
   QTest::addColumn<QString>("says");
+  const Places triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, sight{{0, 0, -9}, {0, 0, 0}};
+  QTest::newRow("an outline of two places")
+      << Places{{0, 0, 0}, {1, 0, 0}} << sight << QStringLiteral("scissors: outline must be three places");
   const QString twoPlaces = QStringLiteral("scissors: sight must be two places");
-  QTest::newRow("no line of sight") << Places{} << twoPlaces;
-  QTest::newRow("one place") << Places{{0, 0, -9}} << twoPlaces;
-  QTest::newRow("one place twice") << Places{{0, 0, -9}, {0, 0, -9}} << twoPlaces;
-  QTest::newRow("three places") << Places{{0, 0, -9}, {0, 0, 0}, {0, 0, 9}} << twoPlaces;
+  QTest::newRow("no line of sight") << triangle << Places{} << twoPlaces;
+  QTest::newRow("one place") << triangle << Places{{0, 0, -9}} << twoPlaces;
+  QTest::newRow("one place twice") << triangle << Places{{0, 0, -9}, {0, 0, -9}} << twoPlaces;
+  QTest::newRow("three places") << triangle << Places{{0, 0, -9}, {0, 0, 0}, {0, 0, 9}} << twoPlaces;
   QTest::newRow("the outline behind the eye")
-      << Places{{0, 0, 9}, {0, 0, 10}} << QStringLiteral("scissors: outline must lie before the first place");
+      << triangle << Places{{0, 0, 9}, {0, 0, 10}}
+      << QStringLiteral("scissors: outline must lie before the first place");
 }
 
 void TestRecipeSteps::scissorsThatSeeNothingAreRefused() {
+  QFETCH(Places, outline);
   QFETCH(Places, sight);
   QFETCH(QString, says);
   const VolumePtr volume = volumeOf<float>({3, 3, 3}, glm::dmat3(1), [](dvec3) { return 0; });
   NamedMasks masks{{"A", inverted(BitMask(volume->geometry()))}};
-  const Step step{
-      "scissors",
-      "A",
-      {{"outline", Places{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {"sight", sight}, {"perspective", true}}};
+  const Step step{"scissors", "A", {{"outline", outline}, {"sight", sight}, {"perspective", true}}};
   const Status made = runStep(step, *volume, masks);
   QVERIFY(!made && masks.at("A").count() == 27);
   QVERIFY2(QString::fromStdString(made.message()).startsWith(says), made.message().c_str());

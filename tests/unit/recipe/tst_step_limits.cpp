@@ -17,6 +17,7 @@
 #include "tests/unit/suite.h"
 #include "viewer/recipe/recipe.h"
 #include "viewer/recipe/step_kinds.h"
+#include "viewer/recipe/step_names.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -133,6 +134,8 @@ QString wrongStep(const StepKind& kind, const Step& step, const Volume& volume, 
   if (!areOfTheGrid(made, volume.geometry())) return QStringLiteral("voxels beyond the grid");
   if (kind.use == StepKind::Use::narrows && !subtracted(made.at("A"), before.at("A")).empty())
     return QStringLiteral("not made smaller");
+  if (leavesEmpty(step) && before.at("A").empty() && !made.at("A").empty())
+    return QStringLiteral("made of nothing");
   return {};
 }
 

@@ -2,6 +2,8 @@
 // locks, cuts, segments that are removed, merged, split and moved, its recipe makes the same voxels.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
@@ -12,6 +14,7 @@
 #include "ui/controller/segment_voxels.h"
 #include "ui/workspace/segment_maps.h"
 #include "viewer/recipe/step_kinds.h"
+#include "viewer/recipe/step_names.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -31,10 +34,14 @@ StepValue anyOf(const StepField& field, const SegmentMap& map, int own, Chance& 
   if (std::holds_alternative<bool>(field.byDefault)) return chance.oneIn(2);
   if (std::holds_alternative<double>(field.byDefault)) {
     const double most = std::string_view(field.unit) == "ml" ? 0.02 : 3;
-    return std::clamp(chance.between(0, most), field.allowed.low, field.allowed.high);
+    const double number = std::clamp(chance.between(0, most), field.allowed.low, field.allowed.high);
+    return field.number == StepField::Number::whole ? std::round(number) : number;
   }
-  if (std::holds_alternative<std::vector<glm::dvec3>>(field.byDefault))
-    return std::vector<glm::dvec3>{4.0 * chance.vector(), 4.0 * chance.vector()};
+  if (std::holds_alternative<std::vector<glm::dvec3>>(field.byDefault)) {
+    std::vector<glm::dvec3> places(std::string_view(field.name) == "outline" ? 3 : 2);
+    for (glm::dvec3& p : places) p = 4.0 * chance.vector();
+    return places;
+  }
   if (!field.words.empty())
     return std::string(field.words[std::size_t(chance.below(int(field.words.size())))]);
   std::vector<std::string> others;
@@ -61,6 +68,7 @@ StepsWanted anyStep(const SegmentMap& map, int own, Chance& chance, bool byHand)
   for (const StepField& field : kind->fields)
     if (!std::holds_alternative<std::vector<std::string>>(field.byDefault))
       step.fields[field.name] = anyOf(field, map, own, chance);
+  if (isRangeReversed(step)) std::swap(step.fields.at("low"), step.fields.at("high"));
   if (kind->runAll) step.fields["with"] = with, step.fields["locked"] = locked;
   return wanted;
 }
