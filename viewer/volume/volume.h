@@ -57,9 +57,7 @@ struct ValueRange {
 
 /// A range with its ends rounded to float32, as values of voxels are: what a file says is 0.7 lies from 0.7
 /// on.
-inline ValueRange inFloats(ValueRange range) {
-  return {double(float(range.low)), double(float(range.high))};
-}
+inline ValueRange inFloats(ValueRange range) { return {double(float(range.low)), double(float(range.high))}; }
 
 /// Whether the value of a voxel lies in a range, by inFloats().
 inline bool holds(ValueRange range, double value) {
