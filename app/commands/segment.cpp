@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "app/command.h"
 #include "app/open_volume.h"
@@ -19,7 +18,7 @@
 #include "ui/controller/recipe_files.h"
 #include "ui/controller/segment_recipes.h"
 #include "viewer/recipe/recipe.h"
-#include "viewer/recipe/step_kinds.h"
+#include "viewer/recipe/step_names.h"
 #include "viewer/scene/similar_name.h"
 #include "viewer/segment/names_and_colours.h"
 
@@ -123,16 +122,6 @@ void printJson(const SegmentNumbersTold& numbers, const Opened& opened, const Se
   all["warnings"] = sentences(opened.loaded.warnings);
   all["unread"] = unreadJson(opened.loaded.unread);
   std::cout << jsonText(all);
-}
-
-// Whether a step compares with a value that it names; a lesion by a value has one that may be left out.
-bool namesValue(const Step& step) {
-  const StepKind* const kind = stepKind(step.kind);
-  return kind && std::ranges::any_of(kind->fields, [&](const StepField& field) {
-           const auto given = step.fields.find(field.name);
-           return given != step.fields.end() && (std::string_view(field.unit) == "value" ||
-                                                 given->second == StepValue(std::string("value")));
-         });
 }
 
 void addNotes(Opened& opened, const SegmentSource& source, const SegmentNumbersTold& numbers) {

@@ -19,8 +19,6 @@ namespace volumen {
 
 namespace {
 
-bool isOfValues(const StepField& field) { return std::string_view(field.unit) == "value"; }
-
 bool namesSegment(const StepField& field) {
   return std::holds_alternative<std::string>(field.byDefault) && field.words.empty();
 }

@@ -1,6 +1,7 @@
 #include "viewer/recipe/step_names.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "viewer/recipe/step_kinds.h"
 
@@ -56,6 +57,18 @@ bool leavesEmpty(const Step& step) {
 bool makesAnew(const Step& step) {
   const StepKind* const kind = stepKind(step.kind);
   return kind && kind->use == StepKind::Use::makes;
+}
+
+bool isOfValues(const StepField& field) { return std::string_view(field.unit) == "value"; }
+
+bool namesValue(const Step& step) {
+  const StepKind* const kind = stepKind(step.kind);
+  return kind && std::ranges::any_of(kind->fields, [&](const StepField& field) {
+           const auto given = step.fields.find(field.name);
+           if (given == step.fields.end()) return false;
+           return isOfValues(field) ||
+                  (!field.words.empty() && given->second == StepValue(std::string("value")));
+         });
 }
 
 bool isRangeReversed(const Step& step) {

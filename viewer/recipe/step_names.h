@@ -9,6 +9,8 @@
 
 namespace volumen {
 
+struct StepField;
+
 // Which segments steps are about. A step of an unknown kind is about its own alone.
 
 /// The segments that a step changes, its own first.
@@ -21,6 +23,10 @@ std::vector<std::string> neededBy(const Step& step);
 bool onlyNarrows(const Step& step);
 bool leavesEmpty(const Step& step);
 bool makesAnew(const Step& step);
+/// Whether a field is a value of the series.
+bool isOfValues(const StepField& field);
+/// Whether a step compares with a value of its own; a lesion by a value may leave it out.
+bool namesValue(const Step& step);
 /// Whether its range of values ("low", "high") ends below where it begins.
 bool isRangeReversed(const Step& step);
 

@@ -118,6 +118,9 @@ void TestSegmentCommand::valuesOfPetAreSaidToBeInTheUnitOfTheFile_data() {
   QTest::newRow("the value of a lesion, left out")
       << R"({"step": "invert", "segment": "B"}, {"step": "lesion", "segment": "A", "in": "B", "by": "value"})"
       << true;
+  QTest::newRow("a segment of that name")
+      << R"({"step": "invert", "segment": "value"}, {"step": "copy", "segment": "A", "other": "value"})"
+      << false;
   QTest::newRow("a share")
       << R"({"step": "invert", "segment": "B"}, {"step": "lesion", "segment": "A", "in": "B"})" << false;
 }
