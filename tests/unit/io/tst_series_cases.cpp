@@ -2,10 +2,9 @@
 // make one volume, in which order, and what each is called.
 #include <algorithm>
 
-#include "io/load.h"
 #include "io/open.h"
 #include "tests/fixtures/fixtures.h"
-#include "tests/unit/io/dicom_folder.h"
+#include "tests/unit/io/series_summary.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
@@ -21,24 +20,6 @@ class TestSeriesCases : public QObject {
 namespace {
 
 const QString comma = QStringLiteral(",");
-
-QString number(double v) { return QString::number(v, 'g', 6); }
-
-/// "8x8x5 1,1,2 @0,0,1: 0,2,4,6,8", and what separated it: "; TE 2 ms".
-QString summary(const Series& s) {
-  const glm::dvec3 mm = s.acquired.spacing(), o = s.acquired.origin;
-  QString text =
-      QStringLiteral("%1x%2x%3 ").arg(s.acquired.size.x).arg(s.acquired.size.y).arg(s.acquired.size.z);
-  text += QStringLiteral("%1,%2,%3 @%4,%5,%6: ")
-              .arg(number(mm.x), number(mm.y), number(mm.z), number(o.x), number(o.y), number(o.z));
-  const auto loaded = loadSeries(s);
-  if (!loaded) return text + QString::fromStdString(loaded.message());
-  QStringList values;
-  for (const float v : firstOfEachSlice(*loaded->acquired)) values << number(v);
-  text += values.join(comma);
-  for (const SplitBy& by : s.splitBy) text += QStringLiteral("; ") + QString::fromStdString(by.words);
-  return text;
-}
 
 }  // namespace
 
@@ -112,7 +93,7 @@ void TestSeriesCases::picturesThatBelongTogether() {
   QVERIFY(study.ok());
   QStringList found;
   for (const Series& s : study->volumes) {
-    found << summary(s);
+    found << summaryOf(s);
     QVERIFY2(told.isEmpty() || warns(s.warnings, told.toStdString()),
              s.warnings.empty() ? "no warning" : s.warnings[0].sentence.c_str());
     QVERIFY(!warns(s.warnings, notTold.toStdString()));
