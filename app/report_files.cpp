@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "io/files/output_file.h"
 #include "io/files/picture_file.h"
+#include "ui/overlays/picture_font.h"
 
 namespace volumen {
 
@@ -69,6 +70,7 @@ void prepareFonts() {
       qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
   static const QGuiApplication application(argc, argv);
   qInstallMessageHandler(before);
+  QGuiApplication::setFont(pictureFont());
 }
 
 }  // namespace volumen

@@ -25,7 +25,7 @@ install_packages() {
 
 build_packages=(g++ cmake ninja-build pkg-config qt6-base-dev libqt6opengl6-dev qt6-svg-dev libglm-dev libtbb-dev
   libhwy-dev libdcmtk-dev libopenjp2-7-dev zlib1g-dev libbz2-dev libarchive-dev libepoxy-dev libegl-dev libgl-dev
-  libcli11-dev nlohmann-json3-dev libinsighttoolkit5-dev)
+  libcli11-dev nlohmann-json3-dev libinsighttoolkit5-dev fonts-dejavu-core)
 run_packages=(qt6-qpa-plugins libqt6sql6-sqlite libqt6svg6 libgl1-mesa-dri libegl-mesa0 libegl1 libgl1)
 
 # build PRESET [TARGET...]: configures where that was not done and builds.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tests/ui/frames_window.h"
+#include "ui/overlays/picture_font.h"
 #include "ui/views/cine_player.h"
 #include "ui/workspace/cine.h"
 
@@ -165,7 +166,7 @@ void TestClips::aClipThatIsTooSlowIsRed() {
   Overlays over;
   over.topRight = {QStringLiteral("Frame 1 / 2"), QStringLiteral("px")};
   over.isLate = true;
-  for (const PlacedText& text : placeOverlays(over, QRectF(0, 0, 400, 300), QFont()).texts)
+  for (const PlacedText& text : placeOverlays(over, QRectF(0, 0, 400, 300), pictureFont()).texts)
     QCOMPARE(text.late, text.text.startsWith(QStringLiteral("Frame")));
 }
 

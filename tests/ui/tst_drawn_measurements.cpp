@@ -5,6 +5,7 @@
 
 #include "tests/fixtures/chance.h"
 #include "tests/unit/suite.h"
+#include "ui/overlays/picture_font.h"
 #include "ui/views/drawn_measurement.h"
 
 using namespace volumen;
@@ -104,7 +105,7 @@ void TestDrawnMeasurements::textsStandBesideTheirShapes() {
   QFETCH(QRectF, shape);
   const std::vector<QRectF> taken{{208, 0, 60, 140}};
   std::vector<DrawnMeasurement> drawn{boxOf(1, shape)};
-  placeTexts(drawn, area, taken, QFontMetricsF(QFont()));
+  placeTexts(drawn, area, taken, QFontMetricsF(pictureFont()));
   QVERIFY(!drawn[0].textRect.isEmpty() && area.contains(drawn[0].textRect));
   QVERIFY(!drawn[0].textRect.intersects(shape));
   QVERIFY(!drawn[0].textRect.intersects(taken[0]));
@@ -114,7 +115,7 @@ void TestDrawnMeasurements::manyTextsKeepApart() {
   std::vector<DrawnMeasurement> drawn;
   for (int n = 0; n < 12; ++n)
     drawn.push_back(lineOf(n, {{30.0 + 25 * n, 40.0 + 15 * n}, {70.0 + 25 * n, 50.0 + 15 * n}}));
-  placeTexts(drawn, area, {}, QFontMetricsF(QFont()));
+  placeTexts(drawn, area, {}, QFontMetricsF(pictureFont()));
   for (const DrawnMeasurement& d : drawn)
     for (const DrawnMeasurement& other : drawn) {
       if (d.id != other.id) QVERIFY(!d.textRect.intersects(other.textRect));
@@ -128,7 +129,7 @@ void TestDrawnMeasurements::manyTextsKeepApart() {
 // There is no place beside it; a number that is not seen would be worse.
 void TestDrawnMeasurements::whatFillsTheViewKeepsItsText() {
   std::vector<DrawnMeasurement> drawn{boxOf(1, {-10, -10, 500, 400}), boxOf(2, {500, 500, 10, 10})};
-  placeTexts(drawn, area, {}, QFontMetricsF(QFont()));
+  placeTexts(drawn, area, {}, QFontMetricsF(pictureFont()));
   QVERIFY(area.contains(drawn[0].textRect));
   QVERIFY2(drawn[1].textRect.isEmpty(), "what is outside the view has none");
 }
@@ -159,8 +160,8 @@ void TestDrawnMeasurements::textsByChanceKeepApart() {
       drawn.back().text << QStringLiteral("Mean 45.2, SD 3.1");
   }
   std::vector<DrawnMeasurement> again = drawn;
-  placeTexts(drawn, large, taken, QFontMetricsF(QFont()));
-  placeTexts(again, large, taken, QFontMetricsF(QFont()));
+  placeTexts(drawn, large, taken, QFontMetricsF(pictureFont()));
+  placeTexts(again, large, taken, QFontMetricsF(pictureFont()));
   for (int n = 0; n < count; ++n) {
     const QRectF text = drawn[std::size_t(n)].textRect;
     QVERIFY(!text.isEmpty() && large.contains(text));
@@ -172,7 +173,7 @@ void TestDrawnMeasurements::textsByChanceKeepApart() {
 
 // A number that lies over another is better than none.
 void TestDrawnMeasurements::aFullAreaHasNoSecondPlace() {
-  const QFontMetricsF metrics{QFont()};
+  const QFontMetricsF metrics{pictureFont()};
   const QRectF narrow(0, 0, metrics.horizontalAdvance(QStringLiteral("23.4 mm")) + 8, metrics.height() + 8);
   std::vector<DrawnMeasurement> drawn{lineOf(1, {{2, 2}}), lineOf(2, {{4, 4}})};
   placeTexts(drawn, narrow, {}, metrics);
@@ -180,7 +181,7 @@ void TestDrawnMeasurements::aFullAreaHasNoSecondPlace() {
 }
 
 void TestDrawnMeasurements::aSmallViewHasALegend() {
-  const QFontMetricsF metrics{QFont()};
+  const QFontMetricsF metrics{pictureFont()};
   const QRectF small(0, 0, 260, 240);
   const std::vector<QRectF> taken{{0, 220, 100, 20}, {60, 0, 100, 20}};
   std::vector<DrawnMeasurement> drawn{lineOf(7, {{60, 60}, {120, 90}}), boxOf(8, {130, 100, 60, 40}),
@@ -238,7 +239,7 @@ void TestDrawnMeasurements::whatIsLargeOrAloneHasNone() {
   QFETCH(int, count);
   std::vector<DrawnMeasurement> drawn;
   for (int n = 0; n < count; ++n) drawn.push_back(lineOf(n, {{5.0 + 20 * n, 10}, {15.0 + 20 * n, 12}}));
-  placeLegend(drawn, {{0, 0}, size}, {}, QFontMetricsF(QFont()));
+  placeLegend(drawn, {{0, 0}, size}, {}, QFontMetricsF(pictureFont()));
   for (const DrawnMeasurement& d : drawn) QVERIFY(d.letter.isEmpty() && d.legendRect.isEmpty());
 }
 

@@ -3,6 +3,7 @@
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/overlays/overlays.h"
+#include "ui/overlays/picture_font.h"
 #include "ui/overlays/readable_text.h"
 #include "ui/overlays/view_overlays.h"
 #include "ui/widgets/tissues.h"
@@ -76,7 +77,7 @@ void TestOverlays::nothingTouchesAnythingElse() {
   Overlays overlays = everything();
   if (cube) overlays.taken.emplace_back(8, size.height() - 118, 132, 110);
   const QRectF area(QPointF(), size);
-  const PlacedOverlays placed = placeOverlays(overlays, area, QFont());
+  const PlacedOverlays placed = placeOverlays(overlays, area, pictureFont());
   std::vector<QRectF> rects = overlays.taken;
   for (const PlacedText& text : placed.texts) rects.push_back(text.rect);
   if (!placed.scaleBar.isEmpty()) rects.push_back(placed.scaleBar);
@@ -92,7 +93,7 @@ void TestOverlays::nothingTouchesAnythingElse() {
 
 void TestOverlays::allOfItFindsRoomInAUsualView() {
   const Overlays overlays = everything();
-  const PlacedOverlays placed = placeOverlays(overlays, {0, 0, 1200, 800}, QFont());
+  const PlacedOverlays placed = placeOverlays(overlays, {0, 0, 1200, 800}, pictureFont());
   QCOMPARE(int(placed.texts.size()), int(overlays.topLeft.size() + overlays.topRight.size() + 6));
   for (const PlacedText& text : placed.texts)
     QVERIFY2(!text.text.contains(QChar(0x2026)), qPrintable(text.text));
@@ -155,7 +156,7 @@ void TestOverlays::textIsReadableOnAnything() {
   painter.end();
   // Bright strokes, and dark at both sides of each.
   int strokes = 0;
-  const QRectF text = placeOverlays(overlays, {0, 0, 300, 60}, QFont()).texts.at(0).rect;
+  const QRectF text = placeOverlays(overlays, {0, 0, 300, 60}, pictureFont()).texts.at(0).rect;
   const int y = int(text.center().y());
   for (int x = int(text.left()) + 1; x < text.right(); ++x) {
     const auto grey = [&](int at) { return qGray(image.pixel(at, y)); };
@@ -203,7 +204,7 @@ void TestOverlays::tissuesAreNamedWhereTheyAre() {
 void TestOverlays::eachWarningHasItsLine() {
   Overlays o;
   o.warning = QStringLiteral("Gantry tilt\nSlices interpolated");
-  const PlacedOverlays placed = placeOverlays(o, {0, 0, 400, 300}, QFont());
+  const PlacedOverlays placed = placeOverlays(o, {0, 0, 400, 300}, pictureFont());
   QCOMPARE(placed.texts.size(), std::size_t(2));
   QVERIFY(placed.texts[1].rect.top() >= placed.texts[0].rect.bottom());
   QVERIFY(placed.texts[0].warning && placed.texts[1].warning);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/overlays/picture_font.h"
+
 namespace volumen {
 
 namespace {
@@ -19,7 +21,7 @@ void annotate(QImage& image, Overlays overlays) {
   image.setDotsPerMeterY(dotsPerMeter);
   {
     QPainter painter(&image);
-    QFont font;
+    QFont font = pictureFont();
     font.setPointSizeF(textPoints);
     painter.setFont(font);
     const QFontMetricsF metrics(font, &image);

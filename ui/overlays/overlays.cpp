@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/overlays/picture_font.h"
 #include "ui/overlays/readable_text.h"
 
 namespace volumen {
@@ -15,11 +16,6 @@ constexpr double longestBar = 200, shortestBar = 24;
 
 const QColor textColour(0xf2, 0xf4, 0xf6), warningColour(0xff, 0xc8, 0x5a), lateColour(0xff, 0x6b, 0x6b),
     rimColour(0, 0, 0, 230);
-
-// Letters with serifs: an I must not look like a stroke.
-QFont letterFont(const QFont& font) {
-  return QFont(QStringLiteral("monospace"), font.pointSize() + 2, QFont::Bold);
-}
 
 QFont largeFont(QFont font) {
   font.setPointSizeF(1.6 * font.pointSizeF());

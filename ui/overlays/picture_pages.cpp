@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/overlays/picture_font.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -48,7 +49,7 @@ class PagePainter {
 
   // Cut where it is too long.
   void line(const QString& text, QPointF mm, double widthMm, double heightMm, Qt::Alignment alignment) {
-    QFont font;
+    QFont font = pictureFont();
     font.setPixelSize(std::max(1, int(std::lround(heightMm * dotsPerMm_))));
     painter_.setFont(font);
     const QString fitting =

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "ui/overlays/picture_font.h"
 #include "ui/overlays/readable_text.h"
 
 namespace volumen {
@@ -13,7 +14,7 @@ namespace {
 constexpr int sheetGap = 4;  // pixels, between pictures and around them
 
 QFont sheetFont(int pixels) {
-  QFont font;
+  QFont font = pictureFont();
   font.setPixelSize(pixels);
   return font;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/overlays/picture_font.h"
+
 namespace volumen {
 
 namespace {
@@ -111,7 +113,7 @@ void paintGraphics(QPainter& painter, const FramePresentation& how, const Annota
 void paintGraphics(QImage& image, const FramePresentation& how, const PresentedGrid& grid) {
   image = image.convertToFormat(QImage::Format_RGB32);
   QPainter painter(&image);
-  QFont font = painter.font();
+  QFont font = pictureFont();
   font.setPixelSize(std::clamp(image.height() / 40, 9, 32));
   painter.setFont(font);
   paintGraphics(painter, how, [&](glm::dvec2 position, AnnotationUnits units) {

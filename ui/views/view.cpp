@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/overlays/picture_font.h"
 #include "ui/widgets/drop_mark.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
@@ -55,6 +56,7 @@ View::View(Session& session, ViewId id, QWidget* parent)
     loading_->raise();
     loading_->show();
   });
+  setFont(pictureFont(session.preferences().textPercent));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAcceptDrops(true);
@@ -68,6 +70,7 @@ View::View(Session& session, ViewId id, QWidget* parent)
     tellPointed();
   });
   connect(&session_, &Session::preferencesChanged, this, [this] {
+    setFont(pictureFont(session_.preferences().textPercent));
     update();
     tellPointed();
   });

@@ -23,6 +23,8 @@ class TestSlicePresentation : public QObject {
   void picturesAreShownAsTheStateSays_data();
   void picturesAreShownAsTheStateSays();
   void graphicsAreDrawnWhereTheyBelong();
+  void textsAreTheSameWithAnyFonts_data();
+  void textsAreTheSameWithAnyFonts();
   void valuesAreTurnedToo();
   void aNumberMeansTheListOfInfo();
   void whatCannotBeMeantIsRefused_data();
@@ -33,11 +35,11 @@ class TestSlicePresentation : public QObject {
 
  private:
   QString at(const char* name) const { return folder_->filePath(QLatin1String(name)); }
-  Outcome slice(const QStringList& more, const char* out) const {
-    return runProgram(QStringList{QStringLiteral("slice"), at("study"), QStringLiteral("--plane"),
-                                  QStringLiteral("frame"), QStringLiteral("-o"), at(out)} +
-                      more);
+  QStringList sliceInto(const char* out) const {
+    return {QStringLiteral("slice"), at("study"),          QStringLiteral("--plane"),
+            QStringLiteral("frame"), QStringLiteral("-o"), at(out)};
   }
+  Outcome slice(const QStringList& more, const char* out) const { return runProgram(sliceInto(out) + more); }
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
@@ -102,6 +104,23 @@ void TestSlicePresentation::graphicsAreDrawnWhereTheyBelong() {
   QVERIFY(differs(90, 40));                                                           // point
   QVERIFY(!differs(64, 64) && !differs(100, 100));
   QVERIFY(differs(6, 6) || differs(5, 12) || differs(6, 20));  // text in the displayed picture's upper left
+}
+
+void TestSlicePresentation::textsAreTheSameWithAnyFonts_data() {
+  QTest::addColumn<QString>("fonts");
+  for (const char* fonts : {"noto", "cantarell"}) QTest::newRow(fonts) << QString::fromLatin1(fonts);
+}
+
+void TestSlicePresentation::textsAreTheSameWithAnyFonts() {
+  QFETCH(QString, fonts);
+  const auto drawn = [this](const QString& with) {
+    const std::optional<Outcome> a = runWithFonts(with, sliceInto("fonts.png") + madeState());
+    return a && a->status == 0 ? contentsOf(at("fonts.png")) : QByteArray();
+  };
+  const QByteArray asHere = drawn(QStringLiteral("dejavu")), there = drawn(fonts);
+  if (there.isEmpty()) QSKIP("fonts-noto-core or fonts-cantarell is not installed");
+  QVERIFY(!asHere.isEmpty());
+  QCOMPARE(there, asHere);
 }
 
 void TestSlicePresentation::valuesAreTurnedToo() {

@@ -17,6 +17,8 @@ class TestWarnings : public QObject {
   void initTestCase();
   void theySayWhatTheyAreAbout();
   void theyStandInTheCornerUnlessSwitchedOff();
+  void theyAreTheSameWithAnyFonts_data();
+  void theyAreTheSameWithAnyFonts();
   void floatsAreLeftAlone();
   void withoutWarningsNothingChanges();
   void aWrongSceneIsToldBeforeAWindowOpens();
@@ -59,6 +61,25 @@ void TestWarnings::theyStandInTheCornerUnlessSwitchedOff() {
       if (with.pixel(x, y) != without.pixel(x, y)) where |= QRect(x, y, 1, 1);
   QVERIFY2(where.width() > 50 && where.height() > 6, "it can be read");
   QVERIFY2(QRect(0, 0, 150, 40).contains(where), "in the corner");
+}
+
+void TestWarnings::theyAreTheSameWithAnyFonts_data() {
+  QTest::addColumn<QString>("fonts");
+  for (const char* fonts : {"noto", "cantarell"}) QTest::newRow(fonts) << QString::fromLatin1(fonts);
+}
+
+void TestWarnings::theyAreTheSameWithAnyFonts() {
+  QFETCH(QString, fonts);
+  const auto drawn = [this](const QString& with) {
+    const std::optional<Outcome> a =
+        runWithFonts(with, {QStringLiteral("render"), at("bare.nrrd"), QStringLiteral("--size"),
+                            QStringLiteral("300x200"), QStringLiteral("-o"), at("fonts.png")});
+    return a && a->status == 0 ? contentsOf(at("fonts.png")) : QByteArray();
+  };
+  const QByteArray asHere = drawn(QStringLiteral("dejavu")), there = drawn(fonts);
+  if (there.isEmpty()) QSKIP("fonts-noto-core or fonts-cantarell is not installed");
+  QVERIFY(!asHere.isEmpty());
+  QCOMPARE(there, asHere);
 }
 
 void TestWarnings::floatsAreLeftAlone() {

@@ -1,0 +1,55 @@
+#include "ui/overlays/picture_font.h"
+
+#include <QFontDatabase>
+
+// Outside of the namespace, as Qt asks for it.
+static void loadFontFiles() { Q_INIT_RESOURCE(fonts); }
+
+namespace volumen {
+
+namespace {
+
+constexpr double textPoints = 9, letterPoints = 2;  // letters: so much larger
+
+QString familyIn(const QString& file) {
+  const int id = QFontDatabase::addApplicationFont(QStringLiteral(":/fonts/") + file);
+  return QFontDatabase::applicationFontFamilies(id).value(0);
+}
+
+struct Families {
+  QString text, letters;
+};
+
+const Families& families() {
+  static const Families loaded = [] {
+    loadFontFiles();
+    familyIn(QStringLiteral("DejaVuSans-Bold.ttf"));
+    return Families{familyIn(QStringLiteral("DejaVuSans.ttf")),
+                    familyIn(QStringLiteral("DejaVuSansMono-Bold.ttf"))};
+  }();
+  return loaded;
+}
+
+// The settings of the desktop (hinting, colours at edges) do not count in pictures.
+QFont drawnAlike(QFont font) {
+  font.setHintingPreference(QFont::PreferVerticalHinting);
+  font.setStyleStrategy(QFont::NoSubpixelAntialias);
+  return font;
+}
+
+}  // namespace
+
+QFont pictureFont(int percent) {
+  QFont font(families().text);
+  font.setPointSizeF(textPoints * percent / 100);
+  return drawnAlike(font);
+}
+
+QFont letterFont(const QFont& font) {
+  QFont letters(families().letters);
+  letters.setPointSizeF(font.pointSizeF() + letterPoints);
+  letters.setBold(true);
+  return drawnAlike(letters);
+}
+
+}  // namespace volumen
