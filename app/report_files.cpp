@@ -68,7 +68,8 @@ void prepareFonts() {
   // Qt says that there is no folder for sockets of a session, which nobody needs here.
   const QtMessageHandler before =
       qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
-  static const QGuiApplication application(argc, argv);
+  // Never destroyed: where a program ends, Qt's fonts go before it.
+  [[maybe_unused]] static const auto* const application = new QGuiApplication(argc, argv);
   qInstallMessageHandler(before);
   QGuiApplication::setFont(pictureFont());
 }

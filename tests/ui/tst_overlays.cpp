@@ -152,6 +152,7 @@ void TestOverlays::textIsReadableOnAnything() {
   QImage image(300, 60, QImage::Format_RGB32);
   image.fill(ground);
   QPainter painter(&image);
+  painter.setFont(pictureFont());
   paintOverlays(painter, overlays, QRectF(0, 0, 300, 60));
   painter.end();
   // Bright strokes, and dark at both sides of each.

@@ -24,6 +24,15 @@ FoldTitle* titleOf(const Workbench::Dock& dock) {
   return static_cast<FoldTitle*>(dock.widget->titleBarWidget());
 }
 
+// Pixels that a dock needs with its title, its tabs and the bars of the window, by the height of a line of
+// text.
+struct DockHeight {
+  int fixed, lines;
+  int at(int line) const { return fixed + lines * line; }
+};
+constexpr DockHeight curveHeight{255, 8}, segmentsHeight{273, 14};
+constexpr int lowestCurve = 230;
+
 // Tabs of one another, by their order.
 using Tabs = std::vector<Workbench::Dock>;
 
@@ -237,7 +246,9 @@ void DockLayout::shareRoom() {
       std::min(std::max(std::clamp(width * 16 / 100, 150, 260), fitting), std::max(150, (width - 400) / 4));
   // In a low window the curve scrolls rather than the segments: their list and the page below are seen
   // together.
-  const int curve = std::min(std::max(height * 2 / 5, 375), std::max(height - 500, 280));
+  const int line = window_.fontMetrics().height();
+  const int wholeCurve = std::max(height * 2 / 5, curveHeight.at(line));
+  const int curve = std::min(wholeCurve, std::max(height - segmentsHeight.at(line), lowestCurve));
   QDockWidget *list = bench_.dock("studies"), *transfer = bench_.dock("transfer");
   window_.resizeDocks({list, transfer}, {studies, right}, Qt::Horizontal);
   window_.resizeDocks({transfer, bench_.dock("lights")}, {curve, height - curve}, Qt::Vertical);

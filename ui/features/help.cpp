@@ -55,6 +55,7 @@ void Help::showAbout() {
                       tr("<h3>volumen %1</h3><p>A DICOM workstation without a GPU.</p>"
                          "<p><b>Not for clinical use.</b></p>"
                          "<p>Free software under the GNU General Public License, version 3 or later.</p>"
+                         "<p>Texts in pictures are written in DejaVu Sans, whose licence is free, too.</p>"
                          "<p>Qt %2. Pictures are shown through: %3.</p><p>%4</p>")
                           .arg(QStringLiteral(VOLUMEN_VERSION), QLatin1String(qVersion()),
                                canvasKind(bench_.view()->canvas()), reading),

@@ -48,7 +48,7 @@ Panels::Panels(Workbench& bench) : Feature(bench) {
   connect(&bench_, &Workbench::rangeShown, transfer->editor(), &CurveEditor::setRange);
   connect(transfer->editor(), &CurveEditor::rangeDragged, &bench_, &Workbench::rangeDragged);
   connect(transfer, &TransferPanel::curvePulled, &bench_, &Workbench::curvePulled);
-  constexpr int leastCurve = 195;  // of its panel: the mode and the curve itself
+  constexpr int leastCurve = 183;  // of its panel: the mode and the curve itself
   const Workbench::DockEntry table[] = {
       {"transfer",
        tr("Opacity and colour"),

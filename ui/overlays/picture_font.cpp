@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-constexpr double textPoints = 9, letterPoints = 2;  // letters: so much larger
+constexpr double screenPoints = 9, morePoints = 2;  // of text, of letters beyond it
 
 QString familyIn(const QString& file) {
   const int id = QFontDatabase::addApplicationFont(QStringLiteral(":/fonts/") + file);
@@ -41,13 +41,13 @@ QFont drawnAlike(QFont font) {
 
 QFont pictureFont(int percent) {
   QFont font(families().text);
-  font.setPointSizeF(textPoints * percent / 100);
+  font.setPointSizeF(screenPoints * percent / 100);
   return drawnAlike(font);
 }
 
 QFont letterFont(const QFont& font) {
   QFont letters(families().letters);
-  letters.setPointSizeF(font.pointSizeF() + letterPoints);
+  letters.setPointSizeF(font.pointSizeF() + morePoints);
   letters.setBold(true);
   return drawnAlike(letters);
 }

@@ -112,7 +112,7 @@ void SegmentRange::makeLayout() {
   guard->addWidget(neighbours_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  column->setSpacing(2);
   for (QHBoxLayout* row : {top, fields, buttons, checks, part, guard}) {
     row->setSpacing(4);
     column->addLayout(row);

@@ -116,7 +116,7 @@ void SegmentsPanel::makeLayout() {
   all->addStretch();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 4, 4, 4);
-  column->setSpacing(4);
+  column->setSpacing(2);
   column->addWidget(list_, 1);
   column->addWidget(result_);
   column->addLayout(all);

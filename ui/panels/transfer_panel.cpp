@@ -35,6 +35,7 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
   makePages();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 4, 8, 4);
+  column->setSpacing(2);
   column->addWidget(makeModeRow());
   column->addWidget(editor_, 1);
   column->addWidget(pages_);

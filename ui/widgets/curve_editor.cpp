@@ -13,7 +13,7 @@ namespace volumen {
 
 namespace {
 constexpr double rightMargin = 10;
-constexpr int lowestPlot = 90;
+constexpr int lowestPlot = 80;
 constexpr double rampTop = 8, rampHeight = 12;                  // below the plot
 constexpr double pointReach = 8, snapReach = 4;                 // pixels
 constexpr double flagWidth = 9, flagHeight = 11, endReach = 4;  // of the ends of the range

@@ -115,11 +115,13 @@ void TestSlicePresentation::textsAreTheSameWithAnyFonts() {
   QFETCH(QString, fonts);
   const auto drawn = [this](const QString& with) {
     const std::optional<Outcome> a = runWithFonts(with, sliceInto("fonts.png") + madeState());
-    return a && a->status == 0 ? contentsOf(at("fonts.png")) : QByteArray();
+    QByteArrayList made;
+    if (a) made << (a->status == 0 ? contentsOf(at("fonts.png")) : a->err);
+    return made;
   };
-  const QByteArray asHere = drawn(QStringLiteral("dejavu")), there = drawn(fonts);
+  const QByteArrayList asHere = drawn(QStringLiteral("dejavu")), there = drawn(fonts);
   if (there.isEmpty()) QSKIP("fonts-noto-core or fonts-cantarell is not installed");
-  QVERIFY(!asHere.isEmpty());
+  QVERIFY(asHere.value(0).startsWith("\x89PNG"));
   QCOMPARE(there, asHere);
 }
 
