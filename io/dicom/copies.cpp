@@ -33,7 +33,9 @@ bool mayBeAlike(const Entry& a, const Entry& b) {
 /// What of pictures of one UID agrees in copies.
 auto factsOf(const Entry& e) {
   const Slice& s = e.slice();
-  return std::tie(e.placed.alongNormal, s.instance, s.slope, s.intercept, s.separators);
+  const PixelFormat& f = e.file->format;
+  return std::tie(e.placed.alongNormal, s.instance, s.slope, s.intercept, s.separators, f.isSigned,
+                  f.bitsStored, f.highBit);
 }
 
 }  // namespace

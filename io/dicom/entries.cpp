@@ -30,6 +30,12 @@ std::size_t mostAtOnePlace(const Entries& entries) {
   return most;
 }
 
+long firstNumber(const Entries& entries) {
+  long first = entries[0].slice().instance;
+  for (const Entry& e : entries) first = std::min(first, e.slice().instance);
+  return first;
+}
+
 std::vector<PlacedSlice> placedSlices(const Entries& entries) {
   std::vector<PlacedSlice> slices;
   for (const Entry& e : entries) slices.push_back(e.placed);

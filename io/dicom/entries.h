@@ -23,6 +23,9 @@ std::vector<Entries> byPlace(const Entries& entries);
 /// How many pictures lie where most do.
 std::size_t mostAtOnePlace(const Entries& entries);
 
+/// The least of their numbers.
+long firstNumber(const Entries& entries);
+
 /// Their slices.
 std::vector<PlacedSlice> placedSlices(const Entries& entries);
 

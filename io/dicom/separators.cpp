@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "io/dicom/attributes.h"
+
 namespace volumen::dicom {
 namespace {
 
@@ -13,9 +15,14 @@ constexpr std::uint32_t cardiacGroup = 0x00189118, respiratoryGroup = 0x00209253
                         mrModifierGroup = 0x00189115, mrFrameTypeGroup = 0x00189226,
                         ctFrameTypeGroup = 0x00189329, petFrameTypeGroup = 0x00189751,
                         ctReconstructionGroup = 0x00189314, ctXRayGroup = 0x00189325,
-                        ctExposureGroup = 0x00189321;
+                        tomosynthesisFrameTypeGroup = 0x00189504, parametricFrameTypeGroup = 0x00409092,
+                        arterialSpinLabelingGroup = 0x00189251, velocityEncodingGroup = 0x00189197,
+                        contrastUsageGroup = 0x00189341, petCorrectionGroup = 0x00189736;
 
-enum class SourceKind { text, number, real, single, word, dword };
+/// Of pictures that were made enhanced: what no other group of theirs holds (PS3.3 C.7.6.16.2.25.2).
+constexpr std::uint32_t unassignedOfFrame = 0x00209171;
+
+enum class SourceKind { text, words, number, real, single, word, dword };
 
 /// Where a value may stand: an attribute in a functional group, 0: in the data set itself.
 struct ValueSource {
@@ -28,10 +35,18 @@ std::string numberText(const DataSet& data, std::uint32_t tag, DataSet::Scope sc
   return number ? realText(*number) : data.text(tag, scope);
 }
 
+/// Several values as words of one text.
+std::string wordsIn(std::string values) {
+  std::ranges::replace(values, '\\', ' ');
+  return values;
+}
+
 std::string valueOf(const DataSet& data, const ValueSource& source, DataSet::Scope scope) {
   switch (source.kind) {
     case SourceKind::text:
       return data.text(source.tag, scope);
+    case SourceKind::words:
+      return wordsIn(data.utf8(source.tag, scope));
     case SourceKind::number:
       return numberText(data, source.tag, scope);
     case SourceKind::real:
@@ -51,11 +66,12 @@ std::string valueOf(const DataSet& data, const ValueSource& source, DataSet::Sco
 
 /// The first source that says something.
 std::string firstOf(const DataSet& data, const FrameScopes& at, std::span<const ValueSource> sources) {
-  for (const ValueSource& source : sources)
-    if (source.tag == 0)
-      break;
-    else if (std::string value = valueOf(data, source, at.of(source.group)); !value.empty())
-      return value;
+  for (const ValueSource& source : sources) {
+    if (source.tag == 0) break;
+    if (std::string value = valueOf(data, source, at.of(source.group)); !value.empty()) return value;
+    if (source.group != 0 || !at.hasGroup(unassignedOfFrame)) continue;
+    if (std::string value = valueOf(data, source, at.of(unassignedOfFrame)); !value.empty()) return value;
+  }
   return {};
 }
 
@@ -100,10 +116,14 @@ std::string readDirection(const DataSet& data, const FrameScopes& at) {
 
 /// The fields of CT's reconstruction group are items of a sequence in it.
 std::string readKernel(const DataSet& data, const FrameScopes& at) {
-  std::string kernel = data.text(0x00181210, at.of(ctReconstructionGroup));
-  std::ranges::replace(kernel, '\\', ' ');
-  return kernel;
+  return wordsIn(data.text(0x00181210, at.of(ctReconstructionGroup)));
 }
+
+std::string readVelocityDirection(const DataSet& data, const FrameScopes& at) {
+  return data.raw(0x00189090, at.of(velocityEncodingGroup));
+}
+
+std::string readAgent(const DataSet& data, const FrameScopes&) { return readContrastAgent(data); }
 
 /// A date in front of a time of day.
 std::string withDate(const DataSet& data, std::uint32_t date, std::uint32_t time) {
@@ -121,80 +141,100 @@ std::string readContentTime(const DataSet& data, const FrameScopes&) {
   return withDate(data, 0x00080023, 0x00080033);
 }
 
-/// The date in front of a time, "20260314"; empty: there is none.
-std::string dayOf(const std::string& time) {
-  return time.size() >= 14 && time.find('.') != 6 ? time.substr(0, 8) : std::string();
-}
-
-/// The time of day; of several days with the date.
-std::string clockText(const std::vector<std::string>& times, std::size_t n) {
-  const std::string day = dayOf(times[n]), of = times[n].substr(day.size());
-  if (of.size() < 6) return times[n];
-  const std::string clock = of.substr(0, 2) + ":" + of.substr(2, 2) + ":" + of.substr(4);
-  const bool oneDay =
-      std::ranges::all_of(times, [&](const std::string& other) { return dayOf(other) == day; });
-  if (oneDay || day.empty()) return clock;
-  return day.substr(0, 4) + "-" + day.substr(4, 2) + "-" + day.substr(6) + " " + clock;
-}
-
 using Words = Separator::Words;
 using Trust = Separator::Trust;
+using Along = Separator::Along;
 
 struct SeparatorRow {
   Separator separator;
-  std::array<ValueSource, 4> sources;
+  std::array<ValueSource, 6> sources;
   std::string (*read)(const DataSet&, const FrameScopes&) = nullptr;  // in place of sources
 };
 
 const SeparatorRow separatorRows[] = {
-    {{"EchoTime", Trust::always, "TE ", " ms", Words::plain, false, &Series::echoTime}, {}, readEchoTime},
+    {{"EchoTime", Trust::always, "TE ", " ms", Words::plain, Along::steady, &Series::echoTime},
+     {},
+     readEchoTime},
     {{"EchoNumbers", Trust::always, "echo ", ""}, {{{0, 0x00180086, SourceKind::number}}}},
-    {{"TemporalPositionIdentifier", Trust::certain, "time point ", "", Words::plain, false,
+    {{"TemporalPositionIdentifier", Trust::certain, "time point ", "", Words::plain, Along::steady,
       &Series::timePoint},
      {{{0, 0x00200100, SourceKind::number}, {frameContentGroup, 0x00209128, SourceKind::dword}}}},
     {{"NominalPercentageOfCardiacPhase", Trust::certain, "phase ", " %"},
      {{{cardiacGroup, 0x00209241, SourceKind::single}, {0, 0x00209241, SourceKind::number}}}},
     {{"NominalPercentageOfRespiratoryPhase", Trust::certain, "respiratory phase ", " %"},
      {{{respiratoryGroup, 0x00209245, SourceKind::single}, {0, 0x00209245, SourceKind::number}}}},
-    {{"DiffusionBValue", Trust::certain, "b ", "", Words::plain, false, &Series::bValue}, {}, readBValue},
+    {{"DiffusionBValue", Trust::certain, "b ", "", Words::plain, Along::steady, &Series::bValue},
+     {},
+     readBValue},
+    {{"DiffusionDirectionality", Trust::certain, "", ""},
+     {{{mrDiffusionGroup, 0x00189075, SourceKind::text}}}},
     {{"ImageType", Trust::certain, "", "", Words::imageType},
      {{{mrFrameTypeGroup, 0x00089007, SourceKind::text},
        {ctFrameTypeGroup, 0x00089007, SourceKind::text},
        {petFrameTypeGroup, 0x00089007, SourceKind::text},
+       {tomosynthesisFrameTypeGroup, 0x00089007, SourceKind::text},
+       {parametricFrameTypeGroup, 0x00089007, SourceKind::text},
        {0, 0x00080008, SourceKind::text}}}},
+    {{"ComplexImageComponent", Trust::certain, "", ""}, {{{mrFrameTypeGroup, 0x00089208, SourceKind::text}}}},
+    {{"AcquisitionContrast", Trust::certain, "", ""}, {{{mrFrameTypeGroup, 0x00089209, SourceKind::text}}}},
+    {{"VolumeBasedCalculationTechnique", Trust::certain, "calculation ", ""},
+     {{{mrFrameTypeGroup, 0x00089207, SourceKind::text},
+       {ctFrameTypeGroup, 0x00089207, SourceKind::text},
+       {petFrameTypeGroup, 0x00089207, SourceKind::text}}}},
+    {{"ASLContext", Trust::certain, "", ""}, {{{arterialSpinLabelingGroup, 0x00189257, SourceKind::text}}}},
+    {{"VelocityEncodingDirection", Trust::certain, "velocity direction ", "", Words::direction},
+     {},
+     readVelocityDirection},
     {{"ConvolutionKernel", Trust::certain, "kernel ", ""}, {}, readKernel},
     {{"KVP", Trust::certain, "", " kV"},
      {{{ctXRayGroup, 0x00180060, SourceKind::number}, {0, 0x00180060, SourceKind::number}}}},
     {{"FlipAngle", Trust::certain, "flip angle ", " degrees"},
      {{{mrTimingGroup, 0x00181314, SourceKind::number}, {0, 0x00181314, SourceKind::number}}}},
     // Of nuclear medicine (PS3.3 C.8.4.8), frame by frame: io/dicom/nuclear.h.
-    {{"TimeSlotVector", Trust::certain, "time slot ", ""}, {}},
-    {{"RRIntervalVector", Trust::certain, "R-R interval ", ""}, {}},
     {{"EnergyWindowVector", Trust::certain, "energy window ", ""}, {}},
     {{"DetectorVector", Trust::certain, "detector ", ""}, {}},
+    {{"RRIntervalVector", Trust::certain, "R-R interval ", ""}, {}},
+    {{"TimeSlotVector", Trust::certain, "time slot ", ""}, {}},
     {{"SequenceName", Trust::likely, "sequence ", ""}, {{{0, 0x00180024, SourceKind::text}}}},
-    {{"InversionTime", Trust::likely, "TI ", " ms", Words::plain, true},
-     {{{mrModifierGroup, 0x00189079, SourceKind::real}, {0, 0x00180082, SourceKind::number}}}},
-    {{"RepetitionTime", Trust::likely, "TR ", " ms"},
+    {{"RepetitionTime", Trust::likely, "TR ", " ms", Words::plain, Along::varies},
      {{{mrTimingGroup, 0x00180080, SourceKind::number}, {0, 0x00180080, SourceKind::number}}}},
-    {{"AcquisitionNumber", Trust::needed, "acquisition ", "", Words::plain, false, &Series::timePoint},
+    {{"InversionTime", Trust::likely, "TI ", " ms", Words::plain, Along::counts},
+     {{{mrModifierGroup, 0x00189079, SourceKind::real}, {0, 0x00180082, SourceKind::number}}}},
+    {{"AcquisitionNumber", Trust::needed, "acquisition ", "", Words::plain, Along::varies,
+      &Series::timePoint},
      {{{frameContentGroup, 0x00209156, SourceKind::word}, {0, 0x00200012, SourceKind::number}}}},
     {{"DiffusionGradientOrientation", Trust::certain, "direction ", "", Words::direction}, {}, readDirection},
-    {{"TriggerTime", Trust::needed, "trigger ", " ms", Words::plain, true},
-     {{{cardiacGroup, 0x00209153, SourceKind::real}, {0, 0x00181060, SourceKind::number}}}},
-    {{"FrameReferenceTime", Trust::needed, "", " s", Words::seconds, true},
+    {{"FrameReferenceTime", Trust::needed, "", " s", Words::seconds, Along::counts},
      {{{0, 0x00541300, SourceKind::number}}}},
-    {{"ActualFrameDuration", Trust::needed, "frame of ", " s", Words::seconds},
+    {{"TriggerTime", Trust::needed, "trigger ", " ms", Words::plain, Along::counts},
+     {{{cardiacGroup, 0x00209153, SourceKind::real}, {0, 0x00181060, SourceKind::number}}}},
+    {{"AcquisitionTime", Trust::needed, "", "", Words::clock, Along::counts}, {}, readAcquisitionTime},
+    {{"ContentTime", Trust::needed, "", "", Words::clock, Along::varies}, {}, readContentTime},
+    {{"ActualFrameDuration", Trust::needed, "frame of ", " s", Words::seconds, Along::varies},
      {{{0, 0x00181242, SourceKind::number}}}},
-    {{"AcquisitionTime", Trust::needed, "", "", Words::clock, true}, {}, readAcquisitionTime},
-    {{"ContentTime", Trust::needed, "", "", Words::clock}, {}, readContentTime},
-    {{"ContrastBolusAgent", Trust::needed, "", ""}, {{{0, 0x00180010, SourceKind::text}}}},
-    {{"RescaleSlope", Trust::needed, "rescale slope ", ""},
+    {{"ContrastBolusAgent", Trust::needed, "contrast ", ""}, {}, readAgent},
+    {{"ContrastBolusAgentPhase", Trust::needed, "", ""},
+     {{{contrastUsageGroup, 0x00189344, SourceKind::text}}}},
+    {{"RescaleSlope", Trust::needed, "rescale slope ", "", Words::plain, Along::varies},
      {{{pixelValueTransformation, 0x00281053, SourceKind::number}}}},
+    {{"SliceThickness", Trust::needed, "slice thickness ", " mm", Words::size},
+     {{{pixelMeasures, 0x00180050, SourceKind::number}}}},
+    {{"ScanOptions", Trust::needed, "scan options ", ""}, {{{0, 0x00180022, SourceKind::words}}}},
+    {{"CorrectedImage", Trust::needed, "corrected ", ""}, {{{0, 0x00280051, SourceKind::words}}}},
+    {{"AttenuationCorrected", Trust::needed, "attenuation corrected ", ""},
+     {{{petCorrectionGroup, 0x00189759, SourceKind::text}}}},
+    {{"ReconstructionMethod", Trust::needed, "reconstruction ", ""},
+     {{{0, 0x00541103, SourceKind::words}, {ctReconstructionGroup, 0x00189315, SourceKind::text}}}},
+    {{"StackID", Trust::needed, "stack ", ""}, {{{frameContentGroup, 0x00209056, SourceKind::words}}}},
+    {{"FrameLabel", Trust::needed, "", ""}, {{{frameContentGroup, 0x00209453, SourceKind::words}}}},
+    {{"SeriesNumber", Trust::needed, "series ", ""}, {{{0, 0x00200011, SourceKind::number}}}},
+    {{"ProtocolName", Trust::needed, "protocol ", ""}, {{{0, 0x00181030, SourceKind::words}}}},
+    {{"SeriesDescription", Trust::needed, "description ", ""}, {{{0, 0x0008103e, SourceKind::words}}}},
 };
 
 /// The indices of the dimensions that no attribute of the table explains.
-constexpr Separator dimensionIndices{"DimensionIndexValues", Trust::needed, "dimension ", ""};
+constexpr Separator dimensionIndices{"DimensionIndexValues", Trust::needed, "dimension ", "",
+                                     Words::plain,           Along::varies};
 
 constexpr std::size_t separatorCount = std::size(separatorRows) + 1;
 
@@ -203,35 +243,6 @@ std::array<Separator, separatorCount> table() {
   std::ranges::transform(separatorRows, all.begin(), &SeparatorRow::separator);
   all.back() = dimensionIndices;
   return all;
-}
-
-std::vector<std::string> components(const std::string& text) {
-  std::vector<std::string> all(1);
-  for (const char c : text)
-    if (c == '\\')
-      all.emplace_back();
-    else
-      all.back() += c;
-  return all;
-}
-
-/// What of "ORIGINAL\PRIMARY\M" not all of these have.
-std::string differing(const std::vector<std::string>& values, std::size_t n) {
-  std::string label;
-  const std::vector<std::string> own = components(values[n]);
-  for (std::size_t c = 0; c < own.size(); ++c) {
-    const bool alike = std::ranges::all_of(values, [&](const std::string& value) {
-      const std::vector<std::string> other = components(value);
-      return c < other.size() && other[c] == own[c];
-    });
-    if (!alike && !own[c].empty()) label += (label.empty() ? "" : " ") + own[c];
-  }
-  return label;
-}
-
-std::string secondsText(const std::string& milliseconds) {
-  const auto ms = parseNumber(milliseconds);
-  return ms ? realText(*ms / 1000) : milliseconds;
 }
 
 }  // namespace
@@ -251,26 +262,13 @@ std::vector<std::string> readSeparators(const DataSet& data, const FrameScopes& 
   return values;
 }
 
-void setSeparator(Slice& slice, std::string_view keyword, const std::string& value) {
+std::size_t separatorAt(std::string_view keyword) {
   const auto all = separators();
-  const auto at = std::ranges::find_if(all, [&](const Separator& s) { return s.keyword == keyword; });
-  slice.separators.at(std::size_t(at - all.begin())) = value;
+  return std::size_t(std::ranges::find(all, keyword, &Separator::keyword) - all.begin());
 }
 
-std::string wordsOf(const Separator& separator, const std::vector<std::string>& values, std::size_t n) {
-  const std::string before = separator.before, &value = values[n];
-  if (separator.words == Words::direction) return before + std::to_string(n + 1);
-  if (value.empty()) return before + "not given";
-  switch (separator.words) {
-    case Words::imageType:
-      return differing(values, n);
-    case Words::clock:
-      return clockText(values, n);
-    case Words::seconds:
-      return before + secondsText(value) + separator.after;
-    default:
-      return before + value + separator.after;
-  }
+void setSeparator(Slice& slice, std::string_view keyword, const std::string& value) {
+  slice.separators.at(separatorAt(keyword)) = value;
 }
 
 std::string readBValue(const DataSet& data, const FrameScopes& at) {

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/dicom/dimensions.h"
@@ -13,8 +14,9 @@ namespace volumen::dicom {
 
 /// An attribute that may tell apart the pictures of one place.
 struct Separator {
-  /// What is said of a value: `before`, the value, `after`; or in a way of its own.
-  enum class Words { plain, imageType, direction, clock, seconds };
+  /// What is said of a value: `before`, the value, `after`; or in a way of its own. A size is a number that
+  /// scanners round.
+  enum class Words { plain, size, imageType, direction, clock, seconds };
   /// When its values make volumes.
   enum class Trust {
     always,   ///< wherever they differ
@@ -22,14 +24,18 @@ struct Separator {
     likely,   ///< where they differ at one place and are no more than there are pictures at one place
     needed    ///< only where pictures of one place are left that nothing above tells apart
   };
+  /// How its values run along the slices of one acquisition.
+  enum class Along {
+    steady,  ///< they are all the same
+    varies,  ///< they may differ from slice to slice
+    counts   ///< the same, and the n-th value at each place belongs to the n-th volume (trigger times)
+  };
 
   const char* keyword;  ///< DICOM's, of the attribute
   Trust trust;
   const char *before, *after;  ///< words and unit, English: "kernel ", " ms"
   Words words = Words::plain;
-  /// Its n-th value at each place belongs to the n-th volume, where values differ from place to place
-  /// (trigger times).
-  bool countsAtEachPlace = false;
+  Along along = Along::steady;
   std::string Series::*field = nullptr;  ///< where Series keeps the value; then it is no part of the label
 };
 
@@ -39,6 +45,9 @@ std::span<const Separator> separators();
 /// The values of one frame, as text, one a separator; empty where it does not say.
 std::vector<std::string> readSeparators(const DataSet& data, const FrameScopes& at,
                                         const Dimensions& dimensions);
+
+/// The number of the separator of this keyword, which is in the table.
+std::size_t separatorAt(std::string_view keyword);
 
 /// Sets the value of the separator of this keyword, which is in the table.
 void setSeparator(Slice& slice, std::string_view keyword, const std::string& value);

@@ -32,6 +32,14 @@ bool fit(const Entry& a, const Entry& b) {
          glm::length(*s.spacing - *t.spacing) <= 1e-3 * glm::length(*s.spacing);
 }
 
+/// Whether a picture is for planning, no slice of a stack (PS3.3 C.8.2.1.1.1).
+bool isLocalizer(const Entry& e) {
+  static const std::size_t imageType = separatorAt("ImageType");
+  const std::string& type = e.slice().separators[imageType];
+  const std::size_t third = type.find('\\', type.find('\\') + 1) + 1;
+  return third > 0 && type.substr(third, type.find('\\', third) - third) == "LOCALIZER";
+}
+
 /// Pictures that can be slices of one volume, place aside.
 std::vector<Entries> groups(const std::vector<const FileHeader*>& files) {
   std::vector<Entries> known;
@@ -40,7 +48,9 @@ std::vector<Entries> groups(const std::vector<const FileHeader*>& files) {
       Entry entry{file, {slice, file->path, 0}};
       // Only the last groups are tried, so that a file of a hundred thousand directions takes no minutes.
       const auto first = known.end() - std::min<std::ptrdiff_t>(256, known.end() - known.begin());
-      const auto it = std::find_if(first, known.end(), [&](const Entries& g) { return fit(g[0], entry); });
+      const auto it = std::find_if(first, known.end(), [&](const Entries& g) {
+        return isLocalizer(g[0]) == isLocalizer(entry) && fit(g[0], entry);
+      });
       if (it == known.end())
         known.push_back({entry});
       else
@@ -203,10 +213,16 @@ Series describe(const Part& part, const Split& split) {
 struct ToldStack {
   Entries entries;
   std::vector<Warning> warnings;
+  bool areLocalizers = false;  ///< beside slices of their grid
 };
 
-/// The stacks of pictures that fit each other.
-void addStacks(Entries& group, const std::vector<Warning>& told, std::vector<ToldStack>& stacks) {
+/// The stacks of pictures that fit each other, one of all `groups`.
+void addStacks(std::size_t n, std::vector<Entries>& groups, const std::vector<Warning>& told,
+               std::vector<ToldStack>& stacks) {
+  Entries& group = groups[n];
+  const bool areLocalizers = isLocalizer(group[0]) && std::ranges::any_of(groups, [&](const Entries& other) {
+                               return !isLocalizer(other[0]) && fit(other[0], group[0]);
+                             });
   order(group);
   std::vector<Warning> warnings = told;
   addSentences(warnings, dropCopies(group));
@@ -215,7 +231,7 @@ void addStacks(Entries& group, const std::vector<Warning>& told, std::vector<Tol
   if (lines.size() > 1)
     warnings.emplace_back("Its slices lie along " + std::to_string(lines.size()) + " lines, up to " +
                           millimetres(apartMm) + " mm beside each other: each is a volume of its own.");
-  for (Entries& line : lines) stacks.push_back({std::move(line), warnings});
+  for (Entries& line : lines) stacks.push_back({std::move(line), warnings, areLocalizers});
 }
 
 /// z, y, x, mm, of the first slice; 0 without a place.
@@ -250,7 +266,9 @@ std::vector<Unread> withoutRescale(Entries& entries) {
 }
 
 void addVolumes(const ToldStack& stack, Sorted& all) {
-  for (const Split& split : splitRepeats(stack.entries)) {
+  static const Separator& imageType = separators()[separatorAt("ImageType")];
+  for (Split& split : splitRepeats(stack.entries)) {
+    if (stack.areLocalizers) addName(split, imageType, "LOCALIZER", "LOCALIZER");
     if (split.isGuess) {
       addFrames(split, all);
       continue;
@@ -276,14 +294,15 @@ VoxelValues typeOf(const PixelFormat& format) {
 }  // namespace
 
 Sorted sortIntoSeries(const std::vector<FileHeader>& files) {
-  Sorted all;
+  Sorted sorted;
   for (const SameIdentity& same : byIdentity(files)) {
     std::vector<ToldStack> stacks;
-    for (Entries& group : groups(same.files)) addStacks(group, same.warnings, stacks);
+    std::vector<Entries> all = groups(same.files);
+    for (std::size_t n = 0; n < all.size(); ++n) addStacks(n, all, same.warnings, stacks);
     std::ranges::stable_sort(stacks, {}, firstPlace);
-    for (const ToldStack& stack : stacks) addVolumes(stack, all);
+    for (const ToldStack& stack : stacks) addVolumes(stack, sorted);
   }
-  return all;
+  return sorted;
 }
 
 ValuePlan planValues(const std::vector<const FileHeader*>& files, std::span<const PlacedSlice> slices) {

@@ -4,22 +4,30 @@
 #include <map>
 #include <set>
 
-#include "io/dicom/separators.h"
+#include "io/dicom/interleaved.h"
+#include "io/dicom/volume_order.h"
+#include "io/dicom/whole_stacks.h"
 
 namespace volumen::dicom {
-namespace {
 
-using Trust = Separator::Trust;
-
-const std::string& valueOf(const Entry& e, std::size_t separator) { return e.slice().separators[separator]; }
-
-/// By number where both are, else by text.
 bool isBefore(const std::string& a, const std::string& b) {
   const auto x = parseNumber(a), y = parseNumber(b);
   if (x && y && *x != *y) return *x < *y;
   if (x.has_value() != y.has_value()) return x.has_value();
   return a < b;
 }
+
+void addName(Split& split, const Separator& separator, const std::string& value, const std::string& words) {
+  split.by.push_back({separator.keyword, value, words});
+  if (separator.field == &Series::timePoint && split.timePoint.empty()) split.timePoint = value;
+  if (!separator.field) split.label += (split.label.empty() ? "" : ", ") + words;
+}
+
+namespace {
+
+using Trust = Separator::Trust;
+
+const std::string& valueOf(const Entry& e, std::size_t separator) { return e.slice().separators[separator]; }
 
 /// The different values, in order; directions in that of their first occurrence.
 std::vector<std::string> valuesOf(const Entries& entries, std::size_t separator) {
@@ -36,12 +44,6 @@ bool differsAtOnePlace(const Entries& entries, std::size_t separator) {
     return std::ranges::any_of(
         place, [&](const Entry& e) { return valueOf(e, separator) != valueOf(place[0], separator); });
   });
-}
-
-void addName(Split& split, const Separator& separator, const std::string& value, const std::string& words) {
-  split.by.push_back({separator.keyword, value, words});
-  if (separator.field == &Series::timePoint && split.timePoint.empty()) split.timePoint = value;
-  if (!separator.field) split.label += (split.label.empty() ? "" : ", ") + words;
 }
 
 /// Splits by the values of one separator. `all`: the values that its words are told from.
@@ -105,14 +107,32 @@ std::vector<Split> byCount(const Split& split, std::size_t n) {
       split.entries, [n](const Entry& a, const Entry& b) { return isBefore(valueOf(a, n), valueOf(b, n)); });
   std::vector<Split> splits;
   for (std::size_t r = 0; r < ranks.size(); ++r) {
-    splits.push_back({ranks[r], split.by, split.timePoint, split.label, {}, false});
+    splits.push_back({ranks[r], split.by, split.timePoint, split.label, {}, false, true});
     const std::string number = ordinal(r, ranks.size());
     addName(splits.back(), separator, number, separator.before + number);
   }
   return splits;
 }
 
-/// The last resort: by image number; where two of one place have the same, they stay together as frames.
+/// Parts that nothing but their rank tells apart, each called by it; `how` they were told apart.
+std::vector<Split> byRank(const Split& split, const std::vector<Entries>& ranks, const std::string& how) {
+  std::vector<Split> splits;
+  for (std::size_t r = 0; r < ranks.size(); ++r) {
+    const std::string words = ordinal(r, ranks.size());
+    splits.push_back({ranks[r], split.by, split.timePoint, split.label, {}, false});
+    splits.back().by.push_back({"rank", words, words});
+    splits.back().label += (split.label.empty() ? "" : ", ") + words;
+    splits.back().warning =
+        std::to_string(ranks.size()) +
+        " pictures lie at one place, and no attribute that is compared tells which belong "
+        "together: they were taken " +
+        how + ".";
+  }
+  return splits;
+}
+
+/// The last resort: by image number, where two of one place have the same by folder, else they stay together
+/// as frames.
 std::vector<Split> byNumber(const Split& split) {
   const auto number = [](const Entry& e) { return e.slice().instance; };
   const bool tie = std::ranges::any_of(byPlace(split.entries), [&](const Entries& place) {
@@ -120,24 +140,16 @@ std::vector<Split> byNumber(const Split& split) {
     for (const Entry& e : place) numbers.insert(number(e));
     return numbers.size() < place.size();
   });
-  if (tie) {
-    Split frames = split;
-    frames.isGuess = true;
-    return {frames};
+  if (!tie) {
+    const auto ranks =
+        byOrder(split.entries, [&](const Entry& a, const Entry& b) { return number(a) < number(b); });
+    return byRank(split, ranks, "in the order of their image numbers");
   }
-  const std::vector<Entries> ranks =
-      byOrder(split.entries, [&](const Entry& a, const Entry& b) { return number(a) < number(b); });
-  std::vector<Split> splits;
-  for (std::size_t r = 0; r < ranks.size(); ++r) {
-    const std::string words = ordinal(r, ranks.size());
-    splits.push_back({ranks[r], split.by, split.timePoint, split.label, {}, false});
-    splits.back().by.push_back({"rank", words, words});
-    splits.back().label += (split.label.empty() ? "" : ", ") + words;
-    splits.back().warning = std::to_string(ranks.size()) +
-                            " pictures lie at one place, and nothing in the files tells which belong "
-                            "together: they were taken in the order of their image numbers.";
-  }
-  return splits;
+  if (const auto folders = stacksOfFolders(split.entries); !folders.empty())
+    return byRank(split, folders, "by their folders");
+  Split frames = split;
+  frames.isGuess = true;
+  return {frames};
 }
 
 /// Whether a separator explains why pictures repeat: it has no more values than there are pictures at a
@@ -190,7 +202,8 @@ bool splitByOneMore(std::vector<Split>& splits) {
 /// By the order of a separator's values at each place, else by that of the numbers.
 std::vector<Split> splitTheRest(const Split& split) {
   for (std::size_t n = 0; n < separators().size(); ++n)
-    if (separators()[n].countsAtEachPlace && countsEverywhere(split.entries, n)) return byCount(split, n);
+    if (separators()[n].along == Separator::Along::counts && countsEverywhere(split.entries, n))
+      return byCount(split, n);
   return byNumber(split);
 }
 
@@ -205,12 +218,27 @@ bool wouldBeMixed(const Entries& entries, std::size_t n, std::size_t most) {
          (valuesOf(entries, n).size() <= most && differsAtOnePlace(entries, n));
 }
 
+/// Tells in which attributes pictures of a volume differ that should not: those of `mixing` may miss files.
 void warnOfMixture(const std::vector<std::size_t>& mixing, Split& split) {
-  if (!split.warning.empty() || split.isGuess) return;
-  for (const std::size_t n : mixing)
-    if (valuesOf(split.entries, n).size() > 1)
-      split.warning = std::string("Its pictures differ in ") + separators()[n].keyword +
-                      ": they may not belong together, and others may be missing.";
+  if (!split.warning.empty()) return;
+  std::string back, missing;
+  const auto add = [](std::string& to, const char* keyword) {
+    to += (to.empty() ? "" : ", ") + std::string(keyword);
+  };
+  for (std::size_t n = 0; n < separators().size(); ++n) {
+    const Separator& separator = separators()[n];
+    if (split.isCounted && separator.along != Separator::Along::steady) continue;
+    if (goesBackAndForth(split.entries, n))
+      add(back, separator.keyword);
+    else if (!split.isCounted && std::ranges::find(mixing, n) != mixing.end() &&
+             valuesOf(split.entries, n).size() > 1)
+      add(missing, separator.keyword);
+  }
+  if (!back.empty())
+    split.warning = "Its pictures differ in " + back + " back and forth: they may not belong together.";
+  else if (!missing.empty())
+    split.warning =
+        "Its pictures differ in " + missing + ": they may not belong together, and others may be missing.";
 }
 
 /// By all that surely tells pictures apart.
@@ -252,26 +280,59 @@ void nameKindsOfEchoes(std::vector<Split>& splits) {
   }
 }
 
+/// Splits pictures of which several may lie at one place.
+std::vector<Split> splitAtPlaces(const Entries& entries) {
+  std::vector<Split> splits = splitSurely(entries), all;
+  while (splitByOneMore(splits)) {
+  }
+  orderByNumbers(splits);
+  nameKindsOfEchoes(splits);
+  for (const Split& split : splits)
+    std::ranges::move(repeats(split) ? splitTheRest(split) : std::vector{split}, std::back_inserter(all));
+  return all;
+}
+
+/// Splits stacks of which each is a volume, as if each were one picture of one place.
+std::vector<Split> splitStacks(const std::vector<Entries>& stacks) {
+  Entries firsts;
+  for (const Entries& stack : stacks) {
+    firsts.push_back(stack.front());
+    firsts.back().placed.alongNormal = 0;
+    firsts.back().placed.slice.instance = firstNumber(stack);
+  }
+  const auto stackOf = [&](const Entry& e) {
+    return *std::ranges::find_if(stacks, [&](const Entries& stack) {
+      return stack.front().file == e.file && stack.front().slice().frame == e.slice().frame;
+    });
+  };
+  std::vector<Split> all;
+  for (const Split& split : splitAtPlaces(firsts)) {
+    std::vector<Entries> ranks;
+    for (const Entry& e : split.entries) ranks.push_back({e});
+    for (Split& one : split.isGuess ? byRank(split, ranks, {}) : std::vector{split}) {
+      one.entries = stackOf(one.entries[0]);
+      one.warning.clear();
+      all.push_back(std::move(one));
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<Split> splitRepeats(const Entries& entries) {
-  std::vector<Split> splits = splitSurely(entries);
-  while (splitByOneMore(splits)) {
-  }
-  nameKindsOfEchoes(splits);
+  const std::vector<Entries> stacks = stacksOfFiles(entries);
+  std::vector<Split> splits = stacks.empty() ? splitAtPlaces(entries) : splitStacks(stacks);
   std::vector<std::size_t> mixing;
-  const std::size_t most = mostAtOnePlace(entries);
+  const std::size_t most = stacks.empty() ? mostAtOnePlace(entries) : 1;
   for (std::size_t n = 0; n < separators().size(); ++n)
     if (wouldBeMixed(entries, n, most)) mixing.push_back(n);
   std::vector<Split> all;
-  for (const Split& split : splits) {
-    std::vector<Split> parts = repeats(split) ? splitTheRest(split) : std::vector{split};
-    for (Split& part : parts) {
-      const bool isCounted = repeats(split) && part.warning.empty();
-      if (!isCounted) warnOfMixture(mixing, part);
+  for (const Split& split : splits)
+    for (Split& part : split.isGuess ? std::vector{split} : splitInterleaved(split)) {
+      if (!part.isGuess) warnOfMixture(mixing, part);
       all.push_back(std::move(part));
     }
-  }
   return all;
 }
 

@@ -77,6 +77,8 @@ class TestMosaic : public QObject {
   void tilesAreSlices();
   void tilesAreFrames();
   void timeSeriesIsOneVolumeAFile();
+  void filesOfOneNumberAreVolumes_data();
+  void filesOfOneNumberAreVolumes();
   void unknownPlacesAreAPicture_data();
   void unknownPlacesAreAPicture();
   void everyCutOfTheHeaderEndsWell();
@@ -140,6 +142,39 @@ void TestMosaic::timeSeriesIsOneVolumeAFile() {
     QCOMPARE(study.volumes[n].acquired.size, glm::ivec3(2, 2, 5));
     QCOMPARE(study.volumes[n].timePoint, std::to_string(n + 1));
     QCOMPARE(study.volumes[n].files[0], folder.path(numbered("m", int(n) + 1)));
+  }
+}
+
+void TestMosaic::filesOfOneNumberAreVolumes_data() {
+  QTest::addColumn<double>("offMm");  // of each along the normal from the one before
+  QTest::newRow("at one place") << 0.0;
+  QTest::newRow("moved with the patient") << 0.2;
+  QTest::newRow("half a slice apart") << 1.5;
+}
+
+// Nothing tells them apart but that each is a file: copies of one acquisition, too.
+void TestMosaic::filesOfOneNumberAreVolumes() {
+  QFETCH(double, offMm);
+  const DicomFolder folder;
+  for (int n = 0; n < 3; ++n) {
+    DicomPicture p = mosaic(csaHeader({"0", "0", "1"}, "5"));
+    p.position.z += n * offMm;
+    for (std::uint16_t& pixel : p.pixels) pixel = std::uint16_t(pixel + 10 * (n % 2));
+    folder.add(numbered("m", n), p);
+  }
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(3));
+  for (std::size_t n = 0; n < 3; ++n) {
+    const Series& s = study.volumes[n];
+    QCOMPARE(s.files[0], folder.path(numbered("m", int(n))));
+    QCOMPARE(s.acquired.size, glm::ivec3(2, 2, 5));
+    QCOMPARE(s.label, std::to_string(n + 1) + " of 3");
+    QVERIFY(s.warnings.empty());
+    const auto loaded = loadSeries(s);
+    QVERIFY(loaded.ok());
+    const float first = 10.f * float(n % 2);
+    QCOMPARE(firstOfEachSlice(*loaded->acquired),
+             (std::vector<float>{first, first + 1, first + 2, first + 3, first + 4}));
   }
 }
 
