@@ -18,37 +18,111 @@ Result<int> wordField(const DataSet& data, std::uint32_t tag, const char* name, 
   return int(*value);
 }
 
+constexpr std::uint32_t framesTag = 0x00280008, samplesTag = 0x00280002, photometricTag = 0x00280004,
+                        storedBitsTag = 0x00280101, highBitTag = 0x00280102, signTag = 0x00280103,
+                        paletteTag = 0x00281101;
+
+/// NumberOfFrames; 0 where the file says so.
 Result<int> frameCount(const DataSet& data) {
-  const std::string text = data.text(0x00280008, data.root());
+  const std::string text = data.text(framesTag, data.root());
   if (text.empty()) return 1;
   const auto value = parseNumber(text);
-  if (!value || *value < 1 || *value > frameLimit || *value != std::floor(*value))
+  if (!value || *value < 0 || *value > frameLimit || *value != std::floor(*value))
     return Error{"NumberOfFrames is \"" + text + "\", which is no number of frames"};
   return int(*value);
 }
 
-/// Colours and how they are laid out. A missing SamplesPerPixel is 1.
-Status readColour(const DataSet& data, PixelFormat& format) {
+/// How many frames there are where NumberOfFrames is 0: as many as native pixels make up; one that is
+/// compressed.
+Result<int> framesThere(const Element& pixels, const PixelFormat& format,
+                        std::vector<std::string>& warnings) {
+  std::uint64_t frames = 1;
+  if (pixels.length != undefinedLength) {
+    const std::uint64_t each = format.frameBytes(), padding = pixels.length % each;
+    frames = pixels.length / each;
+    if (frames < 1 || frames > frameLimit || padding > 1)
+      return Error{"NumberOfFrames is \"0\", and its pixel data is no whole number of frames"};
+  }
+  warnings.push_back("its NumberOfFrames is 0: its pixel data is read as " + std::to_string(frames) +
+                     (frames == 1 ? " frame" : " frames"));
+  return int(frames);
+}
+
+/// Colours and how they are laid out.
+Status readColour(const DataSet& data, PixelFormat& format, std::vector<std::string>& warnings) {
   constexpr std::pair<const char*, int> kinds[] = {
       {"MONOCHROME1", 1}, {"MONOCHROME2", 1},  {"PALETTE COLOR", 1}, {"RGB", 3},
       {"YBR_FULL", 3},    {"YBR_FULL_422", 3}, {"YBR_ICT", 3},       {"YBR_RCT", 3}};
-  format.photometric = data.text(0x00280004, data.root());
-  format.samples = data.word(0x00280002, data.root()).value_or(1);
-  format.planar = format.samples > 1 && data.word(0x00280006, data.root()).value_or(0) == 1;
-  const bool hasPalette = data.has(0x00281101, data.root());
-  if (format.photometric.empty() && format.samples == 1 && !hasPalette) format.photometric = "MONOCHROME2";
+  const auto samples = data.word(samplesTag, data.root());
+  format.photometric = data.text(photometricTag, data.root());
+  if (format.photometric.empty() && samples.value_or(1) == 1 && !data.has(paletteTag, data.root())) {
+    format.photometric = "MONOCHROME2";
+    warnings.emplace_back(
+        "its PhotometricInterpretation is missing: one sample a pixel is taken as grey, high values bright");
+  }
   if (format.photometric.empty()) return Error{"PhotometricInterpretation (0028,0004) is missing"};
-  for (const auto& [name, samples] : kinds) {
+  for (const auto& [name, wanted] : kinds) {
     if (format.photometric != name) continue;
-    if (format.samples == samples) return {};
+    format.samples = samples.value_or(std::uint16_t(wanted));
+    format.planar = format.samples > 1 && data.word(0x00280006, data.root()).value_or(0) == 1;
+    if (!samples)
+      warnings.push_back("its SamplesPerPixel is missing: " + std::to_string(wanted) +
+                         " is taken, as of a picture of " + format.photometric);
+    if (format.samples == wanted) return {};
     return Error{"SamplesPerPixel is " + std::to_string(format.samples) + " in " +
                  (format.isGrey() ? "a grey image" : "a colour image (" + format.photometric + ")")};
   }
   return Error{"colour image (" + format.photometric + "): not supported"};
 }
 
+/// BitsStored and HighBit, each by the other where one is missing.
+Status readStoredBits(const DataSet& data, PixelFormat& format, std::vector<std::string>& warnings) {
+  const int allocated = format.bitsAllocated;
+  const bool knowsStored = data.word(storedBitsTag, data.root()).has_value();
+  const auto top = data.word(highBitTag, data.root());
+  const int ifAbsent = top && *top < allocated ? *top + 1 : allocated;
+  const auto stored = wordField(data, storedBitsTag, "BitsStored", ifAbsent, 1, allocated);
+  if (!stored) return stored.error();
+  const auto high = wordField(data, highBitTag, "HighBit", *stored - 1, *stored - 1, allocated - 1);
+  if (!high) return high.error();
+  format.bitsStored = *stored;
+  format.highBit = *high;
+  const std::string read = "the lower " + std::to_string(*stored) + " of the " + std::to_string(allocated) +
+                           " bits of each sample were read";
+  if (!knowsStored && allocated > 1) warnings.push_back("its BitsStored is missing: " + read);
+  if (!top && *stored < allocated) warnings.push_back("its HighBit is missing: " + read);
+  return {};
+}
+
+/// Whether samples are signed where PixelRepresentation is missing: as other attributes of stored values are
+/// written, else as a CT must be whose values would not fit Hounsfield units.
+bool isSignedWithoutSaying(const DataSet& data, const PixelFormat& format,
+                           std::vector<std::string>& warnings) {
+  constexpr std::pair<std::uint32_t, const char*> storedValues[] = {{0x00280120, "PixelPaddingValue"},
+                                                                    {0x00280121, "PixelPaddingRangeLimit"},
+                                                                    {0x00280106, "SmallestImagePixelValue"},
+                                                                    {0x00280107, "LargestImagePixelValue"}};
+  const std::string begin = "its PixelRepresentation is missing: its values were read as ";
+  for (const auto& [tag, name] : storedValues) {
+    const Element* e = data.find(tag, data.root());
+    const bool isSigned = e && e->vr == vrOf('S', 'S');
+    if (!isSigned && !(e && e->vr == vrOf('U', 'S'))) continue;
+    warnings.push_back(begin + (isSigned ? "signed" : "unsigned") + ", as its " + name + " is");
+    return isSigned;
+  }
+  constexpr double lowestOffset = -8192;  // with which 32768 would still be possible
+  if (format.bitsStored == 16 && data.text(0x00080060, data.root()) == "CT" &&
+      data.number(0x00281052, data.root()).value_or(0) > lowestOffset) {
+    warnings.push_back(begin + "signed, for a CT has none from 32768 on");
+    return true;
+  }
+  warnings.push_back(begin + "unsigned, which is a guess");
+  return false;
+}
+
 /// Bits, sign and order of integer samples.
-Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format) {
+Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format,
+                std::vector<std::string>& warnings) {
   const auto allocated = wordField(data, 0x00280100, "BitsAllocated", {}, 1, 64);
   if (!allocated) return allocated.error();
   format.bitsAllocated = *allocated;
@@ -56,17 +130,13 @@ Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format)
   if (bits != 1 && bits != 8 && bits != 16 && bits != 32)
     return Error{"BitsAllocated is " + std::to_string(bits) + "; 1, 8, 16 and 32 are read"};
   if (bits == 1 && format.samples > 1) return Error{"its colours are of one bit a sample"};
-  const auto stored =
-      wordField(data, 0x00280101, "BitsStored", format.bitsAllocated, 1, format.bitsAllocated);
-  if (!stored) return stored.error();
-  const auto high =
-      wordField(data, 0x00280102, "HighBit", *stored - 1, *stored - 1, format.bitsAllocated - 1);
-  if (!high) return high.error();
-  const auto sign = wordField(data, 0x00280103, "PixelRepresentation", 0, 0, 1);
+  if (Status s = readStoredBits(data, format, warnings); !s) return s;
+  const auto sign = wordField(data, signTag, "PixelRepresentation", 0, 0, 1);
   if (!sign) return sign.error();
-  format.bitsStored = *stored;
-  format.highBit = *high;
-  format.isSigned = *sign == 1 && bits > 1;
+  const bool isSaid = data.word(signTag, data.root()).has_value();
+  const bool matters = bits > 1 && format.samples == 1;
+  format.isSigned =
+      isSaid ? *sign == 1 && bits > 1 : matters && isSignedWithoutSaying(data, format, warnings);
   format.bytesInWords = pixels.bigEndian && pixels.vr == vrOf('O', 'W') && bits <= 8;
   return {};
 }
@@ -120,9 +190,10 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   if (header.time.empty()) header.time = dateOrTime(text(0x00080031));
 }
 
-Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels) {
+Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels,
+                                    std::vector<std::string>& warnings) {
   PixelFormat format;
-  if (Status s = readColour(data, format); !s) return s.error();
+  if (Status s = readColour(data, format, warnings); !s) return s.error();
   const auto rows = wordField(data, 0x00280010, "Rows", {}, 1, 65535);
   if (!rows) return rows.error();
   const auto columns = wordField(data, 0x00280011, "Columns", {}, 1, 65535);
@@ -131,10 +202,10 @@ Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels) 
   if (!frames) return frames.error();
   format.rows = *rows;
   format.columns = *columns;
-  format.frames = *frames;
+  format.frames = std::max(1, *frames);
   format.bigEndian = pixels.bigEndian;
   if (pixels.tag == 0x7fe00010) {
-    if (Status s = readBits(data, pixels, format); !s) return s.error();
+    if (Status s = readBits(data, pixels, format, warnings); !s) return s.error();
   } else {
     format.kind = pixels.tag == 0x7fe00008 ? PixelFormat::Kind::float32 : PixelFormat::Kind::float64;
     format.bitsAllocated = format.bitsStored = pixels.tag == 0x7fe00008 ? 32 : 64;
@@ -143,6 +214,10 @@ Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels) 
   if (!format.isGrey() &&
       (format.kind != PixelFormat::Kind::integer || (format.samples > 1 && format.isSigned)))
     return Error{"its colours are not unsigned integers"};
+  if (*frames > 0) return format;
+  const auto there = framesThere(pixels, format, warnings);
+  if (!there) return there.error();
+  format.frames = *there;
   return format;
 }
 

@@ -123,29 +123,76 @@ bool isPlain(const std::string& text) {
   return std::ranges::all_of(text, [](char c) { return std::uint8_t(c) < 0x80 && c != 0x1b; });
 }
 
-/// Whether all of it is UTF-8 of the shortest form.
-bool isUtf8(const std::string& text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const auto first = std::uint8_t(text[at++]);
-    const int more = first < 0x80   ? 0
-                     : first < 0xc2 ? -1
-                     : first < 0xe0 ? 1
-                     : first < 0xf0 ? 2
-                     : first < 0xf5 ? 3
-                                    : -1;
-    if (more < 0 || text.size() - at < std::size_t(more)) return false;
-    const auto second = more ? std::uint8_t(text[at]) : 0;
-    const bool tooLong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
-    if (tooLong || (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90)) return false;
-    for (const std::size_t end = at + std::size_t(more); at < end; ++at)
-      if ((std::uint8_t(text[at]) & 0xc0) != 0x80) return false;
-  }
-  return true;
+/// How many bytes the character at `at` takes in UTF-8 of the shortest form; 0: it is no such character.
+std::size_t utf8Length(std::string_view text, std::size_t at) {
+  const auto first = std::uint8_t(text[at]);
+  const std::size_t length = first < 0x80   ? 1
+                             : first < 0xc2 ? 0
+                             : first < 0xe0 ? 2
+                             : first < 0xf0 ? 3
+                             : first < 0xf5 ? 4
+                                            : 0;
+  if (text.size() - at < length) return 0;
+  const auto second = length > 1 ? std::uint8_t(text[at + 1]) : 0;
+  const bool tooLong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  if (tooLong || (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90)) return 0;
+  for (std::size_t n = 1; n < length; ++n)
+    if ((std::uint8_t(text[at + n]) & 0xc0) != 0x80) return 0;
+  return length;
 }
 
-/// Whether text has bytes above 7F that no set is declared for, and they are UTF-8.
-bool isUndeclaredUtf8(const std::string& text, const Characters& characters) {
-  return characters.undeclared && text.find('\x1b') == std::string::npos && isUtf8(text);
+/// What the bytes above 7F of a text are in UTF-8.
+struct Utf8 {
+  int characters = 0;
+  bool whole = true;   ///< all of them are UTF-8
+  bool mixed = false;  ///< a letter that is not Latin touches an ASCII letter, as it does by chance alone
+};
+
+/// Whether a character of two bytes in UTF-8 is neither Latin nor an accent over what stands before it.
+bool isLetterOfOthers(std::uint8_t first) { return first >= 0xc9 && first != 0xcc && first != 0xcd; }
+
+Utf8 utf8In(std::string_view text) {
+  const auto isAscii = [&](std::size_t at) {
+    return at < text.size() && std::isalpha(std::uint8_t(text[at]));
+  };
+  Utf8 found;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = utf8Length(text, at);
+    found.whole = found.whole && length > 0;
+    found.characters += length > 1;
+    const bool other = length == 2 && isLetterOfOthers(std::uint8_t(text[at]));
+    found.mixed = found.mixed || (other && (isAscii(at + 2) || (at > 0 && isAscii(at - 1))));
+    at += std::max<std::size_t>(1, length);
+  }
+  return found;
+}
+
+/// Whether text of a declared set that is UTF-8 throughout cannot be text of that set. Pairs as UTF-8 has
+/// them ("\xc3\xa9") make no sense in Latin letters; no other set here has a letter at 80 .. 9F.
+bool isNoTextOf(const CharacterSet& set, const std::string& text) {
+  constexpr std::string_view latin[] = {"100", "101", "109", "110", "148", "203"},
+                             other[] = {"144", "127", "126", "138", "166", "13"};
+  if (std::ranges::find(latin, set.term) != std::end(latin)) return true;
+  return std::ranges::find(other, set.term) != std::end(other) &&
+         std::ranges::any_of(text, [](char c) { return std::uint8_t(c) >= 0x80 && std::uint8_t(c) < 0xa0; });
+}
+
+/// What text is read as: what is declared, or what its bytes are.
+enum class ReadAs { declared, utf8, latin1 };
+
+/// Bytes that contradict what is declared are UTF-8 where all of them are, and Latin-1, a guess, where UTF-8
+/// or nothing is declared and none of them is.
+ReadAs readAs(const std::string& text, const Characters& characters) {
+  if (text.find('\x1b') != std::string::npos) return ReadAs::declared;
+  const Utf8 bytes = utf8In(text);
+  const bool isUtf8 = characters.initial->term == std::string_view("192");
+  if (!characters.undeclared && !isUtf8)
+    return bytes.whole && !bytes.mixed && isNoTextOf(*characters.initial, text) ? ReadAs::utf8
+                                                                                : ReadAs::declared;
+  if (bytes.characters > 0) return ReadAs::utf8;
+  const bool hasControls =
+      std::ranges::any_of(text, [](char c) { return std::uint8_t(c) >= 0x80 && std::uint8_t(c) < 0xa0; });
+  return hasControls ? ReadAs::declared : ReadAs::latin1;
 }
 
 /// The set that the escape sequence at `at` selects, and the sequence's length; nothing where it is unknown.
@@ -205,7 +252,8 @@ bool isDelimiter(char c) { return c == '^' || c == '=' || c == '\\' || c == '\r'
 std::string toUtf8(const std::string& text, const std::string& specificCharacterSet) {
   if (isPlain(text)) return text;
   const Characters characters = charactersOf(specificCharacterSet);
-  if (isUndeclaredUtf8(text, characters)) return text;
+  if (const ReadAs how = readAs(text, characters); how != ReadAs::declared)
+    return converted(text, how == ReadAs::utf8 ? "UTF-8" : "ISO-8859-1");
   const CharacterSet* current = characters.initial;
   std::string out, run;
   const auto flush = [&] {
@@ -239,12 +287,24 @@ std::string characterRemark(const std::string& text, const std::string& specific
   const Characters characters = charactersOf(specificCharacterSet);
   const std::string set = "SpecificCharacterSet \"" + toUtf8(specificCharacterSet, {}) + "\"";
   const std::string term = std::string("ISO_IR ") + characters.initial->term;
-  if (isUndeclaredUtf8(text, characters))
-    return characters.misspelt.empty() ? "it has texts in UTF-8 and does not say so: they were read as UTF-8"
-                                       : "its " + set + " is not known: its texts were read as UTF-8";
+  const bool undeclared = characters.undeclared && characters.misspelt.empty();
+  const std::string unknown =
+      characters.undeclared ? "its " + set + " is no term of the standard and is not known" : "";
+  const ReadAs how = readAs(text, characters);
+  if (how == ReadAs::latin1) {
+    const std::string guess = "were read as ISO_IR 100, which is a guess";
+    if (undeclared) return "it has letters above 7F and does not say of which character set: they " + guess;
+    if (characters.undeclared) return unknown + ": its texts " + guess;
+    return "it has texts that are no UTF-8 under " + set + ": they " + guess;
+  }
+  if (how == ReadAs::utf8 && undeclared)
+    return "it has texts in UTF-8 and does not say so: they were read as UTF-8";
+  if (how == ReadAs::utf8 && characters.undeclared) return unknown + ": its texts were read as UTF-8";
+  if (how == ReadAs::utf8 && term != "ISO_IR 192")
+    return "it has texts in UTF-8 under " + set + ": they were read as UTF-8";
   if (!characters.misspelt.empty())
-    return "its " + set + " is no term of the standard" +
-           (characters.undeclared ? " and is not known" : ": it was read as " + term);
+    return characters.undeclared ? unknown
+                                 : "its " + set + " is no term of the standard: it was read as " + term;
   if (characters.ofLaterValue && text.find('\x1b') == std::string::npos)
     return "its " + set + " says nothing of letters above 7F in its first value: they were read as " + term;
   return {};

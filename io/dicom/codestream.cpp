@@ -117,6 +117,47 @@ JpegColours jpegColours(Bytes stream) {
   return JpegColours::unsaid;
 }
 
+namespace {
+
+const char* syntaxOfJpeg(Bytes begin) {
+  for (std::size_t at = 2; at + 4 <= begin.size() && begin[at] == 0xff;) {
+    const std::uint8_t marker = begin[at + 1];
+    if (marker == 0xf7) return "1.2.840.10008.1.2.4.80";
+    if (isFrameHeader(marker) && (marker & 3) == 3) return "1.2.840.10008.1.2.4.57";
+    if (isFrameHeader(marker) && (marker & 3) == 2) return "1.2.840.10008.1.2.4.55";
+    if (isFrameHeader(marker)) return marker == 0xc0 ? "1.2.840.10008.1.2.4.50" : "1.2.840.10008.1.2.4.51";
+    at += 2 + numberAt<std::uint16_t>(begin, at + 2, true);
+  }
+  return "";
+}
+
+/// Whether the header of a frame in RLE (PS3.5 G.5) begins here: the number of its segments and where each
+/// begins, the first behind the header.
+bool isRleHeader(Bytes begin) {
+  constexpr std::uint32_t headerBytes = 64, mostSegments = 15;
+  if (begin.size() < headerBytes) return false;
+  const auto field = [&](std::uint32_t n) { return numberAt<std::uint32_t>(begin, 4 * n, false); };
+  const std::uint32_t segments = field(0);
+  if (segments < 1 || segments > mostSegments || field(1) != headerBytes) return false;
+  for (std::uint32_t n = 2; n <= mostSegments; ++n)
+    if (n <= segments ? field(n) <= field(n - 1) : field(n) != 0) return false;
+  return true;
+}
+
+}  // namespace
+
+const char* syntaxOfStream(Bytes begin) {
+  constexpr std::array<std::uint8_t, 3> jpeg{0xff, 0xd8, 0xff};
+  constexpr std::array<std::uint8_t, 4> jpeg2000{0xff, 0x4f, 0xff, 0x51};
+  constexpr std::array<std::uint8_t, 8> jp2{0, 0, 0, 12, 'j', 'P', ' ', ' '};
+  const auto starts = [&](const auto& with) {
+    return begin.size() >= with.size() && std::equal(with.begin(), with.end(), begin.begin());
+  };
+  if (starts(jpeg)) return syntaxOfJpeg(begin);
+  if (starts(jpeg2000) || starts(jp2)) return "1.2.840.10008.1.2.4.91";
+  return isRleHeader(begin) ? "1.2.840.10008.1.2.5" : "";
+}
+
 Bytes jpeg2000Stream(Bytes frame) {
   constexpr std::array<std::uint8_t, 4> start{0xff, 0x4f, 0xff, 0x51};  // SOC, SIZ
   const auto it = std::search(frame.begin(), frame.end(), start.begin(), start.end());

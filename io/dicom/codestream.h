@@ -20,6 +20,10 @@ Result<StreamInfo> jpegInfo(Bytes stream);
 enum class JpegColours { unsaid, rgb, ybr };
 JpegColours jpegColours(Bytes stream);
 
+/// The UID of the transfer syntax of a stream that begins so (JPEG by its first frame header, JPEG-LS, JPEG
+/// 2000, RLE); empty: it is none of these.
+const char* syntaxOfStream(Bytes begin);
+
 /// The SIZ marker of a JPEG 2000 code stream (ISO 15444-1 A.5.1). Refused: subsampling, colours that differ
 /// in precision, more than 4096 tiles.
 Result<StreamInfo> jpeg2000Info(Bytes stream);

@@ -31,18 +31,20 @@ Result<std::array<LookupTable, 3>> readPalette(const DataSet& data, bool isSigne
                                                std::vector<std::string>& warnings) {
   std::array<LookupTable, 3> palette;
   int used = 0;
+  bool widened = false;  // all three are, where one is
   for (std::uint32_t colour = 0; colour < 3; ++colour) {
     const LookupTags tags{0x00281101 + colour, 0x00281201 + colour, 0x00281221 + colour};
     auto table = readLookupTable(data, data.root(), tags, isSigned);
     if (!table) return table.error();
     used = std::max(used, table->usedBits());
+    widened = widened || table->bits > table->saidBits;
     palette[colour] = std::move(*table);
   }
   const bool narrow = used <= 8 && std::ranges::all_of(palette, [](auto& table) { return table.bits == 16; });
   if (narrow && used > 0)
     warnings.emplace_back("Its palette says that it has 16 bits, and uses 8: it is shown by those.");
   for (LookupTable& table : palette)
-    for (std::uint16_t& entry : table.entries) entry = toByte(entry, narrow ? 8 : table.bits);
+    for (std::uint16_t& entry : table.entries) entry = toByte(entry, narrow ? 8 : widened ? 16 : table.bits);
   return palette;
 }
 

@@ -1,6 +1,7 @@
 #include "io/dicom/data_set.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -63,8 +64,13 @@ std::string DataSet::utf8(std::uint32_t tag, Scope scope) const {
   const std::string found = text(tag, scope);
   const std::string own = found.empty() ? found : text(specificCharacterSet, scope);
   const std::string& characters = own.empty() ? characters_ : own;
-  if (const std::string unusual = characterRemark(found, characters); !unusual.empty()) remark(unusual);
-  return toUtf8(found, characters);
+  const std::string unusual = characterRemark(found, characters);
+  if (!unusual.empty()) remark(unusual);
+  std::string text = toUtf8(found, characters);
+  if (text != found && text.find("\xef\xbf\xbd") != std::string::npos)
+    remark(
+        "some letters of its texts are damaged or none of its character set: \xef\xbf\xbd stands for them");
+  return text;
 }
 
 std::vector<std::string> DataSet::values(std::uint32_t tag, Scope scope) const {
@@ -169,9 +175,24 @@ std::vector<std::uint8_t> DataSet::bytes(std::uint32_t tag, Scope scope) const {
   return bytes;
 }
 
+std::uint32_t DataSet::privateTag(std::uint32_t group, std::string_view creator, std::uint32_t element,
+                                  Scope scope) const {
+  for (std::uint32_t n = scope.begin; n < scope.end; n = elements_[n].end) {
+    const std::uint32_t tag = elements_[n].tag, block = tag & 0xffff;
+    if (tag >> 16 == group && block >= 0x10 && block <= 0xff && text(tag, scope) == creator)
+      return group << 16 | block << 8 | element;
+  }
+  return 0;
+}
+
 bool DataSet::has(std::uint32_t tag, Scope scope) const {
   const Element* e = find(tag, scope);
   return e && e->length > 0;
+}
+
+std::string sentenceOf(std::string remark) {
+  if (!remark.empty()) remark[0] = char(std::toupper(std::uint8_t(remark[0])));
+  return remark + '.';
 }
 
 std::optional<double> parseNumber(std::string_view text) {

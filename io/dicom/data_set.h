@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/dicom/scan.h"
@@ -55,16 +56,19 @@ class DataSet {
   std::vector<std::uint16_t> words(std::uint32_t tag, Scope scope) const;
   /// All bytes of a value, however long, those of big endian 16-bit words (OW) in the order of little endian.
   std::vector<std::uint8_t> bytes(std::uint32_t tag, Scope scope) const;
+  /// An element of the block that `creator` has reserved in a private group (PS3.5 7.8.1); 0: it has none.
+  std::uint32_t privateTag(std::uint32_t group, std::string_view creator, std::uint32_t element,
+                           Scope scope) const;
   /// An element that is there and not empty.
   bool has(std::uint32_t tag, Scope scope) const;
 
   /// What was read otherwise than it is written, so far: sentences without the file's name, each once.
   const std::vector<std::string>& remarks() const { return remarks_; }
+  void remark(const std::string& sentence) const;
 
  private:
   static constexpr std::uint32_t specificCharacterSet = 0x00080005;
 
-  void remark(const std::string& sentence) const;
   template <class T>
   std::optional<T> numberOf(std::uint32_t tag, Scope scope) const;
   template <class T>
@@ -75,6 +79,9 @@ class DataSet {
   std::string characters_;  // SpecificCharacterSet of the data set
   mutable std::vector<std::string> remarks_;
 };
+
+/// A remark, "its ...", as a sentence of its own: "Its ... ."
+std::string sentenceOf(std::string remark);
 
 /// A finite number that takes up all of `text` (PS3.5 6.2, DS and IS), else nothing.
 std::optional<double> parseNumber(std::string_view text);

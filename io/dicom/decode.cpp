@@ -17,8 +17,7 @@ std::vector<Value> unpackIntegers(const PixelFormat& format, Bytes bytes) {
   const std::uint32_t mask = bits == 32 ? ~0u : (1u << bits) - 1, sign = 1u << (bits - 1);
   std::vector<Value> values(format.frameSamples());
   for (std::size_t n = 0; n < values.size(); ++n) {
-    const std::size_t at = format.bytesInWords ? n ^ 1 : n;
-    const std::uint32_t raw = numberAt<Raw>(bytes, at * sizeof(Raw), format.bigEndian);
+    const std::uint32_t raw = numberAt<Raw>(bytes, n * sizeof(Raw), format.bigEndian);
     const std::uint32_t stored = raw >> shift & mask;
     // (x ^ s) - s spreads the sign bit s over all bits above it.
     values[n] = format.isSigned ? Value(std::int32_t((stored ^ sign) - sign)) : Value(stored);
@@ -45,22 +44,6 @@ Samples unpack(const PixelFormat& format, Bytes bytes) {
   if (format.bitsAllocated == 16) return unpackIntegers<std::uint16_t, std::int16_t>(format, bytes);
   if (!format.isSigned) return unpackIntegers<std::uint32_t, std::uint32_t>(format, bytes);
   return unpackIntegers<std::uint32_t, std::int32_t>(format, bytes);
-}
-
-/// Frame `n` of a picture of one bit a pixel: `bytes` are the words that its bits lie in.
-Result<DecodedFrame> unpackBitFrame(const PixelFormat& format, int n, Bytes bytes) {
-  const std::uint64_t first = std::uint64_t(n) * format.frameSamples() % 16;
-  std::vector<std::uint8_t> values(format.frameSamples());
-  const bool isOdd = format.bytesInWords && bytes.size() % 2 == 1;
-  if (bytes.size() * 8 < first + values.size() || isOdd) return Error{"its pixel data is cut off"};
-  std::vector<std::uint8_t> swapped;
-  if (format.bytesInWords) {
-    swapped.assign(bytes.begin(), bytes.end());
-    swapBytesOfWords(swapped);
-    bytes = swapped;
-  }
-  unpackBits(bytes, first, values);
-  return DecodedFrame{std::move(values), {}, false};
 }
 
 bool isYbr(const PixelFormat& format) { return format.photometric.starts_with("YBR_FULL"); }
@@ -115,6 +98,29 @@ Samples unpackNative(const PixelFormat& format, Bytes bytes) {
       samples);
 }
 
+/// Frame `n` of native samples: `bytes` are its own; of bits and of bytes in big endian words the 16-bit
+/// words that it lies in.
+Result<DecodedFrame> nativeFrame(const PixelFormat& format, int n, Bytes bytes) {
+  std::vector<std::uint8_t> swapped;
+  if (format.bytesInWords) {
+    if (bytes.size() % 2 == 1) return Error{"its pixel data is cut off"};
+    swapped.assign(bytes.begin(), bytes.end());
+    swapBytesOfWords(swapped);
+    bytes = swapped;
+  }
+  const bool inWords = format.isBits() || format.bytesInWords;
+  const std::uint64_t bits = format.frameSamples() * std::uint64_t(format.bitsAllocated),
+                      before = inWords ? std::uint64_t(n) * bits % 16 : 0;
+  if (inWords ? bytes.size() * 8 < before + bits : bytes.size() != format.frameBytes())
+    return Error{"its pixel data is cut off"};
+  if (!format.isBits())
+    return DecodedFrame{
+        unpackNative(format, bytes.subspan(before / 8, format.frameBytes())), {}, isYbr(format)};
+  std::vector<std::uint8_t> values(format.frameSamples());
+  unpackBits(bytes, before, values);
+  return DecodedFrame{std::move(values), {}, false};
+}
+
 /// All fragments of a frame.
 template <class Read>
 Result<std::vector<std::uint8_t>> joined(const FrameRanges& ranges, const Read& read) {
@@ -146,7 +152,7 @@ Result<std::vector<std::uint8_t>> inflateFrom(const std::string& path, std::uint
   const std::uint64_t size = file->size();
   const auto deflated = file->read(offset, size - std::min(size, offset));
   if (!deflated) return deflated.error();
-  return inflateRaw(*deflated);
+  return inflateAll(*deflated);
 }
 
 Result<DecodedFrame> decodeIsolated(const std::string& path, const PixelFormat& format,
@@ -172,10 +178,7 @@ Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax
   if (format.isBits() && syntax.coding != Coding::native) return Error{"only native pixels have one bit"};
   switch (syntax.coding) {
     case Coding::native:
-      if (format.isBits()) return unpackBitFrame(format, n, bytes);
-      if (bytes.size() != format.frameBytes() + (format.bytesInWords ? format.frameBytes() % 2 : 0))
-        return Error{"its pixel data is cut off"};
-      return DecodedFrame{unpackNative(format, bytes), {}, isYbr(format)};
+      return nativeFrame(format, n, bytes);
     case Coding::rle:
       return unpackDecoded(format, decodeRle(format, bytes));
     case Coding::jpeg:

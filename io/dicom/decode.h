@@ -21,8 +21,8 @@ struct DecodedFrame {
 };
 
 /// Decodes one frame from its bytes (all fragments joined). The only place where pixel data meets a decoder:
-/// bytes in, a value or a reason out. Of pictures of one bit a pixel they are the 16-bit words in which the
-/// bits of frame `n` lie.
+/// bytes in, a value or a reason out. Of pictures of one bit a pixel, and of bytes in big endian words, they
+/// are the 16-bit words in which frame `n` lies.
 Result<DecodedFrame> decodeFrame(const PixelFormat& format, const TransferSyntax& syntax, Bytes bytes,
                                  int n = 0);
 

@@ -24,14 +24,27 @@ Code codeAt(const DataSet& data, std::uint32_t sequence, DataSet::Scope scope);
 /// it is not such an object.
 Result<InspectedFile> openObject(const std::string& path, DerivedKind kind);
 
+/// Adds what of an object was read otherwise than it is written to what is told of it.
+template <class Value>
+void tellRemarks(const DataSet& data, const std::string& path, Value& value) {
+  for (const std::string& remark : data.remarks()) {
+    if constexpr (requires { value.notes; })
+      value.notes.push_back(path + ": " + remark + ".");
+    else if constexpr (requires { value.warnings; })
+      value.warnings.push_back(sentenceOf(remark));
+  }
+}
+
 /// Runs `read` on the data set of such a file. Its Error, a reason without full stop, gets the file's name.
 template <class Value, class Read>
 Result<Value> loadObject(const std::string& path, DerivedKind kind, const Read& read) {
   try {
     const Result<InspectedFile> file = openObject(path, kind);
     if (!file) return file.error();
-    Result<Value> value = read(*file, DataSet(file->scanned.head, file->scanned.dataSet.elements));
+    const DataSet data(file->scanned.head, file->scanned.dataSet.elements);
+    Result<Value> value = read(*file, data);
     if (!value) return Error{path + ": " + value.message() + "."};
+    tellRemarks(data, path, *value);
     return value;
   } catch (const std::bad_alloc&) {
     return Error{path + ": there is not enough memory to read it."};

@@ -137,6 +137,9 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
   frame.shutter = hiddenBy(shutter, frame.size, frame.pixel.mm);
   frame.shutterGrey = shutter.grey;
   frame.regions = readRegions(data);
+  for (const std::string& remark : data.remarks())
+    if (std::ranges::find(header.warnings, remark) == header.warnings.end())
+      frame.warnings.push_back(sentenceOf(remark));
   return frame;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "io/dicom/data_set.h"
 
@@ -38,6 +39,13 @@ class FrameScopes {
   /// group.
   DataSet::Scope ofGroupAlone(std::uint32_t group) const {
     return isEnhanced_ ? itemOf(group).value_or(DataSet::Scope{}) : root_;
+  }
+
+  /// All items of a sequence that a frame has: its own, else those of all frames, else those of the data set.
+  std::vector<DataSet::Scope> itemsOf(std::uint32_t sequence, const DataSet& data) const {
+    for (DataSet::Scope scope : {root_, ofAll_})
+      if (auto items = data.items(sequence, scope); !items.empty()) return items;
+    return data.items(sequence, data.root());
   }
 
   static constexpr std::uint32_t sharedGroups = 0x52009229, perFrameGroups = 0x52009230;

@@ -1,6 +1,7 @@
 #include "io/dicom/greys.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "io/dicom/lookup_table.h"
@@ -8,6 +9,31 @@
 
 namespace volumen::dicom {
 namespace {
+
+constexpr std::uint32_t voiLutFunction = 0x00281056;
+
+/// The VOILUTFunction of a scope as the standard spells it: LINEAR where it is missing or, which is told, not
+/// known.
+std::string readFunction(const DataSet& data, DataSet::Scope scope) {
+  constexpr const char* terms[] = {"LINEAR", "LINEAR_EXACT", "SIGMOID"};
+  constexpr std::size_t mostShown = 64;
+  const std::string said = toUtf8(data.text(voiLutFunction, scope).substr(0, mostShown), {});
+  const auto lettersOf = [](std::string_view term) {
+    std::string letters;
+    for (const char c : term)
+      if (std::isalpha(std::uint8_t(c))) letters += char(std::toupper(std::uint8_t(c)));
+    return letters;
+  };
+  if (said.empty()) return terms[0];
+  for (const char* term : terms) {
+    if (said == term) return term;
+    if (lettersOf(said) != lettersOf(term)) continue;
+    data.remark("its VOILUTFunction \"" + said + "\" is no term of the standard: it was read as " + term);
+    return term;
+  }
+  data.remark("its VOILUTFunction \"" + said + "\" is not known: it was read as LINEAR");
+  return terms[0];
+}
 
 /// LINEAR is not defined for widths below 1: there it is LINEAR_EXACT.
 WindowFunction functionOf(const std::string& name, double width) {
@@ -57,7 +83,7 @@ std::vector<NamedGrey> readWindows(const DataSet& data, DataSet::Scope scope) {
   std::vector<NamedGrey> greys;
   const auto centres = data.numbers(0x00281050, scope), widths = data.numbers(0x00281051, scope);
   if (!centres || !widths) return greys;
-  const std::string function = data.text(0x00281056, scope);
+  const std::string function = readFunction(data, scope);
   std::vector<std::string> names;
   if (data.has(0x00281055, scope)) names = data.values(0x00281055, scope);
   for (std::size_t n = 0; n < std::min(centres->size(), widths->size()); ++n) {

@@ -20,6 +20,7 @@ namespace volumen::dicom {
 namespace {
 
 constexpr std::uint64_t sizeLimit = std::uint64_t(16) << 30;
+constexpr const char* explicitLittleEndian = "1.2.840.10008.1.2.1";
 
 Inspection refused(const std::string& reason) {
   std::string sentence = reason + ".";
@@ -38,15 +39,16 @@ std::string kindOf(const FileHeader& header) {
   return "DICOM file without pixel data" + (known.empty() ? "" : " (" + known + ")");
 }
 
-/// The 16-bit words in which each frame's bits lie; frames share those at their ends.
-Result<std::vector<FrameRanges>> bitFrames(std::uint64_t offset, const PixelFormat& format,
-                                           std::uint64_t have) {
+/// The 16-bit words in which each frame's bits or bytes lie; frames share those at their ends.
+Result<std::vector<FrameRanges>> wordFrames(std::uint64_t offset, const PixelFormat& format,
+                                            std::uint64_t have) {
   if (format.bytesInWords && have % 2 == 1 && have == format.allBytes())
-    return Error{"its bits end within a big endian word"};
+    return Error{"its pixel data ends within a big endian word"};
+  const std::uint64_t bits = format.frameSamples() * std::uint64_t(format.bitsAllocated);
   std::vector<FrameRanges> frames;
   for (std::uint64_t n = 0; n < std::uint64_t(format.frames); ++n) {
-    const std::uint64_t begin = n * format.frameSamples() / 16 * 2;
-    const std::uint64_t end = std::min(((n + 1) * format.frameSamples() + 15) / 16 * 2, have);
+    const std::uint64_t begin = n * bits / 16 * 2;
+    const std::uint64_t end = std::min(((n + 1) * bits + 15) / 16 * 2, have);
     frames.push_back({{offset + begin, end - begin}});
   }
   return frames;
@@ -56,20 +58,21 @@ Result<std::vector<FrameRanges>> nativeFrames(const Element& pixels, const Pixel
                                               std::uint64_t size) {
   const std::uint64_t needed = format.allBytes();
   const std::uint64_t have = std::min(pixels.length, size - std::min(size, pixels.offset));
-  if (pixels.length == undefinedLength) return Error{"its pixel data has no length"};
   if (have < needed)
     return Error{"its pixel data is cut off: " + std::to_string(have) + " of " + std::to_string(needed) +
                  " bytes are there"};
-  if (format.isBits()) return bitFrames(pixels.offset, format, have);
-  // The last byte of an odd number stands behind its padding.
-  const bool oddWords = format.bytesInWords && format.frameBytes() % 2 == 1;
-  if (oddWords && (format.frames > 1 || have == needed))
-    return Error{"its frames have an odd number of bytes in big endian words"};
-  if (oddWords) return std::vector<FrameRanges>{{{pixels.offset, needed + 1}}};
+  if (format.isBits() || format.bytesInWords) return wordFrames(pixels.offset, format, have);
   std::vector<FrameRanges> frames;
   for (int n = 0; n < format.frames; ++n)
     frames.push_back({{pixels.offset + std::uint64_t(n) * format.frameBytes(), format.frameBytes()}});
   return frames;
+}
+
+/// Whether pixels that the file says are compressed are not: they stand in no fragments, and have the length
+/// of their samples.
+bool isNativeAfterAll(const Element& pixels, const TransferSyntax& syntax, const PixelFormat& format) {
+  if (syntax.coding == Coding::native || syntax.coding == Coding::unsupported) return false;
+  return pixels.length == format.allBytes() + format.allBytes() % 2;
 }
 
 /// Whether a file without preamble begins as DICOM does: with group 0002, 0004 or 0008 in either byte order.
@@ -114,6 +117,14 @@ Inspection withoutPicture(const DataSet& data, const FileHeader& header) {
   return found;
 }
 
+/// Whether values may be an uptake: those of PET, but for secondary captures that do not say what they are.
+bool isPet(const DataSet& data, const FileHeader& header) {
+  const std::string& sopClass = header.sopClassUid;
+  const bool isCapture = sopClass == UID_SecondaryCaptureImageStorage ||
+                         sopClass.starts_with(std::string(UID_SecondaryCaptureImageStorage) + ".");
+  return header.modality == "PT" && (!isCapture || data.has(0x00541001, data.root()));
+}
+
 /// Reads the file and says what it is; leaves its elements in `s`.
 Inspection inspectInto(const std::string& path, ScannedFile& s) {
   const Result<RegularFile> file = RegularFile::open(path);
@@ -143,7 +154,7 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   found.header.syntax = s.syntax;
   found.header.inflatedFrom = s.inflatedFrom;
   readIdentity(data, found.header);
-  if (found.header.modality == "PT") found.header.pet = readPetFacts(data);
+  if (isPet(data, found.header)) found.header.pet = readPetFacts(data);
   const bool isSegmentation = derivedKind(found.header.sopClassUid) == DerivedKind::segmentation;
   if (!s.dataSet.pixels || isSegmentation) return withoutPicture(data, found.header);
   if (Status picture = readPicture(*file, s, data, found.header); !picture)
@@ -152,44 +163,83 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   return found;
 }
 
+/// How the samples are written, and in which transfer syntax they really are.
+Status readFormat(const ScannedFile& s, const DataSet& data, FileHeader& header) {
+  constexpr std::uint32_t planarConfiguration = 0x00280006;
+  const Element& pixels = *s.dataSet.pixels;
+  auto format = readPixelFormat(data, pixels, header.warnings);
+  if (!format) return format.error();
+  header.format = *format;
+  if (!s.remark.empty()) header.warnings.push_back(s.remark);
+  if (isNativeAfterAll(pixels, s.syntax, *format)) {
+    header.warnings.push_back("its transfer syntax is \"" + std::string(s.syntax.name) +
+                              "\", and its pixels are not compressed: they were read as they are");
+    header.syntax = transferSyntax(explicitLittleEndian);
+    header.syntax.encoding = s.syntax.encoding;
+  }
+  const bool isNative = header.syntax.coding == Coding::native;
+  header.format.subsampled = isNative && format->photometric == "YBR_FULL_422";
+  if (header.format.subsampled && format->columns % 2 == 1)
+    return Error{"its rows are odd, and YBR_FULL_422 stores two pixels at a time"};
+  if (isNative && format->samples > 1 && !header.format.subsampled &&
+      !data.has(planarConfiguration, data.root()))
+    header.warnings.emplace_back("its PlanarConfiguration is missing: its colours were read pixel by pixel");
+  return {};
+}
+
+/// Tells of native pixels that go on behind the last frame, and of compressed ones that have no end mark.
+void tellLength(const ScannedFile& s, const std::vector<FrameRanges>& frames, FileHeader& header) {
+  constexpr std::uint64_t endMark = 8;
+  const std::uint64_t length = s.dataSet.pixels->length, needed = header.format.allBytes();
+  const bool isNative = header.syntax.coding == Coding::native;
+  if (isNative && length > needed + needed % 2 && length >= needed + header.format.frameBytes())
+    header.warnings.push_back("its pixel data has " + std::to_string(length) + " bytes, and its " +
+                              std::to_string(header.format.frames) +
+                              (header.format.frames == 1 ? " frame" : " frames") + " take " +
+                              std::to_string(needed) + ": the rest is not shown");
+  if (const Range last = frames.back().back(); !isNative && last.offset + last.length + endMark > s.size)
+    header.warnings.emplace_back("it ends behind its last fragment, without the mark that belongs there");
+}
+
+/// Where the bytes of each frame lie.
+Result<std::vector<FrameRanges>> findFrames(const RegularFile& file, const ScannedFile& s,
+                                            const DataSet& data, FileHeader& header) {
+  const Element& pixels = *s.dataSet.pixels;
+  const bool isNative = header.syntax.coding == Coding::native,
+             inFragments = pixels.length == undefinedLength;
+  const std::string named = "\"" + std::string(header.syntax.name) + "\"";
+  if (isNative && inFragments)
+    return Error{"its pixel data is in fragments, which " + named +
+                 " does not have, and they hold no picture that is known"};
+  if (!isNative && !inFragments)
+    return Error{"its pixel data is not in fragments, as " + named + " wants it"};
+  auto frames = isNative ? nativeFrames(pixels, header.format, s.size)
+                         : encapsulatedFrames(file, pixels, header.format.frames);
+  if (!frames) return frames;
+  if (!isNative && data.number(0x00280008, data.root()) == 0.0 && frames->front().size() > 1)
+    return Error{"NumberOfFrames is 0, and its pixel data is in " + std::to_string(frames->front().size()) +
+                 " fragments: which of them make a frame is not known"};
+  tellLength(s, *frames, header);
+  return frames;
+}
+
 }  // namespace
 
 Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet& data, FileHeader& header) {
-  const Element& pixels = *s.dataSet.pixels;
-  auto format = readPixelFormat(data, pixels);
-  if (!format) return format.error();
-  header.format = *format;
-  if (!data.has(0x00280004, data.root()))
-    header.warnings.emplace_back(
-        "its PhotometricInterpretation is missing: one sample a pixel is taken as grey, high values bright");
-  header.format.subsampled = s.syntax.coding == Coding::native && format->photometric == "YBR_FULL_422";
-  if (header.format.subsampled && format->columns % 2 == 1)
-    return Error{"its rows are odd, and YBR_FULL_422 stores two pixels at a time"};
-  if (s.syntax.coding == Coding::unsupported)
-    return Error{"its transfer syntax \"" + std::string(s.syntax.name) + "\" is not supported"};
-  if (format->framePixels() > framePixelLimit()) return tooLarge(format->framePixels());
-  if (header.format.isBits() && s.syntax.coding != Coding::native)
-    return Error{"its bits are compressed (" + std::string(s.syntax.name) + "), which is not read"};
-  if (header.format.allBytes() > sizeLimit) return Error{"it claims more than 16 GiB of pixels"};
+  if (Status read = readFormat(s, data, header); !read) return read;
+  const PixelFormat& format = header.format;
+  if (header.syntax.coding == Coding::unsupported)
+    return Error{"its transfer syntax \"" + std::string(header.syntax.name) + "\" is not supported"};
+  if (format.framePixels() > framePixelLimit()) return tooLarge(format.framePixels());
+  if (format.isBits() && header.syntax.coding != Coding::native)
+    return Error{"its bits are compressed (" + std::string(header.syntax.name) + "), which is not read"};
+  if (format.allBytes() > sizeLimit) return Error{"it claims more than 16 GiB of pixels"};
   if (Status slices = readSlices(data, header); !slices) return slices;
-  if (s.syntax.coding != Coding::native && pixels.length != undefinedLength)
-    return Error{"its pixel data is not in fragments, as \"" + std::string(s.syntax.name) + "\" wants it"};
-  auto frames = s.syntax.coding == Coding::native ? nativeFrames(pixels, header.format, s.size)
-                                                  : encapsulatedFrames(file, pixels, format->frames);
+  auto frames = findFrames(file, s, data, header);
   if (!frames) return frames.error();
-  if (const std::uint64_t needed = header.format.allBytes();
-      s.syntax.coding == Coding::native && pixels.length > needed + needed % 2 &&
-      pixels.length >= needed + header.format.frameBytes())
-    header.warnings.push_back("its pixel data has " + std::to_string(pixels.length) + " bytes, and its " +
-                              std::to_string(format->frames) + (format->frames == 1 ? " frame" : " frames") +
-                              " take " + std::to_string(needed) + ": the rest is not shown");
-  header.cine = readCine(data, format->frames);
-  header.contrastAgent = readContrastAgent(data);
   header.frames = std::move(*frames);
-  constexpr std::uint64_t endMark = 8;
-  if (const Range last = header.frames.back().back();
-      s.syntax.coding != Coding::native && last.offset + last.length + endMark > s.size)
-    header.warnings.emplace_back("it ends behind its last fragment, without the mark that belongs there");
+  header.cine = readCine(data, format.frames);
+  header.contrastAgent = readContrastAgent(data);
   splitMosaic(data, header);
   return {};
 }

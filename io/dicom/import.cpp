@@ -5,6 +5,7 @@
 
 #include "io/dicom/directory.h"
 #include "io/dicom/series.h"
+#include "io/dicom/suv.h"
 #include "io/dicom/unread.h"
 #include "io/study/study.h"
 #include "io/zip_archive.h"

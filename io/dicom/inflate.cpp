@@ -12,13 +12,23 @@ constexpr std::size_t mebibyte = std::size_t(1) << 20;
 /// A zlib stream that is always ended.
 struct Inflater {
   z_stream stream{};
-  bool ready = inflateInit2(&stream, -MAX_WBITS) == Z_OK;
-  Inflater() = default;
+  bool ready;
+  explicit Inflater(int windowBits) : ready(inflateInit2(&stream, windowBits) == Z_OK) {}
   Inflater(const Inflater&) = delete;
   ~Inflater() {
     if (ready) inflateEnd(&stream);
   }
 };
+
+/// Whether a stream begins as zlib (RFC 1950) or gzip (RFC 1952) wrap it. A raw one could by chance, with
+/// bits that nobody sets.
+bool isWrapped(Bytes deflated) {
+  constexpr unsigned deflate = 8, check = 31;
+  if (deflated.size() < 2) return false;
+  const unsigned first = deflated[0], second = deflated[1];
+  return (first == 0x1f && second == 0x8b) ||
+         ((first & 0xf) == deflate && first >> 4 <= 7 && (first << 8 | second) % check == 0);
+}
 
 }  // namespace
 
@@ -27,10 +37,11 @@ std::size_t mostInflated(std::size_t deflatedBytes) {
   return std::min(512 * mebibyte, std::max(64 * mebibyte, 200 * deflatedBytes));
 }
 
-Result<std::vector<std::uint8_t>> inflateRaw(Bytes deflated) {
+Result<std::vector<std::uint8_t>> inflateAll(Bytes deflated) {
   const std::size_t limit = mostInflated(deflated.size());
   if (deflated.size() > 512 * mebibyte) return Error{"the deflated data set is larger than 512 MiB"};
-  Inflater inflater;
+  constexpr int detect = 32;
+  Inflater inflater(isWrapped(deflated) ? MAX_WBITS + detect : -MAX_WBITS);
   if (!inflater.ready) return Error{"zlib could not be started"};
   z_stream& z = inflater.stream;
   z.next_in = const_cast<Bytef*>(deflated.data());

@@ -76,14 +76,31 @@ std::vector<std::uint16_t> bytesAsWords(const std::vector<std::uint8_t>& bytes) 
   return {bytes.begin(), bytes.end()};
 }
 
-/// The entries as they stand in the data: words, or bytes where the words would be too few.
+/// The entries as they stand in the data: words, or bytes where the words would be too few. A table of more
+/// bits has bytes only where they are as many as its entries.
 std::vector<std::uint16_t> plainEntries(const DataSet& data, DataSet::Scope scope, std::uint32_t tag,
-                                        std::size_t count, int bits) {
+                                        std::size_t count, int& bits) {
   std::vector<std::uint16_t> entries = data.words(tag, scope);
-  if (entries.size() < count && bits == 8) entries = bytesAsWords(data.bytes(tag, scope));
+  if (entries.size() < count && (bits == 8 || entries.size() == (count + 1) / 2)) {
+    entries = bytesAsWords(data.bytes(tag, scope));
+    bits = 8;
+  }
   if (entries.size() < count) return {};
   entries.resize(count);
   return entries;
+}
+
+/// The entries that segments stand for, of as many bits as the descriptor says, else of the other width.
+std::vector<std::uint16_t> segmentedEntries(const DataSet& data, DataSet::Scope scope, std::uint32_t tag,
+                                            std::size_t count, int& bits) {
+  for (const bool wide : {bits > 8, bits <= 8}) {
+    auto parts = wide ? data.words(tag, scope) : bytesAsWords(data.bytes(tag, scope));
+    const std::vector<std::uint16_t> entries = Segments(std::move(parts), wide, count).expanded();
+    if (entries.empty()) continue;
+    if (wide != (bits > 8)) bits = wide ? 16 : 8;
+    return entries;
+  }
+  return {};
 }
 
 }  // namespace
@@ -109,18 +126,18 @@ Result<LookupTable> readLookupTable(const DataSet& data, DataSet::Scope scope, L
   const bool isNegative = isSigned || data.find(tags.descriptor, scope)->vr == vrOf('S', 'S');
   LookupTable table;
   table.first = isNegative ? double(std::int16_t(descriptor[1])) : double(descriptor[1]);
-  table.bits = bits;
+  table.bits = table.saidBits = bits;
   const bool inSegments = tags.segments && data.has(tags.segments, scope);
-  if (inSegments)
-    table.entries =
-        Segments(bits > 8 ? data.words(tags.segments, scope) : bytesAsWords(data.bytes(tags.segments, scope)),
-                 bits > 8, count)
-            .expanded();
-  else
-    table.entries = plainEntries(data, scope, tags.data, count, bits);
+  table.entries = inSegments ? segmentedEntries(data, scope, tags.segments, count, table.bits)
+                             : plainEntries(data, scope, tags.data, count, table.bits);
   if (table.entries.empty())
     return Error{"a look-up table " + tagText(inSegments ? tags.segments : tags.data) +
                  " does not hold the " + std::to_string(count) + " entries that its descriptor announces"};
+  // Entries of grey that are too large are cut, those of a palette are colours.
+  if (tags.segments && table.bits == 8 && table.usedBits() > 8) table.bits = 16;
+  if (table.bits != bits)
+    data.remark("one of its look-up tables says that its entries have " + std::to_string(bits) +
+                " bits, and they have " + std::to_string(table.bits) + ": they were read as they are");
   return table;
 }
 

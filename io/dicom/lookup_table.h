@@ -11,7 +11,8 @@ namespace volumen::dicom {
 /// beyond either end take the entry there.
 struct LookupTable {
   double first = 0;
-  int bits = 16;  ///< of an entry, 8 .. 16
+  int bits = 16;      ///< of an entry, 8 .. 16, as the length and the values of the data have it
+  int saidBits = 16;  ///< as the descriptor has it
   std::vector<std::uint16_t> entries;
 
   std::uint16_t at(double input) const;
@@ -26,8 +27,10 @@ struct LookupTags {
   std::uint32_t descriptor = 0, data = 0, segments = 0;
 };
 
-/// Reads a table; `isSigned`: whether inputs may be negative (a descriptor of VR SS says so itself). An Error
-/// says which of its attributes is missing, wrong or too short.
+/// Reads a table. Where its data have entries of 8 bits and the descriptor says more, or a palette more and
+/// it says 8, they are read as they are, and `data` has a remark. `isSigned`: whether inputs may be negative
+/// (a descriptor of VR SS says so itself). An Error says which of its attributes is missing, wrong or too
+/// short.
 Result<LookupTable> readLookupTable(const DataSet& data, DataSet::Scope scope, LookupTags tags,
                                     bool isSigned);
 

@@ -9,15 +9,28 @@ namespace {
 
 constexpr std::size_t depthLimit = 64, elementLimit = 1'000'000;
 constexpr std::uint64_t metaLimit = 1 << 20;
+constexpr std::uint64_t longestGuess = 64 << 10;  // of the value of an element whose VR is not known
 
 bool isLetter(std::uint8_t c) { return c >= 'A' && c <= 'Z'; }
+
+template <std::size_t n>
+bool isOneOf(std::uint16_t vr, const char* const (&names)[n]) {
+  return std::any_of(std::begin(names), std::end(names),
+                     [&](const char* name) { return vr == vrOf(name[0], name[1]); });
+}
 
 /// VRs whose length takes four bytes behind two reserved ones (PS3.5 7.1.2).
 bool hasLongLength(std::uint16_t vr) {
   constexpr const char* names[] = {"OB", "OD", "OF", "OL", "OV", "OW", "SQ",
                                    "SV", "UC", "UN", "UR", "UT", "UV"};
-  return std::any_of(std::begin(names), std::end(names),
-                     [&](const char* name) { return vr == vrOf(name[0], name[1]); });
+  return isOneOf(vr, names);
+}
+
+/// The VRs of PS3.5 6.2.
+bool isVr(std::uint16_t vr) {
+  constexpr const char* names[] = {"AE", "AS", "AT", "CS", "DA", "DS", "DT", "FD", "FL", "IS", "LO",
+                                   "LT", "PN", "SH", "SL", "SS", "ST", "TM", "UI", "UL", "US"};
+  return hasLongLength(vr) || isOneOf(vr, names);
 }
 
 std::uint32_t tagAt(Bytes bytes, std::uint64_t offset, bool bigEndian) {
@@ -156,8 +169,8 @@ class Pass {
     if (!encoding().explicitVr) {
       length = numberAt<std::uint32_t>(head_, at_ + 4, big);
     } else {
-      if (!isLetter(head_[at_ + 4]) || !isLetter(head_[at_ + 5])) return fail("has no valid VR");
       vr = vrOf(char(head_[at_ + 4]), char(head_[at_ + 5]));
+      if (!isVr(vr)) return elementOfNoVr();
       if (hasLongLength(vr)) {
         header = 12;
         if (!available(at_ + 12)) return more(at_ + 12);
@@ -171,6 +184,54 @@ class Pass {
       return {};
     }
     return value(vr, header, length);
+  }
+
+  /// Where a VR may have stood, and what it would say of the value.
+  struct Form {
+    std::uint64_t header, length;
+  };
+  std::array<Form, 3> formsAt(std::uint64_t at) const {
+    const bool big = encoding().bigEndian;
+    return {Form{8, numberAt<std::uint16_t>(head_, at + 6, big)},
+            Form{12, numberAt<std::uint32_t>(head_, at + 8, big)},
+            Form{8, numberAt<std::uint32_t>(head_, at + 4, big)}};
+  }
+
+  /// Whether the data set goes on at `at`, behind `tag`: an element of a known VR, or one that is followed by
+  /// such after `more` others at most.
+  bool goesOn(std::uint64_t at, std::uint32_t tag, int more) const {
+    if (at == limit() || (open_.empty() && at <= fileSize_ && at + 8 > fileSize_)) return true;
+    if (at > limit() || !available(at + 8)) return false;
+    const std::uint32_t next = tagAt(head_, at, encoding().bigEndian);
+    if (next == itemEndTag || next == sequenceEndTag) return !open_.empty();
+    if (next <= tag) return false;
+    if (isVr(vrOf(char(head_[at + 4]), char(head_[at + 5])))) return true;
+    return more > 0 && available(at + 12) && std::ranges::any_of(formsAt(at), [&](const Form& f) {
+             return f.length <= longestGuess && goesOn(at + f.header + f.length, next, more - 1);
+           });
+  }
+
+  /// An element whose VR is none of the standard's: with a short length, a long one, or without a VR at all,
+  /// whichever leads on to another element.
+  Status elementOfNoVr() {
+    constexpr int mostInARow = 3;
+    const std::uint64_t looked = std::min(fileSize_, at_ + 2 * longestGuess);
+    if (at_ + 12 > fileSize_) return fail("has no valid VR");
+    if (!available(looked)) return more(looked);
+    const std::array<Form, 3> forms = formsAt(at_);
+    if (open_.empty() && isPixelTag(lastTag_)) {
+      const Form& form = at_ + forms[2].header + forms[2].length == fileSize_ ? forms[2] : forms[1];
+      scan_.pixels =
+          Element{lastTag_, vrOf('O', 'W'), encoding().bigEndian, 0, at_ + form.header, form.length};
+      return {};
+    }
+    for (int others = 0; others <= mostInARow; ++others)
+      for (const Form& form : forms)
+        if (form.length <= longestGuess && goesOn(at_ + form.header + form.length, lastTag_, others))
+          return value(0, form.header, form.length);
+    if (isLetter(head_[at_ + 4]) && isLetter(head_[at_ + 5]))
+      return value(0, forms[0].header, forms[0].length);
+    return fail("has no valid VR");
   }
 
   Status value(std::uint16_t vr, std::uint64_t header, std::uint64_t length) {

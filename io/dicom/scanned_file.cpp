@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/dicom/codestream.h"
 #include "io/dicom/data_set.h"
 #include "io/dicom/inflate.h"
 
@@ -10,6 +11,23 @@ namespace volumen::dicom {
 namespace {
 constexpr std::uint64_t firstRead = 64 << 10;
 constexpr std::uint64_t headerLimit = 512 << 20;
+
+/// The beginning of the first fragment of pixel data that is not empty, behind the offset table.
+Result<std::vector<std::uint8_t>> firstFragment(const RegularFile& file, std::uint64_t offset,
+                                                std::uint64_t enough) {
+  constexpr int mostItems = 4;
+  constexpr std::uint64_t itemHeader = 8;
+  for (int n = 0; n < mostItems && offset + itemHeader <= file.size(); ++n) {
+    const auto header = file.read(offset, itemHeader);
+    if (!header) return header.error();
+    const std::uint64_t length = numberAt<std::uint32_t>(*header, 4, false);
+    offset += itemHeader;
+    if (length > file.size() - offset) break;
+    if (n > 0 && length > 0) return file.read(offset, std::min(length, enough));
+    offset += length;
+  }
+  return std::vector<std::uint8_t>();
+}
 }  // namespace
 
 Status ScannedFile::begin(const RegularFile& file) { return file.readUpTo(head, firstRead); }
@@ -24,12 +42,32 @@ Status ScannedFile::findSyntax() {
 }
 
 Status ScannedFile::scan(const RegularFile& file) {
-  return syntax.deflated ? scanInflated(file) : scanPlain(file);
+  if (Status scanned = syntax.deflated ? scanInflated(file) : scanPlain(file); !scanned) return scanned;
+  return correctSyntax(file);
+}
+
+Status ScannedFile::correctSyntax(const RegularFile& file) {
+  const bool inFragments = dataSet.pixels && dataSet.pixels->length == undefinedLength;
+  if (!inFragments || inflatedFrom || dataSet.pixels->bigEndian || syntax.coding == Coding::unsupported)
+    return {};
+  const auto isJpeg = [](Coding coding) { return coding == Coding::jpeg || coding == Coding::jpegLs; };
+  constexpr std::uint64_t mark = 64, frameHeader = 64 << 10;  // how far in they are found
+  const auto begin = firstFragment(file, dataSet.pixels->offset, isJpeg(syntax.coding) ? mark : frameHeader);
+  if (!begin) return begin.error();
+  const TransferSyntax found = transferSyntax(syntaxOfStream(*begin));
+  if (!*found.uid || found.coding == syntax.coding || (isJpeg(found.coding) && isJpeg(syntax.coding)))
+    return {};
+  remark = "its transfer syntax is \"" + std::string(syntax.name) +
+           "\", and its pixels are compressed as \"" + found.name + "\": they were read as such";
+  const Encoding encoding = syntax.encoding;
+  syntax = found;
+  syntax.encoding = encoding;
+  return {};
 }
 
 Status ScannedFile::scanInflated(const RegularFile& file) {
   if (Status read = file.readUpTo(head, file.size()); !read) return read;
-  auto inflated = inflateRaw(Bytes(head).subspan(meta.dataSet));
+  auto inflated = inflateAll(Bytes(head).subspan(meta.dataSet));
   if (!inflated) return inflated.error();
   inflatedFrom = meta.dataSet;
   head = std::move(*inflated);

@@ -17,17 +17,20 @@ struct ScannedFile {
   std::uint64_t size = 0;          ///< of what offsets of elements count in
   std::uint64_t inflatedFrom = 0;  ///< where the deflated data set begins in the file; 0: it is not deflated
   DataSetScan dataSet;
+  std::string remark;  ///< where `syntax` is not the one that the file names: a sentence without its name
 
   /// Reads what the meta header is looked for in.
   Status begin(const RegularFile& file);
   /// The transfer syntax that the file names, with the encoding that its bytes show.
   Status findSyntax();
-  /// One pass over the data set.
+  /// One pass over the data set. Fragments of pixels that are of another transfer syntax than the file names
+  /// have theirs from then on.
   Status scan(const RegularFile& file);
 
  private:
   Status scanInflated(const RegularFile& file);
   Status scanPlain(const RegularFile& file);
+  Status correctSyntax(const RegularFile& file);
 };
 
 }  // namespace volumen::dicom

@@ -75,22 +75,10 @@ std::string firstOf(const DataSet& data, const FrameScopes& at, std::span<const 
   return {};
 }
 
-/// An element of the block that a private creator has reserved in a group (PS3.5 7.8.1); 0: it has none.
-std::uint32_t privateTag(const DataSet& data, std::uint32_t group, std::string_view creator,
-                         std::uint32_t element) {
-  const DataSet::Scope root = data.root();
-  for (std::uint32_t n = root.begin; n < root.end; n = data.element(n).end) {
-    const std::uint32_t tag = data.element(n).tag, block = tag & 0xffff;
-    if (tag >> 16 == group && block >= 0x10 && block <= 0xff && data.text(tag, root) == creator)
-      return group << 16 | block << 8 | element;
-  }
-  return 0;
-}
-
 std::string privateBValue(const DataSet& data) {
-  if (const auto tag = privateTag(data, 0x0019, "SIEMENS MR HEADER", 0x0c))
+  if (const auto tag = data.privateTag(0x0019, "SIEMENS MR HEADER", 0x0c, data.root()))
     if (std::string b = numberText(data, tag, data.root()); !b.empty()) return b;
-  if (const auto tag = privateTag(data, 0x2001, "Philips Imaging DD 001", 0x03)) {
+  if (const auto tag = data.privateTag(0x2001, "Philips Imaging DD 001", 0x03, data.root())) {
     const std::string bytes = data.raw(tag, data.root());
     float b = 0;
     if (bytes.size() == sizeof b) {
@@ -98,7 +86,7 @@ std::string privateBValue(const DataSet& data) {
       if (std::isfinite(b)) return realText(b);
     }
   }
-  if (const auto tag = privateTag(data, 0x0043, "GEMS_PARM_01", 0x39))
+  if (const auto tag = data.privateTag(0x0043, "GEMS_PARM_01", 0x39, data.root()))
     if (const auto numbers = data.numbers(tag, data.root()))
       return realText(std::trunc(std::fmod((*numbers)[0], 100000)));
   return {};
@@ -109,9 +97,10 @@ std::string readDirection(const DataSet& data, const FrameScopes& at) {
   const DataSet::Scope diffusion = at.of(mrDiffusionGroup);
   if (const auto items = data.items(0x00189076, diffusion); !items.empty())
     return data.raw(0x00189089, items[0]);
-  if (std::string direction = data.raw(0x00189089, data.root()); !direction.empty()) return direction;
-  if (const auto tag = privateTag(data, 0x0019, "SIEMENS MR HEADER", 0x0e)) return data.raw(tag, data.root());
-  return {};
+  std::string direction = data.raw(0x00189089, data.root());
+  if (!direction.empty()) return direction;
+  for (const double x : privateDirection(data)) direction += (direction.empty() ? "" : "\\") + realText(x);
+  return direction;
 }
 
 /// The fields of CT's reconstruction group are items of a sequence in it.
@@ -269,6 +258,17 @@ std::size_t separatorAt(std::string_view keyword) {
 
 void setSeparator(Slice& slice, std::string_view keyword, const std::string& value) {
   slice.separators.at(separatorAt(keyword)) = value;
+}
+
+std::vector<double> privateDirection(const DataSet& data) {
+  const DataSet::Scope root = data.root();
+  if (const auto tag = data.privateTag(0x0019, "SIEMENS MR HEADER", 0x0e, root))
+    if (const auto direction = data.reals(tag, root); direction.size() == 3) return direction;
+  const auto right = data.privateTag(0x2005, "Philips MR Imaging DD 001", 0xb0, root);
+  std::vector<double> direction;
+  for (std::uint32_t axis = 0; right && axis < 3; ++axis)
+    if (const auto along = data.floats(right + axis, root); along.size() == 1) direction.push_back(along[0]);
+  return direction.size() == 3 ? direction : std::vector<double>();
 }
 
 std::string readBValue(const DataSet& data, const FrameScopes& at) {

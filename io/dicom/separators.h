@@ -58,6 +58,10 @@ std::string wordsOf(const Separator& separator, const std::vector<std::string>& 
 /// The diffusion weight, s/mm^2: DICOM's, or the private one of Siemens, Philips or GE, which adds 10^9.
 std::string readBValue(const DataSet& data, const FrameScopes& at);
 
+/// The direction of the diffusion gradient in the patient (LPS) that a private attribute of Siemens or
+/// Philips gives; empty where there is none.
+std::vector<double> privateDirection(const DataSet& data);
+
 /// The echo time in ms, as text.
 std::string readEchoTime(const DataSet& data, const FrameScopes& at);
 

@@ -16,8 +16,7 @@
 namespace volumen::dicom {
 namespace {
 
-constexpr std::uint32_t modalityLut = 0x00283000, realWorldValueMapping = 0x00409096,
-                        spacingBetweenSlices = 0x00180088;
+constexpr std::uint32_t modalityLut = 0x00283000, spacingBetweenSlices = 0x00180088;
 
 /// Number of the time point, where the file counts them.
 std::string readTimePoint(const DataSet& data, const FrameScopes& at) {
@@ -42,77 +41,6 @@ Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice) {
   if (Status s = field(0x3004000e, "DoseGridScaling", slice.slope); !s) return s;
   if (slice.slope == 0) return Error{"RescaleSlope is 0"};
   return {};
-}
-
-/// The values of a real world value mapping (PS3.3 C.7.6.16.2.11).
-struct RealWorldValues {
-  double slope = 1, intercept = 0;
-  std::string unit;
-};
-
-std::vector<DataSet::Scope> mappings(const DataSet& data, const FrameScopes& at) {
-  const DataSet::Scope outer = at.of(realWorldValueMapping);
-  const auto items = data.items(realWorldValueMapping, outer);
-  return items.empty() ? std::vector{outer} : items;
-}
-
-/// Whether a mapping is valid for all that the bits stored can hold. One that does not say for what it is
-/// valid is.
-bool coversAll(const DataSet& data, DataSet::Scope mapping, const PixelFormat& format) {
-  const auto stored = [&](std::uint32_t tag) -> std::optional<double> {
-    const auto word = data.word(tag, mapping);
-    if (!word) return {};
-    return format.isSigned ? double(std::int16_t(*word)) : double(*word);
-  };
-  auto first = data.real(0x00409214, mapping), last = data.real(0x00409213, mapping);
-  if (!first) first = stored(0x00409216);
-  if (!last) last = stored(0x00409211);
-  if (!first || !last) return true;
-  if (format.kind != PixelFormat::Kind::integer) return false;
-  const double count = std::exp2(format.bitsStored), lowest = format.isSigned ? -count / 2 : 0;
-  return *first <= lowest && *last >= lowest + count - 1;
-}
-
-/// The linear mapping of an item, where it has one.
-std::optional<RealWorldValues> linearMapping(const DataSet& data, DataSet::Scope mapping) {
-  const auto slope = data.real(0x00409225, mapping), intercept = data.real(0x00409224, mapping);
-  constexpr double largest = 1e30;
-  if (!slope || !intercept || *slope == 0) return {};
-  if (!(std::abs(*slope) <= largest) || !(std::abs(*intercept) <= largest)) return {};
-  return RealWorldValues{*slope, *intercept, unitOfMapping(data, mapping)};
-}
-
-/// The first linear mapping that is valid for all stored values.
-std::optional<RealWorldValues> readRealWorldValues(const DataSet& data, const FrameScopes& at,
-                                                   const PixelFormat& format) {
-  for (const DataSet::Scope item : mappings(data, at))
-    if (const auto values = linearMapping(data, item); values && coversAll(data, item, format)) return values;
-  return {};
-}
-
-/// What the values are. A mapping stands in for a rescale that is not there.
-void readMeaning(const DataSet& data, const FrameScopes& at, Slice& slice, FileHeader& header) {
-  const auto mapping = readRealWorldValues(data, at, header.format);
-  const auto items = mappings(data, at);
-  const auto isLinear = [&](DataSet::Scope item) { return linearMapping(data, item).has_value(); };
-  const auto isTable = [&](DataSet::Scope item) { return data.has(0x00409212, item); };
-  const DataSet::Scope rescale = at.of(pixelValueTransformation);
-  slice.unit = unitOfRescaled(data, at, header);
-  if (data.has(0x00281053, rescale) || data.has(0x3004000e, rescale) || data.has(modalityLut, data.root())) {
-    const bool same = mapping && mapping->slope == slice.slope && mapping->intercept == slice.intercept;
-    if (same && slice.unit.empty()) slice.unit = mapping->unit;
-  } else if (mapping) {
-    slice.slope = mapping->slope, slice.intercept = mapping->intercept;
-    slice.unit = mapping->unit;
-    slice.isMapped = slice.slope != 1 || slice.intercept != 0;
-    if (slice.isMapped) warnOnce(header, "its " + realWorldSentence);
-  } else if (std::ranges::any_of(items, isLinear)) {
-    warnOnce(header,
-             "its Real World Value Mapping is not valid for all stored values and is not applied: values are "
-             "the stored ones");
-  } else if (std::ranges::any_of(items, isTable)) {
-    warnOnce(header, "its Real World Value Mapping is a table and is not applied");
-  }
 }
 
 /// The unit that all slices have.
@@ -165,10 +93,34 @@ bool isVolumeInOrder(const DataSet& data, const FrameScopes& at) {
   return data.text(0x00089206, data.root()) == "VOLUME" && distance > 0;
 }
 
+/// Stacks frames that say where they lie but not how large their pixels are, in the order of their places;
+/// false where they do not lie side by side in one direction.
+bool stackByPlace(FileHeader& header) {
+  constexpr double alike = 1e-3, together = 1e-3;  // of unit vectors; mm
+  const std::optional<Orientation> first = header.slices.front().orientation;
+  std::vector<std::pair<double, Slice*>> places;
+  for (Slice& slice : header.slices) {
+    if (!slice.position || !slice.orientation || slice.spacing || slice.ofTransducer) return false;
+    if (glm::distance(slice.orientation->row, first->row) > alike ||
+        glm::distance(slice.orientation->column, first->column) > alike)
+      return false;
+    places.emplace_back(glm::dot(*slice.position, glm::cross(first->row, first->column)), &slice);
+  }
+  std::ranges::sort(places, {}, &std::pair<double, Slice*>::first);
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    if (n > 0 && places[n].first - places[n - 1].first < together) return false;
+    places[n].second->inStack = std::uint32_t(n + 1);
+  }
+  for (Slice& slice : header.slices) slice.position.reset();
+  header.warnings.emplace_back(
+      "its PixelSpacing is missing or 0: its frames are stacked in the order of their places");
+  return true;
+}
+
 /// Frames that do not all say where they lie: slices of an uncalibrated volume where their order is known,
 /// else only frames.
 void framesWithoutPlace(const DataSet& data, const FrameScopes& at, FileHeader& header) {
-  if (!header.notVolume.empty()) return;
+  if (!header.notVolume.empty() || stackByPlace(header)) return;
   const bool ordered = std::ranges::all_of(header.slices, [](const Slice& s) { return s.inStack > 0; });
   if (!ordered && !isVolumeInOrder(data, at)) {
     header.notVolume = "several frames without a position each: cannot be shown in 3D";
@@ -322,6 +274,7 @@ Status readSlices(const DataSet& data, FileHeader& header) {
   const auto padding = readPadding(data, header.format);
   for (Slice& slice : header.slices) slice.padding = padding;
   agreeOnUnit(header);
+  if (header.pet && header.pet->units.empty() && header.unit == "Bq/ml") header.pet->units = "BQML";
   numberSlices(data, header);
   if (!header.slices.empty()) tellFrameSize(data, header);
   return {};

@@ -7,6 +7,7 @@
 
 #include "io/dicom/header.h"
 #include "io/dicom/moments.h"
+#include "io/dicom/pet_facts.h"
 #include "io/study/series.h"
 
 namespace volumen::dicom {
@@ -16,25 +17,8 @@ constexpr std::uint32_t tagUnits = 0x00541001, tagSuvType = 0x00541006, tagDecay
                         tagWeight = 0x00101030, tagSize = 0x00101020, tagSex = 0x00100040,
                         tagTracer = 0x00540016, tagDose = 0x00181074, tagHalfLife = 0x00181075,
                         tagInjectionDateTime = 0x00181078, tagInjectionTime = 0x00181072,
-                        tagCorrected = 0x00280051, tagZone = 0x00080201, tagSeriesDate = 0x00080021,
-                        tagSeriesTime = 0x00080031;
-
-/// Text of a VR that is ASCII and no markup; whatever else stands there shows as '?'.
-std::string plain(std::string text) {
-  text.resize(std::min<std::size_t>(text.size(), 64));
-  for (char& c : text)
-    if (c < ' ' || c > '~' || c == '<' || c == '>' || c == '&') c = '?';
-  return text;
-}
-
-/// A private attribute, in whichever block its creator has.
-std::string privateText(const DataSet& data, std::uint32_t group, const char* creator,
-                        std::uint32_t element) {
-  for (std::uint32_t block = 0x10; block <= 0xff; ++block)
-    if (data.text(group << 16 | block, data.root()) == creator)
-      return data.text(group << 16 | block << 8 | element, data.root());
-  return {};
-}
+                        tagCorrected = 0x00280051, tagSeriesDate = 0x00080021, tagSeriesTime = 0x00080031,
+                        tagDecayedTo = 0x00189701, tagAttenuation = 0x00189759, tagDecay = 0x00189758;
 
 Error missing(const char* name, std::uint32_t tag) {
   return Error{std::string(name) + " " + tagText(tag) + " is missing"};
@@ -77,17 +61,29 @@ Result<double> secondsOfDay(const PetFacts& facts, double scan) {
   return seconds < -day / 2 ? seconds + day : seconds;
 }
 
-/// Seconds from the injection to the start of the scan.
+/// The moment that the values are corrected to, and its time zone.
+Result<double> correctedTo(const PetFacts& facts, const std::optional<double>& earliest, std::string& zone) {
+  zone = facts.zone;
+  if (!facts.decayCorrection.empty()) return scanStart(facts, earliest);
+  const DateTime said = partsOf(facts.decayedTo);
+  const auto at = moment(said.date, said.time);
+  if (!at) return wrong("DecayCorrectionDateTime", tagDecayedTo, facts.decayedTo);
+  if (!said.zone.empty()) zone = said.zone;
+  return *at;
+}
+
+/// Seconds from the injection to the moment that the values are corrected to.
 Result<double> decaySeconds(const PetFacts& facts, const std::optional<double>& earliest) {
-  const Result<double> scan = scanStart(facts, earliest);
+  std::string zone;
+  const Result<double> scan = correctedTo(facts, earliest, zone);
   if (!scan) return scan.error();
   const DateTime injection = partsOf(facts.injectionDateTime);
   const auto injected = moment(injection.date, injection.time);
   double seconds = 0;
   if (injected) {
     seconds = *scan - *injected;
-    if (!injection.zone.empty() && injection.zone != facts.zone) {
-      const auto there = zoneSeconds(injection.zone), here = zoneSeconds(facts.zone);
+    if (!injection.zone.empty() && injection.zone != zone) {
+      const auto there = zoneSeconds(injection.zone), here = zoneSeconds(zone);
       if (!there || !here)
         return Error{"RadiopharmaceuticalStartDateTime (0018,1078) has a time zone of its own"};
       seconds += *there - *here;
@@ -112,8 +108,10 @@ Result<double> remainingDose(const PetFacts& facts, const std::optional<double>&
   const auto total = positive(facts.dose, "RadionuclideTotalDose", tagDose, " Bq", leastBq, mostBq);
   if (!total) return total.error();
   if (facts.decayCorrection == "ADMIN") return *total;
-  if (facts.decayCorrection.empty()) return missing("DecayCorrection", tagDecayCorrection);
-  if (facts.decayCorrection != "START")
+  const bool isSaid = !facts.decayCorrection.empty() || !facts.decayedTo.empty();
+  if (!isSaid && facts.isEnhanced) return missing("DecayCorrectionDateTime", tagDecayedTo);
+  if (!isSaid) return missing("DecayCorrection", tagDecayCorrection);
+  if (!facts.decayCorrection.empty() && facts.decayCorrection != "START")
     return wrong("DecayCorrection", tagDecayCorrection, facts.decayCorrection);
   const auto halfLife = positive(facts.halfLife, "RadionuclideHalfLife", tagHalfLife, " s", 1, 1e10);
   if (!halfLife) return halfLife.error();
@@ -190,20 +188,45 @@ Result<Known> knownOfSuv(const PetFacts& facts) {
   return Known{leanBodyMass, 1, type != "LBMJANMA", stated ? std::string() : why};
 }
 
-Result<Known> knownOf(const PetFacts& facts, const std::optional<double>& earliest) {
+/// Why values are not corrected for attenuation and decay.
+Status corrections(const PetFacts& facts) {
+  struct Correction {
+    bool done;
+    const char *term, *attribute;
+    std::uint32_t tag;
+  };
+  for (const Correction& c :
+       {Correction{facts.attenuationCorrected, "ATTN", "AttenuationCorrected", tagAttenuation},
+        Correction{facts.decayCorrected, "DECY", "DecayCorrected", tagDecay}})
+    if (!c.done)
+      return facts.isEnhanced ? Error{std::string(c.attribute) + " " + tagText(c.tag) + " is not YES"}
+                              : Error{"CorrectedImage " + tagText(tagCorrected) + " does not name " + c.term};
+  return {};
+}
+
+Result<Known> knownOfUnits(const PetFacts& facts, const std::optional<double>& earliest) {
+  if (facts.units.empty() && facts.isEnhanced)
+    return Error{"no Real World Value Mapping gives the unit of its values"};
   if (facts.units.empty()) return missing("Units", tagUnits);
   if (facts.units == "GML" || facts.units == "CM2ML") return knownOfSuv(facts);
   if (facts.units != "BQML" && facts.units != "CNTS") return wrong("Units", tagUnits, facts.units);
-  for (const auto& [name, done] :
-       {std::pair("ATTN", facts.attenuationCorrected), std::pair("DECY", facts.decayCorrected)})
-    if (!done) return Error{"CorrectedImage " + tagText(tagCorrected) + " does not name " + name};
+  if (Status s = corrections(facts); !s) return s.error();
   return facts.units == "BQML" ? knownOfDose(facts, 1, earliest) : knownOfCounts(facts, earliest);
 }
 
+/// Values that a mapping of the file turns into an SUV.
+Result<Known> knownOfMapping(const PetFacts& facts) {
+  PetFacts mapped = facts;
+  mapped.units = facts.mappedType == "BSA" ? "CM2ML" : "GML";
+  mapped.suvType = facts.mappedType;
+  auto known = knownOfSuv(mapped);
+  if (known) known->factor = facts.mappedFactor;
+  return known;
+}
+
 /// Where weight is what is wrong, that is said before all else.
-SuvFactors factorsOf(const PetFacts& facts, const std::string& sex, const std::optional<double>& earliest) {
+SuvFactors factorsBy(const Result<Known>& known, const PetFacts& facts, const std::string& sex) {
   SuvFactors out;
-  const auto known = knownOf(facts, earliest);
   if (!known) {
     out.why = known.message();
     return out;
@@ -228,6 +251,14 @@ SuvFactors factorsOf(const PetFacts& facts, const std::string& sex, const std::o
   return out;
 }
 
+/// By units, dose and times; where these do not say enough by a mapping of the file to an SUV.
+SuvFactors factorsOf(const PetFacts& facts, const std::string& sex, const std::optional<double>& earliest) {
+  const SuvFactors out = factorsBy(knownOfUnits(facts, earliest), facts, sex);
+  if (out.bodyWeight || !(facts.mappedFactor > 0 && std::isfinite(facts.mappedFactor))) return out;
+  const SuvFactors mapped = factorsBy(knownOfMapping(facts), facts, sex);
+  return mapped.bodyWeight || mapped.leanBodyMass || mapped.bodySurface ? mapped : out;
+}
+
 /// Files of one series: patients and studies may share a UID by mistake.
 std::array<std::string, 3> seriesOf(const SeriesIdentity& s) {
   return {s.patientId, s.studyUid, s.seriesUid};
@@ -236,47 +267,18 @@ std::array<std::string, 3> seriesOf(const SeriesIdentity& s) {
 /// What is the same of all files of a volume, in one spelling.
 PetFacts withoutPlace(PetFacts facts) {
   facts.acquisitionDate.clear(), facts.acquisitionTime.clear();
+  facts.mappedFactor = 0;  // rounded in each
   for (std::string* number : {&facts.weight, &facts.size, &facts.dose, &facts.halfLife,
                               &facts.philipsSuvFactor, &facts.philipsBqFactor})
     *number = numberAsOne(*number);
   for (std::string* time : {&facts.injectionTime, &facts.seriesTime}) *time = timeAsOne(*time);
-  for (std::string* moment : {&facts.injectionDateTime, &facts.geScanStart}) *moment = momentAsOne(*moment);
+  for (std::string* moment : {&facts.injectionDateTime, &facts.geScanStart, &facts.decayedTo})
+    *moment = momentAsOne(*moment);
   facts.seriesDate = dateOrTime(facts.seriesDate);
   return facts;
 }
 
 }  // namespace
-
-PetFacts readPetFacts(const DataSet& data) {
-  const DataSet::Scope root = data.root();
-  const auto text = [&](std::uint32_t tag, DataSet::Scope scope) { return plain(data.text(tag, scope)); };
-  PetFacts facts;
-  for (const auto& [field, tag] :
-       {std::pair(&facts.units, tagUnits), std::pair(&facts.suvType, tagSuvType),
-        std::pair(&facts.decayCorrection, tagDecayCorrection), std::pair(&facts.weight, tagWeight),
-        std::pair(&facts.size, tagSize), std::pair(&facts.zone, tagZone),
-        std::pair(&facts.seriesDate, tagSeriesDate), std::pair(&facts.seriesTime, tagSeriesTime),
-        std::pair(&facts.acquisitionDate, 0x00080022u), std::pair(&facts.acquisitionTime, 0x00080032u)})
-    *field = text(tag, root);
-  if (facts.acquisitionDate.empty() && facts.acquisitionTime.empty()) {
-    const DateTime acquired = partsOf(text(0x0008002a, root));
-    facts.acquisitionDate = acquired.date, facts.acquisitionTime = acquired.time;
-  }
-  const auto items = data.items(tagTracer, root);
-  facts.injections = int(std::min<std::size_t>(items.size(), 1000));
-  if (!items.empty()) {
-    facts.dose = text(tagDose, items[0]), facts.halfLife = text(tagHalfLife, items[0]);
-    facts.injectionDateTime = text(tagInjectionDateTime, items[0]);
-    facts.injectionTime = text(tagInjectionTime, items[0]);
-  }
-  const auto corrected = data.values(tagCorrected, root);
-  facts.attenuationCorrected = std::ranges::find(corrected, "ATTN") != corrected.end();
-  facts.decayCorrected = std::ranges::find(corrected, "DECY") != corrected.end();
-  facts.geScanStart = plain(privateText(data, 0x0009, "GEMS_PETD_01", 0x0d));
-  facts.philipsSuvFactor = plain(privateText(data, 0x7053, "Philips PET Private Group", 0x00));
-  facts.philipsBqFactor = plain(privateText(data, 0x7053, "Philips PET Private Group", 0x09));
-  return facts;
-}
 
 void addSuvFactors(std::span<const FileHeader> files, std::vector<Series>& volumes) {
   std::map<std::string, const FileHeader*> byPath;
@@ -297,10 +299,14 @@ void addSuvFactors(std::span<const FileHeader> files, std::vector<Series>& volum
       const auto other = byPath.find(path);
       return other != byPath.end() && withoutPlace(*other->second->pet) == facts;
     });
-    if (alike)
-      volume.suv = factorsOf(*file.pet, file.patientSex, earliest.at(seriesOf(file)));
-    else
+    if (!alike) {
       volume.suv.why = "its files differ in units, weight, dose or times";
+      continue;
+    }
+    PetFacts used = *file.pet;
+    for (const std::string& path : volume.files)
+      if (!isOneFactor(byPath.at(path)->pet->mappedFactor, used.mappedFactor)) used.mappedFactor = 0;
+    volume.suv = factorsOf(used, file.patientSex, earliest.at(seriesOf(file)));
   }
 }
 

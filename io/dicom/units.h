@@ -9,12 +9,9 @@ namespace volumen::dicom {
 /// no standard as they are, nothing where it is unspecified.
 std::string unitOfRescaleType(const std::string& type);
 
-/// The unit of a real world value mapping (PS3.3 C.7.6.16.2.11): its UCUM code as it is, or what is usually
-/// said for it ("HU", "SUV"); of other codes their meaning. Empty for numbers without one.
-std::string unitOfMapping(const DataSet& data, DataSet::Scope mapping);
-
-/// The unit of a frame's values after the rescale that the file gives; empty where it does not say. `header`:
-/// whose modality is known; is told what is unusual.
-std::string unitOfRescaled(const DataSet& data, const FrameScopes& at, FileHeader& header);
+/// Reads what the values of a frame are: their unit, and the first linear Real World Value Mapping
+/// (PS3.3 C.7.6.16.2.11) that is valid for all stored values, which stands in for a rescale that is not
+/// there. Of PET also the mapping to an SUV. `header`, whose modality is known, is told what is unusual.
+void readMeaning(const DataSet& data, const FrameScopes& at, Slice& slice, FileHeader& header);
 
 }  // namespace volumen::dicom

@@ -11,6 +11,7 @@
 #include "io/dicom/data_set.h"
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/header.h"
+#include "io/dicom/separators.h"
 #include "io/study/series.h"
 #include "io/worker/batches.h"
 #include "io/worker/serve.h"
@@ -121,7 +122,7 @@ class Copier {
     add(data_.root(), 0, all);
     addScanningSequence(all);
     addPhilipsFactors(all);
-    addSiemensDirection(all);
+    addPrivateDirection(all);
     return all;
   }
 
@@ -207,13 +208,14 @@ class Copier {
         out.push_back({factor, decimal(*number), vrOf('D', 'S'), 0});
   }
 
-  // The gradient's direction in the patient, which Siemens long gave in an element of its own alone.
-  void addSiemensDirection(DicomElements& out) const {
+  // Siemens and Philips long gave the direction of the gradient in private elements alone.
+  void addPrivateDirection(DicomElements& out) const {
     constexpr std::uint32_t direction = 0x00189089;
-    const dicom::Element* e = data_.find(0x0019100e, data_.root());
-    if (!e || e->length != 3 * sizeof(double) || data_.has(direction, data_.root())) return;
-    if (data_.text(0x00190010, data_.root()) != "SIEMENS MR HEADER") return;
-    out.push_back({direction, numbers<double>(*e), vrOf('F', 'D'), 0});
+    if (data_.has(direction, data_.root())) return;
+    std::string value;
+    for (const double x : dicom::privateDirection(data_))
+      value += (value.empty() ? "" : "\\") + dicom::realText(x);
+    if (!value.empty()) out.push_back({direction, value, vrOf('F', 'D'), 0});
   }
 
   // Nothing where it is bytes, or too long.

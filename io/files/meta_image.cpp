@@ -75,6 +75,16 @@ Result<std::optional<std::vector<double>>> numbers(const MetaHeader& header,
   return all;
 }
 
+// The first axis of the grid whose row of a matrix is zeros.
+std::optional<std::size_t> axisOfZeros(const std::optional<std::vector<double>>& matrix, std::size_t used,
+                                       std::size_t axes) {
+  for (std::size_t a = 0; matrix && a < used; ++a) {
+    const auto row = matrix->begin() + std::ptrdiff_t(a * axes);
+    if (std::all_of(row, row + std::ptrdiff_t(axes), [](double x) { return x == 0; })) return a;
+  }
+  return {};
+}
+
 Status setMetaGeometry(const MetaHeader& header, const std::vector<std::uint64_t>& sizes, std::size_t axes,
                        ImageHeader& image, const std::string& path) {
   auto spacing = numbers(header, {"ElementSpacing", "ElementSize"}, axes, path);
@@ -84,6 +94,11 @@ Status setMetaGeometry(const MetaHeader& header, const std::vector<std::uint64_t
   auto offset = numbers(header, {"Offset", "Position", "Origin"}, axes, path);
   if (!offset) return offset.error();
   if (!*spacing) return setNominalGeometry(image, sizes, path);
+  if (const auto axis = axisOfZeros(*matrix, sizes.size(), axes)) {
+    matrix->reset();
+    image.warnings.push_back("Axis " + std::to_string(*axis + 1) +
+                             " of its TransformMatrix has the direction 0: its directions are not used.");
+  }
   // As ITK writes of pictures of two axes: their directions are those of no patient.
   const bool saysUnknown = header.field({"AnatomicalOrientation"}).find('?') != std::string::npos;
   if (!*matrix)

@@ -37,6 +37,11 @@ Status setMghGeometry(const HeaderNumbers& n, const std::vector<std::uint64_t>& 
   std::vector<glm::dvec3> steps;
   glm::dvec3 origin = vector(78);
   for (std::size_t a = 0; a < 3; ++a) {
+    if (vector(42 + 12 * a) == glm::dvec3(0)) {
+      image.warnings.emplace_back(
+          "The header gives an axis the direction 0, 0, 0: its directions are not used.");
+      return setUnorientedGrid(image, sizes, {n.at<float>(30), n.at<float>(34), n.at<float>(38)}, {}, path);
+    }
     steps.push_back(vector(42 + 12 * a) * double(n.at<float>(30 + 4 * a)));
     origin -= steps[a] * (double(sizes[a]) / 2);
   }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <optional>
 
 #include "io/files/b_values.h"
 #include "io/files/binary_header.h"
@@ -183,6 +186,37 @@ double largestDifference(const Affine& a, const Affine& b, const std::vector<std
   return largest;
 }
 
+// Whether the axes of the grid have directions and lengths: no number is missing, no axis is nothing.
+bool isPlace(const Affine& affine, const std::vector<std::uint64_t>& sizes) {
+  if (glm::any(glm::isnan(affine.origin))) return false;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (glm::any(glm::isnan(affine.steps[a]))) return false;
+    if (a < sizes.size() && affine.steps[a] == glm::dvec3(0)) return false;
+  }
+  return true;
+}
+
+// The affine that the header means: the sform, else the qform, each where it is a place. Nothing where it
+// gives sizes alone. Told is what it says and is not.
+std::optional<Affine> niftiAffine(const Fields& f, const std::vector<std::uint64_t>& sizes, double mm,
+                                  std::vector<Warning>& warnings) {
+  const Affine sform = affineOfSform(f), qform = affineOfQform(f);
+  const bool isSform = f.sformCode > 0 && isPlace(sform, sizes),
+             isQform = f.qformCode > 0 && isPlace(qform, sizes);
+  const std::string instead = isSform   ? "the sform is taken."
+                              : isQform ? "the qform is taken."
+                                        : "the sizes of voxels alone are taken.";
+  const char* const noPlace = " places no voxels (numbers that are missing, or an axis of zeros): ";
+  if (f.sformCode > 0 && !isSform) warnings.push_back("The header's sform" + (noPlace + instead));
+  if (f.qformCode > 0 && !isQform && !isSform) warnings.push_back("The header's qform" + (noPlace + instead));
+  if (!isSform) return isQform ? std::optional(qform) : std::nullopt;
+  const double apart = isQform ? largestDifference(sform, qform, sizes) * mm : 0;
+  if (apart > 0.1)
+    warnings.push_back("The header's sform and qform differ by up to " +
+                       exactText(std::round(apart * 100) / 100) + " mm; the sform is taken.");
+  return sform;
+}
+
 Status setNiftiGeometry(const Fields& f, const std::vector<std::uint64_t>& sizes, ImageHeader& image,
                         const std::string& path) {
   // Spatial unit: metre, mm or micrometre; 0 is unknown and means mm everywhere.
@@ -191,15 +225,8 @@ Status setNiftiGeometry(const Fields& f, const std::vector<std::uint64_t>& sizes
   if (mm != 1)
     image.warnings.push_back(std::string("The header gives lengths in ") + (unit == 1 ? "m" : "um") +
                              "; they were converted to mm.");
-  Affine affine = affineOfSform(f);
-  if (f.sformCode <= 0 && f.qformCode > 0) {
-    affine = affineOfQform(f);
-  } else if (f.sformCode > 0 && f.qformCode > 0) {
-    const double apart = largestDifference(affine, affineOfQform(f), sizes) * mm;
-    if (apart > 0.1)
-      image.warnings.push_back("The header's sform and qform differ by up to " +
-                               exactText(std::round(apart * 100) / 100) + " mm; the sform is taken.");
-  } else if (f.sformCode <= 0) {
+  std::optional<Affine> affine = niftiAffine(f, sizes, mm, image.warnings);
+  if (!affine) {
     for (std::size_t a = 0; a < sizes.size(); ++a)
       if (f.pixdim[a + 1] == 0 || !std::isfinite(f.pixdim[a + 1]))
         return setNominalGeometry(image, sizes, path);
@@ -211,8 +238,8 @@ Status setNiftiGeometry(const Fields& f, const std::vector<std::uint64_t>& sizes
   const glm::dvec3 lpsFromRas(-mm, -mm, mm);
   std::vector<glm::dvec3> steps;
   for (std::size_t a = 0; a < 3; ++a)
-    if (a < sizes.size() || affine.steps[a] != glm::dvec3(0)) steps.push_back(affine.steps[a] * lpsFromRas);
-  return setGeometry(image, sizes, steps, affine.origin * lpsFromRas, path);
+    if (a < sizes.size() || affine->steps[a] != glm::dvec3(0)) steps.push_back(affine->steps[a] * lpsFromRas);
+  return setGeometry(image, sizes, steps, affine->origin * lpsFromRas, path);
 }
 
 // Where the samples are: in the file itself, or in the .img (or .img.gz) beside a .hdr.

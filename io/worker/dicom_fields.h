@@ -40,8 +40,9 @@ inline void fields(Wire& w, dicom::Slice& s) {
 
 inline void fields(Wire& w, dicom::PetFacts& p) {
   w(p.units, p.suvType, p.decayCorrection, p.weight, p.size, p.dose, p.halfLife, p.injectionDateTime,
-    p.injectionTime, p.zone, p.seriesDate, p.seriesTime, p.acquisitionDate, p.acquisitionTime, p.geScanStart,
-    p.philipsSuvFactor, p.philipsBqFactor, p.injections, p.attenuationCorrected, p.decayCorrected);
+    p.injectionTime, p.zone, p.decayedTo, p.seriesDate, p.seriesTime, p.acquisitionDate, p.acquisitionTime,
+    p.geScanStart, p.philipsSuvFactor, p.philipsBqFactor, p.injections, p.isEnhanced, p.attenuationCorrected,
+    p.decayCorrected, p.mappedType, p.mappedFactor);
 }
 
 inline void fields(Wire& w, dicom::FileHeader& h) {

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
+#include <cmath>
 
 #include "io/load.h"
 #include "io/open.h"
@@ -25,6 +26,7 @@ class TestConvertVolumes : public QObject {
   void otherGridsAreRefused();
   void oneOfThemIsWrittenAlone();
   void diffusionWeightsStandBeside();
+  void directionsOfPhilipsAreKnown();
 
  private:
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
@@ -147,6 +149,34 @@ void TestConvertVolumes::diffusionWeightsStandBeside() {
   QCOMPARE(contentsOf(at("dwi.bval")), QByteArray("0 500 1000\n"));
   // Left in DICOM is right in NIfTI; FSL turns the first axis round again where the axes are right-handed.
   QCOMPARE(contentsOf(at("dwi.bvec")), QByteArray("0 -1 0\n0 0 0\n0 0 1\n"));
+}
+
+// They stand in private elements, in the patient; the grid is turned by 20 degrees about z.
+void TestConvertVolumes::directionsOfPhilipsAreKnown() {
+  const std::string from = dataPath("field-cases-2/di02b-philips-directions/mr");
+  NEED_DATA(from);
+  const auto study = openStudy(from);
+  QVERIFY(study && study->volumes.size() == 6);
+  const Outcome a = run(QStringLiteral("convert"), from, study->volumes[0].seriesUid, at("philips.nii.gz"));
+  QVERIFY2(a.status == 0, a.err);
+  const QList<QByteArray> weights = contentsOf(at("philips.bval")).trimmed().split(' ');
+  QList<QList<QByteArray>> along;  // of the voxel axes i, turned round, j and k
+  for (const QByteArray& line : contentsOf(at("philips.bvec")).trimmed().split('\n'))
+    along << line.split(' ');
+  QVERIFY(weights.size() == 6 && along.size() == 3);
+  const double turn = 20 * std::acos(-1.0) / 180;
+  QStringList found;
+  for (qsizetype n = 0; n < 6; ++n) {
+    const double i = -along[0][n].toDouble(), j = along[1][n].toDouble(), k = along[2][n].toDouble();
+    const double x = i * std::cos(turn) - j * std::sin(turn), y = i * std::sin(turn) + j * std::cos(turn);
+    const auto text = [](double v) { return QString::number(std::round(1000 * v) / 1000 + 0.0); };
+    found << QString::fromLatin1(weights[n]) + QStringLiteral(": %1,%2,%3").arg(text(x), text(y), text(k));
+  }
+  found.sort();
+  QCOMPARE(
+      found,
+      QStringLiteral("0: 0,0,0|1000: -0.48,0.6,0.64|1000: 0,1,0|1000: 0.6,0,0.8|1000: 1,0,0|2000: 0,0.6,-0.8")
+          .split(QLatin1Char('|')));
 }
 
 VOLUMEN_TEST(TestConvertVolumes);

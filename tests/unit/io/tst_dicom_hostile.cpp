@@ -53,9 +53,11 @@ void TestDicomHostile::refusedWithAReason_data() {
   longer.longElement(0x00091010, "OB", 0xfffffffe);
   row("a length beyond the file", longer.bytes, "claims 4294967294 bytes");
   row("deflate bomb", deflateBomb(), "grows beyond 64 MiB");
-  for (const char* frames : {"10000000000", "99999999999999999999", "4294967297", "0", "-1", "1A", "1.5"})
+  for (const char* frames : {"10000000000", "99999999999999999999", "4294967297", "-1", "1A", "1.5"})
     row((std::string("NumberOfFrames ") + frames).c_str(),
         native(picture(explicitSyntax, 0x00280008, 0, frames)), "NumberOfFrames");
+  row("NumberOfFrames 0, half a frame", native(picture(explicitSyntax, 0x00280008, 0, "0"), 16, 16),
+      "NumberOfFrames");
   row("frames without data", native(picture(explicitSyntax, 0x00280008, 0, "1000")), "");
   row("no rows", native(picture(explicitSyntax, 0x00280010, 0)), "Rows");
   row("65535 rows, few bytes", native(picture(explicitSyntax, 0x00280010, 65535)), "cut off: 32 of 524280");

@@ -1,8 +1,12 @@
 // Guards import.md and slices.md on ../shared/data/field-cases-2 (its CASES.tsv says why).
+#include <cmath>
+
+#include "io/frames.h"
 #include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/series_summary.h"
 #include "tests/unit/suite.h"
+#include "viewer/slice/grey.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -12,6 +16,12 @@ class TestFieldCases2 : public QObject {
  private Q_SLOTS:
   void picturesThatBelongTogether_data();
   void picturesThatBelongTogether();
+  void singleFilesReadAsMeant_data();
+  void singleFilesReadAsMeant();
+  void namesReadAsMeant_data();
+  void namesReadAsMeant();
+  void aSigmoidInSmallLetters();
+  void uptakeOfAnEnhancedPet();
 };
 
 namespace {
@@ -49,6 +59,70 @@ void TestFieldCases2::picturesThatBelongTogether() {
   QStringList found;
   for (const Series& s : openCase(QString::fromUtf8(QTest::currentDataTag())).volumes) found << summaryOf(s);
   QCOMPARE(found, volumes);
+}
+
+void TestFieldCases2::singleFilesReadAsMeant_data() {
+  QTest::addColumn<QString>("volume");
+  QTest::addColumn<QByteArray>("says");
+  QTest::newRow("ma02e-no-pixel-representation")
+      << QStringLiteral("8x8x3 1,1,1 @0,0,0: -1000,-999,-998")
+      << QByteArray("PixelRepresentation is missing: its values were read as signed");
+  QTest::newRow("ni08-sform-of-zeros")
+      << QStringLiteral("7x6x5 1,1,2 @-1,-2,3: 0,42,84,126,168") << QByteArray("the qform is taken");
+}
+
+void TestFieldCases2::singleFilesReadAsMeant() {
+  NEED_DATA(dataPath());
+  QFETCH(QString, volume);
+  QFETCH(QByteArray, says);
+  const Study study = openCase(QString::fromUtf8(QTest::currentDataTag()));
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QCOMPARE(summaryOf(study.volumes[0]), volume);
+  QVERIFY(warns(study.volumes[0].warnings, says.toStdString()));
+}
+
+void TestFieldCases2::namesReadAsMeant_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<bool>("told");
+  QTest::newRow("ch07b-utf-8-as-latin-1") << QString::fromUtf8("Иванов^Пётр") << true;
+  QTest::newRow("ch07e-latin-1-stays") << QString::fromUtf8("Müller^José") << false;
+}
+
+void TestFieldCases2::namesReadAsMeant() {
+  NEED_DATA(dataPath());
+  QFETCH(QString, name);
+  QFETCH(bool, told);
+  const Study study = openCase(QString::fromUtf8(QTest::currentDataTag()));
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QCOMPARE(QString::fromStdString(study.volumes[0].patientName), name);
+  QCOMPARE(warns(study.volumes[0].warnings,
+                 "in UTF-8 under SpecificCharacterSet \"ISO_IR 100\": they were read as UTF-8"),
+           told);
+}
+
+void TestFieldCases2::aSigmoidInSmallLetters() {
+  NEED_DATA(dataPath());
+  const Study study = openCase(QStringLiteral("vo01d-sigmoid-in-lower-case"));
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QVERIFY(warns(study.volumes[0].warnings, "\"sigmoid\" is no term of the standard: it was read as SIGMOID"));
+  const auto frame = loadFrame(study.volumes[0], 0);
+  QVERIFY(frame.ok());
+  const auto bytes = greyBytes(std::vector<float>{352, 1104, 1472}, frame->greys.at(0).mapping);
+  QCOMPARE(QList<int>(bytes.begin(), bytes.end()), (QList<int>{0, 3, 17}));
+}
+
+void TestFieldCases2::uptakeOfAnEnhancedPet() {
+  NEED_DATA(dataPath());
+  const Study study = openCase(QStringLiteral("pt07-enhanced-pet"));
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const Series& pet = study.volumes[0];
+  QVERIFY2(pet.suv.bodyWeight, pet.suv.why.c_str());
+  const auto loaded = loadSeries(pet);
+  QVERIFY(loaded.ok());
+  const double bq = loaded->acquired->value(0, 0, 1);
+  QCOMPARE(bq, 2002.0);
+  QVERIFY(std::abs(bq * *pet.suv.bodyWeight - 0.584839) < 1e-6);
+  QCOMPARE(valueScale(pet, PetUnit::file).unit, std::string("Bq/ml"));
 }
 
 VOLUMEN_TEST(TestFieldCases2);

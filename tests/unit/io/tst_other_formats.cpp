@@ -2,6 +2,7 @@
 // is said, and no mutation of their bytes ends otherwise than in a volume or a sentence.
 #include <QFile>
 #include <QTemporaryDir>
+#include <limits>
 #include <random>
 
 #include "io/files/image_file.h"
@@ -249,7 +250,8 @@ void TestOtherFormats::isRefused_data() {
   row("MGH of a negative size", "a.mgh", mgh([](QByteArray& h) { put<std::int32_t>(h, 8, -3); }),
       "axis of -3");
   row("MGH of another type", "a.mgh", mgh([](QByteArray& h) { put<std::int32_t>(h, 20, 6); }), "type 6");
-  row("MGH without directions", "a.mgh", mgh([](QByteArray& h) { put(h, 42, 0.f); }), "spacing or direction");
+  row("MGH of a direction without end", "a.mgh",
+      mgh([](QByteArray& h) { put(h, 42, std::numeric_limits<float>::infinity()); }), "spacing or direction");
   row("GIPL without its number", "a.gipl", gipl([](QByteArray& h) { put(h, 252, 7u); }), "GIPL's number");
   row("GIPL of bits", "a.gipl", gipl([](QByteArray& h) { put<std::uint16_t>(h, 8, 1); }), "type 1");
   row("GIPL of 65535^3", "a.gipl", gipl([](QByteArray& h) {
