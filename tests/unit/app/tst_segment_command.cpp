@@ -181,6 +181,8 @@ void TestSegmentCommand::wrongUsageIsRefused_data() {
       "--reduce goes with surfaces");
   row("one file of no surface", "phantom:ramp:8 --range 1:2 --one-file -o a.seg.nrrd",
       "--one-file goes with surfaces");
+  row("the largest part of no surface", "phantom:ramp:8 --range 1:2 --largest-part -o a.seg.nrrd",
+      "--largest-part goes with surfaces");
   row("a reduction of nothing", "phantom:ramp:8 --range 1:2 --reduce 0 -o a.stl", "--reduce");
   row("nan", "phantom:ramp:8 --range nan:1 -o a.seg.nrrd", "is not LOW:HIGH");
   row("unit behind it", "phantom:ramp:8 --range 1:2HU -o a.seg.nrrd", "is not LOW:HIGH");
