@@ -199,7 +199,10 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   const auto segments = segmentsOf(source, *opened, cancel);
   if (!segments) return fail(segments.message(), cancel);
   if (Status s = checkNames(options, *segments, opened->series); !s) return fail(s.message());
-  const auto numbers = numbersTold(segments->maps, *opened, PetUnit::suvBodyWeight, options.json, cancel);
+  // Surfaces take their time: where a file is written they are asked for by --json or --csv.
+  const NumbersWanted wanted{.surfaces = options.json || !options.csv.empty() || options.output.empty(),
+                             .overTime = options.json};
+  const auto numbers = numbersTold(segments->maps, *opened, PetUnit::suvBodyWeight, wanted, cancel);
   if (!numbers) return fail(numbers.message(), cancel);
   auto csv = writeCsv(options.csv, *numbers);
   if (!csv) return fail(csv.message());
@@ -216,7 +219,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   if (options.json) {
     printJson(*numbers, *opened, source, files);
   } else {
-    std::cout << segmentsText(numbers->reports, numbers->scale);
+    std::cout << segmentsText(numbers->reports, numbers->scale, wanted.surfaces);
     for (const std::string& file : files) std::cout << "file: " << printable(file) << '\n';
   }
   return opened->status();
@@ -275,12 +278,12 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
       0.001, 100);
   app.add_flag("--one-file", options->surfaces.inOneFile,
                "The surfaces of all segments in one file, in place of a file a segment");
-  app.add_flag("--remove-table", options->removeTable,
-               "CT: segment the patient alone, without table, cushions and cables");
-  app.add_option("--csv", options->csv, "Write the numbers of all segments, a row each")->type_name("FILE");
   app.add_flag("--largest-part", options->largestPart,
                "Surfaces of the largest part of each segment alone; the notes tell how many closed shells "
                "there are");
+  app.add_flag("--remove-table", options->removeTable,
+               "CT: segment the patient alone, without table, cushions and cables");
+  app.add_option("--csv", options->csv, "Write the numbers of all segments, a row each")->type_name("FILE");
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
   addExamples(app, {"volumen segment scans/ --recipe bone -o bone.stl",
                     "volumen segment scans/ --range :-300 --csv air.csv -o air.seg.nrrd"});
