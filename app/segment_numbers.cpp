@@ -40,16 +40,18 @@ Result<SegmentsFile> segmentsOfFile(const std::string& file, Opened& opened, con
 }
 
 Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Opened& opened, PetUnit unit,
-                                       bool withTime, const CancelToken& cancel) {
+                                       NumbersWanted wanted, const CancelToken& cancel) {
   SegmentNumbersTold all{{}, valueScale(opened.series, unit)};
   for (std::size_t n = 0; n < maps.size(); ++n) {
-    auto reports = segmentReports(maps[n].segments, maps[n].labels, *opened.loaded.drawn,
-                                  hasPeaks(opened.series.modality), cancel);
+    const Volume& volume = *opened.loaded.drawn;
+    auto reports = wanted.surfaces ? segmentReports(maps[n].segments, maps[n].labels, volume,
+                                                    hasPeaks(opened.series.modality), cancel)
+                                   : voxelReports(maps[n].segments, maps[n].labels, volume, cancel);
     if (!reports) return reports.error();
     for (SegmentReport& report : *reports) report.map = int(n);
     std::ranges::move(*reports, std::back_inserter(all.reports));
   }
-  if (withTime) all.overTime = overTimeOf(maps, opened, unit, cancel);
+  if (wanted.overTime) all.overTime = overTimeOf(maps, opened, unit, cancel);
   if (cancel.cancelled()) return Error{"Cancelled."};  // they are half done
   return all;
 }

@@ -25,10 +25,16 @@ struct SegmentNumbersTold {
 /// one map; where segments overlap, several. The Error names the file.
 Result<SegmentsFile> segmentsOfFile(const std::string& file, Opened& opened, const CancelToken& cancel);
 
-/// The numbers of maps on the grid of what was opened, values of PET in `unit` where that can be had; over
-/// time on request. The Error: cancelled, or there is not enough memory.
+/// Which numbers are asked for.
+struct NumbersWanted {
+  bool surfaces = true;  ///< else those of voxels alone (voxelReports())
+  bool overTime = false;
+};
+
+/// The numbers of maps on the grid of what was opened, values of PET in `unit` where that can be had. The
+/// Error: cancelled, or there is not enough memory.
 Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Opened& opened, PetUnit unit,
-                                       bool withTime, const CancelToken& cancel);
+                                       NumbersWanted wanted, const CancelToken& cancel);
 
 /// Adds them to the JSON of a command: `segments`, `unit`, and `timeAxis` where there are values over time.
 void addSegments(nlohmann::ordered_json& all, const SegmentNumbersTold& numbers);

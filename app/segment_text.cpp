@@ -19,17 +19,22 @@ std::string numberText(const std::optional<double>& value) { return value ? numb
 
 }  // namespace
 
-std::string segmentsText(const std::vector<SegmentReport>& all, const ValueScale& scale) {
+std::string segmentsText(const std::vector<SegmentReport>& all, const ValueScale& scale, bool withSurfaces) {
   const std::string of = scale.unit.empty() ? "" : ", " + printable(scale.unit);
-  TextTable table(
-      {"segment", "voxels", "ml", "ml, surface", "cm^2", "longest, mm", "mean" + of, "SD", "min", "max"});
+  std::vector<std::string> heads{"segment", "voxels", "ml"};
+  if (withSurfaces) heads.insert(heads.end(), {"ml, surface", "cm^2", "longest, mm"});
+  heads.insert(heads.end(), {"mean" + of, "SD", "min", "max"});
+  TextTable table(heads);
   for (const SegmentReport& r : all) {
     const auto form = [&](double value) { return r.form ? numberText(value) : "-"; };
     const auto value = [&](double v) { return r.values.voxels > 0 ? numberText(v * scale.factor) : "-"; };
     const SegmentForm f = r.form.value_or(SegmentForm{});
-    table.add({printable(r.segment.label), std::to_string(r.voxels), numberText(r.millilitres),
-               form(f.surfaceMl), form(f.areaMm2 / 100), form(f.longestMm), value(r.values.mean),
-               value(r.values.sd), value(r.values.min), value(r.values.max)});
+    std::vector<std::string> row{printable(r.segment.label), std::to_string(r.voxels),
+                                 numberText(r.millilitres)};
+    if (withSurfaces) row.insert(row.end(), {form(f.surfaceMl), form(f.areaMm2 / 100), form(f.longestMm)});
+    row.insert(row.end(),
+               {value(r.values.mean), value(r.values.sd), value(r.values.min), value(r.values.max)});
+    table.add(row);
   }
   return table.text();
 }

@@ -8,8 +8,8 @@
 
 namespace volumen {
 
-/// What people look at first of segments, in columns.
-std::string segmentsText(const std::vector<SegmentReport>& all, const ValueScale& scale);
+/// What people look at first of segments, in columns; those of their surfaces where they were measured.
+std::string segmentsText(const std::vector<SegmentReport>& all, const ValueScale& scale, bool withSurfaces);
 
 /// Segments of two files that were compared.
 struct ComparedSegments {

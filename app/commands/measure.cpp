@@ -159,7 +159,7 @@ Status measureSegments(nlohmann::ordered_json& all, Opened& opened, const Measur
   read.push_back(options.shapes);
   if (!options.csv.empty())
     if (Status s = checkApart({&options.csv, 1}, read); !s) return s;
-  const auto numbers = numbersTold(segments->maps, opened, unitWanted(options), true, cancel);
+  const auto numbers = numbersTold(segments->maps, opened, unitWanted(options), {.overTime = true}, cancel);
   if (!numbers) return numbers.error();
   addSegments(all, *numbers);
   addSegmentNotes(opened, numbers->reports);

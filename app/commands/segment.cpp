@@ -30,7 +30,7 @@ constexpr glm::u8vec3 boneIvory{240, 219, 163};
 
 struct SegmentOptions {
   std::string path, range, recipe, from, output, series, csv;
-  bool json = false, removeTable = false;
+  bool json = false, removeTable = false, largestPart = false;
   SurfaceWriting surfaces;
 };
 
@@ -164,7 +164,10 @@ Status checkNames(const SegmentOptions& options, const SegmentsFile& segments, c
 Result<ExportedSegments> exportedOf(const SegmentOptions& options, const SegmentsFile& segments,
                                     const Series& series, const CancelToken& cancel) {
   if (options.output.empty()) return ExportedSegments();
-  return exportSegments(options.output, segments.maps, series, {}, cancel, options.surfaces);
+  std::vector<Segmented> maps = segments.maps;
+  if (options.largestPart)
+    for (Segmented& map : maps) map = withLargestParts(map, cancel);
+  return exportSegments(options.output, maps, series, {}, cancel, options.surfaces);
 }
 
 // Whether the file can be written, and has surfaces where an option is about them.
@@ -176,7 +179,8 @@ Status checkFormat(const SegmentOptions& options) {
     format = *found;
   }
   for (const auto& [isGiven, option] : {std::pair(options.surfaces.reducedByMm > 0, "--reduce"),
-                                        std::pair(options.surfaces.inOneFile, "--one-file")})
+                                        std::pair(options.surfaces.inOneFile, "--one-file"),
+                                        std::pair(options.largestPart, "--largest-part")})
     if (isGiven && !(format && format->isSurface))
       return Error{std::string(option) + " goes with surfaces: -o FILE.stl, .ply or .obj."};
   return {};
@@ -195,7 +199,10 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   const auto segments = segmentsOf(source, *opened, cancel);
   if (!segments) return fail(segments.message(), cancel);
   if (Status s = checkNames(options, *segments, opened->series); !s) return fail(s.message());
-  const auto numbers = numbersTold(segments->maps, *opened, PetUnit::suvBodyWeight, options.json, cancel);
+  // Surfaces take their time: where a file is written they are asked for by --json or --csv.
+  const NumbersWanted wanted{.surfaces = options.json || !options.csv.empty() || options.output.empty(),
+                             .overTime = options.json};
+  const auto numbers = numbersTold(segments->maps, *opened, PetUnit::suvBodyWeight, wanted, cancel);
   if (!numbers) return fail(numbers.message(), cancel);
   auto csv = writeCsv(options.csv, *numbers);
   if (!csv) return fail(csv.message());
@@ -212,7 +219,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   if (options.json) {
     printJson(*numbers, *opened, source, files);
   } else {
-    std::cout << segmentsText(numbers->reports, numbers->scale);
+    std::cout << segmentsText(numbers->reports, numbers->scale, wanted.surfaces);
     for (const std::string& file : files) std::cout << "file: " << printable(file) << '\n';
   }
   return opened->status();
@@ -271,6 +278,9 @@ std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
       0.001, 100);
   app.add_flag("--one-file", options->surfaces.inOneFile,
                "The surfaces of all segments in one file, in place of a file a segment");
+  app.add_flag("--largest-part", options->largestPart,
+               "Surfaces of the largest part of each segment alone; the notes tell how many closed shells "
+               "there are");
   app.add_flag("--remove-table", options->removeTable,
                "CT: segment the patient alone, without table, cushions and cables");
   app.add_option("--csv", options->csv, "Write the numbers of all segments, a row each")->type_name("FILE");

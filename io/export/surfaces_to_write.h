@@ -26,6 +26,9 @@ struct SurfaceToWrite {
   double voxelsMl = 0;  ///< volume of its voxels
   double insideMl = 0;  ///< volume inside the surface
   double areaCm2 = 0;
+  std::size_t shells = 0;    ///< closed shells that the surface consists of, cavities among them
+  std::size_t cavities = 0;  ///< shells that lie around a hole inside another one
+  double largestShare = 1;   ///< volume inside the largest shell, as a share of that inside all but cavities
   std::optional<Unreduced> before{};
 };
 
@@ -37,8 +40,12 @@ Result<SurfaceToWrite> surfaceToWrite(const Segmented& map, const Segment& segme
 Result<std::vector<SurfaceToWrite>> surfacesToWrite(std::span<const Segmented> maps, double reducedByMm,
                                                     const CancelToken& cancel = {});
 
-/// Sentences without what they are about: "12 triangles, 0.5 ml inside (0.6 ml by voxels), 3 cm^2."; of a
-/// reduced one a second one, how many there were.
+/// The map with the largest part of each segment alone: of the voxels that share faces, as surfaces join
+/// them. Cancelled: as far as it has come by then.
+Segmented withLargestParts(const Segmented& map, const CancelToken& cancel = {});
+
+/// Sentences without what they are about: "12 triangles, 0.5 ml inside (0.6 ml by voxels), 3 cm^2.", "1
+/// closed shell."; of a reduced one another one, how many there were.
 std::vector<std::string> toldOf(const SurfaceToWrite& surface);
 
 }  // namespace volumen

@@ -87,6 +87,7 @@ class TestSegmentExport : public QObject {
   void nothingIsAskedOfNewFiles();
   void surfacesAreToldBeforeTheyAreSaved();
   void surfacesAreReduced();
+  void theLargestPartAlone();
   void allSurfacesStandInOneFile();
   void nothingIsWrittenWhereItIsCancelled();
 };
@@ -145,7 +146,7 @@ void TestSegmentExport::surfacesAreToldBeforeTheyAreSaved() {
   w.startExport(QStringLiteral("a.stl"));
   QVERIFY(w.areMade());
   QCOMPARE(w.files(), QStringList());
-  QCOMPARE(w.table()->columnCount(), 5);
+  QCOMPARE(w.table()->columnCount(), 6);
   QCOMPARE(w.column(0), QStringList({QStringLiteral("800 to 1200 HU"), QStringLiteral("400 to 600 HU")}));
   const QString coreMl = digitsText(double(voxelsWhere(isCore)) / 1000, 4);
   QCOMPARE(w.column(2)[1], coreMl);
@@ -167,7 +168,7 @@ void TestSegmentExport::surfacesAreReduced() {
   w.reduceBy("0.5");
   QVERIFY(!w.button("surfaceSave")->isEnabled());
   QVERIFY(w.areMade());
-  QCOMPARE(w.table()->columnCount(), 8);
+  QCOMPARE(w.table()->columnCount(), 9);
   QCOMPARE(w.column(5), all);
   QCOMPARE(w.column(6), insideMl);
   const QStringList fewer = w.column(1);
@@ -177,6 +178,22 @@ void TestSegmentExport::surfacesAreReduced() {
   }
   QVERIFY(w.press("surfaceSave"));
   QCOMPARE(QStringList({w.trianglesOf(firstStl), w.trianglesOf(secondStl)}), fewer);
+}
+
+// The first segment is a shell around the core, and a small ball beside it.
+void TestSegmentExport::theLargestPartAlone() {
+  ExportWindow w;
+  QVERIFY(w.makeBoth());
+  w.startExport(QStringLiteral("a.stl"));
+  QVERIFY(w.areMade());
+  QCOMPARE(w.column(5), QStringList({QStringLiteral("3"), QStringLiteral("1")}));
+  w.click("surfaceLargest");
+  QVERIFY(w.areMade());
+  QCOMPARE(w.column(5), QStringList({QStringLiteral("2"), QStringLiteral("1")}));
+  QCOMPARE(w.column(2)[0], digitsText(double(voxelsWhere(isShell)) / 1000, 4));
+  const QStringList triangles = w.column(1);
+  QVERIFY(w.press("surfaceSave"));
+  QCOMPARE(QStringList({w.trianglesOf(firstStl), w.trianglesOf(secondStl)}), triangles);
 }
 
 // Files of single segments stay as they are.

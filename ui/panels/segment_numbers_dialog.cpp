@@ -10,10 +10,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "ui/controller/segment_map_reports.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/frozen_column.h"
 #include "ui/widgets/plain_text.h"
@@ -45,9 +45,12 @@ QTableWidgetItem* nameItem(const Segment& segment, int report) {
   return item;
 }
 
-QTableWidgetItem* numberItem(const SegmentColumn& column, const SegmentReport& report, double factor) {
-  auto* item = new NumberItem(columnText(column, report, factor));
+// `isLater`: what there is none of may still be measured.
+QTableWidgetItem* numberItem(const SegmentColumn& column, const SegmentReport& report, double factor,
+                             bool isLater) {
   const std::vector<double> numbers = segmentNumbers(column, report, factor);
+  auto* item =
+      new NumberItem(isLater && numbers.empty() ? QStringLiteral("...") : columnText(column, report, factor));
   item->setData(sortRole, numbers.empty() ? -std::numeric_limits<double>::infinity() : numbers.front());
   item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   return item;
@@ -78,25 +81,6 @@ QPushButton* dialogButton(QDialogButtonBox* box, const char* name, const QString
 bool holdTheSame(const SegmentMap& a, const SegmentMap& b) {
   return a.labels == b.labels &&
          std::ranges::equal(a.segments, b.segments, {}, &Segment::number, &Segment::number);
-}
-
-Result<std::vector<SegmentReport>> reportsOf(const std::vector<SegmentMap>& maps, const Volume& volume,
-                                             bool withPeaks, const Job& job) {
-  std::size_t count = 0;
-  for (const SegmentMap& map : maps) count += map.segments.size();
-  std::vector<SegmentReport> all;
-  for (const SegmentMap& map : maps) {
-    auto reports =
-        segmentReports(map.segments, *map.labels, volume, withPeaks, job.cancel(),
-                       [&](const Segment& segment, std::size_t done) {
-                         job.tell(SegmentNumbersDialog::tr("Measuring %1").arg(shownText(segment.label)),
-                                  double(all.size() + done) / double(count));
-                       });
-    if (!reports) return reports;
-    for (SegmentReport& report : *reports) report.map = map.number;
-    std::ranges::move(*reports, std::back_inserter(all));
-  }
-  return all;
 }
 
 }  // namespace
@@ -207,25 +191,44 @@ void SegmentNumbersDialog::follow() {
   fillTable();
 }
 
+// What voxels tell is there at once; surfaces take their time.
 void SegmentNumbersDialog::measure() {
   lane_.giveUpAll();
   fillTable();
   said_->setText(tr("Measuring..."));
-  const bool withPeaks = hasPeaks(session_.series()->series.modality);
   lane_.run(
       tr("Measuring segments"),
-      [maps = measured_->maps, volume = measured_->volume, withPeaks](const Job& job) {
-        return reportsOf(maps, *volume, withPeaks, job);
+      [maps = measured_->maps, volume = measured_->volume](const Job& job) {
+        return voxelReportsOf(maps, *volume, job.cancel());
       },
-      [this](const Result<std::vector<SegmentReport>>& reports) { take(reports); },
+      [this](const Result<std::vector<SegmentReport>>& reports) {
+        if (take(reports)) measureSurfaces();
+      },
       [this] { said_->setText(tr("Cancelled: nothing was measured.")); });
 }
 
-void SegmentNumbersDialog::take(const Result<std::vector<SegmentReport>>& reports) {
-  if (!reports) return said_->setText(QString::fromStdString(reports.message()));
-  measured_->reports = *reports;
-  measured_->isDone = true;
-  showMeasured();
+void SegmentNumbersDialog::measureSurfaces() {
+  fillTable();
+  said_->setText(tr("Measuring surfaces..."));
+  lane_.run(
+      tr("Measuring surfaces of segments"),
+      [all = *measured_, withPeaks = hasPeaks(session_.series()->series.modality)](const Job& job) {
+        return withSurfaces(all.reports, all.maps, *all.volume, withPeaks, job);
+      },
+      [this](const Result<std::vector<SegmentReport>>& reports) {
+        if (!take(reports)) return;
+        measured_->isDone = true;
+        showMeasured();
+      },
+      [this] { said_->setText(tr("Cancelled: surfaces were not measured.")); });
+}
+
+bool SegmentNumbersDialog::take(const Result<std::vector<SegmentReport>>& reports) {
+  if (reports)
+    measured_->reports = *reports;
+  else
+    said_->setText(QString::fromStdString(reports.message()));
+  return reports.ok();
 }
 
 void SegmentNumbersDialog::showMeasured() {
@@ -249,7 +252,7 @@ void SegmentNumbersDialog::fillTable() {
     table_->setItem(row, 0, nameItem(report.segment, row));
     int place = 1;
     for (const SegmentColumn& column : segmentColumns())
-      table_->setItem(row, place++, numberItem(column, report, shown.factor));
+      table_->setItem(row, place++, numberItem(column, report, shown.factor, !measured_->isDone));
   }
   table_->setSortingEnabled(true);
   table_->resizeColumnsToContents();

@@ -46,7 +46,9 @@ class SegmentNumbersDialog : public QDialog {
   void giveUp();
   void forget();
   void measure();
-  void take(const Result<std::vector<SegmentReport>>& reports);
+  void measureSurfaces();
+  /// False, with the reason told: they are none.
+  bool take(const Result<std::vector<SegmentReport>>& reports);
   void showMeasured();
   void fillTable();
   void showChoice();

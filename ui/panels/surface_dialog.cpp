@@ -26,7 +26,7 @@ QStringList surfaceHeads(bool isReduced) {
   if (isReduced)
     heads << SurfaceDialog::tr("Triangles before") << SurfaceDialog::tr("Inside before (ml)")
           << SurfaceDialog::tr("Off at most (mm)");
-  return heads;
+  return heads << SurfaceDialog::tr("Closed shells");
 }
 
 // In the order of the heads.
@@ -37,7 +37,7 @@ QStringList surfaceCells(const SurfaceToWrite& of) {
   if (of.before)
     cells << QString::number(qulonglong(of.before->triangles)) << text(of.before->insideMl)
           << digitsText(of.before->offMm, 2);
-  return cells;
+  return cells << QString::number(qulonglong(of.shells));
 }
 
 }  // namespace
@@ -48,6 +48,7 @@ SurfaceDialog::SurfaceDialog(std::vector<SegmentMap> maps, Jobs& jobs, QWidget* 
       files_(new QComboBox),
       reduce_(new QCheckBox(tr("Fewer triangles, off by at most"))),
       byMm_(new QDoubleSpinBox),
+      largest_(new QCheckBox(tr("Largest part of each segment alone"))),
       table_(new QTableWidget),
       said_(plainLabel()),
       lane_(&jobs) {
@@ -91,14 +92,19 @@ void SurfaceDialog::addChoices(QFormLayout& form) {
   byMm_->setSuffix(tr(" mm"));
   byMm_->setKeyboardTracking(false);  // each number is made anew
   byMm_->setEnabled(false);
+  largest_->setObjectName(QStringLiteral("surfaceLargest"));
+  largest_->setToolTip(
+      toolTipOf(tr("Leaves out what no faces of voxels join to it: loose parts of a print")));
   form.addRow(tr("Files"), files_);
   form.addRow(reduce_, byMm_);
+  form.addRow(largest_);
   form.setRowVisible(files_, maps_.size() > 1 || maps_.front().segments.size() > 1);
   connect(reduce_, &QCheckBox::toggled, this, [this](bool on) {
     byMm_->setEnabled(on);
     make();
   });
   connect(byMm_, &QDoubleSpinBox::valueChanged, this, &SurfaceDialog::make);
+  connect(largest_, &QCheckBox::toggled, this, &SurfaceDialog::make);
 }
 
 SurfaceWriting SurfaceDialog::writing() const {
@@ -112,8 +118,11 @@ void SurfaceDialog::make() {
   said_->setText(tr("Making the surfaces..."));
   lane_.run(
       tr("Making surfaces"),
-      [maps = maps_, byMm = writing().reducedByMm](const Job& job) {
-        return surfacesToWrite(segmentedOf(maps), byMm, job.cancel());
+      [maps = maps_, byMm = writing().reducedByMm, isLargest = largest_->isChecked()](const Job& job) {
+        std::vector<Segmented> segments = segmentedOf(maps);
+        if (isLargest)
+          for (Segmented& map : segments) map = withLargestParts(map, job.cancel());
+        return surfacesToWrite(segments, byMm, job.cancel());
       },
       [this](Result<std::vector<SurfaceToWrite>> made) { take(std::move(made)); },
       [this] { said_->setText(tr("Cancelled: the surfaces were not made.")); });

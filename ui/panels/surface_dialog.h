@@ -43,6 +43,7 @@ class SurfaceDialog : public QDialog {
   QComboBox* files_;
   QCheckBox* reduce_;
   QDoubleSpinBox* byMm_;
+  QCheckBox* largest_;
   QTableWidget* table_;
   QLabel* said_;
   QPushButton* save_;

@@ -26,6 +26,12 @@ Numbers ofForm(const SegmentReport& report) {
   return report.form ? Numbers{(*report.form).*number} : Numbers();
 }
 
+// The same of what takes the surface.
+template <double SegmentForm::*number>
+Numbers ofSurface(const SegmentReport& report) {
+  return report.form && !report.form->ofVoxelsAlone ? ofForm<number>(report) : Numbers();
+}
+
 template <class Place>
 Numbers placeOfForm(const SegmentReport& report, const Place& place) {
   if (!report.form) return {};
@@ -40,7 +46,24 @@ Numbers formAxis(const SegmentReport& report) {
 
 template <std::size_t n>
 Numbers longestEnd(const SegmentReport& report) {
+  if (report.form && report.form->ofVoxelsAlone) return {};
   return placeOfForm(report, [](const SegmentForm& f) { return f.longestAt[n]; });
+}
+
+using InPlaneLine = InPlaneDiameters::Line InPlaneDiameters::*;
+
+template <InPlaneLine line>
+Numbers inPlaneMm(const SegmentReport& report) {
+  return report.form ? Numbers{(report.form->inPlane.*line).mm} : Numbers();
+}
+
+template <InPlaneLine line, std::size_t n>
+Numbers inPlaneEnd(const SegmentReport& report) {
+  return placeOfForm(report, [](const SegmentForm& f) { return (f.inPlane.*line).at[n]; });
+}
+
+Numbers inPlaneSlice(const SegmentReport& report) {
+  return report.form ? Numbers{double(report.form->inPlane.slice)} : Numbers();
 }
 
 Numbers numbersIf(const std::optional<double>& number) { return number ? Numbers{*number} : Numbers(); }
@@ -53,6 +76,8 @@ Numbers timesMl(const SegmentReport& r) {
 
 std::vector<SegmentColumn> allColumns() {
   const std::vector<const char*> xyz{"x", "y", "z"}, ijk{"i", "j", "k"}, ordered{"1", "2", "3"};
+  constexpr InPlaneLine longest = &InPlaneDiameters::longest,
+                        perpendicular = &InPlaneDiameters::perpendicular;
   return {
       {"voxels",
        "Voxels",
@@ -66,16 +91,21 @@ std::vector<SegmentColumn> allColumns() {
        Unit::ml,
        {},
        [](const SegmentReport& r) { return numbersIf(r.millilitres); }},
-      {"surfaceMillilitres", "Volume inside surface", nullptr, Unit::ml, {}, ofForm<&SegmentForm::surfaceMl>},
+      {"surfaceMillilitres",
+       "Volume inside surface",
+       nullptr,
+       Unit::ml,
+       {},
+       ofSurface<&SegmentForm::surfaceMl>},
       {"difference",
        "Difference",
        nullptr,
        Unit::ml,
        {},
        [](const SegmentReport& r) {
-         return r.form ? Numbers{r.form->surfaceMl - r.form->voxelMl} : Numbers();
+         return r.form && !r.form->ofVoxelsAlone ? Numbers{r.form->surfaceMl - r.form->voxelMl} : Numbers();
        }},
-      {"areaMm2", "Surface area", nullptr, Unit::mm2, {}, ofForm<&SegmentForm::areaMm2>},
+      {"areaMm2", "Surface area", nullptr, Unit::mm2, {}, ofSurface<&SegmentForm::areaMm2>},
       {"mean", "Mean", "SUVmean", Unit::value, {}, ofValues<&SegmentValues::mean>},
       {"sd", "SD", nullptr, Unit::value, {}, ofValues<&SegmentValues::sd>},
       {"min", "Minimum", nullptr, Unit::value, {}, ofValues<&SegmentValues::min>},
@@ -105,9 +135,16 @@ std::vector<SegmentColumn> allColumns() {
       {"axis1", "Direction of axis 1", nullptr, Unit::none, xyz, formAxis<0>},
       {"axis2", "Direction of axis 2", nullptr, Unit::none, xyz, formAxis<1>},
       {"axis3", "Direction of axis 3", nullptr, Unit::none, xyz, formAxis<2>},
-      {"longestMm", "Longest diameter", nullptr, Unit::mm, {}, ofForm<&SegmentForm::longestMm>},
+      {"longestMm", "Longest diameter", nullptr, Unit::mm, {}, ofSurface<&SegmentForm::longestMm>},
       {"longestFrom", "Longest diameter from", nullptr, Unit::mm, xyz, longestEnd<0>},
       {"longestTo", "Longest diameter to", nullptr, Unit::mm, xyz, longestEnd<1>},
+      {"inPlaneMm", "Longest in-plane diameter", nullptr, Unit::mm, {}, inPlaneMm<longest>},
+      {"perpendicularMm", "Perpendicular diameter", nullptr, Unit::mm, {}, inPlaneMm<perpendicular>},
+      {"inPlaneSlice", "Slice of in-plane diameters", nullptr, Unit::voxels, {}, inPlaneSlice},
+      {"inPlaneFrom", "In-plane diameter from", nullptr, Unit::mm, xyz, inPlaneEnd<longest, 0>},
+      {"inPlaneTo", "In-plane diameter to", nullptr, Unit::mm, xyz, inPlaneEnd<longest, 1>},
+      {"perpendicularFrom", "Perpendicular from", nullptr, Unit::mm, xyz, inPlaneEnd<perpendicular, 0>},
+      {"perpendicularTo", "Perpendicular to", nullptr, Unit::mm, xyz, inPlaneEnd<perpendicular, 1>},
   };
 }
 

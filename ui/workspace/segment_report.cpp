@@ -13,6 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+const Error noMemory{"There is not enough memory to measure the segments."};
+
 Json knownNumber(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
 // Counts and places of voxels without a point.
@@ -34,28 +36,51 @@ Json histogramJson(const ValueCounts& counts, double factor) {
 
 }  // namespace
 
-Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segments, const LabelMap& labels,
-                                                  const Volume& volume, bool withPeaks,
-                                                  const CancelToken& cancel,
-                                                  const SegmentProgress& progress) try {
+Result<std::vector<SegmentReport>> voxelReports(std::span<const Segment> segments, const LabelMap& labels,
+                                                const Volume& volume, const CancelToken& cancel) try {
   std::vector<SegmentReport> all;
   for (const Segment& segment : segments) {
-    if (progress) progress(segment, all.size());
     const BitMask mask = maskOf(labels, std::uint8_t(segment.number));
     SegmentReport report{segment, mask.count(), {}, valuesIn(mask, volume), {}, {}};
     const VoxelGeometry& grid = volume.geometry();
     if (grid.calibrated) report.millilitres = double(report.voxels) * grid.voxelVolume() / 1000;
+    auto form = voxelFormOf(mask, cancel);
+    if (!form) return form.error();
+    report.form = *form;
+    if (cancel.cancelled()) return Error{"Cancelled."};
+    all.push_back(std::move(report));
+  }
+  return all;
+} catch (const std::bad_alloc&) {
+  return noMemory;
+}
+
+Status addSurfaces(std::span<SegmentReport> reports, const LabelMap& labels, const Volume& volume,
+                   bool withPeaks, const CancelToken& cancel, const SegmentProgress& progress) try {
+  std::size_t done = 0;
+  for (SegmentReport& report : reports) {
+    if (progress) progress(report.segment, done++);
+    const BitMask mask = maskOf(labels, std::uint8_t(report.segment.number));
     auto form = formOf(mask, cancel);
     if (!form) return form.error();
     report.form = *form;
     if (withPeaks)
       if (const auto peak = peakAbout(voxelsOf(mask), volume, cancel)) report.peak = peak->mean;
     if (cancel.cancelled()) return Error{"Cancelled."};
-    all.push_back(std::move(report));
   }
-  return all;
+  return {};
 } catch (const std::bad_alloc&) {
-  return Error{"There is not enough memory to measure the segments."};
+  return noMemory;
+}
+
+Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segments, const LabelMap& labels,
+                                                  const Volume& volume, bool withPeaks,
+                                                  const CancelToken& cancel,
+                                                  const SegmentProgress& progress) {
+  auto all = voxelReports(segments, labels, volume, cancel);
+  if (!all) return all;
+  if (const Status s = addSurfaces(*all, labels, volume, withPeaks, cancel, progress); !s) return s.error();
+  return all;
 }
 
 bool hasPeaks(const std::string& modality) { return modality == "PT" || modality == "NM"; }

@@ -32,6 +32,13 @@ Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segme
                                                   const Volume& volume, bool withPeaks,
                                                   const CancelToken& cancel = {},
                                                   const SegmentProgress& progress = {});
+/// The same without peaks and without what takes the surfaces (SegmentForm::ofVoxelsAlone): a small part of
+/// the time and of the memory.
+Result<std::vector<SegmentReport>> voxelReports(std::span<const Segment> segments, const LabelMap& labels,
+                                                const Volume& volume, const CancelToken& cancel = {});
+/// Adds those to reports of the labels.
+Status addSurfaces(std::span<SegmentReport> reports, const LabelMap& labels, const Volume& volume,
+                   bool withPeaks, const CancelToken& cancel = {}, const SegmentProgress& progress = {});
 /// Whether peaks are told of series of this modality (PT, NM).
 bool hasPeaks(const std::string& modality);
 

@@ -3,11 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <numbers>
 
-#include "viewer/slice/plane.h"
-
 namespace volumen {
+
+namespace {
+
+// What an end that lies anywhere in its voxel adds along a unit vector: the part of each of the voxel's
+// edges.
+double spreadAlong(const VoxelGeometry& geometry, glm::dvec3 direction) {
+  return glm::length(glm::transpose(geometry.patientFromVoxelStep) * direction);
+}
+
+}  // namespace
 
 Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometry, double softMm) {
   const glm::dvec3 spacing = geometry.spacing();
@@ -16,9 +25,9 @@ Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometr
   for (std::size_t n = 1; n < points.size(); ++n) {
     const glm::dvec3 segment = points[n] - points[n - 1];
     const double mm = glm::length(segment);
-    const double extent = mm > 0 ? voxelAlong(geometry, segment / mm) : longest;
+    const double spread = mm > 0 ? spreadAlong(geometry, segment / mm) : longest;
     sum += mm;
-    variance += 2 * (extent * extent / 12 + depthVariance(softMm));
+    variance += 2 * (spread * spread / 12 + depthVariance(softMm));
   }
   return {sum, 2 * std::sqrt(variance)};
 }

@@ -14,7 +14,8 @@ struct Length {
 };
 
 /// The length of a line through patient points. u^2 sums (s^2 + s^2)/12 over the segments, one term for each
-/// end: s is the voxel's extent along the segment, 1 / |inverse(L) d|; the longest spacing where the segment
+/// end. s^2 is the sum of (L_a . d)^2 over the edges L_a of a voxel, d the segment's direction: 12 times the
+/// variance along d of an end that lies anywhere in its voxel. s is the longest spacing where the segment
 /// has no length and so no direction. `softMm` (Shape::softMm) adds depthVariance() to each term, whatever
 /// way the line of sight went.
 Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometry, double softMm = 0);

@@ -24,9 +24,17 @@ Parts partsOf(const StepInput& in) { return Parts(in.own(), neighboursOf(in), in
 
 Result<BitMask> largest(const StepInput& in) { return partsOf(in).largest(std::size_t(in.number("count"))); }
 
+// Surfaces part voxels that share no face: a part that is large enough by edges or corners would leave crumbs
+// beside its body. Where no piece of it is large enough it is a thin, oblique structure and stays whole.
 Result<BitMask> islands(const StepInput& in) {
   const double voxels = in.number("leastMl") * 1000 / in.volume.geometry().voxelVolume();
-  return partsOf(in).atLeast(std::int64_t(std::ceil(voxels - 1e-9)));  // rounding makes no voxel more
+  const auto least = std::int64_t(std::ceil(voxels - 1e-9));  // rounding makes no voxel more
+  const Neighbours neighbours = neighboursOf(in);
+  const BitMask large = Parts(in.own(), neighbours, in.cancel).atLeast(least);
+  if (neighbours == Neighbours::faces) return large;
+  const BitMask bodies = Parts(large, Neighbours::faces, in.cancel).atLeast(least);
+  const BitMask withBody = connected(large, voxelsOf(bodies), neighbours, in.cancel);
+  return united(subtracted(large, withBody), bodies);
 }
 
 Result<BitMask> keep(const StepInput& in) { return partsOf(in).touched(in.voxelsAt("at")); }

@@ -8,24 +8,26 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "viewer/segment/bucket_queue.h"
+#include "viewer/segment/growth_tile.h"
 #include "viewer/volume/buffer.h"
-#include "viewer/volume/histogram.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
 
 namespace {
 
-using Cost = std::uint32_t;
-constexpr Cost unreached = std::numeric_limits<Cost>::max();
+using Cost = GrowthCost;
+constexpr Cost unreached = GrowthTile::unreached;
 constexpr double mostPerStep = 1 << 19;  // so that no path of a grid overflows
 
 constexpr int tileEdge = LabelMap::edge;
-constexpr int tileVoxels = tileEdge * tileEdge * tileEdge;
+constexpr int tileVoxels = GrowthTile::voxels;
 constexpr std::array<int, 3> tileStride = {1, tileEdge, tileEdge* tileEdge};
 
 // How far paths are followed before tiles hear of each other: so many steps of the range of values.
@@ -72,61 +74,6 @@ VoxelBox withMargin(const VoxelBox& seeds, const VoxelGeometry& geometry, double
   return {glm::max(seeds.low - reach, glm::ivec3(0)), glm::min(seeds.high + reach, geometry.size - 1)};
 }
 
-// Values as whole steps: the range (P0.1 to P99.9) in the middle, and 1.5 of it on both sides.
-struct SeedLevels {
-  double low, perValue;
-
-  explicit SeedLevels(const Volume& volume) {
-    const std::vector<float> at = percentiles(volume, {1, 999});
-    ValueRange range{at[0], at[1]};
-    if (range.low == range.high) range = valueRange(volume);
-    low = range.low;
-    perValue = range.low == range.high ? 0 : costsOfRange / (range.high - range.low);
-  }
-  std::uint16_t of(float value) const {
-    const double level = (double(value) - low) * perValue + 1.5 * costsOfRange;
-    return std::uint16_t(std::clamp(level, 0.0, 65535.0) + 0.5);
-  }
-};
-
-// A voxel that was reached and has not told its neighbours.
-struct GrowthPending {
-  Cost cost;
-  std::uint16_t voxel;
-};
-
-// What a voxel of another tile is told.
-struct GrowthMessage {
-  Cost cost;
-  std::uint16_t voxel;
-  std::uint8_t label;
-};
-
-// The voxels of a brick. Those that are not to be reached cost nothing: nothing is cheaper.
-struct GrowthTile {
-  std::array<Cost, tileVoxels> cost;
-  std::array<std::uint16_t, tileVoxels> level;
-  LabelMap::Voxels label;
-  std::vector<GrowthPending> pending;
-  Cost earliest = unreached;                      // of `pending`, or before it
-  int reached = 0;                                // voxels
-  std::array<std::vector<GrowthMessage>, 6> out;  // to the tiles before and behind it, along i, j, k
-
-  bool improve(int voxel, Cost by, std::uint8_t from) {
-    if (by > cost[std::size_t(voxel)] ||
-        (by == cost[std::size_t(voxel)] && from >= label[std::size_t(voxel)]))
-      return false;
-    reached += cost[std::size_t(voxel)] == unreached;
-    cost[std::size_t(voxel)] = by;
-    label[std::size_t(voxel)] = from;
-    return true;
-  }
-  void wait(int voxel, Cost at) {
-    pending.push_back({at, std::uint16_t(voxel)});
-    earliest = std::min(earliest, at);
-  }
-};
-
 // Shortest paths tile by tile. Costs and labels of voxels are only ever bettered, until nothing can be: what
 // that ends in is one, in whatever order tiles are taken.
 class Growth {
@@ -138,24 +85,30 @@ class Growth {
         box_(box),
         within_(growth.within),
         bricks_(seeds.bricks()),
+        levels_(volume),
+        labels_(seeds.dense()),
         cancel_(cancel) {
     const glm::dvec3 spacing = volume.geometry().spacing();
     for (int a = 0; a < 3; ++a)
       step_[a] = int(std::lround(std::clamp(growth.locality * costsOfRange * spacing[a], 0.0, mostPerStep)));
     tiles_.resize(std::size_t(bricks_.x) * std::size_t(bricks_.y) * std::size_t(bricks_.z));
-    const SeedLevels levels(volume);
-    overTiles([&](std::size_t n) { make(n, levels); });
+    isFinal_.resize(tiles_.size());
+    overTiles([&](std::size_t n) {
+      if (seeds_.brick(n).label || seeds_.brick(n).voxels) make(n);
+    });
   }
 
   void run() {
     const glm::dvec3 size(box_.high - box_.low + 1);
     const double voxels = size.x * size.y * size.z;
+    double ofFinal = 0;
     for (;;) {
       Cost earliest = unreached;
-      double reached = 0;
+      double reached = ofFinal;
       for (const auto& tile : tiles_)
         if (tile) earliest = std::min(earliest, tile->earliest), reached += tile->reached;
       cancel_.setDone(reached / voxels);
+      ofFinal += finish(earliest);
       if (earliest == unreached || cancel_.cancelled()) return;
       std::vector<std::size_t> open;
       for (std::size_t n = 0; n < tiles_.size(); ++n)
@@ -165,23 +118,12 @@ class Growth {
         for (std::int64_t n = begin; n < end && !cancel_.cancelled(); ++n)
           follow(open[std::size_t(n)], earliest, queue);
       });
+      makeReached();
       overTiles([&](std::size_t n) { hear(n); });
     }
   }
 
-  DenseLabels labels() const {
-    DenseLabels all = seeds_.dense();
-    overTiles([&](std::size_t n) {
-      if (!tiles_[n]) return;
-      const VoxelBox part = partOf(n);
-      const glm::ivec3 corner = cornerOf(n);
-      for (int k = part.low.z; k <= part.high.z; ++k)
-        for (int j = part.low.y; j <= part.high.y; ++j)
-          std::copy_n(tiles_[n]->label.data() + placeOf(glm::ivec3(part.low.x, j, k) - corner),
-                      part.high.x - part.low.x + 1, all.labels.data() + rowOf(j, k) + part.low.x);
-    });
-    return all;
-  }
+  DenseLabels labels() { return std::move(labels_); }
 
  private:
   template <class Work>
@@ -199,6 +141,9 @@ class Growth {
     const glm::ivec3 corner = cornerOf(tile);
     return {glm::max(corner, box_.low), glm::min(corner + tileEdge - 1, box_.high)};
   }
+  static glm::ivec3 placeIn(int voxel) {
+    return {voxel % tileEdge, voxel / tileEdge % tileEdge, voxel / tileStride[2]};
+  }
   static int placeOf(glm::ivec3 inTile) {
     return inTile.x + tileStride[1] * inTile.y + tileStride[2] * inTile.z;
   }
@@ -206,17 +151,26 @@ class Growth {
     return (std::int64_t(k) * volume_.size().y + j) * volume_.size().x;
   }
 
-  void make(std::size_t n, const SeedLevels& levels);
+  void make(std::size_t n);
+  void makeReached();
+  double finish(Cost earliest);
+  void takeLabels(std::size_t n);
+  int levelAt(glm::ivec3 voxel) const;
   void follow(std::size_t n, Cost from, BucketQueue& queue);
   void hear(std::size_t n);
-  // The tile before (side 0) or behind (1) another along an axis; null where there is none.
-  GrowthTile* neighbour(std::size_t n, int axis, int side) const {
+  // The number of the tile before (side 0) or behind (1) another along an axis; none where the grid ends.
+  std::optional<std::size_t> beside(std::size_t n, int axis, int side) const {
     const std::ptrdiff_t stride = axis == 0   ? 1
                                   : axis == 1 ? bricks_.x
                                               : std::ptrdiff_t(bricks_.x) * bricks_.y;
     const int at = cornerOf(n)[axis] / tileEdge + (side ? 1 : -1);
-    if (at < 0 || at >= bricks_[axis]) return nullptr;
-    return tiles_[std::size_t(std::ptrdiff_t(n) + (side ? stride : -stride))].get();
+    if (at < 0 || at >= bricks_[axis]) return {};
+    return std::size_t(std::ptrdiff_t(n) + (side ? stride : -stride));
+  }
+  // What that tile tells this one; null where there is no tile.
+  std::vector<GrowthMessage>* toldBy(std::size_t n, int d) const {
+    const auto from = beside(n, d / 2, d % 2);
+    return from && tiles_[*from] ? &tiles_[*from]->out[std::size_t(d ^ 1)] : nullptr;
   }
 
   const Volume& volume_;
@@ -224,12 +178,18 @@ class Growth {
   const VoxelBox box_;
   const BitMask* const within_;  // null: all
   const glm::ivec3 bricks_;
+  const SeedLevels levels_;
+  DenseLabels labels_;
   const CancelToken& cancel_;
   glm::ivec3 step_{0};  // what a step along each axis costs by its length
+  // Those that paths have come to; null before that, and once nothing in them can get cheaper.
   std::vector<std::unique_ptr<GrowthTile>> tiles_;
+  std::vector<char> isFinal_;
 };
 
-void Growth::make(std::size_t n, const SeedLevels& levels) {
+int Growth::levelAt(glm::ivec3 voxel) const { return levels_.of(volume_.value(voxel.x, voxel.y, voxel.z)); }
+
+void Growth::make(std::size_t n) {
   const VoxelBox part = partOf(n);
   if (part.low.x > part.high.x || part.low.y > part.high.y || part.low.z > part.high.z) return;
   tiles_[n] = std::make_unique_for_overwrite<GrowthTile>();
@@ -246,23 +206,75 @@ void Growth::make(std::size_t n, const SeedLevels& levels) {
             for (int i = part.low.x; i <= part.high.x; ++i) {
               const int voxel = placeOf(glm::ivec3(i, j, k) - corner);
               const auto at = std::size_t(voxel);
-              tile.level[at] = levels.of(volume_.realValue(double(stored[std::size_t(rowOf(j, k) + i)])));
+              tile.level[at] = levels_.of(volume_.realValue(double(stored[std::size_t(rowOf(j, k) + i)])));
               tile.label[at] = brick.voxels ? (*brick.voxels)[at] : brick.label;
               if (within_ && !within_->at({i, j, k})) continue;
               if (tile.label[at])
                 tile.wait(voxel, 0);
               else
-                tile.cost[at] = unreached;
+                tile.cost[at] = unreached, ++tile.open;
             }
       },
       volume_.stored());
 }
 
+// Makes the tiles that are told something for the first time.
+void Growth::makeReached() {
+  std::vector<std::size_t> reached;
+  for (std::size_t n = 0; n < tiles_.size(); ++n)
+    for (int d = 0; d < 6 && !tiles_[n]; ++d)
+      if (const auto* told = toldBy(n, d); told && !told->empty()) {
+        reached.push_back(n);
+        break;
+      }
+  parallelFor(std::int64_t(reached.size()), 0, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t n = begin; n < end; ++n) make(reached[std::size_t(n)]);
+  });
+}
+
+void Growth::takeLabels(std::size_t n) {
+  const VoxelBox part = partOf(n);
+  const glm::ivec3 corner = cornerOf(n);
+  for (int k = part.low.z; k <= part.high.z; ++k)
+    for (int j = part.low.y; j <= part.high.y; ++j)
+      std::copy_n(tiles_[n]->label.data() + placeOf(glm::ivec3(part.low.x, j, k) - corner),
+                  part.high.x - part.low.x + 1, labels_.labels.data() + rowOf(j, k) + part.low.x);
+}
+
+// Takes the labels of the tiles in which nothing can get cheaper, as paths that are still followed cost
+// `earliest` and more, and lets go of them; returns how many voxels were reached there.
+double Growth::finish(Cost earliest) {
+  overTiles([&](std::size_t n) {
+    if (!tiles_[n]) return;
+    GrowthTile& tile = *tiles_[n];
+    if (earliest != unreached) {
+      if (!tile.pending.empty() || tile.reached < tile.open) return;
+      if (tile.dearest == unreached) tile.dearest = *std::ranges::max_element(tile.cost);
+      if (tile.dearest > earliest) return;
+    }
+    takeLabels(n);
+    isFinal_[n] = true;
+  });
+  double reached = 0;
+  for (std::size_t n = 0; n < tiles_.size(); ++n)
+    if (tiles_[n] && isFinal_[n]) {
+      reached += tiles_[n]->reached;
+      tiles_[n].reset();
+    }
+  return reached;
+}
+
 // Follows all paths of a tile through costs of from .. from + windowCosts - 1.
 void Growth::follow(std::size_t n, Cost from, BucketQueue& queue) {
   GrowthTile& tile = *tiles_[n];
-  std::array<GrowthTile*, 6> beside{};
-  for (int d = 0; d < 6; ++d) beside[std::size_t(d)] = neighbour(n, d / 2, d % 2);
+  const VoxelBox part = partOf(n);
+  const glm::ivec3 corner = cornerOf(n);
+  std::array<bool, 6> goesOn{};  // whether paths lead on into the tile beside it
+  for (int d = 0; d < 6; ++d) {
+    const auto next = beside(n, d / 2, d % 2);
+    const int end = d % 2 ? part.high[d / 2] + 1 : part.low[d / 2] - 1;
+    goesOn[std::size_t(d)] = next && !isFinal_[*next] && end >= box_.low[d / 2] && end <= box_.high[d / 2];
+  }
   std::vector<GrowthPending> pending;
   pending.swap(tile.pending);
   tile.earliest = unreached;
@@ -283,10 +295,17 @@ void Growth::follow(std::size_t n, Cost from, BucketQueue& queue) {
       const auto tell = [&]<int d>(std::integral_constant<int, d>) {
         constexpr int stride = tileStride[d / 2], toNext = d % 2 ? stride : -stride;
         const bool leaves = voxel / stride % tileEdge == (d % 2 ? tileEdge - 1 : 0);
+        if (leaves && !goesOn[d]) return;
         const int next = leaves ? voxel - (tileEdge - 1) * toNext : voxel + toNext;
-        GrowthTile* const to = leaves ? beside[d] : &tile;
-        if (!to) return;
-        const int difference = std::abs(level - int(to->level[std::size_t(next)]));
+        int levelThere = 0;
+        if (leaves) {
+          glm::ivec3 there = corner + placeIn(voxel);
+          there[d / 2] += d % 2 ? 1 : -1;
+          levelThere = levelAt(there);
+        } else {
+          levelThere = tile.level[std::size_t(next)];
+        }
+        const int difference = std::abs(level - levelThere);
         const Cost cost = from + bucket + Cost(std::max(1, difference + step_[d / 2]));
         if (leaves)
           tile.out[d].push_back({cost, std::uint16_t(next), label});
@@ -309,12 +328,11 @@ void Growth::hear(std::size_t n) {
   if (!tiles_[n]) return;
   GrowthTile& tile = *tiles_[n];
   for (int d = 0; d < 6; ++d) {
-    GrowthTile* const from = neighbour(n, d / 2, d % 2);
-    if (!from) continue;
-    auto& told = from->out[std::size_t(d ^ 1)];
-    for (const GrowthMessage& one : told)
+    auto* const told = toldBy(n, d);
+    if (!told) continue;
+    for (const GrowthMessage& one : *told)
       if (tile.improve(one.voxel, one.cost, one.label)) tile.wait(one.voxel, one.cost);
-    told.clear();
+    told->clear();
   }
 }
 

@@ -100,14 +100,14 @@ dvec3 withLargestPositive(dvec3 v) {
 
 }  // namespace
 
-Result<std::optional<SegmentForm>> formOf(const BitMask& mask, const CancelToken& cancel) {
+Result<std::optional<SegmentForm>> voxelFormOf(const BitMask& mask, const CancelToken& cancel) {
   const VoxelGeometry& geometry = mask.geometry();
   const Moments moments = momentsOf(mask);
   if (!geometry.calibrated || moments.voxels == 0) return std::optional<SegmentForm>();
   SegmentForm form;
+  form.ofVoxelsAlone = true;
   form.voxelMl = double(moments.voxels) * geometry.voxelVolume() / 1000;
   form.box = moments.box;
-  form.areaMm2 = boundaryArea(mask, cancel);
   form.centroid = geometry.patientFromVoxel(
       dvec3(double(moments.sum[0]), double(moments.sum[1]), double(moments.sum[2])) / double(moments.voxels));
 
@@ -120,7 +120,17 @@ Result<std::optional<SegmentForm>> formOf(const BitMask& mask, const CancelToken
     form.axes[n] = withLargestPositive(vectors[order[n]]);
     form.axisMm[int(n)] = 4 * std::sqrt(std::max(0.0, spread[order[n]][order[n]]));
   }
+  form.inPlane = inPlaneDiameters(mask, cancel).value_or(InPlaneDiameters());
+  if (cancel.cancelled()) return Error{"cancelled"};
+  return std::optional(form);
+}
 
+Result<std::optional<SegmentForm>> formOf(const BitMask& mask, const CancelToken& cancel) {
+  Result<std::optional<SegmentForm>> made = voxelFormOf(mask, cancel);
+  if (!made || !*made) return made;
+  SegmentForm& form = **made;
+  form.ofVoxelsAlone = false;
+  form.areaMm2 = boundaryArea(mask, cancel);
   const Result<Surface> surface = volumePreservingSurface(occupancyOf(mask, surfaceSigma, cancel), cancel);
   if (cancel.cancelled()) return Error{"cancelled"};
   if (!surface) return surface.error();
@@ -128,7 +138,7 @@ Result<std::optional<SegmentForm>> formOf(const BitMask& mask, const CancelToken
   const std::array<glm::vec3, 2> ends = farthestPoints(*surface);
   form.longestAt = {dvec3(ends[0]), dvec3(ends[1])};
   form.longestMm = glm::distance(form.longestAt[0], form.longestAt[1]);
-  return std::optional(form);
+  return made;
 }
 
 }  // namespace volumen

@@ -32,6 +32,8 @@ Result<Surface> volumePreservingSurface(const OccupancyField& field, const Cance
 /// Of a closed surface, mm^3 and mm^2; the same digits for any number of threads.
 double volumeOf(const Surface& surface);
 double areaOf(const Surface& surface);
+/// The volumes inside each of its closed shells, mm^3, the largest first; those of cavities are below 0.
+std::vector<double> shellVolumes(const Surface& surface);
 
 /// Fewer triangles by collapsing edges, in order of their quadric error, while the surface stays closed (link
 /// condition), no normal turns by more than 60 degrees and no point moves farther than toleranceMm from the

@@ -33,6 +33,8 @@ class TestSegmentFiles : public QObject {
   void segmentsWithoutAColourGetTheNextOfTheTen();
   void surfacesAreReducedOnRequest();
   void surfacesOfAllStandInOneFileOnRequest();
+  void crumbsAreNoPartsOfAPrint_data();
+  void crumbsAreNoPartsOfAPrint();
 };
 
 namespace {
@@ -278,6 +280,32 @@ void TestSegmentFiles::surfacesOfAllStandInOneFileOnRequest() {
   QVERIFY(apart > 0);
   QCOMPARE(triangles(file), apart);
   QVERIFY2(together.err.contains("a.stl: B: "), together.err.constData());
+}
+
+void TestSegmentFiles::crumbsAreNoPartsOfAPrint_data() {
+  QTest::addColumn<QStringList>("options");
+  QTest::addColumn<int>("shells");
+  const QString cases = QString::fromStdString(dataPath("segment-cases/crumbs"));
+  QTest::newRow("counted by corners, which surfaces part")
+      << QStringList{QStringLiteral("--recipe"), cases + QStringLiteral("/recipe.json")} << 1;
+  const QStringList range{QStringLiteral("--range"), QStringLiteral("500:")};
+  QTest::newRow("all voxels") << range << 2;
+  QTest::newRow("their largest part") << (range + QStringList{QStringLiteral("--largest-part")}) << 1;
+}
+
+void TestSegmentFiles::crumbsAreNoPartsOfAPrint() {
+  QFETCH(QStringList, options);
+  QFETCH(int, shells);
+  const std::string block = dataPath("segment-cases/crumbs/block.nrrd");
+  NEED_DATA(block);
+  const QTemporaryDir folder;
+  const Outcome done =
+      runSegment(QStringList{QString::fromStdString(block)} + options +
+                 QStringList{QStringLiteral("-o"), folder.filePath(QStringLiteral("a.stl"))});
+  QVERIFY2(done.status == 0, done.err.constData());
+  const QByteArray told =
+      shells == 1 ? QByteArray("1 closed shell.") : QByteArray("2 closed shells; the largest");
+  QVERIFY2(done.err.contains(told), done.err.constData());
 }
 
 VOLUMEN_TEST(TestSegmentFiles);

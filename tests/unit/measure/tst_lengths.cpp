@@ -1,7 +1,9 @@
 // Guards slices.md 4: lengths with what they may be off, angles, Cobb's angle.
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "tests/fixtures/chance.h"
 #include "tests/fixtures/grids.h"
 #include "tests/unit/suite.h"
 #include "viewer/measure/lengths.h"
@@ -19,8 +21,8 @@ class TestLengths : public QObject {
   void isOffByTheVoxelsAlongIt();
   void aSoftSurfaceAddsToBothEnds_data();
   void aSoftSurfaceAddsToBothEnds();
-  void aVoxelIsAsLongAsItsStepOnEveryGrid_data();
-  void aVoxelIsAsLongAsItsStepOnEveryGrid();
+  void holdsOnEveryGrid_data();
+  void holdsOnEveryGrid();
   void angles_data();
   void angles();
   void noAngleWithoutArms();
@@ -59,8 +61,10 @@ void TestLengths::isOffByTheVoxelsAlongIt_data() {
   QTest::addColumn<double>("squares");  // of the extents at all ends
   QTest::newRow("along i") << std::vector<dvec3>{{0, 0, 0}, {9, 0, 0}} << 2 * 0.5 * 0.5;
   QTest::newRow("along k, backwards") << std::vector<dvec3>{{0, 0, 9}, {0, 0, 1}} << 2 * 2.5 * 2.5;
-  // 1 / sqrt((0.6/0.5)^2 + (0.8/0.8)^2)
-  QTest::newRow("across") << std::vector<dvec3>{{0, 0, 0}, {6, 8, 0}} << 2 / (1.44 + 1);
+  QTest::newRow("across") << std::vector<dvec3>{{0, 0, 0}, {6, 8, 0}}
+                          << 2 * (0.6 * 0.5 * 0.6 * 0.5 + 0.8 * 0.8 * 0.8 * 0.8);
+  QTest::newRow("at 45 degrees to the slices")
+      << std::vector<dvec3>{{0, 0, 0}, {8, 0, 8}} << 2 * (0.5 * 0.5 + 2.5 * 2.5) / 2;
   QTest::newRow("a corner") << std::vector<dvec3>{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}}
                             << 2 * 0.5 * 0.5 + 2 * 0.8 * 0.8;
   QTest::newRow("no direction: the longest") << std::vector<dvec3>{{1, 1, 1}, {1, 1, 1}} << 2 * 2.5 * 2.5;
@@ -96,19 +100,42 @@ void TestLengths::aSoftSurfaceAddsToBothEnds() {
   QVERIFY(std::abs(length.plusMinus - wanted) < 1e-7 * wanted);
 }
 
-void TestLengths::aVoxelIsAsLongAsItsStepOnEveryGrid_data() {
+void TestLengths::holdsOnEveryGrid_data() {
   QTest::addColumn<glm::dmat3>("step");
   for (const Grid& g : grids) QTest::newRow(g.name) << g.patientFromVoxelStep;
+  for (const Grid& g : thickGrids) QTest::newRow(g.name) << g.patientFromVoxelStep;
+  for (int seed = 1; seed <= 12; ++seed) {
+    Chance chance{std::uint64_t(seed)};
+    const dvec3 x = glm::normalize(chance.vector()), y = glm::normalize(glm::cross(x, chance.vector()));
+    glm::dmat3 step(x, y, glm::cross(x, y));
+    for (int a = 0; a < 3; ++a) step[a] *= chance.power(-0.5, 0.8);
+    if (chance.oneIn(2)) step[2] += chance.between(-0.6, 0.6) * step[0] + chance.between(-0.6, 0.6) * step[1];
+    QTest::addRow("by chance, seed %d", seed) << step;
+  }
 }
 
-void TestLengths::aVoxelIsAsLongAsItsStepOnEveryGrid() {
+// Phantoms of two places, of which each is shown by the middle of its voxel: the true distance lies within +-
+// of what is measured between those in 95 % of them, and hardly more. Sums of even spreads have 95.4 % (many
+// of them) to 96.6 % (two) within 2 u.
+void TestLengths::holdsOnEveryGrid() {
   QFETCH(glm::dmat3, step);
-  for (int a = 0; a < 3; ++a) {
-    const dvec3 ends[] = {dvec3(1, 2, 3), dvec3(1, 2, 3) + 4.0 * step[a]};
-    const double s = glm::length(step[a]);
-    QVERIFY(near(lengthOf(ends, grid(step)).mm, 4 * s));
-    QVERIFY(near(lengthOf(ends, grid(step)).plusMinus, 2 * std::sqrt(2 * s * s / 12)));
+  const VoxelGeometry geometry = grid(step);
+  const dvec3 spacing = geometry.spacing();
+  const double longest = std::max({spacing.x, spacing.y, spacing.z});
+  Chance chance(7);
+  constexpr int count = 20000;
+  int covered = 0;
+  for (int n = 0; n < count; ++n) {
+    const dvec3 from = 100.0 * chance.vector();
+    const dvec3 to = from + chance.between(20, 60) * longest * glm::normalize(chance.vector());
+    std::vector<dvec3> seen;
+    for (const dvec3 place : {from, to})
+      seen.push_back(geometry.patientFromVoxel(glm::round(geometry.voxelFromPatient(place))));
+    const Length length = lengthOf(seen, geometry);
+    covered += std::abs(length.mm - glm::distance(from, to)) <= length.plusMinus;
   }
+  const double share = double(covered) / count;
+  QVERIFY2(share >= 0.95 && share <= 0.975, qPrintable(QString::number(share)));
 }
 
 void TestLengths::angles_data() {

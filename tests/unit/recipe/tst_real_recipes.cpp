@@ -9,7 +9,9 @@
 #include "tests/unit/suite.h"
 #include "viewer/measure/peak.h"
 #include "viewer/recipe/recipe.h"
+#include "viewer/segment/holes.h"
 #include "viewer/segment/numbers.h"
+#include "viewer/segment/parts.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -26,6 +28,9 @@ class TestRealRecipes : public QObject {
   void boneIsInsideTheBody_data();
   void boneIsInsideTheBody();
   void theBrainIsNoBone();
+  void boneHasNoCrumbs_data();
+  void boneHasNoCrumbs();
+  void theSpinalCanalIsNoBone();
   void lesionsAreThoseOfNumpy_data();
   void lesionsAreThoseOfNumpy();
 };
@@ -208,6 +213,30 @@ void TestRealRecipes::theBrainIsNoBone() {
   QVERIFY(runStep({"ball", "Ball", {{"at", std::vector<glm::dvec3>{middle}}, {"radiusMm", 40.0}}}, *volume,
                   masks));
   const double share = shareIn(masks.at("Ball"), segmentOf(headCt, "Bone", "Bone"));
+  QVERIFY2(share < 0.02, number(share));
+}
+
+void TestRealRecipes::boneHasNoCrumbs_data() { boneIsInsideTheBody_data(); }
+
+// Surfaces join voxels by faces: no shell of a print is below 1 ml, the limit of the recipe.
+void TestRealRecipes::boneHasNoCrumbs() {
+  QFETCH(QString, series);
+  NEED_VOLUME(seriesAt(series.toStdString()));
+  const BitMask bone = segmentOf(series.toStdString(), "Bone", "Bone");
+  const Parts parts(bone, Neighbours::faces);
+  const double least = double(parts.size(parts.count() - 1)) * bone.geometry().voxelVolume() / 1000;
+  QVERIFY2(least >= 1, number(least));
+  QVERIFY(holesFilled(bone) == bone);
+}
+
+// 3 mm about a line down the canal of the lower chest, which is closed in slices across the patient alone.
+void TestRealRecipes::theSpinalCanalIsNoBone() {
+  const VolumePtr volume = seriesAt(chestCt);
+  NEED_VOLUME(volume);
+  NamedMasks masks;
+  const std::vector<glm::dvec3> canal{{-8, 249, -594}, {-8, 237, -641}};
+  QVERIFY(runStep({"paint", "Canal", {{"at", canal}, {"radiusMm", 3.0}}}, *volume, masks));
+  const double share = shareIn(masks.at("Canal"), segmentOf(chestCt, "Bone", "Bone"));
   QVERIFY2(share < 0.02, number(share));
 }
 

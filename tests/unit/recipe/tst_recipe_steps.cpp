@@ -29,6 +29,7 @@ class TestRecipeSteps : public QObject {
   void lesionsAreTheirShareOfTheLargestValue();
   void aLesionThatReachesOutIsRefused();
   void partsAreTakenBySize();
+  void islandsLeaveNoCrumbs();
   void marginsReachSoFar();
   void allAreSmoothedAtOnce();
   void scissorsCutAsTheirLassoDoes();
@@ -168,6 +169,20 @@ void TestRecipeSteps::partsAreTakenBySize() {
   QVERIFY(part(2) == columnsOf(*volume, {9, 10}));
   QVERIFY(part(3) == columnsOf(*volume, {0}));
   QVERIFY(part(4).empty());
+}
+
+// A body of 4 voxels, a crumb at its corner, and four voxels in a line of corners, of which none is a body.
+void TestRecipeSteps::islandsLeaveNoCrumbs() {
+  const VolumePtr volume = volumeOf<std::int16_t>({12, 12, 1}, glm::dmat3(10), [](dvec3) { return 0; });
+  BitMask body(volume->geometry()), line(volume->geometry()), crumb(volume->geometry());
+  for (int n = 0; n < 4; ++n) body.set({n % 2, n / 2, 0}), line.set({6 + n, 6 + n, 0});
+  crumb.set({2, 2, 0});
+  const NamedMasks all{{"A", united(united(body, line), crumb)}};
+  const auto left = [&](const char* neighbours) {
+    return done({"islands", "A", {{"leastMl", 4.0}, {"neighbours", std::string(neighbours)}}}, *volume, all);
+  };
+  QVERIFY(left("faces") == body);
+  QVERIFY(left("corners") == united(body, line));
 }
 
 void TestRecipeSteps::marginsReachSoFar() {

@@ -11,6 +11,7 @@
 #include "tests/unit/segment/shape_masks.h"
 #include "tests/unit/suite.h"
 #include "viewer/segment/range.h"
+#include "viewer/segment/surface_mended.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -23,6 +24,8 @@ class TestWhereSurfacesLie : public QObject {
   void anyMask();
   void realSegments_data();
   void realSegments();
+  void fewTrianglesAreThin_data();
+  void fewTrianglesAreThin();
 };
 
 namespace {
@@ -77,13 +80,25 @@ double farthestFromBorder(const Surface& surface, const BitMask& mask) {
 // Empty, or what is wrong; `off`: how much more or less than what is drawn it may enclose, a part of that.
 QString wrongSurface(const BitMask& mask, double off) {
   const OccupancyField field = occupancyOf(mask, surfaceSigma);
-  const Surface surface = *volumePreservingSurface(field);
+  const Surface surface = mended(*volumePreservingSurface(field), field);
   if (const std::string wrong = notClosed(surface); !wrong.empty()) return QString::fromStdString(wrong);
   const double farthest = farthestFromBorder(surface, mask);
   if (!(farthest < halfAVoxel + roundedPoints))
     return QStringLiteral("%1 voxels from the border").arg(farthest);
   const double ratio = volumeOf(surface) / drawnVolume(field);
   return std::abs(ratio - 1) <= off ? QString() : QStringLiteral("%1 of what is drawn").arg(ratio);
+}
+
+// Of the quality of triangles.
+double firstPercentile(const Surface& surface) {
+  std::vector<double> qualities;
+  for (const auto& [a, b, c] : surface.triangles) {
+    const dvec3 p(surface.points[a]), q(surface.points[b]), r(surface.points[c]);
+    const double squares = glm::dot(q - p, q - p) + glm::dot(r - q, r - q) + glm::dot(p - r, p - r);
+    qualities.push_back(2 * std::sqrt(3.0) * glm::length(glm::cross(q - p, r - p)) / squares);
+  }
+  std::ranges::sort(qualities);
+  return qualities[qualities.size() / 100];
 }
 
 }  // namespace
@@ -167,6 +182,26 @@ void TestWhereSurfacesLie::realSegments() {
   QVERIFY(mask.count() > 300);
   const QString wrong = wrongSurface(mask, ofRealSegments);
   QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+}
+
+void TestWhereSurfacesLie::fewTrianglesAreThin_data() {
+  QTest::addColumn<dmat3>("step");
+  QTest::addColumn<Shape3>("shape");
+  QTest::newRow("tilted cylinder") << dmat3(1) << cylinder(9, 30, {1, 2, 3});
+  QTest::newRow("ellipsoid, oblique") << grids[2].patientFromVoxelStep << ellipsoid({20, 14, 12});
+}
+
+// Quality: 4 sqrt(3) area / sum of squared edges, 1 of equal edges. As crossings of cells 1 % have 0.2 or
+// less.
+void TestWhereSurfacesLie::fewTrianglesAreThin() {
+  QFETCH(dmat3, step);
+  QFETCH(Shape3, shape);
+  const OccupancyField field = occupancyOf(maskOfShape(gridAbout(step, 26), shape), surfaceSigma);
+  const Surface before = *volumePreservingSurface(field), surface = mended(before, field);
+  QVERIFY(surface.triangles == before.triangles);
+  QVERIFY2(firstPercentile(surface) > 0.44, qPrintable(QString::number(firstPercentile(surface))));
+  QVERIFY(firstPercentile(before) < 0.35);
+  QVERIFY(std::abs(volumeOf(surface) / volumeOf(before) - 1) < 1e-5);
 }
 
 VOLUMEN_TEST(TestWhereSurfacesLie);
