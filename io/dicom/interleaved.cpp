@@ -71,6 +71,7 @@ bool areEven(const std::vector<double>& steps) {
   constexpr double jitter = 0.05, mostMissing = 0.25;
   if (steps.empty()) return true;
   const double step = lowerMedian(steps);
+  if (!(step > 0)) return false;
   double missing = 0;
   for (const double s : steps) {
     const double count = std::round(s / step);
@@ -134,6 +135,9 @@ std::vector<Split> byKinds(const Split& split, std::size_t separator, const Kind
 }  // namespace
 
 Kinds kindsOf(const Entries& entries, std::size_t separator) {
+  const std::string& one = entries[0].slice().separators[separator];
+  if (std::ranges::all_of(entries, [&](const Entry& e) { return e.slice().separators[separator] == one; }))
+    return {std::vector<std::size_t>(entries.size()), {one}};
   const std::map<std::string, std::string> first = firstOfKind(entries, separator);
   std::map<std::string, std::size_t> number;
   Kinds kinds;
@@ -146,14 +150,21 @@ Kinds kindsOf(const Entries& entries, std::size_t separator) {
   return kinds;
 }
 
+bool areEvenStacks(const Entries& entries, const Kinds& kinds) {
+  constexpr std::size_t least = 3;
+  const auto all = standing(kinds);
+  return std::ranges::all_of(all, [&](const std::vector<std::size_t>& at) {
+    return at.size() >= least && areEven(stepsOf(entries, at));
+  });
+}
+
 bool areStacksInEachOther(const Entries& entries, const Kinds& kinds) {
-  constexpr std::size_t least = 3, leastChanges = 4;
-  if (kinds.values.size() < 2 || changes(kinds) < leastChanges) return false;
+  constexpr std::size_t leastChanges = 4;
+  if (kinds.values.size() < 2 || changes(kinds) < leastChanges || !areEvenStacks(entries, kinds))
+    return false;
   std::size_t inSteps = 0;
   for (const std::vector<std::size_t>& at : standing(kinds)) {
-    const std::vector<double> steps = stepsOf(entries, at);
-    if (at.size() < least || !areEven(steps)) return false;
-    const Between others = between(at, steps);
+    const Between others = between(at, stepsOf(entries, at));
     if (others.inHoles > others.inSteps) return false;
     inSteps += others.inSteps;
   }

@@ -15,8 +15,10 @@ struct Kinds {
 /// lies between them than within one acquisition.
 Kinds kindsOf(const Entries& entries, std::size_t separator);
 
-/// Whether kinds are stacks of their own that lie in each other: each is even by itself, and slices of each
-/// lie within the steps of others.
+/// Whether each kind is a stack by itself: three slices or more that lie even, but for some that are missing.
+bool areEvenStacks(const Entries& entries, const Kinds& kinds);
+
+/// Whether kinds are such stacks, and slices of each lie within the steps of others.
 bool areStacksInEachOther(const Entries& entries, const Kinds& kinds);
 
 /// Splits pictures of one volume of which kinds are stacks in each other; a kind of what differs within one

@@ -131,8 +131,8 @@ std::vector<Split> byRank(const Split& split, const std::vector<Entries>& ranks,
   return splits;
 }
 
-/// The last resort: by image number, where two of one place have the same by folder, else they stay together
-/// as frames.
+/// The last resort: by image number; where two of one place have the same by file or folder, else they stay
+/// together as frames.
 std::vector<Split> byNumber(const Split& split) {
   const auto number = [](const Entry& e) { return e.slice().instance; };
   const bool tie = std::ranges::any_of(byPlace(split.entries), [&](const Entries& place) {
@@ -145,6 +145,8 @@ std::vector<Split> byNumber(const Split& split) {
         byOrder(split.entries, [&](const Entry& a, const Entry& b) { return number(a) < number(b); });
     return byRank(split, ranks, "in the order of their image numbers");
   }
+  if (const auto files = stacksOfFiles(split.entries, false); !files.empty())
+    return byRank(split, files, "file by file");
   if (const auto folders = stacksOfFolders(split.entries); !folders.empty())
     return byRank(split, folders, "by their folders");
   Split frames = split;
@@ -153,11 +155,14 @@ std::vector<Split> byNumber(const Split& split) {
 }
 
 /// Whether a separator explains why pictures repeat: it has no more values than there are pictures at a
-/// place, and each value has fewer.
+/// place, or each makes a stack, and each value has fewer.
 bool explains(const Entries& entries, std::size_t separator) {
   const std::size_t most = mostAtOnePlace(entries);
   const std::vector<std::string> values = valuesOf(entries, separator);
-  if (values.size() < 2 || values.size() > most) return false;
+  if (values.size() < 2) return false;
+  const bool makesStacks = separators()[separator].along == Separator::Along::steady &&
+                           areEvenStacks(entries, kindsOf(entries, separator));
+  if (values.size() > most && !makesStacks) return false;
   const std::vector<Split> splits = byValue({entries, {}, {}, {}, {}, false}, separator, values);
   return std::ranges::all_of(splits, [&](const Split& s) { return mostAtOnePlace(s.entries) < most; });
 }

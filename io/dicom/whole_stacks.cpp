@@ -41,13 +41,13 @@ bool shareAPlace(const std::vector<Entries>& groups) {
 
 }  // namespace
 
-std::vector<Entries> stacksOfFiles(const Entries& entries) {
+std::vector<Entries> stacksOfFiles(const Entries& entries, bool reachOverOne) {
   std::vector<Entries> groups = grouped(entries, [](const Entry& e) {
     return e.file->concatenation.uid.empty() ? e.file->path : "concatenation " + e.file->concatenation.uid;
   });
   const bool areMosaics =
       std::ranges::all_of(entries, [](const Entry& e) { return e.file->mosaic.has_value(); });
-  if (!areStacks(groups) || (!areMosaics && !shareAPlace(groups))) groups.clear();
+  if (!areStacks(groups) || (reachOverOne && !areMosaics && !shareAPlace(groups))) groups.clear();
   return groups;
 }
 

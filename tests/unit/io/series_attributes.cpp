@@ -15,9 +15,8 @@ void text(DcmItem& data, const DcmTag& tag, const QByteArray& value) {
 }
 
 void direction(DcmItem& data, const DcmTag& tag, int n) {
-  const Float64 unit[] = {n == 0 ? 1.0 : 0.0, n == 1 ? 1.0 : 0.0, n > 1 ? 1.0 : 0.0};
-  data.putAndInsertFloat64Array(tag, unit, 3);
-  if (n == 3) data.putAndInsertFloat64(tag, -1, 2);
+  const Float64 units[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
+  data.putAndInsertFloat64Array(tag, units[n], 3);
 }
 
 void number(DcmItem& data, const DcmTag& tag, int value) { text(data, tag, QByteArray::number(value)); }

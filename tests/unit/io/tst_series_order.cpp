@@ -20,6 +20,7 @@ class TestSeriesOrder : public QObject {
   void volumesAreListedInOrder();
   void signedPicturesAreNoCopiesOfUnsignedOnes();
   void foldersTellCopiesApart();
+  void seriesOfOneNumberGoByTheirUids();
 };
 
 void TestSeriesOrder::volumesAreListedInOrder_data() {
@@ -127,6 +128,20 @@ void TestSeriesOrder::foldersTellCopiesApart() {
     QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{first, first + 1, first + 2}));
     QVERIFY(warns(study.volumes[n].warnings, "by their folders"));
   }
+}
+
+// As those of dynamic studies that make a series of each time frame.
+void TestSeriesOrder::seriesOfOneNumberGoByTheirUids() {
+  const DicomFolder folder;
+  const char* uids[] = {"1.2.9", "1.2.10", "1.2.10.5", "1.2.11", "1.2.100"};
+  for (int n = 4; n >= 0; --n) {
+    DicomPicture p = sliceAt(0, n);
+    p.seriesUid = uids[n];
+    folder.add(numbered("f", n), p);
+  }
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(5));
+  for (std::size_t n = 0; n < 5; ++n) QCOMPARE(study.volumes[n].seriesUid, std::string(uids[n]));
 }
 
 VOLUMEN_TEST(TestSeriesOrder);
