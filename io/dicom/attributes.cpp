@@ -54,7 +54,9 @@ Status readColour(const DataSet& data, PixelFormat& format, std::vector<std::str
       {"MONOCHROME1", 1}, {"MONOCHROME2", 1},  {"PALETTE COLOR", 1}, {"RGB", 3},
       {"YBR_FULL", 3},    {"YBR_FULL_422", 3}, {"YBR_ICT", 3},       {"YBR_RCT", 3}};
   const auto samples = data.word(samplesTag, data.root());
-  format.photometric = data.text(photometricTag, data.root());
+  format.photometric = data.term(photometricTag, data.root(), "PhotometricInterpretation",
+                                 {"MONOCHROME1", "MONOCHROME2", "PALETTE COLOR", "RGB", "YBR_FULL",
+                                  "YBR_FULL_422", "YBR_ICT", "YBR_RCT"});
   if (format.photometric.empty() && samples.value_or(1) == 1 && !data.has(paletteTag, data.root())) {
     format.photometric = "MONOCHROME2";
     warnings.emplace_back(
@@ -96,7 +98,7 @@ Status readStoredBits(const DataSet& data, PixelFormat& format, std::vector<std:
 
 /// Whether samples are signed where PixelRepresentation is missing: as other attributes of stored values are
 /// written, else as a CT must be whose values would not fit Hounsfield units.
-bool isSignedWithoutSaying(const DataSet& data, const PixelFormat& format,
+bool isSignedWithoutSaying(const DataSet& data, const Element& pixels, const PixelFormat& format,
                            std::vector<std::string>& warnings) {
   constexpr std::pair<std::uint32_t, const char*> storedValues[] = {{0x00280120, "PixelPaddingValue"},
                                                                     {0x00280121, "PixelPaddingRangeLimit"},
@@ -111,7 +113,10 @@ bool isSignedWithoutSaying(const DataSet& data, const PixelFormat& format,
     return isSigned;
   }
   constexpr double lowestOffset = -8192;  // with which 32768 would still be possible
-  if (format.bitsStored == 16 && data.text(0x00080060, data.root()) == "CT" &&
+  // Compressed pixels may be of fewer bits, where the file does not say of how many.
+  const bool hasAllBits =
+      format.bitsStored == 16 && (pixels.length != undefinedLength || data.has(storedBitsTag, data.root()));
+  if (hasAllBits && data.text(0x00080060, data.root()) == "CT" &&
       data.number(0x00281052, data.root()).value_or(0) > lowestOffset) {
     warnings.push_back(begin + "signed, for a CT has none from 32768 on");
     return true;
@@ -136,7 +141,7 @@ Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format,
   const bool isSaid = data.word(signTag, data.root()).has_value();
   const bool matters = bits > 1 && format.samples == 1;
   format.isSigned =
-      isSaid ? *sign == 1 && bits > 1 : matters && isSignedWithoutSaying(data, format, warnings);
+      isSaid ? *sign == 1 && bits > 1 : matters && isSignedWithoutSaying(data, pixels, format, warnings);
   format.bytesInWords = pixels.bigEndian && pixels.vr == vrOf('O', 'W') && bits <= 8;
   return {};
 }

@@ -17,6 +17,14 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(padding) - begin + 1);
 }
 
+/// Letters and digits alone, in capitals.
+std::string lettersOf(std::string_view text) {
+  std::string letters;
+  for (const char c : text)
+    if (std::isalnum(std::uint8_t(c))) letters += char(std::toupper(std::uint8_t(c)));
+  return letters;
+}
+
 /// "0,143", which can only mean one number.
 std::optional<double> numberWithComma(std::string_view text) {
   std::string pointed(text);
@@ -71,6 +79,17 @@ std::string DataSet::utf8(std::uint32_t tag, Scope scope) const {
     remark(
         "some letters of its texts are damaged or none of its character set: \xef\xbf\xbd stands for them");
   return text;
+}
+
+std::string DataSet::term(std::uint32_t tag, Scope scope, const char* name,
+                          std::initializer_list<const char*> terms) const {
+  const std::string said = text(tag, scope), letters = lettersOf(said);
+  if (letters.empty() || std::ranges::find(terms, said) != terms.end()) return said;
+  const auto meant = std::ranges::find(terms, letters, lettersOf);
+  if (meant == terms.end()) return said;
+  remark(std::string("its ") + name + " \"" + toUtf8(said, {}) +
+         "\" is no term of the standard: it was read as " + *meant);
+  return *meant;
 }
 
 std::vector<std::string> DataSet::values(std::uint32_t tag, Scope scope) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,6 +35,10 @@ class DataSet {
   std::string text(std::uint32_t tag, Scope scope) const;
   /// Text in UTF-8, by the character set of the item, else of the data set.
   std::string utf8(std::uint32_t tag, Scope scope) const;
+  /// A defined term: that of `terms` which the text is in some spelling, with a remark where that is not the
+  /// standard's; the text itself where it is none of them. `name`: of the attribute.
+  std::string term(std::uint32_t tag, Scope scope, const char* name,
+                   std::initializer_list<const char*> terms) const;
   /// The bytes of a value as they are, of whatever kind; empty where it is absent or longer than 1 MiB.
   std::string raw(std::uint32_t tag, Scope scope) const;
   /// The values of a text between backslashes, each without padding.

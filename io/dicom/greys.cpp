@@ -1,7 +1,6 @@
 #include "io/dicom/greys.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "io/dicom/lookup_table.h"
@@ -10,29 +9,16 @@
 namespace volumen::dicom {
 namespace {
 
-constexpr std::uint32_t voiLutFunction = 0x00281056;
-
-/// The VOILUTFunction of a scope as the standard spells it: LINEAR where it is missing or, which is told, not
-/// known.
+/// The VOILUTFunction of a scope: LINEAR where it is missing or, which is told, not known.
 std::string readFunction(const DataSet& data, DataSet::Scope scope) {
-  constexpr const char* terms[] = {"LINEAR", "LINEAR_EXACT", "SIGMOID"};
   constexpr std::size_t mostShown = 64;
-  const std::string said = toUtf8(data.text(voiLutFunction, scope).substr(0, mostShown), {});
-  const auto lettersOf = [](std::string_view term) {
-    std::string letters;
-    for (const char c : term)
-      if (std::isalpha(std::uint8_t(c))) letters += char(std::toupper(std::uint8_t(c)));
-    return letters;
-  };
-  if (said.empty()) return terms[0];
-  for (const char* term : terms) {
-    if (said == term) return term;
-    if (lettersOf(said) != lettersOf(term)) continue;
-    data.remark("its VOILUTFunction \"" + said + "\" is no term of the standard: it was read as " + term);
-    return term;
-  }
-  data.remark("its VOILUTFunction \"" + said + "\" is not known: it was read as LINEAR");
-  return terms[0];
+  constexpr std::uint32_t voiLutFunction = 0x00281056;
+  const auto known = {"LINEAR", "LINEAR_EXACT", "SIGMOID"};
+  std::string function = data.term(voiLutFunction, scope, "VOILUTFunction", known);
+  if (function.empty() || std::ranges::find(known, function) != known.end()) return function;
+  data.remark("its VOILUTFunction \"" + toUtf8(function.substr(0, mostShown), {}) +
+              "\" is not known: it was read as LINEAR");
+  return {};
 }
 
 /// LINEAR is not defined for widths below 1: there it is LINEAR_EXACT.
@@ -112,6 +98,10 @@ std::vector<NamedGrey> readMappings(const DataSet& data, DataSet::Scope scope, b
   return greys;
 }
 
+bool isInverse(const DataSet& data) {
+  return data.term(0x20500020, data.root(), "PresentationLUTShape", {"IDENTITY", "INVERSE"}) == "INVERSE";
+}
+
 Status readModalityLut(const DataSet& data, bool isSigned, ValueMapping& mapping) {
   const auto items = data.items(0x00283000, data.root());
   if (items.empty()) return {};
@@ -152,8 +142,7 @@ std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, con
   if (slice.isMapped && slice.slope != 1 && std::erase_if(greys, isTable) > 0)
     warnings.emplace_back("Its VOI LUTs are left out: they are of stored values, and it has mapped ones.");
   if (greys.empty()) greys.push_back({{}, {ownWindow(frame), WindowFunction::linearExact, {}, false}, true});
-  const bool inverted =
-      header.format.photometric == "MONOCHROME1" || data.text(0x20500020, data.root()) == "INVERSE";
+  const bool inverted = header.format.photometric == "MONOCHROME1" || isInverse(data);
   const bool floats = header.format.kind != PixelFormat::Kind::integer;
   for (NamedGrey& grey : greys) {
     grey.mapping.inverted = inverted;

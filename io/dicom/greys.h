@@ -16,6 +16,9 @@ std::vector<NamedGrey> readWindows(const DataSet& data, DataSet::Scope scope);
 std::vector<NamedGrey> readMappings(const DataSet& data, DataSet::Scope scope, bool signedInput,
                                     std::vector<std::string>& warnings);
 
+/// Whether its Presentation LUT Shape turns greys over.
+bool isInverse(const DataSet& data);
+
 /// Takes over the Modality LUT Sequence of a data set, where there is one. An Error says what is wrong in it.
 Status readModalityLut(const DataSet& data, bool isSigned, ValueMapping& mapping);
 

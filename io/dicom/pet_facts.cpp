@@ -38,6 +38,14 @@ std::string privateText(const DataSet& data, const std::vector<DataSet::Scope>& 
   return {};
 }
 
+/// The same of a defined term.
+std::string firstTerm(const DataSet& data, const std::vector<DataSet::Scope>& scopes, std::uint32_t tag,
+                      const char* name, std::initializer_list<const char*> terms) {
+  for (const DataSet::Scope scope : scopes)
+    if (std::string text = plain(data.term(tag, scope, name, terms)); !text.empty()) return text;
+  return {};
+}
+
 /// When the earliest frame was acquired, DT.
 std::string earliestFrame(const DataSet& data) {
   constexpr std::uint32_t frameAcquisitionDateTime = 0x00189074;
@@ -90,13 +98,14 @@ PetFacts readPetFacts(const DataSet& data) {
   const std::vector<DataSet::Scope> scopes = scopesOf(data);
   PetFacts facts;
   for (const auto& [field, tag] :
-       {std::pair(&facts.units, 0x00541001u), std::pair(&facts.suvType, 0x00541006u),
-        std::pair(&facts.decayCorrection, 0x00541102u), std::pair(&facts.weight, 0x00101030u),
+       {std::pair(&facts.suvType, 0x00541006u), std::pair(&facts.weight, 0x00101030u),
         std::pair(&facts.size, 0x00101020u), std::pair(&facts.zone, 0x00080201u),
         std::pair(&facts.decayedTo, 0x00189701u), std::pair(&facts.seriesDate, 0x00080021u),
         std::pair(&facts.seriesTime, 0x00080031u), std::pair(&facts.acquisitionDate, 0x00080022u),
         std::pair(&facts.acquisitionTime, 0x00080032u)})
     *field = firstText(data, scopes, tag);
+  facts.units = firstTerm(data, scopes, 0x00541001, "Units", {"BQML", "GML", "CM2ML", "CNTS"});
+  facts.decayCorrection = firstTerm(data, scopes, 0x00541102, "DecayCorrection", {"START", "ADMIN", "NONE"});
   facts.isEnhanced = FrameScopes::isEnhanced(data) && facts.decayCorrection.empty();
   if (facts.acquisitionDate.empty() && facts.acquisitionTime.empty()) {
     std::string text = firstText(data, scopes, 0x0008002a);

@@ -71,7 +71,7 @@ class PresentationReader {
   }
 
   void readLut() {
-    out_.inverted = data_.text(0x20500020, data_.root()) == "INVERSE";
+    out_.inverted = isInverse(data_);
     if (data_.has(0x20500010, data_.root())) leaveOut("Its Presentation LUT Sequence is not applied");
   }
 

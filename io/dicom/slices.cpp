@@ -26,7 +26,7 @@ std::string readTimePoint(const DataSet& data, const FrameScopes& at) {
   return index ? std::to_string(*index) : std::string();
 }
 
-Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice) {
+Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice, FileHeader& header) {
   const auto field = [&](std::uint32_t tag, const char* name, double& value) -> Status {
     if (!data.has(tag, scope)) return {};
     slice.isRescaled = true;
@@ -40,6 +40,10 @@ Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice) {
   // Doses are scaled by an attribute of their own (PS3.3 C.8.8.3).
   if (Status s = field(0x3004000e, "DoseGridScaling", slice.slope); !s) return s;
   if (slice.slope == 0) return Error{"RescaleSlope is 0"};
+  const bool hasSlope = data.has(0x00281053, scope), hasIntercept = data.has(0x00281052, scope);
+  if (hasSlope != hasIntercept)
+    warnOnce(header, hasSlope ? "its RescaleIntercept is missing: 0 is taken"
+                              : "its RescaleSlope is missing: 1 is taken");
   return {};
 }
 
@@ -77,7 +81,7 @@ Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, const Dimens
   slice.timePoint = readTimePoint(data, at);
   slice.inStack = dimensions.inStack(data, at.of(frameContentGroup));
   slice.separators = readSeparators(data, at, dimensions);
-  if (Status s = readRescale(data, at.of(pixelValueTransformation), slice); !s) return s.error();
+  if (Status s = readRescale(data, at.of(pixelValueTransformation), slice, header); !s) return s.error();
   readMeaning(data, at, slice, header);
   if (data.has(modalityLut, data.root())) return slice;  // windows are of the values behind it
   for (const NamedGrey& grey : readWindows(data, at.of(frameVoiLut)))

@@ -79,7 +79,9 @@ std::string unitOfRescaled(const DataSet& data, const FrameScopes& at, FileHeade
   if (data.has(modalityLutSequence, data.root()))
     return {};  // a Modality LUT: these are the values before it
   if (data.has(doseUnits, data.root())) return unitOfDose(data, header);
-  const std::string type = data.utf8(rescaleType, at.of(pixelValueTransformation));
+  const DataSet::Scope rescale = at.of(pixelValueTransformation);
+  const std::string known = data.term(rescaleType, rescale, "RescaleType", {"HU"}),
+                    type = known == "HU" ? known : data.utf8(rescaleType, rescale);
   if (header.pet && !header.pet->units.empty()) return unitOfPet(header.pet->units);
   // CT means HU where it does not say otherwise.
   return header.modality == "CT" && type.empty() ? "HU" : unitOfRescaleType(type);

@@ -186,14 +186,16 @@ double largestDifference(const Affine& a, const Affine& b, const std::vector<std
   return largest;
 }
 
-// Whether the axes of the grid have directions and lengths: no number is missing, no axis is nothing.
+// Whether the axes of the grid span it: no number is missing, no axis is nothing or lies along the others.
 bool isPlace(const Affine& affine, const std::vector<std::uint64_t>& sizes) {
   if (glm::any(glm::isnan(affine.origin))) return false;
   for (std::size_t a = 0; a < 3; ++a) {
     if (glm::any(glm::isnan(affine.steps[a]))) return false;
     if (a < sizes.size() && affine.steps[a] == glm::dvec3(0)) return false;
   }
-  return true;
+  const auto& [i, j, k] = affine.steps;
+  if (sizes.size() == 2) return glm::cross(i, j) != glm::dvec3(0);
+  return sizes.size() < 3 || glm::dot(glm::cross(i, j), k) != 0;
 }
 
 // The affine that the header means: the sform, else the qform, each where it is a place. Nothing where it
@@ -206,7 +208,7 @@ std::optional<Affine> niftiAffine(const Fields& f, const std::vector<std::uint64
   const std::string instead = isSform   ? "the sform is taken."
                               : isQform ? "the qform is taken."
                                         : "the sizes of voxels alone are taken.";
-  const char* const noPlace = " places no voxels (numbers that are missing, or an axis of zeros): ";
+  const char* const noPlace = " places no voxels (numbers that are missing, or axes that span no volume): ";
   if (f.sformCode > 0 && !isSform) warnings.push_back("The header's sform" + (noPlace + instead));
   if (f.qformCode > 0 && !isQform && !isSform) warnings.push_back("The header's qform" + (noPlace + instead));
   if (!isSform) return isQform ? std::optional(qform) : std::nullopt;

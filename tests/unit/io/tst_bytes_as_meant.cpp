@@ -309,6 +309,9 @@ void TestBytesAsMeant::directionsThatAreNone_data() {
   row("an sform with a column of zeros", "a.nii", nifti(true, 0, 300), {1, 2, 3}, "the qform is taken");
   row("an sform with NaN", "a.nii", nifti(true, nan, 284), {1, 2, 3}, "the qform is taken");
   row("an sform with NaN as its place", "a.nii", nifti(true, nan, 292), {1, 2, 3}, "the qform is taken");
+  QByteArray flat = nifti(true, 0, 300);
+  put(flat, 284, 2.f, false);
+  row("an sform of axes in one plane", "a.nii", flat, {1, 2, 3}, "the qform is taken");
   row("the same without qform", "a.nii", nifti(false, 0, 280), {1, 2, 3}, "the sizes of voxels alone");
   row("MGH with a direction of zeros", "a.mgh", mgh([](QByteArray& h) { put(h, 62, 0.f); }), {1, 2, 3},
       "its directions are not used");

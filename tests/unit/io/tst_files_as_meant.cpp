@@ -34,14 +34,16 @@ class TestFilesAsMeant : public QObject {
   void labelsOfSegmentsAreTold();
   void windowFunctionsInOtherSpellings_data();
   void windowFunctionsInOtherSpellings();
+  void termsInOtherSpellings_data();
+  void termsInOtherSpellings();
 };
 
 namespace {
 
 constexpr const char* nothing = "";
 
-bool hasWarning(const Study& study, const char* words) {
-  return !study.volumes.empty() && warns(study.volumes[0].warnings, words);
+bool hasWarning(const Study& study, const QByteArray& words) {
+  return !study.volumes.empty() && warns(study.volumes[0].warnings, words.toStdString());
 }
 
 }  // namespace
@@ -97,6 +99,10 @@ void TestFilesAsMeant::missingAttributesAreTold_data() {
       without({DCM_SamplesPerPixel}));
   row("the kind of grey", 64536, "PhotometricInterpretation is missing",
       without({DCM_PhotometricInterpretation}));
+  row("the intercept", 2 * 64536, "RescaleIntercept is missing: 0 is taken",
+      [](DcmDataset& d) { d.putAndInsertString(DCM_RescaleSlope, "2"); });
+  row("the slope", 64536 - 24, "RescaleSlope is missing: 1 is taken",
+      [](DcmDataset& d) { d.putAndInsertString(DCM_RescaleIntercept, "-24"); });
   row("no frames, of the bytes of one", 64536, "NumberOfFrames is 0: its pixel data is read as 1 frame",
       [](DcmDataset& d) { d.putAndInsertString(DCM_NumberOfFrames, "0"); });
 }
@@ -117,7 +123,7 @@ void TestFilesAsMeant::missingAttributesAreTold() {
   for (const Warning& warning : study.volumes[0].warnings)
     QVERIFY2(!says.isEmpty() || warning.sentence.find("is missing") == std::string::npos,
              warning.sentence.c_str());
-  if (!says.isEmpty()) QVERIFY(hasWarning(study, says.constData()));
+  if (!says.isEmpty()) QVERIFY(hasWarning(study, says));
 }
 
 void TestFilesAsMeant::tablesHaveTheBitsOfTheirData_data() {
@@ -284,6 +290,46 @@ void TestFilesAsMeant::windowFunctionsInOtherSpellings() {
   QVERIFY(frame.ok());
   QCOMPARE(int(frame->greys.at(0).mapping.function), function);
   QVERIFY(frame->warnings.empty());  // told of the series
+}
+
+void TestFilesAsMeant::termsInOtherSpellings_data() {
+  QTest::addColumn<QByteArray>("modality");
+  QTest::addColumn<uint>("tag");
+  QTest::addColumn<QByteArray>("spelling");
+  QTest::addColumn<QByteArray>("term");
+  QTest::addColumn<QString>("unit");
+  const auto row = [](const char* modality, uint tag, const char* spelling, const char* term,
+                      const char* unit) {
+    QTest::newRow(spelling) << QByteArray(modality) << tag << QByteArray(spelling) << QByteArray(term)
+                            << QString::fromLatin1(unit);
+  };
+  row("CT", 0x00280004, "monochrome2", "MONOCHROME2", "HU");
+  row("CT", 0x00280004, "MONOCHROME_1", "MONOCHROME1", "HU");
+  row("MR", 0x00281054, "hu", "HU", "HU");
+  row("PT", 0x00541001, "Bq/ml", "BQML", "Bq/ml");
+  row("PT", 0x00541001, "g/ml", "GML", "SUV");
+}
+
+void TestFilesAsMeant::termsInOtherSpellings() {
+  QFETCH(QByteArray, modality);
+  QFETCH(uint, tag);
+  QFETCH(QByteArray, spelling);
+  QFETCH(QByteArray, term);
+  QFETCH(QString, unit);
+  const DicomFolder folder;
+  for (int n = 0; n < 2; ++n) {
+    DicomPicture picture = sliceAt(n, n);
+    picture.edit = [&](DcmDataset& d) {
+      d.putAndInsertString(DCM_Modality, modality.constData());
+      d.putAndInsertString(DcmTagKey(Uint16(tag >> 16), Uint16(tag & 0xffff)), spelling.constData());
+    };
+    folder.add(numbered("s", n), picture);
+  }
+  const Study study = folder.open();
+  QVERIFY2(study.volumes.size() == 1, study.refused.empty() ? "" : study.refused[0].reason.c_str());
+  QCOMPARE(QString::fromStdString(study.volumes[0].unit), unit);
+  QVERIFY(hasWarning(study, "\"" + spelling + "\" is no term of the standard: it was read as " + term));
+  QVERIFY(loadSeries(study.volumes[0]).ok());
 }
 
 VOLUMEN_TEST(TestFilesAsMeant);
