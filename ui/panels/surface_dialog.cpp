@@ -93,6 +93,7 @@ void SurfaceDialog::addChoices(QFormLayout& form) {
   byMm_->setKeyboardTracking(false);  // each number is made anew
   byMm_->setEnabled(false);
   largest_->setObjectName(QStringLiteral("surfaceLargest"));
+  largest_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // no wider than what can be clicked
   largest_->setToolTip(
       toolTipOf(tr("Leaves out what no faces of voxels join to it: loose parts of a print")));
   form.addRow(tr("Files"), files_);

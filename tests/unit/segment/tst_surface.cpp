@@ -31,6 +31,7 @@ class TestSurface : public QObject {
   void closedForms_data();
   void closedForms();
   void phantomOfIbsi();
+  void shellsAreTold();
   void nothingHasNoTriangles();
   void crossingsKeepApart();
   void anyNumberOfThreads();
@@ -130,6 +131,22 @@ void TestSurface::phantomOfIbsi() {
   QVERIFY2(std::abs(areaOf(surface) - 388.07) < 0.7, qPrintable(QString::number(areaOf(surface))));
   const auto ends = farthestPoints(surface);
   QVERIFY(std::abs(double(glm::distance(ends[0], ends[1])) - 13.115) < 1e-3);
+}
+
+// A ball of 6 mm with a cavity of 3 mm, and one of 4 mm that touches it by corners alone at most.
+void TestSurface::shellsAreTold() {
+  const Shape3 outer = ball(6, {-5, 0, 0}), cavity = ball(3, {-5, 0, 0}), other = ball(4, {6, 0, 0});
+  const BitMask mask = maskOfShape(gridAbout(glm::dmat3(0.5), 14),
+                                   [&](dvec3 p) { return (outer(p) && !cavity(p)) || other(p); });
+  const Surface surface = *volumePreservingSurface(occupancyOf(mask, surfaceSigma));
+  const std::vector<double> volumes = shellVolumes(surface);
+  QCOMPARE(volumes.size(), std::size_t(3));
+  const auto isNear = [](double volume, double radius) {
+    return std::abs(std::abs(volume) / (4.0 / 3 * std::numbers::pi * radius * radius * radius) - 1) < 0.1;
+  };
+  QVERIFY(isNear(volumes[0], 6) && isNear(volumes[1], 4) && isNear(volumes[2], 3) && volumes[2] < 0);
+  QVERIFY(std::abs(volumes[0] + volumes[1] + volumes[2] - volumeOf(surface)) < 1e-6 * volumes[0]);
+  QVERIFY(shellVolumes(Surface()).empty());
 }
 
 void TestSurface::nothingHasNoTriangles() {

@@ -28,6 +28,8 @@ class TestSegmentNumbers : public QObject {
   void namesAreHarmless_data();
   void namesAreHarmless();
   void jsonHasEachColumn();
+  void voxelsAloneHaveNoSurfaces();
+  void diametersInASlice();
   void cancelledIsSaid();
 };
 
@@ -265,6 +267,43 @@ void TestSegmentNumbers::jsonHasEachColumn() {
   QVERIFY(json[0]["category"].is_null() && json[1]["mean"].is_null() && json[1]["centroid"].is_null());
   QCOMPARE(json[1]["name"].get<std::string>(), std::string("Nothing"));
   QVERIFY(json[0]["map"] == 1 && json[1]["map"] == 2);
+}
+
+// What takes surfaces is left out, and is none in columns; all else is the same.
+void TestSegmentNumbers::voxelsAloneHaveNoSurfaces() {
+  const BitMask mask = ibsiPhantom();
+  const VolumePtr volume = countingVolume(mask.geometry());
+  const Segment segment{.number = 1, .label = "One"};
+  const LabelMap labels = withLabel(LabelMap(mask.geometry()), 1, mask);
+  auto all = *voxelReports(std::span(&segment, 1), labels, *volume);
+  const SegmentReport whole = reportOf(mask, *volume, true);
+  const std::vector<QLatin1String> ofSurfaces{QLatin1String("surfaceMillilitres"),
+                                              QLatin1String("difference"),
+                                              QLatin1String("areaMm2"),
+                                              QLatin1String("longestMm"),
+                                              QLatin1String("longestFrom"),
+                                              QLatin1String("longestTo"),
+                                              QLatin1String("peak")};
+  for (const SegmentColumn& column : segmentColumns()) {
+    const bool isLeftOut = std::ranges::count(ofSurfaces, QLatin1String(column.key)) > 0;
+    QVERIFY2(segmentNumbers(column, all[0], 1) ==
+                 (isLeftOut ? std::vector<double>() : segmentNumbers(column, whole, 1)),
+             column.key);
+  }
+  QVERIFY(addSurfaces(all, labels, *volume, true));
+  QCOMPARE(segmentsAsCsv(all, hounsfield), segmentsAsCsv(std::span(&whole, 1), hounsfield));
+}
+
+// RECIST of 74 voxels of 2 mm: slices of 5 x 4 pixels.
+void TestSegmentNumbers::diametersInASlice() {
+  const BitMask mask = ibsiPhantom();
+  const SegmentReport report = reportOf(mask, *countingVolume(mask.geometry()));
+  QCOMPARE(numberOf("inPlaneSlice", report), 0.0);
+  // From (-1/2, 0) to (4 1/2, 3): 5 and 3 pixels.
+  QVERIFY(std::abs(numberOf("inPlaneMm", report) - 2 * std::sqrt(34.0)) < 1e-12);
+  QVERIFY(numberOf("perpendicularMm", report) > 8 && numberOf("perpendicularMm", report) < 10);
+  QCOMPARE(columnHead(columnCalled("inPlaneMm"), hounsfield),
+           QStringLiteral("Longest in-plane diameter (mm)"));
 }
 
 void TestSegmentNumbers::cancelledIsSaid() {
