@@ -187,15 +187,17 @@ Json contents(const Segmentation& s) {
                         {"category", codeJson(segment.category)},
                         {"type", codeJson(segment.type)},
                         {"modifier", codeJson(segment.modifier)},
+                        {"region", codeJson(segment.region)},
+                        {"regionModifier", codeJson(segment.regionModifier)},
+                        {"algorithmType", segmentAlgorithmTerms[std::size_t(segment.algorithmType)]},
+                        {"algorithm", segment.algorithm},
+                        {"trackingId", segment.trackingId},
+                        {"trackingUid", segment.trackingUid},
                         {"colour", colourJson(segment.colour)},
                         {"pixels", pixelsOf(s, n)}});
   }
-  return {{"fractional", s.fractional},
-          {"columns", s.size.x},
-          {"rows", s.size.y},
-          {"frames", s.frames.size()},
-          {"segments", segments},
-          {"warnings", s.notes}};
+  return {{"fractional", s.fractional}, {"columns", s.size.x},  {"rows", s.size.y},
+          {"frames", s.frames.size()},  {"segments", segments}, {"warnings", s.notes}};
 }
 
 template <class Value>

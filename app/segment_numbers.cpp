@@ -34,7 +34,8 @@ std::optional<SegmentsOverTime> overTimeOf(std::span<const Segmented> maps, cons
 }  // namespace
 
 Result<SegmentsFile> segmentsOfFile(const std::string& file, Opened& opened, const CancelToken& cancel) {
-  auto read = readSegments(file, opened.series, opened.loaded.drawn->geometry(), {}, cancel);
+  auto read = readSegments(file, opened.series, opened.loaded.drawn->geometry(), {}, cancel,
+                           opened.loaded.acquiredSlices());
   if (read) opened.notes.insert(opened.notes.end(), read->notes.begin(), read->notes.end());
   return read;
 }

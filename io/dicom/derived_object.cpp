@@ -116,7 +116,7 @@ std::optional<DerivedKind> derivedKind(const std::string& sopClassUid) {
   if (name == "88.59") return DerivedKind::keyObjects;
   if (name.starts_with("88.")) return DerivedKind::report;
   if (name == "481.3") return DerivedKind::contours;
-  if (name == "66.4") return DerivedKind::segmentation;
+  if (name == "66.4" || name == "66.7") return DerivedKind::segmentation;
   return {};
 }
 

@@ -279,7 +279,7 @@ Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slice
   std::vector<std::string> repeated;  // what was said of the acquired slices holds for these
   const auto regular = Volume::make(std::move(drawn), repeated);
   if (!regular) return Error{series.path + ": " + regular.message()};
-  return Loaded{*acquired, *regular, warnings, unread, originsOf(slices, stack)};
+  return Loaded{*acquired, *regular, warnings, unread, originsOf(slices, stack), stack.places};
 }
 
 Result<Loaded> load(const Series& series, const Progress& progress, const CancelToken& cancel) {

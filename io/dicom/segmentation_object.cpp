@@ -1,20 +1,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <map>
+#include <set>
+#include <span>
 #include <unordered_map>
+#include <utility>
 
 #include "io/dicom/attributes.h"
 #include "io/dicom/cielab.h"
-#include "io/dicom/decode.h"
 #include "io/dicom/derived_object.h"
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/isolated_file.h"
+#include "io/dicom/label_frames.h"
 #include "io/dicom/pixel_size.h"
+#include "io/dicom/segmentation_pixels.h"
 #include "io/segmentation.h"
 #include "io/worker/object_fields.h"
 #include "viewer/segment/packed_bits.h"
+#include "viewer/volume/listed_first.h"
 
 namespace volumen {
 namespace dicom {
@@ -22,7 +28,21 @@ namespace {
 
 using Scope = DataSet::Scope;
 
-constexpr std::uint32_t segmentOfFrame = 0x0062000a, typeOfSegment = 0x0062000f, numberOfFrames = 0x00280008;
+constexpr std::uint32_t segmentOfFrame = 0x0062000a, typeOfSegment = 0x0062000f, regionOfSegment = 0x00082218,
+                        numberOfFrames = 0x00280008;
+constexpr std::size_t noSegment = SIZE_MAX;
+
+SegmentAlgorithm algorithmNamed(std::string_view term) {
+  const auto found = std::ranges::find(segmentAlgorithmTerms, term);
+  return found == segmentAlgorithmTerms.end() ? SegmentAlgorithm::unsaid
+                                              : SegmentAlgorithm(found - segmentAlgorithmTerms.begin());
+}
+
+std::string numbersText(const std::set<int>& numbers) {
+  std::vector<std::string> texts;
+  for (const int number : numbers) texts.push_back(std::to_string(number));
+  return listedFirst(texts);
+}
 
 /// Reads one segmentation object.
 class SegmentationReader {
@@ -35,8 +55,9 @@ class SegmentationReader {
     if (Status s = readSize(); !s) return s.error();
     if (Status s = readSegments(); !s) return s.error();
     if (Status s = readFrames(); !s) return s.error();
-    const Status pixels = out_.fractional ? readFractions() : readBits();
+    const Status pixels = isLabelMap_ ? readLabels() : out_.fractional ? readFractions() : readBits();
     if (!pixels) return pixels.error();
+    if (Status s = leaveOutUndescribed(); !s) return s.error();
     uniteRepeated();
     return std::move(out_);
   }
@@ -60,9 +81,11 @@ class SegmentationReader {
   Status readSize() {
     const Scope root = data_.root();
     const std::string type = data_.text(0x00620001, root);
-    if (type != "BINARY" && type != "FRACTIONAL")
-      return Error{"its SegmentationType is \"" + toUtf8(type, {}) + "\"; BINARY and FRACTIONAL are read"};
+    isLabelMap_ = type == "LABELMAP";
     out_.fractional = type == "FRACTIONAL";
+    if (type != "BINARY" && !out_.fractional && !isLabelMap_)
+      return Error{"its SegmentationType is \"" + toUtf8(type, {}) +
+                   "\"; BINARY, FRACTIONAL and LABELMAP are read"};
     const Result<int> rows = readLength("Rows", 0x00280010), columns = readLength("Columns", 0x00280011);
     if (!rows) return rows.error();
     if (!columns) return columns.error();
@@ -72,9 +95,11 @@ class SegmentationReader {
       return wrong("NumberOfFrames", numberOfFrames, root, "a number of frames");
     const int samples = data_.word(0x00280002, root).value_or(1);
     if (samples != 1) return Error{"its SamplesPerPixel is " + std::to_string(samples) + ", not 1"};
-    const auto allocated = data_.word(0x00280100, root);
-    if (allocated != (out_.fractional ? 8 : 1))
-      return Error{"its BitsAllocated does not go with its SegmentationType " + type};
+    const int allocated = data_.word(0x00280100, root).value_or(0);
+    if (!(isLabelMap_ ? allocated == 8 || allocated == 16 : allocated == (out_.fractional ? 8 : 1)))
+      return Error{"its SegmentationType is \"" + type + "\", and its BitsAllocated " +
+                   std::to_string(allocated) + ", which does not go with it"};
+    if (isLabelMap_) background_ = data_.word(0x00280120, root).value_or(0);
     if (!file_.scanned.dataSet.pixels) return Error{"it has no pixel data"};
     return {};
   }
@@ -83,20 +108,30 @@ class SegmentationReader {
     for (const Scope item : data_.items(0x00620002, data_.root())) {
       Segment segment;
       segment.number = data_.word(0x00620004, item).value_or(0);
+      if (isLabelMap_ && segment.number == background_) continue;
       segment.label = data_.utf8(0x00620005, item);
       segment.description = data_.utf8(0x00620006, item);
       segment.category = codeAt(data_, 0x00620003, item);
       segment.type = codeAt(data_, typeOfSegment, item);
       if (const auto types = data_.items(typeOfSegment, item); !types.empty())
         segment.modifier = codeAt(data_, 0x00620011, types[0]);
-      segment.algorithm = data_.utf8(0x00620009, item);
-      segment.trackingId = data_.utf8(0x00620020, item);
+      readProvenance(item, segment);
       segment.colour = readCieLab(data_, 0x0062000d, item);
       if (!byNumber_.emplace(segment.number, out_.segments.size()).second)
         return Error{"two of its segments have the number " + std::to_string(segment.number)};
       out_.segments.push_back(std::move(segment));
     }
     return {};
+  }
+
+  void readProvenance(Scope item, Segment& segment) const {
+    segment.algorithmType = algorithmNamed(data_.text(0x00620008, item));
+    segment.algorithm = data_.utf8(0x00620009, item);
+    segment.trackingId = data_.utf8(0x00620020, item);
+    segment.trackingUid = data_.text(0x00620021, item);
+    segment.region = codeAt(data_, regionOfSegment, item);
+    if (const auto regions = data_.items(regionOfSegment, item); !regions.empty())
+      segment.regionModifier = codeAt(data_, 0x00082220, regions[0]);
   }
 
   Status readFrames() {
@@ -114,9 +149,22 @@ class SegmentationReader {
     return {};
   }
 
+  /// Of label maps the first: its pixels say which.
+  std::size_t segmentOf(const FrameScopes& at) {
+    if (isLabelMap_) return 0;
+    const int number = data_.word(0x0062000b, at.of(segmentOfFrame)).value_or(0);
+    const auto found = byNumber_.find(number);
+    if (found != byNumber_.end()) return found->second;
+    undescribed_.insert(number);
+    return noSegment;
+  }
+
   Status readFrame(const FrameScopes& at) {
-    const auto segment = byNumber_.find(data_.word(0x0062000b, at.of(segmentOfFrame)).value_or(0));
-    if (segment == byNumber_.end()) return Error{"its segment is not one of those of the file"};
+    const auto segment = segmentOf(at);
+    if (segment == noSegment) {
+      out_.frames.push_back({noSegment});
+      return {};
+    }
     const Scope place = at.ofGroupAlone(0x00209113), plane = at.of(0x00209116),
                 measures = at.of(pixelMeasures);
     const auto position = data_.numbers(0x00200032, place);
@@ -131,14 +179,13 @@ class SegmentationReader {
     if (std::ranges::any_of(*position, [](double x) { return std::abs(x) > farthest; }))
       return Error{"its place is more than 10 km away"};
     const std::vector<double>&p = *position, &d = *directions;
-    const bool isFirst = out_.frames.empty();
-    if (isFirst)
+    if (!std::exchange(hasPlane_, true))
       if (Status s = takePlane({d[0], d[1], d[2]}, {d[3], d[4], d[5]}, *mm, at); !s) return s;
     constexpr double off = 1e-4;
     if (glm::distance(out_.right, {d[0], d[1], d[2]}) > off ||
         glm::distance(out_.down, {d[3], d[4], d[5]}) > off || glm::distance(out_.mm, *mm) > off)
       return Error{"its directions or pixel spacing are not those of the first frame"};
-    out_.frames.push_back({segment->second, {p[0], p[1], p[2]}});
+    out_.frames.push_back({segment, {p[0], p[1], p[2]}});
     return {};
   }
 
@@ -160,83 +207,63 @@ class SegmentationReader {
     return {};
   }
 
-  std::uint64_t bytesThere() const {
-    const Element& pixels = *file_.scanned.dataSet.pixels;
-    return std::min(pixels.length, file_.scanned.size - std::min(file_.scanned.size, pixels.offset));
-  }
-
-  /// Of pixels that are not compressed. More than Rows x Columns x NumberOfFrames, and one byte for an even
-  /// length, means that one of these is wrong, and all pixels are elsewhere than they seem.
-  Status checkLength(std::uint64_t bitsOfPixel) const {
-    const std::uint64_t pixels =
-        std::uint64_t(out_.size.x) * std::uint64_t(out_.size.y) * std::uint64_t(frames_);
-    const std::uint64_t needed = (pixels * bitsOfPixel + 7) / 8, there = bytesThere();
-    const auto text = [](auto number) { return std::to_string(std::int64_t(number)); };
-    const std::string ofNeeded = text(there) + " of " + text(needed) + " bytes are there" + picturesDiffer();
-    if (there < needed) return Error{"its pixel data is cut off: " + ofNeeded};
-    if (file_.scanned.dataSet.pixels->length <= needed + needed % 2) return {};
-    return Error{"its pixel data is longer than Rows x Columns x NumberOfFrames (" + text(out_.size.y) +
-                 " x " + text(out_.size.x) + " x " + text(frames_) + "): " + ofNeeded};
-  }
-
-  std::string picturesDiffer() const {
-    if (pictures_ == glm::ivec2(0) || pictures_ == out_.size) return {};
-    return "; the pictures that it names have " + std::to_string(pictures_.y) + " rows and " +
-           std::to_string(pictures_.x) + " columns";
-  }
+  SegmentationPixels pixels() const { return {file_, data_, path_, out_.size, int(frames_), pictures_}; }
 
   /// Bits run on from frame to frame (PS3.5 8.1.1).
   Status readBits() {
-    const ScannedFile& scanned = file_.scanned;
-    const Element& pixels = *scanned.dataSet.pixels;
-    if (scanned.syntax.coding != Coding::native || pixels.length == undefinedLength)
-      return Error{"its frames of one bit a pixel are compressed (" + std::string(scanned.syntax.name) +
-                   "), which is not read"};
-    if (Status s = checkLength(1); !s) return s;
-    auto bytes = bytesAt(pixels.offset, bytesThere());
-    if (!bytes) return bytes.error();
-    if (pixels.bigEndian && pixels.vr == vrOf('O', 'W')) swapBytesOfWords(*bytes);
-    out_.bits = std::move(*bytes);
+    auto bits = pixels().bits(out_.notes);
+    if (!bits) return bits.error();
+    out_.bits = std::move(*bits);
     return {};
   }
 
-  Result<std::vector<std::uint8_t>> bytesAt(std::uint64_t offset, std::uint64_t length) const {
-    if (file_.scanned.inflatedFrom > 0) {
-      const auto begin = file_.scanned.head.begin() + std::ptrdiff_t(offset);
-      return std::vector<std::uint8_t>(begin, begin + std::ptrdiff_t(length));
-    }
-    const auto file = RegularFile::open(path_);
-    if (!file) return file.error();
-    return file->read(offset, length);
-  }
-
-  /// Fractions of MaximumFractionalValue, one byte a pixel, decoded as any picture is.
+  /// Fractions of MaximumFractionalValue, one byte a pixel.
   Status readFractions() {
     const int most = data_.word(0x0062000e, data_.root()).value_or(255);
     if (most < 1 || most > 255)
       return Error{"its MaximumFractionalValue is " + std::to_string(most) +
                    ", not 1 to 255 as its 8 bits can hold"};
-    if (file_.scanned.syntax.coding == Coding::native)
-      if (Status s = checkLength(8); !s) return s;
-    const auto file = RegularFile::open(path_);
-    if (!file) return file.error();
-    FileHeader header;
-    header.path = path_;
-    header.syntax = file_.scanned.syntax;
-    header.inflatedFrom = file_.scanned.inflatedFrom;
-    if (Status s = readPicture(*file, file_.scanned, data_, header); !s) return s;
-    const auto pixels = PixelSource::open(header);
-    if (!pixels) return pixels.error();
-    const std::size_t perFrame = header.format.framePixels();
     BitPacker bits;
-    for (std::size_t n = 0; n < out_.frames.size(); ++n) {
-      const auto decoded = pixels->frame(int(n));
-      if (!decoded) return decoded.error();
-      const auto* fractions = std::get_if<std::vector<std::uint8_t>>(&decoded->samples);
-      if (!fractions || fractions->size() != perFrame) return Error{"its fractions are not of 8 bits"};
-      for (const std::uint8_t fraction : *fractions) bits.add(fraction > 0 && 2 * fraction >= most, 1);
-    }
+    const Status read = pixels().forEachFrame([&](std::size_t, std::span<const int> fractions) -> Status {
+      for (const int fraction : fractions) bits.add(fraction > 0 && 2 * fraction >= most, 1);
+      return {};
+    });
+    if (!read) return read;
     out_.bits = bits.bytes();
+    return {};
+  }
+
+  /// Numbers of segments; a frame of the file becomes one of each segment that has pixels in it.
+  Status readLabels() {
+    const std::vector<SegmentFrame> planes = std::exchange(out_.frames, {});
+    LabelFrames frames(byNumber_, background_, out_.rowAt(1, 0));
+    const Status read = pixels().forEachFrame([&](std::size_t n, std::span<const int> numbers) -> Status {
+      for (const std::size_t segment : frames.add(numbers))
+        out_.frames.push_back({segment, planes[n].origin});
+      return {};
+    });
+    if (!read) return read;
+    out_.bits = frames.bits();
+    addPaletteColours(out_.segments, data_);
+    if (!frames.undescribed().empty())
+      out_.notes.push_back("Pixels of " + path_ + " are of segments that it does not describe (" +
+                           numbersText(frames.undescribed()) + "): they were left out.");
+    return {};
+  }
+
+  /// Frames of segments that SegmentSequence does not have cost themselves, as long as others are left.
+  Status leaveOutUndescribed() {
+    std::vector<std::size_t> kept;
+    for (std::size_t n = 0; n < out_.frames.size(); ++n)
+      if (out_.frames[n].segment != noSegment) kept.push_back(n);
+    const std::size_t count = out_.frames.size() - kept.size();
+    if (count == 0) return {};
+    if (kept.empty()) return Error{"frame 1: its segment is not one of those of the file"};
+    keepFrames(kept);
+    out_.notes.push_back((count == 1 ? "A frame of " + path_ + " is"
+                                     : std::to_string(count) + " frames of " + path_ + " are") +
+                         " of a segment that it does not describe (" + numbersText(undescribed_) +
+                         "): left out.");
     return {};
   }
 
@@ -285,7 +312,10 @@ class SegmentationReader {
   std::string path_;
   glm::ivec2 pictures_;
   double frames_ = 0;
+  bool isLabelMap_ = false, hasPlane_ = false;
+  int background_ = 0;  // number of the pixels of a label map that are of no segment
   std::unordered_map<int, std::size_t> byNumber_;
+  std::set<int> undescribed_;  // numbers of segments
   Segmentation out_;
 };
 
@@ -303,8 +333,13 @@ Result<Segmentation> loadSegmentationHere(const std::string& path, const glm::iv
 
 }  // namespace
 
+// A label map has many segments in few bytes.
 Result<Segmentation> loadSegmentation(const std::string& path, glm::ivec2 pictures) {
-  return dicom::isolatedFile<loadSegmentationHere>(path, 0, pictures);
+  constexpr std::uint64_t pixelsAByte = 8, mostPixels = std::uint64_t(1) << 27;
+  std::error_code none;
+  const std::uint64_t bytes = std::filesystem::file_size(path, none);
+  const std::uint64_t pixels = none ? 0 : std::min(bytes, mostPixels / pixelsAByte) * pixelsAByte;
+  return dicom::isolatedFile<loadSegmentationHere>(path, pixels, pictures);
 }
 
 }  // namespace volumen

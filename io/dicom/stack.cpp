@@ -166,6 +166,9 @@ void addRegularGrid(std::span<const PlacedSlice> slices, const std::vector<doubl
     if (weight > 0) ++regular.interpolatedSlices;
     regular.copies.push_back(weight > 0 ? -1 : below);
   }
+  for (int n = 0; n < int(along.size()) && stack.places.empty(); ++n)
+    if (std::ranges::find(regular.copies, n) == regular.copies.end())
+      for (const double mm : along) stack.places.push_back(mm / distance);
   stack.regular = regular;
   stack.warnings.push_back(
       unevenWarning(slices, steps, distance, stack, along.back() - (count - 1) * distance));

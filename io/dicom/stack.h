@@ -25,6 +25,8 @@ struct Stack {
     double weight = 0;
   };
   std::vector<Source> sources;  ///< one entry a slice of the regular grid; empty without one
+  /// Of each acquired slice along k of the regular grid, in its slices; empty where all of them are on it.
+  std::vector<double> places;
   std::vector<Warning> warnings;
 };
 

@@ -74,9 +74,9 @@ Result<SegmentsFile> readLabelImage(const std::string& path, const Progress& pro
   if (header->data.volumes() != 1)
     return Error{path + " holds " + std::to_string(header->data.volumes()) +
                  " volumes; an image of labels holds one."};
-  const auto values = LabelValues::read(*header, 0, path, progress, cancel);
-  if (!values) return values.error();
   SegmentsFile file;
+  const auto values = LabelValues::read(*header, 0, path, file.notes, progress, cancel);
+  if (!values) return values.error();
   auto rows = allRows(*values, tableBeside(path, file), path);
   if (!rows) return rows.error();
   keepThoseThere(*values, *rows);

@@ -109,7 +109,8 @@ std::string rowsText(glm::ivec2 size) {
 }
 
 Result<SegmentsFile> placedObject(const std::string& path, const Series& series, const VoxelGeometry& grid,
-                                  const Progress& progress, const CancelToken& cancel) {
+                                  const Progress& progress, const CancelToken& cancel,
+                                  const AcquiredSlices& slices) {
   const auto object = objectOf(path, progress, cancel);
   if (!object) return object.error();
   if (!areTogether(object->frameOfReferenceUid, picturesOf(*object), series.frameOfReferenceUid,
@@ -119,7 +120,7 @@ Result<SegmentsFile> placedObject(const std::string& path, const Series& series,
       haveOneInCommon(picturesOf(*object), series.sopInstanceUids) ? series.acquired.size : glm::ivec3(0);
   const auto segmentation = segmentationOf(path, pictures);
   if (!segmentation) return segmentation.error();
-  auto placed = onGrid(*segmentation, grid, cancel);
+  auto placed = onGrid(*segmentation, grid, cancel, slices);
   if (!placed) return Error{path + ": " + placed.message()};
   if (pictures != glm::ivec2(0) && pictures != segmentation->size)
     placed->notes.push_back("The frames of " + path + " have " + rowsText(segmentation->size) +
@@ -155,10 +156,11 @@ Result<SegmentsFile> readAs(const std::string& path, const OfImage& ofImage, con
 }  // namespace
 
 Result<SegmentsFile> readSegments(const std::string& path, const Series& series, const VoxelGeometry& grid,
-                                  const Progress& progress, const CancelToken& cancel) {
+                                  const Progress& progress, const CancelToken& cancel,
+                                  const AcquiredSlices& slices) {
   return readAs(
       path, [&] { return placedImage(path, grid, progress, cancel); },
-      [&] { return placedObject(path, series, grid, progress, cancel); });
+      [&] { return placedObject(path, series, grid, progress, cancel, slices); });
 }
 
 Result<SegmentsFile> readSegments(const std::string& path, const Progress& progress,

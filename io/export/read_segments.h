@@ -15,8 +15,11 @@ struct Series;
 /// names that were given are told. The Error names the file: it is none of them, is
 /// damaged, holds no segments, is of another frame of reference than the series and names none of its
 /// pictures, or all of it lies outside.
+/// With `slices`, of which the grid is drawn, a DICOM segmentation whose frames lie on these is known there,
+/// too.
 Result<SegmentsFile> readSegments(const std::string& path, const Series& series, const VoxelGeometry& grid,
-                                  const Progress& progress = {}, const CancelToken& cancel = {});
+                                  const Progress& progress = {}, const CancelToken& cancel = {},
+                                  const AcquiredSlices& slices = {});
 
 /// The same on the grid of the file's own, wherever that lies; of a DICOM segmentation gridOf() it.
 Result<SegmentsFile> readSegments(const std::string& path, const Progress& progress = {},

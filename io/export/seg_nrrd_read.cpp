@@ -144,7 +144,7 @@ Result<SegmentsFile> readLayers(const ImageHeader& header, const std::string& pa
   if (!entries) return Error{path + ": " + entries.message()};
   SegmentsFile file;
   for (std::uint64_t layer = 0; layer < header.data.volumes(); ++layer) {
-    const auto values = LabelValues::read(header, layer, path, progress, cancel);
+    const auto values = LabelValues::read(header, layer, path, file.notes, progress, cancel);
     if (!values) return values.error();
     std::vector<Entry> own;
     if (entries->empty()) own = namedByNumber(*values, layer);
@@ -153,7 +153,7 @@ Result<SegmentsFile> readLayers(const ImageHeader& header, const std::string& pa
     if (!map) return Error{path + ": " + map.message()};
     file.maps.push_back(std::move(*map));
   }
-  file.notes = notesOfReading(path, noColours, leftOut);
+  std::ranges::move(notesOfReading(path, noColours, leftOut), std::back_inserter(file.notes));
   return file;
 }
 

@@ -43,7 +43,8 @@ std::string tagsOf(const Segment& segment) {
   if (!segment.type.value.empty())
     tags = std::string(entryKey) + ":Segmentation category and type - 3D Slicer General Anatomy list~" +
            codeText(segment.category) + '~' + codeText(segment.type) + '~' + codeText(segment.modifier) +
-           "~Anatomic codes - DICOM master list~^^~^^|";
+           "~Anatomic codes - DICOM master list~" + codeText(segment.region) + '~' +
+           codeText(segment.regionModifier) + '|';
   return tags + "Segmentation.Status:inprogress|";
 }
 
@@ -51,10 +52,13 @@ void readTags(const std::string& tags, Segment& segment) {
   for (const std::string_view tag : parts(tags, '|')) {
     const std::size_t colon = tag.find(':');
     if (colon == std::string_view::npos || tag.substr(0, colon) != entryKey) continue;
-    const auto entry = parts(tag.substr(colon + 1), '~');  // context, category, type, modifier, region ...
+    const auto entry =
+        parts(tag.substr(colon + 1), '~');  // context, category, type, modifier, context, region, modifier
     if (entry.size() > 1) segment.category = codeIn(entry[1]);
     if (entry.size() > 2) segment.type = codeIn(entry[2]);
     if (entry.size() > 3) segment.modifier = codeIn(entry[3]);
+    if (entry.size() > 5) segment.region = codeIn(entry[5]);
+    if (entry.size() > 6) segment.regionModifier = codeIn(entry[6]);
   }
 }
 

@@ -10,7 +10,7 @@ namespace volumen {
 /// TerminologyEntry (Slicer, Docs/developer_guide/modules/segmentations.md).
 std::string tagsOf(const Segment& segment);
 
-/// Takes category, type and modifier from such tags, as far as they are there.
+/// Takes category, type, region and their modifiers from such tags, as far as they are there.
 void readTags(const std::string& tags, Segment& segment);
 
 }  // namespace volumen

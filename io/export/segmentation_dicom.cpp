@@ -5,20 +5,30 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <QDateTime>
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <new>
+#include <optional>
 
 #include "io/export/dicom_source.h"
 #include "io/export/segmentation_elements.h"
 #include "io/files/output_file.h"
 #include "io/study/series.h"
 #include "viewer/slice/plane.h"
+#include "viewer/volume/listed_first.h"
 
 namespace volumen {
 
 namespace {
 
-using MaskOf = std::function<BitMask(std::size_t segment)>;
+// A segment on the grid that is drawn and, where that is known, on the slices as acquired.
+struct WrittenMask {
+  BitMask drawn;
+  std::optional<BitMask> onSlices{};
+  bool isInterpolated = false;  // it is decided by what is drawn
+};
+using MaskOf = std::function<WrittenMask(std::size_t segment)>;
 
 SegmentationTags dated(SegmentationTags tags) {
   const QDateTime now = QDateTime::currentDateTime();
@@ -78,6 +88,21 @@ Status writeObject(const SegmentationElements& elements, const SegmentationFrame
   return out->commit();
 }
 
+// Of an uneven series, what is decided by interpolated voxels.
+std::vector<std::string> notesOfSlices(const SegmentationFrames& frames, const Series& series) {
+  constexpr std::size_t mostNamed = 50;
+  std::vector<std::string> names;
+  for (const int slice : frames.slicesBetween()) {
+    const auto n = std::size_t(slice);
+    const bool hasMore = std::ranges::count(series.files, series.files[n]) > 1;
+    names.push_back(fileName(series.files[n]) +
+                    (hasMore ? " (frame " + std::to_string(series.frames[n] + 1) + ")" : std::string()));
+  }
+  if (names.empty()) return {};
+  return {"Slices that have no voxels of their own, for what is drawn there is interpolated: " +
+          listedFirst(names, mostNamed) + ". Each of their pixels has what the nearest voxel has."};
+}
+
 Result<std::vector<std::string>> writeSegments(const std::vector<Segment>& segments, const MaskOf& maskOf,
                                                const VoxelGeometry& grid, const Series& series,
                                                const SegmentationTags& tags, const std::string& path,
@@ -88,10 +113,13 @@ Result<std::vector<std::string>> writeSegments(const std::vector<Segment>& segme
   if (!source) return source.error();
   if (Status s = checkPlaces(series, *source); !s) return s.error();
   SegmentationFrames frames(grid, *source, glm::ivec2(series.acquired.size));
+  bool isInterpolated = false;
   for (std::size_t n = 0; n < segments.size(); ++n) {
     if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
     if (progress) progress("packing segments", n, segments.size());
-    frames.add(maskOf(n));
+    const WrittenMask mask = maskOf(n);
+    frames.add(mask.drawn, mask.onSlices ? &*mask.onSlices : nullptr);
+    isInterpolated = isInterpolated || mask.isInterpolated || !mask.onSlices;
     if (frames.bits().size() > mostBits)
       return Error{"The segments are more than the 4 GB that a DICOM file holds; write .seg.nrrd."};
   }
@@ -101,7 +129,10 @@ Result<std::vector<std::string>> writeSegments(const std::vector<Segment>& segme
   const SegmentationTags said = dated(tags);
   const SegmentationElements elements(series, *source, frames, segments, said, sliceDistance(grid));
   if (Status s = writeObject(elements, frames, path, cancel); !s) return s.error();
-  return elements.notes();
+  std::vector<std::string> notes = elements.notes();
+  if (series.regular && isInterpolated)
+    std::ranges::move(notesOfSlices(frames, series), std::back_inserter(notes));
+  return notes;
 } catch (const std::bad_alloc&) {
   return Error{"Cannot write " + path + ": there is not enough memory."};
 }
@@ -112,13 +143,21 @@ Result<std::vector<std::string>> writeSegmentationDicom(std::span<const Segmente
                                                         const SegmentationTags& tags, const std::string& path,
                                                         const Progress& progress, const CancelToken& cancel) {
   std::vector<Segment> segments;
-  std::vector<const LabelMap*> labels;
+  std::vector<const Segmented*> mapOf;
   for (const Segmented& map : maps)
     for (const Segment& segment : map.segments) {
       segments.push_back(segment);
-      labels.push_back(&map.labels);
+      mapOf.push_back(&map);
     }
-  const auto mask = [&](std::size_t n) { return maskOf(*labels[n], std::uint8_t(segments[n].number)); };
+  const auto mask = [&](std::size_t n) {
+    const int number = segments[n].number;
+    WrittenMask made{maskOf(mapOf[n]->labels, std::uint8_t(number))};
+    if (const AcquiredLabels* acquired = mapOf[n]->acquired.get()) {
+      made.onSlices = maskOf(acquired->labels, std::uint8_t(number));
+      made.isInterpolated = acquired->interpolated.contains(number);
+    }
+    return made;
+  };
   const VoxelGeometry grid = maps.empty() ? series.acquired : maps.front().labels.geometry();
   return writeSegments(segments, mask, grid, series, tags, path, progress, cancel);
 }
@@ -131,7 +170,8 @@ Result<std::vector<std::string>> writeSegmentationDicom(std::span<const SegmentV
   for (const SegmentVoxels& s : voxels) segments.push_back(s.segment);
   const VoxelGeometry grid = voxels.empty() ? series.acquired : voxels.front().mask.geometry();
   return writeSegments(
-      segments, [&](std::size_t n) { return voxels[n].mask; }, grid, series, tags, path, progress, cancel);
+      segments, [&](std::size_t n) { return WrittenMask{voxels[n].mask}; }, grid, series, tags, path,
+      progress, cancel);
 }
 
 }  // namespace volumen

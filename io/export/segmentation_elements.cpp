@@ -4,10 +4,12 @@
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "io/dicom/cielab.h"
 #include "io/export/dicom_modules.h"
+#include "io/segmentation.h"
 #include "viewer/segment/tissue_codes.h"
 
 namespace volumen {
@@ -69,10 +71,32 @@ std::string nameOf(const Segment& segment, std::size_t n) {
   return isBlank ? "Segment " + std::to_string(n + 1) : line;
 }
 
+// "from 150 to 3000", with one end "from 150".
+std::string rangeText(const ValueRange& range) {
+  std::string text = std::isfinite(range.low) ? "from " + decimal(range.low) : "";
+  if (std::isfinite(range.high)) text += (text.empty() ? "" : " ") + ("to " + decimal(range.high));
+  return text;
+}
+
 // PS3.3 C.8.20.4: what is not drawn by hand says by what it was made.
 std::string algorithmOf(const Segment& segment) {
-  if (!segment.algorithm.empty() || !segment.range) return inOneLine(segment.algorithm);
-  return inOneLine("Values from " + decimal(segment.range->low) + " to " + decimal(segment.range->high));
+  if (!segment.algorithm.empty()) return inOneLine(segment.algorithm);
+  if (segment.range) return inOneLine("Values " + rangeText(*segment.range));
+  return segment.algorithmType > SegmentAlgorithm::manual ? "Unknown" : "";
+}
+
+// Of what says nothing: by hand, unless something made it.
+std::string algorithmTypeOf(const Segment& segment) {
+  const bool isMade = segment.algorithmType == SegmentAlgorithm::unsaid && !algorithmOf(segment).empty();
+  const SegmentAlgorithm type =
+      isMade ? SegmentAlgorithm::semiautomatic : std::max(segment.algorithmType, SegmentAlgorithm::manual);
+  return std::string(segmentAlgorithmTerms[std::size_t(type)]);
+}
+
+bool isUid(const std::string& text) {
+  constexpr std::size_t longest = 64;
+  return !text.empty() && text.size() <= longest &&
+         text.find_first_not_of("0123456789.") == std::string::npos;
 }
 
 std::string colourWords(const Segment& segment, const TissueCode* tissue) {
@@ -90,7 +114,9 @@ std::set<std::string> framesOfReference(const DicomSource& source) {
 std::string saltOf(const SeriesIdentity& series, std::span<const Segment> segments,
                    const SegmentationTags& tags) {
   std::string salt = series.patientId + series.seriesUid + tags.description + tags.date + tags.time;
-  for (const Segment& s : segments) salt += s.label + s.type.value + s.trackingId;
+  for (const Segment& s : segments)
+    salt += s.label + s.type.value + s.region.value + algorithmTypeOf(s) + s.algorithm + s.trackingId +
+            s.trackingUid;
   return salt;
 }
 
@@ -173,6 +199,14 @@ DicomElements SegmentationElements::image() const {
   return all;
 }
 
+// Both or none (PS3.3 C.8.20.2).
+DicomElements SegmentationElements::trackingOf(const Segment& segment, const std::string& name) const {
+  const bool hasUid = isUid(segment.trackingUid);
+  if (segment.trackingId.empty() && !hasUid) return {};
+  return {{0x00620020, segment.trackingId.empty() ? name : inOneLine(segment.trackingId), 0, 1},
+          {0x00620021, hasUid ? segment.trackingUid : uids_.of("segment " + segment.trackingId), 0, 1}};
+}
+
 DicomElements SegmentationElements::segmentItem(std::size_t n) const {
   const Segment& segment = segments_[n];
   const TissueCode* tissue = tissueOf(segment.type);
@@ -184,13 +218,14 @@ DicomElements SegmentationElements::segmentItem(std::size_t n) const {
   DicomElements all = {{dicomItem, {}, 0, 1},
                        {0x00620004, std::to_string(n + 1), 0, 1},
                        {0x00620005, nameOf(segment, n), 0, 1},
-                       {0x00620008, algorithm.empty() ? "MANUAL" : "SEMIAUTOMATIC", 0, 1},
+                       {0x00620008, algorithmTypeOf(segment), 0, 1},
                        {0x0062000d, colourWords(segment, tissue), 0, 1}};
   if (!segment.description.empty()) all.push_back({0x00620006, inOneLine(segment.description), 0, 1});
   if (!algorithm.empty()) all.push_back({0x00620009, algorithm, 0, 1});
-  if (!segment.trackingId.empty())
-    append(all, {{0x00620020, inOneLine(segment.trackingId), 0, 1},
-                 {0x00620021, uids_.of("segment " + segment.trackingId), 0, 1}});
+  append(all, trackingOf(segment, nameOf(segment, n)));
+  if (isWhole(segment.region)) append(all, codeSequence(0x00082218, segment.region, 1));
+  if (isWhole(segment.region) && isWhole(segment.regionModifier))
+    append(all, codeSequence(0x00082220, segment.regionModifier, 2));
   append(all, codeSequence(0x00620003, category, 1));
   append(all, codeSequence(0x0062000f, coded ? segment.type : anyTissue().type, 1));
   if (coded && isWhole(segment.modifier)) append(all, codeSequence(0x00620011, segment.modifier, 2));
@@ -273,11 +308,12 @@ std::vector<std::string> SegmentationElements::notes() const {
     if (!isWhole(segments_[n].type)) withoutCode.push_back(name);
     if (!segments_[n].label.empty() && name != segments_[n].label) shortened.push_back(name);
   }
-  if (!frames_.areOnGrid())
+  const bool areOfGrid = !frames_.areOfSlices();
+  if (areOfGrid && !frames_.areOnGrid())
     notes.emplace_back(
         "The segments lie on another grid than the slices as acquired: each pixel of these has what its "
         "nearest voxel has.");
-  else if (const int left = frames_.slicesLeftOut(); left > 0)
+  else if (const int left = areOfGrid ? frames_.slicesLeftOut() : 0; left > 0)
     notes.push_back("Slices of the segments that are interpolated and no picture of the series: " +
                     std::to_string(left) + "; they were left out.");
   if (const auto spaces = framesOfReference(source_).size(); spaces > 1)

@@ -27,6 +27,7 @@ class SegmentationElements {
   DicomElements sourceReferences() const;
   DicomElements image() const;
   DicomElements segmentItem(std::size_t n) const;
+  DicomElements trackingOf(const Segment& segment, const std::string& name) const;
   DicomElements dimensions() const;
   DicomElements sharedGroups() const;
   DicomElements frameGroups(const SegmentationFrames::Frame& frame) const;

@@ -6,6 +6,22 @@
 
 namespace volumen {
 
+namespace {
+
+// Adds a mask to others of its grid; returns whether they share a voxel.
+bool take(BitMask& taken, const BitMask& mask) {
+  bool overlaps = false;
+  const auto words = taken.words();
+  const auto more = mask.words();
+  for (std::size_t n = 0; n < words.size(); ++n) {
+    overlaps = overlaps || (words[n] & more[n]);
+    words[n] |= more[n];
+  }
+  return overlaps;
+}
+
+}  // namespace
+
 SegmentationFrames::SegmentationFrames(const VoxelGeometry& grid, const DicomSource& source, glm::ivec2 size)
     : source_(source), size_(size), taken_(grid) {
   for (std::size_t n = 0; n < source.slices.size(); ++n) gridSlices_.push_back(gridSliceOf(int(n)));
@@ -47,24 +63,43 @@ void SegmentationFrames::readRow(const BitMask& mask, int slice, int y,
   }
 }
 
-void SegmentationFrames::add(const BitMask& mask) {
-  const auto taken = taken_.words();
-  const auto more = mask.words();
-  for (std::size_t n = 0; n < taken.size(); ++n) {
-    overlap_ = overlap_ || (taken[n] & more[n]);
-    taken[n] |= more[n];
-  }
+bool SegmentationFrames::isOfSlices(const BitMask& mask) const {
+  return mask.size() == glm::ivec3(size_, int(gridSlices_.size()));
+}
+
+void SegmentationFrames::add(const BitMask& mask, const BitMask* onSlices) {
+  if (onSlices && !isOfSlices(*onSlices)) onSlices = nullptr;
+  areOfSlices_ = areOfSlices_ && onSlices;
+  overlap_ = take(taken_, mask) || overlap_;
+  if (onSlices && !takenOnSlices_) takenOnSlices_.emplace(onSlices->geometry());
+  if (onSlices) overlap_ = take(*takenOnSlices_, *onSlices) || overlap_;
   const std::size_t perRow = std::size_t(size_.x + 63) / 64;
   std::vector<std::uint64_t> words(perRow * std::size_t(size_.y));
   for (int slice = 0; slice < int(gridSlices_.size()); ++slice) {
-    for (int y = 0; y < size_.y; ++y)
-      readRow(mask, slice, y, std::span(words).subspan(std::size_t(y) * perRow, perRow));
+    for (int y = 0; y < size_.y; ++y) {
+      const auto row = std::span(words).subspan(std::size_t(y) * perRow, perRow);
+      if (onSlices)
+        std::ranges::copy(onSlices->row(y, slice), row.begin());
+      else
+        readRow(mask, slice, y, row);
+    }
     if (std::ranges::none_of(words, [](std::uint64_t word) { return word != 0; })) continue;
     frames_.push_back({segments_, slice});
     for (std::size_t n = 0; n < words.size(); n += perRow)
       bits_.add(std::span(words).subspan(n, perRow), std::size_t(size_.x));
   }
   ++segments_;
+}
+
+std::vector<int> SegmentationFrames::slicesBetween() const {
+  constexpr double off = 0.06;  // slices tremble, and are regular all the same
+  std::vector<int> between;
+  for (int slice = 0; slice < int(gridSlices_.size()); ++slice) {
+    const double k = voxelAt(slice, glm::dvec2(size_ - 1) / 2.0).z;
+    if (std::abs(k - std::round(k)) > off || k < -off || k > taken_.size().z - 1 + off)
+      between.push_back(slice);
+  }
+  return between;
 }
 
 bool SegmentationFrames::areOnGrid() const {

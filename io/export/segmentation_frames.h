@@ -16,8 +16,9 @@ class SegmentationFrames {
   /// `columns` x `rows`: of every slice. All of them are placed.
   SegmentationFrames(const VoxelGeometry& grid, const DicomSource& source, glm::ivec2 size);
 
-  /// Frames of one more segment; its mask is of the grid.
-  void add(const BitMask& mask);
+  /// Frames of one more segment; its mask is of the grid. `onSlices`: the same on the slices as acquired, a
+  /// voxel a pixel, which is written where it has as many; null: it is not known.
+  void add(const BitMask& mask, const BitMask* onSlices = nullptr);
 
   struct Frame {
     int segment = 0;  ///< from 0, in the order in which they were added
@@ -28,6 +29,10 @@ class SegmentationFrames {
   const BitPacker& bits() const { return bits_; }
   /// Whether two segments share a voxel.
   bool overlap() const { return overlap_; }
+  /// Whether all segments were known on the slices as acquired.
+  bool areOfSlices() const { return areOfSlices_; }
+  /// Slices of the source at which the grid has none: what is drawn there is interpolated.
+  std::vector<int> slicesBetween() const;
   /// Whether slices lie on the grid pixel by voxel.
   bool areOnGrid() const;
   /// Slices of the grid with voxels of segments that no slice of the source lies on; only where areOnGrid().
@@ -37,12 +42,14 @@ class SegmentationFrames {
   /// The slice of the grid whose voxels lie on the pixels of a slice one by one, each nearest to its own.
   std::optional<int> gridSliceOf(int slice) const;
   void readRow(const BitMask& mask, int slice, int y, std::span<std::uint64_t> words) const;
+  bool isOfSlices(const BitMask& mask) const;
   glm::dvec3 voxelAt(int slice, glm::dvec2 pixel) const;
 
   const DicomSource& source_;
   glm::ivec2 size_;
   BitMask taken_;
-  bool overlap_ = false;
+  std::optional<BitMask> takenOnSlices_;
+  bool overlap_ = false, areOfSlices_ = true;
   std::vector<std::optional<int>> gridSlices_;  // of each slice of the source
   std::vector<Frame> frames_;
   int segments_ = 0;

@@ -113,9 +113,10 @@ Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid, const 
 }
 
 // As many voxels as pixels: each pixel is one of them.
-Result<SegmentsFile> onGrid(const Segmentation& s, const VoxelGeometry& grid, const CancelToken& cancel) {
+Result<SegmentsFile> onGrid(const Segmentation& s, const VoxelGeometry& grid, const CancelToken& cancel,
+                            const AcquiredSlices& slices) {
   if (!grid.calibrated) return Error{"Where the series lies is not known: segments have no place in it."};
-  SegmentsFile file{segmentedOf(s, grid, cancel), s.notes};
+  SegmentsFile file{segmentedOf(s, grid, cancel, slices), s.notes};
   if (cancel.cancelled()) return Error{"Cancelled."};
   std::int64_t before = 0, after = 0;
   for (std::size_t n = 0; n < s.segments.size(); ++n) before += pixelsOf(s, n);

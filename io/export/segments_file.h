@@ -25,6 +25,6 @@ Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid,
 /// The segments of an object on the grid of a volume (segmentedOf), with what that changes. The Error: the
 /// volume has no position; all of it lies outside.
 Result<SegmentsFile> onGrid(const Segmentation& segmentation, const VoxelGeometry& grid,
-                            const CancelToken& cancel = {});
+                            const CancelToken& cancel = {}, const AcquiredSlices& slices = {});
 
 }  // namespace volumen

@@ -3,10 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
 
 #include "viewer/volume/buffer.h"
 
 namespace volumen {
+
+namespace {
+
+std::string shortText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, std::abs(value) < 0.01 ? "%.1g" : "%.6g", value);
+  return text;
+}
+
+}  // namespace
 
 Result<std::vector<LabelOf>> labelsFor(std::span<const std::uint32_t> values) {
   constexpr std::size_t most = 255;
@@ -25,28 +38,35 @@ Result<std::vector<LabelOf>> labelsFor(std::span<const std::uint32_t> values) {
   return labels;
 }
 
+// Files hold labels as float32, or with a slope that is: 1.0000458 is 1.
 Result<LabelValues> LabelValues::read(const ImageHeader& header, std::uint64_t volume,
-                                      const std::string& path, const Progress& progress,
-                                      const CancelToken& cancel) {
+                                      const std::string& path, std::vector<std::string>& notes,
+                                      const Progress& progress, const CancelToken& cancel) {
+  constexpr double mostOff = 1e-3;
   std::vector<std::string> warnings;
   auto samples = readSamples(header.data, volume, header.slope, header.intercept, progress, cancel, warnings);
   if (!samples) return samples.error();
   LabelValues made;
   made.geometry_ = header.geometry;
-  const bool areLabels = std::visit(
-      [&](const auto& stored) {
+  double farthest = 0;
+  const std::optional<double> wrong = std::visit(
+      [&](const auto& stored) -> std::optional<double> {
         made.values_.reserve(stored.size());
         for (const auto raw : stored) {
-          const double value = samples->slope * double(raw) + samples->intercept;
-          if (!(value >= 0 && value <= mostLabelValue && value == std::floor(value))) return false;
-          made.values_.push_back(std::uint32_t(value));
+          const double value = samples->slope * double(raw) + samples->intercept, label = std::round(value);
+          if (!(label >= 0 && label <= mostLabelValue && std::abs(value - label) <= mostOff)) return value;
+          farthest = std::max(farthest, std::abs(value - label));
+          made.values_.push_back(std::uint32_t(label));
         }
-        return true;
+        return {};
       },
       samples->values);
-  if (!areLabels)
-    return Error{path + " holds values that are no labels: whole numbers from 0 to " +
-                 std::to_string(mostLabelValue) + " are meant."};
+  if (wrong)
+    return Error{path + " holds values that are no labels, such as " + shortText(*wrong) +
+                 ": whole numbers from 0 to " + std::to_string(mostLabelValue) + " are meant."};
+  if (farthest > 0)
+    notes.push_back(path + ": labels are off whole numbers by up to " + shortText(farthest) +
+                    ", and were rounded.");
   return made;
 }
 

@@ -29,9 +29,11 @@ Result<std::vector<LabelOf>> labelsFor(std::span<const std::uint32_t> values);
 /// The numbers at the voxels of one volume of an image file.
 class LabelValues {
  public:
-  /// The Error names the file: it cannot be read, or holds values that are no labels.
+  /// The Error names the file: it cannot be read, or holds values that are no labels, even when rounded by
+  /// 0.001. Rounding is told in `notes`.
   static Result<LabelValues> read(const ImageHeader& header, std::uint64_t volume, const std::string& path,
-                                  const Progress& progress = {}, const CancelToken& cancel = {});
+                                  std::vector<std::string>& notes, const Progress& progress = {},
+                                  const CancelToken& cancel = {});
 
   /// All but 0, in order.
   std::vector<std::uint32_t> present() const;

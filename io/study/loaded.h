@@ -4,6 +4,7 @@
 
 #include "io/study/unread.h"
 #include "io/study/warning.h"
+#include "viewer/segment/acquired_slices.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
@@ -22,9 +23,15 @@ struct Loaded {
   std::vector<Warning> warnings;
   std::vector<Unread> unread = {};        ///< the series' and those of loading
   std::vector<SliceOrigin> origins = {};  ///< DICOM: of each drawn slice
+  /// DICOM: where each acquired slice lies along k of `drawn`, in slices; none where all of them are drawn.
+  std::vector<double> places = {};
 
   /// How many slices of `drawn` are not as acquired.
   int interpolatedSlices() const;
+  /// The acquired slices, where some of them are none of `drawn`.
+  AcquiredSlices acquiredSlices() const {
+    return places.empty() ? AcquiredSlices{} : AcquiredSlices{acquired, places};
+  }
 };
 
 }  // namespace volumen

@@ -28,6 +28,8 @@ template <>
 inline constexpr ReportShape::Type lastOf<ReportShape::Type> = ReportShape::Type::ellipsoid;
 template <>
 inline constexpr Contour::Type lastOf<Contour::Type> = Contour::Type::closedPlanarXor;
+template <>
+inline constexpr SegmentAlgorithm lastOf<SegmentAlgorithm> = SegmentAlgorithm::automatic;
 
 inline void fields(Wire& w, GreyTable& t) { w(t.first, t.grey); }
 inline void fields(Wire& w, GreyMapping& m) { w(m.window, m.function, m.table, m.inverted); }
@@ -81,7 +83,8 @@ inline void fields(Wire& w, RegionOfInterest& r) {
 inline void fields(Wire& w, StructureSet& s) { w(s.label, s.name, s.description, s.regions, s.warnings); }
 
 inline void fields(Wire& w, Segment& s) {
-  w(s.number, s.label, s.description, s.category, s.type, s.modifier, s.algorithm, s.trackingId, s.colour);
+  w(s.number, s.label, s.description, s.category, s.type, s.modifier, s.region, s.regionModifier,
+    s.algorithmType, s.algorithm, s.trackingId, s.trackingUid, s.colour);
 }
 inline void fields(Wire& w, SegmentFrame& f) { w(f.segment, f.origin); }
 inline void fields(Wire& w, Segmentation& s) {

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "ui/controller/segments_on_slices.h"
 #include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
@@ -199,16 +200,13 @@ void SegmentJobs::measure(const SegmentNumbers& wanted) {
       });
 }
 
-std::vector<Segmented> segmentedOf(const std::vector<SegmentMap>& maps) {
-  std::vector<Segmented> segments;
-  for (const SegmentMap& map : maps) segments.push_back({map.segments, *map.labels});
-  return segments;
-}
-
 void SegmentJobs::save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path) {
   write(
-      [maps, series, path](const CancelToken& cancel) {
-        return exportSegments(path.toStdString(), segmentedOf(maps), series, {}, cancel);
+      [maps, series, path](const CancelToken& cancel) -> Result<ExportedSegments> {
+        const bool isDicom = path.endsWith(QLatin1String(".dcm"), Qt::CaseInsensitive);
+        const auto segments = isDicom ? segmentedOnSlices(maps, series, cancel) : segmentedOf(maps);
+        if (!segments) return segments.error();
+        return exportSegments(path.toStdString(), *segments, series, {}, cancel);
       },
       maps);
 }

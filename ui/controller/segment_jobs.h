@@ -61,9 +61,6 @@ struct SegmentNumbers {
   const MapVoxels* of(const std::shared_ptr<const LabelMap>& labels) const;
 };
 
-/// As they are written. The maps have labels.
-std::vector<Segmented> segmentedOf(const std::vector<SegmentMap>& maps);
-
 /// Changes segments, measures and exports them; each a job, each change one undo step. Changes that are asked
 /// for while one is made wait for their turn, and work on what that came to. None becomes a step in the
 /// middle of a stroke: it comes after it.

@@ -17,7 +17,7 @@ namespace volumen {
 namespace {
 
 // Which segment of the map a recipe's comes to.
-Result<int> numberFor(const Segment& segment, SegmentMap& map, RecipeUse use) {
+Result<int> numberFor(const Segment& segment, const Recipe& recipe, SegmentMap& map, RecipeUse use) {
   if (use == RecipeUse::again)
     for (const auto& [number, name] : namesInRecipe(map)) {
       if (name != segment.label) continue;
@@ -26,7 +26,7 @@ Result<int> numberFor(const Segment& segment, SegmentMap& map, RecipeUse use) {
     }
   const auto free = freeNumber(map);
   if (!free) return Error{"There are 255 segments, and no more fit: remove one first."};
-  Segment made = segment;
+  Segment made = withRecipeNamed(segment, recipe);
   made.number = *free;
   made.label = freeName(map, made.label);
   map = withSegment(std::move(map), std::move(made));
@@ -39,7 +39,7 @@ Result<StepsWanted> recipeStepsOf(const Recipe& recipe, SegmentMap& map, RecipeU
   StepsWanted wanted;
   std::map<std::string, std::string> names;
   for (const Segment& segment : recipe.segments) {
-    const Result<int> number = numberFor(segment, map, use);
+    const Result<int> number = numberFor(segment, recipe, map, use);
     if (!number) return number.error();
     names[segment.label] = stepNameOf(*number);
     wanted.numbers.push_back(*number);

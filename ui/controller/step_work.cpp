@@ -151,6 +151,8 @@ Result<StepsWanted> stepsOfSplit(SegmentMap& map, int number, double leastMl, co
     part.label = freeName(map, whole.label);
     part.colour.reset();
     part.trackingId.clear();
+    part.trackingUid.clear();
+    markEdited(part);
     map = withSegment(std::move(map), std::move(part));
     const std::string name = stepNameOf(*free);
     wanted.steps.push_back({"part", name, {{"other", own}}});

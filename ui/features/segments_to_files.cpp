@@ -8,6 +8,7 @@
 
 #include "io/export/export_segments.h"
 #include "ui/controller/segment_target.h"
+#include "ui/controller/segments_on_slices.h"
 #include "ui/panels/surface_dialog.h"
 #include "ui/workspace/text.h"
 

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "ui/controller/segment_jobs.h"
+#include "ui/controller/segments_on_slices.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"

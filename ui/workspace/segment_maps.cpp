@@ -194,6 +194,7 @@ std::vector<SegmentMap> withSegmentCopied(std::vector<SegmentMap> maps, int map,
   Segment copy = *segment;
   copy.colour.reset();
   copy.trackingId.clear();
+  copy.trackingUid.clear();
   copy.range.reset();
   copy.span.reset();
   copy.locked = false;

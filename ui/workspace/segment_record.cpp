@@ -77,6 +77,19 @@ LabelPairs labelChangesOf(const LabelMap& before, const LabelMap& after) {
   return pairs;
 }
 
+bool hasChanged(const LabelPairs& pairs, int number) {
+  const auto own = std::size_t(number);
+  for (std::size_t other = 0; other < 256; ++other)
+    if (pairs[256 * other + own] || pairs[256 * own + other]) return true;
+  return false;
+}
+
+// Of one grid.
+bool haveOtherLabels(const SegmentMap& before, const SegmentMap& after) {
+  return before.labels && after.labels && before.labels != after.labels &&
+         before.labels->geometry() == after.labels->geometry();
+}
+
 // A segment that gained voxels, or lost some to nothing, was changed by hand; others lost theirs to such.
 std::vector<Step> stepsOfChanges(const LabelPairs& pairs, const SegmentMap& map) {
   std::vector<Step> byHand, losses;
@@ -96,6 +109,21 @@ std::vector<Step> stepsOfChanges(const LabelPairs& pairs, const SegmentMap& map)
   }
   std::ranges::move(losses, std::back_inserter(byHand));
   return byHand;
+}
+
+// Says of what was made by hand that a step computed its shape, too.
+void nameComputing(SegmentMap& map, const Making& making, const Step& step) {
+  const auto kinds = stepsOfShape();
+  const auto kind = std::ranges::find_if(kinds, [&](const StepKind& k) { return k.name == step.kind; });
+  if (kind == kinds.end()) return;
+  for (const std::string& name : changedBy(step))
+    for (Segment& segment : map.segments) {
+      if (stepNameOf(segment.number) != name || !making.isByHand(name) ||
+          segment.algorithmType > SegmentAlgorithm::manual)
+        continue;
+      segment.algorithmType = SegmentAlgorithm::semiautomatic;
+      segment.algorithm = kind->title;
+    }
 }
 
 // Taken from now on.
@@ -130,23 +158,20 @@ SegmentMap withRecorded(SegmentMap map, const std::vector<Step>& steps) {
   const std::set<std::string> names = stepNamesOf(map);
   for (const std::string& name : names)
     if (making.byHand.contains(name)) all.push_back({byHandStep, name});
+  for (const Step& step : steps) nameComputing(map, making, step);
   map.steps = stepsBehind(all, names);
   if (map.steps.size() > mostSteps) map.steps.clear();  // more than a recipe can have
   return map;
 }
 
 SegmentMap withHandMade(const SegmentMap& before, SegmentMap after) {
-  if (!before.labels || !after.labels || before.labels == after.labels || before.steps != after.steps ||
-      before.labels->geometry() != after.labels->geometry())
-    return after;
+  if (!haveOtherLabels(before, after) || before.steps != after.steps) return after;
   const std::vector<Step> steps = stepsOfChanges(labelChangesOf(*before.labels, *after.labels), after);
   return steps.empty() ? after : withRecorded(std::move(after), steps);
 }
 
 SegmentMap withLetGo(const SegmentMap& before, SegmentMap after) {
-  if (!before.labels || !after.labels || before.labels == after.labels ||
-      before.labels->geometry() != after.labels->geometry())
-    return after;
+  if (!haveOtherLabels(before, after)) return after;
   const auto isBound = [&](const Segment& segment) {
     const auto was = std::ranges::find(before.segments, segment.number, &Segment::number);
     return segment.span && was != before.segments.end() && was->span == segment.span &&
@@ -154,14 +179,35 @@ SegmentMap withLetGo(const SegmentMap& before, SegmentMap after) {
   };
   if (std::ranges::none_of(after.segments, isBound)) return after;
   const LabelPairs pairs = labelChangesOf(*before.labels, *after.labels);
-  for (Segment& segment : after.segments) {
-    const auto own = std::size_t(segment.number);
-    bool isChanged = false;
-    for (std::size_t other = 0; other < 256; ++other)
-      isChanged |= pairs[256 * other + own] || pairs[256 * own + other];
-    if (isChanged && isBound(segment)) segment.span.reset();
-  }
+  for (Segment& segment : after.segments)
+    if (isBound(segment) && hasChanged(pairs, segment.number)) segment.span.reset();
   return after;
+}
+
+SegmentMap withEditedMarked(const SegmentMap& before, SegmentMap after) {
+  if (!haveOtherLabels(before, after)) return after;
+  const auto isAsSaid = [&](const Segment& segment) {
+    const auto was = std::ranges::find(before.segments, segment.number, &Segment::number);
+    return segment.algorithmType != SegmentAlgorithm::unsaid && was != before.segments.end() &&
+           was->algorithmType == segment.algorithmType && was->algorithm == segment.algorithm;
+  };
+  if (std::ranges::none_of(after.segments, isAsSaid)) return after;
+  const LabelPairs pairs = labelChangesOf(*before.labels, *after.labels);
+  for (Segment& segment : after.segments)
+    if (isAsSaid(segment) && hasChanged(pairs, segment.number)) markEdited(segment);
+  return after;
+}
+
+Segment withStepsNamed(Segment segment, const SegmentMap& map) {
+  const std::vector<Step> steps = stepsBehind(map.steps, {stepNameOf(segment.number)});
+  if (segment.algorithmType != SegmentAlgorithm::unsaid || segment.range || steps.empty() ||
+      !isMadeBySteps(map, segment.number))
+    return segment;
+  segment.algorithmType = SegmentAlgorithm::semiautomatic;
+  for (const Step& step : steps)
+    if (const StepKind* const kind = stepKind(step.kind))
+      segment.algorithm.append(segment.algorithm.empty() ? "" : ", ").append(kind->title);
+  return segment;
 }
 
 std::vector<Step> stepsWithout(const SegmentMap& map, int number) {

@@ -27,6 +27,11 @@ SegmentMap withHandMade(const SegmentMap& before, SegmentMap after);
 /// `after`, which was made of `before`: segments that follow the curve and whose voxels changed, though their
 /// range did not, follow it no more: they were changed by hand.
 SegmentMap withLetGo(const SegmentMap& before, SegmentMap after);
+/// `after`, which was made of `before`: segments whose voxels changed, and of which nothing else is said by
+/// now how they were made, are marked as edited (markEdited()).
+SegmentMap withEditedMarked(const SegmentMap& before, SegmentMap after);
+/// The segment as files have it: where nothing says how it was made, and steps did, by these.
+Segment withStepsNamed(Segment segment, const SegmentMap& map);
 /// The steps, where the segment of a number is there no more.
 std::vector<Step> stepsWithout(const SegmentMap& map, int number);
 /// Whether steps alone make a segment of a map.

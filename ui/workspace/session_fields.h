@@ -59,6 +59,10 @@ class FieldWriter {
   void unlessFirst(const char* name, T& value) {
     if (value != T()) (*this)(name, value);
   }
+  template <class T>
+  void unlessFirst(const char* name, T& value, const Words<T>& words) {
+    if (value != T()) (*this)(name, value, words);
+  }
   /// A struct that sessions of before have as a text, which is read into `text`, a member of it.
   template <class T>
   void onceText(const char* name, T& value, std::string&) {
@@ -170,6 +174,10 @@ class FieldReader {
   template <class T>
   void unlessFirst(const char* name, T& value) {
     (*this)(name, value);
+  }
+  template <class T>
+  void unlessFirst(const char* name, T& value, const Words<T>& words) {
+    (*this)(name, value, words);
   }
   template <class T>
   void onceText(const char* name, T& value, std::string& text) {

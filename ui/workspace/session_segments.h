@@ -64,8 +64,12 @@ void fields(Fields& f, Segment& s) {
   f.onceText("category", s.category, s.category.meaning);
   f.onceText("type", s.type, s.type.meaning);
   f.unlessFirst("modifier", s.modifier);
+  f.unlessFirst("region", s.region);
+  f.unlessFirst("regionModifier", s.regionModifier);
+  f.unlessFirst("algorithmType", s.algorithmType, algorithmWords);
   f("algorithm", s.algorithm);
   f("trackingId", s.trackingId);
+  f.unlessEmpty("trackingUid", s.trackingUid);
   f("coloured", coloured);
   f("colour", colour, {0, 255});
   f("range", s.range);

@@ -20,6 +20,10 @@ inline const Words<CurvedKind> curvedWords{{"straightened", CurvedKind::straight
 inline const Words<TissueShown::Where> tissueWords{{"everywhere", TissueShown::Where::everywhere},
                                                    {"inside", TissueShown::Where::inside},
                                                    {"outside", TissueShown::Where::outside}};
+inline const Words<SegmentAlgorithm> algorithmWords{{"unsaid", SegmentAlgorithm::unsaid},
+                                                    {"manual", SegmentAlgorithm::manual},
+                                                    {"semiautomatic", SegmentAlgorithm::semiautomatic},
+                                                    {"automatic", SegmentAlgorithm::automatic}};
 inline const Words<Aim> aimWords{{"level", Aim::level}, {"time", Aim::time}, {"error", Aim::error}};
 
 inline Words<ViewKind> namedKinds() {

@@ -315,8 +315,9 @@ Workspace withSegmentMap(Workspace workspace, const SegmentMap& map) {
     return workspace;
   }
   if (segmentMapOf(workspace, map.series, map.number))
-    workspace.segmentMaps.editIf(
-        isIt, [&](SegmentMap& other) { other = withLetGo(other, withHandMade(other, map)); });
+    workspace.segmentMaps.editIf(isIt, [&](SegmentMap& other) {
+      other = withEditedMarked(other, withLetGo(other, withHandMade(other, map)));
+    });
   else
     workspace.segmentMaps.push_back(map);
   workspace.segmentMaps.eraseIf(isOfOtherGrid);

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "viewer/recipe/acquired_masks.h"
 #include "viewer/recipe/recipe_texts.h"
 #include "viewer/recipe/step_kinds.h"
 #include "viewer/recipe/step_names.h"
@@ -53,7 +54,46 @@ std::map<std::string, std::size_t> lastSteps(const Recipe& recipe) {
   return last;
 }
 
+// The mask that a step changes, as it was before.
+NamedMasks ownBefore(const Step& step, const NamedMasks& masks) {
+  const auto own = masks.find(step.segment);
+  return own == masks.end() ? NamedMasks() : NamedMasks{*own};
+}
+
+// The n-th segment is the label n + 1.
+LabelMap labelsOf(const Recipe& recipe, const NamedMasks& masks, const VoxelGeometry& grid) {
+  LabelMap labels(grid);
+  for (std::size_t n = 0; n < recipe.segments.size(); ++n)
+    if (const auto mask = masks.find(recipe.segments[n].label); mask != masks.end())
+      labels = withLabel(labels, std::uint8_t(n + 1), mask->second);
+  return labels;
+}
+
+std::shared_ptr<const AcquiredLabels> acquiredOf(const Recipe& recipe, const AcquiredMasks& onSlices,
+                                                 const VoxelGeometry& grid) {
+  AcquiredLabels made{labelsOf(recipe, onSlices.masks(), grid)};
+  for (std::size_t n = 0; n < recipe.segments.size(); ++n)
+    if (onSlices.isInterpolated(recipe.segments[n].label)) made.interpolated.insert(int(n + 1));
+  return std::make_shared<const AcquiredLabels>(std::move(made));
+}
+
+bool namesPlaces(const Step& step) {
+  return std::ranges::any_of(step.fields, [](const auto& field) {
+    return std::holds_alternative<std::vector<glm::dvec3>>(field.second);
+  });
+}
+
 }  // namespace
+
+Segment withRecipeNamed(Segment segment, const Recipe& recipe) {
+  if (segment.algorithmType != SegmentAlgorithm::unsaid || segment.range) return segment;
+  const std::vector<Step> steps = stepsBehind(recipe.steps, {segment.label});
+  const bool isHelped = std::ranges::any_of(
+      steps, [](const Step& step) { return step.kind == byHandStep || namesPlaces(step); });
+  segment.algorithmType = isHelped ? SegmentAlgorithm::semiautomatic : SegmentAlgorithm::automatic;
+  segment.algorithm = recipe.name.empty() ? "Recipe" : "Recipe " + recipe.name;
+  return segment;
+}
 
 Status runStep(const Step& step, const Volume& volume, NamedMasks& masks, const CancelToken& cancel) {
   const StepKind* const kind = stepKind(step.kind);
@@ -67,26 +107,31 @@ Status runStep(const Step& step, const Volume& volume, NamedMasks& masks, const 
   return {};
 }
 
-Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel) try {
+Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel,
+                         const AcquiredSlices& slices) try {
   NamedMasks masks;
+  AcquiredMasks onSlices(slices);
   const auto last = lastSteps(recipe);
   for (std::size_t n = 0; n < recipe.steps.size(); ++n) {
-    const Status done = runStep(recipe.steps[n], volume, masks, cancel);
+    const Step& step = recipe.steps[n];
+    const NamedMasks before = slices.volume ? ownBefore(step, masks) : NamedMasks();
+    const Status done = runStep(step, volume, masks, cancel);
     if (cancel.cancelled()) return Error{"Cancelled."};
     if (!done) return Error{"Step " + std::to_string(n + 1) + ", " + done.message()};
+    if (slices.volume) onSlices.add(step, before, masks, cancel);
     std::erase_if(masks, [&](const auto& named) { return last.at(named.first) == n; });
+    onSlices.keep(masks);
     if (masks.size() > mostMasks)
       return Error{"Step " + std::to_string(n + 1) + " makes more than " + std::to_string(mostMasks) +
                    " segments that later steps ask for."};
     cancel.setDone(double(n + 1) / double(recipe.steps.size()));
   }
-  Segmented result{recipe.segments, LabelMap(volume.geometry())};
+  Segmented result{recipe.segments, labelsOf(recipe, masks, volume.geometry())};
   for (std::size_t n = 0; n < result.segments.size(); ++n) {
-    Segment& segment = result.segments[n];
-    segment.number = int(n + 1);
-    if (const auto mask = masks.find(segment.label); mask != masks.end())
-      result.labels = withLabel(result.labels, std::uint8_t(n + 1), mask->second);
+    result.segments[n] = withRecipeNamed(recipe.segments[n], recipe);
+    result.segments[n].number = int(n + 1);
   }
+  if (slices.volume) result.acquired = acquiredOf(recipe, onSlices, slices.volume->geometry());
   return result;
 } catch (const std::bad_alloc&) {
   return Error{"There is not enough memory for the segments of the recipe."};

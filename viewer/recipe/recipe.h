@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "viewer/segment/acquired_slices.h"
 #include "viewer/segment/bit_mask.h"
 #include "viewer/segment/segmented.h"
 #include "viewer/volume/cancel.h"
@@ -47,9 +48,15 @@ using NamedMasks = std::map<std::string, BitMask>;
 /// field, or says that it was cancelled; the masks are as they were then.
 Status runStep(const Step& step, const Volume& volume, NamedMasks& masks, const CancelToken& cancel = {});
 
-/// A recipe's segments of a volume; where they overlap, the later one's. An Error as of runStep(), with the
-/// number of the step.
-Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel = {});
+/// Says of a segment of a recipe how it is made, unless that is said or it is one of a range of values: by
+/// the recipe alone, or with the help of a person where its steps name places or what was drawn.
+Segment withRecipeNamed(Segment segment, const Recipe& recipe);
+
+/// A recipe's segments of a volume; where they overlap, the later one's. With `slices`, of which the volume
+/// is drawn, on these, too: what is decided voxel by voxel is decided by their own values. An Error as of
+/// runStep(), with the number of the step.
+Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel = {},
+                         const AcquiredSlices& slices = {});
 
 /// A recipe from its JSON (resources/docs/segment.md). Unknown steps, fields and words, and numbers out of
 /// range, are refused by name.

@@ -26,31 +26,102 @@ std::vector<Plane> planesOf(const Segmentation& s) {
   return planes;
 }
 
+/// A segment on the grid that is drawn, and on the slices as acquired.
+struct TwoMasks {
+  BitMask drawn;
+  std::optional<BitMask> onSlices;
+};
+
+bool shareVoxel(const BitMask& one, const BitMask& other) {
+  const auto a = one.words(), b = other.words();
+  return std::ranges::any_of(std::views::iota(std::size_t(0), a.size()),
+                             [&](std::size_t n) { return a[n] & b[n]; });
+}
+
 /// A label map that takes one segment after the other.
 struct SharedLabels {
   static constexpr int mostLabels = 255;
-  Segmented made;
-  BitMask taken;
+  std::vector<Segment> segments;
+  LabelMap labels;
+  std::optional<LabelMap> onSlices;
+  TwoMasks taken;
 
-  explicit SharedLabels(const VoxelGeometry& grid) : made{{}, LabelMap(grid)}, taken(grid) {}
+  explicit SharedLabels(const TwoMasks& like)
+      : labels(like.drawn.geometry()), taken{BitMask(like.drawn.geometry()), {}} {
+    if (!like.onSlices) return;
+    onSlices.emplace(like.onSlices->geometry());
+    taken.onSlices.emplace(like.onSlices->geometry());
+  }
 
-  bool hasRoomFor(const BitMask& mask) const {
-    if (made.segments.size() == mostLabels) return false;
-    const auto a = taken.words(), b = mask.words();
-    return std::ranges::none_of(std::views::iota(std::size_t(0), a.size()),
-                                [&](std::size_t n) { return a[n] & b[n]; });
+  bool hasRoomFor(const TwoMasks& mask) const {
+    return segments.size() < mostLabels && !shareVoxel(taken.drawn, mask.drawn) &&
+           !(onSlices && shareVoxel(*taken.onSlices, *mask.onSlices));
   }
   bool isFree(int label) const {
     return label >= 1 && label <= mostLabels &&
-           std::ranges::find(made.segments, label, &Segment::number) == made.segments.end();
+           std::ranges::find(segments, label, &Segment::number) == segments.end();
   }
-  void add(Segment segment, const BitMask& mask) {
+  void add(Segment segment, const TwoMasks& mask) {
     for (int label = 1; !isFree(segment.number); ++label) segment.number = label;
-    made.labels = withLabel(made.labels, std::uint8_t(segment.number), mask);
-    taken = united(std::move(taken), mask);
-    made.segments.push_back(std::move(segment));
+    const auto label = std::uint8_t(segment.number);
+    labels = withLabel(labels, label, mask.drawn);
+    taken.drawn = united(std::move(taken.drawn), mask.drawn);
+    if (onSlices) {
+      onSlices = withLabel(*onSlices, label, *mask.onSlices);
+      taken.onSlices = united(std::move(*taken.onSlices), *mask.onSlices);
+    }
+    segments.push_back(std::move(segment));
+  }
+  Segmented made() && {
+    Segmented all{std::move(segments), std::move(labels)};
+    if (onSlices) all.acquired = std::make_shared<const AcquiredLabels>(AcquiredLabels{std::move(*onSlices)});
+    return all;
   }
 };
+
+/// The slice that a plane lies on, along k of the grid; none where there is none.
+std::optional<std::size_t> sliceAt(const Segmentation& s, glm::dvec3 origin, const VoxelGeometry& grid,
+                                   const std::vector<double>& places) {
+  constexpr double off = 0.02;  // of the distance of slices
+  const glm::dvec3 across = (s.size.x - 1) * s.mm.x * s.right, down = (s.size.y - 1) * s.mm.y * s.down;
+  const double k = grid.voxelFromPatient(origin).z;
+  for (const glm::dvec3& corner : {across, down})
+    if (std::abs(grid.voxelFromPatient(origin + corner).z - k) > off) return {};
+  for (std::size_t n = 0; n < places.size(); ++n)
+    if (std::abs(places[n] - k) <= off) return n;
+  return {};
+}
+
+/// Of each frame the slice that it lies on; none where one lies on none.
+std::vector<std::size_t> slicesOf(const Segmentation& s, const VoxelGeometry& grid,
+                                  const AcquiredSlices& slices) {
+  std::vector<std::size_t> all;
+  if (!slices.volume) return all;
+  for (const SegmentFrame& frame : s.frames) {
+    const auto slice = sliceAt(s, frame.origin, grid, slices.places);
+    if (!slice) return {};
+    all.push_back(*slice);
+  }
+  return all;
+}
+
+/// A segment on the slices that its frames lie on.
+BitMask maskOnSlices(const Segmentation& s, std::size_t segment, const VoxelGeometry& grid,
+                     const AcquiredSlices& slices, const std::vector<std::size_t>& sliceOf) {
+  BitMask mask(slices.volume->geometry());
+  const SegmentPlaces places(s, segment);
+  for (std::size_t n = 0; n < s.frames.size(); ++n) {
+    if (s.frames[n].segment != segment) continue;
+    VoxelGeometry plane = grid;
+    plane.size.z = 1;
+    plane.origin = grid.patientFromVoxel({0, 0, slices.places[sliceOf[n]]});
+    BitMask one(plane);
+    places.fill(one, 0);
+    for (int j = 0; j < mask.size().y; ++j)
+      std::ranges::copy(one.row(j, 0), mask.row(j, int(sliceOf[n])).begin());
+  }
+  return mask;
+}
 
 }  // namespace
 
@@ -195,16 +266,18 @@ BitMask maskOf(const Segmentation& s, std::size_t segment, const VoxelGeometry& 
 }
 
 std::vector<Segmented> segmentedOf(const Segmentation& s, const VoxelGeometry& grid,
-                                   const CancelToken& cancel) {
+                                   const CancelToken& cancel, const AcquiredSlices& slices) {
+  const std::vector<std::size_t> sliceOf = slicesOf(s, grid, slices);
   std::vector<SharedLabels> maps;
   for (std::size_t n = 0; n < s.segments.size() && !cancel.cancelled(); ++n) {
-    const BitMask mask = maskOf(s, n, grid, cancel);
+    TwoMasks mask{maskOf(s, n, grid, cancel), {}};
+    if (!sliceOf.empty()) mask.onSlices = maskOnSlices(s, n, grid, slices, sliceOf);
     auto map = std::ranges::find_if(maps, [&](const SharedLabels& m) { return m.hasRoomFor(mask); });
-    if (map == maps.end()) map = maps.insert(map, SharedLabels(grid));
+    if (map == maps.end()) map = maps.insert(map, SharedLabels(mask));
     map->add(s.segments[n], mask);
   }
   std::vector<Segmented> all;
-  for (SharedLabels& map : maps) all.push_back(std::move(map.made));
+  for (SharedLabels& map : maps) all.push_back(std::move(map).made());
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/segment/acquired_slices.h"
 #include "viewer/segment/bit_mask.h"
 #include "viewer/segment/packed_bits.h"
 #include "viewer/segment/segmented.h"
@@ -96,7 +97,8 @@ BitMask maskOf(const Segmentation& segmentation, std::size_t segment, const Voxe
 /// All segments on a grid, to be edited. One label map as long as no two of them share a voxel; a segment
 /// that overlaps others, or that has no label left, is in the first further map where it fits. Its number is
 /// its label there: that of its file where it can be. A cancelled one is returned half done.
+/// With `slices`, of which the grid is drawn, on these, too, where each of the planes lies on one of them.
 std::vector<Segmented> segmentedOf(const Segmentation& segmentation, const VoxelGeometry& grid,
-                                   const CancelToken& cancel = {});
+                                   const CancelToken& cancel = {}, const AcquiredSlices& slices = {});
 
 }  // namespace volumen

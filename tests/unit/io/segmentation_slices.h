@@ -86,6 +86,11 @@ inline Segment randomSegment(int number, Chance& chance) {
   if (chance.oneIn(2)) segment.modifier = chance.oneIn(2) ? rightSide() : leftSide();
   segment.colour = glm::u8vec3(chance.below(256), chance.below(256), chance.below(256));
   if (chance.oneIn(2)) segment.algorithm = "Threshold";
+  if (chance.oneIn(2))
+    segment.region = {"39607008", "SCT", "Lung"}, segment.regionModifier = segment.modifier;
+  if (!segment.algorithm.empty()) segment.algorithmType = SegmentAlgorithm(2 + chance.below(2));
+  if (chance.oneIn(2))
+    segment.trackingId = "Lesion 1", segment.trackingUid = "1.2.3." + std::to_string(number);
   return segment;
 }
 

@@ -1,6 +1,7 @@
 // Guards import.md and slices.md on ../shared/data/field-cases-2 (its CASES.tsv says why).
 #include <cmath>
 
+#include "io/export/read_segments.h"
 #include "io/frames.h"
 #include "io/open.h"
 #include "tests/fixtures/fixtures.h"
@@ -22,6 +23,9 @@ class TestFieldCases2 : public QObject {
   void namesReadAsMeant();
   void aSigmoidInSmallLetters();
   void uptakeOfAnEnhancedPet();
+  void segmentsOfFiles_data();
+  void segmentsOfFiles();
+  void aLabelMapIsNoVolume();
 };
 
 namespace {
@@ -123,6 +127,61 @@ void TestFieldCases2::uptakeOfAnEnhancedPet() {
   QCOMPARE(bq, 2002.0);
   QVERIFY(std::abs(bq * *pet.suv.bodyWeight - 0.584839) < 1e-6);
   QCOMPARE(valueScale(pet, PetUnit::file).unit, std::string("Bq/ml"));
+}
+
+void TestFieldCases2::segmentsOfFiles_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<QStringList>("segments");  // none: refused
+  QTest::addColumn<QByteArray>("told");
+  const auto row = [](const char* folder, const char* file, const QStringList& segments, const char* told) {
+    QTest::newRow(folder) << QString::fromLatin1(file) << segments << QByteArray(told);
+  };
+  row("sg04-labelmap", "seg.dcm", {QStringLiteral("Alpha 42"), QStringLiteral("Beta 41")}, "");
+  row("sg11b-frame-of-no-segment", "seg.dcm", {QStringLiteral("Alpha 27")},
+      "is of a segment that it does not describe (2): left out.");
+  row("nl02b-labels-off-by-rounding", "seg.nii.gz",
+      {QStringLiteral("Label 1 42"), QStringLiteral("Label 2 42")},
+      "labels are off whole numbers by up to 5e-05, and were rounded.");
+  row("nl02f-value-between-labels", "seg.nii.gz", {}, "values that are no labels, such as 2.5:");
+}
+
+void TestFieldCases2::segmentsOfFiles() {
+  NEED_DATA(dataPath());
+  QFETCH(QString, file);
+  QFETCH(QStringList, segments);
+  QFETCH(QByteArray, told);
+  const QString name = QString::fromUtf8(QTest::currentDataTag());
+  const Study study = openCase(name + QStringLiteral("/ct"));
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const std::string path = dataPath("field-cases-2/" + name.toStdString() + "/" + file.toStdString());
+  const auto read = readSegments(path, study.volumes[0], study.volumes[0].acquired);
+  if (segments.isEmpty()) {
+    QVERIFY(!read);
+    QVERIFY2(read.message().find(told) != std::string::npos, read.message().c_str());
+    return;
+  }
+  QVERIFY2(read, read ? "" : read.message().c_str());
+  QStringList found;
+  for (const Segmented& map : read->maps) {
+    const auto counts = labelCounts(map.labels);
+    for (const Segment& segment : map.segments)
+      found << QStringLiteral("%1 %2")
+                   .arg(QString::fromStdString(segment.label))
+                   .arg(counts[std::size_t(segment.number)]);
+  }
+  QCOMPARE(found, segments);
+  QCOMPARE(read->notes.size(), std::size_t(!told.isEmpty()));
+  if (!told.isEmpty()) QVERIFY2(read->notes[0].find(told) != std::string::npos, read->notes[0].c_str());
+}
+
+void TestFieldCases2::aLabelMapIsNoVolume() {
+  NEED_DATA(dataPath());
+  const Study study = openCase(QStringLiteral("sg04-labelmap"));
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QCOMPARE(study.derived.size(), std::size_t(1));
+  QCOMPARE(int(study.derived[0].kind), int(DerivedKind::segmentation));
+  QCOMPARE(study.derived[0].pictures.size(), std::size_t(6));
+  QCOMPARE(study.derived[0].notHere, std::size_t(0));
 }
 
 VOLUMEN_TEST(TestFieldCases2);

@@ -26,6 +26,8 @@ class TestLabelImage : public QObject {
   void theTableIsOneOfItkSnap();
   void labelsWithoutATableAreNamedByNumber();
   void numbersAbove255BecomeLabels();
+  void labelsMayBeOffByRounding_data();
+  void labelsMayBeOffByRounding();
   void aDamagedTableIsTold_data();
   void aDamagedTableIsTold();
   void whatIsNoImageOfLabelsIsRefused();
@@ -139,6 +141,41 @@ void TestLabelImage::numbersAbove255BecomeLabels() {
     names.push_back(found == map.segments.end() ? "" : found->label);
   }
   QCOMPARE(names, (std::vector<std::string>{"Label 1", "a", "", "b"}));
+}
+
+void TestLabelImage::labelsMayBeOffByRounding_data() {
+  QTest::addColumn<QList<float>>("values");
+  QTest::addColumn<QList<int>>("labels");  // none: refused
+  QTest::addColumn<QByteArray>("told");
+  QTest::newRow("whole numbers") << QList<float>{0, 1, 2} << QList<int>{0, 1, 2} << QByteArray();
+  QTest::newRow("above and below") << QList<float>{0, 1.0000458f, 1.9999998f} << QList<int>{0, 1, 2}
+                                   << QByteArray("off whole numbers by up to 5e-05, and were rounded");
+  QTest::newRow("just below 0") << QList<float>{-0.0001f, 1} << QList<int>{0, 1}
+                                << QByteArray("by up to 0.0001, and");
+  QTest::newRow("between two") << QList<float>{0, 1, 2.5f} << QList<int>{}
+                               << QByteArray("no labels, such as 2.5:");
+  QTest::newRow("as if interpolated")
+      << QList<float>{0, 1, 1.01f} << QList<int>{} << QByteArray("no labels, such as 1.01:");
+}
+
+void TestLabelImage::labelsMayBeOffByRounding() {
+  QFETCH(QList<float>, values);
+  QFETCH(QList<int>, labels);
+  QFETCH(QByteArray, told);
+  const QTemporaryDir folder;
+  const std::string path = in(folder, "a.nii.gz");
+  writeValues(path, {values.begin(), values.end()});
+  const auto out = readLabelImage(path);
+  if (labels.isEmpty()) {
+    QVERIFY(!out);
+    QVERIFY2(out.message().find(told) != std::string::npos, out.message().c_str());
+    return;
+  }
+  QVERIFY2(out, out ? "" : out.message().c_str());
+  const auto found = out->maps[0].labels.dense().labels;
+  QCOMPARE(QList<int>(found.begin(), found.end()), labels);
+  QCOMPARE(out->notes.size(), std::size_t(!told.isEmpty()));
+  if (!told.isEmpty()) QVERIFY2(out->notes[0].find(told) != std::string::npos, out->notes[0].c_str());
 }
 
 void TestLabelImage::aDamagedTableIsTold_data() {

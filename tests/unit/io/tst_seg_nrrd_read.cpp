@@ -110,7 +110,7 @@ void TestSegNrrdRead::slicersFieldsAreUnderstood() {
       "Slicer "
       "General Anatomy list~SCT^123037004^Anatomical Structure~SCT^64033007^Kidney~SCT^7771000^Left~Anatomic "
       "codes "
-      "- DICOM master list~^^~^^|a:b:c|\n"
+      "- DICOM master list~SCT^818981001^Abdomen~SCT^24028007^Right|a:b:c|\n"
       "Segment1_ID:=no name\nSegment1_LabelValue:=1\nSegment1_Layer:=0\nSegment1_Color:=2 0 0\n"
       "Segmentation_MasterRepresentation:=Binary labelmap\nSegmentation_ConversionParameters:=a|b|c&\n";
   const std::string path = fileOf(folder, "4 1 1", lines, {0x2c, 1, 1, 0, 7, 0, 0, 0}, "uint16");
@@ -123,6 +123,8 @@ void TestSegNrrdRead::slicersFieldsAreUnderstood() {
   QCOMPARE(segments[0].type, (Code{"64033007", "SCT", "Kidney"}));
   QCOMPARE(segments[0].category, (Code{"123037004", "SCT", "Anatomical Structure"}));
   QCOMPARE(segments[0].modifier, leftSide());
+  QCOMPARE(segments[0].region, (Code{"818981001", "SCT", "Abdomen"}));
+  QCOMPARE(segments[0].regionModifier, rightSide());
   QVERIFY(segments[0].colour == glm::u8vec3(185, 102, 83));
   QCOMPARE(segments[0].number, 2);  // 300 is no label, 1 is taken
   QCOMPARE(segments[1].label, std::string("no name"));

@@ -26,7 +26,12 @@ class TestSegmentationObject : public QObject {
   void ownGridHoldsEmptyPlanes();
   void bitsRunOnFromFrameToFrame_data();
   void bitsRunOnFromFrameToFrame();
+  void framesMayBeginOnWholeBytes_data();
+  void framesMayBeginOnWholeBytes();
   void fractionsAreSetFromOneHalfOn();
+  void pixelsOfLabelMapsAreNumbers_data();
+  void pixelsOfLabelMapsAreNumbers();
+  void labelMapsMayHaveAPalette();
   void coloursAreThoseOfCieLab_data();
   void coloursAreThoseOfCieLab();
   void byteOrderDoesNotMatter();
@@ -118,6 +123,42 @@ void TestSegmentationObject::bitsRunOnFromFrameToFrame() {
   for (std::size_t n = 0; n < bits; ++n) QCOMPARE(map.labels[n] == 1, isSet(n));
 }
 
+void TestSegmentationObject::framesMayBeginOnWholeBytes_data() {
+  QTest::addColumn<int>("columns");
+  QTest::addColumn<int>("rows");
+  QTest::addColumn<int>("frames");
+  QTest::addColumn<bool>("isTold");
+  // 9 bits in 2 bytes; 3 bytes and a half of 15 bits each; where the bytes are as many, bits run on.
+  QTest::newRow("3 x 3, 8 frames") << 3 << 3 << 8 << true;
+  QTest::newRow("5 x 3, 31 frames") << 5 << 3 << 31 << true;
+  QTest::newRow("1 x 1, 5 frames") << 1 << 1 << 5 << true;
+  QTest::newRow("4 x 2, 3 frames") << 4 << 2 << 3 << false;
+}
+
+void TestSegmentationObject::framesMayBeginOnWholeBytes() {
+  QFETCH(int, columns);
+  QFETCH(int, rows);
+  QFETCH(int, frames);
+  QFETCH(bool, isTold);
+  const auto isSet = [](std::size_t n) { return std::popcount(n) % 2 == 1; };
+  MadeSegmentation made{columns, rows, frames};
+  const std::size_t perFrame = std::size_t(columns * rows), stride = (perFrame + 7) / 8 * 8;
+  made.bytes.assign(stride / 8 * std::size_t(frames), 0);
+  for (std::size_t n = 0; n < perFrame * std::size_t(frames); ++n)
+    if (isSet(n)) {
+      const std::size_t bit = n / perFrame * stride + n % perFrame;
+      made.bytes[bit / 8] |= std::uint8_t(1 << bit % 8);
+    }
+  const DicomFolder folder;
+  writeSegmentation(folder.path("seg"), made);
+  const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
+  QVERIFY2(s, s ? "" : s.message().c_str());
+  for (std::size_t n = 0; n < perFrame * std::size_t(frames); ++n)
+    QCOMPARE(s->isSet(n / perFrame, int(n % perFrame) % columns, int(n % perFrame) / columns), isSet(n));
+  QCOMPARE(s->notes.size(), std::size_t(isTold));
+  if (isTold) QVERIFY2(s->notes[0].find("begin on whole bytes") != std::string::npos, s->notes[0].c_str());
+}
+
 void TestSegmentationObject::fractionsAreSetFromOneHalfOn() {
   const DicomFolder folder;
   MadeSegmentation made{2, 2, 1, 8, "FRACTIONAL", {0, 49, 50, 100}};
@@ -126,6 +167,82 @@ void TestSegmentationObject::fractionsAreSetFromOneHalfOn() {
   QVERIFY2(s, s ? "" : s.message().c_str());
   QVERIFY(s->fractional && !s->isSet(0, 0, 0) && !s->isSet(0, 1, 0) && s->isSet(0, 0, 1) &&
           s->isSet(0, 1, 1));
+}
+
+void TestSegmentationObject::pixelsOfLabelMapsAreNumbers_data() {
+  QTest::addColumn<int>("bits");
+  QTest::addColumn<int>("padding");  // PixelPaddingValue; below 0: there is none
+  QTest::addColumn<QList<int>>("segments");
+  QTest::addColumn<QList<int>>("pixels");  // of two frames of two pixels
+  QTest::addColumn<QStringList>("found");
+  QTest::addColumn<QByteArray>("told");
+  const auto row = [](const char* name, int bits, int padding, const QList<int>& segments,
+                      const QList<int>& pixels, const QStringList& found, const char* told = "") {
+    QTest::newRow(name) << bits << padding << segments << pixels << found << QByteArray(told);
+  };
+  const QStringList oneAndTwo{QStringLiteral("1: 2"), QStringLiteral("2: 1")};
+  row("8 bits", 8, 0, {1, 2}, {0, 1, 2, 1}, oneAndTwo);
+  row("16 bits", 16, 0, {1, 2}, {0, 1, 2, 1}, oneAndTwo);
+  row("no padding value", 8, -1, {1, 2}, {0, 1, 2, 1}, oneAndTwo);
+  row("a background that is described", 8, 0, {0, 1, 2}, {0, 1, 2, 1}, oneAndTwo);
+  row("gaps in the numbers", 16, 0, {2035, 11}, {2035, 0, 11, 11},
+      {QStringLiteral("2035: 1"), QStringLiteral("11: 2")});
+  row("another background", 8, 255, {0, 3}, {255, 0, 3, 255},
+      {QStringLiteral("0: 1"), QStringLiteral("3: 1")});
+  row("another background, described", 8, 7, {7, 1}, {7, 7, 7, 1}, {QStringLiteral("1: 1")});
+  row("numbers that nothing describes", 8, 0, {1, 2}, {9, 1, 2, 8},
+      {QStringLiteral("1: 1"), QStringLiteral("2: 1")}, "segments that it does not describe (8, 9)");
+}
+
+void TestSegmentationObject::pixelsOfLabelMapsAreNumbers() {
+  QFETCH(int, bits);
+  QFETCH(int, padding);
+  QFETCH(QList<int>, segments);
+  QFETCH(QList<int>, pixels);
+  QFETCH(QStringList, found);
+  QFETCH(QByteArray, told);
+  MadeSegmentation made{2, 1, 2, bits, "LABELMAP", {}};
+  for (const int pixel : pixels)
+    for (int shift = 0; shift < bits; shift += 8) made.bytes.push_back(std::uint8_t(pixel >> shift));
+  made.edit = [&](DcmItem& data) {
+    if (padding >= 0) putWord(data, 0x0028, 0x0120, unsigned(padding));
+    data.findAndDeleteElement(DCM_SegmentSequence);
+    for (const int number : segments)
+      putWord(addItem(data, 0x0062, 0x0002), 0x0062, 0x0004, unsigned(number));
+  };
+  const DicomFolder folder;
+  writeSegmentation(folder.path("seg"), made);
+  const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
+  QVERIFY2(s, s ? "" : s.message().c_str());
+  QStringList counts;
+  for (std::size_t n = 0; n < s->segments.size(); ++n)
+    counts << QStringLiteral("%1: %2").arg(s->segments[n].number).arg(pixelsOf(*s, n));
+  QCOMPARE(counts, found);
+  QCOMPARE(s->notes.size(), std::size_t(!told.isEmpty()));
+  if (!told.isEmpty()) QVERIFY2(s->notes[0].find(told) != std::string::npos, s->notes[0].c_str());
+}
+
+void TestSegmentationObject::labelMapsMayHaveAPalette() {
+  MadeSegmentation made{2, 1, 2, 8, "LABELMAP", {0, 1, 1, 0}};
+  made.edit = [](DcmItem& data) {
+    put(data, 0x0028, 0x0004, "PALETTE COLOR");
+    const Uint16 descriptor[] = {2, 0, 16}, red[] = {0, 200 * 257}, green[] = {0, 100 * 257},
+                 blue[] = {0, 50 * 257};
+    for (const auto& [tag, entries] : {std::pair(DCM_RedPaletteColorLookupTableData, red),
+                                       {DCM_GreenPaletteColorLookupTableData, green},
+                                       {DCM_BluePaletteColorLookupTableData, blue}})
+      data.putAndInsertUint16Array(tag, entries, 2);
+    for (const DcmTagKey& tag :
+         {DCM_RedPaletteColorLookupTableDescriptor, DCM_GreenPaletteColorLookupTableDescriptor,
+          DCM_BluePaletteColorLookupTableDescriptor})
+      data.putAndInsertUint16Array(tag, descriptor, 3);
+  };
+  const DicomFolder folder;
+  writeSegmentation(folder.path("seg"), made);
+  const Result<Segmentation> s = loadSegmentation(folder.path("seg"));
+  QVERIFY2(s, s ? "" : s.message().c_str());
+  QCOMPARE(pixelsOf(*s, 0), std::int64_t(2));
+  QVERIFY(s->segments.at(0).colour == glm::u8vec3(200, 100, 50));
 }
 
 void TestSegmentationObject::coloursAreThoseOfCieLab_data() {

@@ -189,6 +189,10 @@ SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
     segment.locked = chance.oneIn(4);
     segment.opacity = chance.below(101) / 100.0;
     segment.trackingId = anyText(chance);
+    if (chance.oneIn(2)) segment.trackingUid = anyText(chance);
+    if (chance.oneIn(2)) segment.region = anyCode(chance), segment.regionModifier = anyCode(chance);
+    segment.algorithmType = SegmentAlgorithm(chance.below(4));
+    segment.algorithm = anyText(chance);
     if (chance.oneIn(2))
       segment.colour = glm::u8vec3(chance.below(256), chance.below(256), chance.below(256));
     if (chance.oneIn(2)) segment.range = ValueRange{anyNumber(chance), anyNumber(chance)};

@@ -1,11 +1,20 @@
 // Guards the record of how segments were made: what of it a recipe holds where segments are removed, made
 // anew or follow the curve; what was made by hand, and all that comes from it, is in no recipe, and said.
+#include <QTemporaryDir>
 #include <algorithm>
 
+#include "io/export/export_segments.h"
+#include "io/load.h"
+#include "io/open.h"
+#include "io/segmentation.h"
+#include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
 #include "tests/unit/workspace/recorded_maps.h"
+#include "ui/controller/segment_import.h"
 #include "ui/controller/segment_voxels.h"
+#include "ui/controller/segments_on_slices.h"
+#include "ui/workspace/workspace.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -20,6 +29,12 @@ class TestSegmentRecord : public QObject {
   void whatIsMadeAnewForgetsWhatItWas();
   void aHelperOfTheSameNameIsNotTakenForTheMask();
   void whatFollowsTheCurveIsLetGoOnceItsVoxelsChange();
+  void whatIsEditedSaysSo_data();
+  void whatIsEditedSaysSo();
+  void filesSayWhatStepsMade();
+  void aRecipeSaysThatItMadeIt();
+  void whatAFileSaysLeavesAsItCame();
+  void stepsAreDoneAgainOnUnevenSlices();
 };
 
 namespace {
@@ -41,6 +56,15 @@ std::vector<std::string> kindsOf(const SegmentMap& map) {
 }
 
 using Kinds = std::vector<std::string>;
+
+// The only series of a folder of the test data.
+struct Opened {
+  Series series;
+  Loaded loaded;
+
+  explicit Opened(const char* folder)
+      : series(openStudy(dataPath(folder))->volumes.at(0)), loaded(*loadSeries(series)) {}
+};
 
 }  // namespace
 
@@ -144,6 +168,126 @@ void TestSegmentRecord::whatFollowsTheCurveIsLetGoOnceItsVoxelsChange() {
   SegmentMap followed = withRange(map, 1, 4, 5, *volume);
   followed.segments[0].range = ValueRange{4, 5};
   QVERIFY(isBound(followed));
+}
+
+void TestSegmentRecord::whatIsEditedSaysSo_data() {
+  QTest::addColumn<int>("before");
+  QTest::addColumn<int>("painted");
+  QTest::addColumn<int>("smoothed");
+  QTest::addColumn<QByteArray>("name");
+  using enum SegmentAlgorithm;
+  QTest::newRow("automatic") << int(automatic) << int(semiautomatic) << int(semiautomatic)
+                             << QByteArray("net, edited");
+  QTest::newRow("semiautomatic") << int(semiautomatic) << int(semiautomatic) << int(semiautomatic)
+                                 << QByteArray("net, edited");
+  QTest::newRow("by hand") << int(manual) << int(manual) << int(semiautomatic) << QByteArray("net");
+}
+
+// A segment of a file, and one beside it.
+void TestSegmentRecord::whatIsEditedSaysSo() {
+  QFETCH(int, before);
+  QFETCH(int, painted);
+  QFETCH(int, smoothed);
+  QFETCH(QByteArray, name);
+  const VolumePtr volume = columnsVolume();
+  SegmentMap map = withAnother(withAnother(emptyMap(*volume)));
+  BitMask mask(volume->geometry());
+  for (int i = 0; i < 5; ++i) mask.set({i, 1, 1});
+  map = withHandMade(map, withMask(map, 1, mask));
+  map.segments[0].algorithmType = SegmentAlgorithm(before);
+  map.segments[0].algorithm = "net";
+  map.segments[0].trackingUid = "1.2.3";
+  const Workspace workspace = withSegmentMap({}, map);
+  const auto first = [&](const SegmentMap& after) {
+    return withSegmentMap(workspace, after).segmentMaps[0].segments[0];
+  };
+  QVERIFY(first(map) == map.segments[0]);
+  QVERIFY(first(withRange(map, 2, 8, 9, *volume)) == map.segments[0]);  // beside it
+  mask.set({0, 0, 0});
+  const Segment byHand = first(withMask(map, 1, mask));
+  QCOMPARE(int(byHand.algorithmType), painted);
+  QCOMPARE(byHand.algorithm, name.toStdString());
+  QCOMPARE(byHand.trackingUid, std::string("1.2.3"));
+  const Segment again = first(*withStepsDone(map, {{{"grow", "1"}}, {1}}, *volume, {}));
+  QCOMPARE(int(again.algorithmType), smoothed);
+}
+
+void TestSegmentRecord::filesSayWhatStepsMade() {
+  const VolumePtr volume = columnsVolume();
+  SegmentMap map = withAnother(withAnother(emptyMap(*volume)));
+  map = withRange(map, 1, 3, 5, *volume);
+  map = *withStepsDone(map, {{{"largest", "1"}}, {1}}, *volume, {});
+  BitMask mask(volume->geometry());
+  mask.set({9, 1, 1});
+  map = withHandMade(map, withMask(map, 2, mask));
+  const std::vector<Segment> written = segmentedOf({map})[0].segments;
+  QCOMPARE(int(written[0].algorithmType), int(SegmentAlgorithm::semiautomatic));
+  QCOMPARE(written[0].algorithm, std::string("Range, Keep largest"));
+  QVERIFY(written[1] == map.segments[1] && written[1].algorithmType == SegmentAlgorithm::unsaid);
+}
+
+void TestSegmentRecord::aRecipeSaysThatItMadeIt() {
+  const VolumePtr volume = columnsVolume();
+  const Recipe recipe{"Mine", {}, {}, {{.number = 1, .label = "A"}}, {{"range", "A", {{"low", 3.0}}}}};
+  const auto made = workOf(recipe, {}, volume, {}, RecipeUse::add).makeAll(emptyMap(*volume), CancelToken());
+  QVERIFY(made);
+  const Segment& segment = made->segments.back();
+  QCOMPARE(int(segment.algorithmType), int(SegmentAlgorithm::automatic));
+  QCOMPARE(segment.algorithm, std::string("Recipe Mine"));
+}
+
+// From a DICOM segmentation into the window, and from there into another one.
+void TestSegmentRecord::whatAFileSaysLeavesAsItCame() {
+  NEED_DATA(dataPath("segment-cases"));
+  const Opened ct("dicom-geometry/ct-tiny-23x38x3/image");
+  const SegmentWork work = importOf(QString::fromStdString(dataPath("segment-cases/provenance/auto.dcm")),
+                                    ct.series, ct.loaded.drawn, {});
+  const auto imported = work.makeMaps({emptyMap(*ct.loaded.drawn)}, CancelToken());
+  QVERIFY2(imported, imported ? "" : imported.message().c_str());
+  const SegmentMap& map = imported->front();
+  const Segment came = loadSegmentation(dataPath("segment-cases/provenance/auto.dcm"))->segments[0];
+  const QTemporaryDir folder;
+  const std::string path = folder.filePath(QStringLiteral("a.dcm")).toStdString();
+  const auto left = [&](const SegmentMap& written) {
+    const auto done =
+        exportSegments(path, *segmentedOnSlices({written}, ct.series, CancelToken()), ct.series);
+    return done ? loadSegmentation(path)->segments[0] : Segment{};
+  };
+  Segment unchanged = left(map);
+  unchanged.colour = came.colour;  // it had none
+  QVERIFY(unchanged == came);
+  BitMask mask = maskOf(*map.labels, std::uint8_t(map.segments[0].number));
+  mask.set({0, 0, 0}, !mask.at({0, 0, 0}));
+  const Workspace workspace = withSegmentMap({}, map);
+  const Segment edited =
+      left(withSegmentMap(workspace, withMask(map, map.segments[0].number, mask)).segmentMaps[0]);
+  QCOMPARE(int(edited.algorithmType), int(SegmentAlgorithm::semiautomatic));
+  QCOMPARE(edited.algorithm, came.algorithm + ", edited");
+  QCOMPARE(edited.trackingUid, came.trackingUid);
+  QVERIFY(edited.region == came.region);
+}
+
+// Slices 0, 2, 4 and 6 of 300 HU, the others of 100; 9, 23 and 30 mm are not drawn.
+void TestSegmentRecord::stepsAreDoneAgainOnUnevenSlices() {
+  NEED_DATA(dataPath("segment-cases"));
+  const Opened ct("segment-cases/uneven");
+  SegmentMap map = withAnother(withAnother(emptyMap(*ct.loaded.drawn)));
+  map = withRange(map, 1, 200, 3000, *ct.loaded.drawn);
+  const auto marked = [&](const SegmentMap& written) {
+    const auto made = segmentedOnSlices({written}, ct.series, CancelToken());
+    QStringList slices;
+    const BitMask mask = maskOf((*made)[0].acquired->labels, 1);
+    for (int k = 0; k < mask.size().z; ++k)
+      if (mask.at({11, 19, k})) slices << QString::number(k);
+    return slices.join(QLatin1Char(' '));
+  };
+  QCOMPARE(marked(map), QStringLiteral("0 2 4 6"));
+  QVERIFY((*segmentedOnSlices({map}, ct.series, CancelToken()))[0].acquired->interpolated.empty());
+  // By hand it is where the voxels are: of 9 mm those of 8.
+  const SegmentMap painted =
+      withHandMade(map, withMask(map, 1, inverted(BitMask(ct.loaded.drawn->geometry()))));
+  QCOMPARE(marked(painted), QStringLiteral("0 1 2 3 4 5 6"));
+  QVERIFY((*segmentedOnSlices({painted}, ct.series, CancelToken()))[0].acquired->interpolated.contains(1));
 }
 
 VOLUMEN_TEST(TestSegmentRecord);

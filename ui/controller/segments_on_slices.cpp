@@ -1,0 +1,64 @@
+#include "ui/controller/segments_on_slices.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "io/load.h"
+#include "io/study/series.h"
+#include "ui/workspace/segment_record.h"
+
+namespace volumen {
+
+namespace {
+
+// What steps make of a segment again; null where that is not what the map has.
+const Segment* madeAgain(const Segmented& made, const std::string& name, const BitMask& mask) {
+  const auto found = std::ranges::find(made.segments, name, &Segment::label);
+  if (found == made.segments.end()) return nullptr;
+  return maskOf(made.labels, std::uint8_t(found->number)) == mask ? &*found : nullptr;
+}
+
+std::shared_ptr<const AcquiredLabels> acquiredOf(const SegmentMap& map, const Volume& drawn,
+                                                 const AcquiredSlices& slices, const CancelToken& cancel) {
+  const Result<Segmented> made = follow(recordedRecipe(map, {}).recipe, drawn, cancel, slices);
+  const auto names = namesInRecipe(map);
+  AcquiredLabels all{LabelMap(slices.volume->geometry())};
+  for (const Segment& segment : map.segments) {
+    const auto label = std::uint8_t(segment.number);
+    const BitMask mask = maskOf(*map.labels, label);
+    const Segment* again = made ? madeAgain(*made, names.at(segment.number), mask) : nullptr;
+    const BitMask placed =
+        again ? maskOf(made->acquired->labels, std::uint8_t(again->number)) : onAcquired(mask, slices);
+    all.labels = withLabel(all.labels, label, placed);
+    if (!again || made->acquired->interpolated.contains(again->number))
+      all.interpolated.insert(segment.number);
+  }
+  return std::make_shared<const AcquiredLabels>(std::move(all));
+}
+
+}  // namespace
+
+std::vector<Segmented> segmentedOf(const std::vector<SegmentMap>& maps) {
+  std::vector<Segmented> all;
+  for (const SegmentMap& map : maps) {
+    Segmented& made = all.emplace_back(Segmented{{}, *map.labels});
+    for (const Segment& segment : map.segments) made.segments.push_back(withStepsNamed(segment, map));
+  }
+  return all;
+}
+
+Result<std::vector<Segmented>> segmentedOnSlices(const std::vector<SegmentMap>& maps, const Series& series,
+                                                 const CancelToken& cancel) {
+  std::vector<Segmented> all = segmentedOf(maps);
+  if (!series.regular) return all;
+  const auto loaded = loadSeries(series, {}, cancel);
+  if (!loaded) return loaded.error();
+  const AcquiredSlices slices = loaded->acquiredSlices();
+  if (!slices.volume) return all;
+  for (std::size_t n = 0; n < maps.size(); ++n)
+    all[n].acquired = acquiredOf(maps[n], *loaded->drawn, slices, cancel);
+  if (cancel.cancelled()) return Error{"Cancelled."};
+  return all;
+}
+
+}  // namespace volumen
