@@ -96,21 +96,39 @@ Status readStoredBits(const DataSet& data, PixelFormat& format, std::vector<std:
   return {};
 }
 
+/// Whether the bits above the stored ones repeat the highest of these, as signed samples of 16 bits do.
+bool repeatsSign(Bytes begin, const PixelFormat& format) {
+  if (format.bitsAllocated != 16 || format.highBit == 15) return false;
+  const unsigned all = 0xffffu >> (format.highBit + 1);
+  bool anyNegative = false;
+  for (std::size_t at = 0; at + 2 <= begin.size(); at += 2) {
+    const unsigned sample = numberAt<std::uint16_t>(begin, at, format.bigEndian);
+    const bool isNegative = sample >> format.highBit & 1;
+    if (sample >> (format.highBit + 1) != (isNegative ? all : 0)) return false;
+    anyNegative = anyNegative || isNegative;
+  }
+  return anyNegative;
+}
+
 /// Whether samples are signed where PixelRepresentation is missing: as other attributes of stored values are
-/// written, else as a CT must be whose values would not fit Hounsfield units.
-bool isSignedWithoutSaying(const DataSet& data, const Element& pixels, const PixelFormat& format,
+/// written, as the bits above them are, else as a CT must be whose values would not fit Hounsfield units.
+bool isSignedWithoutSaying(const DataSet& data, const Element& pixels, Bytes begin, const PixelFormat& format,
                            std::vector<std::string>& warnings) {
   constexpr std::pair<std::uint32_t, const char*> storedValues[] = {{0x00280120, "PixelPaddingValue"},
                                                                     {0x00280121, "PixelPaddingRangeLimit"},
                                                                     {0x00280106, "SmallestImagePixelValue"},
                                                                     {0x00280107, "LargestImagePixelValue"}};
-  const std::string begin = "its PixelRepresentation is missing: its values were read as ";
+  const std::string told = "its PixelRepresentation is missing: its values were read as ";
   for (const auto& [tag, name] : storedValues) {
     const Element* e = data.find(tag, data.root());
     const bool isSigned = e && e->vr == vrOf('S', 'S');
     if (!isSigned && !(e && e->vr == vrOf('U', 'S'))) continue;
-    warnings.push_back(begin + (isSigned ? "signed" : "unsigned") + ", as its " + name + " is");
+    warnings.push_back(told + (isSigned ? "signed" : "unsigned") + ", as its " + name + " is");
     return isSigned;
+  }
+  if (repeatsSign(begin, format)) {
+    warnings.push_back(told + "signed, as the bits above them are");
+    return true;
   }
   constexpr double lowestOffset = -8192;  // with which 32768 would still be possible
   // Compressed pixels may be of fewer bits, where the file does not say of how many.
@@ -118,15 +136,15 @@ bool isSignedWithoutSaying(const DataSet& data, const Element& pixels, const Pix
       format.bitsStored == 16 && (pixels.length != undefinedLength || data.has(storedBitsTag, data.root()));
   if (hasAllBits && data.text(0x00080060, data.root()) == "CT" &&
       data.number(0x00281052, data.root()).value_or(0) > lowestOffset) {
-    warnings.push_back(begin + "signed, for a CT has none from 32768 on");
+    warnings.push_back(told + "signed, for a CT has none from 32768 on");
     return true;
   }
-  warnings.push_back(begin + "unsigned, which is a guess");
+  warnings.push_back(told + "unsigned, which is a guess");
   return false;
 }
 
 /// Bits, sign and order of integer samples.
-Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format,
+Status readBits(const DataSet& data, const Element& pixels, Bytes begin, PixelFormat& format,
                 std::vector<std::string>& warnings) {
   const auto allocated = wordField(data, 0x00280100, "BitsAllocated", {}, 1, 64);
   if (!allocated) return allocated.error();
@@ -140,8 +158,8 @@ Status readBits(const DataSet& data, const Element& pixels, PixelFormat& format,
   if (!sign) return sign.error();
   const bool isSaid = data.word(signTag, data.root()).has_value();
   const bool matters = bits > 1 && format.samples == 1;
-  format.isSigned =
-      isSaid ? *sign == 1 && bits > 1 : matters && isSignedWithoutSaying(data, pixels, format, warnings);
+  format.isSigned = isSaid ? *sign == 1 && bits > 1
+                           : matters && isSignedWithoutSaying(data, pixels, begin, format, warnings);
   format.bytesInWords = pixels.bigEndian && pixels.vr == vrOf('O', 'W') && bits <= 8;
   return {};
 }
@@ -195,7 +213,7 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   if (header.time.empty()) header.time = dateOrTime(text(0x00080031));
 }
 
-Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels,
+Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels, Bytes begin,
                                     std::vector<std::string>& warnings) {
   PixelFormat format;
   if (Status s = readColour(data, format, warnings); !s) return s.error();
@@ -210,7 +228,7 @@ Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels,
   format.frames = std::max(1, *frames);
   format.bigEndian = pixels.bigEndian;
   if (pixels.tag == 0x7fe00010) {
-    if (Status s = readBits(data, pixels, format, warnings); !s) return s.error();
+    if (Status s = readBits(data, pixels, begin, format, warnings); !s) return s.error();
   } else {
     format.kind = pixels.tag == 0x7fe00008 ? PixelFormat::Kind::float32 : PixelFormat::Kind::float64;
     format.bitsAllocated = format.bitsStored = pixels.tag == 0x7fe00008 ? 32 : 64;

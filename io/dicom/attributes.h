@@ -11,10 +11,11 @@ inline constexpr int frameLimit = 1'000'000;
 /// Fills in who and what: patient, study, series, UIDs.
 void readIdentity(const DataSet& data, FileHeader& header);
 
-/// The Image Pixel Module of a data set whose pixels stand in `pixels`; `warnings`: what is taken for
-/// attributes that are missing. An Error says which attribute is missing, wrong or of a kind that is not read
-/// (colours of one bit or of a kind that is not in use).
-Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels,
+/// The Image Pixel Module of a data set whose pixels stand in `pixels`; `begin`: the first bytes of native
+/// ones, where a sign may show that is not said; `warnings`: what is taken for attributes that are missing.
+/// An Error says which attribute is missing, wrong or of a kind that is not read (colours of one bit or of a
+/// kind that is not in use).
+Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels, Bytes begin,
                                     std::vector<std::string>& warnings);
 
 /// ContrastBolusAgent, else what the codes of agents say; empty: none is named.

@@ -163,11 +163,24 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   return found;
 }
 
+/// The first bytes of native pixels; nothing where a file says how they are signed.
+Result<std::vector<std::uint8_t>> beginOfPixels(const RegularFile& file, const ScannedFile& s,
+                                                const DataSet& data) {
+  constexpr std::uint64_t enough = 64 << 10;
+  const Element& pixels = *s.dataSet.pixels;
+  const std::uint64_t there = s.size - std::min(s.size, pixels.offset);
+  const bool isSaid = data.has(0x00280103, data.root());
+  if (isSaid || pixels.length == undefinedLength || s.inflatedFrom) return std::vector<std::uint8_t>();
+  return file.read(pixels.offset, std::min({enough, pixels.length, there}));
+}
+
 /// How the samples are written, and in which transfer syntax they really are.
-Status readFormat(const ScannedFile& s, const DataSet& data, FileHeader& header) {
+Status readFormat(const RegularFile& file, const ScannedFile& s, const DataSet& data, FileHeader& header) {
   constexpr std::uint32_t planarConfiguration = 0x00280006;
   const Element& pixels = *s.dataSet.pixels;
-  auto format = readPixelFormat(data, pixels, header.warnings);
+  const auto begin = beginOfPixels(file, s, data);
+  if (!begin) return begin.error();
+  auto format = readPixelFormat(data, pixels, *begin, header.warnings);
   if (!format) return format.error();
   header.format = *format;
   if (!s.remark.empty()) header.warnings.push_back(s.remark);
@@ -226,7 +239,7 @@ Result<std::vector<FrameRanges>> findFrames(const RegularFile& file, const Scann
 }  // namespace
 
 Status readPicture(const RegularFile& file, const ScannedFile& s, const DataSet& data, FileHeader& header) {
-  if (Status read = readFormat(s, data, header); !read) return read;
+  if (Status read = readFormat(file, s, data, header); !read) return read;
   const PixelFormat& format = header.format;
   if (header.syntax.coding == Coding::unsupported)
     return Error{"its transfer syntax \"" + std::string(header.syntax.name) + "\" is not supported"};

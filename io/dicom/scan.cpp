@@ -225,6 +225,9 @@ class Pass {
           Element{lastTag_, vrOf('O', 'W'), encoding().bigEndian, 0, at_ + form.header, form.length};
       return {};
     }
+    const bool isSequence = forms[1].length == undefinedLength && available(at_ + 16) &&
+                            tagAt(head_, at_ + forms[1].header, encoding().bigEndian) == itemTag;
+    if (isSequence) return value(0, forms[1].header, undefinedLength);
     for (int others = 0; others <= mostInARow; ++others)
       for (const Form& form : forms)
         if (form.length <= longestGuess && goesOn(at_ + form.header + form.length, lastTag_, others))

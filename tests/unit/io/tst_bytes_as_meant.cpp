@@ -232,6 +232,15 @@ void TestBytesAsMeant::unknownVrsAreLeftBehind_data() {
   QTest::newRow("zeros") << element(0x1001, "", 2, four);
   QTest::newRow("none, as in implicit VR") << element(0x1001, "", -4, many);
   QTest::newRow("empty, none") << element(0x1001, "", -4, {});
+  Builder sequence;
+  sequence.tag(0x00271001);
+  sequence.text("??");
+  sequence.word(0), sequence.dword(0xffffffff);
+  sequence.tag(0xfffee000), sequence.dword(0xffffffff);
+  sequence.tag(0xfffee00d), sequence.dword(0);
+  sequence.tag(0xfffee0dd), sequence.dword(0);
+  QTest::newRow("a sequence without a length")
+      << QByteArray(reinterpret_cast<const char*>(sequence.bytes.data()), qsizetype(sequence.bytes.size()));
   QTest::newRow("three in a row") << element(0x1001, "??", 2, four) + element(0x1002, "", -4, many) +
                                          element(0x1003, "ZZ", 4, many);
 }

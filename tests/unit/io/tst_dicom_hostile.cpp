@@ -74,6 +74,9 @@ void TestDicomHostile::refusedWithAReason_data() {
   row("JPEG smaller than the file says", fragment(picture(jpeg), jpegStream(2, 2)), "2 x 2 pixels");
   row("JPEG with marker FF01", fragment(picture(jpeg), jpegStream(4, 4, 0x01)), "marker");
   row("JPEG without data", fragment(picture(jpeg), {0xff, 0xd8, 0xff, 0xd9}), "no picture");
+  row("native, in fragments of nothing known", fragment(picture(explicitSyntax), {1, 2, 3, 4}),
+      "they hold no picture that is known");
+  row("JPEG without fragments", native(picture(jpeg), 34, 34), "not in fragments");
   row("RLE offset beyond", fragment(picture(rle), rleStream(2, 64, 9999, 100)), "outside its data");
   row("RLE with 2^31 segments", fragment(picture(rle), rleStream(0x7fffffff, 64, 80, 100)), "segments");
   row("RLE header cut off", fragment(picture(rle), rleStream(2, 64, 80, 20)), "cut off");

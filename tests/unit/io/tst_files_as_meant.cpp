@@ -89,6 +89,13 @@ void TestFilesAsMeant::missingAttributesAreTold_data() {
         d.findAndDeleteElement(DCM_PixelRepresentation);
         d.putAndInsertUint16(DcmTag(DCM_SmallestImagePixelValue, EVR_US), 0);
       });
+  row("the sign of an MR, whose bits above are ones", -1000, "read as signed, as the bits above",
+      [](DcmDataset& d) {
+        d.putAndInsertUint16(DCM_BitsStored, 12);
+        d.putAndInsertUint16(DCM_HighBit, 11);
+        d.findAndDeleteElement(DCM_PixelRepresentation);
+        d.putAndInsertString(DCM_Modality, "MR");
+      });
   row("the bits stored, by the high bit", 0xc18, "BitsStored is missing: the lower 12",
       bits({DCM_BitsStored}));
   row("the bits stored and the high bit", 64536, "BitsStored is missing: the lower 16",
