@@ -75,7 +75,8 @@ class FieldCell {
 // Moves points along the surface, one after the other, where that makes the worst triangle about them better.
 class Mender {
  public:
-  Mender(Surface& surface, const OccupancyField& field) : surface_(surface), field_(field) {
+  Mender(Surface& surface, const OccupancyField& field)
+      : surface_(surface), field_(field), rests_(surface.points.size()) {
     first_.assign(surface.points.size() + 1, 0);
     for (const auto& t : surface.triangles)
       for (const std::uint32_t p : t) ++first_[p + 1];
@@ -91,7 +92,7 @@ class Mender {
       std::size_t moved = 0;
       for (const auto& t : surface_.triangles) {
         for (std::size_t n = 0; n < 3 && qualityOf(at(t[0]), at(t[1]), at(t[2])) < thinBelow; ++n)
-          moved += move(t[n]);
+          moved += !rests_[t[n]] && move(t[n]);
         if (cancel.cancelled()) return;
       }
       if (moved == 0) return;
@@ -162,13 +163,17 @@ class Mender {
       if (worstAbout(point, to, outwards) < std::max(before, 0.0) + leastGain) continue;
       if (std::abs(cellAt(to).value() - value) > mostOffLevel || !liesNearBorder(point, to)) continue;
       surface_.points[point] = glm::vec3(to);
+      for (const std::uint32_t t : trianglesAbout(point))
+        for (const std::uint32_t corner : surface_.triangles[t]) rests_[corner] = false;
       return true;
     }
+    rests_[point] = true;
     return false;
   }
 
   Surface& surface_;
   const OccupancyField& field_;
+  std::vector<char> rests_;  // points that cannot move until one beside them has
   const glm::dmat3 toVoxels_ = field_.geometry.voxelFromPatientStep();
   std::vector<std::uint32_t> first_, about_;  // the triangles about each point: where they begin, and all
 };
