@@ -8,6 +8,7 @@
 #include "io/export/read_segments.h"
 #include "ui/controller/segment_time_values.h"
 #include "ui/workspace/segment_columns.h"
+#include "ui/workspace/series_columns.h"
 
 namespace volumen {
 
@@ -43,6 +44,7 @@ Result<SegmentsFile> segmentsOfFile(const std::string& file, Opened& opened, con
 Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Opened& opened, PetUnit unit,
                                        NumbersWanted wanted, const CancelToken& cancel) {
   SegmentNumbersTold all{{}, valueScale(opened.series, unit)};
+  all.ofSeries = seriesFields(opened.series, timePointOf(opened.series));
   for (std::size_t n = 0; n < maps.size(); ++n) {
     const Volume& volume = *opened.loaded.drawn;
     auto reports = wanted.surfaces ? segmentReports(maps[n].segments, maps[n].labels, volume,
@@ -74,7 +76,8 @@ Result<std::optional<OutputFile>> writeCsv(const std::string& path, const Segmen
   if (path.empty()) return std::optional<OutputFile>();
   auto file = OutputFile::create(path);
   if (!file) return file.error();
-  if (Status s = file->write(segmentsAsCsv(numbers.reports, numbers.scale).toStdString()); !s)
+  if (Status s = file->write(segmentsAsCsv(numbers.reports, numbers.scale, numbers.ofSeries).toStdString());
+      !s)
     return s.error();
   return std::optional(std::move(*file));
 }

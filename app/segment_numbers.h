@@ -19,6 +19,7 @@ struct SegmentNumbersTold {
   std::vector<SegmentReport> reports;
   ValueScale scale;
   std::optional<SegmentsOverTime> overTime{};
+  QStringList ofSeries{};  ///< seriesFields()
 };
 
 /// The segments of a file on the grid of what was opened (readSegments), whose notes get what that changes:

@@ -37,8 +37,6 @@ MainWindow::~MainWindow() {
 WindowParts MainWindow::makeParts() {
   auto* grid = new ViewGrid(document_.session, document_.drawService, document_.slices, document_.frames,
                             document_.measurer, document_.derived);
-  auto* banner = new Banner;
-  banner->setWriting(withoutPaths);
   auto* pages = new QStackedWidget;
   pages->addWidget(grid);
   auto* split = new QSplitter(Qt::Vertical);
@@ -49,8 +47,9 @@ WindowParts MainWindow::makeParts() {
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(banner);
   column->addWidget(split, 1);
+  auto* banner = new Banner(split);
+  banner->setWriting(withoutPaths);
   setCentralWidget(centre);
   auto* status = new StatusLine(document_.jobs);
   statusBar()->addWidget(status, 1);

@@ -96,6 +96,7 @@ class TestComparePrior : public QObject {
   void thePriorStandsBeside();
   void withoutAPriorThereIsASentence_data();
   void withoutAPriorThereIsASentence();
+  void thatThereIsNoneEndsOnceThereIsOne();
   void aListedStudyIsOpenedForIt();
   void aLaterOneThatIsListedIsTold();
   void filesThatAreGoneAreTold_data();
@@ -204,6 +205,23 @@ void TestComparePrior::withoutAPriorThereIsASentence() {
 }
 
 // The latest, in one step; it stands among what is open.
+void TestComparePrior::thatThereIsNoneEndsOnceThereIsOne() {
+  const ListedDays days({QStringLiteral("20260301"), QStringLiteral("20240215")});
+  QVERIFY(days.writeDays());
+  ListedWindow w(days, {QStringLiteral("20260301")});
+  QVERIFY(w.isOpen());
+  auto* banner = w.child<Banner>("banner");
+  w.comparePrior();
+  QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible() && w.complaint().contains(QStringLiteral("No earlier study")),
+                           longest);
+  w.window.open({days.pathOf(QStringLiteral("20240215"))});
+  w.count = 2;
+  QVERIFY(w.isOpen());
+  w.comparePrior();
+  QVERIFY(w.shows(1, "20240215"));
+  QVERIFY2(banner->isHidden(), "there is one");
+}
+
 void TestComparePrior::aListedStudyIsOpenedForIt() {
   const ListedDays all({QStringLiteral("20260301"), QStringLiteral("20240215"), QStringLiteral("20220215")});
   QVERIFY(all.write());

@@ -263,6 +263,7 @@ void TestLesionTool::refusedInASentence() {
   w.child<QComboBox>("lesionThreshold")->setCurrentIndex(0);
   QVERIFY(w.draw(inLesion, 12.5));
   QCOMPARE(w.count(), std::size_t(1));
+  QVERIFY2(w.child<Banner>("banner")->isHidden(), "what was refused was done");
 }
 
 void TestLesionTool::withoutMillimetresItIsRefused() {

@@ -9,13 +9,13 @@
 #include "io/files/session_file.h"
 #include "ui/controller/open_session.h"
 #include "ui/controller/segment_files.h"
-#include "ui/workspace/session_json.h"
 
 namespace volumen {
 
 namespace {
 
 constexpr int keepWithinMs = 1000;  // and the time to write it, on a slow disk
+constexpr int playedRestMs = 5000;  // what is played is kept once it rests
 constexpr int keepAsideDays = 7;
 const QString asideTime =
     QStringLiteral("yyyyMMddHHmmss");  // UTC, what the name of a discarded one begins with
@@ -37,22 +37,39 @@ void removeKept(const QString& path) {
     file.dir().remove(name);
 }
 
-QString savedAsOf(const QString& path) {
-  const auto text = sessionText(path.toStdString());
-  if (!text) return {};
-  const auto session = sessionFromJson(*text, {});
-  return session ? QString::fromStdString(session->savedAs) : QString();
+// As the file says; without what it does not.
+LostSession lostIn(const QFileInfo& file, std::shared_ptr<LockFile> lock) {
+  LostSession lost{file.filePath(), {}, file.lastModified(), std::move(lock)};
+  const auto text = sessionText(lost.path.toStdString());
+  if (!text) return lost;
+  auto session = sessionFromJson(*text, {});
+  if (!session) return lost;
+  lost.savedAs = QString::fromStdString(session->savedAs);
+  lost.patients = std::move(session->patients);
+  return lost;
 }
 
-void moveAside(const QString& path) {
+// All of its files or none: the session itself last, without which the others are not found.
+Status moveAside(const QString& path) {
+  if (!QFile::exists(path)) return {};
   makePrivate(asideFolder());
   const QString aside = QStringLiteral("%1/%2-%3")
                             .arg(asideFolder(), QDateTime::currentDateTimeUtc().toString(asideTime),
                                  QFileInfo(path).fileName());
-  const QStringList segments = segmentFilesOf(path);
-  if (!QFile::rename(path, aside)) return;
-  for (const QString& file : segments) QFile::rename(file, aside + file.mid(path.size()));
+  const auto placeOf = [&](const QString& file) { return aside + file.mid(path.size()); };
+  QStringList all = segmentFilesOf(path), moved;
+  all << path;
+  for (const QString& file : all) {
+    if (QFile::rename(file, placeOf(file))) {
+      moved << file;
+      continue;
+    }
+    for (const QString& back : moved) QFile::rename(placeOf(back), back);
+    return Error{"What was not saved stays in " + path.toStdString() + ": it cannot be moved to " +
+                 asideFolder().toStdString() + "."};
+  }
   removeKept(path);
+  return {};
 }
 
 // The latest first; those that are too old go.
@@ -67,7 +84,7 @@ std::vector<LostSession> discarded() {
     if (!at.isValid() || at.daysTo(now) > keepAsideDays)
       removeKept(file.filePath());
     else
-      all.push_back({file.filePath(), savedAsOf(file.filePath()), file.lastModified(), nullptr});
+      all.push_back(lostIn(file, nullptr));
   }
   return all;
 }
@@ -75,12 +92,9 @@ std::vector<LostSession> discarded() {
 // The latest that no running program holds.
 std::optional<LostSession> latestLost() {
   const QDir dir(Autosave::folder());
-  for (const QFileInfo& file : dir.entryInfoList({QStringLiteral("*.volumen")}, QDir::Files, QDir::Time)) {
-    const QString path = file.filePath();
-    if (auto lock = LockFile::take(lockOf(path).toStdString()))
-      return LostSession{path, savedAsOf(path), file.lastModified(),
-                         std::make_shared<LockFile>(std::move(*lock))};
-  }
+  for (const QFileInfo& file : dir.entryInfoList({QStringLiteral("*.volumen")}, QDir::Files, QDir::Time))
+    if (auto lock = LockFile::take(lockOf(file.filePath()).toStdString()))
+      return lostIn(file, std::make_shared<LockFile>(std::move(*lock)));
   return {};
 }
 
@@ -113,29 +127,35 @@ class Autosave::File {
     }
     const std::string path = path_.toStdString();
     const Workspace wanted = withClosed(workspace);
-    const Status whole = saveSession(path, wanted, savedAs, LabelFiles::changes);
+    const Status whole = keepSession(path, wanted, savedAs);
     // Where there is no room for the labels of segments the rest is kept all the same.
     if (whole)
       segments_ = wanted.segmentMaps;
     else
-      (void)saveSession(path, withSegmentsKept(wanted, segments_), savedAs, LabelFiles::changes);
+      (void)keepSession(path, withSegmentsKept(wanted, segments_), savedAs);
     return whole;
   }
 
-  void putAside() {
-    if (!lock_) return;
-    moveAside(path_);
-    lock_.reset();
+  Status putAside() {
+    if (!lock_) return {};
+    const Status moved = moveAside(path_);
+    release();
+    return moved;
   }
 
   void remove() {
     if (!lock_) return;
     removeKept(path_);
+    release();
+  }
+
+ private:
+  void release() {
+    forgetLabelChanges(path_.toStdString());
     segments_.clear();
     lock_.reset();
   }
 
- private:
   const QString path_ = QStringLiteral("%1/%2-%3.volumen")
                             .arg(folder())
                             .arg(QCoreApplication::applicationPid())
@@ -154,11 +174,18 @@ Autosave::Autosave(const Session& session, const SessionFiles& files, QObject* p
   timer_.setSingleShot(true);
   timer_.setInterval(keepWithinMs);
   connect(&timer_, &QTimer::timeout, this, &Autosave::write);
-  const auto note = [this] {
-    if (!timer_.isActive()) timer_.start();
-  };
-  connect(&session_, &Session::workspaceChanged, this, note);
-  connect(&files_, &SessionFiles::changed, this, note);
+  played_.setSingleShot(true);
+  played_.setInterval(playedRestMs);
+  connect(&played_, &QTimer::timeout, this, &Autosave::noteChange);
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            const bool isPlayed = session_.playsOn() && before.segmentMaps == after.segmentMaps;
+            if (isPlayed)
+              played_.start();
+            else if (before != after)
+              noteChange();
+          });
+  connect(&files_, &SessionFiles::changed, this, &Autosave::noteChange);
 }
 
 Autosave::~Autosave() {
@@ -168,8 +195,19 @@ Autosave::~Autosave() {
     file_->remove();
     return;
   }
-  (void)file_->write(session_.workspace(), files_.path().toStdString());
-  if (atEnd_ == AtEnd::aside) file_->putAside();
+  // What could not be written, or moved, is offered as it was kept last.
+  const Status kept = file_->write(session_.workspace(), files_.path().toStdString());
+  if (kept && atEnd_ == AtEnd::aside) (void)file_->putAside();
+}
+
+void Autosave::noteChange() {
+  if (!timer_.isActive()) timer_.start();
+}
+
+Status Autosave::keepNow() {
+  lane_.wait();
+  if (!wanted()) return {};
+  return file_->write(session_.workspace(), files_.path().toStdString());
 }
 
 bool Autosave::wanted() const { return files_.modified() || !files_.unsavedWork().empty(); }
@@ -209,7 +247,10 @@ void Autosave::look() {
 
 void Autosave::discard(const LostSession& lost) {
   lane_.run(
-      {}, [lost](const Job&) { moveAside(lost.path); }, [] {});
+      {}, [lost](const Job&) { return moveAside(lost.path); },
+      [this](const Status& moved) {
+        if (!moved) Q_EMIT failed(QString::fromStdString(moved.message()));
+      });
   look();
 }
 

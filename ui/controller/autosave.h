@@ -7,6 +7,7 @@
 
 #include "io/files/lock_file.h"
 #include "ui/controller/session_files.h"
+#include "ui/workspace/session_json.h"
 
 namespace volumen {
 
@@ -16,6 +17,7 @@ struct LostSession {
   QString savedAs;  ///< the session file that it belongs to; empty: none
   QDateTime at;     ///< when it was kept last
   std::shared_ptr<LockFile> lock;
+  std::vector<SavedPatient> patients{};  ///< whose pictures it shows
 };
 
 /// What becomes of what is not saved when the program ends in order.
@@ -26,8 +28,8 @@ enum class AtEnd {
 };
 
 /// Keeps what is not saved: one file a running program in the user's data folder, written on a worker thread
-/// within 2 s of every change. It goes when all is saved, and when the program ends as AtEnd says. What is
-/// discarded lies aside for a week.
+/// within 2 s of every change; where something is played, once that rests. It goes when all is saved, and
+/// when the program ends as AtEnd says. What is discarded lies aside for a week.
 class Autosave : public QObject {
   Q_OBJECT
  public:
@@ -41,6 +43,8 @@ class Autosave : public QObject {
   void discard(const LostSession& lost);
   /// Deletes it once the workspace is kept instead.
   void replace(const LostSession& lost);
+  /// Waits until the workspace is kept as it is. The Error: why it cannot be.
+  Status keepNow();
   void setAtEnd(AtEnd atEnd) { atEnd_ = atEnd; }
 
   /// $XDG_DATA_HOME/volumen/autosave.
@@ -56,13 +60,14 @@ class Autosave : public QObject {
  private:
   class File;
   void list();
+  void noteChange();
   void write();
   void written(const Status& status);
   bool wanted() const;
 
   const Session& session_;
   const SessionFiles& files_;
-  QTimer timer_;
+  QTimer timer_, played_;
   std::unique_ptr<File> file_;  // for the lane's thread
   bool writing_ = false, failing_ = false;
   std::optional<LostSession> replaced_;

@@ -7,6 +7,7 @@
 #include "ui/controller/segment_target.h"
 #include "ui/controller/step_work.h"
 #include "ui/workspace/curve_spans.h"
+#include "ui/workspace/segment_change_text.h"
 #include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
@@ -95,14 +96,18 @@ void CurveFollower::begin(bool overUndone) {
   lane_.run(
       JobName(tr("Following the curve")),
       [wanted, volume = wholeVolume(session_), mask = session_.maskOf(base_.front().series)](const Job& job) {
-        return followed(wanted, *volume, mask, job.cancel());
+        Made made{followed(wanted, *volume, mask, job.cancel()), {}};
+        for (std::size_t n = 0; made.maps && n < wanted.size(); ++n)
+          made.said << changeText(wanted[n].map, (*made.maps)[n]);
+        made.said.removeAll(QString());
+        return made;
       },
-      [this](const Result<std::vector<SegmentMap>>& made) { take(made); }, [this] { pulledAgain_ = false; });
+      [this](const Made& made) { take(made); }, [this] { pulledAgain_ = false; });
 }
 
 // In the step of the pull where that is the last one still; made anew where the segments were changed
 // meanwhile; nothing where the curve was, otherwise than by pulling on.
-void CurveFollower::take(const Result<std::vector<SegmentMap>>& made) {
+void CurveFollower::take(const Made& made) {
   if (painter_.isPainting()) {
     pulledAgain_ = false;
     waitsForStroke_ = true;
@@ -116,14 +121,15 @@ void CurveFollower::take(const Result<std::vector<SegmentMap>>& made) {
   const bool isOfNow = session_.scene().transferFunction == curve_ && isEnd;
   const bool isWanted = pulledAgain_ ? isLastStep : isOfNow;
   const bool isSame = maps() == started_;
-  if (!made && !pulledAgain_) Q_EMIT failed(QString::fromStdString(made.message()));
-  if (made && isWanted && isSame) {
+  if (!made.maps && !pulledAgain_) Q_EMIT failed(QString::fromStdString(made.maps.message()));
+  if (made.maps && isWanted && isSame) {
     session_.playOn(isLastStep ? step_ - 1 : step_, [&] {
       Workspace after = session_.workspace();
-      for (const SegmentMap& map : *made) after = withSegmentMap(std::move(after), map);
+      for (const SegmentMap& map : *made.maps) after = withSegmentMap(std::move(after), map);
       session_.change(tr("Segment follows the curve"), after);
     });
     made_ = maps();
+    if (!made.said.isEmpty()) Q_EMIT told(made.said.join(QLatin1Char(' ')));
   }
   if (std::exchange(pulledAgain_, false) || (isOfNow && !isSame)) follow();
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QStringList>
+
 #include <QObject>
 
 #include "ui/controller/segment_painter.h"
@@ -21,12 +23,19 @@ class CurveFollower : public QObject {
   void follow();
 
  Q_SIGNALS:
+  /// What segments that followed took from others, a sentence.
+  void told(const QString& sentence);
   /// A sentence; not for what was cancelled.
   void failed(const QString& sentence);
 
  private:
   void begin(bool overUndone);
-  void take(const Result<std::vector<SegmentMap>>& made);
+  // What they come to, with what is to be said of it.
+  struct Made {
+    Result<std::vector<SegmentMap>> maps;
+    QStringList said;
+  };
+  void take(const Made& made);
 
   Session& session_;
   const SegmentPainter& painter_;

@@ -29,6 +29,7 @@ DerivedObjects::DerivedObjects(Jobs& jobs, QObject* parent) : QObject(parent), l
 
 void DerivedObjects::setOpen(std::vector<DerivedObjectPtr> all) {
   all_ = std::move(all);
+  failed_.clear();
   Q_EMIT changed();
 }
 
@@ -43,11 +44,16 @@ std::vector<DerivedObjectPtr> DerivedObjects::naming(DerivedKind kind, const Ser
 std::shared_ptr<const LoadedRegions> DerivedObjects::regions(const DerivedKey& key, DerivedKind kind) {
   if (const auto held = regions_.find(key); held != regions_.end()) return held->second;
   const auto isIt = [&](const DerivedObjectPtr& object) { return keyOf(*object) == key; };
-  if (std::ranges::none_of(all_, isIt) || !asked_.insert(key).second) return nullptr;
+  if (std::ranges::none_of(all_, isIt) || failed_.contains(key)) return nullptr;
+  if (!asked_.insert(key).second) return nullptr;
   lane_.run(
       tr("Reading regions"), [key, kind](const Job&) { return loadRegions(key.path, kind); },
       [this, key](Result<LoadedRegions> loaded) {
-        if (!loaded) return void(Q_EMIT failed(QString::fromStdString(loaded.message())));
+        asked_.erase(key);
+        if (!loaded) {
+          failed_.insert(key);
+          return void(Q_EMIT failed(QString::fromStdString(loaded.message())));
+        }
         regions_[key] = std::make_shared<const LoadedRegions>(std::move(*loaded));
         Q_EMIT changed();
       });

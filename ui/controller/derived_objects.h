@@ -34,9 +34,11 @@ class DerivedObjects : public QObject {
   /// Those of a kind that name picture `index` (from 0) of a series.
   std::vector<DerivedObjectPtr> naming(DerivedKind kind, const Series& series, int index) const;
 
-  /// Null: it is not open, or not read yet and changed() will tell, or it cannot be read and failed() told
-  /// once.
+  /// Null: it is not open, or not read yet and changed() will tell, or it cannot be read and failed() told.
+  /// That holds until tryAgain() or setOpen().
   std::shared_ptr<const LoadedRegions> regions(const DerivedKey& key, DerivedKind kind);
+  /// Reads the regions of this object again where that failed.
+  void tryAgain(const DerivedKey& key) { failed_.erase(key); }
   /// Ends in reportRead() or failed().
   void readReport(const DerivedObjectPtr& report);
 
@@ -49,7 +51,7 @@ class DerivedObjects : public QObject {
  private:
   std::vector<DerivedObjectPtr> all_;
   std::map<DerivedKey, std::shared_ptr<const LoadedRegions>> regions_;
-  std::set<DerivedKey> asked_;
+  std::set<DerivedKey> asked_, failed_;
   JobLane lane_;
 };
 

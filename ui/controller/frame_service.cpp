@@ -78,6 +78,10 @@ void FrameService::request(ViewId view, std::shared_ptr<const Series> series, in
   {
     const std::lock_guard lock(mutex_);
     wanted_[view] = {std::move(series), index, step, presentation};
+    const auto failure = failures_.find(wanted_[view].key(0));
+    const std::chrono::milliseconds rest(tryAgainMs);
+    if (failure != failures_.end() && std::chrono::steady_clock::now() - failure->second.at >= rest)
+      failures_.erase(failure);
     tellReady();
   }
   wake_.notify_one();
@@ -97,7 +101,7 @@ void FrameService::tellReady() {
       tellReady(view, frame);
       continue;
     }
-    const QString sentence = QString::fromStdString(failures_.at(wanted.key(0)));
+    const QString sentence = QString::fromStdString(failures_.at(wanted.key(0)).sentence);
     QMetaObject::invokeMethod(
         this, [this, view = view, key = wanted.key(0), sentence] { Q_EMIT failed(view, key, sentence); },
         Qt::QueuedConnection);
@@ -144,21 +148,22 @@ void FrameService::run() {
       if (reading->view && wanted_.contains(*reading->view) && wanted_[*reading->view].key(0) != reading->key)
         tellReady(*reading->view, *frame);
     } else {
-      failures_[reading->key] = frame.message();
+      failures_[reading->key] = {frame.message(), std::chrono::steady_clock::now()};
     }
     tellReady();
   }
 }
 
-const Result<Presentation>& FrameService::presentationOf(const std::string& path) {
-  const auto known = presentations_.find(path);
-  return known != presentations_.end() ? known->second
-                                       : presentations_.emplace(path, loadPresentation(path)).first->second;
+Result<Presentation> FrameService::presentationOf(const std::string& path) {
+  if (const auto known = presentations_.find(path); known != presentations_.end()) return known->second;
+  Result<Presentation> read = loadPresentation(path);
+  if (read) presentations_.emplace(path, *read);
+  return read;
 }
 
 Result<LoadedFramePtr> FrameService::read(const Reading& reading) {
   if (reading.key.presentation.empty()) return readAcquired(reading, {});
-  const Result<Presentation>& presentation = presentationOf(reading.key.presentation);
+  const Result<Presentation> presentation = presentationOf(reading.key.presentation);
   if (!presentation) return readAcquired(reading, presentation.message());
   if (!namesPicture(presentation->pictures, *reading.series, reading.key.index))
     return readAcquired(reading, {});
@@ -182,14 +187,16 @@ Result<LoadedFramePtr> FrameService::readAcquired(const Reading& reading, const 
 }
 
 // Empty where the middle frame cannot be read, or is colour.
-const std::vector<NamedGrey>& FrameService::middleGreys(const Series& series) {
+std::vector<NamedGrey> FrameService::middleGreys(const Series& series) {
   const auto known = middleGreys_.find(keyOf(series));
   if (known != middleGreys_.end()) return known->second;
   std::vector<NamedGrey> greys;
   const int index = frameCount(series) / 2;
-  if (Result<Frame> middle = loadFrame(series, index)) greys = std::move(middle->greys);
+  Result<Frame> middle = loadFrame(series, index);
+  if (!middle) return greys;
+  greys = std::move(middle->greys);
   if (!greys.empty() && greys.front().ofValues) greys.front().mapping.window = windowOf(series, index);
-  return middleGreys_[keyOf(series)] = std::move(greys);
+  return middleGreys_[keyOf(series)] = greys;
 }
 
 Window FrameService::windowOf(const Series& series, int index) {
@@ -198,11 +205,17 @@ Window FrameService::windowOf(const Series& series, int index) {
   if (known != windows_.end()) return known->second;
   const int sampled = std::min(last - first + 1, sampledFrames);
   std::vector<float> values;
-  for (int n = 0; n < sampled; ++n)
-    if (const Result<Frame> frame =
-            loadFrame(series, first + int(std::int64_t(n) * (last - first) / std::max(1, sampled - 1))))
-      addValues(*frame, values);
-  return windows_[{keyOf(series), first}] = windowOfMost(std::move(values));
+  bool isAnyRead = false;
+  for (int n = 0; n < sampled; ++n) {
+    const Result<Frame> frame =
+        loadFrame(series, first + int(std::int64_t(n) * (last - first) / std::max(1, sampled - 1)));
+    if (!frame) continue;
+    isAnyRead = true;
+    addValues(*frame, values);
+  }
+  const Window window = windowOfMost(std::move(values));
+  if (isAnyRead) windows_[{keyOf(series), first}] = window;
+  return window;
 }
 
 }  // namespace volumen

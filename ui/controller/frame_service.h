@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <chrono>
 #include <condition_variable>
 #include <map>
 #include <mutex>
@@ -23,6 +24,8 @@ class FrameService : public QObject {
   Q_OBJECT
  public:
   static constexpr int sampledFrames = 9;
+  /// How long a frame that could not be read is not read again, ms.
+  static constexpr int tryAgainMs = 1000;
 
   explicit FrameService(std::size_t budget = defaultBudget(), QObject* parent = nullptr);
   ~FrameService() override;
@@ -31,7 +34,8 @@ class FrameService : public QObject {
   LoadedFramePtr find(const FrameKey& key);
   /// FramePool::heldOf().
   std::vector<int> heldOf(const SeriesKey& series, const std::string& presentation);
-  /// Ends in ready() or failed(), unless the view asks for another one before it is begun. `step`: 1 or -1,
+  /// Ends in ready() or failed(), unless the view asks for another one before it is begun. What failed is
+  /// tried again after a while (tryAgainMs). `step`: 1 or -1,
   /// where the next ones lie. `presentation`: the file of a presentation state; frames that it does not name,
   /// or that it cannot be applied to, are shown as acquired.
   void request(ViewId view, std::shared_ptr<const Series> series, int index, int step,
@@ -58,6 +62,10 @@ class FrameService : public QObject {
 
     FrameKey key(int ahead) const { return {keyOf(*series), index + ahead * step, presentation}; }
   };
+  struct Failure {
+    std::string sentence;
+    std::chrono::steady_clock::time_point at;
+  };
   struct Reading {
     std::shared_ptr<const Series> series;
     FrameKey key;
@@ -72,19 +80,19 @@ class FrameService : public QObject {
   bool isKnown(const FrameKey& key) const { return pool_.contains(key) || failures_.contains(key); }
   Result<LoadedFramePtr> read(const Reading& reading);
   Result<LoadedFramePtr> readAcquired(const Reading& reading, const std::string& warning);
-  const Result<Presentation>& presentationOf(const std::string& path);
+  Result<Presentation> presentationOf(const std::string& path);
   Window windowOf(const Series& series, int index);
-  const std::vector<NamedGrey>& middleGreys(const Series& series);
+  std::vector<NamedGrey> middleGreys(const Series& series);
 
   // Of frames without one, by the first that share it; of the thread alone, as the next two.
   std::map<std::pair<SeriesKey, int>, Window> windows_;
   std::map<SeriesKey, std::vector<NamedGrey>> middleGreys_;
-  std::map<std::string, Result<Presentation>> presentations_;  // by file
-  std::mutex mutex_;                                           // guards from here ...
+  std::map<std::string, Presentation> presentations_;  // by file
+  std::mutex mutex_;                                   // guards from here ...
   std::condition_variable wake_;
   FramePool pool_;
   std::map<ViewId, Wanted> wanted_;
-  std::map<FrameKey, std::string> failures_;
+  std::map<FrameKey, Failure> failures_;
   std::size_t frameBytes_ = 1;  // of the frame read last
   bool closing_ = false;        // ... to here
   std::thread thread_;

@@ -61,9 +61,10 @@ MeasureJobs::MeasureJobs(const Session& session, FrameService& frames, QObject* 
           });
   connect(&frames_, &FrameService::ready, this, [this](int view) { endRead(view); });
   connect(&frames_, &FrameService::failed, this, [this](int view, const FrameKey& key, const QString& why) {
-    if (view == measuredId) unread_[key] = why.toStdString();
+    if (view == measuredId) unread_[key] = {why.toStdString(), std::chrono::steady_clock::now()};
     endRead(view);
   });
+  connect(&frames_, &FrameService::held, this, &MeasureJobs::forgetUnread);
 }
 
 // The pool is asked only where something changed: being asked for counts as use there.
@@ -166,7 +167,8 @@ void MeasureJobs::requestOnFrame(const Measurement& measurement) {
   const LoadedFramePtr frame = index ? frames_.find(key) : nullptr;
   std::optional<Error> problem;
   if (!index) problem = Error{"The series does not hold its picture."};
-  if (const auto why = unread_.find(key); why != unread_.end()) problem = Error{why->second};
+  if (const auto unread = unread_.find(key); !frame && unread != unread_.end())
+    problem = Error{unread->second.why};
   if (!frame && !problem) {
     if (read_) return;
     read_ = key;
@@ -179,6 +181,17 @@ void MeasureJobs::requestOnFrame(const Measurement& measurement) {
     return scaled(measureOnFrame(shape, pixelsOf(*frame), scale.unit), scale.factor);
   };
   start(measurement.id, run, stepsOf(inSliceSpace(measurement.shape, frame->geometry()), frame->geometry()));
+}
+
+// A frame of the series was read: those that could not be a while ago are tried again.
+void MeasureJobs::forgetUnread(const SeriesKey& series) {
+  const auto before = std::chrono::steady_clock::now() - std::chrono::milliseconds(FrameService::tryAgainMs);
+  const auto forgotten = std::erase_if(
+      unread_, [&](const auto& entry) { return entry.first.series == series && entry.second.at <= before; });
+  if (forgotten == 0) return;
+  for (auto& [id, known] : known_)
+    if (known.series == series && known.shape.frame && known.numbers && !*known.numbers) known.shape = {};
+  Q_EMIT measured();
 }
 
 void MeasureJobs::endRead(int view) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
@@ -64,12 +65,18 @@ class MeasureJobs : public QObject {
   MeasuredPtr named(Known& known) const;
   void start(int id, const Measure& measure, double steps, const Both& both = {});
   void endRead(int view);
+  void forgetUnread(const SeriesKey& series);
   void take(int id, int asked, Result<Measured> result, const Both& both = {});
 
   const Session& session_;
   FrameService& frames_;
-  std::optional<FrameKey> read_;            // the frame that is being read to be measured on
-  std::map<FrameKey, std::string> unread_;  // why frames cannot be
+  // Why a frame cannot be measured on, and when that was found.
+  struct Unread {
+    std::string why;
+    std::chrono::steady_clock::time_point at;
+  };
+  std::optional<FrameKey> read_;       // the frame that is being read to be measured on
+  std::map<FrameKey, Unread> unread_;  // until frames of the series can be read again
   std::map<int, Known> known_;
   int asked_ = 0;
   JobLane lane_;

@@ -153,6 +153,53 @@ QString problemOf(const UnreadSteps& unread, const Workspace& workspace) {
       .arg(isOneOfSeveral ? tr("%1 (%2)").arg(series, mapName(unread.map)) : series, shownText(unread.why));
 }
 
+// What a session file holds, of series that were found already.
+std::optional<Workspace> workspaceIn(const std::string& path, const Workspace& found, Search& search) {
+  const auto text = path.empty() ? Result<std::string>(Error{}) : sessionText(path);
+  if (!text) return {};
+  std::vector<Series> all;
+  for (const auto& [key, state] : found.series) all.push_back(*state.series);
+  const auto find = [&](const SavedSeries& saved) {
+    const Series* series = findSaved(all, saved);
+    return series ? std::make_shared<const Series>(*series) : nullptr;
+  };
+  auto saved =
+      sessionFromJson(*text, find, [&](const SavedObject& object) { return search.findObject(object); });
+  if (!saved) return {};
+  for (const SegmentMap& map : found.segmentMaps)
+    saved->workspace.segmentMaps.editIf(
+        [&](const SegmentMap& other) {
+          return other.missing && map.labels && *other.missing == savedLabelsOf(map);
+        },
+        [&](SegmentMap& other) {
+          other.labels = map.labels;
+          other.missing.reset();
+        });
+  return std::move(saved->workspace);
+}
+
+std::vector<SavedPatient> patientsOf(const Workspace& workspace) {
+  std::vector<SavedPatient> patients;
+  for (const auto& [key, state] : workspace.series) {
+    const SavedPatient patient{state.series->patientName, state.series->patientId};
+    if (patient != SavedPatient() && std::ranges::find(patients, patient) == patients.end())
+      patients.push_back(patient);
+  }
+  return patients;
+}
+
+Status writeSession(const std::string& path, const Result<std::string>& text, const Workspace& workspace,
+                    LabelFiles labels) {
+  if (!text) return Error{"Cannot write " + path + ": " + text.message()};
+  std::vector<std::string> before = segmentMapsNamedBy(path);
+  if (Status s = writeSegmentMaps(path, workspace, labels); !s) return s;
+  if (Status s = writeWholeFile(path, *text); !s) return s;
+  const std::vector<std::string> released = releasedBases(path, workspace);
+  before.insert(before.end(), released.begin(), released.end());
+  removeSegmentMaps(path, before, workspace);
+  return {};
+}
+
 }  // namespace
 
 Result<OpenedSession> openSession(const std::string& path, const Progress& progress,
@@ -178,18 +225,18 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
   const bool areWhole = session->unreadSteps.empty() &&
                         std::ranges::none_of(workspace.segmentMaps,
                                              [](const SegmentMap& map) { return map.missing.has_value(); });
-  return OpenedSession{std::move(workspace), session->savedAs, search.studies(), search.problems, areWhole};
+  const std::optional<Workspace> saved = workspaceIn(session->savedAs, workspace, search);
+  return OpenedSession{std::move(workspace), session->savedAs, search.studies(),
+                       search.problems,      areWhole,         saved};
 }
 
-Status saveSession(const std::string& path, const Workspace& workspace, const std::string& savedAs,
-                   LabelFiles labels) {
-  const auto text = sessionToJson(workspace, folderOf(path), savedAs);
-  if (!text) return Error{"Cannot write " + path + ": " + text.message()};
-  const std::vector<std::string> before = segmentMapsNamedBy(path);
-  if (Status s = writeSegmentMaps(path, workspace, labels); !s) return s;
-  if (Status s = writeWholeFile(path, *text); !s) return s;
-  removeSegmentMaps(path, before, workspace);
-  return {};
+Status saveSession(const std::string& path, const Workspace& workspace) {
+  return writeSession(path, sessionToJson(workspace, folderOf(path)), workspace, LabelFiles::whole);
+}
+
+Status keepSession(const std::string& path, const Workspace& workspace, const std::string& savedAs) {
+  const auto text = sessionToJson(workspace, folderOf(path), savedAs, patientsOf(workspace));
+  return writeSession(path, text, workspace, LabelFiles::changes);
 }
 
 }  // namespace volumen

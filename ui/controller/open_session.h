@@ -2,6 +2,7 @@
 
 #include <QStringList>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct OpenedSession {
   /// A sentence for each series or object that is missing, has changed or is not whole.
   QStringList problems;
   bool segmentsAreWhole = true;  ///< the labels of all, and how they were made, were read
+  /// What the file `savedAs` holds; none: it cannot be read. Labels are those of `workspace` where they are
+  /// the same.
+  std::optional<Workspace> saved;
 };
 
 /// Reads a session file and looks for its series, and for the presentation states, structure sets and
@@ -32,7 +36,9 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
                                   const CancelToken& cancel = {});
 
 /// Writes a session file, and the labels of segments beside it. The Error names the file.
-Status saveSession(const std::string& path, const Workspace& workspace, const std::string& savedAs = {},
-                   LabelFiles labels = LabelFiles::whole);
+Status saveSession(const std::string& path, const Workspace& workspace);
+/// The same of what is kept on the way: it says which session file it belongs to and whose pictures it shows,
+/// and of labels what changed.
+Status keepSession(const std::string& path, const Workspace& workspace, const std::string& savedAs);
 
 }  // namespace volumen

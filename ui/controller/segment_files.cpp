@@ -73,6 +73,19 @@ class BaseMaps {
     if (found == bases_.end() || found->second.labels->geometry() != map.labels->geometry()) return {};
     return knownFiles().contains(fileOf(session, found->second.checksum)) ? found->second : Base{};
   }
+  // Those of a session that are of maps for which `isGone`; their checksums.
+  template <class IsGone>
+  std::vector<std::string> release(const std::string& session, const IsGone& isGone) {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::string> checksums;
+    std::erase_if(bases_, [&](const auto& base) {
+      const auto& [of, series, number] = base.first;
+      if (of != session || !isGone(series, number)) return false;
+      checksums.push_back(base.second.checksum);
+      return true;
+    });
+    return checksums;
+  }
   bool holds(const std::string& session, const std::string& checksum) {
     const std::lock_guard lock(mutex_);
     return std::ranges::any_of(bases_, [&](const auto& base) {
@@ -181,6 +194,18 @@ Status writeSegmentMaps(const std::string& session, const Workspace& workspace, 
     if (how == LabelFiles::changes && !base.labels) baseMaps().set(session, map, checksum);
   }
   return {};
+}
+
+std::vector<std::string> releasedBases(const std::string& session, const Workspace& workspace) {
+  return baseMaps().release(session, [&](const SeriesKey& series, int number) {
+    return std::ranges::none_of(workspace.segmentMaps, [&](const SegmentMap& map) {
+      return map.labels && map.series == series && map.number == number;
+    });
+  });
+}
+
+void forgetLabelChanges(const std::string& session) {
+  (void)baseMaps().release(session, [](const SeriesKey&, int) { return true; });
 }
 
 Workspace withLabelsApart(Workspace workspace) {

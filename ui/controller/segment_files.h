@@ -20,6 +20,12 @@ enum class LabelFiles { whole, changes };
 Status writeSegmentMaps(const std::string& session, const Workspace& workspace,
                         LabelFiles how = LabelFiles::whole);
 
+/// Lets go of the maps that later changes of a session were to be told from, where the workspace has the maps
+/// no more; returns their checksums.
+std::vector<std::string> releasedBases(const std::string& session, const Workspace& workspace);
+/// Lets go of all of them: the session is not written any more.
+void forgetLabelChanges(const std::string& session);
+
 /// With maps that are only named, as if they had not been read.
 Workspace withLabelsApart(Workspace workspace);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/controller/segments_on_slices.h"
+#include "ui/workspace/segment_change_text.h"
 #include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
@@ -148,13 +149,16 @@ void SegmentJobs::begin(const SegmentWork& work, const std::vector<SegmentMap>& 
   change_.run(
       JobName(work.doing),
       [work, number, maps = basesOf(with, work)](const Job& job) {
-        return mapsMade(work, maps, number, job.cancel());
+        Made made{mapsMade(work, maps, number, job.cancel()), {}};
+        // Those that make several maps say themselves what they take.
+        if (made.maps && !work.makeMaps) made.said = changeText(maps.front(), made.maps->front());
+        return made;
       },
-      [this, bases](const Result<std::vector<SegmentMap>>& made) { take(bases, made); }, [this] { drop(); });
+      [this, bases](const Made& made) { take(bases, made); }, [this] { drop(); });
 }
 
 // One step where the segments are still what it was made of; else it is made anew.
-void SegmentJobs::take(const std::vector<SegmentMap>& bases, const Result<std::vector<SegmentMap>>& made) {
+void SegmentJobs::take(const std::vector<SegmentMap>& bases, const Made& made) {
   if (painter_.isPainting()) {
     takeLater_ = [this, bases, made] { take(bases, made); };
     return;
@@ -162,13 +166,14 @@ void SegmentJobs::take(const std::vector<SegmentMap>& bases, const Result<std::v
   const SegmentWork work = waiting_.front();
   const Workspace& workspace = session_.workspace();
   const bool isSame = basesOf(workspace, work) == bases;
-  if (isSame || !made) waiting_.pop_front();
-  if (!made) {
-    refuse(work, shownText(made.message()));
+  if (isSame || !made.maps) waiting_.pop_front();
+  if (!made.maps) {
+    refuse(work, shownText(made.maps.message()));
   } else if (isSame) {
     session_.endGesture();
-    session_.change(work.text, withMade(workspace, work, bases, *made));
+    session_.change(work.text, withMade(workspace, work, bases, *made.maps));
     session_.endGesture();
+    Q_EMIT changed(made.said);
     if (work.done) work.done();
   }
   next();

@@ -86,6 +86,8 @@ class SegmentJobs : public QObject {
  Q_SIGNALS:
   /// Nothing is being changed any more.
   void ended();
+  /// A change has become a step. `said`: changeText() of it.
+  void changed(const QString& said);
   void measured(const volumen::SegmentNumbers& numbers);
   /// With the sentences that are to be known of it.
   void saved(const QStringList& files, const QStringList& notes,
@@ -99,7 +101,12 @@ class SegmentJobs : public QObject {
   void write(const Writing& writing, const std::vector<SegmentMap>& maps);
   void next();
   void begin(const SegmentWork& work, const std::vector<SegmentMap>& bases);
-  void take(const std::vector<SegmentMap>& bases, const Result<std::vector<SegmentMap>>& made);
+  // What the first change comes to, with what is to be said of it.
+  struct Made {
+    Result<std::vector<SegmentMap>> maps;
+    QString said;
+  };
+  void take(const std::vector<SegmentMap>& bases, const Made& made);
   void drop();
   void refuse(const SegmentWork& work, const QString& why);
   bool isMaking() const { return change_.isBusy() || takeLater_; }

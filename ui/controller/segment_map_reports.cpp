@@ -14,7 +14,10 @@ Result<std::vector<SegmentReport>> voxelReportsOf(const std::vector<SegmentMap>&
   for (const SegmentMap& map : maps) {
     auto reports = voxelReports(map.segments, *map.labels, volume, cancel);
     if (!reports) return reports;
-    for (SegmentReport& report : *reports) report.map = map.number;
+    for (SegmentReport& report : *reports) {
+      report.map = map.number;
+      report.made = madeText(report.segment, map.steps);
+    }
     std::ranges::move(*reports, std::back_inserter(all));
   }
   return all;

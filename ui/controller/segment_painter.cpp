@@ -1,6 +1,9 @@
 #include "ui/controller/segment_painter.h"
 
+#include <utility>
+
 #include "ui/controller/segment_target.h"
+#include "ui/workspace/segment_change_text.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 
@@ -30,7 +33,10 @@ QString SegmentPainter::whyNot(const SegmentStroke& stroke) const {
   if (!why.isEmpty()) return why;
   if (stroke.series != keyOf(session_.series()->series))
     return tr("The panel Segments is about another series: click into a view of that one.");
-  return stroke.erases || segmentShown(session_) ? whyNotChanged(session_) : QString();
+  const Segment* segment = segmentShown(session_);
+  if (segment && !segment->visible && !segment->locked)
+    return tr("%1 is hidden: tick it in the list of segments first.").arg(shownText(segment->label));
+  return stroke.erases || segment ? whyNotChanged(session_) : QString();
 }
 
 void SegmentPainter::paint(const SegmentStroke& stroke, const PaintLimits& limits) {
@@ -42,8 +48,8 @@ void SegmentPainter::paint(const SegmentStroke& stroke, const PaintLimits& limit
     if (!why.isEmpty()) return Q_EMIT failed(why);
     const Segment* segment = segmentShown(session_);
     const VolumePtr& volume = session_.series()->volume;
-    const int map = segmentMapOn(session_.workspace(), stroke.series, volume->geometry()).number;
-    target_ = Target{volume, map, segment ? segment->number : 0, limits};
+    const SegmentMap map = segmentMapOn(session_.workspace(), stroke.series, volume->geometry());
+    target_ = Target{volume, map.number, segment ? segment->number : 0, limits, map};
     session_.endGesture();
   }
   if (target_ && !stroke.spans.empty()) add(stroke);
@@ -51,9 +57,10 @@ void SegmentPainter::paint(const SegmentStroke& stroke, const PaintLimits& limit
 
 void SegmentPainter::end() {
   if (!target_) return;
-  target_.reset();
+  const SegmentMap before = std::exchange(target_, {})->before;
+  const SegmentMap* after = segmentMapOf(session_.workspace(), before.series, before.number);
   session_.endGesture();
-  Q_EMIT ended();
+  Q_EMIT ended(after && after->labels ? changeText(before, *after) : QString());
 }
 
 void SegmentPainter::add(const SegmentStroke& stroke) {

@@ -30,7 +30,8 @@ class SegmentPainter : public QObject {
   bool isPainting() const { return target_.has_value(); }
 
  Q_SIGNALS:
-  void ended();
+  /// `said`: what the stroke took from other segments, a sentence; empty: nothing.
+  void ended(const QString& said);
   /// Why a stroke paints nothing, a sentence.
   void failed(const QString& sentence);
 
@@ -41,6 +42,7 @@ class SegmentPainter : public QObject {
     int map;
     int number;  // of the segment in it; 0: it is made once something is painted
     PaintLimits limits;
+    SegmentMap before;
   };
   QString whyNot(const SegmentStroke& stroke) const;
   void add(const SegmentStroke& stroke);

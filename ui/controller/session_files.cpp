@@ -69,9 +69,9 @@ void SessionFiles::opened(const QString& path) {
   become(path, session_.workspace());
 }
 
-void SessionFiles::restored(const QString& path) {
+void SessionFiles::restored(const QString& path, const std::optional<Workspace>& saved) {
   openedAt_ = session_.undoStack().index();
-  become(path, {});
+  become(path, saved);
 }
 
 void SessionFiles::save(const QString& path) {

@@ -31,8 +31,8 @@ class SessionFiles : public QObject {
   void save(const QString& path);
   /// The workspace was read from this file just now.
   void opened(const QString& path);
-  /// It was restored; the file, if any, does not hold it yet.
-  void restored(const QString& path);
+  /// It was restored; the file, if any, holds `saved` as yet.
+  void restored(const QString& path, const std::optional<Workspace>& saved);
 
  Q_SIGNALS:
   void saved(const QString& path);

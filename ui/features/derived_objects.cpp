@@ -55,7 +55,7 @@ DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
             if (before.hideNames != after.hideNames) setOpen();
           });
   connect(&derived, &DerivedObjects::failed, this,
-          [this](const QString& sentence) { warn(shownText(sentence.toStdString())); });
+          [this](const QString& sentence) { warnUntilDone(shownText(sentence.toStdString())); });
   connect(&derived, &DerivedObjects::reportRead, this, &DerivedObjectFiles::showReport);
   connect(&bench_, &Workbench::objectChosen, this, &DerivedObjectFiles::showDerivedObject);
   // Once it stands in the list.
@@ -136,6 +136,7 @@ void DerivedObjectFiles::showRegions(const DerivedObjectPtr& object) {
   dock->show();
   dock->raise();
   const RegionsLook look = firstLook(*object);
+  bench_.document.derived.tryAgain(keyOf(*object));
   session_.change(tr("Show %1").arg(derivedName(*object)),
                   [&](Workspace& w) { w.regions.add(keyOf(*object), look); });
   session_.endGesture();

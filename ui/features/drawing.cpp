@@ -16,9 +16,9 @@ class Drawing : public Feature {
 
 Drawing::Drawing(Workbench& bench) : Feature(bench) {
   connect(&bench_.document.drawService, &DrawService::failed, this,
-          [this](ViewId, const QString& sentence) { warn(sentence); });
+          [this](ViewId, const QString& sentence) { warnUntilDone(sentence); });
   connect(&bench_.document.slices, &SliceService::failed, this,
-          [this](int, const QString& sentence) { warn(sentence); });
+          [this](int, const QString& sentence) { warnUntilDone(sentence); });
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &VolumeView::drawn, this, &Drawing::tellDrawn); });
   connect(&session_, &Session::workspaceChanged, this,

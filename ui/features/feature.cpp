@@ -64,10 +64,19 @@ Feature::Feature(Workbench& bench)
 
 bool Feature::mayClose(const QString&) { return true; }
 
-void Feature::tell(const QString& sentence) { bench_.status.tell(sentence); }
+void Feature::tell(const QString& sentence) {
+  takeBack();
+  bench_.status.tell(sentence);
+}
 
 void Feature::warn(const QString& sentence, const QStringList& details) {
-  bench_.banner.tell(sentence, details);
+  bench_.banner.tell({sentence, details, this, true});
 }
+
+void Feature::warnUntilDone(const QString& sentence, const QStringList& details) {
+  bench_.banner.tell({sentence, details, this});
+}
+
+void Feature::takeBack() { bench_.banner.takeBack(this); }
 
 }  // namespace volumen

@@ -25,9 +25,15 @@ class Feature : public QObject {
   virtual void keep() {}
 
  protected:
-  /// Tells of it in the status line; above the views.
+  /// Tells of success in the status line, and says no more over the views what it said before.
   void tell(const QString& sentence);
+  /// Says over the views why something cannot be done as things stand: until the feature succeeds, other
+  /// series are open or another view is in focus.
   void warn(const QString& sentence, const QStringList& details = {});
+  /// Says over the views what came of something, until the feature succeeds.
+  void warnUntilDone(const QString& sentence, const QStringList& details = {});
+  /// What it said over the views holds no more.
+  void takeBack();
 
   Workbench& bench_;
   Session& session_;

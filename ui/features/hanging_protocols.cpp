@@ -246,7 +246,7 @@ void HangingProtocols::save(const QString& text) {
   const auto last = std::ranges::find(known_.protocols, last_, &HangingProtocol::name);
   const HangingProtocol made = protocolOf(session_.workspace(), name, open_.pictures(),
                                           last == known_.protocols.end() ? nullptr : &*last);
-  if (const Status saved = saveOwnProtocol(made); !saved) return warn(shownText(saved.message()));
+  if (const Status saved = saveOwnProtocol(made); !saved) return warnUntilDone(shownText(saved.message()));
   known_ = knownProtocols();
   last_ = name;
   lastStudy_ = currentStudy();
@@ -256,7 +256,7 @@ void HangingProtocols::save(const QString& text) {
 void HangingProtocols::tellProblems() {
   QStringList problems;
   for (const std::string& problem : known_.problems) problems << shownText(problem);
-  if (!problems.isEmpty()) warn(tr("A hanging protocol of yours cannot be read."), problems);
+  if (!problems.isEmpty()) warnUntilDone(tr("A hanging protocol of yours cannot be read."), problems);
 }
 
 }  // namespace

@@ -214,7 +214,7 @@ void KeyImagePages::make(const WantedPtr& wanted, const Paint& paint, const QStr
     if (failure.isEmpty())
       tell(done);
     else
-      warn(failure);
+      warnUntilDone(failure);
   });
   run->start(
       [wanted](std::size_t n, const MadePicture& made) {

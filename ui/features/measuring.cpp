@@ -50,7 +50,8 @@ Measuring::Measuring(Workbench& bench) : Feature(bench) {
   connect(panel, &MeasurementsPanel::jumpRequested, this, &Measuring::showMeasurement);
   connect(panel, &MeasurementsPanel::saved, this,
           [this](const QString& path) { tell(tr("Saved %1").arg(path)); });
-  connect(panel, &MeasurementsPanel::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(panel, &MeasurementsPanel::failed, this,
+          [this](const QString& sentence) { warnUntilDone(sentence); });
 }
 
 // Most of their keys mean views in 3D: views hear them themselves, the menu only tells them.

@@ -41,7 +41,7 @@ Presets::Presets(Workbench& bench)
             if (session_.series() && session_.series()->volume == volume)
               session_.choosePreset(tr("Preset %1").arg(name), name.toStdString(), scene);
           });
-  connect(bar_, &PresetBar::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(bar_, &PresetBar::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   connectThumbnails();
   tellProblems();
 }
@@ -87,7 +87,7 @@ void Presets::forgetThumbnails() {
 void Presets::tellProblems() {
   QStringList problems;
   for (const std::string& problem : ownPresets().problems) problems << shownText(problem);
-  if (!problems.isEmpty()) warn(tr("A preset of yours cannot be read."), problems);
+  if (!problems.isEmpty()) warnUntilDone(tr("A preset of yours cannot be read."), problems);
 }
 
 }  // namespace

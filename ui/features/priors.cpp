@@ -123,6 +123,7 @@ void Priors::compare() {
 
 void Priors::show(const SeriesPicture& current, const SeriesPicture& prior) {
   const Series left = *current.series, right = *prior.series;
+  takeBack();
   session_.endGesture();
   session_.setFocus(mainFocusOf(session_.workspace()));
   bench_.action("maximise")->setChecked(false);

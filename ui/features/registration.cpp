@@ -39,7 +39,8 @@ Registration::Registration(Workbench& bench) : Feature(bench), registrar_(bench.
   QToolButton* button = bench_.addMenuButton("linkButton", 30);
   button->setDefaultAction(menu->menuAction());
   button->setPopupMode(QToolButton::InstantPopup);  // the action made it one that opens by its arrow alone
-  connect(&registrar_, &RegistrationJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&registrar_, &RegistrationJobs::failed, this,
+          [this](const QString& sentence) { warnUntilDone(sentence); });
   connect(&registrar_, &RegistrationJobs::found, this,
           [this](const std::string& from, const std::string& to, const Rigid& toFromFrom) {
             session_.endGesture();

@@ -29,7 +29,7 @@ Scenes::Scenes(Workbench& bench) : Feature(bench), files_(bench.document.jobs) {
       {"openScene", tr("Open scene..."), {}, "", false, [this](bool) { askForScene(); }, places});
   bench_.addAction(
       {"saveScene", tr("Save scene..."), {}, "", false, [this](bool) { askForSceneFile(); }, places});
-  connect(&files_, &FileJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&files_, &FileJobs::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
 }
 
 void Scenes::askForScene() {

@@ -40,7 +40,7 @@ SegmentRecipes::SegmentRecipes(Workbench& bench) : Feature(bench), files_(bench.
   add("openRecipe", tr("Open recipe..."), &SegmentRecipes::askWhatToRun);
   add("saveRecipe", tr("Save steps as a recipe..."), &SegmentRecipes::askWhereToSave);
   add("recipeSteps", tr("Steps..."), &SegmentRecipes::showSteps);
-  connect(&files_, &FileJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&files_, &FileJobs::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   connect(&bench_, &Workbench::recipeWanted, this, &SegmentRecipes::run);
 }
 
@@ -52,7 +52,7 @@ void SegmentRecipes::run(const Recipe& recipe) {
   SegmentWork work = workOf(recipe, keyOf(series), wholeVolume(session_), session_.maskOf(keyOf(series)));
   QStringList notes;
   for (const std::string& note : notesOf(recipe, series)) notes << shownText(note);
-  if (!notes.isEmpty()) work.done = [this, notes] { warn(notes.join(QLatin1Char(' '))); };
+  if (!notes.isEmpty()) work.done = [this, notes] { warnUntilDone(notes.join(QLatin1Char(' '))); };
   Q_EMIT bench_.segmentWorkWanted(work);
 }
 

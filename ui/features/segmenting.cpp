@@ -1,4 +1,5 @@
 #include <QPointer>
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -22,6 +23,11 @@ namespace volumen {
 
 namespace {
 
+bool areCutAlike(const Workspace& a, const Workspace& b) {
+  const auto maskOfEntry = [](const auto& entry) { return entry.second.mask; };
+  return std::ranges::equal(a.series, b.series, {}, maskOfEntry, maskOfEntry);
+}
+
 // Segments of a volume, and what is taken away from it: its table, what the scissors cut.
 class Segmenting : public Feature {
  public:
@@ -40,6 +46,7 @@ class Segmenting : public Feature {
   void cutSegment(const SegmentCut& cut);
   void measure(const SegmentNumbers& wanted);
   void showNumbers();
+  void tellIfAny(const QString& sentence);
   void tellSaved(const QStringList& files, const QStringList& notes, const std::vector<SegmentMap>& maps);
 
   SegmentPainter painter_;
@@ -78,11 +85,12 @@ Segmenting::Segmenting(Workbench& bench)
     bench_.addAction(action, {{"editMenu", 20}});
   }
   panel_->setTableAction(masker_.tableAction());
-  connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
-  connect(&surfaces_, &SegmentSurfaceJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
+  connect(&surfaces_, &SegmentSurfaceJobs::failed, this,
+          [this](const QString& sentence) { warnUntilDone(sentence); });
   connect(&surfaces_, &SegmentSurfaceJobs::cancelled, this,
           [this](const QString& sentence) { tell(sentence); });
-  connect(&tissues_, &TissueJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&tissues_, &TissueJobs::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
   makeExport();
@@ -127,7 +135,7 @@ void Segmenting::showExport() {
 
 void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
-  connect(panel_, &SegmentsPanel::told, this, [this](const QString& sentence) { warn(sentence); });
+  connect(panel_, &SegmentsPanel::told, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   connect(panel_, &SegmentsPanel::numbersWanted, this, &Segmenting::showNumbers);
   connect(&bench_, &Workbench::segmentWorkWanted, &segmenter_, &SegmentJobs::change);
   connect(panel_, &SegmentsPanel::recipeChosen, &bench_, &Workbench::recipeWanted);
@@ -135,9 +143,20 @@ void Segmenting::connectSegmenter() {
   connect(panel_, &SegmentsPanel::measureRequested, this, &Segmenting::measure);
   connect(&segmenter_, &SegmentJobs::ended, panel_, &SegmentsPanel::showSegments);
   connect(&segmenter_, &SegmentJobs::measured, panel_, &SegmentsPanel::showMeasured);
+  connect(&segmenter_, &SegmentJobs::changed, this, &Segmenting::tellIfAny);
   connect(&segmenter_, &SegmentJobs::saved, this, &Segmenting::tellSaved);
-  connect(&segmenter_, &SegmentJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&segmenter_, &SegmentJobs::failed, this,
+          [this](const QString& sentence) { warnUntilDone(sentence); });
+  // What was said of the segments, or of what is cut away, as they were.
+  connect(&session_, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.segmentMaps != after.segmentMaps || !areCutAlike(before, after)) takeBack();
+          });
   panel_->showSegments();
+}
+
+void Segmenting::tellIfAny(const QString& sentence) {
+  if (!sentence.isEmpty()) tell(sentence);
 }
 
 // The ends of the range on the axis of the curve. While one is dragged, 3D shows what of the curve is
@@ -154,14 +173,18 @@ void Segmenting::connectAxis() {
                          : std::optional(VolumeRange{session_.series()->volume, page->range()}));
   });
   connect(&bench_, &Workbench::curvePulled, &follower_, &CurveFollower::follow);
-  connect(&follower_, &CurveFollower::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&follower_, &CurveFollower::told, this, &Segmenting::tellIfAny);
+  connect(&follower_, &CurveFollower::failed, this,
+          [this](const QString& sentence) { warnUntilDone(sentence); });
 }
 
 void Segmenting::connectPainter() {
   connect(&grid_, &ViewGrid::strokePainted, this, &Segmenting::paint);
   connect(&grid_, &ViewGrid::segmentCut, this, &Segmenting::cutSegment);
-  connect(&painter_, &SegmentPainter::failed, this, [this](const QString& sentence) { warn(sentence); });
-  connect(&painter_, &SegmentPainter::ended, this, [this] {
+  connect(&painter_, &SegmentPainter::failed, this,
+          [this](const QString& sentence) { warnUntilDone(sentence); });
+  connect(&painter_, &SegmentPainter::ended, this, [this](const QString& said) {
+    tellIfAny(said);
     if (const auto measureNow = std::exchange(measureLater_, nullptr)) measureNow();
   });
 }
@@ -193,7 +216,8 @@ void Segmenting::connectGrowth() {
           [this](const SegmentWork& work) { segmenter_.change(preview_.withMade(work)); });
   connect(page, &SegmentGrowPage::previewWanted, &preview_, &SegmentPreview::show);
   connect(page, &SegmentGrowPage::previewEnded, &preview_, &SegmentPreview::clear);
-  connect(page, &SegmentGrowPage::refused, this, [this](const QString& sentence) { warn(sentence); });
+  connect(page, &SegmentGrowPage::refused, this,
+          [this](const QString& sentence) { warnUntilDone(sentence); });
   connect(&preview_, &SegmentPreview::changed, &grid_, &ViewGrid::showPreview);
   connect(&preview_, &SegmentPreview::failed, page, &SegmentGrowPage::previewFailed);
   connect(&grid_, &ViewGrid::ballDrawn, page, &SegmentGrowPage::takeBall);

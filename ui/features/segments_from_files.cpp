@@ -46,7 +46,7 @@ void SegmentsFromFiles::take(const QStringList& paths) {
     segmenter_.change(importOf(path, session_.series()->series, wholeVolume(session_),
                                [this](const QStringList& sentences) {
                                  tell(sentences.front());
-                                 if (sentences.size() > 1) warn(sentences.join(QLatin1Char(' ')));
+                                 if (sentences.size() > 1) warnUntilDone(sentences.join(QLatin1Char(' ')));
                                }));
 }
 

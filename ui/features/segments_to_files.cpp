@@ -87,7 +87,7 @@ void SegmentsToFiles::chooseSurfaces(const std::vector<SegmentMap>& maps, const 
 
 void SegmentsToFiles::writeTo(const QString& path, const Result<std::vector<std::string>>& files,
                               const std::function<void(const std::vector<std::string>& files)>& write) {
-  if (!files) return warn(QString::fromStdString(files.message()));
+  if (!files) return warnUntilDone(QString::fromStdString(files.message()));
   const QStringList replaced = replacedBeside(path, *files);
   if (replaced.isEmpty()) return write(*files);
   askBeforeReplacing(replaced, [write, files = *files] { write(files); });

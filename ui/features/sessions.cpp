@@ -1,7 +1,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPointer>
@@ -22,12 +21,27 @@ namespace {
 
 QString filter() { return QObject::tr("Sessions (*.volumen)"); }
 
+QString timeOf(const LostSession& lost) { return lost.at.toString(QStringLiteral("yyyy-MM-dd HH:mm")); }
+
+// "Doe, Jane (12345); Roe, Richard (7)".
+QString patientsOf(const LostSession& lost) {
+  QStringList names;
+  for (const SavedPatient& patient : lost.patients) {
+    Series series;
+    series.patientName = patient.name, series.patientId = patient.id;
+    names << patientText(series);
+  }
+  names.removeDuplicates();
+  return names.join(QStringLiteral("; "));
+}
+
 QString lostText(const LostSession& lost) {
-  const QString at = QLocale().toString(lost.at, QLocale::ShortFormat);
-  if (!lost.savedAs.isEmpty())
-    return QObject::tr("%1 has changes of %2 that were not saved.")
-        .arg(pathText(lost.savedAs.toStdString()), at);
-  return QObject::tr("volumen was ended before it could save what was open on %1.").arg(at);
+  const QString at = timeOf(lost), patients = patientsOf(lost);
+  const QString text =
+      lost.savedAs.isEmpty()
+          ? tr("volumen was ended before it could save what was open on %1.").arg(at)
+          : tr("%1 has changes of %2 that were not saved.").arg(pathText(lost.savedAs.toStdString()), at);
+  return patients.isEmpty() ? text : tr("%1 Patient: %2.").arg(text, patients);
 }
 
 // Sessions are of both windows.
@@ -63,6 +77,7 @@ class Sessions : public Feature {
   void askBeforeDiscarding();
   void showEarlier(const std::vector<LostSession>& discarded);
   void askBeforeClosing(const QString& lost);
+  void closeWithoutSaving(const QString& lost);
   void saveAndClose();
   void quit() { bench_.window.close(); }
 
@@ -74,6 +89,7 @@ class Sessions : public Feature {
   std::vector<LostSession> earlier_;  // discarded within a week
   bool closesWhenSaved_ = false;      // the window, once the session is
   bool closesUnasked_ = false;
+  QString whyNotKept_;  // what closing without saving would lose
   QPointer<QMessageBox> closeBox_;
 };
 
@@ -125,12 +141,12 @@ void Sessions::connectFiles() {
   });
   connect(&files_, &SessionFiles::failed, this, [this](const QString& sentence) {
     closesWhenSaved_ = false;
-    warn(sentence);
+    warnUntilDone(sentence);
   });
 }
 
 void Sessions::connectAutosave() {
-  connect(&autosave_, &Autosave::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&autosave_, &Autosave::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   connect(&autosave_, &Autosave::found, this, &Sessions::offerLost);
   connect(&autosave_, &Autosave::listed, this, &Sessions::showEarlier);
   connect(offer_, &OfferBar::accepted, this, [this] { bench_.document.loader.openSession(lost_->path); });
@@ -139,7 +155,10 @@ void Sessions::connectAutosave() {
 
 bool Sessions::mayClose(const QString& lost) {
   if (closesUnasked_ || lost.isEmpty()) return true;
-  if (!closeBox_) askBeforeClosing(lost);
+  if (!closeBox_) {
+    whyNotKept_.clear();
+    askBeforeClosing(lost);
+  }
   return false;
 }
 
@@ -163,15 +182,18 @@ void Sessions::showTitle() {
   window.setWindowModified(named && files_.modified());
 }
 
-// What was discarded; a menu of dates and of the names of session files.
+// What was discarded; a menu of dates, patients and names of session files.
 void Sessions::showEarlier(const std::vector<LostSession>& discarded) {
   earlier_ = discarded;
   earlierMenu_->clear();
   earlierMenu_->setEnabled(!discarded.empty());
   for (const LostSession& each : discarded) {
-    const QString at = QLocale().toString(each.at, QLocale::ShortFormat),
-                  file = QFileInfo(each.savedAs).fileName();
-    const QString text = file.isEmpty() || namesHidden() ? at : tr("%1, changes of %2").arg(at, file);
+    const QString file = QFileInfo(each.savedAs).fileName();
+    QStringList parts{timeOf(each)};
+    if (!namesHidden()) parts << patientsOf(each);
+    if (!namesHidden() && !file.isEmpty()) parts << tr("changes of %1").arg(file);
+    parts.removeAll(QString());
+    const QString text = parts.join(QStringLiteral(", "));
     earlierMenu_->addAction(QString(text).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
                             [this, path = each.path] { bench_.document.loader.openSession(path); });
   }
@@ -187,7 +209,7 @@ void Sessions::showSession(const QString& path, const OpenedSession& opened) {
   for (const QString& problem : opened.problems) bench_.banner.add(problem);
   offerToLocate();
   if (restores) {
-    files_.restored(QString::fromStdString(opened.savedAs));
+    files_.restored(QString::fromStdString(opened.savedAs), opened.saved);
     // What could not be read of it may be readable another day.
     if (opened.segmentsAreWhole)
       autosave_.replace(isLost ? *std::exchange(lost_, {}) : *earlier);
@@ -263,15 +285,24 @@ void Sessions::askBeforeClosing(const QString& lost) {
     QPushButton* save = box->addButton(tr("Save session..."), QMessageBox::AcceptRole);
     connect(save, &QPushButton::clicked, this, &Sessions::saveAndClose);
     box->setDefaultButton(save);
-    box->setInformativeText(tr("What is not saved is kept for a week: File > Restore earlier work."));
+    box->setInformativeText(whyNotKept_.isEmpty()
+                                ? tr("What is not saved is kept for a week: File > Restore earlier work.")
+                                : tr("What is not saved cannot be kept: %1").arg(whyNotKept_));
   }
   connect(box->addButton(tr("Close without saving"), QMessageBox::DestructiveRole), &QPushButton::clicked,
-          this, [this] {
-            autosave_.setAtEnd(AtEnd::aside);
-            closesUnasked_ = true;
-            bench_.window.close();
-          });
+          this, [this, lost] { closeWithoutSaving(lost); });
   openOverBoth(box);
+}
+
+// Asks again where what was promised to be kept for a week cannot be.
+void Sessions::closeWithoutSaving(const QString& lost) {
+  if (const Status kept = autosave_.keepNow(); !kept && whyNotKept_.isEmpty()) {
+    whyNotKept_ = shownText(kept.message());
+    return askBeforeClosing(lost);
+  }
+  autosave_.setAtEnd(AtEnd::aside);
+  closesUnasked_ = true;
+  bench_.window.close();
 }
 
 void Sessions::saveAndClose() {

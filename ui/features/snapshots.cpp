@@ -51,7 +51,7 @@ Snapshots::Snapshots(Workbench& bench)
                        : tr("Saved %1 pictures, the last as %2").arg(pictures).arg(path));
   });
   connect(&snapshot_, &Snapshot::copied, this, [this] { tell(tr("Copied to the clipboard")); });
-  connect(&snapshot_, &Snapshot::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&snapshot_, &Snapshot::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   connectViews();
 }
 

@@ -182,9 +182,9 @@ void StudyListing::connectSource(StudySource& source) {
       &source, &StudySource::filesFound, this,
       [this, &source](const IndexedChoice& choice, const std::vector<std::string>& files,
                       const OpenIntent& intent) { openFound(source.placeOf(choice.study), files, intent); });
-  connect(&source, &StudySource::failed, this, [this](const QString& sentence) { warn(sentence); });
+  connect(&source, &StudySource::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   connect(&source, &StudySource::notOpened, this,
-          [this](const IndexedChoice&, const QString& sentence) { warn(sentence); });
+          [this](const IndexedChoice&, const QString& sentence) { warnUntilDone(sentence); });
   connect(&source, &StudySource::noticed, this,
           [this](const QString& sentence) { bench_.banner.add(sentence); });
   connect(&source, &StudySource::importBegun, this, [this] {
@@ -237,9 +237,9 @@ void StudyListing::showImport(const ImportReport& report) {
   tell(importText(report));
   if (report.files > 0 && !report.cancelled) showImported();
   if (report.refused.empty()) return;
-  warn(report.refused.size() == 1 ? tr("1 file could not be imported.")
-                                  : tr("%1 files could not be imported.").arg(report.refused.size()),
-       refusedTexts(report.refused));
+  warnUntilDone(report.refused.size() == 1 ? tr("1 file could not be imported.")
+                                           : tr("%1 files could not be imported.").arg(report.refused.size()),
+                refusedTexts(report.refused));
 }
 
 // The keys stay where they are while pictures are looked at.

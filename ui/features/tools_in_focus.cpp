@@ -5,6 +5,7 @@
 #include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 
@@ -19,6 +20,13 @@ class ToolsInFocus : public Feature {
  private:
   void show();
 };
+
+// Where a tool would do something.
+QString whyNot(const Tool& tool, bool isOf3D) {
+  if (!isOf3D) return tr("It works in slices: click a view of slices first.");
+  return tool.inSlices ? tr("Click a view of slices or a 3D view first.")
+                       : tr("It works in 3D: click a 3D view first.");
+}
 
 ToolsInFocus::ToolsInFocus(Workbench& bench) : Feature(bench) {
   connect(&bench_, &Workbench::made, this, [this] {
@@ -44,7 +52,10 @@ void ToolsInFocus::show() {
     const auto action = bench_.actions.find(QLatin1String(tool.name) + QStringLiteral("Tool"));
     if (action == bench_.actions.end()) continue;
     const bool isOf3D = std::ranges::find(of3D, &tool) != of3D.end() || (tool.draws() && tool.inScene);
-    action->second->setEnabled((isFlatView && tool.inSlices) || (isScene && isOf3D));
+    const bool isUsable = (isFlatView && tool.inSlices) || (isScene && isOf3D);
+    action->second->setEnabled(isUsable);
+    action->second->setToolTip(
+        toolTipOf(QStringList{tipOf(*action->second), isUsable ? QString() : whyNot(tool, isOf3D)}));
   }
   bench_.action("measure")->setEnabled(isFlatView || isScene);
 }

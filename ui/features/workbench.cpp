@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "ui/views/view_grid.h"
+#include "ui/widgets/banner.h"
 #include "ui/widgets/explained.h"
 #include "ui/widgets/fold_title.h"
 
@@ -42,6 +43,13 @@ class Scrolling : public QScrollArea {
   int leastHeight_;
 };
 
+// Whether both have the same series open.
+bool areSeriesOf(const Workspace& a, const Workspace& b) {
+  return std::ranges::equal(
+      a.series, b.series, {}, [](const auto& entry) { return entry.first; },
+      [](const auto& entry) { return entry.first; });
+}
+
 }  // namespace
 
 Document::Document(const Services& services)
@@ -67,6 +75,7 @@ Workbench::Workbench(const Services& theServices, Document& theDocument, const W
               return std::pair(w.view(w.focus).series, showsFrames(w, w.focus));
             };
             if (showsOther(before, after) && shown(before) != shown(after)) Q_EMIT otherShown();
+            if (before.focus != after.focus || !areSeriesOf(before, after)) banner.takeBackOfFocus();
           });
 }
 

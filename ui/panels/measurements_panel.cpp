@@ -10,8 +10,11 @@
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/corner_text.h"
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/text.h"
 #include "viewer/measure/shape_json.h"
@@ -20,7 +23,7 @@ namespace volumen {
 
 namespace {
 
-enum { nameColumn, numberColumn, seriesColumn };
+enum { nameColumn, numberColumn, seriesColumn, placeColumn, timeColumn, dateColumn, patientColumn };
 constexpr qint64 mostBytes = 16 << 20;  // of a file of shapes, as `volumen measure` takes them
 
 QToolButton* button(const char* name, const QString& text) {
@@ -83,15 +86,16 @@ void MeasurementsPanel::makeLayout() {
   empty_->setWordWrap(true);
   list_->setObjectName(QStringLiteral("measurementList"));
   list_->setAccessibleName(tr("Measurements"));
-  list_->setHeaderLabels({tr("Name"), tr("Number"), tr("Series")});
+  list_->setHeaderLabels({tr("Name"), tr("Number"), tr("Series"), tr("Place"), tr("Time point"),
+                          tr("Study date"), tr("Patient")});
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
-  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // what is cut off stands in the tooltip
   list_->header()->setStretchLastSection(false);
-  list_->header()->setSectionResizeMode(numberColumn, QHeaderView::Stretch);
-  list_->header()->resizeSection(nameColumn, 100);
-  list_->header()->resizeSection(seriesColumn, 80);
+  for (const auto& [column, width] : {std::pair(nameColumn, 80), std::pair(numberColumn, 100)})
+    list_->header()->resizeSection(column, width);
+  for (const int column : {seriesColumn, placeColumn, timeColumn, dateColumn, patientColumn})
+    list_->header()->resizeSection(column, 70);
   list_->setMinimumHeight(60);
   shown_->setObjectName(QStringLiteral("measurementsShown"));
   shown_->setToolTip(tr("Show measurements in slices"));
@@ -150,6 +154,8 @@ void MeasurementsPanel::showAll() {
     if (m.id == workspace.selected) selected = item;
   }
   list_->setCurrentItem(selected);
+  const auto isOfStep = [&](const Measurement& m) { return !stepText(workspace, m.series).isEmpty(); };
+  list_->setColumnHidden(timeColumn, std::ranges::none_of(workspace.measurements, isOfStep));
   empty_->setVisible(count == 0);
   list_->setVisible(count > 0);
   shown_->setChecked(workspace.measurementsShown);
@@ -171,8 +177,16 @@ void MeasurementsPanel::showRow(QTreeWidgetItem* item, const Measurement& measur
   item->setText(numberColumn, number);
   item->setToolTip(numberColumn, toolTipOf(number));
   if (state == session_.workspace().series.end()) return;
-  item->setText(seriesColumn, sourceText(measurement, *state->second.series));
-  item->setToolTip(seriesColumn, toolTipOf(item->text(seriesColumn)));
+  const Series& series = *state->second.series;
+  const std::pair<int, QString> texts[] = {{seriesColumn, sourceText(measurement, series)},
+                                           {placeColumn, whereText(measurement, series)},
+                                           {timeColumn, stepText(session_.workspace(), measurement.series)},
+                                           {dateColumn, dateText(series.studyDate)},
+                                           {patientColumn, patientText(series)}};
+  for (const auto& [column, text] : texts) {
+    item->setText(column, text);
+    item->setToolTip(column, toolTipOf(text));
+  }
 }
 
 int MeasurementsPanel::selectedId() const {
@@ -187,8 +201,9 @@ std::vector<MeasuredRow> MeasurementsPanel::rows() {
   for (const Measurement& m : workspace.measurements) {
     const auto state = workspace.series.find(m.series);
     held_.push_back(measurer_.exactNumbersOf(m));
-    rows.push_back(
-        {m, held_.back().get(), state == workspace.series.end() ? nullptr : state->second.series.get()});
+    rows.push_back({m, held_.back().get(),
+                    state == workspace.series.end() ? nullptr : state->second.series.get(),
+                    stepText(workspace, m.series)});
   }
   return rows;
 }

@@ -172,6 +172,7 @@ void RegionsPanel::toggle(QTreeWidgetItem* item) {
   const DerivedKey key = keyOfItem(item);
   const bool on = item->checkState(0) == Qt::Checked;
   const QVariant number = item->data(0, numberOfRegion);
+  if (on) derived_.tryAgain(key);
   const auto edit = [this, key, on, number](Workspace& w) {
     if (number.isValid()) return void(w.regions.editOrAdd(key).shown.editOrAdd(number.toInt()) = on);
     if (!on) return void(w.regions.erase(key));

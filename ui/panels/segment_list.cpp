@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <utility>
 
 #include "ui/controller/segment_moving.h"
 #include "ui/controller/segment_target.h"
+#include "ui/panels/segment_tree.h"
 #include "ui/widgets/colours.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/untinted_icon.h"
@@ -29,12 +31,6 @@ namespace {
 enum ListColumn { shownColumn, lockColumn, amountColumn, mapColumn };
 constexpr int numberRole = Qt::UserRole, mapRole = Qt::UserRole + 1;
 constexpr int leastRows = 4, mostRows = 8;
-
-// Asks for no more height than it must have.
-class LowTree : public QTreeWidget {
- public:
-  QSize sizeHint() const override { return {QTreeWidget::sizeHint().width(), minimumHeight()}; }
-};
 
 // A column whose texts nobody types.
 class NotTyped : public QStyledItemDelegate {
@@ -79,7 +75,7 @@ void offerControl(QWidget* control, const QString& says, const QString& whyNot) 
 SegmentList::SegmentList(Session& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      list_(new LowTree),
+      list_(new SegmentTree),
       worked_(plainLabel()),
       add_(listButton("segmentAdd", tr("Add"))),
       duplicate_(listButton("segmentDuplicate", tr("Duplicate"))),
@@ -255,7 +251,7 @@ void SegmentList::showMeasured(const SegmentNumbers& numbers) {
   showSegments();
 }
 
-// An empty name is none. The map of what is changed is worked on.
+// An empty name is none. The map of what is changed is worked on, but for what is shown or hidden.
 void SegmentList::itemChanged(QTreeWidgetItem* item, int column) {
   if (!segmentsShown(session_)) return;
   const int map = mapNumberOf(item), number = segmentNumberOf(item);
@@ -268,11 +264,19 @@ void SegmentList::itemChanged(QTreeWidgetItem* item, int column) {
     edit((isOn ? tr("Lock %1") : tr("Unlock %1")).arg(before), map, number,
          [isOn](Segment& s) { s.locked = isOn; });
   else if (column == shownColumn && isOn != segment->visible)
-    edit((isOn ? tr("Show %1") : tr("Hide %1")).arg(before), map, number,
-         [isOn](Segment& s) { s.visible = isOn; });
+    showSegment(isOn, *of, *segment);
   else if (column == shownColumn && !name.isEmpty() && name != before)
     edit(tr("Rename %1").arg(before), map, number, [&](Segment& s) { s.label = name.toStdString(); });
   showSegments();
+}
+
+void SegmentList::showSegment(bool isOn, const SegmentMap& map, const Segment& segment) {
+  const QString text = (isOn ? tr("Show %1") : tr("Hide %1")).arg(shownText(segment.label));
+  const int worked = segmentsShown(session_)->number;
+  Workspace after = withSegmentChanged(withMapWorkedOn(session_.workspace(), map.series, map.number),
+                                       map.series, segment.number, [isOn](Segment& s) { s.visible = isOn; });
+  session_.change(text, withMapWorkedOn(std::move(after), map.series, worked));
+  session_.endGesture();
 }
 
 void SegmentList::edit(const QString& text, int map, int number,

@@ -40,6 +40,7 @@ class SegmentList : public QWidget {
   void showMaps(bool areSeveral);
   void showMenu(QPoint at);
   void itemChanged(QTreeWidgetItem* item, int column);
+  void showSegment(bool isOn, const SegmentMap& map, const Segment& segment);
   void edit(const QString& text, int map, int number, const std::function<void(Segment&)>& change);
   void editCurrent(const QString& text, const std::function<void(Segment&)>& change, const QString& mergeKey);
   void choose(const QTreeWidgetItem* item);

@@ -17,9 +17,11 @@
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/frozen_column.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/corner_text.h"
 #include "ui/workspace/csv.h"
 #include "ui/workspace/segment_columns.h"
 #include "ui/workspace/segments.h"
+#include "ui/workspace/series_columns.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 
@@ -290,7 +292,14 @@ void SegmentNumbersDialog::compare() {
       [this] { said_->setText(tr("Cancelled: nothing was compared.")); });
 }
 
-// With the heads, in the order of the rows; the chosen ones, else all.
+// What names the series in view.
+QStringList SegmentNumbersDialog::ofSeries() const {
+  if (!session_.series()) return {};
+  const Series& series = session_.series()->series;
+  return seriesFields(series, stepText(session_.workspace(), keyOf(series)));
+}
+
+// With the heads, in the order of the rows, and behind them what names the series; the chosen ones, else all.
 void SegmentNumbersDialog::copy() const {
   const QItemSelectionModel* chosen = table_->selectionModel();
   QStringList lines;
@@ -300,6 +309,9 @@ void SegmentNumbersDialog::copy() const {
     for (int column = 0; column < table_->columnCount(); ++column)
       cells << (row < 0 ? table_->horizontalHeaderItem(column) : table_->item(row, column))->text();
     cells.front() = harmlessName(cells.front());
+    if (row >= 0) cells << ofSeries();
+    for (const SeriesColumn& column : seriesColumns())
+      if (row < 0) cells << tr(column.head);
     lines << cells.join(QLatin1Char('\t'));
   }
   QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
@@ -324,7 +336,7 @@ void SegmentNumbersDialog::askWhere(const QString& suffix, const std::function<Q
 }
 
 QString SegmentNumbersDialog::csvText() const {
-  return measured_ ? segmentsAsCsv(measured_->reports, scale()) : QString();
+  return measured_ ? segmentsAsCsv(measured_->reports, scale(), ofSeries()) : QString();
 }
 
 QString SegmentNumbersDialog::jsonText() const {

@@ -55,6 +55,7 @@ class SegmentNumbersDialog : public QDialog {
   void compare();
   void copy() const;
   void askWhere(const QString& suffix, const std::function<QString()>& text);
+  QStringList ofSeries() const;
   QString csvText() const;
   QString jsonText() const;
   ValueScale scale() const;

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <cmath>
+#include <utility>
 
 #include "ui/controller/segment_target.h"
 #include "ui/panels/part_fields.h"
@@ -289,8 +290,9 @@ void SegmentRange::showSpans() {
   for (const ValueRange& span : visibleSpans(session_.scene().transferFunction))
     spans_->addItem(spanText({span.low * factor_, span.high * factor_}, valueDecimals(*series) - 1, unit));
   if (spans_->count() == 0) spans_->addItem(tr("Nothing is visible"));
-  // Typed numbers stay; where there are none yet, the first span is offered.
-  if (!segmentsShown(session_) && !low_->hasFocus() && !high_->hasFocus()) takeSpan(0);
+  // Numbers that were typed for the series stay; where there are none yet, the first span is offered.
+  const bool isAnother = std::exchange(offeredFor_, keyOf(series->series)) != keyOf(series->series);
+  if (isAnother || (!segmentsShown(session_) && !low_->hasFocus() && !high_->hasFocus())) takeSpan(0);
 }
 
 void SegmentRange::takeSpan(int n) {

@@ -78,6 +78,7 @@ class SegmentRange : public QWidget {
   QComboBox* use_;
   QDoubleSpinBox* guard_;
   QComboBox* neighbours_;
+  SeriesKey offeredFor_;             // the series that the fields are of
   double factor_ = 1;                // from values to the numbers in the fields
   bool isPreviewing_ = false;        // the range that is being typed
   ValueRange aloneRange_;            // what "show only" shows

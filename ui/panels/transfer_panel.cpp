@@ -112,6 +112,8 @@ void TransferPanel::showCurve() {
 }
 
 void TransferPanel::editWindow(const TransferFunction& curve, const QString& what) {
+  // Without its series, as after undoing its removal, there is no window to edit.
+  if (!session_.series()) return showCurve();
   const CurvePoint &first = curve.points.front(), &last = curve.points.back();
   WindowEnds ends{first.value, last.value};
   if (ends.bright - ends.dark < session_.series()->valueSpread / 4000) return showCurve();

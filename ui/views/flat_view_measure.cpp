@@ -8,8 +8,10 @@
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/latin_key.h"
+#include "ui/workspace/corner_text.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/measurements.h"
+#include "ui/workspace/text.h"
 #include "viewer/measure/shape_cut.h"
 
 namespace volumen {
@@ -18,11 +20,21 @@ namespace {
 
 constexpr int nameFieldWidth = 180;
 
-// Of its whole, and of arrows also what they say.
-QStringList textOf(const Measurement& m, MeasureJobs& measurer) {
+// Of its whole, and of arrows also what they say. Values of another series than `shown` name it, unless they
+// are those of two series, which do.
+QStringList textOf(const Measurement& m, MeasureJobs& measurer, const Workspace& workspace,
+                   const SeriesKey& shown) {
   QStringList text;
   if (!m.shape.name.empty()) text << nameText(m);
-  if (const MeasuredPtr numbers = measurer.numbersOf(m)) text << measuredLines(m.shape, *numbers);
+  const MeasuredPtr numbers = measurer.numbersOf(m);
+  if (!numbers) return text;
+  text << measuredLines(m.shape, *numbers);
+  const auto of = workspace.series.find(m.series);
+  const bool areValues = *numbers && !(*numbers)->other && ((*numbers)->values || (*numbers)->voxel);
+  if (areValues && m.series != shown && of != workspace.series.end())
+    text << tr("of %1").arg((QStringList{seriesText(*of->second.series), stepText(workspace, m.series)})
+                                .join(QLatin1Char(' '))
+                                .trimmed());
   return text;
 }
 
@@ -39,7 +51,7 @@ std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
         drawnMeasurement(m, *now, shown->volume->geometry(), devicePixelRatioF(), selected);
     if (one.lines.empty()) return;
     const bool isTold = one.whole || m.id < 0 || ruleOf(m.shape.kind).acrossSlices;
-    if (measured && isTold) one.text = textOf(m, measurer_);
+    if (measured && isTold) one.text = textOf(m, measurer_, workspace, state().series);
     drawn.push_back(std::move(one));
   };
   if (workspace.measurementsShown)

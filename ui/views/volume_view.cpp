@@ -1,5 +1,7 @@
 #include "ui/views/volume_view.h"
 
+#include <utility>
+
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/canvas.h"
 #include "ui/views/cine_bar.h"
@@ -15,13 +17,14 @@ namespace volumen {
 namespace {
 constexpr int leastForCube = 280;  // pixels of width and height: in less it would hide the picture
 
-// "draft 1/4 - 12 ms", "first: steps of 1 voxel - 80 ms", "final: standard - 223 ms".
-QString captionOf(const ScreenPicture& drawn) {
+// "draft 1/4 - 12 ms", "first: steps of 1 voxel - 80 ms", "final: standard - 223 ms"; once another picture
+// was asked for "before: standard - 223 ms".
+QString captionOf(const ScreenPicture& drawn, bool isOld = false) {
   QString level =
       drawn.step ? VolumeView::tr("first: steps of %1").arg(QString::fromStdString(inVoxels(*drawn.step)))
                  : QString::fromLatin1(qualityName(drawn.quality));
   if (drawn.factor > 1) level += QStringLiteral(" 1/%1").arg(drawn.factor);
-  if (drawn.atRest) level = VolumeView::tr("final: %1").arg(level);
+  if (drawn.atRest) level = (isOld ? VolumeView::tr("before: %1") : VolumeView::tr("final: %1")).arg(level);
   return VolumeView::tr("%1 - %2 ms").arg(level, QString::number(drawn.ms, 'f', drawn.ms < 10 ? 1 : 0));
 }
 }  // namespace
@@ -59,6 +62,7 @@ VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QW
 void VolumeView::seriesExchanged(bool another) {
   if (another) {
     fitMm_.clear();
+    captionIfOld_.clear();
     setPicture({}, {});
   }
   if (another || !series()) letGo();
@@ -149,8 +153,17 @@ void VolumeView::requestPicture() {
   const LoadedSeriesPtr shown = session_.drawnSeries(id());
   const bool isShown = shown && isVisible() && showsScene(state().kind);
   drawService_.show(id(), isShown ? shown->volume : nullptr);
-  drawnScene_ = sceneToDraw();
-  if (isShown) drawService_.request(id(), drawnScene_, pixels());
+  const Scene before = std::exchange(drawnScene_, sceneToDraw());
+  if (!isShown) return;
+  if (!isDrawn_ || before != drawnScene_ || picture_.size() != pixels()) showOld();
+  drawService_.request(id(), drawnScene_, pixels());
+}
+
+// What is on show stays until the next picture, and does not count as final.
+void VolumeView::showOld() {
+  if (captionIfOld_.isEmpty() || caption_ == captionIfOld_) return;
+  caption_ = captionIfOld_;
+  redraw();
 }
 
 void VolumeView::showOnly(const std::optional<VolumeRange>& range) {
@@ -171,6 +184,7 @@ void VolumeView::showDrawn(const ScreenPicture& picture) {
   if (picture.view != id()) return;
   isDrawn_ = true;
   setPicture(picture.image, captionOf(picture), picture.error);
+  captionIfOld_ = captionOf(picture, true);
   Q_EMIT drawn(picture);
 }
 

@@ -66,6 +66,8 @@ class VolumeView : public View {
   /// Plays the steps in time, or stops.
   void togglePlay();
   const QWidget* canvas() const { return canvas_; }
+  /// What is said of the picture: its level, and how long it took.
+  const QString& caption() const { return caption_; }
 
  Q_SIGNALS:
   /// This picture is on show.
@@ -99,6 +101,7 @@ class VolumeView : public View {
   const Tool* toolFor(const QMouseEvent& event) const;
   ScenePress pressAt(QPointF position, Qt::KeyboardModifiers keys);
   void zoomAt(QPointF position, double factor);
+  void takePickBack();
   void tellMissed(QPointF position);
   bool isSeenAt(QPointF position, const Shape& shape, std::size_t point) const;
   std::unique_ptr<SceneDrag> pressMeasurement(const ScenePress& press);
@@ -134,6 +137,7 @@ class VolumeView : public View {
   void makeErrorImage();
   void replaceCanvas();
   void showDrawn(const ScreenPicture& picture);
+  void showOld();
   void placeChildren();
   void showWarnings();
   void showState();
@@ -148,7 +152,7 @@ class VolumeView : public View {
   std::optional<VolumeRange> only_;
   bool isDrawn_ = false;  // since there has been one
   QImage picture_;
-  QString caption_;
+  QString caption_, captionIfOld_;
   std::shared_ptr<const std::vector<float>> error_;
   ErrorImage errorImage_;  // of it, where errorShown_
   bool errorShown_ = false;
@@ -164,9 +168,11 @@ class VolumeView : public View {
   std::unique_ptr<SceneDrag> shape_;  // draws a measurement, by several presses; others may move the camera
   Qt::MouseButton dragButton_ = Qt::NoButton;
   QPointF pressedAt_;
-  bool pressedShape_ = false;  // a measurement, not what lies behind it
-  bool pressedFree_ = false;   // no measurement, where one could have been selected
-  int stepsAtPress_ = 0;       // of the undo stack
+  bool pressedShape_ = false;            // a measurement, not what lies behind it
+  bool pressedFree_ = false;             // no measurement, where one could have been selected
+  int stepsAtPress_ = 0;                 // of the undo stack
+  bool isChosenByPress_ = false;         // it came into focus
+  std::optional<Workspace> beforePick_;  // of the last click, where that moved the crosshair
 };
 
 }  // namespace volumen

@@ -117,6 +117,7 @@ void VolumeView::releaseShape(const QMouseEvent& event) {
 // A click is the next point however soon it follows.
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && drawing_) return mousePressEvent(event);
+  takePickBack();
   View::mouseDoubleClickEvent(event);
 }
 

@@ -55,6 +55,8 @@ ScenePress VolumeView::pressAt(QPointF position, Qt::KeyboardModifiers keys) {
 }
 
 void VolumeView::mousePressEvent(QMouseEvent* event) {
+  isChosenByPress_ = session_.workspace().focus != id();
+  beforePick_.reset();
   View::mousePressEvent(event);
   if (!series() || drag_) return;
   if (shape_ && event->button() == Qt::LeftButton) {
@@ -131,11 +133,21 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   }
   if (clickedFree) session_.select(0);
   if (wantsMenu) Q_EMIT menuRequested(event->globalPosition().toPoint());
-  if (!clicked || !planesOnScreen()) return;
+  if (!clicked || isChosenByPress_ || !planesOnScreen()) return;
   const std::optional<Pick> hit = pickAt(event->position());
   if (!hit || !hit->pPatient) return;
+  const Workspace before = session_.workspace();
   moveCrosshair(session_, id(), *series(), tr("Crosshair"), *hit->pPatient);
   session_.endGesture();
+  if (session_.workspace() != before) beforePick_ = before;
+}
+
+// The first click of a double-click moved the crosshair, which was not meant: that step is gone again.
+void VolumeView::takePickBack() {
+  const auto before = std::exchange(beforePick_, {});
+  const int steps = session_.undoStack().index();
+  if (before && steps == stepsAtPress_ + 1)
+    session_.playOn(steps - 1, [&] { session_.change(tr("Crosshair"), *before); });
 }
 
 void VolumeView::wheelEvent(QWheelEvent* event) {

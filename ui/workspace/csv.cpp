@@ -1,7 +1,7 @@
 #include "ui/workspace/csv.h"
 
-#include <QLocale>
 #include <algorithm>
+#include <cmath>
 
 namespace volumen {
 
@@ -16,6 +16,11 @@ QString harmlessName(const QString& text) {
   return isFormula ? QLatin1Char('\'') + text : text;
 }
 
-QString csvNumber(double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); }
+QString csvNumber(double number) {
+  constexpr int digits = 7;  // a voxel holds no more
+  constexpr double exact = 1e15;
+  const bool isWhole = number == std::round(number) && std::abs(number) < exact;
+  return isWhole ? QString::number(qint64(number)) : QString::number(number, 'g', digits);
+}
 
 }  // namespace volumen

@@ -1,5 +1,8 @@
+#include <string_view>
+
 #include "ui/workspace/csv.h"
 #include "ui/workspace/measurement_text.h"
+#include "ui/workspace/series_columns.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -79,6 +82,31 @@ QStringList furtherNumbers(const Result<Measured>* measured) {
   return fields;
 }
 
+// How it was drawn or chosen.
+QString howText(const Shape& shape) {
+  if (shape.kind == ShapeKind::volume)
+    return tr("values from %1 to %2").arg(csvNumber(shape.range.low), csvNumber(shape.range.high));
+  if (shape.softMm) return tr("points picked in 3D");
+  return shape.frame ? tr("drawn on a frame") : tr("drawn in slices");
+}
+
+// Patient, study, series, time point, slice and how; "series" has its column already.
+QStringList identityFields(const MeasuredRow& row) {
+  QStringList fields;
+  const QStringList of = row.series ? seriesFields(*row.series, row.timePoint) : QStringList();
+  for (std::size_t n = 0; n < seriesColumns().size(); ++n)
+    if (seriesColumns()[n].key != std::string_view("series")) fields << of.value(qsizetype(n));
+  return fields << (row.series ? sliceNumberText(row.measurement.shape, *row.series) : QString())
+                << howText(row.measurement.shape);
+}
+
+QString identityNames() {
+  QString names;
+  for (const SeriesColumn& column : seriesColumns())
+    if (column.key != std::string_view("series")) names += QLatin1Char(',') + QLatin1String(column.key);
+  return names + QStringLiteral(",slice,how");
+}
+
 }  // namespace
 
 QString measurementsAsCsv(const std::vector<MeasuredRow>& rows) {
@@ -86,7 +114,7 @@ QString measurementsAsCsv(const std::vector<MeasuredRow>& rows) {
       "name,kind,number,unit,plus_minus,mean,sd,min,max,voxels,value_unit,problem,series,points_mm,"
       "calibration,"
       "frame_instance,frame_number,points_px,");
-  text += QLatin1String(furtherColumns) + QStringLiteral("\r\n");
+  text += QLatin1String(furtherColumns) + identityNames() + QStringLiteral("\r\n");
   for (const MeasuredRow& row : rows) {
     const std::optional<ShapeFrame>& frame = row.measurement.shape.frame;
     QStringList points;
@@ -107,7 +135,7 @@ QString measurementsAsCsv(const std::vector<MeasuredRow>& rows) {
       fields << QString() << QString() << QString();
     QStringList further = furtherNumbers(row.measured);
     if (isCurved) further[suvPeakPlace].clear();
-    fields += further;
+    fields += further + identityFields(row);
     fields.front() = harmlessName(fields.front());
     for (QString& field : fields) field = csvField(field);
     text += fields.join(QLatin1Char(',')) + QStringLiteral("\r\n");

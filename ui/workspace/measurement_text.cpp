@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "ui/workspace/measurements.h"
+#include "ui/workspace/series_columns.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 #include "viewer/measure/lengths.h"
+#include "viewer/measure/shape_cut.h"
 
 namespace volumen {
 
@@ -242,13 +244,32 @@ QString sourceText(const Measurement& measurement, const Series& series) {
   return frame ? tr("%1, frame %2").arg(text).arg(*frame + 1) : text;
 }
 
+QString whereText(const Measurement& measurement, const Series& series) {
+  const Shape& shape = measurement.shape;
+  if (shape.frame) {
+    const auto frame = frameMeant(series, *shape.frame);
+    return frame ? tr("frame %1").arg(*frame + 1) : QString();
+  }
+  const QString slice = sliceNumberText(shape, series);
+  if (!slice.isEmpty()) return tr("slice %1 of %2").arg(slice).arg(series.acquired.size.z);
+  if (shape.points.empty() || series.curved || !series.acquired.calibrated) return {};
+  const glm::dvec3 p = middleOf(shape);
+  return QStringLiteral("%1, %2, %3 mm").arg(p.x, 0, 'f', 1).arg(p.y, 0, 'f', 1).arg(p.z, 0, 'f', 1);
+}
+
 QString measurementsAsText(const std::vector<MeasuredRow>& rows) {
   QString text;
   for (const MeasuredRow& row : rows) {
     text += nameText(row.measurement);
     const QString numbers = row.measured ? measuredText(row.measurement.shape, *row.measured) : QString();
     if (!numbers.isEmpty()) text += QStringLiteral(": ") + numbers;
-    if (row.series) text += QStringLiteral(" (%1)").arg(sourceText(row.measurement, *row.series));
+    if (row.series) {
+      QStringList source{QStringLiteral(" (%1)").arg(sourceText(row.measurement, *row.series)),
+                         row.measurement.shape.frame ? QString() : whereText(row.measurement, *row.series),
+                         row.timePoint, patientText(*row.series), dateText(row.series->studyDate)};
+      source.removeAll(QString());
+      text += source.join(QStringLiteral(", "));
+    }
     text += QLatin1Char('\n');
   }
   return text;

@@ -41,11 +41,15 @@ struct MeasuredRow {
   Measurement measurement;
   const Result<Measured>* measured;  ///< null: not yet
   const Series* series;              ///< null: unknown
+  QString timePoint{};               ///< which volume of its series it is, in words
 };
 
-/// Name, numbers and series, a line each.
+/// Where it was drawn: "slice 12 of 31", "frame 3", else the place of its middle in mm.
+QString whereText(const Measurement& measurement, const Series& series);
+
+/// Name, numbers, series, place, patient and study date, a line each.
 QString measurementsAsText(const std::vector<MeasuredRow>& rows);
-/// RFC 4180, with a line of headings; numbers in full, positions in patient mm, of frames in pixels.
+/// RFC 4180, with a line of headings; numbers of seven digits, positions in patient mm, of frames in pixels.
 QString measurementsAsCsv(const std::vector<MeasuredRow>& rows);
 
 }  // namespace volumen

@@ -1,11 +1,11 @@
 #include "ui/workspace/segment_columns.h"
 
-#include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
 #include "ui/workspace/csv.h"
+#include "ui/workspace/series_columns.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 
@@ -205,7 +205,8 @@ QString columnText(const SegmentColumn& column, const SegmentReport& report, dou
   return texts.isEmpty() ? QStringLiteral("-") : texts.join(QStringLiteral(", "));
 }
 
-QString segmentsAsCsv(std::span<const SegmentReport> all, const ValueScale& scale) {
+QString segmentsAsCsv(std::span<const SegmentReport> all, const ValueScale& scale,
+                      const QStringList& ofSeries) {
   QStringList heads{tr("Name"), tr("Map")};
   for (const SegmentColumn& column : segmentColumns()) {
     const QString name = columnName(column, scale), unit = columnUnit(column, scale);
@@ -213,6 +214,8 @@ QString segmentsAsCsv(std::span<const SegmentReport> all, const ValueScale& scal
     for (const char* part : column.parts)
       heads << csvField(headWithUnit(QStringLiteral("%1 %2").arg(name, QLatin1String(part)), unit));
   }
+  for (const SeriesColumn& column : seriesColumns()) heads << tr(column.head);
+  heads << tr("Made by");
   QString text = heads.join(QLatin1Char(',')) + QStringLiteral("\r\n");
   for (const SegmentReport& report : all) {
     QStringList fields{csvField(harmlessName(QString::fromStdString(report.segment.label))),
@@ -222,6 +225,8 @@ QString segmentsAsCsv(std::span<const SegmentReport> all, const ValueScale& scal
       for (std::size_t n = 0; n < std::max<std::size_t>(1, column.parts.size()); ++n)
         fields << (n < numbers.size() ? csvNumber(numbers[n]) : QString());
     }
+    for (std::size_t n = 0; n < seriesColumns().size(); ++n) fields << csvField(ofSeries.value(qsizetype(n)));
+    fields << csvField(harmlessName(QString::fromStdString(report.made)));
     text += fields.join(QLatin1Char(',')) + QStringLiteral("\r\n");
   }
   return text;

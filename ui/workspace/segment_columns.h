@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QString>
+#include <QStringList>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,7 +34,9 @@ QString columnHead(const SegmentColumn& column, const ValueScale& scale);
 /// As a person reads them, four to six digits; "-" where there are none.
 QString columnText(const SegmentColumn& column, const SegmentReport& report, double factor);
 
-/// All of them as CSV (RFC 4180), a row a segment, UTF-8, numbers exact; names are harmless to spreadsheets.
-QString segmentsAsCsv(std::span<const SegmentReport> all, const ValueScale& scale);
+/// All of them as CSV (RFC 4180), a row a segment, UTF-8, numbers of seven digits; names are harmless to
+/// spreadsheets. `ofSeries`: what names their series (seriesFields()); last comes how each was made.
+QString segmentsAsCsv(std::span<const SegmentReport> all, const ValueScale& scale,
+                      const QStringList& ofSeries = {});
 
 }  // namespace volumen

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "ui/workspace/code_json.h"
+#include "ui/workspace/csv.h"
 #include "ui/workspace/segment_columns.h"
+#include "ui/workspace/segment_record.h"
 #include "viewer/measure/peak.h"
 
 namespace volumen {
@@ -81,6 +83,36 @@ Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segme
   if (!all) return all;
   if (const Status s = addSurfaces(*all, labels, volume, withPeaks, cancel, progress); !s) return s.error();
   return all;
+}
+
+namespace {
+
+// Without places, and without what is a name of another step.
+std::string stepText(const Step& step) {
+  std::string fields;
+  for (const auto& [name, value] : step.fields) {
+    const auto* number = std::get_if<double>(&value);
+    if (!number) continue;
+    fields += ' ' + name + ' ' + csvNumber(*number).toStdString();
+  }
+  return step.kind + fields;
+}
+
+}  // namespace
+
+std::string madeText(const Segment& segment, std::span<const Step> steps) {
+  std::string text = segment.description;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
+  bool isAnyStep = false;
+  for (const Step& step : steps) {
+    if (step.segment != stepNameOf(segment.number)) continue;
+    add(stepText(step));
+    isAnyStep = true;
+  }
+  if (!isAnyStep && segment.range)
+    add(stepText({"range", {}, {{"low", segment.range->low}, {"high", segment.range->high}}}));
+  if (!segment.algorithm.empty()) add(segment.algorithm);
+  return text;
 }
 
 bool hasPeaks(const std::string& modality) { return modality == "PT" || modality == "NM"; }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "viewer/recipe/recipe.h"
 #include "viewer/segment/numbers.h"
 #include "viewer/segment/segmented.h"
 #include "viewer/volume/result.h"
@@ -21,6 +22,7 @@ struct SegmentReport {
   std::optional<SegmentForm> form;  ///< none: no voxels, or the series is not calibrated
   std::optional<double> peak;       ///< the largest mean of a ball of 1 ml about one of its voxels
   int map = 0;                      ///< which of the maps of its series, from 0
+  std::string made{};               ///< how, in words (madeText()); empty: not known
 };
 
 /// How far it is: which segment is measured, and how many were.
@@ -39,6 +41,8 @@ Result<std::vector<SegmentReport>> voxelReports(std::span<const Segment> segment
 /// Adds those to reports of the labels.
 Status addSurfaces(std::span<SegmentReport> reports, const LabelMap& labels, const Volume& volume,
                    bool withPeaks, const CancelToken& cancel = {}, const SegmentProgress& progress = {});
+/// How a segment was made, by what is said of it and its steps: "range high 3071 low 152; grow mm 2".
+std::string madeText(const Segment& segment, std::span<const Step> steps = {});
 /// Whether peaks are told of series of this modality (PT, NM).
 bool hasPeaks(const std::string& modality);
 

@@ -171,9 +171,10 @@ void Session::change(const QString& text, Workspace after, const QString& mergeK
 }
 
 void Session::playOn(int steps, const std::function<void()>& edit) {
+  playsNow_ = true;
   playsOn_ = undoStack_.index() > steps;
   edit();
-  playsOn_ = false;
+  playsOn_ = playsNow_ = false;
 }
 
 void Session::adapt(const Workspace& after) {

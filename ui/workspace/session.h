@@ -121,6 +121,8 @@ class Session : public QObject {
   /// of their own: what plays by itself stays one step, and so does what is changed meanwhile, whose step
   /// then leads back to where it was played as that began.
   void playOn(int steps, const std::function<void()>& edit);
+  /// Whether the change under way is one of playOn().
+  bool playsOn() const { return playsNow_; }
 
   /// Makes `after` the workspace without a step: what follows from how large views are alone.
   void adapt(const Workspace& after);
@@ -194,6 +196,7 @@ class Session : public QObject {
   QUndoStack undoStack_;
   ViewSizes viewSizes_;
   int gesture_ = 0;
+  bool playsNow_ = false;                        // in playOn()
   bool playsOn_ = false;                         // a change belongs to the last step
   std::optional<SeriesKey> loading_, askedFor_;  // the one in work, by whomever; the last of seriesNeeded()
   std::set<SeriesKey> notLoaded_;                // of those on screen: they did not come

@@ -323,6 +323,12 @@ void fields(Fields& f, Workspace& w) {
   });
 }
 
+template <class Fields>
+void fields(Fields& f, SavedPatient& patient) {
+  f("name", patient.name);
+  f("id", patient.id);
+}
+
 Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& find,
                                      const FindObject& findObject) {
   const auto parsed = parseJson(text, mostMiB);
@@ -349,6 +355,7 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
   fields(read, session.workspace);
   read("segmentMaps", session.workspace.segmentMaps);
   read("savedAs", session.savedAs);
+  read("patients", session.patients);
   std::vector<SavedObject> derived;
   read("references", derived);
   json.refuseOthers();
@@ -359,7 +366,7 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
 }
 
 Result<std::string> sessionToJson(const Workspace& workspace, const std::string& folder,
-                                  const std::string& savedAs) {
+                                  const std::string& savedAs, std::vector<SavedPatient> patients) {
   std::string problem;
   NumberedSeries numbers;
   FieldWriter write("", numbers, problem);
@@ -380,6 +387,7 @@ Result<std::string> sessionToJson(const Workspace& workspace, const std::string&
   if (!copy.segmentMaps.empty()) write("segmentMaps", copy.segmentMaps);
   if (!derived.empty()) write("references", derived);
   if (!savedAs.empty()) write("savedAs", of);
+  if (!patients.empty()) write("patients", patients);
   if (!problem.empty()) return Error{problem};
   // A name that is no UTF-8 is written with marks in its place; such a series is told as missing later.
   std::string text = write.json().dump(1, ' ', false, FieldWriter::Json::error_handler_t::replace) + "\n";

@@ -30,9 +30,16 @@ using FindObject = std::function<std::optional<DerivedKey>(const SavedObject& sa
 /// Finds a series again. Null: it is not there, or no longer what it was.
 using FindSeries = std::function<std::shared_ptr<const Series>(const SavedSeries& saved)>;
 
+/// Whose pictures a session shows, as their files say.
+struct SavedPatient {
+  std::string name, id;
+  bool operator==(const SavedPatient&) const = default;
+};
+
 struct SavedSession {
   Workspace workspace;
   std::string savedAs;  ///< of what was kept on the way: the session file it belongs to; empty: none yet
+  std::vector<SavedPatient> patients;    ///< of what was kept on the way: those of its series
   std::vector<UnreadSteps> unreadSteps;  ///< of segments whose record is empty for that: as made by hand
 };
 
@@ -47,6 +54,6 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
 /// the session is to lie. An Error names the field that could not be read again, such as a number that is not
 /// finite.
 Result<std::string> sessionToJson(const Workspace& workspace, const std::string& folder,
-                                  const std::string& savedAs = {});
+                                  const std::string& savedAs = {}, std::vector<SavedPatient> patients = {});
 
 }  // namespace volumen

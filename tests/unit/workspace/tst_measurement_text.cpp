@@ -186,7 +186,7 @@ void TestMeasurementText::asText() {
   named.shape.name = "aorta";
   const Measurement arrow{2, {}, shapeOf(ShapeKind::arrow), {}};
   QCOMPARE(measurementsAsText({{named, &measured, &series}, {arrow, nullptr, nullptr}}),
-           QStringLiteral("aorta: 12.5 mm (MR)\nArrow 2\n"));
+           QStringLiteral("aorta: 12.5 mm (MR), 0.0, 0.0, 0.0 mm\nArrow 2\n"));
 }
 
 void TestMeasurementText::asCsv() {
@@ -208,16 +208,15 @@ void TestMeasurementText::asCsv() {
                                 .split(QStringLiteral("\r\n"));
   const QString further(16, QLatin1Char(','));
   QCOMPARE(lines.size(), 7);
-  QCOMPARE(lines[0].count(QLatin1Char(',')), 33);
-  QCOMPARE(lines[1],
-           QStringLiteral(
-               "\"a \"\"big\"\", one\",length,0.3333333333333333,mm,0.5,,,,,,,,CT,0.1 -2 3; 4 5 6,,,,") +
-               further);
-  QCOMPARE(lines[2], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,1.5,0.5,1,2,3,HU,,CT,0 0 0,,,,") + further);
-  QCOMPARE(lines[3],
-           QStringLiteral("Ellipse 2,ellipse,2,mm^2,,,,,,,,no voxel inside,CT,0 0 0,,,,") + further);
-  QCOMPARE(lines[4], QStringLiteral("Ellipse 2,ellipse,,,,,,,,,,not measured yet,,0 0 0,,,,") + further);
-  QCOMPARE(lines[5], QStringLiteral("Arrow 3,arrow,,,,,,,,,,,CT,0 0 0,,,,") + further);
+  QCOMPARE(lines[0].count(QLatin1Char(',')), 41);
+  const auto last = further + QStringLiteral(",,,,,,,,drawn in slices");
+  QCOMPARE(
+      lines[1],
+      QStringLiteral("\"a \"\"big\"\", one\",length,0.3333333,mm,0.5,,,,,,,,CT,0.1 -2 3; 4 5 6,,,,") + last);
+  QCOMPARE(lines[2], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,1.5,0.5,1,2,3,HU,,CT,0 0 0,,,,") + last);
+  QCOMPARE(lines[3], QStringLiteral("Ellipse 2,ellipse,2,mm^2,,,,,,,,no voxel inside,CT,0 0 0,,,,") + last);
+  QCOMPARE(lines[4], QStringLiteral("Ellipse 2,ellipse,,,,,,,,,,not measured yet,,0 0 0,,,,") + last);
+  QCOMPARE(lines[5], QStringLiteral("Arrow 3,arrow,,,,,,,,,,,CT,0 0 0,,,,") + last);
 }
 
 // Along a curve places are not the patient's: none is written, of the peak neither.

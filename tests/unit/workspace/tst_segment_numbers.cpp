@@ -179,7 +179,7 @@ void TestSegmentNumbers::whatThereIsNoneOfIsEmpty() {
   for (const QString& field : records[1]) QVERIFY(!field.contains(QStringLiteral("nan")));
 }
 
-// Names of any characters, numbers of any size, exactly.
+// Names of any characters, numbers of any size, to seven digits.
 void TestSegmentNumbers::csvComesBack() {
   const Seeds seeds = seedsOf(300, 10000);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
@@ -209,9 +209,12 @@ void TestSegmentNumbers::csvComesBack() {
       QVERIFY(row[0].isEmpty() || !QStringLiteral("=+-@\t\r\n").contains(row[0].front()));
       QCOMPARE(row[1].toInt(), all[n].map + 1);
       QCOMPARE(row[2].toDouble(), double(all[n].voxels));
-      QCOMPARE(row[mean].toDouble(), all[n].values.mean);
+      const auto isNear = [](double read, double written) {
+        return std::abs(read - written) <= 5.1e-7 * std::abs(written);
+      };
+      QVERIFY(isNear(row[mean].toDouble(), all[n].values.mean));
       QCOMPARE(row[x].isEmpty(), !all[n].form);
-      if (all[n].form) QCOMPARE(row[x].toDouble(), all[n].form->centroid.x);
+      if (all[n].form) QVERIFY(isNear(row[x].toDouble(), all[n].form->centroid.x));
     }
   }
 }

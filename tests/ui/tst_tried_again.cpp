@@ -1,0 +1,95 @@
+// Guards what could not be read for a moment, as where a disk was away: frames, numbers on them and regions
+// come once it can be read again.
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include "io/index/index_path.h"
+#include "tests/ui/frames_window.h"
+#include "ui/controller/derived_objects.h"
+#include "ui/controller/measure_jobs.h"
+#include "ui/data/frame_series.h"
+#include "ui/workspace/measurements.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestTriedAgain : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void framesAndNumbers();
+  void regions();
+};
+
+namespace {
+
+// A file that can be away.
+struct Away {
+  QTemporaryDir folder;
+  QString path = folder.filePath(QStringLiteral("a.dcm"));
+  explicit Away(const QString& of) { QFile::copy(of, path); }
+  bool go() const { return QFile::rename(path, path + QStringLiteral(".away")); }
+  bool comeBack() const { return QFile::rename(path + QStringLiteral(".away"), path); }
+};
+
+}  // namespace
+
+void TestTriedAgain::framesAndNumbers() {
+  NEED_FILES();
+  const Away file(dataFile(clipFile));
+  const Result<Study> study = openPath(file.path.toStdString());
+  QVERIFY(study);
+  const std::vector<Series> all = frameSeries(*study);
+  QCOMPARE(all.size(), std::size_t(1));
+  const auto series = std::make_shared<const Series>(all[0]);
+  Session session;
+  session.showFrames(*series, axialViewId);
+  FrameService frames;
+  MeasureJobs measurer(session, frames);
+  QSignalSpy ready(&frames, &FrameService::ready), failed(&frames, &FrameService::failed),
+      measured(&measurer, &MeasureJobs::measured);
+  Measurement length;
+  length.id = 1;
+  length.series = keyOf(*series);
+  length.shape.points = {{10, 10, 0}, {20, 10, 0}};
+  length.shape.frame = frameNamed(*series, 0);
+  QVERIFY(file.go());
+  QVERIFY(!measurer.numbersOf(length));
+  QTRY_VERIFY_WITH_TIMEOUT(measured.count() > 0, longest);
+  MeasuredPtr numbers = measurer.numbersOf(length);
+  QVERIFY(numbers && !*numbers);
+  failed.clear();
+  frames.request(sceneViewId, series, 0, 1);
+  QTRY_VERIFY_WITH_TIMEOUT(failed.count() == 1, longest);
+  QVERIFY(file.comeBack());
+  QTest::qWait(FrameService::tryAgainMs + 100);
+  frames.request(sceneViewId, series, 0, 1);
+  const auto isThere = [&] { return frames.find({keyOf(*series), 0, {}}) != nullptr; };
+  QTRY_VERIFY_WITH_TIMEOUT(isThere(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT((numbers = measurer.numbersOf(length)) && *numbers, longest);
+}
+
+void TestTriedAgain::regions() {
+  NEED_DATA(dataPath("pet-ct"));
+  const Away file(QString::fromStdString(dataPath("pet-ct/sts019-rtstruct-ct.dcm")));
+  const Result<Study> study = openPath(file.path.toStdString());
+  QVERIFY(study && study->derived.size() == 1);
+  const auto object = std::make_shared<const DerivedObject>(study->derived[0]);
+  Jobs jobs;
+  DerivedObjects derived(jobs);
+  derived.setOpen({object});
+  QSignalSpy failed(&derived, &DerivedObjects::failed);
+  QVERIFY(file.go());
+  QVERIFY(!derived.regions(keyOf(*object), object->kind));
+  QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, longest);
+  QVERIFY(file.comeBack());
+  QVERIFY2(!derived.regions(keyOf(*object), object->kind),
+           "views that ask again and again do not read again");
+  QVERIFY(jobs.rows().empty());
+  derived.tryAgain(keyOf(*object));
+  QVERIFY(!derived.regions(keyOf(*object), object->kind));
+  QTRY_VERIFY_WITH_TIMEOUT(derived.regions(keyOf(*object), object->kind), longest);
+  QCOMPARE(failed.count(), 1);
+}
+
+VOLUMEN_TEST(TestTriedAgain);
+#include "tst_tried_again.moc"
