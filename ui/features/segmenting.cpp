@@ -75,7 +75,7 @@ Segmenting::Segmenting(Workbench& bench)
                   {Qt::RightDockWidgetArea, 30}});
   for (QAction* action : {masker_.tableAction(), masker_.resetAction()}) {
     action->setParent(&bench_.window);
-    bench_.addAction(action, {{"editMenu", 20}});
+    bench_.addAction(action, {{"editMenu", 20}, {"sceneMenu", 30}});
   }
   panel_->setTableAction(masker_.tableAction());
   connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
@@ -109,7 +109,7 @@ void Segmenting::makeExport() {
                               "",
                               false,
                               [this](bool) { toFiles_.ask(); },
-                              {{"fileMenu", 40, 20}}});
+                              {{"fileMenu", 40, 20}, {"segmentsMenu", 30}}});
   panel_->setExportAction(export_);
   connect(&session_, &Session::workspaceChanged, this, &Segmenting::showExport);
   connect(&session_, &Session::changed, this, &Segmenting::showExport);
