@@ -92,7 +92,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "recipe...; Save steps as a recipe...; Steps...; |; Import segments...; Export segments...");
   row("&3D",
       "Anterior view; Posterior view; Left view; Right view; Superior view; Inferior view; |; "
-      "Remove table; Reset scissors; |; "
+      "Show the table in 3D; Remove table; Reset scissors; |; "
       "Use OpenGL (usually slower without a GPU); Show error map");
   row("&View/Layout",
       "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; [gridChooser]; |; "

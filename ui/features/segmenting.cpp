@@ -83,8 +83,12 @@ Segmenting::Segmenting(Workbench& bench)
   connect(&surfaces_, &SegmentSurfaceJobs::cancelled, this,
           [this](const QString& sentence) { tell(sentence); });
   connect(&tissues_, &TissueJobs::failed, this, [this](const QString& sentence) { warn(sentence); });
-  bench_.forEachVolumeView(
-      [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
+  bench_.forEachVolumeView([this](VolumeView* view) {
+    connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut);
+    connect(view, &VolumeView::drawn, &tissues_, [this, view](const ScreenPicture& picture) {
+      if (picture.atRest && view->series()) tissues_.drew(keyOf(view->series()->series));
+    });
+  });
   makeExport();
   connectSegmenter();
   connectAxis();
