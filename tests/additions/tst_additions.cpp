@@ -70,7 +70,7 @@ void TestAdditions::aToolOf3DGetsTheDrag() {
   w.window.session().show(ballSeries());
   QVERIFY(w.settle());
   const QAction* tool = w.child<QAction>("spinTool");
-  QVERIFY(w.child<QMenu>("viewMenu")->actions().contains(tool));
+  QVERIFY(w.child<QMenu>("toolsMenu")->actions().contains(tool));
   QVERIFY(w.child<QToolBar>("tools")->actions().contains(tool));
   QTest::keyClick(w.window.view(), Qt::Key_U);
   QVERIFY(tool->isChecked());

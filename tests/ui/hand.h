@@ -30,6 +30,11 @@ class Hand {
     QWidget* focus = QApplication::focusWidget();
     QTest::keyClick(focus && focus->isVisible() ? focus : &window_, key, modifiers);
   }
+  /// In a dialog, which has the keyboard once it is open.
+  void keyOn(QWidget* dialog, Qt::Key key) {
+    ++steps_;
+    QTest::keyClick(dialog, key);
+  }
   /// A text in the field that has the keyboard, in place of what stands there, and Enter.
   void type(const QString& text) {
     ++steps_;

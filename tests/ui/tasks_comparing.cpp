@@ -16,15 +16,31 @@ namespace volumen::tests {
 
 namespace {
 
+// The same series of two days, opened from their files.
+struct TwoOpen {
+  TwoDays days;
+  std::unique_ptr<Journey> w;
+
+  bool open() {
+    if (!days.write()) return false;
+    w = std::make_unique<Journey>(QStringList{days.now, days.before});
+    return QTest::qWaitFor(
+        [&] { return w->window.document().open.volumes().size() == 2 && w->window.session().series(); },
+        longest);
+  }
+  std::string dayIn(ViewId id) const {
+    const Series* series = seriesIn(w->window.session().workspace(), id);
+    return series ? series->studyDate : std::string();
+  }
+};
+
 int twoSeries() {
-  MeasureWindow w;
-  Hand hand(w.window);
-  const LoadedSeriesPtr second = ballSeries();
-  w.session().show(second, firstComparedId + 1);
-  w.session().setFocus(axialViewId);
+  TwoOpen t;
+  DONE(t.open());
+  Hand hand(t.w->window);
   hand.key(Qt::Key_4, Qt::AltModifier);
-  DONE(w.session().workspace().layout == Layout::two);
-  for (const ViewId id : {left, right}) DONE(!w.session().workspace().view(id).series.empty());
+  DONE(t.dayIn(left) == "20260301" && t.dayIn(right) == "20240215");
+  SOON(t.w->window.session().seriesOf(right));
   return hand.steps();
 }
 
@@ -137,17 +153,11 @@ int rotatingProjection() {
 }
 
 int prior() {
-  const TwoDays days;
-  DONE(days.write());
-  Journey w({days.now, days.before});
-  SOON(w.window.document().open.volumes().size() == 2 && w.window.session().series());
-  Hand hand(w.window);
+  TwoOpen t;
+  DONE(t.open());
+  Hand hand(t.w->window);
   hand.key(Qt::Key_7, Qt::AltModifier);
-  const auto dayIn = [&](ViewId id) {
-    const Series* series = seriesIn(w.window.session().workspace(), id);
-    return series ? series->studyDate : std::string();
-  };
-  DONE(dayIn(left) == "20260301" && dayIn(right) == "20240215");
+  DONE(t.dayIn(left) == "20260301" && t.dayIn(right) == "20240215");
   return hand.steps();
 }
 

@@ -2,9 +2,10 @@
 #include <QTemporaryDir>
 #include <QUrl>
 
-#include "io/files/write_volume.h"
+#include "io/export/dicom_series.h"
 #include "tests/fixtures/ct_with_table.h"
 #include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/small_volumes.h"
 #include "tests/ui/hand.h"
 #include "tests/ui/measure_window.h"
 #include "ui/workspace/flat_plane.h"
@@ -59,11 +60,21 @@ int scrollFast() {
   return r.hand.steps();
 }
 
+// Whether the file has windows or not.
 int windowOfKey(Qt::Key key, Window window) {
-  Reading r;
-  r.hand.key(key);
-  DONE(r.window() == window);
-  return r.hand.steps();
+  const LoadedSeriesPtr ball = ballSeries(32, 10, {3, -2, 4});
+  auto withWindows = std::make_shared<LoadedSeries>(*ball);
+  VolumeParts parts{ball->volume->geometry(), ball->volume->stored(), 1, 0, {}};
+  parts.attributes.windows = {{35, 350}, {-450, 2000}};
+  withWindows->volume = volumeFrom(std::move(parts));
+  int steps = 0;
+  for (const LoadedSeriesPtr& series : {ball, LoadedSeriesPtr(withWindows)}) {
+    Reading r(series);
+    r.hand.key(key);
+    DONE(r.window() == window);
+    steps = r.hand.steps();
+  }
+  return steps;
 }
 
 int lungWindow() { return windowOfKey(Qt::Key_6, {-600, 1500}); }
@@ -78,7 +89,7 @@ int windowByDrag() {
 
 int windowOfRegion() {
   Reading r;
-  r.hand.menu({"viewMenu"}, "regionWindowTool");
+  r.hand.menu({"toolsMenu"}, "regionWindowTool");
   const QPointF middle(r.w.view()->rect().center());
   r.hand.drag(r.w.view(), middle - QPointF(50, 50), middle + QPointF(50, 50));  // the ball and air
   DONE(r.window().has_value());
@@ -124,13 +135,12 @@ int volumeRendering() {
 
 int removeTable() {
   QTemporaryDir dir;
-  const QString path = dir.filePath(QStringLiteral("ct.nrrd"));
-  DONE(writeVolume(*CtWithTable::volume(true), path.toStdString()));
-  Journey w({path});
-  DONE(w.settle());
+  DONE(writeDicomSeries(*CtWithTable::ofCt(true), {}, dir.path().toStdString()));
+  Journey w({dir.path()});
   Hand hand(w.window);
-  hand.menu({"editMenu"}, "removeTable");
-  SOON(!w.window.session().workspace().series.begin()->second.mask.empty());
+  const Session& session = w.window.session();
+  SOON(session.series() && session.tissueDrawn(sceneViewId));
+  DONE(session.tissueDrawn(sceneViewId)->patient);
   return hand.steps();
 }
 

@@ -14,6 +14,7 @@
 
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
+#include "ui/panels/accuracy_panel.h"
 
 using namespace volumen;
 using volumen::tests::Journey;
@@ -73,6 +74,8 @@ class TestAccuracyPanel : public QObject {
   void goalsPickALevel_data();
   void goalsPickALevel();
   void beatenLevelsAreNotOnTheFront();
+  void aFinerLevelIsNeverSaidToBeWorse_data();
+  void aFinerLevelIsNeverSaidToBeWorse();
   void levelsAreMeasuredAndChosen();
   void targetsPickTheLevel();
   void aChangeOfTheSceneGivesTheMeasurementUp();
@@ -80,6 +83,7 @@ class TestAccuracyPanel : public QObject {
   void aPictureSaysWhatWasMeasuredOfIt();
   void thePictureOnShowSaysHowFarItMayBeOff();
   void theErrorIsShownInPlaceOfThePicture();
+  void theErrorIsThereWhereStepsDoNotTellIt();
   void errorsAreGreys_data();
   void errorsAreGreys();
   void effectsShowTheirCosts();
@@ -130,6 +134,40 @@ void TestAccuracyPanel::beatenLevelsAreNotOnTheFront() {
   QVERIFY2(!levels[0].front, "the draft is faster and nearer");
   QVERIFY(levels[1].front && levels[3].front);
   QVERIFY2(!levels[2].front, "not measured yet");
+}
+
+void TestAccuracyPanel::aFinerLevelIsNeverSaidToBeWorse_data() {
+  QTest::addColumn<std::vector<MeasuredLevel>>("levels");
+  using Levels = std::vector<MeasuredLevel>;
+  QTest::newRow("as it should be") << Levels{measured(coarse, 5, 20), measured(draft, 40, 8),
+                                             measured(standard, 90, 3), measured(high, 200, 0.6)};
+  QTest::newRow("the draft came out nearer and faster")
+      << Levels{measured(coarse, 5, 20), measured(draft, 40, 0.4), measured(standard, 90, 1.5),
+                measured(high, 200, 0.6)};
+  QTest::newRow("and one level failed")
+      << Levels{measured(coarse, 5, 0.1), measured(draft, 40, 0.4), measured(standard, {}, 0, "no memory"),
+                measured(high, 200, 0.6)};
+}
+
+void TestAccuracyPanel::aFinerLevelIsNeverSaidToBeWorse() {
+  QFETCH(std::vector<MeasuredLevel>, levels);
+  levels.push_back(measured({Quality::exact, 1}, {}, 0));  // not measured yet
+  markFront(levels);
+  Journey w;
+  auto* panel = w.window.findChild<AccuracyPanel*>();
+  QVERIFY(panel);
+  panel->showMeasured({nullptr, levels});
+  const auto* table = w.child<QTreeWidget>("levelTable");
+  double before = 256;
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    const QTreeWidgetItem* item = table->topLevelItem(int(n));
+    if (!levels[n].ms) continue;
+    const double said = item->text(2).section(QLatin1Char('/'), 0, 0).toDouble();
+    QVERIFY2(said <= before, qPrintable(item->text(2)));
+    QVERIFY2(said >= levels[n].error.percentile99 - 0.01, "no smaller than it was measured");
+    QVERIFY2(!item->font(0).italic(), "each is slower than the one before");
+    before = said;
+  }
 }
 
 void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
@@ -320,6 +358,26 @@ void TestAccuracyPanel::theErrorIsShownInPlaceOfThePicture() {
   QVERIFY(box->isChecked() && view->shown() == view->picture());
   w.child<QAction>("showError")->trigger();
   QVERIFY(!box->isChecked());
+}
+
+// A soft curve is drawn by plain steps; with its error map on show, cell by cell.
+void TestAccuracyPanel::theErrorIsThereWhereStepsDoNotTellIt() {
+  AccuracyWindow w;
+  QVERIFY(w.openPanel());
+  w.after([&] {
+    w.window.session().edit(QStringLiteral("soft"), [](Scene& s) {
+      s.shading.lit = false;
+      s.transferFunction.points = {{-1000, {1, 1, 1}, 0.0}, {3000, {1, 1, 1}, 0.02}};
+    });
+  });
+  auto* estimate = w.child<QLabel>("estimate");
+  QVERIFY2(estimate->text().contains(QStringLiteral("fixed steps")), qPrintable(estimate->text()));
+  w.child<QAction>("showError")->trigger();
+  const auto isMap = [&] {
+    return w.window.view()->shown().isGrayscale() && w.window.view()->shown() != w.window.view()->picture();
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(isMap() && estimate->text().startsWith(QStringLiteral("This picture")), longest);
+  w.child<QAction>("showError")->trigger();
 }
 
 void TestAccuracyPanel::errorsAreGreys_data() {

@@ -65,6 +65,8 @@ class TestCommandList : public CleanSettings {
   void aPresetIsFoundByItsName();
   void aSeriesIsFoundByItsName();
   void aProtocolIsFoundByItsName();
+  void otherWordsFindIt_data();
+  void otherWordsFindIt();
   void whatWasOpenedIsFoundThoughItsMenuIsFilledAgain();
 };
 
@@ -86,7 +88,7 @@ void TestCommandList::itHoldsAllCommands() {
                qPrintable(text));
   }
   QCOMPARE(w.rowOf("Length")->text(2), QStringLiteral("D"));
-  QCOMPARE(w.rowOf("Length")->text(1), QStringLiteral("View > Measure"));
+  QCOMPARE(w.rowOf("Length")->text(1), QStringLiteral("Tools > Measure"));
   QCOMPARE(w.rowOf("Lights")->text(1), QStringLiteral("View > Panels"));
   QCOMPARE(w.rowOf("One view")->text(2), QStringLiteral("Alt+1"));
   QCOMPARE(w.rowOf("Lock here")->text(1), QStringLiteral("View > Link"));
@@ -197,7 +199,7 @@ void TestCommandList::whatWasUsedLastComesFirst() {
   QTest::keyClick(w.search(), Qt::Key_Return);
   w.open();
   QCOMPARE(w.texts(0),
-           (QStringList{QStringLiteral("Anterior view"), QStringLiteral("View"), QStringLiteral("A")}));
+           (QStringList{QStringLiteral("Anterior view"), QStringLiteral("3D"), QStringLiteral("A")}));
   QCOMPARE(w.current(), QStringLiteral("Anterior view"));
 }
 
@@ -303,6 +305,34 @@ void TestCommandList::whatWasOpenedIsFoundThoughItsMenuIsFilledAgain() {
   QTest::keyClick(w.search(), Qt::Key_Return);
   QVERIFY(!w.list()->isVisible());
   QTRY_VERIFY2(!w.child<Banner>("banner")->sentence().isEmpty(), "the folder is empty, which was found out");
+}
+
+void TestCommandList::otherWordsFindIt_data() {
+  QTest::addColumn<QString>("typed");
+  QTest::addColumn<QString>("found");
+  const auto row = [](const char* typed, const char* found) {
+    QTest::newRow(typed) << QString::fromLatin1(typed) << QString::fromLatin1(found);
+  };
+  row("high", "Quality high");
+  row("anonymise", "Hide names");
+  row("anonymize", "Hide names");
+  row("report", "Key images as pages...");
+  row("video", "Stack as pictures...");
+  row("calibrate", "True size");
+  row("print", "Print picture...");
+  row("ruler", "Length");
+  row("MPR", "Planes and 3D");
+  row("screenshot", "Save picture...");
+  row("settings", "Preferences...");
+}
+
+// The first that can be chosen, as Enter does.
+void TestCommandList::otherWordsFindIt() {
+  QFETCH(QString, typed);
+  QFETCH(QString, found);
+  CommandWindow w;
+  w.search()->setText(typed);
+  QCOMPARE(w.current(), found);
 }
 
 VOLUMEN_TEST(TestCommandList);

@@ -1,5 +1,6 @@
 // Guards that there is something to look at while a series is being loaded: its middle slice, which scrolls,
 // gone once the views show the series or the load was given up.
+#include <QLineEdit>
 #include <QSemaphore>
 #include <QTemporaryDir>
 #include <QTreeView>
@@ -94,6 +95,10 @@ class TestFirstImages : public QObject {
   void whatAnOverlayIsLaidOverStays();
   void whatIsShownAgainEndsTheLoad();
   void whatIsLoadedAtOnceHasNone();
+  void whatIsDoneMeanwhileHolds();
+  void aGridThatIsChosenMeanwhileHolds();
+  void noFieldHasTheKeysAtFirst();
+  void whatIsTypedMeanwhileIsNotSearchedFor();
 };
 
 void TestFirstImages::theMiddleSliceIsThereBeforeTheVolume() {
@@ -271,6 +276,78 @@ void TestFirstImages::whatIsLoadedAtOnceHasNone() {
   Frames w({clipFile});
   QVERIFY(w.shows());
   QVERIFY(w.child<FirstImage>("firstImage")->isHidden());
+}
+
+void TestFirstImages::whatIsDoneMeanwhileHolds() {
+  const QTemporaryDir dir;
+  QVERIFY(writeCt(dir.path(), {{35, 350}}).ok());
+  SlowLoads s(QString{});
+  QSettings().setValue(QStringLiteral("layouts/CT"), QStringLiteral("one"));
+  s.w.window.open({dir.path()});
+  QVERIFY(s.appears());
+  QTest::keyClick(&s.w.window, Qt::Key_2, Qt::AltModifier);
+  QTest::keyClick(s.w.window.focusWidget() ? s.w.window.focusWidget() : &s.w.window, Qt::Key_6);
+  const SeriesKey key = s.loaded();
+  QVERIFY(!key.empty());
+  QCOMPARE(s.session().workspace().layout, Layout::planes);
+  const auto window = [&] { return s.session().workspace().series.at(key).window; };
+  QTRY_COMPARE_WITH_TIMEOUT(window(), std::optional(Window{-600, 1500}), longest);
+  // From then on keys mean what is shown.
+  s.flat()->setFocus();
+  QTest::keyClick(s.flat(), Qt::Key_0);
+  QVERIFY(!window());
+}
+
+void TestFirstImages::aGridThatIsChosenMeanwhileHolds() {
+  const QTemporaryDir dir;
+  QVERIFY(writeCt(dir.path(), {}).ok());
+  SlowLoads s(dir.path());
+  QVERIFY(s.appears());
+  QTest::keyClick(&s.w.window, Qt::Key_4, Qt::AltModifier);
+  const SeriesKey key = s.loaded();
+  QCOMPARE(s.session().workspace().layout, Layout::two);
+  QVERIFY(s.session().workspace().view(tests::left).series == key);
+}
+
+void TestFirstImages::noFieldHasTheKeysAtFirst() {
+  const QTemporaryDir dir;
+  QVERIFY(writeCt(dir.path(), {}).ok());
+  SlowLoads s(dir.path());
+  QVERIFY(!qobject_cast<QLineEdit*>(s.w.window.focusWidget()));
+  QVERIFY(s.appears());
+  QVERIFY(!qobject_cast<QLineEdit*>(s.w.window.focusWidget()));
+  // Nor does one keep them that had them as something else was opened.
+  QVERIFY(!s.loaded().empty());
+  s.w.child<QLineEdit>("studySearch")->setFocus();
+  const QTemporaryDir other;
+  QVERIFY(writeCt(other.path(), {}).ok());
+  s.w.window.open({other.path()});
+  QVERIFY(!qobject_cast<QLineEdit*>(s.w.window.focusWidget()));
+}
+
+void TestFirstImages::whatIsTypedMeanwhileIsNotSearchedFor() {
+  const QTemporaryDir dir;
+  QVERIFY(writeCt(dir.filePath(QStringLiteral("ct")), {}).ok());
+  const std::string index = dir.filePath(QStringLiteral("index")).toStdString();
+  {
+    Result<Index> listed = Index::open(index);
+    QVERIFY(listed && listed->import({dir.filePath(QStringLiteral("ct")).toStdString()}));
+  }
+  SlowLoads s(QString{}, index);
+  auto* search = s.w.child<QLineEdit>("browserSearch");
+  QTRY_VERIFY_WITH_TIMEOUT(search && search->isVisible(), longest);
+  s.w.window.open({dir.filePath(QStringLiteral("ct"))});
+  const auto type = [&](Qt::Key key) {
+    QWidget* focus = s.w.window.focusWidget();
+    QTest::keyClick(focus && focus->isVisible() ? focus : &s.w.window, key);
+  };
+  type(Qt::Key_J);
+  QVERIFY(s.appears());
+  type(Qt::Key_J);
+  type(Qt::Key_7);
+  QCOMPARE(search->text(), QString());
+  const SeriesKey key = s.loaded();
+  QTRY_VERIFY_WITH_TIMEOUT(s.session().workspace().series.at(key).window == Window({170, 600}), longest);
 }
 
 VOLUMEN_TEST(TestFirstImages);

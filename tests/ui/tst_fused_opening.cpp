@@ -42,6 +42,9 @@ class TestFusedOpening : public QObject {
   void bothThatAreNamedOpenFused_data();
   void bothThatAreNamedOpenFused();
   void thoseOfTwoPatientsDoNot();
+  void besideItThePetStandsAlone_data();
+  void besideItThePetStandsAlone();
+  void aGridOfOneSeriesIsNoLayoutToComeBackTo();
 };
 
 void TestFusedOpening::aStudyOfBothOpensFused() {
@@ -91,6 +94,49 @@ void TestFusedOpening::thoseOfTwoPatientsDoNot() {
   QTRY_VERIFY_WITH_TIMEOUT(!w.window.document().loader.isBusy(), longest);
   QCOMPARE(w.modality(w.workspace().view(sceneViewId).series), std::string("CT"));
   QVERIFY(w.look(axialViewId).overlay.empty());
+}
+
+void TestFusedOpening::besideItThePetStandsAlone_data() {
+  QTest::addColumn<int>("focus");
+  QTest::newRow("a plane in focus") << int(axialViewId);
+  QTest::newRow("3D in focus") << int(sceneViewId);
+}
+
+void TestFusedOpening::besideItThePetStandsAlone() {
+  QFETCH(int, focus);
+  const std::string data = tests::dataPath("pet-ct");
+  NEED_DATA(data);
+  const UsualLayouts usual;
+  const auto showsBoth = [](PetCtWindow& w) {
+    return w.workspace().layout == Layout::two &&
+           w.modality(w.workspace().view(firstComparedId).series) == "CT" &&
+           w.modality(w.look(firstComparedId).overlay) == "PT" &&
+           w.modality(w.workspace().view(firstComparedId + 1).series) == "PT";
+  };
+  {
+    PetCtWindow w(QStringList{QString::fromStdString(data)});
+    QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() && w.isFused(), longest);
+    w.window.session().setFocus(focus);
+    QTest::keyClick(w.window.focusWidget(), Qt::Key_4, Qt::AltModifier);
+    QVERIFY(showsBoth(w));
+    for (const ViewId id : {firstComparedId, firstComparedId + 1})
+      QTRY_VERIFY_WITH_TIMEOUT(!w.window.views()->viewAs<FlatView>(id)->picture().isNull(), longest);
+    w.shot("fused-two");
+    w.window.close();
+  }
+  // So it opens from then on.
+  PetCtWindow again(QStringList{QString::fromStdString(data)});
+  QTRY_VERIFY_WITH_TIMEOUT(showsBoth(again), longest);
+}
+
+void TestFusedOpening::aGridOfOneSeriesIsNoLayoutToComeBackTo() {
+  const std::string chest = tests::dataPath("ct-chest-lidc0314-138");
+  NEED_DATA(chest);
+  const UsualLayouts usual;
+  QSettings().setValue(QStringLiteral("layouts/CT"), QStringLiteral("two"));
+  PetCtWindow w(QStringList{QString::fromStdString(chest)});
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
+  QCOMPARE(w.workspace().layout, Layout::planes);
 }
 
 VOLUMEN_TEST(TestFusedOpening);

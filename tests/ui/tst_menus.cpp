@@ -1,7 +1,10 @@
 // Guards what stands in the menus and in the tool bar of the window, and in which order: features say it,
 // each of its own actions.
+#include <QDialog>
 #include <QMenuBar>
+#include <QScrollBar>
 #include <QSettings>
+#include <QTextBrowser>
 #include <QToolBar>
 #include <QWidgetAction>
 
@@ -50,12 +53,14 @@ class TestMenus : public QObject {
   void menusHoldWhatTheyShould_data();
   void menusHoldWhatTheyShould();
   void theToolBarHoldsWhatItShould();
+  void noMenuIsLongerThanAScreen();
+  void theKeysFitAScreenAndScroll();
 };
 
 void TestMenus::menusHoldWhatTheyShould_data() {
   QTest::addColumn<QStringList>("entries");
   const auto row = [](const char* titles, const char* entries) { QTest::newRow(titles) << listed(entries); };
-  row("", "&File >; &Edit >; &View >; &Help >");
+  row("", "&File >; &Edit >; &View >; &Tools >; &Segments >; &3D >; &Help >");
   row("&File",
       "Open folder...; Open file...; Open recent >; Sample study; |; "
       "Study list; Find study...; Import folder...; |; "
@@ -70,21 +75,25 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "Key images as pages...");
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
-      "Rotate; Adjust curve (W/L); Scissors; Reset view; |; Window\tW; Scroll; Pan; Zoom; Crosshair; "
-      "Magnifier; Window from region; Connected part; Paint; Outline; Cut segment; Lesion in a sphere; Level "
-      "trace; Smart brush; |; "
-      "Anterior view; Posterior view; Left view; Right view; Superior view; Inferior view; |; "
       "Show as frames; Each image its own window; Overlays and shutters; Play or stop; Go to number...; |; "
-      "Key image; Previous key image; Next key image; |; "
-      "Use OpenGL (usually slower without a GPU); Show error map; |; "
       "Maximise view; Full screen; Light theme; Hide names; Layout >; Hanging protocols >; "
-      "Compare with prior; Second window; Show in this view >; Turn and size >; "
+      "Compare with prior; Second window; Show in this view >; Reset view; Turn and size >; "
       "Link >; "
-      "Measure >; Window presets >; Window of this view alone; Interpolate between voxels; "
+      "Window presets >; Window of this view alone; Interpolate between voxels; "
       "Crosshair lines; Reference lines; Reference lines of first and last slices; Slab >; Colour map >; PET "
       "values >; Overlay "
       ">; DICOM attributes...; "
       "Panels >");
+  row("&Tools",
+      "Rotate; Adjust curve (W/L); Scissors; |; Window\tW; Scroll; Pan; Zoom; Crosshair; Magnifier; Window "
+      "from region; |; Measure >; |; Key image; Previous key image; Next key image");
+  row("&Segments",
+      "Connected part; Paint; Outline; Cut segment; Lesion in a sphere; Level trace; Smart brush; |; Open "
+      "recipe...; Save steps as a recipe...; Steps...; |; Import segments...; Export segments...");
+  row("&3D",
+      "Anterior view; Posterior view; Left view; Right view; Superior view; Inferior view; |; "
+      "Show the table in 3D; Remove table; Reset scissors; |; "
+      "Use OpenGL (usually slower without a GPU); Show error map");
   row("&View/Layout",
       "One view; Planes and 3D; Large 3D beside planes; Two series; Four series; [gridChooser]; |; "
       "Planes along the slices; Planes along the patient");
@@ -93,7 +102,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
   row("&View/Turn and size",
       "Turn right; Turn left; Mirror left to right; Mirror top to bottom; |; "
       "A pixel of the picture a pixel of the screen; True size");
-  row("&View/Measure",
+  row("&Tools/Measure",
       "Length\tD; Polyline; Curve; Long and short axis; Angle\tA; Cobb angle; Leg axis; Cardiothoracic "
       "ratio; Ellipse\tE; "
       "Rectangle; Freehand; Probe\tP; Arrow\tT; Spine labels; |; Chart of values; Show curved plane; "
@@ -121,6 +130,26 @@ void TestMenus::theToolBarHoldsWhatItShould() {
                   "Window\tW; Scroll; Pan; Zoom; Crosshair; Magnifier; |; "
                   "[]; [layoutButton]; [windowButton]; [measureButton]; [linkButton]; []; Save picture...; "
                   "Mouse and keys"));
+}
+
+// On a screen of 768 lines.
+void TestMenus::noMenuIsLongerThanAScreen() {
+  const MainWindow window(realServices());
+  for (const QAction* title : window.menuBar()->actions())
+    QVERIFY2(title->menu()->sizeHint().height() < 700, qPrintable(title->text()));
+}
+
+void TestMenus::theKeysFitAScreenAndScroll() {
+  volumen::tests::Journey w;
+  w.child<QAction>("shortcuts")->trigger();
+  auto* box = w.child<QDialog>("shortcutsBox");
+  QVERIFY(box && box->isVisible());
+  QVERIFY(box->width() <= 1000 && box->height() <= 768);
+  auto* text = w.child<QTextBrowser>("shortcutsText");
+  QVERIFY2(!text->horizontalScrollBar()->isVisible(), "lines wrap");
+  QVERIFY2(text->verticalScrollBar()->maximum() > 0, "there is more below");
+  box->resize(420, 300);
+  QVERIFY2(box->height() == 300 && !text->horizontalScrollBar()->isVisible(), "in less room, too");
 }
 
 VOLUMEN_TEST(TestMenus);

@@ -6,7 +6,9 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTextBrowser>
+#include <QToolButton>
 
+#include "io/export/dicom_series.h"
 #include "io/files/write_volume.h"
 #include "tests/fixtures/ct_with_table.h"
 #include "tests/ui/journey.h"
@@ -44,6 +46,7 @@ class TestRemoveTable : public QObject {
   void segmentsAreOfThePatientAlone();
   void thePanelsKeepWhatTheyShow();
   void itIsNotOfferedForOtherValues();
+  void theFirstPictureOfACtIsSoonWithoutIt();
 };
 
 void TestRemoveTable::theTableGoesAndComesBack() {
@@ -114,6 +117,35 @@ void TestRemoveTable::itIsNotOfferedForOtherValues() {
   w.window.open({QStringLiteral("phantom:ct-head:48")});
   QVERIFY(w.settle());
   QVERIFY(action->isEnabled());
+}
+
+void TestRemoveTable::theFirstPictureOfACtIsSoonWithoutIt() {
+  const QTemporaryDir dir;
+  DicomSeriesTags tags;
+  tags.patientName = "Doe^Jane", tags.patientId = "77";
+  QVERIFY(writeDicomSeries(*CtWithTable::ofCt(true), tags, dir.path().toStdString()));
+  Journey w({dir.path()});
+  QVERIFY(w.settle());
+  auto* show = w.child<QToolButton>("showTable");
+  QTRY_VERIFY_WITH_TIMEOUT(show->isVisible(), longest);
+  const Session& session = w.window.session();
+  QTRY_VERIFY_WITH_TIMEOUT(session.drawnSeries(sceneViewId) != session.series(), longest);
+  QVERIFY2(session.maskOf(keyOf(session.series()->series)).empty(), "slices and numbers have all of it");
+  QCOMPARE(w.window.session().undoStack().count(), 0);
+  w.shot("ct-without-table");
+  const QImage without = w.after("viewPosterior");
+  // One click brings it back, for the next series, too.
+  const QImage with = w.after([&] { QTest::mouseClick(show, Qt::LeftButton); });
+  QVERIFY(!with.isNull() && with != without);
+  QVERIFY(!show->isVisible() && w.child<QAction>("tableIn3d")->isChecked());
+  QCOMPARE(w.window.session().undoStack().count(), 1);  // the view
+  w.shot("ct-with-table");
+  QVERIFY(w.after([&] { w.child<QAction>("tableIn3d")->trigger(); }) == without);
+  // What was taken away by hand is gone from slices, too.
+  w.after("removeTable");
+  QVERIFY(!show->isVisible());
+  QVERIFY(session.drawnSeries(sceneViewId) == session.series());
+  QVERIFY(session.series()->volume->attributes().cut.table);
 }
 
 VOLUMEN_TEST(TestRemoveTable);

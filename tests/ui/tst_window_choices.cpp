@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "tests/fixtures/small_volumes.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
@@ -36,6 +37,7 @@ class TestWindowChoices : public QObject {
   void theNameStandsWhileItHolds();
   void whatHasNoTissuesHasNone();
   void withoutASliceItSaysSo();
+  void digitsDoNotMoveWithTheFile();
 };
 
 void TestWindowChoices::aRightClickChoosesOne() {
@@ -113,6 +115,28 @@ void TestWindowChoices::withoutASliceItSaysSo() {
   QVERIFY(!all.front()->isEnabled() && !all.front()->text().isEmpty());
   QCOMPARE(all.last()->text(), QStringLiteral("Edit windows..."));
   QVERIFY(all.last()->isEnabled());
+}
+
+void TestWindowChoices::digitsDoNotMoveWithTheFile() {
+  auto series = std::make_shared<LoadedSeries>(*ballSeries());
+  VolumeParts parts{series->volume->geometry(), series->volume->stored(), 1, 0, {}};
+  parts.attributes.windows = {{35, 350}, {-450, 2000}};
+  series->volume = volumeFrom(std::move(parts));
+  MeasureWindow w(series);
+  const auto after = [&](Qt::Key key, Qt::KeyboardModifiers keys = {}) {
+    QTest::keyClick(w.view(), key, keys);
+    return w.session().workspace().series.at(w.view()->state().series).window;
+  };
+  QCOMPARE(after(Qt::Key_6), std::optional(Window{-600, 1500}));
+  QCOMPARE(after(Qt::Key_5), std::optional(Window{400, 2000}));
+  QCOMPARE(after(Qt::Key_9), std::optional(Window{35, 40}));
+  QCOMPARE(after(Qt::Key_2, Qt::ControlModifier), std::optional(Window{-450, 2000}));
+  QCOMPARE(after(Qt::Key_1, Qt::ControlModifier), std::optional(Window{35, 350}));
+  QVERIFY2(after(Qt::Key_3, Qt::ControlModifier) == Window({35, 350}), "the file has two");
+  QVERIFY(!after(Qt::Key_0));
+  Q_EMIT w.child<QMenu>("windowMenu")->aboutToShow();
+  QVERIFY(entry(w.child<QMenu>("windowMenu"), "From file, 2")->text().endsWith(QStringLiteral("\tCtrl+2")));
+  QVERIFY(entry(w.child<QMenu>("windowMenu"), "Lung")->text().endsWith(QStringLiteral("\t6")));
 }
 
 VOLUMEN_TEST(TestWindowChoices);

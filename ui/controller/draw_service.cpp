@@ -50,7 +50,7 @@ int DrawService::request(ViewId id, const Scene& scene, QSize pixels) {
     if (view.awaited) answer(id, view.awaited, Answer::replaced);
     view.awaited = number;
     const bool waits = view.pending && view.pending->next == Work::draft;
-    view.pending = {{number, scene, pixels, resampler_, view.level},
+    view.pending = {{number, scene, pixels, resampler_, view.level, errorWanted_},
                     Work::draft,
                     1,
                     waits ? view.pending->since : Clock::now()};
@@ -69,6 +69,11 @@ void DrawService::setGestureView(ViewId view) {
 void DrawService::setResampler(Resampler resampler) {
   const std::lock_guard lock(mutex_);
   resampler_ = resampler;
+}
+
+void DrawService::setErrorWanted(bool wanted) {
+  const std::lock_guard lock(mutex_);
+  errorWanted_ = wanted;
 }
 
 void DrawService::setLevel(ViewId view, PictureLevel level) {

@@ -56,6 +56,8 @@ class DrawService : public QObject {
   /// What resamples the full pictures asked for from now on (drafts are the CPU's). Where OpenGL fails,
   /// failed() says why and the CPU does it.
   void setResampler(Resampler resampler);
+  /// Whether pictures asked for from now on estimate the error of each pixel, where they can.
+  void setErrorWanted(bool wanted);
   /// The level of the full pictures asked for from now on.
   void setLevel(ViewId view, PictureLevel level);
   PictureLevel level(ViewId view) const;
@@ -170,6 +172,7 @@ class DrawService : public QObject {
   CancelToken trialCancel_;    // of thumbnails, too
   CancelToken pictureCancel_;  // of the picture being drawn
   Resampler resampler_ = Resampler::cpu;
+  bool errorWanted_ = false;
   bool closing_ = false;  // ... to here
 
   // Of the render thread alone.

@@ -98,6 +98,7 @@ void Loader::open(const QString& path, const OpenIntent& intent) {
       opening(QFileInfo(path).fileName()),
       [path](const Job& job) { return shared(openPath(path.toStdString(), job.progress(), job.cancel())); },
       orFailed([this, path, intent](const auto& study) { Q_EMIT studyOpened(path, study, intent); }));
+  Q_EMIT openBegan();
 }
 
 void Loader::openFiles(const QString& name, const std::vector<std::string>& files, const OpenIntent& intent) {
@@ -107,6 +108,7 @@ void Loader::openFiles(const QString& name, const std::vector<std::string>& file
       opening(folder),
       [files](const Job& job) { return shared(volumen::openFiles(files, job.progress(), job.cancel())); },
       orFailed([this, name, intent](const auto& study) { Q_EMIT filesOpened(name, study, intent); }));
+  if (intent.how == OpenHow::instead) Q_EMIT openBegan();
 }
 
 void Loader::openSession(const QString& path) {

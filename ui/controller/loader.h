@@ -38,6 +38,8 @@ class Loader : public QObject {
   /// Gives up all.
   void cancel();
   bool isBusy() const { return open_.isBusy() || load_.isBusy(); }
+  /// Whether something is being opened, or loaded to be shown.
+  bool isOpening() const { return open_.isBusy() || isLoading(); }
   /// Whether a series is being loaded to be shown.
   bool isLoading() const { return loading_ && !isAhead_; }
   /// Which one; none: none is.
@@ -46,6 +48,8 @@ class Loader : public QObject {
   void cancelLoad();
 
  Q_SIGNALS:
+  /// Something is being opened in place of what is shown, or where nothing is.
+  void openBegan();
   /// Of a series that is to be shown; it ends in seriesLoaded(), notLoaded() or loadGivenUp().
   void loadBegan(const volumen::Series& series);
   void loadGivenUp();

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "viewer/evaluation/accuracy_study.h"
-
 namespace volumen {
 
 const std::vector<PictureLevel>& pictureLevels() {
@@ -37,12 +35,22 @@ std::optional<PictureLevel> levelFor(const QualityGoal& goal, const std::vector<
 }
 
 void markFront(std::vector<MeasuredLevel>& levels) {
-  std::vector<glm::dvec2> points;
-  for (const MeasuredLevel& l : levels)
-    if (l.ms) points.emplace_back(*l.ms, l.error.rmse);
-  const std::vector<bool> front = paretoFront(points);
-  std::size_t n = 0;
-  for (MeasuredLevel& l : levels) l.front = l.ms && front[n++];
+  std::optional<double> fastest;  // of the finer ones
+  for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
+    level->front = level->ms && (!fastest || *level->ms <= *fastest);
+    if (level->ms) fastest = std::min(*level->ms, fastest.value_or(*level->ms));
+  }
+}
+
+PictureError statedError(const std::vector<MeasuredLevel>& levels, std::size_t level) {
+  PictureError stated = levels[level].error;
+  for (std::size_t finer = level + 1; finer < levels.size(); ++finer) {
+    if (!levels[finer].ms) continue;
+    const PictureError& error = levels[finer].error;
+    stated.percentile99 = std::max(stated.percentile99, error.percentile99);
+    stated.maximum = std::max(stated.maximum, error.maximum);
+  }
+  return stated;
 }
 
 std::optional<MeasuredError> measuredError(const MeasuredLevels& measured, const Plan& plan) {

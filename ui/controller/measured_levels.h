@@ -16,7 +16,7 @@ struct MeasuredLevel {
   PictureLevel level;
   std::optional<double> ms;  ///< median of the frames drawn; none: not measured yet
   PictureError error;        ///< at the reference's well-conditioned pixels; where ms is there
-  bool front = false;        ///< no other level is both faster and nearer to the reference
+  bool front = false;        ///< no finer level is faster
   Picture pixels;            ///< the reference's pixels as this level draws them
   std::shared_ptr<const Plan> plan;
   std::string failure;  ///< a sentence where it could not be drawn
@@ -40,8 +40,12 @@ std::string levelName(PictureLevel level);
 /// accurate) enough, the fastest (most accurate).
 std::optional<PictureLevel> levelFor(const QualityGoal& goal, const std::vector<MeasuredLevel>& levels);
 
-/// Marks those that no other one beats in time and error.
+/// Marks the levels of which no finer one is faster.
 void markFront(std::vector<MeasuredLevel>& levels);
+
+/// Returns the error that is stated of a level: no smaller than that of a finer one, whose promise is closer.
+/// At the few pixels that are measured a coarser level may come out nearer by chance.
+PictureError statedError(const std::vector<MeasuredLevel>& levels, std::size_t level);
 
 /// What was measured of exactly the picture that this plan draws.
 std::optional<MeasuredError> measuredError(const MeasuredLevels& measured, const Plan& plan);

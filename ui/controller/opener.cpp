@@ -2,6 +2,7 @@
 
 #include <QSettings>
 #include <algorithm>
+#include <utility>
 
 #include "io/study/choose.h"
 #include "ui/controller/find_saved.h"
@@ -25,7 +26,9 @@ QString layoutKey(const Series& series) {
 }  // namespace
 
 Opener::Opener(Session& session, Loader& loader, OpenStudies& open)
-    : session_(session), loader_(loader), open_(open) {}
+    : session_(session), loader_(loader), open_(open) {
+  connect(&loader_, &Loader::idle, this, [this] { layoutOfNext_.reset(); });
+}
 
 void Opener::list(const QString& path, const std::shared_ptr<const Study>& study) {
   std::vector<SeriesKey> series;
@@ -91,8 +94,14 @@ void Opener::showFused(const Study& study) {
 void Opener::chooseLayout(Layout layout) {
   const Workspace& workspace = session_.workspace();
   if (isInSecond(workspace.focus)) return session_.change(tr("Layout"), withSecondLayout(workspace, layout));
-  if (const LoadedSeriesPtr shown = session_.seriesOf(workspace.focus))
-    layoutsChosen_[layoutKey(shown->series)] = layout;
+  if (loader_.isOpening()) layoutOfNext_ = layout;
+  // Of fused views that of the series on top, by which both are opened.
+  const SeriesKey over = flatLookOf(workspace.view(workspace.focus)).overlay;
+  const Series* shown = seriesIn(workspace, workspace.focus);
+  if (const auto top = workspace.series.find(over); !over.empty() && top != workspace.series.end())
+    shown = top->second.series.get();
+  if (!shown && layoutOfNext_) return;
+  if (shown) layoutsChosen_[layoutKey(*shown)] = layout;
   session_.change(tr("Layout"), withLikelySecond(withLayout(workspace, layout), open_.pictures()));
 }
 
@@ -118,27 +127,50 @@ const Series& Opener::petOver(const Series& ct, const Study& study) const {
   return ct;
 }
 
-Workspace Opener::inLayoutOf(Workspace workspace, const Series& series) const {
-  if (isInSecond(workspace.focus)) return workspace;
+std::optional<Layout> Opener::layoutChosenFor(const Series& series) const {
   const auto chosen = layoutsChosen_.find(layoutKey(series));
-  const QString kept = QSettings().value(layoutKey(series)).toString();
-  const auto layout =
-      chosen == layoutsChosen_.end() ? layoutNamed(kept.toStdString()) : std::optional(chosen->second);
-  if (!layout || !isUsefulVolume(series)) return withUsualLayout(std::move(workspace), series);
-  return *layout == workspace.layout ? workspace : withLayout(std::move(workspace), *layout);
+  if (chosen != layoutsChosen_.end()) return chosen->second;
+  return layoutNamed(QSettings().value(layoutKey(series)).toString().toStdString());
 }
 
-Workspace Opener::arranged(Workspace workspace, const Series& series, bool isNew) const {
-  if (!comparesSeries(workspace.layout)) workspace = inLayoutOf(std::move(workspace), series);
+// A grid with what is in focus first, beside it what is likely wanted with it.
+Workspace Opener::compared(Workspace workspace, Layout layout) const {
+  Workspace grid = workspace;
+  grid.layout = layout;
+  for (const ViewId id : viewsInMain(grid)) workspace.editView(id).series = {};
+  return withLikelySecond(withLayout(std::move(workspace), layout), open_.pictures());
+}
+
+// `mayBeEmpty`: views to compare, too.
+Workspace Opener::inLayoutOf(Workspace workspace, const Series& series, bool mayBeEmpty) const {
+  if (isInSecond(workspace.focus)) return workspace;
+  const std::optional<Layout> layout = layoutChosenFor(series);
+  if (!layout || !isUsefulVolume(series)) return withUsualLayout(std::move(workspace), series);
+  if (*layout == workspace.layout) return workspace;
+  if (!comparesSeries(*layout)) return withLayout(std::move(workspace), *layout);
+  Workspace grid = compared(workspace, *layout);
+  const auto isEmpty = [&](ViewId id) { return grid.view(id).series.empty(); };
+  const bool isFull = std::ranges::none_of(viewsInMain(grid), isEmpty);
+  return isFull || mayBeEmpty ? std::move(grid) : withUsualLayout(std::move(workspace), series);
+}
+
+Workspace Opener::arranged(Workspace workspace, const Series& series, bool isNew, bool isLayoutWanted) const {
+  // First the fusion, which a grid then shows, too.
+  const Series* ct =
+      isNew && series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
+  if (ct) workspace = fusedWith(std::move(workspace), *ct);
+  if (!comparesSeries(workspace.layout)) workspace = inLayoutOf(std::move(workspace), series, isLayoutWanted);
   if (!isNew) return workspace;
   workspace = withSlicesInFocus(std::move(workspace));
-  workspace = withTimePointsOf(std::move(workspace), series, open_.volumes());
-  const Series* ct = series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
-  return ct ? fusedWith(std::move(workspace), *ct) : workspace;
+  return withTimePointsOf(std::move(workspace), series, open_.volumes());
 }
 
-Session::Arrange Opener::arrangedFor(const Series& series) const {
-  return [this, series](Workspace w, bool isNew) { return arranged(std::move(w), series, isNew); };
+Session::Arrange Opener::arrangedFor(const Series& series) {
+  const bool isLayoutWanted = layoutOfNext_.has_value();
+  if (isLayoutWanted) layoutsChosen_[layoutKey(series)] = *std::exchange(layoutOfNext_, {});
+  return [this, series, isLayoutWanted](Workspace w, bool isNew) {
+    return arranged(std::move(w), series, isNew, isLayoutWanted);
+  };
 }
 
 void Opener::keepLayouts() const {

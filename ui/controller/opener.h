@@ -31,18 +31,25 @@ class Opener : public QObject {
 
   /// What a series brings with it: the layout of its modality, unless series are being compared; where it was
   /// never shown before its time points, and the CT under a PET.
-  Session::Arrange arrangedFor(const Series& series) const;
-  /// The main window in the layout that was chosen last for the modality of the series, else in the usual
-  /// one; as it is where the series comes into the second window.
-  Workspace inLayoutOf(Workspace workspace, const Series& series) const;
-  /// Shares the window in focus so from now on; the main one with all of the modality in focus, and of views
-  /// to compare the first empty one shows what is most likely wanted there (withLikelySecond()).
+  /// A layout that was chosen while the series was on its way is from now on that of its modality.
+  Session::Arrange arrangedFor(const Series& series);
+  /// The main window in the layout that was chosen last for the modality of the series, else, or where views
+  /// to compare would stay empty, in the usual one; as it is where the series comes into the second window.
+  Workspace inLayoutOf(Workspace workspace, const Series& series) const {
+    return inLayoutOf(std::move(workspace), series, false);
+  }
+  /// Shares the window in focus so from now on; the main one with all of the modality in focus, or of what is
+  /// being opened, and of views to compare the first empty one shows what is most likely wanted there
+  /// (withLikelySecond()).
   void chooseLayout(Layout layout);
   /// Keeps the layouts that were chosen for the next start.
   void keepLayouts() const;
 
  private:
-  Workspace arranged(Workspace workspace, const Series& series, bool isNew) const;
+  Workspace inLayoutOf(Workspace workspace, const Series& series, bool mayBeEmpty) const;
+  Workspace arranged(Workspace workspace, const Series& series, bool isNew, bool isLayoutWanted) const;
+  std::optional<Layout> layoutChosenFor(const Series& series) const;
+  Workspace compared(Workspace workspace, Layout layout) const;
   const Series* ctUnder(const Series& pet) const;
   const Series& petOver(const Series& ct, const Study& study) const;
 
@@ -50,6 +57,7 @@ class Opener : public QObject {
   Loader& loader_;
   OpenStudies& open_;
   std::map<QString, Layout> layoutsChosen_;  // by modality, since the program began
+  std::optional<Layout> layoutOfNext_;       // chosen while a series is on its way
 };
 
 }  // namespace volumen

@@ -28,6 +28,10 @@ PassView viewOf(const ScreenRequest& request, Pass pass, const VoxelGeometry& ge
   view.options.size = {draft.size.width(), draft.size.height()};
   view.options.quality = pass.quality;
   view.options.step = pass.step;
+  // A tolerance keeps plain steps out, which know of no error; this one is the level's own.
+  const bool canTell = request.scene.mode == Mode::composite && request.resampler == Resampler::cpu;
+  if (request.withError && canTell && pass.factor == 1 && !pass.step)
+    view.options.tolerance = levelOf(pass.quality).rayBudget / 255;
   if (request.resampler != Resampler::gl) return view;
   if (pass.quality != Quality::draft)
     view.options.resampler = Resampler::gl;

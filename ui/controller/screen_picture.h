@@ -18,6 +18,7 @@ struct ScreenRequest {
   QSize pixels;
   Resampler resampler = Resampler::cpu;  ///< of all but drafts; those show no segments where it shows none
   PictureLevel level;                    ///< at rest
+  bool withError = false;                ///< drawn cell by cell where it can be, which estimates its error
 };
 
 /// A picture for the screen.

@@ -4,7 +4,9 @@
 #include <new>
 #include <utility>
 
+#include "viewer/scene/automatic.h"
 #include "viewer/segment/mask.h"
+#include "viewer/segment/table.h"
 
 namespace volumen {
 
@@ -14,13 +16,28 @@ namespace {
 Result<MadeTissue> withTissueLeft(MadeTissue wanted, const std::optional<MadeTissue>& before,
                                   const CancelToken& cancel) try {
   const Volume& volume = *wanted.of->volume;
-  wanted.voxels = std::make_shared<const BitMask>(tissueVoxels(wanted.segments, wanted.shown, cancel));
-  if (before && before->left && before->of == wanted.of && *before->voxels == *wanted.voxels) {
+  const bool isOfBefore = before && before->left && before->of == wanted.of;
+  if (wanted.withoutTable && isOfBefore && before->withoutTable)
+    wanted.patient = before->patient;
+  else if (wanted.withoutTable)
+    if (std::optional<BitMask> patient = patientBesideTable(volume, cancel))
+      wanted.patient = std::make_shared<const BitMask>(std::move(*patient));
+  if (wanted.segments.empty() && !wanted.patient) {
+    wanted.left = wanted.of;
+    return wanted;
+  }
+  if (wanted.segments.empty())
+    wanted.voxels = wanted.patient;
+  else if (BitMask voxels = tissueVoxels(wanted.segments, wanted.shown, cancel); wanted.patient)
+    wanted.voxels = std::make_shared<const BitMask>(intersected(std::move(voxels), *wanted.patient));
+  else
+    wanted.voxels = std::make_shared<const BitMask>(std::move(voxels));
+  if (isOfBefore && before->voxels && *before->voxels == *wanted.voxels) {
     wanted.left = before->left;
     return wanted;
   }
   cancel.setDone(0.5);
-  Result<VolumePtr> left = keptAlone(volume, *wanted.voxels, cancel);
+  Result<VolumePtr> left = keptAlone(volume, *wanted.voxels, cancel, wanted.patient != nullptr);
   if (!left) return left.error();
   auto series = std::make_shared<LoadedSeries>(*wanted.of);
   series->volume = *left;
@@ -35,9 +52,24 @@ Result<MadeTissue> withTissueLeft(MadeTissue wanted, const std::optional<MadeTis
 TissueJobs::TissueJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent)
     : QObject(parent), session_(session), painter_(painter), lane_(&jobs) {
   connect(&session_, &Session::workspaceChanged, this, &TissueJobs::next);
+  connect(&session_, &Session::preferencesChanged, this, &TissueJobs::next);
   // From the event loop: Esc undoes the steps since the press once the stroke has ended.
   connect(&painter_, &SegmentPainter::ended, this, &TissueJobs::next, Qt::QueuedConnection);
   next();
+}
+
+void TissueJobs::drew(const SeriesKey& series) {
+  if (drawn_.insert(series).second) next();
+}
+
+// Of what was drawn, where there is memory for a second volume beside it.
+bool TissueJobs::leavesTableOut(const LoadedSeriesPtr& series) const {
+  if (!series || series->series.modality != "CT" || series->series.curved) return false;
+  const SeriesKey key = keyOf(series->series);
+  const Preferences& preferences = session_.preferences();
+  return !preferences.tableIn3d && drawn_.contains(key) && !session_.maskOf(key).tableRemoved &&
+         2 * series->volume->bytes() < SeriesPool::partOfMemory(preferences.memoryPercent) &&
+         inHounsfield(*series->volume, series->histogram);
 }
 
 void TissueJobs::next() {
@@ -57,7 +89,8 @@ std::optional<MadeTissue> TissueJobs::firstWanted() const {
   for (const ViewId id : viewsOnScreen(workspace)) {
     const ViewState& view = workspace.view(id);
     if (!showsScene(view.kind)) continue;
-    const auto wanted = tissueWanted(segmentMapsOf(workspace, view.series), session_.seriesOf(id));
+    const LoadedSeriesPtr series = session_.seriesOf(id);
+    const auto wanted = tissueWanted(segmentMapsOf(workspace, view.series), series, leavesTableOut(series));
     if (!wanted) continue;
     const bool isMade =
         std::ranges::any_of(session_.tissues(), [&](const MadeTissue& made) { return made.isAs(*wanted); });
@@ -72,7 +105,7 @@ void TissueJobs::begin(const MadeTissue& wanted) {
   for (const MadeTissue& made : session_.tissues())
     if (made.of == wanted.of) before = made;
   lane_.run(
-      tr("Leaving tissue out"),
+      wanted.segments.empty() ? tr("Leaving the table out of 3D") : tr("Leaving tissue out"),
       [wanted, before](const Job& job) { return withTissueLeft(wanted, before, job.cancel()); },
       [this, wanted](Result<MadeTissue> made) {
         if (!made) Q_EMIT failed(QString::fromStdString(made.message()));

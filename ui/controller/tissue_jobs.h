@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 
 #include "ui/controller/segment_painter.h"
 #include "ui/document/job_lane.h"
@@ -8,13 +9,18 @@
 
 namespace volumen {
 
-/// Makes what 3D views on screen draw of series whose tissue is not shown everywhere, whenever their segments
-/// or what is taken away of them changed: a series at a time, as a job; of a stroke once it ends. What is
-/// wanted no longer is given up. Until it is made the session keeps what was there before.
+/// Makes what 3D views on screen draw of series whose tissue is not shown everywhere, and of CT without the
+/// table, whenever their segments or what is taken away of them changed: a series at a time, as a job; of a
+/// stroke once it ends. What is wanted no longer is given up. Until it is made the session keeps what was
+/// there before.
 class TissueJobs : public QObject {
   Q_OBJECT
  public:
   TissueJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent = nullptr);
+
+  /// A series was drawn as it is: only then is the table of a CT left out, so that the first picture does not
+  /// wait.
+  void drew(const SeriesKey& series);
 
  Q_SIGNALS:
   /// A sentence; not for what was cancelled.
@@ -23,11 +29,13 @@ class TissueJobs : public QObject {
  private:
   void next();
   std::optional<MadeTissue> firstWanted() const;
+  bool leavesTableOut(const LoadedSeriesPtr& series) const;
   void begin(const MadeTissue& wanted);
 
   Session& session_;
   const SegmentPainter& painter_;
   std::optional<MadeTissue> underWay_;  // the last that was begun
+  std::set<SeriesKey> drawn_;
   JobLane lane_;
 };
 

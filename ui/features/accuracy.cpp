@@ -1,4 +1,5 @@
 #include <QDockWidget>
+#include <QMenu>
 
 #include "ui/controller/qt_gl_context.h"
 #include "ui/features/feature.h"
@@ -17,6 +18,7 @@ class Accuracy : public Feature {
 
  private:
   void connectMeter();
+  void addCommands(QMenu* more);
   void applyLevel();
   void setResampler(Resampler resampler);
 
@@ -24,6 +26,7 @@ class Accuracy : public Feature {
   AccuracyMeter& meter_;
   AccuracyPanel* panel_;
   EffectsPanel* effects_;
+  bool isEstimated_ = false;  // the error of the picture on screen
 };
 
 Accuracy::Accuracy(Workbench& bench)
@@ -44,20 +47,40 @@ Accuracy::Accuracy(Workbench& bench)
                     "",
                     true,
                     [this](bool on) { setResampler(on ? Resampler::gl : Resampler::cpu); },
-                    {{"viewMenu", 50}}});
+                    {{"sceneMenu", 50}}});
   QAction* showError =
-      bench_.addAction({"showError", tr("Show error map"), {}, "", true, {}, {{"viewMenu", 50, 10}}});
+      bench_.addAction({"showError", tr("Show error map"), {}, "", true, {}, {{"sceneMenu", 50, 10}}});
   connect(panel_, &AccuracyPanel::errorWanted, showError, &QAction::setChecked);
   connect(showError, &QAction::toggled, panel_, &AccuracyPanel::setErrorWanted);
   connect(showError, &QAction::toggled, &grid_, &ViewGrid::setErrorShown);
+  connect(showError, &QAction::toggled, this, [this](bool on) {
+    drawService_.setErrorWanted(on);
+    if (on && !isEstimated_) grid_.requestPictures();
+  });
   connect(&bench_, &Workbench::drawn, panel_, [this](const ScreenPicture& drawn) {
     panel_->showEstimate(drawn);
+    isEstimated_ = drawn.estimated.has_value();
     if (!drawn.draft()) effects_->showPlan(*drawn.plan, drawn.stats);
   });
   connect(&session_, &Session::workspaceChanged, effects_, [this](const Workspace&, const Workspace& after) {
     effects_->showNotDrawn(notDrawnText(session_.segmentsNotDrawn(sceneViewOf(after))));
   });
+  connect(&bench_, &Workbench::commandsOpen, this, &Accuracy::addCommands);
   connectMeter();
+}
+
+// The levels by name, as the panel's slider chooses them.
+void Accuracy::addCommands(QMenu* more) {
+  if (!session_.series()) return;
+  QMenu* menu = more->addMenu(tr("Quality of 3D pictures"));
+  for (const PictureLevel level : pictureLevels())
+    menu->addAction(tr("Quality %1").arg(QString::fromStdString(levelName(level))), this, [this, level] {
+      session_.endGesture();
+      QualityGoal goal = session_.goal();
+      goal.aim = Aim::level;
+      goal.level = level;
+      session_.setGoal(tr("Quality level"), goal);
+    });
 }
 
 void Accuracy::connectMeter() {

@@ -7,6 +7,7 @@
 
 #include "io/index/fold.h"
 #include "ui/features/action_text.h"
+#include "ui/features/command_words.h"
 #include "ui/features/feature.h"
 #include "ui/features/key_table.h"
 #include "ui/views/view_grid.h"
@@ -20,7 +21,8 @@ namespace {
 struct Command {
   QPointer<QAction> action;
   CommandList::Row row;
-  std::string folded{};  // what its words are looked for in
+  std::string folded{};  // what its words are looked for in, first without and then with other words for it
+  std::string withOthers{};
 };
 
 // All commands of the window by name, with where they stand in the menus and their keys.
@@ -38,9 +40,10 @@ class Commands : public Feature {
   void noteUse(QAction* action);
 
   CommandList* list_;
-  QMenu more_;                      // what stands in no menu of the window
-  std::vector<Command> all_;        // while the list is open
-  std::set<const QAction*> own_;    // actions that features own, which are there where they are grey, too
+  QMenu more_;                // what stands in no menu of the window
+  std::vector<Command> all_;  // while the list is open
+  // Actions that features own, by name; they are in the list where they are grey, too.
+  std::map<const QAction*, QString> own_;
   std::set<const QAction*> taken_;  // those that are in it
   std::vector<Command> shown_;
   std::vector<const QAction*> used_;  // the last one first
@@ -79,8 +82,9 @@ void Commands::collect() {
   own_.clear();
   taken_.clear();
   for (const auto& [name, action] : bench_.actions)
-    if (!action->menu()) own_.insert(action);
-  for (const auto& [name, dock] : bench_.docks) own_.insert(dock.widget->toggleViewAction());
+    if (!action->menu()) own_[action] = name;
+  for (const auto& [name, dock] : bench_.docks)
+    own_[dock.widget->toggleViewAction()] = dock.widget->objectName();
   for (const QAction* title : bench_.window.menuBar()->actions())
     if (title->menu()) addMenu(*title->menu(), textOf(*title));
   for (QObject* menu : QObjectList(more_.children()))
@@ -90,10 +94,14 @@ void Commands::collect() {
   for (const auto& [name, action] : bench_.actions) add(action, {});
   for (const KeyRow& row : keyRows())
     all_.push_back({nullptr, {row.text, tr("Mouse and keys"), row.keys, false}});
-  for (Command& command : all_)
+  for (Command& command : all_) {
     command.folded = folded((command.row.text + QLatin1Char(' ') + command.row.path + QLatin1Char(' ') +
                              (command.action ? QString() : command.row.keys))
                                 .toStdString());
+    const auto name = own_.find(command.action.data());
+    const QString others = name == own_.end() ? QString() : otherWordsFor(name->second);
+    command.withOthers = command.folded + ' ' + folded(others.toStdString());
+  }
 }
 
 // Of what menus fill themselves with, only what can be done: the rest says why there is nothing.
@@ -122,15 +130,17 @@ void Commands::run(const Command& chosen) {
       return command.action->trigger();
 }
 
-// Those in which every word is found; what was used last comes first where nothing is typed.
+// Those in which every word is found, first those that are called so themselves; what was used last comes
+// first where nothing is typed.
 void Commands::show(const QString& typed) {
   const std::vector<std::string> words = foldedWords(typed.toStdString());
-  const auto isFound = [&](const Command& command) {
-    return std::ranges::all_of(
-        words, [&](const std::string& word) { return command.folded.find(word) != std::string::npos; });
+  const auto isIn = [&](const std::string& text) {
+    return std::ranges::all_of(words,
+                               [&](const std::string& word) { return text.find(word) != std::string::npos; });
   };
   shown_.clear();
-  std::ranges::copy_if(all_, std::back_inserter(shown_), isFound);
+  std::ranges::copy_if(all_, std::back_inserter(shown_), isIn, &Command::withOthers);
+  std::ranges::stable_partition(shown_, isIn, &Command::folded);
   const auto rank = [&](const Command& command) {
     return std::ranges::find(used_, command.action.data()) - used_.begin();
   };

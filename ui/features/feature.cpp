@@ -19,6 +19,7 @@ const std::vector<FeatureEntry>& features() {
       {"first images", makeFirstImages},
       {"drawing", makeDrawing},
       {"keys", makeKeys},
+      {"keys ahead", makeKeysAhead},
       {"sessions", makeSessions},
       {"presets", makePresets},
       {"scenes", makeScenes},

@@ -16,26 +16,26 @@ QList<QKeySequence> keysOfTool(std::string_view name) {
   return {};
 }
 
-// What a left drag does in slices and frames, beside measuring: a button each; what is used once at a time
-// stands in the menu alone.
+// Tools that are used once at a time have no button. All of these but one change segments.
+std::vector<Place> placesOf(const Tool& tool) {
+  if (!tool.draws()) return {{"toolsMenu", 15}, {"toolBar", 25}};
+  if (tool.name == std::string_view("regionWindow")) return {{"toolsMenu", 15}};
+  return {{"segmentsMenu", 10}};
+}
+
+// Tools for the left button in slices and frames, but for those that measure.
 class FlatTools : public Feature {
  public:
   explicit FlatTools(Workbench& bench);
 };
 
 FlatTools::FlatTools(Workbench& bench) : Feature(bench) {
-  const std::vector<Place> inMenu{{"viewMenu", 15}}, inBoth{{"viewMenu", 15}, {"toolBar", 25}};
   for (const Tool& tool : tools()) {
     if (!tool.inSlices || tool.measuring) continue;
     const std::string name = std::string(tool.name) + "Tool";
     const QString key = tool.key ? QLatin1Char('\t') + QKeySequence(tool.key).toString() : QString();
-    QAction* action = bench_.addAction({name.c_str(),
-                                        tool.text + key,
-                                        keysOfTool(tool.name),
-                                        tool.name,
-                                        true,
-                                        {},
-                                        tool.draws() ? inMenu : inBoth});
+    QAction* action = bench_.addAction(
+        {name.c_str(), tool.text + key, keysOfTool(tool.name), tool.name, true, {}, placesOf(tool)});
     const auto show = [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); };
     connect(action, &QAction::triggered, this, [this, &tool, show] {
       grid_.setTool(tool);

@@ -1,4 +1,8 @@
+#include <QDialogButtonBox>
 #include <QMessageBox>
+#include <QScreen>
+#include <QTextBrowser>
+#include <QVBoxLayout>
 
 #include "io/worker/worker.h"
 #include "ui/features/action_text.h"
@@ -67,18 +71,28 @@ void Help::showAbout() {
 }
 
 void Help::showShortcuts() {
-  QString html = QStringLiteral("<table cellpadding='3' width='640'>");
+  QString html = QStringLiteral("<table cellpadding='3' width='100%'>");
   const auto add = [&](const QString& keys, const QString& text) {
     html += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
                 .arg(keys.toHtmlEscaped(), text.toHtmlEscaped());
   };
   add(keysOf(*bench_.action("commands")), tr("all commands with their keys: type to search"));
   for (const KeyRow& row : keyRows()) add(row.keys, row.text);
-  auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), html + QStringLiteral("</table>"),
-                              QMessageBox::Close, bench_.dialogParent());
+  auto* text = new QTextBrowser;
+  text->setObjectName(QStringLiteral("shortcutsText"));
+  text->setAccessibleName(tr("Mouse and keys"));
+  text->setHtml(html + QStringLiteral("</table>"));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  auto* box = new QDialog(bench_.dialogParent());
   box->setObjectName(QStringLiteral("shortcutsBox"));
+  box->setWindowTitle(tr("Mouse and keys"));
   box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setModal(false);
+  connect(buttons, &QDialogButtonBox::rejected, box, &QDialog::reject);
+  auto* column = new QVBoxLayout(box);
+  column->addWidget(text);
+  column->addWidget(buttons);
+  const QSize room = box->screen()->availableGeometry().size() * 9 / 10;
+  box->resize(QSize(760, 720).boundedTo(room));
   box->show();
 }
 

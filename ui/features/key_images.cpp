@@ -47,7 +47,7 @@ QAction* KeyImages::add(const char* name, const QString& text, const QString& wo
                                       "",
                                       false,
                                       [run = std::move(run)](bool) { run(); },
-                                      {{"viewMenu", 40}}});
+                                      {{"toolsMenu", 40}}});
   action->setIconText(word);  // of its button
   return action;
 }

@@ -13,7 +13,7 @@ std::vector<KeyRow> keyRows() {
       {tr("Wheel in 3D, two fingers apart"), tr("zoom at the cursor")},
       {tr("Double-click"), tr("maximise the view and back")},
       {tr("D in 3D"),
-       tr("measure a length between places of the visible surface, by a drag or two clicks (an angle: View > "
+       tr("measure a length between places of the visible surface, by a drag or two clicks (an angle: Tools > "
           "Measure); a click selects one, its points can be dragged, Delete removes it, Esc gives up")},
       {tr("Arrow keys in 3D"), tr("rotate by 5 degrees (Shift: 1)")},
       {tr("Keypad 1, 3, 7"), tr("anterior, left, superior view (Ctrl: the opposite one)")},
@@ -45,6 +45,7 @@ std::vector<KeyRow> keyRows() {
       {tr("Up, Down, Page Up, Page Down, Home, End in a slice"), tr("scroll by 1, by 10, to the ends")},
       {tr("Left, Right in a slice"), tr("the time point before, the next one")},
       {tr("0 to 9 in a slice"), tr("choose a window")},
+      {tr("Ctrl+1 to Ctrl+9 in a slice"), tr("choose a window of the file")},
       {tr("I in a slice"), tr("inverts")},
       {tr("On lines of other planes"),
        tr("a drag of an outer part moves that plane; the round handle turns the other planes; F puts them "

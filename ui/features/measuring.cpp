@@ -86,7 +86,7 @@ void Measuring::makeActions() {
   };
   connect(&grid_, &ViewGrid::toolChanged, menu, showTool);
   showTool();
-  bench_.addAction(menu, {{"viewMenu", 60, 80}});
+  bench_.addAction(menu, {{"toolsMenu", 30}});
   QToolButton* button = bench_.addMenuButton("measureButton", 20);
   button->setDefaultAction(menu);
 }

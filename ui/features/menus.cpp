@@ -13,7 +13,9 @@ namespace volumen {
 
 Menus::Menus(QMainWindow& window) : toolBar_(window.addToolBar(tr("Tools"))) {
   for (const auto& [name, title] : {std::pair("fileMenu", tr("&File")), std::pair("editMenu", tr("&Edit")),
-                                    std::pair("viewMenu", tr("&View")), std::pair("helpMenu", tr("&Help"))}) {
+                                    std::pair("viewMenu", tr("&View")), std::pair("toolsMenu", tr("&Tools")),
+                                    std::pair("segmentsMenu", tr("&Segments")),
+                                    std::pair("sceneMenu", tr("&3D")), std::pair("helpMenu", tr("&Help"))}) {
     QMenu* menu = window.menuBar()->addMenu(title);
     menu->setObjectName(QLatin1String(name));
     addMenu(menu, {});

@@ -14,7 +14,8 @@ namespace volumen {
 /// Where something stands in the menus or the tool bar: in groups, which lines separate, and in its group by
 /// `order`; what has one order as it was added.
 struct Place {
-  const char* bar;  ///< "fileMenu", "editMenu", "viewMenu", "helpMenu", one that a feature adds, or "toolBar"
+  const char*
+      bar;  ///< a menu of the menu bar ("fileMenu", "toolsMenu"), one that a feature adds, or "toolBar"
   int group = 0;
   int order = 0;
 };

@@ -51,6 +51,13 @@ void PreferencesFeature::makeActions() {
        true,
        [this](bool on) { session_.prefer([on](Preferences& p) { p.hideNames = on; }); },
        {{"viewMenu", 60, 40}}},
+      {"tableIn3d",
+       tr("Show the table in 3D"),
+       {},
+       "",
+       true,
+       [this](bool on) { session_.prefer([on](Preferences& p) { p.tableIn3d = on; }); },
+       {{"sceneMenu", 30, -10}}},
       {"preferences",
        tr("Preferences..."),
        {tr("Ctrl+,")},
@@ -66,6 +73,7 @@ void PreferencesFeature::apply(const Preferences& before, const Preferences& aft
   if (before.theme != after.theme || before.textPercent != after.textPercent) showTheme();
   bench_.action("lightTheme")->setChecked(after.theme == Theme::light);
   bench_.action("hideNames")->setChecked(after.hideNames);
+  bench_.action("tableIn3d")->setChecked(after.tableIn3d);
   if (before.hideNames != after.hideNames) bench_.banner.refresh();
 }
 

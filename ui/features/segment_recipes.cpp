@@ -35,7 +35,8 @@ class SegmentRecipes : public Feature {
 
 SegmentRecipes::SegmentRecipes(Workbench& bench) : Feature(bench), files_(bench.document.jobs) {
   const auto add = [&](const char* name, const QString& text, void (SegmentRecipes::*act)()) {
-    bench_.addAction({name, text, {}, "", false, [this, act](bool) { (this->*act)(); }});
+    bench_.addAction(
+        {name, text, {}, "", false, [this, act](bool) { (this->*act)(); }, {{"segmentsMenu", 20}}});
   };
   add("openRecipe", tr("Open recipe..."), &SegmentRecipes::askWhatToRun);
   add("saveRecipe", tr("Save steps as a recipe..."), &SegmentRecipes::askWhereToSave);

@@ -82,7 +82,7 @@ Segmenting::Segmenting(Workbench& bench)
                   {Qt::RightDockWidgetArea, 30}});
   for (QAction* action : {masker_.tableAction(), masker_.resetAction()}) {
     action->setParent(&bench_.window);
-    bench_.addAction(action, {{"editMenu", 20}});
+    bench_.addAction(action, {{"editMenu", 20}, {"sceneMenu", 30}});
   }
   panel_->setTableAction(masker_.tableAction());
   connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
@@ -91,8 +91,12 @@ Segmenting::Segmenting(Workbench& bench)
   connect(&surfaces_, &SegmentSurfaceJobs::cancelled, this,
           [this](const QString& sentence) { tell(sentence); });
   connect(&tissues_, &TissueJobs::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
-  bench_.forEachVolumeView(
-      [this](VolumeView* view) { connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut); });
+  bench_.forEachVolumeView([this](VolumeView* view) {
+    connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut);
+    connect(view, &VolumeView::drawn, &tissues_, [this, view](const ScreenPicture& picture) {
+      if (picture.atRest && view->series()) tissues_.drew(keyOf(view->series()->series));
+    });
+  });
   makeExport();
   connectSegmenter();
   connectAxis();
@@ -117,7 +121,7 @@ void Segmenting::makeExport() {
                               "",
                               false,
                               [this](bool) { toFiles_.ask(); },
-                              {{"fileMenu", 40, 20}}});
+                              {{"fileMenu", 40, 20}, {"segmentsMenu", 30}}});
   panel_->setExportAction(export_);
   connect(&session_, &Session::workspaceChanged, this, &Segmenting::showExport);
   connect(&session_, &Session::changed, this, &Segmenting::showExport);

@@ -19,7 +19,7 @@ SegmentsFromFiles::SegmentsFromFiles(Workbench& bench, SegmentJobs& segmenter, Q
                               "",
                               false,
                               [this](bool) { ask(); },
-                              {{"fileMenu", 40, 20}}});
+                              {{"fileMenu", 40, 20}, {"segmentsMenu", 30}}});
   panel.setAcceptDrops(true);
   panel.installEventFilter(this);
   connect(&bench_, &Workbench::segmentsRequested, this, &SegmentsFromFiles::take);

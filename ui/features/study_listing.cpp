@@ -66,6 +66,7 @@ class StudyListing : public Feature {
   void showNext();
   void showChosen(const Study& study, const OpenIntent& intent);
   void showOpened(const Series& series, OpenHow how);
+  void leaveKeys();
   void giveWay();
   void comeBack();
   void focusNextView();
@@ -101,6 +102,10 @@ StudyListing::StudyListing(Workbench& bench)
   connect(loader, &Loader::idle, this, &StudyListing::showNext, Qt::QueuedConnection);
   connect(loader, &Loader::seriesLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
   connect(loader, &Loader::notLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
+  connect(loader, &Loader::openBegan, this, &StudyListing::leaveKeys);
+  connect(loader, &Loader::loadBegan, this, [this] {
+    if (!showsAnything(session_.workspace())) giveWay();
+  });
   for (const auto ended : {&Loader::idle, &Loader::loadGivenUp})
     connect(loader, ended, this, &StudyListing::comeBack, Qt::QueuedConnection);
   browser_->refresh();
@@ -316,12 +321,24 @@ void StudyListing::showOpened(const Series& series, OpenHow how) {
   if (how == OpenHow::instead || !showsAnything(session_.workspace())) giveWay();
 }
 
+// What is typed is meant for what is being opened, not for the search.
+void StudyListing::leaveKeys() {
+  const QWidget* keys = bench_.window.focusWidget();
+  if (!keys || !browser_->isAncestorOf(keys)) return;
+  gaveWay_ = !showsAnything(session_.workspace());
+  if (gaveWay_)
+    bench_.window.setFocus();
+  else
+    grid_.takeKeys();
+}
+
 // To what is shown, or to the first image of what is being loaded.
 void StudyListing::giveWay() {
   const bool any = showsAnything(session_.workspace());
   if (!any && !bench_.document.loader.isLoading()) return;
   gaveWay_ = !any;
   showBrowser(false);
+  if (!any) bench_.window.setFocus();
 }
 
 // Where that came to nothing.

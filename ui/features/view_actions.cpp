@@ -67,7 +67,7 @@ void ViewActions::makeDirections() {
   const auto add = [this](const char* name, const QString& text, const QString& key, const char* icon,
                           const char* direction) {
     const auto show = [this, direction](bool) { bench_.view()->showView(QLatin1String(direction)); };
-    bench_.addAction({name, text, {key}, icon, false, show, {{"viewMenu", 20}}});
+    bench_.addAction({name, text, {key}, icon, false, show, {{"sceneMenu", 20}}});
   };
   bench_.addAction({"resetView",
                     tr("Reset view"),
@@ -75,7 +75,7 @@ void ViewActions::makeDirections() {
                     "reset",
                     false,
                     [this](bool) { resetView(); },
-                    {{"viewMenu", 10, 10}, {"toolBar", 20, 10}}});
+                    {{"viewMenu", 60, 62}, {"toolBar", 20, 10}}});
   add("viewAnterior", tr("Anterior view"), tr("A"), "view", "anterior");
   add("viewPosterior", tr("Posterior view"), tr("P"), "", "posterior");
   add("viewLeft", tr("Left view"), tr("L"), "", "left");
@@ -236,7 +236,7 @@ void ViewActions::makeTools() {
                                                           tool->name,
                                                           true,
                                                           {},
-                                                          {{"viewMenu", 10}, {"toolBar", 20}}}));
+                                                          {{"toolsMenu", 10}, {"toolBar", 20}}}));
     action->setChecked(tool == &toolNamed("rotate"));
     connect(action, &QAction::triggered, this, [this, tool] { grid_.setSceneTool(*tool); });
   }

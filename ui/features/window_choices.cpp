@@ -60,10 +60,10 @@ QList<QAction*> WindowChoices::choicesOf(QMenu* menu, FlatView* view) const {
   // Several may be the same: of frames the automatic window is the first of the file.
   const auto chosen = std::ranges::find_if(windows, &FlatView::WindowChoice::isChosen);
   for (int n = 0; n < int(windows.size()); ++n) {
-    const QString digit = n < 10 ? QStringLiteral("\t%1").arg(n) : QString();
+    const QString key = windows[std::size_t(n)].key.text();
     QString name = windows[std::size_t(n)].name;
     name.replace(QLatin1Char('&'), QStringLiteral("&&"));
-    auto* action = new QAction(name + digit, menu);
+    auto* action = new QAction(key.isEmpty() ? name : name + QLatin1Char('\t') + key, menu);
     action->setCheckable(true);
     action->setChecked(n == chosen - windows.begin());
     // A clip may play on, and have other windows by then.

@@ -246,11 +246,12 @@ void AccuracyPanel::showRow(int row) {
   const bool known = row < int(measured_.levels.size());
   const MeasuredLevel level = known ? measured_.levels[std::size_t(row)] : MeasuredLevel{};
   item->setText(timeColumn, level.ms ? msText(*level.ms) : QStringLiteral("-"));
-  item->setText(mostColumn, level.ms ? errorText(level.error.percentile99) : QStringLiteral("-"));
-  item->setText(largestColumn, level.ms ? errorText(level.error.maximum) : QStringLiteral("-"));
+  const PictureError error = level.ms ? statedError(measured_.levels, std::size_t(row)) : PictureError();
+  item->setText(mostColumn, level.ms ? errorText(error.percentile99) : QStringLiteral("-"));
+  item->setText(largestColumn, level.ms ? errorText(error.maximum) : QStringLiteral("-"));
   const bool beaten = level.ms && !level.front;
   QString tip = QString::fromStdString(level.failure);
-  if (beaten) tip = tr("Another level is both faster and more accurate here.");
+  if (beaten) tip = tr("A more accurate level is faster here.");
   QFont font = table_->font();
   font.setItalic(beaten);
   for (int c = 0; c < columns; ++c) {

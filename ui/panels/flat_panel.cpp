@@ -272,6 +272,12 @@ void FlatPanel::showOverlay(const FlatShown& shown) {
                             .replace(QLatin1Char('&'), QStringLiteral("&&")));
   overlayName_->setToolTip(toolTipOf(name));
   overlayParts_->setVisible(any);
+  // Above the others where there is one: all of its controls are seen without scrolling.
+  auto* column = static_cast<QVBoxLayout*>(layout());
+  if (const int place = any ? 0 : 2; column->indexOf(overlay_) != place) {
+    column->removeWidget(overlay_);
+    column->insertWidget(place, overlay_);
+  }
   if (!any) return;
   overlayColours_->setCurrentIndex(indexOfMap(look.overlayColours));
   opacity_->setValue(100 * look.overlayOpacity);

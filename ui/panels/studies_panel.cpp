@@ -29,6 +29,7 @@ namespace volumen {
 namespace {
 
 constexpr int thumbnailEdge = 44;
+constexpr int leastWidth = 150;  // after a narrow window, too
 
 QStringList linesOf(const Series& series, const std::vector<const Series*>& steps) {
   QStringList several{stepsText(steps), timeAxisText(steps)};
@@ -84,6 +85,7 @@ StudiesPanel::StudiesPanel(OpenStudies& studies, QWidget* parent)
       search_(new QLineEdit),
       tree_(new StudyTree),
       thumbnails_(thumbnailEdge) {
+  setMinimumWidth(leastWidth);
   search_->setObjectName(QStringLiteral("studySearch"));
   search_->setPlaceholderText(tr("Search"));
   search_->setAccessibleName(tr("Search patients, studies and series"));

@@ -15,6 +15,7 @@
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/key_images.h"
+#include "ui/workspace/window_keys.h"
 
 class QNativeGestureEvent;
 
@@ -78,8 +79,10 @@ class FlatView : public View {
   struct WindowChoice {
     QString name;
     bool isChosen;
+    WindowKey key{};
   };
-  /// In the order of their digits, from 0: as the series says; empty: there is none to choose.
+  /// First the automatic one, then those of the file, of tissues, and the user's own; empty: there is none to
+  /// choose.
   virtual std::vector<WindowChoice> windows() const = 0;
   virtual void chooseWindow(int number) = 0;
   /// The window in use, in the values of shown(); none: colours, or nothing is in memory.
@@ -277,6 +280,7 @@ class FlatView : public View {
   void showCursorAt(QPointF p);
   bool pressMeasuringKey(const QKeyEvent& event);
   bool pressToolKey(const QKeyEvent& event);
+  bool pressWindowKey(const QKeyEvent& event);
   void paintTool(QPainter& painter) const;
 
   MeasureJobs& measurer_;

@@ -167,6 +167,19 @@ bool FlatView::pressToolKey(const QKeyEvent& event) {
   return isTaken;
 }
 
+// A digit chooses a window, with Ctrl one of the file's.
+bool FlatView::pressWindowKey(const QKeyEvent& event) {
+  const int digit = event.key() - Qt::Key_0;
+  const bool isCtrl = event.modifiers() == Qt::ControlModifier;
+  if (digit < 0 || digit > 9 || (!isCtrl && event.modifiers() != Qt::NoModifier)) return false;
+  const std::vector<WindowChoice> all = windows();
+  const auto chosen = std::ranges::find_if(all, [&](const WindowChoice& choice) {
+    return (isCtrl ? choice.key.withCtrl : choice.key.alone) == digit;
+  });
+  if (chosen != all.end()) chooseWindow(int(chosen - all.begin()));
+  return true;
+}
+
 void FlatView::keyPressEvent(QKeyEvent* event) {
   if (pressToolKey(*event) || pressMeasuringKey(*event)) return;
   switch (latinKey(*event)) {
@@ -201,8 +214,8 @@ void FlatView::keyPressEvent(QKeyEvent* event) {
       tellPointed();
       return session_.endGesture();
     default:
-      if (event->key() < Qt::Key_0 || event->key() > Qt::Key_9 || event->modifiers() != Qt::NoModifier) break;
-      return chooseWindow(event->key() - Qt::Key_0);
+      if (!pressWindowKey(*event)) break;
+      return;
   }
   View::keyPressEvent(event);
 }

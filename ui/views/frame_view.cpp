@@ -216,7 +216,7 @@ std::vector<FlatView::WindowChoice> FrameView::windows() const {
   std::vector<WindowChoice> all;
   if (!shown()) return all;
   for (const GreyChoice& choice : greyChoices(*frame_, seriesState(), session_.preferences().windows))
-    all.push_back({choice.name, withGrey(seriesState(), choice) == seriesState()});
+    all.push_back({choice.name, withGrey(seriesState(), choice) == seriesState(), choice.key});
   return all;
 }
 

@@ -249,7 +249,7 @@ std::vector<FlatView::WindowChoice> SliceView::windows() const {
   std::vector<WindowChoice> all;
   if (!shown) return all;
   for (const NamedWindow& choice : windowChoices(*shown, session_.preferences().windows))
-    all.push_back({choice.name, choice.window == seriesState().window});
+    all.push_back({choice.name, choice.window == seriesState().window, choice.key});
   return all;
 }
 

@@ -1,11 +1,13 @@
 #include "ui/views/volume_view.h"
 
+#include <QToolButton>
 #include <utility>
 
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/canvas.h"
 #include "ui/views/cine_bar.h"
 #include "ui/widgets/orientation_cube.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
@@ -27,6 +29,19 @@ QString captionOf(const ScreenPicture& drawn, bool isOld = false) {
   if (drawn.atRest) level = (isOld ? VolumeView::tr("before: %1") : VolumeView::tr("final: %1")).arg(level);
   return VolumeView::tr("%1 - %2 ms").arg(level, QString::number(drawn.ms, 'f', drawn.ms < 10 ? 1 : 0));
 }
+
+QToolButton* makeTableButton(QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName(QStringLiteral("showTable"));
+  button->setText(VolumeView::tr("Show table"));
+  button->setToolTip(
+      toolTipOf(VolumeView::tr("Table and cushions are left out of 3D pictures of CT: show them. 3D > Show "
+                               "the table in 3D says so, too.")));
+  button->setFocusPolicy(Qt::NoFocus);
+  button->adjustSize();
+  button->hide();
+  return button;
+}
 }  // namespace
 
 VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QWidget* parent)
@@ -35,6 +50,7 @@ VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QW
       canvas_(makeCanvas([this](QPainter& p) { paintCanvas(p); }, [this] { replaceCanvas(); }, this)),
       cube_(new OrientationCube(this)),
       badge_(new WarningBadge(this)),
+      showTable_(makeTableButton(this)),
       cine_(new CineBar(
           session, id, [this] { return isDrawn_; }, this)) {
   setObjectName(id == sceneViewId ? QStringLiteral("volumeView") : QStringLiteral("volumeView%1").arg(id));
@@ -46,9 +62,12 @@ VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QW
   connect(this, &View::pixelsChanged, this, &VolumeView::requestPicture);
   connect(&drawService_, &DrawService::screenPictureReady, this, &VolumeView::showDrawn);
   connect(&session_, &Session::preferencesChanged, this, [this] {
+    followDrawn(false);
     redraw();
     tellPointed();
   });
+  connect(showTable_, &QToolButton::clicked, this,
+          [this] { session_.prefer([](Preferences& p) { p.tableIn3d = true; }); });
   // Which zoom is written depends on them.
   connect(&session_.undoStack(), &QUndoStack::indexChanged, this, [this] { placed_.reset(); });
   connect(cine_, &CineBar::shownChanged, this, [this] {
@@ -86,11 +105,21 @@ void VolumeView::workspaceChanged(const Workspace& before) {
     if (drag_ && drag_->drawsOver()) letGo();
     showState();
   }
+  followDrawn(isNew);
+}
+
+// Asks for a picture where the session has another volume to draw, or another scene of it.
+void VolumeView::followDrawn(bool isOtherLook) {
   const LoadedSeriesPtr drawn = session_.drawnSeries(id());
   const VolumePtr volume = drawn ? drawn->volume : nullptr;
   const bool isAnother = std::exchange(drawn_, volume) != volume;
-  if (isAnother) isDrawn_ = false;
-  if (isAnother || (volume && (isNew || drawnScene_ != sceneToDraw()))) requestPicture();
+  if (isAnother) {
+    isDrawn_ = false;
+    const MadeTissue* tissue = session_.tissueDrawn(id());
+    showTable_->setVisible(tissue && tissue->patient);
+    placeChildren();
+  }
+  if (isAnother || (volume && (isOtherLook || drawnScene_ != sceneToDraw()))) requestPicture();
 }
 
 QStringList VolumeView::warningsShown() const {
@@ -130,6 +159,7 @@ void VolumeView::placeChildren() {
   // Under the lines about patient and series.
   const auto lines = series() ? overlays().topLeft.size() : 0;
   badge_->move(8, 12 + int(lines) * (fontMetrics().height() + 1) + 4);
+  showTable_->move(8, badge_->y() + (badge_->isHidden() ? 0 : badge_->height() + 4));
 }
 
 const QImage& VolumeView::shown() const {
@@ -173,7 +203,8 @@ void VolumeView::showOnly(const std::optional<VolumeRange>& range) {
 
 Scene VolumeView::sceneToDraw() const {
   Scene scene = session_.drawnScene(id());
-  if (only_ && only_->volume == drawn_)
+  const LoadedSeriesPtr shown = series();
+  if (only_ && (only_->volume == drawn_ || (shown && only_->volume == shown->volume)))
     scene.transferFunction = restrictedTo(scene.transferFunction, only_->range);
   return scene;
 }

@@ -13,6 +13,8 @@
 #include "ui/views/pick.h"
 #include "ui/views/view.h"
 
+class QToolButton;
+
 namespace volumen {
 
 class CineBar;
@@ -139,6 +141,7 @@ class VolumeView : public View {
   void showDrawn(const ScreenPicture& picture);
   void showOld();
   void placeChildren();
+  void followDrawn(bool isOtherLook);
   void showWarnings();
   void showState();
 
@@ -146,6 +149,7 @@ class VolumeView : public View {
   QWidget* canvas_;
   OrientationCube* cube_;
   WarningBadge* badge_;
+  QToolButton* showTable_;  // where the table is left out
   CineBar* cine_;
   VolumePtr drawn_;   // the one that a picture was asked for
   Scene drawnScene_;  // and of what

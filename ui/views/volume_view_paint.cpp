@@ -1,4 +1,5 @@
 #include <QPainter>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -44,11 +45,12 @@ Overlays VolumeView::overlays() const {
   o.topLeft = seriesCorner(shown->series).left(cornerLines(overlayArea(), font()));
   o.bottomRight = caption_;
   o.date = dateBeside();
-  for (const QWidget* child : {static_cast<const QWidget*>(cube_), static_cast<const QWidget*>(badge_)})
+  for (const QWidget* child : std::initializer_list<const QWidget*>{cube_, badge_, showTable_})
     if (child->isVisibleTo(this)) o.taken.push_back(child->geometry());
   QStringList more{stepText(session_.workspace(), state().series)};
   more << lossyText(shown->series) << maskTexts(session_.maskOf(state().series));
-  if (const MadeTissue* tissue = session_.tissueDrawn(id())) more << tissueText(tissue->shown);
+  if (const MadeTissue* tissue = session_.tissueDrawn(id()))
+    more << tissueText(tissue->shown) << (tissue->patient ? tr("table not shown") : QString());
   if (scene().mode != Mode::composite && !session_.segmentsDrawn(id()).empty())
     more << tr("no segments in projections");
   more.removeAll(QString());
@@ -98,6 +100,7 @@ void VolumeView::paintCrosshair(QPainter& painter) const {
 std::vector<QWidget*> VolumeView::badges() const {
   std::vector<QWidget*> all = View::badges();
   all.push_back(cube_);
+  all.push_back(showTable_);
   all.push_back(badge_);
   return all;
 }

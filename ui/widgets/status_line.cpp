@@ -9,7 +9,9 @@ namespace volumen {
 
 namespace {
 constexpr int fadeAfterMs = 8000;
-}
+constexpr int leastHover = 300, leastWarning = 220, leastInNarrow = 120;
+constexpr int narrow = 900;
+}  // namespace
 
 StatusLine::StatusLine(Jobs& jobs, QWidget* parent)
     : QWidget(parent),
@@ -20,7 +22,8 @@ StatusLine::StatusLine(Jobs& jobs, QWidget* parent)
   hover_->setObjectName(QStringLiteral("hoverText"));
   told_->setObjectName(QStringLiteral("toldText"));
   warning_->setObjectName(QStringLiteral("warningText"));
-  hover_->setMinimumWidth(300);
+  warning_->installEventFilter(this);
+  told_->setMinimumWidth(1);  // it gives way
   warning_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   warning_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   auto* row = new QHBoxLayout(this);
@@ -49,6 +52,7 @@ void StatusLine::showWarnings(const QStringList& sentences) {
 }
 
 void StatusLine::elideWarning() {
+  warning_->setMinimumWidth(warnings_.isEmpty() ? 0 : leastWarning);
   if (warnings_.isEmpty()) return warning_->clear();
   QString more;
   if (warnings_.size() > 1) more = tr("  (and %1 more)").arg(warnings_.size() - 1);
@@ -67,9 +71,15 @@ void StatusLine::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) setHeight();
 }
 
+// In a narrow window the value under the cursor leaves room for the warnings.
 void StatusLine::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  elideWarning();
+  hover_->setMinimumWidth(width() < narrow ? leastInNarrow : leastHover);
+}
+
+bool StatusLine::eventFilter(QObject* label, QEvent* event) {
+  if (event->type() == QEvent::Resize) elideWarning();
+  return QWidget::eventFilter(label, event);
 }
 
 }  // namespace volumen

@@ -20,6 +20,7 @@ class StatusLine : public QWidget {
   void showWarnings(const QStringList& sentences);
 
  protected:
+  bool eventFilter(QObject* label, QEvent* event) override;
   void resizeEvent(QResizeEvent*) override;
   void changeEvent(QEvent*) override;
 

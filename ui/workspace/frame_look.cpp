@@ -68,10 +68,17 @@ std::vector<GreyChoice> greyChoices(const LoadedFrame& frame, const SeriesState&
   for (std::size_t n = 0; n < greys.size(); ++n)
     if (!greys[n].ofValues)
       all.push_back({nameOf(greys[n], n, greys.size(), frame.slice->series), int(n), {}});
-  for (const NamedWindow& tissue : tissueWindows(frame.slice->series))
+  WindowCounts counts{int(all.size()) - 1};
+  for (const NamedWindow& tissue : tissueWindows(frame.slice->series)) {
     all.push_back({tissue.name, 0, tissue.window});
-  for (const NamedWindow& each : ownWindowsFor(own, frame.slice->series))
+    ++counts.ofProgram;
+  }
+  for (const NamedWindow& each : ownWindowsFor(own, frame.slice->series)) {
     all.push_back({each.name, 0, each.window});
+    ++counts.own;
+  }
+  const std::vector<WindowKey> keys = windowKeys(counts);
+  for (std::size_t n = 0; n < all.size(); ++n) all[n].key = keys[n];
   return all;
 }
 

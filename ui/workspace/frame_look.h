@@ -17,6 +17,7 @@ struct GreyChoice {
   QString name;                  ///< "SOFTER, LUT", "Bone (2000 / 400)"
   int namedGrey = 0;             ///< which of the file's
   std::optional<Window> window;  ///< in place of them
+  WindowKey key{};
 };
 
 /// The first of the file's, then all of these by name, then those of tissues where values are HU, and last

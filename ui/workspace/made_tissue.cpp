@@ -21,17 +21,24 @@ std::vector<ChosenSegments> segmentsShownOf(const std::vector<const SegmentMap*>
 }
 
 std::optional<MadeTissue> tissueWanted(const std::vector<const SegmentMap*>& maps,
-                                       const LoadedSeriesPtr& series) {
-  if (maps.empty() || !series || maps.front()->tissue.where == TissueShown::Where::everywhere) return {};
-  std::vector<ChosenSegments> shown = segmentsShownOf(maps, series->volume->geometry());
-  if (shown.empty()) return {};
-  return MadeTissue{series, std::move(shown), maps.front()->tissue};
+                                       const LoadedSeriesPtr& series, bool withoutTable) {
+  if (!series) return {};
+  MadeTissue wanted{series, {}, {}};
+  wanted.withoutTable = withoutTable;
+  if (!maps.empty() && maps.front()->tissue.where != TissueShown::Where::everywhere)
+    wanted.segments = segmentsShownOf(maps, series->volume->geometry());
+  if (!wanted.segments.empty()) wanted.shown = maps.front()->tissue;
+  return wanted.segments.empty() && !withoutTable ? std::nullopt : std::optional(wanted);
 }
 
 bool isTissueOnScreen(const MadeTissue& tissue, const Workspace& workspace) {
   const SeriesKey series = keyOf(tissue.of->series);
+  const auto known = workspace.series.find(series);
+  if (known == workspace.series.end()) return false;
   const SegmentMap* map = segmentMapOf(workspace, series);
-  if (!map || map->tissue.where == TissueShown::Where::everywhere) return false;
+  const bool isOfSegments = map && map->tissue.where != TissueShown::Where::everywhere;
+  if (isOfSegments != !tissue.segments.empty()) return false;
+  if (!isOfSegments && known->second.mask.tableRemoved) return false;
   return std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId id) {
     const ViewState& view = workspace.view(id);
     return view.series == series && showsScene(view.kind);

@@ -12,17 +12,21 @@ namespace volumen {
 
 struct Workspace;
 
-/// What 3D views draw of a series whose tissue is not shown everywhere, and what that was made of.
+/// What 3D views draw of a series whose tissue is not shown everywhere, or whose table is left out, and what
+/// that was made of.
 struct MadeTissue {
   LoadedSeriesPtr of;                    ///< the series, without what its mask takes away
   std::vector<ChosenSegments> segments;  ///< of its grid: those that were shown, of all its maps
   TissueShown shown;
   std::shared_ptr<const BitMask> voxels{};  ///< where tissue is left
-  LoadedSeriesPtr left{};                   ///< with air elsewhere; null: it could not be made
+  LoadedSeriesPtr left{};     ///< with air elsewhere; null: it could not be made; `of`: nothing goes
+  bool withoutTable = false;  ///< of CT: the patient alone
+  std::shared_ptr<const BitMask> patient{};  ///< where it is, then; null: there is no table
 
   /// Whether both are made of the same.
   bool isAs(const MadeTissue& other) const {
-    return of == other.of && segments == other.segments && shown == other.shown;
+    return of == other.of && segments == other.segments && shown == other.shown &&
+           withoutTable == other.withoutTable;
   }
 };
 
@@ -30,12 +34,12 @@ struct MadeTissue {
 std::vector<ChosenSegments> segmentsShownOf(const std::vector<const SegmentMap*>& maps,
                                             const VoxelGeometry& grid);
 
-/// What is to be made for 3D views of a series with these maps of segments; none: its tissue is shown
-/// everywhere, or all segments lie on another grid.
+/// What is to be made for 3D views of a series with these maps of segments; none: all of it is shown, or all
+/// segments lie on another grid.
 std::optional<MadeTissue> tissueWanted(const std::vector<const SegmentMap*>& maps,
-                                       const LoadedSeriesPtr& series);
+                                       const LoadedSeriesPtr& series, bool withoutTable = false);
 
-/// Whether the series is in a 3D view on screen, and its tissue not to be shown everywhere.
+/// Whether the series is in a 3D view on screen, and what is left of it still to be shown alone.
 bool isTissueOnScreen(const MadeTissue& tissue, const Workspace& workspace);
 
 /// A scene that says nothing of window and gradientFloor with those of all of a volume, of which only some

@@ -32,6 +32,7 @@ struct Preferences {
   bool referenceLines = true;  ///< of planes of other views
   bool referenceEnds = false;  ///< and of their first and last slices
   bool hideNames = false;
+  bool tableIn3d = false;                    ///< of CT
   PetUnit petUnit = PetUnit::suvBodyWeight;  ///< where it can be had
   int memoryPercent = 25;                    ///< of the machine's memory, for series that are not on screen
   Brush brush;

@@ -78,6 +78,15 @@ SeriesPicture firstCompared(const Workspace& workspace) {
   return {};
 }
 
+// Returns what lies over the first view; null where a view shows it by itself.
+std::shared_ptr<const Series> seriesOverFirst(const Workspace& workspace) {
+  const std::vector<ViewId> views = viewsInMain(workspace);
+  const auto over = workspace.series.find(flatLookOf(workspace.view(views.front())).overlay);
+  if (over == workspace.series.end()) return nullptr;
+  const auto shows = [&](ViewId id) { return workspace.view(id).series == over->first; };
+  return std::ranges::any_of(views, shows) ? nullptr : over->second.series;
+}
+
 // Shows it as it is read, in a view to compare.
 Workspace withPictures(Workspace workspace, ViewId view, const SeriesPicture& picture) {
   const Series& series = *picture.series;
@@ -244,8 +253,9 @@ Workspace withLikelySecond(Workspace workspace, const std::vector<const Series*>
   if (!comparesSeries(workspace.layout)) return workspace;
   const SeriesPicture first = firstCompared(workspace);
   if (!first) return workspace;
-  const SeriesPicture second = likelySecond(workspace, first, open);
   const std::vector<ViewId> views = viewsInMain(workspace);
+  const std::shared_ptr<const Series> over = seriesOverFirst(workspace);
+  const SeriesPicture second = over ? SeriesPicture{over.get()} : likelySecond(workspace, first, open);
   const auto empty =
       std::ranges::find_if(views, [&](ViewId id) { return workspace.view(id).series.empty(); });
   if (!second || empty == views.end()) return workspace;

@@ -345,7 +345,8 @@ void Session::setWorkspace(const Workspace& workspace) {
     onScreen.push_back({onScreen[n].series, {}});  // for the next mask
   dropUndrawn();
   std::size_t tissueBytes = 0;
-  for (const MadeTissue& tissue : tissues_) tissueBytes += tissue.left ? tissue.left->volume->bytes() : 0;
+  for (const MadeTissue& tissue : tissues_)
+    if (tissue.left && tissue.left != tissue.of) tissueBytes += tissue.left->volume->bytes();
   pool_.setOnScreen(onScreen, tissueBytes);
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);

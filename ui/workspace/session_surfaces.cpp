@@ -53,9 +53,9 @@ const MadeTissue* Session::tissueDrawn(ViewId view) const {
   if (!series || !showsScene(workspace_.view(view).kind)) return nullptr;
   const auto made = std::ranges::find_if(
       tissues_, [&](const MadeTissue& tissue) { return areOneSeries(tissue.of, series); });
-  const bool isDrawn =
-      made != tissues_.end() && made->left && made->left->volume->geometry() == series->volume->geometry();
-  return isDrawn ? &*made : nullptr;
+  if (made == tissues_.end() || !made->left || made->left == made->of) return nullptr;
+  if (made->segments.empty() && preferences_.tableIn3d) return nullptr;
+  return made->left->volume->geometry() == series->volume->geometry() ? &*made : nullptr;
 }
 
 LoadedSeriesPtr Session::drawnSeries(ViewId view) const {

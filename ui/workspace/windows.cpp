@@ -86,6 +86,8 @@ std::vector<NamedWindow> tissueWindows(const Series& series) {
   // Without a word: nothing in a corner says whether it is of a maximum.
   const Window boneMip{700, 1800};
   all.push_back({namedWindowText(tr("Bone MIP"), boneMip, series), boneMip});
+  const Window stroke{35, 40};
+  all.push_back({namedWindowText(tr("Stroke"), stroke, series), stroke, tr("Stroke")});
   return all;
 }
 
@@ -119,8 +121,12 @@ std::vector<NamedWindow> windowChoices(const LoadedSeries& series, const OwnWind
     const QString name = files.size() == 1 ? tr("From file") : tr("From file, %1").arg(n + 1);
     all.push_back({namedWindowText(name, files[n], series.series), files[n]});
   }
-  for (const NamedWindow& tissue : tissueWindows(series.series)) all.push_back(tissue);
-  for (const NamedWindow& each : ownWindowsFor(own, series.series)) all.push_back(each);
+  const std::vector<NamedWindow> tissues = tissueWindows(series.series),
+                                 owned = ownWindowsFor(own, series.series);
+  all.insert(all.end(), tissues.begin(), tissues.end());
+  all.insert(all.end(), owned.begin(), owned.end());
+  const std::vector<WindowKey> keys = windowKeys({int(files.size()), int(tissues.size()), int(owned.size())});
+  for (std::size_t n = 0; n < all.size(); ++n) all[n].key = keys[n];
   return all;
 }
 

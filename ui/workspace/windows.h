@@ -7,6 +7,7 @@
 
 #include "ui/data/loaded_series.h"
 #include "ui/workspace/own_windows.h"
+#include "ui/workspace/window_keys.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/slice/grey.h"
 
@@ -36,6 +37,7 @@ struct NamedWindow {
   QString name;                  ///< "Bone (2000 / 400)"
   std::optional<Window> window;  ///< none: automatic
   QString word{};                ///< "Bone": what stands in the corner while it holds; empty: nothing
+  WindowKey key{};               ///< in a list of windowChoices()
 };
 
 /// Automatic, the file's own, for HU those of tissues, for SUV those from 0 on, and last the user's own.

@@ -249,7 +249,10 @@ Workspace withFrames(Workspace workspace, ViewId view, const Series& series) {
 
 Workspace withLayout(Workspace workspace, Layout layout) {
   ViewId& focus = editMainFocus(workspace);
-  const SeriesKey shown = workspace.view(focus).series;
+  // Of a fused group its planes, whichever of its views is in focus.
+  const bool isFusedGroup = inGroup(focus) && !flatLookOf(workspace.view(axialViewId)).overlay.empty();
+  const ViewState from = workspace.view(isFusedGroup ? axialViewId : focus);
+  const SeriesKey shown = from.series;
   const bool asFrames = showsFrames(workspace, focus);
   workspace.layout = layout;
   const std::vector<ViewId> views = viewsInMain(workspace);
@@ -259,6 +262,12 @@ Workspace withLayout(Workspace workspace, Layout layout) {
     first.series = shown;
     first.wanted.clear();
     first.flats.add(shown, {});
+    if (const FlatLook look = flatLookOf(from); !look.overlay.empty()) {
+      FlatLook& fused = first.flats.edit(shown);
+      fused.overlay = look.overlay;
+      fused.overlayColours = look.overlayColours;
+      fused.overlayOpacity = look.overlayOpacity;
+    }
     const Series* series = seriesIn(workspace, views.front());
     first.kind =
         series && !inGroup(views.front()) ? acquiredKind(series->acquired) : usualKind(views.front());

@@ -98,7 +98,7 @@ std::string estimateText(const Plan& plan, const PictureError& e) {
 std::string whyNoEstimate(const Plan& plan) {
   if (plan.method == Method::reference) return "The reference is within 0.05/255 of the limit by itself.";
   if (plan.cellByCell) return "The picture is not drawn yet.";
-  return "Plain steps do not know what lies between two samples, and so not how far off they are.";
+  return "The picture was sampled at fixed steps, which do not tell how far off each pixel is.";
 }
 
 std::string errorText(const MeasuredError& m) {

@@ -173,9 +173,12 @@ Result<VolumePtr> masked(const Volume& volume, const Mask& mask, const CancelTok
   return noMemory();
 }
 
-Result<VolumePtr> keptAlone(const Volume& volume, const BitMask& kept, const CancelToken& cancel) try {
+Result<VolumePtr> keptAlone(const Volume& volume, const BitMask& kept, const CancelToken& cancel,
+                            bool tableRemoved) try {
   if (cancel.cancelled()) return cancelled();
-  return volumeWith(volume, maskedValues(volume, kept), volume.attributes().cut);
+  Cut cut = volume.attributes().cut;
+  cut.table = cut.table || tableRemoved;
+  return volumeWith(volume, maskedValues(volume, kept), cut);
 } catch (const std::bad_alloc&) {
   return noMemory();
 }

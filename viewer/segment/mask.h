@@ -53,9 +53,11 @@ BitMask leftBy(BitMask mask, const Lasso& lasso, double withinMm, const CancelTo
 /// little memory.
 Result<VolumePtr> masked(const Volume& volume, const Mask& mask, const CancelToken& cancel = {});
 
-/// A copy of a volume with air, as masked() has it, everywhere but at these voxels of its grid. The Error: it
-/// was cancelled, or too little memory.
-Result<VolumePtr> keptAlone(const Volume& volume, const BitMask& kept, const CancelToken& cancel = {});
+/// A copy of a volume with air, as masked() has it, everywhere but at these voxels of its grid.
+/// `tableRemoved`: they leave the table out, which its attributes say. The Error: it was cancelled, or too
+/// little memory.
+Result<VolumePtr> keptAlone(const Volume& volume, const BitMask& kept, const CancelToken& cancel = {},
+                            bool tableRemoved = false);
 
 /// The same as masked() with these outlines behind those of the mask that `cut` was made with; costs what
 /// they cost. The Error: it was cancelled, or too little memory.

@@ -27,6 +27,35 @@ BitMask grownAlong(const BitMask& mask, int axis, int reach, const CancelToken& 
   return spread(mask, rows, cancel);
 }
 
+BitMask notAirIn(const Volume& volume) {
+  return voxelsInRange(volume, {notAirHu, std::numeric_limits<double>::infinity()});
+}
+
+// By a box of so many mm to each side.
+BitMask grownByBox(BitMask mask, double mm, const CancelToken& cancel) {
+  const glm::dvec3 spacing = mask.geometry().spacing();
+  for (int axis = 0; axis < 3 && !cancel.cancelled(); ++axis)
+    mask = grownAlong(mask, axis, int(std::lround(std::min(mm / spacing[axis], 1e6))), cancel);
+  return mask;
+}
+
+// With all that it encloses in its slices, and its skin.
+BitMask filledAndGrown(BitMask mask, const CancelToken& cancel) {
+  if (cancel.cancelled() || mask.empty()) return mask;
+  mask = holesFilledInSlices(mask, axisAlongPatient(mask.geometry()), cancel);
+  return grownByBox(std::move(mask), grownMm, cancel);
+}
+
+// Whether a part beside the largest is of the patient: large, and somewhere thicker than the shell of a
+// table.
+bool staysBeside(const Parts& parts, std::size_t n, const CancelToken& cancel) {
+  constexpr double largePart = 0.1, shellMm = 8;
+  if (double(parts.size(n)) < largePart * double(parts.size(0))) return false;
+  std::vector<bool> alone(parts.count());
+  alone[n] = true;
+  return !inverted(grownByBox(inverted(parts.mask(alone)), shellMm / 2, cancel)).empty();
+}
+
 }  // namespace
 
 int axisAlongPatient(const VoxelGeometry& geometry) {
@@ -39,14 +68,20 @@ int axisAlongPatient(const VoxelGeometry& geometry) {
 }
 
 BitMask patientMask(const Volume& volume, const CancelToken& cancel) {
-  const BitMask notAir = voxelsInRange(volume, {notAirHu, std::numeric_limits<double>::infinity()});
-  BitMask mask = Parts(notAir, Neighbours::faces, cancel).largest();
-  if (cancel.cancelled() || mask.empty()) return mask;
-  mask = holesFilledInSlices(mask, axisAlongPatient(mask.geometry()), cancel);
-  const glm::dvec3 spacing = mask.geometry().spacing();
-  for (int axis = 0; axis < 3 && !cancel.cancelled(); ++axis)
-    mask = grownAlong(mask, axis, int(std::lround(std::min(grownMm / spacing[axis], 1e6))), cancel);
-  return mask;
+  return filledAndGrown(Parts(notAirIn(volume), Neighbours::faces, cancel).largest(), cancel);
+}
+
+std::optional<BitMask> patientBesideTable(const Volume& volume, const CancelToken& cancel) {
+  constexpr double leastTable = 0.005;  // of what is above notAirHu: a chest's is ten times that
+  const BitMask notAir = notAirIn(volume);
+  const Parts parts(notAir, Neighbours::faces, cancel);
+  if (parts.count() < 2) return {};
+  std::vector<bool> stays(parts.count());
+  for (std::size_t n = 0; n < parts.count(); ++n) stays[n] = n == 0 || staysBeside(parts, n, cancel);
+  BitMask patient = filledAndGrown(parts.mask(stays), cancel);
+  const std::int64_t leftOut = subtracted(notAir, patient).count();
+  return double(leftOut) < leastTable * double(notAir.count()) ? std::nullopt
+                                                               : std::optional(std::move(patient));
 }
 
 }  // namespace volumen

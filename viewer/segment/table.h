@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "viewer/segment/bit_mask.h"
 #include "viewer/volume/cancel.h"
 
@@ -15,5 +17,11 @@ int axisAlongPatient(const VoxelGeometry& geometry);
 /// with all that it encloses in its slice (lungs, bowel) and grown by about 3 mm, so that the skin keeps its
 /// edge. Empty where nothing is above notAirHu. Values must be HU.
 BitMask patientMask(const Volume& volume, const CancelToken& cancel = {});
+
+/// Returns the patient in a CT for a picture without the table: as patientMask(), but with all parts that are
+/// at least a tenth as large as the largest and thicker than a shell, such as the other leg. None where
+/// less than half a percent of what is above notAirHu would be left out: there is no table. Values must be
+/// HU.
+std::optional<BitMask> patientBesideTable(const Volume& volume, const CancelToken& cancel = {});
 
 }  // namespace volumen

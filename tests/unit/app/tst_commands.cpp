@@ -180,7 +180,7 @@ void TestCommands::aPictureSaysHowFarItMayBeOff_data() {
       "at most [^;]*; without that of another gradient operator", "");
   row("a projection", "--mode mip", "none but the rounding of floats", "");
   row("plain steps", "--step 1", "",
-      "Plain steps do not know what lies between two samples, and so not how far off they are.");
+      "The picture was sampled at fixed steps, which do not tell how far off each pixel is.");
   row("the reference", "--reference", "", "The reference is within 0.05/255 of the limit by itself.");
 }
 

@@ -24,6 +24,7 @@ class TestTable : public QObject {
   void onlyWhatTheFileHoldsIsWritten();
   void whatHoldsNoPatientIsRefused();
   void cancelledIsToldSo();
+  void picturesLeaveOutNoPatient();
 };
 
 namespace {
@@ -140,6 +141,25 @@ void TestTable::cancelledIsToldSo() {
   cancel.cancel();
   QVERIFY(masked(*CtWithTable::volume(true), {true, {}}, cancel).message().find("cancelled") !=
           std::string::npos);
+}
+
+// Two legs that do not touch, and a table of a twentieth of one.
+void TestTable::picturesLeaveOutNoPatient() {
+  const auto made = [](bool secondLeg, bool table) {
+    return volumeOf<std::int16_t>({40, 40, 10}, glm::dmat3(2), [=](glm::dvec3 x) {
+      const auto inside = [&](double cx) { return std::hypot(x.x - cx, x.y - 14) < 8; };
+      if (inside(9) || (secondLeg && inside(29))) return 40.0;
+      return table && x.y == 30 && x.x < 12 ? 400.0 : -1000.0;
+    });
+  };
+  QVERIFY2(!patientBesideTable(*made(true, false)), "there is no table");
+  QVERIFY(!patientBesideTable(*made(false, false)));
+  const auto patient = patientBesideTable(*made(true, true));
+  QVERIFY(patient);
+  QVERIFY(patient->at({9, 14, 5}) && patient->at({29, 14, 5}));
+  QVERIFY(!patient->at({5, 30, 5}));
+  const auto leg = patientMask(*made(true, true));
+  QVERIFY2(leg.at({9, 14, 5}) != leg.at({29, 14, 5}), "removed by hand, one of two that are alike goes");
 }
 
 VOLUMEN_TEST(TestTable);

@@ -1,0 +1,113 @@
+#include <QApplication>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QStackedWidget>
+#include <algorithm>
+#include <optional>
+
+#include "ui/features/feature.h"
+#include "ui/views/flat_view.h"
+#include "ui/views/view_grid.h"
+#include "ui/workspace/time_points.h"
+
+namespace volumen {
+
+namespace {
+
+// Windows that are chosen by a digit while a series is on its way hold once it is there.
+class KeysAhead : public Feature {
+ public:
+  explicit KeysAhead(Workbench& bench);
+
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  void begin();
+  void end();
+  bool isAwaited() const;
+  void give();
+
+  std::shared_ptr<const Series> series_;       // the one being loaded; null: none is yet
+  std::optional<Qt::KeyboardModifiers> ctrl_;  // of the digit
+  int digit_ = 0;                              // pressed last; where ctrl_ is
+  bool isListening_ = false;
+};
+
+KeysAhead::KeysAhead(Workbench& bench) : Feature(bench) {
+  Loader& loader = bench_.document.loader;
+  connect(&loader, &Loader::openBegan, this, &KeysAhead::begin);
+  connect(&loader, &Loader::loadBegan, this, [this](const Series& series) {
+    series_ = std::make_shared<const Series>(series);
+    begin();
+  });
+  for (const auto ended : {&Loader::idle, &Loader::loadGivenUp})
+    connect(&loader, ended, this, &KeysAhead::end, Qt::QueuedConnection);
+  connect(&session_, &Session::workspaceChanged, this, &KeysAhead::give, Qt::QueuedConnection);
+  bench_.window.setFocus();  // or the window would begin in the first field that there is
+}
+
+// What is typed from now on is meant for what is coming, not for a search in the list of studies.
+void KeysAhead::begin() {
+  QWidget* keys = bench_.window.focusWidget();
+  if (keys && bench_.dock("studies")->isAncestorOf(keys)) {
+    if (bench_.pages.currentWidget() == &grid_)
+      grid_.takeKeys();
+    else
+      bench_.window.setFocus();
+  }
+  if (std::exchange(isListening_, true)) return;
+  ctrl_.reset();
+  qApp->installEventFilter(this);
+}
+
+void KeysAhead::end() {
+  if (bench_.document.loader.isOpening()) return;
+  isListening_ = false;
+  series_.reset();
+  qApp->removeEventFilter(this);
+  give();
+}
+
+// Whether something comes into the place of what is in focus: no series that lies over it, and no other step
+// of it.
+bool KeysAhead::isAwaited() const {
+  const Workspace& workspace = session_.workspace();
+  const std::vector<ViewId> views = viewsOnScreen(workspace);
+  const auto isEmpty = [&](ViewId id) { return workspace.view(id).series.empty(); };
+  if (std::ranges::all_of(views, isEmpty)) return bench_.document.loader.isOpening();
+  if (!series_ || !bench_.document.loader.isLoading()) return false;
+  const auto isOver = [&](ViewId id) { return flatLookOf(workspace.view(id)).overlay == keyOf(*series_); };
+  const Series* shown = seriesIn(workspace, workspace.focus);
+  return std::ranges::none_of(views, isOver) && !(shown && areTimePoints(*shown, *series_));
+}
+
+// A widget alone: its window hears each key before it does.
+bool KeysAhead::eventFilter(QObject* object, QEvent* event) {
+  const auto* widget = event->type() == QEvent::KeyPress ? qobject_cast<QWidget*>(object) : nullptr;
+  if (!widget || widget->testAttribute(Qt::WA_InputMethodEnabled)) return false;
+  if (widget->window() != &bench_.window && widget->window() != &grid_.secondWindow()) return false;
+  const auto& key = static_cast<const QKeyEvent&>(*event);
+  const bool isDigit = key.key() >= Qt::Key_0 && key.key() <= Qt::Key_9;
+  const bool isPlain = key.modifiers() == Qt::NoModifier || key.modifiers() == Qt::ControlModifier;
+  if (!isDigit || !isPlain || !isAwaited()) return false;
+  digit_ = key.key();
+  ctrl_ = key.modifiers();
+  return true;
+}
+
+void KeysAhead::give() {
+  FlatView* view = ctrl_ && !isAwaited() ? bench_.flatViewInFocus() : nullptr;
+  if (!view) return;
+  if (!view->shown()) {
+    connect(view, &FlatView::settled, this, &KeysAhead::give, Qt::UniqueConnection);
+    return;
+  }
+  QKeyEvent press(QEvent::KeyPress, digit_, *std::exchange(ctrl_, {}));
+  QCoreApplication::sendEvent(view, &press);
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeKeysAhead(Workbench& bench) { return std::make_unique<KeysAhead>(bench); }
+
+}  // namespace volumen
