@@ -227,7 +227,7 @@ constexpr Separator dimensionIndices{"DimensionIndexValues", Trust::needed, "dim
 
 constexpr std::size_t separatorCount = std::size(separatorRows) + 1;
 
-std::array<Separator, separatorCount> table() {
+std::array<Separator, separatorCount> allSeparators() {
   std::array<Separator, separatorCount> all{};
   std::ranges::transform(separatorRows, all.begin(), &SeparatorRow::separator);
   all.back() = dimensionIndices;
@@ -237,7 +237,7 @@ std::array<Separator, separatorCount> table() {
 }  // namespace
 
 std::span<const Separator> separators() {
-  static const std::array<Separator, separatorCount> all = table();
+  static const std::array<Separator, separatorCount> all = allSeparators();
   return all;
 }
 
