@@ -7,6 +7,7 @@
 #include "io/dicom/interleaved.h"
 #include "io/dicom/volume_order.h"
 #include "io/dicom/whole_stacks.h"
+#include "io/study/natural_order.h"
 
 namespace volumen::dicom {
 
@@ -14,7 +15,7 @@ bool isBefore(const std::string& a, const std::string& b) {
   const auto x = parseNumber(a), y = parseNumber(b);
   if (x && y && *x != *y) return *x < *y;
   if (x.has_value() != y.has_value()) return x.has_value();
-  return a < b;
+  return naturalOrder(a, b) < 0;
 }
 
 void addName(Split& split, const Separator& separator, const std::string& value, const std::string& words) {

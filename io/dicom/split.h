@@ -21,7 +21,7 @@ struct Split {
 /// Adds what a separator says of a split to what is said already.
 void addName(Split& split, const Separator& separator, const std::string& value, const std::string& words);
 
-/// The order of values: by number where both are, else by text.
+/// The order of values: by number where both are, else by text, in which digits count as numbers.
 bool isBefore(const std::string& a, const std::string& b);
 
 /// Splits pictures in order by what tells apart those of one place (io/dicom/separators.h) and stacks that

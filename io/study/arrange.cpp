@@ -7,6 +7,7 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "io/study/natural_order.h"
 #include "io/study/study.h"
 
 namespace volumen {
@@ -18,28 +19,11 @@ long numberOf(const std::string& text) {
   return n;
 }
 
-/// The order of UIDs: component by component as numbers, other text as it is.
-struct UidOrder {
-  const std::string& uid;
-
-  bool operator<(const UidOrder& other) const { return compare(other.uid) < 0; }
-  bool operator==(const UidOrder& other) const { return uid == other.uid; }
-
- private:
-  int compare(std::string_view b) const {
-    std::string_view a = uid;
-    while (!a.empty() && !b.empty()) {
-      const std::string_view x = a.substr(0, a.find('.')), y = b.substr(0, b.find('.'));
-      if (x.size() != y.size() && areDigits(x) && areDigits(y)) return x.size() < y.size() ? -1 : 1;
-      if (x != y) return x < y ? -1 : 1;
-      a.remove_prefix(std::min(a.size(), x.size() + 1));
-      b.remove_prefix(std::min(b.size(), y.size() + 1));
-    }
-    return int(!a.empty()) - int(!b.empty());
-  }
-  static bool areDigits(std::string_view text) {
-    return text.find_first_not_of("0123456789") == std::string_view::npos;
-  }
+/// A text that is ordered naturally.
+struct Natural {
+  const std::string& text;
+  bool operator<(const Natural& other) const { return naturalOrder(text, other.text) < 0; }
+  bool operator==(const Natural& other) const { return text == other.text; }
 };
 
 /// Tells volumes of one series (or files of one name) apart by "#1", "#2", ... behind their ids.
@@ -61,7 +45,7 @@ auto orderKey(const SeriesIdentity& s) {
 /// ... and within a series as its reader has them: by position, then by what tells them apart.
 void sortVolumes(std::vector<Series>& volumes) {
   const auto key = [](const Series& s) {
-    return std::make_tuple(orderKey(s), UidOrder{s.seriesUid.empty() ? s.path : s.seriesUid});
+    return std::make_tuple(orderKey(s), Natural{s.seriesUid.empty() ? s.path : s.seriesUid});
   };
   std::stable_sort(volumes.begin(), volumes.end(),
                    [&](const Series& a, const Series& b) { return key(a) < key(b); });
@@ -71,7 +55,7 @@ void sortVolumes(std::vector<Series>& volumes) {
 template <class Found>
 void sortFiles(std::vector<Found>& files) {
   const auto key = [](const Found& f) {
-    return std::make_tuple(orderKey(f), UidOrder{f.seriesUid}, std::tie(f.path));
+    return std::make_tuple(orderKey(f), Natural{f.seriesUid}, std::tie(f.path));
   };
   std::stable_sort(files.begin(), files.end(),
                    [&](const Found& a, const Found& b) { return key(a) < key(b); });

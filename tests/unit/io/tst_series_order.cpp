@@ -46,6 +46,11 @@ void TestSeriesOrder::volumesAreListedInOrder_data() {
   row("frames of several lengths", "10000 60000 10000 60000", "100000 100010 100110 100120",
       "ActualFrameDuration AcquisitionTime", true);
   row("echoes of flip angles", "3 3 15 15", "2 4 2 4", "FlipAngle EchoTime", true);
+  row("sequences whose names count", "50 100 150 1000", "ir50 ir100 ir150 ir1000",
+      "InversionTime SequenceName", false);
+  row("sequence names alone", "A A A A", "ir_9 ir_10 ir_100 ir_1000", "ConvolutionKernel SequenceName",
+      false);
+  row("descriptions of phases", "A A A A", "5% 15% 50% 100%", "ConvolutionKernel SeriesDescription", false);
   row("weights in turn", "0 500 1000 500", "100000 100100 100200 100300", "DiffusionBValue AcquisitionTime",
       true);
 }
