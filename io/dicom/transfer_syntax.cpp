@@ -3,7 +3,7 @@
 namespace volumen::dicom {
 namespace {
 
-constexpr TransferSyntax table[] = {
+constexpr TransferSyntax syntaxTable[] = {
     {"1.2.840.10008.1.2", "Implicit VR Little Endian", Coding::native, {false, false}},
     {"1.2.840.10008.1.2.1", "Explicit VR Little Endian", Coding::native, {}},
     {"1.2.840.10008.1.2.1.99", "Deflated Explicit VR Little Endian", Coding::native, {}, true},
@@ -44,7 +44,7 @@ constexpr TransferSyntax table[] = {
 }  // namespace
 
 TransferSyntax transferSyntax(const std::string& uid) {
-  for (const TransferSyntax& syntax : table)
+  for (const TransferSyntax& syntax : syntaxTable)
     if (uid == syntax.uid) return syntax;
   return {"", "", Coding::unsupported, {}};
 }
