@@ -101,17 +101,17 @@ std::string stepText(const Step& step) {
 }  // namespace
 
 std::string madeText(const Segment& segment, std::span<const Step> steps) {
-  std::string text = segment.description;
-  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : "; ") + what; };
-  bool isAnyStep = false;
-  for (const Step& step : steps) {
-    if (step.segment != stepNameOf(segment.number)) continue;
-    add(stepText(step));
-    isAnyStep = true;
-  }
-  if (!isAnyStep && segment.range)
+  std::string text;
+  const auto add = [&](const std::string& what) {
+    if (!what.empty()) text += (text.empty() ? "" : "; ") + what;
+  };
+  for (const Step& step : steps)
+    if (step.segment == stepNameOf(segment.number)) add(stepText(step));
+  if (!text.empty()) return text;
+  add(segment.description);
+  if (segment.range)
     add(stepText({"range", {}, {{"low", segment.range->low}, {"high", segment.range->high}}}));
-  if (!segment.algorithm.empty()) add(segment.algorithm);
+  add(segment.algorithm);
   return text;
 }
 

@@ -41,7 +41,7 @@ Result<std::vector<SegmentReport>> voxelReports(std::span<const Segment> segment
 /// Adds those to reports of the labels.
 Status addSurfaces(std::span<SegmentReport> reports, const LabelMap& labels, const Volume& volume,
                    bool withPeaks, const CancelToken& cancel = {}, const SegmentProgress& progress = {});
-/// How a segment was made, by what is said of it and its steps: "range high 3071 low 152; grow mm 2".
+/// How a segment was made, by its steps ("range high 3071 low 152; grow mm 2"), else by what is said of it.
 std::string madeText(const Segment& segment, std::span<const Step> steps = {});
 /// Whether peaks are told of series of this modality (PT, NM).
 bool hasPeaks(const std::string& modality);
