@@ -50,7 +50,7 @@ Overlays VolumeView::overlays() const {
   QStringList more{stepText(session_.workspace(), state().series)};
   more << lossyText(shown->series) << maskTexts(session_.maskOf(state().series));
   if (const MadeTissue* tissue = session_.tissueDrawn(id()))
-    more << tissueText(tissue->shown) << (tissue->patient ? tr("table not shown") : QString());
+    more << tissueText(tissue->shown) << (tissue->patient && isDrawn_ ? tr("table not shown") : QString());
   if (scene().mode != Mode::composite && !session_.segmentsDrawn(id()).empty())
     more << tr("no segments in projections");
   more.removeAll(QString());
