@@ -36,7 +36,7 @@ std::optional<SegmentsOverTime> overTimeOf(std::span<const Segmented> maps, cons
 
 Result<SegmentsFile> segmentsOfFile(const std::string& file, Opened& opened, const CancelToken& cancel) {
   auto read = readSegments(file, opened.series, opened.loaded.drawn->geometry(), {}, cancel,
-                           opened.loaded.acquiredSlices());
+                           acquiredSlicesOf(opened.loaded));
   if (read) opened.notes.insert(opened.notes.end(), read->notes.begin(), read->notes.end());
   return read;
 }

@@ -137,7 +137,7 @@ void addNotes(Opened& opened, const SegmentSource& source, const SegmentNumbersT
 // One map; of a file whose segments overlap, several.
 Result<SegmentsFile> segmentsOf(const SegmentSource& source, Opened& opened, const CancelToken& cancel) {
   if (!source.recipe) return segmentsOfFile(source.file, opened, cancel);
-  auto made = follow(*source.recipe, *opened.loaded.drawn, cancel, opened.loaded.acquiredSlices());
+  auto made = follow(*source.recipe, *opened.loaded.drawn, cancel, acquiredSlicesOf(opened.loaded));
   if (!made) return Error{source.recipe->name + ": " + made.message()};
   for (const std::string& note : notesOf(*source.recipe, opened.series)) opened.notes.push_back(note);
   SegmentsFile all;

@@ -3,10 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "io/study/loaded.h"
 #include "viewer/segment/segmentation.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {
+
+/// The slices of a series as acquired, where some of them are not drawn.
+inline AcquiredSlices acquiredSlicesOf(const Loaded& series) {
+  return series.places.empty() ? AcquiredSlices{} : AcquiredSlices{series.acquired, series.places};
+}
 
 /// What a file of segments holds: a label map a layer, all of one grid.
 struct SegmentsFile {

@@ -4,7 +4,6 @@
 
 #include "io/study/unread.h"
 #include "io/study/warning.h"
-#include "viewer/segment/acquired_slices.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
@@ -28,10 +27,6 @@ struct Loaded {
 
   /// How many slices of `drawn` are not as acquired.
   int interpolatedSlices() const;
-  /// The acquired slices, where some of them are none of `drawn`.
-  AcquiredSlices acquiredSlices() const {
-    return places.empty() ? AcquiredSlices{} : AcquiredSlices{acquired, places};
-  }
 };
 
 }  // namespace volumen

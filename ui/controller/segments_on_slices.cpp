@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "io/export/segments_file.h"
 #include "io/load.h"
 #include "io/study/series.h"
 #include "ui/workspace/segment_record.h"
@@ -53,7 +54,7 @@ Result<std::vector<Segmented>> segmentedOnSlices(const std::vector<SegmentMap>& 
   if (!series.regular) return all;
   const auto loaded = loadSeries(series, {}, cancel);
   if (!loaded) return loaded.error();
-  const AcquiredSlices slices = loaded->acquiredSlices();
+  const AcquiredSlices slices = acquiredSlicesOf(*loaded);
   if (!slices.volume) return all;
   for (std::size_t n = 0; n < maps.size(); ++n)
     all[n].acquired = acquiredOf(maps[n], *loaded->drawn, slices, cancel);
