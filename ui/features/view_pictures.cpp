@@ -5,6 +5,7 @@
 
 #include "io/files/picture_file.h"
 #include "ui/features/feature.h"
+#include "ui/features/once_drawn.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
@@ -19,10 +20,10 @@ class ViewPictures : public Feature {
   explicit ViewPictures(Workbench& bench);
 
  private:
+  void take(const std::vector<View*>& views, const std::function<void()>& picture);
   void copy(const QImage& picture);
   void save(const QImage& picture, const QStringList& warnings, const QString& title);
   void write(const QImage& picture, const QString& path, const PictureText& text);
-  View& view() const { return *grid_.viewShown(); }
   QString nameOffered() const;
 
   JobLane writing_{&bench_.document.jobs};
@@ -40,15 +41,29 @@ ViewPictures::ViewPictures(Workbench& bench) : Feature(bench) {
                       std::move(places)});
   };
   add("savePicture", tr("Save picture..."), {tr("Ctrl+E")}, "snapshot",
-      [this] { save(view().capture(), view().warningsShown(), tr("Save the picture of the view")); },
+      [this] {
+        take({grid_.viewShown()}, [this, view = grid_.viewShown()] {
+          save(view->capture(), view->warningsShown(), tr("Save the picture of the view"));
+        });
+      },
       {{"fileMenu", 50}, {"toolBar", 30, toolBarGap + 10}});
-  add("copyPicture", tr("Copy picture"), {QKeySequence::Copy}, "", [this] { copy(view().capture()); },
+  add("copyPicture", tr("Copy picture"), {QKeySequence::Copy}, "",
+      [this] { take({grid_.viewShown()}, [this, view = grid_.viewShown()] { copy(view->capture()); }); },
       {{"fileMenu", 50}});
   add("saveAllPictures", tr("Save all views..."), {}, "",
-      [this] { save(grid_.capture(), grid_.warningsShown(), tr("Save the picture of all views")); },
+      [this] {
+        take(grid_.viewsSeen(),
+             [this] { save(grid_.capture(), grid_.warningsShown(), tr("Save the picture of all views")); });
+      },
       {{"fileMenu", 50, 10}});
-  add("copyAllPictures", tr("Copy all views"), {tr("Ctrl+Shift+C")}, "", [this] { copy(grid_.capture()); },
-      {{"fileMenu", 50, 10}});
+  add("copyAllPictures", tr("Copy all views"), {tr("Ctrl+Shift+C")}, "",
+      [this] { take(grid_.viewsSeen(), [this] { copy(grid_.capture()); }); }, {{"fileMenu", 50, 10}});
+}
+
+// Texts and pictures of one moment: what is still being drawn is waited for.
+void ViewPictures::take(const std::vector<View*>& views, const std::function<void()>& picture) {
+  onceDrawn(views, session_, this, picture,
+            [this] { warn(tr("The view changed before it was drawn: ask for its picture again.")); });
 }
 
 void ViewPictures::copy(const QImage& picture) {

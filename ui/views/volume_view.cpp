@@ -150,7 +150,7 @@ void VolumeView::requestPicture() {
   const bool isShown = shown && isVisible() && showsScene(state().kind);
   drawService_.show(id(), isShown ? shown->volume : nullptr);
   drawnScene_ = sceneToDraw();
-  if (isShown) drawService_.request(id(), drawnScene_, pixels());
+  if (isShown) numberAsked_ = drawService_.request(id(), drawnScene_, pixels());
 }
 
 void VolumeView::showOnly(const std::optional<VolumeRange>& range) {
@@ -170,6 +170,7 @@ void VolumeView::togglePlay() { cine_->togglePlay(); }
 void VolumeView::showDrawn(const ScreenPicture& picture) {
   if (picture.view != id()) return;
   isDrawn_ = true;
+  numberDrawn_ = picture.number;
   setPicture(picture.image, captionOf(picture), picture.error);
   Q_EMIT drawn(picture);
 }
