@@ -53,7 +53,7 @@ void SliceSheet::add(const QImage& picture, const QString& caption, const QStrin
   }
   const int height = QFontMetrics(sheetFont(textPixels_)).height();
   write(caption, {place.left() + sheetGap, place.bottom() - height - sheetGap}, place.width() - 2 * sheetGap);
-  write(left, {place.left() + sheetGap, place.center().y() + 1}, place.width() / 2);
+  write(left, {place.left() + sheetGap, place.center().y() + 2 * sheetGap}, place.width() / 2);
 }
 
 void SliceSheet::write(const QString& text, QPoint at, int room) {
