@@ -4,6 +4,7 @@
 #include <QTextOption>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace volumen {
 
@@ -33,9 +34,9 @@ QColor haloColour(const QColor& letters) {
 
 // Calls `draw` with the offset of each copy, the letters themselves last; the painter has their colour.
 template <class Draw>
-void drawWithHalo(QPainter& painter, const QColor& colour, const Draw& draw) {
+void drawWithHalo(QPainter& painter, const QColor& colour, std::span<const Ring> rings, const Draw& draw) {
   QColor about = haloColour(colour);
-  for (const Ring& ring : halo) {
+  for (const Ring& ring : rings) {
     about.setAlpha(ring.alpha);
     painter.setPen(about);
     for (int n = 0; n < ring.copies; ++n) {
@@ -57,12 +58,13 @@ void paintReadable(QPainter& painter, QPointF topLeft, const QString& text, cons
   option.setWrapMode(QTextOption::NoWrap);
   line.setTextOption(option);
   line.prepare(painter.transform(), painter.font());
-  drawWithHalo(painter, colour, [&](QPointF by) { painter.drawStaticText(topLeft + by, line); });
+  drawWithHalo(painter, colour, halo, [&](QPointF by) { painter.drawStaticText(topLeft + by, line); });
 }
 
 void paintReadable(QPainter& painter, const QRectF& place, int flags, const QString& text,
                    const QColor& colour) {
-  drawWithHalo(painter, colour, [&](QPointF by) { painter.drawText(place.translated(by), flags, text); });
+  drawWithHalo(painter, colour, std::span(halo).last(1),
+               [&](QPointF by) { painter.drawText(place.translated(by), flags, text); });
 }
 
 }  // namespace volumen

@@ -10,7 +10,7 @@ namespace volumen {
 /// for letters and halo: that of a text from left to right.
 void paintReadable(QPainter& painter, QPointF topLeft, const QString& text, const QColor& colour);
 
-/// Writes lines into a place, as QPainter::drawText() does with these flags, with the same halo.
+/// Writes lines into a place, as QPainter::drawText() does with these flags, with the outline alone.
 void paintReadable(QPainter& painter, const QRectF& place, int flags, const QString& text,
                    const QColor& colour);
 
