@@ -6,7 +6,10 @@
 #include <QFile>
 #include <QImage>
 #include <QRectF>
+#include <QRegularExpression>
+#include <QStringList>
 #include <QTransform>
+#include <map>
 #include <vector>
 
 namespace volumen::tests {
@@ -64,6 +67,52 @@ inline std::vector<std::vector<QRectF>> pagesIn(const QString& path) {
     if (!images.empty()) pages.push_back(std::move(images));
   }
   return pages;
+}
+
+/// The letters of each font of a PDF, by its number, as the PDF says for copying (PDF 1.4, 5.9.2).
+inline std::map<QString, std::map<QString, QString>> lettersIn(const QString& pdf) {
+  const auto all = [](const char* pattern, const QString& in) {
+    return QRegularExpression(QLatin1String(pattern)).globalMatch(in);
+  };
+  std::map<QString, std::map<QString, QString>> letters;
+  for (auto font = all("(\\d+) 0 obj\\s*<< /Type /Font\\s*/Subtype /Type0[^>]*/ToUnicode (\\d+) 0 R", pdf);
+       font.hasNext();) {
+    const QRegularExpressionMatch of = font.next();
+    const qsizetype from = pdf.indexOf(QStringLiteral("\n%1 0 obj").arg(of.captured(2)));
+    const QString map = pdf.mid(from, pdf.indexOf(QLatin1String("endstream"), from) - from);
+    for (auto range = all("<(\\w{4})> <\\w{4}> \\[([^\\]]*)\\]", map); range.hasNext();) {
+      const QRegularExpressionMatch found = range.next();
+      int glyph = found.captured(1).toInt(nullptr, 16);
+      for (auto code = all("<(\\w{4})>", found.captured(2)); code.hasNext(); ++glyph)
+        letters[of.captured(1)][QStringLiteral("%1").arg(glyph, 4, 16, QLatin1Char('0')).toUpper()] =
+            QChar(code.next().captured(1).toInt(nullptr, 16));
+    }
+  }
+  return letters;
+}
+
+/// The texts of a PDF that Qt wrote, each as it was painted.
+inline QStringList textsIn(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  const QByteArray pdf = file.readAll();
+  const auto letters = lettersIn(QString::fromLatin1(pdf));
+  QStringList texts;
+  for (qsizetype at = pdf.indexOf("stream\n"); at >= 0; at = pdf.indexOf("stream\n", at)) {
+    const qsizetype from = at + 7, to = pdf.indexOf("endstream", from), object = pdf.lastIndexOf("obj", at);
+    at = to + 9;
+    if (pdf.mid(object, from - object).contains("/Image")) continue;
+    QString font;
+    for (const QByteArray& word : inflated(pdf.mid(from, to - from)).simplified().split(' ')) {
+      if (word == "BT") texts << QString();
+      if (word.startsWith("/F")) font = QString::fromLatin1(word.mid(2));
+      if (!word.startsWith('<') || texts.isEmpty() || !letters.contains(font)) continue;
+      const auto& of = letters.at(font);
+      const auto letter = of.find(QString::fromLatin1(word.mid(1, 4)));
+      if (letter != of.end()) texts.back() += letter->second;
+    }
+  }
+  return texts.replaceInStrings(QStringLiteral("\t"), QStringLiteral(" "));  // they share a glyph
 }
 
 /// The pixels of all images of a PDF that are kept without loss, in their order (PDF 1.4, 4.8.4).

@@ -1,5 +1,9 @@
 // Guards the texts on the picture and on the curve's axis: readable on anything, never over each other, and
 // none where it would mislead.
+#include <QStaticText>
+#include <algorithm>
+#include <cmath>
+
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/overlays/overlays.h"
@@ -28,6 +32,19 @@ Overlays everything() {
   return o;
 }
 
+double luminanceOf(QRgb pixel) {
+  const auto linear = [](int byte) {
+    const double part = byte / 255.0;
+    return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(qRed(pixel)) + 0.7152 * linear(qGreen(pixel)) + 0.0722 * linear(qBlue(pixel));
+}
+
+double contrastOf(QRgb a, QRgb b) {
+  const auto [darker, lighter] = std::minmax({luminanceOf(a), luminanceOf(b)});
+  return (lighter + 0.05) / (darker + 0.05);
+}
+
 }  // namespace
 
 class TestOverlays : public QObject {
@@ -42,6 +59,8 @@ class TestOverlays : public QObject {
   void lettersAndHaloHaveOneOrder();
   void textIsReadableOnAnything_data();
   void textIsReadableOnAnything();
+  void textsHaveContrastOnAnyGrey_data();
+  void textsHaveContrastOnAnyGrey();
   void tissuesAreNamedWhereTheyAre_data();
   void tissuesAreNamedWhereTheyAre();
 };
@@ -167,6 +186,64 @@ void TestOverlays::textIsReadableOnAnything() {
     QVERIFY2(left < 90 && right < 90, qPrintable(QStringLiteral("%1, %2").arg(left).arg(right)));
   }
   QVERIFY(strokes >= 8);
+}
+
+void TestOverlays::textsHaveContrastOnAnyGrey_data() {
+  QTest::addColumn<QColor>("colour");
+  for (const auto& [name, colour] : {std::pair("texts", 0xf2f4f6),
+                                     {"warnings", 0xffc85a},
+                                     {"a late clip", 0xff6b6b},
+                                     {"measurements", 0xffbf69},
+                                     {"the selected one", 0x4aa3ff},
+                                     {"axial planes", 0xff5c5c},
+                                     {"coronal planes", 0x5ce07a},
+                                     {"sagittal planes", 0xf5d94a},
+                                     {"black of a file", 0x000000},
+                                     {"grey of a file", 0x808080},
+                                     {"dark blue of a file", 0x0000c0}})
+    QTest::newRow(name) << QColor(QRgb(colour));
+}
+
+// Between what is a letter's and what lies beside it, as WCAG 2.1, 1.4.3 has it.
+void TestOverlays::textsHaveContrastOnAnyGrey() {
+  QFETCH(QColor, colour);
+  const QString text = QStringLiteral("LIVER Doe, Jane 12.5 mm");
+  const QSize size(220, 40);
+  const auto paint = [&](const QColor& ground, const auto& draw) {
+    QImage image(size, QImage::Format_RGB32);
+    image.fill(ground);
+    QPainter painter(&image);
+    QFont font;
+    font.setPixelSize(15);
+    painter.setFont(font);
+    draw(painter);
+    return image;
+  };
+  QImage letters = paint(Qt::black, [&](QPainter& painter) {
+    painter.setPen(Qt::white);
+    QStaticText line(text);
+    line.setTextFormat(Qt::PlainText);
+    painter.drawStaticText(QPointF(6, 8), line);
+  });
+  for (int grey = 0; grey <= 255; grey += 15) {
+    const QImage image = paint(QColor(grey, grey, grey), [&](QPainter& painter) {
+      paintReadable(painter, QPointF(6, 8), text, colour);
+    });
+    int compared = 0;
+    double least = 21;
+    for (int y = 1; y < size.height() - 1; ++y)
+      for (int x = 1; x < size.width() - 1; ++x) {
+        if (qGray(letters.pixel(x, y)) < 250) continue;
+        for (const QPoint by : {QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)}) {
+          const QPoint beside = QPoint(x, y) + by;
+          if (qGray(letters.pixel(beside)) > 0) continue;
+          ++compared;
+          least = std::min(least, contrastOf(image.pixel(x, y), image.pixel(beside)));
+        }
+      }
+    QVERIFY(compared > 30);
+    QVERIFY2(least >= 4.5, qPrintable(QStringLiteral("%1:1 on grey %2").arg(least).arg(grey)));
+  }
 }
 
 void TestOverlays::tissuesAreNamedWhereTheyAre_data() {

@@ -213,7 +213,8 @@ void TestReferenceLines::picturesHaveThoseOfTheirWorkspace() {
   copy.open({}, w.workspace());
   FrameService frames;
   MeasureJobs measurer(copy, frames);
-  const std::unique_ptr<FlatView> unseen = w.window.views()->unseenView(copy, frames, measurer, left);
+  const std::unique_ptr<FlatView> unseen =
+      w.window.views()->unseenView(copy, frames, measurer, left, w.window.views()->shown());
   unseen->resize(w.view(left)->size());
   w.scroll(right, 5);
   QVERIFY(w.lines(left).at(0).line != before);

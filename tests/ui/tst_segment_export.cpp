@@ -89,6 +89,7 @@ class TestSegmentExport : public QObject {
   void surfacesAreReduced();
   void theLargestPartAlone();
   void allSurfacesStandInOneFile();
+  void theSegmentsAreThoseOfWhenItWasAsked();
   void nothingIsWrittenWhereItIsCancelled();
 };
 
@@ -138,6 +139,19 @@ void TestSegmentExport::nothingIsAskedOfNewFiles() {
   QVERIFY(!w.question());
   QCOMPARE(w.files(), QStringList({secondStl, firstStl, QStringLiteral("b-400 to 600 HU.stl")}));
   QVERIFY(w.isOld(QStringLiteral("b-400 to 600 HU.stl")));
+}
+
+// Not those of a series that is shown while a place is chosen, which has none.
+void TestSegmentExport::theSegmentsAreThoseOfWhenItWasAsked() {
+  ExportWindow w;
+  QVERIFY(w.makeBoth());
+  w.child<QAction>("exportSegments")->trigger();
+  w.session().show(ballSeries(16, 5));
+  answer(w, "segmentDialog", w.at(QStringLiteral("a.seg.nrrd")));
+  QTRY_COMPARE_WITH_TIMEOUT(w.files(), QStringList({QStringLiteral("a.seg.nrrd")}), longest);
+  QFile file(w.at(QStringLiteral("a.seg.nrrd")));
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  QVERIFY(file.readAll().contains("800 to 1200 HU"));
 }
 
 void TestSegmentExport::surfacesAreToldBeforeTheyAreSaved() {

@@ -69,6 +69,8 @@ class TestSnapshots : public QObject {
   void aTurntableIsPicturesOfAFullTurn();
   void howFarItIsIsToldAndItCanBeCancelled();
   void itIsOfTheSeriesItWasAskedOf();
+  void itIsWhatWasSeenAsItWasAskedFor();
+  void noTurntableReplacesAnother();
   void withoutASeriesThereIsASentence();
 
  private:
@@ -241,6 +243,58 @@ void TestSnapshots::itIsOfTheSeriesItWasAskedOf() {
   }
   const QImage after = taken(w, at(QStringLiteral("sphere.png")));
   QVERIFY(!after.isNull() && after != before);
+}
+
+// Whatever is turned to, shown or hidden while a place is chosen.
+void TestSnapshots::itIsWhatWasSeenAsItWasAskedFor() {
+  Journey w(head);
+  QVERIFY(w.settle());
+  w.after([&] { w.window.session().show(tests::ballSeries()); });
+  setSize(w, 200, 200);
+  w.child<QCheckBox>("snapshotPatient")->setChecked(true);
+  w.child<QCheckBox>("snapshotLetters")->setChecked(true);
+  const QImage before = taken(w, at(QStringLiteral("seen.png")));
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  w.child<QAction>("snapshot")->trigger();
+  w.child<QAction>("viewRight")->trigger();
+  w.window.session().show(tests::ballSeries(16, 5));
+  w.child<QCheckBox>("snapshotPatient")->setChecked(false);
+  answer(w, "snapshotDialog", at(QStringLiteral("then.png")));
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(at(QStringLiteral("then.png"))), longest);
+  QVERIFY(!before.isNull());
+  QCOMPARE(QImage(at(QStringLiteral("then.png"))), before);
+}
+
+// Names are those of series, which another patient's may have too: the second of two that are asked for at
+// once has a number of its own, and what is there stays.
+void TestSnapshots::noTurntableReplacesAnother() {
+  Journey w(head);
+  QVERIFY(w.settle());
+  setSize(w, 24, 24);
+  choose(w, "snapshotQuality", 0);
+  const QDir folder(at(QStringLiteral("kept")));
+  QVERIFY(folder.mkpath(QStringLiteral(".")));
+  w.child<QSpinBox>("turntablePictures")->setValue(2);
+  const auto turn = [&] {
+    QTest::mouseClick(w.child<QWidget>("turntableSave"), Qt::LeftButton);
+    answer(w, "turntableDialog", folder.path());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  };
+  const auto names = [&] { return folder.entryList({QStringLiteral("*.png")}, QDir::NoFilter, QDir::Name); };
+  turn();
+  QTRY_COMPARE_WITH_TIMEOUT(names().size(), 2, longest);
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.jobs().rows().empty(), longest);
+  const QString last = folder.filePath(names().at(1));
+  QVERIFY(QFile::remove(last));
+  QFile other(last);
+  QVERIFY(other.open(QIODevice::WriteOnly) && other.write("another patient's") > 0);
+  other.close();
+  turn(), turn();
+  QTRY_COMPARE_WITH_TIMEOUT(names().size(), 6, longest);
+  QCOMPARE(names().filter(QStringLiteral(" (2)-00")).size(), 2);
+  QCOMPARE(names().filter(QStringLiteral(" (3)-00")).size(), 2);
+  QVERIFY(other.open(QIODevice::ReadOnly));
+  QCOMPARE(other.readAll(), QByteArray("another patient's"));
 }
 
 void TestSnapshots::withoutASeriesThereIsASentence() {

@@ -44,6 +44,8 @@ class TestViewPictures : public QObject {
   void aSliceIsCopiedWithWhatIsMeasuredInIt();
   void aFrameIsCopiedAsItIsSeen();
   void a3DPictureIsCopiedAsItIsSeen();
+  void textsIn3DAreOfThePictureUnderThem();
+  void whatChangedBeforeItWasDrawnIsTold();
   void theViewInFocusIsCopiedAndAllViews();
   void hiddenNamesStayHidden();
   void itIsSavedAsItWasAskedFor();
@@ -80,6 +82,35 @@ void TestViewPictures::a3DPictureIsCopiedAsItIsSeen() {
   w.window.session().show(ballSeries());
   QVERIFY(w.settle());
   QCOMPARE(inner(copied(w)), inner(onScreen(w.window.view())));
+}
+
+// Letters of the view that was turned to never stand over the picture of the one before.
+void TestViewPictures::textsIn3DAreOfThePictureUnderThem() {
+  Journey w;
+  w.window.session().show(ballSeries(32, 10, {8, 0, 0}));
+  QVERIFY(w.settle());
+  w.child<QAction>("viewRight")->trigger();
+  QVERIFY(!w.window.view()->hasItsPicture());
+  QVERIFY2(copied(w).isNull(), "it is waited for");
+  QTRY_VERIFY_WITH_TIMEOUT(!QApplication::clipboard()->image().isNull(), longest);
+  QVERIFY(w.window.view()->hasItsPicture());
+  const QImage picture = QApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
+  QVERIFY(w.settle());
+  const QRect left(0, picture.height() / 2 - 20, 30, 40);
+  QCOMPARE(picture.copy(left), onScreen(w.window.view()).copy(left));
+}
+
+void TestViewPictures::whatChangedBeforeItWasDrawnIsTold() {
+  Journey w;
+  w.window.session().show(ballSeries());
+  QVERIFY(w.settle());
+  w.child<QAction>("viewRight")->trigger();
+  QVERIFY(copied(w).isNull());
+  w.child<QAction>("viewLeft")->trigger();
+  QCOMPARE(w.child<Banner>("banner")->sentence(),
+           QStringLiteral("The view changed before it was drawn: ask for its picture again."));
+  QVERIFY(w.settle());
+  QVERIFY(QApplication::clipboard()->image().isNull());
 }
 
 void TestViewPictures::theViewInFocusIsCopiedAndAllViews() {

@@ -1,6 +1,7 @@
 #include "ui/controller/snapshot.h"
 
 #include <QClipboard>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,8 @@
 #include "io/files/picture_file.h"
 #include "ui/overlays/annotate.h"
 #include "ui/overlays/view_overlays.h"
+#include "ui/workspace/text.h"
+#include "viewer/volume/free_name.h"
 
 namespace volumen {
 
@@ -21,11 +24,23 @@ QString leftText(double seconds) {
   return Snapshot::tr("%1 min left").arg(std::ceil(seconds / 60));
 }
 
-Scene sceneOf(const Scene& scene, const SnapshotRequest& request, int picture) {
-  Scene shown = scene;
+Scene sceneOf(const SnapshotRequest& request, int picture) {
+  Scene shown = request.seen.scene;
   if (request.background) shown.background = *request.background;
-  shown.camera = turned(*scene.camera, 360.0 * picture / request.pictures);
+  shown.camera = turned(*shown.camera, 360.0 * picture / request.pictures);
   return shown;
+}
+
+// The path of a turntable none of whose pictures takes the place of a file: "CT Head (2).png".
+QString freePath(const QString& path, int pictures) {
+  const qsizetype dot = path.lastIndexOf(QLatin1Char('.'));
+  const auto pathOf = [&](const std::string& name) { return QString::fromStdString(name) + path.mid(dot); };
+  const auto isTaken = [&](const std::string& name) {
+    for (int n = 0; n < pictures; ++n)
+      if (QFileInfo::exists(numberedPath(pathOf(name), n))) return true;
+    return false;
+  };
+  return pathOf(freeName(path.left(dot).toStdString(), isTaken));
 }
 
 }  // namespace
@@ -51,9 +66,9 @@ Snapshot::Snapshot(DrawService& drawService, Jobs& jobs, QObject* parent)
 
 Snapshot::~Snapshot() { writing_.wait(); }
 
-void Snapshot::take(const LoadedSeriesPtr& series, const Scene& scene, const SnapshotRequest& request) {
+void Snapshot::take(const SnapshotRequest& request) {
   const Job job(tr("Rendering snapshot"));
-  shots_.push_back({series, scene, request, job, 0, 0, {}});
+  shots_.push_back({request, job, 0, 0, {}});
   jobs_.add(job, [this, id = job.id()] { cancel(id); });
   if (shots_.size() == 1) begin();
 }
@@ -65,7 +80,10 @@ void Snapshot::cancel(int job) {
   Q_EMIT failed(tr("Cancelled."));
 }
 
+// The names of a turntable are chosen once those before it are written.
 void Snapshot::begin() {
+  SnapshotRequest& request = shots_.front().request;
+  if (request.pictures > 1) request.path = freePath(request.path, request.pictures);
   shots_.front().clock.start();
   tick_.start();
   draw();
@@ -77,7 +95,7 @@ void Snapshot::draw() {
   RenderOptions options;
   options.size = {shot.request.size.width(), shot.request.size.height()};
   options.quality = shot.request.quality;
-  number_ = drawService_.requestPicture(shot.series->volume, sceneOf(shot.scene, shot.request, shot.drawn),
+  number_ = drawService_.requestPicture(shot.request.seen.series->volume, sceneOf(shot.request, shot.drawn),
                                         options);
 }
 
@@ -92,14 +110,16 @@ void Snapshot::tellProgress() {
 
 void Snapshot::write(const std::shared_ptr<Drawn>& drawn) {
   const Shot& shot = shots_.front();
+  const SnapshotSeen& seen = shot.request.seen;
   PictureText text =
       pictureText(drawn->plan, {estimateOf(drawn->error), measured_ ? measured_(drawn->plan) : std::nullopt});
   for (const PictureText& more :
-       {textOfSegments(shot.request.segments, drawn->plan.segments), warningText(shot.series->warnings)})
+       {textOfSegments(seen.segments, drawn->plan.segments), warningText(seen.series->warnings)})
     text.insert(text.end(), more.begin(), more.end());
   const glm::ivec2 size = drawn->picture.size;
-  const Overlays over = chosenOverlays(viewOverlays(*shot.series, *drawn->plan.scene.camera, size),
-                                       shot.request.shown, shot.series->warnings);
+  const HidingNames hiding(seen.namesHidden);
+  const Overlays over = chosenOverlays(viewOverlays(*seen.series, *drawn->plan.scene.camera, size),
+                                       shot.request.shown, seen.series->warnings);
   const QString path =
       shot.request.pictures > 1 ? numberedPath(shot.request.path, shot.drawn) : shot.request.path;
   auto image = std::make_shared<QImage>();

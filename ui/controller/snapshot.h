@@ -23,8 +23,8 @@ class Snapshot : public QObject {
   void setMeasured(std::function<std::optional<MeasuredError>(const Plan&)> measured) {
     measured_ = std::move(measured);
   }
-  /// Of this series, whatever is on show when it is drawn. The scene has a camera.
-  void take(const LoadedSeriesPtr& series, const Scene& scene, const SnapshotRequest& request);
+  /// Of what was seen then, whatever is on show when it is drawn.
+  void take(const SnapshotRequest& request);
 
  Q_SIGNALS:
   /// Of several pictures: the last one's path.
@@ -34,8 +34,6 @@ class Snapshot : public QObject {
 
  private:
   struct Shot {
-    LoadedSeriesPtr series;
-    Scene scene;
     SnapshotRequest request;
     Job job;
     int drawn = 0;    // pictures of it

@@ -11,8 +11,6 @@
 #include "ui/overlays/picture_pages.h"
 #include "ui/panels/pages_dialog.h"
 #include "ui/views/picture_run.h"
-#include "ui/views/view_grid.h"
-#include "ui/workspace/corner_text.h"
 #include "ui/workspace/key_image_list.h"
 #include "ui/workspace/text.h"
 
@@ -34,10 +32,15 @@ struct KeptPage {
   std::vector<KeptPicture> pictures;
 };
 
-struct CaptionedImage {
+// A key image as it is pictured.
+struct MarkedImage {
   ListedKeyImage image;
-  QString caption;
+  QString document;  // that it is marked in; empty: here
+  PictureStop stop;
 };
+
+// Those of each study.
+using Studies = std::vector<std::vector<MarkedImage>>;
 
 // All key images on pages, each of one study, as a PDF or on paper.
 class KeyImagePages : public Feature {
@@ -60,18 +63,12 @@ class KeyImagePages : public Feature {
   using Paint = std::function<Status(const PageSource& pages, const PageLook& look)>;
 
   void ask();
-  WantedPtr wantedOf(const PagesDialog& dialog) const;
-  std::vector<std::vector<CaptionedImage>> studies() const;
+  static WantedPtr wantedOf(const PagesDialog& dialog, const Studies& studies);
+  Studies studies() const;
   void askForPdf(const WantedPtr& wanted);
   void askForPrinter(const WantedPtr& wanted);
   void make(const WantedPtr& wanted, const Paint& paint, const QString& done);
 };
-
-QStringList headOf(const Series& series) {
-  QStringList patient{patientText(series), sexAgeText(series)};
-  patient.removeAll(QString());
-  return {patient.join(QStringLiteral(", ")), studyText(series)};
-}
 
 // Whether two series stand under one head.
 bool areOneStudy(const Series& a, const Series& b) {
@@ -126,47 +123,50 @@ QString KeyImagePages::unsavedText() const {
   return any ? tr("pages that are being made") : QString();
 }
 
+// The key images of the moment in which this is asked for.
 void KeyImagePages::ask() {
+  const auto studies = std::make_shared<const Studies>(this->studies());
   std::size_t pictures = 0;
-  for (const auto& study : studies()) pictures += study.size();
+  for (const auto& study : *studies) pictures += study.size();
   if (pictures == 0) return warn(tr("There are no key images: K marks the picture that is shown."));
   auto* dialog = new PagesDialog(int(pictures), bench_.dialogParent());
-  connect(dialog, &PagesDialog::pdfWanted, this, [this, dialog] { askForPdf(wantedOf(*dialog)); });
-  connect(dialog, &PagesDialog::paperWanted, this, [this, dialog] { askForPrinter(wantedOf(*dialog)); });
+  connect(dialog, &PagesDialog::pdfWanted, this,
+          [this, dialog, studies] { askForPdf(wantedOf(*dialog, *studies)); });
+  connect(dialog, &PagesDialog::paperWanted, this,
+          [this, dialog, studies] { askForPrinter(wantedOf(*dialog, *studies)); });
   dialog->open();
 }
 
 // Those of a study stand together, in the order of the list.
-std::vector<std::vector<CaptionedImage>> KeyImagePages::studies() const {
-  std::vector<std::vector<CaptionedImage>> studies;
-  for (const KeyImageGroup& group :
-       listKeyImages(session_.workspace(), bench_.document.derived.all(), open_.pictures()))
+Studies KeyImagePages::studies() const {
+  const Workspace& workspace = session_.workspace();
+  Studies studies;
+  for (const KeyImageGroup& group : listKeyImages(workspace, bench_.document.derived.all(), open_.pictures()))
     for (const ListedKeyImage& image : group.pictures) {
-      QString caption = keyImageName(image);
-      if (group.isDocument) caption += QStringLiteral(" - ") + group.name;
-      const auto same = std::ranges::find_if(studies, [&](const std::vector<CaptionedImage>& study) {
+      const auto same = std::ranges::find_if(studies, [&](const std::vector<MarkedImage>& study) {
         return areOneStudy(*study.front().image.series, *image.series);
       });
       auto& study = same == studies.end() ? studies.emplace_back() : *same;
-      study.push_back({image, caption});
+      const LoadedSeriesPtr held = session_.seriesNamed(keyOf(*image.series));
+      study.push_back({image, group.isDocument ? group.name : QString(),
+                       heldNow(viewOfKeyImage(workspace, image, held), session_)});
     }
   return studies;
 }
 
-KeyImagePages::WantedPtr KeyImagePages::wantedOf(const PagesDialog& dialog) const {
+KeyImagePages::WantedPtr KeyImagePages::wantedOf(const PagesDialog& dialog, const Studies& studies) {
   const auto wanted = std::make_shared<Wanted>();
   wanted->look = {dialog.perPage(), dialog.inTrueSize()};
   wanted->namesHidden = dialog.namesHidden();
   const HidingNames hiding(wanted->namesHidden);
-  for (const std::vector<CaptionedImage>& study : studies())
+  for (const std::vector<MarkedImage>& study : studies)
     for (std::size_t n = 0; n < study.size(); ++n) {
-      const auto& [image, caption] = study[n];
-      if (n % std::size_t(dialog.perPage()) == 0) wanted->pages.push_back({headOf(*image.series), {}});
+      const auto& [image, document, stop] = study[n];
+      if (n % std::size_t(dialog.perPage()) == 0) wanted->pages.push_back({pageHead(*image.series), {}});
       wanted->pageOf.push_back(wanted->pages.size() - 1);
-      wanted->captions << caption;
-      wanted->stops.push_back(
-          viewOfKeyImage(session_.workspace(), image, session_.seriesNamed(keyOf(*image.series))));
-      wanted->stops.back().held = seriesHeld(wanted->stops.back(), session_);
+      const QString name = keyImageName(image);
+      wanted->captions << (document.isEmpty() ? name : name + QStringLiteral(" - ") + document);
+      wanted->stops.push_back(stop);
     }
   return wanted;
 }

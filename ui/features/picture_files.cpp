@@ -111,8 +111,7 @@ void PictureFiles::ask(PicturesOf of) {
       new PictureDialog(of, flat->numberedPlaces(), flat->numberCount(), flat->size(), bench_.dialogParent());
   // As it is seen now, whatever becomes of it while the dialog is open.
   const LoadedSeriesPtr shown = flat->shown();
-  PictureStop now{session_.workspace(), flat->id()};
-  now.held = seriesHeld(now, session_);
+  const PictureStop now = heldNow({session_.workspace(), flat->id()}, session_);
   const auto accept = [this, of, dialog, shown, now] {
     Wanted wanted{of,
                   dialog->look(),
@@ -122,7 +121,8 @@ void PictureFiles::ask(PicturesOf of) {
                   {},
                   fileName(*seriesIn(now.workspace, now.view), dialog->look().namesHidden)};
     for (const NumberedPlace& each : wanted.places)
-      wanted.stops.push_back({withPlace(now.workspace, now.view, *shown, each.place), now.view, now.held});
+      wanted.stops.push_back(
+          {withPlace(now.workspace, now.view, *shown, each.place), now.view, now.held, now.preferences});
     if (of == PicturesOf::view) wanted.stops.push_back(now);
     askWhere(wanted);
   };
@@ -233,7 +233,8 @@ void PictureFiles::writeSheet(const Wanted& wanted, const QString& path) {
                                                      hasHead ? head : QStringList());
           made->first = picture;
         }
-        made->sheet->add(picture.image, hasHead ? numberText(picture) : QString());
+        made->sheet->add(picture.image, hasHead ? numberText(picture) : QString(),
+                         hasHead ? picture.overlays.left : QString());
         return Status();
       },
       [made, path] { return writeMade(made->first, made->sheet->image(), path); },

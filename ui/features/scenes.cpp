@@ -18,7 +18,7 @@ class Scenes : public Feature {
   void askForScene();
   void openScene(const QString& path);
   void askForSceneFile();
-  void saveScene(const QString& path);
+  void saveScene(const Scene& scene, const QString& path);
 
   FileJobs files_;
 };
@@ -60,14 +60,14 @@ void Scenes::askForSceneFile() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("json"));
   dialog->selectFile(QStringLiteral("scene.json"));
-  connect(dialog, &QFileDialog::fileSelected, this, &Scenes::saveScene);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, scene = bench_.sceneInView()](const QString& path) { saveScene(scene, path); });
   dialog->open();
 }
 
-void Scenes::saveScene(const QString& path) {
+void Scenes::saveScene(const Scene& scene, const QString& path) {
   files_.save(
-      tr("Saving the scene"),
-      [path, scene = bench_.sceneInView()] { return writeScene(path.toStdString(), scene); },
+      tr("Saving the scene"), [path, scene] { return writeScene(path.toStdString(), scene); },
       [this, path] { tell(tr("Saved %1").arg(path)); });
 }
 

@@ -24,7 +24,7 @@ class SegmentRecipes : public Feature {
   void askWhatToRun();
   void runFile(const QString& path);
   void askWhereToSave();
-  void save(const QString& path);
+  void save(const RecordedRecipe& made, const QString& which, const QString& path);
   void showSteps();
   void run(const Recipe& recipe);
   void runAgain(const Recipe& recipe, int map, StepsDialog* dialog);
@@ -103,8 +103,14 @@ const SegmentMap* SegmentRecipes::recorded() {
   return nullptr;
 }
 
+// The steps as they are now, whatever is done while a place is chosen.
 void SegmentRecipes::askWhereToSave() {
-  if (!recorded()) return;
+  const SegmentMap* map = recorded();
+  if (!map) return;
+  const RecordedRecipe made = recordedRecipe(*map, session_.series()->series.modality);
+  const QString which = allSegmentsShown(session_).size() > 1
+                            ? tr(" (the steps of %1 alone)").arg(mapName(map->number))
+                            : QString();
   auto* dialog =
       new QFileDialog(bench_.dialogParent(), tr("Save the steps as a recipe"), {}, tr("Recipes (*.json)"));
   dialog->setObjectName(QStringLiteral("saveRecipeDialog"));
@@ -112,26 +118,22 @@ void SegmentRecipes::askWhereToSave() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("json"));
   dialog->selectFile(QStringLiteral("recipe.json"));
-  connect(dialog, &QFileDialog::fileSelected, this, &SegmentRecipes::save);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, made, which](const QString& path) { save(made, which, path); });
   dialog->open();
 }
 
-void SegmentRecipes::save(const QString& path) {
-  const SegmentMap* map = recorded();
-  if (!map) return;
-  const RecordedRecipe made = recordedRecipe(*map, session_.series()->series.modality);
+void SegmentRecipes::save(const RecordedRecipe& made, const QString& which, const QString& path) {
   QStringList names;
   for (const std::string& name : made.missing) names << shownText(name);
-  QString saved =
+  const QString saved =
       names.isEmpty()
           ? tr("Saved %1").arg(path)
           : tr("Saved %1. Made by hand and not in it: %2.").arg(path, names.join(QStringLiteral(", ")));
-  if (allSegmentsShown(session_).size() > 1)
-    saved += tr(" (the steps of %1 alone)").arg(mapName(map->number));
   files_.save(
       tr("Saving the recipe"),
       [path, recipe = made.recipe] { return writeRecipe(path.toStdString(), recipe); },
-      [this, saved] { tell(saved); });
+      [this, saved, which] { tell(saved + which); });
 }
 
 void SegmentRecipes::showSteps() {

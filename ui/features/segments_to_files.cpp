@@ -50,7 +50,10 @@ QString namesText(const QStringList& files) {
 SegmentsToFiles::SegmentsToFiles(Workbench& bench, SegmentJobs& segmenter)
     : Feature(bench), segmenter_(segmenter) {}
 
+// As they are now, whatever becomes of them while something is asked.
 void SegmentsToFiles::ask() {
+  const std::vector<SegmentMap> maps = copiesOf(allSegmentsShown(session_));
+  if (maps.empty()) return;
   auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Export segments"), {}, exportFilters());
   dialog->setObjectName(QStringLiteral("segmentDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -58,25 +61,24 @@ void SegmentsToFiles::ask() {
   const QString usual = QLatin1String(segmentFormats().front().ending + 1);
   dialog->setDefaultSuffix(usual);
   dialog->selectFile(QStringLiteral("segmentation.") + usual);
-  connect(dialog, &QFileDialog::fileSelected, this, &SegmentsToFiles::save);
+  connect(
+      dialog, &QFileDialog::fileSelected, this,
+      [this, maps, series = session_.series()->series](const QString& path) { save(maps, series, path); });
   dialog->open();
 }
 
-// As they are now, whatever becomes of them while something is asked.
-void SegmentsToFiles::save(const QString& path) {
-  const std::vector<SegmentMap> maps = copiesOf(allSegmentsShown(session_));
-  if (maps.empty()) return;
+void SegmentsToFiles::save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path) {
   const auto format = segmentFormatOf(path.toStdString());
-  if (format && (*format)->isSurface) return chooseSurfaces(maps, path);
-  writeTo(path, filesOfExport(path.toStdString(), segmentedOf(maps)),
-          [this, maps, series = session_.series()->series, path](const std::vector<std::string>&) {
-            segmenter_.save(maps, series, path);
-          });
+  if (format && (*format)->isSurface) return chooseSurfaces(maps, series, path);
+  writeTo(
+      path, filesOfExport(path.toStdString(), segmentedOf(maps)),
+      [this, maps, series, path](const std::vector<std::string>&) { segmenter_.save(maps, series, path); });
 }
 
-void SegmentsToFiles::chooseSurfaces(const std::vector<SegmentMap>& maps, const QString& path) {
+void SegmentsToFiles::chooseSurfaces(const std::vector<SegmentMap>& maps, const Series& series,
+                                     const QString& path) {
   auto* dialog = new SurfaceDialog(maps, bench_.document.jobs, bench_.dialogParent());
-  connect(dialog, &QDialog::accepted, this, [this, dialog, maps, series = session_.series()->series, path] {
+  connect(dialog, &QDialog::accepted, this, [this, dialog, maps, series, path] {
     writeTo(path, filesOfExport(path.toStdString(), segmentedOf(maps), dialog->writing()),
             [this, surfaces = dialog->surfaces(), series](const std::vector<std::string>& files) {
               segmenter_.saveSurfaces(surfaces, series, files);

@@ -18,8 +18,8 @@ class SegmentsToFiles : public Feature {
   void ask();
 
  private:
-  void save(const QString& path);
-  void chooseSurfaces(const std::vector<SegmentMap>& maps, const QString& path);
+  void save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path);
+  void chooseSurfaces(const std::vector<SegmentMap>& maps, const Series& series, const QString& path);
   /// Calls `write` with the files that are written; where others than `path` are replaced only once that is
   /// meant.
   void writeTo(const QString& path, const Result<std::vector<std::string>>& files,

@@ -16,8 +16,7 @@ class Snapshots : public Feature {
  private:
   void connectViews();
   void tellSize();
-  void tellName();
-  void take(SnapshotRequest request);
+  std::optional<SnapshotSeen> seen();
 
   Snapshot snapshot_;
   SnapshotPanel* panel_;
@@ -45,7 +44,8 @@ Snapshots::Snapshots(Workbench& bench)
                     {{"fileMenu", 50, 50}}});
   snapshot_.setMeasured(
       [this](const Plan& plan) { return measuredError(bench_.document.meter.measured(), plan); });
-  connect(panel_, &SnapshotPanel::requested, this, &Snapshots::take);
+  panel_->setSeen([this] { return seen(); });
+  connect(panel_, &SnapshotPanel::requested, &snapshot_, &Snapshot::take);
   connect(&snapshot_, &Snapshot::saved, this, [this](const QString& path, int pictures) {
     tell(pictures == 1 ? tr("Saved %1").arg(path)
                        : tr("Saved %1 pictures, the last as %2").arg(pictures).arg(path));
@@ -55,7 +55,7 @@ Snapshots::Snapshots(Workbench& bench)
   connectViews();
 }
 
-// What the panel offers: the size of the view, the name of the series.
+// What the panel offers: the size of the view.
 void Snapshots::connectViews() {
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &View::pixelsChanged, panel_, [this] { tellSize(); }); });
@@ -63,11 +63,6 @@ void Snapshots::connectViews() {
   connect(&session_, &Session::workspaceChanged, panel_,
           [this](const Workspace& before, const Workspace& after) {
             if (sceneViewOf(before) != sceneViewOf(after)) tellSize();
-            if (showsOther(before, after)) tellName();
-          });
-  connect(&session_, &Session::preferencesChanged, panel_,
-          [this](const Preferences& before, const Preferences& after) {
-            if (before.hideNames != after.hideNames) tellName();
           });
 }
 
@@ -75,17 +70,16 @@ void Snapshots::tellSize() {
   if (bench_.view()->isVisible()) panel_->setViewSize(bench_.view()->pixels());
 }
 
-void Snapshots::tellName() {
-  if (const Series* series = seriesIn(session_.workspace(), session_.workspace().focus))
-    panel_->setName(seriesText(*series).replace(QLatin1Char('/'), QLatin1Char('_')));
-}
-
-void Snapshots::take(SnapshotRequest request) {
-  if (!session_.series()) return warn(tr("Open a series first."));
+std::optional<SnapshotSeen> Snapshots::seen() {
+  if (!session_.series()) {
+    warn(tr("Open a series first."));
+    return {};
+  }
   const ViewId view = sceneViewOf(session_.workspace());
   const MadeTissue* tissue = session_.tissueDrawn(view);
-  request.segments = segmentsInPicture(session_.segmentsDrawn(view), tissue ? tissue->shown : TissueShown{});
-  snapshot_.take(session_.drawnSeries(view), bench_.sceneInView(), request);
+  return SnapshotSeen{session_.drawnSeries(view), bench_.sceneInView(),
+                      segmentsInPicture(session_.segmentsDrawn(view), tissue ? tissue->shown : TissueShown{}),
+                      namesHidden()};
 }
 
 }  // namespace

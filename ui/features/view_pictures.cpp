@@ -2,9 +2,12 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QStandardPaths>
+#include <memory>
+#include <optional>
 
 #include "io/files/picture_file.h"
 #include "ui/features/feature.h"
+#include "ui/features/once_drawn.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
@@ -19,10 +22,15 @@ class ViewPictures : public Feature {
   explicit ViewPictures(Workbench& bench);
 
  private:
+  struct Seen {
+    QImage picture;
+    QStringList warnings;
+  };
+
+  void take(const std::vector<View*>& views, const std::function<void()>& picture);
   void copy(const QImage& picture);
-  void save(const QImage& picture, const QStringList& warnings, const QString& title);
-  void write(const QImage& picture, const QString& path, const PictureText& text);
-  View& view() const { return *grid_.viewShown(); }
+  void save(const std::vector<View*>& views, const QString& title, const std::function<Seen()>& see);
+  void write(const Seen& seen, const QString& path);
   QString nameOffered() const;
 
   JobLane writing_{&bench_.document.jobs};
@@ -40,15 +48,30 @@ ViewPictures::ViewPictures(Workbench& bench) : Feature(bench) {
                       std::move(places)});
   };
   add("savePicture", tr("Save picture..."), {tr("Ctrl+E")}, "snapshot",
-      [this] { save(view().capture(), view().warningsShown(), tr("Save the picture of the view")); },
+      [this] {
+        save({grid_.viewShown()}, tr("Save the picture of the view"), [view = grid_.viewShown()] {
+          return Seen{view->capture(), view->warningsShown()};
+        });
+      },
       {{"fileMenu", 50}, {"toolBar", 30, toolBarGap + 10}});
-  add("copyPicture", tr("Copy picture"), {QKeySequence::Copy}, "", [this] { copy(view().capture()); },
+  add("copyPicture", tr("Copy picture"), {QKeySequence::Copy}, "",
+      [this] { take({grid_.viewShown()}, [this, view = grid_.viewShown()] { copy(view->capture()); }); },
       {{"fileMenu", 50}});
   add("saveAllPictures", tr("Save all views..."), {}, "",
-      [this] { save(grid_.capture(), grid_.warningsShown(), tr("Save the picture of all views")); },
+      [this] {
+        save(grid_.viewsSeen(), tr("Save the picture of all views"), [this] {
+          return Seen{grid_.capture(), grid_.warningsShown()};
+        });
+      },
       {{"fileMenu", 50, 10}});
-  add("copyAllPictures", tr("Copy all views"), {tr("Ctrl+Shift+C")}, "", [this] { copy(grid_.capture()); },
-      {{"fileMenu", 50, 10}});
+  add("copyAllPictures", tr("Copy all views"), {tr("Ctrl+Shift+C")}, "",
+      [this] { take(grid_.viewsSeen(), [this] { copy(grid_.capture()); }); }, {{"fileMenu", 50, 10}});
+}
+
+// Texts and pictures of one moment: what is still being drawn is waited for.
+void ViewPictures::take(const std::vector<View*>& views, const std::function<void()>& picture) {
+  onceDrawn(views, session_, this, picture,
+            [this] { warn(tr("The view changed before it was drawn: ask for its picture again.")); });
 }
 
 void ViewPictures::copy(const QImage& picture) {
@@ -61,11 +84,22 @@ QString ViewPictures::nameOffered() const {
   return series ? seriesText(*series).replace(QLatin1Char('/'), QLatin1Char('_')) : QStringLiteral("volumen");
 }
 
-// As it was when it was asked for, whatever is scrolled to while a place is chosen.
-void ViewPictures::save(const QImage& picture, const QStringList& warnings, const QString& title) {
-  PictureText text{{"Software", "volumen " VOLUMEN_VERSION}, {"Comment", "Not for clinical use"}};
-  if (!warnings.isEmpty())
-    text.emplace_back("volumen-warnings", warnings.join(QLatin1Char('\n')).toStdString());
+// As it was when it was asked for, whatever is scrolled to while a place is chosen: written once it is drawn
+// and has a place.
+void ViewPictures::save(const std::vector<View*>& views, const QString& title,
+                        const std::function<Seen()>& see) {
+  struct Asked {
+    std::optional<Seen> seen;
+    QString path;
+  };
+  const auto asked = std::make_shared<Asked>();
+  const auto look = [this, asked] {
+    if (asked->seen && !asked->path.isEmpty()) write(*asked->seen, asked->path);
+  };
+  take(views, [asked, see, look] {
+    asked->seen = see();
+    look();
+  });
   auto* dialog = new QFileDialog(bench_.dialogParent(), title,
                                  QStandardPaths::writableLocation(QStandardPaths::PicturesLocation),
                                  tr("PNG pictures (*.png);;JPEG pictures (*.jpg *.jpeg)"));
@@ -74,16 +108,21 @@ void ViewPictures::save(const QImage& picture, const QStringList& warnings, cons
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("png"));
   dialog->selectFile(nameOffered() + QStringLiteral(".png"));
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this, picture, text](const QString& path) { write(picture, path, text); });
+  connect(dialog, &QFileDialog::fileSelected, this, [asked, look](const QString& path) {
+    asked->path = path;
+    look();
+  });
   dialog->open();
 }
 
-void ViewPictures::write(const QImage& picture, const QString& path, const PictureText& text) {
+void ViewPictures::write(const Seen& seen, const QString& path) {
+  PictureText text{{"Software", "volumen " VOLUMEN_VERSION}, {"Comment", "Not for clinical use"}};
+  if (!seen.warnings.isEmpty())
+    text.emplace_back("volumen-warnings", seen.warnings.join(QLatin1Char('\n')).toStdString());
   writing_.run(
       JobName(tr("Saving"), path),
       [=](const Job&) {
-        return writeImage(picture.convertToFormat(QImage::Format_RGB888), path.toStdString(), text);
+        return writeImage(seen.picture.convertToFormat(QImage::Format_RGB888), path.toStdString(), text);
       },
       [this, path](const Status& status) {
         if (!status) return warn(QString::fromStdString(status.message()));

@@ -32,7 +32,7 @@ void annotate(QImage& image, Overlays overlays) {
     const double scale = std::min(std::max(0.9, std::min(width, height) / edgeAtScale1), width / widest);
     // Names may be long; they must not run into the letter at the top.
     const double room = width / scale / 2 - sideOfTopLetters;
-    for (QString& line : overlays.topLeft) line = metrics.elidedText(line, Qt::ElideRight, room);
+    for (QString& line : overlays.topLeft) line = metrics.elidedText(line, Qt::ElideMiddle, room);
     overlays.mmPerPixel *= scale;
     painter.scale(scale, scale);
     paintOverlays(painter, overlays, {0, 0, width / scale, height / scale});

@@ -65,7 +65,9 @@ class Placer {
         row.setRight(std::min(row.right(), other.left() - textGap));
     }
     if (row.width() < fewestCharacters * metrics_.averageCharWidth()) return;
-    const QString fitting = metrics_.elidedText(text, Qt::ElideRight, row.width());
+    // Of patient and series both ends stay: the numbers that tell them apart stand last.
+    const Qt::TextElideMode mode = right || warning ? Qt::ElideRight : Qt::ElideMiddle;
+    const QString fitting = metrics_.elidedText(text, mode, row.width());
     const double width = metrics_.horizontalAdvance(fitting);
     if (fitting != text && fitting.size() <= fewestCharacters) return;
     row = QRectF(right ? row.right() - width : row.left(), top, width, metrics_.height());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/overlays/picture_font.h"
+#include "ui/workspace/corner_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -36,7 +37,10 @@ std::optional<QSizeF> trueSize(const PagePicture& picture) {
   return QSizeF(picture.image.size()) * *picture.mmPerPixel;
 }
 
-bool fits(QSizeF size, QSizeF room) { return size.width() <= room.width() && size.height() <= room.height(); }
+bool fits(QSizeF size, QSizeF room) {
+  constexpr double rounding = 1e-6;
+  return size.width() <= room.width() + rounding && size.height() <= room.height() + rounding;
+}
 
 class PagePainter {
  public:
@@ -85,6 +89,16 @@ void paintPicturePage(PagePainter& painter, const PicturePage& page, const QStri
 }
 
 }  // namespace
+
+QStringList pageHead(const Series& series) {
+  QStringList patient{patientText(series), sexAgeText(series)};
+  patient.removeAll(QString());
+  return {patient.join(QStringLiteral(", ")), studyText(series)};
+}
+
+QSizeF roomOfPage(const QStringList& head, QSizeF paperMm) {
+  return roomIn(cellOf({head, {}}, 0, {1, true}, paperMm));
+}
 
 QSize pageGrid(int perPage, QSizeF paperMm) {
   const int shorter = int(std::floor(std::sqrt(double(perPage)))), longer = (perPage + shorter - 1) / shorter;

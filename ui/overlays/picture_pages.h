@@ -14,6 +14,8 @@ class QPainter;
 
 namespace volumen {
 
+struct Series;
+
 /// A picture on a page, and what is written under it.
 struct PagePicture {
   QImage image;
@@ -39,6 +41,12 @@ struct PageLook {
   int perPage = 6;
   bool inTrueSize = false;
 };
+
+/// Whose pictures a page holds: lines of patient and study.
+QStringList pageHead(const Series& series);
+
+/// How much room a picture has that stands alone on a page, mm.
+QSizeF roomOfPage(const QStringList& head, QSizeF paperMm);
 
 /// Columns and rows of a page of this size for so many pictures.
 QSize pageGrid(int perPage, QSizeF paperMm);

@@ -4,17 +4,49 @@
 #include <QTextOption>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace volumen {
 
 namespace {
 
-// Rings of dark copies about the letters, the closest last: it is their edge, the others fade.
+// Rings of copies about the letters. The closest, painted last, is their outline, which gives them a contrast
+// of 4.5:1 whatever lies below; the others fade.
 struct Ring {
   double radius;  // pixels
   int copies, alpha;
 };
-constexpr Ring halo[] = {{4, 12, 18}, {2.5, 12, 44}, {1, 8, 120}};
+constexpr Ring halo[] = {{3.5, 12, 20}, {2.3, 12, 60}, {1.1, 12, 230}};
+
+// Relative luminance, as WCAG 2.1 defines it.
+double luminance(const QColor& colour) {
+  const auto linear = [](double part) {
+    return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+
+// Black, or white about letters that are dark themselves.
+QColor haloColour(const QColor& letters) {
+  constexpr double middle = 0.18;  // has the same contrast with both
+  return luminance(letters) < middle ? Qt::white : Qt::black;
+}
+
+// Calls `draw` with the offset of each copy, the letters themselves last; the painter has their colour.
+template <class Draw>
+void drawWithHalo(QPainter& painter, const QColor& colour, std::span<const Ring> rings, const Draw& draw) {
+  QColor about = haloColour(colour);
+  for (const Ring& ring : rings) {
+    about.setAlpha(ring.alpha);
+    painter.setPen(about);
+    for (int n = 0; n < ring.copies; ++n) {
+      const double angle = 2 * std::numbers::pi * n / ring.copies;
+      draw(ring.radius * QPointF(std::cos(angle), std::sin(angle)));
+    }
+  }
+  painter.setPen(colour);
+  draw(QPointF());
+}
 
 }  // namespace
 
@@ -26,15 +58,13 @@ void paintReadable(QPainter& painter, QPointF topLeft, const QString& text, cons
   option.setWrapMode(QTextOption::NoWrap);
   line.setTextOption(option);
   line.prepare(painter.transform(), painter.font());
-  for (const Ring& ring : halo) {
-    painter.setPen(QColor(0, 0, 0, ring.alpha));
-    for (int n = 0; n < ring.copies; ++n) {
-      const double angle = 2 * std::numbers::pi * n / ring.copies;
-      painter.drawStaticText(topLeft + ring.radius * QPointF(std::cos(angle), std::sin(angle)), line);
-    }
-  }
-  painter.setPen(colour);
-  painter.drawStaticText(topLeft, line);
+  drawWithHalo(painter, colour, halo, [&](QPointF by) { painter.drawStaticText(topLeft + by, line); });
+}
+
+void paintReadable(QPainter& painter, const QRectF& place, int flags, const QString& text,
+                   const QColor& colour) {
+  drawWithHalo(painter, colour, std::span(halo).last(1),
+               [&](QPointF by) { painter.drawText(place.translated(by), flags, text); });
 }
 
 }  // namespace volumen

@@ -44,7 +44,7 @@ QRect SliceSheet::placeOf(int n) const {
           picture_};
 }
 
-void SliceSheet::add(const QImage& picture, const QString& caption) {
+void SliceSheet::add(const QImage& picture, const QString& caption, const QString& left) {
   if (next_ >= rows_ * columns_) return;
   const QRect place = placeOf(next_++);
   {
@@ -53,6 +53,7 @@ void SliceSheet::add(const QImage& picture, const QString& caption) {
   }
   const int height = QFontMetrics(sheetFont(textPixels_)).height();
   write(caption, {place.left() + sheetGap, place.bottom() - height - sheetGap}, place.width() - 2 * sheetGap);
+  write(left, {place.left() + sheetGap, place.center().y() + 2 * sheetGap}, place.width() / 2);
 }
 
 void SliceSheet::write(const QString& text, QPoint at, int room) {

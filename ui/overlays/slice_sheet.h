@@ -11,8 +11,8 @@ class SliceSheet {
  public:
   SliceSheet(int rows, int columns, QSize picture, const QStringList& head);
 
-  /// The next one; beyond the last place nothing is added.
-  void add(const QImage& picture, const QString& caption);
+  /// The next one, with the letters of its left side at that edge; beyond the last place nothing is added.
+  void add(const QImage& picture, const QString& caption, const QString& left = {});
   const QImage& image() const { return image_; }
   /// Where picture `n` (from 0) lies, pixels.
   QRect placeOf(int n) const;

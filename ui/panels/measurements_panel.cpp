@@ -239,9 +239,8 @@ void MeasurementsPanel::askWhere(const QString& title, const QString& suffix,
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(suffix);
   dialog->selectFile(QStringLiteral("measurements.%1").arg(suffix));
-  connect(dialog, &QFileDialog::fileSelected, this, [this, text](const QString& path) {
+  connect(dialog, &QFileDialog::fileSelected, this, [this, bytes = text().toUtf8()](const QString& path) {
     QSaveFile file(path);
-    const QByteArray bytes = text().toUtf8();
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
       Q_EMIT failed(tr("Cannot write %1: %2.").arg(path, file.errorString()));
     else

@@ -324,9 +324,8 @@ void SegmentNumbersDialog::askWhere(const QString& suffix, const std::function<Q
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(suffix);
   dialog->selectFile(QStringLiteral("segments.%1").arg(suffix));
-  connect(dialog, &QFileDialog::fileSelected, this, [this, text](const QString& path) {
+  connect(dialog, &QFileDialog::fileSelected, this, [this, bytes = text().toUtf8()](const QString& path) {
     QSaveFile file(path);
-    const QByteArray bytes = text().toUtf8();
     const bool isWritten =
         file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
     said_->setText(isWritten ? tr("Saved %1").arg(path)

@@ -10,6 +10,7 @@
 
 #include "ui/widgets/colour_button.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 
@@ -171,9 +172,15 @@ std::optional<Background> SnapshotPanel::background() const {
   }
 }
 
-SnapshotRequest SnapshotPanel::chosen(const QString& path) const {
+// The file name offered first, without its suffix.
+QString SnapshotPanel::name(const SnapshotSeen& seen) const {
+  return seriesText(seen.series->series).replace(QLatin1Char('/'), QLatin1Char('_'));
+}
+
+SnapshotRequest SnapshotPanel::chosen(const SnapshotSeen& seen, const QString& path) const {
   constexpr Quality levels[] = {Quality::standard, Quality::high, Quality::exact};
-  return {.path = path,
+  return {.seen = seen,
+          .path = path,
           .size = {width_->value(), height_->value()},
           .quality = levels[quality_->currentIndex()],
           .background = background(),
@@ -183,9 +190,14 @@ SnapshotRequest SnapshotPanel::chosen(const QString& path) const {
                     .warnings = warnings_->isChecked()}};
 }
 
-void SnapshotPanel::copy() { Q_EMIT requested(chosen({})); }
+void SnapshotPanel::copy() {
+  if (const auto seen = seen_()) Q_EMIT requested(chosen(*seen, {}));
+}
 
+// What is seen and chosen as it is asked for holds, whatever becomes of it while a place is chosen.
 void SnapshotPanel::askWhere() {
+  const auto seen = seen_();
+  if (!seen) return;
   const bool png = format_->currentIndex() == 0;
   auto* dialog = new QFileDialog(this, tr("Save a snapshot"), picturesFolder(),
                                  png ? tr("PNG pictures (*.png)") : tr("JPEG pictures (*.jpg *.jpeg)"));
@@ -193,20 +205,26 @@ void SnapshotPanel::askWhere() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(suffix());
-  dialog->selectFile(name_ + QLatin1Char('.') + suffix());
+  dialog->selectFile(name(*seen) + QLatin1Char('.') + suffix());
   connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& path) { Q_EMIT requested(chosen(path)); });
+          [this, request = chosen(*seen, {})](const QString& path) mutable {
+            request.path = path;
+            Q_EMIT requested(request);
+          });
   dialog->open();
 }
 
 void SnapshotPanel::askForFolder() {
+  const auto seen = seen_();
+  if (!seen) return;
+  SnapshotRequest request = chosen(*seen, name(*seen) + QLatin1Char('.') + suffix());
+  request.pictures = pictures_->value();
   auto* dialog = new QFileDialog(this, tr("Save the turntable in a folder"), picturesFolder());
   dialog->setObjectName(QStringLiteral("turntableDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
-    SnapshotRequest request = chosen(folder + QLatin1Char('/') + name_ + QLatin1Char('.') + suffix());
-    request.pictures = pictures_->value();
+  connect(dialog, &QFileDialog::fileSelected, this, [this, request](const QString& folder) mutable {
+    request.path = folder + QLatin1Char('/') + request.path;
     Q_EMIT requested(request);
   });
   dialog->open();

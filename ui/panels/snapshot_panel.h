@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QPushButton>
 #include <QSpinBox>
+#include <functional>
 
 #include "ui/workspace/snapshot_request.h"
 
@@ -21,8 +22,8 @@ class SnapshotPanel : public QWidget {
 
   /// The size that "Match view size" gives.
   void setViewSize(QSize pixels);
-  /// The file name offered first, without its suffix.
-  void setName(const QString& name) { name_ = name; }
+  /// Who says what is seen; null: nothing, which is told there.
+  void setSeen(std::function<std::optional<SnapshotSeen>()> seen) { seen_ = std::move(seen); }
   /// Asks where to save; then tells requested().
   void askWhere();
   /// The snapshot as chosen, for the clipboard.
@@ -38,7 +39,8 @@ class SnapshotPanel : public QWidget {
   void addAnnotations(QVBoxLayout* column);
   void addButtons(QVBoxLayout* column);
   void askForFolder();
-  SnapshotRequest chosen(const QString& path) const;
+  QString name(const SnapshotSeen& seen) const;
+  SnapshotRequest chosen(const SnapshotSeen& seen, const QString& path) const;
   std::optional<Background> background() const;
   QString suffix() const;
 
@@ -47,7 +49,7 @@ class SnapshotPanel : public QWidget {
   ColourButton* colour_;
   QCheckBox *letters_, *scaleBar_, *patient_, *warnings_;
   QSize viewSize_{512, 512};
-  QString name_ = QStringLiteral("volumen");
+  std::function<std::optional<SnapshotSeen>()> seen_;
   bool sizeChosen_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/overlays/picture_font.h"
+#include "ui/overlays/readable_text.h"
 
 namespace volumen {
 
@@ -86,7 +87,7 @@ class LayerPainter {
                                          : false;
     if (ofDisplay) place = freePlace(place, flags, words);
     if (text.box && text.anchor && text.anchor->visible) painter_.drawLine(place.center(), anchor);
-    painter_.drawText(place, flags, words);
+    paintReadable(painter_, place, flags, words, painter_.pen().color());
   }
 
   QPainter& painter_;

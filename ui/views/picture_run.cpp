@@ -10,7 +10,6 @@
 
 #include "ui/controller/measure_jobs.h"
 #include "ui/data/frame_series.h"
-#include "ui/views/view_grid.h"
 #include "ui/workspace/links.h"
 #include "ui/workspace/text.h"
 
@@ -18,8 +17,10 @@ namespace volumen {
 
 namespace {
 
-constexpr int waitMs = 20;        // for numbers of measurements
-constexpr double textEdge = 640;  // logical pixels that texts over a whole picture are made for
+constexpr int waitMs = 20;             // for numbers of measurements
+constexpr double textEdge = 640;       // logical pixels that texts over a whole picture are made for
+constexpr double textsPerMm = 3.7795;  // logical pixels of a screen of 96 an inch
+constexpr double dotsPerMm = 11.811;   // of paper: 300 an inch
 
 // Of all of the picture, or of what is seen; nothing has handles.
 Workspace workspaceOf(const PictureStop& stop, PictureLook::Size size) {
@@ -44,19 +45,7 @@ std::set<SeriesKey> seriesSeen(const PictureStop& stop) {
   return seen;
 }
 
-// What the view of a stop needs of the series in memory.
-std::unique_ptr<Session> sessionOf(const PictureStop& stop, PictureLook::Size size, const Session& session) {
-  auto copy = std::make_unique<Session>();
-  copy->prefer(session.preferences());
-  copy->pool().setBudget(std::numeric_limits<std::size_t>::max());
-  for (const auto& [key, held] : stop.held.empty() ? seriesHeld(stop, session) : stop.held)
-    copy->pool().put({key, stop.workspace.series.at(key).mask}, held);
-  copy->open({}, workspaceOf(stop, size));
-  return copy;
-}
-
-}  // namespace
-
+// PictureStop::held of what a session has in memory.
 std::map<SeriesKey, LoadedSeriesPtr> seriesHeld(const PictureStop& stop, const Session& session) {
   std::map<SeriesKey, LoadedSeriesPtr> held;
   for (const SeriesKey& key : seriesSeen(stop)) {
@@ -67,10 +56,30 @@ std::map<SeriesKey, LoadedSeriesPtr> seriesHeld(const PictureStop& stop, const S
   return held;
 }
 
+// What the view of a stop needs of the series in memory.
+std::unique_ptr<Session> sessionOf(const PictureStop& stop, PictureLook::Size size, const Session& session) {
+  auto copy = std::make_unique<Session>();
+  copy->prefer(stop.preferences.value_or(session.preferences()));
+  copy->pool().setBudget(std::numeric_limits<std::size_t>::max());
+  for (const auto& [key, held] : stop.held.empty() ? seriesHeld(stop, session) : stop.held)
+    copy->pool().put({key, stop.workspace.series.at(key).mask}, held);
+  copy->open({}, workspaceOf(stop, size));
+  return copy;
+}
+
+}  // namespace
+
+PictureStop heldNow(PictureStop stop, const Session& session) {
+  stop.held = seriesHeld(stop, session);
+  stop.preferences = session.preferences();
+  return stop;
+}
+
 PictureRun::PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs, const QString& doing,
                        std::vector<PictureStop> stops, const PictureLook& look, QObject* parent)
     : QObject(parent),
       grid_(grid),
+      shown_(grid.shown()),
       session_(session),
       jobs_(jobs),
       job_(JobName(doing)),
@@ -121,7 +130,7 @@ void PictureRun::showStop() {
   measurer_.reset();
   copy_ = sessionOf(stop, look_.size, session_);
   measurer_ = std::make_unique<MeasureJobs>(*copy_, frames_);
-  view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view);
+  view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view, shown_);
   isPrepared_ = false;
   if (!view_) return end(tr("Only slices and frames can be made into such pictures."));
   resizeView(look_.seen);
@@ -150,6 +159,7 @@ void PictureRun::prepare() {
         look_.size == Size::whole ? textEdge / longer : 1 / std::max(1.0, shorter / textEdge);
     resizeView((own * scale / view_->devicePixelRatioF()).toSize().expandedTo({1, 1}));
   }
+  if (look_.size == Size::paper) layOutForPaper();
   waitForNumbers();
 }
 
@@ -161,6 +171,12 @@ void PictureRun::resizeView(QSize logical) {
   QCoreApplication::sendEvent(view_.get(), &event);
 }
 
+// With texts as large as those of a screen.
+void PictureRun::layOutForPaper() {
+  resizeView((look_.mm * textsPerMm).toSize().expandedTo({1, 1}));
+  view_->zoomTo(look_.mm.width() / view_->pixels().width());
+}
+
 // As long as they take: the user may cancel.
 void PictureRun::waitForNumbers() {
   if (hasEnded_) return;
@@ -170,6 +186,8 @@ void PictureRun::waitForNumbers() {
 
 QSize PictureRun::pixelsWanted() const {
   if (look_.size == Size::asSeen) return view_->pixels();
+  if (look_.size == Size::paper)  // no higher than that
+    return QSize(int(look_.mm.width() * dotsPerMm), int(look_.mm.height() * dotsPerMm)).expandedTo({1, 1});
   const QSizeF from = look_.size == Size::wide ? QSizeF(view_->pixels()) : QSizeF(view_->ownPixels());
   const double edge = look_.size == Size::wide ? from.width() : std::max(from.width(), from.height());
   return (from * (look_.edge / edge)).toSize().expandedTo({1, 1});

@@ -10,14 +10,13 @@
 #include "ui/controller/frame_service.h"
 #include "ui/document/job_lane.h"
 #include "ui/overlays/overlays.h"
+#include "ui/views/view_grid.h"
 #include "ui/workspace/picture_look.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {
 
-class FlatView;
 class MeasureJobs;
-class ViewGrid;
 
 /// A picture of a flat view that was made.
 struct MadePicture {
@@ -28,8 +27,8 @@ struct MadePicture {
   QString lengthsWord;               ///< what is true of its mm, where they are not the patient's
 };
 
-/// PictureStop::held of what a session has in memory.
-std::map<SeriesKey, LoadedSeriesPtr> seriesHeld(const PictureStop& stop, const Session& session);
+/// Has a stop hold what a session has now: the series in memory, and the preferences.
+PictureStop heldNow(PictureStop stop, const Session& session);
 
 /// Makes pictures of flat views one after the other, each of a workspace of its own, whatever is on screen
 /// meanwhile: a job with progress. Frames are read and pictures drawn on other threads.
@@ -69,8 +68,10 @@ class PictureRun : public QObject {
   void end(const QString& failure);
   QSize pixelsWanted() const;
   void resizeView(QSize logical);
+  void layOutForPaper();
 
   const ViewGrid& grid_;
+  const ViewGrid::Shown shown_;
   const Session& session_;
   Jobs& jobs_;
   const Job job_;

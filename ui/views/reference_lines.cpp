@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ui/overlays/readable_text.h"
 #include "ui/views/cross_lines.h"
 #include "ui/workspace/links.h"
 
@@ -91,7 +92,7 @@ void paintReferenceLines(QPainter& painter, const std::vector<ReferenceLine>& li
     if (line.name.isEmpty() || line.line.length() < size.width() + roomBesideName ||
         !QRectF(view).contains(place) || std::ranges::any_of(taken, meets))
       continue;
-    painter.drawText(place, Qt::AlignCenter, line.name);
+    paintReadable(painter, place, Qt::AlignCenter, line.name, QColor(line.colour));
     taken.push_back(place);
   }
   painter.restore();

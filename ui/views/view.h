@@ -33,6 +33,8 @@ class View : public QWidget {
   /// Whether its volume is being read or cut. The last picture of the series, or of another step of it, stays
   /// until then, with a mark where that takes longer than a moment.
   bool isWaiting() const;
+  /// Whether its picture is of what the workspace says: else what is written over it is of another one.
+  virtual bool hasItsPicture() const { return !isWaiting(); }
   /// What is seen of it now, at its pixels(), but for what is there to be used: bars, the frame of the focus.
   virtual QImage capture() const;
   /// What is not as it seems in it, whole sentences.

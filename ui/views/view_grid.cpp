@@ -76,8 +76,8 @@ View* ViewGrid::viewOf(ViewId id, ViewFamily family) {
   view = makeView(family, parts_, id, isInSecond(id) ? static_cast<QWidget*>(second_.get()) : this);
   connectView(view);
   if (auto* slices = qobject_cast<SliceView*>(view)) {
-    slices->setClipShown(clipShown_);
-    slices->showSegment(segment_);
+    slices->setClipShown(shown_.clip);
+    slices->showSegment(shown_.segment);
   }
   if (auto* flat = qobject_cast<FlatView*>(view)) connectFlat(flat, family);
   if (auto* volume = qobject_cast<VolumeView*>(view)) {
@@ -134,12 +134,12 @@ void ViewGrid::setTool(const Tool& tool) {
 }
 
 void ViewGrid::setClipShown(bool shown) {
-  clipShown_ = shown;
+  shown_.clip = shown;
   each<SliceView>([&](SliceView& view) { view.setClipShown(shown); });
 }
 
 void ViewGrid::showSegment(const std::optional<VolumeRange>& segment) {
-  segment_ = segment;
+  shown_.segment = segment;
   each<SliceView>([&](SliceView& view) { view.showSegment(segment); });
 }
 
@@ -213,14 +213,21 @@ void ViewGrid::takeKeys() {
   view->setFocus();
 }
 
+std::vector<View*> ViewGrid::viewsSeen() const {
+  std::vector<View*> seen;
+  const QWidget* area = viewShown()->parentWidget();
+  for (const auto& [place, view] : views_)
+    if (view->isVisible() && view->parentWidget() == area) seen.push_back(view);
+  return seen;
+}
+
 QImage ViewGrid::capture() const {
   const QWidget* area = viewShown()->parentWidget();
   const double ratio = area->devicePixelRatioF();
   QImage image((QSizeF(area->size()) * ratio).toSize(), QImage::Format_RGB32);
   image.fill(palette().color(QPalette::Window));
   QPainter painter(&image);
-  for (const auto& [place, view] : views_) {
-    if (!view->isVisible() || view->parentWidget() != area) continue;
+  for (const View* view : viewsSeen()) {
     QImage seen = view->capture();
     seen.setDevicePixelRatio(1);
     painter.drawImage((QPointF(view->pos()) * ratio).toPoint(), seen);
@@ -231,24 +238,22 @@ QImage ViewGrid::capture() const {
 }
 
 std::unique_ptr<FlatView> ViewGrid::unseenView(Session& session, FrameService& frames, MeasureJobs& measurer,
-                                               ViewId id) const {
+                                               ViewId id, const Shown& shown) const {
   const ViewFamily family = rowOf(session.workspace().view(id).kind).family;
   if (family == ViewFamily::scene) return nullptr;
   ViewParts parts{session, parts_.drawService, parts_.slices, frames, measurer, parts_.derived};
   std::unique_ptr<FlatView> view(static_cast<FlatView*>(makeView(family, parts, id, nullptr)));
   view->setFinder([this](ViewId other) { return viewAs<FlatView>(other); });
   if (auto* slices = qobject_cast<SliceView*>(view.get())) {
-    slices->setClipShown(clipShown_);
-    slices->showSegment(segment_);
+    slices->setClipShown(shown.clip);
+    slices->showSegment(shown.segment);
   }
   return view;
 }
 
 QStringList ViewGrid::warningsShown() const {
   QStringList all;
-  const QWidget* area = viewShown()->parentWidget();
-  for (const auto& [place, view] : views_)
-    if (view->isVisible() && view->parentWidget() == area) all << view->warningsShown();
+  for (const View* view : viewsSeen()) all << view->warningsShown();
   all.removeDuplicates();
   return all;
 }

@@ -46,10 +46,18 @@ class ViewGrid : public QWidget {
   void takeKeys();
   /// What is seen of all views of the window in focus (View::capture), as they lie beside each other.
   QImage capture() const;
+  /// The views in the window of the view in focus that are on screen.
+  std::vector<View*> viewsSeen() const;
+  /// What flat views show that is no part of the workspace.
+  struct Shown {
+    bool clip = false;                     ///< the clip box where it is the whole volume, too
+    std::optional<VolumeRange> segment{};  ///< tinted
+  };
+  const Shown& shown() const { return shown_; }
   /// A hidden view of this id over another session, whose numbers `measurer` has, with what the views here
-  /// share; null of 3D.
+  /// share, or shared as `shown` was taken; null of 3D.
   std::unique_ptr<FlatView> unseenView(Session& session, FrameService& frames, MeasureJobs& measurer,
-                                       ViewId id) const;
+                                       ViewId id, const Shown& shown) const;
   /// What is not as it seems in any of them, each sentence once.
   QStringList warningsShown() const;
   /// Shows this view alone in its window, or all of the window's layout again.
@@ -126,8 +134,7 @@ class ViewGrid : public QWidget {
   bool errorShown_ = false;
   const Tool *tool_, *toolBefore_;
   std::map<std::pair<ViewId, ViewFamily>, View*> views_;
-  bool clipShown_ = false;
-  std::optional<VolumeRange> segment_;
+  Shown shown_;
   std::optional<SegmentMap> preview_;
   std::set<ViewId> alone_;  // one a window
   View* secondKeys_ = nullptr;

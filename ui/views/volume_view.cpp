@@ -186,7 +186,7 @@ void VolumeView::requestPicture() {
   const Scene before = std::exchange(drawnScene_, sceneToDraw());
   if (!isShown) return;
   if (!isDrawn_ || before != drawnScene_ || picture_.size() != pixels()) showOld();
-  drawService_.request(id(), drawnScene_, pixels());
+  numberAsked_ = drawService_.request(id(), drawnScene_, pixels());
 }
 
 // What is on show stays until the next picture, and does not count as final.
@@ -214,6 +214,7 @@ void VolumeView::togglePlay() { cine_->togglePlay(); }
 void VolumeView::showDrawn(const ScreenPicture& picture) {
   if (picture.view != id()) return;
   isDrawn_ = true;
+  numberDrawn_ = picture.number;
   setPicture(picture.image, captionOf(picture), picture.error);
   captionIfOld_ = captionOf(picture, true);
   Q_EMIT drawn(picture);

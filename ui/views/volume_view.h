@@ -57,6 +57,9 @@ class VolumeView : public View {
 
   /// The camera in use: the scene's, or the one fitted to this view.
   Camera camera() const;
+  bool hasItsPicture() const override {
+    return View::hasItsPicture() && (!drawn_ || numberDrawn_ == numberAsked_);
+  }
   /// What is under a position; none without a series or where nothing is seen.
   std::optional<Pick> pickAt(QPointF position) const;
   /// How much larger than when it was fitted last the object is shown: 1 after a standard view or a reset,
@@ -151,8 +154,9 @@ class VolumeView : public View {
   WarningBadge* badge_;
   QToolButton* showTable_;  // where the table is left out
   CineBar* cine_;
-  VolumePtr drawn_;   // the one that a picture was asked for
-  Scene drawnScene_;  // and of what
+  int numberAsked_ = 0, numberDrawn_ = 0;  // of the requests of pictures
+  VolumePtr drawn_;                        // the one that a picture was asked for
+  Scene drawnScene_;                       // and of what
   std::optional<VolumeRange> only_;
   bool isDrawn_ = false;  // since there has been one
   QImage picture_;

@@ -4,6 +4,7 @@
 #include <QString>
 #include <optional>
 
+#include "ui/data/loaded_series.h"
 #include "ui/workspace/segment_picture_text.h"
 #include "viewer/plan/options.h"
 #include "viewer/scene/scene.h"
@@ -19,15 +20,25 @@ struct Annotations {
   bool operator==(const Annotations&) const = default;
 };
 
+/// What a snapshot is of: a 3D view at the moment that it is asked for.
+struct SnapshotSeen {
+  LoadedSeriesPtr series;
+  Scene scene;  ///< with its camera
+  SegmentsInPicture segments{};
+  bool namesHidden = false;
+};
+
 /// What a snapshot is to be.
 struct SnapshotRequest {
-  QString path;  ///< PNG or JPEG by its suffix; of a turntable numbered before it; empty: the clipboard
+  SnapshotSeen seen;
+  /// PNG or JPEG by its suffix; of a turntable numbered before it, and with a further number where files of
+  /// such names are there already; empty: the clipboard.
+  QString path;
   QSize size;
   Quality quality = Quality::high;
   std::optional<Background> background;  ///< nothing: the scene's
   Annotations shown;
-  int pictures = 1;            ///< of a full turn about the camera's up axis
-  SegmentsInPicture segments{};  ///< of the series
+  int pictures = 1;  ///< of a full turn about the camera's up axis
 };
 
 }  // namespace volumen

@@ -1,0 +1,397 @@
+// Guards what identifies that which leaves the program: a table of all that does, and of what it says of
+// patient, study, series, sides, scale and quality; where it says nothing of one of these, why. Of pictures a
+// field is said where they differ once that alone differs.
+#include <QCheckBox>
+#include <QClipboard>
+#include <QDirIterator>
+#include <QPrintDialog>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <map>
+
+#include "io/export/dicom_series.h"
+#include "tests/ui/numbers_table.h"
+#include "tests/ui/pdf_images.h"
+#include "tests/ui/picture_window.h"
+#include "tests/ui/segment_window.h"
+#include "tests/unit/suite.h"
+#include "ui/panels/pages_dialog.h"
+#include "viewer/phantoms/phantoms.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+// What was made, once it left.
+struct Left {
+  QString text;
+  QList<QImage> pictures;
+};
+
+// Of its files.
+Left leftIn(const QString& path) {
+  Left left;
+  QStringList files{path};
+  if (QFileInfo(path).isDir()) {
+    files.clear();
+    for (QDirIterator each(path, QDir::Files, QDirIterator::Subdirectories); each.hasNext();)
+      files << each.next();
+    files.sort();
+  }
+  for (const QString& name : files) {
+    QFile file(name);
+    if (name.endsWith(QStringLiteral(".pdf"))) {
+      left.text += textsIn(name).join(QLatin1Char('\n'));
+      for (const QImage& image : pixelsIn(name)) left.pictures << image;
+    } else if (const QImage image(name); !image.isNull()) {
+      left.pictures << rgb(image);
+      for (const QString& key : image.textKeys()) left.text += image.text(key) + QLatin1Char('\n');
+    } else if (file.open(QIODevice::ReadOnly)) {
+      left.text += QString::fromUtf8(file.readAll());
+    }
+  }
+  return left;
+}
+
+// A head of these tags in planes, with a length, a key image and a segment.
+struct LeavingWindow : SegmentWindow {
+  QTemporaryDir folder;
+
+  explicit LeavingWindow(const QString& path) : SegmentWindow(QStringList{path}) {}
+
+  bool prepare() {
+    if (!settle()) return false;
+    child<QAction>("layoutPlanes")->trigger();
+    session().setFocus(axialViewId);
+    if (!QTest::qWaitFor([&] { return view() && !view()->picture().isNull(); }, longest)) return false;
+    draw(ShapeKind::length, {{100, 100}, {160, 120}});
+    session().select(0);
+    view()->setFocus();
+    QTest::keyClick(&window, Qt::Key_K);
+    click("segmentFromCurve");
+    return make(-100, 100) && QTest::qWaitFor([&] { return view()->isMeasured(); }, longest) &&
+           QTest::qWaitFor([&] { return window.view()->hasItsPicture(); }, longest);
+  }
+  void tickSnapshot(bool on) {
+    for (const char* box : {"snapshotLetters", "snapshotScaleBar", "snapshotPatient"})
+      child<QCheckBox>(box)->setChecked(on);
+  }
+  QString at(const QString& name) const { return folder.filePath(name); }
+  void chooseFrom(const char* button, const char* entry) {
+    for (QAction* action : child<QToolButton>(button)->menu()->actions())
+      if (action->objectName() == QLatin1String(entry)) action->trigger();
+  }
+  QString press(QDialog* dialog, const char* button) {
+    QTest::mouseClick(dialog->findChild<QPushButton*>(QLatin1String(button)), Qt::LeftButton);
+    return {};
+  }
+  PagesDialog* pages() {
+    child<QAction>("keyImagePages")->trigger();
+    return window.findChild<PagesDialog*>();
+  }
+  // To the file of a name, by the dialog that asks for it.
+  void saveTo(const char* dialog, const QString& name) { answer(*this, dialog, at(name)); }
+  void print(ViewId view, const QString& name) {
+    session().setFocus(view);
+    child<QAction>("printPicture")->trigger();
+    auto* dialog = child<QPrintDialog>("printDialog");
+    dialog->findChild<QLineEdit*>(QStringLiteral("filename"))->setText(at(name));
+    dialog->accept();
+    session().setFocus(axialViewId);
+  }
+};
+
+// One thing that leaves: how it is made in a window, as files of this name or folder.
+struct Thing {
+  const char* name;
+  const char* file;
+  void (*make)(LeavingWindow& w, const QString& file);
+  const char* says;  // which fields
+  const char* why;   // none of the others
+  bool isPicture = true;
+};
+
+constexpr const char* fieldNames[] = {"patient", "id",    "date",  "number",  "description",
+                                      "sides",   "scale", "level", "clinical"};
+
+const Thing things[] = {
+    {"picture", "picture.png",
+     [](LeavingWindow& w, const QString& file) {
+       w.child<QAction>("savePicture")->trigger();
+       w.saveTo("pictureDialog", file);
+     },
+     "patient id date number description sides scale clinical", "slices have no level"},
+    {"clipboard", "clipboard.png",
+     [](LeavingWindow& w, const QString& file) {
+       QApplication::clipboard()->clear();
+       w.child<QAction>("copyPicture")->trigger();
+       QApplication::clipboard()->image().save(w.at(file));
+     },
+     "patient id date number description sides scale", "a clipboard holds pixels alone"},
+    {"all views", "views.png",
+     [](LeavingWindow& w, const QString& file) {
+       w.child<QAction>("saveAllPictures")->trigger();
+       w.saveTo("pictureDialog", file);
+     },
+     "patient id date number description sides scale clinical", "the level stands in the corner of 3D alone"},
+    {"picture of any size", "sized.png",
+     [](LeavingWindow& w, const QString& file) {
+       accept(ask(w, "saveSizedPicture"));
+       w.saveTo("pictureFilesDialog", file);
+     },
+     "patient id date number description sides scale clinical", "slices have no level"},
+    {"stack", "stack",
+     [](LeavingWindow& w, const QString& file) {
+       PictureDialog* dialog = ask(w, "saveStack");
+       set(dialog, "pictureLast", 2);
+       accept(dialog);
+       QDir().mkdir(w.at(file));
+       w.saveTo("pictureFilesDialog", file);
+     },
+     "patient id date number description sides scale clinical", "slices have no level"},
+    {"contact sheet", "sheet.png",
+     [](LeavingWindow& w, const QString& file) {
+       PictureDialog* dialog = ask(w, "saveSheet");
+       for (const char* edge : {"sheetRows", "sheetColumns"}) set(dialog, edge, 1);
+       accept(dialog);
+       w.saveTo("pictureFilesDialog", file);
+     },
+     "patient id date number description sides clinical", "its pictures are too small to measure on"},
+    {"key image pages", "pages.pdf",
+     [](LeavingWindow& w, const QString& file) {
+       w.press(w.pages(), "pagesPdf");
+       w.saveTo("pagesFileDialog", file);
+     },
+     "patient id date number description sides scale clinical", "slices have no level"},
+    {"print", "print.pdf", [](LeavingWindow& w, const QString& file) { w.print(axialViewId, file); },
+     "patient id date number description sides scale clinical", "slices have no level"},
+    {"print of 3D", "print3d.pdf", [](LeavingWindow& w, const QString& file) { w.print(sceneViewId, file); },
+     "patient id date number description sides scale clinical", "the level stands in its corner"},
+    {"snapshot", "snapshot.png",
+     [](LeavingWindow& w, const QString& file) {
+       w.tickSnapshot(true);
+       w.child<QAction>("snapshot")->trigger();
+       w.saveTo("snapshotDialog", file);
+     },
+     "patient id date number description sides scale level clinical", ""},
+    {"snapshot as offered", "bare.png",
+     [](LeavingWindow& w, const QString& file) {
+       w.tickSnapshot(false);
+       w.child<QAction>("snapshot")->trigger();
+       w.saveTo("snapshotDialog", file);
+     },
+     "level clinical", "what is written over it is chosen in the panel"},
+    {"turntable", "turn",
+     [](LeavingWindow& w, const QString& file) {
+       w.tickSnapshot(true);
+       w.child<QSpinBox>("turntablePictures")->setValue(2);
+       QTest::mouseClick(w.child<QWidget>("turntableSave"), Qt::LeftButton);
+       QDir().mkdir(w.at(file));
+       w.saveTo("turntableDialog", file);
+     },
+     "patient id date number description sides scale level clinical", ""},
+    {"CSV of measurements", "measured.csv",
+     [](LeavingWindow& w, const QString& file) {
+       w.chooseFrom("measurementSave", "saveMeasurementsCsv");
+       w.saveTo("measurementSaveDialog", file);
+     },
+     "number description", "", false},
+    {"shapes", "shapes.json",
+     [](LeavingWindow& w, const QString& file) {
+       w.chooseFrom("measurementSave", "saveShapes");
+       w.saveTo("measurementSaveDialog", file);
+     },
+     "", "places alone, for any series", false},
+    {"CSV of segments", "segments.csv",
+     [](LeavingWindow& w, const QString& file) {
+       openTable(w);
+       QTest::mouseClick(w.child<QWidget>("segmentNumbersCsv"), Qt::LeftButton);
+       w.saveTo("segmentNumbersFileDialog", file);
+     },
+     "", "", false},
+    {"JSON of segments", "segments.json",
+     [](LeavingWindow& w, const QString& file) {
+       QTest::mouseClick(w.child<QWidget>("segmentNumbersJson"), Qt::LeftButton);
+       w.saveTo("segmentNumbersFileDialog", file);
+     },
+     "", "", false},
+    {"session", "all.volumen",
+     [](LeavingWindow& w, const QString& file) {
+       w.child<QAction>("saveSessionAs")->trigger();
+       w.saveTo("saveSessionDialog", file);
+     },
+     "number description level", "it names files and UIDs, which say it", false},
+    {"scene", "scene.json",
+     [](LeavingWindow& w, const QString& file) {
+       w.child<QAction>("saveScene")->trigger();
+       w.saveTo("saveSceneDialog", file);
+     },
+     "", "a look for any series", false},
+    {"SEG", "segments.dcm",
+     [](LeavingWindow& w, const QString& file) {
+       w.child<QAction>("exportSegments")->trigger();
+       w.saveTo("segmentDialog", file);
+     },
+     "patient id date number", "it names the series by its UID; the rest is pixels", false},
+    {"seg.nrrd", "segments.seg.nrrd",
+     [](LeavingWindow& w, const QString& file) {
+       w.child<QAction>("exportSegments")->trigger();
+       w.saveTo("segmentDialog", file);
+     },
+     "", "the format has no fields of patients", false},
+    {"STL", "surface.stl",
+     [](LeavingWindow& w, const QString& file) {
+       w.child<QAction>("exportSegments")->trigger();
+       w.saveTo("segmentDialog", file);
+       const auto isMade = [&] { return w.button("surfaceSave") && w.button("surfaceSave")->isEnabled(); };
+       if (QTest::qWaitFor(isMade, longest)) w.click("surfaceSave");
+     },
+     "", "triangles alone", false}};
+
+DicomSeriesTags knownTags() {
+  DicomSeriesTags tags;
+  tags.patientName = "Doe^Jane", tags.patientId = "PAT4711", tags.studyDate = "20260314";
+  tags.studyUid = "1.2.3.4", tags.seriesUid = "1.2.3.4.5", tags.seriesNumber = "731";
+  tags.description = "Thorax", tags.modality = "CT";
+  return tags;
+}
+
+// How a field's value stands in texts.
+QStringList spellings(const QString& field) {
+  static const std::map<QString, QStringList> all{
+      {QStringLiteral("patient"), {QStringLiteral("Doe, Jane"), QStringLiteral("Doe^Jane")}},
+      {QStringLiteral("id"), {QStringLiteral("PAT4711")}},
+      {QStringLiteral("date"), {QStringLiteral("2026-03-14"), QStringLiteral("20260314")}},
+      {QStringLiteral("number"), {QStringLiteral("731")}},
+      {QStringLiteral("description"), {QStringLiteral("Thorax")}},
+      {QStringLiteral("level"), {QStringLiteral("high")}},
+      {QStringLiteral("clinical"), {QStringLiteral("Not for clinical use")}}};
+  const auto of = all.find(field);
+  return of == all.end() ? QStringList() : of->second;
+}
+
+// Those whose value differs from knownTags().
+DicomSeriesTags otherTags(const QString& field) {
+  DicomSeriesTags tags = knownTags();
+  if (field == QStringLiteral("patient")) tags.patientName = "Roe^John";
+  if (field == QStringLiteral("id")) tags.patientId = "PAT0815";
+  if (field == QStringLiteral("date")) tags.studyDate = "20190807";
+  if (field == QStringLiteral("number")) tags.seriesNumber = "268";
+  if (field == QStringLiteral("description")) tags.description = "Becken";
+  return tags;
+}
+
+// All things of a window that shows a series of these tags; of other ones pictures alone.
+std::map<QString, Left> allOf(const DicomSeriesTags& tags, bool withFiles) {
+  std::map<QString, Left> all;
+  const QTemporaryDir data;
+  const Result<VolumePtr> volume = makePhantom("ct-head:32");
+  const QString path = data.filePath(QStringLiteral("series"));
+  if (!volume || !writeDicomSeries(**volume, tags, path.toStdString())) return all;
+  LeavingWindow w(path);
+  if (!w.prepare()) return all;
+  for (const Thing& thing : things) {
+    if (!withFiles && !thing.isPicture) continue;
+    const QString file = QString::fromLatin1(thing.file);
+    thing.make(w, file);
+    if (!QTest::qWaitFor(
+            [&] {
+              const QFileInfo made(w.at(file));
+              const bool isThere = made.isDir() ? !QDir(made.filePath()).isEmpty() : made.size() > 0;
+              return isThere && w.window.jobs().rows().empty();
+            },
+            longest))
+      continue;
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    all[QString::fromLatin1(thing.name)] = leftIn(w.at(file));
+    const QString keep = qEnvironmentVariable("VOLUMEN_SHOTS");
+    if (!keep.isEmpty() && withFiles) QFile::copy(w.at(file), QDir(keep).filePath(file));
+  }
+  return all;
+}
+
+const std::map<QString, Left>& leftWith(const QString& field) {
+  static std::map<QString, std::map<QString, Left>> made;
+  auto known = made.find(field);
+  if (known == made.end())
+    known =
+        made.emplace(field, allOf(field.isEmpty() ? knownTags() : otherTags(field), field.isEmpty())).first;
+  return known->second;
+}
+
+int brightIn(const QImage& image, QRect part) {
+  int count = 0;
+  part = part.intersected(image.rect());
+  for (int y = part.top(); y <= part.bottom(); ++y)
+    for (int x = part.left(); x <= part.right(); ++x) {
+      const QRgb p = image.pixel(x, y);
+      count += qRed(p) > 200 && qGreen(p) > 200 && qBlue(p) > 200 ? 1 : 0;
+    }
+  return count;
+}
+
+// A letter at the left edge, about the middle of the picture, which of several views is the first one, and of
+// a sheet lies below a head.
+bool hasLetter(const QString& thing, const QImage& image) {
+  const double at = thing == QStringLiteral("all views")       ? 0.25
+                    : thing == QStringLiteral("contact sheet") ? 0.6
+                                                               : 0.5;
+  const int reach = image.height() / (at == 0.6 ? 10 : 16);
+  return brightIn(image, {0, int(at * image.height()) - reach, image.width() / 12, 2 * reach}) > 5;
+}
+
+// A line near the bottom.
+bool hasScale(const QImage& image) {
+  for (int y = image.height() * 85 / 100; y < image.height(); ++y)
+    for (int x = 0, run = 0; x < image.width(); ++x) {
+      run = brightIn(image, {x, y, 1, 1}) ? run + 1 : 0;
+      if (run > 20) return true;
+    }
+  return false;
+}
+
+bool says(const QString& thing, const QString& field) {
+  const Left& left = leftWith({}).at(thing);
+  for (const QString& value : spellings(field))
+    if (left.text.contains(value)) return true;
+  if (left.pictures.isEmpty() || field == QStringLiteral("level") || field == QStringLiteral("clinical"))
+    return false;
+  if (field == QStringLiteral("sides")) return hasLetter(thing, left.pictures.front());
+  if (field == QStringLiteral("scale")) return hasScale(left.pictures.front());
+  return leftWith(field).at(thing).pictures != left.pictures;
+}
+
+}  // namespace
+
+class TestWhatLeaves : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void whatLeavesSaysWhoseItIs_data();
+  void whatLeavesSaysWhoseItIs();
+};
+
+void TestWhatLeaves::whatLeavesSaysWhoseItIs_data() {
+  QTest::addColumn<QString>("thing");
+  QTest::addColumn<QString>("field");
+  QTest::addColumn<bool>("isSaid");
+  QTest::addColumn<QString>("why");
+  for (const Thing& thing : things)
+    for (const char* field : fieldNames)
+      QTest::addRow("%s: %s", thing.name, field)
+          << QString::fromLatin1(thing.name) << QString::fromLatin1(field)
+          << QString::fromLatin1(thing.says).split(QLatin1Char(' ')).contains(QLatin1String(field))
+          << QString::fromLatin1(thing.why);
+}
+
+void TestWhatLeaves::whatLeavesSaysWhoseItIs() {
+  QFETCH(QString, thing);
+  QFETCH(QString, field);
+  QFETCH(bool, isSaid);
+  QFETCH(QString, why);
+  QVERIFY2(leftWith({}).contains(thing), "it was not made");
+  QVERIFY2(says(thing, field) == isSaid, qPrintable(why));
+}
+
+VOLUMEN_TEST(TestWhatLeaves);
+#include "tst_what_leaves.moc"
