@@ -14,6 +14,7 @@
 #include "io/export/dicom_source.h"
 #include "io/export/segmentation_elements.h"
 #include "io/files/output_file.h"
+#include "io/regular_file.h"
 #include "io/study/series.h"
 #include "viewer/slice/plane.h"
 #include "viewer/volume/listed_first.h"
