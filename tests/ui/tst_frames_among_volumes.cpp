@@ -54,7 +54,7 @@ void TestFramesAmongVolumes::aVolumeIsShownAsFramesAndBack() {
   QAction* asFrames = w.child<QAction>("showAsFrames");
   QVERIFY2(asFrames->isEnabled() && asFrames->isChecked(), "one slice opens as a picture");
   QCOMPARE(qGray(w.seen(256, 256)), 246);
-  QVERIFY(w.press(Qt::Key_2));
+  QVERIFY(w.after([&] { QTest::keyClick(w.view(), Qt::Key_2, Qt::ControlModifier); }));
   QCOMPARE(qGray(w.seen(256, 256)), 85);
   QCOMPARE(w.said(256, 256).section(QLatin1Char(' '), 0, 1), QStringLiteral("202 HU"));
   QVERIFY2(!w.view()->overlays().left.isEmpty(), "it lies somewhere in the patient");

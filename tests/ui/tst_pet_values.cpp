@@ -155,7 +155,7 @@ void TestPetValues::framesAreSuv() {
            qPrintable(w.said()));
   w.drawRegion();
   QTRY_VERIFY_WITH_TIMEOUT(w.listed().contains(QStringLiteral("Mean 0.584, SD 0 SUVbw")), longest);
-  QTest::keyClick(w.view(), Qt::Key_1 + int(greyChoices(*frameIn(w.view())).size()) - 5);
+  QTest::keyClick(w.view(), Qt::Key_1);
   QCOMPARE(w.corner(), QStringLiteral("W 5.0 L 2.5 SUVbw"));
 }
 

@@ -66,6 +66,8 @@ void TissueJobs::drew(const SeriesKey& series) {
 bool TissueJobs::leavesTableOut(const LoadedSeriesPtr& series) const {
   if (!series || series->series.modality != "CT" || series->series.curved) return false;
   const SeriesKey key = keyOf(series->series);
+  const auto known = withoutTable_.find(key);
+  if (known != withoutTable_.end() && known->second.lock() == series) return false;
   const Preferences& preferences = session_.preferences();
   return !preferences.tableIn3d && drawn_.contains(key) && !session_.maskOf(key).tableRemoved &&
          2 * series->volume->bytes() < SeriesPool::partOfMemory(preferences.memoryPercent) &&
@@ -99,17 +101,27 @@ std::optional<MadeTissue> TissueJobs::firstWanted() const {
   return {};
 }
 
+// Where there is no table nothing is left out, which is not looked for again.
+void TissueJobs::take(MadeTissue made) {
+  if (made.withoutTable && made.left && !made.patient) {
+    withoutTable_[keyOf(made.of->series)] = made.of;
+    made.withoutTable = false;
+  }
+  if (made.left != made.of) return session_.takeTissue(std::move(made));
+  next();
+}
+
 // What could not be made, or was cancelled, is not begun again until something of it changes.
 void TissueJobs::begin(const MadeTissue& wanted) {
   std::optional<MadeTissue> before;
   for (const MadeTissue& made : session_.tissues())
     if (made.of == wanted.of) before = made;
   lane_.run(
-      wanted.segments.empty() ? tr("Leaving the table out of 3D") : tr("Leaving tissue out"),
+      wanted.segments.empty() ? tr("Looking for the table") : tr("Leaving tissue out"),
       [wanted, before](const Job& job) { return withTissueLeft(wanted, before, job.cancel()); },
       [this, wanted](Result<MadeTissue> made) {
         if (!made) Q_EMIT failed(QString::fromStdString(made.message()));
-        session_.takeTissue(made ? *std::move(made) : wanted);
+        take(made ? *std::move(made) : wanted);
       },
       [this, wanted] { session_.takeTissue(wanted); });
 }

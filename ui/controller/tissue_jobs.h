@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 
@@ -31,11 +32,13 @@ class TissueJobs : public QObject {
   std::optional<MadeTissue> firstWanted() const;
   bool leavesTableOut(const LoadedSeriesPtr& series) const;
   void begin(const MadeTissue& wanted);
+  void take(MadeTissue made);
 
   Session& session_;
   const SegmentPainter& painter_;
   std::optional<MadeTissue> underWay_;  // the last that was begun
   std::set<SeriesKey> drawn_;
+  std::map<SeriesKey, std::weak_ptr<const LoadedSeries>> withoutTable_;  // in which no table was found
   JobLane lane_;
 };
 
