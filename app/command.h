@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "app/printable.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -37,11 +37,5 @@ int fail(const std::string& sentence);
 int fail(const std::string& sentence, const CancelToken& cancel);
 /// The same with exitUsage, for a command line that cannot be meant.
 int failUsage(const std::string& sentence);
-/// Text from files and folders, safe for a terminal: C0, C1, DEL and bidirectional controls become \xNN or
-/// \u{NNNN}.
-std::string printable(const std::string& utf8);
-/// A JSON value as the text that goes to stdout or a file, with its line end: what printable() escapes is
-/// \uNNNN.
-std::string jsonText(const nlohmann::ordered_json& json);
 
 }  // namespace volumen

@@ -1,5 +1,6 @@
 #include "app/derived_json.h"
 
+#include "app/printable.h"
 #include "io/contours.h"
 #include "io/presentation.h"
 #include "io/report.h"
@@ -210,7 +211,7 @@ Result<Json> toJson(const Result<Value>& loaded) {
 
 Json derivedToJson(const DerivedObject& object) {
   return {{"id", object.id},
-          {"path", lastingPath(object.path)},
+          {"path", pathForJson(lastingPath(object.path))},
           {"kind", kindName(object.kind)},
           {"patient", {{"name", object.patientName}, {"id", object.patientId}}},
           {"studyUid", object.studyUid},

@@ -9,6 +9,8 @@ namespace volumen {
 
 namespace {
 
+const Error noHome{"There is no home folder to keep the index in: name one with --index FOLDER."};
+
 std::string folderOr(const std::string& folder) { return folder.empty() ? userIndexFolder() : folder; }
 
 // Qt looks for its driver of SQLite only where there is an application.
@@ -29,18 +31,18 @@ void addIndex(CLI::App& app, std::string& folder) {
 Result<Index> openIndex(const std::string& folder) {
   makeQtApplication();
   const std::string at = folderOr(folder);
-  if (at.empty()) return Error{"There is no home folder to keep the index in: name one with --index FOLDER."};
-  Result<Index> index = Index::open(at);
-  if (index && !index->notice().empty()) fail(index->notice());
-  return index;
+  if (at.empty()) return noHome;
+  return Index::open(at);
 }
 
 Result<Index> openExistingIndex(const std::string& folder) {
+  makeQtApplication();
   std::error_code ignored;
   if (!folder.empty() && !std::filesystem::exists(folder + "/index.sqlite", ignored))
     return Error{"There is no index in " + folder + ": `volumen import PATH --index " + folder +
                  "` makes one."};
-  return openIndex(folder);
+  const std::string at = folderOr(folder);
+  return at.empty() ? Result<Index>(noHome) : Index::openAsItIs(at);
 }
 
 std::string copiesFolder(const std::string& indexFolder) { return folderOr(indexFolder) + "/studies"; }

@@ -57,7 +57,8 @@ std::string nameLine(const Series& s, const std::vector<InfoSeries>& all) {
 void addSeries(std::ostream& out, std::size_t n, const std::vector<InfoSeries>& all, bool verbose) {
   const Series& s = *all[n].series;
   const auto& json = all[n].json;
-  out << "    " << n + 1 << "  " << nameLine(s, all) << '\n' << indent << gridText(s) << '\n';
+  out << "    " << n + 1 << "  " << printable(nameLine(s, all)) << '\n'
+      << indent << printable(gridText(s)) << '\n';
   if (json.contains("min"))
     out << indent << "values " << numberText(json["min"], 7) << " to " << numberText(json["max"], 7)
         << (s.unit.empty() ? "" : ' ' + printable(s.unit)) << ", mean " << numberText(json["mean"], 7)
@@ -137,9 +138,9 @@ std::string infoText(const Study& study, const std::vector<InfoSeries>& series, 
   for (std::size_t n = 0; n < series.size(); ++n) {
     const Series& s = *series[n].series;
     const bool samePatient = patientLine(s) == patient && n > 0;
-    if (!samePatient) out << patientLine(s) << '\n';
+    if (!samePatient) out << printable(patientLine(s)) << '\n';
     if (!samePatient || studyLine(s) != when)
-      if (!studyLine(s).empty()) out << studyLine(s) << '\n';
+      if (!studyLine(s).empty()) out << printable(studyLine(s)) << '\n';
     patient = patientLine(s), when = studyLine(s);
     addSeries(out, n, series, verbose);
   }

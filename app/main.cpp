@@ -2,6 +2,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <QString>
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -91,11 +92,26 @@ constexpr Entry commands[] = {
     {"bench", "Measure how fast a scene is drawn from all around", volumen::makeBench, true},
 };
 
-// ITK takes its threads and even libraries to load from the environment: not from ours.
+// ITK takes its threads and even libraries to load from the environment: not from ours. Folders that are
+// relative are ignored, as the XDG Base Directory Specification has it.
 void forgetForeignSettings() {
   for (const char* name :
        {"ITK_AUTOLOAD_PATH", "ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS", "ITK_GLOBAL_DEFAULT_THREADER", "NSLOTS"})
     unsetenv(name);
+  for (const char* name :
+       {"XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_RUNTIME_DIR", "XDG_STATE_HOME"})
+    if (const char* folder = std::getenv(name); folder && *folder != '/') unsetenv(name);
+}
+
+// Messages of Qt name files, too.
+void onQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+  std::cerr << qFormatLogMessage(type, context, message).toStdString() << '\n';
+}
+
+std::vector<std::string> argumentsOf(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int n = 1; n < argc; ++n) words.push_back(volumen::pathOfArgument(argv[n]));
+  return words;
 }
 
 bool isPath(const std::string& word) {
@@ -148,6 +164,8 @@ void keepFreedMemory() {
 
 int main(int argc, char** argv) {
   openStandardDescriptors();
+  const volumen::PrintableStream out(std::cout), errors(std::cerr);
+  qInstallMessageHandler(onQtMessage);
   if (!hasOurInstructions())
     return volumen::fail("volumen needs a processor with SSE4.2 (x86-64-v2, made since 2009).");
   keepFreedMemory();
@@ -186,5 +204,5 @@ int main(int argc, char** argv) {
           "Write nothing, and end with status 1, where a file of the series cannot be read");
     sub->callback([runThis, &command] { command = runThis; });
   }
-  return run({argv + 1, argv + argc}, app, command);
+  return run(argumentsOf(argc, argv), app, command);
 }

@@ -156,7 +156,8 @@ std::vector<std::string> unreadSentences(const std::vector<const Series*>& all) 
 nlohmann::ordered_json unreadJson(const std::vector<Unread>& unread) {
   auto list = nlohmann::ordered_json::array();
   for (const Unread& file : unread)
-    list.push_back({{"path", lastingPath(file.path)}, {"reason", file.reason}, {"beside", file.beside}});
+    list.push_back(
+        {{"path", pathForJson(lastingPath(file.path))}, {"reason", file.reason}, {"beside", file.beside}});
   return list;
 }
 

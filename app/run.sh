@@ -4,6 +4,7 @@
 set -euo pipefail
 top=$(cd "$(dirname "$0")/.." && pwd)
 . "$top/app/setup.sh"
+show_usage_if_asked "$0" "${1:-}"
 
 install_packages "${build_packages[@]}" "${run_packages[@]}"
 build release volumen

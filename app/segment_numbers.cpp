@@ -61,7 +61,9 @@ Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Op
 
 void addSegments(nlohmann::ordered_json& all, const SegmentNumbersTold& numbers) {
   all["segments"] = segmentsJson(numbers.reports, numbers.scale.factor);
+  for (auto& segment : all["segments"]) segment["unit"] = numbers.scale.unit;
   all["unit"] = numbers.scale.unit;
+  if (!numbers.scale.why.empty()) all["noSuv"] = numbers.scale.why;
   if (numbers.overTime) addTimePoints(all, *numbers.overTime);
 }
 

@@ -37,7 +37,8 @@ struct NumbersWanted {
 Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Opened& opened, PetUnit unit,
                                        NumbersWanted wanted, const CancelToken& cancel);
 
-/// Adds them to the JSON of a command: `segments`, `unit`, and `timeAxis` where there are values over time.
+/// Adds them to the JSON of a command: `segments`, each with the unit of its values, `unit`, `noSuv` where a
+/// PET has no SUV, and `timeAxis` where there are values over time.
 void addSegments(nlohmann::ordered_json& all, const SegmentNumbersTold& numbers);
 
 /// Adds a sentence for each segment that is empty, and where there are no lengths.

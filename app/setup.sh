@@ -2,6 +2,15 @@
 
 say() { printf '== %s\n' "$*" >&2; }
 
+# show_usage_if_asked SCRIPT WORD [OPTION]: on -h and --help the comment at the script's head; its usage on options other than OPTION.
+show_usage_if_asked() {
+  case $2 in
+    "${3:-}") ;;
+    -h | --help) sed -n '2,/^[^#]/s/^# //p' "$1"; exit 0 ;;
+    -*) say "unknown option $2"; sed -n 's/^# usage: /usage: /p' "$1" >&2; exit 2 ;;
+  esac
+}
+
 # install_packages NAME...: installs those that are missing; as root, or through sudo, else names them and stops.
 install_packages() {
   local missing=() p

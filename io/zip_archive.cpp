@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t mostBytes = std::uint64_t(16) << 30, alwaysBytes = 16 << 20, mostRatio = 200;
 constexpr std::size_t mostFiles = 100'000, mostDepth = 64, mostNameBytes = 255;
+constexpr std::size_t leastEntryBytes = 46;  // of the list at the end of an archive
 constexpr const char* lockName = "lock";
 
 /// A folder for the files of one archive, with a lock that is held as long as it is in use.
@@ -75,6 +76,10 @@ std::optional<fs::path> placeOf(const std::string& name, const fs::path& root) {
   return place;
 }
 
+Error tooMany(const std::string& path) {
+  return Error{path + " holds more than " + std::to_string(mostFiles) + " files: it is not unpacked."};
+}
+
 /// Unpacks the entries of one archive.
 class Unpacker {
  public:
@@ -96,8 +101,7 @@ class Unpacker {
       const auto entry = entries_->next();
       if (!entry) return problem(entry.message());
       if (!*entry) return std::move(leftOut_);
-      if (++files > mostFiles)
-        return Error{path_ + " holds more than " + std::to_string(mostFiles) + " files: it is not unpacked."};
+      if (++files > mostFiles) return tooMany(path_);
       if ((*entry)->kind == ArchiveEntry::Kind::folder) continue;
       if (Status s = unpack(**entry); !s) return s.error();
     }
@@ -206,6 +210,7 @@ Result<UnpackedArchive> unpackZip(const std::string& path, const std::string& ca
     return Error{path + " cannot be unpacked: " + base + " cannot be written."};
   const std::uint64_t size = fs::file_size(path, error);
   if (error) return Error{path + " cannot be opened: " + error.message() + "."};
+  if (size > mostFiles * leastEntryBytes && hasMoreEntries(path, mostFiles, cancel)) return tooMany(path);
   auto leftOut = Unpacker(path, size, folder->files(), cancel).run();
   if (!leftOut) return leftOut.error();
   UnpackedArchive archive{folder->files(), std::move(*leftOut)};

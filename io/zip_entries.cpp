@@ -63,7 +63,8 @@ class LocalEntries : public ArchiveEntries {
     return file_ && a && archive_read_support_format_zip(a) == ARCHIVE_OK &&
            archive_read_set_callback_data(a, this) == ARCHIVE_OK &&
            archive_read_set_read_callback(a, readBlock) == ARCHIVE_OK &&
-           archive_read_set_seek_callback(a, seek) == ARCHIVE_OK && archive_read_open1(a) == ARCHIVE_OK;
+           archive_read_set_seek_callback(a, seek) == ARCHIVE_OK &&
+           archive_read_set_skip_callback(a, skip) == ARCHIVE_OK && archive_read_open1(a) == ARCHIVE_OK;
   }
   Error damaged() const {
     const char* why = reader_ ? archive_error_string(reader_.get()) : nullptr;
@@ -81,6 +82,13 @@ class LocalEntries : public ArchiveEntries {
     entries.at_ += *got;
     *block = entries.block_.data();
     return la_ssize_t(*got);
+  }
+  static la_int64_t skip(archive*, void* self, la_int64_t count) {
+    auto& entries = *static_cast<LocalEntries*>(self);
+    const std::uint64_t left = entries.file_->size() - std::min(entries.at_, entries.file_->size());
+    const std::uint64_t skipped = std::min(left, std::uint64_t(std::max<la_int64_t>(0, count)));
+    entries.at_ += skipped;
+    return la_int64_t(skipped);
   }
   static la_int64_t seek(archive*, void* self, la_int64_t offset, int from) {
     auto& entries = *static_cast<LocalEntries*>(self);
@@ -138,6 +146,13 @@ void writeEntries(worker::Wire& answer, const std::string& path) {
   }
 }
 
+bool countBeyond(const std::string& path, std::uint64_t most) {
+  LocalEntries entries(path);
+  for (std::uint64_t count = 0; count <= most; ++count)
+    if (const auto entry = entries.next(); !entry || !*entry) return false;
+  return true;
+}
+
 /// Reads what writeEntries() writes.
 class IsolatedEntries : public ArchiveEntries {
  public:
@@ -189,6 +204,13 @@ class IsolatedEntries : public ArchiveEntries {
 };
 
 }  // namespace
+
+bool hasMoreEntries(const std::string& path, std::size_t most, const CancelToken& cancel) {
+  worker::Request request{.files = {path}, .cancel = &cancel};
+  worker::Failure failure{};
+  const auto more = worker::isolated<countBeyond>(request, failure, path, std::uint64_t(most));
+  return more && *more;
+}
 
 std::unique_ptr<ArchiveEntries> readArchive(const std::string& path, const CancelToken& cancel) {
   if (worker::isolating()) return std::make_unique<IsolatedEntries>(path, cancel);

@@ -27,6 +27,10 @@ class ArchiveEntries {
   virtual Result<std::size_t> read(void* to, std::size_t count) = 0;
 };
 
+/// Whether an archive holds more than `most` entries, by their headers alone, which is quick; false, too,
+/// where that cannot be told so. In a worker where there are any.
+bool hasMoreEntries(const std::string& path, std::size_t most, const CancelToken& cancel);
+
 /// Reads an archive, in a worker where there are any (io/worker).
 std::unique_ptr<ArchiveEntries> readArchive(const std::string& path, const CancelToken& cancel);
 

@@ -6,6 +6,7 @@
 set -euo pipefail
 top=$(cd "$(dirname "$0")/.." && pwd)
 . "$top/app/setup.sh"
+show_usage_if_asked "$0" "${1:-}" --thorough
 thorough=
 [ "${1:-}" != --thorough ] || { thorough=1; shift; }
 preset=${1:-ci}

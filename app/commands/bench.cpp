@@ -58,7 +58,7 @@ int run(const BenchOptions& options, const CancelToken& cancel) {
   const auto orbit = measureOrbit(*scene, *asked, options.orbit, caches, terminalProgress(), cancel);
   endTerminalProgress();
   if (!orbit) return fail(orbit.message(), cancel);
-  std::cout << (options.json ? orbitJson(*orbit) : orbitText(*orbit));
+  std::cout << (options.json ? printableJson(orbitJson(*orbit)) : orbitText(*orbit));
   return opened->status();
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/command.h"
 #include "app/index_option.h"
+#include "app/open_volume.h"
 #include "app/progress.h"
 #include "app/usage.h"
 
@@ -19,27 +20,42 @@ struct ImportOptions {
   bool copy = false, again = false, json = false;
 };
 
-Json toJson(const ImportReport& report) {
+Json toJson(const ImportReport& report, const std::vector<std::string>& warnings) {
   Json refused = Json::array();
   for (const Refused& file : report.refused)
-    refused.push_back({{"path", file.path}, {"reason", file.reason}});
-  return {{"files", report.files},         {"new", report.added}, {"changed", report.changed},
-          {"unchanged", report.unchanged}, {"gone", report.gone}, {"refused", refused},
+    refused.push_back({{"path", pathForJson(file.path)}, {"reason", file.reason}});
+  return {{"files", report.files},        {"new", report.added},
+          {"changed", report.changed},    {"unchanged", report.unchanged},
+          {"gone", report.gone},          {"notImages", report.notImages},
+          {"refused", refused},           {"warnings", warnings},
           {"cancelled", report.cancelled}};
 }
 
 void print(const ImportReport& report) {
   std::cout << report.files << " files: " << report.added << " new, " << report.changed << " changed, "
             << report.unchanged << " unchanged, " << report.gone << " gone, " << report.refused.size()
-            << " refused\n";
+            << " refused";
+  if (report.notImages > 0) std::cout << ", " << report.notImages << " not images";
+  std::cout << '\n';
   for (const Refused& file : report.refused)
     std::cout << "  " << printable(file.path) << ": " << printable(file.reason) << '\n';
 }
 
-int statusOf(const ImportReport& report) {
-  if (report.refused.empty()) return exitDone;
-  if (report.added + report.changed + report.unchanged > 0) return exitLosses;
-  return fail("Nothing was imported: " + report.refused[0].path + ": " + report.refused[0].reason);
+// What became of the index, and which paths hold nothing.
+std::vector<std::string> warningsOf(const Index& index, const ImportReport& report) {
+  std::vector<std::string> warnings;
+  if (!index.notice().empty()) warnings.push_back(index.notice());
+  for (const std::string& path : report.empty)
+    warnings.push_back(path + " holds no files: is its disk there? What the index has of it stays.");
+  return warnings;
+}
+
+int statusOf(const ImportReport& report, const std::vector<std::string>& warnings) {
+  if (report.added + report.changed + report.unchanged + report.gone > 0)
+    return report.refused.empty() && warnings.empty() ? exitDone : exitLosses;
+  if (!report.refused.empty())
+    return fail("Nothing was imported: " + report.refused[0].path + ": " + report.refused[0].reason);
+  return fail("Nothing was imported: no image was found.");
 }
 
 int run(const ImportOptions& options, const CancelToken& cancel) {
@@ -50,14 +66,17 @@ int run(const ImportOptions& options, const CancelToken& cancel) {
           ? index->importCopies(options.paths, copiesFolder(options.index), terminalProgress(), cancel)
           : index->import(options.paths, terminalProgress(), cancel, options.again);
   endTerminalProgress();
+  if (!report && !index->notice().empty()) printNotes({index->notice()});
   if (!report) return fail(report.message());
+  const std::vector<std::string> warnings = warningsOf(*index, *report);
+  printNotes(warnings);
   if (options.json)
-    std::cout << jsonText(toJson(*report));
+    std::cout << jsonText(toJson(*report, warnings));
   else
     print(*report);
   if (report->cancelled)
     return fail("Interrupted; what was read is kept, and the next import goes on from there.");
-  return statusOf(*report);
+  return statusOf(*report, warnings);
 }
 
 }  // namespace

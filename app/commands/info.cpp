@@ -128,7 +128,7 @@ void addRegular(Json& out, const VoxelGeometry& grid, int interpolated) {
 }
 
 Json seriesJson(const Series& s) {
-  Json out{{"id", s.id}, {"path", lastingPath(s.path)}, {"format", s.format}};
+  Json out{{"id", s.id}, {"path", pathForJson(lastingPath(s.path))}, {"format", s.format}};
   addIdentity(out, s);
   out["series"] = {{"number", s.seriesNumber}, {"description", s.description}, {"files", s.files.size()}};
   addGeometry(out, s.acquired);
@@ -148,7 +148,7 @@ Json seriesJson(const Series& s) {
 }
 
 Json imageJson(const Image& image) {
-  Json out{{"id", image.id}, {"path", lastingPath(image.path)}};
+  Json out{{"id", image.id}, {"path", pathForJson(lastingPath(image.path))}};
   addIdentity(out, image);
   out["sopInstanceUid"] = image.sopInstanceUid;
   out["frames"] = image.frames;
@@ -215,9 +215,9 @@ Json studyJson(const Study& study, const std::vector<InfoSeries>& series, bool v
   for (const InfoSeries& s : series) out["volumes"].push_back(s.json);
   for (const Image& image : study.images) out["images"].push_back(imageJson(image));
   for (const Refused& r : study.refused)
-    out["refused"].push_back({{"path", lastingPath(r.path)}, {"reason", r.reason}});
+    out["refused"].push_back({{"path", pathForJson(lastingPath(r.path))}, {"reason", r.reason}});
   for (const Other& o : study.other)
-    out["other"].push_back({{"path", lastingPath(o.path)}, {"kind", o.kind}});
+    out["other"].push_back({{"path", pathForJson(lastingPath(o.path))}, {"kind", o.kind}});
   for (const DerivedObject& object : study.derived)
     out["references"].push_back(describeDerivedObject(object, values));
   return out;

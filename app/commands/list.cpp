@@ -32,13 +32,21 @@ struct Listed {
 };
 
 Json toJson(const ListedSeries& s) {
-  return {{"seriesUid", s.seriesUid}, {"number", s.number},
-          {"modality", s.modality},   {"description", s.description},
-          {"date", s.date},           {"time", s.time},
-          {"label", s.label},         {"images", s.images},
-          {"frames", s.frames},       {"isVolume", s.isVolume},
-          {"offline", s.offline},     {"warnings", s.warnings},
-          {"files", s.files}};
+  Json files = Json::array();
+  for (const std::string& file : s.files) files.push_back(pathForJson(file));
+  return {{"seriesUid", s.seriesUid},
+          {"number", s.number},
+          {"modality", s.modality},
+          {"description", s.description},
+          {"date", s.date},
+          {"time", s.time},
+          {"label", s.label},
+          {"images", s.images},
+          {"frames", s.frames},
+          {"isVolume", s.isVolume},
+          {"offline", s.offline},
+          {"warnings", s.warnings},
+          {"files", files}};
 }
 
 Json toJson(const Listed& listed, bool withSeries) {
@@ -121,11 +129,17 @@ Result<std::vector<Listed>> find(const Index& index, const ListOptions& options)
   return all;
 }
 
+// A script that reads only the JSON is not to take it for an index without studies.
+int failed(const std::string& sentence, const ListOptions& options) {
+  if (options.json) std::cout << jsonText({{"studies", Json::array()}, {"problem", sentence}});
+  return fail(sentence);
+}
+
 int run(const ListOptions& options) {
   const Result<Index> index = openExistingIndex(options.index);
-  if (!index) return fail(index.message());
+  if (!index) return failed(index.message(), options);
   const Result<std::vector<Listed>> all = find(*index, options);
-  if (!all) return fail(all.message());
+  if (!all) return failed(all.message(), options);
   if (options.json) {
     Json studies = Json::array();
     for (const Listed& listed : *all) studies.push_back(toJson(listed, options.series));

@@ -187,7 +187,7 @@ int work(const MeasureOptions& options, const std::vector<Shape>& shapes, const 
   if (!options.segments.empty())
     if (Status s = measureSegments(all, *opened, options, cancel); !s) return fail(s.message(), cancel);
   printNotes(opened ? opened->notes : unreadSentences(used));
-  if (opened) all["warnings"] = sentences(opened->loaded.warnings);
+  if (opened) all["warnings"] = opened->notes;
   all["unread"] = unreadJson(unread);
   std::cout << jsonText(all);
   return statusWith(unread);

@@ -1,14 +1,19 @@
 #include <fcntl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <QApplication>
+#include <QFileInfo>
+#include <QSettings>
 #include <QTimer>
 #include <filesystem>
 #include <memory>
 
 #include "app/command.h"
 #include "app/usage.h"
+#include "io/files/private_folder.h"
 #include "ui/british.h"
 #include "ui/controller/scene_files.h"
 #include "ui/main_window.h"
@@ -21,28 +26,67 @@ constexpr const char* noDisplay =
     "No display can be reached, so no window can be opened: set DISPLAY or WAYLAND_DISPLAY, or use "
     "`volumen render`, which needs no window.";
 
-// QGuiApplication ends the program where the display does not answer, so it is tried in a child process
-// first.
-bool displayAnswers() {
+bool needsDisplay() {
   const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
-  if (platform.startsWith("offscreen") || platform.startsWith("minimal") || platform.startsWith("vnc"))
-    return true;
-  if (platform.isEmpty() && qEnvironmentVariableIsEmpty("DISPLAY") &&
-      qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
-    return false;
-  const pid_t child = fork();
-  if (child < 0) return true;
-  if (child == 0) {
-    const int nowhere = ::open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDERR_FILENO);
+  return !platform.startsWith("offscreen") && !platform.startsWith("minimal") && !platform.startsWith("vnc");
+}
+
+bool namesDisplay() {
+  return !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") || !qEnvironmentVariableIsEmpty("DISPLAY") ||
+         !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+}
+
+// A child process that connects to the display, as QGuiApplication ends a program whose display does not
+// answer. It stays connected as long as this object lives: an X server that loses its only client starts
+// anew, and turns away who comes meanwhile.
+class DisplayProbe {
+ public:
+  DisplayProbe() {
+    int ends[2];
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return;
+    child_ = fork();
+    if (child_ == 0) {
+      ::close(ends[0]);
+      connectUntilClosed(ends[1]);
+    }
+    ::close(ends[1]);
+    socket_ = ends[0];
+    char answer = 0;
+    answers_ = child_ < 0 || ::read(socket_, &answer, 1) == 1;
+  }
+  DisplayProbe(const DisplayProbe&) = delete;
+  DisplayProbe& operator=(const DisplayProbe&) = delete;
+  ~DisplayProbe() {
+    if (socket_ >= 0) ::close(socket_);
+    if (child_ > 0) ::waitpid(child_, nullptr, 0);
+  }
+
+  bool answers() const { return answers_; }
+
+ private:
+  [[noreturn]] static void connectUntilClosed(int socket) {
+    dup2(::open("/dev/null", O_WRONLY | O_CLOEXEC), STDERR_FILENO);
     int argc = 1;
     char name[] = "volumen", *argv[] = {name, nullptr};
-    const QGuiApplication probe(argc, argv);
+    const QGuiApplication connected(argc, argv);
+    char byte = 0;
+    if (::write(socket, &byte, 1) == 1) (void)!::read(socket, &byte, 1);
     _exit(0);
   }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+
+  pid_t child_ = -1;
+  int socket_ = -1;
+  bool answers_ = true;
+};
+
+// The settings name the files that were opened last, and so patients.
+void keepSettingsPrivate() {
+  const QString file = QSettings().fileName();
+  if (!makePrivateFolder(QFile::encodeName(QFileInfo(file).path()).toStdString())) return;
+  const int fd = ::open(QFile::encodeName(file).constData(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  if (fd < 0) return;
+  ::fchmod(fd, S_IRUSR | S_IWUSR);
+  ::close(fd);
 }
 
 // The paths that are there; every other one is complained about.
@@ -72,13 +116,18 @@ int run(const OpenOptions& options, const CancelToken& cancel) {
     if (!read) return fail(read.message());
     scene = *read;
   }
-  if (!displayAnswers()) return fail(noDisplay);
+  if (needsDisplay() && !namesDisplay()) return fail(noDisplay);
+  std::optional<DisplayProbe> probe;
+  if (needsDisplay()) probe.emplace();
+  if (probe && !probe->answers()) return fail(noDisplay);
   int argc = 1;
   char name[] = "volumen", *argv[] = {name, nullptr};
   QApplication app(argc, argv);
+  probe.reset();
   QApplication::setOrganizationName(QStringLiteral("volumen"));
   QApplication::setApplicationName(QStringLiteral("volumen"));
   QApplication::setApplicationVersion(QStringLiteral(VOLUMEN_VERSION));
+  keepSettingsPrivate();
   speakBritish(app);
   MainWindow window(realServices());
   window.show();

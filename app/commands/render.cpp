@@ -313,7 +313,7 @@ class Run {
     if (options_.explain)
       told() << (times_.framesMs.empty() ? explain(done_.plan)
                                          : explain(done_.plan, effectCosts(done_.plan, done_.stats)));
-    if (options_.printScene) std::cout << sceneToJson(done_.plan.scene);
+    if (options_.printScene) std::cout << printableJson(sceneToJson(done_.plan.scene));
     if (options_.statsFile.empty()) return status;
     nlohmann::ordered_json stats = statsJson(done_, said_, times_, *volume_);
     stats["warnings"] = sentences(warnings_);

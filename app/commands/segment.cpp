@@ -115,11 +115,12 @@ void printJson(const SegmentNumbersTold& numbers, const Opened& opened, const Se
     all["recipe"] = nlohmann::ordered_json::parse(recipeJson(*source.recipe));
     all["recipeUnit"] = opened.series.unit;
   } else {
-    all["from"] = source.file;
+    all["from"] = pathForJson(source.file);
   }
   addSegments(all, numbers);
-  all["files"] = files;
-  all["warnings"] = sentences(opened.loaded.warnings);
+  all["files"] = nlohmann::ordered_json::array();
+  for (const std::string& file : files) all["files"].push_back(pathForJson(file));
+  all["warnings"] = opened.notes;
   all["unread"] = unreadJson(opened.loaded.unread);
   std::cout << jsonText(all);
 }

@@ -107,10 +107,10 @@ std::vector<std::string> notesOf(double largestError, const DicomSliceWriter& wr
   return notes;
 }
 
-// "out/" and "out" alike.
+// "out/" and "out" alike; of a link what it leads to.
 fs::path targetOf(const std::string& folder) {
   const fs::path target = fs::path(folder).lexically_normal();
-  return target.has_filename() ? target : target.parent_path();
+  return endOfLinks((target.has_filename() ? target : target.parent_path()).string());
 }
 
 fs::path parentOf(const fs::path& target) {

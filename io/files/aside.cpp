@@ -5,8 +5,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <mutex>
 #include <set>
 #include <string_view>
@@ -34,13 +36,26 @@ bool isLeft(const std::string& path) {
 
 }  // namespace
 
+std::string endOfLinks(const std::string& name) {
+  constexpr int mostLinks = 40;  // as the system follows
+  std::filesystem::path place = name;
+  std::error_code none;
+  for (int n = 0; n < mostLinks && std::filesystem::is_symlink(place, none); ++n)
+    place = place.parent_path() / std::filesystem::read_symlink(place, none);
+  return place.string();
+}
+
 void claimAside(int descriptor) { (void)::flock(descriptor, LOCK_EX | LOCK_NB); }
 
+// The umask is read, never changed and restored: files that another thread makes in between would be open to
+// all.
 mode_t rightsKept() {
   static const mode_t mask = [] {
-    const mode_t now = ::umask(0);
-    ::umask(now);
-    return now;
+    constexpr std::string_view key = "Umask:";
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+      if (line.starts_with(key)) return mode_t(std::strtoul(line.c_str() + key.size(), nullptr, 8));
+    return mode_t(077);
   }();
   return mask;
 }

@@ -9,6 +9,9 @@ namespace volumen {
 /// What is written stands under such a name, in the folder that it is for, until it is whole (mkstemp).
 inline constexpr const char* asideName = ".volumen-XXXXXX";
 
+/// Where a name leads: the end of its symbolic links, whether something is there or not.
+std::string endOfLinks(const std::string& name);
+
 /// Keeps other programs from taking an open file or folder of that name for one that was left behind.
 void claimAside(int descriptor);
 

@@ -9,7 +9,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 #include "io/files/aside.h"
 
@@ -17,18 +16,14 @@ namespace volumen {
 
 struct OutputFile::State {
   std::string path;
-  std::string target;  // what is replaced: of a link what it leads to
+  std::string target;  // what is replaced: the end of links
   std::string aside;   // empty: nothing is there
   int fd = -1;
   bool gzip = false;
   z_stream stream{};
   std::array<Bytef, 1 << 16> packed{};
 
-  explicit State(const std::string& name) : path(name) {
-    std::error_code none;
-    const std::filesystem::path real = std::filesystem::canonical(name, none);
-    target = none ? name : real.string();
-  }
+  explicit State(const std::string& name) : path(name), target(endOfLinks(name)) {}
   ~State() {
     if (gzip) deflateEnd(&stream);
     if (fd >= 0) ::close(fd);
@@ -63,7 +58,8 @@ namespace {
 // Why nothing can be written in place of what is there; empty: it can.
 std::string obstacle(const std::string& target) {
   struct stat there {};
-  if (::stat(target.c_str(), &there) != 0) return {};
+  if (::lstat(target.c_str(), &there) != 0) return {};
+  if (S_ISLNK(there.st_mode)) return "its links lead in a circle";
   if (S_ISDIR(there.st_mode)) return "it is a folder";
   if (!S_ISREG(there.st_mode)) return "it is a pipe or a device, and only files are written";
   return ::access(target.c_str(), W_OK) == 0 ? "" : "no permission to write there";

@@ -10,7 +10,7 @@ namespace volumen {
 
 /// A file that appears whole or not at all: written aside in the same folder, renamed by commit(). Without
 /// commit() (an error, a cancelled command) nothing is left. Its name may be any bytes; what stands there
-/// already is replaced where it is a file.
+/// already is replaced where it is a file. Symbolic links stay: what they lead to is written.
 class OutputFile {
  public:
   /// The Error, "Cannot write PATH: no such folder.", also says where it cannot be made at all; whoever asks

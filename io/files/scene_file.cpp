@@ -1,9 +1,8 @@
 #include "io/files/scene_file.h"
 
-#include <QBuffer>
-#include <QImageReader>
-
+#include "io/files/picture_text.h"
 #include "io/regular_file.h"
+#include "io/worker/call.h"
 
 namespace volumen {
 
@@ -12,32 +11,42 @@ namespace {
 // A scene is a few kilobytes; in a picture it stands before the pixels.
 constexpr std::uint64_t mostSceneBytes = 16 << 20;
 
-// Empty: not a kind of picture that we write.
-QByteArray pictureFormat(const QByteArray& bytes) {
-  if (bytes.startsWith("\x89PNG\r\n\x1a\n")) return "png";
-  if (bytes.startsWith("\xff\xd8\xff")) return "jpeg";
-  return {};
+// The first bytes of a file. The Error is a reason.
+Result<std::vector<std::uint8_t>> beginningOf(const RegularFile& file) {
+  std::vector<std::uint8_t> content;
+  if (Status s = file.readUpTo(content, mostSceneBytes); !s) return s.error();
+  return content;
+}
+
+// Empty: the picture holds none.
+Result<std::string> sceneInPicture(const std::string& path) {
+  const auto file = RegularFile::open(path);
+  if (!file) return file.error();
+  const auto content = beginningOf(*file);
+  if (!content) return content.error();
+  return textInPicture(*content, "volumen-scene", mostSceneBytes);
 }
 
 }  // namespace
 
 Result<std::string> sceneText(const std::string& path) {
+  const auto cannotRead = [&](const std::string& why) {
+    return Error{"Cannot read the scene " + path + ": " + why + "."};
+  };
   const auto file = RegularFile::open(path);
-  if (!file) return Error{"Cannot read the scene " + path + ": " + file.message() + "."};
-  std::vector<std::uint8_t> content;
-  if (Status s = file->readUpTo(content, mostSceneBytes); !s)
-    return Error{"Cannot read the scene " + path + ": " + s.message() + "."};
-  QByteArray bytes(reinterpret_cast<const char*>(content.data()), qsizetype(content.size()));
-  const QByteArray format = pictureFormat(bytes);
-  if (format.isEmpty()) {
+  if (!file) return cannotRead(file.message());
+  const auto content = beginningOf(*file);
+  if (!content) return cannotRead(content.message());
+  if (!isPicture(*content)) {
     if (file->size() > mostSceneBytes) return Error{path + " is no scene: it is larger than 16 MB."};
-    return bytes.toStdString();
+    return std::string(content->begin(), content->end());
   }
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::ReadOnly);
-  const QString scene = QImageReader(&buffer, format).text(QStringLiteral("volumen-scene"));
-  if (scene.isEmpty()) return Error{path + " holds no scene."};
-  return scene.toStdString();
+  worker::Request request{.files = {path}, .needBytes = 2 * mostSceneBytes, .mostBytes = 2 * mostSceneBytes};
+  worker::Failure failure{};
+  const auto scene = worker::isolated<sceneInPicture>(request, failure, path);
+  if (!scene) return cannotRead(scene.message());
+  if (scene->empty()) return Error{path + " holds no scene."};
+  return *scene;
 }
 
 }  // namespace volumen

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "io/files/output_file.h"
+#include "io/files/private_folder.h"
 #include "io/index/same_bytes.h"
 #include "io/index/schema.h"
 #include "io/open.h"
@@ -102,16 +103,17 @@ void copySeries(const FoundSeries& series, const std::string& managed, const Can
 
 }  // namespace
 
-Copies copyStudies(const std::vector<ImportRoot>& roots, const std::string& managedFolder,
-                   const Progress& progress, const CancelToken& cancel) {
+Copies copyStudies(const std::vector<ImportRoot>& roots, const std::string& indexFolder,
+                   const std::string& managedFolder, const Progress& progress, const CancelToken& cancel) {
   Copies copies;
   std::vector<std::string> paths;
   for (const ImportRoot& root : roots) {
-    const Result<FilesBelow> below = filesBelow(root, cancel);
+    const Result<FilesBelow> below = filesBelow(root, indexFolder, cancel);
     if (!below) {
       copies.status = below.error();
       return copies;
     }
+    if (below->files.empty() && below->unreadable.empty()) copies.empty.push_back(root.path);
     for (const FileOnDisk& file : below->files) paths.push_back(file.path());
     for (const UnreadableOnDisk& file : below->unreadable)
       copies.refused.push_back({file.entry.path(), file.reason});
@@ -123,8 +125,13 @@ Copies copyStudies(const std::vector<ImportRoot>& roots, const std::string& mana
         paths.begin() + std::ptrdiff_t(std::min(n + batchSize, paths.size())));
     const Result<ReadFiles> read = readFiles(batch, {}, cancel);
     if (!read) break;  // it was cancelled
-    for (const ReadSeries& series : read->series) copySeries(series, managedFolder, cancel, copies);
+    std::size_t images = 0;
+    for (const ReadSeries& series : read->series) {
+      images += series.files.size();
+      copySeries(series, managedFolder, cancel, copies);
+    }
     copies.refused.insert(copies.refused.end(), read->refused.begin(), read->refused.end());
+    copies.notImages += std::max(0, int(batch.size()) - int(images + read->refused.size()));
   }
   return copies;
 }

@@ -1,14 +1,18 @@
 #include "io/index/database.h"
 
+#include <QDir>
 #include <QFile>
 #include <QSqlError>
+#include <QUrl>
 #include <atomic>
+#include <filesystem>
 
 namespace volumen {
 namespace {
 
 /// SQLite's result codes (sqlite.org/rescode.html), without their extensions.
 enum Code {
+  wrongStatement = 1,
   busy = 5,
   locked = 6,
   readOnly = 8,
@@ -33,11 +37,19 @@ std::string reasonOf(const QSqlError& error) {
       return "it cannot be written; check the rights of its folder";
     case corrupt:
     case notADatabase:
-      return "it is damaged; it is made anew when it is opened again";
+      return "it is damaged; `volumen import PATH` makes it anew";
     case ioError:
       return "the disk is full or fails; what was written before is kept";
+    case wrongStatement:
+      break;
   }
   return error.text().toStdString();
+}
+
+/// Whether a program has it open to write: as long as one does, there is a log beside it.
+bool isBeingWritten(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::exists(path + "-wal", none);
 }
 
 QString newConnectionName() {
@@ -54,13 +66,21 @@ bool Rows::next() {
   return false;
 }
 
-Result<std::unique_ptr<Database>> Database::open(const std::string& path) {
+Result<std::unique_ptr<Database>> Database::open(const std::string& path, Access access) {
   if (!QSqlDatabase::isDriverAvailable(QStringLiteral("QSQLITE")))
     return Error{"Cannot open the index: Qt's driver for SQLite is missing; install libqt6sql6-sqlite."};
-  std::unique_ptr<Database> database(new Database(path, newConnectionName()));
+  std::unique_ptr<Database> database(new Database(path, newConnectionName(), access));
   QSqlDatabase connection = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), database->name_);
-  connection.setDatabaseName(QFile::decodeName(path.c_str()));
-  connection.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000"));
+  QString name = QFile::decodeName(path.c_str()), options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000");
+  if (access == Access::read) options += QStringLiteral(";QSQLITE_OPEN_READONLY");
+  if (access == Access::read && !isBeingWritten(path)) {
+    // Else SQLite would make files beside it, which it cannot.
+    name = QUrl::fromLocalFile(QDir().absoluteFilePath(name)).toString(QUrl::FullyEncoded) +
+           QStringLiteral("?immutable=1");
+    options += QStringLiteral(";QSQLITE_OPEN_URI");
+  }
+  connection.setDatabaseName(name);
+  connection.setConnectOptions(options);
   if (!connection.open())
     return Error{"Cannot open the index " + path + ": " + reasonOf(connection.lastError()) + "."};
   return database;
@@ -100,7 +120,10 @@ void Database::runOnce(const std::string& sql) {
 void Database::noteFailure(const QSqlQuery& query) {
   if (failed()) return;
   const Code code = codeOf(query.lastError());
-  failure_ = code == corrupt || code == notADatabase ? Failure::damaged : Failure::other;
+  failure_ = code == corrupt || code == notADatabase ? Failure::damaged
+             : code == wrongStatement                ? Failure::refused
+                                                     : Failure::other;
+  wasDamaged_ = wasDamaged_ || damaged();
   sentence_ = "The index " + path_ + " failed: " + reasonOf(query.lastError()) + ".";
 }
 

@@ -50,13 +50,16 @@ class Rows {
 /// nothing and gives no rows, until takeStatus().
 class Database {
  public:
-  /// Opens the file, or makes it. Nothing is read yet.
-  static Result<std::unique_ptr<Database>> open(const std::string& path);
+  enum class Access { write, read };  ///< write: the file is made where it is not there
+
+  /// Opens the file. Nothing is read yet.
+  static Result<std::unique_ptr<Database>> open(const std::string& path, Access access = Access::write);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
   const std::string& path() const { return path_; }
+  bool canWrite() const { return access_ == Access::write; }
 
   /// Runs a statement; `sql` must live as long as the connection (it is prepared once).
   template <class... Values>
@@ -79,6 +82,10 @@ class Database {
   bool failed() const { return failure_ != Failure::none; }
   /// Whether the failure is that the file is no database or a damaged one.
   bool damaged() const { return failure_ == Failure::damaged; }
+  /// Whether any failure so far was that.
+  bool wasDamaged() const { return wasDamaged_; }
+  /// Whether the failure is that SQLite does not know what a statement names, or the form of the file.
+  bool refused() const { return failure_ == Failure::refused; }
   /// Whether all went well since the last call; forgets the failure.
   Status takeStatus();
 
@@ -90,9 +97,10 @@ class Database {
   void noteFailure(const QSqlQuery& query);
 
  private:
-  enum class Failure { none, damaged, other };
+  enum class Failure { none, damaged, refused, other };
 
-  Database(std::string path, QString name) : path_(std::move(path)), name_(std::move(name)) {}
+  Database(std::string path, QString name, Access access)
+      : path_(std::move(path)), name_(std::move(name)), access_(access) {}
   QSqlQuery* prepared(const char* sql);
   Rows executed(QSqlQuery* query);
 
@@ -108,8 +116,10 @@ class Database {
 
   std::string path_;
   QString name_;  // of the connection
+  Access access_;
   std::map<const char*, QSqlQuery> statements_;
   Failure failure_ = Failure::none;
+  bool wasDamaged_ = false;
   std::string sentence_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "io/dicom/directory.h"
 #include "io/files/session_file.h"
+#include "io/index/schema.h"
 #include "io/walk.h"
 #include "io/zip_archive.h"
 
@@ -46,7 +47,8 @@ Result<ImportRoot> importRoot(const std::string& path) {
   return ImportRoot{real.string(), false};
 }
 
-Result<FilesBelow> filesBelow(const ImportRoot& root, const CancelToken& cancel) {
+Result<FilesBelow> filesBelow(const ImportRoot& root, const std::string& indexFolder,
+                              const CancelToken& cancel) {
   Result<FoundFiles> found = findFiles(root.path, cancel, root.inside ? Links::inside : Links::files);
   if (!found) return found.error();
   FilesBelow below;
@@ -57,11 +59,13 @@ Result<FilesBelow> filesBelow(const ImportRoot& root, const CancelToken& cancel)
   };
   for (const auto& [path, reason, elsewhere] : found->unreadable)
     below.unreadable.push_back({onDisk(path), reason + ".", elsewhere});
+  const std::string ownFolder = folders.of(indexFolder);
   for (const std::string& path : found->files) {
     const std::optional<FileState> state = fileState(path);
-    if (!state) continue;  // it has just gone
-    below.files.push_back(onDisk(path));
-    below.files.back().state = *state;
+    FileOnDisk file = onDisk(path);
+    if (!state || (file.folder == ownFolder && isFileOfIndex(file.name))) continue;  // none: it has just gone
+    file.state = *state;
+    below.files.push_back(std::move(file));
   }
   return below;
 }

@@ -32,8 +32,9 @@ struct FilesBelow {
   std::vector<UnreadableOnDisk> unreadable;
 };
 
-/// Looks at every file below a root once, whatever links lead to it.
-Result<FilesBelow> filesBelow(const ImportRoot& root, const CancelToken& cancel);
+/// Looks at every file below a root once, whatever links lead to it, but for the files of the index itself.
+Result<FilesBelow> filesBelow(const ImportRoot& root, const std::string& indexFolder,
+                              const CancelToken& cancel);
 
 /// Whether a file is there, whatever it is.
 bool exists(const std::string& path);

@@ -1,6 +1,7 @@
 #include "io/index/import.h"
 
 #include <QDateTime>
+#include <algorithm>
 
 namespace volumen {
 namespace {
@@ -45,10 +46,11 @@ Status Import::importBelow(const ImportRoot& root) {
   if (progress_) progress_("looking for files", 0, 0);
   // Known first: what another program adds in the meantime is not taken for gone.
   learn(root.path);
-  Result<FilesBelow> below = filesBelow(root, cancel_);
+  Result<FilesBelow> below = filesBelow(root, indexFolder_, cancel_);
   if (!below) return below.error();
   if (cancel_.cancelled()) return db_.takeStatus();
-  report_.files += int(below->files.size());
+  report_.files += int(below->files.size() + below->unreadable.size());
+  if (below->files.empty() && below->unreadable.empty()) report_.empty.push_back(root.path);
   for (const UnreadableOnDisk& file : below->unreadable)
     report_.refused.push_back({file.entry.path(), file.reason});
   const Compared compared = compare(below->files);
@@ -67,7 +69,8 @@ void Import::learn(const std::string& root) {
   const std::string below = root == "/" ? root : root + "/", behind = root == "/" ? "0" : root + "0";
   for (Rows rows = db_.run(
            "SELECT d.path, f.name, f.id, f.series_id, s.study_id, d.device, f.size, f.mtime_ns, f.ctime_ns,"
-           " f.inode, f.device, f.reason, f.program, t.forgotten_at <> '' FROM folder d JOIN file f ON"
+           " f.inode, f.device, f.reason, f.program, t.forgotten_at <> '', f.no_image FROM folder d JOIN "
+           "file f ON"
            " f.folder_id = d.id LEFT JOIN series s ON s.id = f.series_id LEFT JOIN study t ON t.id ="
            " s.study_id WHERE d.path = ? OR (d.path >= ? AND d.path < ?) OR (d.path = ? AND f.name = ?)",
            Blob{root}, Blob{below}, Blob{behind}, Blob{folder}, Blob{name});
@@ -79,6 +82,7 @@ void Import::learn(const std::string& root) {
                 {rows.number(6), rows.number(7), rows.number(8), rows.number(9), rows.number(10)},
                 rows.text(11),
                 rows.text(12),
+                rows.number(14) != 0,
                 rows.number(13) != 0,
                 false,
                 rows.bytes(0)};
@@ -105,9 +109,13 @@ Import::Compared Import::compare(const std::vector<FileOnDisk>& files) {
       compared.toRead.push_back(file);
       continue;
     }
-    if (!was.reason.empty()) report_.refused.push_back({file.path(), was.reason});
     if (was.forgotten) compared.comeBack.insert(was.study);
-    if (was.series) ++(was.forgotten ? report_.added : report_.unchanged);
+    if (was.series)
+      ++(was.forgotten ? report_.added : report_.unchanged);
+    else if (was.reason.empty() || was.noImage)
+      ++report_.notImages;
+    else
+      report_.refused.push_back({file.path(), was.reason});
   }
   return compared;
 }
@@ -160,18 +168,22 @@ Status Import::readBatch(const Batch& batch, std::size_t done, std::size_t total
   writer_.write(batch, *read);
   writer_.finish();
   if (Status written = db_.commit(); !written) return written;
-  count(*read);
+  count(batch, *read);
   return {};
 }
 
-void Import::count(const ReadFiles& read) {
-  for (const ReadSeries& series : read.series)
+void Import::count(const Batch& batch, const ReadFiles& read) {
+  std::size_t images = 0;
+  for (const ReadSeries& series : read.series) {
+    images += series.files.size();
     for (const FoundFile& file : series.files) {
       const auto known = known_.find(file.path);
       const bool isNew = known == known_.end() || known->second.series == 0;
       ++(isNew ? report_.added : report_.changed);
     }
+  }
   report_.refused.insert(report_.refused.end(), read.refused.begin(), read.refused.end());
+  report_.notImages += std::max(0, int(batch.size()) - int(images + read.refused.size()));
 }
 
 /// What beside files could not even be looked at, as long as it is there.
@@ -180,7 +192,7 @@ Status Import::writeUnreadable(const FilesBelow& below) {
   for (const auto& [entry, reason, elsewhere] : below.unreadable) {
     if (elsewhere) continue;
     const auto known = known_.find(entry.path());
-    if (known == known_.end() || known->second.reason.empty()) writer_.writeOther(entry, reason);
+    if (known == known_.end() || known->second.reason.empty()) writer_.writeOther(entry, reason, true);
     if (known != known_.end()) known->second.seen = true;
   }
   writer_.finish();

@@ -18,9 +18,16 @@ namespace volumen {
 /// written in parts are marked, and read as a whole in the end (or by the next import).
 class Import {
  public:
-  /// `again`: files that were refused are read again.
-  Import(Database& db, const Progress& progress, const CancelToken& cancel, bool again)
-      : db_(db), progress_(progress), cancel_(cancel), again_(again), writer_(db) {}
+  /// `indexFolder`: the one of the index, whose own files are passed over. `again`: files that were refused
+  /// are read again.
+  Import(Database& db, const std::string& indexFolder, const Progress& progress, const CancelToken& cancel,
+         bool again)
+      : db_(db),
+        indexFolder_(indexFolder),
+        progress_(progress),
+        cancel_(cancel),
+        again_(again),
+        writer_(db) {}
 
   Result<ImportReport> run(const std::vector<ImportRoot>& roots);
 
@@ -29,8 +36,8 @@ class Import {
   struct Known {
     std::int64_t id = 0, series = 0, study = 0, folderDevice = 0;
     FileState state;
-    std::string reason, program;  // of a refusal
-    bool forgotten = false, seen = false;
+    std::string reason, program;  // of a refusal, or of what a series lacks
+    bool noImage = false, forgotten = false, seen = false;
     std::string folder;
   };
 
@@ -47,7 +54,7 @@ class Import {
   Status writeCompared(const Compared& compared);
   Status readNew(const std::vector<FileOnDisk>& files);
   Status readBatch(const std::vector<FileOnDisk>& files, std::size_t done, std::size_t total);
-  void count(const ReadFiles& read);
+  void count(const std::vector<FileOnDisk>& batch, const ReadFiles& read);
   Status writeUnreadable(const FilesBelow& below);
   Status writeGone();
   Status readStale();
@@ -59,6 +66,7 @@ class Import {
   Status purge();
 
   Database& db_;
+  const std::string& indexFolder_;
   const Progress& progress_;
   const CancelToken& cancel_;
   bool again_;

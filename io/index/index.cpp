@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <set>
 
+#include "io/files/private_folder.h"
 #include "io/index/copies.h"
 #include "io/index/import.h"
 #include "io/index/query.h"
@@ -103,14 +104,18 @@ Index::Index(std::unique_ptr<Private> p) : p_(std::move(p)) {}
 Index::Index(Index&&) noexcept = default;
 Index::~Index() = default;
 
-Result<Index> Index::open(const std::string& folder) {
-  Result<OpenedDatabase> opened = openIndexDatabase(folder);
+Result<Index> Index::open(const std::string& folder) { return made(folder, openIndexDatabase(folder)); }
+
+Result<Index> Index::openAsItIs(const std::string& folder) { return made(folder, openIndexAsItIs(folder)); }
+
+Result<Index> Index::made(const std::string& folder, Result<OpenedDatabase> opened) {
   if (!opened) return opened.error();
   auto p = std::make_unique<Private>();
   p->folder = folder;
   p->notice = std::move(opened->notice);
   p->db = std::move(opened->database);
-  if (Status found = findMovedCopies(*p->db, folder); !found) return found.error();
+  if (p->db->canWrite())
+    if (Status found = findMovedCopies(*p->db, folder); !found) return found.error();
   return Index(std::move(p));
 }
 
@@ -120,7 +125,21 @@ Result<ImportReport> Index::import(const std::vector<std::string>& paths, const 
                                    const CancelToken& cancel, bool again) {
   const Result<std::vector<ImportRoot>> roots = rootsOf(paths);
   if (!roots) return roots.error();
-  return Import(*p_->db, progress, cancel, again).run(*roots);
+  return importBelow(*roots, progress, cancel, again);
+}
+
+Result<ImportReport> Index::importBelow(const std::vector<ImportRoot>& roots, const Progress& progress,
+                                        const CancelToken& cancel, bool again) {
+  const auto import = [&] { return Import(*p_->db, p_->folder, progress, cancel, again).run(roots); };
+  Result<ImportReport> report = import();
+  if (report || !p_->db->wasDamaged()) return report;
+  // What a quick look does not find turned up on the way.
+  p_->db.reset();
+  Result<OpenedDatabase> mended = openIndexDatabase(p_->folder, Check::full);
+  if (!mended) return mended.error();
+  p_->notice = std::move(mended->notice);
+  p_->db = std::move(mended->database);
+  return import();
 }
 
 Result<ImportReport> Index::importCopies(const std::vector<std::string>& paths,
@@ -129,16 +148,19 @@ Result<ImportReport> Index::importCopies(const std::vector<std::string>& paths,
   const Result<std::vector<ImportRoot>> roots = rootsOf(paths);
   if (!roots) return roots.error();
   if (Status made = makePrivateFolder(managedFolder); !made) return made.error();
-  const Copies copies = copyStudies(*roots, managedFolder, progress, cancel);
+  const Copies copies = copyStudies(*roots, p_->folder, managedFolder, progress, cancel);
   // What was copied is in the index, too, where the copying ended early.
   std::set<std::string> folders;
   for (const std::string& file : copies.files) folders.insert(file.substr(0, file.find_last_of('/')));
   const Result<std::vector<ImportRoot>> copied = rootsOf({folders.begin(), folders.end()});
   if (!copied) return copied.error();
-  Result<ImportReport> report = Import(*p_->db, progress, cancel, false).run(*copied);
+  Result<ImportReport> report = importBelow(*copied, progress, cancel, false);
   if (!copies.status) return copies.status.error();
   if (!report) return report;
+  report->files += int(copies.refused.size()) + copies.notImages;
+  report->notImages += copies.notImages;
   report->refused.insert(report->refused.end(), copies.refused.begin(), copies.refused.end());
+  report->empty = copies.empty;
   return report;
 }
 

@@ -12,6 +12,9 @@
 
 namespace volumen {
 
+struct ImportRoot;
+struct OpenedDatabase;
+
 /// A series of the index. Pictures that are no volume count, too.
 struct IndexedSeries {
   std::int64_t id = 0;  ///< in the index
@@ -51,15 +54,17 @@ struct StudyQuery {
   int limit = 0;  ///< 0: all
 };
 
-/// How an import went.
+/// How an import went. Each file is added, changed, unchanged, no image or refused.
 struct ImportReport {
-  int files = 0;      ///< looked at
+  int files = 0;      ///< found, and what could not be looked at
   int added = 0;      ///< instances that are new
   int changed = 0;    ///< read again: they were others than the index knew
   int unchanged = 0;  ///< not read again
+  int notImages = 0;  ///< in no series
   int gone = 0;       ///< known below the path, and no longer there
   std::vector<Refused> refused;
-  bool cancelled = false;  ///< what was done until then is kept; the next import goes on from there
+  std::vector<std::string> empty;  ///< of the paths those where no file was found
+  bool cancelled = false;          ///< what was done until then is kept; the next import goes on from there
 };
 
 /// What the progress of an import says in its end, when studies are counted and not files: where those were
@@ -78,10 +83,13 @@ class Index {
   /// that is damaged or of a newer program is renamed aside, and a new one is made: `notice()` says so. An
   /// Error where the folder cannot be written.
   static Result<Index> open(const std::string& folder);
+  /// Opens the index that is in `folder` to ask it, also where it cannot be written: nothing is made or
+  /// renamed. An Error where there is none, and where it is damaged or of a newer program.
+  static Result<Index> openAsItIs(const std::string& folder);
   Index(Index&&) noexcept;
   ~Index();
 
-  /// What a user should be told once after opening; empty: nothing.
+  /// What a user should be told once after opening, or after an import; empty: nothing.
   const std::string& notice() const;
 
   /// Reads all below each of `paths` into the index, by reference; a folder's files that are gone leave it.
@@ -113,6 +121,9 @@ class Index {
  private:
   struct Private;
   explicit Index(std::unique_ptr<Private> p);
+  static Result<Index> made(const std::string& folder, Result<OpenedDatabase> opened);
+  Result<ImportReport> importBelow(const std::vector<ImportRoot>& roots, const Progress& progress,
+                                   const CancelToken& cancel, bool again);
   std::unique_ptr<Private> p_;
 };
 

@@ -67,7 +67,7 @@ Result<std::vector<std::string>> filesOf(const std::string& named) {
   std::error_code ignored;
   if (folder.empty() || !std::filesystem::exists(folder + "/index.sqlite", ignored))
     return Error{"There is no index yet: `volumen import PATH` makes it."};
-  const Result<Index> index = Index::open(folder);
+  const Result<Index> index = Index::openAsItIs(folder);
   if (!index) return index.error();
   const std::size_t slash = named.find('/');
   const Result<IndexedStudy> study = findStudy(*index, named.substr(0, slash));

@@ -45,15 +45,19 @@ std::vector<std::string> unnamed(const std::vector<std::string>& paths, const St
   return rest;
 }
 
-/// What was refused, and what else is lost of series or may be: it is told with them as long as it is there.
-std::vector<Refused> refusedOf(const Study& study) {
-  std::vector<Refused> all = study.refused;
-  std::unordered_set<std::string> known;
-  for (const Refused& file : all) known.insert(file.path);
+/// Adds what was refused, and what else is lost of series or may be: it is told with them as long as it is
+/// there, in the words that the study has for it.
+void addRefused(const Study& study, ReadFiles& read) {
+  std::unordered_set<std::string> known, others;
+  for (const ReadSeries& series : read.series)
+    for (const FoundFile& file : series.files) known.insert(file.path);
+  for (const Other& other : study.other) others.insert(other.path);
+  for (const Refused& file : study.refused)
+    if (known.insert(file.path).second) read.refused.push_back(file);
   for (const Series& volume : study.volumes)
     for (const Unread& file : volume.unread)
-      if (known.insert(file.path).second) all.push_back(file);
-  return all;
+      if (known.insert(file.path).second)
+        (others.contains(file.path) ? read.lacking : read.refused).push_back(file);
 }
 
 }  // namespace
@@ -82,7 +86,7 @@ Result<ReadFiles> readFiles(const std::vector<std::string>& paths, const Progres
       if (Result<FurtherIdentity> found = furtherIdentity(s.files[0].path)) further = std::move(*found);
     read.series.push_back({std::move(s), std::move(further)});
   }
-  read.refused = refusedOf(*study);
+  addRefused(*study, read);
   return read;
 }
 

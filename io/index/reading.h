@@ -36,7 +36,9 @@ struct ReadSeries : FoundSeries {
 /// What files hold, in the words of the index.
 struct ReadFiles {
   std::vector<ReadSeries> series;
-  std::vector<Refused> refused;  ///< also what is lost of series without being refused (Series::unread)
+  std::vector<Refused> refused;  ///< in no series; also pictures that series had to leave out
+  std::vector<Refused>
+      lacking;  ///< no images, which series lack all the same: as their slices are named, ...
 };
 
 /// Opens files as openFiles does. An Error only where it was cancelled.

@@ -8,16 +8,21 @@
 #include <QThread>
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "io/files/lock_file.h"
+#include "io/files/private_folder.h"
+#include "io/index/files_below.h"
 
 namespace volumen {
 namespace {
 
 constexpr std::int64_t applicationId = 0x766f6c75;  // "volu"
+constexpr const char* lockName = "index.lock";
 
-const std::array<SchemaStep, 3> indexSchema{
+const std::array<SchemaStep, 4> indexSchema{
     SchemaStep{
         "CREATE TABLE folder(id INTEGER PRIMARY KEY, path BLOB NOT NULL UNIQUE, device INTEGER NOT NULL)",
         "CREATE TABLE study(id INTEGER PRIMARY KEY, key BLOB NOT NULL UNIQUE, uid TEXT NOT NULL,"
@@ -50,7 +55,9 @@ const std::array<SchemaStep, 3> indexSchema{
         "CREATE INDEX file_refused ON file(folder_id) WHERE reason <> ''",
     },
     // NULL: not known yet; the next import reads it (Import::readInstitutions).
-    SchemaStep{"ALTER TABLE study ADD COLUMN institution TEXT"}};
+    SchemaStep{"ALTER TABLE study ADD COLUMN institution TEXT"},
+    // A file that is no image, though a series lacks it, is told as such and not as refused.
+    SchemaStep{"ALTER TABLE file ADD COLUMN no_image INTEGER NOT NULL DEFAULT 0"}};
 
 const std::array<SchemaStep, 1> thumbnailSchema{SchemaStep{
     "CREATE TABLE thumbnail(key BLOB PRIMARY KEY, made_of BLOB NOT NULL, png BLOB NOT NULL) WITHOUT ROWID"}};
@@ -65,21 +72,54 @@ bool isCutOff(Database& db) {
   return !error && page > 0 && size % std::uintmax_t(page) != 0 && (noLog || log == 0);
 }
 
+/// Whether the header says that the file may be written: SQLite takes what it does not know for a reason not
+/// to.
+bool isWritableForm(const std::string& path) {
+  constexpr std::size_t writeVersionAt = 18;
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 20> head{};
+  file.read(head.data(), head.size());
+  return file && head[writeVersionAt] >= 1 && head[writeVersionAt] <= 2;
+}
+
+/// What a database says of its tables and indexes, without the spaces in it.
+std::vector<std::string> tablesOf(Database& db) {
+  std::vector<std::string> all;
+  for (Rows rows = db.run("SELECT type, name, tbl_name, IFNULL(sql, '') FROM sqlite_master ORDER BY name");
+       rows.next();) {
+    std::string text;
+    for (int column = 0; column < 4; ++column) text += rows.text(column) + '|';
+    std::erase(text, ' ');
+    all.push_back(std::move(text));
+  }
+  return all;
+}
+
+/// The same of one that has just been made by these steps.
+std::vector<std::string> tablesMadeBy(std::span<const SchemaStep> steps) {
+  const Result<std::unique_ptr<Database>> db = Database::open(":memory:");
+  if (!db) return {};
+  for (const SchemaStep& step : steps)
+    for (const char* statement : step) (*db)->run(statement);
+  return tablesOf(**db);
+}
+
 enum class Health { good, outdated, newer, damaged, unknown };
 
 /// unknown: the database has failed for a reason that is no fault of the file's.
-Health examine(Database& db, std::size_t newest) {
+Health examine(Database& db, std::span<const SchemaStep> steps, Check check) {
   const std::int64_t id = db.number("PRAGMA application_id");
   const std::int64_t version = db.number("PRAGMA user_version");
-  const std::int64_t tables = db.number("SELECT COUNT(*) FROM sqlite_master");
+  const std::vector<std::string> tables = tablesOf(db);
   bool whole = false;
-  if (Rows check = db.run("PRAGMA quick_check(1)"); check.next()) whole = check.text(0) == "ok";
-  if (db.failed()) return db.damaged() ? Health::damaged : Health::unknown;
-  if (!whole || isCutOff(db)) return Health::damaged;
-  if (id == 0 && version == 0 && tables == 0) return Health::outdated;
-  if (id != applicationId) return Health::damaged;
-  if (version > std::int64_t(newest)) return Health::newer;
-  return version == std::int64_t(newest) ? Health::good : Health::outdated;
+  if (Rows found = db.run(check == Check::quick ? "PRAGMA quick_check(1)" : "PRAGMA integrity_check(1)");
+      found.next())
+    whole = found.text(0) == "ok";
+  if (db.failed()) return db.damaged() || db.refused() ? Health::damaged : Health::unknown;
+  if (!whole || isCutOff(db) || !isWritableForm(db.path()) || id != applicationId) return Health::damaged;
+  if (version > std::int64_t(steps.size())) return Health::newer;
+  if (version < 1 || tables != tablesMadeBy(steps.first(std::size_t(version)))) return Health::damaged;
+  return version == std::int64_t(steps.size()) ? Health::good : Health::outdated;
 }
 
 Status update(Database& db, std::span<const SchemaStep> steps) {
@@ -122,7 +162,7 @@ Status setAside(const std::string& path, const std::string& name) {
 /// Waits for another program that repairs, makes or updates a database here: some seconds, no more.
 std::optional<LockFile> lockOf(const std::string& folder) {
   for (int n = 0; n < 2000; ++n) {
-    if (std::optional<LockFile> lock = LockFile::take(folder + "/index.lock")) return lock;
+    if (std::optional<LockFile> lock = LockFile::take(folder + "/" + lockName)) return lock;
     QThread::msleep(5);
   }
   return {};
@@ -133,10 +173,11 @@ struct Examined {
   Health health;
 };
 
-Result<Examined> openAndExamine(const std::string& path, std::size_t newest) {
-  Result<std::unique_ptr<Database>> opened = Database::open(path);
+Result<Examined> openAndExamine(const std::string& path, std::span<const SchemaStep> steps, Check check,
+                                Database::Access access = Database::Access::write) {
+  Result<std::unique_ptr<Database>> opened = Database::open(path, access);
   if (!opened) return opened.error();
-  const Health health = examine(**opened, newest);
+  const Health health = examine(**opened, steps, check);
   const Status status = (*opened)->takeStatus();
   if (health == Health::unknown) return status.error();
   return Examined{std::move(*opened), health};
@@ -152,41 +193,68 @@ Result<std::string> replace(const std::string& path, Health health) {
          ": it was renamed to " + aside + ", and a new one was made. Import your folders again.";
 }
 
-/// Makes of what was found a database that can be used. Only one program at a time does so.
-Result<OpenedDatabase> repaired(const std::string& folder, const std::string& path,
-                                std::span<const SchemaStep> steps) {
+/// Makes a database, which gets its name when it is whole: one without tables is a damaged one.
+Status make(const std::string& path, std::span<const SchemaStep> steps) {
+  const std::string aside = path + ".new";
+  std::error_code error;
+  for (const char* part : {"", "-journal"}) std::filesystem::remove(aside + part, error);
+  {
+    const Result<std::unique_ptr<Database>> db = Database::open(aside);
+    if (!db) return db.error();
+    if (Status made = update(**db, steps); !made) return made;
+  }
+  chmod(aside.c_str(), S_IRUSR | S_IWUSR);  // it names patients; its log takes the same rights
+  if (std::rename(aside.c_str(), path.c_str()) != 0)
+    return Error{"Cannot make the index " + path + ": " + std::strerror(errno) + "."};
+  return {};
+}
+
+/// Makes of what is there, or not there, a database that can be used. Only one program at a time does so.
+Result<OpenedDatabase> mended(const std::string& folder, const std::string& path,
+                              std::span<const SchemaStep> steps, Check check) {
   const std::optional<LockFile> lock = lockOf(folder);
   OpenedDatabase out;
-  Result<Examined> found = openAndExamine(path, steps.size());
-  if (found && (found->health == Health::newer || found->health == Health::damaged)) {
+  if (exists(path)) {
+    Result<Examined> found = openAndExamine(path, steps, check);
+    if (!found) return found.error();
     found->database.reset();
-    Result<std::string> notice = replace(path, found->health);
-    if (!notice) return notice.error();
-    out.notice = std::move(*notice);
-    found = openAndExamine(path, steps.size());
+    if (found->health == Health::newer || found->health == Health::damaged) {
+      Result<std::string> notice = replace(path, found->health);
+      if (!notice) return notice.error();
+      out.notice = std::move(*notice);
+    }
   }
+  if (!exists(path))
+    if (Status made = make(path, steps); !made) return made.error();
+  Result<Examined> found = openAndExamine(path, steps, Check::quick);
   if (!found) return found.error();
   if (found->health == Health::outdated)
     if (Status updated = update(*found->database, steps); !updated) return updated.error();
-  chmod(path.c_str(), S_IRUSR | S_IWUSR);  // it names patients; its log takes the same rights
   out.database = std::move(found->database);
   return out;
 }
 
+/// Opens a database that is whole and up to date; none where it is not.
+Result<std::unique_ptr<Database>> whole(const std::string& path, std::span<const SchemaStep> steps) {
+  if (!exists(path)) return std::unique_ptr<Database>();
+  Result<Examined> found = openAndExamine(path, steps, Check::quick);
+  if (!found) return found.error();
+  return found->health == Health::good ? std::move(found->database) : std::unique_ptr<Database>();
+}
+
 Result<OpenedDatabase> openDatabase(const std::string& folder, const char* name,
-                                    std::span<const SchemaStep> steps) {
+                                    std::span<const SchemaStep> steps, Check check) {
   if (Status made = makePrivateFolder(folder); !made) return made.error();
   const std::string path = folder + "/" + name;
-  Result<Examined> found = openAndExamine(path, steps.size());
-  if (!found) return found.error();
-  OpenedDatabase out{std::move(found->database), {}};
-  if (found->health != Health::good) {
-    out.database.reset();
-    Result<OpenedDatabase> whole = repaired(folder, path, steps);
-    if (!whole) return whole.error();
-    out = std::move(*whole);
+  Result<OpenedDatabase> out = OpenedDatabase{};
+  if (check == Check::quick) {
+    Result<std::unique_ptr<Database>> there = whole(path, steps);
+    if (!there) return there.error();
+    out->database = std::move(*there);
   }
-  if (Status ready = configure(*out.database, folder); !ready) return ready.error();
+  if (!out->database) out = mended(folder, path, steps, check);
+  if (!out) return out;
+  if (Status ready = configure(*out->database, folder); !ready) return ready.error();
   return out;
 }
 
@@ -194,22 +262,43 @@ Result<OpenedDatabase> openDatabase(const std::string& folder, const char* name,
 
 std::span<const SchemaStep> indexSteps() { return indexSchema; }
 
-Status makePrivateFolder(const std::string& folder) {
-  std::error_code error;
-  const bool made = std::filesystem::create_directories(folder, error);
-  if (made) std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
-  if (error) return Error{"Cannot make the folder " + folder + ": " + error.message() + "."};
-  if (access(folder.c_str(), W_OK) != 0)
-    return Error{"Cannot write to the folder " + folder + ": " + std::strerror(errno) + "."};
-  return {};
+bool isFileOfIndex(const std::string& name) {
+  return name == lockName || name.starts_with("index.sqlite") || name.starts_with("thumbnails.sqlite");
 }
 
-Result<OpenedDatabase> openIndexDatabase(const std::string& folder) {
-  return openDatabase(folder, "index.sqlite", indexSchema);
+Result<OpenedDatabase> openIndexDatabase(const std::string& folder, Check check) {
+  return openDatabase(folder, "index.sqlite", indexSchema, check);
 }
 
 Result<OpenedDatabase> openThumbnailDatabase(const std::string& folder) {
-  return openDatabase(folder, "thumbnails.sqlite", thumbnailSchema);
+  return openDatabase(folder, "thumbnails.sqlite", thumbnailSchema, Check::quick);
+}
+
+Result<OpenedDatabase> openIndexAsItIs(const std::string& folder) {
+  const std::string path = folder + "/index.sqlite";
+  if (!exists(path)) return Error{"There is no index in " + folder + ": `volumen import PATH` makes one."};
+  const bool writable = access(folder.c_str(), W_OK) == 0 && access(path.c_str(), W_OK) == 0;
+  Result<Examined> found = openAndExamine(path, indexSchema, Check::quick,
+                                          writable ? Database::Access::write : Database::Access::read);
+  if (!found) return found.error();
+  switch (found->health) {
+    case Health::damaged:
+      return Error{"The index " + path + " is damaged: `volumen import PATH` makes it anew."};
+    case Health::newer:
+      return Error{"The index " + path +
+                   " is of a newer volumen: `volumen import PATH` makes one of this version."};
+    case Health::outdated:
+      if (writable) return openIndexDatabase(folder, Check::quick);
+      return Error{"The index " + path +
+                   " is of an older volumen and cannot be written: bring it up to date with `volumen import "
+                   "PATH` where it can."};
+    case Health::good:
+    case Health::unknown:
+      break;
+  }
+  if (writable)
+    if (Status ready = configure(*found->database, folder); !ready) return ready.error();
+  return OpenedDatabase{std::move(found->database), {}};
 }
 
 }  // namespace volumen

@@ -115,20 +115,20 @@ void Writer::writeFile(const FileOnDisk& file, std::int64_t series, const FoundF
       " size = excluded.size, mtime_ns = excluded.mtime_ns, ctime_ns = excluded.ctime_ns, inode ="
       " excluded.inode, device = excluded.device, series_id = excluded.series_id, sop_uid = excluded.sop_uid,"
       " volume = excluded.volume, position = excluded.position, frames = excluded.frames, reason = '',"
-      " program = ''",
+      " program = '', no_image = 0",
       folderId(file.folder), Blob{file.name}, file.state.size, file.state.modifiedNs, file.state.changedNs,
       file.state.inode, file.state.device, RowId{series}, found.sopInstanceUid, found.volume, position,
       found.frames);
 }
 
-void Writer::writeOther(const FileOnDisk& file, const std::string& reason) {
+void Writer::writeOther(const FileOnDisk& file, const std::string& reason, bool isImage) {
   const std::int64_t folder = folderId(file.folder);
   const bool known = db_.number("SELECT COUNT(*) FROM file WHERE folder_id = ? AND name = ? AND reason = ?",
                                 folder, Blob{file.name}, reason) > 0;
   writeFile(file, 0, {}, 0);
   if (reason.empty()) return;
-  db_.run("UPDATE file SET reason = ?, program = ? WHERE folder_id = ? AND name = ?", reason, VOLUMEN_VERSION,
-          folder, Blob{file.name});
+  db_.run("UPDATE file SET reason = ?, program = ?, no_image = ? WHERE folder_id = ? AND name = ?", reason,
+          VOLUMEN_VERSION, !isImage, folder, Blob{file.name});
   if (!known) tellAnew(folder);
 }
 
@@ -160,12 +160,18 @@ void Writer::write(const std::vector<FileOnDisk>& files, const ReadFiles& read) 
     writeSeries(series, onDisk);
     for (const FoundFile& file : series.files) others.erase(file.path);
   }
-  std::map<std::string, std::string> reasons;
-  for (const Refused& file : read.refused) {
-    reasons[file.path] = file.reason;
-    if (file.again) others.erase(file.path);  // nothing is known of it: the next import reads it
-  }
-  for (const auto& [path, file] : others) writeOther(*file, reasons[path]);
+  const auto writeReasons = [&](const std::vector<Refused>& lost, bool isImage) {
+    for (const Refused& lostFile : lost) {
+      const auto file = others.find(lostFile.path);
+      if (file == others.end()) continue;
+      // Of what the machine failed at nothing is known: the next import reads it.
+      if (!lostFile.again) writeOther(*file->second, lostFile.reason, isImage);
+      others.erase(file);
+    }
+  };
+  writeReasons(read.refused, true);
+  writeReasons(read.lacking, false);
+  for (const auto& [path, file] : others) writeOther(*file, {}, false);
 }
 
 void Writer::setInstitution(std::int64_t study, const std::string& institution) {

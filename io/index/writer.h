@@ -16,8 +16,8 @@ class Writer {
 
   /// Everything of a batch of files. A series that has more files than these is marked to be read as a whole.
   void write(const std::vector<FileOnDisk>& files, const ReadFiles& read);
-  /// A file that is in no series: refused, with its reason, or no image.
-  void writeOther(const FileOnDisk& file, const std::string& reason);
+  /// A file that is in no series, with the reason why it is not; `isImage`: it was refused.
+  void writeOther(const FileOnDisk& file, const std::string& reason, bool isImage);
   /// Where a study of the index was made.
   void setInstitution(std::int64_t study, const std::string& institution);
   /// A file is at another place now; what is known of it stays.

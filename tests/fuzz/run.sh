@@ -5,6 +5,7 @@
 set -euo pipefail
 top=$(cd "$(dirname "$0")/../.." && pwd)
 . "$top/app/setup.sh"
+show_usage_if_asked "$0" "${1:-}"
 seconds=${1:-600}
 shift || true
 drivers=("$@")

@@ -28,7 +28,6 @@ class TestIndexCommands : public QObject {
   void copiesMoveWithTheirIndex();
   void failures_data();
   void failures();
-  void damagedIndexIsTold();
 
  private:
   QString at(const char* name) const { return folder_->filePath(QString::fromLatin1(name)); }
@@ -243,17 +242,6 @@ void TestIndexCommands::failures() {
   QCOMPARE(a.status, 1);
   QVERIFY2(a.err.startsWith("volumen: ") && a.err.contains(says.toUtf8()), a.err);
   QCOMPARE(a.err.count('\n'), 1);
-}
-
-void TestIndexCommands::damagedIndexIsTold() {
-  run("import IN/scans");
-  QFile database(at("index/index.sqlite"));
-  QVERIFY(database.open(QIODevice::WriteOnly));
-  database.write(QByteArray(5000, 'x'));
-  database.close();
-  const Outcome a = run("list");
-  QCOMPARE(a.status, 0);
-  QVERIFY2(a.err.startsWith("volumen: The index was damaged"), a.err);
 }
 
 VOLUMEN_TEST(TestIndexCommands);

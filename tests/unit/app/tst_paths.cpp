@@ -30,6 +30,11 @@ class TestPaths : public QObject {
   void anyBytesNameAnOutput();
   void pipesAreNotReplaced_data();
   void pipesAreNotReplaced();
+  void linksStayAndAreWrittenThrough_data();
+  void linksStayAndAreWrittenThrough();
+  void linksInACircleAreRefused();
+  void pathsInJsonCanBeUsedAgain_data();
+  void pathsInJsonCanBeUsedAgain();
   void planesOutsideAreRefused_data();
   void planesOutsideAreRefused();
   void packedSamplesAreRefusedByName();
@@ -171,6 +176,95 @@ void TestPaths::pipesAreNotReplaced() {
   QCOMPARE(a.status, 1);
   QVERIFY2(a.err.contains("it is a pipe or a device"), a.err);
   for (const char* name : {"pipe.nrrd", "pipe.png", "pipe.json"}) QVERIFY(fs::is_fifo(at(name)));
+}
+
+void TestPaths::linksStayAndAreWrittenThrough_data() {
+  QTest::addColumn<QString>("line");
+  QTest::addColumn<QString>("link");
+  QTest::addColumn<QString>("leadsTo");
+  QTest::addColumn<bool>("there");
+  const auto row = [](const char* line, const char* link, const char* leadsTo) {
+    for (const bool there : {false, true})
+      QTest::addRow("%s, %s, %s", line, leadsTo, there ? "there" : "not there yet")
+          << QString::fromLatin1(line) << QString::fromLatin1(link) << QString::fromLatin1(leadsTo) << there;
+  };
+  row("convert phantom:sphere:8 -o IN/link.nrrd", "link.nrrd", "other/a.nrrd");
+  row("convert phantom:sphere:8 -o IN/link.nrrd", "link.nrrd", "IN/other/a.nrrd");
+  row("slice phantom:sphere:8 -o IN/link.png", "link.png", "other/a.png");
+  row("render phantom:sphere:8 --size 8x8 -o IN/a.png --stats IN/link.json", "link.json", "other/a.json");
+  row("segment phantom:sphere:8 --range 0:9 -o IN/link.stl", "link.stl", "other/a.stl");
+  row("segment phantom:sphere:8 --range 0:9 --csv IN/link.csv", "link.csv", "other/a.csv");
+  row("convert phantom:sphere:8 -o IN/link/", "link", "other/folder");
+}
+
+void TestPaths::linksStayAndAreWrittenThrough() {
+  QFETCH(QString, line);
+  QFETCH(QString, link);
+  QFETCH(QString, leadsTo);
+  QFETCH(bool, there);
+  const bool isFolder = line.endsWith(QLatin1Char('/'));
+  leadsTo.replace(QLatin1String("IN"), folder_->path());
+  const fs::path place = at(link.toUtf8().constData()), target = fs::path(at("")) / leadsTo.toStdString();
+  fs::create_directory(at("other"));
+  if (there && isFolder) fs::create_directory(target);
+  if (there && !isFolder) QVERIFY(QFile(QString::fromStdString(target.string())).open(QIODevice::WriteOnly));
+  fs::create_symlink(leadsTo.toStdString(), place);
+  const Outcome a = runProgram(line.replace(QLatin1String("IN"), folder_->path()));
+  QVERIFY2(a.status == 0, a.err);
+  QVERIFY(fs::is_symlink(place));
+  QVERIFY(!fs::is_symlink(target) && (isFolder ? !fs::is_empty(target) : fs::file_size(target) > 0));
+  for (const auto& entry : fs::directory_iterator(at("other")))
+    QVERIFY(!entry.path().filename().string().starts_with("."));
+}
+
+void TestPaths::linksInACircleAreRefused() {
+  fs::create_symlink("b.nrrd", at("a.nrrd"));
+  fs::create_symlink("a.nrrd", at("b.nrrd"));
+  const Outcome a = runProgram(QStringLiteral("convert phantom:sphere:8 -o %1/a.nrrd").arg(folder_->path()));
+  QCOMPARE(a.status, 1);
+  QVERIFY2(a.err.contains("its links lead in a circle"), a.err);
+  QVERIFY(fs::is_symlink(at("a.nrrd")));
+}
+
+void TestPaths::pathsInJsonCanBeUsedAgain_data() {
+  QTest::addColumn<QString>("line");
+  QTest::addColumn<QString>("list");  // in the JSON
+  QTest::newRow("info") << QStringLiteral("info IN --json") << QStringLiteral("volumes");
+  QTest::newRow("refused") << QStringLiteral("info IN --json") << QStringLiteral("refused");
+  QTest::newRow("import") << QStringLiteral("import IN --index IN --json") << QStringLiteral("refused");
+  QTest::newRow("list") << QStringLiteral("list --series --json --index IN") << QStringLiteral("studies");
+}
+
+// A name in Latin-1, a percent sign and a space in it.
+void TestPaths::pathsInJsonCanBeUsedAgain() {
+  QFETCH(QString, line);
+  QFETCH(QString, list);
+  fs::create_directory(at("M\xfcller 5%41"));
+  const std::string volume = at("M\xfcller 5%41/a.nrrd"), cut = at("M\xfcller 5%41/cut.nrrd");
+  QCOMPARE(runProgram(QStringLiteral("convert phantom:sphere:8 -o %1/a.nrrd").arg(folder_->path())).status,
+           0);
+  fs::copy(at("a.nrrd"), cut);
+  fs::rename(at("a.nrrd"), volume);
+  fs::resize_file(cut, 40);
+  if (line.startsWith(QLatin1String("list")))
+    QCOMPARE(runProgram(QStringLiteral("import %1 --index %1").arg(folder_->path())).status, 3);
+  const Outcome a = runProgram(line.replace(QLatin1String("IN"), folder_->path()));
+  const QJsonArray found = QJsonDocument::fromJson(a.out)[list].toArray();
+  QStringList paths;
+  for (const QJsonValue& each : found) {
+    paths << each[QStringLiteral("path")].toString();
+    for (const QJsonValue& series : each[QStringLiteral("series")].toArray())
+      paths << series[QStringLiteral("files")][0].toString();
+  }
+  const QStringList uris = paths.filter(QStringLiteral("file:///"));
+  QVERIFY2(uris.size() == 1, a.out);
+  QVERIFY2(uris[0].contains(QStringLiteral("/M%FCller%205%2541/")), qPrintable(uris[0]));
+  const Outcome again = runProgram({QStringLiteral("info"), uris[0]});
+  const bool isCut = list == QLatin1String("refused");
+  QCOMPARE(again.status, isCut ? 1 : 0);
+  QVERIFY2(
+      (again.out + again.err).contains(isCut ? "cut.nrrd" : "a.nrrd") && !again.err.contains("no such file"),
+      again.out + again.err);
 }
 
 void TestPaths::planesOutsideAreRefused_data() {

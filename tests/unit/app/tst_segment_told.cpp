@@ -30,6 +30,7 @@ class TestSegmentTold : public QObject {
   void contrastThatIsNotNamedIsSaid_data();
   void contrastThatIsNotNamedIsSaid();
   void recipesForOtherModalitiesAreSaid();
+  void notesAndUnitsAreInTheJson();
 
  private:
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
@@ -193,6 +194,22 @@ void TestSegmentTold::recipesForOtherModalitiesAreSaid() {
   QVERIFY2(other.status == 0 && other.err.contains("The recipe \"Bright\" is for CT, the series is MR"),
            other.err.constData());
   QVERIFY2(none.status == 0 && !none.err.contains("Bright"), none.err.constData());
+}
+
+// What is said on stderr, and the unit of each segment's values.
+void TestSegmentTold::notesAndUnitsAreInTheJson() {
+  const std::string path = fourVolumes();
+  for (const QString& how : {QStringLiteral("5000:"), QStringLiteral("1:5")}) {
+    const Outcome a = segment(QString::fromStdString(path), {QStringLiteral("--range"), how});
+    QVERIFY2(a.status == 0, a.err);
+    const QJsonObject all = QJsonDocument::fromJson(a.out).object();
+    QByteArray told;
+    for (const QJsonValue& warning : all[QStringLiteral("warnings")].toArray())
+      told += "volumen: " + warning.toString().toUtf8() + "\n";
+    QCOMPARE(told, a.err);
+    QVERIFY(!a.err.isEmpty());
+    QCOMPARE(numbersIn(a)[QStringLiteral("unit")], all[QStringLiteral("unit")]);
+  }
 }
 
 VOLUMEN_TEST(TestSegmentTold);

@@ -30,6 +30,7 @@ class TestUsage : public QObject {
   void wrongSeriesListsOneALine();
   void largestSeriesIsNamed();
   void aPictureIsAScene();
+  void aDamagedPictureIsNoScene();
   void infoSpeaksAsTheWindowDoes();
   void infoCountsWhatIsNotShown();
   void interruptedCommandsEndBySignal_data();
@@ -227,6 +228,21 @@ void TestUsage::aPictureIsAScene() {
   const Outcome b = runProgram(line.arg(QStringLiteral("--scene ") + plain, again));
   QCOMPARE(b.status, 1);
   QCOMPARE(QString::fromUtf8(b.err), QStringLiteral("volumen: %1 holds no scene.\n").arg(plain));
+}
+
+// No library that decodes pictures says a word.
+void TestUsage::aDamagedPictureIsNoScene() {
+  const QString damaged = at("damaged.png");
+  QVERIFY(QImage(400, 400, QImage::Format_RGB32).save(damaged));
+  QByteArray bytes = contentsOf(damaged);
+  bytes.replace(20, 6, "damage");
+  write("damaged.png", bytes);
+  for (const char* line : {"render phantom:sphere:8 -o %1/a.png --scene %1/damaged.png",
+                           "bench phantom:sphere:8 --scene %1/damaged.png"}) {
+    const Outcome a = runProgram(QString::fromLatin1(line).arg(folder_.path()));
+    QCOMPARE(a.status, 1);
+    QCOMPARE(QString::fromUtf8(a.err), QStringLiteral("volumen: %1 holds no scene.\n").arg(damaged));
+  }
 }
 
 void TestUsage::infoSpeaksAsTheWindowDoes() {

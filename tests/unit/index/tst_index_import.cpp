@@ -85,11 +85,14 @@ void TestIndexImport::saysWhatInfoSays() {
   QVERIFY2(report.ok(), report.ok() ? "" : report.message().c_str());
   const Result<Study> study = openStudy(fs::canonical(path).string());
   QVERIFY(study.ok());
-  std::set<std::string> refused;  // also what is lost of series without being refused
+  std::set<std::string> refused, others;  // also pictures that series had to leave out
   for (const Refused& file : study->refused) refused.insert(file.path);
+  for (const Other& file : study->other) others.insert(file.path);
   for (const Series& volume : study->volumes)
-    for (const Unread& file : volume.unread) refused.insert(file.path);
+    for (const Unread& file : volume.unread)
+      if (!others.contains(file.path)) refused.insert(file.path);
   QCOMPARE(report->refused.size(), refused.size());
+  QCOMPARE(report->files, report->added + report->notImages + int(refused.size()));
   std::set<std::string> volumes, frames, warnings, indexed, indexedVolumes, told;
   for (const Series& volume : study->volumes) {
     volumes.insert(volume.seriesUid);

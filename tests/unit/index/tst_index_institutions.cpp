@@ -19,6 +19,7 @@ using SpoilFile = std::function<void(const std::string& path)>;
 void forgetInstitutions(const IndexFolder& folder) {
   const auto db = Database::open(folder.index() + "/index.sqlite");
   (*db)->run("ALTER TABLE study DROP COLUMN institution");
+  (*db)->run("ALTER TABLE file DROP COLUMN no_image");
   (*db)->run("UPDATE study SET words = 'a'");
   (*db)->runOnce("PRAGMA user_version = 2");
   QVERIFY((*db)->takeStatus().ok());

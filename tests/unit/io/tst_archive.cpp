@@ -12,6 +12,7 @@
 #include "io/load.h"
 #include "io/open.h"
 #include "io/zip_archive.h"
+#include "io/zip_entries.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/suite.h"
 
@@ -68,6 +69,7 @@ class TestArchive : public QObject {
   void aPartOfItIsOpened();
   void hostileEntriesAreLeftOut_data();
   void hostileEntriesAreLeftOut();
+  void tooManyFilesAreKnownAtOnce();
   void bombIsRefused();
   void flatDataAreNoBomb();
   void everyMutationEndsWell();
@@ -170,6 +172,19 @@ void TestArchive::hostileEntriesAreLeftOut() {
     }
   QCOMPARE(files, std::size_t(2));
   QVERIFY(!QFile::exists(QStringLiteral("/tmp/volumen-evil")));
+}
+
+// By the headers alone: unpacked, so many files take a while.
+void TestArchive::tooManyFilesAreKnownAtOnce() {
+  std::vector<Entry> entries;
+  for (int n = 0; n < 100'001; ++n) entries.push_back({std::to_string(n), {}});
+  writeZip(path("many.zip"), entries);
+  QVERIFY(hasMoreEntries(path("many.zip"), 100'000, {}));
+  QVERIFY(!hasMoreEntries(path("many.zip"), 100'001, {}));
+  const auto archive = unpackZip(path("many.zip"), path("cache"), {});
+  QVERIFY(!archive.ok());
+  QVERIFY2(archive.message().find("more than 100000 files: it is not unpacked") != std::string::npos,
+           archive.message().c_str());
 }
 
 void TestArchive::bombIsRefused() {

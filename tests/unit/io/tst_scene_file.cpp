@@ -38,20 +38,29 @@ void TestSceneFile::theSceneComesBack_data() {
   QTest::newRow("scene file") << QStringLiteral("scene.json");
   QTest::newRow("PNG") << QStringLiteral("a.png");
   QTest::newRow("PNG of another name") << QStringLiteral("a.json");
+  QTest::newRow("JPEG") << QStringLiteral("a.jpg");
+  QTest::newRow("PNG, text that Latin-1 lacks") << QStringLiteral("Ω.png");
+  QTest::newRow("PNG, a few letters") << QStringLiteral("short.png");
 }
 
 void TestSceneFile::theSceneComesBack() {
   QFETCH(QString, name);
   const QString path = folder_.filePath(name);
+  std::string scene = name.endsWith(QLatin1String("jpg")) ? sceneOf.substr(0, 60'000) : sceneOf;
+  if (name.startsWith(QStringLiteral("Ω"))) scene = R"({"volumenScene": 1, "name": "Ω and more letters"})";
+  if (name.startsWith(QStringLiteral("short"))) scene = "{}";
   if (name.startsWith(QStringLiteral("scene"))) {
-    write(path, QByteArray::fromStdString(sceneOf));
+    write(path, QByteArray::fromStdString(scene));
   } else {
     const Picture picture{.size = {2, 1}, .rgba = std::vector<float>(8, 1.0f)};
-    QVERIFY(writePng(picture, path.toStdString(), {{"Comment", "no"}, {"volumen-scene", sceneOf}}).ok());
+    const PictureText texts{{"Comment", "no"}, {"volumen-scene", scene}};
+    QVERIFY(name.endsWith(QLatin1String("jpg"))
+                ? writeImage(imageForFile(picture), path.toStdString(), texts).ok()
+                : writePng(picture, path.toStdString(), texts).ok());
   }
   const auto text = sceneText(path.toStdString());
   QVERIFY2(text.ok(), text.ok() ? "" : text.message().c_str());
-  QCOMPARE(QByteArray::fromStdString(*text).trimmed(), QByteArray::fromStdString(sceneOf).trimmed());
+  QCOMPARE(QByteArray::fromStdString(*text).trimmed(), QByteArray::fromStdString(scene).trimmed());
 }
 
 void TestSceneFile::whatHoldsNoSceneIsRefusedByName_data() {
@@ -69,6 +78,15 @@ void TestSceneFile::whatHoldsNoSceneIsRefusedByName_data() {
   const QString cut = folder_.filePath(QStringLiteral("cut.png"));
   write(cut, QByteArray("\x89PNG\r\n\x1a\n\0\0", 10));
   row("PNG cut off", cut, "holds no scene");
+  const QString damaged = folder_.filePath(QStringLiteral("damaged.png"));
+  const Picture picture{.size = {2, 1}, .rgba = std::vector<float>(8, 1.0f)};
+  QVERIFY(writePng(picture, damaged.toStdString(), {{"volumen-scene", sceneOf}}).ok());
+  QFile written(damaged);
+  QVERIFY(written.open(QIODevice::ReadWrite));
+  written.seek(written.readAll().indexOf("volumen-scene") + 20);
+  written.write("damage");
+  written.close();
+  row("PNG, its text damaged", damaged, "holds no scene");
   const QString large = folder_.filePath(QStringLiteral("large.json"));
   QVERIFY(QFile(large).open(QIODevice::WriteOnly) && QFile::resize(large, 17 << 20));
   row("too large", large, "larger than 16 MB");
