@@ -196,7 +196,7 @@ const Thing things[] = {
        w.chooseFrom("measurementSave", "saveMeasurementsCsv");
        w.saveTo("measurementSaveDialog", file);
      },
-     "number description", "", false},
+     "patient id date number description", "numbers have no sides, and units for a scale", false},
     {"shapes", "shapes.json",
      [](LeavingWindow& w, const QString& file) {
        w.chooseFrom("measurementSave", "saveShapes");
@@ -209,13 +209,13 @@ const Thing things[] = {
        QTest::mouseClick(w.child<QWidget>("segmentNumbersCsv"), Qt::LeftButton);
        w.saveTo("segmentNumbersFileDialog", file);
      },
-     "", "", false},
+     "patient id date number description", "numbers have no sides, and units for a scale", false},
     {"JSON of segments", "segments.json",
      [](LeavingWindow& w, const QString& file) {
        QTest::mouseClick(w.child<QWidget>("segmentNumbersJson"), Qt::LeftButton);
        w.saveTo("segmentNumbersFileDialog", file);
      },
-     "", "", false},
+     "patient id date number description", "numbers have no sides, and units for a scale", false},
     {"session", "all.volumen",
      [](LeavingWindow& w, const QString& file) {
        w.child<QAction>("saveSessionAs")->trigger();
@@ -233,7 +233,7 @@ const Thing things[] = {
        w.child<QAction>("exportSegments")->trigger();
        w.saveTo("segmentDialog", file);
      },
-     "patient id date number", "it names the series by its UID; the rest is pixels", false},
+     "patient id date", "it has a number of its own and names the series by its UID", false},
     {"seg.nrrd", "segments.seg.nrrd",
      [](LeavingWindow& w, const QString& file) {
        w.child<QAction>("exportSegments")->trigger();
@@ -252,7 +252,7 @@ const Thing things[] = {
 DicomSeriesTags knownTags() {
   DicomSeriesTags tags;
   tags.patientName = "Doe^Jane", tags.patientId = "PAT4711", tags.studyDate = "20260314";
-  tags.studyUid = "1.2.3.4", tags.seriesUid = "1.2.3.4.5", tags.seriesNumber = "731";
+  tags.studyUid = "1.2.3.4", tags.seriesUid = "1.2.3.4.5", tags.seriesNumber = "73165";
   tags.description = "Thorax", tags.modality = "CT";
   return tags;
 }
@@ -263,7 +263,7 @@ QStringList spellings(const QString& field) {
       {QStringLiteral("patient"), {QStringLiteral("Doe, Jane"), QStringLiteral("Doe^Jane")}},
       {QStringLiteral("id"), {QStringLiteral("PAT4711")}},
       {QStringLiteral("date"), {QStringLiteral("2026-03-14"), QStringLiteral("20260314")}},
-      {QStringLiteral("number"), {QStringLiteral("731")}},
+      {QStringLiteral("number"), {QStringLiteral("73165")}},
       {QStringLiteral("description"), {QStringLiteral("Thorax")}},
       {QStringLiteral("level"), {QStringLiteral("high")}},
       {QStringLiteral("clinical"), {QStringLiteral("Not for clinical use")}}};
@@ -277,7 +277,7 @@ DicomSeriesTags otherTags(const QString& field) {
   if (field == QStringLiteral("patient")) tags.patientName = "Roe^John";
   if (field == QStringLiteral("id")) tags.patientId = "PAT0815";
   if (field == QStringLiteral("date")) tags.studyDate = "20190807";
-  if (field == QStringLiteral("number")) tags.seriesNumber = "268";
+  if (field == QStringLiteral("number")) tags.seriesNumber = "26841";
   if (field == QStringLiteral("description")) tags.description = "Becken";
   return tags;
 }
