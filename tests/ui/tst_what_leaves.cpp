@@ -221,7 +221,7 @@ const Thing things[] = {
        w.child<QAction>("saveSessionAs")->trigger();
        w.saveTo("saveSessionDialog", file);
      },
-     "number description level", "it names files and UIDs, which say it", false},
+     "number description", "it names files and UIDs, which say it", false},
     {"scene", "scene.json",
      [](LeavingWindow& w, const QString& file) {
        w.child<QAction>("saveScene")->trigger();
@@ -265,7 +265,7 @@ QStringList spellings(const QString& field) {
       {QStringLiteral("date"), {QStringLiteral("2026-03-14"), QStringLiteral("20260314")}},
       {QStringLiteral("number"), {QStringLiteral("73165")}},
       {QStringLiteral("description"), {QStringLiteral("Thorax")}},
-      {QStringLiteral("level"), {QStringLiteral("high")}},
+      {QStringLiteral("level"), {QStringLiteral("PSNR")}},  // as promised
       {QStringLiteral("clinical"), {QStringLiteral("Not for clinical use")}}};
   const auto of = all.find(field);
   return of == all.end() ? QStringList() : of->second;
