@@ -10,6 +10,7 @@
 #include "io/export/seg_nrrd.h"
 #include "io/load.h"
 #include "io/open.h"
+#include "tests/fixtures/fixtures.h"
 #include "tests/unit/app/segment_case.h"
 #include "tests/unit/suite.h"
 
