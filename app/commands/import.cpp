@@ -20,14 +20,23 @@ struct ImportOptions {
   bool copy = false, again = false, json = false;
 };
 
+Json toJson(const std::vector<Refused>& files) {
+  Json list = Json::array();
+  for (const Refused& file : files)
+    list.push_back({{"path", pathForJson(file.path)}, {"reason", file.reason}});
+  return list;
+}
+
 Json toJson(const ImportReport& report, const std::vector<std::string>& warnings) {
-  Json refused = Json::array();
-  for (const Refused& file : report.refused)
-    refused.push_back({{"path", pathForJson(file.path)}, {"reason", file.reason}});
-  return {{"files", report.files},        {"new", report.added},
-          {"changed", report.changed},    {"unchanged", report.unchanged},
-          {"gone", report.gone},          {"notImages", report.notImages},
-          {"refused", refused},           {"warnings", warnings},
+  return {{"files", report.files},
+          {"new", report.added},
+          {"changed", report.changed},
+          {"unchanged", report.unchanged},
+          {"gone", report.gone},
+          {"notImages", report.notImages},
+          {"refused", toJson(report.refused)},
+          {"lacking", toJson(report.lacking)},
+          {"warnings", warnings},
           {"cancelled", report.cancelled}};
 }
 
@@ -37,8 +46,9 @@ void print(const ImportReport& report) {
             << " refused";
   if (report.notImages > 0) std::cout << ", " << report.notImages << " not images";
   std::cout << '\n';
-  for (const Refused& file : report.refused)
-    std::cout << "  " << printable(file.path) << ": " << printable(file.reason) << '\n';
+  for (const auto* files : {&report.refused, &report.lacking})
+    for (const Refused& file : *files)
+      std::cout << "  " << printable(file.path) << ": " << printable(file.reason) << '\n';
 }
 
 // What became of the index, and which paths hold nothing.
@@ -52,7 +62,7 @@ std::vector<std::string> warningsOf(const Index& index, const ImportReport& repo
 
 int statusOf(const ImportReport& report, const std::vector<std::string>& warnings) {
   if (report.added + report.changed + report.unchanged + report.gone > 0)
-    return report.refused.empty() && warnings.empty() ? exitDone : exitLosses;
+    return report.refused.empty() && report.lacking.empty() && warnings.empty() ? exitDone : exitLosses;
   if (!report.refused.empty())
     return fail("Nothing was imported: " + report.refused[0].path + ": " + report.refused[0].reason);
   return fail("Nothing was imported: no image was found.");

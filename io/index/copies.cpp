@@ -131,6 +131,7 @@ Copies copyStudies(const std::vector<ImportRoot>& roots, const std::string& inde
       copySeries(series, managedFolder, cancel, copies);
     }
     copies.refused.insert(copies.refused.end(), read->refused.begin(), read->refused.end());
+    copies.lacking.insert(copies.lacking.end(), read->lacking.begin(), read->lacking.end());
     copies.notImages += std::max(0, int(batch.size()) - int(images + read->refused.size()));
   }
   return copies;

@@ -9,6 +9,7 @@ namespace volumen {
 struct Copies {
   std::vector<std::string> files;  ///< in the managed folder, those that were there before, too
   std::vector<Refused> refused;
+  std::vector<Refused> lacking;    ///< among `notImages`: what series may lack
   int notImages = 0;               ///< how many others were not copied
   std::vector<std::string> empty;  ///< of the roots those where no file was found
   Status status;                   ///< why it ended early

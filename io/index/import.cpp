@@ -114,8 +114,8 @@ Import::Compared Import::compare(const std::vector<FileOnDisk>& files) {
       ++(was.forgotten ? report_.added : report_.unchanged);
     else if (was.reason.empty() || was.noImage)
       ++report_.notImages;
-    else
-      report_.refused.push_back({file.path(), was.reason});
+    if (!was.reason.empty())
+      (was.noImage ? report_.lacking : report_.refused).push_back({file.path(), was.reason});
   }
   return compared;
 }
@@ -183,6 +183,7 @@ void Import::count(const Batch& batch, const ReadFiles& read) {
     }
   }
   report_.refused.insert(report_.refused.end(), read.refused.begin(), read.refused.end());
+  report_.lacking.insert(report_.lacking.end(), read.lacking.begin(), read.lacking.end());
   report_.notImages += std::max(0, int(batch.size()) - int(images + read.refused.size()));
 }
 

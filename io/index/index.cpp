@@ -160,6 +160,7 @@ Result<ImportReport> Index::importCopies(const std::vector<std::string>& paths,
   report->files += int(copies.refused.size()) + copies.notImages;
   report->notImages += copies.notImages;
   report->refused.insert(report->refused.end(), copies.refused.begin(), copies.refused.end());
+  report->lacking.insert(report->lacking.end(), copies.lacking.begin(), copies.lacking.end());
   report->empty = copies.empty;
   return report;
 }

@@ -63,6 +63,7 @@ struct ImportReport {
   int notImages = 0;  ///< in no series
   int gone = 0;       ///< known below the path, and no longer there
   std::vector<Refused> refused;
+  std::vector<Refused> lacking;    ///< among `notImages`: what series may lack
   std::vector<std::string> empty;  ///< of the paths those where no file was found
   bool cancelled = false;          ///< what was done until then is kept; the next import goes on from there
 };

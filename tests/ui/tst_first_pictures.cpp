@@ -4,6 +4,7 @@
 #include <QLabel>
 
 #include "tests/fixtures/fixtures.h"
+#include "tests/ui/clean_settings.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
@@ -12,7 +13,7 @@
 using namespace volumen;
 using volumen::tests::Journey;
 
-class TestFirstPictures : public QObject {
+class TestFirstPictures : public tests::CleanSettings {
   Q_OBJECT
  private Q_SLOTS:
   void aSeriesOpensAsItIsRead_data();
@@ -47,6 +48,7 @@ void TestFirstPictures::aSeriesOpensAsItIsRead() {
   NEED_DATA(data);
   Journey w({QString::fromStdString(data)});
   Session& session = w.window.session();
+  session.prefer([](Preferences& p) { p.tableIn3d = true; });  // else a second picture follows the first
   QTRY_VERIFY_WITH_TIMEOUT(!session.workspace().series.empty(), tests::longest);
   // What opens as pictures has a 3D picture, too.
   if (QAction* asFrames = w.child<QAction>("showAsFrames"); asFrames->isChecked()) {
@@ -77,6 +79,7 @@ void TestFirstPictures::theChestIsProjectedWindowedAndPointedAt() {
   NEED_DATA(data);
   tests::openAlone();
   Journey w({QString::fromStdString(data)});
+  w.window.session().prefer([](Preferences& p) { p.tableIn3d = true; });
   QVERIFY(w.settle());
   w.shot("chest");
   VolumeView* view = w.window.view();

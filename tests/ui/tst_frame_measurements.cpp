@@ -3,6 +3,7 @@
 #include <QClipboard>
 #include <QDir>
 #include <QDockWidget>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -312,11 +313,9 @@ void TestFrameMeasurements::thePanelGoesThere() {
   QCOMPARE(w.view()->drawnMeasurements().size(), std::size_t(1));
   w.child<QAction>("copyMeasurementsCsv")->trigger();
   const QStringList lines = QGuiApplication::clipboard()->text().split(QStringLiteral("\r\n"));
-  const QStringList names = lines[0].split(u','), fields = lines[1].split(u',');
-  // From the end: the name of the series holds a comma.
-  const auto field = [&](const char* name) {
-    return fields.value(fields.size() - names.size() + names.indexOf(QLatin1String(name)));
-  };
+  static const QRegularExpression quoted(QStringLiteral("\"[^\"]*\""));  // which may hold commas
+  const QStringList names = lines[0].split(u','), fields = QString(lines[1]).replace(quoted, {}).split(u',');
+  const auto field = [&](const char* name) { return fields.value(names.indexOf(QLatin1String(name))); };
   QCOMPARE(field("frame_number"), QStringLiteral("1"));
   QVERIFY(field("points_mm").isEmpty() && field("points_px").contains(QStringLiteral("; ")));
 }

@@ -265,7 +265,8 @@ void TestSegmentsIn3d::thePointerSeesThem() {
   QVERIFY(!hovered.isEmpty());
   const QString said = hovered.last().value(0).toString();
   QVERIFY2(said.startsWith(QString::fromUtf8("B\xc3\xa4lle: ")), qPrintable(said));
-  // A click moves the planes to what is seen.
+  // A click into the view in focus moves the planes to what is seen.
+  w.session().setFocus(sceneViewId);
   QTest::mouseClick(w.scene(), Qt::LeftButton, {}, small.toPoint());
   QVERIFY(glm::distance(crosshairOf(w.workspace(), *w.session().series()).at, *hit->pPatient) < 1e-6);
   w.tick(0, 0);

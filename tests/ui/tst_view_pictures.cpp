@@ -81,6 +81,7 @@ void TestViewPictures::a3DPictureIsCopiedAsItIsSeen() {
   Journey w;
   w.window.session().show(ballSeries());
   QVERIFY(w.settle());
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.view()->hasItsPicture(), longest);  // its room may still change
   QCOMPARE(inner(copied(w)), inner(onScreen(w.window.view())));
 }
 

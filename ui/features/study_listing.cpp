@@ -241,10 +241,12 @@ void StudyListing::askForImport() {
 void StudyListing::showImport(const ImportReport& report) {
   tell(importText(report));
   if (report.files > 0 && !report.cancelled) showImported();
-  if (report.refused.empty()) return;
-  warnUntilDone(report.refused.size() == 1 ? tr("1 file could not be imported.")
-                                           : tr("%1 files could not be imported.").arg(report.refused.size()),
-                refusedTexts(report.refused));
+  std::vector<Refused> lost = report.refused;
+  lost.insert(lost.end(), report.lacking.begin(), report.lacking.end());
+  if (lost.empty()) return;
+  warnUntilDone(lost.size() == 1 ? tr("1 file could not be imported.")
+                                 : tr("%1 files could not be imported.").arg(lost.size()),
+                refusedTexts(lost));
 }
 
 // The keys stay where they are while pictures are looked at.
