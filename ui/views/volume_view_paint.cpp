@@ -106,6 +106,7 @@ std::vector<QWidget*> VolumeView::badges() const {
 }
 
 void VolumeView::paintCanvas(QPainter& painter) const {
+  painter.setFont(font());  // which no style sheet hands on to the canvas
   paintShown(painter);
   if (series() || isWaiting()) paintFocus(painter);
 }
