@@ -20,8 +20,8 @@ class SegmentationPixels {
                      int frames, glm::ivec2 pictures)
       : file_(file), data_(data), path_(path), size_(size), frames_(frames), pictures_(pictures) {}
 
-  /// Of pixels of one bit: frame after frame without gaps (packed_bits.h). Frames that begin on whole bytes,
-  /// as the length says, are put together, which is told in `notes`.
+  /// Returns pixels of one bit, frame after frame without gaps (packed_bits.h). Frames that begin on whole
+  /// bytes are joined, and `notes` gets a sentence about it.
   Result<std::vector<std::uint8_t>> bits(std::vector<std::string>& notes) const;
 
   using TakeFrame = std::function<Status(std::size_t frame, std::span<const int> numbers)>;

@@ -251,7 +251,7 @@ SuvFactors factorsBy(const Result<Known>& known, const PetFacts& facts, const st
   return out;
 }
 
-/// By units, dose and times; where these do not say enough by a mapping of the file to an SUV.
+/// Returns the factors from units, dose and times, else from a mapping of the file to an SUV.
 SuvFactors factorsOf(const PetFacts& facts, const std::string& sex, const std::optional<double>& earliest) {
   const SuvFactors out = factorsBy(knownOfUnits(facts, earliest), facts, sex);
   if (out.bodyWeight || !(facts.mappedFactor > 0 && std::isfinite(facts.mappedFactor))) return out;

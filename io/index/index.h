@@ -90,7 +90,7 @@ class Index {
   Index(Index&&) noexcept;
   ~Index();
 
-  /// What a user should be told once after opening, or after an import; empty: nothing.
+  /// Returns a sentence about damage found at opening or during an import; empty if there is none.
   const std::string& notice() const;
 
   /// Reads all below each of `paths` into the index, by reference; a folder's files that are gone leave it.

@@ -10,7 +10,7 @@
 
 namespace volumen {
 
-/// A flat view at one moment: as a workspace has it.
+/// Names a flat view and the workspace that holds its state at one moment.
 struct PictureStop {
   Workspace workspace;
   ViewId view = 0;

@@ -113,7 +113,7 @@ void TestIndexDamage::byChanceIsToldAndMended() {
   if (qEnvironmentVariableIsSet("VOLUMEN_FIGURES")) qInfo("%d of %d damages were told", told, seeds.count);
 }
 
-// An index of SQLite that does not say what its table says is found by what is written alone.
+// Opening does not find an SQLite index that disagrees with its table; writing finds it.
 void TestIndexDamage::whatAQuickLookLeavesOutIsMended() {
   const Bytes whole = readAll(database());
   const std::string text(whole.begin(), whole.end());

@@ -9,7 +9,7 @@
 using namespace volumen;
 using namespace volumen::tests;
 
-/// A type of its own, that no other file of tests declares to Qt.
+/// Wraps an Edit in a type that only this file registers with Qt.
 struct EnhancedEdit {
   Edit run;
 };
