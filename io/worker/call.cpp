@@ -147,7 +147,7 @@ bool Call::begin(Handler handler, const std::vector<std::uint8_t>& arguments) {
   worker_->limitMemory(memoryBytes + 4 * request_.needBytes);
   worker_->buffer.steps().store(0, std::memory_order_relaxed);
   worker_->files += std::max<std::size_t>(1, request_.files.size());
-  cpuAtStart_ = worker_->cpuSeconds();
+  cpuAtStep_ = worker_->cpuSeconds();
   return sendMessage(worker_->socket.get(), order, false) == Transfer::done;
 }
 
@@ -187,7 +187,7 @@ bool Call::await(Message& message) {
     pollfd ready{worker_->socket.get(), POLLIN, 0};
     if (got == Transfer::later) ::poll(&ready, 1, lookUpMs);
     waited_ += std::min(mostAtOnce, std::chrono::duration<double>(Clock::now() - from).count());
-    request_.stepsDone = std::min(request_.steps, worker_->buffer.steps().load(std::memory_order_relaxed));
+    noteProgress();
     if (got == Transfer::broken) fail(Failure::ended);
     if (request_.cancel && request_.cancel->cancelled()) fail(Failure::cancelled);
     if (waited_ > patienceSeconds && outOfPatience())
@@ -196,11 +196,21 @@ bool Call::await(Message& message) {
   }
 }
 
+// Each step has its own patience: what many quick steps saved would keep a stopped worker waiting for
+// minutes.
+void Call::noteProgress() {
+  const std::uint32_t done =
+      std::min(request_.steps, worker_->buffer.steps().load(std::memory_order_relaxed));
+  if (done == request_.stepsDone) return;
+  request_.stepsDone = done;
+  waited_ = 0;
+  cpuAtStep_ = worker_->cpuSeconds();
+}
+
 bool Call::outOfPatience() const {
-  const double allowed = patienceSeconds * (1 + request_.stepsDone) +
-                         double(received_ + request_.needBytes) / leastBytesPerSecond;
+  const double allowed = patienceSeconds + double(received_ + request_.needBytes) / leastBytesPerSecond;
   if (waited_ <= allowed) return false;
-  return worker_->sleeps() || worker_->isStopped() || worker_->cpuSeconds() - cpuAtStart_ > allowed ||
+  return worker_->sleeps() || worker_->isStopped() || worker_->cpuSeconds() - cpuAtStep_ > allowed ||
          waited_ > busyMachine * allowed;
 }
 

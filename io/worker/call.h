@@ -61,6 +61,7 @@ class Call : public Wire {
   bool begin(Handler handler, const std::vector<std::uint8_t>& arguments);
   bool await(Message& message);
   bool serveFiles(const Message& message);
+  void noteProgress();
   bool outOfPatience() const;
 
   Request& request_;
@@ -71,7 +72,7 @@ class Call : public Wire {
   std::uint64_t pieces_ = 0, received_ = 0;
   std::size_t questions_ = 0;
   bool last_ = false;
-  double waited_ = 0, cpuAtStart_ = 0;  // seconds
+  double waited_ = 0, cpuAtStep_ = 0;  // seconds: since the last step; of the worker, by then
 };
 
 /// What a function gives, without the Result around it.

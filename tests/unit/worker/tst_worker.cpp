@@ -47,6 +47,12 @@ bool sleep(int) {
   for (int fd = 3; fd < 64; ++fd) (void)recvmsg(fd, &message, 0);
   return false;
 }
+constexpr std::uint32_t manySteps = 1000;
+template <bool (*end)(int)>
+bool afterManySteps(int) {
+  for (std::uint32_t n = 0; n < manySteps; ++n) finishStep();
+  return end(0);
+}
 bool bloat(int) {
   std::vector<std::vector<char>> all;
   while (true) all.emplace_back(std::size_t(16) << 20, 'x');
@@ -200,6 +206,10 @@ constexpr std::pair<const char*, std::pair<Try, Failure>> trials[] = {
     {"overflows its stack", {[] { return outcomeOf<depth>(1 << 20); }, Failure::ended}},
     {"computes for ever", {[] { return outcomeOf<loop>(0); }, Failure::slow}},
     {"waits for ever", {[] { return outcomeOf<sleep>(0); }, Failure::slow}},
+    {"computes for ever after many quick steps",
+     {[] { return outcomeOf<afterManySteps<loop>>(0, {.files = {}, .steps = manySteps}); }, Failure::slow}},
+    {"waits for ever after many quick steps",
+     {[] { return outcomeOf<afterManySteps<sleep>>(0, {.files = {}, .steps = manySteps}); }, Failure::slow}},
     {"takes all memory", {[] { return outcomeOf<bloat>(0); }, Failure::memory}},
 };
 
