@@ -170,7 +170,7 @@ void PictureFiles::run(const Wanted& wanted, const PictureRun::Keep& keep, const
     if (failure.isEmpty())
       tell(saved());
     else
-      warn(failure);
+      warnUntilDone(failure);
   });
   run->start(keep, finish);
 }
@@ -193,7 +193,7 @@ void PictureFiles::writeStack(const Wanted& wanted, const QString& folder) {
   const auto aside = std::make_shared<QTemporaryDir>(folder + QStringLiteral("/.volumen-XXXXXX"));
   const QString pictures = aside->filePath(QStringLiteral("pictures"));
   if (!aside->isValid() || !QDir().mkdir(pictures))
-    return warn(tr("Cannot write into %1: choose another folder.").arg(folder));
+    return warnUntilDone(tr("Cannot write into %1: choose another folder.").arg(folder));
   const auto made = std::make_shared<QString>();
   run(
       wanted,

@@ -148,7 +148,7 @@ void Printing::print(const PrinterPtr& printer, const Seen& seen, bool inTrueSiz
         return paint(printer, seen, {*seen.picture, {}, seen.caption}, false);
       },
       [this](const Status& painted) {
-        painted ? tell(tr("Printed")) : warn(QString::fromStdString(painted.message()));
+        painted ? tell(tr("Printed")) : warnUntilDone(QString::fromStdString(painted.message()));
       });
 }
 
@@ -178,8 +178,9 @@ void Printing::printInTrueSize(const PrinterPtr& printer, Seen seen, QSizeF mm) 
 
 void Printing::run(const PrinterPtr& printer, const Seen& seen, const PictureLook& look) {
   auto* run = new PictureRun(grid_, session_, bench_.document.jobs, tr("Printing"), {*seen.stop}, look, this);
-  connect(run, &PictureRun::ended, this,
-          [this](const QString& failure) { failure.isEmpty() ? tell(tr("Printed")) : warn(failure); });
+  connect(run, &PictureRun::ended, this, [this](const QString& failure) {
+    failure.isEmpty() ? tell(tr("Printed")) : warnUntilDone(failure);
+  });
   const auto picture = std::make_shared<PagePicture>();
   run->start(
       [picture, caption = seen.caption](std::size_t, const MadePicture& made) {

@@ -125,7 +125,7 @@ void ViewPictures::write(const Seen& seen, const QString& path) {
         return writeImage(seen.picture.convertToFormat(QImage::Format_RGB888), path.toStdString(), text);
       },
       [this, path](const Status& status) {
-        if (!status) return warn(QString::fromStdString(status.message()));
+        if (!status) return warnUntilDone(QString::fromStdString(status.message()));
         tell(tr("Saved %1").arg(path));
       });
 }

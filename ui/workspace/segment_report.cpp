@@ -49,6 +49,7 @@ Result<std::vector<SegmentReport>> voxelReports(std::span<const Segment> segment
     auto form = voxelFormOf(mask, cancel);
     if (!form) return form.error();
     report.form = *form;
+    report.made = madeText(segment);
     if (cancel.cancelled()) return Error{"Cancelled."};
     all.push_back(std::move(report));
   }
