@@ -32,7 +32,7 @@ struct TwinLock {
   glm::dvec3 way;
 };
 
-/// Where each frame of reference is, or each view alone, by window.md ("Linked views").
+/// Where each frame of reference is, or each view alone, by window.md ("Link views").
 struct LockTwin {
   glm::dvec3 at[3];
   std::map<int, glm::dvec3> own;  // by view

@@ -1,5 +1,5 @@
-// Guards window.md "Objects that refer to pictures": they are listed, and documents are read, by real events
-// on real files.
+// Guards window.md "Open objects that refer to pictures": they are listed, and documents are read, by real
+// events on real files.
 #include <QTextBrowser>
 
 #include "tests/ui/derived_2d.h"

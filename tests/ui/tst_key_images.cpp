@@ -1,5 +1,5 @@
-// Guards window.md "Objects that refer to pictures": key images are marked, listed and gone through, by real
-// events on real files.
+// Guards window.md "Open objects that refer to pictures": key images are marked, listed and gone through, by
+// real events on real files.
 #include <QDir>
 #include <QDockWidget>
 #include <QLabel>

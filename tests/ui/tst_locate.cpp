@@ -1,4 +1,5 @@
-// Guards window.md "Sessions": series that were moved are found again in a folder that is named, all at once.
+// Guards window.md "Save a session": series that were moved are found again in a folder that is named, all at
+// once.
 #include <QAbstractButton>
 #include <QDir>
 #include <QFileInfo>

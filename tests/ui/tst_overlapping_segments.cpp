@@ -1,4 +1,4 @@
-// Guards window.md "Segments" of several maps, by real events: segments that overlap keep their voxels, are
+// Guards window.md "Segment" of several maps, by real events: segments that overlap keep their voxels, are
 // listed, drawn, measured, exported and saved together; what is done in one map leaves the others.
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,5 +1,5 @@
-// Guards window.md "Objects that refer to pictures": presentation states show pictures as they say, by real
-// events on real files; pixels are those that the data's README states.
+// Guards window.md "Open objects that refer to pictures": presentation states show pictures as they say, by
+// real events on real files; pixels are those that the data's README states.
 #include <QAbstractButton>
 #include <QDir>
 #include <QTemporaryDir>

@@ -1,5 +1,5 @@
-// Guards window.md "Contours and segments": which contours a plane shows, where it cuts others, and which
-// pixels segments tint; closed forms.
+// Guards window.md "Open objects that refer to pictures": which contours a plane shows, where it cuts others,
+// and which pixels segments tint; closed forms.
 #include <glm/geometric.hpp>
 #include <utility>
 

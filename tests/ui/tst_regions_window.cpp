@@ -1,5 +1,5 @@
-// Guards window.md "Objects that refer to pictures": contours and segments lie over slices, by real events on
-// real files.
+// Guards window.md "Open objects that refer to pictures": contours and segments lie over slices, by real
+// events on real files.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 

@@ -1,4 +1,4 @@
-// Guards window.md "Segments": files of segments that are dropped on views and the panel, and segmentations
+// Guards window.md "Segment": files of segments that are dropped on views and the panel, and segmentations
 // of the list of studies, become segments of the series.
 #include <QContextMenuEvent>
 #include <QMenu>

@@ -1,4 +1,4 @@
-// Guards window.md "Segments": what was exported is imported again, the same to the voxel, in one step; files
+// Guards window.md "Segment": what was exported is imported again, the same to the voxel, in one step; files
 // are asked for; overlaps, other grids and files that are none are told; nothing changes until all of it is
 // there.
 #include <QThread>

@@ -1,4 +1,4 @@
-// Guards window.md "Segments" of several maps, by real events: segments are moved from one map to another,
+// Guards window.md "Segment" of several maps, by real events: segments are moved from one map to another,
 // with their steps, in one step; what cannot be moved says why.
 #include <QApplication>
 #include <QContextMenuEvent>

@@ -1,6 +1,6 @@
 // Guards where views of series in different frames of reference are, whatever was done before: scrolled, the
 // crosshair moved, locked here, unlocked, scrolling each for itself, undone and in sessions, by real events
-// in sequences by chance, against a twin from window.md ("Linked views"). VOLUMEN_RANDOM_CASES=N,
+// in sequences by chance, against a twin from window.md ("Link views"). VOLUMEN_RANDOM_CASES=N,
 // VOLUMEN_RANDOM_SEED=S: N sequences, from S on.
 #include <QRegularExpression>
 #include <algorithm>

@@ -8,8 +8,8 @@
 namespace volumen::tests {
 
 /// Keys that move the focus or open something over the views, pressed where the view in focus has the keys.
-/// Each returns what is not as window.md has it ("Panels and keys", "Layouts"), empty: all is; none is a step
-/// of undo.
+/// Each returns what is not as window.md has it ("Work by keyboard", "Arrange views"), empty: all is; none is
+/// a step of undo.
 
 /// Tab, or Shift+Tab, to the next view row by row; out of a view that is alone, which then has the keys
 /// again.

@@ -63,8 +63,8 @@ struct TwinSeen : TwinPlane {
   double depthOf(glm::dvec3 p) const;
 };
 
-/// Where each position of the patient must appear in views of slices, by slices.md 1 and window.md ("Planes",
-/// "Linked views") alone: shares no code with the window. All series are of one frame of reference.
+/// Where each position of the patient must appear in views of slices, by slices.md 1 and window.md ("Move the
+/// planes", "Link views") alone: shares no code with the window. All series are of one frame of reference.
 struct TurnedTwin {
   static constexpr double leastZoom = 0.05, mostZoom = 200;  ///< how small and large pictures are at most
   std::vector<VolumePtr> volumes;

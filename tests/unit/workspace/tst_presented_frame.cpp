@@ -1,4 +1,4 @@
-// Guards slices.md 2 and window.md "Frames as acquired" for frames that a presentation state turns: each
+// Guards slices.md 2 and window.md "Show frames as acquired" for frames that a presentation state turns: each
 // displayed pixel is the one that the standard's order of turning and mirroring gives, and the letters of
 // PatientOrientation turn with the picture.
 #include "tests/unit/suite.h"

@@ -1,4 +1,4 @@
-// Guards window.md "Time points": how the steps of one series are counted and named.
+// Guards window.md "Play, and step through time": how the steps of one series are counted and named.
 #include "tests/unit/suite.h"
 #include "ui/workspace/time_point_text.h"
 #include "ui/workspace/time_points.h"
