@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <map>
 
 #include "app/open_volume.h"
 #include "io/dicom/data_set.h"
+#include "io/dicom/kept_headers.h"
 #include "io/export/dicom_source.h"
 #include "io/files/header_text.h"
 #include "io/files/output_file.h"
@@ -37,21 +39,42 @@ std::vector<double> numbersOf(const std::string& text) {
   return numbers;
 }
 
-Said saidBy(const Series& series, const CancelToken& cancel) {
-  if (series.format != "DICOM") return {};
-  Series first = series;
-  first.files.resize(1), first.frames.resize(1);
-  const Result<DicomSource> source = readDicomSource(first, {}, cancel);
-  if (!source) return {};
-  const auto value = [&](std::uint32_t tag) {
-    const std::string ofFrame = valueOf(source->frame(0).elements, tag);
-    return ofFrame.empty() ? valueOf(source->file(0).elements, tag) : ofFrame;
-  };
-  Said said{dicom::parseNumber(value(repetitionTime)), dicom::parseNumber(value(frameReferenceTime)),
-            dicom::parseNumber(value(triggerTime)), numbersOf(value(gradientDirection))};
-  if (said.direction.size() != 3) said.direction.clear();
-  return said;
-}
+// What the first slices of volumes say. Each file is read once, however many volumes begin in it.
+class FirstSlices {
+ public:
+  explicit FirstSlices(const CancelToken& cancel) : cancel_(cancel) {}
+
+  Said of(const Series& series) {
+    if (series.format != "DICOM") return {};
+    const std::string& path = series.files.front();
+    auto at = sources_.find(path);
+    if (at == sources_.end()) {
+      Series first = series;
+      first.files.resize(1), first.frames.resize(1);
+      at = sources_.emplace(path, readDicomSource(first, {}, cancel_)).first;
+    }
+    if (!at->second) return {};
+    const DicomSourceFile& file = at->second->files.front();
+    const std::size_t frame = std::size_t(series.frames.front());
+    if (frame >= file.frames.size()) return {};
+    return saidBy(file, file.frames[frame]);
+  }
+
+ private:
+  static Said saidBy(const DicomSourceFile& file, const DicomSourceFrame& frame) {
+    const auto value = [&](std::uint32_t tag) {
+      const std::string ofFrame = valueOf(frame.elements, tag);
+      return ofFrame.empty() ? valueOf(file.elements, tag) : ofFrame;
+    };
+    Said said{dicom::parseNumber(value(repetitionTime)), dicom::parseNumber(value(frameReferenceTime)),
+              dicom::parseNumber(value(triggerTime)), numbersOf(value(gradientDirection))};
+    if (said.direction.size() != 3) said.direction.clear();
+    return said;
+  }
+
+  const CancelToken& cancel_;
+  std::map<std::string, Result<DicomSource>> sources_;  // by file
+};
 
 // From one volume to the next, where it is always the same; 0: it is not, or not known.
 double evenStep(const std::vector<Said>& said, std::optional<double> Said::*ms) {
@@ -144,8 +167,10 @@ Result<std::vector<Series>> severalVolumes(const std::string& path, const std::s
 
 Result<WrittenVolumes> writeVolumes(const std::vector<Series>& volumes, const std::string& output,
                                     const Progress& progress, const CancelToken& cancel) {
+  const dicom::HeldHeaders held;
+  FirstSlices firstSlices(cancel);
   std::vector<Said> said;
-  for (const Series& series : volumes) said.push_back(saidBy(series, cancel));
+  for (const Series& series : volumes) said.push_back(firstSlices.of(series));
   const NiftiTime time{int(volumes.size()), stepSeconds(said)};
   WrittenVolumes written;
   std::vector<std::string>& notes = written.notes;

@@ -39,12 +39,19 @@ class Files {
       : size_(series.acquired.size) {
     for (const std::string& path : series.files) files_[path];
     std::vector<std::string> unknown;
+    std::vector<std::optional<FileState>> states;
     for (auto& [path, file] : files_) {
       file.header = keptHeader(path);
-      if (!file.header) unknown.push_back(path);
+      if (file.header) continue;
+      unknown.push_back(path);
+      states.push_back(fileState(path));
     }
     std::vector<Inspection> inspections = inspectFiles(unknown, progress, cancel);
-    for (std::size_t n = 0; n < unknown.size(); ++n) set(files_[unknown[n]], std::move(inspections[n]));
+    for (std::size_t n = 0; n < unknown.size(); ++n) {
+      File& file = files_[unknown[n]];
+      set(file, std::move(inspections[n]));
+      if (file.header && states[n]) keepHeader(unknown[n], *states[n], file.header);
+    }
   }
   Incoming slice(const std::string& path, int frame) const {
     const File& file = files_.at(path);

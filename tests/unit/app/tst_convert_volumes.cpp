@@ -1,16 +1,21 @@
 // Guards design.md 4: what a UID of several volumes means, by every command; 4-D NIfTI.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
+#include <array>
 #include <cmath>
 
 #include "io/load.h"
 #include "io/open.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
+#include "tests/unit/io/dicom_frames.h"
+#include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
@@ -27,6 +32,7 @@ class TestConvertVolumes : public QObject {
   void oneOfThemIsWrittenAlone();
   void diffusionWeightsStandBeside();
   void directionsOfPhilipsAreKnown();
+  void oneFileIsReadOnceForAllItsVolumes();
 
  private:
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
@@ -177,6 +183,66 @@ void TestConvertVolumes::directionsOfPhilipsAreKnown() {
       found,
       QStringLiteral("0: 0,0,0|1000: -0.48,0.6,0.64|1000: 0,1,0|1000: 0.6,0,0.8|1000: 1,0,0|2000: 0,0.6,-0.8")
           .split(QLatin1Char('|')));
+}
+
+namespace {
+
+// Counts how often a file is opened, by any program.
+class OpenCount {
+ public:
+  explicit OpenCount(const QString& path) {
+    inotify_add_watch(events_, path.toLocal8Bit().constData(), IN_OPEN);
+  }
+  ~OpenCount() { close(events_); }
+  int take() const {
+    int opens = 0;
+    alignas(inotify_event) std::array<char, 4096> part{};
+    for (ssize_t got; (got = read(events_, part.data(), part.size())) > 0;)
+      for (ssize_t at = 0; at < got; ++opens)
+        at += ssize_t(sizeof(inotify_event)) +
+              ssize_t(reinterpret_cast<const inotify_event*>(part.data() + at)->len);
+    return opens;
+  }
+
+ private:
+  const int events_ = inotify_init1(IN_NONBLOCK);
+};
+
+// Frames of two places at each of `count` time points.
+void writeTimePoints(const QString& path, int count) {
+  DicomPicture picture{.orientation = "", .spacing = ""};
+  picture.edit = [count](DcmDataset& data) {
+    makeFrames(data, 2 * count);
+    data.findAndDeleteElement(DCM_ImagePositionPatient);
+    group(data, -1, DCM_PlaneOrientationSequence)
+        .putAndInsertString(DCM_ImageOrientationPatient, "1\\0\\0\\0\\1\\0");
+    group(data, -1, DCM_PixelMeasuresSequence).putAndInsertString(DCM_PixelSpacing, "1\\1");
+    for (int n = 0; n < 2 * count; ++n) {
+      const char* place = n % 2 ? "0\\0\\3" : "0\\0\\0";
+      group(data, n, DCM_PlanePositionSequence).putAndInsertString(DCM_ImagePositionPatient, place);
+      group(data, n, DCM_FrameContentSequence)
+          .putAndInsertUint32(DCM_TemporalPositionIndex, Uint32(1 + n / 2));
+    }
+  };
+  writeDicom(path.toStdString(), picture);
+}
+
+}  // namespace
+
+// A further volume opens the file once, for its pixels. The file was just written, so that no header of it is
+// kept otherwise.
+void TestConvertVolumes::oneFileIsReadOnceForAllItsVolumes() {
+  int opens[2];
+  for (const int more : {0, 1}) {
+    const QString path = at(more ? "thirty.dcm" : "ten.dcm");
+    writeTimePoints(path, more ? 30 : 10);
+    const OpenCount count(path);
+    const Outcome a = run(QStringLiteral("convert"), path.toStdString(), "1.2.3.4.5", at("opened.nii.gz"));
+    QVERIFY2(a.status == 0 && a.err.contains(more ? "30 volumes" : "10 volumes"), a.err);
+    opens[more] = count.take();
+  }
+  QVERIFY2(opens[0] > 0 && opens[1] - opens[0] <= 20,
+           qPrintable(QStringLiteral("%1 and %2").arg(opens[0]).arg(opens[1])));
 }
 
 VOLUMEN_TEST(TestConvertVolumes);

@@ -19,6 +19,7 @@ class TestKeptHeaders : public QObject {
   void aChangedFileIsReadAgain_data();
   void aChangedFileIsReadAgain();
   void whatMayChangeUnseenIsNotKept();
+  void whileHeldFreshFilesAreKept();
 };
 
 void TestKeptHeaders::slicesAreLookedAtOnce() {
@@ -83,6 +84,19 @@ void TestKeptHeaders::whatMayChangeUnseenIsNotKept() {
   const auto loaded = loadSeries(study.volumes[0]);
   QVERIFY(loaded);
   QVERIFY(warns(loaded->warnings, "missing") || warns(loaded->warnings, "uneven"));
+}
+
+void TestKeptHeaders::whileHeldFreshFilesAreKept() {
+  const DicomFolder folder;
+  for (int n = 0; n < 3; ++n) folder.add(numbered("s", n), sliceAt(n, n));
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  {
+    const dicom::HeldHeaders held;
+    QVERIFY(loadSeries(study.volumes[0]));
+    for (const std::string& file : study.volumes[0].files) QVERIFY(dicom::keptHeader(file));
+  }
+  for (const std::string& file : study.volumes[0].files) QVERIFY(!dicom::keptHeader(file));
 }
 
 VOLUMEN_TEST(TestKeptHeaders);
