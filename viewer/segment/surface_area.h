@@ -34,6 +34,11 @@ AreaSmoothing areaSmoothing(const VoxelGeometry& geometry);
 /// none, except where their normals differ by 10 degrees or more, as they do where something is thin. What
 /// lies outside the grid is not in the mask. How far it is off: resources/docs/segment.md. On all cores; the
 /// same for any number of threads. Cancelled: of what was done by then.
+/// Three other ways were tried and are worse on the whole. Crofton's formula with up to 80 directions is off by
+/// -6.6 % (cylinder 10 x 40 mm) and -13.9 % (box) at worst on slices of 2.5 mm, by -9.3 and -16.0 % on 5 mm. The
+/// drawn surface has the steps of thick slices: round bodies are up to 16 % too large on 5 mm. Signed distances
+/// make balls of radius 10 on 5 mm 4 to 11 % too large in slices; in the volume the box is off by -16 %
+/// (Crofton) or -12 % (as drawn).
 double boundaryArea(const BitMask& mask, const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -1,4 +1,4 @@
-// Guards segment.md, "Its surface", of phantoms and of real segments, on every kind of grid: what is written
+// Guards segment.md, "Surfaces", of phantoms and of real segments, on every kind of grid: what is written
 // is closed, lies nowhere farther than half a voxel from the border of the voxels, and encloses what pictures
 // draw. Random masks: VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S.
 #include <cmath>
