@@ -1,5 +1,5 @@
-// Guards segment.md, "Use a built-in recipe": what the built-in recipes find in people and what they refuse, by
-// bounds that each have a reason, and lesions of a PET against numbers that numpy found in its files.
+// Guards segment.md, "Use a built-in recipe": what the built-in recipes find in people and what they refuse,
+// by bounds that each have a reason, and lesions of a PET against numbers that numpy found in its files.
 #include <algorithm>
 #include <cmath>
 #include <map>
