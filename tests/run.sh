@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is needed, builds everything with warnings as errors and runs all tests.
-# usage: bash tests/run.sh [--thorough] [PRESET]   PRESET: ci (default), asan, tsan, dev
+# usage: bash tests/run.sh [--thorough] [PRESET]   PRESET: release (default), asan, tsan, dev
 # --thorough: three times as many cases by chance or more, the same again from another seed, and all of the window under
 # an X server, too
 set -euo pipefail
@@ -9,7 +9,7 @@ top=$(cd "$(dirname "$0")/.." && pwd)
 show_usage_if_asked "$0" "${1:-}" --thorough
 thorough=
 [ "${1:-}" != --thorough ] || { thorough=1; shift; }
-preset=${1:-ci}
+preset=${1:-release}
 
 install_packages "${build_packages[@]}" "${run_packages[@]}" xvfb xauth libxtst6 dicom3tools python3-pydicom python3-numpy fonts-noto-core fonts-cantarell
 build "$preset"
