@@ -12,8 +12,8 @@
 namespace volumen::dicom {
 namespace {
 
-/// A character set of PS3.3 C.12.1.1.2: its defined term without "ISO_IR " or "ISO 2022 IR ", the escape
-/// sequence that selects it (without ESC), and how its bytes map to an encoding of iconv.
+/// A character set of PS3.3 C.12.1.1.2. `term` lacks "ISO_IR " or "ISO 2022 IR ", `escape` lacks ESC. `bytes`
+/// says how its bytes become an encoding that iconv knows.
 struct CharacterSet {
   const char* term;
   const char* escape;

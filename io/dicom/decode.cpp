@@ -250,7 +250,7 @@ Result<DecodedFrame> PixelSource::frame(int n, const PixelFormat& format) const 
   return tileOf(*whole, n, format, *header_.mosaic);
 }
 
-// Native samples meet no decoder: they are moved and masked here, wherever this is.
+// Native samples need no decoder, so this process unpacks them itself.
 Result<DecodedFrame> PixelSource::decoded(int n, const PixelFormat& format) const {
   const FrameRanges& ranges = header_.frames[std::size_t(n)];
   if (isDecodedInWorkers()) return decodeIsolated(header_.path, format, header_.syntax, ranges, cancel_);

@@ -50,7 +50,7 @@ class PixelSource {
   CancelToken cancel_;
   std::optional<RegularFile> file_;  // set if this process reads the bytes itself
   std::vector<std::uint8_t> inflated_;
-  std::optional<DecodedFrame> mosaic_;  // the whole picture
+  std::optional<DecodedFrame> mosaic_;  // all tiles of a mosaic
 };
 
 /// Sets up DCMTK's decoders once. decodeJpeg calls it itself.

@@ -151,7 +151,7 @@ DerivedObject readDerivedObject(const DataSet& data, const FileHeader& header, D
   object.id = instanceId(header);
   object.path = header.path;
   object.sopInstanceUid = header.sopInstanceUid;
-  // The annotations of a presentation state name some of its pictures again.
+  // Only the list of a presentation state counts, as its annotations name some of its pictures again.
   const bool listed = kind == DerivedKind::presentation;
   object.pictures = readPictures(data, listed ? data.contents(0x00081115, data.root()) : data.root());
   readLabel(data, object);

@@ -22,8 +22,8 @@ bool staysInside(const std::string& id) {
   return true;
 }
 
-/// Returns a form of `path` that matches the variants of ISO 9660 and of copies from it: any case, with a
-/// version, a dot or a picture's extension at the end.
+/// Returns a form of `path` that matches the variants of ISO 9660 and of copies from it. They differ in case,
+/// and may end with a version, a dot or a picture's extension.
 std::string comparable(std::string path) {
   std::ranges::transform(path, path.begin(), [](unsigned char c) { return char(std::tolower(c)); });
   for (const std::string_view end : {";1", ".", ".dcm", ".ima"})

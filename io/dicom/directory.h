@@ -23,8 +23,8 @@ struct ListedFile {
 /// Returns the files that the records of a DICOMDIR name.
 std::vector<ListedFile> listedFiles(const DataSet& data);
 
-/// Describes a DICOMDIR in a few words: the number of listed files, and of those that are not among `found`
-/// below its folder or that lead out of it. It opens no file and compares names alone, ignoring case.
+/// Describes a DICOMDIR in a few words. Counts the listed files, those not among `found` below its folder,
+/// and those that lead out of it. It opens no file and compares names alone, ignoring case.
 std::string directoryText(const std::string& path, const std::vector<ListedFile>& listed,
                           const std::vector<std::string>& found);
 

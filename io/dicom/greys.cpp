@@ -123,7 +123,7 @@ NamedGrey greyOfSlice(NamedGrey grey, const Slice& slice) {
   m.table.first += slice.intercept;
   // LINEAR counts in steps of 1.
   if (m.function == WindowFunction::linear && slice.slope != 1) {
-    constexpr double narrowest = 1e-3;  // of a step from black to white
+    constexpr double narrowest = 1e-3;  // width from black to white, in steps
     m.window = {m.window.centre - 0.5, std::max(narrowest, m.window.width - 1)};
     m.function = WindowFunction::linearExact;
   }

@@ -30,7 +30,7 @@ NamedGrey greyOfSlice(NamedGrey grey, const Slice& slice);
 /// The sentence about mapped values, after "its".
 extern const std::string realWorldSentence;
 
-/// Returns all grey mappings that the file offers for a frame: windows, then VOI LUTs. If there are none,
+/// Returns all grey mappings that the file offers for a frame: windows, then VOI LUTs. Without either,
 /// returns the range of the values themselves (P0.1 .. P99.9). `warnings` names LUTs that are left out.
 std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, const FileHeader& header,
                                  const Slice& slice, const Frame& frame, std::vector<std::string>& warnings);

@@ -123,7 +123,7 @@ std::vector<Split> byKinds(const Split& split, std::size_t separator, const Kind
   for (std::size_t k = 0; k < splits.size(); ++k)
     addName(splits[k], separators()[separator], kinds.values[k],
             wordsOf(separators()[separator], kinds.values, k));
-  constexpr double tremble = 0.25;  // of a step
+  constexpr double tremble = 0.25;  // fraction of a step
   const std::vector<double> steps = stepsOf(split.entries, standing(kinds)[0]);
   const auto placeOf = [](const Split& s) { return s.entries[0].placed.alongNormal; };
   if (placeOf(splits.back()) - placeOf(splits.front()) < tremble * lowerMedian(steps))

@@ -15,7 +15,7 @@ namespace volumen::dicom {
 /// Turns the frames of a label map into 1-bit frames of one segment each.
 class LabelFrames {
  public:
-  /// `byNumber` maps segment numbers to indices and must outlive this. `background` is the number of
+  /// `byNumber` maps segment numbers to indices and must outlive this. `background` is the value of
   /// unlabelled pixels. `pixels` is the size of a frame.
   LabelFrames(const std::unordered_map<int, std::size_t>& byNumber, int background, std::size_t pixels)
       : byNumber_(byNumber), background_(background), pixels_(pixels) {}
@@ -24,7 +24,7 @@ class LabelFrames {
   std::vector<std::size_t> add(std::span<const int> numbers);
 
   std::vector<std::uint8_t> bits() const { return bits_.bytes(); }
-  /// Returns the pixel numbers other than 0 that belong to no segment.
+  /// Returns the pixel values other than 0 that belong to no segment.
   const std::set<int>& undescribed() const { return undescribed_; }
 
  private:

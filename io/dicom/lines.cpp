@@ -129,7 +129,7 @@ glm::dvec2 slopeWithin(const std::vector<Place>& places, const Runs& runs) {
 }
 
 /// Splits slices where the stack jumps sideways by more than `most`. Returns a single run if that is only
-/// jitter: real jumps are few, and much larger than the slices' distances from the lines of their runs.
+/// jitter. Real jumps are few, and much larger than the slices' distances from the lines of their runs.
 Runs runsBetweenJumps(const std::vector<Place>& places, double same, double most) {
   Runs runs{std::vector<std::size_t>(places.size()), 1, usualSlope(places, same)};
   double leastJump = 0;
@@ -142,7 +142,7 @@ Runs runsBetweenJumps(const std::vector<Place>& places, double same, double most
   const Runs one{std::vector<std::size_t>(places.size()), 1, {}};
   if (runs.count == 1 || 4 * (runs.count - 1) > places.size() - 1) return one;
   runs.slope = slopeWithin(places, runs);
-  constexpr double tremble = 0.25;  // of the least jump
+  constexpr double tremble = 0.25;  // fraction of the smallest jump
   std::vector<glm::dvec2> starts(runs.count);
   for (std::size_t n = 0; n < places.size(); ++n) {
     const glm::dvec2 intercept = places[n].inPlane - places[n].along * runs.slope;

@@ -10,8 +10,8 @@ namespace volumen::dicom {
 /// Smaller distances are jitter; slices farther away belong to another stack.
 double mostOffLineMm(const Slice& slice);
 
-/// The direction in which ordered slices are stacked: a unit vector. `tilted` if all slices agree that it is
-/// not their normal (gantry tilt, shear).
+/// The direction in which ordered slices are stacked: a unit vector. `tilted` is true if all slices agree
+/// that it is not their normal (gantry tilt, shear).
 struct StackDirection {
   glm::dvec3 unit{0, 0, 1};
   bool tilted = false;

@@ -132,7 +132,7 @@ Result<LookupTable> readLookupTable(const DataSet& data, DataSet::Scope scope, L
   if (table.entries.empty())
     return Error{"a look-up table " + tagText(inSegments ? tags.segments : tags.data) +
                  " does not hold the " + std::to_string(count) + " entries that its descriptor announces"};
-  // Grey entries that are too large are clipped. Those of a palette are colours.
+  // Too large entries are clipped for greys. A palette's entries are colours and must keep their values.
   if (tags.segments && table.bits == 8 && table.usedBits() > 8) table.bits = 16;
   if (table.bits != bits)
     data.remark("one of its look-up tables says that its entries have " + std::to_string(bits) +

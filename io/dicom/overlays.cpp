@@ -26,7 +26,7 @@ class Plane {
   /// Returns the overlay frame that lies over frame `n` of the picture, or nothing.
   std::optional<std::uint64_t> frameOver(int n) const {
     const auto count = data_.number(tag(0x0015), data_.root());
-    if (!count) return 0;  // one for all
+    if (!count) return 0;  // one overlay frame for all
     const double frame = n - (double(word(0x0051).value_or(1)) - 1);
     if (frame < 0 || frame >= *count) return {};
     return std::uint64_t(frame);

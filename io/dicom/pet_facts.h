@@ -21,8 +21,8 @@ struct PetFacts {
   int injections = 0;       ///< number of items of RadiopharmaceuticalInformationSequence
   bool isEnhanced = false;  ///< its units and corrections are those of enhanced PET
   bool attenuationCorrected = false, decayCorrected = false;
-  std::string
-      mappedType;  ///< SUVType of the values of a real world value mapping: "BW", "LBMJAMES128", "BSA"
+  /// SUVType of the values of a real world value mapping: "BW", "LBMJAMES128", "BSA".
+  std::string mappedType;
   double mappedFactor = 0;  ///< from the values of the file to those; 0 if there is no such mapping
   bool operator==(const PetFacts&) const = default;
 };

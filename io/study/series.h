@@ -14,7 +14,7 @@
 
 namespace volumen {
 
-/// An attribute that separates the volumes of one series, and its value in one of them.
+/// An attribute that separates the volumes of one series, with its value in one volume.
 struct SplitBy {
   std::string attribute;  ///< DICOM keyword, "ConvolutionKernel"; "rank" if no attribute separates them
   std::string value;      ///< as in the file
@@ -28,8 +28,8 @@ struct ProjectionView {
   bool operator==(const ProjectionView&) const = default;
 };
 
-/// A volume, or pictures that form none, as found by headers alone: plain values for the rest of the program,
-/// and what loading needs.
+/// A volume, or pictures that form no volume, as found from headers alone. Holds plain values for the rest of
+/// the program and everything that loading needs.
 struct Series : SeriesIdentity {
   std::string id;  ///< SeriesInstanceUID or file name, followed by "#n" if that holds several (design.md 10)
   std::string path;    ///< the file, or the folder that holds the files
@@ -41,16 +41,16 @@ struct Series : SeriesIdentity {
   std::string echoTime;       ///< ms, as in the file; empty if not given
   std::string bValue;         ///< diffusion weighting, s/mm^2, as in the file; empty if not given
   std::string timePoint;      ///< time point of a series in time, as in the file; empty if not given
-  /// What else separates it from the other volumes of its series or file, in a few words: "direction 12",
+  /// Words for other differences from the volumes of its series or file: "direction 12",
   /// "component x", "2 of 5"; may be empty.
   std::string label;
 
-  /// What separates it from the other volumes of its series, most important first.
+  /// Attributes that separate it from the other volumes of its series, most important first.
   std::vector<SplitBy> splitBy;
   double sliceThickness = 0;  ///< SliceThickness, mm; 0 if not given or not equal in all slices
 
-  VoxelGeometry
-      acquired;  ///< the slices as acquired; spacing along k: mean distance along the step between slices
+  /// The slices as acquired. Spacing along k is their mean distance along the step between slices.
+  VoxelGeometry acquired;
   std::string valueType;  ///< "uint8", "int16", "uint16", "float32"
   std::vector<Warning> warnings;
 

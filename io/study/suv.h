@@ -10,9 +10,9 @@ struct Series;
 /// Factors from the values of a PET series to standardised uptake values (slices.md 4). All members are empty
 /// for other series.
 struct SuvFactors {
-  std::optional<double> bodyWeight;    ///< to SUVbw, g/ml
-  std::optional<double> leanBodyMass;  ///< to SUVlbm, g/ml
-  std::optional<double> bodySurface;   ///< to SUVbsa, cm^2/ml
+  std::optional<double> bodyWeight;    ///< factor to SUVbw, g/ml
+  std::optional<double> leanBodyMass;  ///< factor to SUVlbm, g/ml
+  std::optional<double> bodySurface;   ///< factor to SUVbsa, cm^2/ml
   std::string why;  ///< reason for a missing factor: "PatientWeight (0010,1030) is missing"
   bool operator==(const SuvFactors&) const = default;
 };

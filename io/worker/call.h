@@ -20,7 +20,7 @@ struct Request {
   const CancelToken* cancel = nullptr;
 
   std::vector<std::string> found = {};  ///< set by the call: files that headers refer to, resolved
-  std::uint32_t stepsDone = 0;          ///< set by the call
+  std::uint32_t stepsDone = 0;          ///< set by the call: number of finished steps
 };
 
 /// A file that comes with a request: open, or with the problem that prevented opening it.
@@ -40,7 +40,7 @@ bool isReasonOfMachine(const std::string& reason);
 
 struct Process;
 
-/// Has all workers from now on prepared for all (prepareToServe).
+/// Makes all new workers be prepared for all (prepareToServe).
 void prepareForAll();
 
 /// A request that a worker serves. Its answer is read from the Call as it arrives. A worker that ends,

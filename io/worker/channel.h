@@ -62,8 +62,8 @@ enum class Transfer { done, later, broken };
 /// `wait` is false.
 Transfer sendMessage(int socket, const Message& message, bool wait);
 
-/// Receives a message. Returns `later` if there is none and `wait` is false. Returns `broken` if the other
-/// side is gone or sent something that is no message.
+/// Receives a message. Returns `later` if no message is there and `wait` is false. Returns `broken` if the
+/// other side is gone or sent something that is no message.
 Transfer receiveMessage(int socket, Message& message, bool wait);
 
 }  // namespace volumen::worker

@@ -17,8 +17,8 @@ enum class Failure {
   noWorker,   ///< there was no worker and none could be made
   noRoom,     ///< no worker, as this process may not make files that large, shared memory among them
   noOpening,  ///< the program may open no more files or descriptors
-  stopped,    ///< from outside
-  killed      ///< from outside
+  stopped,    ///< stopped from outside
+  killed      ///< killed from outside
 };
 
 /// Returns whether a failure says nothing about the file, so that another try may read it.

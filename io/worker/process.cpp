@@ -125,8 +125,8 @@ bool Process::isStopped() const { return stateOf(pid) == 'T'; }
 
 namespace {
 
-/// Records what a failure to make a worker means. If the limit on descriptors is too low, the zygote has it
-/// too, and closes as it cannot receive what it is sent.
+/// Records what a failure to make a worker means. The zygote has the same limit on descriptors. If it is
+/// too low, the zygote cannot receive descriptors and closes.
 std::unique_ptr<Process> failed(int error) {
   constexpr rlim_t enough = 16;  // descriptors: those of a worker, its socket and buffer in both processes
   rlimit open{};

@@ -18,7 +18,7 @@ bool becomeZygote(int socket);
 
 /// Permanently drops everything that a worker does not need. It keeps `socket` and standard input, output and
 /// error, which lead nowhere. Core dumps, growing files and new privileges are ruled out. The only system
-/// calls left read what is open, allocate memory and talk through `socket`. Any other call ends the process.
+/// calls left read open files, allocate memory and talk through `socket`. Any other call ends the process.
 /// Returns false if the system refuses.
 bool enterSandbox(int socket);
 

@@ -24,9 +24,9 @@ template <class Enum>
 inline constexpr Enum lastOf = Enum{};
 
 /// Sends plain values between two processes of one program. For each struct, one function `fields(Wire&, T&)`
-/// names its members and serves both directions. What is read is never trusted: counts are believed only as
-/// far as their bytes have arrived. Enumerators and flags are checked, and single floating-point numbers must
-/// be finite. After the first fault ok() is false, and everything read is zero or empty.
+/// names its members and serves both directions. Input is never trusted: counts are believed only as far as
+/// their bytes have arrived. Enumerators and flags are checked, and single floating-point numbers must be
+/// finite. After the first fault ok() is false, and everything read is zero or empty.
 class Wire {
  public:
   virtual ~Wire() = default;
@@ -84,7 +84,7 @@ class Wire {
   bool ok_ = true;
 };
 
-/// Writes to memory that grows.
+/// Writes to a growing buffer.
 class MemoryWriter : public Wire {
  public:
   MemoryWriter() : Wire(false) {}

@@ -68,7 +68,7 @@ void obey(Message& order, pid_t self, Prepared& prepared) {
     if (worker == 0) becomeWorker(self, order.files[0].get(), order.files[1].get(), prepared);
     order.first = std::uint64_t(worker);
   } else {
-    order.first = std::uint64_t(-1);  // no process is meant
+    order.first = std::uint64_t(-1);  // stands for no process
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace volumen::worker {
 
-/// A small process that forks workers. It is made before the program has threads or much memory: forking a
+/// A small process that forks workers. It is made before the program has threads or much memory. Forking a
 /// large process takes tens of milliseconds and copies locks that other threads hold.
 class Zygote {
  public:
