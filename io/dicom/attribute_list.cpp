@@ -23,7 +23,7 @@ struct Known {
   std::string name, vr;
 };
 
-// What DCMTK's dictionary says of a tag; private ones are looked up by who reserved their block.
+// Returns the entry of DCMTK's dictionary. Private tags are looked up by the creator of their block.
 Known lookUp(std::uint32_t tag, const std::string& creator) {
   const DcmTagKey key(Uint16(tag >> 16), Uint16(tag & 0xffff));
   const DcmDataDictionary& dictionary = dcmDataDict.rdlock();
@@ -57,7 +57,7 @@ class Lister {
   }
 
  private:
-  // Sequences nest no deeper than the scan lets them.
+  // The recursion is bounded, as the scan limits the depth of sequences.
   void add(DataSet::Scope scope, int depth) {
     int item = 0;
     for (std::uint32_t n = scope.begin; n < scope.end; n = elements_[n].end) {

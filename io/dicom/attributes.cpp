@@ -22,7 +22,7 @@ constexpr std::uint32_t framesTag = 0x00280008, samplesTag = 0x00280002, photome
                         storedBitsTag = 0x00280101, highBitTag = 0x00280102, signTag = 0x00280103,
                         paletteTag = 0x00281101;
 
-/// NumberOfFrames; 0 where the file says so.
+/// Returns NumberOfFrames: 1 if it is missing, 0 if the file says so.
 Result<int> frameCount(const DataSet& data) {
   const std::string text = data.text(framesTag, data.root());
   if (text.empty()) return 1;
@@ -32,7 +32,7 @@ Result<int> frameCount(const DataSet& data) {
   return int(*value);
 }
 
-/// How many frames there are where NumberOfFrames is 0: as many as native pixels make up; one that is
+/// Returns the number of frames if NumberOfFrames is 0: those that native pixel data hold, or 1 if
 /// compressed.
 Result<int> framesThere(const Element& pixels, const PixelFormat& format,
                         std::vector<std::string>& warnings) {
@@ -48,7 +48,7 @@ Result<int> framesThere(const Element& pixels, const PixelFormat& format,
   return int(frames);
 }
 
-/// Colours and how they are laid out.
+/// Reads the photometric interpretation and the layout of colours.
 Status readColour(const DataSet& data, PixelFormat& format, std::vector<std::string>& warnings) {
   constexpr std::pair<const char*, int> kinds[] = {
       {"MONOCHROME1", 1}, {"MONOCHROME2", 1},  {"PALETTE COLOR", 1}, {"RGB", 3},
@@ -77,7 +77,7 @@ Status readColour(const DataSet& data, PixelFormat& format, std::vector<std::str
   return Error{"colour image (" + format.photometric + "): not supported"};
 }
 
-/// BitsStored and HighBit, each by the other where one is missing.
+/// Reads BitsStored and HighBit and derives each from the other if one is missing.
 Status readStoredBits(const DataSet& data, PixelFormat& format, std::vector<std::string>& warnings) {
   const int allocated = format.bitsAllocated;
   const bool knowsStored = data.word(storedBitsTag, data.root()).has_value();
@@ -96,7 +96,7 @@ Status readStoredBits(const DataSet& data, PixelFormat& format, std::vector<std:
   return {};
 }
 
-/// Whether the bits above the stored ones repeat the highest of these, as signed samples of 16 bits do.
+/// Returns whether the bits above the stored ones repeat the highest stored bit, as in signed 16-bit samples.
 bool repeatsSign(Bytes begin, const PixelFormat& format) {
   if (format.bitsAllocated != 16 || format.highBit == 15) return false;
   const unsigned all = 0xffffu >> (format.highBit + 1);
@@ -110,8 +110,9 @@ bool repeatsSign(Bytes begin, const PixelFormat& format) {
   return anyNegative;
 }
 
-/// Whether samples are signed where PixelRepresentation is missing: as other attributes of stored values are
-/// written, as the bits above them are, else as a CT must be whose values would not fit Hounsfield units.
+/// Decides whether samples are signed if PixelRepresentation is missing. It follows, in this order, the VR of
+/// other attributes with stored values and the bits above the stored ones. Else 16-bit CT is signed, unless
+/// its rescale intercept is so low that unsigned values could be Hounsfield units.
 bool isSignedWithoutSaying(const DataSet& data, const Element& pixels, Bytes begin, const PixelFormat& format,
                            std::vector<std::string>& warnings) {
   constexpr std::pair<std::uint32_t, const char*> storedValues[] = {{0x00280120, "PixelPaddingValue"},
@@ -130,8 +131,8 @@ bool isSignedWithoutSaying(const DataSet& data, const Element& pixels, Bytes beg
     warnings.push_back(told + "signed, as the bits above them are");
     return true;
   }
-  constexpr double lowestOffset = -8192;  // with which 32768 would still be possible
-  // Compressed pixels may be of fewer bits, where the file does not say of how many.
+  constexpr double lowestOffset = -8192;  // with a lower offset 32768 would still be possible
+  // Compressed pixels may have fewer bits if the file does not state BitsStored.
   const bool hasAllBits =
       format.bitsStored == 16 && (pixels.length != undefinedLength || data.has(storedBitsTag, data.root()));
   if (hasAllBits && data.text(0x00080060, data.root()) == "CT" &&
@@ -143,7 +144,7 @@ bool isSignedWithoutSaying(const DataSet& data, const Element& pixels, Bytes beg
   return false;
 }
 
-/// Bits, sign and order of integer samples.
+/// Reads bits, sign and byte order of integer samples.
 Status readBits(const DataSet& data, const Element& pixels, Bytes begin, PixelFormat& format,
                 std::vector<std::string>& warnings) {
   const auto allocated = wordField(data, 0x00280100, "BitsAllocated", {}, 1, 64);
@@ -164,7 +165,7 @@ Status readBits(const DataSet& data, const Element& pixels, Bytes begin, PixelFo
   return {};
 }
 
-/// The view of a mammogram by its code (PS3.16 CID 4014), as ViewPosition has it; empty: another one.
+/// Returns the view code of a mammogram (PS3.16 CID 4014) as a ViewPosition; empty for other views.
 std::string codedView(const DataSet& data) {
   constexpr std::pair<std::string_view, const char*> codes[] = {
       {"399162004", "CC"}, {"R-10242", "CC"}, {"399368009", "MLO"}, {"R-10226", "MLO"},
@@ -204,7 +205,7 @@ void readIdentity(const DataSet& data, FileHeader& header) {
   header.viewPosition = text(0x00185101);
   if (header.viewPosition.empty()) header.viewPosition = codedView(data);
   header.frameOfReferenceUid = text(0x00200052);
-  // JPEG with losses is that, whatever the attribute says.
+  // Lossy JPEG is lossy whatever the attribute says.
   const std::string& syntax = header.syntax.uid;
   const bool isLossyJpeg =
       syntax.size() == 22 && syntax.starts_with("1.2.840.10008.1.2.4.5") && syntax[21] < '7';

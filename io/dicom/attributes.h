@@ -5,27 +5,27 @@
 
 namespace volumen::dicom {
 
-/// The most frames that a file may claim.
+/// Largest number of frames that a file may claim.
 inline constexpr int frameLimit = 1'000'000;
 
-/// Fills in who and what: patient, study, series, UIDs.
+/// Fills in patient, study, series and UIDs.
 void readIdentity(const DataSet& data, FileHeader& header);
 
-/// The Image Pixel Module of a data set whose pixels stand in `pixels`; `begin`: the first bytes of native
-/// ones, where a sign may show that is not said; `warnings`: what is taken for attributes that are missing.
-/// An Error says which attribute is missing, wrong or of a kind that is not read (colours of one bit or of a
-/// kind that is not in use).
+/// Reads the Image Pixel Module of a data set whose pixel data is `pixels`. `begin` holds the first bytes of
+/// native pixels, which may reveal a sign that the file does not state. `warnings` receives assumptions for
+/// missing attributes. An Error names an attribute that is missing, wrong or not supported (1-bit colours,
+/// colours that are not in use).
 Result<PixelFormat> readPixelFormat(const DataSet& data, const Element& pixels, Bytes begin,
                                     std::vector<std::string>& warnings);
 
-/// ContrastBolusAgent, else what the codes of agents say; empty: none is named.
+/// Returns ContrastBolusAgent, else the meaning of the first agent's code; empty if no agent is named.
 std::string readContrastAgent(const DataSet& data);
 
-/// How the frames are to be played.
+/// Returns the playback timing of a clip of `frames` frames.
 Cine readCine(const DataSet& data, int frames);
 
-/// Fills in where each frame lies and how its values are rescaled, or why the frames are no slices
-/// (notVolume). An Error where a rescale cannot be known.
+/// Fills in position and rescale of each frame, or why the frames are no slices (notVolume). Returns an Error
+/// if a rescale cannot be determined.
 Status readSlices(const DataSet& data, FileHeader& header);
 
 }  // namespace volumen::dicom

@@ -10,7 +10,7 @@ namespace volumen::dicom {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// The number of type T at `offset` in the given byte order. The bytes must be there.
+/// Returns the number of type T at `offset` in the given byte order. The bytes must exist.
 template <class T>
 T numberAt(Bytes bytes, std::uint64_t offset, bool bigEndian) {
   std::uint8_t raw[sizeof(T)];
@@ -22,7 +22,7 @@ T numberAt(Bytes bytes, std::uint64_t offset, bool bigEndian) {
   return value;
 }
 
-/// Exchanges the bytes of every 16-bit word; a last odd byte stays.
+/// Swaps the bytes of every 16-bit word. An odd last byte stays.
 inline void swapBytesOfWords(std::span<std::uint8_t> bytes) {
   for (std::size_t n = 0; n + 1 < bytes.size(); n += 2) std::swap(bytes[n], bytes[n + 1]);
 }

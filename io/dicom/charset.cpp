@@ -12,8 +12,8 @@
 namespace volumen::dicom {
 namespace {
 
-/// A character set of PS3.3 C.12.1.1.2: its defined term without "ISO_IR " or "ISO 2022 IR ", the escape
-/// sequence that selects it (behind ESC), and how its bytes become an encoding that iconv knows.
+/// A character set of PS3.3 C.12.1.1.2. `term` lacks "ISO_IR " or "ISO 2022 IR ", `escape` lacks ESC. `bytes`
+/// says how its bytes become an encoding that iconv knows.
 struct CharacterSet {
   const char* term;
   const char* escape;
@@ -36,7 +36,7 @@ constexpr CharacterSet sets[] = {
     {"166", "-T", "TIS-620"},
     {"13", ")I", "SHIFT_JIS"},
     {"13", "(J", "ASCII"},
-    // ISO 2022 shifts the seven bits of these into GL; EUC writes them with the high bits set.
+    // ISO 2022 uses the seven-bit form of these (GL); EUC has the high bits set.
     {"87", "$B", "EUC-JP", CharacterSet::highBits},
     {"159", "$(D", "EUC-JP", CharacterSet::highBitsWithPrefix},
     {"149", "$)C", "EUC-KR"},
@@ -47,7 +47,7 @@ constexpr CharacterSet sets[] = {
 };
 constexpr const CharacterSet& ascii = sets[0];
 
-/// What is often written for a defined term: its letters and digits alone, in capitals.
+/// Common misspellings of defined terms, reduced to capital letters and digits.
 constexpr std::pair<std::string_view, const char*> otherNames[] = {
     {"UTF8", "192"},     {"ISO10646", "192"}, {"ASCII", "6"},      {"USASCII", "6"},    {"LATIN1", "100"},
     {"ISO88591", "100"}, {"ISO88592", "101"}, {"ISO88593", "109"}, {"ISO88594", "110"}, {"ISO88595", "144"},
@@ -65,8 +65,8 @@ std::string withoutPrefix(std::string term, std::initializer_list<std::string_vi
   return term;
 }
 
-/// The set that a value of SpecificCharacterSet means; null: it is not known. `exact`: it is the standard's
-/// term; none at all is ASCII.
+/// Returns the character set that a value of SpecificCharacterSet means, or null if unknown. Sets `exact` if
+/// the value is the standard's term. An empty value means ASCII.
 const CharacterSet* meantBy(const std::string& value, bool& exact) {
   exact = true;
   if (value.empty()) return &ascii;
@@ -82,16 +82,16 @@ const CharacterSet* meantBy(const std::string& value, bool& exact) {
   return setOf(withoutPrefix(name, {"ISO2022IR", "ISOIR", "IR", "ISO"}));
 }
 
-/// SpecificCharacterSet as it is meant.
+/// SpecificCharacterSet, interpreted.
 struct Characters {
-  const CharacterSet* initial = &ascii;  ///< which text begins in
+  const CharacterSet* initial = &ascii;  ///< set in which text begins
   bool extensions = false;
-  bool undeclared = true;     ///< nothing is said of bytes above 7F
+  bool undeclared = true;     ///< no set for bytes above 7F is declared
   std::string misspelt;       ///< a value that is no term of the standard
-  bool ofLaterValue = false;  ///< the first value has nothing above 7F, a later one has
+  bool ofLaterValue = false;  ///< the first value has no letters above 7F, a later one has
 };
 
-/// Whether a set's bytes above 7F can be told from ASCII without an escape sequence.
+/// Returns whether the set's bytes above 7F differ from ASCII without an escape sequence.
 bool isUpperHalf(const CharacterSet& set) {
   const std::string_view escape = set.escape ? set.escape : "-";
   return escape.starts_with('-') || escape.starts_with(')') || escape.starts_with("$)");
@@ -123,7 +123,7 @@ bool isPlain(const std::string& text) {
   return std::ranges::all_of(text, [](char c) { return std::uint8_t(c) < 0x80 && c != 0x1b; });
 }
 
-/// How many bytes the character at `at` takes in UTF-8 of the shortest form; 0: it is no such character.
+/// Returns the byte length of the shortest-form UTF-8 character at `at`, or 0 if there is none.
 std::size_t utf8Length(std::string_view text, std::size_t at) {
   const auto first = std::uint8_t(text[at]);
   const std::size_t length = first < 0x80   ? 1
@@ -141,14 +141,14 @@ std::size_t utf8Length(std::string_view text, std::size_t at) {
   return length;
 }
 
-/// What the bytes above 7F of a text are in UTF-8.
+/// The bytes above 7F of a text, read as UTF-8.
 struct Utf8 {
   int characters = 0;
   bool whole = true;   ///< all of them are UTF-8
-  bool mixed = false;  ///< a letter that is not Latin touches an ASCII letter, as it does by chance alone
+  bool mixed = false;  ///< a non-Latin letter touches an ASCII letter, which only happens by chance
 };
 
-/// Whether a character of two bytes in UTF-8 is neither Latin nor an accent over what stands before it.
+/// Returns whether a two-byte UTF-8 character is neither Latin nor a combining accent.
 bool isLetterOfOthers(std::uint8_t first) { return first >= 0xc9 && first != 0xcc && first != 0xcd; }
 
 Utf8 utf8In(std::string_view text) {
@@ -167,8 +167,8 @@ Utf8 utf8In(std::string_view text) {
   return found;
 }
 
-/// Whether text of a declared set that is UTF-8 throughout cannot be text of that set. Pairs as UTF-8 has
-/// them ("\xc3\xa9") make no sense in Latin letters; no other set here has a letter at 80 .. 9F.
+/// Returns whether text that is valid UTF-8 cannot be text of the declared set. UTF-8 pairs ("\xc3\xa9") make
+/// no sense in Latin sets; the other sets here have no letters at 80 .. 9F.
 bool isNoTextOf(const CharacterSet& set, const std::string& text) {
   constexpr std::string_view latin[] = {"100", "101", "109", "110", "148", "203"},
                              other[] = {"144", "127", "126", "138", "166", "13"};
@@ -177,11 +177,12 @@ bool isNoTextOf(const CharacterSet& set, const std::string& text) {
          std::ranges::any_of(text, [](char c) { return std::uint8_t(c) >= 0x80 && std::uint8_t(c) < 0xa0; });
 }
 
-/// What text is read as: what is declared, or what its bytes are.
+/// How text is read: as declared, or as its bytes suggest.
 enum class ReadAs { declared, utf8, latin1 };
 
-/// Bytes that contradict what is declared are UTF-8 where all of them are, and Latin-1, a guess, where UTF-8
-/// or nothing is declared and none of them is.
+/// Returns how text is read if its bytes contradict the declaration. Text of another set is UTF-8 if all of
+/// it is and the set cannot have it. If UTF-8 or nothing is declared, text with any UTF-8 is UTF-8, else
+/// Latin-1, a guess.
 ReadAs readAs(const std::string& text, const Characters& characters) {
   if (text.find('\x1b') != std::string::npos) return ReadAs::declared;
   const Utf8 bytes = utf8In(text);
@@ -195,7 +196,7 @@ ReadAs readAs(const std::string& text, const Characters& characters) {
   return hasControls ? ReadAs::declared : ReadAs::latin1;
 }
 
-/// The set that the escape sequence at `at` selects, and the sequence's length; nothing where it is unknown.
+/// Returns the set that the escape sequence at `at` selects, with its `length`; null if unknown.
 const CharacterSet* escapedSet(std::string_view text, std::size_t at, std::size_t& length) {
   for (const CharacterSet& set : sets) {
     if (!set.escape || !text.substr(at + 1).starts_with(set.escape)) continue;
@@ -205,7 +206,7 @@ const CharacterSet* escapedSet(std::string_view text, std::size_t at, std::size_
   return nullptr;
 }
 
-/// Bytes in the encoding that iconv is asked for.
+/// Returns `bytes` in the encoding passed to iconv.
 std::string encoded(std::string_view bytes, CharacterSet::Bytes how) {
   std::string out;
   for (std::size_t n = 0; n < bytes.size(); ++n) {
@@ -218,12 +219,12 @@ std::string encoded(std::string_view bytes, CharacterSet::Bytes how) {
 
 constexpr const char* replacement = "\xef\xbf\xbd";
 
-/// What workers (io/worker) can convert without being prepared for all.
+/// Returns whether workers (io/worker) can convert the encoding without being prepared for all.
 bool isUsual(std::string_view encoding) {
   return encoding == "ASCII" || encoding == "ISO-8859-1" || encoding == "UTF-8";
 }
 
-/// `bytes` in UTF-8; each byte that has no meaning becomes U+FFFD.
+/// Returns `bytes` in UTF-8, with U+FFFD for each byte that has no meaning.
 std::string converted(std::string bytes, const char* encoding) {
   if (!isUsual(encoding)) worker::needAll();
   const iconv_t converter = iconv_open("UTF-8", encoding);
@@ -263,8 +264,8 @@ std::string toUtf8(const std::string& text, const std::string& specificCharacter
   for (std::size_t at = 0; at < text.size();) {
     std::size_t length = 0;
     const CharacterSet* next = text[at] == 0x1b ? escapedSet(text, at, length) : nullptr;
-    // A delimiter ends what escape sequences have selected (PS3.5 6.1.2.5.3); as a byte of a multi-byte
-    // character it can only stand in sets without code extensions.
+    // A delimiter resets escape sequences (PS3.5 6.1.2.5.3). It can be a byte of a multi-byte character only
+    // in sets without code extensions.
     if (!next && characters.extensions && isDelimiter(text[at]) &&
         current->bytes == CharacterSet::asTheyAre) {
       flush();
@@ -311,7 +312,7 @@ std::string characterRemark(const std::string& text, const std::string& specific
 }
 
 void loadCharacterSets(bool all) {
-  // What is closed may be unloaded.
+  // Closed converters might be unloaded, so these stay open.
   for (const CharacterSet& set : sets)
     if (all || isUsual(set.encoding)) (void)iconv_open("UTF-8", set.encoding);
 }

@@ -8,13 +8,13 @@
 namespace volumen::dicom {
 namespace {
 
-/// CIE 15: the inverse of L*a*b*'s cube root.
+/// Inverts cubeRoot() (CIE 15).
 double cubed(double t) { return t > 6.0 / 29 ? t * t * t : 3 * 36.0 / 841 * (t - 4.0 / 29); }
 
-/// L*a*b*'s cube root.
+/// Returns the cube root of L*a*b*, linear near 0 (CIE 15).
 double cubeRoot(double t) { return t > 216.0 / 24389 ? std::cbrt(t) : t * 841 / 108 + 4.0 / 29; }
 
-/// IEC 61966-2-1, and its inverse.
+/// Encodes a linear component as sRGB (IEC 61966-2-1). decoded() is its inverse.
 double encoded(double linear) {
   const double x = std::clamp(linear, 0.0, 1.0);
   return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
@@ -22,7 +22,7 @@ double encoded(double linear) {
 double decoded(double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); }
 
 const glm::dvec3 white(0.96422, 1, 0.82521);  // D50
-/// XYZ of D50 to linear sRGB, adapted by Bradford.
+/// Matrix from XYZ (D50) to linear sRGB, with Bradford adaptation.
 const glm::dmat3 linearFromXyz(3.1338561, -0.9787684, 0.0719453, -1.6168667, 1.9161415, -0.2289914,
                                -0.4906146, 0.0334540, 1.4052427);
 

@@ -8,11 +8,11 @@
 
 namespace volumen::dicom {
 
-/// A colour in PCS-values (CIELab D50 in words of 16 bits, PS3.3 C.10.7.1.1) as sRGB; nothing where it is
-/// absent or incomplete. Colours that sRGB does not hold are cut off.
+/// Returns a colour in PCS-values (CIELab D50 in 16-bit words, PS3.3 C.10.7.1.1) as sRGB, or nothing if
+/// absent or incomplete. Colours outside sRGB are clipped.
 std::optional<glm::u8vec3> readCieLab(const DataSet& data, std::uint32_t tag, DataSet::Scope scope);
 
-/// The words that stand for a colour in sRGB; read, they are that colour again.
+/// Returns the PCS-values of an sRGB colour. readCieLab() gives the same colour back.
 std::array<std::uint16_t, 3> cieLabOf(glm::u8vec3 colour);
 
 }  // namespace volumen::dicom

@@ -18,19 +18,20 @@ bool isFrameHeader(std::uint8_t marker) {
 
 bool standsAlone(std::uint8_t marker) { return (marker >= 0xd0 && marker <= 0xd8) || marker == 0x01; }
 
-/// The least bytes that entropy coding can take for so many samples (Huffman codes have at least one bit):
-/// lossless one bit a sample, sequential two a block of 64, progressive one; JPEG-LS has no such floor.
+/// Returns the fewest bytes that entropy coding needs for `samples` samples, as Huffman codes have at least
+/// one bit. Lossless needs one bit a sample, sequential two a block of 64, progressive one. JPEG-LS has no
+/// minimum.
 std::uint64_t leastBytes(std::uint8_t frameMarker, std::uint64_t samples) {
   if (frameMarker == 0xf7) return 0;
   const int kind = frameMarker & 3;
   return samples / (kind == 3 ? 8 : kind == 2 ? 512 : 256);
 }
 
-/// Behind the entropy-coded data that begins at `at`: the next marker that is no stuffing and no restart.
+/// Returns the position of the next marker from `at` on that is neither stuffing nor a restart marker.
 std::size_t nextMarker(Bytes stream, std::size_t at) {
   for (; at + 1 < stream.size(); ++at) {
     const std::uint8_t second = stream[at + 1];
-    // Below 0x80: a stuffed zero, or JPEG-LS's stuffed bit.
+    // A byte below 0x80 is a stuffed zero, or begins with JPEG-LS's stuffed bit.
     if (stream[at] == 0xff && second >= 0x80 && second != 0xff && !(second >= 0xd0 && second <= 0xd7))
       return at;
   }
@@ -42,7 +43,7 @@ StreamInfo frameHeader(Bytes segment) {
           segment[0], false};
 }
 
-/// What the components of a frame header say: their names, and how each is sampled.
+/// Returns the colours that a frame header implies by names and sampling of its components.
 JpegColours coloursOf(Bytes frameHeader) {
   constexpr std::size_t first = 6, each = 3;
   if (frameHeader.size() < first + 3 * each || frameHeader[first - 1] != 3) return JpegColours::unsaid;
@@ -131,8 +132,8 @@ const char* syntaxOfJpeg(Bytes begin) {
   return "";
 }
 
-/// Whether the header of a frame in RLE (PS3.5 G.5) begins here: the number of its segments and where each
-/// begins, the first behind the header.
+/// Returns whether an RLE frame header (PS3.5 G.5) begins here: a segment count and ascending segment
+/// offsets, the first right after the header.
 bool isRleHeader(Bytes begin) {
   constexpr std::uint32_t headerBytes = 64, mostSegments = 15;
   if (begin.size() < headerBytes) return false;

@@ -26,12 +26,12 @@ void ybrToRgb(std::vector<std::uint8_t>& pixels) {
   }
 }
 
-/// The bytes that stand for each entry of the three tables of a palette.
+/// Returns the three tables of a palette with entries reduced to bytes.
 Result<std::array<LookupTable, 3>> readPalette(const DataSet& data, bool isSigned,
                                                std::vector<std::string>& warnings) {
   std::array<LookupTable, 3> palette;
   int used = 0;
-  bool widened = false;  // all three are, where one is
+  bool widened = false;  // if one table is wider than it says, all three are
   for (std::uint32_t colour = 0; colour < 3; ++colour) {
     const LookupTags tags{0x00281101 + colour, 0x00281201 + colour, 0x00281221 + colour};
     auto table = readLookupTable(data, data.root(), tags, isSigned);

@@ -22,7 +22,7 @@ constexpr std::pair<const char*, Contour::Type> types[] = {
     {"CLOSED_PLANAR", Contour::Type::closedPlanar},
     {"CLOSEDPLANAR_XOR", Contour::Type::closedPlanarXor}};
 
-/// Reads one structure set.
+/// Reads a structure set.
 class ContourReader {
  public:
   explicit ContourReader(const DataSet& data) : data_(data) {}
@@ -67,7 +67,7 @@ class ContourReader {
     out_.regions.push_back(std::move(region));
   }
 
-  /// The region that an item names by ReferencedROINumber.
+  /// Returns the region that an item names by ReferencedROINumber, or null.
   RegionOfInterest* regionOf(Scope item) {
     const auto number = numberAt(0x30060084, item);
     const auto found = number ? byNumber_.find(*number) : byNumber_.end();

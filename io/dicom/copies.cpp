@@ -9,7 +9,7 @@
 namespace volumen::dicom {
 namespace {
 
-/// The bytes of a frame as they are written; nothing where they cannot be read.
+/// Returns the bytes of a frame as stored, or nothing if they cannot be read.
 std::optional<std::vector<std::uint8_t>> bytesOf(const FileHeader& file, int frame) {
   const Result<RegularFile> opened = RegularFile::open(file.path);
   if (!opened || file.frames.empty()) return {};
@@ -22,7 +22,7 @@ std::optional<std::vector<std::uint8_t>> bytesOf(const FileHeader& file, int fra
   return bytes;
 }
 
-/// Whether nothing in the bytes of two pictures says that they differ. Of other codings that is not known.
+/// Returns false if the stored bytes of two pictures differ. Differently coded pictures cannot be compared.
 bool mayBeAlike(const Entry& a, const Entry& b) {
   const FileHeader &x = *a.file, &y = *b.file;
   if (x.syntax.uid != y.syntax.uid || x.inflatedFrom || y.inflatedFrom) return true;
@@ -30,7 +30,7 @@ bool mayBeAlike(const Entry& a, const Entry& b) {
   return !first || !second || *first == *second;
 }
 
-/// What of pictures of one UID agrees in copies.
+/// Returns the facts that agree in copies of one picture.
 auto factsOf(const Entry& e) {
   const Slice& s = e.slice();
   const PixelFormat& f = e.file->format;

@@ -7,9 +7,9 @@
 
 namespace volumen::dicom {
 
-/// Drops pictures that are in the study twice: of one SOPInstanceUID and frame, and the same in place,
-/// number, rescale, attributes and, where they are written alike, in pixels. Sentences say so, and where one
-/// UID is that of several pictures, which all stay.
+/// Drops pictures that occur twice: equal SOPInstanceUID, frame, position, number, rescale and attributes,
+/// and equal pixel bytes if both are coded alike. Returns sentences about dropped copies, and about UIDs
+/// shared by different pictures, which all stay.
 std::vector<std::string> dropCopies(Entries& entries);
 
 }  // namespace volumen::dicom

@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t nameBytes = 64, fieldBytes = 84, itemBytes = 16;
 constexpr std::uint32_t mostFields = 1024, mostItems = 4096;
 
-/// Reads the header front to back; `ok` is false from the first thing on that is not there.
+/// Reads the header front to back. `ok_` becomes false at the first missing part.
 class CsaReader {
  public:
   explicit CsaReader(Bytes bytes) : bytes_(bytes), isSecond_(textAt(0, 4) == "SV10") {}
@@ -43,7 +43,7 @@ class CsaReader {
     at_ += 4;
     return numberAt<std::uint32_t>(bytes_, at_ - 4, false);
   }
-  /// Up to the first NUL, without white space at its ends.
+  /// Returns the text up to the first NUL, without spaces at its ends.
   std::string textAt(std::size_t at, std::size_t count) const {
     if (at > bytes_.size()) return {};
     const Bytes part = bytes_.subspan(at, std::min(count, bytes_.size() - at));
@@ -55,7 +55,7 @@ class CsaReader {
   std::string nextItem() {
     if (!has(itemBytes)) return {};
     const std::uint32_t first = numberAt<std::uint32_t>(bytes_, at_, false);
-    // The first version adds the number of items of the first field to every length.
+    // The first version adds the item count of the first field to every length.
     const std::uint32_t length =
         isSecond_ ? numberAt<std::uint32_t>(bytes_, at_ + 4, false) : first - std::min(first, firstItems_);
     at_ += itemBytes;

@@ -8,14 +8,13 @@
 
 namespace volumen::dicom {
 
-/// The values of each field of a Siemens CSA header, as text.
+/// The fields of a Siemens CSA header with their values as text.
 using CsaFields = std::map<std::string, std::vector<std::string>>;
 
-/// Reads a CSA header of either version. What is damaged ends it: the fields in front of that are kept.
+/// Reads a CSA header of either version. Damage ends the reading; the fields before it are kept.
 CsaFields readCsa(Bytes bytes);
 
-/// The image header (0029,xx10) of the private block that "SIEMENS CSA HEADER" reserves; empty where there is
-/// none.
+/// Returns the image header (0029,xx10) of the private block of "SIEMENS CSA HEADER"; empty if there is none.
 CsaFields readCsaImageHeader(const DataSet& data);
 
 }  // namespace volumen::dicom

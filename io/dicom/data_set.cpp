@@ -17,7 +17,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(padding) - begin + 1);
 }
 
-/// Letters and digits alone, in capitals.
+/// Returns letters and digits alone, in capitals.
 std::string lettersOf(std::string_view text) {
   std::string letters;
   for (const char c : text)
@@ -25,7 +25,7 @@ std::string lettersOf(std::string_view text) {
   return letters;
 }
 
-/// "0,143", which can only mean one number.
+/// Returns a number with one decimal comma, which can only have one meaning: "0,143".
 std::optional<double> numberWithComma(std::string_view text) {
   std::string pointed(text);
   if (std::ranges::count(pointed, ',') != 1) return {};

@@ -10,64 +10,67 @@
 
 namespace volumen::dicom {
 
-/// The elements of a scanned data set by tag, their values as text and numbers. Absent and malformed values
-/// are told apart from present ones; nothing has a default.
+/// Gives access to the elements of a scanned data set by tag, with values as text and numbers. Absent and
+/// malformed values differ from present ones; nothing has a default.
 class DataSet {
  public:
-  /// A range of elements that belong together: the data set itself, or one item of a sequence.
+  /// A range of elements that belong together: the data set itself or one item of a sequence.
   struct Scope {
     std::uint32_t begin = 0, end = 0;
   };
 
-  /// `bytes` must outlive it and hold all values of `elements`.
+  /// `bytes` must outlive the object and hold all values of `elements`.
   DataSet(Bytes bytes, const std::vector<Element>& elements)
       : bytes_(bytes), elements_(elements), characters_(text(specificCharacterSet, root())) {}
 
   Scope root() const { return {0, std::uint32_t(elements_.size())}; }
   const Element* find(std::uint32_t tag, Scope scope) const;
   const Element& element(std::uint32_t n) const { return elements_[n]; }
-  /// All that an element holds, items and what is in them; an empty scope where there is none.
+  /// Returns the items of an element with everything in them; an empty scope if it is absent.
   Scope contents(std::uint32_t tag, Scope scope) const;
-  /// The items of a sequence; empty where there is none.
+  /// Returns the items of a sequence; empty if it is absent.
   std::vector<Scope> items(std::uint32_t tag, Scope scope) const;
 
-  /// Raw text without padding; empty where it is absent or longer than 1 MiB.
+  /// Returns raw text without padding; empty if absent or longer than 1 MiB.
   std::string text(std::uint32_t tag, Scope scope) const;
-  /// Text in UTF-8, by the character set of the item, else of the data set.
+  /// Returns text in UTF-8, by the character set of the item, else of the data set.
   std::string utf8(std::uint32_t tag, Scope scope) const;
-  /// A defined term: that of `terms` which the text is in some spelling, with a remark where that is not the
-  /// standard's; the text itself where it is none of them. `name`: of the attribute.
+  /// Returns a defined term: the one of `terms` that the text spells in some way, else the text itself. A
+  /// spelling that is not the standard's is remarked, with the attribute's `name`.
   std::string term(std::uint32_t tag, Scope scope, const char* name,
                    std::initializer_list<const char*> terms) const;
-  /// The bytes of a value as they are, of whatever kind; empty where it is absent or longer than 1 MiB.
+  /// Returns the bytes of a value of any kind, unchanged; empty if absent or longer than 1 MiB.
   std::string raw(std::uint32_t tag, Scope scope) const;
-  /// The values of a text between backslashes, each without padding.
+  /// Returns the values of a text between backslashes, each without padding.
   std::vector<std::string> values(std::uint32_t tag, Scope scope) const;
-  /// The numbers of a DS or IS, with a decimal comma as with a point; nothing where it is absent, empty or
-  /// longer than 64 MiB, or one of them is no finite number.
+  /// Returns the numbers of a DS or IS; decimal commas count as points. Returns nothing if the value is
+  /// absent, empty or longer than 64 MiB, or if one of them is no finite number.
   std::optional<std::vector<double>> numbers(std::uint32_t tag, Scope scope) const;
   std::optional<double> number(std::uint32_t tag, Scope scope) const;
-  /// The first 16-bit word of a US, SS or OW.
+  /// Returns the first 16-bit word of a US, SS or OW.
   std::optional<std::uint16_t> word(std::uint32_t tag, Scope scope) const;
-  /// A UL, and an FD.
+  /// Returns the first number of a UL (dword) or FD (real).
   std::optional<std::uint32_t> dword(std::uint32_t tag, Scope scope) const;
   std::optional<double> real(std::uint32_t tag, Scope scope) const;
-  /// All numbers of an FD, of an FL, of an SL and of a UL; none where it is of another kind.
+  /// Return all numbers of an FD, FL, SL or UL; empty if the value has another VR.
   std::vector<double> reals(std::uint32_t tag, Scope scope) const;
   std::vector<float> floats(std::uint32_t tag, Scope scope) const;
   std::vector<std::int32_t> longs(std::uint32_t tag, Scope scope) const;
   std::vector<std::uint32_t> dwords(std::uint32_t tag, Scope scope) const;
-  /// All 16-bit words of a value, however long.
+  /// Returns all 16-bit words of a value of any length.
   std::vector<std::uint16_t> words(std::uint32_t tag, Scope scope) const;
-  /// All bytes of a value, however long, those of big endian 16-bit words (OW) in the order of little endian.
+  /// Returns all bytes of a value of any length. Big endian 16-bit words (OW) are turned into little endian
+  /// order.
   std::vector<std::uint8_t> bytes(std::uint32_t tag, Scope scope) const;
-  /// An element of the block that `creator` has reserved in a private group (PS3.5 7.8.1); 0: it has none.
+  /// Returns the tag of `element` in the block that `creator` reserved in a private group (PS3.5 7.8.1), or
+  /// 0.
   std::uint32_t privateTag(std::uint32_t group, std::string_view creator, std::uint32_t element,
                            Scope scope) const;
-  /// An element that is there and not empty.
+  /// Returns whether an element is present and not empty.
   bool has(std::uint32_t tag, Scope scope) const;
 
-  /// What was read otherwise than it is written, so far: sentences without the file's name, each once.
+  /// Returns the remarks so far on values read differently from how they are written: sentences without the
+  /// file's name, each once.
   const std::vector<std::string>& remarks() const { return remarks_; }
   void remark(const std::string& sentence) const;
 
@@ -85,26 +88,27 @@ class DataSet {
   mutable std::vector<std::string> remarks_;
 };
 
-/// A remark, "its ...", as a sentence of its own: "Its ... ."
+/// Returns a remark, "its ...", as a complete sentence: "Its ... ."
 std::string sentenceOf(std::string remark);
 
-/// A finite number that takes up all of `text` (PS3.5 6.2, DS and IS), else nothing.
+/// Returns the finite number that fills all of `text` (PS3.5 6.2, DS and IS), else nothing.
 std::optional<double> parseNumber(std::string_view text);
 
-/// A DA or TM as yyyymmdd or hhmmss.ffffff, which older files write as yyyy.mm.dd and hh:mm:ss (PS3.5 6.2)
-/// and careless ones as yyyy-mm-dd; other text as it is.
+/// Returns a DA or TM as yyyymmdd or hhmmss.ffffff. Older files write yyyy.mm.dd and hh:mm:ss (PS3.5 6.2),
+/// and careless ones yyyy-mm-dd. Other text is returned unchanged.
 std::string dateOrTime(std::string text);
 
-/// `text` in UTF-8, by SpecificCharacterSet (0008,0005), code extensions included. What cannot be converted
-/// becomes U+FFFD.
+/// Returns `text` in UTF-8, decoded by SpecificCharacterSet (0008,0005) with code extensions. Bytes that
+/// cannot be converted become U+FFFD.
 std::string toUtf8(const std::string& text, const std::string& specificCharacterSet);
 
-/// What is unusual in how the character set of `text` is declared: a sentence without a file's name, for
-/// toUtf8() reads what is meant; empty where all is as the standard has it, or text is plain.
+/// Returns a sentence, without a file's name, about an unusual declaration of the character set of `text`,
+/// which toUtf8() reads as it is meant. Empty if the declaration follows the standard or the text is plain
+/// ASCII.
 std::string characterRemark(const std::string& text, const std::string& specificCharacterSet);
 
-/// Loads character sets (`all`, or ISO 8859-1 alone), and keeps them, for a process that will not be able to
-/// open files.
+/// Loads character sets (`all`, or ASCII, ISO 8859-1 and UTF-8) and keeps them for a process that cannot open
+/// files later.
 void loadCharacterSets(bool all);
 
 }  // namespace volumen::dicom

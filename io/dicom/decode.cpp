@@ -10,7 +10,7 @@
 namespace volumen::dicom {
 namespace {
 
-/// Integers of `Raw` as they stand in a file, reduced to their stored bits.
+/// Reads integers of type `Raw` as they are in a file and reduces them to their stored bits.
 template <class Raw, class Value>
 std::vector<Value> unpackIntegers(const PixelFormat& format, Bytes bytes) {
   const int shift = format.highBit + 1 - format.bitsStored, bits = format.bitsStored;
@@ -48,7 +48,7 @@ Samples unpack(const PixelFormat& format, Bytes bytes) {
 
 bool isYbr(const PixelFormat& format) { return format.photometric.starts_with("YBR_FULL"); }
 
-/// Samples of a decoder that delivers little endian bytes.
+/// Unpacks samples from a decoder that delivers little endian bytes.
 Result<DecodedFrame> unpackDecoded(PixelFormat format, const Result<std::vector<std::uint8_t>>& decoded) {
   if (!decoded) return decoded.error();
   if (decoded->size() != format.frameBytes()) return Error{"its decoded picture has the wrong size"};
@@ -56,7 +56,7 @@ Result<DecodedFrame> unpackDecoded(PixelFormat format, const Result<std::vector<
   return DecodedFrame{unpack(format, *decoded), {}, isYbr(format)};
 }
 
-/// Where label and stream contradict each other the stream is right: it was there first.
+/// Follows the stream if it contradicts PhotometricInterpretation, as the stream was written first.
 void colourAsStreamSays(JpegColours said, const PixelFormat& format, DecodedFrame& frame) {
   const bool ybr = said == JpegColours::ybr;
   if (said == JpegColours::unsaid || ybr == frame.ybr) return;
@@ -66,7 +66,7 @@ void colourAsStreamSays(JpegColours said, const PixelFormat& format, DecodedFram
                ": it is shown as the stream says";
 }
 
-/// Samples of one colour after those of another, side by side.
+/// Interleaves colour planes pixel by pixel.
 template <class Value>
 std::vector<Value> interleaved(const std::vector<Value>& planes, std::size_t colours) {
   std::vector<Value> pixels(planes.size());
@@ -76,7 +76,7 @@ std::vector<Value> interleaved(const std::vector<Value>& planes, std::size_t col
   return pixels;
 }
 
-/// Y Y Cb Cr of two pixels as Y Cb Cr of each.
+/// Expands Y Y Cb Cr of two pixels to Y Cb Cr of each.
 template <class Value>
 std::vector<Value> upsampled(const std::vector<Value>& pairs) {
   std::vector<Value> pixels;
@@ -98,8 +98,8 @@ Samples unpackNative(const PixelFormat& format, Bytes bytes) {
       samples);
 }
 
-/// Frame `n` of native samples: `bytes` are its own; of bits and of bytes in big endian words the 16-bit
-/// words that it lies in.
+/// Unpacks frame `n` of native samples. `bytes` are the frame's own; for 1-bit pixels, and for bytes in big
+/// endian words, they are the 16-bit words that contain it.
 Result<DecodedFrame> nativeFrame(const PixelFormat& format, int n, Bytes bytes) {
   std::vector<std::uint8_t> swapped;
   if (format.bytesInWords) {
@@ -121,7 +121,7 @@ Result<DecodedFrame> nativeFrame(const PixelFormat& format, int n, Bytes bytes) 
   return DecodedFrame{std::move(values), {}, false};
 }
 
-/// All fragments of a frame.
+/// Joins all fragments of a frame.
 template <class Read>
 Result<std::vector<std::uint8_t>> joined(const FrameRanges& ranges, const Read& read) {
   std::vector<std::uint8_t> all;
@@ -136,7 +136,7 @@ Result<std::vector<std::uint8_t>> joined(const FrameRanges& ranges, const Read& 
   return all;
 }
 
-/// What workers do.
+/// Decodes a frame within a worker.
 Result<DecodedFrame> decodeRanges(const std::string& path, const PixelFormat& format,
                                   const TransferSyntax& syntax, const FrameRanges& ranges) {
   const Result<RegularFile> file = RegularFile::open(path);
@@ -250,7 +250,7 @@ Result<DecodedFrame> PixelSource::frame(int n, const PixelFormat& format) const 
   return tileOf(*whole, n, format, *header_.mosaic);
 }
 
-// Native samples meet no decoder: they are moved and masked here, wherever this is.
+// Native samples need no decoder, so this process unpacks them itself.
 Result<DecodedFrame> PixelSource::decoded(int n, const PixelFormat& format) const {
   const FrameRanges& ranges = header_.frames[std::size_t(n)];
   if (isDecodedInWorkers()) return decodeIsolated(header_.path, format, header_.syntax, ranges, cancel_);

@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint32_t instanceUid = 0x00081155;
 constexpr int mostFrames = 1'000'000;
 
-/// The series that the items around an element name, the innermost first.
+/// Tracks the items around an element and the series they name; the innermost wins.
 class SeriesAround {
  public:
   explicit SeriesAround(const DataSet& data) : data_(data) {}
@@ -36,7 +36,8 @@ class SeriesAround {
   std::vector<Item> open_;
 };
 
-/// Study management, performed procedure steps, work lists: nothing that has pixels or content.
+/// Returns whether a class is a procedure (study management, procedure steps, work lists) without pixels or
+/// content.
 bool isProcedure(const std::string& sopClassUid) {
   constexpr const char* roots[] = {"1.2.840.10008.3.1.", "1.2.840.10008.5.1.4.31", "1.2.840.10008.5.1.4.34"};
   return std::any_of(std::begin(roots), std::end(roots),
@@ -50,7 +51,7 @@ std::vector<int> readFrames(const DataSet& data, DataSet::Scope item) {
   return frames;
 }
 
-/// All are meant where one mention names none.
+/// Merges the numbers of two references. An empty list means all, so it wins.
 void mergeNumbers(std::vector<int>& known, const std::vector<int>& more) {
   if (known.empty() || more.empty()) return known.clear();
   known.insert(known.end(), more.begin(), more.end());
@@ -67,13 +68,13 @@ void sortNumbers(std::vector<int>& numbers) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-/// The meaning of the code of a document's title.
+/// Returns the code meaning of a document's title.
 std::string titleOf(const DataSet& data) {
   const auto codes = data.items(0x0040a043, data.root());
   return codes.empty() ? std::string() : data.utf8(0x00080104, codes[0]);
 }
 
-/// What a key object document says of its pictures: Key Object Description (113012, DCM).
+/// Returns the remark of a key object document on its pictures: Key Object Description (113012, DCM).
 std::string keyText(const DataSet& data) {
   for (const DataSet::Scope item : data.items(0x0040a730, data.root())) {
     const auto names = data.items(0x0040a043, item);
@@ -150,7 +151,7 @@ DerivedObject readDerivedObject(const DataSet& data, const FileHeader& header, D
   object.id = instanceId(header);
   object.path = header.path;
   object.sopInstanceUid = header.sopInstanceUid;
-  // The annotations of a presentation state name some of its pictures again.
+  // Only the list of a presentation state counts, as its annotations name some of its pictures again.
   const bool listed = kind == DerivedKind::presentation;
   object.pictures = readPictures(data, listed ? data.contents(0x00081115, data.root()) : data.root());
   readLabel(data, object);

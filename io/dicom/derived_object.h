@@ -6,25 +6,25 @@
 
 namespace volumen::dicom {
 
-/// The kind of a SOP class; nothing where it is none that refers to pictures.
+/// Returns the kind of a SOP class, or nothing if its objects refer to no pictures.
 std::optional<DerivedKind> derivedKind(const std::string& sopClassUid);
 
-/// The pictures that this part of a data set names, each once, with the series that holds them where it is
-/// said. References to procedures, patients and work lists are left out.
+/// Returns the pictures named in `scope`, each once, with their series if given. References to procedures,
+/// patients and work lists are left out.
 std::vector<ReferencedPicture> readPictures(const DataSet& data, DataSet::Scope scope);
 
-/// What a file of kind `kind` says of itself.
+/// Reads the label, date and referenced pictures of a file of kind `kind`.
 DerivedObject readDerivedObject(const DataSet& data, const FileHeader& header, DerivedKind kind);
 
-/// The first code of a sequence, empty where there is none; its value may be one of three attributes
+/// Returns the first code of a sequence, empty if there is none. Its value is in one of three attributes
 /// (PS3.3 8.8).
 Code codeAt(const DataSet& data, std::uint32_t sequence, DataSet::Scope scope);
 
-/// The file of an object of kind `kind`, and its elements. An Error is a sentence that names the file and why
-/// it is not such an object.
+/// Opens an object of kind `kind` and reads its elements. An Error is a sentence that names the file and why
+/// it is no such object.
 Result<InspectedFile> openObject(const std::string& path, DerivedKind kind);
 
-/// Adds what of an object was read otherwise than it is written to what is told of it.
+/// Adds the remarks of `data` to the notes or warnings of `value`.
 template <class Value>
 void tellRemarks(const DataSet& data, const std::string& path, Value& value) {
   for (const std::string& remark : data.remarks()) {
@@ -35,7 +35,8 @@ void tellRemarks(const DataSet& data, const std::string& path, Value& value) {
   }
 }
 
-/// Runs `read` on the data set of such a file. Its Error, a reason without full stop, gets the file's name.
+/// Returns read() of the object's data set. An Error of `read`, a reason without full stop, gets the file's
+/// name.
 template <class Value, class Read>
 Result<Value> loadObject(const std::string& path, DerivedKind kind, const Read& read) {
   try {

@@ -7,15 +7,15 @@
 
 namespace volumen::dicom {
 
-/// What the dimensions of a multi-frame picture (PS3.3 C.7.6.17) index.
+/// The dimension indices of a multi-frame picture (PS3.3 C.7.6.17).
 struct Dimensions {
-  std::vector<std::uint32_t> pointers;  ///< the attribute of each
+  std::vector<std::uint32_t> pointers;  ///< the attribute that each dimension indexes
 
   explicit Dimensions(const DataSet& data);
-  /// Where in its stack a frame lies, from 1: InStackPositionNumber, or the index of a dimension that runs
-  /// along places; 0 where neither is given.
+  /// Returns the position of a frame in its stack, from 1: InStackPositionNumber, else the index of a spatial
+  /// dimension; 0 if neither is given.
   std::uint32_t inStack(const DataSet& data, DataSet::Scope frameContent) const;
-  /// The indices of all other dimensions: "2, 1".
+  /// Returns the indices of all other dimensions: "2, 1".
   std::string others(const DataSet& data, DataSet::Scope frameContent) const;
 };
 

@@ -10,7 +10,7 @@
 namespace volumen::dicom {
 namespace {
 
-/// Whether a file ID names a file below the DICOMDIR's folder.
+/// Returns whether a file ID stays below the DICOMDIR's folder.
 bool staysInside(const std::string& id) {
   if (id.empty() || id.find('\0') != std::string::npos) return false;
   for (std::size_t begin = 0; begin <= id.size();) {
@@ -22,8 +22,8 @@ bool staysInside(const std::string& id) {
   return true;
 }
 
-/// As ISO 9660 file systems, and those that copy from them, may show it: in any case, with a version, a dot
-/// or an extension for pictures behind.
+/// Returns a form of `path` that matches the variants of ISO 9660 and of copies from it. They differ in case,
+/// and may end with a version, a dot or a picture's extension.
 std::string comparable(std::string path) {
   std::ranges::transform(path, path.begin(), [](unsigned char c) { return char(std::tolower(c)); });
   for (const std::string_view end : {";1", ".", ".dcm", ".ima"})
@@ -39,7 +39,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 
 bool isDirectoryFile(const std::string& path) {
   constexpr std::string_view directoryClass = "1.2.840.10008.1.3.10";
-  constexpr std::uint64_t enough = 1024;  // the class stands near the beginning
+  constexpr std::uint64_t enough = 1024;  // the class is near the beginning
   const Result<RegularFile> file = RegularFile::open(path);
   std::vector<std::uint8_t> head;
   if (!file || !file->readUpTo(head, enough) || !hasMagic(head)) return false;
@@ -48,7 +48,7 @@ bool isDirectoryFile(const std::string& path) {
 
 std::vector<ListedFile> listedFiles(const DataSet& data) {
   std::vector<ListedFile> listed;
-  ListedFile at;  // records stand below each other in the order of writing
+  ListedFile at;  // records follow the records they belong to
   for (const DataSet::Scope& record : data.items(directoryRecords, data.root())) {
     const std::string type = data.text(0x00041430, record);
     if (type == "PATIENT") at = {};

@@ -6,7 +6,7 @@
 
 namespace volumen::dicom {
 
-/// A picture with the file it comes from.
+/// A picture and its file.
 struct Entry {
   const FileHeader* file;
   PlacedSlice placed;
@@ -14,19 +14,19 @@ struct Entry {
 };
 using Entries = std::vector<Entry>;
 
-/// Distances along the normal below this are none, mm; where pictures have no place, of their numbers.
+/// Returns the distance along the normal, mm, below which positions are equal. Without positions, it is one
+/// of image numbers.
 double samePlaceMm(const Entries& entries);
 
-/// Entries in order by place: each a run of pictures at one place.
+/// Splits entries sorted by position into runs of pictures at one position.
 std::vector<Entries> byPlace(const Entries& entries);
 
-/// How many pictures lie where most do.
+/// Returns the largest number of pictures at one position.
 std::size_t mostAtOnePlace(const Entries& entries);
 
-/// The least of their numbers.
+/// Returns the lowest InstanceNumber.
 long firstNumber(const Entries& entries);
 
-/// Their slices.
 std::vector<PlacedSlice> placedSlices(const Entries& entries);
 
 }  // namespace volumen::dicom

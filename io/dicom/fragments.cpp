@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t fragmentLimit = 1'000'000;
 
-/// All items of the pixel data; the first is the basic offset table.
+/// Returns all items of the pixel data. The first is the basic offset table.
 Result<std::vector<Range>> allItems(const RegularFile& file, const Element& pixels) {
   std::vector<Range> items;
   std::uint64_t at = pixels.offset;
@@ -39,7 +39,7 @@ std::vector<FrameRanges> splitAt(const std::vector<Range>& fragments,
   return frames;
 }
 
-/// The first fragment of each frame by the offset table; empty where it does not fit the fragments.
+/// Returns the first fragment of each frame by the offset table; empty if it does not match the fragments.
 std::vector<std::size_t> startsByTable(const std::vector<std::uint8_t>& table, const Element& pixels,
                                        const std::vector<Range>& fragments, std::size_t frames) {
   std::vector<std::size_t> starts;
@@ -58,7 +58,7 @@ std::vector<std::size_t> startsByTable(const std::vector<std::uint8_t>& table, c
   return starts;
 }
 
-/// The fragments that begin with a code stream's start marker: SOI of JPEG and JPEG-LS, SOC of JPEG 2000.
+/// Returns the fragments that begin with a start marker: SOI of JPEG and JPEG-LS, SOC of JPEG 2000.
 Result<std::vector<std::size_t>> startsByMarker(const RegularFile& file,
                                                 const std::vector<Range>& fragments) {
   std::vector<std::size_t> starts;

@@ -8,16 +8,16 @@
 
 namespace volumen::dicom {
 
-/// Bytes of a file.
+/// A range of bytes of a file.
 struct Range {
   std::uint64_t offset = 0, length = 0;
 };
 using FrameRanges = std::vector<Range>;  ///< the parts of one frame, in order
 
-/// Where the frames of encapsulated pixel data lie (PS3.5 A.4): one entry a frame, each a list of fragments.
-/// Frames are told apart by the basic offset table, else one fragment each, else by the code streams' start
-/// markers. Refused: fragments that are cut off, fewer fragments than frames, frames that cannot be told
-/// apart.
+/// Locates the frames of encapsulated pixel data (PS3.5 A.4): for each frame a list of fragments. If there
+/// are as many fragments as frames, each is a frame. Else the basic offset table separates frames, else the
+/// start markers of code streams. Returns an Error for fragments that are cut off, fewer fragments than
+/// frames, or frames that cannot be separated.
 Result<std::vector<FrameRanges>> encapsulatedFrames(const RegularFile& file, const Element& pixels,
                                                     int frames);
 

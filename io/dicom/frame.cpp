@@ -22,8 +22,8 @@ void fields(Wire& w, dicom::Shown& s) { w(s.values, s.inverted, s.shutter, s.gre
 namespace dicom {
 namespace {
 
-/// What the file itself says: the Modality LUT Sequence, which stands in for the rescale, or the rescale of
-/// one frame (PS3.3 C.11.1).
+/// Returns the file's own mapping: the Modality LUT Sequence if present, else the rescale of the frame (PS3.3
+/// C.11.1).
 Result<ValueMapping> readValueMapping(const DataSet& data, const FileHeader& header, const Slice& slice) {
   ValueMapping mapping{slice.slope, slice.intercept, 0, {}, slice.unit};
   if (header.format.kind != PixelFormat::Kind::integer) return mapping;
@@ -57,7 +57,8 @@ std::optional<FramePlace> placeOf(const Slice& slice, const PixelSize& pixel) {
   return FramePlace{*slice.position, slice.orientation->row, slice.orientation->column};
 }
 
-/// A value of PatientOrientation, head and feet as superior and inferior; empty for other letters.
+/// Returns a value of PatientOrientation with superior and inferior for head and feet; empty for other
+/// letters.
 std::string sideOf(std::string letters) {
   std::ranges::replace(letters, 'H', 'S');
   std::ranges::replace(letters, 'F', 'I');
@@ -72,7 +73,7 @@ void readSides(const DataSet& data, Frame& frame) {
   frame.columnSide = sideOf(text.substr(end + 1));
 }
 
-/// All values that stored ones can give, as a window.
+/// Returns a window over all values that stored values can give.
 GreyMapping allValues(const PixelFormat& format, const ValueMapping& mapping) {
   const double count = std::exp2(format.bitsStored), lowest = format.isSigned ? -count / 2 : 0;
   double low = mapping(lowest), high = mapping(lowest + count - 1);
@@ -84,7 +85,7 @@ GreyMapping allValues(const PixelFormat& format, const ValueMapping& mapping) {
   return {{(low + high) / 2, width > 0 ? width : 1}, WindowFunction::linearExact, {}, false};
 }
 
-/// The greys of a presentation state, turned over by its shape alone.
+/// Returns the greys of a presentation state, which only its shape may invert.
 std::vector<NamedGrey> shownGreys(const Shown& shown, const PixelFormat& format) {
   std::vector<NamedGrey> greys = shown.greys;
   if (greys.empty()) greys.push_back({{}, allValues(format, shown.values), true});
@@ -130,7 +131,7 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
   frame.pixel = readPixelSize(data, at, header.modality);
   frame.place = placeOf(sliceOf(header, n), frame.pixel);
   readSides(data, frame);
-  // A picture of ultrasound has mm in its regions alone: what PixelSpacing says there is no promise.
+  // An ultrasound picture has mm only in its regions. Its PixelSpacing is not reliable.
   if (header.modality == "US" && !isPlaced(sliceOf(header, n))) frame.pixel.kind = PixelSizeKind::unknown;
   frame.overlays = readOverlays(data, *pixels, header, n, frame.warnings);
   const Shutter shutter = shown ? shown->shutter : readShutter(data, at, frame.warnings);

@@ -7,15 +7,15 @@
 
 namespace volumen::dicom {
 
-/// Where the attributes of one frame stand: all in the data set itself, or, in enhanced pictures, each in a
-/// functional group of the frame or of all frames (PS3.3 C.7.6.16), and in the data set where there is no
-/// such group (multi-frame secondary captures have their rescale and pixel spacing there, PS3.3 C.8.6.3).
+/// Locates the attributes of one frame. They are all in the data set itself or, in enhanced pictures, in
+/// functional groups of the frame or of all frames (PS3.3 C.7.6.16). Without such a group the data set
+/// applies: multi-frame secondary captures have rescale and pixel spacing there (PS3.3 C.8.6.3).
 class FrameScopes {
  public:
   explicit FrameScopes(DataSet::Scope root) : root_(root), isEnhanced_(false) {}
   FrameScopes(const DataSet& data, DataSet::Scope ofFrame, DataSet::Scope ofAll)
       : data_(&data), root_(ofFrame), ofAll_(ofAll), isEnhanced_(true) {}
-  /// Those of frame `n` (from 0).
+  /// Locates the attributes of frame `n` (from 0).
   FrameScopes(const DataSet& data, int n) : FrameScopes(data.root()) {
     const auto ofAll = data.items(sharedGroups, root_), ofFrames = data.items(perFrameGroups, root_);
     if (!isEnhanced(data)) return;
@@ -24,24 +24,24 @@ class FrameScopes {
                         ofAll.empty() ? DataSet::Scope{} : ofAll[0]);
   }
 
-  /// Whether this functional group is there.
+  /// Returns whether this functional group is present.
   bool hasGroup(std::uint32_t group) const { return isEnhanced_ && itemOf(group).has_value(); }
 
   static bool isEnhanced(const DataSet& data) {
     return data.find(sharedGroups, data.root()) || data.find(perFrameGroups, data.root());
   }
 
-  /// The scope that holds the attributes of this functional group.
+  /// Returns the scope that holds the attributes of a functional group.
   DataSet::Scope of(std::uint32_t group) const {
     return isEnhanced_ ? itemOf(group).value_or(data_->root()) : root_;
   }
-  /// The same of what the data set itself cannot say of each frame; an empty scope where there is no such
+  /// Does the same for attributes that must not come from the data set. Returns an empty scope without such a
   /// group.
   DataSet::Scope ofGroupAlone(std::uint32_t group) const {
     return isEnhanced_ ? itemOf(group).value_or(DataSet::Scope{}) : root_;
   }
 
-  /// All items of a sequence that a frame has: its own, else those of all frames, else those of the data set.
+  /// Returns the items of a sequence: those of the frame, else of all frames, else of the data set.
   std::vector<DataSet::Scope> itemsOf(std::uint32_t sequence, const DataSet& data) const {
     for (DataSet::Scope scope : {root_, ofAll_})
       if (auto items = data.items(sequence, scope); !items.empty()) return items;
@@ -62,7 +62,7 @@ class FrameScopes {
   bool isEnhanced_;
 };
 
-/// Functional groups that slices and frames as acquired both read.
+/// Functional groups that both slices and frames as acquired read.
 inline constexpr std::uint32_t pixelMeasures = 0x00289110, pixelValueTransformation = 0x00289145,
                                frameVoiLut = 0x00289132;
 

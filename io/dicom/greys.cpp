@@ -9,7 +9,7 @@
 namespace volumen::dicom {
 namespace {
 
-/// The VOILUTFunction of a scope: LINEAR where it is missing or, which is told, not known.
+/// Returns the VOILUTFunction of a scope, or empty, which means LINEAR. Unknown functions are remarked.
 std::string readFunction(const DataSet& data, DataSet::Scope scope) {
   constexpr std::size_t mostShown = 64;
   constexpr std::uint32_t voiLutFunction = 0x00281056;
@@ -21,7 +21,7 @@ std::string readFunction(const DataSet& data, DataSet::Scope scope) {
   return {};
 }
 
-/// LINEAR is not defined for widths below 1: there it is LINEAR_EXACT.
+/// Returns the window function. LINEAR is undefined for widths below 1 and becomes LINEAR_EXACT there.
 WindowFunction functionOf(const std::string& name, double width) {
   if (name == "SIGMOID") return WindowFunction::sigmoid;
   const bool exact = name == "LINEAR_EXACT" || width < 1;
@@ -37,7 +37,8 @@ NamedGrey greyOf(const LookupTable& table, const std::string& name) {
   return grey;
 }
 
-/// A table whose values need fewer bits by two or more than it says would be nearly black.
+/// Shows a table by its own range if it uses at least two bits less than it says, as it would be nearly
+/// black.
 void useOwnRange(LookupTable& table, std::vector<std::string>& warnings) {
   const int used = table.usedBits();
   if (used == 0 || used > table.bits - 2) return;
@@ -46,7 +47,7 @@ void useOwnRange(LookupTable& table, std::vector<std::string>& warnings) {
   table.bits = used;
 }
 
-/// picture.md 5's percentiles 0.1 and 99.9 of what is no padding.
+/// Returns the window of percentiles 0.1 and 99.9 (picture.md 5) of all values but padding.
 Window ownWindow(const Frame& frame) {
   std::vector<float> values;
   values.reserve(frame.values.size());
@@ -122,7 +123,7 @@ NamedGrey greyOfSlice(NamedGrey grey, const Slice& slice) {
   m.table.first += slice.intercept;
   // LINEAR counts in steps of 1.
   if (m.function == WindowFunction::linear && slice.slope != 1) {
-    constexpr double narrowest = 1e-3;  // of a step from black to white
+    constexpr double narrowest = 1e-3;  // width from black to white, in steps
     m.window = {m.window.centre - 0.5, std::max(narrowest, m.window.width - 1)};
     m.function = WindowFunction::linearExact;
   }

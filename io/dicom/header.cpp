@@ -32,14 +32,14 @@ Error tooLarge(std::uint64_t framePixels) {
           framePixelLimitText() + " are only read with --largest-frame"};
 }
 
-/// "DICOM file without pixel data (SR)".
+/// Returns "DICOM file without pixel data (SR)".
 std::string kindOf(const FileHeader& header) {
   const char* name = header.sopClassUid.empty() ? nullptr : dcmFindNameOfUID(header.sopClassUid.c_str());
   const std::string known = !header.modality.empty() ? header.modality : name ? name : "";
   return "DICOM file without pixel data" + (known.empty() ? "" : " (" + known + ")");
 }
 
-/// The 16-bit words in which each frame's bits or bytes lie; frames share those at their ends.
+/// Returns the 16-bit words that hold each frame's bits or bytes. Adjacent frames may share a word.
 Result<std::vector<FrameRanges>> wordFrames(std::uint64_t offset, const PixelFormat& format,
                                             std::uint64_t have) {
   if (format.bytesInWords && have % 2 == 1 && have == format.allBytes())
@@ -68,28 +68,27 @@ Result<std::vector<FrameRanges>> nativeFrames(const Element& pixels, const Pixel
   return frames;
 }
 
-/// Whether pixels that the file says are compressed are not: they stand in no fragments, and have the length
-/// of their samples.
+/// Returns whether pixels declared as compressed are native: not in fragments, and as long as their samples.
 bool isNativeAfterAll(const Element& pixels, const TransferSyntax& syntax, const PixelFormat& format) {
   if (syntax.coding == Coding::native || syntax.coding == Coding::unsupported) return false;
   return pixels.length == format.allBytes() + format.allBytes() % 2;
 }
 
-/// Whether a file without preamble begins as DICOM does: with group 0002, 0004 or 0008 in either byte order.
+/// Returns whether a file without preamble begins with group 0002, 0004 or 0008 in either byte order.
 bool beginsAsDicom(Bytes head) {
   if (head.size() < 8) return false;
   const std::uint16_t group = numberAt<std::uint16_t>(head, 0, false);
   return group == 0x0002 || group == 0x0004 || group == 0x0008 || group == 0x0800;
 }
 
-/// Whose a file without a picture is, and where that would lie.
+/// Stores the identity of a file without a usable picture, and its position.
 void keepIdentity(const DataSet& data, const FileHeader& header, Inspection& found) {
   static_cast<SeriesIdentity&>(found.header) = header;
   const auto at = data.numbers(0x00200032, data.root());
   if (at && at->size() == 3) found.position = glm::dvec3((*at)[0], (*at)[1], (*at)[2]);
 }
 
-/// A refusal that keeps what is known of the file.
+/// Returns a refusal with the identity of the file.
 Inspection refused(const std::string& reason, const DataSet& data) {
   Inspection found = refused(reason);
   FileHeader header;
@@ -98,14 +97,14 @@ Inspection refused(const std::string& reason, const DataSet& data) {
   return found;
 }
 
-/// Whether a file holds the beginning of an empty preamble: what is left where a copy broke off.
+/// Returns whether a file is the beginning of an empty preamble, as left by an interrupted copy.
 bool isBrokenOff(Bytes head) {
   std::array<std::uint8_t, 132> preamble{};
   std::memcpy(preamble.data() + 128, "DICM", 4);
   return head.size() < preamble.size() && std::equal(head.begin(), head.end(), preamble.begin());
 }
 
-/// What has no picture of its own, and what it refers to.
+/// Returns the inspection of a file without a picture, with the pictures it refers to.
 Inspection withoutPicture(const DataSet& data, const FileHeader& header) {
   Inspection found{Inspection::Kind::noPicture, kindOf(header), {}, {}, {}};
   keepIdentity(data, header, found);
@@ -117,7 +116,7 @@ Inspection withoutPicture(const DataSet& data, const FileHeader& header) {
   return found;
 }
 
-/// Whether values may be an uptake: those of PET, but for secondary captures that do not say what they are.
+/// Returns whether values may be an uptake: PET, except for secondary captures without Units.
 bool isPet(const DataSet& data, const FileHeader& header) {
   const std::string& sopClass = header.sopClassUid;
   const bool isCapture = sopClass == UID_SecondaryCaptureImageStorage ||
@@ -125,7 +124,7 @@ bool isPet(const DataSet& data, const FileHeader& header) {
   return header.modality == "PT" && (!isCapture || data.has(0x00541001, data.root()));
 }
 
-/// Reads the file and says what it is; leaves its elements in `s`.
+/// Inspects a file and leaves its elements in `s`.
 Inspection inspectInto(const std::string& path, ScannedFile& s) {
   const Result<RegularFile> file = RegularFile::open(path);
   if (!file) {
@@ -146,7 +145,7 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   const bool looksLikeDicom = magic || !s.meta.transferSyntaxUid.empty();
   const DataSet data(s.head, s.dataSet.elements);
   if (!scanned) return looksLikeDicom ? refused(scanned.message(), data) : Inspection{};
-  // Without preamble only what says which class or kind it is passes for DICOM.
+  // A file without preamble is DICOM only if it has a SOP class or a modality.
   const bool named = data.has(0x00080016, data.root()) || data.has(0x00080060, data.root());
   if (!looksLikeDicom && !named) return {};
   Inspection found{Inspection::Kind::picture, {}, {}, {}, {}};
@@ -163,7 +162,7 @@ Inspection inspectInto(const std::string& path, ScannedFile& s) {
   return found;
 }
 
-/// The first bytes of native pixels; nothing where a file says how they are signed.
+/// Returns the first bytes of native pixels, or none if the file states PixelRepresentation.
 Result<std::vector<std::uint8_t>> beginOfPixels(const RegularFile& file, const ScannedFile& s,
                                                 const DataSet& data) {
   constexpr std::uint64_t enough = 64 << 10;
@@ -174,7 +173,7 @@ Result<std::vector<std::uint8_t>> beginOfPixels(const RegularFile& file, const S
   return file.read(pixels.offset, std::min({enough, pixels.length, there}));
 }
 
-/// How the samples are written, and in which transfer syntax they really are.
+/// Reads the pixel format and the true transfer syntax.
 Status readFormat(const RegularFile& file, const ScannedFile& s, const DataSet& data, FileHeader& header) {
   constexpr std::uint32_t planarConfiguration = 0x00280006;
   const Element& pixels = *s.dataSet.pixels;
@@ -200,7 +199,7 @@ Status readFormat(const RegularFile& file, const ScannedFile& s, const DataSet& 
   return {};
 }
 
-/// Tells of native pixels that go on behind the last frame, and of compressed ones that have no end mark.
+/// Warns of native pixels after the last frame, and of compressed pixels without end mark.
 void tellLength(const ScannedFile& s, const std::vector<FrameRanges>& frames, FileHeader& header) {
   constexpr std::uint64_t endMark = 8;
   const std::uint64_t length = s.dataSet.pixels->length, needed = header.format.allBytes();
@@ -214,7 +213,7 @@ void tellLength(const ScannedFile& s, const std::vector<FrameRanges>& frames, Fi
     header.warnings.emplace_back("it ends behind its last fragment, without the mark that belongs there");
 }
 
-/// Where the bytes of each frame lie.
+/// Returns the bytes of each frame.
 Result<std::vector<FrameRanges>> findFrames(const RegularFile& file, const ScannedFile& s,
                                             const DataSet& data, FileHeader& header) {
   const Element& pixels = *s.dataSet.pixels;

@@ -19,24 +19,25 @@
 
 namespace volumen::dicom {
 
-/// The Image Pixel Module (PS3.3 C.7.6.3): how samples are written.
+/// The Image Pixel Module (PS3.3 C.7.6.3): how samples are stored.
 struct PixelFormat {
   enum class Kind { integer, float32, float64 } kind = Kind::integer;
   int columns = 0, rows = 0, frames = 1;
   int bitsAllocated = 0, bitsStored = 0, highBit = 0;
   bool isSigned = false;
-  bool bigEndian = false;     ///< of native samples
+  bool bigEndian = false;     ///< byte order of native samples
   bool bytesInWords = false;  ///< bits or bytes in big endian 16-bit words (OW)
   std::string photometric = "MONOCHROME2";
-  int samples = 1;          ///< a pixel: 3 for colour that is no palette
-  bool planar = false;      ///< native samples: all of one colour after all of another
+  int samples = 1;          ///< per pixel; 3 for colour without palette
+  bool planar = false;      ///< native samples in colour planes
   bool subsampled = false;  ///< native YBR_FULL_422: Y Y Cb Cr for two pixels
 
   bool isGrey() const { return photometric.starts_with("MONOCHROME"); }
   std::uint64_t framePixels() const { return std::uint64_t(columns) * std::uint64_t(rows); }
   std::uint64_t frameSamples() const { return framePixels() * std::uint64_t(subsampled ? 2 : samples); }
   std::uint64_t frameBytes() const { return bytesOf(1); }
-  /// Bits run on from one frame to the next (PS3.5 8.1.1): what all take, not a number of frameBytes().
+  /// Returns the bytes of all frames. 1-bit frames are packed without gaps (PS3.5 8.1.1), so this is no
+  /// multiple of frameBytes().
   std::uint64_t allBytes() const { return bytesOf(frames); }
   bool isBits() const { return bitsAllocated == 1; }
 
@@ -47,91 +48,92 @@ struct PixelFormat {
   }
 };
 
-/// Unit vectors along a picture's rows (i) and down its columns (j), LPS.
+/// Unit vectors along the rows (i) and columns (j) of a picture, LPS.
 struct Orientation {
   glm::dvec3 row{1, 0, 0}, column{0, 1, 0};
 };
 
-/// One picture of a file: what it shows and where it lies.
+/// A picture of a file: its values and its position.
 struct Slice {
   int frame = 0;                       ///< in its file, from 0
-  std::optional<glm::dvec3> position;  ///< ImagePositionPatient, mm: the centre of its first voxel
+  std::optional<glm::dvec3> position;  ///< ImagePositionPatient: centre of its first voxel, mm
   std::optional<Orientation> orientation;
-  bool ofTransducer = false;          ///< they are those of an ultrasound transducer, not of the patient
+  /// Position and orientation are relative to an ultrasound transducer, not to the patient.
+  bool ofTransducer = false;
   std::optional<glm::dvec2> spacing;  ///< mm along i (between columns) and j (between rows)
-  double thickness = 0;               ///< SliceThickness, mm; 0: not given
+  double thickness = 0;               ///< SliceThickness, mm; 0 if not given
   double slope = 1, intercept = 0;
   bool isRescaled = false;                  ///< the file gives slope and intercept
-  std::string unit;                         ///< of its values
-  bool isMapped = false;                    ///< slope and intercept are those of a real world value mapping
-  std::optional<ValueRange> padding;        ///< stored values that stand for no picture
-  std::vector<Window> windows;              ///< of its values, also where those are mapped
-  long instance = 0;                        ///< InstanceNumber; order of slices that nothing else orders
+  std::string unit;                         ///< unit of its values
+  bool isMapped = false;                    ///< slope and intercept belong to a real world value mapping
+  std::optional<ValueRange> padding;        ///< stored values that are padding
+  std::vector<Window> windows;              ///< windows on its values, mapped or not
+  long instance = 0;                        ///< InstanceNumber; orders slices without positions
   std::string echoTime, bValue, timePoint;  ///< as Series has them
-  std::uint32_t inStack = 0;                ///< InStackPositionNumber, from 1; 0: not given
-  std::vector<std::string> separators;      ///< what may tell apart pictures of one place: a value for each
-                                            ///< of separators() (io/dicom/separators.h)
+  std::uint32_t inStack = 0;                ///< InStackPositionNumber, from 1; 0 if not given
+  /// Values that may separate pictures at one position, one for each of separators() (separators.h).
+  std::vector<std::string> separators;
 };
 
-/// Whether it is known where in the patient a slice lies.
+/// Returns whether the slice has a known position in the patient.
 inline bool isPlaced(const Slice& s) { return s.position && s.orientation && s.spacing; }
 
-/// A Siemens mosaic: the slices of a volume are tiles of one picture, row by row from the upper left.
+/// A Siemens mosaic, whose tiles are the slices of a volume, row by row from the upper left.
 struct Mosaic {
   int columns = 0, rows = 0;  ///< of the whole picture
   int tilesAcross = 0;
 };
 
-/// A multi-frame picture that is spread over several files (PS3.3 C.7.6.16.2.2.4).
+/// A multi-frame picture in several files (PS3.3 C.7.6.16.2.2.4).
 struct Concatenation {
-  std::string uid;          ///< empty: the file is whole
-  int part = 0, parts = 0;  ///< from 1; 0: not given
-  int firstFrame = 0;       ///< frames in the parts before
+  std::string uid;          ///< empty if the file is whole
+  int part = 0, parts = 0;  ///< from 1; 0 if not given
+  int firstFrame = 0;       ///< number of frames in the preceding parts
 };
 
-/// What a file says about itself and its pictures.
+/// The header of a file and its pictures.
 struct FileHeader : SeriesIdentity {
   std::string path, sopInstanceUid;
   std::string unit;                 ///< Series::unit
   std::string time, contrastAgent;  ///< as Series has them
   TransferSyntax syntax{"", "", Coding::native, {}, false};
   PixelFormat format;
-  std::optional<Mosaic> mosaic;  ///< the frames are its tiles; `format` is that of a tile
+  std::optional<Mosaic> mosaic;  ///< the frames are tiles of it; `format` describes one tile
   Concatenation concatenation;
-  std::vector<FrameRanges> frames;  ///< where each frame's bytes lie (in the inflated data set if deflated);
-                                    ///< of a mosaic, of the whole picture
-  std::uint64_t inflatedFrom = 0;   ///< where the deflated data set begins in the file; 0: it is not deflated
-  std::vector<Slice> slices;        ///< one a frame; only one where all frames are alike
-  std::string notVolume;            ///< why its frames can only be shown as acquired; empty: they are slices
+  /// The bytes of each frame (in the inflated data set if deflated), or of a whole mosaic.
+  std::vector<FrameRanges> frames;
+  std::uint64_t inflatedFrom = 0;  ///< offset of the deflated data set in the file; 0 if not deflated
+  std::vector<Slice> slices;       ///< one for each frame, or only one if all frames are alike
+  std::string notVolume;           ///< why its frames are only shown as acquired; empty for slices
   Cine cine;
-  std::optional<PetFacts> pet;        ///< of PET
+  std::optional<PetFacts> pet;        ///< PET only
   std::vector<std::string> warnings;  ///< sentences without the file's name
 };
 
-/// Fills in how the pixels of a scanned file are written, where each frame's bytes lie and what it shows.
-/// `header` holds its path and syntax. An Error says why it cannot be shown.
+/// Fills in the pixel format, the bytes of each frame and the slices of a scanned file. `header` must hold
+/// its path and syntax. An Error says why the file cannot be shown.
 Status readPicture(const RegularFile& file, const ScannedFile& scanned, const DataSet& data,
                    FileHeader& header);
 
-/// What tells one file of a study from another: its SOPInstanceUID, else its name.
+/// Returns the id of a file within a study: its SOPInstanceUID, else its name.
 std::string instanceId(const FileHeader& file);
 
-/// What a file turned out to be.
+/// The result of inspecting a file.
 struct Inspection {
   enum class Kind { notDicom, noPicture, refused, picture } kind = Kind::notDicom;
-  std::string text;                                    ///< noPicture: what it is; refused: why, a sentence
-  FileHeader header;                                   ///< picture; of others its identity, where known
-  std::optional<DerivedObject> derivedObject;          ///< noPicture that refers to pictures
+  std::string text;                            ///< noPicture: what it is; refused: the reason, a sentence
+  FileHeader header;                           ///< complete for pictures; identity if known for others
+  std::optional<DerivedObject> derivedObject;  ///< set if a file without picture refers to pictures
   std::optional<std::vector<ListedFile>> listed = {};  ///< the files that a DICOMDIR names
-  std::optional<glm::dvec3> position = {};             ///< not picture: ImagePositionPatient, mm
-  bool again = false;                                  ///< refused, as Refused has it
+  std::optional<glm::dvec3> position = {};  ///< ImagePositionPatient of files that are no picture, mm
+  bool again = false;                       ///< set if refused; same as Refused::again
 };
 
-/// Reads a file up to its pixel data and says what it is. Never trusts it: this is the first of the two
-/// functions that touch the bytes of a DICOM file (the other is PixelSource).
+/// Reads a file up to its pixel data and classifies it. It trusts no byte of the file. Beside it,
+/// listAttributes parses headers, and PixelSource reads pixel data.
 Inspection inspect(const std::string& path);
 
-/// What a file turned out to be, and all elements of its header for whoever wants more of them.
+/// An Inspection with all elements of the header.
 struct InspectedFile {
   ScannedFile scanned;
   Inspection found;

@@ -20,7 +20,7 @@ std::string patientWords(const FileHeader& file) {
   return name + " (ID " + file.patientId + issuer + ")";
 }
 
-/// "A and B", "A, B and C".
+/// Returns "A and B" or "A, B and C".
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
   for (std::size_t n = 0; n < words.size(); ++n)
@@ -28,7 +28,7 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Different values of a field, in order of first occurrence; empty ones left out.
+/// Returns the distinct values of a field in order of first occurrence, without empty ones.
 std::vector<std::string> valuesOf(const Files& files, std::string FileHeader::*field) {
   std::vector<std::string> values;
   std::set<std::string> seen;
@@ -38,7 +38,7 @@ std::vector<std::string> valuesOf(const Files& files, std::string FileHeader::*f
   return values;
 }
 
-/// Files by a key, in order of first occurrence.
+/// Groups files by a key, in order of first occurrence.
 template <class Key>
 std::vector<Files> groupedBy(const Files& files, Key key) {
   std::map<std::string, std::size_t> index;
@@ -51,8 +51,8 @@ std::vector<Files> groupedBy(const Files& files, Key key) {
   return groups;
 }
 
-/// Whose each file is. An ID without issuer is that of the only issuer who gave it here, and a file without
-/// ID is that of the only ID that goes with its name here.
+/// Groups files by patient. An ID without issuer gets the only issuer of that ID here. A file without ID gets
+/// the only ID that occurs with its name here.
 std::vector<Files> byPatient(const Files& files) {
   std::map<std::string, std::set<std::string>> issuersOfId, idsOfName;
   for (const FileHeader* file : files) {
@@ -77,7 +77,7 @@ bool isPlaced(const FileHeader& file) {
   return std::ranges::any_of(file.slices, [](const Slice& s) { return dicom::isPlaced(s); });
 }
 
-/// Places of slices along the normal of the first, in order, mm.
+/// Returns the sorted positions of slices along the normal of the first, mm.
 std::vector<double> placesOf(const Files& files) {
   const Slice* first = nullptr;
   std::vector<double> places;
@@ -92,7 +92,7 @@ std::vector<double> placesOf(const Files& files) {
   return places;
 }
 
-/// Whether places are those of a stack of which nothing is missing.
+/// Returns whether positions form a complete, even stack.
 bool areEven(const std::vector<double>& places) {
   if (places.size() < 2) return false;
   const double step = (places.back() - places.front()) / double(places.size() - 1);
@@ -101,8 +101,8 @@ bool areEven(const std::vector<double>& places) {
   return step > 0;
 }
 
-/// Files of which some name the one frame of reference that is named. The others are in it, too, unless both
-/// are whole stacks that lie in each other.
+/// Groups files if only some name a frame of reference, and all those name the same. The others join it
+/// unless both groups are whole stacks that interleave.
 std::vector<Files> withSomeUnnamed(const Files& files, std::vector<Warning>& warnings) {
   const auto byName = groupedBy(files, [](const FileHeader& file) {
     return !isPlaced(file) ? "no place" : file.frameOfReferenceUid.empty() ? "none" : "named";
@@ -125,7 +125,7 @@ std::vector<Files> withSomeUnnamed(const Files& files, std::vector<Warning>& war
   return {files};
 }
 
-/// By frame of reference, where files have places. A file that names none is in the only one that is named.
+/// Groups files with positions by frame of reference. Files that name none join the only one that is named.
 std::vector<Files> byFrameOfReference(const Files& files, std::vector<Warning>& warnings) {
   const Files placed = [&] {
     Files some;
@@ -153,7 +153,7 @@ std::vector<Files> byFrameOfReference(const Files& files, std::vector<Warning>& 
   });
 }
 
-/// One patient's data that do not agree.
+/// Returns warnings about contradictory data of one patient.
 std::vector<std::string> contradictions(const Files& files) {
   std::vector<std::string> warnings;
   const std::string whose = files[0]->patientId.empty() ? "" : " of patient " + files[0]->patientId;
@@ -186,7 +186,7 @@ std::string studyWords(const Files& files) {
   return files[0]->studyUid.empty() ? "(no study)" : files[0]->studyUid;
 }
 
-/// What is said of all files of one SeriesInstanceUID that name several studies or patients.
+/// Returns warnings about a SeriesInstanceUID that is shared by several studies or patients.
 std::vector<std::string> sharedSeries(const std::vector<Files>& studies, const std::vector<Files>& patients) {
   std::vector<std::string> warnings, words;
   if (studies.size() > 1) {

@@ -7,18 +7,18 @@
 
 namespace volumen::dicom {
 
-/// Files whose pictures may belong to one volume, and what is to be told of who they say they are.
+/// Files whose pictures may form one volume, with warnings about their identity.
 struct SameIdentity {
   std::vector<const FileHeader*> files;
   std::vector<Warning> warnings;
 };
 
-/// Files by whose they are: series, study, patient (PatientID with its issuer, PS3.3 C.7.1.1; the name where
-/// there is no ID) and frame of reference (PS3.3 C.7.4.1.1.1: positions of two cannot be compared). Names
-/// spelt in several ways, and UIDs that contradict patients, are told. Where each of four files or more
-/// names a frame of reference of its own, the UIDs were made anew file by file: they are one, and that is
-/// told. Files that name no frame of reference are in the only one that is named, and that is told, unless
-/// both are whole stacks that lie in each other. A file without SeriesInstanceUID is by itself.
+/// Groups files by series, study, patient and frame of reference. The patient is PatientID with its issuer
+/// (PS3.3 C.7.1.1), else the name. Positions of two frames of reference cannot be compared (PS3.3
+/// C.7.4.1.1.1). A file without SeriesInstanceUID is a group of its own. Warnings tell of
+/// - several spellings of a name, and UIDs that contradict patients;
+/// - four files or more that each name a frame of reference of their own: those are taken as one;
+/// - files that name none: they join the only one named, unless both are whole stacks that interleave.
 std::vector<SameIdentity> byIdentity(const std::vector<FileHeader>& files);
 
 }  // namespace volumen::dicom

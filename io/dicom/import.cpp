@@ -30,14 +30,14 @@ Image imageOf(const FileHeader& file) {
   return image;
 }
 
-/// Takes away what has no pixels by its class, not because it was cut off in front of them.
+/// Keeps the files of classes that have pixels here, which were cut off before their pixels.
 void keepPictures(std::vector<LostFile>& files, const std::vector<FileHeader>& pictures) {
   std::set<std::string> classes{{}};
   for (const FileHeader& picture : pictures) classes.insert(picture.sopClassUid);
   std::erase_if(files, [&](const LostFile& file) { return !classes.contains(file.identity.sopClassUid); });
 }
 
-/// Adds the pictures that a DICOMDIR lists and that are not there.
+/// Adds the pictures that a DICOMDIR lists but that are missing.
 void addNotFound(const std::string& directory, const std::vector<ListedFile>& listed,
                  const std::vector<std::string>& found, std::vector<LostFile>& lost) {
   const std::string folder = directory.substr(0, directory.find_last_of('/') + 1);

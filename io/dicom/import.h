@@ -15,9 +15,9 @@ namespace volumen::dicom {
 
 struct Inspection;
 
-/// Sorts files by what each turned out to be into `study`: volumes and images (not in order, ids not
-/// numbered), refusals, and what is no picture. `lost`: what else is known to be lost of series, or of those
-/// beside it. `all`: where these are all files that there are: what a DICOMDIR lists beyond them is lost.
+/// Sorts inspected files into `study`: volumes and images (unsorted, ids not numbered), refusals, and files
+/// without picture. `lost` holds files already known to be lost, of a series or beside one. With `all`, these
+/// are all files there are, so that other files listed by a DICOMDIR count as lost.
 void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& inspections,
                 std::vector<LostFile> lost, bool all, Study& study);
 
@@ -25,8 +25,8 @@ void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& 
 /// named in a warning.
 Result<Loaded> loadSeries(const Series& series, const Progress& progress, const CancelToken& cancel);
 
-/// What a presentation state says of the values of a frame: its own mapping, inversion and shutter, and its
-/// greys (none: all values).
+/// A presentation state applied to a frame: its value mapping, inversion, shutter and greys. No greys means
+/// that all values are shown.
 struct Shown {
   ValueMapping values;
   bool inverted = false;
@@ -34,8 +34,8 @@ struct Shown {
   std::vector<NamedGrey> greys;
 };
 
-/// Frame `n` (from 0) of a file as acquired, as io/frames.h says; as a presentation state has it shown, where
-/// there is one. `pixels`: of a frame, as far as that is known; memory is given for so many.
+/// Loads frame `n` (from 0) of a file as acquired (io/frames.h), or as a presentation state shows it.
+/// `pixels` is the size of a frame if known and sets how much memory a worker gets.
 Result<Frame> loadFrame(const std::string& path, int n, std::uint64_t pixels,
                         const std::optional<Shown>& shown = {});
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t mebibyte = std::size_t(1) << 20;
 
-/// A zlib stream that is always ended.
+/// A zlib stream that is always closed.
 struct Inflater {
   z_stream stream{};
   bool ready;
@@ -20,8 +20,8 @@ struct Inflater {
   }
 };
 
-/// Whether a stream begins as zlib (RFC 1950) or gzip (RFC 1952) wrap it. A raw one could by chance, with
-/// bits that nobody sets.
+/// Returns whether a stream begins with a zlib (RFC 1950) or gzip (RFC 1952) header. A raw stream could match
+/// only with bits that no encoder sets.
 bool isWrapped(Bytes deflated) {
   constexpr unsigned deflate = 8, check = 31;
   if (deflated.size() < 2) return false;

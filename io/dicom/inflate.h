@@ -7,11 +7,12 @@
 
 namespace volumen::dicom {
 
-/// What so many deflated bytes may become: 200 times as many, 16 MiB of few, 512 MiB at most.
+/// Returns the largest allowed inflated size: 200 times the deflated one, but at least 64 MiB and at most 512
+/// MiB.
 std::size_t mostInflated(std::size_t deflatedBytes);
 
-/// Inflates a raw deflate stream (PS3.5 A.5), also one in the wrapping of zlib or gzip. Refused: damaged
-/// streams, and more than mostInflated.
+/// Inflates a raw deflate stream (PS3.5 A.5), also in zlib or gzip wrapping. Returns an Error for damaged
+/// streams and for sizes above mostInflated.
 Result<std::vector<std::uint8_t>> inflateAll(Bytes deflated);
 
 }  // namespace volumen::dicom

@@ -7,15 +7,15 @@
 
 namespace volumen::dicom {
 
-/// What files turned out to be, one entry each: inspect(), on all cores, in workers where there are any
-/// (io/worker). Entries of an interrupted search are empty.
+/// Returns inspect() of each file, computed on all cores and in workers if there are any (io/worker). Entries
+/// after a cancellation are empty.
 std::vector<Inspection> inspectFiles(const std::vector<std::string>& paths, const Progress& progress,
                                      const CancelToken& cancel);
 
-/// That a file is refused for what became of the worker that was to read it.
+/// Returns the refusal of a file whose worker failed.
 Inspection refusal(worker::Failure why);
 
-/// Makes what came from a worker a refusal where it is not what inspect(path) can give.
+/// Turns an inspection from a worker into a refusal if inspect(path) cannot have returned it.
 void checkInspection(const std::string& path, Inspection& inspection);
 
 }  // namespace volumen::dicom

@@ -14,23 +14,22 @@ namespace {
 using Along = Separator::Along;
 using Words = Separator::Words;
 
-/// Seconds of a time of day, with or without a date in front.
+/// Returns the seconds of a time of day, with or without a date before it.
 std::optional<double> clockSeconds(const std::string& text) {
   const DateTime parts = partsOf(text);
   const auto whole = moment(parts.date, parts.time);
   return whole ? whole : timeSeconds(text);
 }
 
-/// What parts the numbers of one kind from those of the next: sizes are rounded. Slices of an MR are acquired
-/// in turn, those of other pictures one after the other, but for the jitter of their clocks; when pictures
-/// were reconstructed says less.
+/// Returns the largest gap between numbers of one kind. Sizes are rounded. MR slices are acquired in turn,
+/// others one after the other, apart from the jitter of their clocks. Reconstruction times say less.
 double apartFrom(double number, const Separator& separator, const std::string& modality) {
   constexpr double rounding = 0.02, jitter = 10, oneAcquisition = 600;  // the last two in seconds
   if (separator.words == Words::size) return rounding * number;
   return separator.along == Along::counts && modality != "MR" ? jitter : oneAcquisition;
 }
 
-/// The first value of the kind that each value belongs to.
+/// Maps each value to the first value of its kind.
 std::map<std::string, std::string> firstOfKind(const Entries& entries, std::size_t separator) {
   const Words words = separators()[separator].words;
   std::map<std::string, std::string> first;
@@ -52,7 +51,7 @@ std::map<std::string, std::string> firstOfKind(const Entries& entries, std::size
   return first;
 }
 
-/// Where the pictures of each kind stand among all.
+/// Returns the indices of the pictures of each kind.
 std::vector<std::vector<std::size_t>> standing(const Kinds& kinds) {
   std::vector<std::vector<std::size_t>> at(kinds.values.size());
   for (std::size_t n = 0; n < kinds.of.size(); ++n) at[kinds.of[n]].push_back(n);
@@ -66,7 +65,7 @@ std::vector<double> stepsOf(const Entries& entries, const std::vector<std::size_
   return steps;
 }
 
-/// Whether pictures lie even, but for a quarter that may be missing.
+/// Returns whether positions are even; a quarter of the slices may be missing.
 bool areEven(const std::vector<double>& steps) {
   constexpr double jitter = 0.05, mostMissing = 0.25;
   if (steps.empty()) return true;
@@ -81,9 +80,9 @@ bool areEven(const std::vector<double>& steps) {
   return missing <= mostMissing * double(steps.size() + 1);
 }
 
-/// Pictures of other kinds that lie between those of one.
+/// The number of pictures of other kinds between those of one kind.
 struct Between {
-  std::size_t inSteps = 0, inHoles = 0;  ///< where none of the kind is missing; where some are
+  std::size_t inSteps = 0, inHoles = 0;  ///< within regular steps; where slices of the kind are missing
 };
 
 Between between(const std::vector<std::size_t>& at, const std::vector<double>& steps) {
@@ -101,7 +100,7 @@ std::size_t changes(const Kinds& kinds) {
   return count;
 }
 
-/// Whether kinds follow each other in one order again and again.
+/// Returns whether the kinds repeat in a fixed order.
 bool isPeriodic(const Kinds& kinds) {
   constexpr std::size_t longest = 64, times = 3;
   const std::size_t count = kinds.of.size();
@@ -116,7 +115,7 @@ bool allEven(const Entries& entries) {
   return areEven(stepsOf(entries, all));
 }
 
-/// In the order of their first places; where these only tremble, in that of their values.
+/// Splits by kind, in order of first position. If these only jitter, the order is that of the values.
 std::vector<Split> byKinds(const Split& split, std::size_t separator, const Kinds& kinds) {
   std::vector<Split> splits(kinds.values.size(),
                             Split{{}, split.by, split.timePoint, split.label, {}, false});
@@ -124,7 +123,7 @@ std::vector<Split> byKinds(const Split& split, std::size_t separator, const Kind
   for (std::size_t k = 0; k < splits.size(); ++k)
     addName(splits[k], separators()[separator], kinds.values[k],
             wordsOf(separators()[separator], kinds.values, k));
-  constexpr double tremble = 0.25;  // of a step
+  constexpr double tremble = 0.25;  // fraction of a step
   const std::vector<double> steps = stepsOf(split.entries, standing(kinds)[0]);
   const auto placeOf = [](const Split& s) { return s.entries[0].placed.alongNormal; };
   if (placeOf(splits.back()) - placeOf(splits.front()) < tremble * lowerMedian(steps))
@@ -191,7 +190,7 @@ bool goesBackAndForth(const Entries& entries, std::size_t separator) {
   const Separator& s = separators()[separator];
   const Kinds kinds = kindsOf(entries, separator);
   if (kinds.values.size() < 2) return false;
-  // Image types and times differ within volumes, too.
+  // Image types and times differ within volumes too.
   const std::size_t back = changes(kinds) - (kinds.values.size() - 1),
                     most = std::max<std::size_t>(2, entries.size() / 3);
   if (s.words == Words::imageType || s.words == Words::clock) return back >= most;

@@ -5,28 +5,28 @@
 
 namespace volumen::dicom {
 
-/// Pictures of one stack, in order of place, by what one attribute says of them.
+/// The pictures of one stack, in order of position, by the value of one attribute.
 struct Kinds {
-  std::vector<std::size_t> of;      ///< the kind of each picture, from 0, in the order of their first places
-  std::vector<std::string> values;  ///< of each kind: that of its first picture
+  std::vector<std::size_t> of;      ///< kind of each picture, from 0, numbered by first position
+  std::vector<std::string> values;  ///< value of each kind: that of its first picture
 };
 
-/// Kinds by the values of a separator. Sizes within 2 % are one kind; times are one where no longer time
-/// lies between them than within one acquisition.
+/// Groups pictures by the values of a separator. Sizes within 2 % are one kind. Times are one kind if no gap
+/// between them is longer than within one acquisition.
 Kinds kindsOf(const Entries& entries, std::size_t separator);
 
-/// Whether each kind is a stack by itself: three slices or more that lie even, but for some that are missing.
+/// Returns whether each kind is an even stack: three or more slices at equal distances, some missing allowed.
 bool areEvenStacks(const Entries& entries, const Kinds& kinds);
 
-/// Whether kinds are such stacks, and slices of each lie within the steps of others.
+/// Returns whether the kinds are even stacks that interleave: slices of each lie within the steps of others.
 bool areStacksInEachOther(const Entries& entries, const Kinds& kinds);
 
-/// Splits pictures of one volume of which kinds are stacks in each other; a kind of what differs within one
-/// acquisition, too, only where all slices together are not even. Those that need no split stay.
+/// Splits a volume whose kinds are interleaved stacks. Attributes that vary within one acquisition split it
+/// only if all slices together are uneven. Returns other volumes unchanged.
 std::vector<Split> splitInterleaved(const Split& split);
 
-/// Whether pictures of one volume change back and forth between the kinds of a separator, as one acquisition
-/// does not.
+/// Returns whether pictures alternate between the kinds of a separator, as they do not within one
+/// acquisition.
 bool goesBackAndForth(const Entries& entries, std::size_t separator);
 
 }  // namespace volumen::dicom

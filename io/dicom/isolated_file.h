@@ -5,8 +5,9 @@
 
 namespace volumen::dicom {
 
-/// read(path, more...) in a worker where there are any (io/worker): what a DICOM file holds beside its
-/// pixels, or a frame of `pixels`. An Error is read's own, or names the file and what became of the worker.
+/// Returns read(path, more...), run in a worker if there are any (io/worker). `read` reads what a DICOM file
+/// holds beside its pixels, or a frame of `pixels` pixels. An Error is read's own, or names the file and what
+/// became of the worker.
 template <auto read, class... More>
 auto isolatedFile(const std::string& path, std::uint64_t pixels, const More&... more) {
   constexpr std::uint64_t bytesAPixel = 4, bytesAnswered = 24;

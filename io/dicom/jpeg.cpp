@@ -16,8 +16,8 @@
 namespace volumen::dicom {
 namespace {
 
-/// What the JPEG library last warned of on this thread: where data is missing it warns, makes pixels up, and
-/// reports success.
+/// The last warning of the JPEG library on this thread. For missing data the library warns, makes up pixels
+/// and reports success.
 thread_local std::string lastWarning;
 
 class WarningCollector : public dcmtk::log4cplus::Appender {
@@ -51,7 +51,7 @@ void registerDecoders() {
 
 namespace {
 
-/// A data set of nothing but one compressed picture. Colours are called RGB, so that they stay as they are.
+/// Fills a data set with one compressed picture. Colours are declared as RGB to keep them unconverted.
 void fill(DcmDataset& data, const PixelFormat& format, E_TransferSyntax syntax, Bytes bytes) {
   data.putAndInsertUint16(DCM_SamplesPerPixel, Uint16(format.samples));
   data.putAndInsertString(DCM_PhotometricInterpretation, format.samples == 1 ? "MONOCHROME2" : "RGB");
@@ -72,7 +72,7 @@ void fill(DcmDataset& data, const PixelFormat& format, E_TransferSyntax syntax, 
   data.insert(pixels);
 }
 
-/// The decoded samples as little endian bytes of `bitsAllocated` each, whatever width the decoder chose.
+/// Returns the decoded samples as little endian bytes of `bitsAllocated`, whatever width the decoder chose.
 std::vector<std::uint8_t> decodedBytes(DcmDataset& data, const PixelFormat& format) {
   Uint16 bits = 0, planar = 0;
   data.findAndGetUint16(DCM_BitsAllocated, bits);

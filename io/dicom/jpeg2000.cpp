@@ -9,7 +9,7 @@
 namespace volumen::dicom {
 namespace {
 
-/// A place in the bytes, for OpenJPEG's callbacks.
+/// The read position in the bytes, for OpenJPEG's callbacks.
 struct ByteCursor {
   Bytes bytes;
   std::size_t at = 0;
@@ -79,8 +79,8 @@ Samples converted(const opj_image_t& image, std::size_t count) {
   return values;
 }
 
-/// Samples in the type that the file announces; where it says signed and the stream does not, the stream's
-/// bits are taken as signed.
+/// Returns samples in the type that the file announces. If only the file says signed, the bits of the stream
+/// are taken as signed.
 Samples samplesOf(const PixelFormat& format, const StreamInfo& info, const opj_image_t& data) {
   const std::size_t count = format.frameSamples();
   if (format.isSigned && !info.isSigned) {
@@ -121,7 +121,7 @@ Result<DecodedFrame> decodeJpeg2000(const PixelFormat& format, Bytes bytes) {
   const Image image = decodeImage(bytes);
   if (!image) return Error{"its JPEG 2000 picture is damaged or cut off"};
   if (!hasSize(*image, format)) return Error{"its JPEG 2000 picture decodes to the wrong size"};
-  // The colour transforms of JPEG 2000 (YBR_ICT, YBR_RCT) are undone by the decoder.
+  // The decoder undoes the colour transforms of JPEG 2000 (YBR_ICT, YBR_RCT).
   return DecodedFrame{samplesOf(format, *info, *image), mismatch(format, *info),
                       format.photometric.starts_with("YBR_FULL")};
 }

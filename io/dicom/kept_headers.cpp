@@ -51,7 +51,7 @@ class KeptHeaders {
   struct Kept {
     FileState state;
     std::shared_ptr<const FileHeader> header;
-    bool isFresh = false;  ///< the file was just written then, and might have changed unseen since
+    bool isFresh = false;  ///< the file was just written and may have changed unseen since
   };
 
   void forgetBeyondLimit() {
@@ -69,7 +69,7 @@ class KeptHeaders {
 
   mutable std::mutex mutex_;
   std::unordered_map<std::string, Kept> kept_;
-  std::deque<std::string> order_;  ///< in which they were kept first
+  std::deque<std::string> order_;  ///< paths in the order of their first keeping
   std::size_t slices_ = 0;
   int holders_ = 0;
 };

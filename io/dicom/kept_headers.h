@@ -8,19 +8,17 @@
 
 namespace volumen::dicom {
 
-/// Headers that were read, for whoever needs them again: slices are looked at as a study is opened, and again
-/// as their series is loaded. `state`: of the file before it was read. Where there are many, those that were
-/// kept first are forgotten. For any thread.
+/// Keeps a header for reuse, as slices are read when a study is opened and again when a series is loaded.
+/// `state` is that of the file before reading. Beyond a limit the oldest headers are dropped. Thread-safe.
 void keepHeader(const std::string& path, const FileState& state, const FileHeader& header);
 
-/// The same of a header that is shared.
 void keepHeader(const std::string& path, const FileState& state, std::shared_ptr<const FileHeader> header);
 
-/// The header of a file that is as it was when that was kept; null: none is.
+/// Returns the kept header of a file that has not changed since, or null.
 std::shared_ptr<const FileHeader> keptHeader(const std::string& path);
 
-/// While one lives, headers of files that were just written are kept, too, and none is forgotten: for work
-/// that loads many volumes of the same files in turn. For any thread.
+/// While an instance exists, headers of files just written are kept too, and none is dropped. For work that
+/// loads many volumes of the same files in turn. Thread-safe.
 class HeldHeaders {
  public:
   HeldHeaders();

@@ -4,7 +4,7 @@
 
 namespace volumen::dicom {
 
-// Null where pixels of this number are of no segment.
+// Returns null for numbers that belong to no segment.
 std::vector<std::uint64_t>* LabelFrames::maskOf(int number, Masks& masks) {
   if (number == background_) return nullptr;
   if (byNumber_.contains(number)) return &masks.try_emplace(number, (pixels_ + 63) / 64).first->second;

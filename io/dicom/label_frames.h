@@ -12,19 +12,19 @@
 
 namespace volumen::dicom {
 
-/// Makes frames of one bit a pixel, each of one segment, from the frames of a label map.
+/// Turns the frames of a label map into 1-bit frames of one segment each.
 class LabelFrames {
  public:
-  /// `byNumber`: indices of segments; it must outlive this. `background`: the number of pixels of no segment.
-  /// `pixels`: of a frame.
+  /// `byNumber` maps segment numbers to indices and must outlive this. `background` is the value of
+  /// unlabelled pixels. `pixels` is the size of a frame.
   LabelFrames(const std::unordered_map<int, std::size_t>& byNumber, int background, std::size_t pixels)
       : byNumber_(byNumber), background_(background), pixels_(pixels) {}
 
-  /// Adds a frame of each segment that has pixels, and returns which these are.
+  /// Adds a frame for each segment that has pixels, and returns the indices of these segments.
   std::vector<std::size_t> add(std::span<const int> numbers);
 
   std::vector<std::uint8_t> bits() const { return bits_.bytes(); }
-  /// Numbers of pixels that are those of no segment, but for 0.
+  /// Returns the pixel values other than 0 that belong to no segment.
   const std::set<int>& undescribed() const { return undescribed_; }
 
  private:
@@ -38,7 +38,7 @@ class LabelFrames {
   std::set<int> undescribed_;
 };
 
-/// Gives segments without a colour that of their number in the palette of a label map that has one.
+/// Gives segments without a colour the palette entry of their number, if the label map has a palette.
 void addPaletteColours(std::vector<Segment>& segments, const DataSet& data);
 
 }  // namespace volumen::dicom

@@ -8,7 +8,7 @@
 namespace volumen::dicom {
 namespace {
 
-/// Where a slice lies along the normal, and in its plane along rows and columns, mm.
+/// Position of a slice along the normal, and in its plane along rows and columns, mm.
 struct Place {
   double along = 0;
   glm::dvec2 inPlane{0};
@@ -24,14 +24,14 @@ std::vector<Place> placesOf(const Entries& entries) {
   return places;
 }
 
-/// Slices on lines of one slope.
+/// Lines of one slope, and the slices on them.
 struct Lines {
   std::vector<std::size_t> lineOf;     // of each slice
-  std::vector<glm::dvec2> intercepts;  // the mean of each line
+  std::vector<glm::dvec2> intercepts;  // mean intercept of each line
 };
 
-/// Puts each slice on the first line that it is near; only the latest are tried, so that pictures scattered
-/// in their planes take no minutes.
+/// Assigns each slice to the first line near it. Only the latest lines are tried, or pictures scattered in
+/// their planes would take minutes.
 Lines linesOfSlope(const std::vector<Place>& places, glm::dvec2 slope, double most) {
   constexpr std::size_t tried = 64;
   Lines lines;
@@ -52,7 +52,7 @@ Lines linesOfSlope(const std::vector<Place>& places, glm::dvec2 slope, double mo
   return lines;
 }
 
-/// Slopes, mm in the plane per mm along the normal, that the lines may have, the likeliest first.
+/// Returns candidate slopes of the lines, most likely first: mm in the plane per mm along the normal.
 std::vector<glm::dvec2> likelySlopes(const std::vector<Place>& places, double same) {
   constexpr std::size_t most = 16, neighbours = 4;
   std::vector<glm::dvec2> slopes;
@@ -68,7 +68,7 @@ std::vector<glm::dvec2> likelySlopes(const std::vector<Place>& places, double sa
   return slopes;
 }
 
-/// The least-squares slope of the slices on the longest line.
+/// Returns the least-squares slope of the slices on the line with most slices.
 glm::dvec2 fittedSlope(const std::vector<Place>& places, const Lines& lines) {
   std::vector<std::size_t> counts(lines.intercepts.size());
   for (const std::size_t line : lines.lineOf) ++counts[line];
@@ -90,14 +90,14 @@ glm::dvec2 fittedSlope(const std::vector<Place>& places, const Lines& lines) {
   return spread > 0 ? together / spread : glm::dvec2(0);
 }
 
-/// Slices between jumps, and the slope within them.
+/// Runs of slices between sideways jumps, and the slope within them.
 struct Runs {
   std::vector<std::size_t> runOf;  // of each slice
   std::size_t count = 1;
   glm::dvec2 slope{0};
 };
 
-/// The usual step sideways, mm per mm along the normal.
+/// Returns the median sideways step, mm per mm along the normal.
 glm::dvec2 usualSlope(const std::vector<Place>& places, double same) {
   std::vector<double> x, y;
   for (std::size_t n = 1; n < places.size(); ++n)
@@ -108,7 +108,7 @@ glm::dvec2 usualSlope(const std::vector<Place>& places, double same) {
   return x.empty() ? glm::dvec2(0) : glm::dvec2(lowerMedian(x), lowerMedian(y));
 }
 
-/// The least-squares slope that all runs have.
+/// Returns the common least-squares slope of all runs.
 glm::dvec2 slopeWithin(const std::vector<Place>& places, const Runs& runs) {
   std::vector<Place> sums(runs.count);
   std::vector<double> counts(runs.count);
@@ -128,8 +128,8 @@ glm::dvec2 slopeWithin(const std::vector<Place>& places, const Runs& runs) {
   return spread > 0 ? together / spread : glm::dvec2(0);
 }
 
-/// Runs of slices between which the stack jumps sideways by more than `most`; one where that is nothing but
-/// tremble: in few places, and by much more than the slices lie beside the lines of their runs.
+/// Splits slices where the stack jumps sideways by more than `most`. Returns a single run if that is only
+/// jitter. Real jumps are few, and much larger than the slices' distances from the lines of their runs.
 Runs runsBetweenJumps(const std::vector<Place>& places, double same, double most) {
   Runs runs{std::vector<std::size_t>(places.size()), 1, usualSlope(places, same)};
   double leastJump = 0;
@@ -142,7 +142,7 @@ Runs runsBetweenJumps(const std::vector<Place>& places, double same, double most
   const Runs one{std::vector<std::size_t>(places.size()), 1, {}};
   if (runs.count == 1 || 4 * (runs.count - 1) > places.size() - 1) return one;
   runs.slope = slopeWithin(places, runs);
-  constexpr double tremble = 0.25;  // of the least jump
+  constexpr double tremble = 0.25;  // fraction of the smallest jump
   std::vector<glm::dvec2> starts(runs.count);
   for (std::size_t n = 0; n < places.size(); ++n) {
     const glm::dvec2 intercept = places[n].inPlane - places[n].along * runs.slope;
@@ -153,7 +153,7 @@ Runs runsBetweenJumps(const std::vector<Place>& places, double same, double most
   return runs;
 }
 
-/// One line for each run, and for several that lie on one.
+/// Returns a line for each run; runs on the same line share it.
 Lines linesOfRuns(const std::vector<Place>& places, const Runs& runs, double most) {
   std::vector<glm::dvec2> means(runs.count);
   std::vector<double> counts(runs.count);
@@ -174,7 +174,7 @@ Lines linesOfRuns(const std::vector<Place>& places, const Runs& runs, double mos
   return lines;
 }
 
-/// The fewest lines that hold all slices.
+/// Returns the fewest lines that hold all slices.
 Lines fewestLines(const std::vector<Place>& places, double same, double most) {
   Lines best;
   const auto tryOut = [&](glm::dvec2 slope) {

@@ -21,18 +21,18 @@
 namespace volumen::dicom {
 namespace {
 
-/// One slice on its way in.
+/// A slice during loading.
 struct Incoming {
   const FileHeader* file = nullptr;
-  int number = 0;  ///< among those of the series
+  int number = 0;  ///< index within the series
   PlacedSlice placed;
-  std::string failure;  ///< why it is missing; empty: it is there
+  std::string failure;  ///< why it is missing; empty if it is not
   std::string note;
   bool inexact = false, doesNotFit = false;
-  bool again = false;  ///< as Refused has it
+  bool again = false;  ///< same as Refused::again
 };
 
-/// The files of a series: what was found of them as the study was opened, or is found now.
+/// The files of a series, with headers kept since the study was opened or read now.
 class Files {
  public:
   Files(const Series& series, const Progress& progress, const CancelToken& cancel)
@@ -76,7 +76,7 @@ class Files {
   }
 
  private:
-  /// What an inspection found: a header, or why there is none.
+  /// A header, or the reason why there is none.
   struct File {
     std::shared_ptr<const FileHeader> header;
     std::string failure;
@@ -103,13 +103,13 @@ std::vector<PlacedSlice> placedOf(const std::vector<Incoming>& slices) {
   return placed;
 }
 
-/// All slices of one volume, decoded into one block of memory.
+/// Decodes all slices of a volume into one block of memory.
 class SliceDecoder {
  public:
   SliceDecoder(std::vector<Incoming>& slices, const Progress& progress, const CancelToken& cancel)
       : slices_(slices), progress_(progress), cancel_(cancel), padding_(paddingOf(placedOf(slices))) {}
 
-  /// Decodes everything as `plan` says; slices that fail are marked.
+  /// Decodes all slices as `plan` says and marks those that fail.
   void run(const ValuePlan& plan) {
     plan_ = plan;
     sliceVoxels_ = slices_[0].file->format.frameSamples();
@@ -124,7 +124,7 @@ class SliceDecoder {
                     [&](std::size_t n) { decodeFile(*files[n].first, files[n].second, oneFile); });
   }
 
-  /// Leaves out failed slices.
+  /// Removes failed slices.
   void compact() {
     std::size_t kept = 0;
     for (std::size_t n = 0; n < slices_.size(); ++n) {
@@ -191,14 +191,14 @@ class SliceDecoder {
   std::size_t sliceVoxels_ = 0;
 };
 
-/// Adds the slices that failed.
+/// Adds the slices that failed to `unread`.
 void addFailures(const std::vector<Incoming>& slices, std::vector<Unread>& unread) {
   for (const Incoming& in : slices)
     if (!in.failure.empty())
       unread.push_back({{in.placed.path, in.failure, in.again}, false, in.placed.slice.position});
 }
 
-/// What was said of where slices lie when all of them seemed to be there.
+/// Removes warnings about the layout of slices, which assumed that all could be read.
 void forgetLayout(std::vector<Warning>& warnings) {
   std::erase_if(warnings, [](const Warning& w) {
     return w.kind == WarningKind::missingSlices || w.kind == WarningKind::unevenSlices ||
@@ -206,7 +206,7 @@ void forgetLayout(std::vector<Warning>& warnings) {
   });
 }
 
-/// One sentence for each kind of note.
+/// Adds one sentence for each kind of note.
 void reportNotes(const std::vector<Incoming>& slices, std::vector<Warning>& warnings) {
   std::map<std::string, std::string> firstFile;
   for (const Incoming& in : slices)
@@ -231,7 +231,7 @@ Status checkMemory(const Series& series, std::size_t slices, std::uint64_t slice
                " GiB, more than this machine has."};
 }
 
-// Each slice may have windows of its own, one of them far off: those of the slice whose first is the median.
+// Slices may have their own windows, some far off. Takes those of the slice whose first window is the median.
 std::vector<Window> windowsOf(const std::vector<Incoming>& slices) {
   std::vector<const std::vector<Window>*> all;
   for (const Incoming& in : slices)
@@ -283,7 +283,7 @@ Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slice
   addSentences(warnings, changed);
   if (!stack.regular) return Loaded{*acquired, *acquired, warnings, unread, originsOf(slices, stack)};
   drawn.geometry = stack.regular->geometry;
-  std::vector<std::string> repeated;  // what was said of the acquired slices holds for these
+  std::vector<std::string> repeated;  // the warnings about the acquired slices hold for these
   const auto regular = Volume::make(std::move(drawn), repeated);
   if (!regular) return Error{series.path + ": " + regular.message()};
   return Loaded{*acquired, *regular, warnings, unread, originsOf(slices, stack), stack.places};

@@ -7,14 +7,13 @@
 namespace volumen::dicom {
 namespace {
 
-/// The data of a table in segments (PS3.3 C.7.9.2) as they are expanded: opcodes, lengths and values, each of
-/// eight or sixteen bits.
+/// Expands segmented table data (PS3.3 C.7.9.2): opcodes, lengths and values of 8 or 16 bits each.
 class Segments {
  public:
   Segments(std::vector<std::uint16_t> words, bool wide, std::size_t count)
       : words_(std::move(words)), wide_(wide), count_(count) {}
 
-  /// All entries; an empty list where the segments do not give exactly `count` of them.
+  /// Returns all entries, or none if the segments do not give exactly `count_` entries.
   std::vector<std::uint16_t> expanded() {
     std::size_t at = 0;
     while (entries_.size() < count_ && at < words_.size())
@@ -44,7 +43,7 @@ class Segments {
     return true;
   }
 
-  /// From the entry before, which is not repeated, to the end value.
+  /// Appends a slope from the previous entry (not repeated) to the end value.
   bool slope(std::size_t& at, std::size_t length) {
     if (entries_.empty() || at >= words_.size() || length > count_ - entries_.size()) return false;
     const double from = entries_.back(), to = words_[at++];
@@ -53,7 +52,7 @@ class Segments {
     return true;
   }
 
-  /// Segments again that stood earlier, from a byte offset on, its least significant part first.
+  /// Repeats earlier segments from a byte offset on, whose least significant part is first.
   bool repeat(std::size_t& at, std::size_t segments) {
     const std::size_t parts = wide_ ? 2 : 4;
     if (parts > words_.size() - at) return false;
@@ -76,8 +75,8 @@ std::vector<std::uint16_t> bytesAsWords(const std::vector<std::uint8_t>& bytes) 
   return {bytes.begin(), bytes.end()};
 }
 
-/// The entries as they stand in the data: words, or bytes where the words would be too few. A table of more
-/// bits has bytes only where they are as many as its entries.
+/// Returns the entries of the data: words, or bytes if there are too few words. Bytes in a table of more than
+/// 8 bits are accepted only if there are as many as entries.
 std::vector<std::uint16_t> plainEntries(const DataSet& data, DataSet::Scope scope, std::uint32_t tag,
                                         std::size_t count, int& bits) {
   std::vector<std::uint16_t> entries = data.words(tag, scope);
@@ -90,7 +89,7 @@ std::vector<std::uint16_t> plainEntries(const DataSet& data, DataSet::Scope scop
   return entries;
 }
 
-/// The entries that segments stand for, of as many bits as the descriptor says, else of the other width.
+/// Returns the entries of segmented data, of the declared width if that fits, else of the other one.
 std::vector<std::uint16_t> segmentedEntries(const DataSet& data, DataSet::Scope scope, std::uint32_t tag,
                                             std::size_t count, int& bits) {
   for (const bool wide : {bits > 8, bits <= 8}) {
@@ -133,7 +132,7 @@ Result<LookupTable> readLookupTable(const DataSet& data, DataSet::Scope scope, L
   if (table.entries.empty())
     return Error{"a look-up table " + tagText(inSegments ? tags.segments : tags.data) +
                  " does not hold the " + std::to_string(count) + " entries that its descriptor announces"};
-  // Entries of grey that are too large are cut, those of a palette are colours.
+  // Too large entries are clipped for greys. A palette's entries are colours and must keep their values.
   if (tags.segments && table.bits == 8 && table.usedBits() > 8) table.bits = 16;
   if (table.bits != bits)
     data.remark("one of its look-up tables says that its entries have " + std::to_string(bits) +

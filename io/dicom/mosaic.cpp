@@ -24,13 +24,13 @@ std::vector<double> numbersOf(const CsaFields& fields, const char* name, std::si
   return numbers;
 }
 
-/// How the slices follow each other.
+/// The number of slices and the step between them.
 struct Tiles {
   int count = 0;
   glm::dvec3 step{0};  ///< from each to the next, mm
 };
 
-/// Number and step of the tiles, or what is missing for that.
+/// Reads number and step of the tiles. An Error says what is missing.
 Result<Tiles> readTiles(const DataSet& data, const Slice& whole) {
   const CsaFields fields = readCsaImageHeader(data);
   if (fields.empty()) return Error{"it has no CSA header that can be read"};
@@ -49,7 +49,8 @@ Result<Tiles> readTiles(const DataSet& data, const Slice& whole) {
   return Tiles{int(count[0]), across * std::copysign(distance, along)};
 }
 
-/// The corner of the first tile: the position of a mosaic is that of a slice as large as the whole picture.
+/// Returns the position of the first tile. A mosaic has the position of a slice as large as the whole
+/// picture.
 glm::dvec3 cornerOf(const Slice& whole, const PixelFormat& tile, const Mosaic& mosaic) {
   return *whole.position +
          whole.orientation->row * (whole.spacing->x * (mosaic.columns - tile.columns) / 2.0) +

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t detectorInformation = 0x00540022, sliceVector = 0x00540080;
 
-/// One number a frame, from 1; none where the file does not give as many.
+/// One number for each frame, from 1; empty if the file does not give as many.
 using FrameNumbers = std::vector<std::uint16_t>;
 
 FrameNumbers numbersOf(const DataSet& data, std::uint32_t vector, const FileHeader& header) {
@@ -22,8 +22,7 @@ FrameNumbers numbersOf(const DataSet& data, std::uint32_t vector, const FileHead
   return numbers;
 }
 
-/// The slice that each frame shows; without the vector they follow each other where there is one frame a
-/// slice.
+/// Returns the slice of each frame. Without the vector, slices are consecutive if there is one frame a slice.
 FrameNumbers slicesOf(const DataSet& data, const FileHeader& header) {
   FrameNumbers numbers = numbersOf(data, sliceVector, header);
   const std::size_t slices = data.word(0x00540081, data.root()).value_or(0);
@@ -37,7 +36,7 @@ std::string textOf(const FrameNumbers& numbers, std::size_t frame) {
   return numbers.empty() ? std::string() : std::to_string(numbers[frame]);
 }
 
-/// From slice to slice along the normal, mm; 0: not known.
+/// Returns the signed distance between slices along the normal, mm; 0 if unknown.
 double signedDistance(const DataSet& data, FileHeader& header) {
   if (header.slices.size() < 2) return 0;
   if (const double distance = data.number(0x00180088, data.root()).value_or(0); distance != 0)
@@ -49,7 +48,7 @@ double signedDistance(const DataSet& data, FileHeader& header) {
   return std::max(0.0, thickness);
 }
 
-/// Where the first slice lies: by the frame's detector, else by the data set itself.
+/// Reads the position of the first slice from the frame's detector, if it has one.
 void readDetectorPlace(const DataSet& data, const FrameNumbers& detectors, std::size_t frame,
                        FileHeader& header) {
   const auto items = data.items(detectorInformation, data.root());

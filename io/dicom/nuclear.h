@@ -5,14 +5,14 @@
 
 namespace volumen::dicom {
 
-/// Whether a picture of nuclear medicine holds reconstructed slices (RECON TOMO, RECON GATED TOMO); all
+/// Returns whether a nuclear medicine picture holds reconstructed slices (RECON TOMO, RECON GATED TOMO). All
 /// others are projections.
 bool isReconstructedNuclear(const DataSet& data);
 
-/// Places the slices of such a picture, one a frame, all alike so far (PS3.3 C.8.4.15): SpacingBetweenSlices
-/// apart along the normal, against it where that is negative, from where the detector's first slice lies.
-/// What tells frames of one place apart is taken over, too. Where place, directions or distances are missing
-/// slices have their number in the stack alone.
+/// Sets the positions of the slices of such a picture, one for each frame (PS3.3 C.8.4.15). They start at the
+/// detector's first slice and are SpacingBetweenSlices apart along the normal, or against it if negative. It
+/// also sets what separates frames at one position. If position, directions or distance are missing, slices
+/// only have their number in the stack.
 void placeNuclearFrames(const DataSet& data, FileHeader& header);
 
 }  // namespace volumen::dicom

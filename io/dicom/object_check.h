@@ -6,13 +6,13 @@
 
 namespace volumen::dicom {
 
-/// Whether what comes from a worker keeps to what the struct promises: as many pixels, points and bits as its
-/// sizes say. A file may have taken over the worker.
+/// Return whether an object from a worker keeps the promises of its struct: as many pixels, points and bits
+/// as its sizes say. A file may have taken over the worker.
 bool isConsistent(const Frame& frame);
 bool isConsistent(const Presentation& presentation);
 bool isConsistent(const Segmentation& segmentation);
 
-/// Of other things the wire has checked all that counts.
+/// Returns true, as the wire has checked everything that matters of other objects.
 template <class T>
 bool isConsistent(const T&) {
   return true;

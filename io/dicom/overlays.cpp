@@ -23,16 +23,16 @@ class Plane {
     return "Overlay " + std::to_string((group_ - 0x6000) / 2 + 1);
   }
 
-  /// Which of the overlay's frames lies over frame `n` of the picture; nothing where none does.
+  /// Returns the overlay frame that lies over frame `n` of the picture, or nothing.
   std::optional<std::uint64_t> frameOver(int n) const {
     const auto count = data_.number(tag(0x0015), data_.root());
-    if (!count) return 0;  // one for all
+    if (!count) return 0;  // one overlay frame for all
     const double frame = n - (double(word(0x0051).value_or(1)) - 1);
     if (frame < 0 || frame >= *count) return {};
     return std::uint64_t(frame);
   }
 
-  /// The mask of a picture of this size from Overlay Data.
+  /// Returns the mask from Overlay Data for a picture of `size`.
   Result<std::vector<std::uint8_t>> mask(glm::ivec2 size, std::uint64_t frame) const {
     const std::uint64_t rows = word(0x0010).value_or(0), columns = word(0x0011).value_or(0);
     const std::vector<std::uint8_t> bits = data_.bytes(tag(0x3000), data_.root());
@@ -57,7 +57,8 @@ class Plane {
   std::optional<std::uint16_t> word(std::uint32_t element) const {
     return data_.word(tag(element), data_.root());
   }
-  /// Where its first pixel lies, from 0; the file counts from 1, row first, below 1 where it lies outside.
+  /// Returns the position of its first pixel, from 0. The file counts from 1, row first; values below 1 are
+  /// outside.
   glm::ivec2 origin() const {
     const std::vector<std::uint16_t> v = data_.words(tag(0x0050), data_.root());
     if (v.size() < 2) return {0, 0};
@@ -68,7 +69,7 @@ class Plane {
   std::uint32_t group_;
 };
 
-/// The mask that stands in one unused bit of the pixels.
+/// Returns the mask stored in an unused bit of the pixels.
 Result<std::vector<std::uint8_t>> embeddedMask(const Plane& plane, const PixelSource& pixels,
                                                const FileHeader& header, int n) {
   const int bit = plane.bitPosition(), lowest = header.format.highBit + 1 - header.format.bitsStored;

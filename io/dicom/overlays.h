@@ -6,8 +6,8 @@
 
 namespace volumen::dicom {
 
-/// The overlay planes 60xx of frame `n` (PS3.3 C.9.2), cut at the picture's border: from Overlay Data, or
-/// from the unused bits of the pixels. `warnings`: those that are left out, and why.
+/// Returns the overlay planes 60xx of frame `n` (PS3.3 C.9.2), clipped to the picture, from Overlay Data or
+/// unused bits of the pixels. `warnings` names planes that are left out and the reason.
 std::vector<FrameOverlay> readOverlays(const DataSet& data, const PixelSource& pixels,
                                        const FileHeader& header, int n, std::vector<std::string>& warnings);
 

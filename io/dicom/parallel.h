@@ -12,8 +12,9 @@
 
 namespace volumen::dicom {
 
-/// Runs work(0) .. work(count - 1) on all cores, in a worker (io/worker) on its only thread; stops early when
-/// cancelled. Progress is told on the calling thread, which takes part in the work.
+/// Runs work(0) .. work(count - 1) on all cores, or in a worker (io/worker) on its only thread, where
+/// `cancel` and `progress` are ignored. Elsewhere it stops early when cancelled. Progress is reported on the
+/// calling thread, which takes part in the work.
 template <class Work>
 void forEachParallel(std::size_t count, const char* what, const Progress& progress, const CancelToken& cancel,
                      const Work& work) {

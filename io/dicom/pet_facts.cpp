@@ -11,8 +11,8 @@
 namespace volumen::dicom {
 namespace {
 
-/// Where a PET file says something: the data set, then the attributes that a conversion found no place for,
-/// those of all frames and those of the first.
+/// Returns the scopes to search: the data set, then the attributes that a conversion could not assign, of all
+/// frames and of the first.
 std::vector<DataSet::Scope> scopesOf(const DataSet& data) {
   constexpr std::uint32_t unassignedShared = 0x00209170, unassignedPerFrame = 0x00209171;
   std::vector<DataSet::Scope> scopes{data.root()};
@@ -23,7 +23,7 @@ std::vector<DataSet::Scope> scopesOf(const DataSet& data) {
   return scopes;
 }
 
-/// The first that says something, as plain text.
+/// Returns the first value that is not empty, as plain text.
 std::string firstText(const DataSet& data, const std::vector<DataSet::Scope>& scopes, std::uint32_t tag) {
   for (const DataSet::Scope scope : scopes)
     if (std::string text = plain(data.text(tag, scope)); !text.empty()) return text;
@@ -38,7 +38,7 @@ std::string privateText(const DataSet& data, const std::vector<DataSet::Scope>& 
   return {};
 }
 
-/// The same of a defined term.
+/// Returns the first defined term that is not empty, as plain text.
 std::string firstTerm(const DataSet& data, const std::vector<DataSet::Scope>& scopes, std::uint32_t tag,
                       const char* name, std::initializer_list<const char*> terms) {
   for (const DataSet::Scope scope : scopes)
@@ -46,7 +46,7 @@ std::string firstTerm(const DataSet& data, const std::vector<DataSet::Scope>& sc
   return {};
 }
 
-/// When the earliest frame was acquired, DT.
+/// Returns the acquisition time of the earliest frame, DT.
 std::string earliestFrame(const DataSet& data) {
   constexpr std::uint32_t frameAcquisitionDateTime = 0x00189074;
   std::string earliest;
@@ -57,7 +57,7 @@ std::string earliestFrame(const DataSet& data) {
   return plain(earliest);
 }
 
-/// What is said of the tracer.
+/// Reads the attributes of the tracer.
 void readInjection(const DataSet& data, const std::vector<DataSet::Scope>& scopes, PetFacts& facts) {
   constexpr std::uint32_t tracers = 0x00540016;
   for (const DataSet::Scope scope : scopes) {

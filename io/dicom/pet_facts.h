@@ -6,8 +6,7 @@
 
 namespace volumen::dicom {
 
-/// What a PET file says of the uptake of its patient, as it is written, each at most 64 bytes; empty: not
-/// given.
+/// The attributes of a PET file about uptake, as written, each at most 64 bytes; empty if not given.
 struct PetFacts {
   std::string units, suvType, decayCorrection;
   std::string weight, size;                       ///< of the patient: kg, m
@@ -17,28 +16,28 @@ struct PetFacts {
   std::string decayedTo;                          ///< DecayCorrectionDateTime, DT
   std::string seriesDate, seriesTime;             ///< DA, TM
   std::string acquisitionDate, acquisitionTime;   ///< DA, TM
-  std::string geScanStart;                        ///< GE's own, DT
-  std::string philipsSuvFactor, philipsBqFactor;  ///< from counts to SUVbw and to Bq/ml
-  int injections = 0;                             ///< items of RadiopharmaceuticalInformationSequence
-  bool isEnhanced = false;                        ///< its units and corrections are those of enhanced PET
+  std::string geScanStart;                        ///< private attribute of GE, DT
+  std::string philipsSuvFactor, philipsBqFactor;  ///< factors from counts to SUVbw and to Bq/ml
+  int injections = 0;       ///< number of items of RadiopharmaceuticalInformationSequence
+  bool isEnhanced = false;  ///< its units and corrections are those of enhanced PET
   bool attenuationCorrected = false, decayCorrected = false;
-  std::string
-      mappedType;  ///< SUVType of the values of a real world value mapping: "BW", "LBMJAMES128", "BSA"
-  double mappedFactor = 0;  ///< from the values of the file to those; 0: there is no such mapping
+  /// SUVType of the values of a real world value mapping: "BW", "LBMJAMES128", "BSA".
+  std::string mappedType;
+  double mappedFactor = 0;  ///< from the values of the file to those; 0 if there is no such mapping
   bool operator==(const PetFacts&) const = default;
 };
 
-/// Text of a VR that is ASCII and no markup, at most 64 bytes; whatever else stands there shows as '?'.
+/// Returns text as printable ASCII without markup, at most 64 bytes. Other characters become '?'.
 std::string plain(std::string text);
 
-/// Whether two factors from values to an SUV differ by no more than rounding; never where one is 0.
+/// Returns whether two factors from values to an SUV differ only by rounding; false if one is 0.
 bool isOneFactor(double a, double b);
 
-/// The SUVType that a UCUM code stands for ("{SUVbw}g/ml": "BW"); empty: it is no SUV.
+/// Returns the SUVType of a UCUM code ("{SUVbw}g/ml": "BW"); empty if it is no SUV.
 std::string suvTypeOfCode(const std::string& code);
 
-/// Of a PET file: classic, enhanced, or legacy converted, where what has no place of its own stands in
-/// sequences of unassigned attributes.
+/// Reads the facts of a classic, enhanced or legacy converted PET file. Legacy converted files keep some of
+/// them in sequences of unassigned attributes.
 PetFacts readPetFacts(const DataSet& data);
 
 }  // namespace volumen::dicom

@@ -13,7 +13,7 @@ bool isProjection(const std::string& modality) {
   return std::find(std::begin(projections), std::end(projections), modality) != std::end(projections);
 }
 
-/// How much larger than in the patient things are at the detector; 1 where that is not known.
+/// Returns the magnification of the patient at the detector; 1 if unknown.
 double magnification(const DataSet& data, const FrameScopes& at) {
   const DataSet::Scope root = data.root(), geometry = at.of(xRayGeometry);
   const auto number = [&](std::uint32_t tag) {
@@ -26,7 +26,7 @@ double magnification(const DataSet& data, const FrameScopes& at) {
   return toPatient > 0 ? std::max(1.0, toDetector / toPatient) : 1;
 }
 
-/// What lies at the detector, as it is in the patient where the magnification is known.
+/// Returns a size at the detector, converted to the patient if the magnification is known.
 PixelSize atDetector(glm::dvec2 mm, double factor) {
   if (factor > 1) return {mm / factor, PixelSizeKind::magnified};
   return {mm, PixelSizeKind::atDetector};
@@ -41,8 +41,8 @@ PixelSize projectionSize(const DataSet& data, const FrameScopes& at, std::option
   return atDetector(detector, magnification(data, at));
 }
 
-/// Where the numbers of a region begin and which way they go. A reference pixel counts from the region's
-/// corner; its value is 0 where none is given.
+/// Reads origin and direction of a region's axes. A reference pixel counts from the region's corner. Its
+/// value is 0 if none is given.
 void readZeros(const DataSet& data, DataSet::Scope item, UltrasoundRegion& region) {
   struct Axis {
     std::uint32_t delta, pixel, value;
@@ -53,7 +53,7 @@ void readZeros(const DataSet& data, DataSet::Scope item, UltrasoundRegion& regio
     const auto pixel = data.dword(axes[a].pixel, item);
     const double value = data.real(axes[a].value, item).value_or(0);
     if (!pixel || !(region.delta[a] > 0) || !std::isfinite(value)) continue;
-    // Signed (PS3.3 C.8.5.5.1): it may lie outside the region.
+    // Signed (PS3.3 C.8.5.5.1), as it may lie outside the region.
     region.zero[a] = region.from[a] + double(std::int32_t(*pixel)) - region.sign[a] * value / region.delta[a];
   }
 }
@@ -68,7 +68,7 @@ std::optional<glm::dvec2> readSpacing(const DataSet& data, std::uint32_t tag, Da
 
 PixelSize readPixelSize(const DataSet& data, const FrameScopes& at, const std::string& modality) {
   const auto spacing = readSpacing(data, 0x00280030, at.of(pixelMeasures));
-  // Pixel measures lie in the patient, of what was reconstructed from projections too (tomosynthesis).
+  // Pixel measures are in the patient, also if reconstructed from projections (tomosynthesis).
   if (spacing && at.hasGroup(pixelMeasures)) return {*spacing, PixelSizeKind::patient};
   auto detector = readSpacing(data, 0x00181164, data.root());
   if (!detector) detector = readSpacing(data, 0x00181164, at.of(framePixelData));

@@ -19,7 +19,7 @@ using Scope = DataSet::Scope;
 constexpr const char* grayscaleClasses[] = {"1.2.840.10008.5.1.4.1.1.11.1", "1.2.840.10008.5.1.4.1.1.11.5"};
 constexpr std::size_t mostPoints = 1'000'000;
 
-/// Reads one presentation state.
+/// Reads a presentation state.
 class PresentationReader {
  public:
   explicit PresentationReader(const DataSet& data) : data_(data) {}
@@ -93,7 +93,7 @@ class PresentationReader {
         leaveOut("A displayed area without two corners near the picture is not applied");
         continue;
       }
-      // The corners are those on screen: of a turned picture any two opposite ones.
+      // The corners are those on screen. In a turned picture they are any two opposite ones.
       const glm::ivec2 first(a[0] - 1, a[1] - 1), second(b[0] - 1, b[1] - 1);
       out_.areas.push_back({picturesOf(item), {glm::min(first, second), glm::max(first, second)}});
     }
@@ -129,7 +129,7 @@ class PresentationReader {
     return {};
   }
 
-  /// Pairs of finite numbers; none where one is not.
+  /// Returns pairs of finite numbers, or none if any number is not finite.
   std::vector<glm::dvec2> pointsAt(std::uint32_t tag, Scope item) const {
     const std::vector<float> numbers = data_.floats(tag, item);
     std::vector<glm::dvec2> points;

@@ -17,7 +17,7 @@ constexpr std::uint32_t content = 0x0040a730, conceptName = 0x0040a043;
 
 Code nameOf(const DataSet& data, Scope item) { return codeAt(data, conceptName, item); }
 
-/// Reads one report; content items are walked without recursion.
+/// Reads a report. Content items are walked without recursion.
 class ReportReader {
  public:
   explicit ReportReader(const DataSet& data) : data_(data) {}
@@ -102,7 +102,7 @@ class ReportReader {
                               "\" is left out: its type or its points are not those of the standard.");
   }
 
-  /// Whether type and points are such as the standard has.
+  /// Reads the points of a shape. Returns false if type or points do not conform to the standard.
   bool readPoints(Scope item, const std::string& graphic, ReportShape& shape) const {
     using Type = ReportShape::Type;
     struct Rule {

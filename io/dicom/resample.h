@@ -4,8 +4,8 @@
 
 namespace volumen::dicom {
 
-/// The slices of a regular grid: copies, and linear interpolations of neighbours (rounded to the nearest
-/// where values are integers). `sliceVoxels`: voxels a slice.
+/// Returns the slices of a regular grid: copies, and linear interpolations between neighbours, rounded to
+/// nearest for integer values. `sliceVoxels` is the number of voxels of a slice.
 VoxelValues resampleSlices(const VoxelValues& acquired, std::size_t sliceVoxels,
                            const std::vector<Stack::Source>& sources);
 

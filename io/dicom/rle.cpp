@@ -5,7 +5,7 @@
 namespace volumen::dicom {
 namespace {
 
-/// PackBits (PS3.5 G.3.2): fills every `stride`-th byte of `out` from `first` on, `count` of them.
+/// Decodes PackBits (PS3.5 G.3.2) to every `stride`-th byte of `out`, `count` bytes from `first` on.
 bool unpackBits(Bytes in, std::vector<std::uint8_t>& out, std::size_t first, std::size_t stride,
                 std::size_t count) {
   std::size_t at = 0, done = 0;
@@ -32,7 +32,7 @@ Result<std::vector<std::uint8_t>> decodeRle(const PixelFormat& format, Bytes byt
   if (bytes.size() < headerSize) return Error{"its RLE header is cut off"};
   if (numberAt<std::uint32_t>(bytes, 0, false) != planes)
     return Error{"its RLE header has the wrong number of segments"};
-  // Two bytes of code give at most 128 of picture.
+  // Two bytes of code give at most 128 bytes of picture.
   if (bytes.size() < format.frameBytes() / 64) return Error{"its RLE data is too short for its picture"};
   std::vector<std::uint8_t> out(format.frameBytes());
   for (std::size_t plane = 0; plane < planes; ++plane) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t depthLimit = 64, elementLimit = 1'000'000;
 constexpr std::uint64_t metaLimit = 1 << 20;
-constexpr std::uint64_t longestGuess = 64 << 10;  // of the value of an element whose VR is not known
+constexpr std::uint64_t longestGuess = 64 << 10;  // of the value of an element of unknown VR
 
 bool isLetter(std::uint8_t c) { return c >= 'A' && c <= 'Z'; }
 
@@ -19,14 +19,14 @@ bool isOneOf(std::uint16_t vr, const char* const (&names)[n]) {
                      [&](const char* name) { return vr == vrOf(name[0], name[1]); });
 }
 
-/// VRs whose length takes four bytes behind two reserved ones (PS3.5 7.1.2).
+/// Returns whether the VR has a four-byte length after two reserved bytes (PS3.5 7.1.2).
 bool hasLongLength(std::uint16_t vr) {
   constexpr const char* names[] = {"OB", "OD", "OF", "OL", "OV", "OW", "SQ",
                                    "SV", "UC", "UN", "UR", "UT", "UV"};
   return isOneOf(vr, names);
 }
 
-/// The VRs of PS3.5 6.2.
+/// Returns whether the VR is one of PS3.5 6.2.
 bool isVr(std::uint16_t vr) {
   constexpr const char* names[] = {"AE", "AS", "AT", "CS", "DA", "DS", "DT", "FD", "FL", "IS", "LO",
                                    "LT", "PN", "SH", "SL", "SS", "ST", "TM", "UI", "UL", "US"};
@@ -40,12 +40,12 @@ std::uint32_t tagAt(Bytes bytes, std::uint64_t offset, bool bigEndian) {
 
 bool isPixelTag(std::uint32_t tag) { return tag == 0x7fe00008 || tag == 0x7fe00009 || tag == 0x7fe00010; }
 
-/// A sequence or item that is not finished yet.
+/// A sequence or item that has not ended yet.
 struct Open {
   enum Kind { sequence, item, fragments } kind;
-  std::uint32_t index;  // in the list of elements
-  std::uint64_t end;    // of its value; undefinedLength where a delimiter ends it
-  Encoding encoding;    // of what it holds
+  std::uint32_t index;  // index in the list of elements
+  std::uint64_t end;    // end of its value; undefinedLength if a delimiter ends it
+  Encoding encoding;    // encoding of its contents
 };
 
 /// The pass of scanDataSet.
@@ -65,10 +65,10 @@ class Pass {
     if (!scan_.needsUpTo) endAll();
     return std::move(scan_);
   }
-  /// What stands in front of where run() failed.
+  /// Returns the elements before the one where run() failed.
   DataSetScan before() && {
     endAll();
-    // Sequences may claim more than was looked at.
+    // Sequences may claim more bytes than were read.
     for (Element& e : scan_.elements)
       if (e.length != undefinedLength) {
         e.offset = std::min<std::uint64_t>(e.offset, head_.size());
@@ -88,7 +88,7 @@ class Pass {
   void endAll() {
     for (const Open& open : open_) scan_.elements[open.index].end = std::uint32_t(scan_.elements.size());
   }
-  // Fewer than eight bytes behind the last element are padding.
+  // Fewer than eight bytes after the last element are padding.
   bool finished() const { return scan_.pixels || (open_.empty() && at_ + 8 > fileSize_); }
 
   Result<DataSetScan> needMore(std::uint64_t end) {
@@ -186,7 +186,7 @@ class Pass {
     return value(vr, header, length);
   }
 
-  /// Where a VR may have stood, and what it would say of the value.
+  /// A possible layout of an element of unknown VR: the size of its header and the length of its value.
   struct Form {
     std::uint64_t header, length;
   };
@@ -197,8 +197,8 @@ class Pass {
             Form{8, numberAt<std::uint32_t>(head_, at + 4, big)}};
   }
 
-  /// Whether the data set goes on at `at`, behind `tag`: an element of a known VR, or one that is followed by
-  /// such after `more` others at most.
+  /// Returns whether the data set continues at `at`, after `tag`: with an element of known VR, or with at
+  /// most `more` others followed by one.
   bool goesOn(std::uint64_t at, std::uint32_t tag, int more) const {
     if (at == limit() || (open_.empty() && at <= fileSize_ && at + 8 > fileSize_)) return true;
     if (at > limit() || !available(at + 8)) return false;
@@ -211,8 +211,8 @@ class Pass {
            });
   }
 
-  /// An element whose VR is none of the standard's: with a short length, a long one, or without a VR at all,
-  /// whichever leads on to another element.
+  /// Reads an element whose VR is not in the standard: with a short length, a long one, or no VR at all. The
+  /// layout that leads to another element wins.
   Status elementOfNoVr() {
     constexpr int mostInARow = 3;
     const std::uint64_t looked = std::min(fileSize_, at_ + 2 * longestGuess);
@@ -247,7 +247,7 @@ class Pass {
     if (length == undefinedLength) {
       if (vr == vrOf('O', 'B') || vr == vrOf('O', 'W')) return push(Open::fragments, encoding());
       if (vr != 0 && vr != vrOf('S', 'Q') && vr != vrOf('U', 'N')) return fail("has no length");
-      // PS3.5 6.2.2: a sequence of VR UN is written in implicit little endian.
+      // PS3.5 6.2.2: a sequence of VR UN is in implicit little endian.
       return push(Open::sequence, vr == vrOf('U', 'N') ? Encoding{false, false} : encoding());
     }
     if (vr == vrOf('S', 'Q')) return push(Open::sequence, encoding());
@@ -306,7 +306,7 @@ Result<MetaHeader> scanMeta(Bytes head, std::uint64_t fileSize) {
     }
     at = begin + length;
   }
-  // pydicom puts an empty (0000,0000) in front where zeros stood behind the last element.
+  // pydicom inserts an empty (0000,0000) if zeros followed the last element.
   constexpr std::array<std::uint8_t, 8> empty{};
   if (meta.magic && at + 8 <= end &&
       std::equal(empty.begin(), empty.end(), head.begin() + std::ptrdiff_t(at)))
@@ -317,7 +317,7 @@ Result<MetaHeader> scanMeta(Bytes head, std::uint64_t fileSize) {
 
 Encoding encodingFound(Bytes head, std::uint64_t offset, Encoding expected) {
   if (offset + 8 > head.size()) return expected;
-  // The first group of a data set is small (0004, 0008): read in the wrong order it has a zero low byte.
+  // The first group of a data set is small (0004, 0008), so its low byte is 0 in the wrong byte order.
   const std::uint16_t little = numberAt<std::uint16_t>(head, offset, false);
   Encoding found = expected;
   if (little != 0 && little < 0x0100) found.bigEndian = false;

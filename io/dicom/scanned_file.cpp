@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint64_t firstRead = 64 << 10;
 constexpr std::uint64_t headerLimit = 512 << 20;
 
-/// The beginning of the first fragment of pixel data that is not empty, behind the offset table.
+/// Returns the first bytes of the first fragment that is not empty, after the offset table.
 Result<std::vector<std::uint8_t>> firstFragment(const RegularFile& file, std::uint64_t offset,
                                                 std::uint64_t enough) {
   constexpr int mostItems = 4;
@@ -51,7 +51,7 @@ Status ScannedFile::correctSyntax(const RegularFile& file) {
   if (!inFragments || inflatedFrom || dataSet.pixels->bigEndian || syntax.coding == Coding::unsupported)
     return {};
   const auto isJpeg = [](Coding coding) { return coding == Coding::jpeg || coding == Coding::jpegLs; };
-  constexpr std::uint64_t mark = 64, frameHeader = 64 << 10;  // how far in they are found
+  constexpr std::uint64_t mark = 64, frameHeader = 64 << 10;  // bytes to search for them
   const auto begin = firstFragment(file, dataSet.pixels->offset, isJpeg(syntax.coding) ? mark : frameHeader);
   if (!begin) return begin.error();
   const TransferSyntax found = transferSyntax(syntaxOfStream(*begin));

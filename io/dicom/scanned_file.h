@@ -8,23 +8,23 @@
 
 namespace volumen::dicom {
 
-/// A DICOM file up to its pixel data: its first bytes (all of an inflated data set) and the elements in them.
-/// Filled in in this order: begin, meta (scanMeta), findSyntax, scan.
+/// A DICOM file up to its pixel data: its first bytes (all of an inflated data set) and their elements. Fill
+/// it in this order: begin, meta (scanMeta), findSyntax, scan.
 struct ScannedFile {
   MetaHeader meta;
   TransferSyntax syntax{"", "", Coding::native, {}, false};
   std::vector<std::uint8_t> head;
-  std::uint64_t size = 0;          ///< of what offsets of elements count in
-  std::uint64_t inflatedFrom = 0;  ///< where the deflated data set begins in the file; 0: it is not deflated
+  std::uint64_t size = 0;          ///< size of the bytes that element offsets refer to
+  std::uint64_t inflatedFrom = 0;  ///< offset of the deflated data set in the file; 0 if not deflated
   DataSetScan dataSet;
-  std::string remark;  ///< where `syntax` is not the one that the file names: a sentence without its name
+  std::string remark;  ///< set if `syntax` is not the one that the file names: a sentence without its name
 
-  /// Reads what the meta header is looked for in.
+  /// Reads the first bytes, which hold the meta header.
   Status begin(const RegularFile& file);
-  /// The transfer syntax that the file names, with the encoding that its bytes show.
+  /// Finds the transfer syntax that the file names, with the encoding that its bytes show.
   Status findSyntax();
-  /// One pass over the data set. Fragments of pixels that are of another transfer syntax than the file names
-  /// have theirs from then on.
+  /// Scans the data set. If fragments of pixels are in another transfer syntax than the file names, `syntax`
+  /// becomes theirs.
   Status scan(const RegularFile& file);
 
  private:

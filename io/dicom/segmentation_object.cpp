@@ -44,7 +44,7 @@ std::string numbersText(const std::set<int>& numbers) {
   return listedFirst(texts);
 }
 
-/// Reads one segmentation object.
+/// Reads a segmentation object.
 class SegmentationReader {
  public:
   SegmentationReader(const InspectedFile& file, const DataSet& data, const std::string& path,
@@ -63,7 +63,7 @@ class SegmentationReader {
   }
 
  private:
-  /// Why the value of a text attribute is not taken.
+  /// Returns why the value of a text attribute is refused.
   Error wrong(const std::string& name, std::uint32_t tag, Scope scope, const char* wanted) const {
     constexpr std::size_t mostShown = 64;
     if (!data_.has(tag, scope)) return Error{"its " + name + " is missing"};
@@ -149,7 +149,7 @@ class SegmentationReader {
     return {};
   }
 
-  /// Of label maps the first: its pixels say which.
+  /// Returns the index of the frame's segment. Label maps get 0, as their pixels name the segments.
   std::size_t segmentOf(const FrameScopes& at) {
     if (isLabelMap_) return 0;
     const int number = data_.word(0x0062000b, at.of(segmentOfFrame)).value_or(0);
@@ -189,7 +189,7 @@ class SegmentationReader {
     return {};
   }
 
-  /// Directions, sizes and thickness, of the first frame.
+  /// Stores directions, pixel size and thickness of the first frame.
   Status takePlane(glm::dvec3 right, glm::dvec3 down, glm::dvec2 mm, const FrameScopes& at) {
     constexpr double off = 0.01;
     const bool square = std::abs(glm::length(right) - 1) < off && std::abs(glm::length(down) - 1) < off &&
@@ -209,7 +209,7 @@ class SegmentationReader {
 
   SegmentationPixels pixels() const { return {file_, data_, path_, out_.size, int(frames_), pictures_}; }
 
-  /// Bits run on from frame to frame (PS3.5 8.1.1).
+  /// Reads bits, which run on from frame to frame (PS3.5 8.1.1).
   Status readBits() {
     auto bits = pixels().bits(out_.notes);
     if (!bits) return bits.error();
@@ -217,7 +217,7 @@ class SegmentationReader {
     return {};
   }
 
-  /// Fractions of MaximumFractionalValue, one byte a pixel.
+  /// Reads fractions of MaximumFractionalValue, one byte a pixel.
   Status readFractions() {
     const int most = data_.word(0x0062000e, data_.root()).value_or(255);
     if (most < 1 || most > 255)
@@ -233,7 +233,7 @@ class SegmentationReader {
     return {};
   }
 
-  /// Numbers of segments; a frame of the file becomes one of each segment that has pixels in it.
+  /// Reads a label map. Each frame becomes one frame for every segment that has pixels in it.
   Status readLabels() {
     const std::vector<SegmentFrame> planes = std::exchange(out_.frames, {});
     LabelFrames frames(byNumber_, background_, out_.rowAt(1, 0));
@@ -251,7 +251,7 @@ class SegmentationReader {
     return {};
   }
 
-  /// Frames of segments that SegmentSequence does not have cost themselves, as long as others are left.
+  /// Leaves out frames of segments missing from SegmentSequence, as long as others remain.
   Status leaveOutUndescribed() {
     std::vector<std::size_t> kept;
     for (std::size_t n = 0; n < out_.frames.size(); ++n)
@@ -267,7 +267,7 @@ class SegmentationReader {
     return {};
   }
 
-  /// A place has one frame of a segment: those that repeat it are united with the first.
+  /// Merges frames that repeat a position of their segment into the first, as a position has one frame.
   void uniteRepeated() {
     std::map<std::array<std::int64_t, 4>, std::size_t> firstAt;
     std::vector<std::size_t> kept;
@@ -313,9 +313,9 @@ class SegmentationReader {
   glm::ivec2 pictures_;
   double frames_ = 0;
   bool isLabelMap_ = false, hasPlane_ = false;
-  int background_ = 0;  // number of the pixels of a label map that are of no segment
+  int background_ = 0;  // value of unlabelled pixels in a label map
   std::unordered_map<int, std::size_t> byNumber_;
-  std::set<int> undescribed_;  // numbers of segments
+  std::set<int> undescribed_;  // segment numbers
   Segmentation out_;
 };
 

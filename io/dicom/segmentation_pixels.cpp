@@ -19,8 +19,8 @@ std::uint64_t SegmentationPixels::bytesThere() const {
   return std::min(pixels.length, file_.scanned.size - std::min(file_.scanned.size, pixels.offset));
 }
 
-// More than Rows x Columns x NumberOfFrames, and one byte for an even length, means that one of these is
-// wrong, and all pixels are elsewhere than they seem.
+// If the pixel data is longer than Rows x Columns x NumberOfFrames, padded to an even length, one of these is
+// wrong. All pixels are then in other places than they seem.
 Status SegmentationPixels::checkLength(std::uint64_t bitsOfPixel) const {
   const std::uint64_t needed = (framePixels() * std::uint64_t(frames_) * bitsOfPixel + 7) / 8;
   const std::string ofNeeded =
@@ -48,7 +48,7 @@ Result<std::vector<std::uint8_t>> SegmentationPixels::bytesAt(std::uint64_t offs
   return file->read(offset, length);
 }
 
-// Whether the pixel data has the length of frames that are whole bytes each, and no other that it may have.
+// Returns whether the length of the pixel data fits frames of whole bytes each, and nothing else.
 bool SegmentationPixels::arePadded() const {
   const std::uint64_t length = file_.scanned.dataSet.pixels->length, frames = std::uint64_t(frames_);
   const std::uint64_t bits = (framePixels() * frames + 7) / 8, padded = (framePixels() + 7) / 8 * frames;

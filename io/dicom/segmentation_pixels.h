@@ -14,18 +14,18 @@ namespace volumen::dicom {
 /// The pixel data of a segmentation object. Its Errors are reasons without the file's name.
 class SegmentationPixels {
  public:
-  /// `pictures`: columns and rows of the pictures that it names, which is told where a length is wrong (0:
-  /// not known). All but `size` and `frames` must outlive it.
+  /// `pictures` is the size of the pictures it refers to (0 if unknown), named in an Error about a wrong
+  /// length. All arguments but `size`, `frames` and `pictures` must outlive the object.
   SegmentationPixels(const InspectedFile& file, const DataSet& data, const std::string& path, glm::ivec2 size,
                      int frames, glm::ivec2 pictures)
       : file_(file), data_(data), path_(path), size_(size), frames_(frames), pictures_(pictures) {}
 
-  /// Returns pixels of one bit, frame after frame without gaps (packed_bits.h). Frames that begin on whole
-  /// bytes are joined, and `notes` gets a sentence about it.
+  /// Returns 1-bit pixels, frame after frame without gaps (packed_bits.h). Frames that begin on whole bytes
+  /// are joined, with a sentence in `notes`.
   Result<std::vector<std::uint8_t>> bits(std::vector<std::string>& notes) const;
 
   using TakeFrame = std::function<Status(std::size_t frame, std::span<const int> numbers)>;
-  /// Decodes wider pixels as those of any picture, frame after frame.
+  /// Decodes wider pixels like those of any picture, frame by frame.
   Status forEachFrame(const TakeFrame& take) const;
 
  private:

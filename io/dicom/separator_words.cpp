@@ -5,12 +5,12 @@
 namespace volumen::dicom {
 namespace {
 
-/// The date in front of a time, "20260314"; empty: there is none.
+/// Returns the date before a time, "20260314"; empty if there is none.
 std::string dayOf(const std::string& time) {
   return time.size() >= 14 && time.find('.') != 6 ? time.substr(0, 8) : std::string();
 }
 
-/// The time of day; of several days with the date.
+/// Returns the time of day, with the date if the times span several days.
 std::string clockText(const std::vector<std::string>& times, std::size_t n) {
   const std::string day = dayOf(times[n]), of = times[n].substr(day.size());
   if (of.size() < 6) return times[n];
@@ -31,7 +31,7 @@ std::vector<std::string> components(const std::string& text) {
   return all;
 }
 
-/// What of "ORIGINAL\PRIMARY\M" not all of these have.
+/// Returns the components of "ORIGINAL\PRIMARY\M" that not all values share.
 std::string differing(const std::vector<std::string>& values, std::size_t n) {
   std::string label;
   const std::vector<std::string> own = components(values[n]);

@@ -19,12 +19,12 @@ constexpr std::uint32_t cardiacGroup = 0x00189118, respiratoryGroup = 0x00209253
                         arterialSpinLabelingGroup = 0x00189251, velocityEncodingGroup = 0x00189197,
                         contrastUsageGroup = 0x00189341, petCorrectionGroup = 0x00189736;
 
-/// Of pictures that were made enhanced: what no other group of theirs holds (PS3.3 C.7.6.16.2.25.2).
+/// Holds the attributes that no other group of a converted picture holds (PS3.3 C.7.6.16.2.25.2).
 constexpr std::uint32_t unassignedOfFrame = 0x00209171;
 
 enum class SourceKind { text, words, number, real, single, word, dword };
 
-/// Where a value may stand: an attribute in a functional group, 0: in the data set itself.
+/// The source of a value: an attribute in a functional group, or in the data set itself if `group` is 0.
 struct ValueSource {
   std::uint32_t group, tag;
   SourceKind kind;
@@ -35,7 +35,7 @@ std::string numberText(const DataSet& data, std::uint32_t tag, DataSet::Scope sc
   return number ? realText(*number) : data.text(tag, scope);
 }
 
-/// Several values as words of one text.
+/// Returns several values as the words of one text.
 std::string wordsIn(std::string values) {
   std::ranges::replace(values, '\\', ' ');
   return values;
@@ -64,7 +64,7 @@ std::string valueOf(const DataSet& data, const ValueSource& source, DataSet::Sco
   return {};
 }
 
-/// The first source that says something.
+/// Returns the value of the first source that is not empty.
 std::string firstOf(const DataSet& data, const FrameScopes& at, std::span<const ValueSource> sources) {
   for (const ValueSource& source : sources) {
     if (source.tag == 0) break;
@@ -92,7 +92,7 @@ std::string privateBValue(const DataSet& data) {
   return {};
 }
 
-/// The diffusion gradient's direction as it stands in the file: only compared.
+/// Returns the diffusion gradient direction as stored, for comparison only.
 std::string readDirection(const DataSet& data, const FrameScopes& at) {
   const DataSet::Scope diffusion = at.of(mrDiffusionGroup);
   if (const auto items = data.items(0x00189076, diffusion); !items.empty())
@@ -103,7 +103,7 @@ std::string readDirection(const DataSet& data, const FrameScopes& at) {
   return direction;
 }
 
-/// The fields of CT's reconstruction group are items of a sequence in it.
+/// Returns the kernel, from CT's reconstruction group if there is one.
 std::string readKernel(const DataSet& data, const FrameScopes& at) {
   return wordsIn(data.text(0x00181210, at.of(ctReconstructionGroup)));
 }
@@ -114,7 +114,7 @@ std::string readVelocityDirection(const DataSet& data, const FrameScopes& at) {
 
 std::string readAgent(const DataSet& data, const FrameScopes&) { return readContrastAgent(data); }
 
-/// A date in front of a time of day.
+/// Returns a time of day with its date before it.
 std::string withDate(const DataSet& data, std::uint32_t date, std::uint32_t time) {
   const std::string ofDay = data.text(time, data.root()), day = dateOrTime(data.text(date, data.root()));
   return ofDay.empty() || day.size() != 8 ? ofDay : day + dateOrTime(ofDay);
@@ -137,7 +137,7 @@ using Along = Separator::Along;
 struct SeparatorRow {
   Separator separator;
   std::array<ValueSource, 6> sources;
-  std::string (*read)(const DataSet&, const FrameScopes&) = nullptr;  // in place of sources
+  std::string (*read)(const DataSet&, const FrameScopes&) = nullptr;  // used in place of `sources`
 };
 
 const SeparatorRow separatorRows[] = {
@@ -179,7 +179,7 @@ const SeparatorRow separatorRows[] = {
      {{{ctXRayGroup, 0x00180060, SourceKind::number}, {0, 0x00180060, SourceKind::number}}}},
     {{"FlipAngle", Trust::certain, "flip angle ", " degrees"},
      {{{mrTimingGroup, 0x00181314, SourceKind::number}, {0, 0x00181314, SourceKind::number}}}},
-    // Of nuclear medicine (PS3.3 C.8.4.8), frame by frame: io/dicom/nuclear.h.
+    // Vectors of nuclear medicine (PS3.3 C.8.4.8), read frame by frame in io/dicom/nuclear.h.
     {{"EnergyWindowVector", Trust::certain, "energy window ", ""}, {}},
     {{"DetectorVector", Trust::certain, "detector ", ""}, {}},
     {{"RRIntervalVector", Trust::certain, "R-R interval ", ""}, {}},

@@ -12,65 +12,67 @@
 
 namespace volumen::dicom {
 
-/// An attribute that may tell apart the pictures of one place.
+/// An attribute that may separate pictures at one position.
 struct Separator {
-  /// What is said of a value: `before`, the value, `after`; or in a way of its own. A size is a number that
+  /// How a value is worded: `before`, the value and `after`, or in a special way. A size is a number that
   /// scanners round.
   enum class Words { plain, size, imageType, direction, clock, seconds };
-  /// When its values make volumes.
+  /// When different values make separate volumes.
   enum class Trust {
     always,   ///< wherever they differ
-    certain,  ///< where they differ at one place
-    likely,   ///< where they differ at one place and are no more than there are pictures at one place
-    needed    ///< only where pictures of one place are left that nothing above tells apart
+    certain,  ///< if they differ at one position
+    likely,   ///< if they differ at one position and are no more than the pictures there
+    needed    ///< only if nothing above separates all pictures at one position
   };
-  /// How its values run along the slices of one acquisition.
+  /// How values run along the slices of one acquisition.
   enum class Along {
-    steady,  ///< they are all the same
-    varies,  ///< they may differ from slice to slice
-    counts   ///< the same, and the n-th value at each place belongs to the n-th volume (trigger times)
+    steady,  ///< all equal
+    varies,  ///< may differ from slice to slice
+    counts   ///< may differ, and the n-th value at each position belongs to the n-th volume (trigger times)
   };
 
-  const char* keyword;  ///< DICOM's, of the attribute
+  const char* keyword;  ///< DICOM keyword of the attribute
   Trust trust;
   const char *before, *after;  ///< words and unit, English: "kernel ", " ms"
   Words words = Words::plain;
   Along along = Along::steady;
-  std::string Series::*field = nullptr;  ///< where Series keeps the value; then it is no part of the label
+  /// Member of Series that holds the value, which is then no part of the label.
+  std::string Series::*field = nullptr;
 };
 
-/// All of them, those first that tell most surely.
+/// Returns all separators, most reliable first.
 std::span<const Separator> separators();
 
-/// The values of one frame, as text, one a separator; empty where it does not say.
+/// Returns the values of one frame as text, one for each separator; empty if not given.
 std::vector<std::string> readSeparators(const DataSet& data, const FrameScopes& at,
                                         const Dimensions& dimensions);
 
-/// The number of the separator of this keyword, which is in the table.
+/// Returns the index of the separator with this keyword, which must exist.
 std::size_t separatorAt(std::string_view keyword);
 
-/// Sets the value of the separator of this keyword, which is in the table.
+/// Sets the value of the separator with this keyword, which must exist.
 void setSeparator(Slice& slice, std::string_view keyword, const std::string& value);
 
-/// What is said of value `n` of the different values of a separator: "kernel B70f", "phase 40 %".
+/// Returns the words for value `n` among the distinct values of a separator: "kernel B70f", "phase 40 %".
 std::string wordsOf(const Separator& separator, const std::vector<std::string>& values, std::size_t n);
 
-/// The diffusion weight, s/mm^2: DICOM's, or the private one of Siemens, Philips or GE, which adds 10^9.
+/// Returns the b-value, s/mm^2: DICOM's, or the private one of Siemens, Philips or GE (without its offset of
+/// 10^9).
 std::string readBValue(const DataSet& data, const FrameScopes& at);
 
-/// The direction of the diffusion gradient in the patient (LPS) that a private attribute of Siemens or
-/// Philips gives; empty where there is none.
+/// Returns the diffusion gradient direction in the patient (LPS) from a private attribute of Siemens or
+/// Philips; empty if there is none.
 std::vector<double> privateDirection(const DataSet& data);
 
-/// The echo time in ms, as text.
+/// Returns the echo time in ms, as text.
 std::string readEchoTime(const DataSet& data, const FrameScopes& at);
 
-/// A number in the fewest digits.
+/// Returns a number in its fewest digits.
 std::string realText(double value);
-/// That in an FD; empty where there is none.
+/// Returns the number of an FD in its fewest digits; empty if there is none.
 std::string realText(const DataSet& data, std::uint32_t tag, DataSet::Scope scope);
 
-/// Functional groups that say what a frame shows.
+/// Functional groups that describe what a frame shows.
 inline constexpr std::uint32_t frameContentGroup = 0x00209111, mrEchoGroup = 0x00189114,
                                mrDiffusionGroup = 0x00189117;
 

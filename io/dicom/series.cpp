@@ -18,7 +18,7 @@ namespace {
 
 bool near(glm::dvec3 a, glm::dvec3 b, double tolerance) { return glm::length(a - b) <= tolerance; }
 
-/// Whether two pictures can be slices of one volume, place aside.
+/// Returns whether two pictures can be slices of one volume, apart from their positions.
 bool fit(const Entry& a, const Entry& b) {
   const Slice &s = a.slice(), &t = b.slice();
   if (a.file->format.columns != b.file->format.columns || a.file->format.rows != b.file->format.rows)
@@ -26,13 +26,13 @@ bool fit(const Entry& a, const Entry& b) {
   if (a.file->unit != b.file->unit) return false;
   if (isPlaced(s) != isPlaced(t)) return false;
   if (!isPlaced(s)) return true;
-  // Orientations are given with six digits or so; 1e-3 is 0.25 mm at the edge of a 500 mm picture.
+  // Orientations have about six digits; 1e-3 is 0.25 mm at the edge of a 500 mm picture.
   return near(s.orientation->row, t.orientation->row, 1e-3) &&
          near(s.orientation->column, t.orientation->column, 1e-3) &&
          glm::length(*s.spacing - *t.spacing) <= 1e-3 * glm::length(*s.spacing);
 }
 
-/// Whether a picture is for planning, no slice of a stack (PS3.3 C.8.2.1.1.1).
+/// Returns whether a picture is a localizer, not a slice of a stack (PS3.3 C.8.2.1.1.1).
 bool isLocalizer(const Entry& e) {
   static const std::size_t imageType = separatorAt("ImageType");
   const std::string& type = e.slice().separators[imageType];
@@ -40,13 +40,13 @@ bool isLocalizer(const Entry& e) {
   return third > 0 && type.substr(third, type.find('\\', third) - third) == "LOCALIZER";
 }
 
-/// Pictures that can be slices of one volume, place aside.
+/// Groups pictures that can be slices of one volume, apart from their positions.
 std::vector<Entries> groups(const std::vector<const FileHeader*>& files) {
   std::vector<Entries> known;
   for (const FileHeader* file : files) {
     for (const Slice& slice : file->slices) {
       Entry entry{file, {slice, file->path, 0}};
-      // Only the last groups are tried, so that a file of a hundred thousand directions takes no minutes.
+      // Only the last groups are tried, or a file of a hundred thousand directions would take minutes.
       const auto first = known.end() - std::min<std::ptrdiff_t>(256, known.end() - known.begin());
       const auto it = std::find_if(first, known.end(), [&](const Entries& g) {
         return isLocalizer(g[0]) == isLocalizer(entry) && fit(g[0], entry);
@@ -60,7 +60,7 @@ std::vector<Entries> groups(const std::vector<const FileHeader*>& files) {
   return known;
 }
 
-/// Along row x column where slices have a place, else by InstanceNumber and name.
+/// Sorts along row x column if slices have positions, else by InstanceNumber and name.
 void order(Entries& entries) {
   const Slice first = entries[0].slice();
   const bool placed = isPlaced(first);
@@ -79,14 +79,14 @@ void order(Entries& entries) {
   std::ranges::stable_sort(entries, {}, [](const Entry& e) { return e.placed.alongNormal; });
 }
 
-/// A volume to be: its slices and what was noticed on the way.
+/// A future volume: its slices, warnings and lost files.
 struct Part {
   Entries entries;
   std::vector<Warning> warnings;
   std::vector<Unread> unread = {};
 };
 
-/// Cuts at gaps of more than 4 usual distances, or more than 20 mm beyond the usual one (design.md 10).
+/// Splits at gaps of more than 4 usual distances, or more than 20 mm above the usual one (design.md 10).
 std::vector<Part> splitGaps(const Entries& entries) {
   std::vector<Part> parts(1);
   if (!isPlaced(entries[0].slice()) || entries.size() < 3) return {{entries, {}}};
@@ -114,7 +114,7 @@ std::string commonFolder(const std::vector<std::string>& files) {
   return common.empty() ? "." : common;
 }
 
-/// One sentence for each kind of remark, naming the first file it was made of.
+/// Adds one sentence for each kind of remark, with the name of its first file.
 void addRemarks(const Entries& entries, std::vector<Warning>& warnings) {
   std::map<std::string, std::set<std::string>> filesByRemark;
   for (const Entry& e : entries)
@@ -126,7 +126,7 @@ void addRemarks(const Entries& entries, std::vector<Warning>& warnings) {
         ".");
 }
 
-/// Names the parts of concatenations that are not there.
+/// Warns of missing parts of concatenations.
 void warnOfMissingParts(const Entries& entries, std::vector<Warning>& warnings) {
   std::map<std::string, std::set<int>> found;
   std::map<std::string, int> promised;
@@ -142,7 +142,7 @@ void warnOfMissingParts(const Entries& entries, std::vector<Warning>& warnings) 
                             std::to_string(promised[uid]) + " parts of this concatenation are here.");
 }
 
-/// What all slices say alike; else empty.
+/// Returns the value that all slices share, else empty.
 std::string common(const Entries& entries, std::string Slice::*what) {
   const std::string& first = entries[0].slice().*what;
   const bool alike =
@@ -150,7 +150,7 @@ std::string common(const Entries& entries, std::string Slice::*what) {
   return alike ? first : std::string();
 }
 
-/// That of all slices; 0 where they do not agree.
+/// Returns the thickness of all slices; 0 if they differ.
 double commonThickness(const Entries& entries) {
   const double first = entries[0].slice().thickness;
   const bool alike =
@@ -158,7 +158,7 @@ double commonThickness(const Entries& entries) {
   return alike ? first : 0;
 }
 
-/// What Series::projections is of these.
+/// Returns the view of each entry, for Series::projections.
 std::vector<ProjectionView> projectionsOf(const Entries& entries) {
   std::vector<ProjectionView> all;
   for (const Entry& e : entries) all.push_back({e.file->laterality, e.file->viewPosition});
@@ -209,14 +209,14 @@ Series describe(const Part& part, const Split& split) {
   return s;
 }
 
-/// Pictures along one line, and what is to be told of them.
+/// Pictures along one line, with warnings.
 struct ToldStack {
   Entries entries;
   std::vector<Warning> warnings;
-  bool areLocalizers = false;  ///< beside slices of their grid
+  bool areLocalizers = false;  ///< true beside slices of their grid
 };
 
-/// The stacks of pictures that fit each other, one of all `groups`.
+/// Adds the stacks of group `n` of `groups`.
 void addStacks(std::size_t n, std::vector<Entries>& groups, const std::vector<Warning>& told,
                std::vector<ToldStack>& stacks) {
   Entries& group = groups[n];
@@ -234,7 +234,7 @@ void addStacks(std::size_t n, std::vector<Entries>& groups, const std::vector<Wa
   for (Entries& line : lines) stacks.push_back({std::move(line), warnings, areLocalizers});
 }
 
-/// z, y, x, mm, of the first slice; 0 without a place.
+/// Returns z, y, x of the first slice, mm; 0 without position.
 std::array<double, 3> firstPlace(const ToldStack& stack) {
   const glm::dvec3 p = stack.entries[0].slice().position.value_or(glm::dvec3(0));
   return {p.z, p.y, p.x};
@@ -245,8 +245,7 @@ void addFrames(const Split& split, Sorted& all) {
     if (std::ranges::find(all.frames, e.file) == all.frames.end()) all.frames.push_back(e.file);
 }
 
-/// Takes out the slices that give no rescale where others have one that matters: what their values are is
-/// not known.
+/// Removes slices without rescale if others have one that matters, as the meaning of their values is unknown.
 std::vector<Unread> withoutRescale(Entries& entries) {
   std::vector<Unread> unread;
   const bool matters = std::ranges::any_of(entries, [](const Entry& e) {
@@ -283,7 +282,7 @@ void addVolumes(const ToldStack& stack, Sorted& all) {
   }
 }
 
-/// The narrowest type for the integers of a file; float for all else.
+/// Returns the narrowest type for the integers of a file; float for all else.
 VoxelValues typeOf(const PixelFormat& format) {
   if (format.kind != PixelFormat::Kind::integer || format.bitsAllocated > 16) return std::vector<float>{};
   if (format.isSigned) return std::vector<std::int16_t>{};
@@ -312,7 +311,7 @@ ValuePlan planValues(const std::vector<const FileHeader*>& files, std::span<cons
     const Slice& slice = slices[n].slice;
     const VoxelValues type = typeOf(files[n]->format);
     const bool isOther = slice.slope != slices[0].slice.slope || slice.intercept != slices[0].slice.intercept;
-    // Windows of mapped values are no LINEAR ones, as those of integers are (slices.md 3).
+    // Windows on mapped values are not LINEAR ones, unlike those on integers (slices.md 3).
     if (isOther || (slice.isMapped && slice.slope != 1))
       plan.type = std::vector<float>{};
     else if (plan.type.index() == u8)

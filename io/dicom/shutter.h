@@ -5,8 +5,8 @@
 
 namespace volumen::dicom {
 
-/// The display shutter of a frame or of a presentation state (PS3.3 C.7.6.11). `warnings`: shapes that are
-/// left out.
+/// Returns the display shutter of a frame or a presentation state (PS3.3 C.7.6.11). `warnings` names shapes
+/// that are left out.
 Shutter readShutter(const DataSet& data, const FrameScopes& at, std::vector<std::string>& warnings);
 
 }  // namespace volumen::dicom

@@ -14,7 +14,7 @@ std::optional<glm::dvec3> positionOf(const std::vector<double>& v) {
   return glm::dvec3(v[0], v[1], v[2]);
 }
 
-/// Unit vectors at right angles; nothing where the file's are neither (by more than 1 %).
+/// Returns orthonormal vectors, or nothing if the file's are off by more than 1 %.
 std::optional<Orientation> orientationOf(const std::vector<double>& v, const std::string& name,
                                          FileHeader& header) {
   if (v.size() < 6) return {};

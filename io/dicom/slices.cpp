@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t modalityLut = 0x00283000, spacingBetweenSlices = 0x00180088;
 
-/// Number of the time point, where the file counts them.
+/// Returns the number of the time point, if the file counts them.
 std::string readTimePoint(const DataSet& data, const FrameScopes& at) {
   const std::string identifier = data.text(0x00200100, at.of(0));
   if (!identifier.empty()) return identifier;
@@ -47,7 +47,7 @@ Status readRescale(const DataSet& data, DataSet::Scope scope, Slice& slice, File
   return {};
 }
 
-/// The unit that all slices have.
+/// Sets the unit if all slices have the same one.
 void agreeOnUnit(FileHeader& header) {
   header.unit = header.slices[0].unit;
   const bool agree =
@@ -58,7 +58,7 @@ void agreeOnUnit(FileHeader& header) {
            "the values of its frames have different units, and none is shown beside those of a volume");
 }
 
-/// PixelPaddingValue and PixelPaddingRangeLimit, in stored values.
+/// Returns PixelPaddingValue and PixelPaddingRangeLimit in stored values.
 std::optional<ValueRange> readPadding(const DataSet& data, const PixelFormat& format) {
   const auto stored = [&](std::uint16_t word) {
     return format.isSigned ? double(std::int16_t(word)) : double(word);
@@ -83,24 +83,24 @@ Result<Slice> readSlice(const DataSet& data, const FrameScopes& at, const Dimens
   slice.separators = readSeparators(data, at, dimensions);
   if (Status s = readRescale(data, at.of(pixelValueTransformation), slice, header); !s) return s.error();
   readMeaning(data, at, slice, header);
-  if (data.has(modalityLut, data.root())) return slice;  // windows are of the values behind it
+  if (data.has(modalityLut, data.root())) return slice;  // windows apply after the Modality LUT
   for (const NamedGrey& grey : readWindows(data, at.of(frameVoiLut)))
     slice.windows.push_back(greyOfSlice(grey, slice).mapping.window);
   return slice;
 }
 
-/// Whether frames without a position are known to be the slices of a volume in their order: the file calls
-/// them a volume and gives their distance.
+/// Returns whether frames without position are ordered slices of a volume: the file calls them a volume and
+/// gives their distance.
 bool isVolumeInOrder(const DataSet& data, const FrameScopes& at) {
   const double distance = std::max(data.number(spacingBetweenSlices, data.root()).value_or(0),
                                    data.number(spacingBetweenSlices, at.of(pixelMeasures)).value_or(0));
   return data.text(0x00089206, data.root()) == "VOLUME" && distance > 0;
 }
 
-/// Stacks frames that say where they lie but not how large their pixels are, in the order of their places;
-/// false where they do not lie side by side in one direction.
+/// Stacks frames with position but without pixel size in order of position. Returns false if they are not
+/// parallel at distinct positions.
 bool stackByPlace(FileHeader& header) {
-  constexpr double alike = 1e-3, together = 1e-3;  // of unit vectors; mm
+  constexpr double alike = 1e-3, together = 1e-3;  // for unit vectors; in mm
   const std::optional<Orientation> first = header.slices.front().orientation;
   std::vector<std::pair<double, Slice*>> places;
   for (Slice& slice : header.slices) {
@@ -121,8 +121,8 @@ bool stackByPlace(FileHeader& header) {
   return true;
 }
 
-/// Frames that do not all say where they lie: slices of an uncalibrated volume where their order is known,
-/// else only frames.
+/// Handles frames that lack positions: slices of an uncalibrated volume if their order is known, else frames
+/// only.
 void framesWithoutPlace(const DataSet& data, const FrameScopes& at, FileHeader& header) {
   if (!header.notVolume.empty() || stackByPlace(header)) return;
   const bool ordered = std::ranges::all_of(header.slices, [](const Slice& s) { return s.inStack > 0; });
@@ -136,7 +136,7 @@ void framesWithoutPlace(const DataSet& data, const FrameScopes& at, FileHeader& 
               : "its frames are stacked in their order, for they have no positions of their own");
 }
 
-/// One slice a frame, all like the first.
+/// Makes one slice for each frame, all like the first.
 void repeatSlice(FileHeader& header) {
   header.slices.assign(std::size_t(header.format.frames), Slice(header.slices.front()));
   for (std::size_t n = 0; n < header.slices.size(); ++n) header.slices[n].frame = int(n);
@@ -149,11 +149,11 @@ void placeReconstructedNuclear(const DataSet& data, FileHeader& header) {
     framesWithoutPlace(data, FrameScopes(data.root()), header);
 }
 
-/// Where the frames of a dose grid lie along its normal from the first one, mm: GridFrameOffsetVector says it
-/// (a), or where each lies along the patient's z, of grids across that (b; PS3.3 C.8.8.3.2). Nothing where it
-/// is neither.
+/// Returns the offsets of the frames of a dose grid along its normal from the first frame, mm. They are
+/// GridFrameOffsetVector itself (a), or follow from z coordinates in it if the grid is axial (b; PS3.3
+/// C.8.8.3.2). Returns nothing if it is neither.
 std::optional<std::vector<double>> doseOffsets(const DataSet& data, const Slice& first, int frames) {
-  constexpr double rounding = 0.01;  // mm, of z; of a cosine a tenth
+  constexpr double rounding = 0.01;  // mm for z; a tenth of it for a cosine
   auto offsets = data.numbers(0x3004000c, data.root());
   if (!offsets || offsets->size() != std::size_t(frames) || !isPlaced(first)) return {};
   if (offsets->front() == 0) return offsets;
@@ -164,7 +164,7 @@ std::optional<std::vector<double>> doseOffsets(const DataSet& data, const Slice&
   return offsets;
 }
 
-/// The frames of a dose grid.
+/// Sets the positions of the frames of a dose grid.
 void placeDoseFrames(const DataSet& data, FileHeader& header) {
   const Slice first = header.slices.front();
   const auto offsets = doseOffsets(data, first, header.format.frames);
@@ -179,14 +179,14 @@ void placeDoseFrames(const DataSet& data, FileHeader& header) {
     header.slices[n].position = *first.position + (*offsets)[n] * normal;
 }
 
-/// Frames that share one position, each at its number in the stack: SpacingBetweenSlices apart along the
-/// normal.
+/// Sets the positions of frames that share one: by their number in the stack, SpacingBetweenSlices apart
+/// along the normal.
 void placeByNumber(const DataSet& data, const FrameScopes& shared, FileHeader& header) {
   const double distance = data.number(spacingBetweenSlices, shared.of(pixelMeasures)).value_or(0);
   const bool numbered = std::ranges::all_of(header.slices, [](const Slice& s) { return s.inStack > 0; });
   const bool one = std::ranges::all_of(
       header.slices, [&](const Slice& s) { return s.inStack == header.slices.front().inStack; });
-  if (!numbered || one) return;  // pictures of one place
+  if (!numbered || one) return;  // pictures at one position
   if (!(distance > 0)) return framesWithoutPlace(data, shared, header);
   for (Slice& slice : header.slices) {
     const glm::dvec3 normal = glm::cross(slice.orientation->row, slice.orientation->column);
@@ -196,7 +196,7 @@ void placeByNumber(const DataSet& data, const FrameScopes& shared, FileHeader& h
                             " mm apart by their number in the stack");
 }
 
-/// The frames of an enhanced picture, each with the functional groups that hold for it.
+/// Reads the frames of an enhanced picture, each with the functional groups that apply to it.
 Status readEnhancedFrames(const DataSet& data, FileHeader& header) {
   const auto ofAll = data.items(FrameScopes::sharedGroups, data.root());
   const auto ofFrames = data.items(FrameScopes::perFrameGroups, data.root());
@@ -233,7 +233,7 @@ void readConcatenation(const DataSet& data, Concatenation& whole) {
   whole.firstFrame = int(std::min<std::uint32_t>(data.dword(0x00209228, root).value_or(0), frameLimit));
 }
 
-/// What is measured in its frames, where a volume of it has no size.
+/// Warns that frames are measured in mm although their volume has no size.
 void tellFrameSize(const DataSet& data, FileHeader& header) {
   const FrameScopes at(data, 0);
   const PixelSize size = readPixelSize(data, at, header.modality);
@@ -247,7 +247,7 @@ void tellFrameSize(const DataSet& data, FileHeader& header) {
                             (word.empty() ? "" : " " + word));
 }
 
-/// InstanceNumber, and within a file the number of the frame.
+/// Sets the instance from InstanceNumber and the frame's number within the file.
 void numberSlices(const DataSet& data, FileHeader& header) {
   constexpr double limit = 1e9;
   const long instance = long(std::clamp(data.number(0x00200013, data.root()).value_or(0), -limit, limit));

@@ -30,7 +30,7 @@ using Trust = Separator::Trust;
 
 const std::string& valueOf(const Entry& e, std::size_t separator) { return e.slice().separators[separator]; }
 
-/// The different values, in order; directions in that of their first occurrence.
+/// Returns the distinct values in order; directions in order of first occurrence.
 std::vector<std::string> valuesOf(const Entries& entries, std::size_t separator) {
   std::vector<std::string> values;
   std::set<std::string> seen;
@@ -47,7 +47,7 @@ bool differsAtOnePlace(const Entries& entries, std::size_t separator) {
   });
 }
 
-/// Splits by the values of one separator. `all`: the values that its words are told from.
+/// Splits by the values of one separator. `all` holds the values among which they are worded.
 std::vector<Split> byValue(const Split& split, std::size_t n, const std::vector<std::string>& all) {
   const Separator& separator = separators()[n];
   const std::vector<std::string> values = valuesOf(split.entries, n);
@@ -67,7 +67,7 @@ std::string ordinal(std::size_t n, std::size_t of) {
   return std::to_string(n + 1) + " of " + std::to_string(of);
 }
 
-/// Hands the n-th picture of each place, by `before`, to the n-th split.
+/// Assigns the n-th picture at each position, in the order of `before`, to the n-th split.
 template <class Before>
 std::vector<Entries> byOrder(const Entries& entries, Before before) {
   std::vector<Entries> ranks;
@@ -79,13 +79,13 @@ std::vector<Entries> byOrder(const Entries& entries, Before before) {
   return ranks;
 }
 
-/// Whether each place has as many pictures, all with a number of their own, and the numbers really change
-/// from place to place: what several places have, all have, and as the same one in order. Else some are
-/// missing.
+/// Returns whether every position has the same number of pictures, each with its own number. A number must
+/// occur once or at all positions, always with the same rank. Otherwise pictures are missing.
 bool countsEverywhere(const Entries& entries, std::size_t separator) {
   const std::vector<Entries> places = byPlace(entries);
   const std::size_t most = mostAtOnePlace(entries);
-  std::map<double, std::pair<std::size_t, std::size_t>> ranks;  // of a number: its rank, at how many places
+  // Rank of each number and how many positions have it.
+  std::map<double, std::pair<std::size_t, std::size_t>> ranks;
   for (const Entries& place : places) {
     std::set<double> numbers;
     for (const Entry& e : place)
@@ -115,7 +115,7 @@ std::vector<Split> byCount(const Split& split, std::size_t n) {
   return splits;
 }
 
-/// Parts that nothing but their rank tells apart, each called by it; `how` they were told apart.
+/// Names parts that only their rank separates. `how` says by what they were separated.
 std::vector<Split> byRank(const Split& split, const std::vector<Entries>& ranks, const std::string& how) {
   std::vector<Split> splits;
   for (std::size_t r = 0; r < ranks.size(); ++r) {
@@ -132,8 +132,8 @@ std::vector<Split> byRank(const Split& split, const std::vector<Entries>& ranks,
   return splits;
 }
 
-/// The last resort: by image number; where two of one place have the same by file or folder, else they stay
-/// together as frames.
+/// Splits by image number as a last resort. If two pictures at one position share it, splits by file or
+/// folder, else keeps the pictures together as frames.
 std::vector<Split> byNumber(const Split& split) {
   const auto number = [](const Entry& e) { return e.slice().instance; };
   const bool tie = std::ranges::any_of(byPlace(split.entries), [&](const Entries& place) {
@@ -155,8 +155,9 @@ std::vector<Split> byNumber(const Split& split) {
   return {frames};
 }
 
-/// Whether a separator explains why pictures repeat: it has no more values than there are pictures at a
-/// place, or each makes a stack, and each value has fewer.
+/// Returns whether a separator explains repeated positions. It must have no more values than there are
+/// pictures at a position, or each value must make a stack. Each value must have fewer pictures at a
+/// position.
 bool explains(const Entries& entries, std::size_t separator) {
   const std::size_t most = mostAtOnePlace(entries);
   const std::vector<std::string> values = valuesOf(entries, separator);
@@ -168,10 +169,10 @@ bool explains(const Entries& entries, std::size_t separator) {
   return std::ranges::all_of(splits, [&](const Split& s) { return mostAtOnePlace(s.entries) < most; });
 }
 
-/// Whether pictures of one place are left together.
+/// Returns whether several pictures share a position.
 bool repeats(const Split& split) { return mostAtOnePlace(split.entries) > 1; }
 
-/// Splits all of these by one separator; those that `is` does not hold for stay.
+/// Splits those for which `is` holds by one separator and keeps the others.
 template <class Is>
 std::vector<Split> eachByValue(const std::vector<Split>& splits, std::size_t n, Is is) {
   Entries all;
@@ -186,8 +187,8 @@ std::vector<Split> eachByValue(const std::vector<Split>& splits, std::size_t n, 
   return inner;
 }
 
-/// Splits further by a separator that explains why pictures repeat in one of these: there, and where the same
-/// values occur. False where there is none.
+/// Splits by a separator that explains repeats in one of the splits, there and where the same values occur.
+/// Returns false if no separator does.
 bool splitByOneMore(std::vector<Split>& splits) {
   for (std::size_t n = 0; n < separators().size(); ++n) {
     const auto isExplained = [&](const Split& s) { return repeats(s) && explains(s.entries, n); };
@@ -205,7 +206,7 @@ bool splitByOneMore(std::vector<Split>& splits) {
   return false;
 }
 
-/// By the order of a separator's values at each place, else by that of the numbers.
+/// Splits by the order of a separator's values at each position, else by image number.
 std::vector<Split> splitTheRest(const Split& split) {
   for (std::size_t n = 0; n < separators().size(); ++n)
     if (separators()[n].along == Separator::Along::counts && countsEverywhere(split.entries, n))
@@ -213,8 +214,9 @@ std::vector<Split> splitTheRest(const Split& split) {
   return byNumber(split);
 }
 
-/// Whether pictures of one volume that differ in a separator may not belong together, as files are missing:
-/// `most` lie at one place of their stack. Image types and times differ within volumes, too.
+/// Returns whether pictures of a volume that differ in separator `n` may not belong together because files
+/// are missing. `most` is the number of pictures at one position. Image types and times differ within volumes
+/// too.
 bool wouldBeMixed(const Entries& entries, std::size_t n, std::size_t most) {
   const Separator& separator = separators()[n];
   if (separator.words == Separator::Words::imageType) return false;
@@ -224,7 +226,7 @@ bool wouldBeMixed(const Entries& entries, std::size_t n, std::size_t most) {
          (valuesOf(entries, n).size() <= most && differsAtOnePlace(entries, n));
 }
 
-/// Tells in which attributes pictures of a volume differ that should not: those of `mixing` may miss files.
+/// Warns of attributes that should not differ within a volume. `mixing` are those that suggest missing files.
 void warnOfMixture(const std::vector<std::size_t>& mixing, Split& split) {
   if (!split.warning.empty()) return;
   std::string back, missing;
@@ -247,7 +249,7 @@ void warnOfMixture(const std::vector<std::size_t>& mixing, Split& split) {
         "Its pictures differ in " + missing + ": they may not belong together, and others may be missing.";
 }
 
-/// By all that surely tells pictures apart.
+/// Splits by all attributes that reliably separate pictures.
 std::vector<Split> splitSurely(const Entries& entries) {
   std::vector<Split> splits{{entries, {}, {}, {}, {}, false}};
   const std::size_t most = mostAtOnePlace(entries);
@@ -261,7 +263,7 @@ std::vector<Split> splitSurely(const Entries& entries) {
   return splits;
 }
 
-/// Echoes that are of different kinds as well, a field map beside a magnitude, are called by these, too.
+/// Adds image types to the names of echoes that also differ in type, such as a field map beside a magnitude.
 void nameKindsOfEchoes(std::vector<Split>& splits) {
   const auto all = separators();
   const auto type =
@@ -286,7 +288,7 @@ void nameKindsOfEchoes(std::vector<Split>& splits) {
   }
 }
 
-/// Splits pictures of which several may lie at one place.
+/// Splits pictures that may share positions.
 std::vector<Split> splitAtPlaces(const Entries& entries) {
   std::vector<Split> splits = splitSurely(entries), all;
   while (splitByOneMore(splits)) {
@@ -298,7 +300,7 @@ std::vector<Split> splitAtPlaces(const Entries& entries) {
   return all;
 }
 
-/// Splits stacks of which each is a volume, as if each were one picture of one place.
+/// Splits stacks that are each a volume, as if each were one picture at one position.
 std::vector<Split> splitStacks(const std::vector<Entries>& stacks) {
   Entries firsts;
   for (const Entries& stack : stacks) {

@@ -8,25 +8,25 @@
 
 namespace volumen::dicom {
 
-/// Pictures of one stack of which no two lie at one place, and what tells them from the others.
+/// Pictures of one stack, at most one at each position, with the attributes that separate them from others.
 struct Split {
   Entries entries;
-  std::vector<SplitBy> by;       ///< as Series has it
-  std::string timePoint, label;  ///< as Series has them
-  std::string warning;           ///< a sentence where they may not belong together; else empty
-  bool isGuess = false;          ///< not even their numbers do: these are frames, no volume
-  bool isCounted = false;        ///< by the rank of values that differ from place to place
+  std::vector<SplitBy> by;       ///< same as Series::splitBy
+  std::string timePoint, label;  ///< same as in Series
+  std::string warning;           ///< a sentence if they may not belong together, else empty
+  bool isGuess = false;          ///< true if not even image numbers separate them: frames, no volume
+  bool isCounted = false;  ///< true if separated by the rank of values that differ from position to position
 };
 
-/// Adds what a separator says of a split to what is said already.
+/// Adds a separator's value and words to a split.
 void addName(Split& split, const Separator& separator, const std::string& value, const std::string& words);
 
-/// The order of values: by number where both are, else by text, in which digits count as numbers.
+/// Orders values: as numbers if both are numbers, else as text in which digits count as numbers.
 bool isBefore(const std::string& a, const std::string& b);
 
-/// Splits pictures in order by what tells apart those of one place (io/dicom/separators.h) and stacks that
-/// lie in each other (io/dicom/interleaved.h); by the order of their numbers where nothing does, which is
-/// told. In the order of the values, of several attributes as the pictures are numbered.
+/// Splits ordered pictures by attributes that separate those at one position (io/dicom/separators.h), and
+/// interleaved stacks (io/dicom/interleaved.h). If nothing separates them it uses their image numbers, with a
+/// warning. The result is in order of values; with several attributes, in order of image numbers.
 std::vector<Split> splitRepeats(const Entries& entries);
 
 }  // namespace volumen::dicom

@@ -12,16 +12,16 @@
 namespace volumen::dicom {
 namespace {
 
-constexpr double gridTolerance = 0.01;  // of the distance between slices (design.md 10)
+constexpr double gridTolerance = 0.01;  // fraction of the slice distance (design.md 10)
 
-// Slices this far off an even grid are on it: scanners round and tables tremble (design.md 10).
+// Slices this close to an even grid are on it, as scanners round and tables shake (design.md 10).
 double mostJitterMm(double distance) { return std::min(0.02 * distance, 0.1); }
 
 glm::dvec3 normalOf(const Slice& slice) {
   return glm::normalize(glm::cross(slice.orientation->row, slice.orientation->column));
 }
 
-/// What is missing for millimetres.
+/// Returns the names of the attributes missing for a position in mm.
 std::string missingPlace(const Slice& slice) {
   std::string missing;
   const auto add = [&](bool there, const char* name) {
@@ -33,7 +33,8 @@ std::string missingPlace(const Slice& slice) {
   return missing;
 }
 
-/// Distances of all slices from the first, mm along the line: by their planes, so that they always increase.
+/// Returns the distance of each slice from the first, mm along the line. Uses planes, so that it always
+/// increases.
 std::vector<double> alongLine(std::span<const PlacedSlice> slices) {
   const glm::dvec3 normal = normalOf(slices[0].slice), first = *slices[0].slice.position;
   const double cosine = glm::dot(stackDirection(slices).unit, normal);
@@ -68,8 +69,8 @@ void warnOffLine(std::span<const PlacedSlice> slices, const std::vector<double>&
                               WarningKind::offLine});
 }
 
-/// Which two slices, and with what weight, make up the place `mm` along the line; a copy where a slice is
-/// within `tolerance` mm.
+/// Returns the two slices and the weight for the position `mm` along the line; a copy if a slice is within
+/// `tolerance` mm.
 Stack::Source sourceAt(const std::vector<double>& along, double mm, double tolerance) {
   const auto above = std::upper_bound(along.begin(), along.end(), mm);
   const int below =
@@ -80,8 +81,8 @@ Stack::Source sourceAt(const std::vector<double>& along, double mm, double toler
   return {below, std::clamp((mm - from) / (to - from), 0.0, 1.0)};
 }
 
-/// The place of each slice on a grid of `distance`, where every step is a whole number of it (within 5 %);
-/// else nothing.
+/// Returns the place of each slice on a grid of `distance` if every step is a whole multiple of it (within 5
+/// %), else nothing.
 std::vector<int> gridPlaces(const std::vector<double>& steps, double distance) {
   std::vector<int> places{0};
   for (double step : steps) {
@@ -92,14 +93,13 @@ std::vector<int> gridPlaces(const std::vector<double>& steps, double distance) {
   return places;
 }
 
-/// How many slices are missing on such a grid; 0 where there is none.
+/// Returns the number of slices missing on such a grid; 0 if there is no grid.
 int missingSlices(const std::vector<double>& steps, double distance) {
   const std::vector<int> places = gridPlaces(steps, distance);
   return places.empty() ? 0 : places.back() - int(steps.size());
 }
 
-/// Whether slices at these places of a grid lie even but for jitter: of the grid that fits them best (least
-/// squares).
+/// Returns whether slices at these places of a grid are even except for jitter, by the least-squares grid.
 bool isEven(const std::vector<double>& along, const std::vector<int>& places) {
   const double count = double(along.size());
   double meanPlace = 0, meanMm = 0, together = 0, spread = 0;
@@ -109,7 +109,7 @@ bool isEven(const std::vector<double>& along, const std::vector<int>& places) {
     spread += (places[n] - meanPlace) * (places[n] - meanPlace);
   }
   const double distance = together / spread;
-  constexpr double rounding = 1e-6;  // of decimals in the files, mm
+  constexpr double rounding = 1e-6;  // rounding of decimals in files, mm
   for (std::size_t n = 0; n < along.size(); ++n)
     if (std::abs(along[n] - meanMm - distance * (places[n] - meanPlace)) > mostJitterMm(distance) + rounding)
       return false;
@@ -146,8 +146,8 @@ Warning unevenWarning(std::span<const PlacedSlice> slices, const std::vector<dou
   return {text, missing ? WarningKind::missingSlices : WarningKind::unevenSlices};
 }
 
-/// Adds the regular grid of design.md 10, from the first slice on: the median distance, or the mean one where
-/// the slices are even but for those that are missing.
+/// Adds the regular grid of design.md 10, starting at the first slice. Its distance is the median, or the
+/// mean if slices are even except for missing ones.
 void addRegularGrid(std::span<const PlacedSlice> slices, const std::vector<double>& along, Stack& stack) {
   const std::vector<double> steps = stepsMm(slices);
   double distance = lowerMedian(steps), tolerance = gridTolerance * distance;

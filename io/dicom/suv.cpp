@@ -28,7 +28,7 @@ Error wrong(const char* name, std::uint32_t tag, const std::string& value) {
   return Error{std::string(name) + " " + tagText(tag) + " is " + value};
 }
 
-/// A number above 0, and within what it can be; 0 says as little as nothing.
+/// Parses a number between `least` and `most`, above 0. A value of 0 counts as missing.
 Result<double> positive(const std::string& text, const char* name, std::uint32_t tag, const char* unit,
                         double least, double most) {
   const auto value = parseNumber(text);
@@ -37,8 +37,8 @@ Result<double> positive(const std::string& text, const char* name, std::uint32_t
   return *value;
 }
 
-/// When the scan began, to which the values are corrected: the time of the series, unless it is later than
-/// the first picture, as of series that were made later. Then GE's own says it, else the first picture does.
+/// Returns the start of the scan, to which values are corrected. It is the series time unless that is after
+/// the first picture, as in derived series. Else it is GE's private time, else the time of the first picture.
 Result<double> scanStart(const PetFacts& facts, const std::optional<double>& earliest) {
   const auto ofSeries = moment(facts.seriesDate, facts.seriesTime);
   if (ofSeries && (!earliest || *ofSeries <= *earliest)) return *ofSeries;
@@ -51,7 +51,7 @@ Result<double> scanStart(const PetFacts& facts, const std::optional<double>& ear
   return wrong("SeriesDate", tagSeriesDate, facts.seriesDate);
 }
 
-/// Seconds from the injection, whose day is not known, to the start of the scan: midnight may lie between.
+/// Returns the seconds from an injection of unknown day to the scan start. Midnight may lie between them.
 Result<double> secondsOfDay(const PetFacts& facts, double scan) {
   constexpr double day = 86400;
   if (facts.injectionTime.empty()) return missing("RadiopharmaceuticalStartTime", tagInjectionTime);
@@ -61,7 +61,7 @@ Result<double> secondsOfDay(const PetFacts& facts, double scan) {
   return seconds < -day / 2 ? seconds + day : seconds;
 }
 
-/// The moment that the values are corrected to, and its time zone.
+/// Returns the moment to which values are decay corrected, with its time zone.
 Result<double> correctedTo(const PetFacts& facts, const std::optional<double>& earliest, std::string& zone) {
   zone = facts.zone;
   if (!facts.decayCorrection.empty()) return scanStart(facts, earliest);
@@ -72,7 +72,7 @@ Result<double> correctedTo(const PetFacts& facts, const std::optional<double>& e
   return *at;
 }
 
-/// Seconds from the injection to the moment that the values are corrected to.
+/// Returns the seconds from the injection to the moment of decay correction.
 Result<double> decaySeconds(const PetFacts& facts, const std::optional<double>& earliest) {
   std::string zone;
   const Result<double> scan = correctedTo(facts, earliest, zone);
@@ -97,10 +97,10 @@ Result<double> decaySeconds(const PetFacts& facts, const std::optional<double>& 
   return seconds;
 }
 
-/// How much is left of the dose at the time that the values are corrected to, Bq.
+/// Returns the dose remaining at the moment of decay correction, Bq.
 Result<double> remainingDose(const PetFacts& facts, const std::optional<double>& earliest) {
-  constexpr double leastBq = 1e5, mostBq = 1e12;  // below it was given in MBq
-  constexpr double mostHalfLives = 20;            // a millionth is left: one of the two is in another unit
+  constexpr double leastBq = 1e5, mostBq = 1e12;  // a lower number was given in MBq
+  constexpr double mostHalfLives = 20;            // leaves a millionth, so one of the two is in another unit
   if (facts.injections == 0) return missing("RadiopharmaceuticalInformationSequence", tagTracer);
   if (facts.injections > 1)
     return wrong("RadiopharmaceuticalInformationSequence", tagTracer,
@@ -123,7 +123,8 @@ Result<double> remainingDose(const PetFacts& facts, const std::optional<double>&
   return *total * std::exp2(-*seconds / *halfLife);
 }
 
-/// By James (1976), which DICOM calls LBMJAMES128, or by Janmahasatian et al. (2005); kg of kg and m.
+/// Returns the lean body mass in kg (from kg and m) by James (1976), DICOM's LBMJAMES128, or by Janmahasatian
+/// et al. (2005).
 Result<double> leanMass(const std::string& sex, double weight, double size, bool james) {
   const bool female = sex == "F";
   if (sex.empty()) return missing("PatientSex", tagSex);
@@ -138,7 +139,7 @@ Result<double> leanMass(const std::string& sex, double weight, double size, bool
 
 enum Kind : std::size_t { bodyWeight, leanBodyMass, bodySurface, kinds };
 
-/// What an uptake is referred to: g, g, cm^2, or why it is not known.
+/// The divisors of the uptake for each Kind: g, g, cm^2, or why one is unknown.
 using Norms = std::vector<Result<double>>;
 
 Norms normsOf(const PetFacts& facts, const std::string& sex, bool james) {
@@ -152,12 +153,12 @@ Norms normsOf(const PetFacts& facts, const std::string& sex, bool james) {
   return {*weight * 1000, lean ? Result<double>(*lean * 1000) : lean, surface * 1e4};
 }
 
-/// What the values are already, and what they are multiplied by to be that.
+/// The unit that values reach by multiplication with `factor`.
 struct Known {
-  std::optional<Kind> kind;  ///< none: Bq/ml for each Bq that is left of the dose
+  std::optional<Kind> kind;  ///< empty: Bq/ml for each Bq of the remaining dose
   double factor = 1;
-  bool james = true;     ///< of lean body mass, by which formula
-  std::string unstated;  ///< why the kind cannot be turned into others
+  bool james = true;     ///< formula of the lean body mass
+  std::string unstated;  ///< why the kind cannot be converted to others
 };
 
 Result<Known> knownOfDose(const PetFacts& facts, double toBqml, const std::optional<double>& earliest) {
@@ -166,7 +167,7 @@ Result<Known> knownOfDose(const PetFacts& facts, double toBqml, const std::optio
   return Known{{}, toBqml / *dose, true, {}};
 }
 
-/// Counts of Philips come with factors of their own.
+/// Uses the factors that Philips gives for counts.
 Result<Known> knownOfCounts(const PetFacts& facts, const std::optional<double>& earliest) {
   if (facts.decayCorrection == "NONE")
     return wrong("DecayCorrection", tagDecayCorrection, facts.decayCorrection);
@@ -176,7 +177,7 @@ Result<Known> knownOfCounts(const PetFacts& facts, const std::optional<double>& 
   return wrong("Units", tagUnits, "CNTS");
 }
 
-/// Values that are an SUV already.
+/// Handles values that are already an SUV.
 Result<Known> knownOfSuv(const PetFacts& facts) {
   const std::string& type = facts.suvType;
   if (facts.units == "CM2ML" && (type.empty() || type == "BSA")) return Known{bodySurface, 1, true, {}};
@@ -188,7 +189,7 @@ Result<Known> knownOfSuv(const PetFacts& facts) {
   return Known{leanBodyMass, 1, type != "LBMJANMA", stated ? std::string() : why};
 }
 
-/// Why values are not corrected for attenuation and decay.
+/// Returns an Error if values are not corrected for attenuation and decay.
 Status corrections(const PetFacts& facts) {
   struct Correction {
     bool done;
@@ -214,7 +215,7 @@ Result<Known> knownOfUnits(const PetFacts& facts, const std::optional<double>& e
   return facts.units == "BQML" ? knownOfDose(facts, 1, earliest) : knownOfCounts(facts, earliest);
 }
 
-/// Values that a mapping of the file turns into an SUV.
+/// Uses a mapping of the file to an SUV.
 Result<Known> knownOfMapping(const PetFacts& facts) {
   PetFacts mapped = facts;
   mapped.units = facts.mappedType == "BSA" ? "CM2ML" : "GML";
@@ -224,7 +225,7 @@ Result<Known> knownOfMapping(const PetFacts& facts) {
   return known;
 }
 
-/// Where weight is what is wrong, that is said before all else.
+/// Returns the factors to each SUV. A wrong weight is reported before all else.
 SuvFactors factorsBy(const Result<Known>& known, const PetFacts& facts, const std::string& sex) {
   SuvFactors out;
   if (!known) {
@@ -259,15 +260,15 @@ SuvFactors factorsOf(const PetFacts& facts, const std::string& sex, const std::o
   return mapped.bodyWeight || mapped.leanBodyMass || mapped.bodySurface ? mapped : out;
 }
 
-/// Files of one series: patients and studies may share a UID by mistake.
+/// Returns the key of a series. It has three parts, as patients and studies may share a UID by mistake.
 std::array<std::string, 3> seriesOf(const SeriesIdentity& s) {
   return {s.patientId, s.studyUid, s.seriesUid};
 }
 
-/// What is the same of all files of a volume, in one spelling.
+/// Returns the facts that all files of a volume share, in one spelling.
 PetFacts withoutPlace(PetFacts facts) {
   facts.acquisitionDate.clear(), facts.acquisitionTime.clear();
-  facts.mappedFactor = 0;  // rounded in each
+  facts.mappedFactor = 0;  // rounded in each file
   for (std::string* number : {&facts.weight, &facts.size, &facts.dose, &facts.halfLife,
                               &facts.philipsSuvFactor, &facts.philipsBqFactor})
     *number = numberAsOne(*number);
@@ -282,7 +283,7 @@ PetFacts withoutPlace(PetFacts facts) {
 
 void addSuvFactors(std::span<const FileHeader> files, std::vector<Series>& volumes) {
   std::map<std::string, const FileHeader*> byPath;
-  std::map<std::array<std::string, 3>, std::optional<double>> earliest;  // nothing where one does not say
+  std::map<std::array<std::string, 3>, std::optional<double>> earliest;  // empty if one gives no time
   for (const FileHeader& file : files) {
     if (!file.pet) continue;
     byPath[file.path] = &file;

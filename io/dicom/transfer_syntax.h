@@ -6,19 +6,18 @@
 
 namespace volumen::dicom {
 
-/// How pixels are coded.
 enum class Coding { native, rle, jpeg, jpegLs, jpeg2000, unsupported };
 
-/// One transfer syntax (PS3.6 table A-1).
+/// A transfer syntax (PS3.6 table A-1).
 struct TransferSyntax {
   const char* uid;
-  const char* name;  ///< as said to the user
+  const char* name;  ///< name shown to the user
   Coding coding;
   Encoding encoding;
   bool deflated = false;
 };
 
-/// The transfer syntax of that UID; unknown ones are unsupported, their name is the empty string.
+/// Returns the transfer syntax with that UID. Unknown ones are unsupported and have an empty name.
 TransferSyntax transferSyntax(const std::string& uid);
 
 }  // namespace volumen::dicom

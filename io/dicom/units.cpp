@@ -22,7 +22,7 @@ std::string nameIn(const Names (&names)[n], const std::string& code) {
   return it == std::end(names) ? code : it->second;
 }
 
-// PS3.3 C.8.9.1.1.3; of CNTS, NONE and PROPCNTS numbers are only comparable with each other.
+// PS3.3 C.8.9.1.1.3. Numbers in CNTS, NONE and PROPCNTS are only comparable with each other.
 std::string unitOfPet(const std::string& units) {
   static constexpr Names names[] = {{"BQML", "Bq/ml"},
                                     {"GML", "SUV"},
@@ -55,7 +55,7 @@ std::string unitOfDose(const DataSet& data, FileHeader& header) {
   return "relative";
 }
 
-/// The UCUM code of the unit of a mapping; empty where it is of another scheme or missing.
+/// Returns the UCUM code of a mapping's unit; empty if it is of another scheme or missing.
 std::string codeOfMapping(const DataSet& data, DataSet::Scope mapping) {
   const auto codes = data.items(measurementUnits, mapping);
   if (codes.empty()) return {};
@@ -63,8 +63,8 @@ std::string codeOfMapping(const DataSet& data, DataSet::Scope mapping) {
   return scheme.empty() || scheme == "UCUM" ? data.utf8(0x00080100, codes[0]) : std::string();
 }
 
-/// The unit of a real world value mapping: its UCUM code as it is, or what is usually said for it ("HU",
-/// "SUV"); of other codes their meaning. Empty for numbers without one.
+/// Returns the unit of a real world value mapping: its UCUM code, its usual name ("HU", "SUV"), or the
+/// meaning of another code. Empty for numbers without unit.
 std::string unitOfMapping(const DataSet& data, DataSet::Scope mapping) {
   const std::string code = codeOfMapping(data, mapping);
   const auto codes = data.items(measurementUnits, mapping);
@@ -74,16 +74,15 @@ std::string unitOfMapping(const DataSet& data, DataSet::Scope mapping) {
   return code == "1" || code.starts_with('{') ? std::string() : code;
 }
 
-/// The unit of a frame's values after the rescale that the file gives; empty where it does not say.
+/// Returns the unit of a frame's values after the file's rescale; empty if not given.
 std::string unitOfRescaled(const DataSet& data, const FrameScopes& at, FileHeader& header) {
-  if (data.has(modalityLutSequence, data.root()))
-    return {};  // a Modality LUT: these are the values before it
+  if (data.has(modalityLutSequence, data.root())) return {};  // these are the values before the Modality LUT
   if (data.has(doseUnits, data.root())) return unitOfDose(data, header);
   const DataSet::Scope rescale = at.of(pixelValueTransformation);
   const std::string known = data.term(rescaleType, rescale, "RescaleType", {"HU"}),
                     type = known == "HU" ? known : data.utf8(rescaleType, rescale);
   if (header.pet && !header.pet->units.empty()) return unitOfPet(header.pet->units);
-  // CT means HU where it does not say otherwise.
+  // CT is in HU unless it says otherwise.
   return header.modality == "CT" && type.empty() ? "HU" : unitOfRescaleType(type);
 }
 
@@ -93,8 +92,7 @@ struct RealWorldValues {
   std::string unit;
 };
 
-/// Whether a mapping is valid for all that the bits stored can hold. One that does not say for what it is
-/// valid is.
+/// Returns whether a mapping is valid for all values of the stored bits. A mapping without a range is.
 bool coversAll(const DataSet& data, DataSet::Scope mapping, const PixelFormat& format) {
   const auto stored = [&](std::uint32_t tag) -> std::optional<double> {
     const auto word = data.word(tag, mapping);
@@ -110,7 +108,7 @@ bool coversAll(const DataSet& data, DataSet::Scope mapping, const PixelFormat& f
   return *first <= lowest && *last >= lowest + count - 1;
 }
 
-/// The linear mapping of an item, where it has one.
+/// Returns the linear mapping of an item, if it has one.
 std::optional<RealWorldValues> linearMapping(const DataSet& data, DataSet::Scope mapping) {
   const auto slope = data.real(0x00409225, mapping), intercept = data.real(0x00409224, mapping);
   constexpr double largest = 1e30;
@@ -119,7 +117,7 @@ std::optional<RealWorldValues> linearMapping(const DataSet& data, DataSet::Scope
   return RealWorldValues{*slope, *intercept, unitOfMapping(data, mapping)};
 }
 
-/// The first linear mapping that is valid for all stored values.
+/// Returns the first linear mapping that is valid for all stored values.
 std::optional<RealWorldValues> readRealWorldValues(const DataSet& data, const FrameScopes& at,
                                                    const PixelFormat& format) {
   for (const DataSet::Scope item : at.itemsOf(realWorldValueMapping, data))
@@ -127,10 +125,10 @@ std::optional<RealWorldValues> readRealWorldValues(const DataSet& data, const Fr
   return {};
 }
 
-/// The factor from the values of a PET slice to the SUV of its first mapping to one; 0 where slices differ.
+/// Reads the factor from the values of a PET slice to the SUV of its first such mapping; 0 if slices differ.
 void readSuvMapping(const DataSet& data, const std::vector<DataSet::Scope>& items, const Slice& slice,
                     FileHeader& header) {
-  constexpr double rounding = 1e-3;  // of a stored value
+  constexpr double rounding = 1e-3;  // fraction of a stored value
   PetFacts& pet = *header.pet;
   std::string type = "none";
   double factor = 0;

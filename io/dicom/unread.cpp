@@ -14,7 +14,7 @@ namespace {
 
 std::string folderOf(const std::string& path) { return path.substr(0, path.find_last_of('/') + 1); }
 
-/// What the names of slices have in common: the name with "#" for each number in it.
+/// Returns the pattern that names of slices share: the name with "#" for each number in it.
 std::string patternOf(const std::string& name) {
   std::string pattern;
   for (const char c : name) {
@@ -24,7 +24,7 @@ std::string patternOf(const std::string& name) {
   return pattern;
 }
 
-/// Where the files of a series lie, and what they are called.
+/// The folders and name patterns of the files of a series.
 class Neighbourhood {
  public:
   explicit Neighbourhood(const Series& series) {
@@ -39,7 +39,7 @@ class Neighbourhood {
   bool namesAlike(const std::string& file) const {
     if (!holds(file)) return false;
     const std::string path = lastingPath(file), name = fileName(path), pattern = patternOf(name);
-    if (name.starts_with('.')) return false;  // what file systems and editors leave beside files
+    if (name.starts_with('.')) return false;  // left beside files by file systems and editors
     return (pattern != name && names_.contains(folderOf(path) + pattern)) ||
            names_.contains(folderOf(path) + "/" + dicomSuffix(path));
   }
@@ -59,7 +59,7 @@ bool isOf(const LostFile& lost, const Series& series, const Neighbourhood& aroun
   return lost.identity.seriesUid == series.seriesUid && lost.identity.studyUid == series.studyUid;
 }
 
-/// How many interpolated slices lie where one could not be read.
+/// Returns the number of interpolated slices at positions of unread slices.
 int countInPlace(const std::vector<Unread>& unread, const Series::Regular& regular) {
   const VoxelGeometry& g = regular.geometry;
   const glm::dvec3 step = g.patientFromVoxelStep[2];
@@ -82,7 +82,7 @@ std::string namesOf(const std::vector<const Unread*>& files) {
   return listedFirst(names, most);
 }
 
-/// Of files of the series, of which `interpolated` slices were made up.
+/// Returns the warning about unread files of the series. `interpolated` of their slices were interpolated.
 std::string sentenceOf(const std::vector<const Unread*>& files, int interpolated) {
   const std::string& reason = files[0]->reason;
   if (files.size() == 1)
@@ -97,7 +97,7 @@ std::string sentenceOf(const std::vector<const Unread*>& files, int interpolated
          ". The first: " + reason;
 }
 
-/// Of files that may be of the series.
+/// Returns the warning about unread files that may belong to the series.
 std::string besideSentenceOf(const std::vector<const Unread*>& files, int interpolated) {
   const std::string made =
       interpolated == 1 ? "the slice that was interpolated" : "the slices that were interpolated";

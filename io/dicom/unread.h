@@ -4,19 +4,19 @@
 
 namespace volumen::dicom {
 
-/// A file that gives no slice, and whose it is as far as its header could be read.
+/// A file that gives no slice, with its identity as far as its header could be read.
 struct LostFile {
   Unread file;
   SeriesIdentity identity;
-  bool ifNamedAlike = false;  ///< it counts only where it is named as the files of the series beside it are
+  bool ifNamedAlike = false;  ///< it counts only if it is named like the files of a series beside it
 };
 
-/// Adds to each series what else is lost of it, and says all of that in its warnings: files whose header
-/// names it, and those beside its files whose header could not be read, or which are named as these are.
+/// Adds lost files to each series and warns of them. A file belongs to a series that its header names. Files
+/// without readable header belong to a series whose files are beside them, and some only if named like those.
 void addUnread(const std::vector<LostFile>& lost, std::vector<Series>& volumes);
 
-/// Says in the warnings of how slices lie (Stack) what could not be read: slices that were interpolated for
-/// that are not called missing.
+/// Adds warnings about unread files to those about the layout of slices (Stack). Slices interpolated for
+/// unread files are no longer called missing.
 void warnOfUnread(const std::vector<Unread>& unread, const std::optional<Series::Regular>& regular,
                   std::vector<Warning>& warnings);
 

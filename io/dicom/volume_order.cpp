@@ -5,7 +5,7 @@
 namespace volumen::dicom {
 namespace {
 
-/// Whether what is said of two splits differs in one attribute: their order is that of its values.
+/// Returns whether two splits differ in one attribute, so that its values order them.
 bool differInOne(const Split& a, const Split& b) {
   if (a.by.size() != b.by.size()) return false;
   std::size_t count = 0;
@@ -16,7 +16,7 @@ bool differInOne(const Split& a, const Split& b) {
   return count == 1;
 }
 
-/// Whether each picture of `b` has a number behind that of `a` in its place.
+/// Returns whether each picture of `b` has a higher number than that of `a` in its place.
 bool isBehind(const Split& a, const Split& b) {
   for (std::size_t n = 0; n < std::min(a.entries.size(), b.entries.size()); ++n)
     if (b.entries[n].slice().instance <= a.entries[n].slice().instance) return false;
@@ -26,7 +26,7 @@ bool isBehind(const Split& a, const Split& b) {
 }  // namespace
 
 void orderByNumbers(std::vector<Split>& splits) {
-  constexpr std::size_t most = 2000;  // so that pairs take no minutes
+  constexpr std::size_t most = 2000;  // else comparing all pairs would take minutes
   if (splits.size() > most) return;
   std::vector<std::pair<long, std::size_t>> order;
   for (std::size_t n = 0; n < splits.size(); ++n) order.emplace_back(firstNumber(splits[n].entries), n);

@@ -4,8 +4,8 @@
 
 namespace volumen::dicom {
 
-/// Puts volumes that several attributes tell apart into the order of their image numbers, where that is an
-/// order of the values of each attribute, too; else they stay.
+/// Sorts volumes that several attributes separate by image number, provided that each attribute's values stay
+/// in order. Otherwise leaves them unchanged.
 void orderByNumbers(std::vector<Split>& splits);
 
 }  // namespace volumen::dicom

@@ -11,7 +11,7 @@ bool represents(From value) {
   return double(To(value)) == double(value);
 }
 
-/// Whether `To` has this value.
+/// Returns whether `To` can hold this value.
 template <class To, class From>
 bool fits(From value) {
   constexpr double low = double(std::numeric_limits<To>::lowest()),
@@ -19,7 +19,7 @@ bool fits(From value) {
   return double(value) >= low && double(value) <= high && represents<To>(value);
 }
 
-/// Copies samples that are of the wanted type or fit it; false where one does not fit.
+/// Copies samples that are of the wanted type or fit it. Returns false if one does not fit.
 template <class To, class From>
 bool copyExactly(const std::vector<From>& from, To* to) {
   if constexpr (std::is_same_v<To, From>) {
@@ -36,7 +36,7 @@ bool copyExactly(const std::vector<From>& from, To* to) {
 
 float realValue(const Slice& slice, double stored) { return float(slice.slope * stored + slice.intercept); }
 
-/// Values after rescale; true where a sample is wider than float32 holds exactly.
+/// Rescales values. Returns true if a sample is wider than float32 holds exactly.
 template <class From>
 bool rescale(const std::vector<From>& from, const Slice& slice, float* to) {
   bool inexact = false;
@@ -48,7 +48,7 @@ bool rescale(const std::vector<From>& from, const Slice& slice, float* to) {
   return inexact;
 }
 
-/// Gives padded voxels the value that stands for all; false where it does not fit.
+/// Sets padded voxels to `value`. Returns false if it does not fit.
 template <class To, class From>
 bool fillPadding(const std::vector<From>& from, ValueRange padding, double value, To* to) {
   for (std::size_t n = 0; n < from.size(); ++n) {
@@ -59,7 +59,7 @@ bool fillPadding(const std::vector<From>& from, ValueRange padding, double value
   return true;
 }
 
-/// The ends of a slice's padding, real values.
+/// Returns the range of a slice's padding in real values.
 ValueRange realPadding(const Slice& slice) {
   const double a = realValue(slice, slice.padding->low), b = realValue(slice, slice.padding->high);
   return {std::min(a, b), std::max(a, b)};

@@ -7,23 +7,23 @@
 
 namespace volumen::dicom {
 
-/// What is padding in a volume. Slices say it each for itself, in stored values (PS3.3 C.7.5.1.1.2): where
-/// they agree it is that range, else one value, the lowest of theirs, which all padded voxels are given.
+/// The padding of a volume. Each slice has its own, in stored values (PS3.3 C.7.5.1.1.2). If they agree, it
+/// is that range. Else it is one value, the lowest of theirs, which all padded voxels get.
 struct Padding {
-  ValueRange values;          ///< real values, as the voxels have them
-  std::optional<double> one;  ///< the stored value that stands for all; empty: slices agree
+  ValueRange values;          ///< real values, as in the voxels
+  std::optional<double> one;  ///< the stored value for all padded voxels; empty if slices agree
 };
 
-/// Of slices in one volume; nothing where none has padding.
+/// Returns the padding of the slices of one volume, or nothing if none has padding.
 std::optional<Padding> paddingOf(std::span<const PlacedSlice> slices);
 
-/// What was noticed where samples became voxels.
+/// Problems found when storing samples as voxels.
 struct Stored {
   bool inexact = false;     ///< a sample is wider than float32 holds exactly
-  bool doesNotFit = false;  ///< a sample is none of the volume's type
+  bool doesNotFit = false;  ///< a sample does not fit the volume's type
 };
 
-/// Writes the samples of a slice into `volume`, from `offset` on, as `plan` says.
+/// Writes the samples of a slice to `volume` from `offset` on, as `plan` says.
 Stored storeSamples(const Samples& samples, const Slice& slice, const ValuePlan& plan,
                     const std::optional<Padding>& padding, std::size_t offset, VoxelValues& volume);
 

@@ -7,7 +7,7 @@
 namespace volumen::dicom {
 namespace {
 
-/// Entries of one key each, in the order of numbers and names.
+/// Groups entries by a key, in order of numbers and names.
 template <class Key>
 std::vector<Entries> grouped(const Entries& entries, Key key) {
   std::map<std::string, std::size_t> index;
@@ -22,14 +22,14 @@ std::vector<Entries> grouped(const Entries& entries, Key key) {
   return groups;
 }
 
-/// Whether each is a stack of several places, and there are several.
+/// Returns whether there are several groups and each is a stack of several positions.
 bool areStacks(const std::vector<Entries>& groups) {
   return groups.size() > 1 && std::ranges::all_of(groups, [](const Entries& group) {
            return group.size() > 1 && mostAtOnePlace(group) == 1;
          });
 }
 
-/// Whether all of them reach over one place.
+/// Returns whether all groups extend over a common position.
 bool shareAPlace(const std::vector<Entries>& groups) {
   double from = std::numeric_limits<double>::lowest(), to = std::numeric_limits<double>::max();
   for (const Entries& group : groups) {

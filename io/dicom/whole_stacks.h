@@ -4,12 +4,12 @@
 
 namespace volumen::dicom {
 
-/// Pictures of files that each hold a stack: a stack a file (or concatenation), in the order of numbers and
-/// names. Empty where files are slices, or may be parts of one stack as they do not all reach over one place
-/// (`reachOverOne`).
+/// Returns one stack for each file (or concatenation), in order of numbers and names. Returns nothing if
+/// files are slices. With `reachOverOne` it also returns nothing if the stacks share no position, as they may
+/// be parts of one stack (mosaics excepted).
 std::vector<Entries> stacksOfFiles(const Entries& entries, bool reachOverOne = true);
 
-/// The same by folder; each holds a picture of several places, and none of them two of one place.
+/// Returns one stack for each folder, or nothing unless each has several positions with one picture each.
 std::vector<Entries> stacksOfFolders(const Entries& entries);
 
 }  // namespace volumen::dicom

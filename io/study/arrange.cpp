@@ -19,14 +19,13 @@ long numberOf(const std::string& text) {
   return n;
 }
 
-/// A text that is ordered naturally.
 struct Natural {
   const std::string& text;
   bool operator<(const Natural& other) const { return naturalOrder(text, other.text) < 0; }
   bool operator==(const Natural& other) const { return text == other.text; }
 };
 
-/// Tells volumes of one series (or files of one name) apart by "#1", "#2", ... behind their ids.
+/// Appends "#1", "#2", ... to ids that several volumes of a series (or files of one name) share.
 template <class Found>
 void numberParts(std::vector<Found>& all) {
   std::map<std::string, int> count, next;
@@ -36,13 +35,14 @@ void numberParts(std::vector<Found>& all) {
       found.id.append("#").append(std::to_string(++next[id]));
 }
 
-/// `info`'s order: patient, study, series number, ...
+/// Returns the key of `info`'s order: patient, study, series number.
 auto orderKey(const SeriesIdentity& s) {
   return std::make_tuple(std::tie(s.patientName, s.patientId, s.studyDate, s.studyUid),
                          numberOf(s.seriesNumber));
 }
 
-/// ... and within a series as its reader has them: by position, then by what tells them apart.
+/// Sorts by orderKey() and series. Within a series it keeps the reader's order: position, then what separates
+/// its volumes.
 void sortVolumes(std::vector<Series>& volumes) {
   const auto key = [](const Series& s) {
     return std::make_tuple(orderKey(s), Natural{s.seriesUid.empty() ? s.path : s.seriesUid});
@@ -51,7 +51,7 @@ void sortVolumes(std::vector<Series>& volumes) {
                    [&](const Series& a, const Series& b) { return key(a) < key(b); });
 }
 
-/// ... path.
+/// Sorts by orderKey(), series and path.
 template <class Found>
 void sortFiles(std::vector<Found>& files) {
   const auto key = [](const Found& f) {
@@ -61,7 +61,7 @@ void sortFiles(std::vector<Found>& files) {
                    [&](const Found& a, const Found& b) { return key(a) < key(b); });
 }
 
-/// Counts what the objects refer to and the study does not hold.
+/// Sets DerivedObject::notHere of every derived object.
 void countNotHere(Study& study) {
   std::unordered_set<std::string_view> here;
   if (study.derived.empty()) return;

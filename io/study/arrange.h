@@ -7,11 +7,11 @@ namespace volumen {
 struct Image;
 struct Study;
 
-/// Puts what was found into the order of a Study, tells those of one id apart by "#1", "#2", ... behind it,
-/// and counts what its objects refer to and it does not hold.
+/// Sorts the parts of `study` and appends "#1", "#2", ... to ids that occur more than once. Counts for each
+/// derived object the pictures it refers to that the study does not hold.
 void arrange(Study& study);
 
-/// The order in which arrange() puts images.
+/// Sorts images as arrange() does.
 void sortImages(std::vector<Image>& images);
 
 }  // namespace volumen

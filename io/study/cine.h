@@ -4,11 +4,11 @@
 
 namespace volumen {
 
-/// How the frames of a clip follow each other (PS3.3 C.7.6.5).
+/// Timing and order in which the frames of a clip are played (PS3.3 C.7.6.5).
 struct Cine {
-  double framesPerSecond = 0;        ///< as the file recommends; 0: it does not
-  std::vector<double> frameTimesMs;  ///< from the frame before to each frame; empty: always the same
-  bool backAndForth = false;         ///< PreferredPlaybackSequencing 1
+  double framesPerSecond = 0;        ///< frame rate that the file recommends; 0 if it recommends none
+  std::vector<double> frameTimesMs;  ///< time from the previous frame to each frame; empty if it is constant
+  bool backAndForth = false;         ///< true if PreferredPlaybackSequencing is 1
   bool operator==(const Cine&) const = default;
 };
 

@@ -9,13 +9,13 @@ namespace volumen {
 
 struct Series;
 
-/// What a series that is laid out along a curve was made of (io/curved.h).
+/// The origin of a series that was resampled along a curve (io/curved.h).
 struct CurvedFrom {
-  std::shared_ptr<const Series> source;  ///< never null, itself along no curve
+  std::shared_ptr<const Series> source;  ///< never null, never curved itself
   CurvedRecipe recipe;
-  std::string name;  ///< of the curve: "Curve 1"
+  std::string name;  ///< name of the curve: "Curve 1"
 
-  /// Whether they are of equal series, too.
+  /// Returns whether both have equal source series (not just the same pointer), recipes and names.
   bool operator==(const CurvedFrom& other) const;
 };
 

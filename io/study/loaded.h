@@ -8,24 +8,25 @@
 
 namespace volumen {
 
-/// What a drawn slice of a DICOM series was made of: entries of Series::files. Two that differ: it lies
-/// between them and is interpolated.
+/// The source slices of a drawn slice of a DICOM series, as indices into Series::files. If the two differ,
+/// the drawn slice lies between them and is interpolated.
 struct SliceOrigin {
   int below = 0, above = 0;
   bool isInterpolated() const { return below != above; }
 };
 
-/// A loaded series. `acquired` holds the slices as acquired (what `info --values` describes); `drawn` the
-/// regular grid (the same pointer where they do not differ). `warnings`: the series' and those of loading.
+/// A loaded series. `acquired` holds the slices as acquired (what `info --values` describes). `drawn` holds
+/// the regular grid, the same pointer if the two do not differ. `warnings` are those of the series and of
+/// loading.
 struct Loaded {
   VolumePtr acquired, drawn;
   std::vector<Warning> warnings;
-  std::vector<Unread> unread = {};        ///< the series' and those of loading
-  std::vector<SliceOrigin> origins = {};  ///< DICOM: of each drawn slice
-  /// DICOM: where each acquired slice lies along k of `drawn`, in slices; none where all of them are drawn.
+  std::vector<Unread> unread = {};        ///< files lost to the series and during loading
+  std::vector<SliceOrigin> origins = {};  ///< one for each drawn slice (DICOM)
+  /// Position of each acquired slice along k of `drawn`, in slices (DICOM). Empty if all of them are drawn.
   std::vector<double> places = {};
 
-  /// How many slices of `drawn` are not as acquired.
+  /// Returns the number of slices of `drawn` that are not as acquired.
   int interpolatedSlices() const;
 };
 

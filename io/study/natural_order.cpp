@@ -7,7 +7,7 @@ namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Takes the digits at the front of `text` away and returns them without leading zeros.
+/// Removes the leading digits of `text` and returns them without leading zeros.
 std::string_view takeNumber(std::string_view& text) {
   const auto end = std::size_t(std::ranges::find_if_not(text, isDigit) - text.begin());
   std::string_view number = text.substr(0, end);

@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// The order of texts in which digits count as numbers: "1.2.9" before "1.2.10", "TI 90" before "TI 150".
-/// Below 0: `a` is first; 0: they are the same; above 0: `b` is first.
+/// Compares texts with runs of digits as numbers: "1.2.9" before "1.2.10", "TI 90" before "TI 150". Returns
+/// below 0 if `a` is first, 0 if they are equal, above 0 if `b` is first.
 int naturalOrder(std::string_view a, std::string_view b);
 
 }  // namespace volumen

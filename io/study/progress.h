@@ -5,8 +5,8 @@
 
 namespace volumen {
 
-/// Called now and then with what is being done ("reading headers"), how many of how many. From the calling
-/// thread.
+/// Reports `done` of `total` items of the activity `what` ("reading headers"). Called now and then, on the
+/// calling thread.
 using Progress = std::function<void(const char* what, std::size_t done, std::size_t total)>;
 
 }  // namespace volumen

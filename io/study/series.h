@@ -14,72 +14,75 @@
 
 namespace volumen {
 
-/// An attribute by which the volumes of one series were told apart, and what it is in one of them.
+/// An attribute that separates the volumes of one series, with its value in one volume.
 struct SplitBy {
-  std::string attribute;  ///< its DICOM keyword: "ConvolutionKernel"; "rank" where none told them apart
+  std::string attribute;  ///< DICOM keyword, "ConvolutionKernel"; "rank" if no attribute separates them
   std::string value;      ///< as in the file
-  std::string words;      ///< for people, with the unit: "kernel B70f", "phase 40 %"
+  std::string words;      ///< value for people, with its unit: "kernel B70f", "phase 40 %"
   bool operator==(const SplitBy&) const = default;
 };
 
-/// From which side a picture was made, and by which view: as SeriesIdentity has them.
+/// Side and view of a projection, in the form of SeriesIdentity.
 struct ProjectionView {
   std::string laterality, viewPosition;
   bool operator==(const ProjectionView&) const = default;
 };
 
-/// One volume that was found, or pictures that are none: plain values that the rest of the program sees, and
-/// how to load it.
+/// A volume, or pictures that form no volume, as found from headers alone. Holds plain values for the rest of
+/// the program and everything that loading needs.
 struct Series : SeriesIdentity {
-  std::string id;  ///< SeriesInstanceUID or file name, "#n" behind it where that holds several (design.md 10)
-  std::string path;           ///< the file, or the folder that holds the files
-  std::string format;         ///< "DICOM", "phantom" or that of the file: "NRRD", "NIfTI", "MetaImage", ...
-  std::string unit;           ///< of the values: "HU", "Bq/ml", "SUV"; empty where they have none
-  SuvFactors suv;             ///< of PET
-  std::string contrastAgent;  ///< DICOM: as in the file, of codes their words; empty: it names none
-  std::string time;           ///< of day, as DICOM writes it: of the acquisition, else of the series
-  std::string echoTime;       ///< ms, as in the file; empty where it is not given
-  std::string bValue;         ///< diffusion weight, s/mm^2, as in the file; empty where it is not given
-  std::string timePoint;      ///< of a series in time, as in the file; empty where it is not given
-  std::string label;          ///< what else tells it from the other volumes of its series or file, in a few
-                              ///< words: "direction 12", "component x", "2 of 5"; empty where nothing does
+  std::string id;  ///< SeriesInstanceUID or file name, followed by "#n" if that holds several (design.md 10)
+  std::string path;    ///< the file, or the folder that holds the files
+  std::string format;  ///< "DICOM", "phantom" or the format of the file: "NRRD", "NIfTI", "MetaImage", ...
+  std::string unit;    ///< unit of the values: "HU", "Bq/ml", "SUV"; empty if they have none
+  SuvFactors suv;      ///< factors to SUV (PET)
+  std::string contrastAgent;  ///< as in the DICOM file, for codes their meanings; empty if it names none
+  std::string time;           ///< time of day as DICOM writes it: of the acquisition, else of the series
+  std::string echoTime;       ///< ms, as in the file; empty if not given
+  std::string bValue;         ///< diffusion weighting, s/mm^2, as in the file; empty if not given
+  std::string timePoint;      ///< time point of a series in time, as in the file; empty if not given
+  /// Words for other differences from the volumes of its series or file: "direction 12",
+  /// "component x", "2 of 5"; may be empty.
+  std::string label;
 
-  std::vector<SplitBy> splitBy;  ///< what tells it from the other volumes of its series, first things first
-  double sliceThickness = 0;     ///< SliceThickness, mm; 0: not given, or not the same of all slices
+  /// Attributes that separate it from the other volumes of its series, most important first.
+  std::vector<SplitBy> splitBy;
+  double sliceThickness = 0;  ///< SliceThickness, mm; 0 if not given or not equal in all slices
 
-  VoxelGeometry
-      acquired;  ///< the slices as acquired; spacing along k: mean distance along the step between slices
+  /// The slices as acquired. Spacing along k is their mean distance along the step between slices.
+  VoxelGeometry acquired;
   std::string valueType;  ///< "uint8", "int16", "uint16", "float32"
   std::vector<Warning> warnings;
 
-  /// The drawn grid, where it differs from the slices as acquired (uneven or missing slices).
+  /// The drawn grid if it differs from the slices as acquired (uneven or missing slices).
   struct Regular {
     VoxelGeometry geometry;
     int interpolatedSlices = 0;
-    std::vector<int> copies;  ///< of each slice: the one as acquired that it is; -1: interpolated
+    std::vector<int> copies;  ///< for each slice the index of its acquired slice; -1 if interpolated
     bool operator==(const Regular&) const = default;
   };
   std::optional<Regular> regular;
 
-  std::vector<std::string> files;  ///< every file it is made of, in slice order (one file for NRRD etc.)
-  std::vector<int> frames;         ///< DICOM: the frame (from 0) of each of `files` that is the slice
-  std::vector<std::string> sopInstanceUids;  ///< DICOM: of each of `files`
-  std::vector<PictureOrder> orders;          ///< DICOM volumes: of each of `files`
-  std::vector<ProjectionView> projections;   ///< DICOM: of each of `files`, where they differ; else empty
-  std::vector<Unread> unread;                ///< DICOM: what is lost of it; also told in `warnings`
+  std::vector<std::string> files;            ///< files of the slices in their order; one file for NRRD etc.
+  std::vector<int> frames;                   ///< frame (from 0) of each entry of `files` (DICOM)
+  std::vector<std::string> sopInstanceUids;  ///< of each entry of `files` (DICOM)
+  std::vector<PictureOrder> orders;          ///< of each entry of `files` (DICOM volumes)
+  std::vector<ProjectionView> projections;   ///< of each entry of `files` if they differ, else empty (DICOM)
+  std::vector<Unread> unread;                ///< files lost to the series (DICOM); `warnings` names them too
 
-  std::string notVolume;  ///< why these are only frames: a sentence; empty: it is a volume
-  Cine cine;              ///< of frames
+  std::string notVolume;  ///< why these are frames only: a sentence; empty for a volume
+  Cine cine;              ///< timing of frames
 
-  std::optional<CurvedFrom> curved;  ///< it is no file's: another series, resampled along a curve
+  /// Set if this series is another one resampled along a curve, without files of its own.
+  std::optional<CurvedFrom> curved;
   bool operator==(const Series&) const = default;
 };
 
-/// Keeps what each of its files says, where they differ; side or view of the series are then empty unless all
-/// agree.
+/// Stores side and view of each file if they differ. The series' own side and view become empty unless all
+/// files agree.
 void setProjections(Series& series, std::vector<ProjectionView> ofEach);
 
-/// Side and view of a frame as acquired, from 0; of one that there is not, what all frames share.
+/// Returns side and view of an acquired frame (from 0), or what all frames share if there is no such frame.
 ProjectionView projectionOf(const Series& series, int frame);
 
 }  // namespace volumen

@@ -9,20 +9,21 @@
 
 namespace volumen {
 
-/// Valid, but no volume: SR, RT, DICOMDIR, a text file. What refers to pictures is in Study::derived, too.
+/// A valid file that is no volume: SR, RT, DICOMDIR, a text file. Objects that refer to pictures are in
+/// Study::derived too.
 struct Other {
   std::string path, kind;
 };
 
-/// All that one PATH holds. Volumes in `info`'s order: patient, study, series number, position; images and
-/// derived objects by patient, study, series number and path. Of the other lists what is in one is in none
-/// else.
+/// The contents of one PATH. Volumes are in `info`'s order: patient, study, series number, position. Images
+/// and derived objects are sorted by patient, study, series number and path. A file in `refused` or `other`
+/// is in no other list, except for those of `derived`.
 struct Study {
   std::vector<Series> volumes;
   std::vector<Image> images;
   std::vector<Refused> refused;
   std::vector<Other> other;
-  std::vector<DerivedObject> derived;  ///< their files are in `other`, too
+  std::vector<DerivedObject> derived;  ///< their files are in `other` too
 };
 
 }  // namespace volumen

@@ -7,31 +7,31 @@ namespace volumen {
 
 struct Series;
 
-/// What the values of a PET series are multiplied by to give standardised uptake values (slices.md 4). All
-/// empty: it is no PET series.
+/// Factors from the values of a PET series to standardised uptake values (slices.md 4). All members are empty
+/// for other series.
 struct SuvFactors {
-  std::optional<double> bodyWeight;    ///< to SUVbw, g/ml
-  std::optional<double> leanBodyMass;  ///< to SUVlbm, g/ml
-  std::optional<double> bodySurface;   ///< to SUVbsa, cm^2/ml
-  std::string why;  ///< where one of them is missing: "PatientWeight (0010,1030) is missing"
+  std::optional<double> bodyWeight;    ///< factor to SUVbw, g/ml
+  std::optional<double> leanBodyMass;  ///< factor to SUVlbm, g/ml
+  std::optional<double> bodySurface;   ///< factor to SUVbsa, cm^2/ml
+  std::string why;  ///< reason for a missing factor: "PatientWeight (0010,1030) is missing"
   bool operator==(const SuvFactors&) const = default;
 };
 
-/// What the values of PET are shown in: an SUV, or the unit of the file.
+/// The unit PET values are shown in: an SUV, or the unit of the file.
 enum class PetUnit { suvBodyWeight, suvLeanBodyMass, suvBodySurface, file };
 
-/// "SUVbw", "SUVlbm", "SUVbsa", "file".
+/// Returns "SUVbw", "SUVlbm", "SUVbsa" or "file".
 const char* petUnitName(PetUnit unit);
 
-/// From the values of a series to the numbers that people read.
+/// Scale from the values of a series to the numbers that people read.
 struct ValueScale {
   double factor = 1;  ///< above 0
-  std::string unit;   ///< empty: none
-  std::string why;    ///< where it is not what was wanted: "no SUV: PatientWeight (0010,1030) is missing"
+  std::string unit;   ///< empty if there is none
+  std::string why;    ///< why it is not the wanted unit: "no SUV: PatientWeight (0010,1030) is missing"
   bool operator==(const ValueScale&) const = default;
 };
 
-/// The scale in which a series is shown where this is wanted of PET.
+/// Returns the scale in which `series` is shown. `wanted` applies to PET alone.
 ValueScale valueScale(const Series& series, PetUnit wanted);
 
 }  // namespace volumen

@@ -7,12 +7,12 @@
 
 namespace volumen::worker {
 
-/// What may be needed to read the headers of these files, one after the other.
+/// Returns a request for reading the headers of `files` one after the other, with the limits they need.
 Request headersOf(std::vector<std::string> files, const CancelToken& cancel);
 
-/// Files begin .. end - 1 in one request: workers answer faster than they are asked. A file that costs a
-/// worker is refused, and the others are asked for again; one that has cost one before is not asked for.
-/// Where no worker can be had, none of them is read.
+/// Reads the files `begin` to `end` - 1 in one request, as workers answer faster than they are asked. A file
+/// that costs a worker is refused and the others are requested again. Files that cost one before are refused
+/// at once. If no worker can be had, none of the files is read.
 template <auto function, class Values, class Refuse>
 void askFor(const std::vector<std::string>& paths, std::size_t begin, std::size_t end,
             const CancelToken& cancel, const Refuse& refuse, Values& all) {
@@ -46,8 +46,9 @@ void askFor(const std::vector<std::string>& paths, std::size_t begin, std::size_
   leaveOut(costly, failure);
 }
 
-/// function(paths), which gives one value a file and calls finishStep() behind each, on all cores and in
-/// workers where there are any. refuse(why) is the value of a file that was not read.
+/// Returns function(paths), one value a file, computed on all cores and in workers if there are any.
+/// `function` must call finishStep() after each file. refuse(why) gives the value of a file that was not
+/// read.
 template <auto function, class Refuse>
 auto forFiles(const std::vector<std::string>& paths, const char* what, const Progress& progress,
               const CancelToken& cancel, const Refuse& refuse) {

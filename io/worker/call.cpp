@@ -16,12 +16,12 @@ namespace volumen::worker {
 namespace {
 
 constexpr double patienceSeconds = 5;
-constexpr double leastBytesPerSecond = 4e6;  // of an answer, on a slow machine
-constexpr double busyMachine = 4;            // so much longer, where the worker gets little of the processor
-constexpr std::size_t mostQuestions = 50'000;  // of a worker about one request, and 4 about each file
+constexpr double leastBytesPerSecond = 4e6;  // rate of an answer on a slow machine
+constexpr double busyMachine = 4;            // factor on the time limit while the worker gets little CPU time
+constexpr std::size_t mostQuestions = 50'000;  // by a worker for one request, and 4 more for each file
 constexpr std::uint64_t memoryBytes = std::uint64_t(512) << 20;
 
-/// A request that does not fit a message.
+/// Returns memory that holds a request too long for a message.
 Descriptor inMemory(const std::vector<std::uint8_t>& bytes) {
   Descriptor memory(memfd_create("volumen request", MFD_CLOEXEC));
   std::size_t done = 0;
@@ -33,13 +33,13 @@ Descriptor inMemory(const std::vector<std::uint8_t>& bytes) {
   return memory;
 }
 
-/// How many files are given at once, where a process may hold only so many open.
+/// Returns how many files to pass at once, given the limit on open descriptors.
 std::size_t mostGiven() {
   rlimit open{};
   return getrlimit(RLIMIT_NOFILE, &open) == 0 ? std::size_t(open.rlim_cur / 8) : 0;
 }
 
-/// Opens the files of a request, where they are few; those that are left out are asked for.
+/// Opens files of a request, as many as may be open, if all fit one message. Workers ask for those left out.
 std::vector<GivenFile> openAll(const std::vector<std::string>& paths, std::vector<Descriptor>& open) {
   std::vector<GivenFile> given;
   if (paths.size() >= mostDescriptors) return given;
@@ -103,7 +103,7 @@ Call::Call(Request& request, Handler handler, const std::vector<std::uint8_t>& a
     return;
   }
   worker_ = inNew ? makeWorker() : takeWorker();
-  // One that waited may have been killed.
+  // An idle worker may have been killed.
   if (worker_ && !begin(handler, arguments)) {
     worker_ = makeWorker();
     if (worker_ && !begin(handler, arguments)) worker_.reset();
@@ -126,7 +126,7 @@ void Call::fail(Failure why) {
 
 bool Call::finish() {
   if (ok() && (!last_ || at_ != end_)) {
-    // An answer may end where a slot does.
+    // An answer may end exactly at the end of a slot.
     if (at_ != end_ || nextPiece()) fail(Failure::wrong);
   }
   if (!ok()) fail(Failure::wrong);
@@ -179,7 +179,7 @@ bool Call::nextPiece() {
 bool Call::await(Message& message) {
   using Clock = std::chrono::steady_clock;
   constexpr int lookUpMs = 20;
-  constexpr double mostAtOnce = 0.2;  // seconds: it was the program itself that was stopped, if it was more
+  constexpr double mostAtOnce = 0.2;  // seconds: a longer wait means that the program itself was stopped
   while (true) {
     const Transfer got = receiveMessage(worker_->socket.get(), message, false);
     if (got == Transfer::done) return true;
@@ -196,8 +196,8 @@ bool Call::await(Message& message) {
   }
 }
 
-// Each step has its own patience: what many quick steps saved would keep a stopped worker waiting for
-// minutes.
+// Each step has its own time limit. Otherwise the time saved by many quick steps would let a stopped worker
+// block for minutes.
 void Call::noteProgress() {
   const std::uint32_t done =
       std::min(request_.steps, worker_->buffer.steps().load(std::memory_order_relaxed));
@@ -214,7 +214,7 @@ bool Call::outOfPatience() const {
          waited_ > busyMachine * allowed;
 }
 
-/// A worker asks for a file; false where it has no business with it.
+/// Answers a worker that asks for a file. Returns false if the request does not allow that file.
 bool Call::serveFiles(const Message& message) {
   if (++questions_ > mostQuestions + 4 * known_.size()) fail(Failure::wrong);
   if (failure_ != Failure::none) return false;

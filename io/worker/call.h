@@ -11,19 +11,19 @@
 
 namespace volumen::worker {
 
-/// What a worker is given for one request, and what it may take.
+/// The files and limits that a worker gets for one request.
 struct Request {
-  std::vector<std::string> files;  ///< it may open these, and what headers among them refer to beside them
-  std::uint64_t needBytes = 0;     ///< memory that what it makes needs; it gets 4 times that and 512 MiB
-  std::uint64_t mostBytes = 64 << 20;  ///< of its answer
-  std::uint32_t steps = 0;             ///< that it may tell of (finishStep); each gives it its time again
+  std::vector<std::string> files;      ///< it may open these, and the files their headers refer to
+  std::uint64_t needBytes = 0;         ///< memory its result needs; the limit is 4 times that plus 512 MiB
+  std::uint64_t mostBytes = 64 << 20;  ///< largest size of its answer
+  std::uint32_t steps = 0;  ///< number of steps it may report (finishStep); each one restarts its time limit
   const CancelToken* cancel = nullptr;
 
-  std::vector<std::string> found = {};  ///< set by the call: what headers refer to, resolved
-  std::uint32_t stepsDone = 0;          ///< set by the call
+  std::vector<std::string> found = {};  ///< set by the call: files that headers refer to, resolved
+  std::uint32_t stepsDone = 0;          ///< set by the call: number of finished steps
 };
 
-/// A file that comes with a request, open; or why it could not be opened.
+/// A file that comes with a request: open, or with the problem that prevented opening it.
 struct GivenFile {
   std::string path;
   std::uint64_t size = 0;
@@ -31,28 +31,29 @@ struct GivenFile {
 };
 inline void fields(Wire& w, GivenFile& f) { w(f.path, f.size, f.problem); }
 
-/// The reason behind a file's name, without full stop: "reading it took more than 5 s".
+/// Returns the reason that follows a file's name in a message, without full stop: "reading it took more than
+/// 5 s".
 const char* reasonOf(Failure failure);
 
-/// Whether such a reason says nothing of the file (isOfMachine).
+/// Returns whether `reason` is one of the machine, not of the file (isOfMachine).
 bool isReasonOfMachine(const std::string& reason);
 
 struct Process;
 
-/// From now on workers are prepared for all (prepareToServe).
+/// Makes all new workers be prepared for all (prepareToServe).
 void prepareForAll();
 
-/// One request that a worker is at; its answer is read from it as it comes. A worker that ends, does not
-/// answer in time or says what makes no sense is killed; one that has answered serves again. A request about
-/// one file that has cost a worker before fails at once, for the same reason (costBefore).
+/// A request that a worker serves. Its answer is read from the Call as it arrives. A worker that ends,
+/// exceeds its time or sends nonsense is killed. One that has answered serves again. A request about a single
+/// file that cost a worker before fails at once, for the same reason (costBefore).
 class Call : public Wire {
  public:
-  /// `inNew`: in a worker that is made for it.
+  /// Starts the request, in a newly made worker if `inNew`.
   Call(Request& request, Handler handler, const std::vector<std::uint8_t>& arguments, bool inNew = false);
   ~Call() override;
 
   Failure failure() const { return failure_ == Failure::none && !ok() ? Failure::wrong : failure_; }
-  /// Whether all of the answer was read, and nothing is left of it.
+  /// Returns whether the answer was complete and has been read to its end.
   bool finish();
   void fail(Failure why);
 
@@ -72,10 +73,10 @@ class Call : public Wire {
   std::uint64_t pieces_ = 0, received_ = 0;
   std::size_t questions_ = 0;
   bool last_ = false;
-  double waited_ = 0, cpuAtStep_ = 0;  // seconds: since the last step; of the worker, by then
+  double waited_ = 0, cpuAtStep_ = 0;  // seconds: since the last step; CPU time of the worker at that step
 };
 
-/// What a function gives, without the Result around it.
+/// The return type of a function, without the Result around it.
 template <class T>
 struct ValueOf {
   using type = T;
@@ -100,12 +101,12 @@ struct Signature<R (*)(P...)> {
 template <class... P>
 struct Signature<void (*)(Wire&, P...)> : Signature<bool (*)(P...)> {};
 
-/// What comes first in an answer.
+/// The first value of an answer.
 enum class Outcome { value, error, noMemory, unprepared };
 template <>
 inline constexpr Outcome lastOf<Outcome> = Outcome::unprepared;
 
-/// In a worker: `function` and its answer.
+/// Runs `function` in a worker and writes its answer.
 template <auto function>
 void answerWith(Wire& arguments, Wire& answer) {
   using S = Signature<decltype(function)>;
@@ -132,9 +133,9 @@ void streamWith(Wire& arguments, Wire& answer) {
   std::apply([&](auto&... each) { function(answer, each...); }, read);
 }
 
-/// function(arguments...), a function that only reads files and computes, in a worker where there are any
-/// (in a new one once more where that was stopped or killed from outside); else here. An Error is the
-/// function's own, or a reason without full stop: `failure` tells which.
+/// Returns function(arguments...), run in a worker if there are any, else in this process. `function` may
+/// only read files and compute. If the worker was stopped or killed from outside, a new worker gets one more
+/// try. An Error is the function's own, or a reason without full stop: `failure` tells which.
 template <auto function, class... Arguments>
 auto isolated(Request& request, Failure& failure, const Arguments&... arguments)
     -> Result<typename Signature<decltype(function)>::Value> {
@@ -165,8 +166,8 @@ auto isolated(Request& request, Failure& failure, const Arguments&... arguments)
   return outcome == Outcome::value ? Result<typename S::Value>(std::move(value)) : Error{message};
 }
 
-/// function(answer, arguments...) in a worker, which writes to its answer as it goes on; it is read from the
-/// Call. Only where isolating().
+/// Runs function(answer, arguments...) in a worker. The function writes its answer bit by bit and the caller
+/// reads it from the returned Call. Requires isolating().
 template <auto function, class... Arguments>
 std::unique_ptr<Call> isolatedStream(Request& request, const Arguments&... arguments) {
   using S = Signature<decltype(function)>;

@@ -7,7 +7,7 @@
 
 namespace volumen::worker {
 
-/// A file descriptor that is closed.
+/// Owns a file descriptor and closes it.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -26,22 +26,26 @@ class Descriptor {
   int fd_ = -1;
 };
 
-/// What a message is about, and what its two numbers and its text mean.
+/// The topic of a message, with the meaning of its two numbers and its text.
 enum class Topic : std::uint32_t {
-  fork,   ///< to the zygote, with a socket and a buffer; 1: prepared for all; answer: process id
-  end,    ///< to the zygote: process id, and for how many ms it may end by itself; answer when it is reaped:
-          ///< its status as wait() gives it, and 1 where it ended by itself
+  /// To the zygote, with a socket and a buffer. First number: 1 if prepared for all. Answer: process id.
+  fork,
+  /// To the zygote: process id, and the ms in which it may end by itself. The answer comes once it is reaped:
+  /// its status as wait() gives it, and 1 if it ended by itself.
+  end,
   ready,  ///< from a worker or the zygote: it waits for its first order
-  run,    ///< to a worker: address of what is to be run, size of the request; text: the request, else with it
-  more,   ///< to a worker: it may use one more slot
-  opened,    ///< to a worker: the size of a file, with its descriptor; without one text says why not
-  resolved,  ///< to a worker: 1 and a path, or 0 and why not
-  piece,     ///< from a worker: bytes in the next slot; 1: the last
+  /// To a worker: address of the handler, size of the request. Text: the request; a long one is the last
+  /// file.
+  run,
+  more,      ///< to a worker: it may use one more slot
+  opened,    ///< to a worker: size of a file, with its descriptor; without one, text is the reason
+  resolved,  ///< to a worker: 1 and a path, or 0 and the reason
+  piece,     ///< from a worker: number of bytes in the next slot; 1 if it is the last
   open,      ///< from a worker: text is a path
-  resolve    ///< from a worker: text is the path of a header, NUL, and the name that it refers to
+  resolve    ///< from a worker: text is the path of a header, NUL, and the name it refers to
 };
 
-/// What goes through a socket: whole, or not at all.
+/// A message that goes through a socket as a whole or not at all.
 struct Message {
   Topic topic = Topic::fork;
   std::uint64_t first = 0, second = 0;
@@ -51,15 +55,15 @@ struct Message {
 
 inline constexpr std::size_t mostText = 48 << 10, mostDescriptors = 33;
 
-/// How a transfer ended.
+/// The outcome of a transfer.
 enum class Transfer { done, later, broken };
 
-/// Sends a message; its descriptors stay open here. `later`: the socket is full (only where `wait` is
-/// false).
+/// Sends a message. Its descriptors stay open in this process. Returns `later` if the socket is full and
+/// `wait` is false.
 Transfer sendMessage(int socket, const Message& message, bool wait);
 
-/// Receives a message. `later`: none is there (only where `wait` is false); `broken`: the other side is
-/// gone, or what came is no message.
+/// Receives a message. Returns `later` if no message is there and `wait` is false. Returns `broken` if the
+/// other side is gone or sent something that is no message.
 Transfer receiveMessage(int socket, Message& message, bool wait);
 
 }  // namespace volumen::worker

@@ -6,30 +6,30 @@
 
 namespace volumen::worker {
 
-/// Why a call gave no answer.
+/// The reason why a call gave no answer.
 enum class Failure {
   none,
-  ended,  ///< the worker ended by what it did
+  ended,  ///< the worker crashed or exited
   slow,
-  wrong,  ///< it said what makes no sense
+  wrong,  ///< the answer makes no sense
   memory,
   cancelled,
-  noWorker,   ///< there was none, and none could be made
-  noRoom,     ///< the same, as this process may write no files of some size, memory among them
-  noOpening,  ///< the program may not open more files, or have more descriptors
-  stopped,    ///< from outside
-  killed      ///< from outside
+  noWorker,   ///< there was no worker and none could be made
+  noRoom,     ///< no worker, as this process may not make files that large, shared memory among them
+  noOpening,  ///< the program may open no more files or descriptors
+  stopped,    ///< stopped from outside
+  killed      ///< killed from outside
 };
 
-/// Whether a failure says nothing of the file: in a healthy worker, another time, it may be read.
+/// Returns whether a failure says nothing about the file, so that another try may read it.
 inline bool isOfMachine(Failure failure) { return failure >= Failure::cancelled; }
 
-/// Remembers, while the program runs, that a file cost a worker that ran `what` of it. Failures of the
-/// machine are not kept.
+/// Records, while the program runs, that reading `path` by `what` cost a worker. Failures of the machine are
+/// not recorded.
 void rememberCost(Handler what, const std::string& path, Failure why);
 
-/// What `what` of the file, as it is now (FileState), has cost before; else none. One that
-/// has changed is tried again.
+/// Returns the failure that reading `path` by `what` caused before, or none. A file that has changed since
+/// (FileState) is tried again.
 Failure costBefore(Handler what, const std::string& path);
 
 }  // namespace volumen::worker

@@ -3,7 +3,7 @@
 #include "io/dicom/decode.h"
 #include "io/worker/study_fields.h"
 
-// The structs of io/dicom on the wire.
+// How the structs of io/dicom are sent to and from workers.
 namespace volumen::worker {
 
 template <>
@@ -17,7 +17,7 @@ inline void fields(Wire& w, dicom::PixelFormat& f) {
     f.bytesInWords, f.photometric, f.samples, f.planar, f.subsampled);
 }
 
-/// By its UID: its texts are those of the table.
+/// Sends the UID, as the other side finds the texts in its own table.
 inline void fields(Wire& w, dicom::TransferSyntax& syntax) {
   std::string uid = w.reading() ? "" : syntax.uid;
   dicom::Encoding encoding = syntax.encoding;

@@ -4,7 +4,7 @@
 #include "io/files/text_source.h"
 #include "io/worker/study_fields.h"
 
-// The structs of io/files on the wire.
+// How the structs of io/files are sent to and from workers.
 namespace volumen::worker {
 
 template <>

@@ -8,7 +8,7 @@
 #include "io/worker/study_fields.h"
 #include "viewer/slice/frame.h"
 
-// Frames as acquired and objects that refer to pictures, on the wire.
+// How frames as acquired, and objects that refer to pictures, are sent to and from workers.
 namespace volumen::worker {
 
 template <>

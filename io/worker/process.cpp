@@ -25,16 +25,16 @@ namespace volumen::worker {
 namespace {
 
 constexpr std::size_t mostFiles = 500;
-constexpr std::uint64_t usualBytes = std::uint64_t(1) << 30;  // of address space, for whoever is used again
+constexpr std::uint64_t usualBytes = std::uint64_t(1) << 30;  // of address space, for workers that are reused
 
-/// Those that wait for a request.
+/// The idle workers.
 struct Idle {
   std::mutex mutex;
   std::vector<std::unique_ptr<Process>> workers;
 };
 
 std::atomic<bool> allWanted = false;
-std::atomic<int> alive = 0;  // workers, of which some wait
+std::atomic<int> alive = 0;  // number of workers, idle ones included
 std::atomic<Failure> lastFailure = Failure::noWorker;
 
 Idle& idle() {
@@ -52,7 +52,7 @@ std::uint64_t addressSpaceOf(pid_t pid) {
   return std::uint64_t(pages) * std::uint64_t(sysconf(_SC_PAGESIZE));
 }
 
-/// As ps shows it.
+/// Returns the state letter that ps shows.
 char stateOf(pid_t pid) {
   const std::string path = "/proc/" + std::to_string(pid) + "/stat";
   char state = 0;
@@ -73,7 +73,7 @@ bool isReady(const Process& worker) {
          message.topic == Topic::ready;
 }
 
-/// One that waits for a request.
+/// Returns an idle worker, or null.
 std::unique_ptr<Process> takeIdle() {
   while (true) {
     std::unique_ptr<Process> worker;
@@ -96,7 +96,7 @@ Process::~Process() {
 }
 
 bool Process::endsKilled() {
-  constexpr int graceMs = 200;  // it has closed its socket: nearly always that is its end
+  constexpr int graceMs = 200;  // a closed socket nearly always means that it is ending
   constexpr int byItself[] = {SIGSYS, SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP};
   const std::optional<int> status = Zygote::instance().end(std::exchange(pid, -1), graceMs);
   --alive;
@@ -125,8 +125,8 @@ bool Process::isStopped() const { return stateOf(pid) == 'T'; }
 
 namespace {
 
-/// What the system's refusal to make a worker means. The process that forks them is closed where it cannot
-/// take what it is sent, with the same limits.
+/// Records what a failure to make a worker means. The zygote has the same limit on descriptors. If it is
+/// too low, the zygote cannot receive descriptors and closes.
 std::unique_ptr<Process> failed(int error) {
   constexpr rlim_t enough = 16;  // descriptors: those of a worker, its socket and buffer in both processes
   rlimit open{};
@@ -156,7 +156,7 @@ std::unique_ptr<Process> startWorker() {
 
 }  // namespace
 
-// One that is killed from outside before it serves costs nothing.
+// Tries twice, as a worker killed from outside before it serves costs nothing.
 std::unique_ptr<Process> makeWorker() {
   std::unique_ptr<Process> worker = startWorker();
   return worker ? std::move(worker) : startWorker();

@@ -10,14 +10,14 @@
 
 namespace volumen::worker {
 
-/// One worker as the program sees it. It ends with this.
+/// A worker as the program sees it. Destroying it ends the worker.
 struct Process {
   pid_t pid = -1;
   Descriptor socket;
   SharedBuffer buffer;
-  std::uint64_t bytesAtStart = 0;  ///< its address space before it has done anything
-  std::uint64_t mostBytes = 0;     ///< that its address space may grow by now
-  std::size_t files = 0;           ///< that it has been given
+  std::uint64_t bytesAtStart = 0;  ///< size of its address space before its first request
+  std::uint64_t mostBytes = 0;     ///< current limit on the growth of its address space
+  std::size_t files = 0;           ///< number of files it has been given
   bool forAll = false;             ///< prepared for all (prepareToServe)
 
   Process() = default;
@@ -25,26 +25,26 @@ struct Process {
   Process& operator=(const Process&) = delete;
   ~Process();
 
-  /// Sets what memory it may ask for beyond what it began with.
+  /// Limits the memory it may allocate beyond `bytesAtStart`.
   void limitMemory(std::uint64_t bytes);
-  /// Seconds that it has computed for.
+  /// Returns its CPU time in seconds.
   double cpuSeconds() const;
-  /// Whether it waits for something, while everybody waits for it.
+  /// Returns whether it waits (state S of ps), although it is its turn to work.
   bool sleeps() const;
-  /// Whether somebody stopped it from outside.
+  /// Returns whether it was stopped from outside (state T of ps).
   bool isStopped() const;
-  /// Ends it; whether it was killed from outside, by what a worker cannot do to itself.
+  /// Ends it. Returns whether it was killed from outside, by a signal that a worker cannot cause itself.
   bool endsKilled();
 };
 
-/// A worker that waits for a request, or a new one; where none can be made, one that another request is done
-/// with; nothing where there is none.
+/// Returns an idle worker or a new one. If none can be made, waits for one that finishes another request.
+/// Returns null if there is none.
 std::unique_ptr<Process> takeWorker();
-/// A new one, that has told that it is ready.
+/// Returns a new worker that has reported ready.
 std::unique_ptr<Process> makeWorker();
-/// Why there was none the last time that none could be made.
+/// Returns the reason why a worker could not be made, the last time that happened.
 Failure whyNoWorker();
-/// For the next request, unless it has served long enough or there are enough that wait.
+/// Keeps a worker for the next request, unless it has served long enough or enough workers are idle.
 void giveBack(std::unique_ptr<Process> worker);
 
 }  // namespace volumen::worker

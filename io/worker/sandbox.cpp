@@ -32,7 +32,7 @@ constexpr int allowed[] = {
     SYS_sendmsg, SYS_munmap,     SYS_mremap,         SYS_madvise,      SYS_brk,       SYS_futex,
     SYS_exit,    SYS_exit_group, SYS_clock_gettime,  SYS_gettimeofday, SYS_getrandom, SYS_sysinfo,
     SYS_getpid,  SYS_gettid,     SYS_restart_syscall};
-// Of the parent of workers, beside these.
+// Allowed to the parent of workers in addition.
 constexpr int allowedOfZygote[] = {
 #ifdef SYS_dup2
     SYS_dup2,
@@ -82,16 +82,16 @@ constexpr int allowedOfZygote[] = {
     SYS_readv,
     SYS_getcwd,
     SYS_rseq};
-// Only without PROT_EXEC, their third argument.
+// Allowed if PROT_EXEC is not set in their third argument.
 constexpr int allowedUnlessExecutable[] = {SYS_mmap, SYS_mprotect};
-// Refused without harm: libraries tell of what they notice on standard error.
+// Fails with EBADF in workers, without further harm: libraries report problems on standard error.
 constexpr int refused[] = {SYS_write, SYS_writev};
 
 constexpr sock_filter load(std::size_t offset) {
   return BPF_STMT(BPF_LD | BPF_W | BPF_ABS, unsigned(offset));
 }
 constexpr sock_filter end(unsigned verdict) { return BPF_STMT(BPF_RET | BPF_K, verdict); }
-// Goes on with the next statement where the number loaded is `value`, else behind `skipped` statements.
+// Continues with the next statement if the loaded number is `value`, else skips `skipped` statements.
 constexpr sock_filter unlessSkip(unsigned value, unsigned char skipped) {
   return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, skipped);
 }
@@ -112,8 +112,8 @@ std::vector<sock_filter> filter() {
   return f;
 }
 
-// What the parent of workers does beyond this does not happen, and goes on: libraries that it loads what is
-// needed for may try more.
+// Any other system call fails with ENOSYS instead of ending the process, as libraries that the zygote loads
+// may try more.
 std::vector<sock_filter> filterOfZygote() {
   constexpr std::size_t flags = offsetof(seccomp_data, args) + 2 * sizeof(__u64);
   constexpr unsigned writing = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC;

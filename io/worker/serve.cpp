@@ -13,7 +13,7 @@ namespace {
 
 [[noreturn]] void giveUp() { _exit(1); }
 
-/// The side of one worker: where it hears and speaks, and the files of the request that it is at.
+/// The worker's end of the channel, with the files of the current request.
 class Server {
  public:
   Server(int socket, SharedBuffer buffer) : socket_(socket), buffer_(std::move(buffer)) {}
@@ -37,14 +37,14 @@ class Server {
 
   int socket_;
   SharedBuffer buffer_;
-  std::map<std::string, Given> given_;  // what came with the request
-  std::uint64_t piece_ = 0, free_ = 0;  // number of the piece in hand, of slots that may be used
+  std::map<std::string, Given> given_;  // files that came with the request
+  std::uint64_t piece_ = 0, free_ = 0;  // number of the current piece; number of slots that may be used
 };
 
 Server* server = nullptr;
 bool preparedForAll = false;
 
-/// The answer of one request, piece by piece through the slots.
+/// Writes the answer to one request piece by piece through the slots.
 class AnswerWriter : public Wire {
  public:
   AnswerWriter() : Wire(false) {}
@@ -63,7 +63,7 @@ class AnswerWriter : public Wire {
   std::uint8_t* slot_ = nullptr;
 };
 
-// That a slot may be used again can be said at any time.
+// Counts the messages `more`, which may arrive at any time.
 Message Server::hear(Topic topic) {
   while (true) {
     Message message;
@@ -100,7 +100,7 @@ void Server::run() {
   say({Topic::ready, 0, 0, {}, {}});
   while (true) {
     Message message = hear(Topic::run);
-    // A request that is too long for a message comes in the last of its files.
+    // A request too long for a message is the last of its files.
     std::vector<std::uint8_t> bytes(message.text.begin(), message.text.end());
     if (bytes.empty() && !message.files.empty()) {
       bytes.resize(message.second);

@@ -8,36 +8,37 @@
 
 namespace volumen::worker {
 
-/// What a worker is asked to run: reads its arguments, runs, writes what came of it.
+/// A function that a worker runs: it reads its arguments, computes and writes its answer.
 using Handler = void (*)(Wire& arguments, Wire& answer);
 
-/// Touches what libraries load when they are first used: tables, decoders, character sets (`all` of it, or
-/// the little that most headers need). Done once, in the zygote: workers cannot open files.
+/// Initialises what libraries load on first use: tables, decoders, character sets. Without `all` it prepares
+/// only what most headers need. The zygote calls it once for each, as workers cannot open files.
 void prepareToServe(bool all);
 
-/// Thrown by needAll(): the request is to be served by a worker that was prepared for all.
+/// Thrown by needAll(): a worker prepared for all must serve the request.
 struct Unprepared {};
 
-/// In a worker: to be called before what only prepareToServe(true) prepares is used. Elsewhere nothing.
+/// Must be called in a worker before anything is used that only prepareToServe(true) prepares. Does nothing
+/// in other processes.
 void needAll();
 
-/// Serves requests until the program ends the worker or is gone.
+/// Serves requests until the program ends the worker or is gone itself.
 [[noreturn]] void serve(int socket, SharedBuffer buffer, bool preparedForAll);
 
-/// Whether this process is a worker.
+/// Returns whether this process is a worker.
 bool inside();
 
-/// In a worker: opens a file that the request is about, by asking the program.
+/// A file that a worker has opened.
 struct OpenedFile {
   Descriptor file;
   std::uint64_t size = 0;
 };
 Result<OpenedFile> openInside(const std::string& path);
 
-/// In a worker: resolveBeside (io/files/data_file.h), by asking the program.
+/// Calls resolveBeside (io/files/data_file.h) by asking the program. For workers only.
 Result<std::string> resolveInside(const std::string& headerPath, const std::string& name);
 
-/// In a worker: says that a step of the request is done; elsewhere nothing.
+/// Reports in a worker that a step of the request is done. Does nothing in other processes.
 void finishStep();
 
 }  // namespace volumen::worker

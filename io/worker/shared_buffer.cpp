@@ -8,7 +8,7 @@ namespace volumen::worker {
 
 SharedBuffer SharedBuffer::make(Descriptor& descriptor) {
   descriptor = Descriptor(memfd_create("volumen answers", MFD_CLOEXEC | MFD_ALLOW_SEALING));
-  // Whoever made it shorter would end whoever reads from it.
+  // Shrinking the memory would end the process that reads from it.
   if (!descriptor || ftruncate(descriptor.get(), off_t(allBytes)) != 0 ||
       fcntl(descriptor.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0)
     return {};

@@ -9,17 +9,16 @@
 
 namespace volumen::worker {
 
-/// Memory that this program and one worker share: two slots that answers go through by turns, and how many
-/// steps of a request the worker has finished. The worker may write to it at any time, so whoever reads
-/// copies first and checks the copy.
+/// Memory shared by the program and one worker: two slots through which answers pass in turn, and the number
+/// of finished steps of a request. The worker may write to it at any time, so readers copy first and check
+/// the copy.
 class SharedBuffer {
  public:
   static constexpr std::size_t slotBytes = 512 << 10, slots = 2;
 
-  /// New memory of a size that nobody can change any more; invalid where there is none. `descriptor` is for
-  /// the worker.
+  /// Returns new memory, sealed at its size, or an invalid buffer. `descriptor` is for the worker.
   static SharedBuffer make(Descriptor& descriptor);
-  /// That of the other process.
+  /// Maps the memory of the other process.
   static SharedBuffer of(int descriptor);
 
   SharedBuffer() = default;

@@ -4,7 +4,7 @@
 #include "io/study/series.h"
 #include "io/worker/wire.h"
 
-// The structs of io/study on the wire.
+// How the structs of io/study are sent to and from workers.
 namespace volumen::worker {
 
 template <>
@@ -28,7 +28,7 @@ inline void fields(Wire& w, VoxelGeometry& g) { w(g.size, g.patientFromVoxelStep
 inline void fields(Wire& w, ValueRange& r) { w(r.low, r.high); }
 inline void fields(Wire& w, Window& window) { w(window.centre, window.width); }
 
-/// Warnings have no default.
+/// Sends sentences and kinds apart, as a Warning has no default constructor.
 inline void fields(Wire& w, std::vector<Warning>& warnings) {
   std::vector<std::string> sentences;
   std::vector<std::int32_t> kinds;

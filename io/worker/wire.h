@@ -19,15 +19,14 @@
 
 namespace volumen::worker {
 
-/// The last enumerator of an enumeration that crosses the wire; every such enumeration says it beside its
-/// fields.
+/// The last enumerator of an enumeration that is sent. Each such enumeration states it beside its fields().
 template <class Enum>
 inline constexpr Enum lastOf = Enum{};
 
-/// Plain values on their way between two processes of one program: one function `fields(Wire&, T&)` a struct
-/// names its members and serves both directions. What is read is never trusted: numbers of elements are
-/// believed only as far as their bytes have come; enumerators, flags and that single numbers are finite are
-/// checked. After the first fault ok() is false, and all that is read is zero or empty.
+/// Sends plain values between two processes of one program. For each struct, one function `fields(Wire&, T&)`
+/// names its members and serves both directions. Input is never trusted: counts are believed only as far as
+/// their bytes have arrived. Enumerators and flags are checked, and single floating-point numbers must be
+/// finite. After the first fault ok() is false, and everything read is zero or empty.
 class Wire {
  public:
   virtual ~Wire() = default;
@@ -38,14 +37,14 @@ class Wire {
   bool ok() const { return ok_; }
   void fail() { ok_ = false; }
 
-  /// Exactly `count` bytes at `data`, to or from.
+  /// Reads or writes exactly `count` bytes at `data`.
   void bytes(void* data, std::size_t count);
 
   template <class... T>
   void operator()(T&... values) {
     (value(values), ...);
   }
-  /// Writes what cannot be changed.
+  /// Writes values that are const.
   template <class... T>
   void write(const T&... values) {
     (value(const_cast<T&>(values)), ...);
@@ -53,7 +52,7 @@ class Wire {
 
  protected:
   explicit Wire(bool reading) : reading_(reading) {}
-  /// The next piece to read from or write to, which is not empty; false: there is none.
+  /// Opens the next piece to read from or write to, which must not be empty. Returns false if there is none.
   virtual bool nextPiece() = 0;
   std::uint8_t *at_ = nullptr, *end_ = nullptr;
 
@@ -85,7 +84,7 @@ class Wire {
   bool ok_ = true;
 };
 
-/// Writes to memory that grows.
+/// Writes to a growing buffer.
 class MemoryWriter : public Wire {
  public:
   MemoryWriter() : Wire(false) {}
@@ -96,7 +95,7 @@ class MemoryWriter : public Wire {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Reads from memory that outlives it.
+/// Reads from memory that must outlive it.
 class MemoryReader : public Wire {
  public:
   explicit MemoryReader(std::span<const std::uint8_t> bytes);
@@ -108,7 +107,8 @@ class MemoryReader : public Wire {
 template <class T>
 inline constexpr bool isBulk = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 
-/// Elements one behind the other: memory grows with what has come, by pieces of at most `step` elements.
+/// Sends contiguous elements. When reading, memory grows as the data arrive: by `step` elements or by
+/// doubling at most.
 template <class Container>
 void bulk(Wire& w, Container& v) {
   constexpr std::size_t size = sizeof(typename Container::value_type), step = (std::size_t(4) << 20) / size;

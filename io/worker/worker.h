@@ -2,14 +2,14 @@
 
 namespace volumen::worker {
 
-/// From now on files are read in workers (README.md here). To be called first in main(), before there are
-/// threads. False where the system does not let it: then they are read in this process.
+/// Starts reading files in workers (README.md here). Call it first in main(), before there are threads.
+/// Returns false if the system does not allow it. Files are then read in this process.
 bool start();
 
-/// From now on files are read in this process.
+/// Returns to reading files in this process.
 void stop();
 
-/// Whether files are read in workers: workers can be made, and this process is none.
+/// Returns whether files are read in workers: workers can be made, and this process is none.
 bool isolating();
 
 }  // namespace volumen::worker

@@ -22,13 +22,13 @@ namespace {
 
 bool hasSeccomp() { return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr) != 0 && errno == EFAULT; }
 
-/// Ends with the process that made it, whatever ends that.
+/// Ends this process when its maker ends, for whatever reason.
 void endWith(pid_t maker) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != maker) _exit(0);
 }
 
-/// What prepareToServe() was called for.
+/// The widest prepareToServe() so far.
 enum class Prepared { nothing, headers, all };
 
 [[noreturn]] void becomeWorker(pid_t maker, int socket, int buffer, Prepared prepared) {
@@ -56,7 +56,7 @@ void endWorker(Message& order) {
   order.second = byItself;
 }
 
-/// One order of the program's.
+/// Executes an order of the program.
 void obey(Message& order, pid_t self, Prepared& prepared) {
   if (order.topic == Topic::end) {
     endWorker(order);
@@ -68,7 +68,7 @@ void obey(Message& order, pid_t self, Prepared& prepared) {
     if (worker == 0) becomeWorker(self, order.files[0].get(), order.files[1].get(), prepared);
     order.first = std::uint64_t(worker);
   } else {
-    order.first = std::uint64_t(-1);  // no process is meant
+    order.first = std::uint64_t(-1);  // stands for no process
   }
 }
 
@@ -76,10 +76,10 @@ void obey(Message& order, pid_t self, Prepared& prepared) {
   if (!becomeZygote(socket)) _exit(1);
   endWith(maker);
   if (sendMessage(socket, {Topic::ready, 0, 0, {}, {}}, true) != Transfer::done) _exit(1);
-  // What these are for is the program's business, at whose end this process ends too.
+  // These signals are for the program, and this process ends with it.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, SIG_IGN);
   clearenv();
-  setenv("TZ", "UTC0", 1);  // without it every conversion of a time looks at a file
+  setenv("TZ", "UTC0", 1);  // without it every time conversion looks at a file
   const pid_t self = getpid();
   Prepared prepared{};
   Message order;
@@ -91,7 +91,7 @@ void obey(Message& order, pid_t self, Prepared& prepared) {
   _exit(0);
 }
 
-/// An answer of the zygote's; false where it does not come.
+/// Waits for an answer of the zygote. Returns false if none comes.
 bool hears(int socket, Message& answer) {
   constexpr int patienceMs = 20'000;
   pollfd ready{socket, POLLIN, 0};
@@ -149,7 +149,7 @@ bool Zygote::ask(const Message& question, Message& answer) {
   if (!runs() || pid_ < 0) return false;
   if (sendMessage(socket_.get(), question, false) == Transfer::done && hears(socket_.get(), answer))
     return true;
-  reap();  // it was killed or stopped: nothing is asked of it again, and nothing is read without workers
+  reap();  // it was killed or stopped: it gets no more questions, and nothing is read without workers
   return false;
 }
 

@@ -9,26 +9,26 @@
 
 namespace volumen::worker {
 
-/// A small process that forks workers, made before the program has threads or much memory: forking a large
-/// one takes tens of milliseconds, and a copy of locks that other threads hold.
+/// A small process that forks workers. It is made before the program has threads or much memory. Forking a
+/// large process takes tens of milliseconds and copies locks that other threads hold.
 class Zygote {
  public:
   static Zygote& instance();
 
   ~Zygote() { stop(); }
-  /// Forks it. False where the system does not let it, or has no seccomp.
+  /// Forks the zygote. Returns false if the system does not allow it or lacks seccomp.
   bool start();
-  /// Ends it, and all workers with it.
+  /// Ends the zygote and all its workers.
   void stop();
   bool runs() const { return bool(socket_); }
-  /// Whether nothing has become of it: where it was killed its workers were, too.
+  /// Returns whether the zygote still lives. If it was killed, so were its workers.
   bool isWell();
 
-  /// A new worker that serves the other end of `socket` and answers through `buffer`, prepared for all or for
-  /// headers (prepareToServe); -1 where there is none.
+  /// Returns a new worker that serves the other end of `socket` and answers through `buffer`. It is prepared
+  /// for all or for headers (prepareToServe). Returns -1 if none can be made.
   pid_t fork(Descriptor socket, Descriptor buffer, bool forAll);
-  /// Waits until a worker is gone, which is killed where it does not end by itself within `graceMs`: its
-  /// status, as wait() gives it, where it did.
+  /// Waits until a worker is gone and kills it after `graceMs`. Returns its status, as wait() gives it, if it
+  /// ended by itself.
   std::optional<int> end(pid_t worker, int graceMs);
 
  private:
@@ -37,7 +37,7 @@ class Zygote {
 
   std::mutex mutex_;
   Descriptor socket_;
-  pid_t pid_ = -1;  // -1 with a socket: it is gone
+  pid_t pid_ = -1;  // -1 with a socket: the zygote is gone
 };
 
 }  // namespace volumen::worker
