@@ -20,8 +20,8 @@ bool isZipArchive(const std::string& path);
 
 /// Unpacks a zip archive below `cacheFolder`; repeated calls unpack once. Names are untrusted: entries that
 /// are not files below the archive's root (links, "..") are left out. The Error: the archive is damaged,
-/// encrypted, or a bomb. A bomb has more than 16 GiB or half of the free disk, more than 200 times its size
-/// (above 16 MiB), or more than 100,000 files.
+/// encrypted, or a bomb. A bomb exceeds 16 GiB, half of the free disk, 200 times its size (above 16 MiB),
+/// or 100,000 files.
 Result<UnpackedArchive> unpackZip(const std::string& path, const std::string& cacheFolder,
                                   const CancelToken& cancel);
 

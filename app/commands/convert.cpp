@@ -53,7 +53,7 @@ Result<std::vector<std::string>> write(const Opened& opened, const std::string& 
   return notes;
 }
 
-// Returns a note on the written grid, if it differs from the acquired slices.
+// Returns a note on the written grid, for grids that differ from the acquired slices.
 std::string gridNote(const Loaded& loaded) {
   const int made = loaded.interpolatedSlices();
   const std::string slices = std::to_string(loaded.drawn->size().z) + " evenly spaced slices were written";

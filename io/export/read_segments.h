@@ -14,8 +14,8 @@ struct Series;
 /// segmentation, a segmentation of 3D Slicer or a label image.
 /// All segments get a colour and a unique name; changed names are in the notes. With the acquired `slices`
 /// that the grid was resampled from, a DICOM segmentation also keeps its pixels on those.
-/// The Error names the file: it is of none of these kinds, damaged or without segments, its frame of
-/// reference differs from the series and it names none of its images, or all of it lies outside.
+/// The Error names the file: it is of none of these kinds, damaged, without segments, or entirely outside the
+/// grid. Also an Error: its frame of reference differs from the series and it names none of its images.
 Result<SegmentsFile> readSegments(const std::string& path, const Series& series, const VoxelGeometry& grid,
                                   const Progress& progress = {}, const CancelToken& cancel = {},
                                   const AcquiredSlices& slices = {});
