@@ -89,7 +89,7 @@ double evenStep(const std::vector<Said>& said, std::optional<double> Said::*ms) 
 // Takes the time step from reference times (PET) or trigger times. Without these, it is the repetition time
 // (MR), if that is the same for all volumes.
 double stepSeconds(const std::vector<Said>& said) {
-  constexpr double second = 1000;  // in ms
+  constexpr double second = 1000;  // ms
   for (const auto ms : {&Said::referenceMs, &Said::triggerMs}) {
     if (const double step = evenStep(said, ms); step > 0) return step / second;
     if (said[0].*ms != said[1].*ms) return 0;

@@ -179,7 +179,7 @@ Status addValues(InfoSeries& entry, const Series& series, const CancelToken& can
   return {};
 }
 
-// Describes every series, with values if `values`. A series with unreadable values is refused instead.
+// Describes every series, with its values if requested. A series with unreadable values is refused instead.
 std::vector<InfoSeries> describe(Study& study, bool values, const CancelToken& cancel) {
   std::vector<InfoSeries> all;
   for (const Series& s : study.volumes) {

@@ -19,11 +19,11 @@ struct OpenedDatabase;
 struct IndexedSeries {
   std::int64_t id = 0;  ///< in the index
   std::string seriesUid, number, modality, description, date, time;
-  std::string label;      ///< distinguishes volumes of one name ("4 echoes", "451 directions"); may be empty
-  int images = 0;         ///< number of files
-  int frames = 0;         ///< number of slices and frames
-  bool isVolume = false;  ///< contains at least one volume
-  bool offline = false;   ///< files are not available (a removed disk, a moved folder)
+  std::string label;                  ///< how its volumes differ ("4 echoes", "451 directions"); may be empty
+  int images = 0;                     ///< number of files
+  int frames = 0;                     ///< number of slices and frames
+  bool isVolume = false;              ///< contains at least one volume
+  bool offline = false;               ///< files are not available (a removed disk, a moved folder)
   std::vector<std::string> warnings;  ///< sentences on its volumes and on refused files
   bool operator==(const IndexedSeries&) const = default;
 };
