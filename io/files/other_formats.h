@@ -12,8 +12,8 @@ struct FileClaim {
   bool isCompressed = false;
 };
 
-/// These functions return true if a file claims to be Analyze 7.5 (the .hdr of a pair), MGH or MGZ
-/// (FreeSurfer), GIPL, VTK (legacy) or MRC (MRC2014).
+/// True if a file claims to be Analyze 7.5 (the .hdr of a pair), MGH or MGZ (FreeSurfer), GIPL, VTK (legacy)
+/// or MRC (MRC2014).
 bool isAnalyze(const FileClaim& file);
 bool isMgh(const FileClaim& file);
 bool isGipl(const FileClaim& file);

@@ -104,7 +104,7 @@ class Index {
   Result<std::vector<IndexedSeries>> series(std::int64_t study) const;
   /// Returns the files of a study, or of one of its series (0: all), for `openFiles`.
   Result<std::vector<std::string>> files(std::int64_t study, std::int64_t series = 0) const;
-  /// Returns refused files beside them: they may belong to a series (Series::unread), which `openFiles`
+  /// Returns refused files in the same folders: they may belong to a series (Series::unread), as `openFiles`
   /// reports.
   Result<std::vector<std::string>> refusedBeside(std::int64_t study, std::int64_t series = 0) const;
   /// Returns the middle slice of a series in its window; made on first use and kept.
