@@ -6,7 +6,7 @@
 namespace volumen {
 
 namespace {
-// Every line by itself: a list stays a list.
+// Prints each line separately, so that a list stays a list.
 void tell(const std::string& sentence) {
   std::istringstream lines(sentence);
   const char* before = "volumen: ";

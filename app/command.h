@@ -12,11 +12,11 @@ namespace volumen {
 /// Exit statuses of the program (design.md 4).
 enum ExitStatus { exitDone = 0, exitFailed = 1, exitUsage = 2, exitLosses = 3 };
 
-/// One command: adds its options to `app` and returns what runs it. `app` and what the function captured live
-/// until it has run.
+/// Adds a command's options to `app` and returns the function that runs it. `app` and the function's captures
+/// live until it has run.
 using MakeCommand = std::function<int()> (*)(CLI::App& app, const CancelToken& cancel);
 
-// One file a command in app/commands.
+// The makers of the commands, one file each in app/commands.
 std::function<int()> makeAccuracy(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeCompare(CLI::App& app, const CancelToken& cancel);
@@ -31,11 +31,12 @@ std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeSlice(CLI::App& app, const CancelToken& cancel);
 
-/// Writes "volumen: SENTENCE" to stderr, control characters but line ends escaped, and returns exitFailed.
+/// Writes "volumen: SENTENCE" to stderr, with control characters escaped except line ends, and returns
+/// exitFailed.
 int fail(const std::string& sentence);
-/// The same; where the command was interrupted that alone is said: nothing is left half written.
+/// Reports only the interruption if the command was interrupted: nothing is left half written.
 int fail(const std::string& sentence, const CancelToken& cancel);
-/// The same with exitUsage, for a command line that cannot be meant.
+/// Writes the sentence and returns exitUsage: the command line is invalid.
 int failUsage(const std::string& sentence);
 
 }  // namespace volumen

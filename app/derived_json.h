@@ -8,10 +8,10 @@ namespace volumen {
 
 struct DerivedObject;
 
-/// What `info` says of an object that refers to pictures (resources/docs/import.md).
+/// Returns the JSON that `info` prints for an object that refers to images (resources/docs/import.md).
 nlohmann::ordered_json derivedToJson(const DerivedObject& object);
 
-/// All that is read of it. The Error is a sentence that names its file.
+/// Reads an object and returns its contents. The Error names its file.
 Result<nlohmann::ordered_json> contentsToJson(const DerivedObject& object);
 
 }  // namespace volumen

@@ -13,7 +13,7 @@ const Error noHome{"There is no home folder to keep the index in: name one with 
 
 std::string folderOr(const std::string& folder) { return folder.empty() ? userIndexFolder() : folder; }
 
-// Qt looks for its driver of SQLite only where there is an application.
+// Qt finds its SQLite driver only if there is an application.
 void makeQtApplication() {
   static int argc = 1;
   static char name[] = "volumen";

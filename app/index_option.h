@@ -7,17 +7,17 @@
 
 namespace volumen {
 
-/// --index FOLDER of the commands that work on the index.
+/// Adds --index FOLDER, for commands that use the index.
 void addIndex(CLI::App& app, std::string& folder);
 
-/// Opens the index in a folder (empty: the user's own) to import into it: makes or mends it (Index::open()).
+/// Opens the index in a folder (empty: the user's own) for an import; creates or repairs it (Index::open()).
 /// The Error is a sentence for the user.
 Result<Index> openIndex(const std::string& folder);
 
-/// Opens one that is there as it is (Index::openAsItIs()).
+/// Opens an existing index without changes (Index::openAsItIs()).
 Result<Index> openExistingIndex(const std::string& folder);
 
-/// Where `import --copy` copies to.
+/// Returns the folder for copies of `import --copy`.
 std::string copiesFolder(const std::string& indexFolder);
 
 }  // namespace volumen

@@ -42,7 +42,7 @@ std::string gridText(const Series& s) {
   }
   if (s.regular) out << " (in 3D: " << s.regular->geometry.size.z << " even slices)";
   out << ", " << s.valueType << ", " << s.format;
-  const std::set<std::string> files(s.files.begin(), s.files.end());  // one may hold several slices
+  const std::set<std::string> files(s.files.begin(), s.files.end());  // a file may hold several slices
   if (files.size() > 1) out << ", " << files.size() << " files";
   return out.str();
 }
@@ -78,7 +78,7 @@ void addSeries(std::ostream& out, std::size_t n, const std::vector<InfoSeries>& 
     out << indent << "! " << printable(warning.get<std::string>()) << '\n';
 }
 
-// One file a line; the first few where not all are wanted.
+// Prints one file a line; only the first few unless `verbose`.
 template <class Files, class Why>
 void addFiles(std::ostream& out, const Files& files, bool verbose, Why why) {
   for (std::size_t n = 0; n < files.size(); ++n) {
@@ -110,7 +110,7 @@ void addDerivedObjects(std::ostream& out, const std::vector<DerivedObject>& deri
         << printable(referenceLine(derived[n])) << '\n';
 }
 
-// What is left to say of files once its derived objects are told.
+// Returns a study with the images and files that are not derived objects.
 Study unshown(const Study& study) {
   Study rest;
   rest.images = study.images;

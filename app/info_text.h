@@ -11,15 +11,16 @@ namespace volumen {
 struct Series;
 struct Study;
 
-/// A series of `info`: what was found, and the same as JSON, with its values where they were asked for.
+/// A series for `info`: the series itself, and its JSON, with values if requested.
 struct InfoSeries {
   const Series* series;
   nlohmann::ordered_json json;
-  std::vector<Unread> unread = {};  ///< what is lost of it
+  std::vector<Unread> unread = {};  ///< unreadable files
 };
 
-/// What PATH holds in the words of the window: patients, studies, series with their warnings, and what could
-/// not be read. `verbose`: also ids, folders and every file that is not shown; else the first few of these.
+/// Returns the contents of PATH in the window's words: patients, studies, series with their warnings, and
+/// unreadable files. `verbose` adds ids, folders and every file that is not displayed; else only the first
+/// few are listed.
 std::string infoText(const Study& study, const std::vector<InfoSeries>& series, bool verbose);
 
 }  // namespace volumen

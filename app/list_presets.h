@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// Adds --list-presets: writes the names of all presets, one a line, and ends the program; a PATH is not
-/// needed.
+/// Adds --list-presets, which prints the names of all presets, one a line, and ends the program without a
+/// PATH.
 void addListPresets(CLI::App& app);
 
 }  // namespace volumen

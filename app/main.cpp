@@ -25,14 +25,14 @@ namespace {
 const volumen::CancelToken cancelled;
 volatile std::sig_atomic_t caught = 0;
 
-// A second Ctrl-C ends the program at once, in case the first one is not noticed soon.
+// A second Ctrl-C ends the program at once, if the first one takes long.
 void onInterrupt(int signal) {
   caught = signal;
   cancelled.cancel();
   std::signal(signal, SIG_DFL);
 }
 
-// What is written to stdout arrives, or it is said: a script must not take half of it for all.
+// Reports incomplete output: a script must not take half of it for all.
 int flushOutput(int status) {
   const bool flushed = std::cout.flush() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (flushed) return status;
@@ -43,7 +43,7 @@ int flushOutput(int status) {
                        (known ? std::string(": ") + std::strerror(errno) + "." : std::string(".")));
 }
 
-// Ends as the signal would have ended it, once everything is cleaned up: a shell then ends its loop, too.
+// Ends the program by the caught signal after cleaning up, so that a shell ends its loop, too.
 int endBySignal(int status) {
   if (!caught) return status;
   volumen::worker::stop();
@@ -51,7 +51,7 @@ int endBySignal(int status) {
   return status;
 }
 
-// Those that everything is compiled for (CMakeLists.txt).
+// Checks the instructions that everything is compiled for (CMakeLists.txt).
 bool hasOurInstructions() {
 #ifdef __x86_64__
   return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
@@ -60,8 +60,8 @@ bool hasOurInstructions() {
 #endif
 }
 
-// Whatever is opened first would else pass for what was closed: files for output, sockets for input. What
-// is written to a closed stdout still fails.
+// Opens closed standard descriptors: otherwise the next opened files or sockets would replace them. Writing
+// to a closed stdout still fails.
 void openStandardDescriptors() {
   int fd = open("/dev/null", O_RDWR);
   if (fd == STDOUT_FILENO) close(fd), fd = open("/dev/null", O_RDONLY);
@@ -92,8 +92,8 @@ constexpr Entry commands[] = {
     {"bench", "Measure how fast a scene is drawn from all around", volumen::makeBench, true},
 };
 
-// ITK takes its threads and even libraries to load from the environment: not from ours. Folders that are
-// relative are ignored, as the XDG Base Directory Specification has it.
+// ITK reads its thread count and even libraries from the environment, which is not meant for this program.
+// Relative XDG folders are ignored, as the XDG Base Directory Specification demands.
 void forgetForeignSettings() {
   for (const char* name :
        {"ITK_AUTOLOAD_PATH", "ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS", "ITK_GLOBAL_DEFAULT_THREADER", "NSLOTS"})
@@ -103,7 +103,7 @@ void forgetForeignSettings() {
     if (const char* folder = std::getenv(name); folder && *folder != '/') unsetenv(name);
 }
 
-// Messages of Qt name files, too.
+// Qt's messages name files, so they are made printable, too.
 void onQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& message) {
   std::cerr << qFormatLogMessage(type, context, message).toStdString() << '\n';
 }
@@ -144,7 +144,7 @@ int run(std::vector<std::string> words, CLI::App& app, std::function<int()>& com
   return endBySignal(flushOutput(command()));
 }
 
-// Workers that are there already would not know.
+// Restarts the workers, as running ones would keep the old limit.
 void readFramesUpTo(double megapixels) {
   volumen::setFramePixelLimit(std::uint64_t(megapixels * 1e6));
   if (!volumen::worker::isolating()) return;
@@ -152,8 +152,8 @@ void readFramesUpTo(double megapixels) {
   volumen::worker::start();
 }
 
-// Slices come and go by the hundred, in workers, too, which inherit this. Given back to the system in
-// between, their memory costs a fifth of the time that a compressed series takes (performance.md).
+// Slices are allocated and freed by the hundred, also in workers, which inherit this. Returning their memory
+// to the system would cost a fifth of the loading time of a compressed series (performance.md).
 void keepFreedMemory() {
   constexpr int mebibyte = 1 << 20;
   mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);
@@ -174,7 +174,7 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
   if (std::signal(SIGHUP, onInterrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told by who writes it
+  std::signal(SIGXFSZ, SIG_IGN);  // the writer reports a file that may not grow
   CLI::App app{
       "volumen shows CT, MR and other scans in 3D, without a GPU. Not for clinical use.\n"
       "PATH is a file, a folder or phantom:NAME[:SIZE], a volume that the program makes."};

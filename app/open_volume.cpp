@@ -30,7 +30,7 @@ namespace {
 
 bool strict = false;
 
-// One a line, as `info` numbers and names them.
+// Returns one line a series, with the numbers and names of `info`.
 std::string listOf(const Study& study) {
   std::string list;
   for (std::size_t n = 0; n < study.volumes.size(); ++n) {
@@ -50,7 +50,7 @@ Result<Opened> load(const Series& series, const Progress& progress, const Cancel
   return opened;
 }
 
-// What tells a volume from the others of its series, else what the series is called.
+// Returns the difference of a volume from others of its series, else the name of the series.
 std::string distinction(const Series& series) {
   std::string words;
   for (const SplitBy& by : series.splitBy) words += (words.empty() ? "" : ", ") + by.words;
@@ -58,7 +58,7 @@ std::string distinction(const Series& series) {
   return words.empty() ? seriesText(series).toStdString() : words;
 }
 
-// Which of several was chosen, where that was not said in full; else empty.
+// Returns a note on the chosen series, if the user did not choose it in full; else empty.
 std::string choiceNote(const std::string& path, const Study& study, const std::string& wanted,
                        std::size_t chosen) {
   const std::size_t volumes = volumesOfUid(study, wanted).size();
@@ -74,7 +74,7 @@ std::string choiceNote(const std::string& path, const Study& study, const std::s
          ". Choose another with --series.";
 }
 
-// What Opened has of them.
+// Returns Opened::timePoints.
 std::vector<Series> timePointsIn(const Study& study, std::size_t chosen) {
   std::vector<const Series*> steps;
   for (const Series& series : study.volumes)

@@ -13,57 +13,55 @@ namespace volumen {
 
 struct Study;
 
-/// A volume that a command works on, with what the user is to be told about how it was found and read.
+/// A volume for a command, with notes for the user on how it was found and read.
 struct Opened {
   Series series;
   Loaded loaded;
   std::vector<std::string> notes;    ///< sentences for stderr
-  std::vector<Series> timePoints{};  ///< of its series, itself included, in order; empty: it is the only one
+  std::vector<Series> timePoints{};  ///< all time points of its series in order; empty: there is only one
 
-  /// How a command ends that did its work on it.
+  /// Returns the exit status of a command that succeeded on this volume.
   int status() const;
 };
 
-/// How a command ends that did its work where these could not be read.
+/// Returns the exit status of a command that succeeded despite these unreadable files.
 int statusWith(const std::vector<Unread>& unread);
-/// Adds what is not there yet.
+/// Adds files that are not yet in `all`.
 void addUnread(std::vector<Unread>& all, const std::vector<Unread>& more);
-/// From now on a series with losses is refused (--strict).
+/// Refuses series with losses from now on (--strict).
 void refuseLosses();
-/// An Error where that is so and these are losses; `what`: of what.
+/// The Error: losses are refused and `unread` is not empty; `what` names the series.
 Status checkStrict(const std::string& what, const std::vector<Unread>& unread);
-/// The same, and wherever the machine, not a file, is to blame for one: for whoever is to work on them.
+/// Also an Error if the machine, not a file, caused a loss. For commands that work on the series.
 Status checkLosses(const std::string& what, const std::vector<Unread>& unread);
-/// The sentences of warnings.
+/// Returns the sentences of warnings.
 std::vector<std::string> sentences(const std::vector<Warning>& warnings);
-/// What is said of the losses of series of which frames are shown, each once.
+/// Returns sentences on the losses of series with displayed frames, each once.
 std::vector<std::string> unreadSentences(const std::vector<const Series*>& all);
-/// What could not be read, for JSON: a list of path and reason.
+/// Returns unreadable files as JSON: a list of path and reason.
 nlohmann::ordered_json unreadJson(const std::vector<Unread>& unread);
 
-/// Why nothing of a study can be shown: a sentence for the user.
+/// Returns the reason why nothing in a study can be displayed: a sentence for the user.
 Error nothingToShow(const std::string& path, const Study& study);
 
-/// Opens PATH, chooses the series that `--series` means (empty: the one with most voxels, which is noted, as
-/// is which one of several volumes of a UID) and loads it, with progress on a terminal. The Error is a
-/// sentence for the user.
+/// Opens PATH and loads the series that `--series` names, with progress on a terminal. If empty, it is the
+/// one with most voxels. Notes report this choice, and that of one of several volumes of a UID. The Error is
+/// a sentence for the user.
 Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel);
 
-/// The volumes of a study that a series' UID means, where `--series` names a UID and it holds several; else
-/// none.
+/// Returns the volumes of a study with the UID in `--series`, if there are several; else none.
 std::vector<std::size_t> volumesOfUid(const Study& study, const std::string& series);
 
-/// The same for a series that was found before.
+/// Loads a series that was found before.
 Result<Opened> openSeries(const Series& series, const CancelToken& cancel);
 
-/// An Error where --remove-table cannot be meant: the values are not HU.
+/// The Error: values are not HU, so --remove-table is impossible.
 Status checkHounsfield(const Opened& opened);
 
-/// Takes away from what is drawn what a mask says (masked). An Error where the table is to go and values are
-/// not HU.
+/// Masks the displayed volume (masked()). The Error: the table is to be removed, but values are not HU.
 Status takeAway(const Mask& mask, Opened& opened, const CancelToken& cancel);
 
-/// For commands that write a volume as it lies: a tilt is kept in the file, nothing is corrected there.
+/// Adds a note that a tilt is kept in the file, for commands that write a volume without correction.
 void noteKeptTilt(Opened& opened);
 
 /// Writes the notes to stderr, one line each.

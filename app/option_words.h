@@ -10,7 +10,7 @@
 
 namespace volumen {
 
-/// The words that an option may have and what they mean, in the order of its help.
+/// The words of an option and their meanings, in the order of its help.
 template <class T>
 using OptionWords = std::vector<std::pair<std::string, T>>;
 
@@ -21,22 +21,22 @@ std::vector<std::string> keys(const OptionWords<T>& words) {
   return out;
 }
 
-/// Of a word that the command line was checked for.
+/// Returns the meaning of a word; the command line has been checked for it.
 template <class T>
 T meaning(const OptionWords<T>& words, const std::string& word) {
   return std::find_if(words.begin(), words.end(), [&](const auto& w) { return w.first == word; })->second;
 }
 
-/// The word of one of the meanings.
+/// Returns the word of a meaning.
 template <class T>
 std::string wordOf(const OptionWords<T>& words, T meant) {
   return std::find_if(words.begin(), words.end(), [&](const auto& w) { return w.second == meant; })->first;
 }
 
-/// The value of --size, "WIDTHxHEIGHT"; an Error says what is wrong with it.
+/// Parses the value of --size, "WIDTHxHEIGHT". The Error states the problem.
 Result<glm::ivec2> sizeOf(const std::string& text);
 
-/// `count` numbers with commas between them, as `option` takes them; an Error shows `example`.
+/// Parses `count` numbers separated by commas, the value of `option`. The Error shows `example`.
 Result<std::vector<double>> numbersOf(const std::string& option, const std::string& text, std::size_t count,
                                       const std::string& example);
 

@@ -7,8 +7,8 @@
 
 namespace volumen {
 
-/// An Error where one of the files that are to be written is another one of them, or one that is read: by
-/// another spelling of its name, or a link to it, too.
+/// The Error: a file to be written is also another one, or one that is read, even by another spelling or a
+/// link.
 Status checkApart(std::span<const std::string> written, std::span<const std::string> read);
 
 }  // namespace volumen

@@ -9,17 +9,17 @@
 
 namespace volumen {
 
-/// Adds -o; `help` says what the two formats hold.
+/// Adds -o; `help` describes the two formats.
 void addPictureOutput(CLI::App& app, std::string& output, const std::string& help);
 /// Adds --no-warning-line.
 void addNoWarningLine(CLI::App& app, bool& noWarningLine);
 
-/// Whether floats are written, .nrrd.
+/// True for float output (.nrrd).
 bool isFloatPicture(const std::string& path);
-/// An Error (wrong usage) where a picture's name ends neither in .png nor in .nrrd.
+/// The Error (wrong usage): the name ends neither in .png nor in .nrrd.
 Status checkPictureName(const std::string& path);
 
-/// Writes a picture as PNG. The warnings that change what is seen stand in its text, and in its corner where
+/// Writes a picture as PNG. Warnings that change what is visible are in its text, and in its corner if
 /// `warningLine`.
 Status writePictureWithWarnings(QImage image, PictureText text, const std::vector<Warning>& warnings,
                                 bool warningLine, const std::string& path);

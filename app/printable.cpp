@@ -15,7 +15,7 @@ bool isUnsafe(char32_t c) {
          (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
 }
 
-/// The character at the beginning of UTF-8 and its length; length 0: it is none.
+// The first character of UTF-8 and its length; length 0: invalid.
 struct Character {
   char32_t code = 0;
   std::size_t length = 0;
@@ -94,7 +94,7 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
-// What a URI has as itself (RFC 3986, unreserved), and the slashes of a path.
+// Characters that a URI keeps (RFC 3986, unreserved), and the slashes of a path.
 bool isPlainInUri(unsigned char c) {
   return std::isalnum(c) || std::string_view("-._~/").find(char(c)) != std::string_view::npos;
 }

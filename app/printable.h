@@ -8,23 +8,24 @@
 
 namespace volumen {
 
-/// Text from files and folders, safe for a terminal: C0, C1, DEL and bidirectional controls become \xNN or
-/// \u{NNNN}, bytes that are no UTF-8 \xNN.
+/// Returns text from files and folders, safe for a terminal. C0, C1, DEL and bidirectional controls become
+/// \xNN or \u{NNNN}; bytes that are not UTF-8 become \xNN.
 std::string printable(std::string_view utf8);
 
-/// JSON text, in which what printable() escapes becomes \uNNNN.
+/// Returns JSON text in which the characters that printable() escapes are \uNNNN.
 std::string printableJson(std::string_view text);
 
-/// A JSON value as the text that goes to stdout or a file, with its line end: printableJson().
+/// Returns a JSON value as text for stdout or a file, with a line end: printableJson().
 std::string jsonText(const nlohmann::ordered_json& json);
 
-/// A path in JSON, whose texts are UTF-8: itself, or, where it is no UTF-8, its URI ("file:///a/M%FCller").
+/// Returns a path for JSON, whose texts are UTF-8: itself, or its URI ("file:///a/M%FCller") if it is not
+/// UTF-8.
 std::string pathForJson(const std::string& path);
 
-/// The path that an argument means: the one of a URI "file:///..."; any other argument itself.
+/// Returns the path of an argument: for a URI "file:///..." its path, else the argument itself.
 std::string pathOfArgument(const std::string& argument);
 
-/// Makes all that is written to a stream printable() while this object lives; line ends stay.
+/// Makes all output of a stream printable() while this object lives; line ends stay.
 class PrintableStream : public std::streambuf {
  public:
   explicit PrintableStream(std::ostream& stream) : stream_(stream), target_(stream.rdbuf(this)) {}

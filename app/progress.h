@@ -4,10 +4,11 @@
 
 namespace volumen {
 
-/// Shows what is being done, in percent, in one line of stderr where that is a terminal; else shows nothing.
+/// Returns a progress that shows the activity in percent, in one line of stderr. It shows nothing if that is
+/// not a terminal.
 Progress terminalProgress();
 
-/// Ends the line that terminalProgress() writes, so that what follows stands alone.
+/// Ends the line of terminalProgress(), so that later output starts on a new one.
 void endTerminalProgress();
 
 }  // namespace volumen

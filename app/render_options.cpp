@@ -52,7 +52,8 @@ std::string withProblems(std::string sentence, const OwnPresets& own) {
   return sentence;
 }
 
-// A preset of the program's or the user's own; a file of theirs that is none is told where no name fits.
+// Returns a preset of the program or of the user. If the name is unknown, the Error also lists invalid preset
+// files.
 Result<Scene> namedPreset(const std::string& name, const Volume& volume) {
   const OwnPresets own = ownPresets();
   auto scene = presetScene(name.empty() ? "auto" : name, volume, own.presets);
@@ -60,7 +61,7 @@ Result<Scene> namedPreset(const std::string& name, const Volume& volume) {
   return Error{withProblems(scene.message(), own)};
 }
 
-// The camera after --view and --projection; none where the scene's default holds.
+// Applies --view and --projection to the camera; without them the scene keeps its own.
 void overrideCamera(Scene& scene, const SceneOptions& options, const Volume& volume, double aspect) {
   if (options.view.empty() && options.projection.empty()) return;
   const bool given = scene.camera.has_value();
@@ -73,7 +74,7 @@ void overrideCamera(Scene& scene, const SceneOptions& options, const Volume& vol
   camera.projection = projection;
   if (!given || !options.view.empty())
     camera = fitCamera(camera, volume.geometry(), aspect);
-  else if (changed && projection == Projection::perspective)  // what lies at the target keeps its size
+  else if (changed && projection == Projection::perspective)  // keeps the size of objects at the target
     camera.distance = camera.height / 2 / std::tan(glm::radians(camera.fov) / 2);
   else if (changed)
     camera.height = 2 * camera.distance * std::tan(glm::radians(camera.fov) / 2);

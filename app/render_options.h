@@ -9,7 +9,7 @@
 
 namespace volumen {
 
-/// The options that choose a scene and how it is drawn (design.md 4), as typed.
+/// The options that choose a scene and its display (design.md 4), as typed.
 struct SceneOptions {
   std::string sceneFile, preset, view, projection, mode, size = "512x512";
 };
@@ -17,11 +17,12 @@ struct SceneOptions {
 /// Adds --scene, --preset, --list-presets, --view, --projection, --size and --mode.
 void addSceneOptions(CLI::App& app, SceneOptions& options);
 
-/// The scene of --scene, a scene file or a picture that holds one; none where the option is not given. Read
-/// before anything is loaded. The Error names the file.
+/// Reads the scene of --scene, from a scene file or a picture with a scene, before a volume is loaded. Empty
+/// without the option. The Error names the file.
 Result<std::optional<Scene>> readScene(const SceneOptions& options);
 
-/// The scene for a volume: `file`'s (readScene) or the preset's, then the single overrides.
+/// Returns the scene for a volume: that of `file` (readScene()) or of the preset, with single options
+/// applied.
 Result<Scene> makeScene(const SceneOptions& options, const std::optional<Scene>& file, const Volume& volume);
 
 /// The options that choose accuracy and method, as typed.
@@ -37,18 +38,17 @@ struct MethodOptions {
 /// --full.
 void addMethodOptions(CLI::App& app, MethodOptions& options);
 
-/// Whether neither a level nor what takes its place is asked for.
+/// True if no option sets a level of quality or replaces it.
 bool leavesLevelOpen(const MethodOptions& options);
 
 /// Adds --threads.
 void addThreads(CLI::App& app, std::optional<int>& threads);
 
-/// Both together as the planner reads them. The Error (wrong usage) names what is unknown or does not go
-/// together.
+/// Returns the planner's options. The Error (wrong usage) names unknown or contradictory ones.
 Result<RenderOptions> renderOptions(const SceneOptions& scene, const MethodOptions& method);
 
-/// What the planner would refuse of a scene made by makeScene, asked before a volume is loaded: options that
-/// do not go together. A projection that --preset auto alone may choose is not known yet.
+/// Checks before a volume is loaded that the planner accepts a scene of makeScene(). The Error: options
+/// contradict each other. The projection that --preset auto would choose is not known yet.
 Status checkPlan(const SceneOptions& options, const std::optional<Scene>& file, const RenderOptions& asked);
 
 }  // namespace volumen

@@ -65,10 +65,10 @@ void prepareFonts() {
   static int argc = 1;
   static char name[] = "volumen";
   static char* argv[] = {name, nullptr};
-  // Qt says that there is no folder for sockets of a session, which nobody needs here.
+  // Qt warns of a missing folder for sockets, which is not needed here.
   const QtMessageHandler before =
       qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
-  // Never destroyed: where a program ends, Qt's fonts go before it.
+  // Never destroyed: at program end Qt's fonts are destroyed first.
   [[maybe_unused]] static const auto* const application = new QGuiApplication(argc, argv);
   qInstallMessageHandler(before);
   QGuiApplication::setFont(pictureFont());

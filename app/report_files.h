@@ -8,20 +8,20 @@
 
 namespace volumen {
 
-/// Whether a folder can be made, or written into where it is there; leaves nothing. The Error names it.
+/// Checks that a folder can be created or written to; leaves nothing behind. The Error names it.
 Status checkFolder(const std::string& folder);
 
-/// A folder that a command writes its reports into; makes it. The Error names it.
+/// Creates a folder for a command's reports. The Error names it.
 Status makeFolder(const std::string& folder);
 
-/// Write FOLDER/name whole or not at all, and say its path on stdout.
+/// Write FOLDER/name whole or not at all, and print its path to stdout.
 Status writeReport(const std::string& folder, const char* name, const std::string& text);
 Status writeReport(const std::string& folder, const char* name, const QImage& picture);
 
-/// Today, on this machine.
+/// Returns the title with today's date and this machine.
 StudyTitle titleOf(const std::string& volume, const std::string& scene);
 
-/// Makes fonts usable for drawing on pictures, without any display; for the whole run of the program.
+/// Makes fonts usable on pictures without a display, for the whole run of the program.
 void prepareFonts();
 
 }  // namespace volumen

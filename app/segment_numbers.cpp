@@ -14,7 +14,7 @@ namespace volumen {
 
 namespace {
 
-// None where the series has one time point.
+// Returns nothing if the series has one time point.
 std::optional<SegmentsOverTime> overTimeOf(std::span<const Segmented> maps, const Opened& opened,
                                            PetUnit unit, const CancelToken& cancel) {
   if (opened.timePoints.empty()) return {};
@@ -55,7 +55,7 @@ Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Op
     std::ranges::move(*reports, std::back_inserter(all.reports));
   }
   if (wanted.overTime) all.overTime = overTimeOf(maps, opened, unit, cancel);
-  if (cancel.cancelled()) return Error{"Cancelled."};  // they are half done
+  if (cancel.cancelled()) return Error{"Cancelled."};  // numbers are incomplete
   return all;
 }
 

@@ -14,7 +14,7 @@
 
 namespace volumen {
 
-/// What there is to say of segments; values over time where their series has several time points.
+/// The numbers of segments; with values over time if their series has several time points.
 struct SegmentNumbersTold {
   std::vector<SegmentReport> reports;
   ValueScale scale;
@@ -22,29 +22,29 @@ struct SegmentNumbersTold {
   QStringList ofSeries{};  ///< seriesFields()
 };
 
-/// The segments of a file on the grid of what was opened (readSegments), whose notes get what that changes:
-/// one map; where segments overlap, several. The Error names the file.
+/// Reads the segments of a file onto the grid of `opened` (readSegments) and adds its notes there: one map,
+/// or several if segments overlap. The Error names the file.
 Result<SegmentsFile> segmentsOfFile(const std::string& file, Opened& opened, const CancelToken& cancel);
 
-/// Which numbers are asked for.
+/// The requested numbers.
 struct NumbersWanted {
-  bool surfaces = true;  ///< else those of voxels alone (voxelReports())
+  bool surfaces = true;  ///< else only numbers of voxels (voxelReports())
   bool overTime = false;
 };
 
-/// The numbers of maps on the grid of what was opened, values of PET in `unit` where that can be had. The
-/// Error: cancelled, or there is not enough memory.
+/// Measures maps on the grid of `opened`; PET values are in `unit` if available. The Error: cancelled, or too
+/// little memory.
 Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Opened& opened, PetUnit unit,
                                        NumbersWanted wanted, const CancelToken& cancel);
 
-/// Adds them to the JSON of a command: `segments`, each with the unit of its values, `unit`, `noSuv` where a
-/// PET has no SUV, and `timeAxis` where there are values over time.
+/// Adds the numbers to a command's JSON: `segments`, each with the unit of its values, `unit`, `noSuv` for a
+/// PET without SUV, and `timeAxis` for values over time.
 void addSegments(nlohmann::ordered_json& all, const SegmentNumbersTold& numbers);
 
-/// Adds a sentence for each segment that is empty, and where there are no lengths.
+/// Adds a note for each empty segment, and one if lengths are unknown.
 void addSegmentNotes(Opened& opened, std::span<const SegmentReport> reports);
 
-/// The numbers as CSV, a file that is there once it is committed; none where `path` is empty.
+/// Writes the numbers as CSV; the file appears once it is committed. Empty if `path` is.
 Result<std::optional<OutputFile>> writeCsv(const std::string& path, const SegmentNumbersTold& numbers);
 
 }  // namespace volumen

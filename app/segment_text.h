@@ -8,10 +8,10 @@
 
 namespace volumen {
 
-/// What people look at first of segments, in columns; those of their surfaces where they were measured.
+/// Returns the most important numbers of segments in columns, with those of surfaces if measured.
 std::string segmentsText(const std::vector<SegmentReport>& all, const ValueScale& scale, bool withSurfaces);
 
-/// Segments of two files that were compared.
+/// A pair of compared segments of two files.
 struct ComparedSegments {
   std::string first, second;  ///< names
   SegmentLikeness alike;

@@ -13,17 +13,17 @@
 
 namespace volumen {
 
-/// What the 3D view in focus of a session shows.
+/// The contents of the focused 3D view of a session.
 struct SessionView {
   Series series;
   Mask mask;
   Scene scene;
-  std::vector<SegmentMap> segments;  ///< all maps of the series; none: the view shows none
+  std::vector<SegmentMap> segments;  ///< all maps of the series; empty: the view shows none
   std::optional<Quality> quality;    ///< none: the window chose it by time or error
 };
 
-/// Reads a session and finds the series of that view. The Error names the file, and the series where it is
-/// missing or has changed.
+/// Reads a session and finds the series of its focused 3D view. The Error names the file, and the series if
+/// it is missing or has changed.
 Result<SessionView> readSessionView(const std::string& path, const CancelToken& cancel);
 
 }  // namespace volumen

@@ -19,7 +19,7 @@ void keepToStartableThreads() {
   try {
     while (started.size() < wanted) started.emplace_back([end] { end.wait(); });
   } catch (const std::system_error&) {
-    // Never destroyed: with its end oneTBB would start the threads that it held back.
+    // Never destroyed: oneTBB would then start the threads that it held back.
     static const auto* limit =
         new tbb::global_control(tbb::global_control::max_allowed_parallelism, started.size() / 2 + 1);
     (void)limit;

@@ -2,8 +2,8 @@
 
 namespace volumen {
 
-/// From now on no more threads are used than the system lets this process start (half of them, as workers are
-/// processes that count, too): oneTBB ends a program whose thread cannot be started.
+/// Limits the threads to half of those that the system lets this process start, as worker processes count,
+/// too. oneTBB ends a program if it cannot start a thread.
 void keepToStartableThreads();
 
 }  // namespace volumen

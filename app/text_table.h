@@ -5,16 +5,16 @@
 
 namespace volumen {
 
-/// Columns of text that stand below each other on a terminal; wide characters (Chinese, Japanese, Korean)
-/// take two places, marks none.
+/// Columns of text for a terminal. Wide characters (Chinese, Japanese, Korean) take two places, combining
+/// marks none.
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> heads) : rows_{std::move(heads)} {}
 
-  /// Adds a row of as many cells as there are heads; UTF-8 without control characters.
+  /// Adds a row with one cell for each head; UTF-8 without control characters.
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-  /// All rows, one a line; two spaces between columns, none at the ends of lines. Columns of numbers
-  /// alone stand to the right.
+  /// Returns all rows, one a line, with two spaces between columns and none at the ends. Columns of numbers
+  /// are aligned to the right.
   std::string text() const;
 
  private:

@@ -38,7 +38,7 @@ CLI::Option* numeric(CLI::Option* option, double low, double high, bool whole) {
   return option->check(CLI::Validator(check, ""))->type_name((whole ? "N (" : "X (") + range + ")");
 }
 
-// "-o" of "-o,--output", for what a user types.
+// Returns "-o" for "-o,--output", as a user types it.
 std::string typedName(const CLI::Option& option) {
   if (!option.get_snames().empty()) return "-" + option.get_snames().front();
   return option.get_name();
@@ -69,7 +69,7 @@ std::string unexpected(const CLI::App& app) {
   return "Unknown option " + typed + "." + (similar ? " Did you mean " + *similar + "?" : "");
 }
 
-// An empty word is a variable of a script that was not set.
+// An empty word usually is an unset variable of a script.
 CLI::Validator notEmpty(const std::string& what) {
   return {[what](const std::string& text) {
             return text.empty() ? "\"\" is not a " + what + "." : std::string();

@@ -7,7 +7,8 @@
 
 namespace volumen {
 
-/// The words of one line a command, and of its help: option, value, text; no remarks of the parser's own.
+/// Formats help texts: one line a command, and option, value, text for each option, without the parser's
+/// remarks.
 class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter();
@@ -15,25 +16,25 @@ class HelpFormatter : public CLI::Formatter {
   std::string make_usage(const CLI::App* app, std::string name) const override;
 };
 
-/// A check of `option`: one of these words, which the help shows.
+/// Restricts `option` to these words, which the help shows.
 CLI::Option* oneOf(CLI::Option* option, const std::vector<std::string>& words);
 
-/// A check of `option`: a number (`whole`: an integer) from `low` to `high`, which the help shows.
+/// Restricts `option` to numbers (or whole numbers) from `low` to `high`, which the help shows.
 CLI::Option* number(CLI::Option* option, double low, double high);
 CLI::Option* wholeNumber(CLI::Option* option, long low, long high);
 
-/// "Examples:" and one line each, below a command's help.
+/// Adds "Examples:" and one line each below a command's help.
 void addExamples(CLI::App& app, const std::vector<std::string>& lines);
 
-/// PATH (or several) and --series, which most commands take.
+/// Add PATH (or several) and --series, which most commands take.
 CLI::Option* addPath(CLI::App& app, std::string& path);
 CLI::Option* addPaths(CLI::App& app, std::vector<std::string>& paths);
 void addSeries(CLI::App& app, std::string& series);
 
-/// What is wrong with a command line that could not be parsed, in one sentence.
+/// Returns the problem of an invalid command line in one sentence.
 std::string usageProblem(const CLI::ParseError& error, const CLI::App& app);
 
-/// "Unknown command "X". Did you mean render? Commands: ..."
+/// Returns "Unknown command "X". Did you mean render? Commands: ..."
 std::string unknownCommand(const std::string& word, const CLI::App& app);
 
 }  // namespace volumen

@@ -13,14 +13,15 @@ namespace volumen {
 /// A contour of a region of interest, in patient mm (LPS).
 struct Contour {
   enum class Type {
-    point,           ///< one position
-    openPlanar,      ///< a line in a plane
-    openNonplanar,   ///< a line
-    closedPlanar,    ///< an outline in a plane; the last point is joined to the first
-    closedPlanarXor  ///< the same; where several lie in one plane, what an odd number of them holds
+    point,          ///< one position
+    openPlanar,     ///< a line in a plane
+    openNonplanar,  ///< a line
+    closedPlanar,   ///< an outline in a plane; the last point is joined to the first
+    /// a closed contour; among several in one plane, points inside an odd number of them are inside
+    closedPlanarXor
   } type = Type::closedPlanar;
   std::vector<glm::dvec3> points;
-  std::vector<ReferencedPicture> pictures;  ///< those that it was drawn on
+  std::vector<ReferencedPicture> pictures;  ///< the images on which it was drawn
 };
 
 /// A region of interest.
@@ -33,21 +34,21 @@ struct RegionOfInterest {
   std::vector<Contour> contours;  ///< in the file's order
 };
 
-/// An RT Structure Set (PS3.3 A.19). Contours lie in the patient: they are placed by their coordinates,
-/// whatever pictures they name.
+/// An RT Structure Set (PS3.3 A.19). Contours are placed by their patient coordinates, whatever images they
+/// reference.
 struct StructureSet {
   std::string label, name, description;
   std::vector<RegionOfInterest> regions;
-  std::vector<std::string> warnings;  ///< what of it is left out and why: sentences without its name
+  std::vector<std::string> warnings;  ///< parts left out and why: sentences without its name
 };
 
-/// Reads a structure set. An Error names the file and why.
+/// Reads a structure set. The Error names the file and the reason.
 Result<StructureSet> loadContours(const std::string& path);
 
-/// The area of a closed contour, mm^2; 0 of others.
+/// Returns the area of a closed contour in mm^2; 0 for others.
 double areaOf(const Contour& contour);
 
-/// The type's name for scripts: "closedPlanar".
+/// Returns the type's name for scripts: "closedPlanar".
 const char* typeName(Contour::Type type);
 
 }  // namespace volumen

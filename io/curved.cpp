@@ -11,7 +11,7 @@ namespace volumen {
 
 namespace {
 
-// FNV-1a of 64 bits over what makes a volume: 16 hexadecimal digits.
+// Returns the 64-bit FNV-1a hash of a recipe as 16 hexadecimal digits.
 std::string digestOf(const CurvedRecipe& recipe) {
   std::uint64_t hash = 0xcbf29ce484222325;
   const auto add = [&](double number) {

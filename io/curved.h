@@ -7,20 +7,20 @@
 
 namespace volumen {
 
-/// A series of the values of `source`, resampled along a curve: in a frame of reference of its own, by what
-/// names it told from others that are made otherwise. `name`: of the curve. An Error where CurvedGrid has
-/// one, or the source is along a curve itself.
+/// Returns a series with the values of `source` resampled along a curve; `name` is the curve's name. Its
+/// frame of reference is its own and depends on the recipe. The Error: CurvedGrid rejects the curve, or the
+/// source is itself curved.
 Result<Series> curvedSeries(const Series& source, const CurvedRecipe& recipe, const std::string& name);
 
-/// The series that is to be loaded, and looked for, to have this one: its source, or itself.
+/// Returns the series to load and look up in place of this one: its source, or itself.
 const Series& sourceOf(const Series& series);
 
-/// The series that is made of `source` as `model` was made of its own: itself, or laid out along the same
-/// curve. An Error as of curvedSeries().
+/// Returns the series made from `source` as `model` was from its own: `source` itself, or resampled along the
+/// same curve. The Error is that of curvedSeries().
 Result<Series> madeLike(const Series& model, const Series& source);
 
-/// The volume of a series along a curve. `source`: the drawn volume of its source; null: it is read. An Error
-/// names the file and why, or says what is wrong with the curve.
+/// Returns the volume of a curved series. `source` is the displayed volume of its source; if null, it is
+/// read. The Error names the file and the reason, or the problem of the curve.
 Result<Loaded> loadCurved(const Series& series, VolumePtr source, const Progress& progress = {},
                           const CancelToken& cancel = {});
 

@@ -7,18 +7,19 @@
 
 namespace volumen {
 
-/// Which bytes a path names: the same as long as nobody wrote to the file or put another in its place.
+/// Identifies the bytes of a file: it stays equal until the file is written to or replaced.
 struct FileState {
-  std::int64_t size = 0, modifiedNs = 0, changedNs = 0;  ///< since 1970; the first alone lies after copies
+  /// times since 1970; modifiedNs can be set by copying, changedNs cannot
+  std::int64_t size = 0, modifiedNs = 0, changedNs = 0;
   std::int64_t inode = 0, device = 0;
   auto operator<=>(const FileState&) const = default;
 };
 
-/// That of a file now; none: there is none.
+/// Returns the current state of a file; empty if it does not exist.
 std::optional<FileState> fileState(const std::string& path);
 
-/// Whether a file was written to so shortly ago that another change might leave no trace in its state: some
-/// file systems count times in steps of two seconds.
+/// True if a file was written to so recently that another change might not alter its state: some file systems
+/// count time in steps of two seconds.
 bool mayChangeUnseen(const FileState& state);
 
 }  // namespace volumen

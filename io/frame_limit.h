@@ -5,13 +5,13 @@
 
 namespace volumen {
 
-/// The most pixels that a frame may have to be read: 2^28, or what setFramePixelLimit() said.
+/// Returns the largest number of pixels in a readable frame: 2^28, or the value of setFramePixelLimit().
 std::uint64_t framePixelLimit();
 
-/// "268 million pixels", for sentences.
+/// Returns "268 million pixels", for messages.
 std::string framePixelLimitText();
 
-/// For all that is read from now on, in this process and in workers that are started behind it.
+/// Sets the limit for all later reads in this process and in workers started afterwards.
 void setFramePixelLimit(std::uint64_t pixels);
 
 }  // namespace volumen

@@ -7,7 +7,7 @@
 namespace volumen {
 namespace {
 
-/// A slice's index that is there.
+// Checks that a slice index exists.
 Status checkIndex(const Series& series, int index) {
   if (series.format != "DICOM") return Error{series.path + ": only DICOM pictures have frames as acquired."};
   if (index >= 0 && std::size_t(index) < series.files.size()) return {};

@@ -8,23 +8,23 @@ namespace volumen {
 struct Image;
 struct Series;
 
-/// Frame `index` (from 0) of a picture, as acquired (slices.md 2): values or colours, the file's windows,
-/// overlays, shutter, regions. Where the file has no window the default is P0.1 .. P99.9 of this frame
-/// without padding. An Error names the file and why: damaged, or too large (framePixelLimit()). What alone
-/// cannot be shown (an overlay, a LUT, a shutter) is left out with a sentence in `warnings`.
+/// Reads frame `index` (from 0) of an image as acquired (slices.md 2): values or colours, the file's windows,
+/// overlays, shutter, regions. Without a window in the file, the default is P0.1 .. P99.9 of this frame
+/// without padding. The Error names the file and the reason: damaged, or too large (framePixelLimit()). Parts
+/// that cannot be shown (an overlay, a LUT, a shutter) are left out with a sentence in `warnings`.
 Result<Frame> loadFrame(const Image& image, int index);
 
-/// The frame that is slice `index` (from 0) of a DICOM series.
+/// Reads the frame of slice `index` (from 0) of a DICOM series.
 Result<Frame> loadFrame(const Series& series, int index);
 
-/// A frame with the values, greys and shutter of a presentation state, and how it is to be shown.
+/// A frame with the values, grey scales and shutter of a presentation state, and its display parameters.
 struct PresentedFrame {
   Frame frame;
   FramePresentation how;
 };
 
-/// The same frames as a presentation state has them shown. An Error also where it refers to other pictures
-/// alone, or displays no part of this one or too large an area (framePixelLimit()).
+/// Reads a frame as a presentation state displays it. Also an Error: it refers only to other images, or
+/// displays no part of this one or too large an area (framePixelLimit()).
 Result<PresentedFrame> loadFrame(const Image& image, int index, const Presentation& presentation);
 Result<PresentedFrame> loadFrame(const Series& series, int index, const Presentation& presentation);
 

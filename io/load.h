@@ -8,7 +8,7 @@ namespace volumen {
 
 struct Series;
 
-/// Reads and decodes a series. An Error names the file and why.
+/// Reads and decodes a series. The Error names the file and the reason.
 Result<Loaded> loadSeries(const Series& series, const Progress& progress = {},
                           const CancelToken& cancel = {});
 

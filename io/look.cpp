@@ -52,13 +52,13 @@ bool isGrid(const VoxelGeometry& g) {
   return std::min({g.size.x, g.size.y, g.size.z}) >= 1 && double(g.size.x) * g.size.y * g.size.z < mostVoxels;
 }
 
-/// Whether a volume is one that the headers of `path` can give.
+// True if the headers of `path` can give such a volume.
 bool isConsistent(const Series& series, const std::string& path) {
   return series.path == path && series.files == std::vector{path} && series.format != "DICOM" &&
          series.format != "phantom" && isGrid(series.acquired) && !series.regular;
 }
 
-/// Refuses what came from a worker and is not what look(path) can give.
+// Rejects a worker's result that is impossible for this path.
 void check(const std::string& path, LookedAt& looked) {
   dicom::checkInspection(path, looked.dicom);
   const bool consistent =

@@ -7,17 +7,17 @@
 
 namespace volumen {
 
-/// What the headers of a file say.
+/// The headers of a file.
 struct LookedAt {
-  bool isImageFile = false;     ///< NRRD, NIfTI, ...: looksLikeImageFile(); then:
-  std::vector<Series> volumes;  ///< what it holds
-  std::string problem;          ///< or why that cannot be read: a sentence
-  bool gzippedDicom = false;    ///< what cannot be read is a DICOM file in gzip
-  dicom::Inspection dicom;      ///< of other files
+  bool isImageFile = false;     ///< NRRD, NIfTI, ... (looksLikeImageFile()); then:
+  std::vector<Series> volumes;  ///< its contents
+  std::string problem;          ///< or the reason why it cannot be read: a sentence
+  bool gzippedDicom = false;    ///< an unreadable file is a gzipped DICOM file
+  dicom::Inspection dicom;      ///< for other files
 };
 
-/// Looks at files, one entry each, on all cores, in workers where there are any (io/worker). Entries of an
-/// interrupted search are empty.
+/// Reads the headers of files, one entry each, on all cores, in workers if there are any (io/worker). Entries
+/// of an interrupted search are empty.
 std::vector<LookedAt> lookAtFiles(const std::vector<std::string>& paths, const Progress& progress,
                                   const CancelToken& cancel);
 

@@ -17,23 +17,22 @@
 namespace volumen {
 namespace {
 
-/// A sentence about a file, "F is compressed.", as a reason that stands behind its name: "compressed."
+// Returns the reason in a message about a file: "compressed." from "F is compressed."
 std::string reasonWithout(const std::string& file, std::string sentence) {
   for (const std::string& begin : {file + ": ", file + " is ", file + " "})
     if (sentence.starts_with(begin)) return sentence.substr(begin.size());
   return sentence;
 }
 
-/// The folder that a path ends in: "." where it names none.
+// Returns the folder of a path; "." if it names none.
 std::string folderOf(const std::string& path) {
   const std::size_t slash = path.find_last_of('/');
   if (slash == std::string::npos) return ".";
   return slash == 0 ? "/" : path.substr(0, slash);
 }
 
-/// The files that a path stands for: itself or what is below it; all below its folder where it is a DICOMDIR;
-/// what is in it where it is a zip archive, or the part of one that it leads into; the header, too, of
-/// samples that are one half of a pair.
+// Returns the files of a path: the file itself, or all below a folder. A DICOMDIR stands for its folder, a
+// zip archive or a path into one for its contents. For samples of a pair, the header is added.
 Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
   const Result<PathOnDisk> place = pathOnDisk(path, userCacheFolder(), cancel);
   if (!place) return place.error();
@@ -47,7 +46,7 @@ Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
   return found;
 }
 
-/// What the headers of all files say, not in order. `all`: of all that a path holds.
+// Adds the headers of all files to a study, unsorted. `all` means that these are all files of a path.
 void addFiles(const FoundFiles& found, bool all, const Progress& progress, const CancelToken& cancel,
               Study& study) {
   const std::vector<std::string>& files = found.files;

@@ -9,20 +9,21 @@
 
 namespace volumen {
 
-/// What is under `path`: a file, a folder (nested; links followed, to folders only below it, each file once),
-/// a DICOMDIR (all below its folder; no links out of it), a zip archive (unpacked until the program ends) or
-/// what is in one ("a.zip/CT"), or "phantom:NAME[:SIZE]".
-/// Reads headers only. An Error where there is no such path; what cannot be loaded is in `refused` with its
-/// reason.
+/// Opens a path: a file, a folder, a DICOMDIR, a zip archive or a path into one ("a.zip/CT"), or
+/// "phantom:NAME[:SIZE]".
+/// Folders are searched recursively; links to files are followed, links to folders only within the path, and
+/// each file counts once. A DICOMDIR stands for all files below its folder, without links out of it. Archives
+/// are unpacked until the program ends.
+/// Reads headers only. The Error: the path does not exist. Files that cannot be loaded are in `refused` with
+/// the reason.
 Result<Study> openStudy(const std::string& path, const Progress& progress = {},
                         const CancelToken& cancel = {});
 
-/// The same of what lies directly in these folders, whose names are told from `path`. Folders that are not
-/// there hold nothing.
+/// Opens the files directly in these folders. Names are relative to `path`; missing folders are empty.
 Result<Study> openFolders(const std::string& path, const std::vector<std::string>& folders,
                           const Progress& progress = {}, const CancelToken& cancel = {});
 
-/// What these files hold, as if they were all that is in a folder. An Error only where it was cancelled.
+/// Opens these files as if they were one folder's contents. The Error: only if cancelled.
 Result<Study> openFiles(const std::vector<std::string>& files, const Progress& progress = {},
                         const CancelToken& cancel = {});
 

@@ -8,13 +8,13 @@
 
 namespace volumen {
 
-/// Whether a path means a phantom: "phantom:NAME[:SIZE]".
+/// True if a path is a phantom: "phantom:NAME[:SIZE]".
 bool isPhantom(const std::string& path);
 
-/// What such a path holds. An Error where there is no phantom of this name.
+/// Opens a phantom. The Error: the name is unknown.
 Result<Study> openPhantom(const std::string& path);
 
-/// Makes it; the sample study is kept in the user's cache.
+/// Computes the volume; the sample study is kept in the user's cache.
 Result<Loaded> loadPhantom(const Series& series, const Progress& progress = {});
 
 }  // namespace volumen

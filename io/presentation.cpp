@@ -5,7 +5,7 @@
 namespace volumen {
 namespace {
 
-/// The first part that holds for a frame.
+// Returns the first part that applies to a frame.
 template <class Part>
 const Part* partFor(const std::vector<Part>& parts, const std::string& sopInstanceUid, int frame) {
   const auto found = std::ranges::find_if(
@@ -16,7 +16,7 @@ const Part* partFor(const std::vector<Part>& parts, const std::string& sopInstan
 }  // namespace
 
 float ValueMapping::operator()(double stored) const {
-  constexpr double most = 1e30;  // as volumes are limited (design.md 10)
+  constexpr double most = 1e30;  // limit of volumes (design.md 10)
   if (!table.empty()) return table[std::size_t(std::clamp(stored - first, 0.0, double(table.size() - 1)))];
   return float(std::clamp(slope * stored + intercept, -most, most));
 }
@@ -42,7 +42,7 @@ FramePresentation presentationOf(const Presentation& presentation, const std::st
   how.layers = presentation.layers;
   if (const auto* part = partFor(presentation.areas, sopInstanceUid, frame)) {
     how.area = part->area;
-    // Counted from 0 instead of 1, as some write it: the whole picture.
+    // Some programs count from 0 instead of 1: this is the whole image.
     if (part->area == PixelBox{{-1, -1}, size - 1}) how.area = PixelBox{{0, 0}, size - 1};
   }
   for (const Presentation::Annotations& part : presentation.annotations) {

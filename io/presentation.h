@@ -12,24 +12,24 @@
 
 namespace volumen {
 
-/// From stored values to values: a rescale, or a table that stands in for it (PS3.3 C.11.1).
+/// Maps stored values to values by a rescale, or by a table that replaces it (PS3.3 C.11.1).
 struct ValueMapping {
   double slope = 1, intercept = 0;
-  double first = 0;                  ///< the stored value of the table's first entry
-  std::vector<std::uint16_t> table;  ///< empty: the rescale counts
-  std::string unit;                  ///< "HU"; empty: none that is known
+  double first = 0;                  ///< stored value of the table's first entry
+  std::vector<std::uint16_t> table;  ///< empty: the rescale applies
+  std::string unit;                  ///< "HU"; empty: unknown
 
   float operator()(double stored) const;
 };
 
-/// A grayscale softcopy presentation state (PS3.3 A.33.1): how the pictures that it refers to are to be
-/// shown. What it leaves out is not taken from the pictures: without a rescale stored values are values,
-/// without a window all of them are shown.
+/// A grayscale softcopy presentation state (PS3.3 A.33.1): the display parameters of its images. Missing
+/// parts are not taken from the images: without a rescale, stored values are values; without a window, all
+/// values are shown.
 struct Presentation {
-  /// A part that holds for some of the pictures; `of` empty: for all of them.
+  /// A part for some of the images; an empty `of` means all of them.
   struct Greys {
     std::vector<ReferencedPicture> of;
-    std::vector<NamedGrey> greys;  ///< windows and VOI LUTs; the first counts
+    std::vector<NamedGrey> greys;  ///< windows and VOI LUTs; the first applies
   };
   struct Area {
     std::vector<ReferencedPicture> of;
@@ -42,32 +42,30 @@ struct Presentation {
   };
 
   std::string label, description, creator;  ///< UTF-8
-  std::string date;                         ///< as DICOM writes it
+  std::string date;                         ///< in DICOM format
   std::vector<ReferencedPicture> pictures;
   ValueMapping values;
   std::vector<Greys> greys;
-  bool inverted =
-      false;  ///< Presentation LUT Shape INVERSE; MONOCHROME1 of a picture does not count beside it
+  bool inverted = false;  ///< Presentation LUT Shape INVERSE; it overrides MONOCHROME1 of the image
   Shutter shutter;
   PictureTurn turn;
   std::vector<Area> areas;
-  std::vector<GraphicLayer> layers;  ///< the lowest first
+  std::vector<GraphicLayer> layers;  ///< lowest first
   std::vector<Annotations> annotations;
-  std::vector<std::string> warnings;  ///< what of it is left out and why: sentences without its name
+  std::vector<std::string> warnings;  ///< parts left out and why: sentences without its name
 };
 
-/// Reads a presentation state. An Error names the file and why.
+/// Reads a presentation state. The Error names the file and the reason.
 Result<Presentation> loadPresentation(const std::string& path);
 
-/// Whether `pictures` name frame `frame` (from 0) of a picture.
+/// True if `pictures` reference frame `frame` (from 0) of an image.
 bool namesFrame(const std::vector<ReferencedPicture>& pictures, const std::string& sopInstanceUid, int frame);
 
-/// Its ways from value to grey for one frame; none where it says nothing of them.
+/// Returns the grey scales for one frame; null if the presentation state has none for it.
 const std::vector<NamedGrey>* greysFor(const Presentation& presentation, const std::string& sopInstanceUid,
                                        int frame);
 
-/// What a presentation state says of one frame of a picture of this size its greys and
-/// shutter.
+/// Returns the display parameters for one frame of an image of this size, without grey scales and shutter.
 FramePresentation presentationOf(const Presentation& presentation, const std::string& sopInstanceUid,
                                  int frame, glm::ivec2 size);
 

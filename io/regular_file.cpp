@@ -16,7 +16,7 @@ namespace {
 
 bool isFull(int error) { return error == EMFILE || error == ENFILE; }
 
-/// Other threads may soon be done with theirs.
+// Retries for a while, as other threads may close their files.
 int openWhenThereIsRoom(const std::string& path) {
   constexpr int patienceMs = 2000, lookMs = 5;
   int fd = -1;

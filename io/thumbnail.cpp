@@ -27,14 +27,14 @@ QImage imageOf(const Frame& frame) {
   return QImage(frame.rgb.data(), frame.size.x, frame.size.y, frame.size.x * 3, QImage::Format_RGB888).copy();
 }
 
-// Right and down in a picture as it is usually looked at, whose slices have this normal.
+// Returns right and down in the usual view of slices with this normal.
 std::pair<glm::dvec3, glm::dvec3> usualSides(glm::dvec3 normal) {
   const glm::dvec3 n = glm::abs(normal);
   if (n.z >= n.x && n.z >= n.y) return {{1, 0, 0}, {0, 1, 0}};
   return {n.x > n.y ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), {0, 0, -1}};
 }
 
-// A slice of this volume, turned to its usual sides.
+// Flips a slice of this volume to its usual view.
 QImage upright(const QImage& slice, const VoxelGeometry& geometry) {
   if (!geometry.calibrated) return slice;
   const glm::dmat3& step = geometry.patientFromVoxelStep;
@@ -42,7 +42,7 @@ QImage upright(const QImage& slice, const VoxelGeometry& geometry) {
   return slice.mirrored(glm::dot(step[0], right) < 0, glm::dot(step[1], down) < 0);
 }
 
-// In square pixels an image whose own are `mm` wide and high; where that is not known they are square.
+// Scales an image with pixels `mm` wide and high to square pixels; unknown sizes count as square.
 QImage scaled(const QImage& image, glm::dvec2 mm, int edge) {
   const bool known = mm.x > 0 && mm.y > 0;
   const double width = image.width() * (known ? mm.x : 1), height = image.height() * (known ? mm.y : 1);

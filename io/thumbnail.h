@@ -11,15 +11,15 @@ namespace volumen {
 struct Image;
 struct Series;
 
-/// The slice in the middle of a volume by its first window (`unit` of its values), as it is usually looked
-/// at: anterior or superior on top. In square pixels, the longer side of `edge`.
+/// Returns the middle slice of a volume in its first window (`unit` is that of its values). The view is the
+/// usual one: anterior or superior on top. Pixels are square; the longer side is `edge`.
 QImage thumbnailOf(const Volume& volume, const std::string& unit, int edge);
 
-/// The same of a series; DICOM's as acquired, of which one slice alone is read, and of series of frames the
-/// one in the middle. An Error where it cannot be read.
+/// Returns the thumbnail of a series. For DICOM it reads only one slice as acquired; for a series of frames
+/// the middle one. The Error: it cannot be read.
 Result<QImage> thumbnailOf(const Series& series, int edge, const CancelToken& cancel = {});
 
-/// The frame in the middle of a picture as acquired, by its window.
+/// Returns the middle frame of an image as acquired, in its window.
 Result<QImage> thumbnailOf(const Image& image, int edge);
 
 }  // namespace volumen

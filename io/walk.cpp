@@ -11,7 +11,7 @@
 namespace volumen {
 namespace {
 
-/// Every file and folder once, whatever links lead to it.
+// Files and folders seen so far; several links count as one.
 class Visited {
  public:
   bool firstTime(const struct stat& s) { return seen_.emplace(s.st_dev, s.st_ino).second; }
@@ -20,13 +20,13 @@ class Visited {
   std::set<std::pair<dev_t, ino_t>> seen_;
 };
 
-/// What is neither a file nor a folder.
+// Returns the kind of an entry that is neither a file nor a folder.
 const char* kindOf(const struct stat& s) {
   if (S_ISFIFO(s.st_mode)) return "a pipe";
   return S_ISSOCK(s.st_mode) ? "a socket" : "a device";
 }
 
-/// The entries of a folder, sorted by name.
+// Returns the entries of a folder, sorted by name.
 std::vector<std::string> entries(const std::string& folder, std::error_code& error) {
   std::vector<std::string> paths;
   std::filesystem::directory_iterator it(folder, error);
@@ -36,14 +36,14 @@ std::vector<std::string> entries(const std::string& folder, std::error_code& err
   return paths;
 }
 
-/// Why nothing is known of an entry whose stat() failed.
+// Returns the reason why stat() of an entry failed.
 std::string reasonOf(const std::string& path, int error) {
   std::error_code none;
   const bool isLink = std::filesystem::is_symlink(path, none);
   return isLink && error == ENOENT ? "it is a link to what is not there" : std::strerror(error);
 }
 
-/// Whether `path` is a link that leads out of `root`, which is canonical; `links`: which of them count.
+// True if `path` is a link out of `root`, which is canonical; `links` selects the links that count.
 bool leadsOut(const std::string& path, const std::filesystem::path& root, Links links) {
   std::error_code error;
   if (!std::filesystem::is_symlink(path, error)) return false;
@@ -65,7 +65,7 @@ Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel,
   Visited visited;
   std::error_code unknown;
   const std::filesystem::path root = std::filesystem::canonical(path, unknown);
-  std::vector<std::string> open{path};  // last in, first out; filled in reverse so that names stay in order
+  std::vector<std::string> open{path};  // a stack, filled in reverse so that names stay in order
   while (!open.empty() && !cancel.cancelled()) {
     const std::string at = std::move(open.back());
     open.pop_back();

@@ -8,30 +8,28 @@
 
 namespace volumen {
 
-/// An entry of a folder that could not be looked at.
+/// An entry of a folder that could not be read.
 struct UnreadableEntry {
   std::string path, reason;
-  bool elsewhere = false;  ///< it leads to a folder that lies elsewhere and is not part of what is searched
+  bool elsewhere = false;  ///< a link to a folder outside of the search
 };
 
-/// The regular files under a path, and the entries that could not be looked at, each with its reason.
+/// The regular files below a path, and unreadable entries with their reasons.
 struct FoundFiles {
-  std::vector<std::string>
-      files;  ///< sorted by folder and name; each file once, however many links lead to it
+  std::vector<std::string> files;  ///< sorted by folder and name; several links to a file count once
   std::vector<UnreadableEntry> unreadable;
 };
 
-/// Which symbolic links that lead out of its path a search follows.
-enum class Links { files, inside };  ///< files: those to files; inside: none
+/// Links out of the searched path that are followed.
+enum class Links { files, inside };  ///< files: only links to files; inside: none
 
-/// Finds all regular files under `path` (itself, where it is one). Symbolic links are followed where they
-/// stay below it, else as `links` says; loops end (each folder and file once, by device and inode); FIFOs,
-/// sockets and devices are unreadable. An Error where there is no such path, or it is neither a file nor a
-/// folder.
+/// Finds all regular files below `path` (or itself). Symbolic links within it are followed; those out of it
+/// as `links` allows. Loops end: each folder and file counts once, by device and inode. FIFOs, sockets and
+/// devices are unreadable. The Error: the path does not exist, or is neither a file nor a folder.
 Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel, Links links = Links::files);
 
-/// The regular files that lie directly in these folders, each once; links are followed. Folders that cannot
-/// be read hold none.
+/// Returns the regular files directly in these folders, each once; links are followed. Unreadable folders are
+/// empty.
 std::vector<std::string> filesDirectlyIn(const std::vector<std::string>& folders);
 
 }  // namespace volumen

@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t mostBytes = std::uint64_t(16) << 30, alwaysBytes = 16 << 20, mostRatio = 200;
 constexpr std::size_t mostFiles = 100'000, mostDepth = 64, mostNameBytes = 255;
-constexpr std::size_t leastEntryBytes = 46;  // of the list at the end of an archive
+constexpr std::size_t leastEntryBytes = 46;  // in the central directory
 constexpr const char* lockName = "lock";
 
-/// A folder for the files of one archive, with a lock that is held as long as it is in use.
+// A folder for the files of one archive, with a lock that marks it as in use.
 class PrivateFolder {
  public:
   static std::optional<PrivateFolder> make(const std::string& base) {
@@ -50,7 +50,7 @@ class PrivateFolder {
   LockFile lock_;
 };
 
-/// Removes what programs left that did not end well: folders that nobody holds.
+// Removes unlocked folders, left by programs that crashed.
 void removeLeftovers(const std::string& base) {
   std::error_code error;
   for (fs::directory_iterator it(base, error), end; !error && it != end; it.increment(error)) {
@@ -60,7 +60,7 @@ void removeLeftovers(const std::string& base) {
   }
 }
 
-/// The place of an entry below `root`; nothing where its name leads out of it or cannot be a file's.
+// Returns the path of an entry below `root`; empty if its name leads out of it or is invalid.
 std::optional<fs::path> placeOf(const std::string& name, const fs::path& root) {
   if (name.empty() || name[0] == '/' || name.find('\0') != std::string::npos) return {};
   fs::path place = root;
@@ -80,7 +80,7 @@ Error tooMany(const std::string& path) {
   return Error{path + " holds more than " + std::to_string(mostFiles) + " files: it is not unpacked."};
 }
 
-/// Unpacks the entries of one archive.
+// Unpacks the entries of one archive.
 class Unpacker {
  public:
   Unpacker(std::string path, std::uint64_t size, fs::path root, const CancelToken& cancel)
@@ -161,9 +161,9 @@ struct Unpacked {
   UnpackedArchive archive;
 };
 
-/// What this program has unpacked, by what its file was; removed when the program ends.
+// Archives that this program has unpacked, by file identity; removed when the program ends.
 struct AllUnpacked {
-  std::mutex unpacking;  ///< one at a time
+  std::mutex unpacking;  ///< one archive at a time
   std::mutex listed;
   std::map<std::string, Unpacked> byIdentity;
 };
@@ -180,7 +180,7 @@ std::optional<UnpackedArchive> unpackedBefore(const std::string& identity) {
   return found->second.archive;
 }
 
-/// What says that a file is still the same one.
+// Returns a text that changes if the file changes.
 std::string identityOf(const std::string& path) {
   struct stat s {};
   if (::stat(path.c_str(), &s) != 0) return path;

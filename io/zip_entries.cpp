@@ -29,7 +29,7 @@ struct ArchiveCloser {
   void operator()(archive* a) const { archive_read_free(a); }
 };
 
-/// Reads with libarchive, from a file that is open.
+// Reads with libarchive from an open file.
 class LocalEntries : public ArchiveEntries {
  public:
   explicit LocalEntries(const std::string& path)
@@ -101,10 +101,10 @@ class LocalEntries : public ArchiveEntries {
   std::vector<std::uint8_t> block_ = std::vector<std::uint8_t>(blockBytes);
   std::uint64_t at_ = 0;
   bool opened_ = false;
-  std::unique_ptr<archive, ArchiveCloser> reader_;  // ends before what it reads from
+  std::unique_ptr<archive, ArchiveCloser> reader_;  // destroyed before its input
 };
 
-/// What a worker says of the next entry or block.
+// Announces a worker's next entry or block.
 enum class Step { entry, end, problem };
 
 }  // namespace
@@ -120,7 +120,7 @@ namespace {
 
 constexpr std::uint64_t wrong = std::numeric_limits<std::uint64_t>::max();  // in place of a block's length
 
-/// The blocks of a file, each behind its length; 0 at the end, or `wrong` and why.
+// Writes the blocks of a file after their lengths; 0 at the end, or `wrong` and the reason.
 bool writeBlocks(worker::Wire& answer, LocalEntries& entries, std::vector<std::uint8_t>& block) {
   while (true) {
     const Result<std::size_t> got = entries.read(block.data(), block.size());
@@ -153,7 +153,7 @@ bool countBeyond(const std::string& path, std::uint64_t most) {
   return true;
 }
 
-/// Reads what writeEntries() writes.
+// Reads the output of writeEntries().
 class IsolatedEntries : public ArchiveEntries {
  public:
   IsolatedEntries(const std::string& path, const CancelToken& cancel)

@@ -16,22 +16,22 @@ struct ArchiveEntry {
   enum class Kind { file, folder, other } kind = Kind::other;  ///< other: links, devices
 };
 
-/// The entries of a zip archive, front to back. Errors are reasons without the archive's name; empty where
-/// there is none but that it is damaged.
+/// The entries of a zip archive in sequence. Errors are reasons without the archive's name; an empty one
+/// means that it is damaged.
 class ArchiveEntries {
  public:
   virtual ~ArchiveEntries() = default;
-  /// The next entry; nothing behind the last.
+  /// Returns the next entry; empty after the last.
   virtual Result<std::optional<ArchiveEntry>> next() = 0;
-  /// Up to `count` bytes of the entry in hand; 0 at its end.
+  /// Reads up to `count` bytes of the current entry; 0 at its end.
   virtual Result<std::size_t> read(void* to, std::size_t count) = 0;
 };
 
-/// Whether an archive holds more than `most` entries, by their headers alone, which is quick; false, too,
-/// where that cannot be told so. In a worker where there are any.
+/// True if an archive holds more than `most` entries, counted by their headers alone, which is quick. Also
+/// false if that fails. Runs in a worker if there are any.
 bool hasMoreEntries(const std::string& path, std::size_t most, const CancelToken& cancel);
 
-/// Reads an archive, in a worker where there are any (io/worker).
+/// Returns a reader of an archive, in a worker if there are any (io/worker).
 std::unique_ptr<ArchiveEntries> readArchive(const std::string& path, const CancelToken& cancel);
 
 }  // namespace volumen

@@ -23,8 +23,8 @@ struct BenchOptions {
   bool json = false, paper = false;
 };
 
-// --elevation stands the camera above the plane that it turns in; a camera that the scene does not give is
-// fitted there.
+// --elevation raises the camera above the plane in which it turns. A camera that the scene lacks is fitted
+// there.
 void raiseCamera(Scene& scene, const Volume& volume, glm::ivec2 size, double degrees) {
   const bool given = scene.camera.has_value();
   scene.camera = elevated(scene.camera.value_or(Camera{}), degrees);
@@ -83,7 +83,7 @@ std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel) {
          -89, 89);
   app.add_flag("--json", o->json, "Write one JSON object to stdout");
   addExamples(app, {"volumen bench scans/ --views 8", "volumen bench scans/ --scene scene.json --json"});
-  // The paper says what is drawn, and how.
+  // The paper fixes the scenes and the method.
   const std::set<std::string> goWithPaper{"PATH",  "help",   "list-presets", "output",
                                           "paper", "rounds", "threads"};
   for (CLI::Option* other : app.get_options())

@@ -19,7 +19,8 @@ namespace {
 struct StandIn {
   int column;
   const char *path, *name;
-  glm::ivec3 rawBytes{0};  ///< voxels of a gzipped file of bytes without a header; 0: the file has one
+  /// size of a gzipped file of bytes without a header, in voxels; 0: the file has a header
+  glm::ivec3 rawBytes{0};
 };
 
 constexpr StandIn standIns[] = {
@@ -50,7 +51,7 @@ Result<VolumePtr> readStandIn(const StandIn& s, const std::string& data, const C
   return opened->loaded.drawn;
 }
 
-// What is there of the stand-ins; what is not is told.
+// Adds the stand-ins that exist, and notes the missing ones.
 Result<std::vector<PaperVolume>> withStandIns(const std::string& data, const CancelToken& cancel) {
   std::vector<PaperVolume> volumes = paperPhantoms();
   if (data.empty()) return volumes;

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// `bench --paper`: the paper's tables, figures and comparison on this machine, into `folder`. `data`: a
-/// folder of test data in which stand-ins for the paper's scans are looked for; empty: the phantoms alone.
+/// Runs `bench --paper`: writes the paper's tables, figures and comparison for this machine into `folder`.
+/// `data` is a folder of test data with stand-ins for the paper's scans; if empty, only phantoms are used.
 /// Returns the exit status.
 int benchPaper(const std::string& folder, const std::string& data, const PaperOptions& options,
                const CancelToken& cancel);

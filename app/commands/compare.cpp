@@ -18,7 +18,7 @@ struct CompareOptions {
   bool json = false;
 };
 
-// A segment of a file, and the labels that it is in.
+// A segment of a file, and the label map that contains it.
 struct SegmentIn {
   const Segment* segment;
   const LabelMap* labels;
@@ -32,7 +32,8 @@ std::vector<SegmentIn> segmentsIn(const SegmentsFile& file) {
   return all;
 }
 
-// Those of one name; where each file has one segment, these, whatever they are called.
+// Returns pairs of segments with equal names. If each file has one segment, it returns these, whatever their
+// names.
 std::vector<std::pair<SegmentIn, SegmentIn>> pairsOf(const std::vector<SegmentIn>& first,
                                                      const std::vector<SegmentIn>& second) {
   if (first.size() == 1 && second.size() == 1) return {{first[0], second[0]}};
@@ -67,7 +68,7 @@ void printCompared(const std::vector<ComparedSegments>& all, const std::vector<s
   std::cout << jsonText({{"pairs", pairs}, {"notes", notes}});
 }
 
-// The segments of the second file on the grid of the first.
+// Returns the segments of the second file on the grid of the first.
 Result<SegmentsFile> secondOnFirst(const CompareOptions& options, const SegmentsFile& first,
                                    const CancelToken& cancel) {
   Result<SegmentsFile> second = readSegments(options.second, {}, cancel);

@@ -23,7 +23,7 @@ struct ConvertOptions {
   std::string path, output, series;
 };
 
-// A folder stands for a DICOM series: one that is there, or a name that ends in "/".
+// A folder (an existing one, or a name that ends in "/") means a DICOM series.
 bool isFolder(const std::string& output) {
   std::error_code ignored;
   return output.ends_with('/') || std::filesystem::is_directory(output, ignored);
@@ -37,7 +37,7 @@ Status checkOutput(const std::string& output) {
   return file ? Status() : Status(file.error());
 }
 
-// Gives what the user is to be told of what was written.
+// Returns notes for the user about the written file.
 Result<std::vector<std::string>> write(const Opened& opened, const std::string& output,
                                        const Progress& progress, const CancelToken& cancel) {
   const Volume& volume = *opened.loaded.drawn;
@@ -53,7 +53,7 @@ Result<std::vector<std::string>> write(const Opened& opened, const std::string& 
   return notes;
 }
 
-// Of the grid that was written, where it is not that of the slices as acquired.
+// Returns a note on the written grid, for grids that differ from the acquired slices.
 std::string gridNote(const Loaded& loaded) {
   const int made = loaded.interpolatedSlices();
   const std::string slices = std::to_string(loaded.drawn->size().z) + " evenly spaced slices were written";

@@ -21,10 +21,10 @@ namespace {
 constexpr std::uint32_t repetitionTime = 0x00180080, triggerTime = 0x00181060,
                         frameReferenceTime = 0x00541300, gradientDirection = 0x00189089;
 
-// What the first slice of a series says.
+// Attributes of the first slice of a series.
 struct Said {
   std::optional<double> repetitionMs, referenceMs, triggerMs;
-  std::vector<double> direction;  // patient space; empty: not said
+  std::vector<double> direction;  // patient space; empty: missing
 };
 
 std::vector<double> numbersOf(const std::string& text) {
@@ -39,7 +39,7 @@ std::vector<double> numbersOf(const std::string& text) {
   return numbers;
 }
 
-// What the first slices of volumes say. Each file is read once, however many volumes begin in it.
+// Reads the first slices of volumes. Each file is read once, even if several volumes begin in it.
 class FirstSlices {
  public:
   explicit FirstSlices(const CancelToken& cancel) : cancel_(cancel) {}
@@ -76,7 +76,7 @@ class FirstSlices {
   std::map<std::string, Result<DicomSource>> sources_;  // by file
 };
 
-// From one volume to the next, where it is always the same; 0: it is not, or not known.
+// Returns the step from one volume to the next if it is constant; 0 if it is not, or unknown.
 double evenStep(const std::vector<Said>& said, std::optional<double> Said::*ms) {
   const double step = (said[1].*ms).value_or(0) - (said[0].*ms).value_or(0);
   for (std::size_t n = 1; n < said.size(); ++n) {
@@ -86,8 +86,8 @@ double evenStep(const std::vector<Said>& said, std::optional<double> Said::*ms) 
   return step;
 }
 
-// By reference times (PET) or trigger times, else the repetition time (MR) of volumes that all have the same
-// one and no times of their own.
+// Takes the time step from reference times (PET) or trigger times. Without these, it is the repetition time
+// (MR), if that is the same for all volumes.
 double stepSeconds(const std::vector<Said>& said) {
   constexpr double second = 1000;  // ms
   for (const auto ms : {&Said::referenceMs, &Said::triggerMs}) {
@@ -98,8 +98,8 @@ double stepSeconds(const std::vector<Said>& said) {
   return std::ranges::all_of(said, alike) ? said[0].repetitionMs.value_or(0) / second : 0;
 }
 
-// FSL's convention: along the axes of the voxels, the first turned round where they are right-handed in RAS
-// (as they are where they are in LPS).
+// FSL's convention: directions relative to the voxel axes; the first is inverted if the axes are right-handed
+// (in LPS as in RAS).
 glm::dvec3 alongVoxels(const std::vector<double>& direction, const glm::dmat3& L) {
   const glm::dvec3 d(direction[0], direction[1], direction[2]);
   glm::dvec3 v;
@@ -115,7 +115,7 @@ Status writeText(const std::string& path, const std::string& text) {
   return out->commit();
 }
 
-// The b values; nothing where one is not known, or none is a weight.
+// Returns the b-values; empty if one is unknown or all are 0.
 std::vector<double> bValuesOf(const std::vector<Series>& volumes) {
   std::vector<double> values;
   for (const Series& series : volumes) {
@@ -126,7 +126,7 @@ std::vector<double> bValuesOf(const std::vector<Series>& volumes) {
   return std::ranges::max(values) > 0 ? values : std::vector<double>();
 }
 
-// A line for each axis; empty where a weighted volume has no direction.
+// Returns one line for each axis; empty if a weighted volume has no direction.
 std::string directionsText(const std::vector<double>& b, const std::vector<Said>& said, const glm::dmat3& L) {
   std::string lines[3];
   for (std::size_t n = 0; n < b.size(); ++n) {

@@ -10,18 +10,18 @@
 
 namespace volumen {
 
-/// The volumes that `--series` names by the UID of a series that holds several; else none. An Error where
+/// Returns the volumes of the series UID that `--series` names, if there are several; else none. The Error:
 /// PATH cannot be opened.
 Result<std::vector<Series>> severalVolumes(const std::string& path, const std::string& series,
                                            const Progress& progress, const CancelToken& cancel);
 
 struct WrittenVolumes {
-  std::vector<std::string> notes;  ///< what the user is to be told
-  std::vector<Unread> unread;      ///< what of them could not be read
+  std::vector<std::string> notes;  ///< notes for the user
+  std::vector<Unread> unread;      ///< unreadable files of the volumes
 };
 
-/// Writes volumes of one grid as 4-D NIfTI, in their order, with the time from one to the next where it is
-/// known, and their diffusion weights and directions beside it (.bval, .bvec) where all are known.
+/// Writes volumes of one grid in their order as 4-D NIfTI, with the time step if it is known. If all b-values
+/// and directions are known, they are written beside it (.bval, .bvec).
 Result<WrittenVolumes> writeVolumes(const std::vector<Series>& volumes, const std::string& output,
                                     const Progress& progress, const CancelToken& cancel);
 

@@ -51,7 +51,7 @@ void print(const ImportReport& report) {
       std::cout << "  " << printable(file.path) << ": " << printable(file.reason) << '\n';
 }
 
-// What became of the index, and which paths hold nothing.
+// Returns the index's notice and the paths without files.
 std::vector<std::string> warningsOf(const Index& index, const ImportReport& report) {
   std::vector<std::string> warnings;
   if (!index.notice().empty()) warnings.push_back(index.notice());

@@ -30,7 +30,7 @@ struct InfoOptions {
 Json toJson(glm::dvec3 v) { return Json::array({v.x, v.y, v.z}); }
 Json toJson(glm::ivec3 v) { return Json::array({v.x, v.y, v.z}); }
 
-// The geometry keys of design.md 7; null where nothing is calibrated.
+// Adds the geometry keys of design.md 7; null if not calibrated.
 void addGeometry(Json& out, const VoxelGeometry& g) {
   const bool known = g.calibrated;
   const glm::dvec3 spacing = g.spacing();
@@ -46,10 +46,10 @@ void addGeometry(Json& out, const VoxelGeometry& g) {
 
 struct Values {
   double low = HUGE_VAL, high = -HUGE_VAL, mean = 0;
-  Json crc;  // eight hexadecimal digits, or null where the rescale is not whole
+  Json crc;  // eight hexadecimal digits; null if the rescale is not whole
 };
 
-// CRC-32 of the real values as 32-bit integers where all are whole, else as floats (little endian).
+// Returns the CRC-32 of the real values: as 32-bit integers if all are whole, else as floats (little endian).
 std::string crcOf(const Volume& volume, std::size_t count, bool whole) {
   uLong crc = crc32(0, nullptr, 0);
   std::vector<std::int32_t> block;
@@ -85,7 +85,7 @@ Values valuesOf(const Volume& volume) {
   return out;
 }
 
-// Sentences, and the kind of each.
+// Adds the sentences of warnings, and their kinds.
 void addWarnings(Json& out, const std::vector<Warning>& warnings) {
   out["warnings"] = out["warningKinds"] = Json::array();
   for (const Warning& w : warnings) {
@@ -111,7 +111,7 @@ void addIdentity(Json& out, const SeriesIdentity& s) {
   out["description"] = s.description;
 }
 
-// The factors to SUV that can be had, and why others cannot; empty where it is no PET.
+// Returns the available SUV factors, and the reason why others are missing; empty if the series is not PET.
 Json suvJson(const SuvFactors& suv) {
   Json out;
   for (const auto& [key, factor] : {std::pair("bodyWeight", &suv.bodyWeight),
@@ -159,8 +159,7 @@ Json imageJson(const Image& image) {
   return out;
 }
 
-// Loads the series and adds min .. crc32Values; a volume whose values cannot be read is refused with its
-// reason.
+// Loads the series and adds min .. crc32Values. The Error: its values cannot be read.
 Status addValues(InfoSeries& entry, const Series& series, const CancelToken& cancel) {
   Json& out = entry.json;
   auto loaded = loadSeries(series, terminalProgress(), cancel);
@@ -180,7 +179,7 @@ Status addValues(InfoSeries& entry, const Series& series, const CancelToken& can
   return {};
 }
 
-// Every series, with its values where they are wanted; one whose values cannot be read is refused instead.
+// Describes every series, with its values if requested. A series with unreadable values is refused instead.
 std::vector<InfoSeries> describe(Study& study, bool values, const CancelToken& cancel) {
   std::vector<InfoSeries> all;
   for (const Series& s : study.volumes) {
@@ -197,7 +196,7 @@ std::vector<InfoSeries> describe(Study& study, bool values, const CancelToken& c
   return all;
 }
 
-// With its contents where they are wanted, or why they cannot be read.
+// Describes an object; with `values` also its contents, or the reason why they cannot be read.
 Json describeDerivedObject(const DerivedObject& object, bool values) {
   Json out = derivedToJson(object);
   if (!values) return out;

@@ -20,12 +20,12 @@ struct ListOptions {
   bool studies = false, series = false, json = false;
 };
 
-/// A series, with its files, where they are wanted.
+// A series, with its files if they were requested.
 struct ListedSeries : IndexedSeries {
   std::vector<std::string> files;
 };
 
-/// A study with its series, where they are wanted.
+// A study, with its series if they were requested.
 struct Listed {
   IndexedStudy study;
   std::vector<ListedSeries> series;
@@ -129,7 +129,7 @@ Result<std::vector<Listed>> find(const Index& index, const ListOptions& options)
   return all;
 }
 
-// A script that reads only the JSON is not to take it for an index without studies.
+// A script that reads only the JSON must not see an index without studies.
 int failed(const std::string& sentence, const ListOptions& options) {
   if (options.json) std::cout << jsonText({{"studies", Json::array()}, {"problem", sentence}});
   return fail(sentence);

@@ -33,8 +33,8 @@ PetUnit unitWanted(const MeasureOptions& options) {
   return options.unit.empty() ? PetUnit::suvBodyWeight : meaning(unitWords, options.unit);
 }
 
-/// What the values of a series are given in: SUVbw where none was asked for and it can be had; an Error where
-/// what was asked for cannot be.
+// Returns the scale of a series' values. Without an option it is SUVbw if available. The Error: the requested
+// unit is not available.
 Result<ValueScale> scaleFor(const Series& series, const MeasureOptions& options) {
   const PetUnit wanted = unitWanted(options);
   ValueScale scale = valueScale(series, wanted);
@@ -42,13 +42,13 @@ Result<ValueScale> scaleFor(const Series& series, const MeasureOptions& options)
   return Error{series.path + ": " + (scale.why.empty() ? "no SUV: it is no PET series" : scale.why) + "."};
 }
 
-// The range of a volume in the unit that its other numbers have.
+// Converts a shape to JSON; its range gets the same unit as its other numbers.
 nlohmann::ordered_json jsonOf(Shape shape, const Result<Measured>& measured, double factor) {
   shape.range.low *= factor, shape.range.high *= factor;
   return measuredToJson(shape, measured);
 }
 
-/// None where no file is named.
+// Returns no shapes if no file is named.
 Result<std::vector<Shape>> readShapes(const std::string& path) {
   if (path.empty()) return std::vector<Shape>();
   constexpr std::uint64_t mostBytes = 16 << 20;
@@ -62,13 +62,13 @@ Result<std::vector<Shape>> readShapes(const std::string& path) {
   return shapes;
 }
 
-/// The series and the number there of the picture that a shape is drawn on.
+// The series and index of the image on which a shape is drawn.
 struct FrameOfStudy {
   const Series* series = nullptr;
   int index = 0;
 };
 
-/// What is lost of what shapes are measured on.
+// Returns the unreadable files of everything that shapes are measured on.
 std::vector<Unread> unreadOf(const std::optional<Opened>& opened, const std::vector<const Series*>& frames) {
   std::vector<Unread> all;
   if (opened) all = opened->loaded.unread;
@@ -99,7 +99,7 @@ Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape, 
   return scaled(measureOnFrame(shape, pixelsOf(**shown), scale->unit), scale->factor);
 }
 
-/// What is measured on; of the two what is needed.
+// The sources to measure on, as far as they are needed.
 struct Sources {
   std::optional<Opened> volume;
   std::vector<Series> frames;
@@ -134,7 +134,7 @@ void addNotes(Opened& opened, const ValueScale& scale, bool hasShapes) {
                            scale.why + ".");
 }
 
-// `used` gets the series of the pictures that they are on.
+// `used` receives the series of the measured images.
 nlohmann::ordered_json measurementsOf(const std::vector<Shape>& shapes, const Sources& sources,
                                       const ValueScale& scale, const MeasureOptions& options,
                                       std::vector<const Series*>& used, const CancelToken& cancel) {
@@ -149,7 +149,7 @@ nlohmann::ordered_json measurementsOf(const std::vector<Shape>& shapes, const So
   return all;
 }
 
-// Their numbers to the JSON and to the CSV that is asked for, what is to be said of them to the notes.
+// Adds the segments' numbers to the JSON and to the requested CSV, and notes about them to `opened`.
 Status measureSegments(nlohmann::ordered_json& all, Opened& opened, const MeasureOptions& options,
                        const CancelToken& cancel) {
   const auto segments = segmentsOfFile(options.segments, opened, cancel);

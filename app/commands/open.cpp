@@ -36,9 +36,9 @@ bool namesDisplay() {
          !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
 }
 
-// A child process that connects to the display, as QGuiApplication ends a program whose display does not
-// answer. It stays connected as long as this object lives: an X server that loses its only client starts
-// anew, and turns away who comes meanwhile.
+// A child process that connects to the display, because QGuiApplication ends a program if its display does
+// not answer. It stays connected as long as this object lives. An X server that loses its only client
+// restarts, and rejects new clients meanwhile.
 class DisplayProbe {
  public:
   DisplayProbe() {
@@ -79,7 +79,7 @@ class DisplayProbe {
   bool answers_ = true;
 };
 
-// The settings name the files that were opened last, and so patients.
+// The settings name recently opened files, and thus patients.
 void keepSettingsPrivate() {
   const QString file = QSettings().fileName();
   if (!makePrivateFolder(QFile::encodeName(QFileInfo(file).path()).toStdString())) return;
@@ -89,7 +89,7 @@ void keepSettingsPrivate() {
   ::close(fd);
 }
 
-// The paths that are there; every other one is complained about.
+// Returns the paths that exist, and reports all others.
 std::vector<std::string> existing(const std::vector<std::string>& paths) {
   std::vector<std::string> there;
   for (const std::string& path : paths) {

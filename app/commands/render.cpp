@@ -38,13 +38,13 @@ struct RenderArguments {
   bool noWarningLine = false, explain = false, printScene = false, removeTable = false;
 };
 
-// Times that only the command knows.
+// Times that the command measures itself.
 struct Times {
   double loadMs = 0, planMs = 0, gradientsMs = 0, totalMs = 0;
   std::vector<double> framesMs;
 };
 
-// What the picture's PNG says of itself.
+// Returns the text entries of the image's PNG.
 PictureText textOf(const Rendered& done, const SegmentsInPicture& segments) {
   PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.error)});
   std::ranges::move(textOfSegments(segments, done.plan.segments), std::back_inserter(text));
@@ -57,7 +57,8 @@ nlohmann::ordered_json pictureJson(const PictureText& text) {
   return out;
 }
 
-// How far the picture may be off, in 1/255; psnrDb is null where that is 0. Null where that is not known.
+// Returns the estimated error of the picture in 1/255; psnrDb is null for no error. Null if there is no
+// estimate.
 nlohmann::ordered_json errorJson(const Rendered& done) {
   const auto estimated = estimateOf(done.error);
   if (!estimated) return nullptr;
@@ -108,7 +109,7 @@ Status writePicture(const Rendered& done, const PictureText& text, const std::ve
   return writePictureWithWarnings(imageForFile(done.picture), text, warnings, warningLine, path);
 }
 
-// "head.png" and 7 -> "head-007.png".
+// Returns "head-007.png" for "head.png" and 7.
 std::string numbered(const std::string& path, int n) {
   const std::size_t dot = path.rfind('.');
   char number[16];
@@ -176,7 +177,7 @@ class Run {
     return named ? 0 : failUsage(named.message());
   }
 
-  // An option that contradicts the session that is drawn; empty: none.
+  // Returns an option that contradicts the rendered session; empty: none.
   std::string saidBySession() const {
     if (!isSessionFile(options_.path)) return {};
     if (!options_.series.empty()) return "--series";
@@ -185,7 +186,7 @@ class Run {
     return options_.removeTable ? "--remove-table" : "";
   }
 
-  // As the session's 3D view draws them.
+  // Returns the segments that the session's 3D view draws, and notes those that cannot be drawn.
   std::vector<SegmentInScene> segmentsOf(const SessionView& session, const Volume& whole) const {
     const std::vector<SegmentMap>& maps = session.segments;
     std::vector<SegmentInScene> drawn;
@@ -198,7 +199,7 @@ class Run {
       else
         refused.push_back({segment, made.whyNot});
     }
-    if (cancel_.cancelled()) return drawn;  // not made, which is no refusal
+    if (cancel_.cancelled()) return drawn;  // cancelled surfaces are not refused ones
     for (const QString& line : notDrawnText(refused).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
       printNotes({line.toStdString()});
     const auto missing = std::ranges::count_if(maps, [](const SegmentMap& map) { return !map.labels; });
@@ -208,14 +209,14 @@ class Run {
     return drawn;
   }
 
-  // Whether the volume itself is shown only inside or outside segments.
+  // True if the volume itself is visible only inside or outside segments.
   bool showsTissueApart(const SessionView& session) const {
     return std::ranges::any_of(session.segments, [&](const SegmentMap& map) {
       return map.tissue.where != TissueShown::Where::everywhere && isOn(map, volume_->geometry());
     });
   }
 
-  // Makes what the volume shows what it shows in the session's 3D view.
+  // Masks the volume as in the session's 3D view.
   Status leaveTissue(const SessionView& session) {
     std::vector<const SegmentMap*> maps;
     for (const SegmentMap& map : session.segments) maps.push_back(&map);
@@ -232,7 +233,7 @@ class Run {
     return drawnAsTheWhole(std::move(scene), defaultWindow(facts), facts.p999 - facts.p01, facts.geometry);
   }
 
-  // Whether everything can be written that will be.
+  // Checks that all outputs can be written.
   Status checkOutputs() const {
     const std::string picture =
         options_.turntable && !options_.output.empty() ? numbered(options_.output, 0) : options_.output;
@@ -269,7 +270,7 @@ class Run {
     return exitDone;
   }
 
-  // Of the last picture.
+  // Writes the error map of the last picture.
   int writeErrorMap() {
     if (done_.error.empty()) return fail("No error map was written. " + whyNoEstimate(done_.plan));
     const Status written = writeMapNrrd(done_.picture.size, done_.error, options_.errorMap);
@@ -278,7 +279,7 @@ class Run {
     return exitDone;
   }
 
-  // What would be drawn.
+  // Completes the plan without rendering.
   int settle(const Plan& plan, RenderCaches& caches) {
     done_.plan = plan;
     if (!options_.explain) return exitDone;
@@ -289,7 +290,7 @@ class Run {
     return exitDone;
   }
 
-  // The same view as often as --frames asks, for timing.
+  // Renders the same view --frames times, for timing.
   int drawFrames(const Plan& plan, RenderCaches& caches) {
     for (int n = 0; n < options_.frames; ++n) {
       const double begin = wallMs();
@@ -322,7 +323,7 @@ class Run {
     return written.ok() ? status : fail(written.message());
   }
 
-  // Beside a scene nothing else is written to stdout, so that a file of it can be read again.
+  // With --print-scene, stdout holds only the scene, so that it can be read again.
   std::ostream& told() const { return options_.printScene ? std::cerr : std::cout; }
 
   const RenderArguments& options_;

@@ -34,13 +34,13 @@ struct SegmentOptions {
   SurfaceWriting surfaces;
 };
 
-// What segments are made by, or the file that holds them.
+// The source of segments: a recipe or a file.
 struct SegmentSource {
   std::optional<Recipe> recipe{};
   std::string file{};
 };
 
-// An end of the range: a number, or nothing for no end.
+// Parses an end of the range; an empty text gives `open`.
 std::optional<double> readEnd(const std::string& text, double open) {
   if (text.empty()) return open;
   double value = 0;
@@ -49,7 +49,7 @@ std::optional<double> readEnd(const std::string& text, double open) {
   return value;
 }
 
-// "A:B", "A:" or ":B", A <= B.
+// Parses "A:B", "A:" or ":B" with A <= B.
 std::optional<ValueRange> readRange(const std::string& text) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::size_t colon = text.find(':');
@@ -60,7 +60,7 @@ std::optional<ValueRange> readRange(const std::string& text) {
   return ValueRange{*low, *high};
 }
 
-// The short form of a recipe: one range of values.
+// Returns a recipe of one range of values.
 Result<Recipe> recipeOfRange(const SegmentOptions& options) {
   const auto range = readRange(options.range);
   if (!range)
@@ -73,7 +73,7 @@ Result<Recipe> recipeOfRange(const SegmentOptions& options) {
   return recipe;
 }
 
-// What the command line calls a built-in recipe: "lungs-and-airways".
+// Returns the command line's name of a built-in recipe: "lungs-and-airways".
 std::string wordOf(const Recipe& recipe) {
   std::string word;
   for (const char c : recipe.name)
@@ -101,7 +101,7 @@ Result<Recipe> recipeNamed(const std::string& name) {
                " `volumen segment --list-recipes` shows all; a file's name ends in .json."};
 }
 
-// What is of no use without the table goes with it.
+// Intersects all segments with the patient, which excludes the table.
 void removeTable(Recipe& recipe) {
   recipe.steps.insert(recipe.steps.begin(), {"patient", "Patient"});
   for (const Segment& segment : recipe.segments)
@@ -135,7 +135,7 @@ void addNotes(Opened& opened, const SegmentSource& source, const SegmentNumbersT
   addSegmentNotes(opened, numbers.reports);
 }
 
-// One map; of a file whose segments overlap, several.
+// Returns one map; several for a file with overlapping segments.
 Result<SegmentsFile> segmentsOf(const SegmentSource& source, Opened& opened, const CancelToken& cancel) {
   if (!source.recipe) return segmentsOfFile(source.file, opened, cancel);
   auto made = follow(*source.recipe, *opened.loaded.drawn, cancel, acquiredSlicesOf(opened.loaded));
@@ -147,7 +147,7 @@ Result<SegmentsFile> segmentsOf(const SegmentSource& source, Opened& opened, con
   return all;
 }
 
-// Nothing is written over what is read or written besides; only segments of a file are, by themselves.
+// Protects all files that are read or written by the command. Only a file of segments may replace itself.
 Status checkNames(const SegmentOptions& options, const SegmentsFile& segments, const Series& series) {
   auto written = options.output.empty() ? std::vector<std::string>()
                                         : filesOfExport(options.output, segments.maps, options.surfaces);
@@ -161,7 +161,7 @@ Status checkNames(const SegmentOptions& options, const SegmentsFile& segments, c
   return checkApart({&options.csv, 1}, segments.files);
 }
 
-// Nothing where numbers alone are asked for.
+// Writes nothing if only numbers are requested.
 Result<ExportedSegments> exportedOf(const SegmentOptions& options, const SegmentsFile& segments,
                                     const Series& series, const CancelToken& cancel) {
   if (options.output.empty()) return ExportedSegments();
@@ -171,7 +171,7 @@ Result<ExportedSegments> exportedOf(const SegmentOptions& options, const Segment
   return exportSegments(options.output, maps, series, {}, cancel, options.surfaces);
 }
 
-// Whether the file can be written, and has surfaces where an option is about them.
+// Checks that the output format exists, and that it has surfaces if an option requires them.
 Status checkFormat(const SegmentOptions& options) {
   const SegmentFormat* format = nullptr;
   if (!options.output.empty()) {
@@ -200,7 +200,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   const auto segments = segmentsOf(source, *opened, cancel);
   if (!segments) return fail(segments.message(), cancel);
   if (Status s = checkNames(options, *segments, opened->series); !s) return fail(s.message());
-  // Surfaces take their time: where a file is written they are asked for by --json or --csv.
+  // Measuring surfaces takes long: with an output file they are measured only for --json or --csv.
   const NumbersWanted wanted{.surfaces = options.json || !options.csv.empty() || options.output.empty(),
                              .overTime = options.json};
   const auto numbers = numbersTold(segments->maps, *opened, PetUnit::suvBodyWeight, wanted, cancel);

@@ -26,13 +26,13 @@ namespace {
 
 const OptionWords<NamedPlane> planes{
     {"axial", NamedPlane::axial}, {"coronal", NamedPlane::coronal}, {"sagittal", NamedPlane::sagittal}};
-const char* const framePlane = "frame";  // beside them: a picture as acquired
+const char* const framePlane = "frame";  // besides: an image as acquired
 const OptionWords<SlabMode> slabModes{
     {"max", SlabMode::max}, {"min", SlabMode::min}, {"mean", SlabMode::mean}};
 const OptionWords<Interpolation> interpolations{
     {"linear", Interpolation::linear}, {"nearest", Interpolation::nearest}, {"cubic", Interpolation::cubic}};
 
-// As typed.
+// Options as typed.
 struct SliceOptions {
   std::string path, series, output, plane = "axial", centre, right, down, size, slabMode = "max",
                                     interpolation = "linear", window, presentation;
@@ -42,7 +42,7 @@ struct SliceOptions {
   bool average = false, printPlane = false, noWarningLine = false, noGraphics = false;
 };
 
-// Read, before a volume is known.
+// Parsed options, before the volume is known.
 struct Asked {
   std::optional<glm::dvec3> centre;
   std::optional<std::pair<glm::dvec3, glm::dvec3>> rightAndDown;  // orthogonal unit vectors
@@ -91,7 +91,7 @@ Result<Asked> readOptions(const SliceOptions& options) {
   return asked;
 }
 
-// Where --at is measured.
+// Returns the axis of --at.
 int axisOf(NamedPlane plane) { return plane == NamedPlane::axial ? 2 : plane == NamedPlane::coronal ? 1 : 0; }
 
 Result<SlicePlane> onIndex(const SlicePlane& plane, const VoxelGeometry& geometry, int index) {
@@ -105,7 +105,7 @@ Result<SlicePlane> onIndex(const SlicePlane& plane, const VoxelGeometry& geometr
   return *on;
 }
 
-// Refused where nothing of the volume lies in the plane or its slab: the picture would be empty.
+// The Error: the plane or slab does not meet the volume, so the picture would be empty.
 Status checkMeets(const SlicePlane& plane, const VoxelGeometry& geometry) {
   glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
   double nearest = HUGE_VAL, farthest = -HUGE_VAL;  // along the normal, from the plane
@@ -169,7 +169,7 @@ QImage greyImage(const SliceValues& slice, const GreyMapping& grey) {
   return image;
 }
 
-// Nothing where lengths and directions are not known.
+// Returns nothing without calibration.
 std::optional<PicturePlane> placeOf(const SlicePlane& plane, const VoxelGeometry& geometry) {
   if (!geometry.calibrated) return {};
   return PicturePlane{plane.patientFromPixel({0.5, 0.5}), plane.right * plane.mmPerPixel,
@@ -191,7 +191,7 @@ Status writeSlice(const SliceValues& slice, const SlicePlane& plane, const Opene
                                   !options.noWarningLine, options.output);
 }
 
-// What of the command line cannot be meant, whatever the volume.
+// Checks options that are invalid for any volume.
 Status checkUsage(const SliceOptions& options, const Asked& asked) {
   if (options.output.empty() && !options.printPlane)
     return Error{"Missing output file: use -o PICTURE (.png or .nrrd)."};
@@ -216,7 +216,7 @@ int draw(const SliceOptions& options, const Asked& asked, const SlicePlane& plan
   const auto slice = resampleSlice(*opened.loaded.drawn, plane, 0, cancel);
   if (!slice) return fail(slice.message(), cancel);
   if (Status s = writeSlice(*slice, plane, opened, options, asked); !s) return fail(s.message());
-  // Beside a plane nothing else is written to stdout.
+  // With --print-plane, stdout holds only the plane.
   (options.printPlane ? std::cerr : std::cout) << printable(options.output) << '\n';
   return exitDone;
 }
@@ -244,7 +244,7 @@ int run(const SliceOptions& options, const CancelToken& cancel) {
   return opened->status();
 }
 
-// Adds what says where the plane lies.
+// Adds the options for the position of the plane.
 void addPlane(CLI::App& app, SliceOptions& o) {
   constexpr double farMm = 1e6;
   std::vector<std::string> names = keys(planes);

@@ -21,12 +21,12 @@ namespace volumen {
 
 namespace {
 
-/// A picture that frames are taken of: an image or a series.
+// The source of frames: an image or a series.
 struct Source {
   const Image* image = nullptr;
   const Series* series = nullptr;
 
-  /// How many frames a presentation state can name: none of a series that is not DICOM.
+  // Returns how many frames a presentation state can reference; 0 for a series that is not DICOM.
   int count() const { return image ? image->frames : int(series->sopInstanceUids.size()); }
   bool isNamedBy(const Presentation& p, int n) const {
     if (image) return namesFrame(p.pictures, image->sopInstanceUid, n);
@@ -53,7 +53,7 @@ Result<Source> sourceOf(const Study& study, const FrameOptions& options) {
   return Source{nullptr, &study.volumes[*series]};
 }
 
-/// The file that --presentation means.
+// Returns the file that --presentation means.
 Result<std::string> presentationFile(const Study& study, const std::string& text) {
   const bool isNumber = text.find_first_not_of("0123456789") == std::string::npos && text.size() <= 9;
   if (!isNumber) return text;
@@ -66,7 +66,7 @@ Result<std::string> presentationFile(const Study& study, const std::string& text
                std::to_string(count) + "."};
 }
 
-/// The first frame of these that a presentation state refers to.
+// Returns the first frame that a presentation state references.
 std::optional<std::pair<Source, int>> firstNamed(const std::vector<Source>& sources,
                                                  const Presentation& presentation) {
   for (const Source& source : sources)
@@ -75,7 +75,7 @@ std::optional<std::pair<Source, int>> firstNamed(const std::vector<Source>& sour
   return {};
 }
 
-/// That no picture is here, with those that are here without their pixels.
+// Returns the error that no referenced image is present; it lists images without pixels.
 Error namesNothing(const Study& study, const std::string& path) {
   std::string why;
   for (const Other& other : study.other) {
@@ -87,7 +87,7 @@ Error namesNothing(const Study& study, const std::string& path) {
   return Error{path + " holds none of the pictures that the presentation state refers to." + why};
 }
 
-/// The picture that is asked for, else the first one that a presentation state refers to.
+// Returns the requested image, else the first one that a presentation state references.
 Result<std::pair<Source, int>> presentedSource(const Study& study, const FrameOptions& options,
                                                const Presentation& presentation) {
   std::vector<Source> sources;
@@ -114,7 +114,7 @@ QImage imageOf(const std::vector<std::uint8_t>& bytes, glm::ivec2 size, bool col
   return image;
 }
 
-/// The frame in 8 bits, 3 or 1 a pixel.
+// Returns the frame in 8 bits, 3 or 1 a pixel.
 std::vector<std::uint8_t> bytesOf(const Frame& frame, const std::optional<Window>& window) {
   if (frame.colour()) return frame.rgb;
   GreyMapping grey = frame.greys.front().mapping;
@@ -164,7 +164,7 @@ Status write(const PresentedFrame& shown, const FrameOptions& options) {
   return writeImage(image, options.output);
 }
 
-/// Says what is not shown, and writes the picture.
+// Prints what is not displayed, and writes the picture.
 template <class Shown>
 Status finish(const Result<Shown>& shown, const std::vector<std::string>& warnings,
               const FrameOptions& options) {
@@ -173,7 +173,7 @@ Status finish(const Result<Shown>& shown, const std::vector<std::string>& warnin
   return write(*shown, options);
 }
 
-/// Says what is lost of the series that a frame is of, or refuses it for that.
+// Prints the losses of the frame's series, or refuses the series because of them.
 Status tellLosses(const Source& source, int& status) {
   if (!source.series || source.series->unread.empty()) return {};
   if (Status whole = checkLosses(source.series->path, source.series->unread); !whole) return whole;

@@ -17,7 +17,7 @@ DcmTag tagOf(const DicomElement& e) {
   return DcmTag(key, DcmVR(name));
 }
 
-// The items that elements of a list go into: the innermost that is open, and those around it.
+// The stack of nested items that elements of a list go into; the innermost is last.
 class OpenItems {
  public:
   explicit OpenItems(DcmItem& root) : items_{&root} {}
@@ -47,12 +47,12 @@ class OpenItems {
   }
 
   std::vector<DcmItem*> items_;
-  std::vector<DcmSequenceOfItems*> sequences_;  // the last one of each depth
+  std::vector<DcmSequenceOfItems*> sequences_;  // the latest one at each depth
 };
 
 }  // namespace
 
-// + 0.0 takes the sign off a zero.
+// Adding + 0.0 turns -0 into 0.
 std::string decimal(double value) {
   constexpr std::ptrdiff_t longest = 16;
   char text[32];

@@ -10,12 +10,12 @@ class DcmItem;
 
 namespace volumen {
 
-/// An element of a data set as text, on its way into a file. In a list, what a sequence holds stands behind
-/// it: each item is headed by an element dicomItem, and the depth counts items.
+/// An element of a data set as text, to be written to a file. In a list, the items of a sequence follow it.
+/// Each item begins with an element `dicomItem`; `depth` is the number of enclosing items.
 struct DicomElement {
   std::uint32_t tag = 0;  ///< group << 16 | element
-  std::string value;      ///< UTF-8, several values between backslashes; numbers in decimals
-  std::uint16_t vr = 0;   ///< first letter << 8 | second; 0: what the dictionary says
+  std::string value;      ///< UTF-8; several values are separated by backslashes; numbers are decimals
+  std::uint16_t vr = 0;   ///< first letter << 8 | second; 0: taken from the dictionary
   int depth = 0;
   bool operator==(const DicomElement&) const = default;
 };
@@ -27,16 +27,16 @@ inline void append(DicomElements& all, const DicomElements& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// The decimal string (VR DS, at most 16 characters) nearest to a number, as short as says the same.
+/// Returns the shortest decimal string (VR DS, at most 16 characters) that is nearest to a number.
 std::string decimal(double value);
-/// Several of them, between backslashes.
+/// Returns several decimal strings, separated by backslashes.
 std::string decimals(std::initializer_list<double> values);
 
-/// The value of an element of the list itself; empty where it is not there.
+/// Returns the value of a top-level element of the list, or an empty string if it is missing.
 std::string valueOf(std::span<const DicomElement> elements, std::uint32_t tag);
 
-/// Puts elements into a data set, over what is there; an empty value takes no other's place. Elements that
-/// cannot be written (a VR that is not known, a number that is none) are left out.
+/// Puts elements into a data set and replaces those already there, except by empty values.
+/// Leaves out elements that cannot be written (an unknown VR, an invalid number).
 void put(std::span<const DicomElement> elements, DcmItem& into);
 
 }  // namespace volumen

@@ -7,35 +7,35 @@
 
 namespace volumen {
 
-// The modules that every object written shares (PS3.3 C.7), each as elements. Attributes that an object must
-// have are there where nothing is known, too: empty.
+// These functions return the modules shared by all written objects (PS3.3 C.7) as elements. Required
+// attributes with unknown values are present but empty.
 
-/// Patient: whose it is.
+/// Patient.
 DicomElements patientModule(const SeriesIdentity& who);
 
 /// General Study and Patient Study.
 DicomElements studyModule(const SeriesIdentity& who, const std::string& studyUid);
 
-/// General Equipment of what no other machine made.
+/// General Equipment of objects that no other machine made.
 DicomElements equipmentModule();
 
-/// Contributing Equipment: that this program made it from pictures of another machine; `before`: the elements
-/// that a source holds, whose contributors come first.
+/// Contributing Equipment: names this program, which made the object from images of another machine.
+/// Contributors in the source's elements `before` come first.
 DicomElements contributingEquipment(std::span<const DicomElement> before);
 
 /// Frame of Reference.
 DicomElements frameOfReferenceModule(const std::string& uid);
 
-/// A picture that another is derived from.
+/// An image that another one is derived from.
 struct SourcePicture {
   std::string sopClassUid, sopInstanceUid;
-  int frame = 0;  ///< from 1; 0: the picture has one
+  int frame = 0;  ///< from 1; 0: single-frame image
 };
 
-/// That a picture is derived: how, in words, and from which.
+/// Returns the elements that mark an image as derived: how, in words, and from which sources.
 DicomElements derivation(const std::string& words, std::span<const SourcePicture> sources);
 
-/// An item that holds a code.
+/// Returns an item that holds a code.
 DicomElements codeItem(const std::string& value, const std::string& scheme, const std::string& meaning,
                        int depth);
 

@@ -15,7 +15,8 @@ double asWritten(double value) { return std::strtod(decimal(value).c_str(), null
 
 using Padding = std::optional<ValueRange>;
 
-// Gives padding a number that no other value of the slice has; false where neither end is free.
+// Gives padding a stored number that no other value of the slice uses. Returns false if both `low` and `high`
+// are in use.
 bool renumberPadding(std::span<const float> values, const Padding& padding, int low, int high,
                      StoredSlice& slice) {
   for (const int number : {low, high}) {
@@ -32,7 +33,7 @@ bool renumberPadding(std::span<const float> values, const Padding& padding, int 
   return false;
 }
 
-// Values by a rescale, to the nearest stored number; beyond the range to its end.
+// Rescales values to the nearest stored number, clamped to the range of 16 bits.
 StoredSlice rescaled(std::span<const float> values, StoredAs as, const Padding& padding) {
   StoredSlice slice;
   slice.isSigned = as.isSigned;
@@ -75,7 +76,7 @@ StoredSlice asTheyAre(std::span<const Sample> values, const Volume& volume) {
   return slice;
 }
 
-// Stored values that are whole, though they are kept as real ones.
+// Stores floats that are whole numbers without rounding; empty if some are not.
 std::optional<StoredSlice> wholeSlice(std::span<const float> values, const Volume& volume) {
   StoredSlice slice = rescaled(values, {1, 0, true}, {});
   if (slice.largestError > 0) return {};

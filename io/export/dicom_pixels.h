@@ -13,20 +13,20 @@ struct StoredSlice {
   std::vector<std::uint16_t> words;
   bool isSigned = false;
   double slope = 1, intercept = 0;  ///< exactly as decimal() writes them
-  double largestError = 0;          ///< how far a written value is from the volume's, at most
-  std::optional<int> padding = {};  ///< of real values: the number of those that stand for no picture
+  double largestError = 0;          ///< largest difference between a written value and the volume's
+  std::optional<int> padding = {};  ///< stored number of padding voxels; set for real values only
 };
 
-/// How the samples of a slice are stored in the file that it comes from.
+/// How the samples of a slice are stored in its source file.
 struct StoredAs {
   double slope = 1, intercept = 0;
   bool isSigned = false;
 };
 
-/// Slice `k` of a volume: integers as they are; real values by the rescale of their source where that gives
-/// them exactly, else as whole numbers, else, where `mayRound`, in 65536 steps from zero to the largest.
-/// Padding that no number is has one of its own, the lowest or highest, where no other value has that.
-/// Nothing where that is not allowed.
+/// Returns slice `k` of a volume as 16-bit words. Integers stay as they are. Real values use the rescale of
+/// their source if it is exact, else whole numbers. If neither is exact and `mayRound`, they are rounded to
+/// 65536 steps from zero to the largest value. Padding of real values that has no number gets the lowest or
+/// highest one, if no other value uses it. Returns nothing if values are not exact and `mayRound` is false.
 std::optional<StoredSlice> storedSlice(const Volume& volume, int k, const std::optional<StoredAs>& source,
                                        bool mayRound);
 

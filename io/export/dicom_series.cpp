@@ -44,7 +44,7 @@ Status checkRepresentable(const Volume& volume) {
   return {};
 }
 
-// DCMTK copies what it is given; it fails only for lack of memory.
+// DCMTK copies the words; it fails only if memory runs out.
 OFCondition putPixels(const StoredSlice& pixels, glm::ivec3 size, DcmDataset& data) {
   const std::pair<DcmTagKey, int> numbers[] = {{DCM_SamplesPerPixel, 1},
                                                {DCM_Rows, size.y},
@@ -78,7 +78,7 @@ Status writeSlice(const DicomSliceWriter& writer, int k, const StoredSlice& pixe
   return {};
 }
 
-// The largest rounding of values.
+// Returns the largest rounding error of all values.
 Result<double> writeSlices(const Volume& volume, const DicomSliceWriter& writer, const fs::path& folder,
                            const Progress& progress, const CancelToken& cancel) {
   double largestError = 0;
@@ -107,7 +107,7 @@ std::vector<std::string> notesOf(double largestError, const DicomSliceWriter& wr
   return notes;
 }
 
-// "out/" and "out" alike; of a link what it leads to.
+// Treats "out/" and "out" alike and follows links to their target.
 fs::path targetOf(const std::string& folder) {
   const fs::path target = fs::path(folder).lexically_normal();
   return endOfLinks((target.has_filename() ? target : target.parent_path()).string());

@@ -12,41 +12,43 @@ namespace volumen {
 
 struct Series;
 
-/// What a written series says of itself beside its pixels and geometry: whose it is, and what its source
-/// says. Text is UTF-8. An empty studyUid is made from the contents; seriesUid is that of the source.
+/// Attributes of a written series beside pixels and geometry: its identity and its source's attributes.
+/// Text is UTF-8. An empty studyUid is made from the contents; seriesUid is that of the source.
 struct DicomSeriesTags : SeriesIdentity {
-  std::string bValue;                    ///< diffusion weight, s/mm^2; empty where it is not known
-  std::string patientPosition;           ///< "HFS" etc., empty where unknown
-  std::string kvp;                       ///< peak voltage of the tube, empty where unknown
-  std::vector<std::string> windowNames;  ///< one for each of the volume's windows, or none
-  bool synthetic = false;                ///< computed, of no patient: says so in the tags meant for it
+  std::string bValue;                    ///< diffusion weight, s/mm^2; empty if unknown
+  std::string patientPosition;           ///< "HFS" etc.; empty if unknown
+  std::string kvp;                       ///< peak tube voltage; empty if unknown
+  std::vector<std::string> windowNames;  ///< one for each of the volume's windows, or empty
+  bool synthetic = false;  ///< computed, not of a patient: marked in the attributes meant for it
 
-  DicomSource source;                ///< of DICOM series: what its slices say; else empty
-  std::vector<SliceOrigin> origins;  ///< which of them each slice of the volume is
+  DicomSource source;                ///< attributes of the slices of a DICOM series; else empty
+  std::vector<SliceOrigin> origins;  ///< slices of the source that each slice of the volume comes from
 };
 
-/// The tags that a series which was opened has to say; a phantom is patient "Volumen^Sample".
+/// Returns the tags of an opened series; the patient of a phantom is "Volumen^Sample".
 DicomSeriesTags dicomTags(const Series& series);
 
-/// The same of a series that was loaded, of a DICOM series with all that its files say of patient, study,
-/// equipment and acquisition: reads their headers again. An Error names a file that is not what it was.
+/// Returns the tags of a loaded series. Reads the headers of DICOM files again for all attributes of patient,
+/// study, equipment and acquisition. The Error names a file that has changed since.
 Result<DicomSeriesTags> readDicomTags(const Series& series, const Loaded& loaded,
                                       const Progress& progress = {}, const CancelToken& cancel = {});
 
-/// Whether a series can be written into this folder: it is empty, or missing where one can be made; leaves
-/// nothing. The Error names it.
+/// Checks that a series can be written into this folder: it is empty, or can be created. Leaves nothing
+/// behind. The Error names the folder.
 Status checkDicomFolder(const std::string& folder);
 
-/// Writes a volume as a DICOM series, one uncompressed file (Explicit VR Little Endian) a slice, into
-/// `folder`, which must not exist or be empty; it appears whole or not at all. CT, MR and PET volumes become
-/// CT, MR and PET Image Storage, others Secondary Capture (PET without units, too). What the source says of
-/// patient, study, equipment, frame of reference, acquisition and windows stays as it is; each slice names
-/// its source images. UIDs follow from the contents: the same volume and tags give the same files. Values are
-/// exact, rescale and geometry have the 16 characters of a decimal string; of PET, slices that cannot be
-/// exact are rounded to 16 bits. Slices may be oblique and shifted against each other (gantry tilt). Gives
-/// sentences that are to be known (how far values are rounded, what became a Secondary Capture). Refused with
-/// a sentence: rows and columns that are not perpendicular, a volume that is not calibrated, doses, real
-/// values that are not exact in 16 bits.
+/// Writes a volume as a DICOM series into `folder`, one uncompressed file (Explicit VR Little Endian) a
+/// slice.
+/// `folder` must be empty or not exist; the series appears whole or not at all. CT, MR and PET volumes become
+/// CT, MR and PET Image Storage; others, and PET without units, become Secondary Capture.
+/// Patient, study, equipment, frame of reference, acquisition and windows are kept from the source; each
+/// slice names its source images. UIDs derive from the contents: the same volume and tags give the same
+/// files.
+/// Values are exact; rescale and geometry have the 16 characters of a decimal string. PET slices that cannot
+/// be exact are rounded to 16 bits. Slices may be oblique and sheared (gantry tilt).
+/// Returns notes for the user: how far values are rounded, what became a Secondary Capture. The Error: rows
+/// and columns are not perpendicular, the volume is not calibrated, it holds doses, or its real values are
+/// not exact in 16 bits.
 Result<std::vector<std::string>> writeDicomSeries(const Volume& volume, const DicomSeriesTags& tags,
                                                   const std::string& folder, const Progress& progress = {},
                                                   const CancelToken& cancel = {});

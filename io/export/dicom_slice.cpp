@@ -24,7 +24,7 @@ void appendValue(std::string& values, const std::string& value) {
   values += value;
 }
 
-// What a source says of one of its slices, the elements of its frame over those of the file.
+// Returns the source's elements of one slice by tag; those of its frame replace those of the file.
 std::map<std::uint32_t, DicomElements> byTag(const DicomSource& source, int slice) {
   std::map<std::uint32_t, DicomElements> all;
   for (const DicomElements* elements : {&source.file(slice).elements, &source.frame(slice).elements}) {
@@ -37,8 +37,8 @@ std::map<std::uint32_t, DicomElements> byTag(const DicomSource& source, int slic
   return all;
 }
 
-// Of an interpolated slice, what the slices on either side both say; times and windows are those of the one
-// below.
+// Returns the elements of an interpolated slice: those that both neighbours agree on. Times and windows are
+// taken from the slice below.
 DicomElements common(const std::map<std::uint32_t, DicomElements>& below,
                      const std::map<std::uint32_t, DicomElements>& above) {
   constexpr std::uint32_t ofTheOneBelow[] = {0x00080022, 0x00080023, 0x00080032, 0x00080033,
@@ -66,7 +66,7 @@ DicomElements windows(const Volume& volume, const DicomSeriesTags& tags) {
   return all;
 }
 
-// PS3.3 A.3, A.4, A.8, A.21: what an image must have beyond what all have, where no source says it.
+// PS3.3 A.3, A.4, A.8, A.21: required image attributes for which the source may have no value.
 DicomElements modalityDefaults(const std::string& sopClass, const DicomSeriesTags& tags,
                                const std::string& scanningSequence) {
   if (sopClass == UID_CTImageStorage) return {{0x00180060, tags.kvp}};
@@ -82,8 +82,7 @@ DicomElements modalityDefaults(const std::string& sopClass, const DicomSeriesTag
   return {{0x00080064, "WSD"}};
 }
 
-// Parts of which there are two must say which, if only that it is not known (Laterality); so must what is of
-// no known part.
+// Paired body parts need Laterality, even if empty; so does an unknown part.
 bool mayBePaired(const std::string& bodyPart) {
   static const char* const paired[] = {"",    "ANKLE", "ARM",  "BREAST", "EAR",    "ELBOW", "EXTREMITY",
                                        "EYE", "FOOT",  "HAND", "HIP",    "KIDNEY", "KNEE",  "SHOULDER",
@@ -91,7 +90,7 @@ bool mayBePaired(const std::string& bodyPart) {
   return std::ranges::find(paired, bodyPart) != std::end(paired);
 }
 
-// Padding in stored values, where these are integers, or one of them stands for it.
+// Returns the padding in stored values, if they are integers or a stored number stands for padding.
 DicomElements padding(const Volume& volume, const StoredSlice& pixels) {
   const auto& range = volume.attributes().padding;
   if (!range) return {};
@@ -109,7 +108,7 @@ DicomElements padding(const Volume& volume, const StoredSlice& pixels) {
   return all;
 }
 
-// DYNAMIC and GATED series: this is one of their volumes.
+// Counts of DYNAMIC and GATED series are 1: this is one of their volumes.
 DicomElements petCounts(int k, int slices, const std::string& seriesType) {
   DicomElements all = {{0x00540081, std::to_string(slices)}, {0x00541330, std::to_string(k + 1)}};
   if (seriesType.starts_with("DYNAMIC")) all.push_back({0x00540101, "1"});
@@ -124,7 +123,7 @@ const char* sopClassOf(const std::string& modality, bool isPet) {
   return isPet ? UID_PositronEmissionTomographyImageStorage : UID_SecondaryCaptureImageStorage;
 }
 
-// What is the same of all slices of the source.
+// Returns the frame of reference of all source slices, or an empty string if they differ.
 std::string commonFrameOfReference(const DicomSource& source) {
   std::string uid;
   for (std::size_t n = 0; n < source.slices.size(); ++n) {
@@ -164,7 +163,7 @@ std::optional<StoredAs> DicomSliceWriter::storedAs(int k) const {
   return StoredAs{frame.slope, frame.intercept, tags_.source.file(origin->below).isSigned};
 }
 
-// Whose it is, and in which space: the same of all slices, whatever single files of the source say.
+// Identity and frame of reference are the same for all slices, even if single source files differ.
 DicomElements DicomSliceWriter::identityElements() const {
   DicomElements all = patientModule(tags_);
   append(all, studyModule(tags_, tags_.studyUid.empty() ? uids_.of("study") : tags_.studyUid));
@@ -173,7 +172,7 @@ DicomElements DicomSliceWriter::identityElements() const {
   return all;
 }
 
-// What all slices share, and what the source says better.
+// Returns the elements that all slices share; those of the source take precedence.
 DicomElements DicomSliceWriter::seriesElements() const {
   const std::string modality = volume_.attributes().modality;
   const char* sopClass = sopClassOf(modality, isPet_);
@@ -207,10 +206,10 @@ DicomElements DicomSliceWriter::sourceElements(int k) const {
   return all;
 }
 
-// DERIVED\SECONDARY, and from the third value on what the source says.
+// Returns DERIVED\SECONDARY, followed by the source's values from the third on.
 std::string DicomSliceWriter::imageType(const std::string& ofSource) const {
   const std::string& modality = volume_.attributes().modality;
-  // PS3.3 C.8.9.4.1.1 knows no SECONDARY of PET.
+  // PS3.3 C.8.9.4.1.1 has no SECONDARY for PET.
   std::string type = isPet_ ? "DERIVED\\PRIMARY" : "DERIVED\\SECONDARY";
   std::vector<std::string> more;
   std::size_t at = 0;
@@ -259,7 +258,7 @@ DicomElements DicomSliceWriter::placeElements(int k) const {
           {0x00180088, decimal(sliceDistance(g))}};
 }
 
-// What is not the source's.
+// Returns the elements that replace the source's.
 DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels,
                                                 std::span<const DicomElement> source) const {
   const std::string& modality = volume_.attributes().modality;
@@ -276,7 +275,7 @@ DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels
   append(all, derivationOf(k, pixels));
   append(all, padding(volume_, pixels));
   if (isPet_) append(all, petCounts(k, volume_.size().z, valueOf(source, 0x00541000)));
-  // MR Image Storage has no rescale of its own; it is written all the same where it does something.
+  // MR Image Storage has no rescale; it is written nevertheless if it changes values.
   if (modality == "MR" && pixels.slope == 1 && pixels.intercept == 0) return all;
   append(all, {{0x00281053, decimal(pixels.slope)}, {0x00281052, decimal(pixels.intercept)}});
   if (isPet_) return all;

@@ -13,15 +13,16 @@ class DicomSliceWriter {
  public:
   DicomSliceWriter(const Volume& volume, const DicomSeriesTags& tags);
 
-  /// Puts all of slice `k` but its pixels into a data set.
+  /// Puts all elements of slice `k` except its pixels into a data set.
   void put(int k, const StoredSlice& pixels, DcmItem& into) const;
 
-  /// How slice `k` is stored in its source; nothing where it is interpolated or there is none.
+  /// Returns how slice `k` is stored in its source; empty if it is interpolated or has no source.
   std::optional<StoredAs> storedAs(int k) const;
 
-  /// Whether values may be rounded: of PET alone, each slice of which has a rescale of its own.
+  /// True if values may be rounded: only for PET, where each slice has a rescale of its own.
   bool mayRound() const { return isPet_; }
-  /// The modality, where its pictures have no class of single slices and are written as Secondary Capture.
+  /// Returns the modality if it has no storage class for single slices, so that Secondary Capture is written;
+  /// else an empty string.
   std::string withoutClass() const;
 
  private:
@@ -37,7 +38,7 @@ class DicomSliceWriter {
   const Volume& volume_;
   const DicomSeriesTags& tags_;
   DicomUids uids_;
-  DicomElements first_;  // what the first slice of the source says
+  DicomElements first_;  // elements of the first slice of the source
   bool isPet_ = false;
   DicomElements identity_, series_;
 };

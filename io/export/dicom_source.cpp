@@ -40,8 +40,8 @@ struct Tags {
   std::uint32_t first, last;
 };
 
-// What is copied: PS3.3 C.7.1 to C.7.5 and how pictures were acquired (C.8), as far as it holds for any
-// slice that shows the same.
+// Copied attributes: PS3.3 C.7.1 to C.7.5 and acquisition (C.8), as far as they hold for any slice with the
+// same content.
 constexpr Tags copied[] = {
     {0x00080008, 0x00080008},  // ImageType
     {0x00080020, 0x00080023},  // dates of study, series, acquisition, content
@@ -56,7 +56,7 @@ constexpr Tags copied[] = {
     {0x00100010, 0x0010ffff},  // patient
     {0x00120010, 0x0012ffff},  // clinical trial, de-identification
     {0x00180010, 0x00180087},  // contrast agent ... MagneticFieldStrength, SliceThickness
-    {0x00180089, 0x00181163},  // all of acquisition but SpacingBetweenSlices ...
+    {0x00180089, 0x00181163},  // acquisition, except SpacingBetweenSlices ...
     {0x00181165, 0x00185fff},  // ... and ImagerPixelSpacing
     {0x00189087, 0x00189087},  // DiffusionBValue
     {0x00189089, 0x00189089},  // DiffusionGradientOrientation
@@ -87,7 +87,7 @@ bool isCopied(std::uint32_t tag) {
   return std::ranges::any_of(copied, [&](const Tags& t) { return tag >= t.first && tag <= t.last; });
 }
 
-// What functional groups call by another name than pictures of one frame do.
+// Attributes whose tags in functional groups differ from those of single-frame images.
 struct Renamed {
   std::uint32_t from, to;
 };
@@ -112,7 +112,7 @@ bool isOneOf(std::uint16_t vr, std::initializer_list<const char*> names) {
   return std::ranges::any_of(names, [&](const char* n) { return vr == vrOf(n[0], n[1]); });
 }
 
-// The elements of one file that are copied.
+// Collects the copied elements of one file.
 class Copier {
  public:
   Copier(const DataSet& data, dicom::Bytes bytes) : data_(data), bytes_(bytes) {}
@@ -126,7 +126,7 @@ class Copier {
     return all;
   }
 
-  // Of the functional groups of one frame, or of all frames.
+  // Returns elements from the functional groups of one frame, or from the shared ones.
   DicomElements ofGroups(DataSet::Scope groups) const {
     DicomElements all;
     for (std::uint32_t n = groups.begin; n < groups.end; n = data_.element(n).end)
@@ -160,15 +160,15 @@ class Copier {
     }
   }
 
-  // As pictures of one frame have it.
+  // Converts a value to its form in single-frame images.
   static void addValue(DicomElement e, DicomElements& out) {
     constexpr std::uint32_t phaseEncodingDirection = 0x00181312;
-    if (e.depth == 0 && e.value.empty()) return;  // whoever writes knows what must stand there, if empty
+    if (e.depth == 0 && e.value.empty()) return;  // the writer adds required empty elements itself
     if (e.tag == phaseEncodingDirection && e.value == "COLUMN") e.value = "COL";
     out.push_back(std::move(e));
   }
 
-  // Enhanced MR says in three attributes what pictures of one frame say in ScanningSequence.
+  // Enhanced MR splits what single-frame images say in ScanningSequence into three attributes.
   void addScanningSequence(DicomElements& out) const {
     const auto says = [&](std::uint32_t tag, const char* what) {
       return data_.text(tag, data_.root()) == what;
@@ -197,7 +197,7 @@ class Copier {
     }
   }
 
-  // Counts of Philips have no unit without their factors to SUV and to Bq/ml.
+  // Counts of Philips PET have no unit without their factors to SUV and Bq/ml.
   void addPhilipsFactors(DicomElements& out) const {
     constexpr std::uint32_t creator = 0x70530010;
     const std::string name = data_.text(creator, data_.root());
@@ -208,7 +208,7 @@ class Copier {
         out.push_back({factor, decimal(*number), vrOf('D', 'S'), 0});
   }
 
-  // Siemens and Philips long gave the direction of the gradient in private elements alone.
+  // Older Siemens and Philips files hold the gradient direction only in private elements.
   void addPrivateDirection(DicomElements& out) const {
     constexpr std::uint32_t direction = 0x00189089;
     if (data_.has(direction, data_.root())) return;
@@ -218,7 +218,7 @@ class Copier {
     if (!value.empty()) out.push_back({direction, value, vrOf('F', 'D'), 0});
   }
 
-  // Nothing where it is bytes, or too long.
+  // Returns an element's value as text; empty if it is binary or too long.
   std::optional<std::string> text(const dicom::Element& e, std::uint16_t vr, DataSet::Scope scope) const {
     if (e.length == dicom::undefinedLength || e.length > longestValue) return {};
     if (isOneOf(vr, {"LO", "LT", "PN", "SH", "ST", "UC", "UT"})) return data_.utf8(e.tag, scope);

@@ -13,36 +13,37 @@ namespace volumen {
 
 struct Series;
 
-/// What a frame of a DICOM file says that holds for a copy of it.
+/// Attributes of a frame of a DICOM file that also hold for a copy of it.
 struct DicomSourceFrame {
-  /// Where it lies in the patient: the centre of its first pixel, unit vectors along a row and down a
-  /// column, mm from column to column and from row to row.
+  /// Position in the patient: centre of the first pixel in mm, unit vectors along a row and down a column,
+  /// spacing in mm between columns and between rows.
   struct Place {
     glm::dvec3 position{0}, right{1, 0, 0}, down{0, 1, 0};
     glm::dvec2 mm{1};
   };
   std::optional<Place> place;
   double slope = 1, intercept = 0;
-  DicomElements elements;  ///< of its functional groups, as pictures of one frame have them
+  DicomElements elements;  ///< from its functional groups, as in single-frame images
 };
 
-/// What a DICOM file says that holds for a copy of it: patient, study, series, frame of reference, equipment,
-/// acquisition, windows. What describes its samples, their places and the file itself is left out.
+/// Attributes of a DICOM file that also hold for a copy of it: patient, study, series, frame of reference,
+/// equipment, acquisition, windows. Attributes of its samples, their geometry and the file itself are left
+/// out.
 struct DicomSourceFile {
-  std::string problem;  ///< a sentence without the file's name, where it cannot be read
+  std::string problem;  ///< a sentence without the file's name if the file cannot be read; else empty
   std::string sopClassUid, sopInstanceUid;
   bool isSigned = false, isMultiFrame = false;
   DicomElements elements;
   std::vector<DicomSourceFrame> frames;
 };
 
-/// What the slices of a series say of themselves.
+/// Attributes of the slices of a series.
 struct DicomSource {
   struct Slice {
     std::size_t file = 0, frame = 0;
   };
   std::vector<DicomSourceFile> files;
-  std::vector<Slice> slices;  ///< one each of Series::files
+  std::vector<Slice> slices;  ///< parallel to Series::files
 
   const DicomSourceFile& file(int slice) const { return files[slices[std::size_t(slice)].file]; }
   const DicomSourceFrame& frame(int slice) const {
@@ -50,8 +51,8 @@ struct DicomSource {
   }
 };
 
-/// Reads the headers of a DICOM series again, in workers where there are any. An Error names a file that is
-/// not what it was.
+/// Reads the headers of a DICOM series again, in workers if there are any. The Error names a file that has
+/// changed since.
 Result<DicomSource> readDicomSource(const Series& series, const Progress& progress,
                                     const CancelToken& cancel);
 

@@ -39,7 +39,7 @@ std::string DicomUids::of(const std::string& what) const {
   const QByteArray space(reinterpret_cast<const char*>(contents_.data()), qsizetype(contents_.size()));
   QByteArray bytes =
       QUuid::createUuidV5(QUuid::fromRfc4122(space), QByteArray::fromStdString(what)).toRfc4122();
-  // The 128 bits as one decimal number.
+  // Converts the 128 bits to one decimal number.
   std::string digits;
   while (std::any_of(bytes.cbegin(), bytes.cend(), [](char c) { return c != 0; })) {
     int rest = 0;

@@ -9,13 +9,13 @@
 
 namespace volumen {
 
-/// UIDs of what is made from a volume, or from other bytes: 2.25 and a name-based UUID (PS3.5 B.2, RFC 4122
-/// version 5), so that the same contents and the same `salt` give the same UIDs, on every machine.
+/// UIDs of objects made from a volume or from other bytes: 2.25 and a name-based UUID (PS3.5 B.2, RFC 4122
+/// version 5). The same contents and `salt` give the same UIDs on every machine.
 class DicomUids {
  public:
   DicomUids(const Volume& volume, const std::string& salt);
   DicomUids(std::span<const std::uint8_t> contents, const std::string& salt);
-  /// The UID of `what` ("study", or the number of a slice).
+  /// Returns the UID of `what` ("study", or the number of a slice).
   std::string of(const std::string& what) const;
 
  private:

@@ -21,7 +21,7 @@ namespace volumen {
 
 namespace {
 
-// All that a way of writing is given.
+// Arguments of all writers.
 struct Export {
   const std::string& path;
   std::span<const Segmented> maps;
@@ -56,7 +56,7 @@ Exported asLabels(const Export& e) {
   return done;
 }
 
-// As part of the name of a file: what a folder would read otherwise becomes "_", long ones are cut.
+// Returns a name as part of a file name: characters with a meaning in paths become "_", long names are cut.
 std::string fileWordOf(std::string name) {
   constexpr std::size_t mostBytes = 100;
   const auto isInside = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };  // UTF-8
@@ -72,7 +72,7 @@ std::string fileWordOf(std::string name) {
   return name;
 }
 
-// "scan-Bone.stl"; another one where that is one of those.
+// Returns "scan-Bone.stl", with a number if `others` contains that path.
 std::string pathBeside(const std::string& path, const Segment& segment,
                        const std::vector<std::string>& others) {
   const std::size_t ending = path.rfind('.');
@@ -84,7 +84,7 @@ std::string pathBeside(const std::string& path, const Segment& segment,
   }));
 }
 
-// Of the segments that have voxels.
+// Returns one path for each segment with voxels, or `path` alone.
 std::vector<std::string> surfacePaths(const std::string& path, std::span<const Segmented> maps,
                                       bool inOneFile) {
   const bool isAlone = maps.size() == 1 && maps.front().segments.size() == 1;
@@ -139,8 +139,8 @@ Status commitAll(std::vector<OutputFile>& files) {
   return {};
 }
 
-// The surface of one segment after the other is made, written aside and let go; once all are written they
-// appear.
+// Builds, writes aside and releases one surface at a time to save memory. The files appear once all are
+// written.
 Exported asFileEach(const Export& e, const std::vector<std::string>& paths) {
   ExportedSegments done{paths, {}};
   std::vector<OutputFile> written;
@@ -160,7 +160,7 @@ Exported asFileEach(const Export& e, const std::vector<std::string>& paths) {
   return done;
 }
 
-// Where they could not be written none is made.
+// Checks that the files can be written before it builds surfaces.
 Exported asSurfaces(const Export& e) {
   const std::vector<std::string> paths = surfacePaths(e.path, e.maps, e.surfaces.inOneFile);
   if (paths.empty()) return Error{e.path + " is not written: no segment has voxels."};
@@ -171,7 +171,7 @@ Exported asSurfaces(const Export& e) {
   return exportSurfaces(paths, *surfaces, e.series, e.cancel);
 }
 
-// A row a kind of file.
+// One row for each file format.
 struct Row {
   SegmentFormat format;
   Exported (*write)(const Export&);
@@ -234,7 +234,7 @@ Result<ExportedSegments> exportSegments(const std::string& path, std::span<const
   return (*row)->write({path, maps, series, progress, cancel, surfaces});
 }
 
-// None is written where one of them cannot be.
+// Writes all files or none.
 Result<ExportedSegments> exportSurfaces(std::span<const std::string> files,
                                         std::span<const SurfaceToWrite> surfaces, const Series& series,
                                         const CancelToken& cancel) {

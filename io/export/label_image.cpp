@@ -13,7 +13,7 @@ namespace volumen {
 
 namespace {
 
-// None where there is no table, or it cannot be read.
+// Returns no rows if the table is missing or cannot be read.
 std::vector<LabelRow> tableBeside(const std::string& path, SegmentsFile& file) {
   const std::string table = labelTableOf(path);
   std::error_code none;
@@ -25,7 +25,7 @@ std::vector<LabelRow> tableBeside(const std::string& path, SegmentsFile& file) {
   return {};
 }
 
-// Rows of the table, those without voxels too, and numbers that it does not name.
+// Returns the rows of the table, also those without voxels, and one for each label without a row.
 Result<std::vector<LabelRow>> allRows(const LabelValues& values, std::vector<LabelRow> rows,
                                       const std::string& path) {
   std::vector<std::uint32_t> known;
@@ -40,7 +40,7 @@ Result<std::vector<LabelRow>> allRows(const LabelValues& values, std::vector<Lab
   return rows;
 }
 
-// A table may name more labels than there can be: those that are not there are left out then.
+// A table may name more labels than a map can hold: rows without voxels are dropped then.
 void keepThoseThere(const LabelValues& values, std::vector<LabelRow>& rows) {
   constexpr std::size_t most = 255;
   if (rows.size() <= most) return;

@@ -8,17 +8,17 @@
 
 namespace volumen {
 
-/// Writes the labels of segments as an image of 8 bits, .nii.gz, .mha or .nrrd as `path` ends
-/// (writeVolume()), and beside it the table of their names and colours (label_table.h) that ITK-SNAP reads.
-/// Slicer reads the image; names it takes from .seg.nrrd. Each file appears whole or not at all. Codes are in
-/// neither.
+/// Writes the labels of segments as an 8-bit image: .nii.gz, .mha or .nrrd by the ending of `path`
+/// (writeVolume()). The table of names and colours that ITK-SNAP reads (label_table.h) is written beside it.
+/// Slicer reads the image, but takes names only from .seg.nrrd. Each file appears whole or not at all.
+/// Neither file holds codes.
 Status writeLabelImage(const Segmented& segments, const std::string& path, const Progress& progress = {},
                        const CancelToken& cancel = {});
 
-/// Reads an image of labels, of any format that volumes are read in, and the table beside it where there is
-/// one; a label without a row is named "Label 7". Numbers above 255 become labels that are free. What is
-/// wrong with the table is in `notes`. The Error names the file: it cannot be read, holds several volumes,
-/// values that are no labels, or more than 255 of them.
+/// Reads a label image in any volume format, and the table beside it if there is one. A label without a row
+/// is named "Label 7". Labels above 255 become free ones. Problems of the table are in `notes`. The Error
+/// names the file: it cannot be read, or holds several volumes, values that are not labels, or more than 255
+/// labels.
 Result<SegmentsFile> readLabelImage(const std::string& path, const Progress& progress = {},
                                     const CancelToken& cancel = {});
 

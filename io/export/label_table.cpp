@@ -32,7 +32,8 @@ std::string rowText(const Segment& s) {
   return numbers + ('"' + nameInTable(s.label)) + "\"\n";
 }
 
-// Number, red, green, blue, opacity, shown, mesh shown, "name"; nothing where it is none.
+// Parses a row: number, red, green, blue, opacity, shown, mesh shown, "name". Returns nothing for other
+// lines.
 std::optional<LabelRow> rowIn(std::string_view line) {
   const std::size_t begin = line.find('"'), end = line.rfind('"');
   if (begin == std::string_view::npos || end == begin) return {};

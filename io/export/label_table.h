@@ -11,24 +11,24 @@
 
 namespace volumen {
 
-/// The table beside an image of labels: NAME.label for NAME.nii.gz or NAME.mha, a label description file as
-/// ITK-SNAP writes and reads (`itksnap -s NAME.nii.gz -l NAME.label`): number, colour, opacity, whether it is
-/// shown, name.
+/// Returns the path of the table beside a label image: NAME.label for NAME.nii.gz or NAME.mha. It is a label
+/// description file of ITK-SNAP (`itksnap -s NAME.nii.gz -l NAME.label`) with number, colour, opacity,
+/// visibility and name.
 std::string labelTableOf(const std::string& image);
 
-/// A quotation mark in a name becomes an apostrophe, a line end, a tab and the like a blank. It is there once
-/// it is committed.
+/// Writes a label table; it appears once the file is committed. In names, quotation marks become apostrophes;
+/// line ends, tabs and other control characters become blanks.
 Result<OutputFile> writeLabelTable(std::span<const Segment> segments, const std::string& path);
-/// What such a table calls the segments that it calls otherwise.
+/// Returns the names in the table of those segments whose names it changes.
 std::vector<std::string> namesChangedInTable(std::span<const Segment> segments);
 
-/// A row of such a table, and the number that it is for.
+/// A row of a label table and the label it names.
 struct LabelRow {
   std::uint32_t value = 0;
   Segment segment;
 };
-/// Its rows but that of the background. The Error names the file and the line; read in a worker where there
-/// are any.
+/// Returns all rows except the background's. The Error names the file and the line. The table is read in a
+/// worker if there are any.
 Result<std::vector<LabelRow>> readLabelTable(const std::string& path);
 
 }  // namespace volumen

@@ -20,7 +20,7 @@ namespace volumen {
 
 namespace {
 
-// Fields of Slicer's ("Segment0_Name", "Segmentation_..."), or layers.
+// True for files with Slicer's fields ("Segment0_Name", "Segmentation_...") or with layers.
 bool isSlicers(const ImageHeader& header) {
   return header.format == "NRRD" &&
          (header.data.volumes() > 1 || std::ranges::any_of(header.keyValues, [](const auto& field) {
@@ -32,7 +32,7 @@ bool hasSegments(const SegmentsFile& file) {
   return std::ranges::any_of(file.maps, [](const Segmented& map) { return !map.segments.empty(); });
 }
 
-// On its own grid.
+// Returns the segments on the image's own grid.
 Result<SegmentsFile> segmentsOfImage(const std::string& path, const Progress& progress,
                                      const CancelToken& cancel) {
   const auto header = readImageHeader(path, cancel);
@@ -57,7 +57,8 @@ bool haveOneInCommon(const std::vector<std::string>& pictures,
   return std::ranges::any_of(pictures, [&](const std::string& uid) { return others.contains(uid); });
 }
 
-// Whether two lie in one space; pictures that both name are there, whatever frames of reference they say.
+// True if both are in one space. Two objects that name the same images are, even if their frames of reference
+// differ.
 bool areTogether(const std::string& frame, const std::vector<std::string>& pictures,
                  const std::string& otherFrame, const std::vector<std::string>& otherPictures) {
   return frame.empty() || otherFrame.empty() || frame == otherFrame ||
@@ -128,7 +129,7 @@ Result<SegmentsFile> placedObject(const std::string& path, const Series& series,
   return placed;
 }
 
-// With names that differ, and colours.
+// Makes names unique and adds missing colours.
 SegmentsFile toldApart(SegmentsFile file, const std::string& path) {
   const NamesGiven given = addNames(file.maps);
   if (!given.unnamed.empty())
@@ -140,7 +141,7 @@ SegmentsFile toldApart(SegmentsFile file, const std::string& path) {
   return file;
 }
 
-// Reads an image or a DICOM object, as the contents of the file say.
+// Reads an image or a DICOM object, whichever the contents of the file are.
 template <class OfImage, class OfObject>
 Result<SegmentsFile> readAs(const std::string& path, const OfImage& ofImage, const OfObject& ofObject) try {
   std::error_code none;

@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// Smallest and largest index along i, j, k of what is not empty; an empty one counts down.
+// Returns the smallest and largest index of a box along i, j, k; an empty box has descending ones.
 std::string extentText(const std::optional<VoxelBox>& box) {
   if (!box) return "0 -1 0 -1 0 -1";
   std::string text;
@@ -24,7 +24,8 @@ std::string colourText(const std::optional<glm::u8vec3>& colour) {
   return exactText(parts.x) + " " + exactText(parts.y) + " " + exactText(parts.z);
 }
 
-// Slicer, Docs/developer_guide/modules/segmentations.md; versions before 5.1 call the source "master".
+// Field names: Slicer, Docs/developer_guide/modules/segmentations.md. Versions before 5.1 call the source
+// "master".
 NrrdKeyValues fieldsOf(std::span<const Segmented> maps) {
   NrrdKeyValues fields;
   std::size_t n = 0;
@@ -50,7 +51,7 @@ NrrdKeyValues fieldsOf(std::span<const Segmented> maps) {
   return fields;
 }
 
-// The labels of all layers at each voxel, one behind the other.
+// Writes the labels of all layers interleaved by voxel.
 Status writeLabels(std::span<const Segmented> maps, OutputFile& out, const CancelToken& cancel) {
   const glm::ivec3 size = maps.front().labels.geometry().size;
   std::vector<std::uint8_t> row(std::size_t(size.x)), all(row.size() * maps.size());

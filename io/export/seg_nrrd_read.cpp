@@ -18,7 +18,7 @@ namespace {
 
 using Fields = std::map<std::string, std::string>;
 
-// A segment as the header has it.
+// A segment as described in the header.
 struct Entry {
   Segment segment;
   std::uint64_t layer = 0;
@@ -37,7 +37,7 @@ std::optional<glm::u8vec3> colourIn(const std::string& text) {
   return colour;
 }
 
-// A whole number of a field, or what is meant where there is none.
+// Returns the whole number in a field, or `absent` if the field is missing.
 Result<std::uint32_t> numberIn(const Fields& fields, const std::string& key, std::uint64_t least,
                                std::uint64_t most, std::uint64_t absent) {
   const auto found = fields.find(key);
@@ -49,7 +49,7 @@ Result<std::uint32_t> numberIn(const Fields& fields, const std::string& key, std
   return std::uint32_t(*number);
 }
 
-// `noColours` gets the field of a colour that is none.
+// Appends colour fields that cannot be read to `noColours`.
 Result<std::optional<Entry>> entryOf(const Fields& fields, std::size_t n, std::uint64_t layers,
                                      std::vector<std::string>& noColours) {
   const std::string name = "Segment" + std::to_string(n) + "_";
@@ -67,7 +67,7 @@ Result<std::optional<Entry>> entryOf(const Fields& fields, std::size_t n, std::u
   if (!colour.empty() && !entry.segment.colour)
     noColours.push_back(name + "Color '" + fieldText(colour) + "'");
   readTags(text("Tags"), entry.segment);
-  const auto layer = numberIn(fields, name + "Layer", 0, layers - 1, n);  // older files: one a segment
+  const auto layer = numberIn(fields, name + "Layer", 0, layers - 1, n);  // older files: one layer a segment
   if (!layer) return layer.error();
   if (*layer >= layers)
     return Error{"it has " + std::to_string(layers) + " layers, and its segment " + std::to_string(n + 1) +
@@ -91,7 +91,7 @@ Result<std::vector<Entry>> entriesOf(const ImageHeader& header, std::vector<std:
   }
 }
 
-// Of a layer whose numbers have no names.
+// Returns entries for a layer whose labels have no names.
 std::vector<Entry> namedByNumber(const LabelValues& values, std::uint64_t layer) {
   std::vector<Entry> all;
   for (const std::uint32_t value : values.present())
@@ -99,7 +99,7 @@ std::vector<Entry> namedByNumber(const LabelValues& values, std::uint64_t layer)
   return all;
 }
 
-// `leftOut` gets the numbers of voxels that are of no segment.
+// Collects in `leftOut` the labels that belong to no segment.
 Result<Segmented> layerOf(const LabelValues& values, const std::vector<Entry>& entries,
                           std::set<std::uint32_t>& leftOut) {
   std::vector<std::uint32_t> numbers;

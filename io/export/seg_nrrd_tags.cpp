@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view entryKey = "TerminologyEntry";
 
-// What parts codes and fields must not stand in a text.
+// Replaces the separators of codes and fields in a text.
 std::string withoutMarks(std::string text) {
   for (char& c : text)
     if (c == '^' || c == '~' || c == '|') c = ' ';

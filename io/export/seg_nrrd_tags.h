@@ -6,11 +6,11 @@
 
 namespace volumen {
 
-/// SegmentN_Tags of a segmentation of 3D Slicer: "key:value|" each; of a segment with a type its
-/// TerminologyEntry (Slicer, Docs/developer_guide/modules/segmentations.md).
+/// Returns SegmentN_Tags of a segmentation of 3D Slicer ("key:value|" each); for a segment with a type this
+/// is its TerminologyEntry (Slicer, Docs/developer_guide/modules/segmentations.md).
 std::string tagsOf(const Segment& segment);
 
-/// Takes category, type, region and their modifiers from such tags, as far as they are there.
+/// Sets category, type, region and their modifiers from SegmentN_Tags, as far as they are present.
 void readTags(const std::string& tags, Segment& segment);
 
 }  // namespace volumen

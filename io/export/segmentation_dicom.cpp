@@ -23,11 +23,11 @@ namespace volumen {
 
 namespace {
 
-// A segment on the grid that is drawn and, where that is known, on the slices as acquired.
+// A segment on the displayed grid and, if known, on the acquired slices.
 struct WrittenMask {
   BitMask drawn;
   std::optional<BitMask> onSlices{};
-  bool isInterpolated = false;  // it is decided by what is drawn
+  bool isInterpolated = false;  // its voxels depend on resampled values
 };
 using MaskOf = std::function<WrittenMask(std::size_t segment)>;
 
@@ -54,7 +54,7 @@ Status checkPlaces(const Series& series, const DicomSource& source) {
   return {};
 }
 
-// All that DCMTK writes of a file, a buffer at a time.
+// Writes DCMTK's output to a file one buffer at a time.
 Status writeTo(OutputFile& out, DcmFileFormat& file, const std::string& path) {
   std::vector<Uint8> buffer(1 << 20);
   DcmOutputBufferStream stream(buffer.data(), offile_off_t(buffer.size()));
@@ -89,7 +89,7 @@ Status writeObject(const SegmentationElements& elements, const SegmentationFrame
   return out->commit();
 }
 
-// Of an uneven series, what is decided by interpolated voxels.
+// Notes for uneven series: names the acquired slices between grid slices.
 std::vector<std::string> notesOfSlices(const SegmentationFrames& frames, const Series& series) {
   constexpr std::size_t mostNamed = 50;
   std::vector<std::string> names;

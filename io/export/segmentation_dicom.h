@@ -14,28 +14,29 @@ namespace volumen {
 
 struct Series;
 
-/// What a written segmentation says of itself. Text is UTF-8.
+/// Attributes of a written segmentation. Text is UTF-8.
 struct SegmentationTags {
-  std::string description = "Segmentation";  ///< SeriesDescription: what it is listed by
-  std::string creator{};                     ///< who made it, as DICOM writes names
-  std::string date{}, time{};                ///< of its making, as DICOM writes them; empty: now
+  std::string description = "Segmentation";  ///< SeriesDescription: shown in study lists
+  std::string creator{};                     ///< name of the author in DICOM format
+  std::string date{}, time{};                ///< when it was made, in DICOM format; empty: now
 };
 
-/// A segment and its voxels; several of them may overlap.
+/// A segment and its voxels; masks may overlap.
 struct SegmentVoxels {
   Segment segment;
   BitMask mask;
 };
 
-/// Writes segments on a grid of a DICOM series as a segmentation object (SEG, BINARY; PS3.3 A.51): `path`,
-/// Explicit VR Little Endian, appears whole or not at all. Its frames lie on the slices of the series as
-/// acquired, pixel by pixel, and name them; a pixel is set where the voxel that holds its centre is. All maps
-/// (all masks) are of one grid. It becomes a series of its own in the study of its pictures; segments are
-/// numbered anew from 1, and keep names, codes, colours. UIDs follow from contents and tags.
-/// Gives sentences that are to be known: what was marked where no picture is, segments without a code, which
-/// are written as "Tissue", names that were shortened to 64 characters. The Error: the series comes from no
-/// DICOM files, or they are not what they were, or do not say where they lie; nothing is marked on its
-/// slices; it cannot be written; cancelled.
+/// Writes segments on a grid of a DICOM series as a segmentation object (SEG, BINARY; PS3.3 A.51) into
+/// `path`. The file is Explicit VR Little Endian and appears whole or not at all.
+/// Its frames lie pixel by pixel on the acquired slices of the series and reference them. A pixel is set if
+/// the voxel that contains its centre is. All maps (all masks) have one grid. The object is a new series in
+/// the study of its images. Segments are renumbered from 1 and keep names, codes and colours. UIDs derive
+/// from contents and tags.
+/// Returns notes for the user: voxels where there is no image, segments without a code (written as "Tissue"),
+/// names shortened to 64 characters. The Error: the series is not from DICOM files, or these have changed or
+/// have no position. Also: no slice has a marked pixel, the file cannot be written, or the export was
+/// cancelled.
 Result<std::vector<std::string>> writeSegmentationDicom(std::span<const Segmented> maps, const Series& series,
                                                         const SegmentationTags& tags, const std::string& path,
                                                         const Progress& progress = {},

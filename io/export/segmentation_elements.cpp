@@ -19,7 +19,8 @@ namespace {
 constexpr std::uint32_t frameOfReferenceTag = 0x00200052, dimensionOrganisation = 0x00209164;
 constexpr std::size_t longestText = 64;  // characters of LO
 
-// What is said of patient and study: of the equipment and the acquisition it is not true any more.
+// True for attributes of patient and study. Those of equipment and acquisition do not hold for the
+// segmentation.
 bool isOfStudy(std::uint32_t tag) {
   constexpr std::uint32_t ranges[][2] = {
       {0x00080050, 0x00080051}, {0x00080090, 0x00080096}, {0x00081030, 0x00081032}, {0x00081048, 0x00081049},
@@ -38,7 +39,7 @@ DicomElements ofStudy(const DicomElements& all) {
   return kept;
 }
 
-// Text in one line of at most 64 characters: a backslash would part two values.
+// Returns a text as one line of at most 64 characters; a backslash would separate two values.
 std::string inOneLine(const std::string& text) {
   std::string line;
   std::size_t characters = 0;
@@ -71,21 +72,21 @@ std::string nameOf(const Segment& segment, std::size_t n) {
   return isBlank ? "Segment " + std::to_string(n + 1) : line;
 }
 
-// "from 150 to 3000", with one end "from 150".
+// Returns "from 150 to 3000", or "from 150" for an open range.
 std::string rangeText(const ValueRange& range) {
   std::string text = std::isfinite(range.low) ? "from " + decimal(range.low) : "";
   if (std::isfinite(range.high)) text += (text.empty() ? "" : " ") + ("to " + decimal(range.high));
   return text;
 }
 
-// PS3.3 C.8.20.4: what is not drawn by hand says by what it was made.
+// PS3.3 C.8.20.4: a segment that is not drawn by hand must name its algorithm.
 std::string algorithmOf(const Segment& segment) {
   if (!segment.algorithm.empty()) return inOneLine(segment.algorithm);
   if (segment.range) return inOneLine("Values " + rangeText(*segment.range));
   return segment.algorithmType > SegmentAlgorithm::manual ? "Unknown" : "";
 }
 
-// Of what says nothing: by hand, unless something made it.
+// An unsaid type is semiautomatic if an algorithm is named, else manual.
 std::string algorithmTypeOf(const Segment& segment) {
   const bool isMade = segment.algorithmType == SegmentAlgorithm::unsaid && !algorithmOf(segment).empty();
   const SegmentAlgorithm type =
@@ -156,7 +157,7 @@ DicomElements SegmentationElements::identity() const {
                {0x00081090, "volumen"},
                {0x00181000, "none"},
                {0x0020000e, uids_.of("series")},
-               {0x00200011, "1000"},  // behind those of scanners
+               {0x00200011, "1000"},  // after those of scanners
                {0x00201040, valueOf(first, 0x00201040)}});
   return all;
 }
@@ -199,7 +200,7 @@ DicomElements SegmentationElements::image() const {
   return all;
 }
 
-// Both or none (PS3.3 C.8.20.2).
+// PS3.3 C.8.20.2: tracking ID and UID are present together or not at all.
 DicomElements SegmentationElements::trackingOf(const Segment& segment, const std::string& name) const {
   const bool hasUid = isUid(segment.trackingUid);
   if (segment.trackingId.empty() && !hasUid) return {};

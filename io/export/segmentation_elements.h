@@ -9,17 +9,17 @@
 
 namespace volumen {
 
-/// What a segmentation object says beside its pixels (PS3.3 A.51).
+/// The attributes of a segmentation object beside its pixels (PS3.3 A.51).
 class SegmentationElements {
  public:
-  /// `sliceDistance`: mm from one slice to the next. All must outlive it.
+  /// `sliceDistance` is in mm. The arguments must outlive the object.
   SegmentationElements(const SeriesIdentity& series, const DicomSource& source,
                        const SegmentationFrames& frames, std::span<const Segment> segments,
                        const SegmentationTags& tags, double sliceDistance);
 
-  /// All of them, in groups that can be put one after the other.
+  /// Returns all elements, in groups to be written one after the other.
   std::vector<DicomElements> all() const;
-  /// Sentences that are to be known.
+  /// Returns notes for the user.
   std::vector<std::string> notes() const;
 
  private:
@@ -40,7 +40,7 @@ class SegmentationElements {
   const SegmentationTags& tags_;
   double sliceDistance_;
   DicomUids uids_;
-  std::vector<int> used_;  // slices that frames lie on, in order
+  std::vector<int> used_;  // slices of the source that have frames, in ascending order
 };
 
 }  // namespace volumen

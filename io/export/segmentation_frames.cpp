@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Adds a mask to others of its grid; returns whether they share a voxel.
+// Adds a mask to another one of the same grid; returns true if they share a voxel.
 bool take(BitMask& taken, const BitMask& mask) {
   bool overlaps = false;
   const auto words = taken.words();
@@ -33,7 +33,7 @@ glm::dvec3 SegmentationFrames::voxelAt(int slice, glm::dvec2 pixel) const {
                                             pixel.y * at.mm.y * at.down);
 }
 
-// What holds at its corners holds in all of a slice: places are linear.
+// Checking the corners of a slice is enough, because positions are linear.
 std::optional<int> SegmentationFrames::gridSliceOf(int slice) const {
   constexpr double off = 0.49;  // less than half a voxel
   if (glm::ivec2(taken_.size()) != size_) return {};
@@ -92,7 +92,7 @@ void SegmentationFrames::add(const BitMask& mask, const BitMask* onSlices) {
 }
 
 std::vector<int> SegmentationFrames::slicesBetween() const {
-  constexpr double off = 0.06;  // slices tremble, and are regular all the same
+  constexpr double off = 0.06;  // positions of regular slices still vary a little
   std::vector<int> between;
   for (int slice = 0; slice < int(gridSlices_.size()); ++slice) {
     const double k = voxelAt(slice, glm::dvec2(size_ - 1) / 2.0).z;

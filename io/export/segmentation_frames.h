@@ -9,37 +9,37 @@
 
 namespace volumen {
 
-/// Masks as frames of one bit a pixel on the slices of a DICOM series as acquired: a pixel is set where the
-/// voxel that holds its centre is. Frames without a pixel are left out.
+/// Masks as frames of one bit a pixel on the acquired slices of a DICOM series. A pixel is set if the voxel
+/// that contains its centre is. Empty frames are left out.
 class SegmentationFrames {
  public:
-  /// `columns` x `rows`: of every slice. All of them are placed.
+  /// `size` is columns x rows of every slice. All slices have a position.
   SegmentationFrames(const VoxelGeometry& grid, const DicomSource& source, glm::ivec2 size);
 
-  /// Frames of one more segment; its mask is of the grid. `onSlices`: the same on the slices as acquired, a
-  /// voxel a pixel, which is written where it has as many; null: it is not known.
+  /// Adds the frames of one more segment; `mask` has the constructor's grid. `onSlices` is the same segment
+  /// on the acquired slices, one voxel a pixel, and is written instead if its size matches; null if unknown.
   void add(const BitMask& mask, const BitMask* onSlices = nullptr);
 
   struct Frame {
-    int segment = 0;  ///< from 0, in the order in which they were added
-    int slice = 0;    ///< of the source
+    int segment = 0;  ///< from 0, in the order of add()
+    int slice = 0;    ///< index in the source
   };
   const std::vector<Frame>& frames() const { return frames_; }
   glm::ivec2 size() const { return size_; }
   const BitPacker& bits() const { return bits_; }
-  /// Whether two segments share a voxel.
+  /// True if two segments share a voxel.
   bool overlap() const { return overlap_; }
-  /// Whether all segments were known on the slices as acquired.
+  /// True if all segments were known on the acquired slices.
   bool areOfSlices() const { return areOfSlices_; }
-  /// Slices of the source at which the grid has none: what is drawn there is interpolated.
+  /// Returns the source slices that lie between grid slices: what is displayed there is interpolated.
   std::vector<int> slicesBetween() const;
-  /// Whether slices lie on the grid pixel by voxel.
+  /// True if the pixels of all slices lie on voxels of the grid.
   bool areOnGrid() const;
-  /// Slices of the grid with voxels of segments that no slice of the source lies on; only where areOnGrid().
+  /// Returns the number of grid slices with segments that no source slice lies on; only if areOnGrid().
   int slicesLeftOut() const;
 
  private:
-  /// The slice of the grid whose voxels lie on the pixels of a slice one by one, each nearest to its own.
+  /// Returns the grid slice whose voxels match the pixels of `slice` one to one, each within half a voxel.
   std::optional<int> gridSliceOf(int slice) const;
   void readRow(const BitMask& mask, int slice, int y, std::span<std::uint64_t> words) const;
   bool isOfSlices(const BitMask& mask) const;
@@ -50,7 +50,7 @@ class SegmentationFrames {
   BitMask taken_;
   std::optional<BitMask> takenOnSlices_;
   bool overlap_ = false, areOfSlices_ = true;
-  std::vector<std::optional<int>> gridSlices_;  // of each slice of the source
+  std::vector<std::optional<int>> gridSlices_;  // for each slice of the source
   std::vector<Frame> frames_;
   int segments_ = 0;
   BitPacker bits_;

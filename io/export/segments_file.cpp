@@ -30,7 +30,7 @@ std::int64_t voxelsMarked(const LabelMap& labels) {
   return labels.geometry().voxelCount() - labelCounts(labels)[0];
 }
 
-// How many voxels with a label have their centre outside a grid.
+// Counts labelled voxels with their centre outside a grid.
 std::int64_t voxelsOutside(const LabelMap& labels, const VoxelGeometry& grid) {
   const VoxelGeometry& own = labels.geometry();
   std::vector<std::int64_t> counts(std::size_t(own.size.z));
@@ -47,7 +47,7 @@ std::int64_t voxelsOutside(const LabelMap& labels, const VoxelGeometry& grid) {
   return std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
 }
 
-// The same of the pixels of an object.
+// Counts set pixels of a segmentation with their centre outside a grid.
 std::int64_t pixelsOutside(const Segmentation& s, const VoxelGeometry& grid) {
   std::vector<std::int64_t> counts(s.frames.size());
   parallelFor(std::int64_t(s.frames.size()), 0, [&](std::int64_t begin, std::int64_t end) {
@@ -63,7 +63,7 @@ std::int64_t pixelsOutside(const Segmentation& s, const VoxelGeometry& grid) {
   return std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
 }
 
-// What a move onto another grid has made of segments, mm^3.
+// Volumes of segments before and after resampling to another grid, in mm^3.
 struct Moved {
   double before = 0;   // in the file
   double after = 0;    // in the series
@@ -112,7 +112,7 @@ Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid, const 
   return file;
 }
 
-// As many voxels as pixels: each pixel is one of them.
+// If as many voxels as pixels are set, the grid holds each pixel.
 Result<SegmentsFile> onGrid(const Segmentation& s, const VoxelGeometry& grid, const CancelToken& cancel,
                             const AcquiredSlices& slices) {
   if (!grid.calibrated) return Error{"Where the series lies is not known: segments have no place in it."};

@@ -9,27 +9,28 @@
 
 namespace volumen {
 
-/// The slices of a series as acquired, where some of them are not drawn.
+/// Returns the acquired slices of a series, if some of them are not displayed.
 inline AcquiredSlices acquiredSlicesOf(const Loaded& series) {
   return series.places.empty() ? AcquiredSlices{} : AcquiredSlices{series.acquired, series.places};
 }
 
-/// What a file of segments holds: a label map a layer, all of one grid.
+/// The contents of a segments file: one label map a layer, all on one grid.
 struct SegmentsFile {
   std::vector<Segmented> maps{};
-  std::vector<std::string> notes{};     ///< sentences that are to be known
-  std::vector<std::string> files{};     ///< all that were read for it: the table of names, files of data, too
-  std::string frameOfReferenceUid{};    ///< of a DICOM segmentation that says it
-  std::vector<std::string> pictures{};  ///< SOP instance UIDs of what it names
+  std::vector<std::string> notes{};  ///< notes for the user
+  /// all files that were read, including the table of names and data files
+  std::vector<std::string> files{};
+  std::string frameOfReferenceUid{};    ///< of a DICOM segmentation; may be empty
+  std::vector<std::string> pictures{};  ///< SOP instance UIDs of the images it references
 };
 
-/// The same on the grid of a volume: each voxel has what the voxel of the file that holds its centre has.
-/// What that changes and what lies outside is told in ml; `whose` grid it is, in these sentences. The Error:
-/// it has no position, and is not of that size; all of it lies outside.
+/// Resamples the segments to the grid of a volume by nearest neighbour. Notes state in ml what that changes
+/// and what lies outside; `whose` is the grid's name in them. The Error: the segments have no position and
+/// another size, or all of them lie outside.
 Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid,
                             const std::string& whose = "the series");
-/// The segments of an object on the grid of a volume (segmentedOf), with what that changes. The Error: the
-/// volume has no position; all of it lies outside.
+/// Returns the segments of a DICOM segmentation on the grid of a volume (segmentedOf), with notes on the
+/// changes. The Error: the volume has no position, or all segments lie outside.
 Result<SegmentsFile> onGrid(const Segmentation& segmentation, const VoxelGeometry& grid,
                             const CancelToken& cancel = {}, const AcquiredSlices& slices = {});
 

@@ -22,10 +22,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary surfaces are written as they are held");
 
-// What Slicer reads the axes from; elsewhere it assumes them (vtkMRMLModelStorageNode.cxx).
+// Slicer reads the axes from this text; other programs assume them (vtkMRMLModelStorageNode.cxx).
 const std::string surfaceSpace = std::string("volumen ") + VOLUMEN_VERSION + " SPACE=LPS mm";
 
-// Writes `count` items, whose bytes are made by parts on all cores and written in order.
+// Writes `count` items; all cores format parts, which are written in order.
 Status writeParts(OutputFile& file, std::size_t count, const CancelToken& cancel,
                   const std::function<void(std::size_t first, std::size_t end, std::string& bytes)>& make) {
   constexpr std::size_t part = 1 << 15, together = 16;
@@ -82,7 +82,7 @@ Status writeStlTriangles(const Surface& surface, OutputFile& file, const CancelT
       });
 }
 
-// 80 bytes that do not begin with "solid", the number of triangles, and 50 bytes each.
+// Binary STL: an 80-byte header that does not begin with "solid", the triangle count, 50 bytes a triangle.
 Status writeStl(SurfaceParts parts, OutputFile& file, const CancelToken& cancel) {
   std::string header = surfaceSpace;
   header.resize(80, ' ');
@@ -93,7 +93,7 @@ Status writeStl(SurfaceParts parts, OutputFile& file, const CancelToken& cancel)
   return {};
 }
 
-// `before`: how many points of others stand in front of its own.
+// `before` is the number of points of the preceding surfaces.
 Status writePlyFaces(const Surface& surface, std::uint32_t before, OutputFile& file,
                      const CancelToken& cancel) {
   return writeParts(file, surface.triangles.size(), cancel,
@@ -125,7 +125,7 @@ Status writePly(SurfaceParts parts, OutputFile& file, const CancelToken& cancel)
   return {};
 }
 
-// The shortest digits that are read as the same number.
+// Appends the shortest digits that parse to the same number.
 template <class T>
 void appendNumber(std::string& text, T value) {
   char digits[32];
@@ -164,7 +164,7 @@ std::string groupNameOf(std::string name) {
   return name;
 }
 
-// `taken` gets its name.
+// Adds the new group's name to `taken`.
 std::string groupLine(const std::string& name, std::set<std::string>& taken) {
   const std::string free =
       freeName(name, [&](const std::string& one) { return !taken.insert(groupNameOf(one)).second; });
@@ -187,7 +187,7 @@ Status writeObj(SurfaceParts parts, OutputFile& file, const CancelToken& cancel)
 }
 
 struct SurfaceWriter {
-  const char* ending;  // in lower case, with its dot
+  const char* ending;  // lower case, with the dot
   Status (*write)(SurfaceParts parts, OutputFile& file, const CancelToken& cancel);
 };
 constexpr std::array<SurfaceWriter, 3> surfaceWriters{
@@ -221,7 +221,7 @@ Status writeSurfaces(std::span<const SurfacePart> parts, const std::string& path
 
 Result<OutputFile> surfacesAside(std::span<const SurfacePart> parts, const std::string& path,
                                  const CancelToken& cancel) try {
-  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();  // of PLY's int
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();  // PLY indices are int32
   const SurfaceWriter* writer = surfaceWriterOf(path);
   if (!writer) return Error{"Cannot write " + path + ": surfaces are written as " + surfaceEndings() + "."};
   if (trianglesOf(parts) == 0) return Error{"Cannot write " + path + ": the segment is empty."};

@@ -9,28 +9,28 @@
 
 namespace volumen {
 
-/// ".stl, .ply or .obj".
+/// Returns ".stl, .ply or .obj".
 std::string surfaceEndings();
 
-/// Writes a surface in the format that the path's ending asks for: .stl (binary), .ply (binary, little
-/// endian) or .obj (text). Patient space, mm, LPS, which its header says in the words that 3D Slicer reads:
-/// "SPACE=LPS". Points as float32; the normals of .stl are those of its triangles. The file appears whole or
-/// not at all; an Error names it: another ending, a surface without triangles, cancelled.
+/// Writes a surface in the format of the path's ending: .stl (binary), .ply (binary, little endian) or .obj
+/// (text). Coordinates are patient space in mm, LPS; the header says "SPACE=LPS", which 3D Slicer reads.
+/// Points are float32; the normals in .stl are those of the triangles. The file appears whole or not at all.
+/// The Error names it: an unknown ending, a surface without triangles, or cancelled.
 Status writeSurface(const Surface& surface, const std::string& path, const CancelToken& cancel = {});
 
-/// One of several surfaces of a file.
+/// One of several surfaces in a file.
 struct SurfacePart {
   std::string name;
-  const Surface* surface = nullptr;  ///< has triangles
+  const Surface* surface = nullptr;  ///< must have triangles
 };
 
-/// The same of several, one after the other, each with points of its own: closed by itself where it was. In
-/// .obj each is a group ("g NAME", blanks of the name as "_", no two called alike), in .stl and .ply nothing
-/// parts them. An Error also where there are none, or too many triangles for one file.
+/// Writes several surfaces one after the other. Each keeps its own points, so closed surfaces stay closed. In
+/// .obj each is a group ("g NAME", blanks become "_", names are unique); .stl and .ply do not separate them.
+/// Also an Error: no surfaces, or too many triangles for one file.
 Status writeSurfaces(std::span<const SurfacePart> parts, const std::string& path,
                      const CancelToken& cancel = {});
 
-/// The same, written aside: it appears once it is committed.
+/// Writes several surfaces to a temporary file, which appears once it is committed.
 Result<OutputFile> surfacesAside(std::span<const SurfacePart> parts, const std::string& path,
                                  const CancelToken& cancel = {});
 

@@ -22,7 +22,8 @@ void countShells(SurfaceToWrite& made) {
   if (solid > 0) made.largestShare = volumes.front() / solid;
 }
 
-// "1 closed shell.", "51 closed shells, 2 of them around cavities; the largest has 98.2 % of the volume."
+// Returns "1 closed shell.", or "51 closed shells, 2 of them around cavities; the largest has 98.2 % of the
+// volume."
 std::string shellsText(const SurfaceToWrite& surface) {
   if (surface.shells == 1) return "1 closed shell.";
   std::string text = std::to_string(surface.shells) + " closed shells";

@@ -12,40 +12,41 @@
 
 namespace volumen {
 
-/// The surface of a segment as files hold it, and what is told of it.
+/// The surface of a segment as written to a file, and its measures for the user.
 struct SurfaceToWrite {
-  /// Of the surface with all its triangles, where it was reduced.
+  /// Measures of the surface before its triangles were reduced.
   struct Unreduced {
     std::size_t triangles = 0;
     double insideMl = 0;
-    double offMm = 0;  ///< how far the reduced one is off it at most (deviation())
+    double offMm = 0;  ///< largest deviation of the reduced surface (deviation())
   };
 
-  std::string name;     ///< of the segment
-  Surface surface{};    ///< empty where the segment has no voxels
-  double voxelsMl = 0;  ///< volume of its voxels
+  std::string name;     ///< the segment's name
+  Surface surface{};    ///< empty if the segment has no voxels
+  double voxelsMl = 0;  ///< volume of the segment's voxels
   double insideMl = 0;  ///< volume inside the surface
   double areaCm2 = 0;
-  std::size_t shells = 0;    ///< closed shells that the surface consists of, cavities among them
-  std::size_t cavities = 0;  ///< shells that lie around a hole inside another one
-  double largestShare = 1;   ///< volume inside the largest shell, as a share of that inside all but cavities
+  std::size_t shells = 0;    ///< closed shells of the surface, including cavities
+  std::size_t cavities = 0;  ///< shells around a hole inside another shell
+  /// volume inside the largest shell, as a share of that inside all shells but cavities
+  double largestShare = 1;
   std::optional<Unreduced> before{};
 };
 
-/// Of one segment of a map; with fewer triangles where `reducedByMm` is not 0 (reduced()). The Error:
-/// cancelled, too little memory.
+/// Builds the surface of one segment of a map, reduced if `reducedByMm` is not 0 (reduced()). The Error:
+/// cancelled, or too little memory.
 Result<SurfaceToWrite> surfaceToWrite(const Segmented& map, const Segment& segment, double reducedByMm,
                                       const CancelToken& cancel = {});
-/// The same of each segment, in the order of the maps.
+/// Builds the surface of each segment, in the order of the maps.
 Result<std::vector<SurfaceToWrite>> surfacesToWrite(std::span<const Segmented> maps, double reducedByMm,
                                                     const CancelToken& cancel = {});
 
-/// The map with the largest part of each segment alone: of the voxels that share faces, as surfaces join
-/// them. Cancelled: as far as it has come by then.
+/// Returns the map with only the largest connected component of each segment. Voxels that share faces are
+/// connected, as in surfaces. A cancelled call returns the work done so far.
 Segmented withLargestParts(const Segmented& map, const CancelToken& cancel = {});
 
-/// Sentences without what they are about: "12 triangles, 0.5 ml inside (0.6 ml by voxels), 3 cm^2.", "1
-/// closed shell."; of a reduced one another one, how many there were.
+/// Returns sentences without their subject: "12 triangles, 0.5 ml inside (0.6 ml by voxels), 3 cm^2.", "1
+/// closed shell."; for reduced surfaces one more with the number of triangles before.
 std::vector<std::string> toldOf(const SurfaceToWrite& surface);
 
 }  // namespace volumen

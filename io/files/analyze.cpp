@@ -75,7 +75,7 @@ Result<ImageHeader> readAnalyzeHeader(const std::string& path) {
   if (!grid) return grid.error();
   std::array<double, 3> pixdim;
   n.row<float>(80, pixdim);
-  for (double& mm : pixdim) mm = std::abs(mm);  // some write flips as signs
+  for (double& mm : pixdim) mm = std::abs(mm);  // some programs write flips as negative spacings
   if (Status s = setUnorientedGrid(image, *grid, {pixdim.begin(), pixdim.end()}, glm::dvec3(0), path); !s)
     return s.error();
   if (Status s = findImage(image.data, n.at<float>(108), path); !s) return s.error();

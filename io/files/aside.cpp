@@ -23,7 +23,7 @@ bool isFirstTime(const std::string& folder) {
   return looked.insert(folder).second;
 }
 
-/// Whether it is this user's, and whoever wrote it has ended: with that its lock went.
+// True if a file is this user's and no running process holds its lock.
 bool isLeft(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
   if (fd < 0) return false;
@@ -37,7 +37,7 @@ bool isLeft(const std::string& path) {
 }  // namespace
 
 std::string endOfLinks(const std::string& name) {
-  constexpr int mostLinks = 40;  // as the system follows
+  constexpr int mostLinks = 40;  // the system's limit
   std::filesystem::path place = name;
   std::error_code none;
   for (int n = 0; n < mostLinks && std::filesystem::is_symlink(place, none); ++n)
@@ -47,8 +47,7 @@ std::string endOfLinks(const std::string& name) {
 
 void claimAside(int descriptor) { (void)::flock(descriptor, LOCK_EX | LOCK_NB); }
 
-// The umask is read, never changed and restored: files that another thread makes in between would be open to
-// all.
+// Reads the umask without changing it: files that another thread creates meanwhile would get wrong rights.
 mode_t rightsKept() {
   static const mode_t mask = [] {
     constexpr std::string_view key = "Umask:";

@@ -6,19 +6,19 @@
 
 namespace volumen {
 
-/// What is written stands under such a name, in the folder that it is for, until it is whole (mkstemp).
+/// Name of temporary files and folders, beside their final place, until they are complete (mkstemp).
 inline constexpr const char* asideName = ".volumen-XXXXXX";
 
-/// Where a name leads: the end of its symbolic links, whether something is there or not.
+/// Returns the end of a name's symbolic links, even if nothing exists there.
 std::string endOfLinks(const std::string& name);
 
-/// Keeps other programs from taking an open file or folder of that name for one that was left behind.
+/// Locks an open temporary file or folder, so that other programs do not take it for an abandoned one.
 void claimAside(int descriptor);
 
-/// The rights that are kept from what this process makes (its umask).
+/// Returns the permission bits that this process does not grant to new files (its umask).
 mode_t rightsKept();
 
-/// Removes what programs that were killed have left aside in a folder ("": the working one); looks once a
+/// Removes temporary files that killed programs left in a folder ("": the working directory). Looks once a
 /// run.
 void sweepAside(const std::string& folder);
 

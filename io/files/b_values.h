@@ -7,9 +7,9 @@
 
 namespace volumen {
 
-/// The diffusion weights that stand beside a NIfTI file (NAME.bval beside NAME.nii or NAME.nii.gz: numbers in
-/// s/mm^2, one a volume, as dcm2niix and FSL write them); empty where there is no such file. One that holds
-/// other than `count` such numbers is left out with a sentence in `warnings`.
+/// Returns the b-values beside a NIfTI file, in s/mm^2, one a volume. They are in NAME.bval beside NAME.nii
+/// or NAME.nii.gz, as dcm2niix and FSL write them. Returns an empty list if there is no such file. A file
+/// without exactly `count` valid numbers is ignored with a warning.
 std::vector<double> bValuesBeside(const std::string& path, std::size_t count, std::vector<Warning>& warnings);
 
 }  // namespace volumen

@@ -82,7 +82,7 @@ class DeflateSource : public ByteSource {
     return {};
   }
 
-  // A gzip file may hold several members, one behind the other; anything else behind the first is not ours.
+  // A gzip file may hold several members. Other trailing bytes are ignored.
   Status endOfMember() {
     if (Status s = fill(); !s) return s;
     if (stream_.avail_in > 0 && *stream_.next_in == 0x1f)
@@ -165,7 +165,7 @@ class HexSource : public ByteSource {
   }
 
  private:
-  // The next hexadecimal digit's value; -1 at the end.
+  // Returns the value of the next hexadecimal digit, or -1 at the end.
   Result<int> nextDigit() {
     for (;;) {
       if (at_ == filled_) {
@@ -230,7 +230,7 @@ std::unique_ptr<ByteSource> decode(DataFile file, std::uint64_t offset, Encoding
 }
 
 std::uint64_t leastEncodedBytes(Encoding encoding, std::uint64_t decodedBytes) {
-  // The formats cannot do better: bzip2 packs runs of 255 bytes in 5, and 900,000 of those in some 40.
+  // Limits of the formats: bzip2 packs runs of 255 bytes in 5, and 900,000 of those in some 40.
   constexpr std::uint64_t deflateRatio = 1032, bzip2Ratio = 1'500'000;
   switch (encoding) {
     case Encoding::deflate:

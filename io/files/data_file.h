@@ -10,16 +10,16 @@
 
 namespace volumen {
 
-/// A regular file that holds headers or samples, open for reading; its errors name it.
+/// A regular file with headers or samples, open for reading. Its errors name it.
 class DataFile {
  public:
   static Result<DataFile> open(const std::string& path);
 
-  std::uint64_t size() const { return file_->size(); }  ///< bytes, when it was opened
+  std::uint64_t size() const { return file_->size(); }  ///< in bytes, when it was opened
   const std::string& path() const { return path_; }
 
-  /// Reads up to `count` bytes from byte `offset` on; returns how many: fewer only at the end of the file. An
-  /// Error where the device fails.
+  /// Reads up to `count` bytes from byte `offset` on and returns their number; fewer only at the end of the
+  /// file. The Error: the device fails.
   Result<std::size_t> readAt(std::uint64_t offset, void* to, std::size_t count) const;
 
  private:
@@ -29,12 +29,12 @@ class DataFile {
   std::string path_;
 };
 
-/// The first bytes of a file, at most `count`.
+/// Returns the first bytes of a file, at most `count`.
 Result<std::string> readHead(const std::string& path, std::size_t count);
 
-/// The path of `name`, which a header in `headerPath` refers to. Files are untrusted: refused are names that
-/// are empty or absolute, that lead out of the header's folder (also through a link) or to the header itself,
-/// and what is no regular file.
+/// Returns the path of `name`, to which a header in `headerPath` refers. Files are untrusted. The Error:
+/// `name` is empty, absolute, the header itself, outside its folder (also through a link), or not a regular
+/// file.
 Result<std::string> resolveBeside(const std::string& headerPath, const std::string& name);
 
 }  // namespace volumen

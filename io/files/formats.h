@@ -6,15 +6,15 @@
 
 namespace volumen {
 
-/// A format of image files that is read: what claims to be of it, and how its headers are read.
+/// A format of image files that can be read: its test for files and its header reader.
 struct FileFormat {
   const char* name;
   bool (*claims)(const FileClaim& file);
   Result<ImageHeader> (*read)(const std::string& path);
 };
 
-/// All of them, in the order in which they are asked; bytes come before names, so that a wrong name does no
-/// harm.
+/// Returns all formats in the order in which they are tested. Tests of bytes come before those of names, so
+/// that a wrong name does no harm.
 const std::vector<FileFormat>& fileFormats();
 
 }  // namespace volumen

@@ -60,7 +60,7 @@ Result<ImageHeader> readGiplHeader(const std::string& path) {
   image.data.type = *type;
   std::vector<std::int64_t> sizes;
   for (std::size_t a = 0; a < 4; ++a) sizes.push_back(n.at<std::uint16_t>(2 * a));
-  if (sizes[3] == 0) sizes[3] = 1;  // three axes
+  if (sizes[3] == 0) sizes[3] = 1;  // an image of three axes
   const auto grid = setSizes(image, sizes, path);
   if (!grid) return grid.error();
   std::vector<double> spacings;

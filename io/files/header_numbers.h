@@ -9,7 +9,7 @@
 
 namespace volumen {
 
-/// Numbers at fixed places of a binary header. The caller checks that the header is long enough.
+/// Numbers at fixed positions of a binary header. The caller checks that the header is long enough.
 struct HeaderNumbers {
   const std::string& head;
   bool bigEndian;

@@ -15,13 +15,13 @@ namespace volumen {
 
 namespace {
 
-// A DICOM file may begin as another one does (TIFF) in front of its own mark.
+// The preamble of a DICOM file may look like another format (TIFF).
 bool isDicom(const std::string& head) {
   constexpr std::size_t preamble = 128;
   return head.size() > preamble && head.compare(preamble, 4, "DICM") == 0;
 }
 
-// Null: none claims it.
+// Returns null if no format claims the file.
 const FileFormat* formatOf(const std::string& path) {
   constexpr std::size_t enough = 540;
   auto head = readHead(path, enough);
@@ -43,7 +43,8 @@ bool holdsGzippedDicom(const std::string& path, const std::string& head) {
   return inside && isDicom(*inside);
 }
 
-// A format that is known and not read, and what to do: the rest of a sentence; empty where it is none.
+// Returns the end of a sentence: the known but unsupported format of a file, and a remedy. Empty for other
+// files.
 std::string unreadFormatOf(const std::string& path) {
   constexpr std::size_t enough = 132;
   const auto head = readHead(path, enough);
@@ -61,8 +62,7 @@ Result<ImageHeader> readHeader(const std::string& path) {
   return Error{path + " is not a NRRD, NIfTI or MetaImage file."};
 }
 
-// Whether a header that came from a worker agrees with itself, and names no other files than that worker was
-// given.
+// True if a header from a worker is consistent and names only files that the worker was given.
 bool isConsistent(const ImageHeader& header, const worker::Request& request) {
   constexpr std::uint64_t farthest = std::uint64_t(1) << 48;
   const SampleData& d = header.data;
@@ -76,12 +76,12 @@ bool isConsistent(const ImageHeader& header, const worker::Request& request) {
   return std::ranges::all_of(d.files, [&](const std::string& file) { return given.contains(file); });
 }
 
-// Raw data that go on by a row or more: the header may mean other sizes or another type.
+// Warns of raw data with at least one surplus row: the header's sizes or type may be wrong.
 void warnOfSurplus(const ImageHeader& header, std::vector<Warning>& warnings) {
   const SampleData& data = header.data;
   const bool counts =
       data.encoding == Encoding::raw && !data.text && data.lineSkip == 0 && data.byteSkip >= 0;
-  if (!counts || header.format == "MGH" || header.format == "VTK") return;  // these may hold more
+  if (!counts || header.format == "MGH" || header.format == "VTK") return;  // these formats may hold more
   const std::uint64_t part = data.samples() / data.files.size() * bytesOf(data.type);
   const std::uint64_t needed = data.offset + std::uint64_t(data.byteSkip) + part;
   const std::uint64_t row = std::uint64_t(header.geometry.size.x) * bytesOf(data.type);
@@ -93,8 +93,8 @@ void warnOfSurplus(const ImageHeader& header, std::vector<Warning>& warnings) {
     }
 }
 
-// Which volume of its file a series is, from 0: the number behind "NAME#" in its id. More may stand behind
-// it, which tells files of one name apart.
+// Returns the index of a series' volume in its file, from 0: the number after "NAME#" in its id. A suffix may
+// follow that distinguishes files of equal name.
 Result<std::uint64_t> volumeNumber(const Series& series, const ImageHeader& header) {
   const std::uint64_t count = header.data.volumes();
   if (count == 1) return std::uint64_t(0);

@@ -12,23 +12,23 @@ namespace volumen {
 
 struct Series;
 
-/// Whether `path` claims to be an image file that is no DICOM (resources/docs/import.md lists them, also
-/// those that are refused by name): by its first bytes, or by its name.
+/// True if `path` claims to be a non-DICOM image file by its first bytes or its name. This includes formats
+/// that are refused by name (resources/docs/import.md lists all).
 bool looksLikeImageFile(const std::string& path);
 
-/// Whether that is a DICOM file in gzip, which is refused by name.
+/// True for a gzipped DICOM file, which is refused by name.
 bool isGzippedDicom(const std::string& path);
 
-/// The volumes that an image file holds; headers only. Several where it has more than three axes: their ids
-/// end in "#1", "#2" ..., and they are named by what varies: timePoint, bValue, label. The Error names the
-/// file and why there are none: damaged, cut off, a colour picture, data files outside its folder.
+/// Reads the headers of the volumes in an image file. A file of more than three axes has several: their ids
+/// end in "#1", "#2" ..., and what varies names them: timePoint, bValue, label. The Error names the file and
+/// the reason: damaged, cut off, a colour image, data files outside its folder.
 Result<std::vector<Series>> readImageFileHeaders(const std::string& path);
 
-/// What the header of an image file says, read in a worker where there are any. The Error is that of
-/// readImageFileHeaders(), or says what became of the worker.
+/// Reads the header of an image file, in a worker if there are any. The Error is that of
+/// readImageFileHeaders() or of the worker.
 Result<ImageHeader> readImageHeader(const std::string& path, const CancelToken& cancel = {});
 
-/// Reads the volume `series`, one of readImageFileHeaders(series.path).
+/// Reads the volume `series`, which comes from readImageFileHeaders(series.path).
 Result<Loaded> loadImageFile(const Series& series, const Progress& progress = {},
                              const CancelToken& cancel = {});
 

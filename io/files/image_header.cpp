@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// A direction at right angles to those there are.
+// Returns a unit vector perpendicular to the given ones.
 glm::dvec3 missingAxis(const std::vector<glm::dvec3>& steps) {
   if (steps.size() == 2) return glm::normalize(glm::cross(steps[0], steps[1]));
   const glm::dvec3 a = glm::abs(steps[0]);
@@ -29,7 +29,7 @@ Status setSize(VoxelGeometry& g, const std::vector<std::uint64_t>& sizes, const 
   return {};
 }
 
-// Within these, squares and determinants stay finite and meaningful.
+// Within these limits squares and determinants are finite and meaningful.
 bool isLength(double mm) { return mm > 1e-9 && mm < 1e9; }
 
 }  // namespace

@@ -7,17 +7,18 @@
 
 namespace volumen {
 
-/// The samples of a pair of files, as Analyze 7.5 and NIfTI keep them: a header NAME.hdr, samples in
-/// NAME.img; each may be gzipped (.gz behind its name).
+/// The samples of a file pair of Analyze 7.5 or NIfTI: the header is NAME.hdr, the samples are NAME.img. Each
+/// may be gzipped (.gz after its name).
 struct PairedSamples {
   std::string path;
   bool compressed = false;
 };
 
-/// The samples that belong to a header. Refused: what resolveBeside() refuses.
+/// Returns the samples that belong to a header. The Error is that of resolveBeside().
 Result<PairedSamples> samplesOfPair(const std::string& headerPath);
 
-/// The header that lies beside the samples of a pair; nothing where none does, or the name is not of samples.
+/// Returns the header beside the samples of a pair. Empty if there is none, or if the name is not that of
+/// samples.
 std::optional<std::string> headerOfPair(const std::string& samplesPath);
 
 }  // namespace volumen

@@ -10,7 +10,7 @@
 namespace volumen {
 namespace {
 
-// What stands in front of bytes: how many; none at the end, `wrong` in front of a sentence.
+// The length before each block of bytes: 0 at the end, `wrong` before an error message.
 constexpr std::uint64_t wrong = std::numeric_limits<std::uint64_t>::max();
 
 void writeDecoded(worker::Wire& answer, const std::string& path, std::uint64_t offset, Encoding encoding,

@@ -7,8 +7,8 @@
 
 namespace volumen {
 
-/// decode(), or decodeText() where there are `text` samples, in a worker (io/worker). Only where there are
-/// any.
+/// Returns the source of decode(), or of decodeText() for `text` samples, run in a worker (io/worker).
+/// Workers must be available.
 std::unique_ptr<ByteSource> decodeIsolated(const std::string& path, std::uint64_t offset, Encoding encoding,
                                            const std::optional<TextSamples>& text, const CancelToken& cancel);
 

@@ -38,7 +38,7 @@ Result<std::vector<LabelOf>> labelsFor(std::span<const std::uint32_t> values) {
   return labels;
 }
 
-// Files hold labels as float32, or with a slope that is: 1.0000458 is 1.
+// Files hold labels as float32 or with a float32 slope: 1.0000458 means 1.
 Result<LabelValues> LabelValues::read(const ImageHeader& header, std::uint64_t volume,
                                       const std::string& path, std::vector<std::string>& notes,
                                       const Progress& progress, const CancelToken& cancel) {

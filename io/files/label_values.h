@@ -13,31 +13,31 @@
 
 namespace volumen {
 
-/// Numbers that files may use for labels, from 1.
+/// The largest number of a label in files; the smallest is 1.
 inline constexpr std::uint32_t mostLabelValue = 0xffffff;
 
-/// Which label of a label map stands for which number of a file.
+/// Maps a number in a file to a label of a label map.
 struct LabelOf {
   std::uint32_t value = 0;
   std::uint8_t label = 0;
 };
 
-/// Labels for numbers, each of which is there once: the number itself where it is one, else the smallest that
-/// is free. The Error: there are more than 255 of them.
+/// Returns labels for unique numbers: the number itself if it is a valid label, else the smallest free one.
+/// The Error: there are more than 255 numbers.
 Result<std::vector<LabelOf>> labelsFor(std::span<const std::uint32_t> values);
 
-/// The numbers at the voxels of one volume of an image file.
+/// The label numbers at the voxels of one volume of an image file.
 class LabelValues {
  public:
-  /// The Error names the file: it cannot be read, or holds values that are no labels, even when rounded by
-  /// 0.001. Rounding is told in `notes`.
+  /// Reads the numbers. The Error names the file: it cannot be read, or holds values that are not within
+  /// 0.001 of a label. Rounding is reported in `notes`.
   static Result<LabelValues> read(const ImageHeader& header, std::uint64_t volume, const std::string& path,
                                   std::vector<std::string>& notes, const Progress& progress = {},
                                   const CancelToken& cancel = {});
 
-  /// All but 0, in order.
+  /// Returns all numbers except 0, in ascending order.
   std::vector<std::uint32_t> present() const;
-  /// The labels at the voxels; background where there is none for a number.
+  /// Returns the labels at the voxels; numbers without a label become background.
   DenseLabels labels(std::span<const LabelOf> labels) const;
 
  private:

@@ -6,10 +6,10 @@
 
 namespace volumen {
 
-/// A file that only one program holds at a time. However a program ends, the system then frees what it held.
+/// A lock file that one program holds at a time. The system frees it however the program ends.
 class LockFile {
  public:
-  /// None where another holds it, or it cannot be made.
+  /// Returns nothing if another program holds the lock or the file cannot be created.
   static std::optional<LockFile> take(const std::string& path);
   LockFile(LockFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
   LockFile& operator=(LockFile&& other) noexcept {

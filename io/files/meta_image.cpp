@@ -11,10 +11,10 @@ namespace {
 
 struct MetaHeader {
   std::map<std::string, std::string> fields;
-  std::string_view rest;         // behind the line ElementDataFile
-  std::uint64_t dataOffset = 0;  // of `rest` in the file
+  std::string_view rest;         // after the line ElementDataFile
+  std::uint64_t dataOffset = 0;  // position of `rest` in the file
 
-  // The first of the names that is there; empty where none is.
+  // Returns the first field present, or an empty string.
   std::string field(std::initializer_list<const char*> names) const {
     for (const char* name : names)
       if (const auto found = fields.find(name); found != fields.end()) return found->second;
@@ -54,7 +54,7 @@ std::optional<SampleType> metaImageType(const std::string& name) {
       {"MET_CHAR", int8},       {"MET_UCHAR", uint8},       {"MET_SHORT", int16},   {"MET_USHORT", uint16},
       {"MET_INT", int32},       {"MET_UINT", uint32},       {"MET_LONG", int32},    {"MET_ULONG", uint32},
       {"MET_LONG_LONG", int64}, {"MET_ULONG_LONG", uint64}, {"MET_FLOAT", float32}, {"MET_DOUBLE", float64}};
-  // Vectors of several channels.
+  // "_ARRAY" marks vectors of several channels.
   constexpr std::string_view array = "_ARRAY";
   const bool isArray = name.ends_with(array);
   const auto found = types.find(isArray ? name.substr(0, name.size() - array.size()) : name);
@@ -62,7 +62,7 @@ std::optional<SampleType> metaImageType(const std::string& name) {
   return found->second;
 }
 
-// The numbers of a field, at least `count` of them; nothing where the field is absent.
+// Returns the numbers of a field, at least `count`; empty if the field is absent.
 Result<std::optional<std::vector<double>>> numbers(const MetaHeader& header,
                                                    std::initializer_list<const char*> names,
                                                    std::size_t count, const std::string& path) {
@@ -75,7 +75,7 @@ Result<std::optional<std::vector<double>>> numbers(const MetaHeader& header,
   return all;
 }
 
-// The first axis of the grid whose row of a matrix is zeros.
+// Returns the first grid axis whose row of the matrix is zero.
 std::optional<std::size_t> axisOfZeros(const std::optional<std::vector<double>>& matrix, std::size_t used,
                                        std::size_t axes) {
   for (std::size_t a = 0; matrix && a < used; ++a) {
@@ -99,7 +99,7 @@ Status setMetaGeometry(const MetaHeader& header, const std::vector<std::uint64_t
     image.warnings.push_back("Axis " + std::to_string(*axis + 1) +
                              " of its TransformMatrix has the direction 0: its directions are not used.");
   }
-  // As ITK writes of pictures of two axes: their directions are those of no patient.
+  // ITK writes '?' for 2D images, whose directions are unrelated to a patient.
   const bool saysUnknown = header.field({"AnatomicalOrientation"}).find('?') != std::string::npos;
   if (!*matrix)
     image.warnings.push_back(
@@ -150,7 +150,8 @@ Status parseSamples(const MetaHeader& header, SampleData& data, const std::strin
   return {};
 }
 
-// How many samples stand at each place: vectors become one volume a component; bytes in threes are colours.
+// Returns the samples at each voxel. Vectors become one volume a component; bytes in threes or fours are
+// colours.
 Result<std::uint64_t> channelsOf(const MetaHeader& header, SampleType type, const std::string& path) {
   const std::string text = header.field({"ElementNumberOfChannels"});
   const auto channels = text.empty() ? 1 : toInteger(text);

@@ -6,9 +6,9 @@
 
 namespace volumen {
 
-/// The volumes of a MetaImage (.mha, or .mhd with data files), as MetaIO documents it and ITK places it:
-/// Offset and the rows of TransformMatrix are LPS. Refused with a reason: colour pictures, several channels,
-/// other MetaIO objects.
+/// Reads the header of a MetaImage (.mha, or .mhd with data files) as documented by MetaIO and placed by ITK:
+/// Offset and the rows of TransformMatrix are LPS. The Error gives a reason: colour images, other MetaIO
+/// objects.
 Result<ImageHeader> readMetaImageHeader(const std::string& path);
 
 }  // namespace volumen

@@ -1,4 +1,4 @@
-// MGH and MGZ of FreeSurfer: 284 bytes, big endian, then the samples; .mgz is the same in gzip.
+// MGH and MGZ of FreeSurfer: 284 bytes, big endian, then the samples; .mgz is gzipped.
 #include "io/files/binary_header.h"
 #include "io/files/header_numbers.h"
 #include "io/files/other_formats.h"
@@ -27,7 +27,7 @@ Result<SampleType> mghType(int code, const std::string& path) {
   }
 }
 
-// Directions and centre are RAS; the centre is that of voxel size / 2.
+// Directions and centre are RAS; the centre is voxel size / 2.
 Status setMghGeometry(const HeaderNumbers& n, const std::vector<std::uint64_t>& sizes, ImageHeader& image,
                       const std::string& path) {
   const glm::dvec3 lpsFromRas(-1, -1, 1);

@@ -1,4 +1,5 @@
-// MRC2014 (CCP4) of electron microscopy: 1024 bytes, an extended header, the samples. Lengths in Ångström.
+// MRC2014 (CCP4) of electron microscopy: 1024 bytes, an extended header, the samples. Lengths are in
+// Ångström.
 #include "io/files/binary_header.h"
 #include "io/files/header_numbers.h"
 #include "io/files/header_text.h"
@@ -10,8 +11,8 @@ namespace {
 
 constexpr std::size_t bytesOfMrc = 1024, mapPlace = 208, byteOrderPlace = 212;
 
-// Bytes are signed (MRC2014), but not where IMOD wrote the file and says so (its stamp and flags), nor where
-// the largest value that the header gives is none of a signed byte.
+// Bytes are signed (MRC2014), except if IMOD's stamp and flags say otherwise, or if the header's largest
+// value exceeds a signed byte.
 bool hasUnsignedBytes(const HeaderNumbers& n) {
   constexpr std::int32_t imod = 1146047817, signedFlag = 1;
   if (n.at<std::int32_t>(152) == imod) return (n.at<std::int32_t>(156) & signedFlag) == 0;
@@ -39,10 +40,10 @@ Result<SampleType> mrcType(const HeaderNumbers& n, const std::string& path) {
   }
 }
 
-// Which axis of space columns, rows and sections run along: MAPC, MAPR, MAPS.
+// MAPC, MAPR and MAPS are the spatial axes of columns, rows and sections.
 Status setMrcGeometry(const HeaderNumbers& n, const std::vector<std::uint64_t>& sizes, ImageHeader& image,
                       const std::string& path) {
-  constexpr double mm = 1e-7;  // an Ångström
+  constexpr double mm = 1e-7;  // one Ångström
   std::vector<glm::dvec3> steps;
   int seen = 0;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -53,7 +54,7 @@ Status setMrcGeometry(const HeaderNumbers& n, const std::vector<std::uint64_t>& 
     seen |= 1 << axis;
     const std::size_t at = 4 * std::size_t(axis - 1);
     const double length = n.at<float>(40 + at), intervals = n.at<std::int32_t>(28 + at);
-    if (a == 2 && sizes[2] == 1 && length == 0) continue;  // setGeometry() gives it a thickness and says so
+    if (a == 2 && sizes[2] == 1 && length == 0) continue;  // setGeometry() adds a thickness and a warning
     if (!(length > 0) || !(intervals > 0)) return setNominalGeometry(image, sizes, path);
     glm::dvec3 step(0);
     step[axis - 1] = length / intervals * mm;
@@ -92,7 +93,7 @@ Result<ImageHeader> readMrcHeader(const std::string& path) {
   image.data.type = *type;
   std::vector<std::int64_t> sizes;
   for (std::size_t a = 0; a < 3; ++a) sizes.push_back(n.at<std::int32_t>(4 * a));
-  // A stack of volumes: as many sections a volume as intervals along z.
+  // A stack of volumes has as many sections a volume as intervals along z.
   const std::int64_t sections = n.at<std::int32_t>(36);
   if (n.at<std::int32_t>(88) == 401 && sections > 0 && sizes[2] % sections == 0)
     sizes = {sizes[0], sizes[1], sections, sizes[2] / sections};

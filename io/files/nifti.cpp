@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t bytesOfNifti1 = 348, bytesOfNifti2 = 540;
 
-// A header's fields, whichever version it is.
+// The fields of a header of either version.
 struct Fields {
   int version = 1;
   bool bigEndian = false, pair = false;
@@ -74,7 +74,7 @@ Fields fieldsOfNifti2(const HeaderNumbers& b) {
   return f;
 }
 
-// 1 or 2; 0 where `head` is no NIfTI or Analyze header.
+// Returns 1 or 2; 0 if `head` is not a NIfTI or Analyze header.
 int version(const std::string& head, bool& bigEndian) {
   if (head.size() < bytesOfNifti1) return 0;
   for (const bool big : {false, true}) {
@@ -139,7 +139,7 @@ Result<SampleType> niftiType(const Fields& f, const std::string& path) {
   }
 }
 
-// A grid as the file gives it: steps of the axes and the first voxel's centre, RAS, in the file's unit.
+// The grid in the file's unit: steps of the axes and the centre of the first voxel, RAS.
 struct Affine {
   std::array<glm::dvec3, 3> steps;
   glm::dvec3 origin;
@@ -174,7 +174,7 @@ Affine affineOfPixdim(const Fields& f, const std::vector<std::uint64_t>& sizes) 
   return affine;
 }
 
-// The largest distance between corners that two affines put in different places, in the file's unit.
+// Returns the largest distance between corresponding corners of two grids, in the file's unit.
 double largestDifference(const Affine& a, const Affine& b, const std::vector<std::uint64_t>& sizes) {
   double largest = 0;
   for (unsigned corner = 0; corner < (1u << sizes.size()); ++corner) {
@@ -186,7 +186,7 @@ double largestDifference(const Affine& a, const Affine& b, const std::vector<std
   return largest;
 }
 
-// Whether the axes of the grid span it: no number is missing, no axis is nothing or lies along the others.
+// True if all numbers are present and the axes of the grid are linearly independent.
 bool isPlace(const Affine& affine, const std::vector<std::uint64_t>& sizes) {
   if (glm::any(glm::isnan(affine.origin))) return false;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -198,8 +198,8 @@ bool isPlace(const Affine& affine, const std::vector<std::uint64_t>& sizes) {
   return sizes.size() < 3 || glm::dot(glm::cross(i, j), k) != 0;
 }
 
-// The affine that the header means: the sform, else the qform, each where it is a place. Nothing where it
-// gives sizes alone. Told is what it says and is not.
+// Returns the sform, else the qform, whichever is valid first; empty if the header gives only sizes. Invalid
+// or contradictory transforms add warnings.
 std::optional<Affine> niftiAffine(const Fields& f, const std::vector<std::uint64_t>& sizes, double mm,
                                   std::vector<Warning>& warnings) {
   const Affine sform = affineOfSform(f), qform = affineOfQform(f);
@@ -221,7 +221,7 @@ std::optional<Affine> niftiAffine(const Fields& f, const std::vector<std::uint64
 
 Status setNiftiGeometry(const Fields& f, const std::vector<std::uint64_t>& sizes, ImageHeader& image,
                         const std::string& path) {
-  // Spatial unit: metre, mm or micrometre; 0 is unknown and means mm everywhere.
+  // Spatial units are metre, mm or micrometre; 0 is unknown and always means mm.
   const std::int64_t unit = f.units & 7;
   const double mm = unit == 1 ? 1000 : unit == 3 ? 1e-3 : 1;
   if (mm != 1)
@@ -244,7 +244,7 @@ Status setNiftiGeometry(const Fields& f, const std::vector<std::uint64_t>& sizes
   return setGeometry(image, sizes, steps, affine->origin * lpsFromRas, path);
 }
 
-// Where the samples are: in the file itself, or in the .img (or .img.gz) beside a .hdr.
+// Samples are in the file itself, or in the .img (or .img.gz) beside a .hdr.
 Status findSamples(const Fields& f, bool compressed, SampleData& data, const std::string& path) {
   const double first = f.pair ? 0 : double(f.version == 1 ? bytesOfNifti1 : bytesOfNifti2);
   const double offset = !f.pair && f.voxOffset == 0 ? first + 4 : f.voxOffset;
@@ -263,7 +263,7 @@ Status findSamples(const Fields& f, bool compressed, SampleData& data, const std
   return {};
 }
 
-// Axis 4 is time, or the directions of diffusion; axis 5 the components of what stands at one place.
+// Axis 4 is time or diffusion direction; axis 5 holds the components of a voxel.
 void nameVolumes(const std::vector<std::uint64_t>& trailing, ImageHeader& image, const std::string& path) {
   using enum OuterAxis::Kind;
   std::vector<double> bValues;

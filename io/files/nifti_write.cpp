@@ -22,8 +22,8 @@ int niftiType(SampleType type) {
   return codes[int(type)];
 }
 
-// The rotation of the axes of `L`, the third turned round where they are left-handed (`qfac` is then -1).
-// Nothing where they are not at right angles; the decimals of files leave some 1e-5 between them.
+// Returns the rotation of the axes of `L`; left-handed axes have the third inverted and `qfac` -1. Empty if
+// the axes are not perpendicular; decimals in files leave errors of some 1e-5.
 std::optional<glm::dquat> rotation(const glm::dmat3& L, double& qfac) {
   glm::dmat3 R(glm::normalize(L[0]), glm::normalize(L[1]), glm::normalize(L[2]));
   const double skew = std::max(
@@ -35,7 +35,7 @@ std::optional<glm::dquat> rotation(const glm::dmat3& L, double& qfac) {
   qfac = glm::determinant(R) < 0 ? -1 : 1;
   R[2] *= qfac;
   glm::dquat q = glm::normalize(glm::quat_cast(R));
-  return q.w < 0 ? -q : q;  // NIfTI keeps the sign of w out of the file: it is positive
+  return q.w < 0 ? -q : q;  // NIfTI does not store w: it is positive
 }
 
 void putGeometry(std::string& header, const VoxelGeometry& g) {
@@ -70,7 +70,7 @@ Result<std::string> niftiHeader(const VoxelGeometry& g, SampleType type, double 
   constexpr std::size_t firstSample = 352;
   std::string header(firstSample, '\0');
   put<std::int32_t>(header, 0, 348);
-  header[38] = 'r';  // "regular", which old readers ask for
+  header[38] = 'r';  // "regular", required by old readers
   const int dims[] = {time.volumes > 1 ? 4 : 3, g.size.x, g.size.y, g.size.z, time.volumes, 1, 1, 1};
   for (std::size_t n = 0; n < 8; ++n) {
     put(header, 40 + 2 * n, std::int16_t(dims[n]));

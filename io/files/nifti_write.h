@@ -7,15 +7,15 @@
 
 namespace volumen {
 
-/// The fourth axis.
+/// The time axis.
 struct NiftiTime {
   int volumes = 1;
-  double stepSeconds = 0;  ///< from one to the next; 0: not known
+  double stepSeconds = 0;  ///< time step between volumes; 0: unknown
 };
 
-/// The 352 bytes before the samples of a single NIfTI-1 file, little endian: the sform always, the qform
-/// where the axes are at right angles but for rounding (1e-4; it knows no shear), neither where the geometry
-/// is not calibrated. Refused: more than 32767 voxels along an axis.
+/// Returns the 352 bytes before the samples of a single NIfTI-1 file, little endian. It always has an sform,
+/// and a qform if the axes are perpendicular within rounding (1e-4; it cannot hold shear). Without
+/// calibration it has neither. The Error: more than 32767 voxels along an axis.
 Result<std::string> niftiHeader(const VoxelGeometry& geometry, SampleType type, double slope,
                                 double intercept, const NiftiTime& time = {});
 

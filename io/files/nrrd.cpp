@@ -11,10 +11,10 @@ namespace volumen {
 
 namespace {
 
-using Vector = std::optional<std::vector<double>>;  // nothing for "none"
+using Vector = std::optional<std::vector<double>>;  // empty for "none"
 
 struct Space {
-  std::size_t dimension = 0;  // 0: the header names no space
+  std::size_t dimension = 0;  // 0: the header gives no space
   glm::dvec3 toLps{1};        // sign of each axis
   bool anatomical = false;
 };
@@ -50,7 +50,7 @@ Result<Space> parseSpace(const NrrdHeader& header, const std::string& path) {
   return space;
 }
 
-// "(1,0,0) none (0, 1, 0)": as many vectors of `dimension` numbers as there are.
+// Parses "(1,0,0) none (0, 1, 0)": vectors of `dimension` numbers each.
 std::optional<std::vector<Vector>> parseVectors(std::string_view text, std::size_t dimension) {
   std::vector<Vector> vectors;
   while (!(text = trimmed(text)).empty()) {
@@ -77,7 +77,7 @@ glm::dvec3 inLps(const std::vector<double>& v, const Space& space) {
   return p * space.toLps;
 }
 
-// mm per unit; nothing where the unit is no length.
+// Returns mm per unit; empty if the unit is not a length.
 std::optional<double> millimetres(const std::string& unit) {
   static const std::map<std::string, double> units{
       {"mm", 1},   {"millimeter", 1}, {"millimeters", 1}, {"millimetre", 1}, {"cm", 10},
@@ -87,7 +87,7 @@ std::optional<double> millimetres(const std::string& unit) {
   return found->second;
 }
 
-// The quoted texts of a field such as `units: "mm" "" "s"`.
+// Returns the quoted texts of a field such as `units: "mm" "" "s"`.
 std::vector<std::string> quotedParts(std::string_view text) {
   std::vector<std::string> all;
   for (std::size_t at = 0; (at = text.find('"', at)) != std::string_view::npos;) {
@@ -99,7 +99,7 @@ std::vector<std::string> quotedParts(std::string_view text) {
   return all;
 }
 
-// mm per unit of the lengths in field `name`, entry `axis`; says so where they are not mm.
+// Returns mm per unit of entry `axis` in the field `name`; warns if that is not mm.
 double unitMm(const NrrdHeader& header, const char* name, std::size_t axis, std::vector<Warning>& warnings) {
   const auto units = quotedParts(header.field(name));
   if (axis >= units.size() || units[axis].empty()) return 1;
@@ -125,7 +125,7 @@ Status refuseKind(const std::string& kind, const std::string& path) {
   return {};
 }
 
-// Which axes span the grid. They stand in one row; what is before and behind counts volumes.
+// The axes that span the grid. They are adjacent; axes before and after them count volumes.
 struct GridAxes {
   std::size_t first = 0, count = 0;
 };
@@ -138,7 +138,7 @@ Result<GridAxes> gridAxes(const NrrdHeader& header, const std::optional<std::vec
     const auto timeOnly = [](const std::vector<double>& v) {
       return v.size() == 4 && v[0] == 0 && v[1] == 0 && v[2] == 0;
     };
-    const auto nothing = [&](const std::vector<double>& v) {  // in place of "none", in files that ITK wrote
+    const auto nothing = [&](const std::vector<double>& v) {  // ITK writes zeros for "none"
       return !isVolumeKind(kinds[a]) && std::ranges::all_of(v, [](double x) { return std::abs(x) < 1e-30; });
     };
     const auto inSpace = [&](const std::vector<double>& v) { return !timeOnly(v) && !nothing(v); };
@@ -165,7 +165,7 @@ OuterAxis outerAxis(const std::string& kind, std::uint64_t size, bool isDiffusio
   return {isVector ? component : other, size};
 }
 
-// The diffusion weight of each direction, by NA-MIC's keys: the nominal one belongs to the longest gradient.
+// Sets the b-value of each direction by NA-MIC's keys: the nominal one belongs to the longest gradient.
 void nameDiffusion(const NrrdHeader& header, std::vector<VolumeName>& names) {
   const auto nominal = header.keyValues.find("DWMRI_b-value");
   const auto b = nominal == header.keyValues.end() ? std::nullopt : toNumber(trimmed(nominal->second));
@@ -185,7 +185,7 @@ void nameDiffusion(const NrrdHeader& header, std::vector<VolumeName>& names) {
     names[n].bValue = exactText(std::round(*b * squares[n] / longest));
 }
 
-// What tells the volumes of a file apart: the axes before and behind the grid.
+// Returns the names of a file's volumes from the axes before and after the grid.
 std::vector<VolumeName> namesOf(const NrrdHeader& header, GridAxes grid,
                                 const std::vector<std::string>& kinds) {
   const auto modality = header.keyValues.find("modality");
@@ -199,10 +199,10 @@ std::vector<VolumeName> namesOf(const NrrdHeader& header, GridAxes grid,
   return names;
 }
 
-// Whether the coordinates of a space that is not anatomical are those of a mirror image.
+// True if a non-anatomical space has mirrored coordinates.
 bool isLeftHanded(const Space& space) { return !space.anatomical && space.toLps.z < 0; }
 
-// Spacings and axis mins / maxs: a grid along the axes, of no known relation to a patient.
+// Sets a grid along the axes from spacings and axis mins / maxs; its orientation in the patient is unknown.
 Result<bool> geometryFromSpacings(const NrrdHeader& header, const Space& space, GridAxes grid,
                                   ImageHeader& image, const std::vector<std::uint64_t>& sizes,
                                   const std::string& path) {

@@ -8,24 +8,24 @@
 
 namespace volumen {
 
-/// The fields of a NRRD header (teem's "Definition of NRRD file format"), names in lower case without spaces
-/// ("datafile"), and its key/value pairs; and where its samples lie. Counts are not yet set in `data`.
+/// The fields of a NRRD header (teem's "Definition of NRRD file format"), its key/value pairs and the
+/// location of its samples. Field names are lower case without spaces ("datafile"). `data` has no counts yet.
 struct NrrdHeader {
   std::map<std::string, std::string> fields, keyValues;
   std::vector<std::uint64_t> sizes;
   SampleData data;
 
-  /// The field's text; empty where it is absent.
+  /// Returns the field's text; empty if it is absent.
   std::string field(const std::string& name) const;
 };
 
-/// Whether a file begins as a NRRD file does.
+/// True if a file begins like a NRRD file.
 bool isNrrdHead(const std::string& head);
 
 /// Parses the header of `path` (attached or detached) and finds its data files.
 Result<NrrdHeader> readNrrdFields(const std::string& path);
 
-/// The volumes of a NRRD file. Refused with a reason: colour pictures, complex numbers, block type.
+/// Reads the header of a NRRD file. The Error gives a reason: colour images, complex numbers, block type.
 Result<ImageHeader> readNrrdHeader(const std::string& path);
 
 }  // namespace volumen

@@ -58,7 +58,7 @@ std::optional<SampleType> nrrdType(const std::string& name) {
   return found->second;
 }
 
-// "Space Origin" and "spaceorigin" are one field; some have a second name.
+// "Space Origin" and "spaceorigin" are one field; some fields have a second name.
 std::string fieldName(std::string_view text) {
   std::string name = lowerCase(text);
   std::erase(name, ' ');
@@ -67,15 +67,15 @@ std::string fieldName(std::string_view text) {
 }
 
 struct HeaderText {
-  std::string text;          // without the line that ends it
-  std::uint64_t dataOffset;  // where attached data begin
-  bool ended = false;        // by an empty line
+  std::string text;          // without the line that ends the header
+  std::uint64_t dataOffset;  // start of attached data
+  bool ended = false;        // ended by an empty line
 };
 
 }  // namespace
 
 bool isNrrdHead(const std::string& head) {
-  return head.starts_with("NRRD000") || head.starts_with("NRRD00.01");  // the second: of the first version
+  return head.starts_with("NRRD000") || head.starts_with("NRRD00.01");  // second form: first version
 }
 
 namespace {
@@ -93,7 +93,7 @@ Result<HeaderText> readText(const std::string& path) {
   return HeaderText{*head, head->size(), false};
 }
 
-// In values of keys \\n stands for a line end and \\\\ for a backslash.
+// In values of keys \\n is a line end and \\\\ a backslash.
 std::string unescaped(std::string_view text) {
   std::string plain;
   for (std::size_t n = 0; n < text.size(); ++n) {
@@ -123,7 +123,7 @@ Status parseLines(std::string_view text, NrrdHeader& header, std::vector<std::st
     if (!header.fields.emplace(name, value).second)
       return Error{path + " gives the field '" + fieldText(name) + "' twice."};
     if (name == "datafile" && (value == "LIST" || value.starts_with("LIST "))) {
-      // All that follows are names.
+      // All following lines are names.
       while (!text.empty())
         if (const auto file = trimmed(takeLine(text)); !file.empty()) listed.emplace_back(file);
     }

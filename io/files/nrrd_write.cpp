@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// NRRD's escapes in values.
+// Escapes a value for NRRD.
 std::string escaped(const std::string& text) {
   std::string safe;
   for (char c : text) {

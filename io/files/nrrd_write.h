@@ -12,9 +12,8 @@ namespace volumen {
 /// Key/value pairs of a NRRD header.
 using NrrdKeyValues = std::vector<std::pair<std::string, std::string>>;
 
-/// All before the samples of a NRRD file, which are gzip. Of several volumes of the grid, that alternate
-/// sample by sample, an axis of kind "list" comes first. Space only where the geometry is calibrated. Keys
-/// hold no ":=" and no line end.
+/// Returns the header of a NRRD file with gzip samples. Several interleaved volumes of the grid get a first
+/// axis of kind "list". It gives a space only for calibrated geometry. Keys must not hold ":=" or line ends.
 std::string nrrdHeader(const VoxelGeometry& geometry, SampleType type, const NrrdKeyValues& keyValues,
                        std::size_t volumes = 1);
 

@@ -16,8 +16,8 @@ namespace volumen {
 
 struct OutputFile::State {
   std::string path;
-  std::string target;  // what is replaced: the end of links
-  std::string aside;   // empty: nothing is there
+  std::string target;  // file to replace, after all links
+  std::string aside;   // temporary file; empty: there is none
   int fd = -1;
   bool gzip = false;
   z_stream stream{};
@@ -32,7 +32,7 @@ struct OutputFile::State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
-  // False, with errno, where not all of it was written.
+  // Returns false and sets errno if not all bytes were written.
   bool put(const void* bytes, std::size_t count) const {
     const auto* next = static_cast<const char*>(bytes);
     while (count > 0) {
@@ -55,7 +55,7 @@ Status OutputFile::fail(const std::string& why) const {
 
 namespace {
 
-// Why nothing can be written in place of what is there; empty: it can.
+// Returns the reason why an existing file cannot be replaced; empty if it can.
 std::string obstacle(const std::string& target) {
   struct stat there {};
   if (::lstat(target.c_str(), &there) != 0) return {};
@@ -65,17 +65,17 @@ std::string obstacle(const std::string& target) {
   return ::access(target.c_str(), W_OK) == 0 ? "" : "no permission to write there";
 }
 
-// Why no file could be made in a folder.
+// Returns the reason why no file can be created in a folder.
 std::string whyNotMade(int error) {
   if (error == ENOENT || error == ENOTDIR) return "no such folder";
   if (error == EACCES || error == EPERM) return "no permission to write there";
   return std::strerror(error);
 }
 
-// Some disks tell only now that they are full, and some cannot tell.
+// Some disks report only at this point that they are full; some cannot report it.
 bool isOnDisk(int fd) { return ::fdatasync(fd) == 0 || errno == EINVAL || errno == EROFS || errno == ENOSYS; }
 
-// As a new file has them, or the one that is replaced.
+// Returns the permissions of the replaced file, or those of a new one.
 mode_t rightsFor(const std::string& target) {
   struct stat there {};
   if (::stat(target.c_str(), &there) == 0) return there.st_mode & 0777;
@@ -103,7 +103,8 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
 }
 
 Status OutputFile::startGzip() {
-  constexpr int level = 4, gzipWindow = 15 + 16, memory = 8;  // level 4: near 6's size at twice its speed
+  // level 4: almost the size of level 6 at twice its speed
+  constexpr int level = 4, gzipWindow = 15 + 16, memory = 8;
   z_stream& stream = state_->stream;
   if (deflateInit2(&stream, level, Z_DEFLATED, gzipWindow, memory, Z_DEFAULT_STRATEGY) != Z_OK)
     return fail("not enough memory to compress");
@@ -111,7 +112,7 @@ Status OutputFile::startGzip() {
   return {};
 }
 
-// Compresses what the stream's input holds and writes what comes out.
+// Compresses the stream's input and writes the output.
 Status OutputFile::deflateAll(int flush) {
   z_stream& stream = state_->stream;
   int code = Z_OK;

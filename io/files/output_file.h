@@ -8,22 +8,22 @@
 
 namespace volumen {
 
-/// A file that appears whole or not at all: written aside in the same folder, renamed by commit(). Without
-/// commit() (an error, a cancelled command) nothing is left. Its name may be any bytes; what stands there
-/// already is replaced where it is a file. Symbolic links stay: what they lead to is written.
+/// A file that appears whole or not at all: it is written beside its final path and renamed by commit().
+/// Without commit() (an error, a cancelled command) nothing is left. The name may be any bytes. An existing
+/// file is replaced; symbolic links stay, and their target is written.
 class OutputFile {
  public:
-  /// The Error, "Cannot write PATH: no such folder.", also says where it cannot be made at all; whoever asks
-  /// only that lets it go without commit().
+  /// Creates the temporary file. The Error ("Cannot write PATH: no such folder.") also tells whether the path
+  /// can be written at all: discard the file without commit() to test only that.
   static Result<OutputFile> create(const std::string& path);
   OutputFile(OutputFile&&) noexcept;
   ~OutputFile();
 
   Status write(const void* bytes, std::size_t count);
   Status write(std::string_view text) { return write(text.data(), text.size()); }
-  /// What is written from here on is compressed, as one gzip member.
+  /// Compresses all following bytes as one gzip member.
   Status startGzip();
-  /// Ends the file and gives it its name.
+  /// Completes the file and renames it to its path.
   Status commit();
 
  private:
@@ -34,7 +34,7 @@ class OutputFile {
   std::unique_ptr<State> state_;
 };
 
-/// A file of these bytes. The Error names it.
+/// Writes a file of these bytes. The Error names it.
 Status writeWholeFile(const std::string& path, std::string_view bytes);
 
 }  // namespace volumen

@@ -34,7 +34,7 @@ QImage imageForFile(const Picture& picture) {
   QImage image = QImage(bytes.data(), picture.size.x, picture.size.y, qsizetype(channels) * picture.size.x,
                         picture.transparent ? QImage::Format_RGBA8888 : QImage::Format_RGB888)
                      .copy();
-  // Else it is the screen's, where there is one: the window and the command line write the same file.
+  // Without this the resolution is the screen's, and window and command line would write different files.
   constexpr int dotsPerMetre = 3780;  // 96 an inch
   image.setDotsPerMeterX(dotsPerMetre);
   image.setDotsPerMeterY(dotsPerMetre);

@@ -22,14 +22,14 @@ std::uint32_t number(std::string_view bytes) {
   return value;
 }
 
-/// Takes what stands in front of the first byte 0 from `text`, and the 0; all of it where there is none.
+// Removes and returns the part of `text` before the first zero byte, or all of it; also removes the zero.
 std::string_view cutToZero(std::string_view& text) {
   const std::string_view first = text.substr(0, text.find('\0'));
   text.remove_prefix(std::min(first.size() + 1, text.size()));
   return first;
 }
 
-/// Empty where it is damaged or longer than `most` bytes.
+// Returns an empty string if `packed` is damaged or longer than `most` bytes when decompressed.
 std::string inflated(std::string_view packed, std::size_t most) {
   std::string text(most, '\0');
   uLongf length = uLongf(most);
@@ -43,7 +43,7 @@ std::string fromLatin1(std::string_view text) {
   return QString::fromLatin1(text.data(), qsizetype(text.size())).toStdString();
 }
 
-/// The text of a chunk: tEXt, zTXt or iTXt (ISO 15948, 11.3.4), behind its key.
+// Returns the text after the key of a tEXt, zTXt or iTXt chunk (ISO 15948, 11.3.4).
 std::string textOfChunk(std::string_view type, std::string_view data, std::size_t most) {
   if (type == "tEXt") return fromLatin1(data);
   if (data.empty()) return {};
@@ -51,8 +51,8 @@ std::string textOfChunk(std::string_view type, std::string_view data, std::size_
   if (data.size() < 2) return {};
   const bool isPacked = data[0] == 1;
   data.remove_prefix(2);
-  cutToZero(data);  // the language
-  cutToZero(data);  // the key in that language
+  cutToZero(data);  // language tag
+  cutToZero(data);  // translated key
   return isPacked ? inflated(data, most) : std::string(data);
 }
 
@@ -74,7 +74,7 @@ std::string textInPng(std::string_view png, const std::string& key, std::size_t 
   return {};
 }
 
-/// Of a comment "KEY: TEXT".
+// Returns the text of a comment "KEY: TEXT".
 std::string textInJpeg(std::string_view jpeg, const std::string& key) {
   constexpr unsigned comment = 0xfffe, scan = 0xffda;
   jpeg.remove_prefix(2);

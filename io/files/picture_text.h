@@ -6,12 +6,12 @@
 
 namespace volumen {
 
-/// The text of this key in the bytes of a PNG or a JPEG, as Qt writes it, in UTF-8; empty: there is none.
-/// Nothing but the places where texts stand is looked at, no pixels; a text is at most `mostBytes` long.
+/// Returns the UTF-8 text of `key` in the bytes of a PNG or a JPEG, as Qt writes it; empty if there is none.
+/// Reads only text chunks, not pixels; a text is at most `mostBytes` long.
 std::string textInPicture(std::span<const std::uint8_t> picture, const std::string& key,
                           std::size_t mostBytes);
 
-/// Whether bytes begin as a PNG or a JPEG does.
+/// True if the bytes begin like a PNG or a JPEG.
 bool isPicture(std::span<const std::uint8_t> bytes);
 
 }  // namespace volumen

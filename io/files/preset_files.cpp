@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest = 4u << 20;  // bytes
 
-// A name as a file's: what a folder or a shell would read otherwise stands as %XX.
+// Returns a file name for a preset; characters with a meaning in paths or shells become %XX.
 std::string fileNameOf(const std::string& name) {
   constexpr char digits[] = "0123456789ABCDEF";
   std::string file;
@@ -29,7 +29,7 @@ std::string fileNameOf(const std::string& name) {
   return file + ".json";
 }
 
-// Of all that is the user's own.
+// Returns the folder for the user's own files of a kind.
 std::string ownFolder(const char* kind) {
   const char* config = std::getenv("XDG_CONFIG_HOME");
   const char* home = std::getenv("HOME");

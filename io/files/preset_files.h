@@ -7,23 +7,24 @@
 
 namespace volumen {
 
-/// The user's own presets: one file each in $XDG_CONFIG_HOME/volumen/presets (else ~/.config).
+/// Returns the folder of the user's presets, one file each: $XDG_CONFIG_HOME/volumen/presets (else
+/// ~/.config).
 std::string presetFolder();
-/// Those of hanging protocols lie beside them, in volumen/protocols.
+/// Returns the folder of the user's hanging protocols, beside it: volumen/protocols.
 std::string protocolFolder();
 
 struct PresetFile {
   std::string path, text;
 };
 
-/// All *.json there, in order of their names; no folder, no files. What is no ordinary file, or larger than a
-/// preset can be, is left out.
+/// Returns all *.json files of a folder, sorted by name; empty if there is no folder. Skips files that are
+/// not regular or are too large for a preset.
 std::vector<PresetFile> readPresetFiles(const std::string& folder = presetFolder());
 
-/// Writes the text of the preset of this name, in place of one of the same name. An Error names the file.
+/// Writes the text of a preset; replaces one of the same name. The Error names the file.
 Status writePresetFile(const std::string& name, const std::string& text,
                        const std::string& folder = presetFolder());
-/// An Error where it cannot be deleted.
+/// Deletes a preset. The Error: it cannot be deleted.
 Status deletePresetFile(const std::string& path);
 
 }  // namespace volumen

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// Makes `folder`, for its owner alone, where it is not there; those above it, too. The Error says where it
-/// cannot be made or written.
+/// Creates `folder` and its parents, for their owner alone, if they are missing. The Error: it cannot be
+/// created or written.
 Status makePrivateFolder(const std::string& folder);
 
 }  // namespace volumen

@@ -6,7 +6,7 @@
 
 namespace volumen {
 
-/// The text (JSON) of a recipe. It is not looked into. The Error names the file.
+/// Returns the text (JSON) of a recipe without parsing it. The Error names the file.
 Result<std::string> recipeText(const std::string& path);
 
 }  // namespace volumen

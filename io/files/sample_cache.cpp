@@ -17,7 +17,7 @@ namespace volumen {
 
 namespace {
 
-// What a file begins with; its values follow, as they lie in memory.
+// The header of a cache file; its values follow in memory layout.
 struct Head {
   std::array<char, 16> format{'v', 'o', 'l', 'u', 'm', 'e', 'n', ' ', 's', 'a', 'm', 'p', 'l', 'e', ' ', '1'};
   std::uint64_t checksum = 0;
@@ -27,7 +27,7 @@ std::uint64_t checksumOf(const std::vector<std::int16_t>& values) {
   return crc32_z(0, reinterpret_cast<const Bytef*>(values.data()), values.size() * sizeof(values[0]));
 }
 
-// The values in a file; none where it is not there, damaged or of another format.
+// Returns the values in a file; empty if it is missing, damaged or of another format.
 std::vector<std::int16_t> keptValues(const std::string& path) {
   const Result<RegularFile> file = RegularFile::open(path);
   if (!file || file->size() <= sizeof(Head)) return {};
@@ -63,7 +63,7 @@ Result<VolumePtr> cachedPhantom(const std::string& text, const std::string& fold
     if (auto kept = phantomFrom(text, std::move(values))) return kept;
   Result<VolumePtr> made = makePhantom(text);
   if (!made) return made;
-  // Without a place to keep it, it is made again the next time: nothing that a user need know.
+  // A cache that cannot be written costs only time, so the user is not told.
   if (QDir().mkpath(QFile::decodeName(folder.c_str())))
     (void)keep(std::get<std::vector<std::int16_t>>((*made)->stored()), path).ok();
   return made;

@@ -6,12 +6,11 @@
 
 namespace volumen {
 
-/// The user's folder for what can be made again, of this program alone; it need not exist.
+/// Returns this program's own cache folder of the user; it may not exist.
 std::string userCacheFolder();
 
-/// makePhantom(text) of a ct-head, which takes seconds: from a file in `folder`, where that holds intact
-/// values of this version of the program; else it is made and kept there. Where it cannot be kept, it only
-/// takes its time again.
+/// Returns makePhantom(text) of a ct-head, which takes seconds. Reads it from a file in `folder` if that
+/// holds intact values of this program version; else computes it and tries to keep it there.
 Result<VolumePtr> cachedPhantom(const std::string& text, const std::string& folder);
 
 }  // namespace volumen

@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t mostVolumeBytes = std::uint64_t(16) << 30;
 constexpr std::uint64_t mostVolumes = 10000;
 
-// The product, or nothing where it exceeds `most`.
+// Returns the product; empty if it exceeds `most`.
 std::optional<std::uint64_t> product(const std::vector<std::uint64_t>& sizes, std::uint64_t most) {
   std::uint64_t all = 1;
   for (std::uint64_t n : sizes) {
@@ -35,7 +35,7 @@ std::uint64_t machineBytes() {
          std::uint64_t(std::max(0L, sysconf(_SC_PAGESIZE)));
 }
 
-// The type a Volume keeps samples of type T as.
+// The type in which a Volume keeps samples of type T.
 template <class T>
 using KeptType = std::conditional_t<std::is_same_v<T, std::int8_t>, std::int16_t,
                                     std::conditional_t<sizeof(T) <= 2 || std::is_same_v<T, float>, T, float>>;
@@ -47,7 +47,7 @@ T swapped(T sample) {
   return std::bit_cast<T>(bytes);
 }
 
-// Byte position behind `lines` line ends, counted from `offset`. Text lines, so at most 1 MiB of them.
+// Returns the byte position after `lines` line ends from `offset`. They are text, so 1 MiB is the limit.
 Result<std::uint64_t> skipLines(const DataFile& file, std::uint64_t offset, int lines) {
   if (lines == 0) return offset;
   std::string text(1 << 20, '\0');
@@ -65,7 +65,7 @@ std::unique_ptr<ByteSource> decodePart(const SampleData& data, DataFile file, st
   return decode(std::move(file), offset, data.encoding, cancel);
 }
 
-// Decoded bytes between `offset` and the end.
+// Returns the number of decoded bytes between `offset` and the end.
 Result<std::uint64_t> decodedBytes(const SampleData& data, const DataFile& file, std::uint64_t offset,
                                    const CancelToken& cancel) {
   if (data.encoding == Encoding::raw) return file.size() - std::min(file.size(), offset);
@@ -79,7 +79,7 @@ Result<std::uint64_t> decodedBytes(const SampleData& data, const DataFile& file,
   }
 }
 
-// All parts of the data as one row of bytes.
+// All parts of the data as one sequence of bytes.
 class Parts {
  public:
   Parts(const SampleData& data, const CancelToken& cancel)
@@ -95,7 +95,7 @@ class Parts {
       return s;
     });
   }
-  // What follows the last sample tells whether compressed data are whole: their checksum stands there.
+  // Reads past the last sample: the checksum there shows if compressed data are intact.
   Status finish() {
     std::uint8_t waste;
     auto got = source_->read(&waste, data_.text ? 0 : 1);
@@ -148,7 +148,7 @@ class Parts {
   std::unique_ptr<ByteSource> source_;
 };
 
-// Real values as float32; counts what had to be rounded.
+// Converts to real values as float32 and counts the rounded ones.
 struct ToFloat {
   double slope, intercept;
   std::uint64_t rounded = 0;
@@ -162,8 +162,7 @@ struct ToFloat {
   }
 };
 
-// bzip2 packs so tightly that the size of a file says nothing: its bytes are counted before memory is asked
-// for.
+// bzip2 packs so tightly that file size says nothing. The bytes are counted before memory is allocated.
 Status checkBzip2(const SampleData& data, const CancelToken& cancel) {
   if (data.encoding != Encoding::bzip2 || data.text) return {};
   Parts parts(data, cancel);
@@ -199,7 +198,7 @@ Result<Samples> readType(const SampleData& data, std::uint64_t volume, Samples i
       if constexpr (toReal)
         values[done + n] = toFloat(sample);
       else
-        values[done + n] = Kept(+sample);  // +: int8 is a number here, no character
+        values[done + n] = Kept(+sample);  // +: int8 is a number here, not a character
     }
     done += count;
   }

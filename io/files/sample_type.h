@@ -5,7 +5,7 @@
 
 namespace volumen {
 
-/// The types of samples that NRRD, NIfTI and MetaImage share.
+/// Sample types shared by NRRD, NIfTI and MetaImage.
 enum class SampleType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
 /// Calls f(T{}) with the C++ type of `type`.

@@ -8,17 +8,17 @@ namespace volumen {
 
 namespace {
 
-// A scene is a few kilobytes; in a picture it stands before the pixels.
+// A scene is a few kilobytes; in an image file it precedes the pixels.
 constexpr std::uint64_t mostSceneBytes = 16 << 20;
 
-// The first bytes of a file. The Error is a reason.
+// Returns the first bytes of a file. The Error is a reason.
 Result<std::vector<std::uint8_t>> beginningOf(const RegularFile& file) {
   std::vector<std::uint8_t> content;
   if (Status s = file.readUpTo(content, mostSceneBytes); !s) return s.error();
   return content;
 }
 
-// Empty: the picture holds none.
+// Returns an empty string if the image holds no scene.
 Result<std::string> sceneInPicture(const std::string& path) {
   const auto file = RegularFile::open(path);
   if (!file) return file.error();

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// The text (JSON) of a scene: all of a scene file, or what a picture of ours (PNG or JPEG) says it was drawn
-/// from. It is not looked into. The Error names the file.
+/// Returns the text (JSON) of a scene file, or the scene embedded in a PNG or JPEG of this program. Does not
+/// parse it. The Error names the file.
 Result<std::string> sceneText(const std::string& path);
 
 }  // namespace volumen

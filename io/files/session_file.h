@@ -6,10 +6,10 @@
 
 namespace volumen {
 
-/// Whether a path is a session of the window: a file called "X.volumen".
+/// True if a path is a session of the window: a file named "X.volumen".
 bool isSessionFile(const std::string& path);
 
-/// The text (JSON) of a session. It is not looked into. The Error names the file.
+/// Returns the text (JSON) of a session without parsing it. The Error names the file.
 Result<std::string> sessionText(const std::string& path);
 
 }  // namespace volumen

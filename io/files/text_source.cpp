@@ -16,7 +16,7 @@ namespace {
 
 bool isSeparator(char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); }
 
-// Whether the whole of `word` is a number that T holds.
+// Returns true if all of `word` is a number that T can hold.
 template <class T>
 bool parse(const std::string& word, T& sample) {
   double value = 0;
@@ -58,7 +58,7 @@ class TextSource : public ByteSource {
   }
 
  private:
-  // The next word; empty at the end. No number needs more than `longest` characters.
+  // Returns the next word; empty at the end. No number needs more than `longest` characters.
   Result<std::string> nextWord() {
     constexpr std::size_t longest = 400;
     std::string word;

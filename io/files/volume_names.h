@@ -6,9 +6,9 @@
 
 namespace volumen {
 
-/// What tells one volume of a file from the others.
+/// Attributes that distinguish one volume of a file from the others.
 struct VolumeName {
-  std::string timePoint, bValue, label;  ///< as Series has them
+  std::string timePoint, bValue, label;  ///< as in Series
 };
 
 /// An axis of a file that counts volumes.
@@ -17,7 +17,8 @@ struct OuterAxis {
   std::uint64_t size = 1;
 };
 
-/// The names of all volumes of a file, the first axis changing fastest: "time point 3", "component x".
+/// Returns the names of all volumes of a file, the first axis changing fastest: "time point 3", "component
+/// x".
 std::vector<VolumeName> volumeNames(const std::vector<OuterAxis>& axes);
 
 }  // namespace volumen

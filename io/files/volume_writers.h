@@ -7,16 +7,15 @@
 
 namespace volumen {
 
-/// A format that volumes are written in: the ending that asks for it, and what writes it (writeVolume()).
+/// A format for writing volumes: its file name ending and its writer (writeVolume()).
 struct VolumeWriter {
-  const char* ending;  ///< in lower case, with its dot
+  const char* ending;  ///< lower case, with the dot
   Status (*write)(const Volume& volume, const std::string& path, const Progress& progress,
                   const CancelToken& cancel);
 };
 
-/// All of them.
 const std::vector<VolumeWriter>& volumeWriters();
-/// ".nrrd, .nii.gz or .mha".
+/// Returns ".nrrd, .nii.gz or .mha".
 std::string volumeEndings();
 
 Status writePlainNrrd(const Volume& volume, const std::string& path, const Progress& progress,

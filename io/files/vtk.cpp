@@ -14,7 +14,7 @@ struct VtkHeader {
   std::string title;
   bool text = false;
   std::map<std::string, std::string> fields;  // DIMENSIONS, SPACING, ORIGIN, POINT_DATA
-  std::string type;                           // of samples
+  std::string type;                           // sample type
   std::uint64_t components = 1;
   std::uint64_t dataOffset = 0;
 };
@@ -39,14 +39,14 @@ std::optional<SampleType> vtkType(const std::string& name) {
   return found->second;
 }
 
-// The words of a line, the first of them in capitals: keywords are written either way.
+// Returns the words of a line, the first in capitals: keywords may have either case.
 std::vector<std::string> wordsOf(std::string_view line) {
   std::vector<std::string> all = words(line);
   if (!all.empty()) all[0] = upperCase(all[0]);
   return all;
 }
 
-// The line that says how the samples are written: "SCALARS name type [components]", "VECTORS name type".
+// Parses the line with the sample format: "SCALARS name type [components]", "VECTORS name type".
 Status parseArray(const std::vector<std::string>& line, std::string_view& rest, VtkHeader& header,
                   const std::string& path) {
   if (line.size() < 3) return Error{path + " has an array without a name or a type."};

@@ -19,7 +19,7 @@ namespace volumen {
 
 namespace {
 
-// How samples are written: `type` of slope * stored + intercept.
+// Stored form of samples: `type` of slope * stored + intercept.
 struct Form {
   SampleType type = SampleType::float32;
   double slope = 1, intercept = 0;
@@ -31,7 +31,7 @@ SampleType storedType(const Volume& volume) {
   return types[volume.stored().index()];
 }
 
-// For formats without rescale: the real values, as integers where they are whole.
+// Returns the form for formats without rescale: real values, as integers if they are whole.
 Form realForm(const Volume& volume) {
   const Form real{SampleType::float32, volume.slope(), volume.intercept()};
   if (volume.slope() != 1 || volume.intercept() != std::floor(volume.intercept())) return real;
@@ -53,7 +53,7 @@ Form realForm(const Volume& volume) {
       volume.stored());
 }
 
-// For NIfTI, whose slope and intercept are float32.
+// Returns the form for NIfTI, whose slope and intercept are float32.
 Form niftiForm(const Volume& volume) {
   const double slope = volume.slope(), intercept = volume.intercept();
   if (double(float(slope)) == slope && double(float(intercept)) == intercept) return {storedType(volume)};
@@ -110,7 +110,7 @@ std::string metaHeader(const VoxelGeometry& g, SampleType type) {
   return text + "\nElementDataFile = LOCAL\n";
 }
 
-// Opens a NIfTI file and writes all in front of the samples.
+// Opens a NIfTI file and writes everything before the samples.
 Result<OutputFile> startNifti(const Volume& volume, const Form& form, const NiftiTime& time,
                               const std::string& path) {
   const bool scaled = form.slope == 1 && form.intercept == 0;
@@ -124,7 +124,7 @@ Result<OutputFile> startNifti(const Volume& volume, const Form& form, const Nift
   return out;
 }
 
-// Null: none is for what the path ends in.
+// Returns null if no writer has the path's ending.
 const VolumeWriter* writerOf(const std::string& path) {
   const std::string name = lowerCase(path);
   for (const VolumeWriter& writer : volumeWriters())
@@ -146,7 +146,7 @@ std::string gridText(const VoxelGeometry& g) {
   return std::to_string(g.size.x) + " x " + std::to_string(g.size.y) + " x " + std::to_string(g.size.z);
 }
 
-// What all volumes can be written as: stored integers where the first volume's rescale is that of all.
+// A form for all volumes: stored integers if all share the first volume's rescale.
 struct CommonForm {
   SampleType type = SampleType::float32;
   double slope = 1, intercept = 0;
@@ -157,7 +157,7 @@ CommonForm commonForm(const Volume& volume) {
   return {storedType(volume), volume.slope(), volume.intercept()};
 }
 
-// The volumes one behind the other; nothing where one is not of the form of the first, unless `asReals`.
+// Writes the volumes in sequence; returns false if one has another form than the first, unless `asReals`.
 Result<bool> writeVolumes(const NiftiTime& time, const VolumeAt& volumeAt, bool asReals,
                           const std::string& path, const Progress& progress, const CancelToken& cancel) {
   std::optional<OutputFile> out;

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t batchSize = 512;
 constexpr std::uint64_t block = std::uint64_t(1) << 20;
 
-/// A name for a folder or file: letters, digits, "-" and "." of `text`, no longer than 60 bytes.
+// Returns `text` as a folder or file name: letters, digits, "-" and ".", at most 60 bytes.
 std::string safeName(const std::string& text, const char* ifEmpty) {
   QString name;
   for (const QChar c : QString::fromStdString(text))
@@ -28,7 +28,7 @@ std::string safeName(const std::string& text, const char* ifEmpty) {
   return name.isEmpty() ? ifEmpty : name.toStdString();
 }
 
-/// Eight digits that differ for different texts.
+// Returns the first eight hexadecimal digits of a hash.
 std::string shortHash(const std::string& text) {
   return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256)
       .toHex()
@@ -58,13 +58,13 @@ Status copyTo(const RegularFile& from, const std::string& path) {
   return to->commit();
 }
 
-/// Where a file is to be copied: its own name, or one with a number where another file has that.
+// Copies a file and returns its new path: its own name, or with a number if another file has that name.
 Result<std::string> copyFile(const std::string& path, const std::string& folder) {
   const Result<RegularFile> from = RegularFile::open(path);
   if (!from) return Error{path + ": " + from.message() + "."};
   const std::string name = safeName(path.substr(path.find_last_of('/') + 1), "file");
   for (int n = 1;; ++n) {
-    // The number stands in front, so that the end of the name still says what format it is.
+    // The number comes first, so that the end of the name keeps the format.
     const std::string target = folder + "/" + (n > 1 ? std::to_string(n) + "-" : "") + name;
     std::error_code error;
     if (std::filesystem::exists(target, error)) {
@@ -76,7 +76,7 @@ Result<std::string> copyFile(const std::string& path, const std::string& folder)
   }
 }
 
-/// Whether the file is read where it is now: a header whose data lie in another file is not.
+// True if a single file can be opened: a header with its data in another file cannot.
 bool standsAlone(const std::string& path) {
   const Result<Study> study = openFiles({path});
   return study && !study->volumes.empty();
@@ -124,7 +124,7 @@ Copies copyStudies(const std::vector<ImportRoot>& roots, const std::string& inde
         paths.begin() + std::ptrdiff_t(n),
         paths.begin() + std::ptrdiff_t(std::min(n + batchSize, paths.size())));
     const Result<ReadFiles> read = readFiles(batch, {}, cancel);
-    if (!read) break;  // it was cancelled
+    if (!read) break;  // cancelled
     std::size_t images = 0;
     for (const ReadSeries& series : read->series) {
       images += series.files.size();

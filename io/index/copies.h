@@ -5,18 +5,18 @@
 
 namespace volumen {
 
-/// Which files were copied to where, and what was not copied.
+/// The files that were copied, and those that were not.
 struct Copies {
-  std::vector<std::string> files;  ///< in the managed folder, those that were there before, too
+  std::vector<std::string> files;  ///< in the managed folder, including those already there
   std::vector<Refused> refused;
-  std::vector<Refused> lacking;    ///< among `notImages`: what series may lack
-  int notImages = 0;               ///< how many others were not copied
-  std::vector<std::string> empty;  ///< of the roots those where no file was found
-  Status status;                   ///< why it ended early
+  std::vector<Refused> lacking;    ///< among `notImages`: files that series may lack
+  int notImages = 0;               ///< number of other files, not copied
+  std::vector<std::string> empty;  ///< roots without files
+  Status status;                   ///< reason for an early end
 };
 
-/// Copies every file below the roots that is part of a series to `managedFolder`/PATIENT/STUDY/SERIES/. A
-/// file whose bytes are there already is not copied again.
+/// Copies every file below the roots that belongs to a series to `managedFolder`/PATIENT/STUDY/SERIES/. Files
+/// with bytes that are already there are not copied again.
 Copies copyStudies(const std::vector<ImportRoot>& roots, const std::string& indexFolder,
                    const std::string& managedFolder, const Progress& progress, const CancelToken& cancel);
 

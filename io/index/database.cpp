@@ -10,7 +10,7 @@
 namespace volumen {
 namespace {
 
-/// SQLite's result codes (sqlite.org/rescode.html), without their extensions.
+// SQLite's result codes (sqlite.org/rescode.html) without their extensions.
 enum Code {
   wrongStatement = 1,
   busy = 5,
@@ -46,7 +46,7 @@ std::string reasonOf(const QSqlError& error) {
   return error.text().toStdString();
 }
 
-/// Whether a program has it open to write: as long as one does, there is a log beside it.
+// True if a program has the database open for writing: a log exists as long as one does.
 bool isBeingWritten(const std::string& path) {
   std::error_code none;
   return std::filesystem::exists(path + "-wal", none);
@@ -74,7 +74,7 @@ Result<std::unique_ptr<Database>> Database::open(const std::string& path, Access
   QString name = QFile::decodeName(path.c_str()), options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000");
   if (access == Access::read) options += QStringLiteral(";QSQLITE_OPEN_READONLY");
   if (access == Access::read && !isBeingWritten(path)) {
-    // Else SQLite would make files beside it, which it cannot.
+    // Without this, SQLite would try to create files beside it.
     name = QUrl::fromLocalFile(QDir().absoluteFilePath(name)).toString(QUrl::FullyEncoded) +
            QStringLiteral("?immutable=1");
     options += QStringLiteral(";QSQLITE_OPEN_URI");
@@ -139,7 +139,7 @@ Status Database::commit() {
   run("COMMIT");
   const Status status = takeStatus();
   if (status) return {};
-  // SQLite has rolled back already after some failures; then this one fails, which is of no matter.
+  // SQLite has already rolled back after some failures; this statement then fails harmlessly.
   run("ROLLBACK");
   (void)takeStatus().ok();
   return status;

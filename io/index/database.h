@@ -13,19 +13,19 @@
 
 namespace volumen {
 
-/// Bytes that are no text: paths, pictures.
+/// Binary data: paths, images.
 struct Blob {
   const std::string& bytes;
 };
 
-/// A row's number in another table; 0 is NULL.
+/// The number of a row in another table; 0 is NULL.
 struct RowId {
   std::int64_t id = 0;
 };
 
 class Database;
 
-/// The rows that a statement gives, one at a time. Only one of a statement at a time.
+/// The result rows of a statement, one at a time. A statement can have only one Rows at a time.
 class Rows {
  public:
   Rows(Database& database, QSqlQuery* query) : database_(&database), query_(query) {}
@@ -35,7 +35,7 @@ class Rows {
     if (query_) query_->finish();
   }
 
-  /// Goes to the next row. False behind the last one, and where the statement failed.
+  /// Goes to the next row. Returns false after the last one, and if the statement failed.
   bool next();
   std::int64_t number(int column) const { return query_->value(column).toLongLong(); }
   std::string text(int column) const { return query_->value(column).toString().toStdString(); }
@@ -43,16 +43,16 @@ class Rows {
 
  private:
   Database* database_;
-  QSqlQuery* query_;  // none: the statement failed
+  QSqlQuery* query_;  // null: the statement failed
 };
 
-/// A connection to an SQLite file, of one thread. The first failure is kept: what is run after it does
-/// nothing and gives no rows, until takeStatus().
+/// A connection to an SQLite file, for one thread. It keeps the first failure: later statements do nothing
+/// and return no rows, until takeStatus().
 class Database {
  public:
-  enum class Access { write, read };  ///< write: the file is made where it is not there
+  enum class Access { write, read };  ///< write: creates the file if it is missing
 
-  /// Opens the file. Nothing is read yet.
+  /// Opens the file without reading it.
   static Result<std::unique_ptr<Database>> open(const std::string& path, Access access = Access::write);
   ~Database();
   Database(const Database&) = delete;
@@ -70,9 +70,9 @@ class Database {
     (query->bindValue(position++, variant(values)), ...);
     return executed(query);
   }
-  /// Runs a statement that is made of text: pragmas take no values.
+  /// Runs a composed statement: pragmas take no values.
   void runOnce(const std::string& sql);
-  /// The first number that a statement gives; 0 where it gives none.
+  /// Returns the first number of a statement's result; 0 if there is none.
   template <class... Values>
   std::int64_t number(const char* sql, const Values&... values) {
     Rows rows = run(sql, values...);
@@ -80,20 +80,20 @@ class Database {
   }
 
   bool failed() const { return failure_ != Failure::none; }
-  /// Whether the failure is that the file is no database or a damaged one.
+  /// True if the failure shows a damaged file or one that is not a database.
   bool damaged() const { return failure_ == Failure::damaged; }
-  /// Whether any failure so far was that.
+  /// True if any failure so far did.
   bool wasDamaged() const { return wasDamaged_; }
-  /// Whether the failure is that SQLite does not know what a statement names, or the form of the file.
+  /// True if SQLite does not know a name in the statement, or the form of the file.
   bool refused() const { return failure_ == Failure::refused; }
-  /// Whether all went well since the last call; forgets the failure.
+  /// Returns the status since the last call and resets the failure.
   Status takeStatus();
 
-  /// What begin() began becomes lasting, or what failed in between is undone.
+  /// commit() makes all statements since begin() permanent, or undoes them after a failure.
   void begin();
   Status commit();
 
-  /// Called by Rows.
+  /// Used by Rows.
   void noteFailure(const QSqlQuery& query);
 
  private:
@@ -115,7 +115,7 @@ class Database {
   }
 
   std::string path_;
-  QString name_;  // of the connection
+  QString name_;  // name of the connection
   Access access_;
   std::map<const char*, QSqlQuery> statements_;
   Failure failure_ = Failure::none;

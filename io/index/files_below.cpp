@@ -15,7 +15,7 @@
 namespace volumen {
 namespace {
 
-/// The real paths of folders, each asked for once.
+// The canonical paths of folders; each is resolved once.
 class RealFolders {
  public:
   const std::string& of(const std::string& folder) {
@@ -63,7 +63,8 @@ Result<FilesBelow> filesBelow(const ImportRoot& root, const std::string& indexFo
   for (const std::string& path : found->files) {
     const std::optional<FileState> state = fileState(path);
     FileOnDisk file = onDisk(path);
-    if (!state || (file.folder == ownFolder && isFileOfIndex(file.name))) continue;  // none: it has just gone
+    // the file has just been deleted
+    if (!state || (file.folder == ownFolder && isFileOfIndex(file.name))) continue;
     file.state = *state;
     below.files.push_back(std::move(file));
   }

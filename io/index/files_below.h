@@ -9,38 +9,38 @@
 
 namespace volumen {
 
-/// What an import begins with.
+/// Starting point of an import.
 struct ImportRoot {
-  std::string path;     ///< without symbolic links; of a DICOMDIR its folder
-  bool inside = false;  ///< links that lead out of it are not followed
+  std::string path;     ///< without symbolic links; for a DICOMDIR its folder
+  bool inside = false;  ///< links out of it are not followed
 };
 
-/// The root that a path stands for. An Error where there is no such path, and for what is no file or folder
-/// of its own: a zip archive, a session, a phantom.
+/// Returns the root for a path. The Error: the path does not exist, or is not a file or folder of its own (a
+/// zip archive, a session, a phantom).
 Result<ImportRoot> importRoot(const std::string& path);
 
-/// What could not be looked at, and why: a sentence.
+/// An entry that could not be read.
 struct UnreadableOnDisk {
   FileOnDisk entry;  ///< without state
   std::string reason;
-  bool elsewhere = false;  ///< as UnreadableEntry has it
+  bool elsewhere = false;  ///< as in UnreadableEntry
 };
 
-/// The files below a root as they are now, and what could not be looked at.
+/// The files below a root at this moment, and unreadable entries.
 struct FilesBelow {
   std::vector<FileOnDisk> files;  ///< sorted by folder and name
   std::vector<UnreadableOnDisk> unreadable;
 };
 
-/// Looks at every file below a root once, whatever links lead to it, but for the files of the index itself.
+/// Finds every file below a root once, however many links lead to it, except the files of the index itself.
 Result<FilesBelow> filesBelow(const ImportRoot& root, const std::string& indexFolder,
                               const CancelToken& cancel);
 
-/// Whether a file is there, whatever it is.
+/// True if a path exists, of any kind.
 bool exists(const std::string& path);
 
-/// Whether the folder is there and on the device that it was on: else a disk was removed, and nothing can be
-/// said of its files.
+/// True if the folder exists on the device that is recorded for it. Otherwise a disk may have been removed,
+/// and the state of its files is unknown.
 bool isOnline(const std::string& folder, std::int64_t device);
 
 }  // namespace volumen

@@ -6,7 +6,7 @@
 namespace volumen {
 namespace {
 
-/// Letters that Unicode does not decompose and that people type without their stroke.
+// Letters without a Unicode decomposition that people type without stroke.
 QString plainLetter(QChar c) {
   switch (c.unicode()) {
     case 0x00e6:

@@ -5,17 +5,17 @@
 
 namespace volumen {
 
-/// Text as it is searched for: compatibility forms and accents are taken away, capitals are small, "ß" is
-/// "ss"; what separates parts of a name (PS3.5 6.2, PN: ^ and =) and commas are spaces. UTF-8.
+/// Returns text in its search form, UTF-8. Compatibility forms and accents are removed, letters are lower
+/// case, "ß" is "ss". Separators of name parts (PS3.5 6.2, PN: ^ and =) and commas become spaces.
 std::string folded(const std::string& utf8);
 
-/// The words of a search, folded.
+/// Returns the words of a search in their search form.
 std::vector<std::string> foldedWords(const std::string& utf8);
 
-/// A date as people type and read it, "2026-11-24" for "20261124"; what is no such date as it is.
+/// Returns a date as people write it, "2026-11-24" for "20261124". Other texts are returned unchanged.
 std::string withDashes(const std::string& date);
 
-/// A pattern of SQL's LIKE, with "\" as its escape, for what holds `text`.
+/// Returns a LIKE pattern of SQL, with "\" as its escape, for texts that contain `text`.
 std::string likePattern(const std::string& text);
 
 }  // namespace volumen

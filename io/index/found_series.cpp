@@ -13,7 +13,7 @@
 namespace volumen {
 namespace {
 
-/// What series of a study are told apart by.
+// Attributes that identify a series in a study.
 using Key = std::tuple<std::string, std::string, std::string, std::string, std::string>;
 
 Key keyOf(const SeriesIdentity& s, const std::string& path) {
@@ -21,7 +21,7 @@ Key keyOf(const SeriesIdentity& s, const std::string& path) {
   return {s.patientName, s.patientId, s.studyUid, s.seriesUid, named ? std::string() : path};
 }
 
-/// Collects what belongs to one series.
+// Collects files and volumes by series.
 class Collector {
  public:
   void add(const Series& volume) {
@@ -66,13 +66,13 @@ class Collector {
 
   std::vector<FoundSeries> all_;
   std::map<Key, std::size_t> index_;
-  std::unordered_map<std::string, std::size_t> files_;  // of a path, its place in its series
+  std::unordered_map<std::string, std::size_t> files_;  // position of a path in its series
   std::map<std::ptrdiff_t, std::vector<const Series*>> volumes_;
 };
 
 std::string counted(std::size_t n, const char* what) { return std::to_string(n) + " " + what; }
 
-/// How many different labels of the volumes have a part that begins with `word`.
+// Counts the different parts of volume labels that begin with `word`.
 std::size_t countLabelled(const std::vector<const Series*>& volumes, const std::string& word) {
   std::set<std::string> values;
   for (const Series* volume : volumes) {

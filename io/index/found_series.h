@@ -13,31 +13,31 @@ struct Study;
 /// A file as a part of its series.
 struct FoundFile {
   std::string path, sopInstanceUid;
-  int volume = 0;  ///< the first volume of the series that it is part of, from 1; 0: of none
-  int frames = 0;  ///< slices and frames in it
+  int volume = 0;  ///< its first volume in the series, from 1; 0: none
+  int frames = 0;  ///< number of slices and frames
 };
 
-/// A series as the index keeps it: what a Study says of its volumes, images and derived objects together.
+/// A series in the index: combines a Study's volumes, images and derived objects.
 struct FoundSeries {
   SeriesIdentity identity;
   bool isDicom = true;
   std::string time, label;
   bool isVolume = false;
   std::vector<std::string> warnings;
-  std::vector<FoundFile> files;  ///< each once; those of volumes first, in the order of slices
+  std::vector<FoundFile> files;  ///< unique; files of volumes come first, in slice order
 };
 
-/// The series of a study. Files without a SeriesInstanceUID are a series each.
+/// Returns the series of a study. Each file without a SeriesInstanceUID is a series.
 std::vector<FoundSeries> seriesOf(const Study& study);
 
-/// Adds copies of pictures that a study left out, and that were found by opening them alone, to their series:
-/// as files that show nothing, so that one remains where the other goes.
+/// Adds copies of images to their series, which a study left out and a search of their own found. They show
+/// nothing, but one remains if the other is removed.
 void addCopies(const Study& copies, std::vector<FoundSeries>& series);
 
-/// Adds a warning where files of one SOP Instance UID hold different bytes.
+/// Adds a warning if files of one SOP Instance UID differ in their bytes.
 void warnOfOtherBytes(FoundSeries& series);
 
-/// What tells the volumes of one series apart: "4 echoes", "451 directions", "12 volumes"; empty for one.
+/// Returns how the volumes of a series differ: "4 echoes", "451 directions", "12 volumes"; empty for one.
 std::string whatVaries(const std::vector<const Series*>& volumes);
 
 }  // namespace volumen

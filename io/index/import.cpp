@@ -6,8 +6,8 @@
 namespace volumen {
 namespace {
 
-/// How many files are read before they are written: whole folders up to the first number are put together,
-/// larger ones are cut at the second.
+// Number of files that are read before they are written. Whole folders are joined up to `smallBatch`; larger
+// ones are split at `largeBatch`.
 constexpr std::size_t smallBatch = 512, largeBatch = 4096;
 
 using Batch = std::vector<FileOnDisk>;
@@ -44,7 +44,7 @@ Result<ImportReport> Import::run(const std::vector<ImportRoot>& roots) {
 Status Import::importBelow(const ImportRoot& root) {
   if (cancel_.cancelled()) return {};
   if (progress_) progress_("looking for files", 0, 0);
-  // Known first: what another program adds in the meantime is not taken for gone.
+  // Known files come first: files that another program adds meanwhile are then not taken for deleted.
   learn(root.path);
   Result<FilesBelow> below = filesBelow(root, indexFolder_, cancel_);
   if (!below) return below.error();
@@ -65,7 +65,7 @@ void Import::learn(const std::string& root) {
   known_.clear();
   const std::size_t slash = root.find_last_of('/');
   const std::string folder = slash == 0 ? "/" : root.substr(0, slash), name = root.substr(slash + 1);
-  // What is below a folder begins with it and "/"; "0" is the character behind that.
+  // Paths below a folder begin with it and "/"; "0" is the next character after "/".
   const std::string below = root == "/" ? root : root + "/", behind = root == "/" ? "0" : root + "0";
   for (Rows rows = db_.run(
            "SELECT d.path, f.name, f.id, f.series_id, s.study_id, d.device, f.size, f.mtime_ns, f.ctime_ns,"
@@ -91,7 +91,7 @@ void Import::learn(const std::string& root) {
   }
 }
 
-/// What the files are to the index: new ones and changed ones are read, moved ones only noted.
+// Sorts files by what the index knows: new and changed ones are read, moved ones only recorded.
 Import::Compared Import::compare(const std::vector<FileOnDisk>& files) {
   Compared compared;
   for (const FileOnDisk& file : files) {
@@ -120,7 +120,7 @@ Import::Compared Import::compare(const std::vector<FileOnDisk>& files) {
   return compared;
 }
 
-/// The file of the index that is this new one: it was elsewhere and is no longer there. 0: none.
+// Returns the indexed file that moved here: its old path no longer exists. 0: none.
 std::int64_t Import::movedFrom(const FileOnDisk& file) {
   for (Rows rows = db_.run("SELECT f.id, d.path, f.name FROM file f JOIN folder d ON d.id = f.folder_id JOIN "
                            "series s ON s.id ="
@@ -130,7 +130,7 @@ std::int64_t Import::movedFrom(const FileOnDisk& file) {
                            file.state.inode, file.state.device, file.state.size, file.state.modifiedNs);
        rows.next();) {
     const std::string before = FileOnDisk{rows.bytes(1), rows.bytes(2), {}}.path();
-    if (exists(before)) continue;  // a second name of it
+    if (exists(before)) continue;  // another hard link
     if (const auto known = known_.find(before); known != known_.end()) known->second.seen = true;
     return rows.number(0);
   }
@@ -163,7 +163,7 @@ Status Import::readBatch(const Batch& batch, std::size_t done, std::size_t total
     if (progress_) progress_(what, done + n, total);
   };
   const Result<ReadFiles> read = readFiles(pathsOf(batch), progress, cancel_);
-  if (!read) return {};  // it was cancelled: nothing of the batch is written
+  if (!read) return {};  // cancelled: nothing of the batch is written
   db_.begin();
   writer_.write(batch, *read);
   writer_.finish();
@@ -187,7 +187,7 @@ void Import::count(const Batch& batch, const ReadFiles& read) {
   report_.notImages += std::max(0, int(batch.size()) - int(images + read.refused.size()));
 }
 
-/// What beside files could not even be looked at, as long as it is there.
+// Records existing entries that could not be read.
 Status Import::writeUnreadable(const FilesBelow& below) {
   db_.begin();
   for (const auto& [entry, reason, elsewhere] : below.unreadable) {
@@ -200,12 +200,12 @@ Status Import::writeUnreadable(const FilesBelow& below) {
   return db_.commit();
 }
 
-/// Takes out the files that are no longer in their folder. Where the folder itself is not there, a disk may
-/// have been removed: its files stay, offline.
+// Removes files that are no longer in their folder. If the folder is missing, a disk may have been removed:
+// its files stay, offline.
 Status Import::writeGone() {
   db_.begin();
   for (const auto& [path, known] : known_) {
-    const bool stays = known.reason.empty() && exists(path);  // what was refused may be a folder by now
+    const bool stays = known.reason.empty() && exists(path);  // a refused entry may be a folder by now
     if (known.seen || stays || !isOnline(known.folder, known.folderDevice)) continue;
     writer_.remove(known.id);
     if (known.series && !known.forgotten) ++report_.gone;
@@ -214,7 +214,7 @@ Status Import::writeGone() {
   return db_.commit();
 }
 
-/// The files of a series, and those that were refused beside them: what is told of it may name these.
+// Returns the files of a series and those refused beside them, which its warnings may name.
 std::vector<FileOnDisk> Import::filesOf(std::int64_t series) {
   std::vector<FileOnDisk> files;
   for (Rows rows =
@@ -232,7 +232,7 @@ std::vector<FileOnDisk> Import::filesOf(std::int64_t series) {
   return files;
 }
 
-/// Reads series as a whole that were written in parts, now or by an import that was stopped.
+// Reads again, as a whole, series that were written in parts, now or by an import that was stopped.
 Status Import::readStale() {
   std::vector<std::int64_t> stale;
   for (Rows rows = db_.run("SELECT s.id FROM series s JOIN study t ON t.id = s.study_id WHERE s.stale = 1 AND"
@@ -257,14 +257,15 @@ Status Import::readStale() {
   return db_.takeStatus();
 }
 
-/// Of studies that were imported before the index knew it. What is stopped goes on with the next import.
+// Reads the institutions of studies that were imported without one. A stopped run continues with the next
+// import.
 Status Import::readInstitutions() {
   std::vector<std::int64_t> studies;
   for (Rows rows =
            db_.run("SELECT id FROM study WHERE institution IS NULL AND forgotten_at = '' AND empty_at = ''");
        rows.next();)
     studies.push_back(rows.number(0));
-  std::vector<std::pair<std::int64_t, std::string>> known;  // of a study
+  std::vector<std::pair<std::int64_t, std::string>> known;  // by study
   for (std::size_t n = 0; n < studies.size() && !cancel_.cancelled(); ++n) {
     if (progress_) progress_(readingInstitutions, n, studies.size());
     if (std::optional<std::string> institution = institutionOf(studies[n]))
@@ -276,9 +277,10 @@ Status Import::readInstitutions() {
   return writeInstitutions(known);
 }
 
-/// From one file of each series until one names it; empty: none does. None: not all of them can be read now.
+// Returns the institution from one file of each series; empty if no file names it, nothing if some cannot be
+// read now.
 std::optional<std::string> Import::institutionOf(std::int64_t study) {
-  std::vector<std::int64_t> series;  // of DICOM, which alone name it
+  std::vector<std::int64_t> series;  // DICOM only; others have no institution
   for (Rows rows = db_.run("SELECT id FROM series WHERE study_id = ? AND uid <> ''", study); rows.next();)
     series.push_back(rows.number(0));
   bool areAllRead = true;
@@ -292,7 +294,7 @@ std::optional<std::string> Import::institutionOf(std::int64_t study) {
   return areAllRead ? std::optional<std::string>("") : std::nullopt;
 }
 
-/// None: it is not there, or no longer the one that the index knows.
+// Returns nothing if the file is missing or has changed.
 std::optional<FileOnDisk> Import::oneFileOf(std::int64_t series) {
   Rows rows = db_.run(
       "SELECT d.path, f.name, d.device, f.size, f.mtime_ns, f.inode, f.device FROM file f JOIN folder d ON"
@@ -314,7 +316,7 @@ Status Import::writeInstitutions(const std::vector<std::pair<std::int64_t, std::
   return db_.commit();
 }
 
-/// What was forgotten, or has had no files, for more than a day goes for good.
+// Deletes studies that were forgotten, or have had no files, for more than a day.
 Status Import::purge() {
   const std::string yesterday =
       QDateTime::currentDateTimeUtc().addDays(-1).toString(Qt::ISODateWithMs).toStdString();

@@ -13,13 +13,13 @@
 
 namespace volumen {
 
-/// One import into the index: looks at what is below paths, reads what is new or was changed, and notes what
-/// is gone. What is read is written batch by batch, so that it can be stopped at any moment; series that were
-/// written in parts are marked, and read as a whole in the end (or by the next import).
+/// One import into the index: searches paths, reads new and changed files, and records deleted ones. It
+/// writes batch by batch, so that it can be stopped at any moment. Series written in parts are marked, and
+/// read as a whole at the end (or by the next import).
 class Import {
  public:
-  /// `indexFolder`: the one of the index, whose own files are passed over. `again`: files that were refused
-  /// are read again.
+  /// `indexFolder` is the folder of the index, whose own files are skipped. With `again`, refused files are
+  /// read again.
   Import(Database& db, const std::string& indexFolder, const Progress& progress, const CancelToken& cancel,
          bool again)
       : db_(db),
@@ -32,11 +32,11 @@ class Import {
   Result<ImportReport> run(const std::vector<ImportRoot>& roots);
 
  private:
-  /// What the index knows of a file.
+  /// The index's record of a file.
   struct Known {
     std::int64_t id = 0, series = 0, study = 0, folderDevice = 0;
     FileState state;
-    std::string reason, program;  // of a refusal, or of what a series lacks
+    std::string reason, program;  // of a refusal, or of an object that a series lacks
     bool noImage = false, forgotten = false, seen = false;
     std::string folder;
   };
@@ -44,7 +44,7 @@ class Import {
   struct Compared {
     std::vector<FileOnDisk> toRead;
     std::vector<std::pair<std::int64_t, FileOnDisk>> moved;  // with the file's number
-    std::set<std::int64_t> comeBack;                         // forgotten studies whose files are there
+    std::set<std::int64_t> comeBack;                         // forgotten studies with files that exist
   };
 
   Status importBelow(const ImportRoot& root);
@@ -72,7 +72,7 @@ class Import {
   bool again_;
   Writer writer_;
   ImportReport report_;
-  std::unordered_map<std::string, Known> known_;  // below the root that is being imported
+  std::unordered_map<std::string, Known> known_;  // files below the current root
 };
 
 }  // namespace volumen

@@ -22,7 +22,7 @@ namespace volumen {
 
 struct Index::Private {
   std::string folder, notice;
-  std::unique_ptr<Database> db, thumbnails;  // thumbnails: opened when it is first asked for
+  std::unique_ptr<Database> db, thumbnails;  // thumbnails: opened on first use
 };
 
 namespace {
@@ -39,7 +39,7 @@ Result<std::vector<ImportRoot>> rootsOf(const std::vector<std::string>& paths) {
   return roots;
 }
 
-/// What a series' thumbnail is made of: other files, another thumbnail.
+// Returns a hash of a series' files: other files need another thumbnail.
 std::string fingerprint(Database& db, std::int64_t series) {
   QCryptographicHash hash(QCryptographicHash::Sha1);
   hash.addData(QByteArray(VOLUMEN_VERSION));
@@ -51,15 +51,14 @@ std::string fingerprint(Database& db, std::int64_t series) {
   return hash.result().toStdString();
 }
 
-/// The key of a series that stays where the index is made anew.
+// Returns a key of a series that stays the same in a rebuilt index.
 std::string lastingKey(Database& db, std::int64_t series) {
   Rows rows =
       db.run("SELECT t.key, s.key FROM series s JOIN study t ON t.id = s.study_id WHERE s.id = ?", series);
   return rows.next() ? rows.bytes(0) + rows.bytes(1) : std::string();
 }
 
-/// Finds copies again that moved together with their index: folders below its "studies" that are no longer
-/// where they were.
+// Finds copies that moved together with their index: folders below its "studies" with old paths.
 Status findMovedCopies(Database& db, const std::string& folder) {
   const std::string below = "/studies/";
   std::error_code ignored;
@@ -83,7 +82,7 @@ Status findMovedCopies(Database& db, const std::string& folder) {
   return db.commit();
 }
 
-// Of what a file holds. An Error where that is no picture or cannot be read.
+// Makes a thumbnail of a file's contents. The Error: they are not an image, or cannot be read.
 Result<Thumbnail> makeThumbnail(const std::string& file) {
   const Result<Study> study = openFiles({file});
   if (!study) return study.error();
@@ -133,7 +132,7 @@ Result<ImportReport> Index::importBelow(const std::vector<ImportRoot>& roots, co
   const auto import = [&] { return Import(*p_->db, p_->folder, progress, cancel, again).run(roots); };
   Result<ImportReport> report = import();
   if (report || !p_->db->wasDamaged()) return report;
-  // What a quick look does not find turned up on the way.
+  // The quick check did not find this damage.
   p_->db.reset();
   Result<OpenedDatabase> mended = openIndexDatabase(p_->folder, Check::full);
   if (!mended) return mended.error();
@@ -149,7 +148,7 @@ Result<ImportReport> Index::importCopies(const std::vector<std::string>& paths,
   if (!roots) return roots.error();
   if (Status made = makePrivateFolder(managedFolder); !made) return made.error();
   const Copies copies = copyStudies(*roots, p_->folder, managedFolder, progress, cancel);
-  // What was copied is in the index, too, where the copying ended early.
+  // Copied files are indexed even if copying ended early.
   std::set<std::string> folders;
   for (const std::string& file : copies.files) folders.insert(file.substr(0, file.find_last_of('/')));
   const Result<std::vector<ImportRoot>> copied = rootsOf({folders.begin(), folders.end()});
@@ -205,12 +204,12 @@ Result<Thumbnail> Index::thumbnail(std::int64_t series) {
     const std::string png = rows.bytes(0);
     return Thumbnail(png.begin(), png.end());
   }
-  if (!exists(file)) return Thumbnail{};  // offline: perhaps the next time
+  if (!exists(file)) return Thumbnail{};  // offline now, maybe online next time
   const Result<Thumbnail> made = makeThumbnail(file);
-  const Thumbnail thumbnail = made ? *made : Thumbnail{};  // damaged pixels are not read again and again
+  const Thumbnail thumbnail = made ? *made : Thumbnail{};  // damaged pixels are not read again
   p_->thumbnails->run("INSERT OR REPLACE INTO thumbnail(key, made_of, png) VALUES(?, ?, ?)", Blob{key},
                       Blob{madeOf}, Blob{std::string(thumbnail.begin(), thumbnail.end())});
-  (void)p_->thumbnails->takeStatus().ok();  // where it cannot be kept it is made again
+  (void)p_->thumbnails->takeStatus().ok();  // a thumbnail that cannot be kept is made again
   return thumbnail;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view prefix = "index:";
 
-/// Qt looks for its driver of SQLite only where there is an application.
+// Qt finds its SQLite driver only if there is an application.
 class QtApplication {
  public:
   QtApplication() {

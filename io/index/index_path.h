@@ -8,10 +8,9 @@
 
 namespace volumen {
 
-/// All that a user names by PATH: of "index:STUDY[/SERIES]" what the user's index knows of a study or of one
-/// of its series, and what beside them could not be read; else openStudy() of it. STUDY is a StudyInstanceUID
-/// or a number of `volumen list`, SERIES a SeriesInstanceUID or its number. An Error where nothing is meant
-/// by it, or several are.
+/// Opens a user's PATH argument. For "index:STUDY[/SERIES]" that is the study or series in the user's index,
+/// with unreadable files beside it; for all others it is openStudy(). STUDY is a StudyInstanceUID or a number
+/// of `volumen list`, SERIES a SeriesInstanceUID or its number. The Error: nothing matches, or more than one.
 Result<Study> openPath(const std::string& path, const Progress& progress = {},
                        const CancelToken& cancel = {});
 

@@ -15,7 +15,7 @@ std::string pathOf(const std::string& folder, const std::string& name) {
   return FileOnDisk{folder, name, {}}.path();
 }
 
-/// Which folders are there, each looked at once.
+// The online state of folders; each is checked once.
 class Folders {
  public:
   explicit Folders(Database& db) : db_(db) {}
@@ -33,12 +33,12 @@ class Folders {
   std::unordered_map<std::int64_t, bool> online_;
 };
 
-/// The studies that have all words: their numbers in the index, in no order.
+// Returns the studies that contain all words, unsorted, with their numbers in the index.
 std::vector<IndexedStudy> matching(Database& db, const std::string& words) {
   std::vector<std::string> patterns;
   for (const std::string& word : foldedWords(words)) patterns.push_back(likePattern(word));
   std::vector<IndexedStudy> studies;
-  // The longest word is looked for by SQLite, the others in what it finds.
+  // SQLite searches for the longest word; the others are searched for in its result.
   std::ranges::sort(patterns, {}, [](const std::string& p) { return -std::ptrdiff_t(p.size()); });
   const std::string first = patterns.empty() ? "%" : patterns[0];
   for (Rows rows = db.run(
@@ -65,10 +65,10 @@ std::vector<IndexedStudy> matching(Database& db, const std::string& words) {
   return studies;
 }
 
-/// What the series of studies say together.
+// Combines the series of studies.
 class Summary {
  public:
-  /// Of many studies all series are read at once, of few those of each.
+  // Reads all series at once for many studies, one study at a time for few.
   Summary(Database& db, const std::vector<IndexedStudy>& studies) : folders_(db) {
     constexpr std::size_t few = 50;
     if (studies.size() > few) {
@@ -122,10 +122,10 @@ class Summary {
   }
 
   Folders folders_;
-  std::unordered_map<std::int64_t, Facts> facts_;  // of a study
+  std::unordered_map<std::int64_t, Facts> facts_;  // by study
 };
 
-/// What studies are sorted by; the date tells those apart that are alike.
+// Returns the sort key of a study; the date breaks ties.
 std::string sortKey(const IndexedStudy& s, StudyOrder order) {
   const std::string when = s.date + s.time;
   switch (order) {
@@ -165,7 +165,7 @@ std::vector<std::string> warningsOf(Database& db, std::int64_t series) {
   return warnings;
 }
 
-/// By series number, then as they were found.
+// Sorts by series number, then by order of discovery.
 bool before(const IndexedSeries& a, const IndexedSeries& b) {
   const long x = std::atol(a.number.c_str()), y = std::atol(b.number.c_str());
   return x != y ? x < y : a.id < b.id;
@@ -175,7 +175,8 @@ bool before(const IndexedSeries& a, const IndexedSeries& b) {
 
 std::vector<IndexedStudy> findStudies(Database& db, const StudyQuery& query) {
   std::vector<IndexedStudy> studies = matching(db, query.words);
-  // Modalities are known once the series were looked at; else only those that are asked for need be.
+  // Modalities are known only after all series were read. For other orders only the requested studies are
+  // read.
   const bool byModality = query.order == StudyOrder::modality;
   if (!byModality) sortStudies(studies, query);
   Summary summary(db, studies);
@@ -225,7 +226,7 @@ std::string middleFile(Database& db, std::int64_t series) {
 
 namespace {
 
-// Of rows of a folder and a name.
+// Returns paths from rows of a folder and a name.
 std::vector<std::string> pathsOf(Rows rows) {
   std::vector<std::string> paths;
   while (rows.next()) paths.push_back(pathOf(rows.bytes(0), rows.bytes(1)));

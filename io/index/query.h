@@ -5,10 +5,10 @@
 
 namespace volumen {
 
-/// What Index::studies, series, files and refusedBeside give.
+/// These functions implement Index::studies, series, files and refusedBeside.
 std::vector<IndexedStudy> findStudies(Database& db, const StudyQuery& query);
 std::vector<IndexedSeries> findSeriesOf(Database& db, std::int64_t study);
-/// The middle file of the first volume of a series, or of all its pictures; empty: it has none.
+/// Returns the middle file of the first volume of a series, or of all its images; empty if it has none.
 std::string middleFile(Database& db, std::int64_t series);
 std::vector<std::string> findFilesOf(Database& db, std::int64_t study, std::int64_t series);
 std::vector<std::string> findRefusedBeside(Database& db, std::int64_t study, std::int64_t series);

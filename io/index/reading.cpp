@@ -31,7 +31,7 @@ Result<FurtherIdentity> furtherIdentity(const std::string& path) {
 
 namespace {
 
-/// The files that nothing of a study names: copies of pictures that it left out.
+// Returns files that nothing in a study names: copies of images that it left out.
 std::vector<std::string> unnamed(const std::vector<std::string>& paths, const Study& study,
                                  const std::vector<FoundSeries>& series) {
   std::unordered_set<std::string> named;
@@ -45,8 +45,8 @@ std::vector<std::string> unnamed(const std::vector<std::string>& paths, const St
   return rest;
 }
 
-/// Adds what was refused, and what else is lost of series or may be: it is told with them as long as it is
-/// there, in the words that the study has for it.
+// Adds refused files and other files that series lost or may have lost, with the reasons that the study
+// gives.
 void addRefused(const Study& study, ReadFiles& read) {
   std::unordered_set<std::string> known, others;
   for (const ReadSeries& series : read.series)
@@ -67,7 +67,7 @@ Result<ReadFiles> readFiles(const std::vector<std::string>& paths, const Progres
   Result<Study> study = openFiles(paths, progress, cancel);
   if (!study) return study.error();
   std::vector<FoundSeries> series = seriesOf(*study);
-  // Of several copies of one picture each round finds one.
+  // Each round finds one of several copies of an image.
   std::vector<std::string> left = unnamed(paths, *study, series);
   while (!left.empty()) {
     const Result<Study> copies = openFiles(left, {}, cancel);

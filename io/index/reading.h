@@ -13,35 +13,34 @@
 
 namespace volumen {
 
-/// A file on disk: its folder without symbolic links in its path, its name there.
+/// A file on disk: its folder without symbolic links, and its name there.
 struct FileOnDisk {
   std::string folder, name;
   FileState state;
   std::string path() const { return folder == "/" ? folder + name : folder + "/" + name; }
 };
 
-/// What a study says beside SeriesIdentity: of the first file of a series, raw text.
+/// A study's attributes beside SeriesIdentity, as raw text from the first file of a series.
 struct FurtherIdentity {
   std::string birthDate, sex, accessionNumber, institution, studyTime, seriesDate, seriesTime;
 };
 
-/// Of a DICOM file. An Error where it cannot be read.
+/// Reads them from a DICOM file. The Error: it cannot be read.
 Result<FurtherIdentity> furtherIdentity(const std::string& path);
 
-/// A series that was read, ready to be written.
+/// A series that was read, ready to be written to the index.
 struct ReadSeries : FoundSeries {
   FurtherIdentity further;
 };
 
-/// What files hold, in the words of the index.
+/// The contents of files for the index.
 struct ReadFiles {
   std::vector<ReadSeries> series;
-  std::vector<Refused> refused;  ///< in no series; also pictures that series had to leave out
-  std::vector<Refused>
-      lacking;  ///< no images, which series lack all the same: as their slices are named, ...
+  std::vector<Refused> refused;  ///< in no series, including images that series had to leave out
+  std::vector<Refused> lacking;  ///< not images, but missing in a series: named like its slices, ...
 };
 
-/// Opens files as openFiles does. An Error only where it was cancelled.
+/// Opens files with openFiles(). The Error: only if cancelled.
 Result<ReadFiles> readFiles(const std::vector<std::string>& paths, const Progress& progress,
                             const CancelToken& cancel);
 

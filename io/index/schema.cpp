@@ -46,7 +46,7 @@ const std::array<SchemaStep, 4> indexSchema{
         "CREATE INDEX file_series ON file(series_id)",
         "CREATE INDEX file_inode ON file(inode)",
     },
-    // Lists ask which folders a series lies in and what was refused there, without a look at every file.
+    // Lists need a series' folders and refused files without scanning all files.
     SchemaStep{
         "CREATE TABLE series_folder(series_id INTEGER NOT NULL REFERENCES series(id) ON DELETE CASCADE,"
         " folder_id INTEGER NOT NULL REFERENCES folder(id), PRIMARY KEY(series_id, folder_id)) WITHOUT ROWID",
@@ -56,14 +56,13 @@ const std::array<SchemaStep, 4> indexSchema{
     },
     // NULL: not known yet; the next import reads it (Import::readInstitutions).
     SchemaStep{"ALTER TABLE study ADD COLUMN institution TEXT"},
-    // A file that is no image, though a series lacks it, is told as such and not as refused.
+    // A file that is not an image but missing in a series is reported as such, not as refused.
     SchemaStep{"ALTER TABLE file ADD COLUMN no_image INTEGER NOT NULL DEFAULT 0"}};
 
 const std::array<SchemaStep, 1> thumbnailSchema{SchemaStep{
     "CREATE TABLE thumbnail(key BLOB PRIMARY KEY, made_of BLOB NOT NULL, png BLOB NOT NULL) WITHOUT ROWID"}};
 
-/// Whether the last page is cut off, which SQLite takes for zeros. (While there is a log, it may hold the
-/// rest.)
+// True if the last page is cut off; SQLite reads the rest as zeros. (A log may hold the rest.)
 bool isCutOff(Database& db) {
   std::error_code error, noLog;
   const std::int64_t page = db.number("PRAGMA page_size");
@@ -72,8 +71,7 @@ bool isCutOff(Database& db) {
   return !error && page > 0 && size % std::uintmax_t(page) != 0 && (noLog || log == 0);
 }
 
-/// Whether the header says that the file may be written: SQLite takes what it does not know for a reason not
-/// to.
+// True if the header allows writing: an unknown write version makes SQLite read-only.
 bool isWritableForm(const std::string& path) {
   constexpr std::size_t writeVersionAt = 18;
   std::ifstream file(path, std::ios::binary);
@@ -82,7 +80,7 @@ bool isWritableForm(const std::string& path) {
   return file && head[writeVersionAt] >= 1 && head[writeVersionAt] <= 2;
 }
 
-/// What a database says of its tables and indexes, without the spaces in it.
+// Returns the definitions of a database's tables and indexes without spaces.
 std::vector<std::string> tablesOf(Database& db) {
   std::vector<std::string> all;
   for (Rows rows = db.run("SELECT type, name, tbl_name, IFNULL(sql, '') FROM sqlite_master ORDER BY name");
@@ -95,7 +93,7 @@ std::vector<std::string> tablesOf(Database& db) {
   return all;
 }
 
-/// The same of one that has just been made by these steps.
+// Returns the definitions that these steps make in a new database.
 std::vector<std::string> tablesMadeBy(std::span<const SchemaStep> steps) {
   const Result<std::unique_ptr<Database>> db = Database::open(":memory:");
   if (!db) return {};
@@ -106,7 +104,7 @@ std::vector<std::string> tablesMadeBy(std::span<const SchemaStep> steps) {
 
 enum class Health { good, outdated, newer, damaged, unknown };
 
-/// unknown: the database has failed for a reason that is no fault of the file's.
+// Returns `unknown` if the database failed for a reason outside the file.
 Health examine(Database& db, std::span<const SchemaStep> steps, Check check) {
   const std::int64_t id = db.number("PRAGMA application_id");
   const std::int64_t version = db.number("PRAGMA user_version");
@@ -132,7 +130,7 @@ Status update(Database& db, std::span<const SchemaStep> steps) {
   return db.commit();
 }
 
-/// Memory that programs share, which WAL needs, is not to be had on disks of other machines.
+// WAL needs shared memory between programs, which network disks lack.
 bool isNetworkDisk(const std::string& folder) {
   struct statfs disk {};
   if (statfs(folder.c_str(), &disk) != 0) return false;
@@ -151,7 +149,7 @@ Status configure(Database& db, const std::string& folder) {
   return db.takeStatus();
 }
 
-/// Renames a database and what belongs to it.
+// Renames a database and its log files.
 Status setAside(const std::string& path, const std::string& name) {
   for (const char* part : {"", "-wal", "-shm", "-journal"})
     if (std::rename((path + part).c_str(), (name + part).c_str()) != 0 && errno != ENOENT)
@@ -159,7 +157,7 @@ Status setAside(const std::string& path, const std::string& name) {
   return {};
 }
 
-/// Waits for another program that repairs, makes or updates a database here: some seconds, no more.
+// Waits up to ten seconds for another program that repairs, creates or updates a database here.
 std::optional<LockFile> lockOf(const std::string& folder) {
   for (int n = 0; n < 2000; ++n) {
     if (std::optional<LockFile> lock = LockFile::take(folder + "/" + lockName)) return lock;
@@ -183,7 +181,7 @@ Result<Examined> openAndExamine(const std::string& path, std::span<const SchemaS
   return Examined{std::move(*opened), health};
 }
 
-/// Renames a database that cannot be used and says so.
+// Renames an unusable database and returns a notice.
 Result<std::string> replace(const std::string& path, Health health) {
   const bool newer = health == Health::newer;
   const QString now = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMddThhmmsszzz"));
@@ -193,7 +191,7 @@ Result<std::string> replace(const std::string& path, Health health) {
          ": it was renamed to " + aside + ", and a new one was made. Import your folders again.";
 }
 
-/// Makes a database, which gets its name when it is whole: one without tables is a damaged one.
+// Creates a database under a temporary name until it is complete: one without tables would count as damaged.
 Status make(const std::string& path, std::span<const SchemaStep> steps) {
   const std::string aside = path + ".new";
   std::error_code error;
@@ -203,13 +201,13 @@ Status make(const std::string& path, std::span<const SchemaStep> steps) {
     if (!db) return db.error();
     if (Status made = update(**db, steps); !made) return made;
   }
-  chmod(aside.c_str(), S_IRUSR | S_IWUSR);  // it names patients; its log takes the same rights
+  chmod(aside.c_str(), S_IRUSR | S_IWUSR);  // it names patients; its log gets the same permissions
   if (std::rename(aside.c_str(), path.c_str()) != 0)
     return Error{"Cannot make the index " + path + ": " + std::strerror(errno) + "."};
   return {};
 }
 
-/// Makes of what is there, or not there, a database that can be used. Only one program at a time does so.
+// Repairs, creates or updates a database. Only one program at a time does so.
 Result<OpenedDatabase> mended(const std::string& folder, const std::string& path,
                               std::span<const SchemaStep> steps, Check check) {
   const std::optional<LockFile> lock = lockOf(folder);
@@ -234,7 +232,7 @@ Result<OpenedDatabase> mended(const std::string& folder, const std::string& path
   return out;
 }
 
-/// Opens a database that is whole and up to date; none where it is not.
+// Opens a database if it is intact and up to date; else returns null.
 Result<std::unique_ptr<Database>> whole(const std::string& path, std::span<const SchemaStep> steps) {
   if (!exists(path)) return std::unique_ptr<Database>();
   Result<Examined> found = openAndExamine(path, steps, Check::quick);

@@ -9,35 +9,34 @@
 
 namespace volumen {
 
-/// What brings a schema from one version to the next: statements.
+/// Statements that bring a schema from one version to the next.
 using SchemaStep = std::vector<const char*>;
 
-/// The steps of the index from nothing on: `user_version` of a database says how many it has had.
+/// Returns the steps of the index schema; `user_version` of a database is the number of steps it has had.
 std::span<const SchemaStep> indexSteps();
 
-/// A database that is whole and of the newest schema.
+/// An intact database with the newest schema.
 struct OpenedDatabase {
   std::unique_ptr<Database> database;
-  std::string notice;  ///< that the one before was set aside, and why: a sentence; empty: it was not
+  std::string notice;  ///< a sentence if the old database was set aside; else empty
 };
 
-/// How closely a database is looked at: quick leaves out whether its indexes say what its tables say.
+/// Depth of a database check; quick does not compare indexes with tables.
 enum class Check { quick, full };
 
-/// Opens `folder`/index.sqlite, makes it where it is not there, and brings an older schema up to date. One
-/// that is damaged, of another program or of a newer schema is renamed (".damaged", ".newer" and the time
-/// behind its name). An Error where the folder cannot be written.
+/// Opens `folder`/index.sqlite, creates it if it is missing, and updates an older schema. A file that is
+/// damaged, foreign or of a newer schema is renamed (".damaged", ".newer" and the time follow its name). The
+/// Error: the folder cannot be written.
 Result<OpenedDatabase> openIndexDatabase(const std::string& folder, Check check = Check::quick);
 
-/// Opens the index that is in `folder`, also where it cannot be written, and makes and renames nothing. An
-/// Error where there is none, and where it is damaged or of a newer schema.
+/// Opens the index in `folder`, even if it cannot be written; creates and renames nothing. The Error: there
+/// is none, it is damaged, or of a newer schema.
 Result<OpenedDatabase> openIndexAsItIs(const std::string& folder);
 
-/// Opens `folder`/thumbnails.sqlite, which is made anew in silence: it is only a cache.
+/// Opens `folder`/thumbnails.sqlite; it is a cache and is replaced without notice.
 Result<OpenedDatabase> openThumbnailDatabase(const std::string& folder);
 
-/// Whether a file in the folder of an index is part of it, by its name: a database, what belongs to it, or
-/// the lock.
+/// True if a name in the folder of an index belongs to it: a database, its log files, or the lock.
 bool isFileOfIndex(const std::string& name);
 
 }  // namespace volumen

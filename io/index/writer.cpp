@@ -17,13 +17,13 @@ std::string joined(std::initializer_list<std::string> parts) {
   return key;
 }
 
-/// What a study is told apart by: never by its UID alone, which others may have, too.
+// Returns the key of a study. The UID alone is not enough, as other patients may have the same.
 std::string studyKey(const SeriesIdentity& s) {
   if (!s.studyUid.empty()) return joined({s.patientName, s.patientId, s.studyUid});
   return joined({s.patientName, s.patientId, {}, s.studyDate, s.studyDescription});
 }
 
-/// For what has no UID of its own: it is found again by its files.
+// Returns a key for a series without a UID: it is found again by its files.
 std::string newKey() { return "file " + std::to_string(QRandomGenerator::global()->generate64()); }
 
 std::string orElse(const std::string& text, const std::string& other) { return text.empty() ? other : text; }
@@ -49,7 +49,7 @@ std::int64_t Writer::folderId(const std::string& path) {
   return folders_[path] = id;
 }
 
-/// The series that the index has a file in; 0: none.
+// Returns the series to which an indexed file belongs; 0: none.
 std::int64_t Writer::knownSeries(const FileOnDisk& file) {
   return db_.number("SELECT series_id FROM file WHERE folder_id = ? AND name = ?", folderId(file.folder),
                     Blob{file.name});
@@ -164,7 +164,7 @@ void Writer::write(const std::vector<FileOnDisk>& files, const ReadFiles& read) 
     for (const Refused& lostFile : lost) {
       const auto file = others.find(lostFile.path);
       if (file == others.end()) continue;
-      // Of what the machine failed at nothing is known: the next import reads it.
+      // A file that failed because of the machine stays unrecorded, so the next import reads it.
       if (!lostFile.again) writeOther(*file->second, lostFile.reason, isImage);
       others.erase(file);
     }
@@ -187,7 +187,7 @@ void Writer::move(std::int64_t file, const FileOnDisk& to) {
           Blob{to.name}, to.state.changedNs, file);
   if (!series) return;
   series_.insert(series);
-  // What is told of it may name files.
+  // The series' warnings may name files.
   db_.run(
       "UPDATE series SET stale = 1 WHERE id = ? AND (uid = '' OR EXISTS (SELECT * FROM warning WHERE "
       "series_id"
@@ -208,7 +208,7 @@ void Writer::lose(std::int64_t series) {
   lost_.insert(series);
 }
 
-/// Of files of one SOP Instance UID those go that are no longer where they were.
+// Removes moved files of a SOP Instance UID that has several files.
 void Writer::dropMoved(std::int64_t series) {
   std::vector<std::pair<std::int64_t, FileOnDisk>> several;
   for (Rows rows = db_.run(
@@ -250,8 +250,8 @@ void Writer::finishSeries(std::int64_t series) {
           series);
 }
 
-/// The words that a study is found by, and when it lost its last file: it is kept a while, as its files may
-/// turn up elsewhere.
+// Sets a study's search words, and the time when it lost its last file. It is kept for a while, as its files
+// may turn up elsewhere.
 void Writer::finishStudy(std::int64_t study) {
   std::string words;
   if (Rows rows = db_.run("SELECT patient_name, patient_id, date, description, accession, institution FROM "

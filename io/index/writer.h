@@ -8,24 +8,23 @@
 
 namespace volumen {
 
-/// Writes what was read into the index. All of it happens between begin() and commit() of the database;
-/// failures are the database's.
+/// Writes read files into the index, between begin() and commit() of the database. The database keeps
+/// failures.
 class Writer {
  public:
   explicit Writer(Database& db) : db_(db) {}
 
-  /// Everything of a batch of files. A series that has more files than these is marked to be read as a whole.
+  /// Writes a batch of files. A series with further files is marked to be read as a whole.
   void write(const std::vector<FileOnDisk>& files, const ReadFiles& read);
-  /// A file that is in no series, with the reason why it is not; `isImage`: it was refused.
+  /// Writes a file that is in no series, with the reason; `isImage` means that it was refused.
   void writeOther(const FileOnDisk& file, const std::string& reason, bool isImage);
-  /// Where a study of the index was made.
+  /// Sets the institution of a study.
   void setInstitution(std::int64_t study, const std::string& institution);
-  /// A file is at another place now; what is known of it stays.
+  /// Changes the path of a file and keeps its other data.
   void move(std::int64_t file, const FileOnDisk& to);
-  /// A file is no longer there.
+  /// Removes a deleted file.
   void remove(std::int64_t file);
-  /// Brings what is counted of the series and studies that were touched up to date, and takes away those that
-  /// have no files.
+  /// Updates counts of changed series and studies, and removes those without files.
   void finish();
 
  private:
@@ -35,7 +34,7 @@ class Writer {
   std::int64_t knownSeries(const FileOnDisk& file);
   void writeSeries(const ReadSeries& series, const std::map<std::string, const FileOnDisk*>& onDisk);
   void writeFile(const FileOnDisk& file, std::int64_t series, const FoundFile& found, int position);
-  /// The series of a folder are read anew: what is told of them may name its files.
+  /// Marks the series of a folder to be read again: their warnings may name its files.
   void tellAnew(std::int64_t folder);
   void lose(std::int64_t series);
   void dropMoved(std::int64_t series);
@@ -43,13 +42,13 @@ class Writer {
   void finishStudy(std::int64_t study);
 
   Database& db_;
-  std::set<std::int64_t> series_, studies_;       // touched
+  std::set<std::int64_t> series_, studies_;       // changed
   std::set<std::int64_t> lost_;                   // series that lost files
-  std::map<std::int64_t, std::int64_t> written_;  // series, how many of its files were written together
+  std::map<std::int64_t, std::int64_t> written_;  // by series: number of files written together
   std::map<std::string, std::int64_t> folders_;
 };
 
-/// Now, ISO 8601 with milliseconds, UTC.
+/// Returns the current time, ISO 8601 with milliseconds, UTC.
 std::string timeNow();
 
 }  // namespace volumen

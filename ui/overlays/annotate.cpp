@@ -8,10 +8,10 @@ namespace volumen {
 
 namespace {
 
-constexpr double textPoints = 10;        // of the text, at a scale of 1
+constexpr double textPoints = 10;        // of the text, at scale 1
 constexpr double edgeAtScale1 = 640;     // pixels
-constexpr int dotsPerMeter = 3780;       // 96 a inch: what points are in pixels
-constexpr double sideOfTopLetters = 60;  // pixels at a scale of 1, beside the middle
+constexpr int dotsPerMeter = 3780;       // 96 an inch: converts points to pixels
+constexpr double sideOfTopLetters = 60;  // pixels at scale 1, beside the centre
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void annotate(QImage& image, Overlays overlays) {
     for (const QString& line : overlays.warning.split(QLatin1Char('\n')))
       widest = std::max(widest, metrics.horizontalAdvance(line) + 24);
     const double scale = std::min(std::max(0.9, std::min(width, height) / edgeAtScale1), width / widest);
-    // Names may be long; they must not run into the letter at the top.
+    // Long names must not run into the letter at the top.
     const double room = width / scale / 2 - sideOfTopLetters;
     for (QString& line : overlays.topLeft) line = metrics.elidedText(line, Qt::ElideMiddle, room);
     overlays.mmPerPixel *= scale;

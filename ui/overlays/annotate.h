@@ -8,14 +8,14 @@
 
 namespace volumen {
 
-/// Writes over a picture that leaves the program, as large as suits its size. Works on any thread, once there
-/// is a QGuiApplication.
+/// Writes overlays on an exported picture, in a size that suits it. Works on any thread if a QGuiApplication
+/// exists.
 void annotate(QImage& image, Overlays overlays);
 
-/// The overlays that are only these warnings, each on a line of its own.
+/// Returns overlays of only these warnings, one a line.
 Overlays warningOverlays(const std::vector<Warning>& warnings);
 
-/// What of a view's overlays is chosen for a picture, and the warnings, where they are.
+/// Returns the overlays of a view that are chosen for a picture, and the warnings among them.
 Overlays chosenOverlays(const Overlays& all, const Annotations& chosen, const std::vector<Warning>& warnings);
 
 }  // namespace volumen

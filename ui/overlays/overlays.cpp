@@ -11,7 +11,7 @@ namespace volumen {
 namespace {
 
 constexpr double margin = 10, textGap = 6;  // pixels
-constexpr int fewestCharacters = 4;         // of an elided line: fewer say nothing
+constexpr int fewestCharacters = 4;         // of an elided line: fewer are useless
 constexpr double longestBar = 200, shortestBar = 24;
 
 const QColor textColour(0xf2, 0xf4, 0xf6), warningColour(0xff, 0xc8, 0x5a), lateColour(0xff, 0x6b, 0x6b),
@@ -27,7 +27,7 @@ QString lengthText(double mm) {
   return mm >= 10 ? QStringLiteral("%1 cm").arg(mm / 10) : QStringLiteral("%1 mm").arg(mm);
 }
 
-// Puts one thing after the other where it touches nothing that stands already.
+// Places items one after the other without overlap.
 class Placer {
  public:
   Placer(const Overlays& overlays, const QRectF& area, const QFont& font)
@@ -39,21 +39,21 @@ class Placer {
 
   PlacedOverlays placed;
 
-  // A side's letters, centred on a point.
+  // Places the letters of a side, centred on a point.
   void letter(const QString& text, QPointF centre) {
     const QSizeF size(letters_.horizontalAdvance(text), letters_.height());
     const QRectF rect(centre - QPointF(size.width() / 2, size.height() / 2), size);
     if (!text.isEmpty() && isFree(rect)) add({rect, text, false, true});
   }
 
-  // The date, centred below a point.
+  // Places the date, centred below a point.
   void date(const QString& text, QPointF top) {
     const double width = large_.horizontalAdvance(text);
     const QRectF rect(top.x() - width / 2, top.y(), width, large_.height());
     if (!text.isEmpty() && isFree(rect)) add({rect, text, false, false, false, true});
   }
 
-  // A line at the left or right edge, elided where it has to be.
+  // Places a line at the left or right edge, elided if necessary.
   void line(const QString& text, bool right, double top, bool warning = false) {
     QRectF row(inside_.left(), top, inside_.width(), metrics_.height());
     if (text.isEmpty() || row.bottom() > inside_.bottom()) return;
@@ -65,7 +65,7 @@ class Placer {
         row.setRight(std::min(row.right(), other.left() - textGap));
     }
     if (row.width() < fewestCharacters * metrics_.averageCharWidth()) return;
-    // Of patient and series both ends stay: the numbers that tell them apart stand last.
+    // Patient and series keep both ends, because the distinguishing numbers come last.
     const Qt::TextElideMode mode = right || warning ? Qt::ElideRight : Qt::ElideMiddle;
     const QString fitting = metrics_.elidedText(text, mode, row.width());
     const double width = metrics_.horizontalAdvance(fitting);
@@ -74,7 +74,7 @@ class Placer {
     if (isFree(row)) add({row, fitting, warning});
   }
 
-  // Centred, or in the middle of what is free at the bottom.
+  // Places the bar in the centre, or in the middle of the free room at the bottom.
   void scaleBar(double mmPerPixel) {
     const double height = metrics_.height() + 8, top = inside_.bottom() - height;
     double left = inside_.left(), right = inside_.right();

@@ -2,14 +2,14 @@
 
 #include <QFontDatabase>
 
-// Outside of the namespace, as Qt asks for it.
+// Outside the namespace, as Qt demands.
 static void loadFontFiles() { Q_INIT_RESOURCE(fonts); }
 
 namespace volumen {
 
 namespace {
 
-constexpr double screenPoints = 9, morePoints = 2;  // of text, of letters beyond it
+constexpr double screenPoints = 9, morePoints = 2;  // text size; letters are larger by `morePoints`
 
 QString familyIn(const QString& file) {
   const int id = QFontDatabase::addApplicationFont(QStringLiteral(":/fonts/") + file);
@@ -30,7 +30,7 @@ const Families& families() {
   return loaded;
 }
 
-// The settings of the desktop (hinting, colours at edges) do not count in pictures.
+// Desktop settings (hinting, subpixel colours) must not change pictures.
 QFont drawnAlike(QFont font) {
   font.setHintingPreference(QFont::PreferVerticalHinting);
   font.setStyleStrategy(QFont::NoSubpixelAntialias);

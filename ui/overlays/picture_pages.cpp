@@ -51,7 +51,7 @@ class PagePainter {
 
   void image(const QImage& image, const QRectF& mm) { painter_.drawImage(dots(mm), image); }
 
-  // Cut where it is too long.
+  // Elides text that is too long.
   void line(const QString& text, QPointF mm, double widthMm, double heightMm, Qt::Alignment alignment) {
     QFont font = pictureFont();
     font.setPixelSize(std::max(1, int(std::lround(heightMm * dotsPerMm_))));

@@ -16,53 +16,53 @@ namespace volumen {
 
 struct Series;
 
-/// A picture on a page, and what is written under it.
+/// An image on a page with its caption.
 struct PagePicture {
   QImage image;
-  std::optional<double> mmPerPixel;  ///< none: it is not calibrated
+  std::optional<double> mmPerPixel;  ///< empty: not calibrated
   QString caption;
-  QString lengthsWord = {};  ///< what is true of its mm: "at detector"; empty: they are the patient's
+  QString lengthsWord = {};  ///< the meaning of its mm: "at detector"; empty: patient mm
 };
 
-/// Pictures that stand on one page, and what stands above them: lines at the left.
+/// The images on one page, and the left-aligned header lines above them.
 struct PicturePage {
   QStringList head;
   std::vector<PagePicture> pictures;
 };
 
-/// Pages that are there one at a time, each when it is painted.
+/// Pages that are made one at a time, when they are painted.
 struct PageSource {
   std::size_t count = 0;
   std::function<PicturePage(std::size_t n)> page;
 };
 
-/// How many pictures a page has at most, and whether they are as large as the patient where there is room.
+/// Images per page, and whether they are in true size if they fit.
 struct PageLook {
   int perPage = 6;
   bool inTrueSize = false;
 };
 
-/// Whose pictures a page holds: lines of patient and study.
+/// Returns the header lines of a page: patient and study.
 QStringList pageHead(const Series& series);
 
-/// How much room a picture has that stands alone on a page, mm.
+/// Returns the room of a single image on a page, in mm.
 QSizeF roomOfPage(const QStringList& head, QSizeF paperMm);
 
-/// Columns and rows of a page of this size for so many pictures.
+/// Returns columns and rows of a page of this size for `perPage` images.
 QSize pageGrid(int perPage, QSizeF paperMm);
 
-/// Where picture `n` (from 0) of a page lies, mm from its top left corner: in the middle of its cell, whole,
-/// its caption under it. In true size where it fits so.
+/// Returns the rectangle of image `n` (from 0) on a page, in mm from the top left corner. It is centred and
+/// fits into its cell above its caption, in true size if possible.
 QRectF pagePlace(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm);
 
-/// Whether a picture is as large as the patient on a page.
+/// True if an image has true size on a page.
 bool isInTrueSize(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm);
 
-/// What stands under a picture that should be as large as the patient: "True size", and what is true of its
-/// mm where they are not the patient's, or why it is not. Empty where it should not.
+/// Returns the note below an image that is to have true size: "True size" and the meaning of mm other than
+/// the patient's, or why it is not. Empty if true size is not requested.
 QString scaleText(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm);
 
-/// Paints the pages. An Error where the device cannot be written to.
+/// Paints the pages. The Error: the device cannot be written to.
 Status paintPages(QPagedPaintDevice& device, const PageSource& pages, const PageLook& look);
 
 }  // namespace volumen

@@ -10,15 +10,15 @@ namespace volumen {
 
 namespace {
 
-// Rings of copies about the letters. The closest, painted last, is their outline, which gives them a contrast
-// of 4.5:1 whatever lies below; the others fade.
+// Rings of copies around the letters. The closest one, painted last, is the outline. It gives a contrast of
+// 4.5:1 on any background; the others fade out.
 struct Ring {
   double radius;  // pixels
   int copies, alpha;
 };
 constexpr Ring halo[] = {{3.5, 12, 20}, {2.3, 12, 60}, {1.1, 12, 230}};
 
-// Relative luminance, as WCAG 2.1 defines it.
+// Returns the relative luminance of WCAG 2.1.
 double luminance(const QColor& colour) {
   const auto linear = [](double part) {
     return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
@@ -26,13 +26,14 @@ double luminance(const QColor& colour) {
   return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
 }
 
-// Black, or white about letters that are dark themselves.
+// Returns black, or white for dark letters.
 QColor haloColour(const QColor& letters) {
-  constexpr double middle = 0.18;  // has the same contrast with both
+  constexpr double middle = 0.18;  // equal contrast with both
   return luminance(letters) < middle ? Qt::white : Qt::black;
 }
 
-// Calls `draw` with the offset of each copy, the letters themselves last; the painter has their colour.
+// Calls `draw` with the offset of each copy, and last for the letters themselves; the painter has their
+// colour.
 template <class Draw>
 void drawWithHalo(QPainter& painter, const QColor& colour, std::span<const Ring> rings, const Draw& draw) {
   QColor about = haloColour(colour);

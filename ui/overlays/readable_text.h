@@ -5,12 +5,11 @@
 
 namespace volumen {
 
-/// Writes a line over a picture, in the painter's font, with an outline against which it has a contrast of
-/// 4.5:1 whatever lies below: dark, or light about dark letters. Letters of all scripts stand in one order
-/// for letters and halo: that of a text from left to right.
+/// Writes a line over a picture in the painter's font. The outline has a contrast of 4.5:1 on any background:
+/// dark, or light for dark letters. All scripts run from left to right, so that letters and halo match.
 void paintReadable(QPainter& painter, QPointF topLeft, const QString& text, const QColor& colour);
 
-/// Writes lines into a place, as QPainter::drawText() does with these flags, with the outline alone.
+/// Writes lines into a rectangle like QPainter::drawText() with these flags, with only the outline.
 void paintReadable(QPainter& painter, const QRectF& place, int flags, const QString& text,
                    const QColor& colour);
 

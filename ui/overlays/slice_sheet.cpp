@@ -11,7 +11,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int sheetGap = 4;  // pixels, between pictures and around them
+constexpr int sheetGap = 4;  // pixels, between and around images
 
 QFont sheetFont(int pixels) {
   QFont font = pictureFont();

@@ -5,16 +5,16 @@
 
 namespace volumen {
 
-/// Pictures of one size in rows and columns on black, from the top left on, each with its caption in its
-/// corner, under lines that hold for all of them. Works on any thread, once there is a QGuiApplication.
+/// Images of one size in rows and columns on black, each with a caption in its corner, below common header
+/// lines. Works on any thread if a QGuiApplication exists.
 class SliceSheet {
  public:
   SliceSheet(int rows, int columns, QSize picture, const QStringList& head);
 
-  /// The next one, with the letters of its left side at that edge; beyond the last place nothing is added.
+  /// Adds the next image, with the letters of its left side at that edge; ignored if the sheet is full.
   void add(const QImage& picture, const QString& caption, const QString& left = {});
   const QImage& image() const { return image_; }
-  /// Where picture `n` (from 0) lies, pixels.
+  /// Returns the rectangle of image `n` (from 0) in pixels.
   QRect placeOf(int n) const;
 
  private:

@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// "Anterior view", "From anterior-right".
+// Returns "Anterior view" or "From anterior-right".
 QString sideText(const Camera& camera) {
   const std::string name = viewName(camera);
   return name.empty() ? tr("From %1").arg(QString::fromStdString(sideWords(-cameraAxes(camera).direction)))

@@ -18,7 +18,7 @@ std::vector<Tick> logarithmicTicks(const Axis& axis) {
   for (int decade = int(std::floor(std::log10(axis.low))); std::pow(10, decade) <= axis.high; ++decade)
     for (const int n : {1, 2, 5}) {
       const double value = n * std::pow(10, decade);
-      // A millionth is rounding.
+      // A millionth allows for rounding.
       if (value > axis.low * (1 - 1e-6) && value < axis.high * (1 + 1e-6))
         ticks.push_back({value, n == 1 || few});
     }

@@ -5,9 +5,9 @@
 
 namespace volumen {
 
-/// One axis of a chart: values to pixels.
+/// One axis of a chart: maps values to pixels.
 struct Axis {
-  double low = 0, high = 1;  ///< values; positive where logarithmic
+  double low = 0, high = 1;  ///< values; positive if logarithmic
   double atLow = 0, atHigh = 1;
   bool logarithmic = false, wholeNumbers = false;
 
@@ -19,10 +19,10 @@ struct Tick {
   bool labelled = true;
 };
 
-/// Round values along an axis: 1, 2, 5 of each decade, of which only as many are labelled as are easily read.
+/// Returns round values along an axis: 1, 2, 5 of each decade. Only as many are labelled as are easily read.
 std::vector<Tick> ticksOf(const Axis& axis);
 
-/// "0.01", "500", "20000".
+/// Returns "0.01", "500", "20000".
 QString tickText(double value);
 
 }  // namespace volumen

@@ -86,7 +86,7 @@ class ChartPainter {
     p_.drawRect(frame_);
   }
 
-  // In the corner that error against time leaves empty: the upper right; of a linear chart the upper left.
+  // Draws the legend: at the lower left of a logarithmic chart, at the upper left of a linear one.
   void legend(LabelPlaces& places) {
     std::vector<std::pair<QString, QColor>> entries;
     for (const ChartSeries& s : chart_.series)
@@ -98,7 +98,7 @@ class ChartPainter {
     for (const auto& [name, colour] : entries) width = std::max(width, metrics.horizontalAdvance(name));
     const double line = 1.6 * px_;
     const QSizeF size(width + 3.2 * px_, line * double(entries.size()) + 0.6 * px_);
-    // A front falls from the upper left to the lower right: below it nothing stands.
+    // A front falls from the upper left to the lower right, so the lower left is empty.
     const double top =
         chart_.logarithmic ? frame_.bottom() - size.height() - 0.8 * px_ : frame_.top() + 0.8 * px_;
     const QRectF box(frame_.left() + 0.8 * px_, top, size.width(), size.height());
@@ -124,7 +124,7 @@ class ChartPainter {
     }
   }
 
-  // A staircase: between two points of the front, the left one is still the best.
+  // Draws the front as a staircase: between two points the left one is still the best.
   void front() {
     QPolygonF line;
     for (std::size_t n = 0; n < chart_.front.size(); ++n) {
@@ -166,7 +166,7 @@ class ChartPainter {
       const QSizeF size(metrics.horizontalAdvance(point.label) + 2, metrics.height() * 0.95);
       const auto place = places.place(at(point.x, point.y), size);
       if (!place) continue;
-      p_.fillRect(*place, QColor(255, 255, 255, 205));  // lines behind it stay pale
+      p_.fillRect(*place, QColor(255, 255, 255, 205));  // lines behind the label stay pale
       text(*place, Qt::AlignCenter, point.label, font, s.colour.darker(135));
     }
   }
@@ -190,7 +190,7 @@ QRectF spanOf(const Chart& chart) {
     for (const ChartPoint& p : s.points) add(p.x, p.y);
   if (low.x() > high.x()) return chart.logarithmic ? QRectF(1, 1, 9, 9) : QRectF(0, 0, 1, 1);
   if (!chart.logarithmic) return {QPointF(0, 0), QPointF(1.08 * high.x(), 1.12 * high.y())};
-  // A sixth of the way more at each end, and never less than half a decade in all.
+  // Widens each end by 9 % of the logarithmic range, which counts as at least a factor of 1.8.
   const auto widened = [](double& a, double& b) {
     const double room = std::pow(std::max(b / a, 1.8), 0.09);
     a /= room, b *= room;

@@ -8,24 +8,24 @@
 
 namespace volumen {
 
-/// One point of a chart; a label that is empty is not drawn.
+/// One point of a chart; an empty label is not drawn.
 struct ChartPoint {
   double x = 0, y = 0;
   QString label;
-  bool ringed = false;  ///< drawn with a ring: of the front
+  bool ringed = false;  ///< drawn with a ring: on the front
 };
 
-/// Points of one colour, with a line through them where they follow one another.
+/// Points of one colour, optionally joined by a line.
 struct ChartSeries {
-  QString name;  ///< for the legend; empty: not there
+  QString name;  ///< in the legend; empty: not listed
   QColor colour;
   bool line = false;
-  bool faint = false;  ///< small and pale: the others' points, as a background
+  bool faint = false;  ///< small and pale: points of others, as a background
   std::vector<ChartPoint> points;
-  bool bare = false;  ///< the line alone, without a mark at each point
+  bool bare = false;  ///< a line without marks
 };
 
-/// What a chart is drawn with, but for its points: by default for white paper.
+/// Colours of a chart; the defaults are for white paper.
 struct ChartColours {
   QColor ink{40, 44, 52}, note{100, 106, 116}, grid{226, 229, 234}, minorGrid{242, 244, 247};
   QColor paper{255, 255, 255};  ///< behind the legend
@@ -36,19 +36,19 @@ struct Chart {
   QString title, note, xTitle, yTitle;  ///< the note may have two lines
   bool logarithmic = true, wholeX = false;
   std::vector<ChartSeries> series;
-  std::vector<QPointF> front;  ///< a staircase drawn beneath the points, x ascending; empty: none
-  QString frontName;           ///< for the legend
+  std::vector<QPointF> front;  ///< a staircase below the points, x ascending; empty: none
+  QString frontName;           ///< in the legend
   ChartColours colours{};
 };
 
-/// The span of both axes over all points and the front, with a little room; for charts that share their axes.
+/// Returns the range of both axes over all points and the front, with a margin; for charts with shared axes.
 QRectF spanOf(const Chart& chart);
 
-/// Draws into `area`. Labels stand where they touch neither points nor each other; one that finds no room is
-/// left out. `fontPx`: of labels; titles are larger.
+/// Draws into `area`. Labels overlap neither points nor each other; those without room are left out. `fontPx`
+/// is the size of labels; titles are larger.
 void drawChart(QPainter& painter, const QRectF& area, const Chart& chart, const QRectF& span, int fontPx);
 
-/// A chart alone on a white picture.
+/// Returns a chart alone on white.
 QImage chartImage(const Chart& chart, QSize size);
 
 }  // namespace volumen

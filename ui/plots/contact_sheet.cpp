@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Differences are shown so many times as large: 8/255 is full brightness.
+// Factor of displayed differences: 8/255 becomes full brightness.
 constexpr int magnification = 32;
 constexpr int edge = 168, caption = 44, gap = 10, columns = 10, head = 76;
 

@@ -13,7 +13,7 @@ std::optional<QRectF> LabelPlaces::place(const QPointF& point, const QSizeF& siz
   constexpr QPointF ways[] = {{1, 0}, {1, -1}, {0, -1}, {-1, 0}, {0, 1}, {1, 1}, {-1, -1}, {-1, 1}};
   for (const double distance : {8., 14., 24., 38.})
     for (const QPointF& way : ways) {
-      // The edge or corner that faces the point lies `distance` away from it.
+      // Puts the nearest edge or corner `distance` away from the point.
       const QPointF middle(point.x() + way.x() * (distance + size.width() / 2),
                            point.y() + way.y() * (distance * 0.6 + size.height() / 2));
       const QRectF at(middle.x() - size.width() / 2, middle.y() - size.height() / 2, size.width(),

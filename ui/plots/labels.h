@@ -6,17 +6,17 @@
 
 namespace volumen {
 
-/// Finds places for labels beside points, so that they touch neither points nor each other.
+/// Places labels beside points without overlap of points or labels.
 class LabelPlaces {
  public:
   /// Labels stay inside `area`.
   explicit LabelPlaces(const QRectF& area) : area_(area) {}
 
-  /// Nothing may be written here.
+  /// Keeps an area free of labels.
   void take(const QRectF& taken) { taken_.push_back(taken); }
 
-  /// A place for a label of this size near a point, taken from now on: the first that is free of those right,
-  /// left, above, below and across, near first. None where all are taken.
+  /// Reserves and returns a place for a label near a point: the first free one, nearest first, to the right,
+  /// left, above, below or diagonal. Empty if there is none.
   std::optional<QRectF> place(const QPointF& point, const QSizeF& size);
 
  private:

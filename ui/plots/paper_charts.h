@@ -7,10 +7,10 @@
 
 namespace volumen {
 
-/// Figure 9: speed-up by threads, a line a volume, and what N threads could give at most.
+/// Returns figure 9: speed-up by threads, one line a volume, and the ideal of N threads.
 Chart speedUpByThreads(const PaperBench& bench, const StudyTitle& title);
 
-/// Figure 3: the two spheres side by side, named.
+/// Returns figure 3: the two spheres side by side with their names.
 QImage figure3Image(const PaperFigure3& figure);
 
 }  // namespace volumen

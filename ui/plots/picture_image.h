@@ -6,11 +6,11 @@
 
 namespace volumen {
 
-/// The 8-bit picture, transparency left out.
+/// Returns the picture in 8 bits without transparency.
 QImage imageOf(const Picture& picture);
 
-/// |picture - truth| of the colours at the truth's pixels, so many times as large; pixels that are
-/// ill-conditioned and do not count are dark blue.
+/// Returns |picture - truth| of the colours at the truth's pixels, times `magnification`. Ill-conditioned
+/// pixels, which do not count, are dark blue.
 QImage differenceImage(const Picture& picture, const Truth& truth, double magnification);
 
 }  // namespace volumen

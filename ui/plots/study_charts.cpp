@@ -9,7 +9,7 @@ namespace {
 
 QString q(const std::string& s) { return QString::fromStdString(s); }
 
-// A logarithmic axis has no 0; less than this nobody sees or measures.
+// A logarithmic axis has no 0; smaller errors are neither visible nor measurable.
 double shown(double error) { return std::max(error, 1e-3); }
 
 QString whoAndWhen(const AccuracyStudy& study, const StudyTitle& title) {
@@ -89,7 +89,7 @@ Chart errorAgainstTime(const AccuracyStudy& study, const StudyTitle& title) {
   }
   std::sort(front.begin(), front.end(),
             [](const StudyRow* a, const StudyRow* b) { return a->medianMs < b->medianMs; });
-  // Where noise alone sets two apart, the first is named.
+  // Points that differ by noise alone get one name, the first.
   double named = 1e300;
   for (const StudyRow* row : front) {
     const double error = shown(row->error.rmse);

@@ -7,17 +7,18 @@
 
 namespace volumen {
 
-/// One colour a method, the same in all charts; told apart by people who see colours otherwise, too.
+/// Returns the colour of a method, the same in all charts; colour-blind people can distinguish them.
 QColor methodColour(const std::string& method);
 
-/// Error (RMSE, /255) against time (median ms) of all rows, the front marked and named.
+/// Returns a chart of error (RMSE, /255) against time (median ms) of all rows, with the front marked and
+/// named.
 Chart errorAgainstTime(const AccuracyStudy& study, const StudyTitle& title);
 
-/// The same, a panel a knob: its rows named and joined, all others pale behind them.
+/// Returns a panel for each knob: its rows are named and joined, all others pale behind them.
 QImage knobPanels(const AccuracyStudy& study, const StudyTitle& title);
 
-/// Every row's difference from the reference, magnified, with its settings and errors beneath; the reference
-/// first.
+/// Returns every row's difference from the reference, magnified, with settings and errors below; the
+/// reference comes first.
 QImage contactSheet(const AccuracyStudy& study, const StudyTitle& title);
 
 }  // namespace volumen

@@ -25,7 +25,7 @@ Banner::Banner(QWidget* over)
   details_->setObjectName(QStringLiteral("bannerDetails"));
   details_->setReadOnly(true);
   details_->setFrameShape(QFrame::NoFrame);
-  details_->setFixedHeight(7 * fontMetrics().lineSpacing());  // scrolled where there are more
+  details_->setFixedHeight(7 * fontMetrics().lineSpacing());  // more lines are scrolled
   details_->hide();
   more_->setText(tr("Details"));
   more_->setCheckable(true);
@@ -110,7 +110,7 @@ bool Banner::eventFilter(QObject* object, QEvent* event) {
   return QFrame::eventFilter(object, event);
 }
 
-// What it says has grown or shrunk.
+// Moves the banner if its height has changed.
 bool Banner::event(QEvent* event) {
   const bool done = QFrame::event(event);
   if (event->type() == QEvent::LayoutRequest) place();

@@ -9,36 +9,36 @@
 
 namespace volumen {
 
-/// Sentences over the views, with all their details on demand. Each stays until it is taken back or the
-/// banner is closed. It lies over the lower edge of another widget, which keeps its size.
+/// Messages over the lower edge of another widget, with details on demand. Each stays until it is taken back
+/// or the banner is closed. The other widget keeps its size.
 class Banner : public QFrame {
   Q_OBJECT
  public:
-  /// Of the same window as `over`, which it lies over.
+  /// `over` must be in the same window.
   explicit Banner(QWidget* over);
 
-  /// A sentence. `by`: whoever may take it back. `ofFocus`: it is about what is in focus.
+  /// A message. `by` identifies the sender, who may take it back; `ofFocus` marks a message on the focused
+  /// view.
   struct Sentence {
     QString text;
     QStringList details{};
     const void* by = nullptr;
     bool ofFocus = false;
   };
-  /// Says this alone.
+  /// Replaces all messages by this one.
   void tell(const Sentence& sentence);
   void tell(const QString& sentence, const QStringList& details = {}) { tell(Sentence{sentence, details}); }
-  /// The same, below what the banner already says while it is open: each of several paths is complained
-  /// about.
+  /// Adds a message below the others of an open banner, as for each of several paths.
   void add(const QString& sentence, const QStringList& details = {});
-  /// Says no more what was told by this one.
+  /// Removes the messages of this sender.
   void takeBack(const void* by);
-  /// Likewise what is about the focus.
+  /// Removes messages on the focused view.
   void takeBackOfFocus();
-  /// With a button for something to do about what it says, until it says something else.
+  /// Shows a button that offers an action for the message, until the next message.
   void offer(const QString& text);
   QString sentence() const { return sentence_->text(); }
-  /// How what is told is written, such as without the paths in it. Asked whenever it is told, and by
-  /// refresh().
+  /// Sets the function that formats messages, such as hiding paths in them. It is called for each new message
+  /// and by refresh().
   void setWriting(std::function<QString(const QString&)> writing) { writing_ = std::move(writing); }
   void refresh();
 

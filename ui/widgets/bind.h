@@ -11,27 +11,27 @@
 
 namespace volumen {
 
-/// Where a property of the scene is: one function for both directions.
+/// Accesses a property of the scene for reading and writing.
 template <class Value>
 using Property = std::function<Value&(Scene&)>;
 
-/// Couples properties of a scene with controls, one line each: show() fills the controls from a scene, what
-/// the user does to them goes to `edit`.
+/// Connects properties of a scene with controls, one line each. show() fills the controls from a scene; user
+/// input is passed to `edit`.
 class Bindings {
  public:
-  /// Called with the name of the step (its merge key too) and the change.
+  /// Called with the name of the undo step (also its merge key) and the change.
   using Edit = std::function<void(const QString& what, const std::function<void(Scene&)>& change)>;
 
   Bindings(Edit edit, std::function<void()> endGesture);
 
   void number(NumberRow* row, const QString& what, Property<double> property);
   void flag(QCheckBox* box, const QString& what, Property<bool> property);
-  /// `values`: what the entries of the box mean, in order.
+  /// `values` are the meanings of the box's entries, in order.
   template <class Value>
   void choice(QComboBox* box, const QString& what, Property<Value> property, std::vector<Value> values);
   void colour(ColourButton* button, const QString& what, Property<glm::dvec3> property);
 
-  /// Shows this scene in all controls, telling nobody.
+  /// Shows this scene in all controls without signals.
   void show(const Scene& scene) const;
 
  private:

@@ -7,16 +7,16 @@
 
 namespace volumen {
 
-/// Opens a colour chooser beside `owner` that does not block: `picked` is called while the user tries
-/// colours, `finished` when the chooser is closed.
+/// Opens a non-modal colour chooser beside `owner`. It calls `picked` while the user tries colours, and
+/// `finished` when the chooser is closed.
 void chooseColour(QWidget* owner, const QString& title, glm::dvec3 start,
                   const std::function<void(glm::dvec3)>& picked, const std::function<void()>& finished);
 
-/// A swatch; a click opens the chooser.
+/// A colour swatch; a click opens the chooser.
 class ColourButton : public QToolButton {
   Q_OBJECT
  public:
-  /// `title` is the chooser's title and the name for screen readers.
+  /// `title` is the chooser's title and the accessible name.
   explicit ColourButton(const QString& title, QWidget* parent = nullptr);
 
   void setColour(glm::dvec3 colour);

@@ -6,13 +6,13 @@
 
 namespace volumen {
 
-/// Display RGB 0..1 (SCENE) as a QColor, and back.
+/// Converts display RGB 0..1 to a QColor, and back.
 inline QColor toQColor(glm::dvec3 c) {
   return QColor::fromRgbF(float(std::clamp(c.x, 0.0, 1.0)), float(std::clamp(c.y, 0.0, 1.0)),
                           float(std::clamp(c.z, 0.0, 1.0)));
 }
 
-/// What a range of values is tinted with while it is chosen: in slices and on the axis of the curve.
+/// Colour of a value range while it is chosen, in slices and on the curve's axis.
 inline constexpr QRgb rangeTint = 0xffff6a3d;
 
 inline glm::dvec3 fromQColor(const QColor& c) { return glm::dvec3(c.red(), c.green(), c.blue()) / 255.0; }

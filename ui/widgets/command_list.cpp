@@ -14,7 +14,7 @@ namespace volumen {
 namespace {
 
 constexpr QSize largestList(720, 420);  // logical pixels
-constexpr int besideList = 40;          // of the window about it
+constexpr int besideList = 40;          // window margin around the list
 
 bool isOwnKey(int key) {
   return key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_Return || key == Qt::Key_Enter ||
@@ -113,7 +113,7 @@ bool CommandList::pressKey(int key) {
   return true;
 }
 
-// To the next row that can be chosen, none at the ends.
+// Selects the next enabled row; stops at the ends.
 void CommandList::go(int step) {
   int row = list_->currentItem() ? list_->indexOfTopLevelItem(list_->currentItem()) : -1;
   do row += step;
@@ -128,7 +128,7 @@ void CommandList::choose(int row) {
   Q_EMIT chosen(row);
 }
 
-// The keys first: a field that is hidden while it has them gives them to whatever comes next.
+// Restores focus first: a hidden field would pass it to the next widget.
 void CommandList::leave() {
   if (before_) before_->setFocus();
   hide();

@@ -9,27 +9,27 @@ class QTreeWidget;
 
 namespace volumen {
 
-/// A field over a window, and rows below it: typing asks for other rows, Up and Down go through those that
-/// can be chosen, Enter or a click chooses, Esc or the focus going elsewhere closes. The keys go back to
-/// where they were before a row is chosen.
+/// A search field with rows below, over a window. Typing requests rows, Up and Down select enabled ones,
+/// Enter or a click chooses. Esc or loss of focus closes it. Focus returns to its previous widget before a
+/// row is chosen.
 class CommandList : public QFrame {
   Q_OBJECT
  public:
   struct Row {
     QString text;
-    QString path;  ///< where else it is found: "View > Layout"
+    QString path;  ///< its menu path: "View > Layout"
     QString keys;
     bool canBeChosen = true;
   };
 
   explicit CommandList(QWidget* window);
-  /// In this window, empty, with the keys; typed() asks for the first rows.
+  /// Opens an empty list with focus in this window; typed() requests the first rows.
   void openIn(QWidget* window);
   void setRows(const std::vector<Row>& rows);
 
  Q_SIGNALS:
   void typed(const QString& text);
-  /// By its place among the rows.
+  /// `row` is the index among the rows.
   void chosen(int row);
 
  protected:
@@ -43,7 +43,7 @@ class CommandList : public QFrame {
 
   QLineEdit* search_;
   QTreeWidget* list_;
-  QPointer<QWidget> before_;  // had the keys
+  QPointer<QWidget> before_;  // had focus before
 };
 
 }  // namespace volumen

@@ -16,12 +16,12 @@ constexpr double rightMargin = 10;
 constexpr int lowestPlot = 80;
 constexpr double rampTop = 8, rampHeight = 12;                  // below the plot
 constexpr double pointReach = 8, snapReach = 4;                 // pixels
-constexpr double flagWidth = 9, flagHeight = 11, endReach = 4;  // of the ends of the range
+constexpr double flagWidth = 9, flagHeight = 11, endReach = 4;  // of range ends
 }  // namespace
 
 CurveEditor::CurveEditor(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
-  setMouseTracking(true);  // the pointer says what can be dragged
+  setMouseTracking(true);  // the cursor shape shows what can be dragged
   setAccessibleName(tr("Opacity and colour curve"));
   setAccessibleDescription(
       tr("Tab walks the points, arrows move the selected one, Delete removes it, double-click adds one."));
@@ -142,13 +142,13 @@ int CurveEditor::swatchAt(QPointF position) const {
   return -1;
 }
 
-// Flags above the plot, each on the outer side of its end: of both ends in one place either can be taken.
+// Flags are above the plot on the outer side of each end: if both ends coincide, either can be taken.
 QRectF CurveEditor::rangeHandle(int end) const {
   const double x = valueAxis().pixelOf(endOfRange(end));
   return {end == 0 ? x - flagWidth : x, plotRect().top() - flagHeight, flagWidth, flagHeight};
 }
 
-// A flag, or the line under it; -1: neither.
+// Returns the end whose flag or line is at a position; -1: none.
 int CurveEditor::rangeEndAt(QPointF position) const {
   if (!range_) return -1;
   const QRectF plot = plotRect();
@@ -177,7 +177,7 @@ void CurveEditor::dragRangeTo(double pixel) {
   else
     range_->high = std::max(value, range_->low);
   update();
-  const ValueRange dragged = *range_;  // who hears of it may set another
+  const ValueRange dragged = *range_;  // a receiver may set another range
   Q_EMIT rangeDragged(dragged, false);
 }
 
@@ -294,7 +294,7 @@ void CurveEditor::nudge(double pixelsRight, double pixelsUp) {
   const double value = point.value + pixelsRight * valueAxis().valuesPerPixel();
   double opacity = point.opacity;
   if (pixelsUp != 0 && !window_) {
-    // A point in the strip for 0 leaves it, or returns to it, in one step.
+    // A point enters or leaves the strip for 0 in one step.
     const OpacityAxis axis = opacityAxis();
     opacity = axis.opacityAt(axis.pixelOf(opacity) - pixelsUp);
     if (scale_ == OpacityScale::extinction && pixelsUp > 0 && opacity == 0)
@@ -330,7 +330,7 @@ void CurveEditor::keyReleaseEvent(QKeyEvent* event) {
 }
 
 bool CurveEditor::event(QEvent* event) {
-  // Tab walks the points and leaves the curve behind the last one.
+  // Tab selects the next point and leaves the widget after the last one.
   if (event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<QKeyEvent*>(event);
     const int next = key->key() == Qt::Key_Tab       ? selected_ + 1

@@ -9,10 +9,10 @@
 
 namespace volumen {
 
-/// The opacity and colour curve over the histogram in logarithmic counts. Drag moves a point (Shift: along
-/// one axis), double-click adds one, Delete or right-click removes it, arrows nudge (Shift: fine), Tab walks
-/// the points, the wheel zooms the value axis at the cursor, dragging empty ground pans it, Home shows all of
-/// it. A range of values may stand over it, whose two ends are dragged.
+/// Edits the opacity and colour curve over a histogram with logarithmic counts. A drag moves a point (Shift:
+/// along one axis), a double-click adds one, Delete or a right-click removes it. Arrows nudge the selected
+/// point (Shift: fine), Tab goes to the next one. The wheel zooms the value axis at the cursor, dragging
+/// empty ground pans it, Home shows all values. A value range with two draggable ends may be shown over it.
 class CurveEditor : public QWidget {
   Q_OBJECT
  public:
@@ -20,49 +20,49 @@ class CurveEditor : public QWidget {
 
   void setCurve(const TransferFunction& curve);
   const TransferFunction& curve() const { return curve_; }
-  /// The histogram to draw, and the unit of its values ("HU", or empty). Shows the whole range.
+  /// Sets the histogram and the unit of its values ("HU", or empty), and shows the whole range.
   void setHistogram(const Histogram& histogram, const QString& unit);
   void setOpacityScale(OpacityScale scale);
-  /// Whether the curve is the window of a projection: brightness over value between two ends, which move
-  /// along the value axis only.
+  /// In window mode the curve is the window of a projection: brightness over value between two ends, which
+  /// move only along the value axis.
   void setWindow(bool window);
   OpacityScale opacityScale() const { return window_ ? OpacityScale::linear : scale_; }
-  /// What the vertical axis shows.
+  /// Returns the name of the vertical axis.
   QString axisName() const;
 
-  /// The range that stands over the curve; none: there is none.
+  /// Sets the value range over the curve; empty: none.
   void setRange(const std::optional<ValueRange>& range);
   const std::optional<ValueRange>& range() const { return range_; }
-  /// Where the handle of its lower end (0) or upper one (1) is drawn.
+  /// Returns the handle of the lower (0) or upper (1) end.
   QRectF rangeHandle(int end) const;
 
-  /// Index of the selected point, -1 where none.
+  /// Returns the index of the selected point; -1: none.
   int selected() const { return selected_; }
   void select(int n);
 
-  /// Where a point is drawn.
+  /// Returns the position of a point in pixels.
   QPointF positionOf(int n) const;
-  /// Where its colour swatch is drawn.
+  /// Returns the rectangle of a point's colour swatch.
   QRectF swatchOf(int n) const;
   ValueAxis valueAxis() const;
   OpacityAxis opacityAxis() const;
-  /// Chooses the values in view.
+  /// Sets the values in view.
   void showValues(double low, double high);
-  /// The histogram's whole range.
+  /// Shows the whole range of the histogram.
   void showAllValues();
 
   QSize sizeHint() const override { return {340, 250}; }
   QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
-  /// The user changed the curve; `what` names the step ("Move curve point").
+  /// The user changed the curve; `what` names the undo step ("Move curve point").
   void edited(const volumen::TransferFunction& curve, const QString& what);
-  /// What was changed since the last time is one step.
+  /// All changes since the last signal form one undo step.
   void gestureFinished();
   void selectionChanged(int n);
-  /// The user drags an end of the range; `ended`: the button is up.
+  /// The user drags an end of the range; `ended` is true at release.
   void rangeDragged(const volumen::ValueRange& range, bool ended);
-  /// The swatch of this point was clicked.
+  /// The user clicked the swatch of this point.
   void colourRequested(int n);
 
  protected:

@@ -19,7 +19,7 @@ QColor faded(QColor colour, double alpha) {
   return colour;
 }
 
-// The curve's colours along a horizontal stretch, as many as QGradient draws well.
+// Returns the curve's colours along the axis, with as many stops as QGradient draws well.
 QLinearGradient rampOf(const TransferFunction& curve, const ValueAxis& axis, double alpha) {
   QLinearGradient ramp(axis.pixelLow, 0, axis.pixelHigh, 0);
   constexpr int stops = 128;
@@ -134,7 +134,7 @@ void CurveEditor::paintCurve(QPainter& painter) const {
   const QRectF plot = plotRect();
   const ValueAxis axis = valueAxis();
   const OpacityAxis opacities = opacityAxis();
-  // Between two points the curve is straight in opacity, so it is bent on the logarithmic axis: drawn by
+  // The curve is straight in opacity between points, thus bent on a logarithmic axis: it is sampled every 2
   // pixels.
   QPolygonF line;
   const auto add = [&](double x, double opacity) { line << QPointF(x, opacities.pixelOf(opacity)); };
@@ -180,7 +180,7 @@ void CurveEditor::paintRamp(QPainter& painter) const {
   }
 }
 
-// As slices tint it.
+// Paints the range in the colour that slices use.
 void CurveEditor::paintRange(QPainter& painter) const {
   if (!range_) return;
   const QRectF plot = plotRect();

@@ -14,14 +14,14 @@ namespace {
 
 const QString folder = QStringLiteral(":/docs/");
 
-// In the order in which a user would read them.
+// Pages in reading order.
 const QStringList pages{
     QStringLiteral("window.md"),      QStringLiteral("import.md"),  QStringLiteral("accuracy.md"),
     QStringLiteral("performance.md"), QStringLiteral("picture.md"), QStringLiteral("slices.md"),
     QStringLiteral("measure.md"),     QStringLiteral("segment.md"), QStringLiteral("protocols.md"),
     QStringLiteral("tasks.md"),       QStringLiteral("design.md"),  QStringLiteral("kernels.md")};
 
-// The page's first heading.
+// Returns the first heading of a page.
 QString titleOf(const QString& page) {
   QFile file(folder + page);
   if (!file.open(QIODevice::ReadOnly)) return page;

@@ -5,11 +5,11 @@
 
 namespace volumen {
 
-/// Lies over what something is dragged over: a frame, and in the middle what dropping it does.
+/// A frame over a drop target, with the effect of dropping in its centre.
 class DropMark : public QFrame {
   Q_OBJECT
  public:
-  /// Hidden at first.
+  /// Starts hidden.
   explicit DropMark(QWidget* parent);
 
   void tell(const QString& whatItDoes) { text_->setText(whatItDoes); }

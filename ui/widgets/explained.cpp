@@ -9,9 +9,9 @@ Explained::Explained(QWidget* panel) : sentence_(plainLabel()) {
   sentence_->setWordWrap(true);
   sentence_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   sentence_->setMargin(8);
-  // Word by word under each other it would make the window as tall as that.
+  // The minimum size of a wrapped label would make the window as tall as one word per line.
   sentence_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
-  sentence_->setEnabled(false);  // as grey as what it stands for
+  sentence_->setEnabled(false);  // grey like the panel
   addWidget(panel);
   addWidget(sentence_);
 }

@@ -5,15 +5,15 @@
 
 namespace volumen {
 
-/// A panel, or in its place a sentence that says why there is nothing to set.
+/// Shows a panel, or in its place the reason why there is nothing to set.
 class Explained : public QStackedWidget {
   Q_OBJECT
  public:
   explicit Explained(QWidget* panel);
 
-  /// Empty: the panel is seen.
+  /// Shows the reason, or the panel if it is empty.
   void explain(const QString& sentence);
-  /// What stands in place of the panel; empty: the panel does.
+  /// Returns the displayed reason; empty: the panel is visible.
   QString sentence() const { return currentIndex() == 0 ? QString() : sentence_->text(); }
 
  private:

@@ -13,7 +13,7 @@ namespace volumen {
 
 namespace {
 
-// Tabs behind the one in front lie outside the window, as large as they were when they were seen last.
+// Background tabs are moved outside the window and keep their last size.
 bool isSeen(const QDockWidget& dock) { return dock.isVisible() && dock.geometry().right() >= 0; }
 
 }  // namespace
@@ -62,7 +62,7 @@ void FoldTitle::foldWithTabs(bool folded) {
   setFolded(folded);
   for (QDockWidget* tab : window->tabifiedDockWidgets(dock_))
     if (auto* title = qobject_cast<FoldTitle*>(tab->titleBarWidget())) title->setFolded(folded);
-  // As high as before, once the layout knows that there is no largest height any more.
+  // Restores heights after the layout has dropped the maximum height.
   if (!folded && heightsBefore_.size() == column.size())
     QTimer::singleShot(0, dock_,
                        [this, window, column] { window->resizeDocks(column, heightsBefore_, Qt::Vertical); });
@@ -73,7 +73,7 @@ void FoldTitle::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) setFolded(folded_);
 }
 
-// Ignored, so that the dock is still dragged by its title; what did not move is a click.
+// Ignores the event, so that the title still drags the dock; a press without movement is a click.
 void FoldTitle::mousePressEvent(QMouseEvent* event) {
   pressedAt_ = event->globalPosition().toPoint();
   event->ignore();

@@ -5,8 +5,8 @@
 
 namespace volumen {
 
-/// The title of a panel: a click on it, or Space, folds the panel to this title and back. Panels that are
-/// tabs of one another are folded together.
+/// The title of a panel: a click on it, or Space, folds the panel to its title and back. Tabs of one dock
+/// area fold together.
 class FoldTitle : public QWidget {
   Q_OBJECT
  public:
@@ -29,7 +29,7 @@ class FoldTitle : public QWidget {
   QToolButton* arrow_;
   QPoint pressedAt_;
   bool folded_ = false;
-  QList<int> heightsBefore_;  // of the panels of its column, when it was folded
+  QList<int> heightsBefore_;  // heights of the panels in its column before folding
 };
 
 }  // namespace volumen

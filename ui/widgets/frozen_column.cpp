@@ -65,7 +65,7 @@ void FrozenColumn::place() {
   setGeometry(rows->x(), head.y(), table_->columnWidth(0), head.height() + rows->height());
 }
 
-// The table scrolls to its own left edge, which lies below.
+// The table scrolls only to its own left edge, which this column covers.
 void FrozenColumn::uncover(const QModelIndex& current) {
   const int left = table_->visualRect(current).left();
   if (current.column() > 0 && left < width())

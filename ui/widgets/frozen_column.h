@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// The first column of a table, in sight however far the table is scrolled sideways: a second view of the
-/// same rows over the table's left edge, chosen and sorted by either. The table owns it.
+/// The first column of a table, always visible when the table scrolls sideways. It is a second view of the
+/// same rows over the table's left edge, and shares selection and sorting. The table owns it.
 class FrozenColumn : public QTableView {
   Q_OBJECT
  public:

@@ -46,7 +46,7 @@ int GridChooser::numberOf(const QObject* cell) const {
   return int(std::ranges::find(cells_, cell) - cells_.begin());
 }
 
-// None: -1.
+// Returns -1 if there is no cell.
 int GridChooser::numberAt(QPoint global) const {
   for (int n = 0; n < int(cells_.size()); ++n) {
     const QToolButton* cell = cells_[std::size_t(n)];
@@ -64,7 +64,7 @@ void GridChooser::choose(int number) {
   Q_EMIT chosen(number / columns_ + 1, number % columns_ + 1);
 }
 
-// False: the key leaves the field.
+// Returns false if the key leaves the grid.
 bool GridChooser::step(int number, int key) {
   const int column = number % columns_, last = int(cells_.size()) - 1;
   int next = number;
@@ -77,7 +77,7 @@ bool GridChooser::step(int number, int key) {
   return true;
 }
 
-// The buttons themselves would let one cell go down, and keep a drag to themselves.
+// Handles the mouse for all cells: a button would look pressed and keep the drag to itself.
 bool GridChooser::eventFilter(QObject* cell, QEvent* event) {
   const int number = numberOf(cell);
   switch (event->type()) {

@@ -8,15 +8,15 @@ class QToolButton;
 
 namespace volumen {
 
-/// A field of cells to choose how many rows and columns a grid has: dragged or moved over, a click or the
-/// release of the button chooses; with the keyboard, arrows and Enter.
+/// Cells to choose rows and columns of a grid. Hovering or dragging highlights a grid; a click or release
+/// chooses it. Arrows and Enter do the same.
 class GridChooser : public QWidget {
   Q_OBJECT
  public:
-  /// `nameOf`: what is said of a choice, also to screen readers: "2 rows, 3 columns".
+  /// `nameOf` returns the text of a choice, also for screen readers: "2 rows, 3 columns".
   GridChooser(int rows, int columns, QString (*nameOf)(int rows, int columns), QWidget* parent = nullptr);
 
-  /// Lights the cells of a grid; 0: none.
+  /// Highlights the cells of a grid; 0: none.
   void light(int rows, int columns);
 
  Q_SIGNALS:

@@ -24,7 +24,7 @@ JobView::JobView(QWidget* parent)
   row->addWidget(text_, 1);
   row->addWidget(bar_);
   row->addWidget(cancel_);
-  // Another job may take the place of the one that the button was pressed for.
+  // Another job may replace the one for which the button was pressed.
   connect(cancel_, &QToolButton::pressed, this, [this] { pressedFor_ = job_; });
   connect(cancel_, &QToolButton::clicked, this, [this] {
     if (pressedFor_ == job_) Q_EMIT cancelRequested(job_);
@@ -81,7 +81,7 @@ void JobLine::showJobs() {
   if (all_->isVisible()) showAll(rows);
 }
 
-// Above the line, at its left end.
+// Shows all jobs above the line, at its left end.
 void JobLine::showAll(const std::vector<JobRow>& rows) {
   while (views_.size() < rows.size()) {
     views_.push_back(makeView());

@@ -8,7 +8,7 @@
 
 namespace volumen {
 
-/// One job: what it does, how far it is, and a button that cancels it.
+/// One job: its activity, progress, and a cancel button.
 class JobView : public QWidget {
   Q_OBJECT
  public:
@@ -25,8 +25,7 @@ class JobView : public QWidget {
   int job_ = 0, pressedFor_ = 0;
 };
 
-/// The jobs that have run for a moment: the first in a line, all of them where the button beside it is
-/// pressed.
+/// Jobs that have run for a moment. The line shows the first; the button beside it shows all.
 class JobLine : public QWidget {
   Q_OBJECT
  public:

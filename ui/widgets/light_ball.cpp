@@ -160,7 +160,7 @@ QImage LightBall::shadedSphere() const {
       glm::dvec3 c(0.18);
       for (const BallLight& light : lights_)
         if (light.on) c += 0.6 * light.intensity * light.colour * std::max(0.0, glm::dot(n, light.direction));
-      // One pixel of soft rim.
+      // one pixel of soft rim
       const double alpha = std::clamp((1 - std::hypot(n.x, n.y)) * size / 2 + 0.5, 0.0, 1.0);
       const QColor colour = toQColor(c);
       row[x] = qPremultiply(qRgba(colour.red(), colour.green(), colour.blue(), int(255 * alpha + 0.5)));

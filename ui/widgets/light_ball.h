@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-/// A light as the ball shows it.
+/// A light on the ball.
 struct BallLight {
   glm::dvec3 direction{0, 0, 1};  ///< unit, towards the light, camera space: x right, y up, z to the viewer
   glm::dvec3 colour{1};
@@ -16,9 +16,9 @@ struct BallLight {
   bool operator==(const BallLight&) const = default;
 };
 
-/// A shaded sphere seen from the camera with a handle for each light, hollow where it is behind. Drag a
-/// handle to turn its light; over the rim it goes behind. Double-click or Space sends it to the other side,
-/// arrows turn it (Shift: fine), Tab walks the lights.
+/// A shaded sphere seen from the camera, with a handle for each light, hollow for lights behind it. Dragging
+/// a handle turns its light; beyond the rim it goes behind. Double-click or Space moves it to the other side,
+/// arrows turn it (Shift: fine), Tab goes to the next light.
 class LightBall : public QWidget {
   Q_OBJECT
  public:
@@ -29,10 +29,10 @@ class LightBall : public QWidget {
   int selected() const { return selected_; }
   void select(int n);
 
-  /// Where a direction is drawn.
+  /// Returns the position of a direction in pixels.
   QPointF positionOf(glm::dvec3 direction) const;
-  /// The direction under a position; `behind`: on the far side. Outside the rim the other side, mirrored at
-  /// it.
+  /// Returns the direction under a position; `behind` means the far side. Positions outside the rim are
+  /// mirrored to the other side.
   glm::dvec3 directionAt(QPointF position, bool behind) const;
 
   QSize sizeHint() const override { return {150, 150}; }
@@ -67,7 +67,7 @@ class LightBall : public QWidget {
   int selected_ = -1;
   bool dragging_ = false, dragBehind_ = false;
   QPointF grabOffset_;
-  mutable QImage sphere_;  // drawn when first needed
+  mutable QImage sphere_;  // drawn on demand
 };
 
 }  // namespace volumen

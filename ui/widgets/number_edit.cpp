@@ -38,10 +38,10 @@ NumberEdit::NumberEdit(const QString& noun, int now, int count, QWidget* parent)
   field_->selectAll();
 }
 
-// What is under it is not meant.
+// Keeps clicks from the widgets below.
 void NumberEdit::mousePressEvent(QMouseEvent* event) { event->accept(); }
 
-// In as many lines as it takes to stay in sight.
+// Wraps the text so that it stays inside its parent.
 void NumberEdit::tell(const QString& sentence) {
   constexpr int leastWidth = 60;
   const int room = parentWidget()->width() - (width() - said_->width());

@@ -6,23 +6,23 @@
 
 namespace volumen {
 
-/// A number to go to, over a picture: what it counts, a field, and of how many. Enter goes, Esc or a press
-/// elsewhere gives up; either way it goes away. What cannot be gone to is told in it.
+/// A field over a picture for a number to go to, with the noun and the count. Enter goes there, Esc or a
+/// press elsewhere cancels; both close it. It shows the reason for an invalid number.
 class NumberEdit : public QWidget {
   Q_OBJECT
  public:
-  /// `now`: what stands there first; 0: nothing.
+  /// `now` is the initial number; 0: none.
   NumberEdit(const QString& noun, int now, int count, QWidget* parent);
 
-  /// Says a sentence behind the field, within its parent.
+  /// Shows a message after the field, within its parent.
   void tell(const QString& sentence);
-  /// It is done with.
+  /// Closes the field.
   void leave();
 
  Q_SIGNALS:
-  /// leave() where it is gone to, else tell().
+  /// The receiver calls leave() for a valid number, else tell().
   void chosen(int number);
-  /// It goes, and the focus that it had with it.
+  /// The field closes and loses focus.
   void closed();
 
  protected:

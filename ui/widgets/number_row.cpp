@@ -54,7 +54,7 @@ NumberRow::NumberRow(const QString& name, const NumberFormat& format, QWidget* p
   connect(field_, &QDoubleSpinBox::editingFinished, this, &NumberRow::gestureFinished);
 }
 
-// The same in all rows, so that they stand in line.
+// Equal widths in all rows keep them aligned.
 void NumberRow::setWidths() {
   const QFontMetrics metrics = fontMetrics();
   label_->setFixedWidth(metrics.horizontalAdvance(QStringLiteral("Posterior edge")) + 2);

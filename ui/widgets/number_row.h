@@ -6,23 +6,23 @@
 
 namespace volumen {
 
-/// What a number may be and how it is shown.
+/// Range and format of a number.
 struct NumberFormat {
   double low = 0, high = 1;
   int decimals = 2;
   QString suffix = {};       ///< " mm"
-  bool logarithmic = false;  ///< the slider's scale; low must be > 0 then
+  bool logarithmic = false;  ///< the slider's scale; requires low > 0
 };
 
-/// A number on a slider and in a field that allows more than the slider: Shift with the arrow keys is fine.
+/// A number with a slider and a field; the field has a wider range. Shift with the arrow keys is fine.
 class NumberRow : public QWidget {
   Q_OBJECT
  public:
-  /// `name` labels the row and, without blanks, gives the field its object name.
+  /// `name` is the label and, without blanks, the field's object name.
   NumberRow(const QString& name, const NumberFormat& format, QWidget* parent = nullptr);
 
   void setName(const QString& name);
-  /// Shows a value, telling nobody.
+  /// Shows a value without signals.
   void setValue(double value);
   double value() const { return field_->value(); }
   QSlider* slider() const { return slider_; }

@@ -6,7 +6,7 @@
 
 namespace volumen {
 
-/// A sentence over the view with two answers; it stays until one is given or it is closed.
+/// A message over the view with two answers; it stays until one is given or it is closed.
 class OfferBar : public QFrame {
   Q_OBJECT
  public:

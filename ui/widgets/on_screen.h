@@ -7,12 +7,12 @@ class QWidget;
 
 namespace volumen {
 
-/// A window's rectangle moved, and where there is no room for it made smaller, so that all of it lies on one
-/// of these screens: the one that most of it lies on, else the first.
+/// Moves a window's rectangle, and shrinks it if necessary, to fit one of these screens: the one with the
+/// largest part of it, else the first.
 QRect onScreen(QRect window, const QList<QRect>& screens);
 
-/// The same for a window whose place was kept, on another screen perhaps: its title is seen, too. One that is
-/// maximised or takes the full screen stays.
+/// Moves a window with a saved position, perhaps from another screen, so that its title is visible, too.
+/// Maximised and full-screen windows stay.
 void putOnScreen(QWidget& window);
 
 }  // namespace volumen

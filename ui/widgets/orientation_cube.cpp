@@ -11,11 +11,11 @@
 namespace volumen {
 
 namespace {
-constexpr double cubeSize = 84;  // pixels, of the square the cube turns in
+constexpr double cubeSize = 84;  // pixels, of the square in which the cube turns
 constexpr double edge = 44;
 }  // namespace
 
-// A side of the patient (LPS): its view and letter, the way out of it, and which way its letter stands.
+// A side of the patient (LPS): its view, letter, outward normal, and the up direction of its letter.
 struct OrientationCube::Face {
   const char* view;
   const char* letter;

@@ -7,19 +7,19 @@
 
 namespace volumen {
 
-/// A small cube that turns with the camera, its faces lettered A P L R S I, and a button a letter below. A
-/// click on either asks for that view.
+/// A small cube that turns with the camera, its faces labelled A P L R S I, and a button for each letter
+/// below. A click on either requests that view.
 class OrientationCube : public QWidget {
   Q_OBJECT
  public:
   explicit OrientationCube(QWidget* parent = nullptr);
 
   void setAxes(const CameraAxes& axes);
-  /// The view whose face is under a position, empty where none is.
+  /// Returns the view of the face under a position; empty if there is none.
   QString viewAt(QPointF position) const;
 
  Q_SIGNALS:
-  /// A name of standardView().
+  /// `view` is a name of standardView().
   void viewRequested(const QString& view);
 
  protected:

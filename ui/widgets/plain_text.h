@@ -3,16 +3,15 @@
 #include <QLabel>
 #include <QStringList>
 
-// Qt takes a text that looks like rich text for that, and opens the files that it names. Names in medical
-// files are written by strangers: what is no literal of this program goes through one of these.
+// Qt interprets text that looks like rich text, and opens the files it names. Names in medical files are
+// untrusted: all text except this program's literals goes through one of these.
 
 namespace volumen {
 
-/// A label that shows every character as it is.
+/// Returns a label that shows every character as it is.
 QLabel* plainLabel(const QString& text = {});
 
-/// Lines for a tool tip that shows every character as it is and wraps long sentences; empty ones are left
-/// out.
+/// Returns a tooltip that shows every character as it is and wraps long sentences; empty lines are left out.
 QString toolTipOf(QStringList lines);
 QString toolTipOf(const QString& line);
 

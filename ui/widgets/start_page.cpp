@@ -78,7 +78,7 @@ void StartPage::addRecent(const QString& path, bool gone) {
   button->setEnabled(!gone);
   connect(
       button, &QPushButton::clicked, this, [this, path] { Q_EMIT recentRequested(path); },
-      Qt::QueuedConnection);  // the list, and this button, may be made anew by it
+      Qt::QueuedConnection);  // the slot may rebuild the list with this button
   recentColumn_->addWidget(button);
 }
 

@@ -7,13 +7,13 @@ class QVBoxLayout;
 
 namespace volumen {
 
-/// What is seen before anything is opened: three ways in, and what was opened last.
+/// The page before anything is opened: three ways to open a study, and recent paths.
 class StartPage : public QWidget {
   Q_OBJECT
  public:
   explicit StartPage(QWidget* parent = nullptr);
 
-  /// The paths offered, the latest first; those in `gone` cannot be chosen.
+  /// Shows recent paths, the latest first; those in `gone` are disabled.
   void showRecent(const QStringList& paths, const QSet<QString>& gone);
 
  Q_SIGNALS:

@@ -23,7 +23,7 @@ StatusLine::StatusLine(Jobs& jobs, QWidget* parent)
   told_->setObjectName(QStringLiteral("toldText"));
   warning_->setObjectName(QStringLiteral("warningText"));
   warning_->installEventFilter(this);
-  told_->setMinimumWidth(1);  // it gives way
+  told_->setMinimumWidth(1);  // may shrink
   warning_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   warning_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   auto* row = new QHBoxLayout(this);
@@ -61,7 +61,7 @@ void StatusLine::elideWarning() {
                     more);
 }
 
-// Or the picture above would be resized, and drawn again, whenever something runs.
+// A fixed height: otherwise each job would resize the picture above and render it again.
 void StatusLine::setHeight() {
   setFixedHeight(std::max(JobView().sizeHint().height(), hover_->sizeHint().height()) + 4);
 }
@@ -71,7 +71,7 @@ void StatusLine::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) setHeight();
 }
 
-// In a narrow window the value under the cursor leaves room for the warnings.
+// In a narrow window the value under the cursor leaves room for warnings.
 void StatusLine::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   hover_->setMinimumWidth(width() < narrow ? leastInNarrow : leastHover);

@@ -7,16 +7,16 @@
 
 namespace volumen {
 
-/// The line at the bottom: what is under the cursor, what is running, what is to be known of the series.
+/// The line at the bottom: value under the cursor, running jobs, warnings of the series.
 class StatusLine : public QWidget {
   Q_OBJECT
  public:
   explicit StatusLine(Jobs& jobs, QWidget* parent = nullptr);
 
   void showHover(const QString& text) { hover_->setText(text); }
-  /// A sentence in passing ("Saved head.png").
+  /// Shows a message for a moment ("Saved head.png").
   void tell(const QString& sentence);
-  /// All of them in the tooltip, the first in the line.
+  /// Shows the first warning in the line, and all in the tooltip.
   void showWarnings(const QStringList& sentences);
 
  protected:

@@ -43,7 +43,7 @@ QString TypedNumber::whyNot() const {
       .arg(textOf(least_), textOf(most_));
 }
 
-// Esc is this field's first, whatever else it ends.
+// Claims Esc before other shortcuts.
 bool TypedNumber::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
     event->accept();

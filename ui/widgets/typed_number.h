@@ -5,22 +5,22 @@
 
 namespace volumen {
 
-/// A field for a number within limits. Enter sets it; what is no such number stays, selected, and a sentence
-/// says why. Esc and a press elsewhere give up what was typed.
+/// A field for a number within limits. Enter sets it; an invalid text stays, selected, and a message gives
+/// the reason. Esc and a press elsewhere discard the text.
 class TypedNumber : public QLineEdit {
   Q_OBJECT
  public:
   TypedNumber(const char* objectName, const QString& name, QWidget* parent = nullptr);
 
-  /// The number that stands there unless it is being typed, below `least` none; shown to so many decimals, of
-  /// which those that are 0 are left out.
+  /// Sets the number shown when nobody types; below `least` there is none. It has `decimals` digits without
+  /// trailing zeros.
   void setNumber(double number, double least, double most, int decimals = 0);
-  /// Why what stands there cannot be set; empty: it can.
+  /// Returns the reason why the text is invalid; empty if it is valid.
   QString whyNot() const;
 
  Q_SIGNALS:
   void typed(double number);
-  /// Enter was pressed, and this is why nothing is set.
+  /// Enter was pressed on an invalid text; `sentence` is the reason.
   void refused(const QString& sentence);
   /// Esc was pressed.
   void givenUp();

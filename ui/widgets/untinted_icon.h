@@ -5,7 +5,7 @@
 
 namespace volumen {
 
-/// A picture as an icon that looks the same where its row is selected: selection must not colour the greys.
+/// Returns an icon that looks the same in selected rows: selection must not tint the greys.
 QIcon untintedIcon(const QImage& image);
 
 }  // namespace volumen

@@ -7,7 +7,7 @@ namespace volumen {
 WarningBadge::WarningBadge(QWidget* parent) : QLabel(parent) {
   setObjectName(QStringLiteral("warningBadge"));
   setTextFormat(Qt::PlainText);
-  // The same on both themes: it lies on the picture.
+  // Independent of the theme, because it lies on the picture.
   setStyleSheet(
       QStringLiteral("#warningBadge { color: #ffc85a; background: rgba(27,30,34,210);"
                      " border: 1px solid #c98a2b; border-radius: 3px; padding: 2px 6px; }"));

@@ -4,14 +4,14 @@
 
 namespace volumen {
 
-/// A small sign on the picture that says in a few words what is not as it seems, and in sentences where the
-/// cursor is over it. Hidden where there is nothing to say.
+/// A small sign on the picture with warnings in a few words, such as interpolated slices, and full sentences
+/// in its tooltip. Hidden without warnings.
 class WarningBadge : public QLabel {
   Q_OBJECT
  public:
   explicit WarningBadge(QWidget* parent = nullptr);
 
-  /// `words`: shown, one a line; `sentences`: in the tooltip.
+  /// Shows `words`, one a line, and `sentences` in the tooltip.
   void tell(const QStringList& words, const QStringList& sentences);
 };
 

@@ -14,9 +14,10 @@ namespace volumen {
 namespace {
 
 constexpr int fieldWidth = 62;            // for seven digits
-constexpr double largestOfWindow = 1e30;  // as volumes hold it
+constexpr double largestOfWindow = 1e30;  // limit of volumes
 
-// The number in a field, with a point or a comma; none: there is none, or it is selected to be typed again.
+// Returns the number in a field, with a point or a comma. If it is invalid, selects the field and returns
+// nothing.
 std::optional<double> numberIn(QLineEdit* field, double least) {
   bool isNumber = false;
   const double number = field->text().trimmed().replace(u',', u'.').toDouble(&isNumber);
@@ -46,7 +47,7 @@ WindowEdit::WindowEdit(const Window& window, QWidget* parent, Fields fields)
   };
   if (fields == Fields::ends) {
     const double low = window.centre - window.width / 2;
-    const bool isZero = std::abs(low) < 1e-9 * window.width;  // but for rounding
+    const bool isZero = std::abs(low) < 1e-9 * window.width;  // except for rounding
     add(first_, tr("from"), tr("Lowest value"), "barLow", isZero ? 0 : low);
     add(second_, tr("to"), tr("Highest value"), "barHigh", window.centre + window.width / 2);
   } else {
@@ -58,7 +59,7 @@ WindowEdit::WindowEdit(const Window& window, QWidget* parent, Fields fields)
   });
 }
 
-// Esc is its fields' first, whatever else it ends.
+// Claims Esc before other shortcuts.
 bool WindowEdit::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
     event->accept();
@@ -72,10 +73,10 @@ void WindowEdit::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return accept();
 }
 
-// What is under it is not meant.
+// Keeps clicks from the widgets below.
 void WindowEdit::mousePressEvent(QMouseEvent* event) { event->accept(); }
 
-// None: a field holds no number that makes sense; it is selected.
+// Returns nothing if a field is invalid, and selects that field.
 std::optional<Window> WindowEdit::typed() const {
   constexpr double narrowest = 1e-9;
   const bool ends = fields_ == Fields::ends;

@@ -7,21 +7,21 @@
 
 namespace volumen {
 
-/// Two fields for the width and the centre of a window, or for its ends. Enter sets, Esc or a press elsewhere
-/// gives up; either way it goes.
+/// Two fields for the width and centre of a window, or for its ends. Enter sets them, Esc or a press
+/// elsewhere cancels; both close it.
 class WindowEdit : public QWidget {
   Q_OBJECT
  public:
   enum class Fields { widthAndCentre, ends };
-  /// `window`: what stands there first, its width above 0.
+  /// `window` holds the initial values; its width is above 0.
   WindowEdit(const Window& window, QWidget* parent, Fields fields = Fields::widthAndCentre);
 
-  /// It is done with.
+  /// Closes the fields.
   void leave();
 
  Q_SIGNALS:
   void chosen(const volumen::Window& window);
-  /// It goes, and its focus with it.
+  /// The fields close and lose focus.
   void closed();
 
  protected:
@@ -35,7 +35,7 @@ class WindowEdit : public QWidget {
   std::optional<Window> typed() const;
 
   const Fields fields_;
-  QLineEdit *first_, *second_;  // width and centre, or the lowest and the highest value
+  QLineEdit *first_, *second_;  // width and centre, or lowest and highest value
 };
 
 }  // namespace volumen
