@@ -13,8 +13,8 @@ struct RayRow {
   std::vector<int> pixel;  ///< Pixel of each ray in the picture, y * width + x; -1: padding.
   std::vector<float> startX, startY, startZ;
   std::vector<float> moveX, moveY, moveZ;  ///< Per step, in voxels.
-  std::vector<float> viewerX, viewerY,
-      viewerZ;  ///< Unit vector towards the viewer in patient space (e of picture.md 5).
+  /// Unit vector towards the viewer in patient space (e of picture.md 5).
+  std::vector<float> viewerX, viewerY, viewerZ;
   std::vector<int> steps;
   /// Number of steps by which each ray of a block begins behind the first. With this offset all rays cross a
   /// plane parallel to the picture at the same step. Whole numbers if samples stand at steps; 0 in rows.
