@@ -9,9 +9,9 @@
 
 namespace volumen {
 
-/// The cells of an occupancy field that its surface passes through, as bits of blocks of 4 x 4 x 4 cells, and
-/// the distance of each block from such cells. Cell (i, j, k) lies between the voxels (i, j, k) and (i, j, k)
-/// + 1 of the field's box. Immutable.
+/// The cells of an occupancy field that its surface passes through, as bits of blocks of 4 x 4 x 4 cells.
+/// Also holds the distance of each block from such cells. Cell (i, j, k) lies between the voxels (i, j, k)
+/// and (i, j, k) + 1 of the field's box. Immutable.
 class SegmentCells {
  public:
   static constexpr int edge = 4;  ///< Edge of a block, in cells.

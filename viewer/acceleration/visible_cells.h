@@ -24,7 +24,7 @@ struct StoredDensities {
 
 /// Tells which cells of a grid can be visible, before rays take a sample. Cell (i, j, k) lies between the
 /// voxels (i, j, k) and (i, j, k) + 1. Blocks of 4 x 4 x 4 cells are examined when rays first reach them, so
-/// that no edit of the curve waits for a pass over the volume.
+/// no edit of the curve waits for a full pass.
 class VisibleCells {
  public:
   static constexpr int edge = 4;

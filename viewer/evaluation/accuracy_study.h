@@ -48,7 +48,7 @@ Result<AccuracyStudy> measure(const Scene& scene, const std::vector<Setting>& se
 /// smaller in one.
 std::vector<bool> paretoFront(const std::vector<glm::dvec2>& points);
 
-/// What was measured, where and when, for the head of a report.
+/// Subject, machine and date of a study, for the head of a report.
 struct StudyTitle {
   std::string volume, scene, machine, date;
 };

@@ -10,18 +10,18 @@ struct OrbitView {
   double angleDegrees = 0;  ///< Rotation of the camera about its up axis.
   std::vector<double> framesMs;
   std::vector<double> processorsMs;  ///< Time of all processors together, per frame.
-  RenderStats stats;                 ///< Of the last frame.
+  RenderStats stats;                 ///< Statistics of the last frame.
 };
 
 /// Drawing times of a scene from all around (design.md 4, `bench`).
 struct Orbit {
-  Plan plan;                ///< Of the first view.
+  Plan plan;                ///< Plan of the first view.
   double firstFrameMs = 0;  ///< Facts, blocks, gradients, plan and picture of a fresh volume.
   double gradientsMs = 0;   ///< The part of it for the Sobel pass and copies.
   std::vector<OrbitView> views;
 };
 
-/// What to measure.
+/// Extent of the measurement.
 struct OrbitOptions {
   int views = 8;   ///< The camera turns by 360 degrees / views each.
   int rounds = 5;  ///< Frames per view. A round draws every view once, so that noise affects all alike.

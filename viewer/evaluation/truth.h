@@ -7,10 +7,10 @@
 
 namespace volumen {
 
-/// The reference of a picture at every pixel. For large pictures, at one pixel of each cell of a grid: the
+/// The reference of a picture at every pixel, or for large pictures at one pixel of each cell of a grid. The
 /// reference casts rays one by one and is some thousand times slower than the other methods.
 struct Truth {
-  glm::ivec2 size{0};              ///< Of the picture.
+  glm::ivec2 size{0};              ///< Size of the picture.
   glm::ivec2 grid{0};              ///< In cells; equals `size` if every pixel is used.
   std::vector<glm::ivec2> pixels;  ///< One per cell, row by row.
   Picture picture;                 ///< The reference at these pixels, in the grid's size.

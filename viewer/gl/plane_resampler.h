@@ -39,12 +39,12 @@ class PlaneResampler {
   void freeSlots();
 
   Programs programs_;
-  unsigned program_ = 0;   ///< Of the picture.
+  unsigned program_ = 0;   ///< Program of the picture.
   unsigned vertices_ = 0;  ///< A vertex array without attributes, which core OpenGL requires.
   BufferTexture rays_;
   std::vector<float> rayTexels_;
   std::array<SampleTarget, 2> slots_;
-  int lines_ = 0;           ///< Of the targets.
+  int lines_ = 0;           ///< Lines of the targets.
   bool gradients_ = false;  ///< True if the targets have gradients.
   GlTimer timer_;
   double glMs_ = 0;

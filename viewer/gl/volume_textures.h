@@ -45,7 +45,7 @@ class VolumeTextures {
   glm::ivec3 size_{0};
   Texture density_, gradients_, shaded_;
   GradientOperator gradientsBy_ = GradientOperator::sobel;
-  int smallest_ = 0, span_ = 0;  ///< Of densities in 16 bits; a texel of 0 stands for the smallest.
+  int smallest_ = 0, span_ = 0;  ///< Range of 16-bit densities; a texel of 0 stands for the smallest.
 };
 
 }  // namespace volumen

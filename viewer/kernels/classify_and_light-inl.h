@@ -42,7 +42,7 @@ HWY_INLINE VF CorrectedOpacity(const CorrectionSeries& series, VF opacity, VF un
   return hn::IfThenElse(fits, fast, PowerOpacity(opacity, unitDistances, fits));
 }
 
-/// What lighting needs of a sample, and what bounds the change of light from one sample to the next.
+/// Properties of a sample for lighting, and for bounding the change of light to the next sample.
 struct Fragment {
   V3 colour;  ///< Colour of the curve.
   V3 normal;  ///< Unit vector.

@@ -26,7 +26,7 @@ class DenseTracer {
   static constexpr bool kCells = false;  ///< True if single rays are tested against VisibleCells.
   static constexpr bool kPrefetches = !kPlane;
   static constexpr bool kBlends = true;  ///< Slices can also be blended back to front.
-  /// The same tracer without light; its opacities are the same.
+  /// Tracer without light; it computes the same opacities.
   using Unlit = DenseTracer<Store, false, kGradientOpacity>;
 
   /// `out` must be 0; the results are added to it. Groups come in the order of the picture's slices.

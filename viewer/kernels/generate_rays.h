@@ -9,13 +9,13 @@
 
 namespace volumen {
 
-/// What all rays of a picture share (picture.md 6, 7, 9).
+/// Data shared by all rays of a picture (picture.md 6, 7, 9).
 struct ViewRays {
   struct Plane {
     glm::dvec3 normal;  ///< In voxel space; inside is dot(normal, x) <= offset (mm).
     double offset;
   };
-  glm::ivec2 size{1};  ///< Pixels.
+  glm::ivec2 size{1};  ///< Size in pixels.
   bool perspective = false, localViewer = false;
   double heightMm = 1;    ///< Height of the picture plane through the target.
   double distanceMm = 0;  ///< Distance from the target to the eye, in perspective.

@@ -23,7 +23,7 @@ struct Cell {
   VF fx, fy, fz;
 };
 
-/// What every lookup of a picture needs, broadcast once per row.
+/// Data for every lookup of a picture, broadcast once per row.
 class Grid {
  public:
   /// `rowVoxels`: RayInputs::densityRow or gradientRow, for the data to look up.

@@ -119,7 +119,7 @@ HWY_INLINE VF NotZero(VF x) { return hn::IfThenElse(hn::Eq(x, hn::Zero(DF())), S
 HWY_INLINE VF Length(const V3& v) { return hn::Sqrt(Dot(v, v)); }
 HWY_INLINE VF Clamp01(VF x) { return hn::Min(hn::Max(x, hn::Zero(DF())), Set(1)); }
 
-/// Natural logarithm of x in (0, 2); relative error about 1e-7. Polynomial: Cephes logf.
+/// Returns the natural logarithm of x in (0, 2); relative error about 1e-7. Polynomial: Cephes logf.
 HWY_INLINE VF Log(VF x) {
   const DF df;
   const DI di;

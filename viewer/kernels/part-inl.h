@@ -240,8 +240,8 @@ class PartRule {
         hn::Add(hn::Mul(Set(0.05f * light.diffuse), square), hn::Mul(Set(0.25f * light.specular), shine));
     const VI sides = hn::Xor(a.sides, b.sides);
     if (hn::AllTrue(DI(), hn::Eq(sides, SetI(0)))) return smooth;
-    // Light changes from none to full within a tenth of a turn in two cases: between the two sides that a
-    // viewer may see, and where highlights begin.
+    // Light changes from none to full within a tenth of a turn where highlights begin. It also does between
+    // the two sides of a surface that a viewer may see.
     const auto passes = [&](VI bits) { return hn::RebindMask(DF(), hn::Ne(bits, SetI(0))); };
     const VF sudden = hn::Mul(Set(0.25f), hn::Min(hn::Mul(Set(5), turn), Set(1)));
     // Each kink belongs to one light.

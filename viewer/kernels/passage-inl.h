@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// c0 + c1 s + c2 s^2 + c3 s^3: the exact course of a trilinear value along a ray inside one cell. s runs
+/// The exact course c0 + c1 s + c2 s^2 + c3 s^3 of a trilinear value along a ray inside one cell. Here s runs
 /// from -1 (front) to 1 (back).
 struct Cubic {
   VF c0, c1, c2, c3;

@@ -9,7 +9,7 @@
 
 namespace volumen {
 
-/// What the rays of a picture see of the surfaces of its segments (picture.md 10).
+/// Finds and lights the surfaces of segments that the rays of a picture meet (picture.md 10).
 class SegmentRays {
  public:
   /// `cells`: one entry for each of shownSegments(plan.scene), in that order.

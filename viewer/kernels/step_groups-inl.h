@@ -29,8 +29,8 @@ inline StepRange StepsOf(const RayRow& rays) {
   return end > 0 ? StepRange{int(begin), int(std::ceil(end))} : StepRange{0, 0};
 }
 
-/// Returns true if any ray of the packet at ray `first` has samples at the steps [step, end) and still lets
-/// light through (early ray termination). Rays from the back always do.
+/// Early ray termination: returns true if any ray of the packet at ray `first` still lets light through and
+/// has samples at the steps [step, end). Rays from the back always let light through.
 HWY_INLINE bool IsPacketOpen(const RayInputs& f, const RayRow& rays, const TraceRow& out, int first, int step,
                              int end) {
   const DF df;
@@ -43,8 +43,8 @@ HWY_INLINE bool IsPacketOpen(const RayInputs& f, const RayRow& rays, const Trace
 }
 
 /// Takes all packets of the row through groups of steps, from the front or from the back (RayInputs::slices).
-/// Packets share what one of them brings into the cache. (A single packet that marches across rows of 512
-/// voxels evicts its own cache lines, which are a power of two apart.) `ends`: for each packet, the step from
+/// Packets share what one of them brings into the cache. A single packet marching across rows of 512 voxels
+/// evicts its own cache lines, which are a power of two apart. `ends` holds, for each packet, the step from
 /// which on nothing is sampled.
 template <class Tracer>
 void TakeStepGroups(const RayInputs& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,

@@ -16,9 +16,9 @@
 
 namespace volumen {
 
-/// How visible samples are lit (ClassifyAndLight). phong: directly with one viewer; localPhong: with one
-/// viewer per ray. map: by a reflectance map, bilinear; nearestInMap: by its nearest patch. table: colour and
-/// light together from the 4-index table.
+/// How visible samples are lit (ClassifyAndLight). `phong`: directly, with one viewer. `localPhong`:
+/// directly, with one viewer per ray. `map`: by a reflectance map, bilinear. `nearestInMap`: by its nearest
+/// patch. `table`: colour and light together, from the 4-index table.
 enum class LightModel { phong, localPhong, map, nearestInMap, table };
 
 /// Accuracy of rays that go cell by cell, in shares of white. A part of a ray is cut while its error exceeds
@@ -44,9 +44,9 @@ struct Slices {
   float levels = 0;
 };
 
-/// What all rays of a picture share. The pointers live as long as the inputs.
+/// Data shared by all rays of a picture. The pointers live as long as the inputs.
 struct RayInputs {
-  glm::ivec3 size{1};  ///< In voxels.
+  glm::ivec3 size{1};  ///< Size in voxels.
   const std::int16_t* density16 = nullptr;
   std::uint32_t flip16 = 0;  ///< Xor mask for a pair of 16-bit values: 0x80008000 if they are unsigned.
   const float* density32 = nullptr;
@@ -58,7 +58,7 @@ struct RayInputs {
   /// densities.
   int densityRow = 1, gradientRow = 1;
   float gradientMatrix[9] = {};   ///< Row-major: stored gradient to gradientUnit per mm in patient space.
-  float gradientUnit = 1;         ///< Real value.
+  float gradientUnit = 1;         ///< Unit of transformed gradients, as a real value per mm.
   bool boundedGradients = false;  ///< True if squares of such gradients neither overflow nor vanish.
   float inverseFloor = 0;         ///< 1 / gradientFloor; 0: q = 0 everywhere.
   const CurveTable* curve = nullptr;

@@ -21,8 +21,8 @@ struct FramePixels {
 /// Measures one shape of a frame (slices.md 4). Its points are pixels; (0, 0) is the centre of the first one.
 /// Lengths and areas are in mm if PixelSize gives the size of a pixel, or an ultrasound region that holds all
 /// points. Otherwise they are in px, counted along rows and columns whatever the shape of a pixel. Angles are
-/// those of the picture as displayed. Returns an Error if checkShape() refuses the shape, an arm has no
-/// length, an arrow or a label is measured, or a probe lies outside the frame.
+/// those of the picture as displayed. Returns an Error if checkShape() refuses the shape or an arm has no
+/// length. Arrows, labels and probes outside the frame are Errors, too.
 Result<Measured> measureOnFrame(const Shape& shape, const FramePixels& frame, const std::string& valueUnit);
 
 /// Returns the shape of a frame in the space of the slice that shows it: patient mm. If the slice has no

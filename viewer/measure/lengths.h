@@ -14,10 +14,10 @@ struct Length {
 };
 
 /// Returns the length of a line through patient points. Its u^2 is the sum of (s^2 + s^2)/12 over the
-/// segments, one term for each end. s^2 is the sum of (L_a . d)^2 over the edges L_a of a voxel, with d the
-/// segment's direction. It is 12 times the variance along d of an end that lies anywhere in its voxel. For a
-/// segment without length, and so without direction, s is the longest spacing. `softMm` (Shape::softMm) adds
-/// depthVariance() to each term, whatever the line of sight was.
+/// segments, one term for each end. Here s^2 is the sum of (L_a . d)^2 over the edges L_a of a voxel, with d
+/// the segment's direction. It is 12 times the variance along d of an end that lies anywhere in its voxel.
+/// For a segment without length, and so without direction, s is the longest spacing. `softMm` (Shape::softMm)
+/// adds depthVariance() to each term, whatever the line of sight was.
 Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometry, double softMm = 0);
 
 /// Returns the variance, mm^2, of a position uniformly distributed over a stretch whose middle half is

@@ -15,7 +15,7 @@ namespace volumen {
 /// The acquired voxel nearest to a point (`nearest` of slices.md 1).
 struct ProbedVoxel {
   glm::ivec3 index{0};
-  glm::dvec3 centre{0};  ///< Of the voxel, in patient mm.
+  glm::dvec3 centre{0};  ///< Centre of the voxel, patient mm.
   bool padding = false;  ///< True if the value is padding.
 };
 
@@ -29,7 +29,7 @@ struct AxisReading {
 struct FrameReading {
   std::string calibration;  ///< Calibration of the mm, e.g. "at detector"; empty: the patient's mm, or px.
   bool colour = false;      ///< True if the frame has only colours, no values.
-  std::optional<glm::ivec3> rgb;  ///< Of probes on colour frames, 0 to 255.
+  std::optional<glm::ivec3> rgb;  ///< Colour at a probe on a colour frame, 0 to 255.
   /// Set in regions of units other than cm. For probes: the position of the point. For lengths: the distance
   /// between the ends, never below 0.
   std::optional<AxisReading> across, down;
@@ -65,18 +65,18 @@ struct Measured {
   /// Unit: "mm", "degrees", "mm^2", "ml", or that of a probe's value; may be empty. On grids without
   /// calibration "px", "px^2" and "voxels" replace units with mm.
   std::string unit;
-  std::optional<double> plusMinus;        ///< Of lengths, in their unit.
-  std::optional<TwoLines> lines;          ///< Of axes and ratios.
-  std::optional<LegAxis> leg;             ///< Of leg axes.
-  std::optional<ValueStatistics> values;  ///< Of regions; empty if no voxel is inside.
+  std::optional<double> plusMinus;        ///< Uncertainty of lengths, in their unit.
+  std::optional<TwoLines> lines;          ///< Set for axes and ratios.
+  std::optional<LegAxis> leg;             ///< Set for leg axes.
+  std::optional<ValueStatistics> values;  ///< Set for regions, unless no voxel is inside.
   std::optional<ValuePeak> peak;          ///< SUVpeak of regions in SUV volumes.
   std::string source;                     ///< Name of the series of `values` if `other` is set.
-  std::optional<OtherValues> other;       ///< Of regions on fused slices (addOther()).
-  std::optional<ProbedVoxel> voxel;       ///< Of probes.
-  std::optional<RangeVolume> segment;     ///< Of volumes, in voxels.
+  std::optional<OtherValues> other;       ///< Set for regions on fused slices (addOther()).
+  std::optional<ProbedVoxel> voxel;       ///< Set for probes.
+  std::optional<RangeVolume> segment;     ///< Set for volumes, in voxels.
   std::optional<double> drawn;            ///< Volume as drawn, in `unit`.
   std::string valueUnit;                  ///< Unit of the volume's values.
-  std::optional<FrameReading> frame;      ///< Of shapes on frames.
+  std::optional<FrameReading> frame;      ///< Set for shapes on frames.
 };
 
 /// Measures one shape on the voxels of a volume. `valueUnit`: unit of the volume's values (Series::unit).

@@ -11,7 +11,7 @@ namespace volumen {
 /// directions thus share coordinates wherever the centres of their planes lie.
 struct Outline {
   bool ellipse = false;  ///< True: the ellipse inside the box from `low` to `high`. False: a polygon.
-  std::vector<glm::dvec2> corners;  ///< Of the polygon, in order; the last is joined to the first.
+  std::vector<glm::dvec2> corners;  ///< Corners of the polygon, in order; the last is joined to the first.
   glm::dvec2 low{0}, high{0};       ///< The bounding box.
 };
 

@@ -12,8 +12,8 @@ namespace volumen {
 
 /// The largest mean over a ball (SUVpeak: Wahl et al., J Nucl Med 2009; 50 Suppl 1: 122S, PERCIST).
 struct ValuePeak {
-  double mean = 0;       ///< Of the ball, in real units.
-  glm::dvec3 centre{0};  ///< Of the ball, in patient mm.
+  double mean = 0;       ///< Mean over the ball, real units.
+  glm::dvec3 centre{0};  ///< Centre of the ball, patient mm.
 };
 
 /// The radius of a ball of 1 ml, mm.
@@ -36,7 +36,7 @@ std::vector<BallVoxel> ballVoxels(const VoxelGeometry& geometry, double radius);
 /// (ballVoxels()), the volume is not calibrated, or it was cancelled.
 std::optional<ValuePeak> peakAbout(std::span<const glm::ivec3> voxels, const Volume& volume,
                                    const CancelToken& cancel = {});
-/// The same about the voxels of a region (forEachVoxelOf()).
+/// As peakAbout(), about the voxels of a region (forEachVoxelOf()).
 std::optional<ValuePeak> regionPeak(const Shape& region, const Volume& volume,
                                     const CancelToken& cancel = {});
 

@@ -19,7 +19,7 @@ struct RangeVolume {
 /// out: in a cell next to padding each other corner stands for an eighth of the cell. Uses all cores; the
 /// result does not depend on their number.
 ///
-/// drawnVoxels: The volume is divided into the cells between voxel centres. A cell whose eight corners all
+/// `drawnVoxels`: The volume is divided into the cells between voxel centres. A cell whose eight corners all
 /// lie in the range, or all on one side of it, is known. In other cells the value is linear along each line
 /// parallel to the axis of largest change. The fraction of the line inside the range is therefore exact. Over
 /// the other two axes these fractions are integrated on squares. A square is quartered until its middle and

@@ -12,7 +12,7 @@ namespace volumen {
 struct ValueStatistics {
   std::int64_t n = 0;  ///< Number of voxels.
   double mean = 0;
-  double sd = 0;  ///< Of these n values, divided by n.
+  double sd = 0;  ///< Population standard deviation: the sum of squares is divided by n.
   double min = 0, max = 0;
 };
 

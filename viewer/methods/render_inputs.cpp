@@ -50,7 +50,7 @@ LightStrength strongestOf(const Lighting& lighting) {
 // Returns the extent of the box around a packet of rays, in blocks. It covers the interval, plus half a step
 // to either side if samples stand at steps (RayRow::ahead), or the steps of one look together.
 int reachBlocks(const Plan& plan, const RayGenerator& setup, int edge) {
-  // The same length serves all short steps and cells, so that they share a map.
+  // One length serves all short steps and cells, so that they share a map.
   const double along =
       plan.cellByCell ? plan.stepVoxels : std::max(double(EmptySpaceMap::longestLook), 2 * plan.stepVoxels);
   const double across = 2 * setup.tileSpread() + along + 0.1;

@@ -20,7 +20,7 @@ class RenderInputs {
   RenderInputs& operator=(const RenderInputs&) = delete;
 
   const RayInputs& trace() const { return inputs_; }
-  const BlockValues& blocks() const { return blocks_; }  ///< Of projections.
+  const BlockValues& blocks() const { return blocks_; }  ///< Block ranges for projections.
   const DensityScale& scale() const { return scale_; }
   KernelKey key() const { return key_; }
   /// Null if none are drawn.

@@ -65,7 +65,7 @@ void SurfaceStretches::traceStretch(const RenderInputs& inputs, TraceKernel kern
   kernel(inputs.trace(), row_, {}, row, counts);
 }
 
-// Adds the stretches behind what is there.
+// Adds the stretches behind the light gathered so far.
 void SurfaceStretches::add(const TraceRow& out) const {
   const std::size_t count = rayOf_.size();
   const float *red = values_.data(), *green = red + count, *blue = green + count, *alpha = blue + count;

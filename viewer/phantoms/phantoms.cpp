@@ -47,8 +47,8 @@ VolumeParts sphere(int edge) {
 }
 
 // Returns 1000 erfc((r - R)/(0.6 sqrt 2))/2: a ball of radius R = 20 N/64, blurred by a Gaussian of 0.6
-// voxels. r is the distance from a centre off every symmetry of the grid: (31.8, 31.3, 31.6) in voxels for N
-// = 64.
+// voxels. The distance r counts from a centre off every symmetry of the grid, in voxels (31.8, 31.3, 31.6)
+// for N = 64.
 VolumeParts softSphere(int edge) {
   const glm::dvec3 centre(0.3, -0.2, 0.1);
   const double radius = 20.0 * edge / 64;

@@ -38,7 +38,7 @@ class RayIntegral {
 
   /// Adds one cell. Returns false if the rest of the ray can no longer be seen.
   bool add(const CellPiece& piece);
-  /// Adds a surface; what is behind it is seen through 1 - opacity. Returns false likewise.
+  /// Adds a surface; the rest of the ray is seen through 1 - opacity. Returns false as add() does.
   bool cover(glm::dvec3 colour, double opacity);
   glm::dvec3 colour() const { return colour_; }            ///< C of picture.md 6.
   double transmittance() const { return transmittance_; }  ///< T of picture.md 6.

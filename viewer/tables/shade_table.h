@@ -23,7 +23,7 @@ struct ShadeTable {
   std::size_t bytes() const { return bgr.size() * sizeof(std::int32_t); }
 };
 
-/// What a table depends on besides the light.
+/// Inputs of a table other than the light.
 struct ShadeTableInput {
   std::array<float, 9> gradientMatrix;  ///< Row-major: stored gradient to real value per mm in patient space.
   float inverseFloor = 0;               ///< 1 / gradientFloor; 0: q = 0 everywhere.

@@ -5,12 +5,12 @@ namespace volumen::head {
 namespace {
 
 float faceMass(Vec p) {
-  float d = ellipsoid(p, {0, -34, -14}, {62, 48, 56});             // upper face
-  d = join(d, ellipsoid(p, {26, -50, -34}, {33, 35, 32}), 14);     // cheeks
-  d = join(d, ellipsoid(p, {0, -61, -57}, {34, 31, 30}), 14);      // around the mouth
-  d = join(d, ellipsoid(p, {30, -34, -74}, {24, 38, 24}), 12);     // along the jaw
-  d = join(d, ellipsoid(p, {0, -28, -64}, {46, 54, 40}), 8);       // the floor of the mouth and all between
-  d = join(d, ellipsoid(p, {46, -36, 10}, {20, 36, 36}), 12);      // temples
+  float d = ellipsoid(p, {0, -34, -14}, {62, 48, 56});          // upper face
+  d = join(d, ellipsoid(p, {26, -50, -34}, {33, 35, 32}), 14);  // cheeks
+  d = join(d, ellipsoid(p, {0, -61, -57}, {34, 31, 30}), 14);   // around the mouth
+  d = join(d, ellipsoid(p, {30, -34, -74}, {24, 38, 24}), 12);  // along the jaw
+  d = join(d, ellipsoid(p, {0, -28, -64}, {46, 54, 40}), 8);    // floor of the mouth, and everything between
+  d = join(d, ellipsoid(p, {46, -36, 10}, {20, 36, 36}), 12);   // temples
   d = join(d, ellipsoid(p, {44, -25, -44}, {23.5f, 36, 38}), 12);  // over the muscles of the jaw
   d = join(d, ellipsoid(p, {0, -46, -94}, {26, 34, 14}), 10);      // under the chin
   d = join(d, tube(p, {54, 25, -14}, {52, 22, -40}, 14, 9), 14);   // behind the ears
