@@ -11,17 +11,17 @@ namespace volumen {
 
 namespace {
 
-// Sets these bits of to[n] wherever visible[n] is not 0.
+// Sets `bits` of to[n] wherever visible[n] is not 0.
 void setWhere(const std::uint8_t* visible, std::size_t count, std::uint8_t bits, std::uint8_t* to) {
   for (std::size_t n = 0; n < count; ++n) to[n] |= visible[n] ? bits : std::uint8_t(0);
 }
 
-// to[n] |= from[n] & bits for all n; the two do not overlap.
+// Computes to[n] |= from[n] & bits for all n. The two arrays do not overlap.
 void takeIn(const std::uint8_t* from, std::size_t count, std::uint8_t bits, std::uint8_t* to) {
   for (std::size_t n = 0; n < count; ++n) to[n] |= std::uint8_t(from[n] & bits);
 }
 
-// Every entry of a slice takes in, of those named bits, those of the next rows and columns.
+// Adds to every entry of a slice the bits `ofRows` of the next rows and `ofColumns` of the next columns.
 void takeInAlongSlice(std::uint8_t* slice, glm::ivec3 count, int reach, std::uint8_t ofRows,
                       std::uint8_t ofColumns) {
   const std::size_t row = count.x;
@@ -33,7 +33,7 @@ void takeInAlongSlice(std::uint8_t* slice, glm::ivec3 count, int reach, std::uin
       for (std::size_t i = 0; i + 1 < row; ++i) r[i] |= std::uint8_t(r[i + 1] & ofColumns);
 }
 
-// Bit n % 8 of to[n / 8] for each of `count` entries, 0 or 255; 8 more can be read.
+// Sets bit n % 8 of to[n / 8] for each of `count` entries of 0 or 255. 8 more entries must be readable.
 void pack(const std::uint8_t* entries, int count, std::uint8_t* to) {
   for (int first = 0; first < count; first += 8) {
     std::uint64_t eight;

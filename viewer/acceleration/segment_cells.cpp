@@ -30,14 +30,14 @@ void SegmentCells::findRowOfBlocks(int j, int k) {
   const glm::ivec3 size = field_->size();
   const auto width = std::size_t(size.x);
   const int rows = std::min(edge + 1, size.y - j * edge), slices = std::min(edge + 1, size.z - k * edge);
-  std::vector<std::uint8_t> inside(width * std::size_t(rows * slices));  // 1 or 0, of the rows in turn
+  std::vector<std::uint8_t> inside(width * std::size_t(rows * slices));  // 1 or 0, row by row.
   for (int z = 0; z < slices; ++z)
     for (int y = 0; y < rows; ++y) {
       const float* from = field_->values.data() + at({0, j * edge + y, k * edge + z}, size);
       std::uint8_t* to = inside.data() + width * std::size_t(z * rows + y);
       for (std::size_t i = 0; i < width; ++i) to[i] = from[i] >= level;
     }
-  // Of four voxels next to each other in j and k, whether any is inside, and all; then of cells.
+  // For four voxels adjoining in j and k: whether any, or all, are inside. Then the same for cells.
   std::vector<std::uint8_t> any(width), all(width), crossed(width + 8);
   for (int z = 0; z + 1 < slices; ++z)
     for (int y = 0; y + 1 < rows; ++y) {
@@ -71,14 +71,15 @@ void SegmentCells::findBox() {
     box_ = {found.low * edge, glm::min(found.high * edge + edge, field_->size() - 1) - 1};
 }
 
-// One pass each way over the neighbours that it has come by, row by row: exact for this distance.
+// One pass in each direction over the neighbours already visited, row by row. This is exact for this
+// distance.
 void SegmentCells::findDistances() {
-  constexpr std::uint8_t most = 254;  // and one more is still a byte
+  constexpr std::uint8_t most = 254;  // One more still fits into a byte.
   const glm::ivec3 count = blockCount_;
   const auto width = std::size_t(count.x);
   distances_.resize(blocks_.size());
   for (std::size_t n = 0; n < blocks_.size(); ++n) distances_[n] = blocks_[n] ? 0 : most;
-  std::vector<std::uint8_t> least(width + 2);  // of rows come by, and one more at each end
+  std::vector<std::uint8_t> least(width + 2);  // Over the rows visited, with one extra entry at each end.
   const auto takeRow = [&](int j, int k) {
     if (j < 0 || k < 0 || j >= count.y || k >= count.z) return;
     const std::uint8_t* row = distances_.data() + at({0, j, k}, count);

@@ -9,27 +9,27 @@
 
 namespace volumen {
 
-/// Through which cells of an occupancy field its surface goes: bits of blocks of 4 x 4 x 4 cells; and how far
-/// blocks are from such cells. Cell (i, j, k) lies between the voxels (i, j, k) and (i, j, k) + 1 of the
-/// field's box. A value that never changes.
+/// The cells of an occupancy field that its surface passes through, as bits of blocks of 4 x 4 x 4 cells.
+/// Also holds the distance of each block from such cells. Cell (i, j, k) lies between the voxels (i, j, k)
+/// and (i, j, k) + 1 of the field's box. Immutable.
 class SegmentCells {
  public:
-  static constexpr int edge = 4;  ///< of a block, cells
+  static constexpr int edge = 4;  ///< Edge of a block, in cells.
   static constexpr float level = 0.5f;
 
-  /// On all cores. Of a field of no voxels there are no cells.
+  /// Uses all cores. A field without voxels has no cells.
   explicit SegmentCells(std::shared_ptr<const OccupancyField> field);
 
   const std::shared_ptr<const OccupancyField>& field() const { return field_; }
-  /// The bit of a cell in the word of its block.
+  /// Returns the bit of a cell in the word of its block.
   static std::uint64_t bitOf(glm::ivec3 cell) {
     return std::uint64_t(1) << ((cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4);
   }
   std::uint64_t block(glm::ivec3 block) const { return blocks_[at(block, blockCount_)]; }
-  /// How many blocks away, along the axis where that is most, the nearest one with such cells is; 254: or
+  /// Returns the Chebyshev distance, in blocks, to the nearest block with such cells. 254 stands for 254 or
   /// more.
   int distance(glm::ivec3 block) const { return distances_[at(block, blockCount_)]; }
-  /// The smallest box of cells that holds all of them; none: high < low.
+  /// Returns the box of the blocks with such cells, in cells. high < low if there are none.
   const VoxelBox& box() const { return box_; }
   std::size_t bytes() const { return blocks_.size() * sizeof(blocks_[0]) + distances_.size(); }
 

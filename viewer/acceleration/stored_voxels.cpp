@@ -7,7 +7,7 @@ namespace volumen {
 
 namespace {
 
-// A copy of the samples, each turned into a T by `convert`, on all cores.
+// Returns a copy of the samples, each converted by `convert`, using all cores.
 template <class T, class From, class Convert>
 Buffer<T> converted(const std::vector<From>& stored, Convert convert) {
   Buffer<T> out(stored.size());
@@ -31,7 +31,7 @@ const Density16& StoredVoxels::densities16() {
   const double slope = volume_->slope();
   Density16 d;
   d.scale = {slope, volume_->intercept(), 0, 0};
-  // A kernel reads a voxel and its neighbour along i in one load; with one voxel along i that would read past
+  // A kernel reads a voxel and its neighbour along i in one load. With one voxel along i that would read past
   // the end of the samples.
   const bool ownSamples = volume_->size().x > 1;
   std::visit(
@@ -80,7 +80,7 @@ const Density8& StoredVoxels::densitiesIn8() {
 
 const Gradients16& StoredVoxels::gradientsIn16(GradientOperator by) {
   if (!gradients16_ || gradients16_->by != by) {
-    gradients16_.reset();  // not two at a time
+    gradients16_.reset();  // Frees the old gradients first: two sets need not fit into memory.
     gradients16_ = {by, gradients16By(*volume_, by)};
   }
   return gradients16_->gradients;

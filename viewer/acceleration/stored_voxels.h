@@ -11,10 +11,10 @@
 
 namespace volumen {
 
-/// Densities in 16 bits as the kernels read them: the volume's own samples where they serve, else a copy.
+/// Densities in 16 bits as the kernels read them: the volume's own samples if they fit, else a copy.
 struct Density16 {
   const std::int16_t* data = nullptr;
-  std::uint32_t flip = 0;  ///< RayInputs::flip16
+  std::uint32_t flip = 0;  ///< As RayInputs::flip16.
   DensityScale scale;
   Buffer<std::int16_t> copy;
 };
@@ -26,16 +26,16 @@ struct Density32 {
   Buffer<float> copy;
 };
 
-/// A volume as pictures read it: its facts, its densities and gradients in each precision, made when first
-/// asked for and kept (of gradients, those by the last operator). Several RenderCaches may share one. Not for
-/// use from two threads at once.
+/// A volume as pictures read it: facts, densities and gradients in each precision. Each is computed on first
+/// use and kept; of the gradients only those of the last operator. Several RenderCaches may share one. Not
+/// thread-safe.
 class StoredVoxels {
  public:
   explicit StoredVoxels(VolumePtr volume) : volume_(std::move(volume)) {}
 
   const VolumePtr& volume() const { return volume_; }
   const VolumeFacts& facts();
-  const Density16& densities16();  ///< only for integers with a positive slope
+  const Density16& densities16();  ///< Only for integers with a positive slope.
   const Density32& densities32();
   const Density8& densitiesIn8();
   const Gradients16& gradientsIn16(GradientOperator by);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int edge = VisibleCells::edge;
 
-// Bit n: whether byte n of the `count` up to 8 at `bytes` is not 0.
+// Returns bits: bit n is set if byte n of the up to 8 bytes at `bytes` is not 0.
 std::uint64_t bitsOf(const std::uint8_t* bytes, int count = 8) {
   std::uint64_t eight = 0;
   std::memcpy(&eight, bytes, count);
@@ -25,12 +25,12 @@ std::uint64_t bitsOf(const std::uint8_t* bytes, int count = 8) {
   return (eight & 0x0101010101010101u) * 0x0102040810204080u >> 56;
 }
 
-// A word has the states of blocks next to each other along i: of the n-th bit n where it has not been looked
-// into yet, bit 32 + n where some thread does so.
+// A word has the states of 32 blocks that adjoin along i. For the n-th, bit n is set until it is examined,
+// and bit 32 + n while a thread examines it.
 constexpr int statesAWord = 32;
 
-// Calls row(first block, last block's place along i) for each row of those blocks of a grid of `count` that
-// hold positions from `low` to `high`, clamped to the grid.
+// Calls row(first block, last block's index along i) for each row of blocks that hold positions from `low` to
+// `high`. Blocks are clamped to a grid of `count`.
 template <class Row>
 void forRows(glm::ivec3 count, glm::vec3 low, glm::vec3 high, const Row& row) {
   const auto blockOf = [&](glm::vec3 p) {
@@ -69,7 +69,7 @@ std::vector<VisibleCells::Span> VisibleCells::spansOf(const CurveTable& curve) {
     else
       spans.push_back({limited(low), limited(high)});
   }
-  // A curve of many teeth: the narrowest gaps count as visible.
+  // A curve with many peaks: its narrowest gaps count as visible.
   constexpr std::size_t most = 6;
   while (spans.size() > most) {
     std::size_t narrowest = 1;
@@ -88,7 +88,7 @@ void VisibleCells::begin(glm::ivec3 size, const StoredDensities& densities, cons
   densities_ = densities;
   spans_ = spansOf(curve);
   stateWords_ = (count_.x + statesAWord - 1) / statesAWord;
-  // What lies beside, behind and above the last block can be read with it.
+  // Words beside, behind and above the last block can be read with it.
   words_.resize(visible.size() + std::size_t(count_.x) * count_.y + count_.x + 1);
   states_.resize(std::size_t(stateWords_) * count_.y * count_.z);
   parallelFor(std::int64_t(count_.y) * count_.z, 0, [&](std::int64_t first, std::int64_t last) {
@@ -142,9 +142,9 @@ void VisibleCells::lookInto(glm::ivec3 block, std::uint64_t& word) const {
 }
 
 std::uint64_t VisibleCells::cellsOf(glm::ivec3 block) const {
-  constexpr int voxels = edge + 1;  // along an edge, for the block's cells to lie between
+  constexpr int voxels = edge + 1;  // Voxels along an edge of the block's cells.
   const glm::ivec3 first = block * edge;
-  RowRange alongK[edge][voxels];  // of the cells k, over the voxels' rows j
+  RowRange alongK[edge][voxels];  // For the cells k and the rows j of voxels.
   for (int j = 0; j < voxels; ++j) {
     RowRange rows[voxels];
     for (int k = 0; k < voxels; ++k) rows[k].low = rows[k].high = rowOf(first + glm::ivec3(0, j, k));

@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A row as named values; CSV and JSON are written from these alone, so that they never differ. Infinity (a
-// PSNR of no error) is null.
+// Returns a row as named values. CSV and JSON are both written from these, so they never differ. Infinity
+// (the PSNR of an exact picture) becomes null.
 Json fieldsOf(const StudyRow& row) {
   const auto finite = [](double x) { return std::isfinite(x) ? Json(x) : Json(); };
   return {{"knob", row.setting.knob},

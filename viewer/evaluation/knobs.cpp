@@ -1,4 +1,4 @@
-// The table of knobs (design.md 6): a new option is one row.
+// The table of knobs (design.md 6). A new option is one row.
 #include <cstdio>
 #include <functional>
 
@@ -30,7 +30,7 @@ std::string text(double x) {
   return out;
 }
 
-// One value a number; `after` is its unit.
+// Returns one value per number; `after` is its unit.
 template <class Number>
 std::vector<Value> numbers(std::initializer_list<Number> all, const char* after,
                            void (*set)(Setting&, Number)) {

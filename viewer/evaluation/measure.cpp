@@ -20,7 +20,7 @@ struct Variant {
   double spentMs = 0;
 };
 
-// Whether a frame of `next` finds other things in the caches than `last` left there.
+// Returns true if the caches that `last` left do not serve a frame of `next`.
 bool needsOtherCaches(const Plan& last, const Plan& next) {
   return last.method != next.method || last.resampler != next.resampler || last.bits != next.bits ||
          last.gradientOperator != next.gradientOperator || last.curve != next.curve;
@@ -52,7 +52,8 @@ class Measurement {
     return {};
   }
 
-  // The first picture of every variant: its errors, its samples; those that cannot be drawn are left out.
+  // Draws the first picture of every variant and records its errors and samples. Variants that cannot be
+  // drawn are left out.
   Status drawOnce(AccuracyStudy& study) {
     for (std::size_t n = 0; n < variants_.size() && !cancel_.cancelled();) {
       if (progress_) progress_("drawing", n, variants_.size());
@@ -96,15 +97,15 @@ class Measurement {
   }
 
  private:
-  // Draws one frame, and keeps its time where nothing had to be made for it.
+  // Draws one frame. Records its time if no cache had to be filled for it.
   Result<Rendered> draw(Variant& v, bool timed = true) {
     const double begin = wallMs();
     auto done = render(v.plan, caches_, cancel_);
     const double ms = wallMs() - begin;
     v.spentMs += ms;
     const bool sameCaches = last_ && !needsOtherCaches(*last_, v.plan);
-    // Facts, gradients, copies and textures that a frame makes take no less than this. A row that is slow
-    // anyway is not drawn again for them.
+    // Facts, gradients, copies and textures take at least this long to make. A row that is slow anyway is not
+    // drawn again because of them.
     constexpr double madeSomething = 1;
     const bool counts =
         (sameCaches && done && done->stats.gradientsMs < madeSomething) || ms > options_.mostMs;
@@ -132,7 +133,7 @@ class Measurement {
   const StudyProgress& progress_;
   const CancelToken& cancel_;
   std::vector<Variant> variants_;
-  std::optional<Plan> last_;  ///< of the frame before
+  std::optional<Plan> last_;  ///< Plan of the frame before.
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ Status drawView(const Plan& plan, RenderCaches& caches, const CancelToken& cance
   return {};
 }
 
-// The first plan, and the picture that makes gradients, blocks and copies.
+// Makes the first plan and draws its picture, which fills gradients, blocks and copies.
 Status drawFirst(const Scene& scene, const RenderOptions& options, RenderCaches& caches,
                  const CancelToken& cancel, Orbit& out) {
   const double begin = wallMs();

@@ -5,42 +5,41 @@
 
 namespace volumen {
 
-/// How fast one view of an orbit is drawn.
+/// Drawing times of one view of an orbit.
 struct OrbitView {
-  double angleDegrees = 0;  ///< that the camera was turned by about its up axis
+  double angleDegrees = 0;  ///< Rotation of the camera about its up axis.
   std::vector<double> framesMs;
-  std::vector<double> processorsMs;  ///< of all processors together, a frame each
-  RenderStats stats;                 ///< of the last frame
+  std::vector<double> processorsMs;  ///< Time of all processors together, per frame.
+  RenderStats stats;                 ///< Statistics of the last frame.
 };
 
-/// How fast a scene is drawn from all around (design.md 4, `bench`).
+/// Drawing times of a scene from all around (design.md 4, `bench`).
 struct Orbit {
-  Plan plan;  ///< of the first view
-  double firstFrameMs =
-      0;  ///< facts, blocks, gradients, plan and picture, from a volume of which nothing is known
-  double gradientsMs = 0;  ///< of them, the Sobel pass and copies
+  Plan plan;                ///< Plan of the first view.
+  double firstFrameMs = 0;  ///< Facts, blocks, gradients, plan and picture of a fresh volume.
+  double gradientsMs = 0;   ///< The part of it for the Sobel pass and copies.
   std::vector<OrbitView> views;
 };
 
-/// What is measured.
+/// Extent of the measurement.
 struct OrbitOptions {
-  int views = 8;   ///< the camera turned by 360 / views each
-  int rounds = 5;  ///< frames a view; a round draws every view once, so that noise hits all alike
+  int views = 8;   ///< The camera turns by 360 degrees / views each.
+  int rounds = 5;  ///< Frames per view. A round draws every view once, so that noise affects all alike.
 };
 
-/// Draws and times. A camera that the scene does not give is fitted first. `caches` should be fresh, else the
-/// first frame is not one. An Error: the plan's, the renderer's, or "cancelled".
+/// Draws and times the views. First fits a camera if the scene has none. `caches` should be fresh, else the
+/// first frame is not a true first frame. Returns the plan's or the renderer's Error, or "cancelled".
 Result<Orbit> measureOrbit(const Scene& scene, const RenderOptions& options, const OrbitOptions& orbit,
                            RenderCaches& caches, const StudyProgress& progress = {},
                            const CancelToken& cancel = {});
 
-/// All frames of all views.
+/// Returns the times of all frames of all views.
 std::vector<double> allFramesMs(const Orbit& orbit);
 std::vector<double> allProcessorsMs(const Orbit& orbit);
 
-/// As a table for people: a line a view, and one over all.
+/// Returns a table for people: one line per view, and one over all views.
 std::string orbitText(const Orbit& orbit);
-/// One JSON object for scripts.
+/// Returns one JSON object for scripts.
 std::string orbitJson(const Orbit& orbit);
 
 }  // namespace volumen

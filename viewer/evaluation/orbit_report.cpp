@@ -12,7 +12,7 @@ struct Samples {
   double resampled = 0, shaded = 0, composited = 0;
 };
 
-// Means over the views.
+// Returns the means over the views.
 Samples meanSamples(const Orbit& orbit) {
   Samples sum;
   for (const OrbitView& v : orbit.views) {

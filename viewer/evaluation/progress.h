@@ -5,7 +5,8 @@
 
 namespace volumen {
 
-/// Called now and then with what is being done, how many of how many. From the calling thread.
+/// Called now and then from the calling thread with the current activity and the numbers of finished and of
+/// all items.
 using StudyProgress = std::function<void(const char* what, std::size_t done, std::size_t total)>;
 
 }  // namespace volumen

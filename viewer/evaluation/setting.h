@@ -7,31 +7,32 @@
 
 namespace volumen {
 
-/// One way to draw a picture: all that a row of the study turns.
+/// One way to draw a picture: all that a row of the study can vary.
 struct Setting {
-  std::string knob;   ///< that was turned: "step", "precision", ..., or "grid" where several were
-  std::string value;  ///< what it was turned to, in words: "1/4", "8 bits"
+  std::string knob;   ///< The knob that was turned: "step", "precision", ..., or "grid" for several.
+  std::string value;  ///< Its setting in words: "1/4", "8 bits".
   RenderOptions options;
-  double resolution = 1;  ///< of the picture's width and height; smaller ones are enlarged, bilinearly
+  /// Scale of the picture's width and height. Smaller pictures are enlarged bilinearly.
+  double resolution = 1;
   bool operator==(const Setting&) const = default;
 };
 
-/// One knob at a time, from the base: every value of every knob, the base itself first.
+/// Returns the base, then every value of every knob with all other knobs at the base.
 std::vector<Setting> oneKnobAtATime(const RenderOptions& base);
 
-/// The grid of the knobs that matter for time: step, resolution, shader and where rays end; step by the other
-/// methods.
+/// Returns a grid of the knobs that matter for time: step, resolution, shader and where rays end. For the
+/// other methods only the step varies.
 std::vector<Setting> gridOfKnobs(const RenderOptions& base);
 
-/// What the knobs are turned from: everything as the planner chooses it for a plain step small enough that
-/// the other knobs' errors show.
+/// Returns the base from which knobs are turned: the planner's choices at a plain step so small that the
+/// errors of the other knobs show.
 RenderOptions studyBase(glm::ivec2 size, int threads);
 
-/// A setting in a few words: "stop at 1/256", "planes, OpenGL"; where the value says it all, without the
-/// knob.
+/// Returns a setting in a few words: "stop at 1/256", "planes, OpenGL". The knob is left out if the value
+/// says it all.
 std::string settingName(const Setting& setting);
 
-/// "planes, OpenGL": by which the plots colour their points.
+/// Returns e.g. "planes, OpenGL"; the plots colour their points by it.
 std::string methodName(const RenderOptions& options);
 
 }  // namespace volumen

@@ -4,13 +4,13 @@
 
 namespace volumen {
 
-/// The middle value (of an even number, the mean of the middle two); 0 of none.
+/// Returns the middle value, or the mean of the middle two; 0 for no values.
 double median(std::vector<double> values);
-/// The smallest value; 0 of none.
+/// Returns the smallest value; 0 for no values.
 double minimum(const std::vector<double>& values);
 
-/// What this process has used of all processors, ms: on a machine that others use too it tells more than the
-/// wall clock.
+/// Returns the time, in ms, that this process has used of all processors. On a shared machine it tells more
+/// than the wall clock.
 double processorMs();
 
 }  // namespace volumen

@@ -11,7 +11,7 @@ namespace volumen {
 
 namespace {
 
-// Thoroughly mixed bits of a cell's number (the finaliser of SplitMix64).
+// Returns thoroughly mixed bits of a cell's number (the finaliser of SplitMix64).
 std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -25,7 +25,7 @@ glm::vec4 pixelOf(const Picture& picture, int x, int y) {
   return {p[0], p[1], p[2], p[3]};
 }
 
-// picture.md 7: pixels are squares of height / H mm around the middle of the picture.
+// Pixels are squares of height / H mm around the middle of the picture (picture.md 7).
 glm::vec4 enlarged(const Picture& small, glm::ivec2 size, glm::ivec2 pixel) {
   const double scale = double(small.size.y) / size.y;
   const glm::dvec2 at =

@@ -7,30 +7,31 @@
 
 namespace volumen {
 
-/// The reference of a picture, at every pixel, or, where the picture is large, at one pixel of each cell of a
-/// grid laid over it: the reference casts its rays one by one, some thousand times slower than the others.
+/// The reference of a picture at every pixel, or for large pictures at one pixel of each cell of a grid. The
+/// reference casts rays one by one and is some thousand times slower than the other methods.
 struct Truth {
-  glm::ivec2 size{0};              ///< of the picture
-  glm::ivec2 grid{0};              ///< cells; `size` where every pixel is taken
-  std::vector<glm::ivec2> pixels;  ///< one a cell, row by row
-  Picture picture;                 ///< of the grid's size: the reference at these pixels
-  std::vector<std::uint8_t> well;  ///< which of them are well-conditioned (design.md 2)
-  double ms = 0;                   ///< that it took
+  glm::ivec2 size{0};              ///< Size of the picture.
+  glm::ivec2 grid{0};              ///< In cells; equals `size` if every pixel is used.
+  std::vector<glm::ivec2> pixels;  ///< One per cell, row by row.
+  Picture picture;                 ///< The reference at these pixels, in the grid's size.
+  std::vector<std::uint8_t> well;  ///< Non-zero for well-conditioned pixels (design.md 2).
+  double ms = 0;                   ///< Time taken.
 
-  /// Of `pixels`, how many are not well-conditioned and therefore not counted.
+  /// Returns how many of `pixels` are ill-conditioned and therefore not counted.
   std::size_t illConditioned() const;
 };
 
-/// One pixel of each cell of a grid of at most `most` cells, of the picture's proportions: at a place in the
-/// cell that only the cell decides, so that no pattern of the scene meets one of the pixels.
+/// Chooses one pixel of each cell of a grid of at most `most` cells with the picture's proportions. Its
+/// position depends only on the cell, pseudo-randomly, so that no pattern of the scene coincides with the
+/// pixels.
 void choosePixels(Truth& truth, glm::ivec2 size, int most);
 
-/// The reference of a complete scene (a plan's). An Error only where cancelled.
+/// Computes the reference of a complete scene, as plans hold it. Returns an Error only if cancelled.
 Result<Truth> makeTruth(const Scene& complete, const Volume& volume, glm::ivec2 size, int mostPixels,
                         int threads, const StudyProgress& progress = {}, const CancelToken& cancel = {});
 
-/// The truth's pixels as `picture` has them. A picture of another size shows the same view: it is read
-/// bilinearly at their places.
+/// Returns the truth's pixels as `picture` shows them. A picture of another size must show the same view and
+/// is sampled bilinearly.
 Picture atPixelsOf(const Truth& truth, const Picture& picture);
 
 }  // namespace volumen

@@ -21,7 +21,7 @@ enum CastUnit {
   beforeUnit
 };
 
-// So many that the loops of a pass, one within the other, take a quarter of the turns that llvmpipe allows.
+// Limits the nested loops of a pass to a quarter of the iterations that llvmpipe allows.
 int stepsOfPass(const RayInputs& f) {
   const int turnsOfStep = 1 + f.curve->hops + std::max(1, int(f.transfer->gradientOpacity.size())) +
                           2 * int(f.lighting->lights.size());

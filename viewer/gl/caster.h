@@ -8,18 +8,19 @@
 
 namespace volumen {
 
-/// Draws rays whole in one fragment shader: resampled, classified after interpolation, shaded and composited
-/// front to back (figure 1c of the paper); or composited from preshaded voxels (figure 1b). In floats; with
-/// 16 bits the hardware filters (see PlaneResampler). Long rays take several passes. Needs a current context.
+/// Casts whole rays in one fragment shader. They are resampled, classified after interpolation, shaded and
+/// composited front to back (figure 1c of the paper), or composited from preshaded voxels (figure 1b).
+/// Computes in floats; 16-bit volumes are filtered by the hardware (see PlaneResampler). Long rays take
+/// several passes. Needs a current context.
 class Caster {
  public:
-  /// Programs, tables and uniforms for a picture.
+  /// Sets up programs, tables and uniforms for a picture.
   Status prepare(const Plan& plan, const RayInputs& inputs, const VolumeTextures& textures);
-  /// Draws a band. An Error where OpenGL has no room.
+  /// Draws a band. Returns an Error if OpenGL runs out of memory.
   Status draw(const RayBand& band, float inverseUnitMm);
-  /// The band, four floats a pixel, row by row, until the next call: premultiplied colour and alpha, or of a
-  /// projection the extreme density and 0, or the sum of density times length and the length. Empty where
-  /// OpenGL failed.
+  /// Returns the band, four floats per pixel, row by row, valid until the next call. Composites:
+  /// premultiplied colour and alpha. Extremes: the density and 0. Averages: the sum of density times length,
+  /// and the length. Empty if OpenGL failed.
   const std::vector<float>& pixels() { return target_.pixels(); }
 
  private:
@@ -32,7 +33,7 @@ class Caster {
   Programs programs_;
   unsigned program_ = 0, vertices_ = 0;
   int stepsOfPass_ = 1;
-  PictureTarget target_, before_;  ///< of this pass, and what it goes on from
+  PictureTarget target_, before_;  ///< Target of this pass, and the result of the pass before.
   BufferTexture rays_, curve_, buckets_, factors_, lights_, shades_;
 };
 

@@ -11,7 +11,7 @@ namespace volumen {
 
 namespace {
 
-// libepoxy ends the program where it misses a library, so they are looked for first.
+// libepoxy ends the program if a library is missing, so libraries are looked for first.
 bool canLoad(const char* library) {
   void* handle = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
   if (handle) dlclose(handle);
@@ -30,13 +30,13 @@ bool lists(const char* extensions, std::string_view wanted) {
 class EglContext : public GlContext {
  public:
   EglContext(EGLDisplay display, EGLContext context) : display_(display), context_(context) {}
-  // The display is the process's, shared by all contexts; ending it would end them too.
+  // The display belongs to the process and all contexts share it. Ending it would end them too.
   ~EglContext() override { eglDestroyContext(display_, context_); }
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
   bool makeCurrent() override {
-    // Which API a context is looked for in is the calling thread's own setting.
+    // The API in which a context is looked up is a setting of the calling thread.
     return eglBindAPI(EGL_OPENGL_API) &&
            eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
   }
@@ -50,7 +50,7 @@ class EglContext : public GlContext {
   EGLContext context_;
 };
 
-// A context of OpenGL 3.3 core that can be current without a surface; null where the display has none.
+// Returns a context of OpenGL 3.3 core that needs no surface; null if the display has none.
 std::unique_ptr<GlContext> contextOf(EGLDisplay display) {
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return nullptr;
   const char* extensions = eglQueryString(display, EGL_EXTENSIONS);

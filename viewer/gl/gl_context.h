@@ -7,24 +7,24 @@
 
 namespace volumen {
 
-/// An OpenGL context of at least 3.3 core, of one RenderCaches alone: what is made in it goes with it, and
-/// nobody else changes its state. It is made, used and current only on the thread that renders.
+/// An OpenGL context of at least 3.3 core for one RenderCaches alone. All objects made in it end with it, and
+/// no other code changes its state. It is made, used and current only on the rendering thread.
 class GlContext {
  public:
   virtual ~GlContext() = default;
-  /// Makes it the calling thread's context; false where that cannot be.
+  /// Makes it the calling thread's context. Returns false on failure.
   virtual bool makeCurrent() = 0;
   virtual void doneCurrent() = 0;
 };
 
-/// Makes a context, or says in half a sentence why there is none ("there is no libEGL").
+/// Makes a context, or returns the reason for failure as half a sentence ("there is no libEGL").
 using GlContextFactory = std::function<Result<std::unique_ptr<GlContext>>()>;
 
-/// A context without display or window: EGL's surfaceless platform (Mesa), else the first EGL device that has
-/// OpenGL. Nothing fails harder than an Error where there is no EGL or no OpenGL.
+/// Makes a context without display or window: by EGL's surfaceless platform (Mesa), else on the first EGL
+/// device that has OpenGL. Returns an Error, and never crashes, if EGL or OpenGL is missing.
 Result<std::unique_ptr<GlContext>> makeEglContext();
 
-/// Keeps a context current in a scope.
+/// Keeps a context current during a scope.
 class CurrentContext {
  public:
   explicit CurrentContext(GlContext& context) : context_(context), current_(context.makeCurrent()) {}

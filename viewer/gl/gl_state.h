@@ -10,17 +10,17 @@
 
 namespace volumen {
 
-/// All that a RenderCaches holds in OpenGL. What has names in it goes with the context.
+/// All OpenGL objects of a RenderCaches. Their names end with the context.
 struct GlState {
   std::unique_ptr<GlContext> context;
-  std::string renderer;  ///< GL_RENDERER
+  std::string renderer;  ///< Value of GL_RENDERER.
   VolumeTextures textures;
   PlaneResampler resampler;
   Caster caster;
   SliceBlender blender;
 };
 
-/// Makes the context with the factory and looks at what it can do. An Error is a sentence with a way out.
+/// Makes the context with the factory and checks its capabilities. An Error is a sentence with a workaround.
 Result<std::unique_ptr<GlState>> makeGlState(const GlContextFactory& factory);
 
 }  // namespace volumen

@@ -7,8 +7,8 @@ namespace volumen {
 namespace {
 
 Result<GLuint> compile(GLenum kind, const std::string& defines, const std::vector<const char*>& parts) {
-  // `precise` (where the driver has it) keeps the compiler from fusing a multiply and an add, which the CPU's
-  // kernels do not do either.
+  // `precise` (if the driver has it) keeps the compiler from fusing a multiply and an add, as the CPU kernels
+  // do not fuse them.
   const std::string head =
       "#version 330 core\n"
       "#extension GL_ARB_gpu_shader5 : enable\n"

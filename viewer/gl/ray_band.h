@@ -7,25 +7,25 @@
 
 namespace volumen {
 
-/// Whole rows of a picture and their rays, as many as OpenGL takes at a time. Pixel (x, row) of a target
-/// belongs to ray x of rows[row]; rows are padded to `stride` pixels with rays of no steps.
+/// Whole rows of a picture and their rays, as many as OpenGL takes at once. Pixel (x, row) of a target
+/// belongs to ray x of rows[row]. Rows are padded to `stride` pixels with rays without steps.
 struct RayBand {
   std::vector<RayRow> rows;
-  int stride = 0, longest = 0;  ///< longest: most steps of a ray
+  int stride = 0, longest = 0;  ///< longest: largest number of steps of a ray.
   bool empty() const { return rows.empty(); }
 };
 
 /// Cuts a picture into bands from the top.
 class RayBands {
  public:
-  /// `drawnSteps`: the most samples of a ray that are drawn in one go, which must not take a GPU so long that
-  /// its driver gives up.
+  /// `drawnSteps`: largest number of samples per ray and draw call. One draw call must not run so long that
+  /// the GPU's driver aborts it.
   RayBands(const RayGenerator& setup, glm::ivec2 size, std::int64_t drawnSteps)
       : setup_(setup), size_(size), drawnSteps_(drawnSteps) {}
 
-  /// Rows of the largest band. Needs a current context, whose limits it keeps.
+  /// Returns the number of rows of the largest band. Needs a current context and respects its limits.
   int rows() const;
-  /// Makes the rays of the next band on all cores; leaves it empty where the picture is done.
+  /// Computes the rays of the next band on all cores; leaves it empty at the end of the picture.
   void fill(RayBand& band, int threads);
 
  private:
@@ -35,7 +35,7 @@ class RayBands {
   int next_ = 0;
 };
 
-/// Hands a band's rays to shaders (ray.glsl).
+/// Uploads a band's rays for shaders (ray.glsl).
 Status uploadRays(const RayBand& band, float inverseUnitMm, BufferTexture& to);
 
 }  // namespace volumen

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The files of resources/shaders, compiled in; without their #version line.
+/// The files of resources/shaders, compiled in without their #version lines.
 namespace volumen::shaders {
 
 extern const char* const planes_vert;

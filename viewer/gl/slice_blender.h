@@ -11,27 +11,28 @@
 
 namespace volumen {
 
-/// Resamples slices of a band of rays, brings them back for shading, and blends shaded ones into a picture
-/// buffer (paper 3.2). Two slots, so that one slice is drawn and on its way back while the CPU shades
-/// another. Needs a current context.
+/// Resamples slices of a band of rays, reads them back for shading, and blends shaded slices into a frame
+/// buffer (paper 3.2). Two slots let one slice be drawn and read back while the CPU shades another. Needs a
+/// current context.
 class SliceBlender {
  public:
-  /// Program and uniforms for a picture.
+  /// Sets up program and uniforms for a picture.
   Status prepare(const Plan& plan, const VolumeTextures& textures);
-  /// Targets for a band, the frame buffer empty. An Error where OpenGL has no room.
+  /// Makes the targets for a band and clears the frame buffer. Returns an Error if OpenGL runs out of memory.
   Status begin(const RayBand& band, float inverseUnitMm);
 
-  /// Starts to draw the n-th samples of the band's rays and to bring them back.
+  /// Starts to draw the n-th samples of the band's rays and to read them back.
   void drawSlice(int n, int slot);
-  /// The samples last drawn into the slot, `stride` a row, until unmap(); null where OpenGL failed.
+  /// Returns the samples last drawn into the slot, `stride` per row, valid until unmap(); null if OpenGL
+  /// failed.
   SampleTarget::Samples map(int slot);
   void unmap(int slot) { slots_[slot].unmap(); }
-  /// What OpenGL took to resample slices since this was last asked, ms.
+  /// Returns the time, in ms, that OpenGL has spent on resampling slices since the last call.
   double takeGlMs() { return std::exchange(glMs_, 0.0); }
 
-  /// Blends a shaded slice, four floats a pixel, over (composite) or into (projections) the frame buffer.
+  /// Blends a shaded slice, four floats per pixel, over (composite) or into (projections) the frame buffer.
   void blend(const float* rgba);
-  /// The frame buffer, four floats a pixel. Empty where OpenGL failed.
+  /// Returns the frame buffer, four floats per pixel; empty if OpenGL failed.
   const std::vector<float>& pixels() { return frame_.pixels(); }
 
  private:
@@ -44,7 +45,7 @@ class SliceBlender {
   BufferTexture rays_;
   std::array<SampleTarget, 2> slots_;
   PictureTarget frame_;
-  unsigned shaded_ = 0;  ///< the slice that is blended
+  unsigned shaded_ = 0;  ///< Texture of the slice to blend.
   glm::ivec2 size_{0};
   bool gradients_ = false;
   Mode mode_ = Mode::composite;

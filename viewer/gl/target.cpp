@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// The bound framebuffer can be drawn into.
+// Returns true if the bound framebuffer can be drawn into.
 bool complete() {
   return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR;
 }
@@ -108,7 +108,7 @@ void SampleTarget::startReading(int rows) {
 }
 
 SampleTarget::Samples SampleTarget::map() {
-  // Rays that miss the volume have no samples, but a buffer cannot be mapped by 0 bytes.
+  // Rays that miss the volume have no samples, but no buffer can be mapped with 0 bytes.
   const GLintptr density = bytesOf(size_.x, std::max(rows_, 1)), all = density * (gradients_ ? 5 : 1);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_);
   const auto* data =

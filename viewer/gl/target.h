@@ -5,22 +5,22 @@
 
 namespace volumen {
 
-/// Forgets OpenGL's errors so far, so that the next one comes of what follows.
+/// Discards OpenGL's pending errors, so that the next error belongs to the calls that follow.
 void clearGlErrors();
 
-/// A 2D texture without content, its texels not interpolated, of a format like GL_RGBA32F. It stays bound.
+/// Makes an empty 2D texture without interpolation, of a format like GL_RGBA32F. It stays bound.
 unsigned makePlainTexture(unsigned format, glm::ivec2 size);
 
-/// A picture that is drawn, four components a pixel. Its names go with the context.
+/// A picture to draw into, four components per pixel. Its names end with the context.
 class PictureTarget {
  public:
-  /// Makes it, in place of what was there, in a format like GL_RGBA32F. False where OpenGL has no room.
+  /// Makes or replaces the picture in a format like GL_RGBA32F. Returns false if OpenGL runs out of memory.
   bool make(unsigned format, glm::ivec2 size);
-  glm::ivec2 size() const { return size_; }      ///< 0 where nothing is made
-  unsigned texture() const { return texture_; }  ///< to read it; 0 where nothing is made
-  /// Makes all of it what is drawn into.
+  glm::ivec2 size() const { return size_; }      ///< 0 if nothing is made.
+  unsigned texture() const { return texture_; }  ///< For reading; 0 if nothing is made.
+  /// Makes the whole picture the current draw target.
   void use() const;
-  /// Four floats a pixel, row by row, until the next call. Empty where OpenGL failed.
+  /// Returns four floats per pixel, row by row, valid until the next call; empty if OpenGL failed.
   const std::vector<float>& pixels();
 
  private:
@@ -29,29 +29,29 @@ class PictureTarget {
   std::vector<float> pixels_;
 };
 
-/// Samples that are drawn and brought back through a pixel buffer while OpenGL goes on. Its names go with the
+/// Samples that are drawn and read back asynchronously through a pixel buffer. Its names end with the
 /// context.
 class SampleTarget {
  public:
-  /// Makes it; free() it first where it was made before. False where OpenGL has no room.
+  /// Makes the target; call free() before making it again. Returns false if OpenGL runs out of memory.
   bool make(glm::ivec2 size, bool gradients);
   void free();
-  /// Makes all of it what is drawn into.
+  /// Makes the whole target the current draw target.
   void use() const;
-  /// Starts to bring the first rows back.
+  /// Starts to read back the first `rows` rows.
   void startReading(int rows);
-  /// Densities row by row; gradients four floats each, null where it has none.
+  /// Densities row by row; gradients of four floats each, null if it has none.
   struct Samples {
     const float *density = nullptr, *gradients = nullptr;
   };
-  /// Waits for the rows last asked for. They are there until unmap(); null where OpenGL failed.
+  /// Waits for the rows last requested and returns them, valid until unmap(); null if OpenGL failed.
   Samples map();
   void unmap();
 
  private:
-  unsigned framebuffer_ = 0, density_ = 0, gradients_ = 0, buffer_ = 0;  ///< gradients_ 0: it has none
+  unsigned framebuffer_ = 0, density_ = 0, gradients_ = 0, buffer_ = 0;  ///< gradients_ 0: without gradients.
   glm::ivec2 size_{0};
-  int rows_ = 0;  ///< last asked for
+  int rows_ = 0;  ///< Last requested.
 };
 
 }  // namespace volumen

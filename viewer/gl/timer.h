@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// Measures what OpenGL itself takes for what it is told between begin() and end(), a query for each of two
-/// slots. Names go with the context.
+/// Measures the time OpenGL spends on the commands between begin() and end(), with one query for each of two
+/// slots. Names end with the context.
 class GlTimer {
  public:
   void begin(int slot) {
@@ -15,7 +15,7 @@ class GlTimer {
     glBeginQuery(GL_TIME_ELAPSED, queries_[slot]);
   }
   void end() { glEndQuery(GL_TIME_ELAPSED); }
-  /// Waits for the slot's work and returns its time, ms.
+  /// Waits for the slot's work and returns its time in ms.
   double ms(int slot) const {
     GLuint64 ns = 0;
     glGetQueryObjectui64v(queries_[slot], GL_QUERY_RESULT, &ns);

@@ -25,7 +25,7 @@ std::string inWords(glm::ivec3 n) {
   return std::to_string(n.x) + " x " + std::to_string(n.y) + " x " + std::to_string(n.z) + " voxels";
 }
 
-// A 3D texture without content, bound; 0 where there is no room for it.
+// Returns an empty 3D texture, bound; 0 if there is no memory for it.
 GLuint makeTexture(const Format& format, glm::ivec3 n) {
   GLuint name = 0;
   clearGlErrors();
@@ -46,8 +46,8 @@ GLuint makeTexture(const Format& format, glm::ivec3 n) {
   return name;
 }
 
-// Fills the bound texture in layers of whole slices, so that the driver's copies stay small. layer(first
-// voxel, voxels): the data of these voxels, whose rows lie `rowVoxels` apart.
+// Fills the bound texture in layers of whole slices, which keeps the driver's copies small. layer(first
+// voxel, voxels) returns their data, with rows `rowVoxels` apart.
 template <class Layer>
 Status upload(const Format& format, glm::ivec3 n, int rowVoxels, const CancelToken& cancel,
               const Layer& layer) {
@@ -99,8 +99,8 @@ void VolumeTextures::use(unsigned program, const Plan& plan) const {
   glUniform1f(uniform("rounding"), rounding());
 }
 
-// A texel's way to 0..1 and back, and its interpolation, round densities in 16 bits by less than this: less
-// than four times 2^-24 of the largest.
+// Returns a bound on the rounding of 16-bit densities: less than four times 2^-24 of the largest. It covers
+// the conversion of a texel to 0..1 and back, and its interpolation.
 float VolumeTextures::rounding() const { return float(std::max(span_, 1)) * 0x1p-21f; }
 
 Status VolumeTextures::loadShaded(glm::ivec3 n, const float* rgba, const CancelToken& cancel) {

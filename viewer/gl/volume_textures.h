@@ -9,23 +9,23 @@
 
 namespace volumen {
 
-/// Density and gradients of one volume as 3D textures, in the units of StoredVoxels. Stored
-/// in 16 bits: density normalised R16, counted from the smallest, and gradients RGBA16_SNORM, filtered by the
-/// hardware. In 32 bits: R32F and RGBA32F, filtered in the shader. Needs a current context.
+/// Density and gradients of one volume as 3D textures, in the units of StoredVoxels. In 16 bits: density as
+/// normalised R16, counted from the smallest value, and gradients as RGBA16_SNORM, filtered by the hardware.
+/// In 32 bits: R32F and RGBA32F, filtered in the shader. Needs a current context.
 class VolumeTextures {
  public:
-  /// Makes what the plan needs and is not there yet. An Error where the volume is too large for OpenGL, or
-  /// "cancelled".
+  /// Makes the missing textures that the plan needs. Returns an Error if the volume is too large for OpenGL,
+  /// or "cancelled".
   Status load(const Plan& plan, StoredVoxels& voxels, const CancelToken& cancel);
 
-  /// Preshaded voxels, four floats each, filtered in the shader. Not kept for another picture.
+  /// Uploads preshaded voxels, four floats each, filtered in the shader. They serve one picture only.
   Status loadShaded(glm::ivec3 size, const float* rgba, const CancelToken& cancel);
 
-  /// Texture units: sample.glsl has those below `freeUnit`.
+  /// Texture units. sample.glsl uses those below `freeUnit`.
   enum Unit { densityUnit, gradientUnit, freeUnit };
-  /// The lines that a program of sample.glsl is compiled with for the plan.
+  /// Returns the #define lines for a program of sample.glsl and this plan.
   static std::string defines(const Plan& plan);
-  /// Makes such a program current and hands it what was loaded for the plan.
+  /// Makes such a program current and passes it the textures loaded for the plan.
   void use(unsigned program, const Plan& plan) const;
 
   std::size_t densityBytes() const { return density_.bytes; }
@@ -34,7 +34,7 @@ class VolumeTextures {
  private:
   struct Texture {
     unsigned name = 0;
-    int bits = 0;  ///< stored precision; 0: nothing is in it
+    int bits = 0;  ///< Stored precision; 0: empty.
     std::size_t bytes = 0;
   };
   Status loadDensity(int bits, StoredVoxels& voxels, const CancelToken& cancel);
@@ -45,7 +45,7 @@ class VolumeTextures {
   glm::ivec3 size_{0};
   Texture density_, gradients_, shaded_;
   GradientOperator gradientsBy_ = GradientOperator::sobel;
-  int smallest_ = 0, span_ = 0;  ///< of densities in 16 bits; a texel of 0 stands for the smallest
+  int smallest_ = 0, span_ = 0;  ///< Range of 16-bit densities; a texel of 0 stands for the smallest.
 };
 
 }  // namespace volumen

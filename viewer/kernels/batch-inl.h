@@ -1,5 +1,4 @@
-// The composite kernel of plain steps that looks only at samples whose cells can show anything, compiled once
-// a CPU target.
+// Composite kernel for plain steps that samples only visible cells. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_BATCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_BATCH_INL_H_
 #undef VOLUMEN_KERNELS_BATCH_INL_H_
@@ -15,21 +14,22 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Samples in visible cells, of some packets, side by side whichever rays they belong to: density and
-/// gradient together; of those that can be seen opacities and light; then over one another, each on its ray.
-/// While one batch is worked on the memory of the next is on its way. Every sample is computed as DenseTracer
-/// does, and added to its ray in the same order, so both give the same bytes.
+/// Composites the samples of several packets that lie in visible cells. A batch holds samples of any rays.
+/// Passes over a batch: density and gradient together, opacity and light of the samples that can be seen,
+/// then compositing per ray. The voxels of the next batch are prefetched while one batch is computed. Samples
+/// are computed and added to their rays exactly as in DenseTracer, so both give the same bytes.
 template <class Store, bool kIsLit, bool kGradientOpacity>
 class BatchTracer {
   using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
 
  public:
-  static constexpr int kGroupSteps = 16;  ///< steps that all packets take before any goes on
+  /// Steps that all packets take before any packet takes the next group.
+  static constexpr int kGroupSteps = 16;
   static constexpr bool kCells = true;
   static constexpr bool kPrefetches = false;
   static constexpr bool kBlends = false;
 
-  /// Adds to `out`, which must be 0.
+  /// `out` must be 0; the results are added to it.
   BatchTracer(const RayInputs& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
               TraceCounts& counts)
       : f_(f),
@@ -39,7 +39,8 @@ class BatchTracer {
         out_(out),
         counts_(counts) {}
 
-  /// Takes the packet at ray `first`, which is open, through the steps that `bits` names, step + n by bit n.
+  /// Advances the open packet at ray `first` through the steps that `bits` names: bit n stands for `step` +
+  /// n.
   HWY_INLINE void Advance(const EmptySpaceSkipper& skipper, int first, int step, std::uint64_t bits) {
     if (!bits) return;
     const Packet p = LoadPacket(f_, rays_, first);
@@ -66,20 +67,21 @@ class BatchTracer {
   static constexpr int kFull = 8 * kLanes;
   using Windows = CellWindows<kGroupSteps>;
 
-  static constexpr bool kRays = Material::kLit;  ///< light may ask which ray a sample is of
+  static constexpr bool kRays = Material::kLit;  ///< Lighting may need the ray of each sample.
 
   static constexpr int kMost = kFull + (kGroupSteps + 1) * kLanes, kMostSteps = kFull + kGroupSteps;
-  /// Samples, and the steps of packets that they are of.
+  /// Samples, and the packet and step that each group of them belongs to.
   struct Batch : SampleArrays<kMost> {
     HWY_ALIGN std::int32_t ray[kRays ? kMost : 1];
     struct Step {
-      int first;           ///< ray of the packet
-      std::uint32_t rays;  ///< which of its rays have a sample here
+      int first;           ///< First ray of the packet.
+      std::uint32_t rays;  ///< The rays of the packet that have a sample at this step, as bits.
     };
     Step steps[kMostSteps];
     int stepCount = 0;
-    int noted = 0;                           ///< samples before those that cannot be seen are left out
-    std::uint32_t seen[kMost / kLanes + 1];  ///< which of those noted can be seen, a vector an entry
+    int noted = 0;  ///< Number of samples before invisible ones are removed.
+    /// Which of the `noted` samples can be seen: one vector per entry.
+    std::uint32_t seen[kMost / kLanes + 1];
 
     /// Fills the last vector with samples of length 0.
     HWY_INLINE void Pad() {
@@ -89,14 +91,14 @@ class BatchTracer {
       if constexpr (kRays) hn::StoreU(hn::Zero(DI()), DI(), ray + end);
     }
 
-    /// Which of those noted can be seen, from the n-th on in the lowest bits; as many as a vector has.
+    /// Returns one vector's worth of the bits in `seen`, with the bit of sample n lowest.
     HWY_INLINE std::uint32_t SeenFrom(int n) const {
       const std::uint64_t next = seen[n / kLanes + 1];
       return std::uint32_t((seen[n / kLanes] | next << kLanes) >> n % kLanes);
     }
   };
 
-  /// Notes the packet's samples in visible cells. `kGoOn`: open rays do (GoOn).
+  /// Notes the packet's samples in visible cells. `kGoOn`: GoOn holds for the open rays.
   template <bool kGoOn>
   HWY_INLINE void Place(const Packet& p, MF open, const Windows& windows, int first, int step,
                         std::uint64_t bits) {
@@ -107,7 +109,7 @@ class BatchTracer {
         return Position(p, n, IsLast(p, n));
     };
     auto& s = *next_;
-    // All steps are asked before any is noted, so that none waits for what the one before has found.
+    // Tests all steps before noting any, so that no step waits for the result of the one before.
     std::uint32_t masks[kGroupSteps];
     std::uint64_t visible = 0;
     for (; bits; bits &= bits - 1) {
@@ -133,7 +135,7 @@ class BatchTracer {
     }
   }
 
-  /// Finds the samples' cells, and asks for their voxels.
+  /// Finds the cells of the samples and prefetches their voxels.
   HWY_INLINE void Locate(Batch& s) {
     s.noted = s.size;
     s.Pad();
@@ -144,7 +146,7 @@ class BatchTracer {
       hn::Store(c.fx, df, s.x + n);
       hn::Store(c.fy, df, s.y + n);
       hn::Store(c.fz, df, s.z + n);
-      // The cells between are their neighbours, mostly in the same lines of the cache.
+      // Prefetches every fourth cell: the cells between are neighbours, mostly in the same cache lines.
       Store::template Prefetch<Material::kGradients>(grid_, s.index + n, kLanes, 4);
     }
   }
@@ -154,7 +156,7 @@ class BatchTracer {
     counts_.resampled += s.noted;
     Resample(s);
     Classify(material_, s);
-    // One batch in 32 is timed; they stand for all.
+    // Times one batch in 32 and extrapolates to all.
     const std::int64_t begin = timed_++ % 32 == 0 ? Ticks() : 0;
     Light(material_, s, [&](int n) {
       if constexpr (kRays)
@@ -167,7 +169,7 @@ class BatchTracer {
     s.size = s.noted = s.stepCount = 0;
   }
 
-  /// Densities and gradients; keeps the samples that can be seen.
+  /// Computes densities and gradients; keeps only the samples that can be seen.
   HWY_INLINE void Resample(Batch& s) {
     const DF df;
     int kept = 0;
@@ -192,7 +194,7 @@ class BatchTracer {
     hn::StoreU(hn::Zero(df), df, s.unitDistances + kept);
   }
 
-  /// Front to back (paper 3.1).
+  /// Composites front to back (paper 3.1).
   HWY_INLINE void Composite(Batch& s) {
     const DF df;
     const VF opaque = Set(1 - f_.stopTransmittance);

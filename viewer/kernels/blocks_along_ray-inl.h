@@ -1,4 +1,4 @@
-// Passing over blocks that cannot change an extreme, compiled once a CPU target.
+// Skips blocks that cannot change an extreme. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_BLOCKS_ALONG_RAY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_BLOCKS_ALONG_RAY_INL_H_
 #undef VOLUMEN_KERNELS_BLOCKS_ALONG_RAY_INL_H_
@@ -16,14 +16,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// The blocks that the rays of a packet pass, and what no density there exceeds: those are looked into where
-/// that is more than a ray has met.
+/// The blocks along the rays of a packet, each with a bound on its density. A block is searched only if its
+/// bound exceeds what its ray has met.
 template <Mode kMode>
 class BlocksAlongRay {
   using E = Extreme<kMode>;
 
  public:
-  /// `blocks` must have four or more, and outlive it; `size`: of the volume, voxels.
+  /// `blocks` must hold at least four blocks and outlive this object. `size`: of the volume, in voxels.
   BlocksAlongRay(const BlockValues& blocks, glm::ivec3 size)
       : blockRanges_(*blocks.blockRanges),
         lastCell_(glm::max(size - 2, 0)),
@@ -36,12 +36,12 @@ class BlocksAlongRay {
     }
   }
 
-  /// Finds the extremes of a packet that has taken nothing yet; how many passages were taken. In whatever
-  /// order, an extreme is the same.
+  /// Finds the extremes of a packet from which nothing has been taken yet. Returns the number of passages
+  /// taken. The order in which blocks are taken does not change an extreme.
   template <class Store>
   std::int64_t Take(CellProjection<Store, kMode>& rays) {
     Follow(rays.Rays());
-    // Where the most may be it mostly is.
+    // The block with the highest bound usually holds the extreme.
     VF at = first_.from, to = first_.to;
     std::int64_t taken = rays.Take(at, to, 0);
     for (;;) {
@@ -52,13 +52,13 @@ class BlocksAlongRay {
         continue;
       }
       if (open == 0) return taken;
-      // Rays that are through with a block wait until half of them are.
+      // Rays that have finished a block wait until half of the rays have.
       taken += rays.Take(at, to, listed && left_ == 0 ? 0 : open / 2);
     }
   }
 
  private:
-  /// Where each ray enters a block and leaves it, in steps from its start.
+  /// Where each ray enters and leaves a block, in steps from the ray's start, and the block's bound.
   struct BlockPassage {
     VF most, from, to;
   };
@@ -83,8 +83,8 @@ class BlocksAlongRay {
       q.first = q.end = 0, q.parts.resize(std::max(q.parts.size(), most_.size() / kLanes));
   }
 
-  /// What no density in the blocks around the rays exceeds. Behind the last voxels' centres these are the
-  /// blocks of the cells before, which are what is interpolated in there.
+  /// Returns a bound on all densities in the blocks around the rays. Beyond the centres of the last voxels it
+  /// uses the blocks of the preceding cells, because interpolation reads those.
   HWY_INLINE VF MostOf(const FaceWalk& walk) const {
     const DI di;
     const auto block = [&](VF lower, int lastCell) {
@@ -94,7 +94,7 @@ class BlocksAlongRay {
     const VI row = hn::Add(hn::Mul(block(walk.z.Lower(), lastCell_.z), SetI(blockRanges_.count.y)),
                            block(walk.y.Lower(), lastCell_.y));
     const VI n = hn::Add(hn::Mul(row, SetI(blockRanges_.count.x)), block(walk.x.Lower(), lastCell_.x));
-    // Four bytes at a time, none behind the last.
+    // Reads four bytes at once, without reading past the last byte.
     const VI from = hn::Min(n, SetI(int(bytes_.size()) - 4));
     const VI four = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(bytes_.data()), from);
     const VI level = hn::And(hn::Shr(four, hn::ShiftLeft<3>(hn::Sub(n, from))), SetI(255));
@@ -106,7 +106,8 @@ class BlocksAlongRay {
     hn::StoreU(values, DF(), to.data() + to.size() - kLanes);
   }
 
-  /// Lists, of each ray, those of the next few parts that may hold more than it has met, but for its first.
+  /// Queues, for each ray, those of the next few parts whose bound exceeds what the ray has met. The first
+  /// part of each ray has been taken already.
   void List(VF met) {
     const DF df;
     const std::size_t end = std::min(most_.size(), listed_ + 16 * kLanes);
@@ -122,8 +123,8 @@ class BlocksAlongRay {
     }
   }
 
-  /// Sends rays that are where they should go on to the next part listed that may hold more than they have
-  /// met, and to those that follow at once. How many are on their way.
+  /// Sends each idle ray to its next queued part that may hold more than it has met. Directly adjoining parts
+  /// are taken together. Returns how many rays are under way.
   int Refill(VF met, VF& at, VF& to) {
     const DF df;
     HWY_ALIGN float value[kLanes], from[kLanes], end[kLanes];
@@ -152,7 +153,7 @@ class BlocksAlongRay {
     return open;
   }
 
-  /// Parts of a ray that are listed, as they stand in most_; those before `first` are done.
+  /// The queued parts of a ray, as indices into most_. Parts before `first` are done.
   struct Queue {
     std::vector<int> parts;
     int first = 0, end = 0;
@@ -162,11 +163,11 @@ class BlocksAlongRay {
   const glm::ivec3 lastCell_;
   const std::vector<std::uint8_t>& bytes_;
   float mostOfLevel_[BlockRanges::mostLevels] = {};
-  std::vector<float> begin_, most_;  ///< of each part, a vector; one more beginning
-  BlockPassage first_;               ///< that holds the most
-  std::size_t listed_ = 0;           ///< of most_
+  std::vector<float> begin_, most_;  ///< One vector per part; begin_ has one more.
+  BlockPassage first_;               ///< Part with the highest bound.
+  std::size_t listed_ = 0;           ///< Number of entries of most_ that are queued already.
   Queue queues_[kLanes];
-  std::int64_t left_ = 0;  ///< in all queues
+  std::int64_t left_ = 0;  ///< Parts left in all queues.
 };
 
 }  // namespace volumen::HWY_NAMESPACE

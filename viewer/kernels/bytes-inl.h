@@ -1,4 +1,4 @@
-// Density and gradients of voxels of one byte and of four, compiled once a CPU target.
+// Density and gradients of volumes with one or four bytes per voxel. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_BYTES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_BYTES_INL_H_
 #undef VOLUMEN_KERNELS_BYTES_INL_H_
@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// A byte a voxel: no gradients.
+/// One byte per voxel, without gradients.
 struct Byte1Store : PairDensity<Byte1Store> {
   static constexpr WhereFew kWhereFew = WhereFew::batches;
 
@@ -30,7 +30,7 @@ struct Byte1Store : PairDensity<Byte1Store> {
   }
 };
 
-/// Four bytes a voxel (Voxels8).
+/// Four bytes per voxel (Voxels8).
 struct Byte4Store : VoxelPairs<Byte4Store> {
   static constexpr WhereFew kWhereFew = WhereFew::batches;
   static constexpr int kTimes = 256;
@@ -53,7 +53,7 @@ struct Byte4Store : VoxelPairs<Byte4Store> {
   template <int b>
   static HWY_INLINE VI PairsAt(const Grid& grid, const std::int32_t* index, int r) {
     const hn::Repartition<std::uint8_t, DI> d8;
-    // Gradients in the upper bytes, and so with their sign; `none`: 0.
+    // Gradients go to the upper bytes, which keeps their sign. `none` yields 0.
     constexpr std::uint8_t none = 0x80;
     alignas(16) static constexpr std::uint8_t pairs[16] = {none, 0, none, 4, none, 1,    none, 5,
                                                            none, 2, none, 6, 3,    none, 7,    none};

@@ -1,4 +1,4 @@
-// Which samples lie in visible cells, compiled once a CPU target.
+// Tests whether samples lie in visible cells. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_CELLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_CELLS_INL_H_
 #undef VOLUMEN_KERNELS_CELLS_INL_H_
@@ -12,19 +12,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// The bit of a cell's word (VisibleCells::words).
+/// Returns the bit of a cell in its word (VisibleCells::words).
 HWY_INLINE VI BitOfCell(VI x, VI y, VI z) {
   const VI ofRow = hn::OrAnd(hn::And(x, SetI(3)), hn::ShiftLeft<2>(y), SetI(12));
   return hn::Shl(SetI(1), hn::OrAnd(ofRow, hn::ShiftLeft<4>(z), SetI(16)));
 }
 
-/// Which of the cells' blocks they are, by their indices.
+/// Returns the index of the block of cells at block coordinates (x, y, z).
 HWY_INLINE VI BlockAt(const VisibleCells& cells, VI x, VI y, VI z) {
   const VI row = hn::Add(hn::Mul(z, SetI(cells.count().y)), y);
   return hn::Add(hn::Mul(row, SetI(cells.count().x)), x);
 }
 
-/// The rays of `alive` whose cell, by its indices inside the grid, is visible.
+/// Returns the rays of `alive` whose cell (x, y, z), inside the grid, is visible.
 HWY_INLINE MF IsVisibleCell(const VisibleCells& cells, MF alive, VI x, VI y, VI z) {
   const DF df;
   const DI di;
@@ -35,13 +35,13 @@ HWY_INLINE MF IsVisibleCell(const VisibleCells& cells, MF alive, VI x, VI y, VI 
   return hn::And(alive, hn::RebindMask(df, seen));
 }
 
-/// The rays of `alive` whose place, clamped to the grid, lies in a visible cell.
+/// Returns the rays of `alive` whose position, clamped to the grid, lies in a visible cell.
 HWY_INLINE MF InVisibleCell(const VisibleCells& cells, MF alive, const V3& clamped) {
   return IsVisibleCell(cells, alive, Truncated(clamped.x), Truncated(clamped.y), Truncated(clamped.z));
 }
 
 #if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 32
-/// Registers are too short to look words up in.
+/// Fallback: registers are too short to hold the words.
 template <int kSteps>
 struct CellWindows {
   CellWindows(const VisibleCells&, const EmptySpaceSkipper&, int) {}
@@ -49,8 +49,9 @@ struct CellWindows {
   static MF IsVisible(int, MF alive, const V3&) { return alive; }
 };
 #else
-/// What visible cells a packet meets at so many neighbouring steps. Mostly the box around it lies in 2 x 2 x
-/// 2 blocks, whose words fit into registers: looking them up there takes half as long as gathers do.
+/// The visible cells that a packet meets at `kSteps` consecutive steps. The box around the packet mostly lies
+/// in 2 x 2 x 2 blocks, whose words fit into registers. Looking the words up there takes half as long as
+/// gathers do.
 template <int kSteps>
 class CellWindows {
   static constexpr int kLanes = hn::MaxLanes(DI());
@@ -74,12 +75,14 @@ class CellWindows {
     }
   }
 
-  /// Whether the packet is narrow enough at the n-th of these steps.
+  /// Returns true if the packet is narrow enough at the n-th of these steps.
   bool fits(int n) const { return fits_ >> n & 1; }
 
-  /// The rays of `alive` whose place at the n-th of these steps, clamped to the grid, lies in a visible cell.
+  /// Returns the rays of `alive` whose position at the n-th step, clamped to the grid, lies in a visible
+  /// cell.
   HWY_INLINE MF IsVisible(int n, MF alive, const V3& place) const {
-    // Cutting towards 0 clamps places before the first voxel; none lies behind the last by a voxel.
+    // Truncation towards 0 clamps positions before the first voxel. No position lies a whole voxel behind the
+    // last.
     const VI x = Truncated(place.x), y = Truncated(place.y), z = Truncated(place.z);
     VI at = hn::And(hn::ShiftRight<1>(z), SetI(1));
     at = hn::OrAnd(at, hn::ShiftRight<1>(x), SetI(2));
@@ -90,8 +93,8 @@ class CellWindows {
   }
 
  private:
-  /// Word at[lane] of 16: of neighbouring blocks, from the one at `first` on, two along i, their rows along
-  /// j, those along k.
+  /// Returns word at[lane] of 16. The words belong to 2 x 2 x 2 neighbouring blocks from `first` on: two
+  /// along i, then rows along j, then slices along k.
   HWY_INLINE VI WordAt(const std::int32_t* first, VI at) const {
     const hn::Full256<std::int32_t> d8;
     const auto slice = [&](const std::int32_t* words) {
@@ -110,9 +113,9 @@ class CellWindows {
 
   const std::int32_t* words_;
   std::int64_t nextRow_, nextSlice_;
-  std::uint64_t fits_ = 0;                ///< bit n: of the n-th step
-  HWY_ALIGN std::int32_t block_[kSteps];  ///< the first of each step
-  HWY_ALIGN std::int32_t odd_[kSteps];    ///< which of its indices are odd, as bits of `at`
+  std::uint64_t fits_ = 0;                ///< Bit n: the packet is narrow enough at the n-th step.
+  HWY_ALIGN std::int32_t block_[kSteps];  ///< First block of each step.
+  HWY_ALIGN std::int32_t odd_[kSteps];    ///< Which block indices are odd, as bits of `at`.
 };
 #endif
 

@@ -1,4 +1,4 @@
-// What a sample is: opacity and light, compiled once a CPU target.
+// Opacity and light of samples. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_CLASSIFY_AND_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_CLASSIFY_AND_LIGHT_INL_H_
 #undef VOLUMEN_KERNELS_CLASSIFY_AND_LIGHT_INL_H_
@@ -20,8 +20,8 @@ HWY_INLINE std::int64_t Ticks() { return std::int64_t(__builtin_ia32_rdtsc()); }
 HWY_INLINE std::int64_t Ticks() { return 0; }
 #endif
 
-/// CorrectedOpacity: most intervals of a picture are as long as each other and few opacities near 1, so that
-/// a short series does in place of a logarithm and an exponential.
+/// CorrectedOpacity for the usual case: most intervals of a picture have the same length and few opacities
+/// are near 1. A short series then replaces a logarithm and an exponential.
 HWY_INLINE VF CorrectedOpacity(const CorrectionSeries& series, VF opacity, VF unitDistances) {
   const DF df;
   if (series.terms == 0) return CorrectedOpacity(opacity, unitDistances);
@@ -34,7 +34,7 @@ HWY_INLINE VF CorrectedOpacity(const CorrectionSeries& series, VF opacity, VF un
   }
   sum = hn::Add(pair(0), hn::Mul(square, sum));
   const VF fast = hn::Mul(sum, opacity);
-  // Samples that are not there have no length.
+  // Missing samples have length 0.
   const MF fits =
       hn::Or(hn::And(hn::Eq(unitDistances, Set(series.unitDistances)), hn::Le(opacity, Set(series.most))),
              hn::Eq(unitDistances, hn::Zero(df)));
@@ -42,12 +42,12 @@ HWY_INLINE VF CorrectedOpacity(const CorrectionSeries& series, VF opacity, VF un
   return hn::IfThenElse(fits, fast, PowerOpacity(opacity, unitDistances, fits));
 }
 
-/// What light needs to know of a sample, and what tells how much light may change from one to the next.
+/// Properties of a sample for lighting, and for bounding the change of light to the next sample.
 struct Fragment {
-  V3 colour;  ///< of the curve
-  V3 normal;  ///< unit
-  VF share;   ///< how much of it counts: less than 1 where the gradient is below the floor of picture.md 5
-  VI sides;   ///< SidesOf
+  V3 colour;  ///< Colour of the curve.
+  V3 normal;  ///< Unit vector.
+  VF share;   ///< Weight of the normal: less than 1 where the gradient is below the floor of picture.md 5.
+  VI sides;   ///< As SidesOf returns it.
 };
 
 HWY_INLINE Fragment Chosen(MF which, const Fragment& a, const Fragment& b) {
@@ -56,22 +56,23 @@ HWY_INLINE Fragment Chosen(MF which, const Fragment& a, const Fragment& b) {
           hn::IfThenElse(hn::RebindMask(DI(), which), a.sides, b.sides)};
 }
 
-/// Classification and light of one picture.
+/// Classification and lighting for one picture.
 template <bool kIsLit, bool kGradientOpacity>
 struct ClassifyAndLight {
   static constexpr bool kLit = kIsLit, kFactors = kGradientOpacity;
   static constexpr bool kGradients = kLit || kFactors;
   const RayInputs& f;
-  /// Of each ray, towards the viewer, patient space; looked at with a local viewer only.
+  /// Direction of each ray towards the viewer, in patient space. Read only with a local viewer.
   const float *viewerX, *viewerY, *viewerZ;
-  int first = 0;  ///< the ray that the others are counted from
+  int first = 0;  ///< Ray from which ray numbers are counted.
 
-  /// Samples whose density can have opacity.
+  /// Returns the samples whose density can have opacity.
   HWY_INLINE MF CanBeSeen(VF density) const {
     return hn::And(hn::Ge(density, Set(f.curve->visibleLow)), hn::Le(density, Set(f.curve->visibleHigh)));
   }
 
-  /// Opacity a unit distance of a sample; `stored`: its gradient, read where opacity depends on it.
+  /// Returns the opacity of a sample per unit distance. `stored`: its gradient, read only if opacity depends
+  /// on it.
   HWY_INLINE VF OpacityAt(VI segment, VF density, const V3& stored) const {
     const VF opacity = OpacityOf(*f.curve, segment, density);
     if constexpr (kGradientOpacity)
@@ -80,24 +81,24 @@ struct ClassifyAndLight {
       return opacity;
   }
 
-  /// The same of its whole interval.
+  /// Returns the opacity of the whole interval of a sample.
   HWY_INLINE VF CorrectedOpacityAt(VI segment, VF density, const V3& stored, VF unitDistances) const {
     return CorrectedOpacity(f.intervals, OpacityAt(segment, density, stored), unitDistances);
   }
 
-  /// picture.md 4's gradientOpacity.
+  /// Returns gradientOpacity of picture.md 4.
   HWY_INLINE VF FactorAt(const V3& stored) const {
     return GradientFactor(*f.transfer, NormalOf(f, stored).length);
   }
 
-  /// The colour of a sample, lit (picture.md 5); `ray`: its ray, counted from `first`.
+  /// Returns the lit colour of a sample (picture.md 5). `ray` is counted from `first`.
   HWY_INLINE V3 ColourAt(VI segment, VF density, const V3& stored, VI ray) const {
     if constexpr (kLit)
       if (f.light == LightModel::table) return ShadeByTable(*f.table, stored, density);
     return Shaded(ColourOf(*f.curve, segment, density), stored, ray);
   }
 
-  /// Of a colour of the curve and a stored gradient, met by this ray.
+  /// Returns the fragment for a colour of the curve and a stored gradient, on the ray `ray`.
   HWY_INLINE Fragment FragmentOf(const V3& colour, const V3& stored, VI ray) const {
     if constexpr (!kLit) return {colour, Zero3(), hn::Zero(DF()), SetI(0)};
     const Normal normal = NormalOf(f, stored);
@@ -105,7 +106,8 @@ struct ClassifyAndLight {
     return {colour, normal.n, ShareOfNormal(f, normal.length), SidesOf(*f.lighting, normal.n, viewer)};
   }
 
-  /// Its colour, lit: with D'' and S'' of picture.md 5. Not by the table, which knows no colours.
+  /// Returns the fragment's colour lit with D'' and S'' of picture.md 5. The table model is excluded: it
+  /// ignores colours.
   HWY_INLINE V3 LitColour(const Fragment& a, VI ray) const {
     if constexpr (!kLit) return a.colour;
     return Shaded(a.colour, a.normal, a.share, ray);
@@ -123,7 +125,7 @@ struct ClassifyAndLight {
                shade.s);
   }
 
-  /// D' and S' of picture.md 5, by the picture's model of light.
+  /// Returns D' and S' of picture.md 5 by the picture's lighting model.
   HWY_INLINE DS ShadeOf(const V3& n, VI ray) const {
     switch (f.light) {
       case LightModel::map:
@@ -133,7 +135,7 @@ struct ClassifyAndLight {
       case LightModel::localPhong:
         return ShadePhong<true>(*f.lighting, n, ViewerOf(ray));
       case LightModel::phong:
-      case LightModel::table:  // ColourAt
+      case LightModel::table:  // Handled in ColourAt.
         break;
     }
     return ShadePhong<false>(*f.lighting, n, Broadcast(f.lighting->viewer));

@@ -1,4 +1,4 @@
-// Keeping some lanes of vectors, compiled once a CPU target.
+// Compression and expansion of vector lanes. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_COMPACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_COMPACT_INL_H_
 #undef VOLUMEN_KERNELS_COMPACT_INL_H_
@@ -15,7 +15,7 @@ namespace volumen::HWY_NAMESPACE {
 
 constexpr int kLanes = int(hn::MaxLanes(DF()));
 
-/// Masks as bits, lane n in bit n.
+/// Returns a mask as bits: lane n in bit n.
 HWY_INLINE std::uint32_t BitsOf(MF m) {
   std::uint64_t bits = 0;
   hn::StoreMaskBits(DF(), m, reinterpret_cast<std::uint8_t*>(&bits));
@@ -26,7 +26,8 @@ HWY_INLINE MF MaskOf(std::uint64_t bits) {
 }
 
 #if HWY_TARGET == HWY_AVX2
-/// The chosen lanes of each mask first, a byte each. GCC 12 copies Highway's table to the stack at every use.
+/// For each mask, its chosen lanes first, one byte each. GCC 12 copies Highway's table to the stack at every
+/// use.
 struct LaneOrder {
   std::uint8_t lanes[256][8];
 
@@ -55,7 +56,7 @@ HWY_INLINE VF Expanded(VF v, MF which) { return hn::IfThenElseZero(which, v); }
 #elif HWY_MAX_BYTES == 64
 HWY_INLINE VF Expanded(VF v, MF which) { return VF{_mm512_maskz_expand_ps(which.raw, v.raw)}; }
 #else
-/// Of each mask, how many of its lanes lie below each lane.
+/// For each mask and lane, the number of chosen lanes below it.
 struct LanesBelow {
   std::uint8_t lanes[1 << kLanes][kLanes];
 
@@ -76,7 +77,7 @@ HWY_INLINE VF Expanded(VF v, MF which) {
 }
 #endif
 
-/// The lowest bits of `bits`, one at each bit of `where`.
+/// Distributes the lowest bits of `bits` to the set bits of `where`, lowest first.
 HWY_INLINE std::uint32_t Deposited(std::uint32_t bits, std::uint32_t where) {
 #if HWY_ARCH_X86_64 && HWY_MAX_BYTES >= 32
   return _pdep_u32(bits, where);
@@ -88,13 +89,13 @@ HWY_INLINE std::uint32_t Deposited(std::uint32_t bits, std::uint32_t where) {
 #endif
 }
 
-/// Appends the chosen lanes to an array that has room for a whole vector behind `at`. Compressed in a
-/// register and stored whole: compressing into memory is microcoded on some CPUs, many times slower.
+/// Appends the chosen lanes to an array that has room for a whole vector behind `at`. They are compressed in
+/// a register and stored whole. Compressing into memory is microcoded on some CPUs and many times slower.
 HWY_INLINE void Append(VF v, MF which, float* at) { hn::StoreU(Compressed(v, which), DF(), at); }
 HWY_INLINE void Append(VI v, MF which, std::int32_t* at) {
   hn::StoreU(hn::BitCast(DI(), Compressed(hn::BitCast(DF(), v), which)), DI(), at);
 }
-/// Appends the chosen places to arrays (PlaceOf) from the at-th on.
+/// Appends the chosen positions to arrays (PlaceOf), starting at index `at`.
 template <class Array>
 HWY_INLINE void AppendPlaces(const V3& v, MF which, Array& s, int at) {
   Append(v.x, which, s.x + at);

@@ -1,4 +1,4 @@
-// The composite kernel of plain steps that fetches density and gradient together, compiled once a CPU target.
+// Composite kernel for plain steps that fetches density and gradient together. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_DENSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_DENSE_INL_H_
 #undef VOLUMEN_KERNELS_DENSE_INL_H_
@@ -12,23 +12,24 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Density and gradient together, of whole packets, a group of steps at a time: where its samples are; what
-/// they are; opacities; light; over one another. Each pass is short, so that many samples are on their way
-/// through it at once.
+/// Composites whole packets, one group of steps at a time. Passes over a group: positions, density and
+/// gradient together, opacities, light, compositing. Each pass is short, so that many samples are in flight
+/// at once.
 template <class Store, bool kIsLit, bool kGradientOpacity>
 class DenseTracer {
   static constexpr bool kPlane = std::is_void_v<Store>;
   using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
 
  public:
-  static constexpr int kGroupSteps = 8;  ///< steps that all packets take before any goes on
-  static constexpr bool kCells = false;  ///< whether single rays ask VisibleCells
+  /// Steps that all packets take before any packet takes the next group.
+  static constexpr int kGroupSteps = 8;
+  static constexpr bool kCells = false;  ///< True if single rays are tested against VisibleCells.
   static constexpr bool kPrefetches = !kPlane;
-  static constexpr bool kBlends = true;  ///< slices from the back, too
-  /// The same without light, which has the same opacities.
+  static constexpr bool kBlends = true;  ///< Slices can also be blended back to front.
+  /// Tracer without light; it computes the same opacities.
   using Unlit = DenseTracer<Store, false, kGradientOpacity>;
 
-  /// Adds to `out`, which must be 0; groups come in the order of the picture's slices.
+  /// `out` must be 0; the results are added to it. Groups come in the order of the picture's slices.
   DenseTracer(const RayInputs& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
               TraceCounts& counts)
       : f_(f),
@@ -39,13 +40,13 @@ class DenseTracer {
         out_(out),
         counts_(counts) {}
 
-  /// Asks for what samples between `low` and `high` (voxels, inside the grid) need.
+  /// Prefetches what samples between `low` and `high` need (voxels, inside the grid).
   HWY_INLINE void Prefetch(glm::vec3 low, glm::vec3 high) const {
     Store::template PrefetchBox<Material::kGradients>(grid_, low, high);
   }
 
-  /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
-  /// n by bit n.
+  /// Advances the open packet at ray `first` through the steps that `bits` names: bit n stands for `step` +
+  /// n.
   HWY_INLINE void Advance(const EmptySpaceSkipper&, int first, int step, std::uint64_t bits) {
     if (!bits) return;
     material_.first = first;
@@ -57,7 +58,7 @@ class DenseTracer {
     Resample();
     Classify(material_, samples_);
     if (samples_.size == 0) return;
-    // One group of steps in 32 is timed; they stand for all.
+    // Times one group of steps in 32 and extrapolates to all.
     const std::int64_t begin = timed_++ % 32 == 0 ? Ticks() : 0;
     Light(material_, samples_, [](int) { return hn::Iota(DI(), 0); });
     if (f_.slices.fromBack)
@@ -71,10 +72,11 @@ class DenseTracer {
   void Finish() {}
 
  private:
-  /// Whether rays end at their last step that shows (TraceRow::shown).
+  /// Returns true if rays end at their last step that shows (TraceRow::shown).
   bool cuts() const { return f_.slices.fromBack && out_.shown; }
 
-  /// Where the samples are that the packet has at these steps. `kGoOn`: all rays do (GoOn), and none is cut.
+  /// Finds the positions of the packet's samples at these steps. `kGoOn`: GoOn holds for all rays and no ray
+  /// is cut.
   template <bool kGoOn>
   HWY_INLINE void Place(const Packet& p, int step, std::uint64_t bits) {
     const DF df;
@@ -130,7 +132,7 @@ class DenseTracer {
     }
   }
 
-  /// Densities and gradients; keeps the steps at which any sample can be seen.
+  /// Computes densities and gradients; keeps only the steps at which a sample can be seen.
   HWY_INLINE void Resample() {
     const DF df;
     auto& s = samples_;
@@ -143,7 +145,7 @@ class DenseTracer {
       if (hn::AllFalse(df, seen)) continue;
       hn::Store(x.density, df, s.density + kept);
       if constexpr (Material::kGradients) {
-        // In place of places that were looked at.
+        // Overwrites positions, which are no longer needed.
         hn::Store(x.gradient.x, df, s.x + kept);
         hn::Store(x.gradient.y, df, s.y + kept);
         hn::Store(x.gradient.z, df, s.z + kept);
@@ -155,7 +157,7 @@ class DenseTracer {
     s.size = kept;
   }
 
-  /// What the packet's rays have come to.
+  /// The sums of the packet's rays so far.
   struct Pixels {
     V3 colour;
     VF alpha;
@@ -170,7 +172,7 @@ class DenseTracer {
     store(p.alpha, out_.alpha);
   }
 
-  /// Front to back (paper 3.1).
+  /// Composites front to back (paper 3.1).
   HWY_INLINE void Composite() {
     const auto& s = samples_;
     const DF df;
@@ -192,7 +194,7 @@ class DenseTracer {
     Keep(p);
   }
 
-  /// Slices over what lies behind them, the hindmost first (paper 3.2).
+  /// Blends slices over what lies behind them, back to front (paper 3.2).
   HWY_INLINE void Blend() {
     const auto& s = samples_;
     const DF df;
@@ -209,7 +211,7 @@ class DenseTracer {
     Keep(p);
   }
 
-  /// A component of the frame buffer: `front` and what comes through from behind.
+  /// Returns a component of the frame buffer: `front` plus what shows through from behind.
   HWY_INLINE VF InBuffer(VF front, VF behind) const {
     if (f_.slices.levels == 0) return hn::Add(front, behind);
     const VF one = Set(1), sum = hn::Min(hn::Add(hn::Min(front, one), behind), one);
@@ -218,7 +220,7 @@ class DenseTracer {
     return hn::Div(hn::ConvertTo(DF(), whole), levels);
   }
 
-  /// A group's samples of a packet, a vector a step.
+  /// The samples of a packet in one group of steps, one vector per step.
   struct StepGroup : SampleArrays<kGroupSteps * kLanes> {
     int step[kGroupSteps];
   };

@@ -1,4 +1,4 @@
-// Passing over blocks that hold nothing visible, compiled once a CPU target.
+// Empty-space skipping: passes over blocks that hold nothing visible. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_EMPTY_SPACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_EMPTY_SPACE_INL_H_
 #undef VOLUMEN_KERNELS_EMPTY_SPACE_INL_H_
@@ -16,8 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// What the map says of boxes of blocks from `index` on that reach `across` farther, in the layers that begin
-/// at `layer`, 0 or as EmptySpaceMap::layerAt has it: not 0 where such a box meets a visible block.
+/// Looks up boxes of blocks that start at `index` and extend `across` blocks farther. Returns non-zero where
+/// a box meets a visible block. `layer`: start of the map's layer, 0 or from EmptySpaceMap::layerAt.
 HWY_INLINE VI NearBlocks(const EmptySpaceMap& map, const VI (&index)[3], const VI (&across)[3], VI layer) {
   const DI di;
   const VI row = hn::Add(hn::Mul(index[2], SetI(map.count.y)), index[1]);
@@ -31,12 +31,13 @@ HWY_INLINE VI NearBlocks(const EmptySpaceMap& map, const VI (&index)[3], const V
   return hn::And(hn::GatherOffset(di, base, at), hn::Shl(SetI(1), bit));
 }
 
-/// A box of positions, voxels; at first of none.
+/// A box of positions in voxels; empty at first.
 struct Box {
   glm::vec3 low{std::numeric_limits<float>::max()}, high{0};
 };
 
-/// How many steps one look of a EmptySpaceSkipper covers: short ones, together no longer than so many voxels.
+/// Returns how many steps one look of an EmptySpaceSkipper covers: 4, 2 or 1, together at most `voxels` long
+/// if more than one.
 inline int StepsALook(const RayRow& rays, float voxels) {
   for (std::size_t n = 0; n < rays.steps.size(); ++n)
     if (rays.steps[n] > 0) {
@@ -46,9 +47,9 @@ inline int StepsALook(const RayRow& rays, float voxels) {
   return 1;
 }
 
-/// Says at which steps a packet must be looked at: one look into the map for all of its rays, at the lower
-/// corner of the box around them (EmptySpaceMap). Packets that spread wider than the map reaches are looked
-/// at everywhere.
+/// Finds the steps at which a packet must be sampled. One look into the map, at the lower corner of the box
+/// around the rays, serves all of them (EmptySpaceMap). Packets that spread wider than the map reaches are
+/// sampled everywhere.
 class EmptySpaceSkipper {
  public:
   EmptySpaceSkipper(const RayInputs& f, const Packet& p, int stepsALook = 1)
@@ -73,8 +74,8 @@ class EmptySpaceSkipper {
       const float half = 0.5f * std::max(begin.high - begin.low, end.high - end.low);
       const float middle = 0.5f * (begin.low + begin.high);
       move_[a] = (0.5f * (end.low + end.high) - middle) / (to - from);
-      // Intervals reach half a step to either side, and the last sample of a ray stands up to half a step
-      // before its place in the row. A hundredth of a voxel is far more than positions are rounded by.
+      // Intervals reach half a step to either side. The last sample of a ray stands up to half a step before
+      // its place in the row. A hundredth of a voxel is far more than the rounding of positions.
       const float back = 0.5f * std::abs(move_[a]) + 0.01f;
       size_[a] = 2 * half + 2 * back;
       start_[a] = middle - half - back - from * move_[a];
@@ -86,10 +87,10 @@ class EmptySpaceSkipper {
     }
   }
 
-  /// How far the packet gets in so many steps.
+  /// Returns how far the packet moves in `steps` steps, in voxels.
   glm::vec3 MoveOf(int steps) const { return float(steps) * glm::vec3(move_[0], move_[1], move_[2]); }
 
-  /// Widens the box so that it holds the packet at the steps [step, step + count), clamped to the grid.
+  /// Extends the box to hold the packet at the steps [step, step + count), clamped to the grid.
   HWY_INLINE void TakeIn(int step, int count, Box& box) const {
     for (int a = 0; a < 3; ++a) {
       const float first = start_[a] + (float(step) + 0.5f) * move_[a],
@@ -101,8 +102,8 @@ class EmptySpaceSkipper {
 
   int stepsALook() const { return stepsALook_; }
 
-  /// The voxels that the box around the packet begins and ends in along axis `a`, a lane a step, from `step`
-  /// on; clamped to the grid.
+  /// The first and last voxel of the box around the packet along axis `a`, clamped to the grid. One lane per
+  /// step, from `step` on.
   struct Voxels {
     VI low, high;
   };
@@ -112,7 +113,7 @@ class EmptySpaceSkipper {
     return {VoxelAt(a, low), VoxelAt(a, hn::Add(low, Set(size_[a])))};
   }
 
-  /// One bit a step, from `step` on, as many as stepsALook vectors have lanes.
+  /// Returns one bit per step, from `step` on: as many as the lanes of stepsALook vectors.
   HWY_INLINE std::uint64_t LookFrom(int step) const {
     const DF df;
     const DI di;
@@ -155,7 +156,7 @@ class EmptySpaceSkipper {
     return Truncated(hn::Min(hn::Max(x, hn::Zero(DF())), Set(last_[a])));
   }
 
-  /// Of the lower half, every bit twice.
+  /// Doubles every bit of the lower half.
   static HWY_INLINE std::uint64_t EachTwice(std::uint64_t bits) {
     bits = (bits | bits << 16) & 0x0000ffff0000ffffu;
     bits = (bits | bits << 8) & 0x00ff00ff00ff00ffu;
@@ -167,9 +168,9 @@ class EmptySpaceSkipper {
 
   const EmptySpaceMap* map_;
   int stepsALook_;
-  int middleLayer_, lastLayer_;  ///< where they begin in the map
+  int middleLayer_, lastLayer_;  ///< Their starts in the map.
   float start_[3] = {}, size_[3] = {}, move_[3] = {}, last_[3] = {};
-  float lookStart_[3] = {}, lookSize_[3] = {};  ///< of the steps of a look together
+  float lookStart_[3] = {}, lookSize_[3] = {};  ///< For all steps of one look together.
 };
 
 }  // namespace volumen::HWY_NAMESPACE

@@ -1,4 +1,4 @@
-// The faces of cells that rays pass, in their order, compiled once a CPU target.
+// The cell faces that rays cross, in order. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_FACES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_FACES_INL_H_
 #undef VOLUMEN_KERNELS_FACES_INL_H_
@@ -11,29 +11,31 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Where rays end, in steps from their start: their last interval is shorter. 0 of rays that have none.
+/// Returns where rays end, in steps from their start; the last interval is shorter. Returns 0 for rays
+/// without steps.
 HWY_INLINE VF EndOf(const Packet& p) {
   return hn::Max(hn::Sub(hn::Add(p.lastMiddle, p.lastMiddle), hn::Sub(p.steps, Set(1))), hn::Zero(DF()));
 }
 
-/// The faces across one axis, each `edge` voxels from the next, a power of two (Amanatides and Woo 1987).
-/// Each is computed anew from the ray's start: where a walk begins changes no bit of it.
+/// The faces across one axis, `edge` voxels apart; `edge` is a power of two (Amanatides and Woo 1987). Each
+/// face is computed from the ray's start, so the starting point of a walk changes no bit of it.
 struct Faces {
-  VF start, inverse;  ///< of the ray, voxels; of what a step adds to it
-  VF turn;            ///< to the face behind the next: edge, -edge, or 0 of a ray that stands still
-  VF ahead;           ///< how far the next face lies from the lower one of the two around the ray: edge or 0
-  VF index, face;     ///< the next one: where it lies (voxels), and when the ray is there (steps)
+  VF start, inverse;  ///< Start of the ray in voxels; inverse of its move per step.
+  /// Offset to the face after the next: edge, -edge, or 0 for a ray that does not move along this axis.
+  VF turn;
+  VF ahead;        ///< Distance of the next face from the lower of the two faces around the ray: edge or 0.
+  VF index, face;  ///< The next face: its position (voxels), and when the ray reaches it (steps).
 
-  /// `from`: where the walk begins, in steps. The next face is the first behind that.
+  /// `from`: where the walk begins, in steps. The next face is the first one behind it.
   HWY_INLINE Faces(VF rayStart, VF move, VF from, float edge) : start(rayStart) {
     const DF df;
     const MF still = hn::Lt(hn::Abs(move), Set(1e-6f)), back = hn::Lt(move, Set(-1e-6f));
     const VF place = hn::Add(start, hn::IfThenElseZero(hn::Not(still), hn::Mul(from, move)));
-    // Rays begin up to half a voxel before the first; conversion cuts towards 0.
+    // Rays begin up to half a voxel before the first voxel; conversion truncates towards 0.
     const VI lower = hn::Sub(Truncated(hn::Add(hn::Mul(place, Set(1 / edge)), Set(1))), SetI(1));
     ahead = hn::IfThenElse(back, hn::Zero(df), Set(edge));
     turn = hn::IfThenElseZero(hn::Not(still), hn::IfThenElse(back, Set(-edge), Set(edge)));
-    // A ray that stands still never reaches one.
+    // A ray that does not move along this axis never reaches a face.
     inverse = hn::IfThenElse(still, Set(1e30f), hn::Div(Set(1), hn::IfThenElse(still, Set(1), move)));
     // Rounding may have led to the face before or behind.
     index = hn::Sub(hn::Add(hn::Mul(hn::ConvertTo(df, lower), Set(edge)), ahead), turn);
@@ -42,7 +44,7 @@ struct Faces {
     PassTo(from);
   }
 
-  /// The lower of the two faces around the ray, voxels: -edge before the first voxel.
+  /// Returns the lower of the two faces around the ray, in voxels: -edge before the first voxel.
   HWY_INLINE VF Lower() const { return hn::Sub(index, ahead); }
 
   HWY_INLINE void PassTo(VF place) {
@@ -54,11 +56,11 @@ struct Faces {
   HWY_INLINE void SetFace() { face = hn::Mul(hn::Sub(index, start), inverse); }
 };
 
-/// The way of a packet's rays through boxes of cells. What it meets is the same to the last bit wherever it
-/// begins, which must be at a face or a ray's start.
+/// The path of a packet's rays through boxes of cells. A walk may begin at a face or at a ray's start. What
+/// it meets is the same to the last bit either way.
 struct FaceWalk {
   Faces x, y, z;
-  VF at;  ///< in steps from each ray's start
+  VF at;  ///< In steps from each ray's start.
 
   HWY_INLINE FaceWalk(const Packet& p, VF from, float edge)
       : x(p.start.x, p.move.x, from, edge),

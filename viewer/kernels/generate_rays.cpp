@@ -1,4 +1,4 @@
-// The rays of a picture.
+// Generates the rays of a picture.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "viewer/kernels/generate_rays.cpp"
 #include <hwy/foreach_target.h>
@@ -27,7 +27,7 @@ HWY_INLINE VD Dot(const D3& a, const D3& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
-/// Of some pixels, the places of their centres in the picture, mm from its middle.
+/// The positions of pixel centres in the picture, in mm from its middle.
 struct PlacesMm {
   VD right, up;
 };
@@ -62,14 +62,15 @@ class RayMaker {
   }
 
  private:
-  /// Straight lines through the picture: where a mm along each leads (voxel space), a step of picture.md 9,
-  /// where they come to the eye, mm from the picture, and the way there (patient space).
+  /// Straight lines through the picture: the direction per mm (voxel space) and the length of a step of
+  /// picture.md 9. Also the position of the eye on each line (mm from the picture) and the direction to it
+  /// (patient space).
   struct Lines {
     D3 along;
     VD stepMm, eyeMm;
     D3 towardsViewer;
   };
-  /// The parts of lines from t0 to t1, mm from the picture, where there is any.
+  /// The parts of lines from t0 to t1, in mm from the picture, for the lines in `any`.
   struct Intervals {
     VD t0, t1;
     MD any;
@@ -144,7 +145,8 @@ class RayMaker {
   }
 
   /// Keeps the part where outside + slope t <= 0. Lines that drift by less than `rounding` inside the volume
-  /// are parallel to the boundary, which is inside (picture.md 6) to within that: rounding must not decide.
+  /// count as parallel to the boundary. The boundary itself counts as inside to within `rounding` (picture.md
+  /// 6), so that rounding errors do not decide.
   HWY_INLINE void Cut(VD outside, VD slope, VD inverse, double rounding, Intervals& inside) const {
     const VD never = SetD(-std::numeric_limits<double>::infinity());
     const VD drift = hn::Mul(slope, SetD(f_.lengthMm)), t = hn::Neg(hn::Mul(outside, inverse));
@@ -159,7 +161,7 @@ class RayMaker {
     const VD one = SetD(1), t0 = hn::IfThenElseZero(inside.any, inside.t0);
     const VD length = hn::IfThenElseZero(inside.any, hn::Sub(inside.t1, inside.t0));
     const VD stepsAMm = hn::Div(one, lines.stepMm);
-    // A rest of less than a millionth of a step is rounding, not an interval of its own.
+    // A remainder below a millionth of a step is rounding, not an interval of its own.
     const VD whole = hn::Ceil(hn::Sub(hn::Mul(length, stepsAMm), SetD(1e-6)));
     const VD before = hn::IfThenElse(inside.any, hn::Sub(hn::Max(one, whole), one), SetD(-1));
     const VD rest = hn::Sub(length, hn::Mul(before, lines.stepMm));
@@ -191,11 +193,11 @@ class RayMaker {
   const ViewRays& f_;
   const RayParts* parts_;
   RayRow& row_;
-  glm::dvec3 target_, right_, up_, direction_;  ///< voxel space; a mm each
+  glm::dvec3 target_, right_, up_, direction_;  ///< Voxel space per mm.
 };
 
-/// From where rays enter, in steps from the picture, to RayRow::ahead. Any number would do, and does where
-/// floats end: rays then only lie farther apart.
+/// Converts RayRow::ahead from steps behind the picture to steps behind the first ray. Values are limited
+/// where floats lose precision; any value is correct, it only spreads the rays.
 void CountFromFirst(Ahead ahead, RayRow& row) {
   const DF df;
   constexpr float most = 1 << 20, none = std::numeric_limits<float>::max();

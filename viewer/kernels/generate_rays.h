@@ -9,37 +9,37 @@
 
 namespace volumen {
 
-/// What all rays of a picture share (picture.md 6, 7, 9).
+/// Data shared by all rays of a picture (picture.md 6, 7, 9).
 struct ViewRays {
   struct Plane {
-    glm::dvec3 normal;  ///< in voxel space: inside where dot(normal, x) <= offset (mm)
+    glm::dvec3 normal;  ///< In voxel space; inside is dot(normal, x) <= offset (mm).
     double offset;
   };
-  glm::ivec2 size{1};  ///< pixels
+  glm::ivec2 size{1};  ///< Size in pixels.
   bool perspective = false, localViewer = false;
-  double heightMm = 1;    ///< of the picture where it goes through the target
-  double distanceMm = 0;  ///< from there to the eye, in perspective
-  CameraAxes axes;        ///< patient space
-  glm::dvec3 target{0};   ///< voxel space
+  double heightMm = 1;    ///< Height of the picture plane through the target.
+  double distanceMm = 0;  ///< Distance from the target to the eye, in perspective.
+  CameraAxes axes;        ///< Patient space.
+  glm::dvec3 target{0};   ///< Voxel space.
   glm::dmat3 voxelFromMm{1};
   double stepVoxels = 1;
-  double sharedStepMm = 1;     ///< the length of a step; 0 in perspective
-  glm::dvec3 low{0}, high{0};  ///< the clipped box, voxel space
+  double sharedStepMm = 1;     ///< Length of a step; 0 in perspective.
+  glm::dvec3 low{0}, high{0};  ///< The clipped box in voxel space.
   std::vector<Plane> planes;
-  double lengthMm = 0;  ///< that no ray is longer inside the box than
+  double lengthMm = 0;  ///< Upper bound on the length of a ray inside the box.
   double leastSpacingMm = 1;
 };
 
-/// What RayRow::ahead says: nothing (0); steps behind the first ray, whole or not.
+/// How RayRow::ahead is filled: 0, or steps behind the first ray, rounded to whole steps or exact.
 enum class Ahead { none, whole, exact };
 
-/// The parts of rays that are looked at: from and to, mm from the picture, one entry a ray.
+/// The part of each ray to sample: from and to in mm from the picture, one entry per ray.
 struct RayParts {
   std::vector<double> from, to;
 };
 
-/// Fills in the rays of row.pixel, whose other arrays are as long, in double precision. Rays that miss what
-/// is drawn and those of no pixel have no steps. `parts`: null, all of them.
+/// Computes the rays of row.pixel in double precision; the other arrays of `row` have the same size. Rays
+/// that miss the drawn volume and rays without a pixel get no steps. `parts`: null for whole rays.
 using GenerateRays = void (*)(const ViewRays&, Ahead, const RayParts* parts, RayRow&);
 GenerateRays chooseGenerateRays();
 

@@ -1,4 +1,4 @@
-// Cells of a grid of voxels, and interpolation in them, compiled once a CPU target.
+// Cells of a voxel grid, and interpolation in them. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_GRID_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_GRID_INL_H_
 #undef VOLUMEN_KERNELS_GRID_INL_H_
@@ -16,17 +16,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// The cell around a position that is clamped to the grid (picture.md 2): index of its first voxel and the
-/// place inside it, 0..1.
+/// The cell around a position clamped to the grid (picture.md 2): index of its first voxel and position
+/// inside it, 0..1.
 struct Cell {
   VI index;
   VF fx, fy, fz;
 };
 
-/// What every lookup of a picture needs, broadcast once a row.
+/// Data for every lookup of a picture, broadcast once per row.
 class Grid {
  public:
-  /// `rowVoxels`: RayInputs::densityRow or gradientRow, of what is looked up.
+  /// `rowVoxels`: RayInputs::densityRow or gradientRow, for the data to look up.
   Grid(const RayInputs& f, int rowVoxels)
       : inputs_(f),
         last_{Set(float(f.size.x - 1)), Set(float(f.size.y - 1)), Set(float(f.size.z - 1))},
@@ -53,7 +53,8 @@ class Grid {
     return CellOf(x, y, z, clamped);
   }
 
-  /// The cell of this lower corner (voxels), or the nearest one, and where a place lies in it.
+  /// Returns the cell with the lower corner `lower` (voxels), or the nearest cell, and the position of
+  /// `clamped` in it.
   HWY_INLINE Cell CellFrom(const V3& lower, const V3& clamped) const {
     const DF df;
     const auto inside = [&](VF at, VI last) { return hn::Min(Truncated(hn::Max(at, hn::Zero(df))), last); };
@@ -62,19 +63,19 @@ class Grid {
     return CellOf(x, y, z, clamped);
   }
 
-  /// How many voxels the cell's row r lies behind its first: 0, next row, next slice, both.
+  /// Returns the distance in voxels from the cell's first row to its row r: 0, next row, next slice, or both.
   HWY_INLINE int Offset(int r) const { return (r & 1 ? nextRow_ : 0) + (r >> 1 ? nextSlice_ : 0); }
-  /// Where the rows of the cell at the first voxel of `voxels` begin.
+  /// Returns the starts of the four rows of the cell at the first voxel of `voxels`.
   template <class T>
   HWY_INLINE std::array<const T*, 4> Rows(const T* voxels) const {
     return {voxels, voxels + Offset(1), voxels + Offset(2), voxels + Offset(3)};
   }
-  /// Index of the first voxel of the cell's row r.
+  /// Returns the index of the first voxel of the cell's row r.
   HWY_INLINE VI Row(const Cell& c, int r) const { return hn::Add(c.index, SetI(Offset(r))); }
   int nextColumn() const { return nextColumn_; }
 
-  /// Asks for what a box of places from `low` to `high` (inside the grid) needs of `voxels`, each so many
-  /// elements, ahead of time.
+  /// Prefetches the part of `voxels` that positions from `low` to `high` (inside the grid) need. `elements`:
+  /// values per voxel.
   template <class T>
   HWY_INLINE void Prefetch(const T* voxels, int elements, glm::vec3 low, glm::vec3 high) const {
     const glm::ivec3 from(low), to = glm::min(glm::ivec3(high) + 1, inputs_.size - 1);
@@ -138,8 +139,8 @@ HWY_INLINE Four LerpFour(Four a, Four b, float f) {
 HWY_INLINE void StoreFour(Four x, float* out) { hn::StoreU(x, D4(), out); }
 #endif
 
-/// Trilinear interpolation of four floats a voxel (`voxels`: of the whole grid): much faster, voxel by voxel,
-/// than gathers of each.
+/// Trilinear interpolation of four floats per voxel (`voxels`: of the whole grid). Going voxel by voxel is
+/// much faster than one gather per component.
 struct Interpolated {
   V3 xyz;
   VF w;

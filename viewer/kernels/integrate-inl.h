@@ -1,4 +1,4 @@
-// Integration of rays cell by cell with local error control, compiled once a CPU target.
+// Integrates rays cell by cell with local error control. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_INTEGRATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_INTEGRATE_INL_H_
 #undef VOLUMEN_KERNELS_INTEGRATE_INL_H_
@@ -14,31 +14,32 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// What the passage of a ray through a cell comes to in light that is 1 in front of it.
+/// Result of a ray's passage through a cell, for light of strength 1 in front of it.
 struct PassageSum {
-  V3 colour;  ///< premultiplied
+  V3 colour;  ///< Premultiplied.
   VF opacity, error;
 };
 
-/// Passages, a lane each, and the light that reaches them.
+/// Passages, one per lane, and the light that reaches them.
 struct LoadedPassages {
   RayInCell r;
   VF through;
 };
 
-/// Integrates passages from their front to their back, a lane each. Each is cut exactly where its density
-/// turns round and where it crosses a point of the curve; what lies between two cuts, a piece, holds no kink
-/// of the curve. A piece is subdivided adaptively into parts (PartRule): one is cut further while what it may
-/// be off by, times the light that reaches it, is more than its share of the budget (ErrorBudget).
+/// Integrates passages front to back, one per lane. A passage is cut exactly where its density turns and
+/// where it crosses a point of the curve. A piece between two cuts therefore holds no kink of the curve.
+/// Pieces are subdivided adaptively into parts (PartRule). A part is cut further while its error, times the
+/// light that reaches it, exceeds its share of the budget (ErrorBudget).
 template <class Material>
 class PassageIntegrator {
  public:
   PassageIntegrator(const RayInputs& f, const Material& matter) : f_(f), rule_(matter) {}
 
-  /// Integrates `count` passages. A lane that has done one takes the next, so that passages of one part need
-  /// not wait for those of many. `load(n, lanes)`: the passages from the n-th on, one in each of these lanes
-  /// (LoadedPassages). `take(ray, lanes, through, sum)`: those of these lanes are done. `parts`: how many
-  /// there were.
+  /// Integrates `count` passages. A lane that has finished one takes the next, so that passages of one part
+  /// need not wait for passages of many.
+  /// `load(n, lanes)` returns the passages from the n-th on, one in each of `lanes` (LoadedPassages).
+  /// `take(ray, lanes, through, sum)` receives the passages finished in `lanes`. `parts` is increased by the
+  /// number of parts.
   template <class Load, class Take>
   HWY_INLINE void Integrate(int count, const Load& load, const Take& take, std::int64_t& parts) const {
     const DF df;
@@ -83,32 +84,33 @@ class PassageIntegrator {
   }
 
  private:
-  static constexpr float kShortest = 1.0f / 2048;   ///< parts are not cut further
-  static constexpr int kRefill = (kLanes + 3) / 4;  ///< so many lanes must have nothing to do
+  static constexpr float kShortest = 1.0f / 2048;   ///< Parts are not cut below this length.
+  static constexpr int kRefill = (kLanes + 3) / 4;  ///< Number of idle lanes that triggers a refill.
 
-  /// What lies between two cuts of a passage.
+  /// The stretch between two cuts of a passage.
   struct Piece {
-    VF turn1 = Set(2), turn2 = Set(2);  ///< where the density turns round; 2: nowhere
-    VI index = SetI(0);                 ///< segment of the curve
+    VF turn1 = Set(2), turn2 = Set(2);  ///< Where the density turns; 2: nowhere.
+    VI index = SetI(0);                 ///< Segment of the curve.
     CurveSegment segment{};
     VF end = Set(1);
-    VI step = SetI(0);     ///< from the segment to the next piece's: -1, 0, 1
-    HWY_INLINE Piece() {}  // an implicit one is compiled for no target
+    VI step = SetI(0);     ///< From this piece's segment to the next one's: -1, 0 or 1.
+    HWY_INLINE Piece() {}  // An implicit constructor is compiled for no target.
   };
 
-  /// A passage in each lane, and how far it has come.
+  /// A passage in each lane, and the progress along it.
   struct PassageLanes {
     RayInCell r{};
-    VF through = hn::Zero(DF());     ///< the light that reaches the passage
-    VF left = hn::Zero(DF());        ///< and how much of that goes on
-    VF s = Set(1), length = Set(2);  ///< where it is, how long a part is tried next
+    VF through = hn::Zero(DF());     ///< Light that reaches the passage.
+    VF left = hn::Zero(DF());        ///< Share of that light that is left at s.
+    VF s = Set(1), length = Set(2);  ///< Current position; length of the part to try next.
     Piece piece;
-    Fragment front{};  ///< at s
+    Fragment front{};  ///< At s.
     PassageSum sum{Zero3(), hn::Zero(DF()), hn::Zero(DF())};
     HWY_INLINE PassageLanes() {}
   };
 
-  /// Gives the lanes that are `idle` the passages from `next` on, as many as there are; which lanes.
+  /// Gives the `idle` lanes the passages from `next` on, as far as there are any. Returns the lanes that
+  /// begin one.
   template <class Load>
   HWY_INLINE MF Refill(int count, const Load& load, MF idle, int& next, PassageLanes& lanes) const {
     const DF df;
@@ -130,16 +132,16 @@ class PassageIntegrator {
     return begins;
   }
 
-  /// The segment of the curve that a passage begins in.
+  /// Returns the segment of the curve in which a passage begins.
   HWY_INLINE VI FirstSegment(const DensityInCell& density) const {
     const VF front = density.At(Set(-1));
     const VI segment = SegmentOf(*f_.curve, hn::Add(density.base, front));
-    // The sum may be rounded up to the point of the curve where the segment begins.
+    // Rounding of the sum may have reached the point of the curve where the segment begins.
     const MF isBefore = hn::Lt(front, hn::Sub(LowOf(*f_.curve, segment), density.base));
     return hn::Sub(segment, hn::IfThenElseZero(hn::RebindMask(DI(), isBefore), SetI(1)));
   }
 
-  /// A rule that is off by the cube of a part's length: how long one may be.
+  /// Returns the next length to try. The rule's error grows with the cube of a part's length.
   static HWY_INLINE VF NextLength(VF length, VF off, VF share) {
     const VF ratio = hn::Div(share, hn::Max(off, Set(1e-30f)));
     const VF shrink = hn::Min(hn::Max(hn::Sqrt(ratio), Set(0.125f)), Set(0.5f));
@@ -155,11 +157,12 @@ class PassageIntegrator {
     lanes.front = rule_.FragmentAt(lanes.r, p.segment, lanes.s);
   }
 
-  /// The roots of the derivative inside the passage.
+  /// Finds the roots of the derivative inside the passage.
   static HWY_INLINE void SetTurns(const Cubic& c, Piece& p) {
     const DF df;
     const VF none = Set(2);
-    // 3 c3 s^2 + 2 c2 s + c1 = 0: q / (3 c3) and c1 / q lose no digits where one is much larger.
+    // Solves 3 c3 s^2 + 2 c2 s + c1 = 0. The forms q / (3 c3) and c1 / q lose no digits where one root is
+    // much larger.
     const VF a = hn::Mul(Set(3), c.c3), square = hn::Sub(hn::Mul(c.c2, c.c2), hn::Mul(a, c.c1));
     const VF root = hn::Sqrt(hn::Max(square, hn::Zero(df)));
     const VF q = hn::Neg(hn::Add(c.c2, hn::CopySign(root, c.c2)));
@@ -173,7 +176,8 @@ class PassageIntegrator {
     p.turn2 = hn::Max(t1, t2);
   }
 
-  /// The piece from s on: to where the density turns round, or crosses a point of the curve before.
+  /// Finds the piece that begins at s. It ends where the density turns or crosses a point of the curve,
+  /// whichever is first.
   HWY_INLINE void SetPiece(const RayInCell& r, VF s, MF which, Piece& p) const {
     const DF df;
     const DI di;
@@ -196,8 +200,8 @@ class PassageIntegrator {
     p.end = hn::IfThenElse(which, end, p.end);
   }
 
-  /// Where a density that rises (`up`) or falls from `from` to `to` reaches `node`: Newton's steps, bisection
-  /// where they leave the bracket.
+  /// Returns where a density that rises (`up`) or falls between `from` and `to` reaches `node`. Uses Newton's
+  /// method with bisection where a step leaves the bracket.
   HWY_INLINE VF CrossingOf(const Cubic& c, VF from, VF to, VF node, MF up, MF which) const {
     const DF df;
     VF low = from, high = to;

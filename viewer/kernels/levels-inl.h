@@ -1,4 +1,4 @@
-// The composite kernel of the levels: rays go from cell to cell, compiled once a CPU target.
+// Composite kernel for integration levels: rays go from cell to cell. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_LEVELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_LEVELS_INL_H_
 #undef VOLUMEN_KERNELS_LEVELS_INL_H_
@@ -20,35 +20,35 @@ namespace volumen::HWY_NAMESPACE {
 /// Passages of rays through cells, front to back on each ray.
 template <int kCapacity>
 struct Passages {
-  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity];                    ///< middle
-  HWY_ALIGN float steps[kCapacity];                                            ///< length
-  HWY_ALIGN float c0[kCapacity], c1[kCapacity], c2[kCapacity], c3[kCapacity];  ///< density (Cubic)
-  HWY_ALIGN float lowest[kCapacity], highest[kCapacity];                       ///< of the cell (CellRange)
+  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity];                    ///< Middle.
+  HWY_ALIGN float steps[kCapacity];                                            ///< Length.
+  HWY_ALIGN float c0[kCapacity], c1[kCapacity], c2[kCapacity], c3[kCapacity];  ///< Density (Cubic).
+  HWY_ALIGN float lowest[kCapacity], highest[kCapacity];  ///< Range of the cell (CellRange).
   HWY_ALIGN std::int32_t ray[kCapacity];
   int size = 0;
 
-  /// Makes what stands in the last vector behind the last passage harmless: places inside the volume.
+  /// Fills the rest of the last vector with harmless positions inside the volume.
   HWY_INLINE void Pad() {
     for (float* values : {x, y, z, steps}) hn::StoreU(hn::Zero(DF()), DF(), values + size);
     hn::StoreU(hn::Zero(DI()), DI(), ray + size);
   }
 };
 
-/// In passes over the passages of many packets: those through visible cells; their densities, of which are
-/// kept those that can be seen; then in waves, the first of each ray, the second of each and so on, so that
-/// the light that reaches a passage is known and nothing behind opaque ones is looked at.
+/// Composites the passages of many packets in passes. Passages through visible cells are collected, their
+/// densities computed, and invisible ones dropped. The rest is drawn in waves: the first passage of each ray,
+/// then the second of each, and so on. The light that reaches a passage is then known, and nothing behind
+/// opaque passages is computed.
 template <class Store, bool kIsLit, bool kGradientOpacity>
 class LevelTracer {
   using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
 
  public:
-  static constexpr int kGroupSteps =
-      4;  ///< steps; in longer groups more is looked at that the same group hides
+  static constexpr int kGroupSteps = 4;  ///< Longer groups would sample more that the same group hides.
   static constexpr bool kCells = true;
   static constexpr bool kBlends = false;
   static constexpr bool kPrefetches = false;
 
-  /// Adds to `out`, which must be 0.
+  /// `out` must be 0; the results are added to it.
   LevelTracer(const RayInputs& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
               TraceCounts& counts)
       : f_(f),
@@ -62,8 +62,8 @@ class LevelTracer {
         met_(rays.steps.size()),
         sums_(4 * rays.steps.size() + 4) {}
 
-  /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
-  /// n by bit n.
+  /// Advances the open packet at ray `first` through the steps that `bits` names: bit n stands for `step` +
+  /// n.
   HWY_INLINE void Advance(const EmptySpaceSkipper&, int first, int step, std::uint64_t bits) {
     if (!bits) return;
     const MF open = hn::Le(hn::LoadU(DF(), out_.alpha + first), Set(1 - f_.stopTransmittance));
@@ -83,7 +83,7 @@ class LevelTracer {
 
   void BeginGroup() {}
 
-  /// Draws all that was noted.
+  /// Draws all collected passages.
   void EndGroup() {
     if (noted_.size == 0) return;
     KeepVisible();
@@ -108,7 +108,7 @@ class LevelTracer {
   static constexpr int kRange = 4, kUnitDistances = 6, kThrough = 7, kRay = 8, kGradient = 9,
                        kFields = Material::kGradients ? kGradient + 12 : kGradient;
 
-  /// Sets the densities of what was noted and forgets what cannot be seen.
+  /// Computes the densities of the collected passages and drops those that cannot be seen.
   HWY_INLINE void KeepVisible() {
     auto& s = noted_;
     s.Pad();
@@ -119,7 +119,7 @@ class LevelTracer {
     s.Pad();
   }
 
-  /// Of the passages from n on: moves those that can be seen to `kept`; how many.
+  /// Moves the visible ones among the passages from n on to `kept`. Returns their number.
   HWY_INLINE int KeepVisible(int n, int kept) {
     const DF df;
     auto& s = noted_;
@@ -134,7 +134,7 @@ class LevelTracer {
     const VF front = c.At(Set(-1)), back = c.At(Set(1)), bend = c.Bend();
     const VF low = hn::Sub(hn::Min(c.c0, hn::Min(front, back)), bend),
              high = hn::Add(hn::Max(c.c0, hn::Max(front, back)), bend);
-    // In a cell without a slope nothing is rounded.
+    // In a cell of constant density nothing is rounded.
     const VF least = hn::Max(range.lowest, Rounded(base, low, -1)),
              most = hn::Min(range.highest, Rounded(base, high, 1));
     const MF keep =
@@ -152,7 +152,7 @@ class LevelTracer {
     return int(hn::CountTrue(df, keep));
   }
 
-  /// base + density, not less (`side` 1) or not more (-1) than it is.
+  /// Returns base + density, rounded up (`side` 1) or down (`side` -1).
   static HWY_INLINE VF Rounded(VF base, VF density, float side) {
     const VF sum = hn::Add(base, density);
     return hn::Add(sum, hn::Mul(hn::Abs(sum), Set(side * 1.2e-7f)));
@@ -162,8 +162,8 @@ class LevelTracer {
     return Scale(MoveOf(rays_, ray), hn::Mul(steps, Set(0.5f)));
   }
 
-  /// Fills order_ with the passages, the first of each ray before the second of each; waves_: where each wave
-  /// begins.
+  /// Fills order_ with the passages: the first of each ray before the second of each. waves_ gets the start
+  /// of each wave.
   HWY_INLINE void SortInWaves() {
     const auto& s = noted_;
     waves_.assign(1, 0);
@@ -180,7 +180,7 @@ class LevelTracer {
     for (int n = 0; n < s.size; ++n) met_[s.ray[n]] = 0;
   }
 
-  /// Draws the passages order_[begin, end), each of another ray, of those rays that let light through.
+  /// Draws the passages order_[begin, end), each on another ray, for the rays that still let light through.
   HWY_INLINE void DrawWave(int begin, int end) {
     const float opaque = 1 - f_.stopTransmittance;
     int open = begin;
@@ -198,8 +198,8 @@ class LevelTracer {
     integrator_.Integrate(count, load, take, counts_.composited);
   }
 
-  /// Of the `count` passages from order_[first] on, no more than a vector: sets those of the wave from `at`
-  /// on.
+  /// Fills the wave's fields from `at` on with the `count` passages from order_[first] on, at most one
+  /// vector.
   HWY_INLINE void Prepare(int first, int at, int count) {
     const DF df;
     const DI di;
@@ -227,7 +227,7 @@ class LevelTracer {
     }
   }
 
-  /// The passages of the wave from `next` on, one in each of these lanes.
+  /// Returns the passages of the wave from `next` on, one in each of `lanes`.
   HWY_INLINE LoadedPassages Load(int next, MF lanes) const {
     const auto of = [&](int field) { return Expanded(hn::LoadU(DF(), wave_[field] + next), lanes); };
     const auto cubic = [&](int field) {
@@ -243,7 +243,7 @@ class LevelTracer {
     return l;
   }
 
-  /// Of the lanes `which` (bits): `through`, the light that reached the passage.
+  /// Adds the sums of the lanes `which` (bits) to their rays. `through`: light that reached the passage.
   HWY_INLINE void AddToRays(VI ray, std::uint32_t which, VF through, const PassageSum& sum) const {
     HWY_ALIGN float parts[4 * kLanes], alpha[kLanes];
     HWY_ALIGN std::int32_t rays[kLanes];
@@ -263,7 +263,7 @@ class LevelTracer {
   }
 
   const RayInputs& f_;
-  const Grid grid_, gradientGrid_;  ///< of densities; of gradients
+  const Grid grid_, gradientGrid_;  ///< For densities; for gradients.
   const RayRow& rays_;
   const Material material_;
   const PassageIntegrator<Material> integrator_;
@@ -272,9 +272,10 @@ class LevelTracer {
   Passages<kNoted> noted_;
   std::int32_t ofWave_[kNoted];
   HWY_ALIGN std::int32_t order_[kNoted];
-  std::vector<std::int32_t> waves_, met_;  ///< met_: of each ray, passages counted so far
-  HWY_ALIGN float wave_[kFields][kNoted];  ///< passages of a wave; from 0 on their density (Cubic)
-  mutable std::vector<float> sums_;        ///< of each ray: red, green, blue, error
+  std::vector<std::int32_t> waves_, met_;  ///< met_: passages counted so far, per ray.
+  /// Passages of a wave. The fields from 0 on hold their density (Cubic).
+  HWY_ALIGN float wave_[kFields][kNoted];
+  mutable std::vector<float> sums_;  ///< Per ray: red, green, blue, error.
 };
 
 }  // namespace volumen::HWY_NAMESPACE

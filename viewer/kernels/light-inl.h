@@ -1,4 +1,4 @@
-// Lighting samples that count, compiled once a CPU target.
+// Lights the samples that contribute. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_LIGHT_INL_H_
 #undef VOLUMEN_KERNELS_LIGHT_INL_H_
@@ -15,16 +15,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Samples on their way, in the order of each ray's steps.
+/// Samples in flight, in the order of each ray's steps.
 template <int kCapacity>
 struct Samples {
   HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity], density[kCapacity];
-  HWY_ALIGN float unitDistances[kCapacity];  ///< length of the interval in unit distances
-  HWY_ALIGN float weight[kCapacity];         ///< first its opacity, then what it adds to its ray
+  HWY_ALIGN float unitDistances[kCapacity];  ///< Length of the interval in unit distances.
+  HWY_ALIGN float weight[kCapacity];         ///< First the opacity, then the contribution to the ray.
   HWY_ALIGN std::int32_t ray[kCapacity], segment[kCapacity];
   int size = 0;
 
-  /// Makes what stands in the last vector behind the last sample harmless: places inside the volume.
+  /// Fills the rest of the last vector with harmless positions inside the volume.
   HWY_INLINE void Pad() {
     const DF df;
     for (float* values : {x, y, z, density, unitDistances, weight})
@@ -33,7 +33,8 @@ struct Samples {
   }
 };
 
-/// Samples that wait for light. Each is computed by itself and added to its ray in the order they came.
+/// Samples that wait for light. Each sample is computed independently and added to its ray in order of
+/// arrival.
 template <class Store, bool kIsLit, bool kGradientOpacity>
 class LightQueue {
  public:
@@ -42,7 +43,7 @@ class LightQueue {
   LightQueue(const Grid& grid, std::size_t rays, const Material& matter, TraceCounts& counts)
       : grid_(grid), material_(matter), counts_(counts), colour_(4 * rays + 4) {}
 
-  /// Takes the samples of `s` from n on that have any weight.
+  /// Takes the samples of `s` from n on that have weight.
   template <int kCapacity>
   HWY_INLINE void Take(const Samples<kCapacity>& s, int n) {
     const DF df;
@@ -64,7 +65,7 @@ class LightQueue {
     if (w.size > kWaiting - 2 * kLanes) Shade();
   }
 
-  /// Lights what waits and writes what all rays came to.
+  /// Lights the waiting samples and writes the sums of all rays.
   void Finish(const TraceRow& out) {
     Shade();
     for (std::size_t n = 0; 4 * n + 4 < colour_.size(); ++n) {
@@ -110,8 +111,8 @@ class LightQueue {
   const Material& material_;
   TraceCounts& counts_;
   Samples<kWaiting> waiting_;
-  HWY_ALIGN float lit_[4 * kWaiting];  ///< colours of those: red, green, blue, 0
-  std::vector<float> colour_;          ///< of each ray: red, green, blue, 0
+  HWY_ALIGN float lit_[4 * kWaiting];  ///< Colours of the waiting samples: red, green, blue, 0.
+  std::vector<float> colour_;          ///< Per ray: red, green, blue, 0.
 };
 
 }  // namespace volumen::HWY_NAMESPACE

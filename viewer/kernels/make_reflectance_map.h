@@ -5,7 +5,7 @@
 
 namespace volumen {
 
-/// D' and S' of picture.md 5 at every node, in single precision: 2 x 2 nodes at least.
+/// Returns D' and S' of picture.md 5 at every node, in single precision; at least 2 x 2 nodes.
 ReflectanceMap makeReflectanceMap(const Lighting& lighting, int n, MapLookup lookup);
 
 }  // namespace volumen

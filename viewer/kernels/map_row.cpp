@@ -1,4 +1,4 @@
-// The nodes of a reflectance map.
+// Shades the nodes of a reflectance map.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "viewer/kernels/map_row.cpp"
 #include <hwy/foreach_target.h>

@@ -1,4 +1,4 @@
-// Vector functions of the kernels, compiled once a CPU target. No operation fuses a multiply and an add, so
+// Vector functions of the kernels. Compiled once per CPU target. No operation fuses a multiply and an add, so
 // that every target gives the same bytes.
 #if defined(VOLUMEN_KERNELS_MATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_MATH_INL_H_
@@ -39,18 +39,18 @@ HWY_INLINE V3 Add(const V3& a, const V3& b) {
 HWY_INLINE V3 IfThenElse3(MF m, const V3& a, const V3& b) {
   return {hn::IfThenElse(m, a.x, b.x), hn::IfThenElse(m, a.y, b.y), hn::IfThenElse(m, a.z, b.z)};
 }
-/// The places from the n-th on of arrays that are aligned for vectors.
+/// Loads the positions from index n on from arrays that are aligned for vectors.
 template <class Array>
 HWY_INLINE V3 PlaceOf(const Array& s, int n) {
   const DF df;
   return {hn::Load(df, s.x + n), hn::Load(df, s.y + n), hn::Load(df, s.z + n)};
 }
 HWY_INLINE V3 Broadcast(const glm::vec3& v) { return {Set(v.x), Set(v.y), Set(v.z)}; }
-/// a + f (b - a): exactly a where a = b (picture.md 2).
+/// Returns a + f (b - a), which is exactly a where a = b (picture.md 2).
 HWY_INLINE VF Lerp(VF a, VF b, VF f) { return hn::Add(a, hn::Mul(f, hn::Sub(b, a))); }
-/// What lies at base[index[lane]], as many bytes of it as a lane has; with kLanes as many as those have, at
-/// every so many-th index. By plain loads: where memory is waited for a gather takes twice as long, in cache
-/// about as long.
+/// Loads one lane's bytes from base[index[lane]]. With `kLanes` > 1 each load fills that many lanes and uses
+/// every kLanes-th index. Plain loads are used: a gather takes twice as long where memory is slow, and about
+/// as long in cache.
 template <int kLanes = 1, class D, class T>
 HWY_INLINE hn::Vec<D> LoadEach(D d, const T* base, const std::int32_t* index) {
 #if HWY_TARGET != HWY_SCALAR
@@ -62,7 +62,7 @@ HWY_INLINE hn::Vec<D> LoadEach(D d, const T* base, const std::int32_t* index) {
 #endif
   return hn::LoadU(d, reinterpret_cast<const hn::TFromD<D>*>(base + index[0]));
 }
-/// LoadEach from four bases, a few lanes of all of them at a time: compilers run out of registers for the
+/// LoadEach from four bases, a few lanes of all four at a time. Compilers run out of registers for the
 /// indices of a whole vector.
 template <class D, class T>
 HWY_INLINE void LoadEachOfFour(D d, const std::array<const T*, 4>& base, const std::int32_t* index,
@@ -80,7 +80,7 @@ HWY_INLINE void LoadEachOfFour(D d, const std::array<const T*, 4>& base, const s
   for (int n = 0; n < 4; ++n) out[n] = LoadEach(d, base[n], index);
 }
 
-/// The four floats from base[index[lane]] on, of each lane.
+/// The four floats from base[index[lane]] on, for each lane.
 struct FourEach {
   VF a, b, c, d;
 };
@@ -99,9 +99,10 @@ HWY_INLINE FourEach LoadFourEach(const T* base, const std::int32_t* index) {
           hn::InterleaveLower(df, cd02, cd13), hn::InterleaveUpper(df, cd02, cd13)};
 #endif
 }
-/// Added to |x| <= 2^22 it leaves the nearest integer, ties to even, in the lowest bits: 1.5 * 2^23.
+/// Added to |x| <= 2^22, it leaves the nearest integer (ties to even) in the lowest bits. Its value is 1.5 *
+/// 2^23.
 constexpr float kRounding = 12582912.0f;
-/// Towards 0, of |x| < 2^31: hn::ConvertTo guards against larger ones, for four times the work.
+/// Truncates |x| < 2^31 towards 0. hn::ConvertTo also guards against larger values, at four times the cost.
 HWY_INLINE VI Truncated(VF x) {
 #if HWY_TARGET == HWY_SCALAR || !HWY_ARCH_X86
   return hn::ConvertTo(DI(), x);
@@ -113,23 +114,23 @@ HWY_INLINE VI Truncated(VF x) {
   return VI{_mm_cvttps_epi32(x.raw)};
 #endif
 }
-/// For divisors: what is not 0, or 1e-30.
+/// Returns a safe divisor: x, or 1e-30 if x is 0.
 HWY_INLINE VF NotZero(VF x) { return hn::IfThenElse(hn::Eq(x, hn::Zero(DF())), Set(1e-30f), x); }
 HWY_INLINE VF Length(const V3& v) { return hn::Sqrt(Dot(v, v)); }
 HWY_INLINE VF Clamp01(VF x) { return hn::Min(hn::Max(x, hn::Zero(DF())), Set(1)); }
 
-/// Natural logarithm of x in (0, 2); relative error about 1e-7. Polynomial: Cephes logf.
+/// Returns the natural logarithm of x in (0, 2); relative error about 1e-7. Polynomial: Cephes logf.
 HWY_INLINE VF Log(VF x) {
   const DF df;
   const DI di;
   const VI bits = hn::BitCast(di, x);
-  // m in [sqrt(1/2), sqrt(2)), x = m 2^e.
+  // x = m 2^e with m in [sqrt(1/2), sqrt(2)).
   const VI shifted = hn::Sub(bits, SetI(0x3f3504f3));
   const VI e = hn::ShiftRight<23>(shifted);
   const VF m = hn::BitCast(df, hn::Add(hn::And(shifted, SetI(0x007fffff)), SetI(0x3f3504f3)));
   const VF f = hn::Sub(m, Set(1)), f2 = hn::Mul(f, f);
-  // Pairs of terms side by side: a chain of nineteen operations would take longer than all the rest of a
-  // sample.
+  // Evaluates pairs of terms side by side. A chain of nineteen operations would take longer than the rest of
+  // a sample.
   const auto pair = [&](float c0, float c1) { return hn::Add(Set(c0), hn::Mul(f, Set(c1))); };
   const VF f4 = hn::Mul(f2, f2);
   const VF low = hn::Add(pair(3.3333331174e-1f, -2.4999993993e-1f),
@@ -144,7 +145,8 @@ HWY_INLINE VF Log(VF x) {
   return hn::Add(hn::Add(f, y), hn::Mul(ef, Set(0.693359375f)));
 }
 
-/// exp(x) - 1 for x in [-87, 0], relative error about 1e-7 also for small |x|. Polynomial: Cephes expf.
+/// Returns exp(x) - 1 for x in [-87, 0]. The relative error is about 1e-7, also for small |x|. Polynomial:
+/// Cephes expf.
 HWY_INLINE VF ExpMinus1(VF x) {
   const DF df;
   const DI di;
@@ -157,16 +159,16 @@ HWY_INLINE VF ExpMinus1(VF x) {
                          hn::Mul(r2, pair(4.1665795894e-2f, 8.3334519073e-3f)));
   const VF p = hn::Add(low, hn::Mul(hn::Mul(r2, r2), pair(1.3981999507e-3f, 1.9875691500e-4f)));
   const VF small = hn::Add(hn::Mul(r2, p), r);
-  // The lowest bits of kRounding are 0, and all above them are shifted out.
+  // The lowest bits of kRounding are 0, and the bits above them are shifted out.
   const VF power = hn::BitCast(df, hn::ShiftLeft<23>(hn::Add(hn::BitCast(di, rounded), SetI(127))));
   return hn::Add(hn::Mul(power, small), hn::Sub(power, Set(1)));
 }
 
-/// Opacities above this count as this: 1 - 2^-20.
+/// Opacities above this are treated as this: 1 - 2^-20.
 constexpr float kMostOpacity = 1.0f - 9.5367431640625e-7f;
-constexpr float kLogOfOpaque = -13.862943611f;  ///< TransparencyOf(kMostOpacity).log
+constexpr float kLogOfOpaque = -13.862943611f;  ///< Equals TransparencyOf(kMostOpacity).log.
 
-/// What an opacity lets through, and its logarithm with no loss where the opacity is small.
+/// 1 - opacity, and its logarithm without loss of precision for small opacities.
 struct Transparency {
   VF left, log;
 };
@@ -174,17 +176,17 @@ HWY_INLINE Transparency TransparencyOf(VF opacity) {
   const VF one = Set(1);
   const VF o = hn::Min(opacity, Set(kMostOpacity));
   const VF left = hn::Sub(one, o);
-  // What the subtraction rounded off, so that log1p(-o) keeps its relative accuracy. It is lost / left in
-  // full, but where left is far from 1 nothing is lost or log far larger.
+  // Adds what the subtraction rounded off, so that log1p(-o) keeps its relative accuracy. The exact term is
+  // lost / left. Where left is far from 1, nothing is lost or log is far larger.
   const VF lost = hn::Sub(hn::Sub(one, left), o);
   return {left, hn::Add(Log(left), lost)};
 }
 
-/// 1 - exp(-depth): the opacity of an optical depth >= 0.
+/// Returns 1 - exp(-depth), the opacity of an optical depth >= 0.
 HWY_INLINE VF OpacityOfDepth(VF depth) { return hn::Neg(ExpMinus1(hn::Max(hn::Neg(depth), Set(-80)))); }
 
-/// 1 - (1 - x)^n for 0 <= x < 1/16, x n < 1/8: the binomial series, whose seventh term is below 1e-8 of the
-/// first.
+/// Returns 1 - (1 - x)^n for 0 <= x < 1/16 and x n < 1/8 by the binomial series. Its seventh term is below
+/// 1e-8 of the first.
 HWY_INLINE VF FaintOpacity(VF x, VF n) {
   const VF one = Set(1);
   VF rest = one;
@@ -195,17 +197,17 @@ HWY_INLINE VF FaintOpacity(VF x, VF n) {
   return hn::Mul(hn::Mul(n, x), rest);
 }
 
-/// Opacity correction: of an interval `unitDistances` unit distances long whose opacity a unit is `opacity`
-/// (picture.md 4, 9): 1 - (1 - opacity)^unitDistances, with no loss where it is small. `others`: lanes that
-/// are not looked at.
+/// Opacity correction (picture.md 4, 9): returns 1 - (1 - opacity)^unitDistances without loss where it is
+/// small. `opacity` is per unit distance. `unitDistances` is the length of the interval in unit distances.
+/// Lanes in `others` are ignored.
 HWY_INLINE VF PowerOpacity(VF opacity, VF unitDistances, MF others) {
-  // Curves that jump leave nothing between faint and opaque, whose logarithm is known.
+  // Curves with steps yield only faint or fully opaque samples, and the logarithm of the latter is known.
   const MF known = hn::Or(others, hn::Ge(opacity, Set(kMostOpacity)));
   const VF log = hn::AllTrue(DF(), known) ? Set(kLogOfOpaque) : TransparencyOf(opacity).log;
   return hn::Neg(ExpMinus1(hn::Max(hn::Mul(log, unitDistances), Set(-80))));
 }
 
-/// The same, faster where opacities are small.
+/// As PowerOpacity, but faster where opacities are small.
 HWY_INLINE VF CorrectedOpacity(VF opacity, VF unitDistances) {
   const MF faint =
       hn::And(hn::Lt(opacity, Set(1.0f / 16)), hn::Lt(hn::Mul(opacity, unitDistances), Set(1.0f / 8)));
@@ -214,7 +216,7 @@ HWY_INLINE VF CorrectedOpacity(VF opacity, VF unitDistances) {
   return hn::IfThenElse(faint, series, PowerOpacity(opacity, unitDistances, faint));
 }
 
-/// x^power for whole powers >= 1: a few multiplications.
+/// Returns x^power for whole powers >= 1 by repeated multiplication.
 HWY_INLINE VF WholePower(VF x, int power) {
   VF out = power & 1 ? x : Set(1);
   for (int left = power >> 1; left; left >>= 1) {
@@ -224,7 +226,7 @@ HWY_INLINE VF WholePower(VF x, int power) {
   return out;
 }
 
-/// x^power for x in [0, 1], power >= 1.
+/// Returns x^power for x in [0, 1] and power >= 1.
 HWY_INLINE VF Power(VF x, VF power) {
   const VF exponent = hn::Max(hn::Mul(Log(hn::Max(x, Set(1e-30f))), power), Set(-80));
   return hn::Max(hn::Add(ExpMinus1(exponent), Set(1)), hn::Zero(DF()));

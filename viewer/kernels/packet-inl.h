@@ -1,4 +1,4 @@
-// The rays that one vector holds, compiled once a CPU target.
+// The rays in one vector. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_PACKET_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_PACKET_INL_H_
 #undef VOLUMEN_KERNELS_PACKET_INL_H_
@@ -18,8 +18,8 @@ namespace volumen::HWY_NAMESPACE {
 struct Packet {
   V3 start, move;
   VF steps, ahead;
-  VF lastMiddle, unitDistances, lastUnitDistances;  ///< lengths of a step and of the last one
-  int longest = 0;                                  ///< steps of the longest ray
+  VF lastMiddle, unitDistances, lastUnitDistances;  ///< Lengths of a whole step and of the last one.
+  int longest = 0;                                  ///< Steps of the longest ray.
 };
 
 HWY_INLINE Packet LoadPacket(const RayInputs& f, const RayRow& r, int first) {
@@ -37,32 +37,33 @@ HWY_INLINE Packet LoadPacket(const RayInputs& f, const RayRow& r, int first) {
   return p;
 }
 
-/// Which of its samples each ray has at a step of the block; of rays that begin later or have ended none
-/// (HasSample).
+/// Returns the index of each ray's sample at a step of the block. Rays that begin later or have ended have no
+/// sample there (HasSample).
 HWY_INLINE VF SampleAt(const Packet& p, int step) { return hn::Sub(Set(float(step)), p.ahead); }
 HWY_INLINE MF HasSample(const Packet& p, VF n) {
   return hn::And(hn::Ge(n, hn::Zero(DF())), hn::Lt(n, p.steps));
 }
 HWY_INLINE MF IsLast(const Packet& p, VF n) { return hn::Eq(p.steps, hn::Add(n, Set(1))); }
 
-/// picture.md 9: start + (n + 1/2) move, the last interval being shorter.
+/// Returns start + (n + 1/2) move (picture.md 9); the last interval is shorter.
 HWY_INLINE V3 Position(const Packet& p, VF n, MF last) {
   const VF middle = hn::IfThenElse(last, p.lastMiddle, hn::Add(n, Set(0.5f)));
   return Add(p.start, Scale(p.move, middle));
 }
 
-/// The same of samples that are not their ray's last.
+/// As Position, for samples that are not the last of their ray.
 HWY_INLINE V3 PositionBefore(const Packet& p, VF n) {
   return Add(p.start, Scale(p.move, hn::Add(n, Set(0.5f))));
 }
-/// Whether all rays of `which` have a sample at each of `count` steps from `step` on, none its last.
+/// Returns true if every ray of `which` has a sample at each of `count` steps from `step` on, none of them
+/// its last.
 HWY_INLINE bool GoOn(const Packet& p, MF which, int step, int count) {
   const MF begun = hn::Ge(SampleAt(p, step), hn::Zero(DF())),
            goOn = hn::Lt(SampleAt(p, step + count), p.steps);
   return hn::AllTrue(DF(), hn::Or(hn::Not(which), hn::And(begun, goOn)));
 }
 
-/// What a step adds to places on rays, in voxels.
+/// Returns the move of each ray per step, in voxels.
 HWY_INLINE V3 MoveOf(const RayRow& rays, VI ray) {
   const DF df;
   if (rays.parallel) return Broadcast(rays.sharedMove);

@@ -1,4 +1,4 @@
-// The two rules that integrate a part of a ray, compiled once a CPU target.
+// The two rules that integrate a part of a ray. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_PART_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_PART_INL_H_
 #undef VOLUMEN_KERNELS_PART_INL_H_
@@ -15,11 +15,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// A ray inside one cell: density and stored gradient along it, and how long it is there.
+/// A ray inside one cell: density and stored gradient along it, and its length there.
 struct RayInCell {
   DensityInCell density;
-  CubicVector gradient;  ///< where the material asks for gradients
-  VF unitDistances;      ///< from -1 to 1, in unit distances
+  CubicVector gradient;  ///< Set only if the material needs gradients.
+  VF unitDistances;      ///< Length from s = -1 to s = 1, in unit distances.
   VI ray;
 };
 HWY_INLINE RayInCell Chosen(MF which, const RayInCell& a, const RayInCell& b) {
@@ -30,29 +30,29 @@ HWY_INLINE RayInCell Chosen(MF which, const RayInCell& a, const RayInCell& b) {
           hn::IfThenElse(hn::RebindMask(DI(), which), a.ray, b.ray)};
 }
 
-/// A part of it, from `a` to `b`, on which the density rises or falls along one segment of the curve; that
-/// counts from the density's base, too.
+/// The part of it from `a` to `b`. There the density rises or falls along one segment of the curve. The
+/// segment, too, counts from the density's base.
 struct Part {
   VF a, b;
   CurveSegment segment;
 };
 
-/// What a part comes to in light that is 1 in front of it.
+/// Result of a part, for light of strength 1 in front of it.
 struct PartSum {
-  V3 colour;  ///< premultiplied
+  V3 colour;  ///< Premultiplied.
   VF opacity;
-  VF error;  ///< how far a component may be off
+  VF error;  ///< Bound on the error of a component.
 };
 
-/// Integrates parts (opacity correction included) by an embedded pair of rules. Opacity: between two places
-/// it is taken to rise straight, and the extinction integrated in closed form (pre-integration; Engel, Kraus
-/// and Ertl 2001), over the whole part and over its halves; a third of what they differ by is what the halves
-/// are off by, and is added (Richardson's extrapolation). Colour: that of the place where the light comes
-/// from in the mean, and a parabola through that and both ends, integrated with the light's mean and
-/// variance.
+/// Integrates parts, opacity correction included, by an embedded pair of rules.
+/// Opacity: between two positions opacity is taken as linear and extinction integrated in closed form
+/// (pre-integration; Engel, Kraus and Ertl 2001). This is done over the whole part and over its halves. A
+/// third of the difference is the error of the halves and is added (Richardson extrapolation).
+/// Colour: the colour at the mean position of the light, and a parabola through it and both ends. The
+/// parabola is integrated with the light's mean and variance.
 template <class Material>
 class PartRule {
-  static constexpr float kOffOfBent = 0.4f;  ///< what the parabola may be off by, as a share of what it adds
+  static constexpr float kOffOfBent = 0.4f;  ///< Error of the parabola, as a share of its contribution.
 
  public:
   explicit PartRule(const Material& matter) : material_(matter) {}
@@ -63,7 +63,7 @@ class PartRule {
     return material_.FragmentOf(ColourOn(segment, DensityOn(r, segment, s)), gradient, r.ray);
   }
 
-  /// `front` and `back`: what is at its ends. `reach`: the light that reaches it.
+  /// `front`, `back`: fragments at the ends. `reach`: light that reaches the part.
   HWY_INLINE PartSum Integrate(const RayInCell& r, const Part& p, const Fragment& front, const Fragment& back,
                                VF reach) const {
     const VF half = Set(0.5f), one = Set(1);
@@ -79,7 +79,7 @@ class PartRule {
     const VF third = hn::Mul(hn::Sub(opacity, OpacityOfDepth(depth)), Set(1.0f / 3));
     PartSum sum{Zero3(), Clamp01(hn::Add(opacity, third)), hn::Abs(third)};
     if constexpr (Material::kFactors) sum.error = hn::Add(sum.error, MissedFactors(r, p, places, halfUnits));
-    // No float holds what is divided by less; and less shows nothing.
+    // Smaller divisors do not fit into a float, and such parts show nothing.
     const VF per = hn::Div(one, hn::Max(opacity, Set(1e-30f)));
     const VF at1 = hn::Mul(half, first.centroid), at2 = hn::Mul(half, hn::Add(one, second.centroid));
     const VF at = hn::Mul(hn::Add(hn::Mul(first.opacity, at1), hn::Mul(behind, at2)), per);
@@ -91,30 +91,29 @@ class PartRule {
     return sum;
   }
 
-  /// What a part of this opacity may be off by, where `reach` reaches it: a share of white.
+  /// Returns the error allowed to a part of this opacity that `reach` reaches, as a share of white.
   HWY_INLINE VF ShareOf(VF reach, VF opacity) const {
     const ErrorBudget& budget = material_.f.budget;
     return hn::Max(hn::Mul(Set(budget.most), hn::Mul(reach, opacity)), Set(budget.most * budget.leastShare));
   }
 
  private:
-  /// 1 - opacity and -ln of it, a unit distance each.
+  /// 1 - opacity and its -ln, both per unit distance.
   struct Extinction {
     VF transparency, extinction;
   };
-  /// `factor`, `gradient`: where opacity depends on gradients; in units of the largest that makes a
-  /// difference.
+  /// `factor` and `gradient` are set only if opacity depends on gradients. The gradient is in factorUnits.
   struct Place {
     Extinction extinction;
-    VF opacity, factor;  ///< opacity: of the curve alone
+    VF opacity, factor;  ///< `opacity`: of the curve alone.
     V3 gradient;
   };
-  /// What lies between two places: its opacity; where its light comes from in the mean, 0..1.
+  /// Opacity between two positions, and the mean position of its light, 0..1.
   struct PartOpacity {
     VF opacity, centroid;
   };
-  /// Where the light of a part comes from, 0..1 of its length: mean and variance, and how far the mean may be
-  /// off.
+  /// Where the light of a part comes from, 0..1 of its length: mean, variance, and bound on the error of the
+  /// mean.
   struct Spread {
     VF mean, variance, bias;
   };
@@ -137,16 +136,16 @@ class PartRule {
     return place;
   }
 
-  /// How a value leaves the straight way between the ends of a part.
+  /// Deviation of a value from the straight line between the ends of a part.
   struct Bend {
-    VF bent;  ///< the mean that the light sees, less the value at the mean place: by a parabola
-    VF rise;  ///< the larger of the two slopes
+    VF bent;  ///< Mean seen by the light minus the value at the mean position, by a parabola.
+    VF rise;  ///< The larger of the two slopes.
   };
   struct BendRule {
     VF toFront, toBack, variance;
 
     explicit HWY_INLINE BendRule(const Spread& light) : variance(light.variance) {
-      // Divided differences; light that comes from one end has next to no variance.
+      // Divided differences. Light that comes from one end has almost no variance.
       const VF one = Set(1), least = Set(0.01f);
       toFront = hn::Div(one, hn::Max(light.mean, least));
       toBack = hn::Div(one, hn::Max(hn::Sub(one, light.mean), least));
@@ -158,8 +157,8 @@ class PartRule {
     }
   };
 
-  /// Colour and its error: by the light at the mean place alone where that does, else by that at the ends,
-  /// too.
+  /// Computes colour and its error. Uses the light at the mean position alone if that is accurate enough,
+  /// else also the light at the ends.
   HWY_INLINE void AddColour(const RayInCell& r, const Spread& light, const Fragment& front,
                             const Fragment& middle, const Fragment& back, VF reach, PartSum& sum) const {
     const BendRule bend(light);
@@ -181,8 +180,7 @@ class PartRule {
     sum.colour = Scale(colour, sum.opacity);
   }
 
-  /// Adds to the colour at the mean place what a parabola through the ends makes of it; what that may be off
-  /// by.
+  /// Adds the parabola's contribution to the colour at the mean position. Returns its possible error.
   static HWY_INLINE VF AddBend(const Spread& light, const BendRule& bend, const V3& front, const V3& back,
                                V3& colour) {
     VF off = hn::Zero(DF());
@@ -197,7 +195,7 @@ class PartRule {
     return off;
   }
 
-  /// What the light at the mean place may be off by, for what curve and normals do on the way.
+  /// Returns the error of the light at the mean position that the curve and the normals cause along the part.
   HWY_INLINE VF OffInMiddle(const Spread& light, const BendRule& bend, const Fragment& front,
                             const Fragment& middle, const Fragment& back) const {
     const LightStrength& strength = material_.f.lightStrength;
@@ -216,7 +214,7 @@ class PartRule {
     const V3 turn{ofNormal(front.normal.x, middle.normal.x, back.normal.x),
                   ofNormal(front.normal.y, middle.normal.y, back.normal.y),
                   ofNormal(front.normal.z, middle.normal.z, back.normal.z)};
-    // Wide highlights change as evenly as diffuse light, narrow ones are seldom met.
+    // Wide highlights change as evenly as diffuse light; narrow ones are seldom met.
     const VF ofNormals = Length(turn);
     const V3 way = Add(back.normal, Scale(front.normal, Set(-1)));
     const VF highlight = hn::Add(hn::Mul(Set(std::min(strength.shininess, 4.0f)), ofNormals),
@@ -225,8 +223,8 @@ class PartRule {
                    hn::Mul(Set(strength.specular), hn::Min(highlight, Set(1))));
   }
 
-  /// The light that may have come and gone between three places: by how far the normal turns on the way, and
-  /// whether it passes a kink of the light there.
+  /// Returns the light that may have come and gone between three positions. It depends on how far the normal
+  /// turns and whether it passes a kink of the light.
   HWY_INLINE VF MissedLight(const Fragment& a, const Fragment& m, const Fragment& b) const {
     if constexpr (!Material::kLit) return hn::Zero(DF());
     return hn::Max(MissedBetween(a, m), MissedBetween(m, b));
@@ -235,18 +233,18 @@ class PartRule {
     const LightStrength& light = material_.f.lightStrength;
     const V3 change = Add(Scale(a.normal, a.share), Scale(b.normal, hn::Neg(b.share)));
     const VF square = Dot(change, change), turn = hn::Sqrt(square);
-    // A highlight is so wide that a turn of 1 / sqrt(shininess) may step over a part of it.
+    // A highlight is so wide that a turn of 1 / sqrt(shininess) may step over part of it.
     const VF over = hn::Mul(square, Set(0.5f * light.shininess));
     const VF shine = hn::Div(hn::Min(hn::Mul(over, over), Set(1)), hn::Sqrt(hn::Max(over, Set(1))));
     const VF smooth =
         hn::Add(hn::Mul(Set(0.05f * light.diffuse), square), hn::Mul(Set(0.25f * light.specular), shine));
     const VI sides = hn::Xor(a.sides, b.sides);
     if (hn::AllTrue(DI(), hn::Eq(sides, SetI(0)))) return smooth;
-    // Between the two sides that a viewer may see, and where highlights begin, light changes within a tenth
-    // of a turn from nothing to all of it.
+    // Light changes from none to full within a tenth of a turn where highlights begin. It also does between
+    // the two sides of a surface that a viewer may see.
     const auto passes = [&](VI bits) { return hn::RebindMask(DF(), hn::Ne(bits, SetI(0))); };
     const VF sudden = hn::Mul(Set(0.25f), hn::Min(hn::Mul(Set(5), turn), Set(1)));
-    // Each kink is of one light.
+    // Each kink belongs to one light.
     const VF kinksPassed =
         hn::ConvertTo(DF(), hn::BitCast(DI(), hn::PopulationCount(hn::BitCast(hn::RebindToUnsigned<DI>(),
                                                                               hn::AndNot(SetI(3), sides)))));
@@ -266,9 +264,9 @@ class PartRule {
     return MeanOnSegment(a.transparency, a.extinction, b.transparency, b.extinction);
   }
 
-  /// The centroid is that of Simpson's rule over the transmittance T: (integral of T - T at the back) /
-  /// opacity, with the depth of the front half as if the extinction rose straight. Behind what is all but
-  /// opaque it is where the depth is 1.
+  /// Computes the centroid by Simpson's rule over the transmittance T: (integral of T - T at the back) /
+  /// opacity. The depth of the front half assumes linear extinction. Behind almost opaque parts the centroid
+  /// is where the depth is 1.
   static HWY_INLINE PartOpacity OpacityOfPart(const Extinction& a, const Extinction& b, VF unitDistances) {
     const VF e1 = a.extinction, sum = hn::Add(e1, b.extinction);
     const VF depth = hn::Mul(unitDistances, MeanOf(a, b)), opacity = OpacityOfDepth(depth);
@@ -284,26 +282,25 @@ class PartRule {
     return {opacity, hn::IfThenElse(hn::Gt(opacity, hn::Zero(DF())), centroid, Set(0.5f))};
   }
 
-  /// The variance within halves: that of even light where they are thin.
+  /// Returns the variance within halves: that of even light where they are thin.
   static HWY_INLINE VF WithinHalves(VF depth) {
     return hn::Mul(Set(1.0f / 48), hn::Max(hn::Sub(Set(1), hn::Mul(Set(1.0f / 12), depth)), Set(0)));
   }
 
-  /// How far the mean of a part's light may be off, as a share of its length: a bound on what was found for
-  /// opacities of 0 to 1 - 2^-20 at either end and depths up to 40.
+  /// Returns a bound on the error of the light's mean position, as a share of the part's length. It bounds
+  /// errors measured for opacities of 0 to 1 - 2^-20 at either end and depths up to 40.
   static HWY_INLINE VF BiasOf(const Extinction& a, const Extinction& b, VF mean, VF depth) {
     const VF ends = hn::Add(a.extinction, b.extinction), twice = hn::Add(mean, mean);
     const VF bent = hn::Div(hn::Abs(hn::Sub(ends, twice)), NotZero(hn::Add(ends, twice)));
     return hn::Min(Set(0.08f), hn::Add(hn::Mul(Set(0.004f), depth), hn::Mul(Set(0.05f), bent)));
   }
 
-  /// The opacity that factors over the gradient may add or take between the places where they were looked at:
-  /// where the factor has points, where |g| is not straight, and by the product of what changes.
+  /// Returns the opacity that gradient factors may add or remove between the sampled positions. Causes:
+  /// points of the factor's curve, curvature of |g|, and the product of both changes.
   HWY_INLINE VF MissedFactors(const RayInCell& r, const Part& p, const Place (&at)[3], VF halfUnits) const {
     const TransferFunction& curve = *material_.f.transfer;
     const VF half = Set(0.5f), length = hn::Mul(half, hn::Sub(p.b, p.a)), zero = hn::Zero(DF());
-    // A curve leaves its chord by no more than an eighth of its second derivative times the square of its
-    // length.
+    // A curve leaves its chord by at most an eighth of its second derivative times its length squared.
     const VF bend = hn::Max(Length(InFactorUnits(r.gradient.SecondAt(p.a))),
                             Length(InFactorUnits(r.gradient.SecondAt(p.b))));
     const VF leaves = hn::Mul(Set(0.125f), hn::Mul(bend, hn::Mul(length, length)));
@@ -313,33 +310,33 @@ class PartRule {
       const VF lengthA = Length(a.gradient), lengthB = Length(b.gradient);
       const Nearest nearest = NearestOnChord(a.gradient, b.gradient);
       const VF sag = hn::Sub(Between(lengthA, lengthB, nearest.at), nearest.length);
-      const VF beyond = Set(2);  // where the factor changes no more
+      const VF beyond = Set(2);  // The factor is constant beyond this.
       const VF most = hn::Min(hn::Add(hn::Max(lengthA, lengthB), leaves), beyond);
       const VF least = hn::Min(hn::Max(hn::Sub(nearest.length, leaves), zero), beyond);
       const VF range = NotZero(hn::Sub(most, least));
       const VF change = hn::Abs(hn::Sub(a.factor, b.factor));
       const VF unit = Set(material_.f.factorUnit);
       const VF kinks = FactorBend(curve, hn::Mul(least, unit), hn::Mul(most, unit));
-      const VF share = Clamp01(hn::Div(hn::Add(sag, leaves), range));  // sag may be rounded below 0
+      const VF share = Clamp01(hn::Div(hn::Add(sag, leaves), range));  // Rounding may make sag negative.
       const VF bent = hn::Mul(share, hn::Add(change, kinks));
       const VF product = hn::Mul(Set(1.0f / 6), hn::Mul(change, hn::Abs(hn::Sub(a.opacity, b.opacity))));
       const VF opacity = hn::Max(a.opacity, b.opacity);
       missed = hn::Add(missed, hn::Add(hn::Mul(hn::Mul(half, opacity), hn::Add(kinks, bent)), product));
     }
-    // -ln(1 - f opacity) <= -f ln(1 - opacity).
+    // Uses -ln(1 - f opacity) <= -f ln(1 - opacity).
     const VF opacity = hn::Max(at[0].opacity, at[2].opacity);
     const VF perOpacity = hn::Div(hn::Neg(TransparencyOf(opacity).log), NotZero(opacity));
     return OpacityOfDepth(hn::Mul(halfUnits, hn::Mul(perOpacity, missed)));
   }
 
-  /// A stored gradient in factorUnits, limited so that its square is a number.
+  /// Returns a stored gradient in factorUnits, limited so that its square is finite.
   HWY_INLINE V3 InFactorUnits(const V3& stored) const {
     const V3 g = Scale(InPatient(material_.f, stored), Set(material_.f.factorUnitsAStored));
     const auto limited = [](VF x) { return hn::Min(hn::Max(x, Set(-1e15f)), Set(1e15f)); };
     return {limited(g.x), limited(g.y), limited(g.z)};
   }
 
-  /// Where between two vectors (0..1) the length is least, and that length.
+  /// Position between two vectors (0..1) where the length is least, and that length.
   struct Nearest {
     VF at, length;
   };

@@ -1,4 +1,4 @@
-// Density and gradient of a ray inside a cell, compiled once a CPU target.
+// Density and gradient of a ray inside a cell. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_PASSAGE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_PASSAGE_INL_H_
 #undef VOLUMEN_KERNELS_PASSAGE_INL_H_
@@ -11,20 +11,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// c0 + c1 s + c2 s^2 + c3 s^3: a trilinear value along a ray inside one cell, exactly; s from -1 to 1, front
-/// to back.
+/// The exact course c0 + c1 s + c2 s^2 + c3 s^3 of a trilinear value along a ray inside one cell. Here s runs
+/// from -1 (front) to 1 (back).
 struct Cubic {
   VF c0, c1, c2, c3;
 
   HWY_INLINE VF At(VF s) const {
     return hn::Add(c0, hn::Mul(s, hn::Add(c1, hn::Mul(s, hn::Add(c2, hn::Mul(s, c3))))));
   }
-  /// The derivative, and its own.
+  /// First and second derivative.
   HWY_INLINE VF RiseAt(VF s) const {
     return hn::Add(c1, hn::Mul(s, hn::Add(hn::Add(c2, c2), hn::Mul(Set(3), hn::Mul(s, c3)))));
   }
   HWY_INLINE VF SecondAt(VF s) const { return hn::Add(hn::Add(c2, c2), hn::Mul(Set(6), hn::Mul(s, c3))); }
-  /// How far it may leave the straight lines from -1 to 0 and from there to 1.
+  /// Returns a bound on the deviation from the straight lines from -1 to 0 and from 0 to 1.
   HWY_INLINE VF Bend() const {
     return hn::Add(hn::Mul(Set(0.25f), hn::Abs(c2)), hn::Mul(Set(0.385f), hn::Abs(c3)));
   }
@@ -35,39 +35,40 @@ HWY_INLINE Cubic Chosen(MF which, const Cubic& a, const Cubic& b) {
           hn::IfThenElse(which, a.c2, b.c2), hn::IfThenElse(which, a.c3, b.c3)};
 }
 
-/// A passage through a cell: the place of its middle there, and how far it reaches to either side (voxels).
+/// A passage through a cell: the position of its middle there, and its reach to either side (voxels).
 struct Passage {
   Cell cell;
   V3 half;
 };
 
-/// How much of `half` counts: outside the voxels' centres the density is that of the nearest place between
-/// them.
+/// Returns the part of `half` that counts. Outside the voxel centres the density is that of the nearest
+/// position between them.
 HWY_INLINE V3 HalfInside(const V3& place, const V3& clamped, const V3& half) {
   const auto along = [](VF at, VF inside, VF h) { return hn::IfThenElseZero(hn::Eq(at, inside), h); };
   return {along(place.x, clamped.x, half.x), along(place.y, clamped.y, half.y),
           along(place.z, clamped.z, half.z)};
 }
 
-/// The one whose middle lies at `place` (voxels) and that reaches as far as `half`.
+/// Returns the passage with its middle at `place` that reaches `half` to either side (voxels).
 HWY_INLINE Passage PassageAt(const Grid& grid, const V3& place, const V3& half) {
   const V3 clamped = grid.Clamped(place);
   return {grid.CellAt(clamped), HalfInside(place, clamped, half)};
 }
 
-/// The same in the cell of this lower corner, which may be one before the first or behind the last.
+/// As PassageAt, in the cell with the lower corner `lower`. That may be a cell before the first or behind the
+/// last.
 HWY_INLINE Passage PassageIn(const Grid& grid, const V3& lower, const V3& place, const V3& half) {
   const V3 clamped = grid.Clamped(place);
   return {grid.CellFrom(lower, clamped), HalfInside(place, clamped, half)};
 }
 
-/// Between a and b, and b itself at 1, where a + (b - a) may be another float: behind the last voxels'
-/// centres what is as even as they are stays so, and does not fall off a step of the curve.
+/// Interpolates between a and b, and returns exactly b at share 1, where a + (b - a) may be another float.
+/// Even regions behind the last voxel centres then stay even and do not fall off a step of the curve.
 HWY_INLINE VF Between(VF a, VF b, VF share) {
   return hn::IfThenElse(hn::Eq(share, Set(1)), b, hn::Add(a, hn::Mul(share, hn::Sub(b, a))));
 }
 
-/// What is trilinear between the corners of a cell, along a passage through it.
+/// Returns the trilinear value between the corners of a cell along a passage through it.
 HWY_INLINE Cubic InterpolateAlong(const Corners& v, const Passage& p) {
   const V3& d = p.half;
   struct Line {
@@ -92,17 +93,17 @@ HWY_INLINE Cubic InterpolateAlong(const Corners& v, const Passage& p) {
           hn::Add(near.c2, hn::Add(hn::Mul(fz, r2), hn::Mul(d.z, r1))), hn::Mul(d.z, r2)};
 }
 
-/// The lowest and the highest density between the corners of a cell.
+/// The lowest and the highest density at the corners of a cell.
 struct CellRange {
   VF lowest, highest;
 
-  /// The value next to 0 in it.
+  /// Returns the value of the range that is nearest to 0.
   HWY_INLINE VF Base() const { return hn::Min(hn::Max(hn::Zero(DF()), lowest), highest); }
 };
 
-/// A density along a passage, counted from the base of its cell's range: near a plateau, and near 0, floats
-/// tell values apart that differ by less than an ulp of the plateau's. `low` and `high`: that range, counted
-/// so; only rounding leads out of it, and past a step of the curve.
+/// A density along a passage, counted from the base of its cell's range. Near plateaus and near 0, floats
+/// then distinguish values that differ by less than an ulp of the plateau. `low` and `high` are the range,
+/// counted the same way. Clamping to it keeps rounding from crossing a step of the curve.
 struct DensityInCell {
   Cubic along;
   VF base, low, high;
@@ -122,7 +123,7 @@ HWY_INLINE DensityInCell Chosen(MF which, const DensityInCell& a, const DensityI
   return chosen;
 }
 
-/// The stored gradient along such a passage, component by component.
+/// The stored gradient along a passage, component by component.
 struct CubicVector {
   Cubic x, y, z;
 

@@ -1,4 +1,4 @@
-// Compositing of colours that were interpolated.
+// Composites interpolated colours.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "viewer/kernels/preshaded.cpp"
 #include <hwy/foreach_target.h>
@@ -16,7 +16,7 @@ struct PreshadedSum {
   VF alpha;
 };
 
-/// A vector of neighbouring rays from their first sample to the last that counts.
+/// Traces a vector of neighbouring rays from their first sample to the last that counts.
 HWY_INLINE PreshadedSum TracePacket(const float* rgba, const Grid& grid, const Packet& p,
                                     TraceCounts& counts) {
   const DF df;

@@ -69,7 +69,7 @@ ProjectKernel ChooseMode(Mode mode, bool cellByCell) {
     case Mode::composite:
       break;
   }
-  return nullptr;  // chooseTraceKernel
+  return nullptr;  // Composites use chooseTraceKernel.
 }
 
 ProjectKernel ChooseProject(Store store, Mode mode, bool cellByCell) {

@@ -5,18 +5,20 @@
 
 namespace volumen {
 
-/// What blocks of the volume hold, for projections that need not look at all of them. Real values stand for
-/// densities (value - intercept) / slope, slope > 0, rounded to whole numbers where `whole`.
+/// Ranges of the volume's blocks, for projections that need not sample all of them. Real values stand for
+/// densities (value - intercept) / slope with slope > 0, rounded to whole numbers if `whole`.
 struct BlockValues {
-  const BlockRanges* blockRanges = nullptr;  ///< null: everything is looked at
+  const BlockRanges* blockRanges = nullptr;  ///< Null: everything is sampled.
   double slope = 1, intercept = 0;
-  double off = 0;  ///< more than floats round the blocks' values by, and interpolation in floats; density
+  /// Bound, in density, on the rounding of the blocks' values and of interpolation in floats.
+  double off = 0;
   bool whole = false;
 };
 
-/// Extremes or the mean of the density along each ray of a row (picture.md 9), in density units; NaN never.
-/// The same bytes with and without `blocks`. `cellByCell`: exact along the rays, whose `ahead` is too (the
-/// store is not Store::plane); else of the samples at their steps.
+/// Computes the extreme or the mean of the density along each ray of a row (picture.md 9), in density units.
+/// The result is never NaN. It has the same bytes with and without `blocks`. `cellByCell`: exact along the
+/// rays, with exact `ahead`; the store must not be Store::plane. Otherwise computed from the samples at the
+/// steps.
 using ProjectKernel = void (*)(const RayInputs&, const BlockValues& blocks, const RayRow&, const PlaneBuffer&,
                                float* result, TraceCounts&);
 ProjectKernel chooseProjectKernel(Store store, Mode mode, bool cellByCell);

@@ -1,4 +1,4 @@
-// mip, minip and average along the rays of one packet, compiled once a CPU target.
+// MIP, MinIP and average along the rays of one packet. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_PROJECTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_PROJECTION_INL_H_
 #undef VOLUMEN_KERNELS_PROJECTION_INL_H_
@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// What mip and minip look for: the largest, the smallest.
+/// The extreme a projection searches for: the maximum for mip, the minimum for minip.
 template <Mode kMode>
 struct Extreme {
   static constexpr float kNone = (kMode == Mode::mip ? -1 : 1) * std::numeric_limits<float>::max();
@@ -24,26 +24,27 @@ struct Extreme {
 
   static HWY_INLINE VF Of(const Corners& v) { return kMode == Mode::mip ? v.Highest() : v.Lowest(); }
 
-  /// Of the two a - b and a + b.
+  /// Returns the more extreme of a - b and a + b.
   static HWY_INLINE VF Widest(VF a, VF b) {
     return kMode == Mode::mip ? hn::Add(a, hn::Abs(b)) : hn::Sub(a, hn::Abs(b));
   }
 
-  /// What its Bernstein coefficients tell that it does not exceed on its interval, but by rounding.
+  /// Returns a bound on the cubic over its interval from its Bernstein coefficients. Only rounding exceeds
+  /// it.
   static HWY_INLINE VF BoundOf(const Cubic& c) {
     const VF third = Set(1.0f / 3);
     const VF inner = Widest(hn::Sub(c.c0, hn::Mul(c.c2, third)), hn::Sub(hn::Mul(c.c1, third), c.c3));
     return Of(inner, Widest(hn::Add(c.c0, c.c2), hn::Add(c.c1, c.c3)));
   }
 
-  /// On its interval: at an end, or where its slope c1 + 2 c2 s + 3 c3 s^2 vanishes.
+  /// Returns the extreme over the interval: at an end, or where the slope c1 + 2 c2 s + 3 c3 s^2 vanishes.
   static HWY_INLINE VF Of(const Cubic& c) {
     const DF df;
     const VF ends = Widest(hn::Add(c.c0, c.c2), hn::Add(c.c1, c.c3));
     const VF a = hn::Mul(Set(3), c.c3), square = hn::Sub(hn::Mul(c.c2, c.c2), hn::Mul(a, c.c1));
     const MF turns = hn::Gt(square, hn::Zero(df));
     if (hn::AllFalse(df, turns)) return ends;
-    // No digits cancel out in this sum. In place of a root outside, the nearer end does no harm.
+    // No digits cancel in this sum. A root outside is replaced by the nearer end, which does no harm.
     const VF root = hn::Sqrt(hn::Max(square, hn::Zero(df)));
     const VF q = hn::Neg(hn::Add(c.c2, hn::CopySign(root, c.c2)));
     const auto at = [&](VF over, VF under) {
@@ -54,10 +55,10 @@ struct Extreme {
   }
 };
 
-/// A sum with what it lost in rounding (Kahan's compensation), as there are many terms.
+/// A sum of many terms with Kahan's compensation for rounding.
 struct LongSum {
   VF sum = hn::Zero(DF()), lost = hn::Zero(DF());
-  HWY_INLINE LongSum() {}  // an implicit one is compiled for no target
+  HWY_INLINE LongSum() {}  // An implicit constructor is compiled for no target.
 
   HWY_INLINE void Add(MF where, VF value) {
     const VF term = hn::Sub(value, lost), next = hn::Add(sum, term);
@@ -66,17 +67,17 @@ struct LongSum {
   }
 };
 
-/// By the samples of plain steps.
+/// Projects the samples of plain steps.
 template <class Store, Mode kMode>
 class SampleProjection {
  public:
   SampleProjection(const RayInputs& f, const Grid& grid, const RayRow& rays, const PlaneBuffer& plane,
                    int first)
       : grid_(grid), plane_(plane), packet_(LoadPacket(f, rays, first)), first_(first) {
-    packet_.ahead = Set(0);  // each ray from where it begins: no sample waits for another's
+    packet_.ahead = Set(0);  // Rays start at once: no sample waits for that of another ray.
   }
 
-  /// Takes the samples at one step; how many they are.
+  /// Takes the samples at one step. Returns their number.
   HWY_INLINE std::int64_t Take(int step) {
     const VF n = SampleAt(packet_, step);
     const MF has = HasSample(packet_, n), last = IsLast(packet_, n);
@@ -92,7 +93,7 @@ class SampleProjection {
     return std::int64_t(hn::CountTrue(DF(), has));
   }
 
-  /// The extreme that all rays of the packet have reached: the least of their maxima or the largest of their
+  /// Returns the extreme reached by all rays of the packet: the least of their maxima or the largest of their
   /// minima.
   HWY_INLINE float ReachedByAll() const {
     const DF df;
@@ -119,15 +120,16 @@ class SampleProjection {
   LongSum sum_;
 };
 
-/// From cell to cell: along each passage the density is a cubic, whose extremes and mean are known.
+/// Projects from cell to cell. Along each passage the density is a cubic with known extremes and mean.
 template <class Store, Mode kMode>
 class CellProjection {
  public:
   CellProjection(const RayInputs& f, const Grid& grid, const RayRow& rays, int first)
       : grid_(grid), packet_(LoadPacket(f, rays, first)) {}
 
-  /// Takes each ray's passages from `at`, its start or a face of a cell, as far as `to` (steps from the ray's
-  /// start), while more than `least` rays are not there yet. How many passages; `at`: where each ray is.
+  /// Takes the passages of each ray from `at` up to `to`, in steps from the ray's start, while more than
+  /// `least` rays have not arrived. `at` must be the ray's start or a face of a cell, and is set to where
+  /// each ray is then. Returns the number of passages.
   HWY_NOINLINE std::int64_t Take(VF& at, VF to, int least) {
     const VF end = hn::Min(to, EndOf(packet_));
     std::int64_t taken = 0;
@@ -176,8 +178,8 @@ class CellProjection {
     const VF bound = E::Nearer(most, E::BoundOf(along));
     const MF may = hn::And(open, E::Exceeds(bound, value_));
     if (hn::AllFalse(DF(), may)) return;
-    // Only rounding leads beyond the bound. Whether it is asked depends on what was met before: nothing else
-    // may.
+    // Only rounding exceeds the bound. It depends on earlier passages whether the bound is tested, so values
+    // are limited to it: the result must not depend on them.
     value_ = hn::IfThenElse(may, E::Of(value_, E::Nearer(E::Of(along), bound)), value_);
   }
 

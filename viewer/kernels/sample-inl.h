@@ -1,4 +1,4 @@
-// Density and gradients at positions in voxel space, compiled once a CPU target.
+// Density and gradients at positions in voxel space. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_SAMPLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_SAMPLE_INL_H_
 #undef VOLUMEN_KERNELS_SAMPLE_INL_H_
@@ -13,17 +13,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Density and gradient at one place, in stored units.
+/// Density and gradient at one position, in stored units.
 struct Sample {
   VF density;
   V3 gradient;
 };
 
-/// The densities of a cell's eight voxels: rows as Grid::Offset has them, each from first to second along x.
+/// The densities of a cell's eight voxels: rows ordered as in Grid::Offset, from first to second along x.
 struct Corners {
   VF first[4], second[4];
 
-  /// The same, counted from `base`.
+  /// Returns the densities counted from `base`.
   HWY_INLINE Corners CountedFrom(VF base) const {
     Corners counted;
     for (int r = 0; r < 4; ++r) {
@@ -33,7 +33,7 @@ struct Corners {
     return counted;
   }
 
-  /// The range that trilinear interpolation between them stays within.
+  /// Lower end of the range that trilinear interpolation stays within; Highest() is the upper end.
   HWY_INLINE VF Lowest() const {
     const auto ofRow = [&](int r) { return hn::Min(first[r], second[r]); };
     return hn::Min(hn::Min(ofRow(0), ofRow(1)), hn::Min(ofRow(2), ofRow(3)));
@@ -49,12 +49,12 @@ struct GradientCorners {
   Corners x, y, z;
 };
 
-/// Trilinear weights of a cell's eight voxels in units of -1/32768 (so that a weight of one fits into 16
-/// bits): one 32-bit lane a row of two voxels along x, the first in its lower half. Each split rounds one
-/// part and leaves the rest to the other, so the eight always add up to one: constant regions stay exactly
-/// constant (picture.md 2), and every CPU target has the same integers.
+/// Trilinear weights of a cell's eight voxels in units of -1/32768, so that a weight of one fits into 16
+/// bits. Each row of two voxels along x takes one 32-bit lane, the first voxel in its lower half. Each split
+/// rounds one part and leaves the rest to the other, so the eight weights always add up to one. Constant
+/// regions thus stay exactly constant (picture.md 2), and all CPU targets have the same integers.
 struct Weights {
-  VI row[4];  ///< (y0 z0), (y1 z0), (y0 z1), (y1 z1)
+  VI row[4];  ///< (y0 z0), (y1 z0), (y0 z1), (y1 z1).
 };
 
 /// Whole numbers |x| <= 2^15, each as a float and in the lower 16 bits of an integer.
@@ -83,13 +83,13 @@ HWY_INLINE Weights WeightsOf(const Cell& c) {
 
 constexpr float kWeightUnit = -1.0f / 32768;
 
-/// How a store takes plain steps where few cells are visible, in those alone: density and gradient together
-/// (BatchTracer), or gradients only of what can be seen (SparseTracer).
+/// How a store takes plain steps where few cells are visible: density and gradient together (BatchTracer), or
+/// gradients only for visible samples (SparseTracer).
 enum class WhereFew { batches, apart };
 
-/// Densities of integers of at most 16 bits, interpolated with integer weights. Voxels::Densities(grid,
-/// index, rows): those of the rows of the cells at `index`, the first voxel's and its neighbour's along x in
-/// the lower and upper halves of the lanes.
+/// Density of integers of at most 16 bits, interpolated with integer weights.
+/// Voxels::Densities(grid, index, rows) loads the rows of the cells at `index`. The first voxel and its
+/// neighbour along x are in the lower and upper halves of the lanes.
 template <class Voxels>
 struct PairDensity {
 #if HWY_TARGET == HWY_SCALAR
@@ -106,7 +106,7 @@ struct PairDensity {
   }
 #endif
 
-  /// `times`: what the numbers were multiplied by.
+  /// Converts a weighted sum to a density. `times`: factor by which the numbers were scaled.
   static HWY_INLINE VF Real(VI sum, int times = 1) {
     return hn::Mul(hn::ConvertTo(DF(), sum), Set(kWeightUnit / float(times)));
   }
@@ -130,11 +130,11 @@ struct PairDensity {
   }
 
  protected:
-  /// The row of a cell from pairs of numbers that are so many `times` as large.
+  /// Sets a row of a cell from pairs of numbers scaled by `times`.
   static HWY_INLINE void SetRow(const Grid& grid, VI pairs, int times, Corners& v, int r) {
     const DF df;
     v.first[r] = hn::ConvertTo(df, hn::ShiftRight<16>(hn::ShiftLeft<16>(pairs)));
-    // With one voxel along x there is no second.
+    // With one voxel along x there is no second voxel.
     v.second[r] = grid.nextColumn() ? hn::ConvertTo(df, hn::ShiftRight<16>(pairs)) : v.first[r];
     if (times == 1) return;
     v.first[r] = hn::Mul(v.first[r], Set(1 / float(times)));
@@ -142,10 +142,10 @@ struct PairDensity {
   }
 };
 
-/// Gradients, too, of voxels that hold density and gradient together: Voxels::PairsAt<b>(grid, index, r): of
-/// every fourth lane from b on, a block: the voxel at the start of row r of the lane's cell and its neighbour
-/// along x, as (x0 x1 y0 y1 z0 z1 d0 d1), gradients Voxels::kTimes as large. Without blocks, in scalar code:
-/// Voxels::ComponentAt(grid, voxel, n), in the order x, y, z, d.
+/// Adds gradients, for voxels that hold density and gradient together. Voxels::PairsAt<b>(grid, index, r)
+/// returns one block for every fourth lane from b on. A block holds the first voxel of row r and its
+/// neighbour along x as (x0 x1 y0 y1 z0 z1 d0 d1). Gradients are scaled by Voxels::kTimes. Scalar code uses
+/// Voxels::ComponentAt(grid, voxel, n) instead, in the order x, y, z, d.
 template <class Voxels>
 struct VoxelPairs : PairDensity<Voxels> {
   using Pairs = PairDensity<Voxels>;
@@ -178,9 +178,9 @@ struct VoxelPairs : PairDensity<Voxels> {
     return g;
   }
 #else
-  /// Four plain loads a sample, each of a voxel and its neighbour along x (with one voxel along x the second
-  /// counts nothing: its weight is 0); much faster than gathers. Block b of sum k holds the four
-  /// components of sample 4 b + k.
+  /// Uses four plain loads per sample, each of a voxel and its neighbour along x, which is much faster than
+  /// gathers. With one voxel along x the second has weight 0. Block b of sum k holds the four components of
+  /// sample 4 b + k.
   static HWY_INLINE Sample DensityAndGradient(const Grid& grid, const Cell& c) {
     const Weights w = WeightsOf(c);
     const CellIndices at(c);
@@ -208,7 +208,7 @@ struct VoxelPairs : PairDensity<Voxels> {
   }
 
  private:
-  /// Of each lane, from vectors whose block b holds x, y, z and density of lane 4 b + k in the k-th.
+  /// The components of each lane, from four vectors: block b of the k-th holds those of lane 4 b + k.
   struct Components {
     VI x, y, z, density;
   };
@@ -241,8 +241,8 @@ struct VoxelPairs : PairDensity<Voxels> {
   }
 };
 
-/// Asks for the `voxels` of `count` cells ahead of time, each so many elements, or of every so many-th cell:
-/// they lie far apart in memory.
+/// Prefetches the `voxels` of `count` cells, or of every `every`-th cell; they lie far apart in memory.
+/// `elements`: values per voxel.
 template <class T>
 HWY_INLINE void PrefetchCells(const Grid& grid, const T* voxels, int elements, const std::int32_t* index,
                               int count, int every) {
@@ -250,7 +250,7 @@ HWY_INLINE void PrefetchCells(const Grid& grid, const T* voxels, int elements, c
     for (int r = 0; r < 4; ++r) hwy::Prefetch(voxels + elements * (std::int64_t(index[n]) + grid.Offset(r)));
 }
 
-/// 16-bit integers. A load of 32 bits brings a voxel's density and its neighbour's along x.
+/// 16-bit integers. One 32-bit load brings the densities of a voxel and its neighbour along x.
 struct Int16Store : VoxelPairs<Int16Store> {
   static constexpr WhereFew kWhereFew = WhereFew::batches;
   static constexpr int kTimes = 1;

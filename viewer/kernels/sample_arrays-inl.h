@@ -1,4 +1,4 @@
-// Classifying and lighting plain samples, many at a time, compiled once a CPU target.
+// Classifies and lights plain samples, many at a time. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_SAMPLE_ARRAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_SAMPLE_ARRAYS_INL_H_
 #undef VOLUMEN_KERNELS_SAMPLE_ARRAYS_INL_H_
@@ -12,18 +12,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Plain samples on their way: each pass puts what it finds in the place of what it no longer needs.
+/// Plain samples in flight. Each pass overwrites data that is no longer needed with its results.
 template <int kCapacity>
 struct SampleArrays {
-  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity];  ///< place, in its cell, gradient, colour
+  /// Position, then position in its cell, gradient, and colour.
+  HWY_ALIGN float x[kCapacity], y[kCapacity], z[kCapacity];
   HWY_ALIGN float density[kCapacity];
-  HWY_ALIGN float
-      unitDistances[kCapacity];             ///< length in unit distances, 0 where there is none; then opacity
-  HWY_ALIGN std::int32_t index[kCapacity];  ///< of the cell, then segment of the curve
+  HWY_ALIGN float unitDistances[kCapacity];  ///< Length in unit distances, 0 for no sample; then opacity.
+  HWY_ALIGN std::int32_t index[kCapacity];   ///< Index of the cell, then segment of the curve.
   int size = 0;
 };
 
-/// From densities, gradients and lengths to segments and opacities.
+/// Computes segments and opacities from densities, gradients and lengths.
 template <class Material, class Arrays>
 HWY_INLINE void Classify(const Material& matter, Arrays& s) {
   const DF df;
@@ -36,8 +36,8 @@ HWY_INLINE void Classify(const Material& matter, Arrays& s) {
   }
 }
 
-/// From densities, gradients and segments to colours, lit, of vectors that have any opacity. `rays(n)`: of
-/// the n-th sample and those behind it (ClassifyAndLight::ColourAt).
+/// Computes lit colours from densities, gradients and segments, for vectors with any opacity. `rays(n)`
+/// returns the rays of the vector of samples at n (ClassifyAndLight::ColourAt).
 template <class Material, class Arrays, class Rays>
 HWY_INLINE void Light(const Material& matter, Arrays& s, const Rays& rays) {
   const DF df;

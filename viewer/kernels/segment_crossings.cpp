@@ -18,8 +18,8 @@ using Cubic = glm::dvec4;
 double valueOf(const Cubic& c, double s) { return ((c[3] * s + c[2]) * s + c[1]) * s + c[0]; }
 double slopeOf(const Cubic& c, double s) { return (3 * c[3] * s + 2 * c[2]) * s + c[1]; }
 
-// The s at which c is 0, one of whose ends lies above and the other not: Newton's steps, halves where they
-// leave the bracket.
+// Returns the root of c between `low` and `high`, where its sign changes. Uses Newton's method, with
+// bisection where a step leaves the bracket.
 double rootBetween(const Cubic& c, double low, double high, bool startsAbove) {
   constexpr double close = 1e-9;
   const double atLow = valueOf(c, low), atHigh = valueOf(c, high);
@@ -37,7 +37,7 @@ double rootBetween(const Cubic& c, double low, double high, bool startsAbove) {
   return s;
 }
 
-// Where a cubic's slope is 0 in (0, 1), in order; how many.
+// Finds where a cubic's slope is 0 in (0, 1), in order. Returns how many such places there are.
 int extremesOf(const Cubic& c, double places[2]) {
   const double a = 3 * c[3], b = c[2], d = c[1];  // a s^2 + 2 b s + d
   const double root2 = b * b - a * d;
@@ -50,7 +50,7 @@ int extremesOf(const Cubic& c, double places[2]) {
   return count;
 }
 
-// Whether all Bezier control points lie on that side of 0: then the cubic does.
+// Returns true if all Bezier control points, and thus the cubic, lie on the given side of 0.
 bool staysOn(const Cubic& c, bool above) {
   const double points[] = {c[0], c[0] + c[1] / 3, c[0] + (2 * c[1] + c[2]) / 3, c[0] + c[1] + c[2] + c[3]};
   return std::ranges::all_of(points, [above](double p) { return (p >= 0) == above; });
@@ -90,7 +90,7 @@ class CrossingWalk {
  private:
   static constexpr int blockEdge = SegmentCells::edge;
 
-  // The part of the line in one cube after another: which, and where it leaves it.
+  // The cubes that the line passes, one after another, and where it leaves each.
   template <int kEdge>
   struct CubeWalk {
     CubeWalk(const CrossingWalk& walk, double t, glm::ivec3 low, glm::ivec3 high) : walk_(walk) {
@@ -118,7 +118,7 @@ class CrossingWalk {
     const double blockMm = blockEdge / std::max({moves.x, moves.y, moves.z});
     CubeWalk<blockEdge> walk(*this, t, low, high);
     while (t < t1) {
-      // So far from 0 that adding changes nothing, planes alone lead on.
+      // Where t is so large that the addition changes nothing, only planes lead on.
       const double farther = t + (cells_.distance(walk.cube) - 1) * blockMm;
       if (farther > t) {
         t = farther;
@@ -135,7 +135,8 @@ class CrossingWalk {
     }
   }
 
-  // False where no more is asked for. Where cells meet they get the same t, in one block or in two.
+  // Returns false once `most` crossings are found. Adjoining cells get the same t where they meet, also
+  // across blocks.
   bool walkCells(glm::ivec3 low, std::uint64_t bits, double t, double t1) {
     const glm::ivec3 high = low + (blockEdge - 1);
     CubeWalk<1> walk(*this, t, low, high);
@@ -155,7 +156,7 @@ class CrossingWalk {
     return (double(n * kEdge) - line_.origin[axis]) * inverse_[axis];
   }
 
-  // The field less 1/2 along the part of the line in a cell.
+  // Returns the field minus 1/2 along the part of the line in a cell.
   Cubic fieldAlong(glm::ivec3 cell, double t0, double t1) const {
     const glm::dvec3 start = line_.origin + t0 * line_.move - glm::dvec3(cell), move = (t1 - t0) * line_.move;
     const float* v = values_ + (cell.z * sliceStride_ + cell.y * rowStride_ + cell.x);
@@ -171,8 +172,8 @@ class CrossingWalk {
     return glm::dvec4(a + start.z * by, 0) + glm::dvec4(0, move.z * by);
   }
 
-  // False where no more is asked for. Rounding makes no crossing at the end of a cell, and loses none: where
-  // one begins the line is still inside, or outside, as it left the last.
+  // Returns false once `most` crossings are found. Rounding neither adds nor loses crossings at the end of a
+  // cell: a cell starts inside or outside as the line left the last one.
   bool lookInto(glm::ivec3 cell, double t0, double t1) {
     const Cubic f = fieldAlong(cell, t0, t1);
     bool isInside = t0 == lastEnd_ ? wasInside_ : f[0] >= 0;
@@ -198,14 +199,14 @@ class CrossingWalk {
   const FieldLine& line_;
   const glm::dvec3 inverse_;
   glm::ivec3 step_{1};
-  int left_;  // crossings that are asked for
+  int left_;  // Number of crossings still wanted.
   std::vector<FieldCrossing>& crossings_;
   std::int64_t rowStride_ = 0, sliceStride_ = 0;
-  double lastEnd_ = -never;  // of the cell last looked into
+  double lastEnd_ = -never;  // End of the cell searched last.
   bool wasInside_ = false;
 };
 
-/// What voxels -1, 0, 1 and 2 count for between 0 and 1: their Sobel values, interpolated.
+/// Weights of voxels -1, 0, 1 and 2 for Sobel values interpolated between 0 and 1.
 struct SobelWeights {
   std::array<double, 4> smooth, derivative;
   explicit SobelWeights(double f)

@@ -14,7 +14,7 @@ constexpr int allCrossings = std::numeric_limits<int>::max();
 constexpr double infiniteMm = std::numeric_limits<double>::infinity();
 constexpr double leftLaterVoxels = 1e-3, nextLaterVoxels = 1e-6;  // picture.md 10
 
-// Behind how many crossings no more than that comes through.
+// Returns the number of crossings behind which at most `transmittance` of the light is left.
 int crossingsUpTo(double transmittance, double opacity) {
   if (opacity == 1) return 1;
   const double count = std::ceil(std::log(transmittance) / std::log1p(-opacity)) + 1;
@@ -56,7 +56,7 @@ SegmentRays::SegmentRays(const Plan& plan, const VoxelGeometry& geometry,
   std::ranges::stable_partition(searched_, [&](int n) { return segments_[std::size_t(n)].opacity == 1; });
 }
 
-// Of the corners of the box about its cells, with a pixel to spare.
+// Finds them from the corners of the box around its cells, with a margin of a pixel.
 void SegmentRays::findPixels(Segment& segment) const {
   const VoxelBox& box = segment.cells->box();
   const glm::dmat3 axesFromVoxel = glm::inverse(glm::dmat3(segment.right, segment.up, segment.direction));

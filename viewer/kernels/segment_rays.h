@@ -9,10 +9,10 @@
 
 namespace volumen {
 
-/// What the rays of a picture see of the surfaces of its segments (picture.md 10).
+/// Finds and lights the surfaces of segments that the rays of a picture meet (picture.md 10).
 class SegmentRays {
  public:
-  /// `cells`: of each of shownSegments(plan.scene), in that order.
+  /// `cells`: one entry for each of shownSegments(plan.scene), in that order.
   SegmentRays(const Plan& plan, const VoxelGeometry& geometry,
               std::vector<std::shared_ptr<const SegmentCells>> cells);
   SegmentRays(const SegmentRays&) = delete;
@@ -20,11 +20,11 @@ class SegmentRays {
 
   /// Where a ray meets a surface.
   struct Met {
-    double t = 0;      ///< mm from the picture
-    double order = 0;  ///< what comes first is in front
-    int segment = 0;   ///< of shownSegments()
+    double t = 0;      ///< Distance from the picture in mm.
+    double order = 0;  ///< Smaller values are in front.
+    int segment = 0;   ///< Index in shownSegments().
   };
-  /// Memory of one thread.
+  /// Working memory of one thread.
   struct Task {
     std::vector<FieldCrossing> crossings;
   };
@@ -32,7 +32,7 @@ class SegmentRays {
   void follow(int pixel, Task& task, std::vector<Met>& met) const;
   glm::vec3 colourAt(int pixel, const Met& met) const;
   float opacityOf(const Met& met) const { return float(segments_[std::size_t(met.segment)].opacity); }
-  /// Of the same picture.
+  /// Returns the ray generator of the same picture.
   const RayGenerator& generator() const { return generator_; }
 
  private:
@@ -40,32 +40,33 @@ class SegmentRays {
     std::shared_ptr<const SegmentCells> cells;
     glm::dvec3 colour{1};
     double opacity = 1;
-    glm::dvec3 target{0};                      // of the camera, in voxels of the field's box
-    glm::dvec3 right{0}, up{0}, direction{0};  // a mm of the camera's axes, likewise
-    glm::dmat3 gradientMatrix{1};              // value per voxel -> value per mm, patient space
-    int mostCrossings = 1;                     // what lies behind so many is hidden
-    glm::ivec2 lowPixel{0}, highPixel{-1};     // beyond these no ray meets it
+    glm::dvec3 target{0};                      // Target of the camera, in voxels of the field's box.
+    glm::dvec3 right{0}, up{0}, direction{0};  // The camera's axes per mm, in voxels of the field's box.
+    glm::dmat3 gradientMatrix{1};              // Converts value per voxel to value per mm in patient space.
+    int mostCrossings = 1;                     // Everything behind this many crossings is hidden.
+    glm::ivec2 lowPixel{0}, highPixel{-1};     // No ray outside these pixels meets the segment.
   };
-  /// A ray in the camera's axes: its place in the picture, and what is a mm along it of each.
+  /// A ray in the camera's axes: its position in the picture, and its move per mm along each axis.
   struct Line {
     double rightMm = 0, upMm = 0, right = 0, up = 0, direction = 1;
-    double eyeMm = 0;  // where t begins
+    double eyeMm = 0;  // Where t begins.
   };
   Line lineThrough(glm::ivec2 at) const;
   void findPixels(Segment& segment) const;
-  /// The part of the ray that the clip box and planes leave.
+  /// Limits t0 and t1 to the part of the ray that the clip box and planes leave.
   void clip(const Line& line, double& t0, double& t1) const;
   void followOne(int n, const Line& line, double t0, double& t1, Task& task, std::vector<Met>& met) const;
 
   RayGenerator generator_;
   const ViewRays& view_;
-  glm::dvec3 right_, up_, direction_;            // a mm of the camera's axes, in voxels of the volume
-  glm::bvec3 cutsLow_{false}, cutsHigh_{false};  // which sides of the clip box are not the volume's own
-  bool isEmpty_ = false;                         // the clip box is
+  glm::dvec3 right_, up_, direction_;            // The camera's axes per mm, in voxels of the volume.
+  glm::bvec3 cutsLow_{false}, cutsHigh_{false};  // Sides of the clip box that lie inside the volume.
+  bool isEmpty_ = false;                         // True if the clip box is empty.
   double stopTransmittance_ = 0;
   Lighting lighting_;
   std::vector<Segment> segments_;
-  std::vector<int> searched_;  // segments, the opaque ones first: they hide what need not be searched
+  // Segments in order of search: opaque ones first, as they hide what need not be searched.
+  std::vector<int> searched_;
 };
 
 }  // namespace volumen

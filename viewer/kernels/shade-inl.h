@@ -1,4 +1,4 @@
-// Classification and lighting of samples, compiled once a CPU target.
+// Classification and lighting of samples. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_SHADE_INL_H_
 #undef VOLUMEN_KERNELS_SHADE_INL_H_
@@ -15,7 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// Entries of one of a curve's arrays: a permutation where all segments fit into one vector, else a gather.
+/// Returns entries of one of a curve's arrays: by a permutation if all segments fit into one vector, else by
+/// a gather.
 HWY_INLINE VF OfSegment(const CurveTable& t, const std::vector<float>& values, VI segment) {
   const DF df;
   static_assert(CurveTable::padding * sizeof(float) >= HWY_MAX_BYTES);
@@ -24,7 +25,7 @@ HWY_INLINE VF OfSegment(const CurveTable& t, const std::vector<float>& values, V
   return hn::GatherIndex(df, values.data(), segment);
 }
 
-/// The segment of the curve that each density lies in (CurveTable): the number of nodes at or below it.
+/// Returns the segment of the curve of each density (CurveTable): the number of nodes at or below it.
 HWY_INLINE VI SegmentOf(const CurveTable& t, VF density) {
   const DF df;
   const DI di;
@@ -32,7 +33,7 @@ HWY_INLINE VI SegmentOf(const CurveTable& t, VF density) {
 #if HWY_TARGET <= HWY_AVX3
     return hn::IfThenElse(hn::RebindMask(di, m), hn::Add(v, SetI(1)), v);
 #else
-    // A mask is -1 in every lane it holds in.
+    // A mask is -1 in every lane where it holds.
     return hn::Sub(v, hn::BitCast(di, hn::VecFromMask(df, m)));
 #endif
   };
@@ -43,7 +44,7 @@ HWY_INLINE VI SegmentOf(const CurveTable& t, VF density) {
     return segment;
   }
   if (t.segments <= int(hn::Lanes(df))) {
-    // A binary search: permutations take less time than one gather.
+    // Binary search: permutations take less time than one gather.
     VI segment = hn::Zero(di);
     for (int step = int(hn::Lanes(df)) / 2; step > 0; step /= 2) {
       const VF node = OfSegment(t, t.node, hn::Add(segment, SetI(step - 1)));
@@ -80,14 +81,14 @@ HWY_INLINE V3 ColourOf(const CurveTable& t, VI segment, VF density) {
           Clamp01(OnSegment(t, t.blue, t.blueRise, segment, along))};
 }
 
-/// A segment of the curve: straight between its two densities.
+/// A segment of the curve, linear between two densities.
 struct CurveSegment {
   VF low, high;
-  VF start, opacity, opacityRise;  ///< opacity at `start`, and a unit of density
+  VF start, opacity, opacityRise;  ///< Opacity at `start`, and its rise per unit of density.
   V3 colour, colourRise;
 };
 
-/// The density that a segment begins at.
+/// Returns the density at which a segment begins.
 HWY_INLINE VF LowOf(const CurveTable& t, VI segment) {
   const MF isFirst = hn::RebindMask(DF(), hn::Eq(segment, hn::Zero(DI())));
   const VF before = OfSegment(t, t.node, hn::Max(hn::Sub(segment, SetI(1)), hn::Zero(DI())));
@@ -113,13 +114,14 @@ HWY_INLINE V3 ColourOn(const CurveSegment& s, VF density) {
   return {Clamp01(c.x), Clamp01(c.y), Clamp01(c.z)};
 }
 
-/// The same for densities that are counted from `base`.
+/// Returns the segment with its densities counted from `base`.
 HWY_INLINE CurveSegment CountedFrom(VF base, CurveSegment s) {
   for (VF* density : {&s.low, &s.high, &s.start}) *density = hn::Sub(*density, base);
   return s;
 }
 
-/// The factor of picture.md 4's gradientOpacity at |g_p|; few points, so a walk over them.
+/// Returns the factor of gradientOpacity (picture.md 4) at |g_p|. There are few points, so they are searched
+/// in turn.
 HWY_INLINE VF GradientFactor(const TransferFunction& curve, VF length) {
   const auto& points = curve.gradientOpacity;
   if (points.empty()) return Set(1);
@@ -134,7 +136,7 @@ HWY_INLINE VF GradientFactor(const TransferFunction& curve, VF length) {
                         factor);
 }
 
-/// How far that factor, between two lengths, may leave the straight line from one to the other.
+/// Returns the largest deviation of the factor from the straight line between two gradient lengths.
 HWY_INLINE VF FactorBend(const TransferFunction& curve, VF least, VF most) {
   const VF first = GradientFactor(curve, least), change = hn::Sub(GradientFactor(curve, most), first);
   const VF rise = hn::Div(change, NotZero(hn::Sub(most, least)));
@@ -148,7 +150,7 @@ HWY_INLINE VF FactorBend(const TransferFunction& curve, VF least, VF most) {
   return bend;
 }
 
-/// A stored gradient in patient space, in gradientUnits per mm.
+/// Returns a stored gradient in patient space, in gradientUnits per mm.
 HWY_INLINE V3 InPatient(const RayInputs& f, const V3& stored) {
   const float* m = f.gradientMatrix;
   return {Dot({Set(m[0]), Set(m[1]), Set(m[2])}, stored), Dot({Set(m[3]), Set(m[4]), Set(m[5])}, stored),
@@ -167,7 +169,7 @@ HWY_INLINE Normal NormalOf(const RayInputs& f, const V3& stored) {
     const VF inverse = hn::Div(Set(1), hn::Sqrt(square));
     return {Scale(g, hn::Neg(inverse)), hn::Mul(hn::Mul(square, inverse), Set(f.gradientUnit))};
   }
-  // Scaled by the largest component first, so that neither large nor small gradients leave the range of
+  // Divides by the largest component first, so that large and small gradients stay within the range of
   // floats.
   const VF largest = hn::Max(hn::Max(hn::Abs(g.x), hn::Abs(g.y)), hn::Max(hn::Abs(g.z), Set(1e-30f)));
   const V3 unit = Scale(g, hn::Div(Set(1), largest));
@@ -180,9 +182,9 @@ struct DS {
 };
 HWY_INLINE DS InGrey(VF d, VF s) { return {{d, d, d}, {s, s, s}}; }
 
-/// D'(n) and S'(n) of picture.md 5. A light shines on one side of a surface alone, so that each is looked at
-/// once and counts for as much of the picture as the viewer sees of that side. `h` of light i: the light's
-/// own, or with kLocal that of the sample's viewer.
+/// Returns D'(n) and S'(n) of picture.md 5. A light shines on one side of a surface only. Each light is thus
+/// evaluated once and weighted by how much the viewer sees of that side. The vector h of light i is the
+/// light's own, or with `kLocal` that of the sample's viewer.
 template <bool kLocal>
 HWY_INLINE DS ShadePhong(const Lighting& lighting, const V3& n, const V3& viewer) {
   const VF zero = hn::Zero(DF()), one = Set(1), shininess = Set(lighting.shininess);
@@ -219,9 +221,9 @@ HWY_INLINE DS ShadePhong(const Lighting& lighting, const V3& n, const V3& viewer
   return lighting.coloured ? out : InGrey(out.d.x, out.s.x);
 }
 
-/// Between which of the kinks of D' and S' a normal lies: which side of a surface the viewer sees (bits 0 and
-/// 1: neither where both); and of each light, in the next two bits, whether it shines on the front and
-/// whether so that its highlight counts in full. Every fifteenth light shares its bits.
+/// Returns which kinks of D' and S' a normal lies between, as bits. Bits 0 and 1: the side of a surface that
+/// the viewer sees; neither if both. Two bits per light follow: whether it shines on the front, and whether
+/// its highlight counts in full. Lights that are 15 apart share their bits.
 HWY_INLINE VI SidesOf(const Lighting& lighting, const V3& n, const V3& viewer) {
   const DI di;
   VI sides = SetI(0);
@@ -261,13 +263,13 @@ HWY_INLINE CubePlace OnCube(const V3& n) {
   return {face, hn::Mul(choose(n.y, n.z, n.x), inverse), hn::Mul(choose(n.z, n.x, n.y), inverse)};
 }
 
-/// Where a map's node begins.
+/// Returns the index of a node's first float.
 HWY_INLINE VI FirstFloat(const ReflectanceMap& map, VI node) {
   static_assert(ReflectanceMap::floatsANode(true) == 8 && ReflectanceMap::floatsANode(false) == 2);
   return map.coloured ? hn::ShiftLeft<3>(node) : hn::ShiftLeft<1>(node);
 }
 
-/// The shades between four nodes of a map, the first at float `at`, bilinear.
+/// Interpolates bilinearly between four nodes of a map, the first of which begins at float `at`.
 HWY_INLINE DS BetweenNodes(const ReflectanceMap& map, VI at, VF fu, VF fv) {
   HWY_ALIGN std::int32_t from[hn::MaxLanes(DI())];
   hn::Store(at, DI(), from);
@@ -292,7 +294,8 @@ HWY_INLINE DS BetweenNodes(const ReflectanceMap& map, VI at, VF fu, VF fv) {
   return {{redAndGreen.a, redAndGreen.c, blue.a}, {redAndGreen.b, redAndGreen.d, blue.b}};
 }
 
-/// D' and S' from the reflectance map, bilinear on the face of the normal's largest component (paper 2.2).
+/// Returns D' and S' from the reflectance map, bilinear on the face of the normal's largest component (paper
+/// 2.2).
 HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
   const DF df;
   const CubePlace place = OnCube(n);
@@ -307,12 +310,12 @@ HWY_INLINE DS ShadeMap(const ReflectanceMap& map, const V3& n) {
   return BetweenNodes(map, FirstFloat(map, node), fu, fv);
 }
 
-/// How much of a normal counts: q of picture.md 5, of |g_p|.
+/// Returns the weight q of a normal (picture.md 5) for |g_p|.
 HWY_INLINE VF ShareOfNormal(const RayInputs& f, VF length) {
   return hn::Min(Set(1), hn::Mul(length, Set(f.inverseFloor)));
 }
 
-/// D'' and S'' (picture.md 5): a gradient too small to have a direction is lit flatly.
+/// Returns D'' and S'' (picture.md 5): a gradient too small to have a direction is lit flatly.
 HWY_INLINE DS WithFloor(const RayInputs& f, const DS& shade, VF q) {
   const glm::vec3& flat = f.lighting->flat;
   if (!f.lighting->coloured) return InGrey(Lerp(Set(flat.r), shade.d.x, q), hn::Mul(shade.s.x, q));

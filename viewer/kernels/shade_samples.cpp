@@ -1,4 +1,4 @@
-// Shading of samples that another resampler, or no resampler, has put into memory.
+// Shades samples in memory, whether another resampler or none has put them there.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "viewer/kernels/shade_samples.cpp"
 #include <hwy/foreach_target.h>

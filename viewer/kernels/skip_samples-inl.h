@@ -1,4 +1,4 @@
-// Passing over samples that cannot change an extreme, compiled once a CPU target.
+// Skips samples that cannot change an extreme. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_SKIP_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_SKIP_SAMPLES_INL_H_
 #undef VOLUMEN_KERNELS_SKIP_SAMPLES_INL_H_
@@ -14,17 +14,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// What follows looks for the largest: minima are negated.
+/// The code below searches for the largest value; minima are negated.
 template <Mode kMode>
 constexpr double kSign = kMode == Mode::mip ? 1 : -1;
 
-/// How many entries of a grid lie between two; in floats, as there may be many.
+/// Returns the number of grid entries from `first` to `last`, inclusive; a float because it may be large.
 inline float CountBetween(glm::ivec3 first, glm::ivec3 last) {
   const glm::vec3 count(last - first + 1);
   return count.x * count.y * count.z;
 }
 
-/// What no sample in the blocks around a box exceeds, if they are no more than `mostBlocks`.
+/// Returns a bound on all samples in the blocks around a box; infinite if there are more than `mostBlocks`.
 template <Mode kMode>
 double MostInBlocks(const BlockValues& blocks, const Box& box, int mostBlocks) {
   const BlockRanges& b = *blocks.blockRanges;
@@ -52,7 +52,7 @@ float VoxelOf(const RayInputs& f, std::size_t n) {
     return f.density32[n];
 }
 
-/// What no sample in a box exceeds, if it holds no more than `mostVoxels`.
+/// Returns a bound on all samples in a box; infinite if it holds more than `mostVoxels` voxels.
 template <class Store, Mode kMode>
 double MostInBox(const RayInputs& f, const BlockValues& blocks, const Box& box, int mostVoxels) {
   const glm::ivec3 first(box.low), last = glm::min(glm::ivec3(box.high) + 1, f.size - 1);
@@ -64,11 +64,11 @@ double MostInBox(const RayInputs& f, const BlockValues& blocks, const Box& box, 
       for (int x = first.x; x <= last.x; ++x)
         most = std::max(most, float(kSign<kMode>) * VoxelOf<Store>(f, row + x));
     }
-  // Whole numbers are interpolated to what lies between them.
+  // Interpolation between whole numbers never exceeds them.
   return blocks.whole ? double(most) : most + blocks.off;
 }
 
-/// Some steps of a packet, and what none of its samples exceeds.
+/// A run of steps of a packet, and a bound on its samples.
 struct SampleRun {
   double most;
   int begin, end;
@@ -76,9 +76,9 @@ struct SampleRun {
   bool operator<(const SampleRun& other) const { return most < other.most; }
 };
 
-/// Takes samples where they may change the extremes. First one of each run; then, from the run that
-/// may hold the most on, what may exceed what all rays have met; until no run does. In whatever order, an
-/// extreme is the same.
+/// Takes the samples that may change the extremes. First takes one sample of each run. Then takes runs by
+/// descending bound until no bound exceeds what all rays have met. The order does not change an extreme.
+/// Returns the number of samples taken.
 template <class Store, Mode kMode>
 std::int64_t TakeExtremes(const RayInputs& f, const BlockValues& blocks, SampleProjection<Store, kMode>& rays,
                           std::vector<SampleRun>& runs) {
@@ -87,8 +87,8 @@ std::int64_t TakeExtremes(const RayInputs& f, const BlockValues& blocks, SampleP
   const VF fastest = hn::Max(hn::Abs(p.move.x), hn::Max(hn::Abs(p.move.y), hn::Abs(p.move.z)));
   const float aStep = hn::GetLane(hn::MaxOfLanes(df, fastest));
   const auto stepsIn = [&](float voxels) { return int(std::clamp(voxels / aStep, 1.0f, 64.0f)); };
-  // Longer ones hold too much, shorter ones take as long to look at as their samples; so do more blocks or
-  // voxels a step, where pixels lie far apart.
+  // Longer runs hold too much; shorter ones cost as much to test as to sample. The same holds for more blocks
+  // or voxels per step, where pixels lie far apart.
   const int length = stepsIn(8), part = stepsIn(2), voxelsAStep = 16,
             blocksAStep = blocks.blockRanges->edge < 4 ? voxelsAStep : 2;
   const EmptySpaceSkipper around(f, p);

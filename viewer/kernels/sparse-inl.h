@@ -1,5 +1,5 @@
-// The composite kernel of plain steps that fetches gradients apart, where opacity counts, compiled once a CPU
-// target.
+// Composite kernel for plain steps that fetches gradients separately, only where opacity counts. Compiled
+// once per CPU target.
 #if defined(VOLUMEN_KERNELS_SPARSE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_SPARSE_INL_H_
 #undef VOLUMEN_KERNELS_SPARSE_INL_H_
@@ -13,22 +13,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// In passes over many packets, so that no step waits for another and few branches are guessed wrong: where
-/// to look; densities of what lies in visible blocks; opacities of what can be seen; weights, ray by ray;
-/// gradient and light of what counts. Each pass works on whole vectors. Every sample is computed as
-/// DenseTracer does, and added to its ray in the same order, so both give the same bytes.
+/// Composites many packets in passes, so that no step waits for another and few branches are mispredicted.
+/// Passes: find positions, densities in visible blocks, opacities of visible samples, weights per ray,
+/// gradient and light of samples that count. Each pass works on whole vectors. Samples are computed and added
+/// to their rays exactly as in DenseTracer, so both give the same bytes.
 template <class Store, bool kIsLit, bool kGradientOpacity>
 class SparseTracer {
   using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
 
  public:
-  static constexpr int kGroupSteps =
-      4;  ///< steps; in longer groups more is looked at that the same group hides
+  static constexpr int kGroupSteps = 4;  ///< Longer groups would sample more that the same group hides.
   static constexpr bool kCells = true;
   static constexpr bool kBlends = false;
-  static constexpr bool kPrefetches = false;  ///< LightQueue asks for gradients alone
+  static constexpr bool kPrefetches = false;  ///< LightQueue prefetches gradients itself.
 
-  /// Adds to `out`, which must be 0.
+  /// `out` must be 0; the results are added to it.
   SparseTracer(const RayInputs& f, const RayRow& rays, const PlaneBuffer&, const TraceRow& out,
                TraceCounts& counts)
       : f_(f),
@@ -40,8 +39,8 @@ class SparseTracer {
         light_(gradientGrid_, rays.steps.size(), material_, counts),
         counts_(counts) {}
 
-  /// Takes the packet at ray `first`, which is open, through the steps [step, end) that `bits` names, step +
-  /// n by bit n.
+  /// Advances the open packet at ray `first` through the steps that `bits` names: bit n stands for `step` +
+  /// n.
   HWY_INLINE void Advance(const EmptySpaceSkipper&, int first, int step, std::uint64_t bits) {
     if (!bits) return;
     const VF open = hn::LoadU(DF(), out_.alpha + first);
@@ -56,7 +55,7 @@ class SparseTracer {
 
   void BeginGroup() {}
 
-  /// Draws all that was noted.
+  /// Draws all collected samples.
   void EndGroup() {
     if (looked_.size > 0) Draw(looked_);
   }
@@ -67,7 +66,7 @@ class SparseTracer {
   static constexpr int kLooked = 4096 + kLanes;
   using Looked = Samples<kLooked>;
 
-  /// Notes the samples `n` of those rays that are `alive` and have them.
+  /// Notes the samples `n` of the rays that are `alive`, in visible cells.
   HWY_INLINE void Look(const Packet& p, int first, VF n, MF alive) {
     alive = hn::And(alive, HasSample(p, n));
     const MF last = IsLast(p, n);
@@ -88,7 +87,7 @@ class SparseTracer {
     s.size = 0;
   }
 
-  /// Densities; keeps the samples that can be seen.
+  /// Computes densities; keeps only the samples that can be seen.
   HWY_INLINE void Resample(Looked& s) {
     const DF df;
     s.Pad();
@@ -139,7 +138,7 @@ class SparseTracer {
   }
 
   const RayInputs& f_;
-  const Grid grid_, gradientGrid_;  ///< of densities; of gradients
+  const Grid grid_, gradientGrid_;  ///< For densities; for gradients.
   const RayRow& rays_;
   Material material_;
   const TraceRow& out_;

@@ -1,4 +1,4 @@
-// Taking the rays of a row through groups of steps, compiled once a CPU target.
+// Takes the rays of a row through groups of steps. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_STEP_GROUPS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_STEP_GROUPS_INL_H_
 #undef VOLUMEN_KERNELS_STEP_GROUPS_INL_H_
@@ -29,8 +29,8 @@ inline StepRange StepsOf(const RayRow& rays) {
   return end > 0 ? StepRange{int(begin), int(std::ceil(end))} : StepRange{0, 0};
 }
 
-/// Early ray termination: whether any ray of the packet at ray `first` lets light through, as rays from the
-/// front do up to a point, and is on its way at the steps [step, end).
+/// Early ray termination: returns true if any ray of the packet at ray `first` still lets light through and
+/// has samples at the steps [step, end). Rays from the back always let light through.
 HWY_INLINE bool IsPacketOpen(const RayInputs& f, const RayRow& rays, const TraceRow& out, int first, int step,
                              int end) {
   const DF df;
@@ -42,10 +42,10 @@ HWY_INLINE bool IsPacketOpen(const RayInputs& f, const RayRow& rays, const Trace
   return !hn::AllFalse(df, hn::And(has, open));
 }
 
-/// Takes all packets of the row through groups of steps, from the front or from the back (RayInputs::slices):
-/// what one brings into the cache the others find there. (A packet alone, marching across rows of 512 voxels,
-/// throws its own lines out again: they are a power of two apart.) `ends`: of each packet, the step from
-/// which on nothing of it is looked at.
+/// Takes all packets of the row through groups of steps, from the front or from the back (RayInputs::slices).
+/// Packets share what one of them brings into the cache. A single packet marching across rows of 512 voxels
+/// evicts its own cache lines, which are a power of two apart. `ends` holds, for each packet, the step from
+/// which on nothing is sampled.
 template <class Tracer>
 void TakeStepGroups(const RayInputs& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
                     TraceCounts& counts, const std::vector<EmptySpaceSkipper>& skippers, StepRange steps,
@@ -53,7 +53,7 @@ void TakeStepGroups(const RayInputs& f, const RayRow& rays, const PlaneBuffer& p
   Tracer tracer(f, rays, plane, out, counts);
   const int lanes = int(hn::Lanes(DF())), packets = int(skippers.size());
   constexpr int group = Tracer::kGroupSteps;
-  // A look covers the steps of several groups, or of a part.
+  // One look covers the steps of several groups, or part of a group.
   const int look = lanes * skippers.front().stepsALook(), looked = std::max(look, group);
   std::vector<std::uint64_t> looks(packets), bits(packets);
   const auto isOpen = [&](int n, int from, int to) {
@@ -98,8 +98,8 @@ void TakeStepGroups(const RayInputs& f, const RayRow& rays, const PlaneBuffer& p
   tracer.Finish();
 }
 
-/// The last step that shows on each ray, -1 where none does: all rays are followed from the front, without
-/// light, as far as they can be seen.
+/// Returns the last visible step of each ray, -1 if there is none. Follows all rays from the front, without
+/// light, until they are opaque.
 template <class Tracer>
 std::vector<float> ShownSteps(const RayInputs& f, const RayRow& rays, const PlaneBuffer& plane,
                               const std::vector<EmptySpaceSkipper>& skippers, StepRange steps,
@@ -117,7 +117,7 @@ std::vector<float> ShownSteps(const RayInputs& f, const RayRow& rays, const Plan
   return shown;
 }
 
-/// One kernel.
+/// Traces the rays of a row; one instance is one kernel.
 template <class Tracer>
 void TraceRays(const RayInputs& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
                TraceCounts& counts) {
@@ -125,7 +125,7 @@ void TraceRays(const RayInputs& f, const RayRow& rays, const PlaneBuffer& plane,
   const int lanes = int(hn::Lanes(DF())), packets = int(rays.steps.size()) / lanes;
   std::vector<EmptySpaceSkipper> skippers;
   skippers.reserve(packets);
-  // Where cells are asked too, a look that finds too much costs little.
+  // Where cells are tested too, a look that finds too much costs little.
   const int stepsALook = StepsALook(rays, Tracer::kCells ? EmptySpaceMap::longestLook : 1);
   for (int n = 0; n < packets; ++n) skippers.emplace_back(f, LoadPacket(f, rays, n * lanes), stepsALook);
   const StepRange steps = StepsOf(rays);

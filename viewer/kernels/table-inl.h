@@ -1,4 +1,4 @@
-// Light looked up without interpolation, as in the paper (2.2), compiled once a CPU target.
+// Lighting looked up without interpolation, as in the paper (2.2). Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_TABLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_TABLE_INL_H_
 #undef VOLUMEN_KERNELS_TABLE_INL_H_
@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// The shaded colour of samples, from the 4-index table: no normal, no curve.
+/// Returns the shaded colour of samples from the 4-index table, without normal or curve.
 HWY_INLINE V3 ShadeByTable(const ShadeTable& t, const V3& stored, VF density) {
   const DF df;
   const DI di;
@@ -33,7 +33,7 @@ HWY_INLINE V3 ShadeByTable(const ShadeTable& t, const V3& stored, VF density) {
   return {part(bgr), part(hn::ShiftRight<8>(bgr)), part(hn::ShiftRight<16>(bgr))};
 }
 
-/// D' and S' of the patch of the reflectance map that the normal points at.
+/// Returns D' and S' of the patch of the reflectance map that the normal points at.
 HWY_INLINE DS ShadeMapNearest(const ReflectanceMap& map, const V3& n) {
   const DF df;
   const CubePlace place = OnCube(n);

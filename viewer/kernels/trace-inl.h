@@ -1,4 +1,4 @@
-// The composite kernels of plain steps over one store, compiled once a CPU target.
+// Composite kernels for plain steps over one store. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_TRACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_TRACE_INL_H_
 #undef VOLUMEN_KERNELS_TRACE_INL_H_

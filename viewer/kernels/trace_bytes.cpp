@@ -1,4 +1,4 @@
-// The composite kernels over bytes.
+// Composite kernels for volumes of bytes.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "viewer/kernels/trace_bytes.cpp"
 #include <hwy/foreach_target.h>

@@ -1,4 +1,4 @@
-// The composite kernels over floats.
+// Composite kernels for volumes of floats.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "viewer/kernels/trace_float32.cpp"
 #include <hwy/foreach_target.h>

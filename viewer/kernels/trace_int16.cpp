@@ -1,4 +1,4 @@
-// The composite kernels over 16-bit samples.
+// Composite kernels for volumes of 16-bit samples.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "viewer/kernels/trace_int16.cpp"
 #include <hwy/foreach_target.h>

@@ -1,4 +1,4 @@
-// The composite kernels of the levels: rays that go cell by cell.
+// Composite kernels for integration levels: rays go from cell to cell.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "viewer/kernels/trace_levels.cpp"
 #include <hwy/foreach_target.h>

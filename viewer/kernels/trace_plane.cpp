@@ -1,4 +1,4 @@
-// The composite kernels over planes that another resampler has filled.
+// Composite kernels for planes that another resampler has filled.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "viewer/kernels/trace_plane.cpp"
 #include <hwy/foreach_target.h>

@@ -1,4 +1,4 @@
-// The walk of rays from cell to cell, compiled once a CPU target.
+// The walk of rays from cell to cell. Compiled once per CPU target.
 #if defined(VOLUMEN_KERNELS_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VOLUMEN_KERNELS_WALK_INL_H_
 #undef VOLUMEN_KERNELS_WALK_INL_H_
@@ -11,23 +11,23 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
-/// One axis of a walk (Amanatides and Woo 1987). Each face is computed anew from the ray's start: where the
-/// walk begins changes no bit of it.
+/// One axis of a walk (Amanatides and Woo 1987). Each face is computed from the ray's start, so the starting
+/// point of the walk changes no bit of it.
 struct WalkAxis {
-  VF start, inverse;  ///< of the ray, voxels; of what a step adds to it
-  VF index, face;     ///< the next face's index, and how far it is from the start, in steps
-  VF turn;            ///< what the next face but one adds to the index: 1 or -1
-  VI cell, turnCell;  ///< -1 before the first voxel; as `turn`
+  VF start, inverse;  ///< Start of the ray in voxels; inverse of its move per step.
+  VF index, face;     ///< The next face: its index, and its distance from the start in steps.
+  VF turn;            ///< Offset from the next face to the one after: 1 or -1.
+  VI cell, turnCell;  ///< Current cell, -1 before the first voxel; offset to the next cell.
 
   HWY_INLINE WalkAxis(VF rayStart, VF move, VF from) : start(rayStart) {
     const DF df;
     const MF still = hn::Lt(hn::Abs(move), Set(1e-6f)), isBack = hn::Lt(move, hn::Zero(df));
     turn = hn::IfThenElse(isBack, Set(-1), Set(1));
     turnCell = Truncated(turn);
-    // Rays begin up to half a voxel before the first; conversion cuts towards 0.
+    // Rays begin up to half a voxel before the first voxel; conversion truncates towards 0.
     cell = hn::Sub(Truncated(hn::Add(hn::Add(start, hn::Mul(from, move)), Set(1))), SetI(1));
     const VF next = hn::Add(hn::ConvertTo(df, cell), hn::IfThenElseZero(hn::Not(isBack), Set(1)));
-    // The next face of a ray that stands still is never reached.
+    // A ray that does not move along this axis never reaches its next face.
     index = hn::IfThenElse(still, hn::Add(start, Set(1)), next);
     inverse = hn::IfThenElse(still, Set(1e30f), hn::Div(Set(1), hn::IfThenElse(still, Set(1), move)));
     SetFace();
@@ -35,7 +35,7 @@ struct WalkAxis {
 
   HWY_INLINE void SetFace() { face = hn::Mul(hn::Sub(index, start), inverse); }
 
-  /// Inside the grid also for rays that have long ended, whose places are far outside.
+  /// Returns the cell clamped to the grid. Rays that ended long ago are far outside.
   HWY_INLINE VI Inside(int size) const { return hn::Min(hn::Max(cell, hn::Zero(DI())), SetI(size - 1)); }
 
   HWY_INLINE void PassTo(VF place) {
@@ -46,9 +46,9 @@ struct WalkAxis {
   }
 };
 
-/// Takes those rays of a packet that are `open` through the steps [from, to), cell by cell: emit(MF, middle,
-/// length) is called with passages through visible cells (length in steps, middle in voxels), front to back
-/// on each ray.
+/// Takes the `open` rays of a packet through the steps [from, to), cell by cell. Calls emit(MF, middle,
+/// length) with passages through visible cells, front to back on each ray. `length` is in steps, `middle` in
+/// voxels.
 template <class Emit>
 HWY_INLINE void WalkCells(const RayInputs& f, const Packet& p, int from, int to, MF open, const Emit& emit) {
   const DF df;
@@ -72,7 +72,7 @@ HWY_INLINE void WalkCells(const RayInputs& f, const Packet& p, int from, int to,
   }
 }
 
-/// Calls walk(from, to) for each run of steps that `bits` names, step + n by bit n.
+/// Calls walk(from, to) for each run of consecutive steps that `bits` names: bit n stands for `step` + n.
 template <class Walk>
 HWY_INLINE void OverRuns(int step, std::uint64_t bits, const Walk& walk) {
   while (bits) {

@@ -7,9 +7,9 @@ namespace volumen {
 
 namespace {
 
-constexpr int deepest = 16;  ///< times that a square is cut in four
+constexpr int deepest = 16;  ///< Largest number of times that a square is quartered.
 
-// The values at the two ends of a line; between them it is linear.
+// The values at the two ends of a line, between which the value is linear.
 struct Line {
   double from, to;
 
@@ -49,7 +49,7 @@ class Cell {
     return {end(&Line::from), end(&Line::to)};
   }
 
-  // The part of a square, by the lines at its corners and the one in its middle.
+  // The fraction for a square, from the lines at its corners and in its middle.
   struct Estimate {
     double part;
     bool exact;
@@ -68,7 +68,7 @@ class Cell {
     if (high < range_.low || low > range_.high) return {0, true};
     for (const Line& line : corners) outer += line.partInside(range_) / 4;
     const double middle = lineAt(y + edge / 2, z + edge / 2).partInside(range_);
-    // Where the part bends evenly the corners are off by twice what the middle is, the other way.
+    // Where the fraction bends evenly, the corners' error is twice the middle's, with the opposite sign.
     return {(2 * middle + outer) / 3, false};
   }
 
@@ -91,7 +91,7 @@ class Cell {
     return sum;
   }
 
-  std::array<Line, 4> lines_;  // along the axis that the value changes most along; y fastest, then z
+  std::array<Line, 4> lines_;  // Along the axis of the largest change of value; y fastest, then z.
   ValueRange range_;
   double tolerance_;
 };

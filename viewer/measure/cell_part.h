@@ -6,16 +6,16 @@
 
 namespace volumen {
 
-/// A part of something, and how far it may be off.
+/// A fraction of a whole, and a bound on its error.
 struct Part {
   double part = 0, error = 0;
 
   void operator+=(Part other) { part += other.part, error += other.error; }
 };
 
-/// The part of a cell, 0 to 1, in which the trilinear value of its corners (x fastest, then y, z) lies in the
-/// range, as rangeVolume() describes it. Squares are cut until the estimate of their error is below
-/// `tolerance` times their edge: most of it lies along lines, where the parts bend.
+/// Returns the fraction of a cell, 0 to 1, in which its trilinear value lies in the range, as rangeVolume()
+/// describes. `corners`: x fastest, then y, z. Squares are subdivided until their estimated error is below
+/// `tolerance` times their edge. Most of the error lies along lines, where the fractions bend.
 Part partInRange(const std::array<double, 8>& corners, ValueRange range, double tolerance);
 
 }  // namespace volumen

@@ -18,14 +18,14 @@ namespace {
 constexpr int centimetres = 3, seconds = 4;
 constexpr double mmPerCm = 10;
 
-// PS3.3 C.8.5.5.1.15.
+// Units of PS3.3 C.8.5.5.1.15.
 const char* unitText(int unit) {
   constexpr const char* units[] = {"",     "%",    "dB",     "cm",   "s",      "Hz",     "dB/s",
                                    "cm/s", "cm^2", "cm^2/s", "cm^3", "cm^3/s", "degrees"};
   return unit > 0 && unit < int(std::size(units)) ? units[unit] : "";
 }
 
-// Bounds are whole pixels, so that half a pixel more belongs to it.
+// Bounds are whole pixels, so the region extends half a pixel beyond them.
 bool holds(const UltrasoundRegion& region, glm::dvec3 p) {
   return p.x >= region.from.x - 0.5 && p.x <= region.to.x + 0.5 && p.y >= region.from.y - 0.5 &&
          p.y <= region.to.y + 0.5;
@@ -41,8 +41,8 @@ std::int64_t pixelsOf(const UltrasoundRegion& region) {
   return size.x * size.y;
 }
 
-// The innermost region that a point lies in: an inset has a scale of its own. Of regions of one size one in
-// cm; null: none.
+// Returns the innermost region that holds a point, because an inset has its own scale. Among regions of equal
+// size, one in cm is preferred. Null if there is none.
 const UltrasoundRegion* regionAt(glm::dvec3 p, const std::vector<UltrasoundRegion>& regions) {
   const UltrasoundRegion* found = nullptr;
   for (const UltrasoundRegion& region : regions) {
@@ -57,7 +57,7 @@ bool areOfOneScale(const UltrasoundRegion& a, const UltrasoundRegion& b) {
   return &a == &b || (isLength(a) && isLength(b) && a.delta == b.delta);
 }
 
-// The region of a shape, where all its points lie in regions of one scale; null: none.
+// Returns the region of a shape if all its points lie in regions of one scale, else null.
 const UltrasoundRegion* regionOf(const Shape& shape, const std::vector<UltrasoundRegion>& regions) {
   const UltrasoundRegion* first = shape.points.empty() ? nullptr : regionAt(shape.points[0], regions);
   const bool one = first && std::ranges::all_of(shape.points, [&](glm::dvec3 p) {
@@ -67,7 +67,7 @@ const UltrasoundRegion* regionOf(const Shape& shape, const std::vector<Ultrasoun
   return one ? first : nullptr;
 }
 
-// How large a pixel is, of lengths and areas.
+// The size of a pixel, for lengths and areas.
 struct Scale {
   glm::dvec2 size{1};
   bool mm = false;
@@ -92,7 +92,7 @@ Measured numberOf(double number, const char* unit) {
   return measured;
 }
 
-// Of pixels of this size.
+// Returns a grid with pixels of this size.
 VoxelGeometry gridOf(const Scale& scale) {
   VoxelGeometry geometry;
   const double least = std::min(scale.size.x, scale.size.y);
@@ -107,7 +107,7 @@ Measured lengthOn(const Shape& shape, const Scale& scale) {
   return measured;
 }
 
-// Where all its points are one there is no curve, and its length is 0.
+// If all points coincide there is no curve, and the length is 0.
 Measured curveOn(const Shape& shape, const Scale& scale) {
   Measured measured = lengthOn(shape, scale);
   if (const auto curve = SmoothCurve::through(scaled(shape, scale.size).points))
@@ -146,8 +146,8 @@ Result<Measured> probeOn(const Shape& shape, const FramePixels& frame, const std
   return measured;
 }
 
-// Where a probe lies along an axis of a region, or how far the ends of a length are apart. Time counts from
-// the region's left edge where the file does not say from where.
+// Returns the position of a probe along an axis of a region, or the distance between the ends of a length.
+// Time counts from the region's left edge if the file gives no origin.
 std::optional<AxisReading> readingOn(const Shape& shape, const UltrasoundRegion& region, int axis) {
   const int unit = axis == 0 ? region.unitX : region.unitY;
   const double delta = region.delta[axis];
@@ -171,7 +171,7 @@ Result<Measured> legAxisOn(const Shape& shape, const Scale& scale, const FramePi
   return measureLegAxis(scaled(shape, scale.mm ? scale.size : frame.pixel.mm).points, frame.outwards);
 }
 
-// At right angles is what is seen so.
+// The right angle is checked in the picture as displayed.
 Result<Measured> twoLinesOn(const Shape& shape, const Scale& scale, const FramePixels& frame) {
   if (shape.kind == ShapeKind::bidirectional)
     if (const Status right = checkRightAngle(scaled(shape, frame.pixel.mm).points); !right)

@@ -7,25 +7,26 @@ namespace volumen {
 
 /// A frame to measure on.
 struct FramePixels {
-  VolumePtr values;       ///< one slice, in the order of the frame; of colour its red
-  VolumePtr green, blue;  ///< null: grey
+  VolumePtr values;       ///< One slice, in the order of the frame. The red component of colour frames.
+  VolumePtr green, blue;  ///< Null for grey frames.
   PixelSize pixel;
   std::vector<UltrasoundRegion> regions;
-  int outwards = 0;  ///< of a picture of one side: 1 where rows lead away from the middle of the body, -1
-                     ///< towards it; 0: not known
+  /// For a picture of one side: 1 if rows lead away from the middle of the body, -1 if towards it. 0:
+  /// unknown.
+  int outwards = 0;
 
   bool colour() const { return green != nullptr; }
 };
 
-/// Measures one shape of a frame (slices.md 4), whose points are pixels: 0, 0 is the centre of the first one.
-/// Lengths and areas are mm where PixelSize or the region of ultrasound that holds all points says how large
-/// a pixel is, else px: counted along rows and columns, whatever the shape of a pixel. Angles are those of
-/// the picture as it is shown. An Error where checkShape() refuses it, an arm has no length, an arrow is
-/// asked for its number or a probe lies outside the frame.
+/// Measures one shape of a frame (slices.md 4). Its points are pixels; (0, 0) is the centre of the first one.
+/// Lengths and areas are in mm if PixelSize gives the size of a pixel, or an ultrasound region that holds all
+/// points. Otherwise they are in px, counted along rows and columns whatever the shape of a pixel. Angles are
+/// those of the picture as displayed. Returns an Error if checkShape() refuses the shape or an arm has no
+/// length. Arrows, labels and probes outside the frame are Errors, too.
 Result<Measured> measureOnFrame(const Shape& shape, const FramePixels& frame, const std::string& valueUnit);
 
-/// The shape of a frame in the space of the slice that shows it: patient mm, or where that has no place in
-/// the patient mm (px) from its first pixel.
+/// Returns the shape of a frame in the space of the slice that shows it: patient mm. If the slice has no
+/// place in the patient, mm (px) from its first pixel.
 Shape inSliceSpace(Shape ofFrame, const VoxelGeometry& slice);
 
 }  // namespace volumen

@@ -14,7 +14,7 @@ Result<Measured> measureLegAxis(std::span<const glm::dvec3> points, int outwards
   measured.unit = "degrees";
   LegAxis& leg = measured.leg.emplace();
   leg.hka = *knee;
-  // Where the knee lies beside the line from hip to ankle.
+  // Offset of the knee from the line from hip to ankle.
   const glm::dvec3 line = points[2] - points[0], way = points[1] - points[0];
   const double length = glm::dot(line, line);
   const double beside = length > 0 ? (way - line * (glm::dot(way, line) / length)).x : 0;

@@ -10,8 +10,8 @@ namespace volumen {
 
 namespace {
 
-// What an end that lies anywhere in its voxel adds along a unit vector: the part of each of the voxel's
-// edges.
+// Returns the extent of a voxel along a unit vector, from the components of its edges. An end lies anywhere
+// in its voxel.
 double spreadAlong(const VoxelGeometry& geometry, glm::dvec3 direction) {
   return glm::length(glm::transpose(geometry.patientFromVoxelStep) * direction);
 }
@@ -37,7 +37,7 @@ double depthVariance(double softMm) { return softMm * softMm / 3; }
 Result<double> angleBetween(glm::dvec3 a, glm::dvec3 b) {
   if (glm::length(a) == 0 || glm::length(b) == 0)
     return Error{"There is no angle where an arm has no length."};
-  // Well-conditioned at 0 and 180 degrees, where the arc cosine is not.
+  // Well-conditioned at 0 and 180 degrees, unlike the arc cosine.
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / std::numbers::pi;
 }
 

@@ -16,7 +16,7 @@ namespace volumen {
 
 namespace {
 
-// What is measured in units of the grid.
+// Returns the unit of the grid: `calibrated`, or `otherwise` if the grid is not calibrated.
 std::string inGridUnit(const VoxelGeometry& geometry, const char* calibrated, const char* otherwise) {
   return geometry.calibrated ? calibrated : otherwise;
 }
@@ -30,7 +30,7 @@ Result<Measured> measureLength(const Shape& shape, const VoxelGeometry& geometry
   return measured;
 }
 
-// Where all its points are one there is no curve, and its length is 0.
+// If all points coincide there is no curve, and the length is 0.
 Result<Measured> measureCurve(const Shape& shape, const VoxelGeometry& geometry) {
   Result<Measured> measured = measureLength(shape, geometry);
   if (const auto curve = SmoothCurve::through(shape.points)) measured->number = curve->length();

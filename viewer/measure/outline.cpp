@@ -14,7 +14,7 @@ namespace {
 using glm::dvec2;
 
 struct Edge {
-  dvec2 from, to;  ///< from.y <= to.y, so that both its polygons reckon with it in the same way
+  dvec2 from, to;  ///< from.y <= to.y, so that both polygons at an edge compute with the same ends.
 
   bool spans(double y) const { return from.y <= y && y < to.y; }
   double xAt(double y) const { return from.x + (y - from.y) / (to.y - from.y) * (to.x - from.x); }
@@ -29,7 +29,7 @@ std::vector<Edge> edgesOf(const std::vector<dvec2>& corners) {
   return edges;
 }
 
-// Where two edges cross, their y; none where they do not or run in parallel.
+// Returns the y where two edges cross; empty if they do not, or are parallel.
 std::optional<double> crossing(const Edge& a, const Edge& b) {
   const dvec2 u = a.to - a.from, v = b.to - b.from, w = b.from - a.from;
   const double cross = u.x * v.y - u.y * v.x;
@@ -39,7 +39,7 @@ std::optional<double> crossing(const Edge& a, const Edge& b) {
   return a.from.y + s * u.y;
 }
 
-// Between two neighbours of these heights the edges neither end nor cross.
+// Returns heights between neighbours of which edges neither end nor cross.
 std::vector<double> bandsOf(const std::vector<Edge>& edges) {
   std::vector<double> heights;
   for (std::size_t n = 0; n < edges.size(); ++n) {
@@ -53,7 +53,7 @@ std::vector<double> bandsOf(const std::vector<Edge>& edges) {
   return heights;
 }
 
-// Each band is made of trapezoids, whose width in the middle tells their area.
+// Each band consists of trapezoids, whose area follows from their width in the middle.
 double evenOddArea(const std::vector<dvec2>& corners) {
   const std::vector<Edge> edges = edgesOf(corners);
   const std::vector<double> heights = bandsOf(edges);

@@ -7,25 +7,26 @@
 
 namespace volumen {
 
-/// A region's edge in coordinates along its plane's `right` and `down`, mm, from the patient's origin, so
-/// that shapes of equal directions share their numbers wherever their planes' centres lie.
+/// A region's edge in mm along its plane's `right` and `down`, from the patient's origin. Shapes of equal
+/// directions thus share coordinates wherever the centres of their planes lie.
 struct Outline {
-  bool ellipse = false;             ///< the one inside the box from `low` to `high`; else a polygon
-  std::vector<glm::dvec2> corners;  ///< of the polygon, in order, the last joined to the first
-  glm::dvec2 low{0}, high{0};       ///< the box around it
+  bool ellipse = false;  ///< True: the ellipse inside the box from `low` to `high`. False: a polygon.
+  std::vector<glm::dvec2> corners;  ///< Corners of the polygon, in order; the last is joined to the first.
+  glm::dvec2 low{0}, high{0};       ///< The bounding box.
 };
 
-/// The foot of a patient point on a plane, in an outline's coordinates.
+/// Returns the foot of a patient point on a plane, in an outline's coordinates.
 glm::dvec2 onPlane(const ShapePlane& plane, glm::dvec3 pPatient);
 
-/// The outline of a region with a plane and points as checkShape wants them.
+/// Returns the outline of a region. Its plane and points must pass checkShape().
 Outline outlineOf(const Shape& shape);
 
-/// Whether a point lies inside. Half-open: of polygons that abut exactly one holds a point of the edge they
-/// share. A polygon that crosses itself holds what it goes around an odd number of times (even-odd).
+/// Returns true if a point lies inside. Edges are half-open: exactly one of two abutting polygons contains a
+/// point of their common edge. A polygon that crosses itself contains what it encloses an odd number of times
+/// (even-odd rule).
 bool contains(const Outline& outline, glm::dvec2 point);
 
-/// The area inside, mm^2, by the same rule; exact but for rounding.
+/// Returns the enclosed area, mm^2, by the same rule; exact except for rounding.
 double areaOf(const Outline& outline);
 
 }  // namespace volumen

@@ -14,10 +14,11 @@ namespace volumen {
 
 namespace {
 
-constexpr double mmBetweenLines = 0.1;  // at most; lines through the ball are cut exactly along their length
+// Upper bound. Lines through the ball are cut exactly along their length.
+constexpr double mmBetweenLines = 0.1;
 constexpr double mostBallVoxels = 1e6;
 
-// The part of a line of voxels inside the ball is where |a + t b| <= radius.
+// The part of a line of voxels inside the ball: |a + t b| <= radius.
 struct Chord {
   double low = 0, high = 0;
   bool empty() const { return !(low < high); }
@@ -31,7 +32,7 @@ Chord chordOf(glm::dvec3 a, glm::dvec3 b, double radius) {
   return {middle - half, middle + half};
 }
 
-// How many lines cross a voxel along an axis.
+// Returns the number of lines that cross a voxel along an axis.
 int linesAcross(double spacing) { return int(std::clamp(std::ceil(spacing / mmBetweenLines), 1.0, 200.0)); }
 
 }  // namespace
@@ -73,7 +74,7 @@ std::vector<BallVoxel> ballVoxels(const VoxelGeometry& geometry, double radius) 
 
 namespace {
 
-// The mean over a ball about a voxel; none where nothing of it counts.
+// Returns the mean over a ball about a voxel; empty if no voxel of it counts.
 std::optional<double> ballMean(const std::vector<BallVoxel>& ball, glm::ivec3 about, const Volume& volume) {
   const std::optional<ValueRange>& padding = volume.attributes().padding;
   double sum = 0, shares = 0;
@@ -103,7 +104,7 @@ std::optional<ValuePeak> peakAbout(std::span<const glm::ivec3> voxels, const Vol
       means[n] = ballMean(ball, voxels[n], volume);
   });
   if (cancel.cancelled()) return {};
-  const auto largest = std::ranges::max_element(means);  // none is less than any
+  const auto largest = std::ranges::max_element(means);  // An empty mean is less than any other.
   if (largest == means.end() || !*largest) return {};
   const glm::ivec3 centre = voxels[std::size_t(largest - means.begin())];
   return ValuePeak{**largest, geometry.patientFromVoxel(glm::dvec3(centre))};

@@ -15,7 +15,7 @@ namespace {
 constexpr double samplesAVoxel = 4;
 constexpr double mostSamples = 4000;
 
-// The values of a segment at so many steps and both its ends.
+// Returns the values at both ends of a segment and at the steps between.
 std::vector<float> valuesAlong(glm::dvec3 from, glm::dvec3 to, std::int64_t steps, const Volume& volume,
                                LineKernel kernel) {
   const glm::dvec3 start = volume.geometry().voxelFromPatient(from);

@@ -12,17 +12,17 @@ namespace volumen {
 
 /// A value along a line.
 struct ProfilePoint {
-  double share = 0;  ///< of the line's length up to here, 0 to 1
-  double value = 0;  ///< real units; NaN outside the volume's box
+  double share = 0;  ///< Fraction of the line's length up to here, 0 to 1.
+  double value = 0;  ///< Real units; NaN outside the volume's box.
 };
 
-/// The values along a line of patient points, as a plane of this interpolation shows them (slices.md 1):
-/// evenly along each of its segments, their ends included, four to a voxel and at most 4000 in all. Empty
-/// where it has no length.
+/// Returns the values along a line of patient points, as a plane with this interpolation shows them
+/// (slices.md 1). Samples are evenly spaced along each segment, ends included: four per voxel, but only about
+/// 4000 in all. Empty if the line has no length.
 std::vector<ProfilePoint> profileAlong(std::span<const glm::dvec3> line, const Volume& volume,
                                        Interpolation interpolation);
 
-/// Of the voxels of a region (forEachVoxelOf()), in binsFor() them.
+/// Returns the histogram of the voxels of a region (forEachVoxelOf()), with the bins of binsFor().
 ValueCounts countsOf(const Shape& region, const Volume& volume);
 
 }  // namespace volumen

@@ -10,9 +10,10 @@ namespace volumen {
 
 namespace {
 
-constexpr double largestError = 5e-4;  ///< of the volume; half of the 0.1 % that slices.md 4 allows
+/// As a share of the volume; half of the 0.1 % that slices.md 4 allows.
+constexpr double largestError = 5e-4;
 
-// The values of slice k, clamped to the volume's, with a copy of each border voxel beside it.
+// The values of slice k, clamped to the volume's slices, with a copy of each border voxel beside it.
 class Slice {
  public:
   Slice(const Volume& volume, int k) : width_(std::size_t(volume.size().x) + 2) {
@@ -30,10 +31,10 @@ class Slice {
   std::vector<float> values_;
 };
 
-// The box ends half a voxel beyond the outermost centres: cells there are half as wide.
+// The box ends half a voxel beyond the outermost centres, so the cells there are half as wide.
 double width(int cell, int count) { return cell < 0 || cell == count - 1 ? 0.5 : 1; }
 
-// Beside padding there is nothing to interpolate with: each corner stands for its eighth.
+// Next to padding no interpolation is possible, so each corner stands for an eighth of the cell.
 Part eighthsInRange(const std::array<float, 8>& corners, ValueRange range, ValueRange padding) {
   const auto counts = [&](float v) { return holds(range, double(v)) && !holds(padding, double(v)); };
   return {double(std::ranges::count_if(corners, counts)) / 8, 0};
@@ -51,7 +52,7 @@ Part cellPart(const std::array<float, 8>& corners, ValueRange range, const std::
   return partInRange(exact, range, tolerance);
 }
 
-// The cells between slices k and k + 1, in voxels.
+// Returns the part of the cells between slices k and k + 1, in voxels.
 Part layerPart(const Volume& volume, int k, ValueRange range, double tolerance) {
   const glm::ivec3 size = volume.size();
   const Slice below(volume, k), above(volume, k + 1);
@@ -71,7 +72,7 @@ Part layerPart(const Volume& volume, int k, ValueRange range, double tolerance) 
   return layer;
 }
 
-// Layers are added in order: the same digits however they were shared out.
+// Adds layers in order, so that the digits do not depend on how they were shared among threads.
 Part drawnPart(const Volume& volume, ValueRange range, double tolerance, const CancelToken& cancel) {
   std::vector<Part> layers(std::size_t(volume.size().z) + 1);
   parallelFor(std::int64_t(layers.size()), 0, [&](std::int64_t begin, std::int64_t end) {

@@ -23,12 +23,12 @@ int axisClosestTo(dvec3 normal, const VoxelGeometry& geometry) {
   return closest;
 }
 
-// Along an axis, whole voxels from `first` to `last`, inside the volume.
+// A range of whole voxels along each axis, from `first` to `last`, inside the volume.
 struct Reach {
   int first[3], last[3];
 };
 
-// The voxels that a region can hold at most.
+// Returns the box of voxels that a region can contain.
 Reach reachOf(const Outline& outline, const ShapePlane& plane, double thickness,
               const VoxelGeometry& geometry) {
   const double level = glm::dot(plane.normal(), plane.centre);
@@ -50,7 +50,7 @@ Reach reachOf(const Outline& outline, const ShapePlane& plane, double thickness,
   return reach;
 }
 
-// Sums of the differences to the first value: equal values have no deviation at all.
+// Sums differences from the first value, so that equal values have no deviation at all.
 class Sums {
  public:
   void add(double value) {

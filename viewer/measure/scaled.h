@@ -4,10 +4,10 @@
 
 namespace volumen {
 
-/// The same of values that are `factor` times as large: what probes and regions say of them.
+/// Scales values by `factor`: the values of probes and regions, and the peak.
 Result<Measured> scaled(Result<Measured> measured, double factor);
 
-/// Likewise what Measured::other says.
+/// Scales the values of Measured::other.
 void scaleOther(Measured& measured, double factor);
 
 }  // namespace volumen

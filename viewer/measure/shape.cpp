@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// A freehand outline of more points would take seconds to find out where it crosses itself.
+// Finding the self-intersections of a freehand outline with more points would take seconds.
 constexpr std::size_t mostPoints = 2000;
 
 constexpr ShapeRule rules[] = {
@@ -39,7 +39,7 @@ constexpr ShapeRule rules[] = {
     {ShapeKind::volume, "volume", 0, 0, "none", false},
 };
 
-// Above this a coordinate's square is no number that arithmetic can hold well; no patient is as large.
+// Squares of larger coordinates lose too much precision; no patient is as large.
 constexpr double largestCoordinate = 1e9;
 
 bool isPlace(glm::dvec3 p) {

@@ -16,21 +16,21 @@ namespace {
 
 using glm::dvec3;
 
-// A point of this share of the slab's half beyond its limit counts as on it, so that rounding never hides a
-// shape that was drawn halfway between two slices.
+// A point this share of the slab's half beyond its limit counts as on it. Rounding thus never hides a shape
+// that was drawn halfway between two slices.
 constexpr double rounding = 2e-6;
 constexpr double samePlace = 1e-6;  // mm
 
 // A layer of space about a plane.
 struct Layer {
   dvec3 centre, normal;
-  double low, high;  // mm along the normal
+  double low, high;  // In mm along the normal.
 
   double at(dvec3 p) const { return glm::dot(p - centre, normal); }
   bool holds(dvec3 p) const { return at(p) >= low && at(p) < high; }
 };
 
-// The place of an outline's coordinates on the plane of its region.
+// Returns the position of an outline's coordinates on the plane of its region.
 dvec3 onRegion(const ShapePlane& plane, glm::dvec2 p) {
   const glm::dvec2 from = p - onPlane(plane, plane.centre);
   return plane.centre + from.x * plane.right + from.y * plane.down;
@@ -45,7 +45,7 @@ std::optional<std::vector<dvec3>> clipped(dvec3 a, dvec3 b, const Layer& layer) 
   return std::vector{a + first * (b - a), a + last * (b - a)};
 }
 
-// The lines that a shape without an inside is made of; of one that is still being drawn as far as it goes.
+// Returns the lines of a shape without an inside. A shape still being drawn has those drawn so far.
 std::vector<std::vector<dvec3>> linesOf(const Shape& shape) {
   constexpr int partsAPiece = 16;
   const auto& p = shape.points;
@@ -71,8 +71,8 @@ ShapeCut cutOfLines(const Shape& shape, const Layer& layer) {
   return cut;
 }
 
-// Where the edge passes through the plane, in order along the line in which the planes meet: each second
-// piece between them is inside.
+// Finds where the edge crosses the plane, in order along the line in which the planes meet. Every second
+// piece between crossings is inside.
 ShapeCut cutOfRegion(const Shape& region, const Layer& layer) {
   ShapeCut cut;
   const dvec3 along = glm::cross(region.plane->normal(), layer.normal);
@@ -129,7 +129,7 @@ ShapeCut cutOf(const Shape& shape, const SlicePlane& plane, double halfMm) {
     cut.lines = linesOf(shape);
     return cut;
   }
-  // Of a region across a thin layer only two corners may lie in it.
+  // For a region across a thin layer, it may be that only two corners lie in the layer.
   std::vector<dvec3> edge = edgeOf(shape);
   if (!std::ranges::all_of(edge, [&](dvec3 p) { return layer.holds(p); })) return cutOfRegion(shape, layer);
   edge.push_back(edge.front());

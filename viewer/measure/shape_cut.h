@@ -8,30 +8,29 @@
 
 namespace volumen {
 
-/// What of a shape is to be seen in a flat view. Patient mm.
+/// The visible part of a shape in a flat view, in patient mm.
 struct ShapeCut {
-  bool whole = false;  ///< all of it: it was drawn on this plane
-  /// Lines through these points; a single point is a mark of its own. Where one end is the other, the line is
-  /// closed.
+  bool whole = false;  ///< True if all of the shape is visible: it was drawn on this plane.
+  /// Lines through these points. A single point is a mark. A line whose ends coincide is closed.
   std::vector<std::vector<glm::dvec3>> lines;
 };
 
-/// How far off a view's plane a shape may lie and still be seen in full, mm: half a step of the wheel, and
-/// half the slab where that is thicker.
+/// Returns the distance, mm, from a view's plane within which a shape is shown in full. It is half a step of
+/// the wheel, or half the slab if that is thicker.
 double seenWithin(const SlicePlane& plane, const VoxelGeometry& geometry);
 
-/// The part of a shape that lies within -halfMm <= d < halfMm of a plane, d along its normal: of lines and
-/// points. A region that lies in there is whole; of any other it is the lines in which the plane cuts its
-/// inside, none where the two are parallel. Ellipses are lines of `ellipseCorners` corners. Volumes have no
-/// place. `shape` as checkShape() wants it.
+/// Returns the part of a shape within -halfMm <= d < halfMm of a plane, with d along its normal. This holds
+/// for lines and points. A region inside the layer is shown whole. Any other is shown as the lines in which
+/// the plane cuts its inside, none if both are parallel. Ellipses are lines with `ellipseCorners` corners.
+/// Volumes are not shown. `shape` must pass checkShape().
 ShapeCut cutOf(const Shape& shape, const SlicePlane& plane, double halfMm);
 inline constexpr int ellipseCorners = 180;
 
-/// The corners of a region's edge, in patient mm, the last joined to the first; the ellipse's as above.
+/// Returns the corners of a region's edge, in patient mm; the last is joined to the first. Ellipses as above.
 std::vector<glm::dvec3> edgeOf(const Shape& region);
 
-/// The middle of a shape: of the box around a region, else the mean of its points. Patient mm; the shape has
-/// points.
+/// Returns the middle of a shape, in patient mm: of a region's bounding box, else the mean of its points. The
+/// shape must have points.
 glm::dvec3 middleOf(const Shape& shape);
 
 }  // namespace volumen

@@ -21,7 +21,7 @@ ShapeKind readKind(JsonFields& fields) {
   return kind;
 }
 
-// [x, y, z] in mm, or of frames [x, y] in pixels.
+// Reads [x, y, z] in mm, or for frames [x, y] in pixels.
 void readPoints(JsonFields& fields, std::vector<glm::dvec3>& points, bool ofFrame) {
   const json* list = fields.raw("points");
   if (!list) return;
@@ -54,7 +54,7 @@ ShapePlane readPlane(JsonFields fields) {
   return plane;
 }
 
-// [low, high]; null for no end.
+// Reads [low, high]; null stands for no end.
 void readRange(JsonFields& fields, ValueRange& range) {
   const std::string path = fields.pathOf("range");
   const json* ends = fields.raw("range");
@@ -84,7 +84,7 @@ ordered_json rangeToJson(const ValueRange& range) {
   return {end(range.low), end(range.high)};
 }
 
-// SUVpeak, and where its ball lies.
+// Adds SUVpeak and the position of its ball.
 void addPeak(ordered_json& out, const std::optional<ValuePeak>& peak) {
   if (peak) out["suvPeak"] = {{"mean", peak->mean}, {"centre", numbers(peak->centre)}, {"ml", 1}};
 }

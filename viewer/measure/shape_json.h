@@ -9,21 +9,21 @@
 
 namespace volumen {
 
-/// Reads a list of shapes (resources/docs/measure.md). Missing fields, unknown ones and what checkShape()
-/// refuses are refused with a sentence that names the field ("[2].plane.right must be ...").
+/// Reads a list of shapes (resources/docs/measure.md). Missing and unknown fields and shapes that
+/// checkShape() refuses yield an Error that names the field ("[2].plane.right must be ...").
 Result<std::vector<Shape>> shapesFromJson(const std::string& text);
 
-/// Reads one shape of such a list or of a larger file; what is wrong is kept by `fields`. checkShape() is the
-/// caller's.
+/// Reads one shape of such a list or of a larger file. `fields` keeps errors. The caller must call
+/// checkShape().
 Shape readShape(JsonFields fields);
 
-/// A shape as readShape() reads it; what has its default is left out.
+/// Returns a shape as readShape() reads it, without fields that have their default.
 nlohmann::ordered_json shapeToJson(const Shape& shape);
 
-/// The list that shapesFromJson() reads: the same shapes, to the bit.
+/// Returns the list that shapesFromJson() reads; it restores the shapes exactly.
 std::string shapesToJson(const std::vector<Shape>& shapes);
 
-/// The shape's numbers with its kind and name, as the same page lists them.
+/// Returns the shape's numbers with its kind and name, as listed on the same page.
 nlohmann::ordered_json measuredToJson(const Shape& shape, const Result<Measured>& measured);
 
 }  // namespace volumen

@@ -13,10 +13,11 @@ namespace volumen {
 
 namespace {
 
-// Lengths of the n-th intervals of a row's rays in unit distances (picture.md 9); 0 where a ray has no n-th.
+// Computes the lengths, in unit distances (picture.md 9), of the n-th intervals of a row's rays; 0 for rays
+// without one.
 void unitDistancesOfSlice(const RayRow& rays, int n, float inverseUnitMm, std::vector<float>& unitDistances) {
   unitDistances.resize(rays.steps.size());
-  // Without a branch, so that the compiler takes several rays at a time.
+  // Branch-free, so that the compiler can vectorize it.
   const int* steps = rays.steps.data();
   const float *full = rays.stepMm.data(), *last = rays.lastStepMm.data();
   float* out = unitDistances.data();
@@ -28,7 +29,7 @@ void unitDistancesOfSlice(const RayRow& rays, int n, float inverseUnitMm, std::v
   }
 }
 
-// Turns a slice's samples into what the frame buffer blends, four floats a pixel, on all cores.
+// Shades a slice's samples for the frame buffer, four floats per pixel, on all cores.
 class SliceShader {
  public:
   SliceShader(const Plan& plan, const RenderInputs& inputs)
@@ -74,7 +75,7 @@ class SliceShader {
       rgba[0] = out.red[n], rgba[1] = out.green[n], rgba[2] = out.blue[n], rgba[3] = out.alpha[n];
   }
 
-  // Densities for MAX and MIN; density times length, and length, for sums.
+  // Writes densities for MAX and MIN; for averages density times length, and length.
   void projectRow(const float* density, const std::vector<float>& unitDistances, float* rgba) const {
     constexpr float most = std::numeric_limits<float>::max();
     const Mode mode = plan_.scene.mode;
@@ -95,7 +96,7 @@ class SliceShader {
   double ms_ = 0;
 };
 
-// All slices of a band, from the back; while the CPU shades one, OpenGL draws the next.
+// Draws all slices of a band from the back. While the CPU shades one, OpenGL draws the next.
 Status drawSlices(const RayBand& band, SliceBlender& blender, SliceShader& shader,
                   const CancelToken& cancel) {
   for (int n = band.longest - 1; n >= -1; --n) {

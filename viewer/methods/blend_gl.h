@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// Blend with OpenGL as the paper has it (3.2): the texture hardware resamples a slice and brings it back,
-/// the CPU shades it, and the frame buffer blends it. The next slice is drawn meanwhile.
+/// Renders by blending with OpenGL as in the paper (3.2). The texture hardware resamples a slice and returns
+/// it, the CPU shades it, and the frame buffer blends it. Meanwhile the next slice is drawn.
 Result<Rendered> renderBlendGl(const Plan& plan, RenderCaches& caches, const CancelToken& cancel);
 
 }  // namespace volumen

@@ -26,7 +26,7 @@ void RenderCaches::setGlContextFactory(GlContextFactory factory) {
 
 namespace {
 
-// Which blocks that are `times` as large along each edge hold one that is visible.
+// Returns which blocks, `times` as large along each edge, contain a visible block.
 std::vector<std::uint8_t> inLargerBlocks(std::vector<std::uint8_t> visible, glm::ivec3 count, int times) {
   if (times == 1) return visible;
   const glm::ivec3 larger = (count + (times - 1)) / times;
@@ -46,12 +46,12 @@ const RenderCaches::Impl::Skip& RenderCaches::Impl::skipOf(const TransferFunctio
                                                            const SkipRequest& request) {
   if (skips[0].made.densities != request.densities) std::swap(skips[0], skips[1]);
   Skip& skip = skips[0];
-  // Another view may ask for another reach, but not for other blocks or cells.
+  // Another view may need another reach, but the same blocks and cells.
   SkipRequest others = skip.made;
   others.reachBlocks = request.reachBlocks;
   others.cells = request.cells;
   const bool sameBlocks = others == request;
-  // Cells that were looked into stay, also where a kernel in between does not ask.
+  // Examined cells are kept, even if a kernel in between does not need them.
   const bool hasCells = sameBlocks && skip.made.cells;
   auto& maps = skip.maps;
   if (!sameBlocks) maps[0].near.clear(), maps[1].near.clear();

@@ -16,50 +16,51 @@ namespace volumen {
 struct RenderCaches::Impl {
   explicit Impl(std::shared_ptr<StoredVoxels> shared) : voxels(std::move(shared)) {}
 
-  std::shared_ptr<StoredVoxels> voxels;  ///< maybe of others, too
+  std::shared_ptr<StoredVoxels> voxels;  ///< May be shared with other caches.
 
-  /// What is asked of blocks and cells.
+  /// The inputs of block and cell skipping.
   struct SkipRequest {
     std::vector<CurvePoint> points;
-    int reachBlocks = 1;        ///< EmptySpaceMap::reach
-    double rounding = 0;        ///< how far stored values may be off the volume's, real units
-    StoredDensities densities;  ///< cells are told apart by; that are looked at
-    bool cells = false;         ///< Skip::cells is looked at
+    int reachBlocks = 1;        ///< As EmptySpaceMap::reach.
+    double rounding = 0;        ///< Bound on the difference of stored values from the volume's, real units.
+    StoredDensities densities;  ///< The densities the kernels read, by which cells are classified.
+    bool cells = false;         ///< True if Skip::cells is used.
     bool operator==(const SkipRequest&) const = default;
   };
   struct Skip {
-    SkipRequest made;       ///< for the last reach
-    EmptySpaceMap maps[2];  ///< for the last two reaches, the last first: a picture's and its pilot's
+    SkipRequest made;       ///< The request with the last reach.
+    EmptySpaceMap maps[2];  ///< For the last two reaches, the latest first: those of a picture and its pilot.
     VisibleCells cells;
 
     const EmptySpaceMap& map() const { return maps[0]; }
     std::size_t bytes() const { return maps[0].bytes() + maps[1].bytes() + cells.bytes(); }
   };
-  /// One each for the last two kinds of stored densities, the last first: a picture that moves may look at
-  /// other bits than the one that stands.
+  /// For the last two kinds of stored densities, the latest first. A moving picture may read other bits than
+  /// a still one.
   Skip skips[2];
 
   struct Map {
-    Lighting inputs;  ///< mapInputs of what the map was made for
+    Lighting inputs;  ///< The mapInputs() for which the map was made.
     MapLookup lookup = MapLookup::bilinear;
     ReflectanceMap map;
   };
   std::optional<Map> map;
 
-  /// Of the segments that were last drawn.
+  /// For the segments drawn last.
   std::vector<std::shared_ptr<const SegmentCells>> segmentCells;
 
   GlContextFactory glFactory = makeEglContext;
   std::unique_ptr<GlState> gl;
 
-  /// The last one made is kept. `table`: the curve over the densities that are looked at.
+  /// Returns blocks and cells for the request and keeps the last ones. `table`: the curve over the stored
+  /// densities.
   const Skip& skipOf(const TransferFunction& curve, const CurveTable& table, const SkipRequest& request);
-  /// The last one made is kept. `n`: nodes along an edge of a face.
+  /// Returns the reflectance map and keeps the last one. `n`: nodes along an edge of a face.
   const ReflectanceMap& reflectanceMap(const Lighting& lighting, int n, MapLookup lookup);
-  /// Of each of the segments; these alone are kept.
+  /// Returns the cells of each of the segments and keeps only these.
   const std::vector<std::shared_ptr<const SegmentCells>>& segmentCellsOf(
       const std::vector<const SegmentSurface*>& segments);
-  Result<GlState*> glState();  ///< made when first asked for; its context is not current
+  Result<GlState*> glState();  ///< Made on first use. Its context is not current.
 };
 
 }  // namespace volumen

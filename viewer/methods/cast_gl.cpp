@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Shades the voxels and hands them over.
+// Shades the voxels and uploads them.
 Status loadShaded(const Plan& plan, const RenderInputs& inputs, const VoxelGeometry& geometry, GlState& gl,
                   const CancelToken& cancel, RenderStats& stats) {
   const double begin = wallMs();

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// GPU (figure 1c of the paper): everything in one shader of OpenGL. Preshaded with OpenGL (figure 1b):
-/// voxels shaded on the CPU, resampled and composited by OpenGL.
+/// Renders the GPU method (figure 1c of the paper), all in one OpenGL shader. Also preshaded with OpenGL
+/// (figure 1b): voxels shaded on the CPU, then resampled and composited by OpenGL.
 Result<Rendered> renderCastGl(const Plan& plan, RenderCaches& caches, const CancelToken& cancel);
 
 }  // namespace volumen

@@ -10,19 +10,20 @@
 
 namespace volumen {
 
-/// Draws a picture with the caches' OpenGL, its context current meanwhile. An Error where there is no OpenGL,
-/// or `draw`'s.
+/// Draws a picture with the caches' OpenGL, with its context current. Returns an Error if there is no OpenGL,
+/// or that of `draw`.
 Result<Rendered> onGl(RenderCaches& caches, const std::function<Status(GlState& gl, Rendered& done)>& draw);
 
-/// What is to be said where OpenGL failed without saying why.
+/// Returns the Error for an OpenGL failure without a known reason.
 Error glFailed();
 
-/// Loads density and gradients as the plan needs them, and counts their bytes and the time.
+/// Loads density and gradients as the plan needs them. Adds their bytes and the time to `stats`.
 Status loadTextures(const Plan& plan, RenderCaches& caches, GlState& gl, const CancelToken& cancel,
                     RenderStats& stats);
 
-/// Writes a band's pixels, four floats each: premultiplied colour and alpha; the density of a projection; of
-/// an average, densities times lengths and lengths (0: the mean itself). glFailed() where there are none.
+/// Writes a band's pixels, four floats each. Composites: premultiplied colour and alpha. Extremes: the
+/// density. Averages: sums of density times length, and lengths (0: the mean itself). Returns glFailed() if
+/// `rgba` is empty.
 Status writeBand(const Plan& plan, const RenderInputs& inputs, const RayBand& band,
                  const std::vector<float>& rgba, Picture& picture);
 

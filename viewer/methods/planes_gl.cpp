@@ -11,7 +11,7 @@ namespace volumen {
 
 namespace {
 
-// Shades a batch that has been brought back, on all cores.
+// Shades a batch that has been read back, on all cores.
 class BatchShader {
  public:
   BatchShader(const RowPainter& painter, int threads) : painter_(painter), threads_(threads) {}
@@ -50,7 +50,7 @@ class BatchShader {
   double ms_ = 0;
 };
 
-// Round n starts to bring batch n - 1 back, to draw batch n, and shades batch n - 2.
+// Round n starts to read back batch n - 1, starts to draw batch n, and shades batch n - 2.
 Status drawBatches(BatchMaker& maker, PlaneResampler& resampler, BatchShader& shader,
                    const CancelToken& cancel) {
   Batch ring[3];

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// Planes with OpenGL as the resampler (paper 3.1). One master, the calling thread, feeds OpenGL; while that
-/// draws one batch of rays and brings the one before back, all cores shade the one before that.
+/// Renders planes with OpenGL as the resampler (paper 3.1). The calling thread feeds OpenGL. While OpenGL
+/// draws one batch of rays and reads back the one before, all cores shade the one before that.
 Result<Rendered> renderPlanesGl(const Plan& plan, RenderCaches& caches, const CancelToken& cancel);
 
 }  // namespace volumen

@@ -15,7 +15,7 @@ namespace volumen {
 
 namespace {
 
-// One row of voxels on its way to the shading kernel; padded to whole vectors.
+// One row of voxels for the shading kernel, padded to whole vectors.
 struct VoxelRow {
   std::vector<float> density, gradients, unitDistances, viewerX, viewerY, viewerZ, shaded;
   explicit VoxelRow(int count) {
@@ -40,7 +40,7 @@ class VoxelShader {
     eye_ = *camera.target - camera.distance * direction;
   }
 
-  // Voxels (0 .. n, j, k) into rgba.
+  // Writes the voxels (0 .. n, j, k) to rgba.
   void shadeRow(int j, int k, VoxelRow& row, float* rgba) const {
     const int n = inputs_.size.x;
     const std::size_t first = (std::size_t(k) * inputs_.size.y + j) * n;

@@ -10,13 +10,13 @@ namespace volumen {
 
 class StoredVoxels;
 
-/// What is expensive and reusable of one volume, made when first needed: facts, stored density, gradients, GL
-/// textures. Each is keyed by exactly what it was computed from. Not for use from two threads at once; nor
-/// are several of them that share their voxels.
+/// The expensive, reusable data of one volume, each made on first use: facts, stored density, gradients, GL
+/// textures. Each is keyed by exactly what it was computed from. Not thread-safe, and neither are several
+/// caches that share their voxels.
 class RenderCaches {
  public:
   explicit RenderCaches(VolumePtr volume);
-  /// Facts, densities and gradients are those of `voxels`; all else is of these caches alone.
+  /// Shares the facts, densities and gradients of `voxels`; all other data belong to these caches alone.
   explicit RenderCaches(std::shared_ptr<StoredVoxels> voxels);
   ~RenderCaches();
   RenderCaches(RenderCaches&&) noexcept;
@@ -25,9 +25,9 @@ class RenderCaches {
   const VolumePtr& volume() const;
   const VolumeFacts& facts();
 
-  /// Where the OpenGL context comes from when a plan first asks for one: on the thread that renders, on which
-  /// these caches must then also be destroyed. The default is EGL's, without a display. Drops a context that
-  /// is there.
+  /// Sets the source of the OpenGL context, which is made when a plan first needs one. That happens on the
+  /// rendering thread, on which these caches must then also be destroyed. The default is EGL without a
+  /// display. Drops an existing context.
   void setGlContextFactory(GlContextFactory factory);
 
   struct Impl;

@@ -22,12 +22,12 @@ LightModel lightOf(const Plan& plan) {
   return plan.scene.shading.localViewer ? LightModel::localPhong : LightModel::phong;
 }
 
-// The largest value of a component of a frame buffer of 8 or 16 bits; 0 for floats.
+// Returns the largest value of a component of a frame buffer of 8 or 16 bits; 0 for floats.
 int levelsOf(Blending blending) {
   return blending == Blending::floats ? 0 : blending == Blending::bits16 ? 65535 : 255;
 }
 
-// Of these lights together.
+// Returns the total strength of these lights.
 LightStrength strengthOf(const Lighting& lighting, std::span<const ShadingLight> lights) {
   glm::vec3 diffuse(0), specular(0);
   for (const ShadingLight& light : lights) diffuse += light.diffuse, specular += light.specular;
@@ -36,7 +36,7 @@ LightStrength strengthOf(const Lighting& lighting, std::span<const ShadingLight>
           lighting.shininess};
 }
 
-// Of each the most that a single one has.
+// Returns the maximum of each strength over single lights.
 LightStrength strongestOf(const Lighting& lighting) {
   LightStrength most = strengthOf(lighting, {});
   for (const ShadingLight& light : lighting.lights) {
@@ -47,22 +47,22 @@ LightStrength strongestOf(const Lighting& lighting) {
   return most;
 }
 
-// How far the box around a packet of rays may reach: its interval, and where samples stand at steps half a
-// step more to either side (RayRow::ahead), or the steps of a look together.
+// Returns the extent of the box around a packet of rays, in blocks. It covers the interval, plus half a step
+// to either side if samples stand at steps (RayRow::ahead), or the steps of one look together.
 int reachBlocks(const Plan& plan, const RayGenerator& setup, int edge) {
-  // Of a length for all short steps and cells, so that they share a map.
+  // One length serves all short steps and cells, so that they share a map.
   const double along =
       plan.cellByCell ? plan.stepVoxels : std::max(double(EmptySpaceMap::longestLook), 2 * plan.stepVoxels);
   const double across = 2 * setup.tileSpread() + along + 0.1;
   return int(std::clamp(std::ceil(across / edge), 1.0, 32.0 / edge));
 }
 
-// 1 / unitDistance, but no ray is longer than 1e30 unit distances: only opacities below 1e-27 tell that from
-// more. Projections have no opacity.
+// Returns 1 / unitDistance, limited so that no ray is longer than 1e30 unit distances. Only opacities below
+// 1e-27 would show a difference. Projections have no opacity.
 float inverseUnitOf(const Plan& plan, const VoxelGeometry& geometry) {
   if (plan.scene.mode != Mode::composite) return 1;
   const double longestMm = glm::dot(geometry.spacing(), glm::dvec3(geometry.size));
-  // Over a unit distance that long nothing shows, whatever the curve.
+  // Over longer unit distances nothing shows, whatever the curve.
   const double least = 1e-12 / longestMm;
   return float(std::max(least, std::min({1 / plan.curve.unitDistance, 1e30 / longestMm, 1e37})));
 }
@@ -126,8 +126,7 @@ double RenderInputs::largestRounded(const Plan& plan, ValueRange range) const {
 }
 
 void RenderInputs::readBlocks(const Plan& plan, int reach, RenderCaches& caches, RenderStats& stats) {
-  // Which intervals are passed over is a choice, not a sound rule: it looks at cells even where no block is
-  // skipped.
+  // Kernels that take passages test cells even if no blocks are skipped.
   const bool asksCells = key_.sampling != Sampling::dense;
   if (plan.skipBlocks || key_.sampling == Sampling::passages) {
     const auto& skip =
@@ -174,7 +173,7 @@ void RenderInputs::readBytes(const Plan& plan, RenderCaches& caches, RenderStats
   stats.densityBytes = std::size_t(voxels.volume()->geometry().voxelCount());
   const auto useScale = [&](const ByteScale& s) {
     scale_ = {s.unit, s.low, 0, (voxels.facts().range.high - s.low) / s.unit};
-    // A little more than half a unit, as values are rounded to floats before and behind.
+    // Slightly more than half a unit, because values are rounded to floats before and after.
     rounding_ = s.exact ? 0 : 0.501 * s.unit;
   };
   if (!plan.gradients) {
@@ -216,8 +215,8 @@ void RenderInputs::setGradientScale(const Plan& plan, const VoxelGeometry& geome
     largest = std::max(largest, length);
     smallest = std::min(smallest, length);
   }
-  // Powers of two, so that no unit rounds anything. Magnitudes are real values a mm; where those would leave
-  // floats, so many times as large as `real`.
+  // Powers of two, so that no unit causes rounding. Magnitudes are real values per mm. Where those would
+  // exceed the range of floats, they are multiples of `real`.
   const double unit = std::exp2(std::ceil(std::log2(largest))), kept = std::clamp(unit, 0x1p-60, 0x1p60),
                real = unit / kept;
   inputs_.gradientUnit = float(kept);

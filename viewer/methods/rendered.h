@@ -9,28 +9,28 @@
 
 namespace volumen {
 
-/// What a picture took. Times in ms of wall clock; resample and shade are summed over threads and divided by
-/// their number. With OpenGL, which resamples while the CPU shades: resample is what the CPU had to wait or
-/// work for OpenGL, shade the rest.
+/// Cost of a picture. Times are wall-clock ms; resample and shade are summed over threads and divided by
+/// their number. With OpenGL, which resamples while the CPU shades: resample is the time in which the CPU
+/// waited or worked for OpenGL, shade is the rest.
 struct RenderStats {
-  double gradientsMs = 0;  ///< Sobel pass and copies made for this picture; 0 where they were there already
+  double gradientsMs = 0;  ///< Sobel pass and copies made for this picture; 0 if they existed already.
   double resampleMs = 0, shadeMs = 0, totalMs = 0;
-  double surfacesMs = 0;  ///< finding and lighting surfaces of segments, likewise
-  double pilotMs = 0;     ///< finding what the plan left open
-  double glMs = 0;  ///< what OpenGL itself took; it overlaps with shadeMs where glMs + shadeMs > totalMs
-  std::int64_t resampled = 0, shaded = 0, composited = 0;  ///< samples
+  double surfacesMs = 0;  ///< Finding and lighting surfaces of segments; averaged over threads likewise.
+  double pilotMs = 0;     ///< Finding what the plan left open.
+  double glMs = 0;        ///< Time of OpenGL itself. It overlaps with shadeMs if glMs + shadeMs > totalMs.
+  std::int64_t resampled = 0, shaded = 0, composited = 0;  ///< Numbers of samples.
   std::size_t densityBytes = 0, gradientBytes = 0, blockBytes = 0, tableBytes = 0;
   int threads = 1;
-  std::string kernel;  ///< e.g. "AVX3_ZEN4", "reference", "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string kernel;  ///< E.g. "AVX3_ZEN4", "reference", "llvmpipe (LLVM 15.0.6, 256 bits)".
 };
 
 struct Rendered {
   Picture picture;
-  /// How far each pixel may be off (its largest component; 1/255), one entry a pixel: the sum of what its
-  /// ray's parts may be off by. Empty where the path that drew it knows none.
+  /// Bound on the error of each pixel (of its largest component, in 1/255): the sum over the parts of its
+  /// ray. One entry per pixel. Empty if the drawing method provides none.
   std::vector<float> error;
   RenderStats stats;
-  Plan plan;  ///< as drawn: nothing is left open
+  Plan plan;  ///< The plan as drawn, with nothing left open.
 };
 
 }  // namespace volumen

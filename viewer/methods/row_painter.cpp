@@ -49,7 +49,7 @@ bool RowPainter::meetsSurfaces(const RayRow& rays, Task& task) const {
   return meets;
 }
 
-// Beside what the rules may be off by: what lies where a ray ended, and places rounded to floats.
+// Adds to the error of the rules: the light left where a ray ended, and positions rounded to floats.
 void RowPainter::writeError(const RayRow& rays, const TraceRow& row) const {
   constexpr float roundingOf255 = 0.05f;
   const float stop = inputs_.trace().stopTransmittance;
@@ -61,7 +61,7 @@ void RowPainter::writeError(const RayRow& rays, const TraceRow& row) const {
   }
 }
 
-// Of extremes and means, which are exact but for the rounding of floats.
+// Writes the error of extremes and means, which are exact except for the rounding of floats.
 void RowPainter::writeRounding(const RayRow& rays) const {
   constexpr double roundings = 16.0 / (1 << 24);
   const DensityScale& scale = inputs_.scale();

@@ -8,20 +8,21 @@
 
 namespace volumen {
 
-/// Turns rays into pixels: shaded and composited, or projected, over the background.
+/// Paints pixels from rays: shaded and composited, or projected, over the background.
 class RowPainter {
  public:
-  /// What it is given must outlive it; picture and error map (Rendered) are made here, in the plan's size.
+  /// The arguments must outlive it. The constructor sets up the picture and the error map (Rendered) in the
+  /// plan's size.
   RowPainter(const Plan& plan, const RenderInputs& inputs, Picture& picture, std::vector<float>& error);
 
-  /// Memory of one task, and what it counted.
+  /// Working memory of one task, and its counts.
   struct Task {
-    std::vector<float> values;  ///< red, green, blue, alpha
-    std::vector<float> error;   ///< where the kernel knows it
+    std::vector<float> values;  ///< Red, green, blue, alpha.
+    std::vector<float> error;   ///< Set if the kernel provides it.
     TraceCounts counts;
-    SurfaceStretches surfaces;  ///< where segments are drawn
+    SurfaceStretches surfaces;  ///< Used if segments are drawn.
   };
-  /// Paints the pixels of the rays. `plane`: their samples, where the picture's store is Store::plane.
+  /// Paints the pixels of the rays. `plane`: their samples if the picture's store is Store::plane.
   void paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const;
 
  private:
@@ -33,11 +34,11 @@ class RowPainter {
   const RenderInputs& inputs_;
   Picture& picture_;
   std::vector<float>& error_;
-  TraceKernel trace_ = nullptr;      ///< of composite
-  ProjectKernel project_ = nullptr;  ///< of the other modes
+  TraceKernel trace_ = nullptr;      ///< For composites.
+  ProjectKernel project_ = nullptr;  ///< For the other modes.
 };
 
-/// Sums over all tasks; integers, so that their order does not matter.
+/// Sums over all tasks. They are integers, so that the order of addition does not matter.
 struct TraceTotals {
   std::atomic<std::int64_t> resampled{0}, composited{0}, shadeTicks{0}, allTicks{0}, surfacesNs{0};
   void add(const TraceCounts& c) {
@@ -47,7 +48,7 @@ struct TraceTotals {
     shadeTicks += c.shadeTicks;
     allTicks += c.allTicks;
   }
-  /// Writes samples, the kernel's name, and the pass's time, shared out between resampling and shading.
+  /// Writes the samples, the kernel's name, and the pass's time, divided between resampling and shading.
   void report(const Plan& plan, double passMs, RenderStats& stats) const;
 };
 

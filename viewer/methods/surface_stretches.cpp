@@ -40,7 +40,7 @@ void SurfaceStretches::trace(const RenderInputs& inputs, TraceKernel kernel, con
   }
 }
 
-// The next stretches of all rays that go on, in whole tiles; false: there are none.
+// Collects the next stretches of all rays that go on, in whole tiles. Returns false if there are none.
 bool SurfaceStretches::gather() {
   rayOf_.clear(), row_.pixel.clear(), parts_.from.clear(), parts_.to.clear();
   for (std::size_t first = 0; first < rays_.size(); first += raysOfTile) {
@@ -65,7 +65,7 @@ void SurfaceStretches::traceStretch(const RenderInputs& inputs, TraceKernel kern
   kernel(inputs.trace(), row_, {}, row, counts);
 }
 
-// Behind what there is.
+// Adds the stretches behind the light gathered so far.
 void SurfaceStretches::add(const TraceRow& out) const {
   const std::size_t count = rayOf_.size();
   const float *red = values_.data(), *green = red + count, *blue = green + count, *alpha = blue + count;
@@ -81,7 +81,7 @@ void SurfaceStretches::add(const TraceRow& out) const {
   }
 }
 
-// The surfaces at which the stretches end.
+// Adds the surfaces at which the stretches end.
 void SurfaceStretches::cover(float stopTransmittance, const TraceRow& out) {
   for (std::size_t n = 0; n < rayOf_.size(); ++n) {
     if (row_.pixel[n] < 0) continue;

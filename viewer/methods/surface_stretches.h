@@ -7,21 +7,22 @@
 
 namespace volumen {
 
-/// Follows rays that meet surfaces of segments (picture.md 10): the volume from one surface to the next, each
-/// surface over what lies behind it. Memory of one thread, for one row of rays after another.
+/// Composites rays that meet surfaces of segments (picture.md 10): the volume from one surface to the next,
+/// and each surface over what lies behind it. Working memory of one thread, reused for one row of rays after
+/// another.
 class SurfaceStretches {
  public:
-  /// Finds what the rays meet; false where no ray meets any surface.
+  /// Finds what the rays meet. Returns false if no ray meets a surface.
   bool find(const SegmentRays& segments, const RayRow& rays);
-  /// Traces the rays of find() stretch by stretch; adds to `out`, which must be 0.
+  /// Traces the rays of find() stretch by stretch and adds them to `out`, which must be 0.
   void trace(const RenderInputs& inputs, TraceKernel kernel, const TraceRow& out, TraceCounts& counts);
 
  private:
   /// A ray whose next stretch is to be traced.
   struct Ray {
     int pixel = -1;
-    std::size_t next = 0, end = 0;  // of met_, what it has still to meet
-    double from = 0;                // mm, where the stretch begins
+    std::size_t next = 0, end = 0;  // The rest of its entries in met_.
+    double from = 0;                // Start of the stretch, in mm.
     bool goesOn = false;
   };
   bool gather();
@@ -33,7 +34,7 @@ class SurfaceStretches {
   SegmentRays::Task task_;
   std::vector<SegmentRays::Met> met_;
   std::vector<Ray> rays_;
-  // The stretches at hand, tile by tile, and which rays they are of.
+  // The current stretches, tile by tile, and their rays.
   std::vector<std::size_t> rayOf_;
   RayParts parts_;
   RayRow row_;

@@ -11,8 +11,8 @@ namespace volumen {
 
 namespace {
 
-// picture.md 9: the step, in voxels, that gives a ray along the camera's axis so many samples in the volume;
-// 0: one a voxel.
+// Returns the step, in voxels, with which a ray along the camera's axis has `samples` samples in the volume
+// (picture.md 9). For 0 samples: one per voxel.
 double stepFor(const Scene& scene, const VoxelGeometry& geometry, int samples) {
   if (samples == 0) return 1;
   const glm::dvec3 axis =
@@ -21,7 +21,7 @@ double stepFor(const Scene& scene, const VoxelGeometry& geometry, int samples) {
   return glm::dot(along, glm::dvec3(geometry.size)) / samples;
 }
 
-// One figure: a plan that is drawn once a round.
+// One figure: a plan that is drawn once per round.
 struct Timed {
   Plan plan;
   std::vector<double> ms;
@@ -66,7 +66,7 @@ class PaperMeasurement {
   Status sizes(PaperBench& bench) {
     for (const int edge : {32, 64, 128, 256}) {
       RenderCaches caches(*makePhantom("opaque-sphere:" + std::to_string(edge)));
-      // Voxels of 1 mm, of which the paper's sphere has 64: a sample is as opaque in every size.
+      // Voxels of 1 mm; the paper's sphere has 64. Each sample thus has the same opacity in every size.
       Scene scene = bench.volumes[2].scene;
       scene.transferFunction.unitDistance *= edge / 64.0;
       std::vector<Timed> timed;
@@ -91,7 +91,7 @@ class PaperMeasurement {
     return {};
   }
 
-  // The first round warms up and makes the caches.
+  // The first round warms up and fills the caches.
   Status drawAll(std::vector<Timed>& timed, RenderCaches& caches, const char* what) {
     for (int round = 0; round <= options_.rounds; ++round)
       for (Timed& t : timed) {
@@ -111,7 +111,7 @@ class PaperMeasurement {
   std::string kernel_;
 };
 
-// A method of section 4: how it sees the scene, and how it draws it.
+// A method of section 4: how it changes the scene, and how it draws it.
 struct Rival {
   const char *name, *what;
   void (*see)(Scene&);
@@ -136,7 +136,7 @@ const std::vector<Rival>& rivals() {
        }},
       {"first-hit surface", "Sommer et al. 1998: the first surface alone, opaque and lit",
        [](Scene& s) {
-         // The surface stands where the curve is half as opaque as it gets.
+         // The surface is where the curve reaches half of its highest opacity.
          auto& points = s.transferFunction.points;
          CurvePoint most = points.front();
          for (const CurvePoint& p : points)
@@ -159,7 +159,7 @@ const std::vector<Rival>& rivals() {
 Status measureRivals(PaperBench& bench, const PaperOptions& options, const StudyProgress& progress,
                      const CancelToken& cancel) {
   constexpr int edge = 256;
-  // The last volume is the CT head or what stands in for it, else the translucent sphere.
+  // The last volume is the CT head or its substitute, else the translucent sphere.
   const PaperVolume& v = bench.volumes.size() > 3 ? bench.volumes.back() : bench.volumes[1];
   bench.rivalsOn =
       v.name + ", " + std::to_string(edge) + " x " + std::to_string(edge) + " pixels, step 1 voxel";

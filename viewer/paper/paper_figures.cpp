@@ -1,4 +1,4 @@
-// What the paper measured (Tables 1 and 2), and its phantoms.
+// The paper's measurements (Tables 1 and 2) and its phantoms.
 #include "viewer/paper/paper.h"
 #include "viewer/phantoms/phantoms.h"
 
@@ -35,7 +35,7 @@ std::vector<PaperVolume> paperPhantoms() {
     v.column = int(out.size());
     v.name = std::string("phantom:") + p.name;
     v.volume = *makePhantom(p.name);
-    // Voxels are 1 mm: opacity a voxel is opacity a unit distance.
+    // Voxels are 1 mm, so opacity per voxel is opacity per unit distance.
     v.scene.transferFunction.points = {{0, {1, 0.9, 0.8}, 0}, {1, {1, 0.9, 0.8}, p.opacity}};
     out.push_back(std::move(v));
   }

@@ -23,7 +23,7 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
-// A row a picture, a column a volume: ms and how many times as fast as the paper.
+// Writes one row per picture and one column per volume: ms, and the speed-up over the paper.
 std::string table(const PaperBench& bench, Method method, const char* title) {
   std::string out = std::string("\n## ") + title + "\n\n| picture, samples a ray |";
   std::string line = "|---|";

@@ -17,7 +17,7 @@ using head::Vec;
 constexpr double widthMm = 240, heightMm = 260, thickestSliceMm = 1.25;
 constexpr float airHu = -1000, veinHu = 170, arteryHu = 290, noiseHu = 9;
 
-// The distances that tissue depends on, and where they matter: `inner` mm inside to `outer` mm outside.
+// The distances that tissue depends on. They matter from `inner` mm inside to `outer` mm outside.
 enum Field {
   cavity,
   skin,
@@ -60,15 +60,15 @@ constexpr std::array<FieldEntry, fieldCount> fields = {{
 
 constexpr glm::ivec3 blockSize(8, 8, 4);
 
-// A block of voxels small enough that most distances are far from mattering in it: those are taken once, at
-// its centre. The others are taken on a lattice of about a millimetre, `stride` voxels in the slice, and
-// linear between its points; thin things at every voxel.
+// A block of voxels so small that most distances do not matter in it. Those are computed once, at its centre.
+// The others are computed on a lattice of about a millimetre, `stride` voxels in the slice, and interpolated
+// linearly. Thin structures are computed at every voxel.
 class Block {
  public:
   Block(Vec low, Vec spacing, float edgeMm) : low_(low), spacing_(spacing), w_(edgeMm) {
     stride_ = spacing.x < 0.3f ? 4 : spacing.x < 0.6f ? 2 : 1;
     const Vec half = 0.5f * Vec(blockSize) * spacing;
-    // In blocks wider than that, what is far from the centre may yet matter at a corner.
+    // In wider blocks, structures far from the centre may still matter at a corner.
     const bool wide = glm::length(half) > 6.5f;
     const float reach = 1.5f * glm::length(half) + edgeMm;
     for (int f = 0; f < fieldCount; ++f) {
@@ -81,7 +81,7 @@ class Block {
 
   bool onlyAir() const { return !near_[skin] && atCentre_[skin] > 0; }
 
-  /// HU at voxel x of the block, before noise: each tissue is painted over those before it.
+  /// Returns the HU at voxel x of the block, before noise. Each tissue is painted over the ones before it.
   float value(glm::ivec3 x) const {
     const Vec p = low_ + Vec(x) * spacing_;
     const float dCavity = at(cavity, x);
@@ -107,7 +107,7 @@ class Block {
         }
   }
 
-  // The skin bounds nothing thin: its edge is as soft as a slice is thick, which makes it smooth to look at.
+  // The skin bounds nothing thin. Its edge is as soft as a slice is thick, which makes it look smooth.
   float skinEdge() const { return std::max(1.35f, w_); }
 
   static bool thin(int f) { return f == tooth || f == suture; }
@@ -138,7 +138,7 @@ class Block {
     return hu;
   }
 
-  // value(d) over hu, as far as the voxel lies inside the surface at distance d.
+  // Paints value(d) over hu, by the share of the voxel inside the surface at distance d.
   template <class Value>
   void paint(float& hu, float d, Value value) const {
     const float share = head::cover(d, w_);
@@ -150,11 +150,11 @@ class Block {
     float hu = head::softTissueValue(p, std::max(depth, 0.f), w_);
     paint(hu, at(orbit, x), [&](float) { return head::orbitValue(p, w_); });
     const float dAirway = at(airway, x);
-    if (dAirway < 2.5f) hu = glm::mix(hu, 45.f, head::cover(dAirway - 1.5f, w_));  // mucous membrane
+    if (dAirway < 2.5f) hu = glm::mix(hu, 45.f, head::cover(dAirway - 1.5f, w_));  // Mucous membrane.
     return hu;
   }
 
-  // Compact bone outside, spongy inside.
+  // Returns compact bone near the surface, spongy bone inside.
   float boneValue(Vec p, float d) const {
     const float spongy = 480 + 130 * head::noise(p / 2.2f);
     return glm::mix(1250 + 60 * head::noise(p / 6.f), spongy, head::cover(d + 2.2f, 0.9f));
@@ -185,7 +185,7 @@ class Block {
   std::array<std::array<float, fieldCount>, latticeEdge * latticeEdge * blockSize.z> lattice_;
 };
 
-// CT noise of standard deviation noiseHu, a little smoothed in the slice.
+// CT noise of standard deviation noiseHu, slightly smoothed in the slice.
 class Noise {
  public:
   explicit Noise(int slice) : slice_(slice) {}
@@ -196,7 +196,7 @@ class Noise {
   }
 
  private:
-  // Four uniform bytes: near enough to a normal variable of variance 1.
+  // The sum of four uniform bytes approximates a normal variable of variance 1.
   float grain(int i, int j) const {
     const std::uint32_t h = head::hashOf(i, j, slice_ ^ 0x5eed);
     const int sum = int(h & 255) + int((h >> 8) & 255) + int((h >> 16) & 255) + int(h >> 24);
@@ -205,7 +205,7 @@ class Noise {
   int slice_;
 };
 
-// Calls put(place in memory, value) for every voxel of a block.
+// Calls put(index in memory, value) for every voxel of a block.
 template <class Put>
 void fillBlock(const VoxelGeometry& g, glm::ivec3 first, const Put& put) {
   const glm::ivec3 last = glm::min(first + blockSize, g.size);
@@ -257,7 +257,7 @@ VolumeParts headPhantom(int sizeInPlane, std::vector<std::int16_t> values) {
 }
 
 bool areHeadPhantoms(int sizeInPlane, const std::vector<std::int16_t>& values) {
-  constexpr int everyBlock = 211;  // a prime, so that no row or column of blocks is left out
+  constexpr int everyBlock = 211;  // A prime, so that no row or column of blocks is left out.
   const VoxelGeometry g = headGeometry(sizeInPlane);
   if (values.size() != std::size_t(g.voxelCount())) return false;
   const glm::ivec3 blocks = (g.size + blockSize - 1) / blockSize;

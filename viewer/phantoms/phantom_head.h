@@ -4,19 +4,19 @@
 
 namespace volumen {
 
-/// A synthetic contrast-enhanced CT of a head in HU, int16: `sizeInPlane` x `sizeInPlane` voxels over 240 mm,
-/// slices over 260 mm no thicker than 1.25 mm or the voxels' width, whichever is more. The same bytes for any
-/// number of threads. Structures: viewer/volume/head.
+/// Makes a synthetic contrast-enhanced CT of a head in HU, as int16. It has `sizeInPlane` x `sizeInPlane`
+/// voxels over 240 mm. Slices cover 260 mm and are no thicker than 1.25 mm or the voxels' width, whichever is
+/// larger. The bytes do not depend on the number of threads. Structures: viewer/phantoms/head.
 VolumeParts headPhantom(int sizeInPlane);
 
-/// The same of values that it gave before.
+/// Makes the same phantom from values computed by an earlier call.
 VolumeParts headPhantom(int sizeInPlane, std::vector<std::int16_t> values);
 
-/// Whether `values` are those of headPhantom(sizeInPlane), as far as one of 211 blocks tells: what another
-/// version of the program made differs in many.
+/// Returns true if `values` are those of headPhantom(sizeInPlane). Checks one in 211 blocks; values of
+/// another program version differ in many.
 bool areHeadPhantoms(int sizeInPlane, const std::vector<std::int16_t>& values);
 
-/// Its voxels alone.
+/// Returns the phantom's voxel geometry alone.
 VoxelGeometry headGeometry(int sizeInPlane);
 
 }  // namespace volumen

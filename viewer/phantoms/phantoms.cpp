@@ -18,10 +18,10 @@ namespace {
 
 constexpr int smallestSize = 2, largestSize = 1024;
 
-// Voxels of 1 mm, their centres symmetric about the origin of patient space.
+// Returns voxels of 1 mm whose centres are symmetric about the origin of patient space.
 VoxelGeometry cubeOf(int edge) { return {.size = glm::ivec3(edge), .origin = glm::dvec3(-0.5 * (edge - 1))}; }
 
-// valueAt(x) at every voxel of a cube, x in mm from its centre.
+// Samples valueAt(x) at every voxel of a cube, with x in mm from its centre.
 template <class T, class ValueAt>
 VolumeParts sampled(int edge, ValueAt valueAt) {
   VolumeParts parts;
@@ -36,18 +36,19 @@ VolumeParts sampled(int edge, ValueAt valueAt) {
   return parts;
 }
 
-// 1 everywhere (paper 4: the solid cube).
+// Returns 1 everywhere (paper 4: the solid cube).
 VolumeParts solid(int edge) {
   return sampled<std::uint8_t>(edge, [](glm::dvec3) { return 1; });
 }
 
-// 1 where |x| <= N/2, else 0 (paper 4: the sphere and the opaque sphere; their scenes differ).
+// Returns 1 where |x| <= N/2, else 0 (paper 4: the sphere and the opaque sphere; their scenes differ).
 VolumeParts sphere(int edge) {
   return sampled<std::uint8_t>(edge, [=](glm::dvec3 x) { return glm::length(x) <= 0.5 * edge; });
 }
 
-// 1000 erfc((r - R)/(0.6 sqrt 2))/2: a ball of radius R = 20 N/64 blurred by a Gaussian of 0.6 voxels, r the
-// distance from a centre off every symmetry of the grid: (31.8, 31.3, 31.6) in voxels for N = 64.
+// Returns 1000 erfc((r - R)/(0.6 sqrt 2))/2: a ball of radius R = 20 N/64, blurred by a Gaussian of 0.6
+// voxels. The distance r counts from a centre off every symmetry of the grid, in voxels (31.8, 31.3, 31.6)
+// for N = 64.
 VolumeParts softSphere(int edge) {
   const glm::dvec3 centre(0.3, -0.2, 0.1);
   const double radius = 20.0 * edge / 64;
@@ -56,13 +57,13 @@ VolumeParts softSphere(int edge) {
   });
 }
 
-// The voxel's index i.
+// Returns the voxel's index i.
 VolumeParts ramp(int edge) {
   return sampled<std::int16_t>(edge, [=](glm::dvec3 x) { return std::lround(x.x + 0.5 * (edge - 1)); });
 }
 
-// 1 where the voxel's centre lies in the middle half of the edge along every axis, N/4 .. 3N/4 counted in
-// cells from the first cell's outer face; else 0.
+// Returns 1 where the voxel's centre lies in the middle half of the edge along every axis, else 0. The middle
+// half is N/4 .. 3N/4, counted in cells from the first cell's outer face.
 VolumeParts cube(int edge) {
   return sampled<std::uint8_t>(edge, [=](glm::dvec3 x) {
     const glm::dvec3 distance = glm::abs(x);
@@ -70,7 +71,7 @@ VolumeParts cube(int edge) {
   });
 }
 
-// Marschner and Lobb 1994 on [-1, 1]^3, fM = 6, alpha = 0.25:
+// Returns the signal of Marschner and Lobb 1994 on [-1, 1]^3 with fM = 6, alpha = 0.25:
 // (1 - sin(pi z / 2) + alpha (1 + cos(2 pi fM cos(pi r / 2)))) / (2 (1 + alpha)), r = sqrt(x^2 + y^2).
 VolumeParts marschnerLobb(int edge) {
   constexpr double fM = 6, alpha = 0.25, pi = glm::pi<double>();

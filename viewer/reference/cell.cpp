@@ -6,7 +6,8 @@ namespace volumen::reference {
 
 namespace {
 
-// Where in memory the voxels first, first + 1, ... of one axis lie, indices clamped (picture.md 2).
+// Returns the memory offsets of the voxels first, first + 1, ... of one axis, with clamped indices
+// (picture.md 2).
 template <int count>
 std::array<std::size_t, count> offsets(int first, int size, std::size_t stride) {
   std::array<std::size_t, count> out;

@@ -8,17 +8,17 @@
 
 namespace volumen::reference {
 
-/// What lies at the eight corners of the cell between voxels c and c + (1, 1, 1), at i + 2 j + 4 k; indices
-/// clamped to the volume (picture.md 2), so that cells -1 and n - 1 are the half-voxel border.
+/// Data at the eight corners of the cell between voxels c and c + (1, 1, 1), with index i + 2 j + 4 k. Voxel
+/// indices are clamped to the volume (picture.md 2), so that cells -1 and n - 1 are the half-voxel border.
 template <class T>
 using Corners = std::array<T, 8>;
 
 Corners<double> cornerValues(const Volume& volume, glm::ivec3 cell);
-/// Sobel gradients (picture.md 3), value per voxel.
+/// Returns Sobel gradients (picture.md 3), in value per voxel.
 Corners<glm::dvec3> cornerGradients(const Volume& volume, glm::ivec3 cell);
 
-/// Trilinear interpolation at start + s move (place within the cell, voxels), as a polynomial of s.
-/// Interpolated as a + f (b - a): a constant cell gives exactly its constant and no higher coefficient.
+/// Returns trilinear interpolation at start + s move (position within the cell, voxels) as a polynomial of s.
+/// Interpolates as a + f (b - a): a constant cell gives exactly its constant and no higher coefficient.
 template <class T>
 Polynomial<T, 3> interpolateAlong(const Corners<T>& corners, glm::dvec3 start, glm::dvec3 move) {
   std::array<Polynomial<T, 3>, 8> p;
@@ -35,8 +35,8 @@ Polynomial<T, 3> interpolateAlong(const Corners<T>& corners, glm::dvec3 start, g
   return p[0];
 }
 
-/// Trilinear interpolation at a place in the cell (clamped to it). What is constant stays so exactly
-/// (picture.md 2), and a corner of 1e30 makes no rounding where it has no weight.
+/// Returns trilinear interpolation at a position in the cell (clamped to it). Constant cells stay exactly
+/// constant (picture.md 2), and a corner of 1e30 causes no rounding where its weight is 0.
 inline double interpolateAt(const Corners<double>& c, glm::dvec3 place) {
   const glm::dvec3 f = glm::clamp(place, 0.0, 1.0);
   const auto between = [](double a, double b, double share) {

@@ -8,17 +8,17 @@ namespace volumen::reference {
 
 namespace {
 
-// A piece is split until the two estimates of what it adds to the pixel differ by at most this share of it,
+// A piece is split until two estimates of its contribution differ by at most this share of it,
 constexpr double relativeTolerance = 1e-5;
 // or by this much.
 constexpr double absoluteTolerance = 2e-8;
-// Below this weight (transmittance x opacity x brightness) the normals of a piece may do what they like.
+// Below this weight (transmittance x opacity x brightness) the normals of a piece do not matter.
 constexpr double unseenTurn = 1e-6;
-// A ray ends where this much of the brightest light is left.
+// A ray ends where at most this much of the brightest light is left.
 constexpr double unseen = 1e-6;
 // The rule below cannot resolve a piece of a larger optical depth.
 constexpr double largestDepth = 2;
-// Cuts closer together than this (of a cell) are rounding.
+// Cuts closer together than this (in cells) are due to rounding.
 constexpr double shortestPiece = 1e-13;
 constexpr int mostSplits = 50;
 
@@ -28,7 +28,7 @@ Classifier::Classifier(const TransferFunction& function, const VoxelGeometry& ge
     : unitDistanceMm(function.unitDistance) {
   for (const CurvePoint& p : function.points) colourOpacity.add(p.value, glm::dvec4(p.colour, p.opacity));
   for (const GradientOpacityPoint& p : function.gradientOpacity) gradientFactor.add(p.gradient, p.factor);
-  // Denser than this is a surface to a billionth of a voxel; the limit keeps the number of splits finite.
+  // Denser matter is a surface to a billionth of a voxel. The limit keeps the number of splits finite.
   const glm::dvec3 spacing = geometry.spacing();
   densestPerMm = 1e10 / std::min({spacing.x, spacing.y, spacing.z});
 }
@@ -130,7 +130,7 @@ bool RayIntegral::agree(double a, double b, const Interval& whole, const Interva
   return std::max(colourError, depthError) <= relativeTolerance * added + absoluteTolerance;
 }
 
-// By the hull of the cubic's control points, so that no turn between two samples is missed.
+// Tests the hull of the cubic's control points, so that no turn between two samples is missed.
 bool RayIntegral::normalsKeepTogether(double a, double b) const {
   if (!lighting_.directional() && classifier_.gradientFactor.empty()) return true;
   glm::dvec3 axis(0), unit[4];
@@ -147,7 +147,8 @@ bool RayIntegral::normalsKeepTogether(double a, double b) const {
          });
 }
 
-// Three Gauss points; the optical depth up to each by the collocation method on the same points.
+// Integrates with three Gauss points. The optical depth up to each comes from the collocation method on the
+// same points.
 RayIntegral::Interval RayIntegral::gauss(double a, double b) const {
   static const double root = std::sqrt(15.0);
   static const double node[3] = {0.5 - root / 10, 0.5, 0.5 + root / 10};

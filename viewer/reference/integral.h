@@ -13,38 +13,38 @@ namespace volumen::reference {
 /// The transfer function of a scene (picture.md 4).
 struct Classifier {
   explicit Classifier(const TransferFunction& function, const VoxelGeometry& geometry);
-  /// Whether any value in low .. high has an opacity above 0.
+  /// Returns true if any value in low .. high has an opacity above 0.
   bool visible(double low, double high) const;
-  /// Whether any value in this segment of the curve has.
+  /// Returns true if any value in this segment of the curve has an opacity above 0.
   bool visible(int segment) const;
-  /// Extinction per mm.
+  /// Returns the extinction per mm.
   double extinction(double opacity) const;
 
-  Curve<glm::dvec4> colourOpacity;  ///< r, g, b, opacity over the value
-  Curve<double> gradientFactor;     ///< over |g_p|; empty: 1
+  Curve<glm::dvec4> colourOpacity;  ///< Red, green, blue and opacity over the value.
+  Curve<double> gradientFactor;     ///< Over |g_p|; empty: 1.
   double unitDistanceMm, densestPerMm;
 };
 
-/// The integral of picture.md 6 along one ray, fed with its cells front to back.
+/// The integral of picture.md 6 along one ray. Its cells are added front to back.
 ///
-/// Inside a cell the density is a cubic along the ray. The piece is cut wherever a formula changes: at the
-/// points of the curve, so that its steps and kinks lie between pieces, and at the kinks of gradient opacity
-/// and shading. What is left between two cuts is smooth; it is integrated with three Gauss points and split
-/// until the answer of a piece and that of its halves agree.
+/// Inside a cell the density is a cubic along the ray. The piece is cut wherever a formula changes. These are
+/// the points of the curve, so that its steps and kinks lie between pieces, and the kinks of gradient opacity
+/// and shading. Between two cuts everything is smooth. It is integrated with three Gauss points, and split
+/// until a piece and its halves agree.
 class RayIntegral {
  public:
   RayIntegral(const Volume& volume, const Classifier& classifier, const Lighting& lighting)
       : volume_(volume), classifier_(classifier), lighting_(lighting) {}
 
-  /// Adds one cell. False where the rest of the ray cannot be seen any more.
+  /// Adds one cell. Returns false if the rest of the ray can no longer be seen.
   bool add(const CellPiece& piece);
-  /// Adds a surface: what is behind it is seen through 1 - opacity. False likewise.
+  /// Adds a surface; the rest of the ray is seen through 1 - opacity. Returns false as add() does.
   bool cover(glm::dvec3 colour, double opacity);
-  glm::dvec3 colour() const { return colour_; }            ///< C
-  double transmittance() const { return transmittance_; }  ///< T
+  glm::dvec3 colour() const { return colour_; }            ///< C of picture.md 6.
+  double transmittance() const { return transmittance_; }  ///< T of picture.md 6.
 
  private:
-  /// What a stretch of the ray adds (seen through nothing), and its optical depth.
+  /// Contribution of a stretch of the ray (with nothing in front), and its optical depth.
   struct Interval {
     glm::dvec3 colour;
     double depth;
@@ -71,12 +71,12 @@ class RayIntegral {
   glm::dvec3 colour_{0};
   double transmittance_ = 1;
 
-  // The cell in hand:
+  // The current cell:
   double lengthMm_ = 0;
   Cubic value_;
-  CubicVector gradient_;  // g_p, value per mm
+  CubicVector gradient_;  // The gradient g_p, value per mm.
   std::vector<double> cuts_;
-  // The piece between two cuts in hand:
+  // The current piece between two cuts:
   int segment_ = 0, factorSegment_ = 0;
 };
 

@@ -7,9 +7,9 @@
 namespace volumen::reference {
 
 namespace {
-constexpr double viewerBand = 0.1;  // w of picture.md 5 runs from 0 to 1 over |n.e| <= 0.1
-constexpr double lightBand = 0.1;   // clamp(10 n.l) runs from 0 to 1 over 0 <= n.l <= 0.1
-// Strengths are limited to this, so that no product of them is infinite; the picture has long been white.
+constexpr double viewerBand = 0.1;  // w of picture.md 5 runs from 0 to 1 over |n.e| <= 0.1.
+constexpr double lightBand = 0.1;   // clamp(10 n.l) runs from 0 to 1 over 0 <= n.l <= 0.1.
+// Limits a strength so that no product of strengths is infinite. The picture is white long before.
 double limited(double strength) { return std::min(strength, 1e30); }
 }  // namespace
 
@@ -92,7 +92,7 @@ glm::dvec3 Lighting::shadeSurface(glm::dvec3 colour, glm::dvec3 gradient) const 
 
 void Lighting::appendKinks(const CubicVector& g, std::vector<double>& places) const {
   const Sextic length2 = squared(g);
-  // |g . direction| = band |g|
+  // Appends where |g . direction| = band |g|.
   const auto appendBand = [&](const Cubic& along, double band) {
     appendSignChanges(sum(squared(along), -band * band, length2), places);
   };

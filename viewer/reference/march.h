@@ -9,7 +9,8 @@
 
 namespace volumen::reference {
 
-/// A straight piece of a ray inside one cell: places within the cell (voxels) are start + s move, s = 0 .. 1.
+/// A straight piece of a ray inside one cell: positions within the cell (voxels) are start + s move, s = 0 ..
+/// 1.
 struct CellPiece {
   glm::ivec3 cell;
   glm::dvec3 start, move;
@@ -21,10 +22,10 @@ struct CellPiece {
 template <class Visit>
 void marchCells(const VoxelGeometry& geometry, const Ray& ray, Interval interval, Visit visit) {
   const glm::dvec3 start = geometry.voxelFromPatient(ray.origin);
-  const glm::dvec3 slope = geometry.voxelFromPatientStep() * ray.direction;  // voxels per mm
+  const glm::dvec3 slope = geometry.voxelFromPatientStep() * ray.direction;  // Voxels per mm.
   const auto at = [&](double t) { return start + t * slope; };
 
-  glm::dvec3 plane, crossing;  // per axis: the next plane of voxel centres and the t of it
+  glm::dvec3 plane, crossing;  // Per axis: the next plane of voxel centres and its t.
   for (int a = 0; a < 3; ++a) {
     const double x = at(interval.t0)[a];
     plane[a] = slope[a] > 0 ? std::floor(x) + 1 : std::ceil(x) - 1;

@@ -13,11 +13,11 @@ double valueAt(const double* c, int degree, double s) {
   return sum;
 }
 
-// False where all Bernstein coefficients over [0, 1] have one sign: then there is no root in between.
+// Returns false if all Bernstein coefficients over [0, 1] have one sign; then there is no root in between.
 bool mayVanish(const double* c, int degree) {
   bool positive = false, negative = false;
   for (int n = 0; n <= degree; ++n) {
-    double sum = c[0], ratio = 1;  // (n choose k) / (degree choose k)
+    double sum = c[0], ratio = 1;  // The ratio (n choose k) / (degree choose k).
     for (int k = 1; k <= n; ++k) {
       ratio *= double(n - k + 1) / (degree - k + 1);
       sum += ratio * c[k];
@@ -28,8 +28,8 @@ bool mayVanish(const double* c, int degree) {
   return positive && negative;
 }
 
-// The root between low and high, where the polynomial rises or falls through 0: Newton's steps, bisection
-// where they leave the bracket.
+// Returns the root between low and high, where the polynomial crosses 0. Uses Newton's method, with bisection
+// where a step leaves the bracket.
 double bracketedRoot(const double* c, const double* derivative, int degree, double low, double high) {
   const bool startsNegative = valueAt(c, degree, low) < 0;
   double s = (low + high) / 2;
@@ -45,7 +45,7 @@ double bracketedRoot(const double* c, const double* derivative, int degree, doub
   return s;
 }
 
-// Between neighbouring roots of its derivative a polynomial changes its sign at most once.
+// Finds the sign changes: at most one lies between neighbouring roots of the derivative.
 int signChanges(const double* c, int degree, double* places) {
   if (!mayVanish(c, degree)) return 0;
   double derivative[6], stops[7];

@@ -7,8 +7,9 @@
 
 namespace volumen::reference {
 
-/// A polynomial in s, coefficients in ascending powers. Along a straight piece of a ray inside one cell
-/// (s = 0 .. 1) the trilinear density is a cubic, each component of the gradient too, |g|^2 a sextic.
+/// A polynomial in s, with coefficients in ascending powers. Along a straight piece of a ray inside one cell
+/// (s = 0 .. 1) the trilinear density is a cubic. So is each component of the gradient, and |g|^2 is a
+/// sextic.
 template <class T, int degree>
 struct Polynomial {
   std::array<T, degree + 1> c{};
@@ -24,7 +25,7 @@ using Cubic = Polynomial<double, 3>;
 using CubicVector = Polynomial<glm::dvec3, 3>;
 using Sextic = Polynomial<double, 6>;
 
-/// The four Bezier control points of p over [a, b]: p stays inside their convex hull there.
+/// Returns the four Bezier control points of p over [a, b]; p stays inside their convex hull there.
 template <class T>
 std::array<T, 4> controlPoints(const Polynomial<T, 3>& p, double a, double b) {
   const auto blossom = [&](double u, double v, double w) {
@@ -34,21 +35,21 @@ std::array<T, 4> controlPoints(const Polynomial<T, 3>& p, double a, double b) {
   return {blossom(a, a, a), blossom(a, a, b), blossom(a, b, b), blossom(b, b, b)};
 }
 
-/// p . direction
+/// Returns p . direction.
 inline Cubic dot(const CubicVector& p, glm::dvec3 direction) {
   Cubic out;
   for (int n = 0; n <= 3; ++n) out.c[n] = glm::dot(p.c[n], direction);
   return out;
 }
 
-/// p^2
+/// Returns p^2.
 Sextic squared(const Cubic& p);
-/// |p|^2
+/// Returns |p|^2.
 Sextic squared(const CubicVector& p);
-/// a + factor b
+/// Returns a + factor b.
 Sextic sum(Sextic a, double factor, const Sextic& b);
 
-/// Appends to `places` every s in (0, 1) where p changes its sign, to about 1e-14.
+/// Appends every s in (0, 1) where p changes its sign, accurate to about 1e-14.
 void appendSignChanges(const Cubic& p, std::vector<double>& places);
 void appendSignChanges(const Sextic& p, std::vector<double>& places);
 /// Appends every s in (0, 1) where p has a local extreme.

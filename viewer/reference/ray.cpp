@@ -13,7 +13,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Keeps the part where start + t slope <= limit. A ray that drifts by less than `rounding` over the volume's
-// length is parallel to the boundary, and the boundary is inside to within that: rounding must not decide.
+// length counts as parallel to the boundary. The boundary counts as inside to within `rounding`, so that
+// rounding errors do not decide.
 void cut(Interval& interval, double start, double slope, double limit, double lengthMm, double rounding) {
   if (std::abs(slope) * lengthMm > rounding) {
     const double t = (limit - start) / slope;
@@ -45,7 +46,7 @@ Ray RayMaker::through(int px, int py) const {
 
 namespace {
 
-// Whether it is cut along each axis by the low and the high side of the clip box.
+// The sides of the clip box that cut along each axis.
 struct Sides {
   glm::bvec3 low{true}, high{true};
 };

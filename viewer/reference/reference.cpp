@@ -17,7 +17,7 @@ using namespace reference;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What all rays of a picture share.
+/// Casts the rays of a picture; holds what they share.
 class Caster {
  public:
   Caster(const Scene& scene, const Volume& volume, glm::ivec2 size)
@@ -28,8 +28,8 @@ class Caster {
         lighting_(scene, rays_.axes()),
         surfaces_(scene, volume.geometry()) {}
 
-  /// The float pixel (picture.md 6, design.md 10), its ray moved sideways by `moveMm` along the picture's
-  /// right and up.
+  /// Returns the float pixel (picture.md 6, design.md 10), with its ray moved sideways by `moveMm` along the
+  /// picture's right and up.
   glm::vec4 pixel(int px, int py, glm::dvec2 moveMm = {0, 0}) const {
     Ray ray = rays_.through(px, py);
     ray.origin += moveMm.x * rays_.axes().right + moveMm.y * rays_.axes().up;
@@ -39,7 +39,7 @@ class Caster {
     return composed(glm::dvec3(projectedGrey(ray, interval)), 1);
   }
 
-  /// design.md 2, of the pixel whose reference is `here`.
+  /// Returns true if the pixel is well-conditioned (design.md 2). `here`: its reference.
   bool isWellConditioned(int px, int py, glm::vec4 here) const {
     const glm::dvec2 move = sidewaysMm();
     const glm::dvec2 moves[] = {{move.x, 0}, {-move.x, 0}, {0, move.y}, {0, -move.y}};
@@ -50,7 +50,7 @@ class Caster {
   }
 
  private:
-  /// The length in mm of 1e-4 voxel along the picture's right and up.
+  /// Returns the length in mm of 1e-4 voxel along the picture's right and up.
   glm::dvec2 sidewaysMm() const {
     const glm::dmat3 voxelFromMm = volume_.geometry().voxelFromPatientStep();
     return 1e-4 / glm::dvec2(glm::length(voxelFromMm * rays_.axes().right),
@@ -117,7 +117,7 @@ class Caster {
   Surfaces surfaces_;
 };
 
-// Calls row(y) for all rows. Nothing a row computes depends on the thread it runs on.
+// Calls row(y) for all rows. The results of a row do not depend on its thread.
 template <class Row>
 Status forEachRow(int rows, int threads, const CancelToken& cancel, Row row) {
   parallelFor(rows, threads, [&](std::int64_t first, std::int64_t last) {

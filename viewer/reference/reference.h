@@ -11,19 +11,19 @@
 
 namespace volumen {
 
-/// The true picture: picture.md's limit in double precision, within 0.05/255. One code path for everything;
-/// shares no kernel with the fast methods. `scene` must be valid and complete (camera, window, gradientFloor
-/// set, as a Plan's is). `threads` 0: all. An Error only where cancelled.
+/// Renders the true picture: picture.md's limit in double precision, within 0.05/255. One code path serves
+/// everything and shares no kernel with the fast methods. `scene` must be valid and complete (camera, window,
+/// gradientFloor set, as in a Plan). `threads` 0: all. Returns an Error only if cancelled.
 Result<Picture> renderReference(const Scene& scene, const Volume& volume, glm::ivec2 size, int threads = 0,
                                 const CancelToken& cancel = {});
 
-/// Which pixels are well-conditioned (design.md 2): the reference there changes by at most 0.1/255 (float,
-/// premultiplied, any component) when the ray is moved sideways by 1e-4 voxel, in either of the picture's two
-/// directions. One entry a pixel.
+/// Returns which pixels are well-conditioned (design.md 2), one entry per pixel. There, moving the ray
+/// sideways by 1e-4 voxel in either direction of the picture changes the reference by at most 0.1/255 (float,
+/// premultiplied, any component).
 Result<std::vector<std::uint8_t>> wellConditioned(const Scene& scene, const Volume& volume, glm::ivec2 size,
                                                   int threads = 0, const CancelToken& cancel = {});
 
-/// The reference at some pixels alone: what renderReference and wellConditioned say of them.
+/// Results of renderReference and wellConditioned at some pixels alone.
 struct ReferencePixels {
   std::vector<glm::vec4> rgba;
   std::vector<std::uint8_t> well;

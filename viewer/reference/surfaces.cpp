@@ -12,7 +12,7 @@ namespace volumen::reference {
 namespace {
 
 constexpr double surfaceLevel = 0.5;
-constexpr double leftLater = 1e-3, nextLater = 1e-6;  // voxels
+constexpr double leftLater = 1e-3, nextLater = 1e-6;  // In voxels.
 
 // The field of a segment, in voxels of its box.
 class Field {
@@ -22,7 +22,7 @@ class Field {
     geometry_.origin = field.geometry.patientFromVoxel(field.box.low);
   }
   const VoxelGeometry& geometry() const { return geometry_; }
-  /// Whether the cell lies between voxels of the box.
+  /// Returns true if the cell lies between voxels of the box.
   bool holds(glm::ivec3 cell) const {
     return glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) &&
            glm::all(glm::lessThan(cell, geometry_.size - 1));
@@ -32,7 +32,7 @@ class Field {
     for (int n = 0; n < 8; ++n) corners[n] = value(cornerOf(cell, n));
     return corners;
   }
-  /// Value per mm at a place of the cell (picture.md 3).
+  /// Returns the gradient in value per mm at a position of the cell (picture.md 3).
   glm::dvec3 gradientAt(glm::ivec3 cell, glm::dvec3 place) const {
     Corners<glm::dvec3> corners;
     for (int n = 0; n < 8; ++n) corners[n] = sobel(cornerOf(cell, n));
@@ -68,15 +68,15 @@ struct Met {
   double voxelsLater;
 };
 
-// The surface of one segment along the part of a ray.
+// Appends the crossings with the surface of one segment along a part of a ray.
 void appendCrossings(const SegmentSurface& segment, const Ray& ray, Interval part, const Lighting& lighting,
                      double voxelsLater, std::vector<Met>& met) {
   const Field field(*segment.field);
   const Interval inBox = visibleInterval(ray, field.geometry(), {});
   const Interval both{std::max(part.t0, inBox.t0), std::min(part.t1, inBox.t1)};
   if (both.empty()) return;
-  // Between two places of a cell f - 1/2 has one sign. What rounding makes of it at the cell's ends does not
-  // count: the sign is asked for in the middle.
+  // Between two places of a cell f - 1/2 has one sign. The sign is taken in the middle, so that rounding at
+  // the cell's ends does not matter.
   std::vector<double> places;
   bool isKnown = false, isInside = false;
   double t = both.t0;

@@ -7,9 +7,9 @@
 
 namespace volumen::reference {
 
-/// Where a ray meets the surface of a segment, and what it sees of it.
+/// Where a ray meets the surface of a segment, and the surface's appearance there.
 struct SurfaceCrossing {
-  double t;  ///< mm along the ray
+  double t;  ///< In mm along the ray.
   glm::dvec3 colour;
   double opacity;
 };
@@ -18,7 +18,7 @@ struct SurfaceCrossing {
 class Surfaces {
  public:
   Surfaces(const Scene& scene, const VoxelGeometry& geometry);
-  /// All along a ray, in the order of picture.md 10.
+  /// Returns all crossings along a ray, in the order of picture.md 10.
   std::vector<SurfaceCrossing> along(const Ray& ray, const Lighting& lighting) const;
 
  private:

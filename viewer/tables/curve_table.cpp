@@ -11,8 +11,8 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// The density at which the real value reaches `value`. Where a whole density means exactly this value, it is
-// that one, so that a step on a stored value is a step on that density.
+// Returns the density at which the real value reaches `value`. If a whole density means exactly this value,
+// returns that density, so that a step on a stored value is a step on its density.
 float densityOf(float value, const DensityScale& scale) {
   const double density = (double(value) - scale.intercept) / scale.slope;
   const double whole = std::round(density);
@@ -20,10 +20,11 @@ float densityOf(float value, const DensityScale& scale) {
   return float(std::clamp(density, -1e30, 1e30));
 }
 
-// Finite for nodes that are next to nothing apart: infinity times a distance of 0 would be no number.
+// Limits the slope between nodes that almost coincide: infinity times a distance of 0 would be NaN.
 float finiteRise(double rise) { return float(std::clamp(rise, -1e38, 1e38)); }
 
-// Smaller opacities show nothing over 1e30 unit distances, and no float holds what light divides by them.
+// Rounds tiny opacities to 0. They show nothing over 1e30 unit distances, and lighting divides by them, which
+// overflows floats.
 double ordinary(double opacity) { return opacity < 1e-30 ? 0 : opacity; }
 
 // Appends segments in the order of their densities.
@@ -32,7 +33,7 @@ class SegmentWriter {
   SegmentWriter(CurveTable& t, const std::vector<CurvePoint>& points, const std::vector<float>& nodes)
       : t_(t), points_(points), nodes_(nodes) {}
 
-  // Between the points `from` and `to`, or constant where they are one.
+  // Adds a segment between the points `from` and `to`; constant if they are the same.
   void add(std::size_t from, std::size_t to, float end) {
     t_.node.push_back(end);
     t_.start.push_back(nodes_[from]);
@@ -63,7 +64,7 @@ class SegmentWriter {
   float shown_ = 0;
 };
 
-// From the last node before any opacity to the first one behind it.
+// Sets the range from the last node before any opacity to the first one behind it.
 void setVisible(CurveTable& t, const std::vector<CurvePoint>& points, const std::vector<float>& nodes) {
   const auto visible = [](const CurvePoint& p) { return p.opacity > 0; };
   const auto first = std::find_if(points.begin(), points.end(), visible);
@@ -75,13 +76,13 @@ void setVisible(CurveTable& t, const std::vector<CurvePoint>& points, const std:
   t.visibleHigh = last == points.rbegin() ? infinity : nodes[points.rend() - last];
 }
 
-// The first segment of every bucket, and how many nodes a bucket holds at most.
+// Sets the first segment of every bucket, and the largest number of nodes in a bucket.
 void setBuckets(CurveTable& t, const DensityScale& scale) {
   t.low = float(scale.low);
   const double width = scale.high - scale.low;
-  // Finite, so that nothing in the first place is no number.
+  // Finite, so that no product with 0 is NaN.
   t.perBucket = width > 0 ? float(std::min(CurveTable::buckets / width, 1e30)) : 0.0f;
-  // The same float arithmetic as in the kernels, so that a density and a node never change places.
+  // Uses the same float arithmetic as the kernels, so that a density and a node never change places.
   const auto bucketOf = [&](float density) {
     const float b = (density - t.low) * t.perBucket;
     return int(std::clamp(b, 0.0f, float(CurveTable::buckets - 1)));
@@ -106,14 +107,14 @@ CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& sca
   std::vector<float> nodes;
   for (const CurvePoint& p : points) {
     const float node = densityOf(p.value, scale);
-    // What is told apart as a value is told apart as a density.
+    // Distinct values must remain distinct densities.
     const bool isRoundedAway =
         !nodes.empty() && node <= nodes.back() && p.value > points[nodes.size() - 1].value;
     nodes.push_back(isRoundedAway ? std::nextafter(nodes.back(), infinity) : node);
   }
   SegmentWriter writer(t, points, nodes);
   writer.add(0, 0, nodes.front());
-  // No density lies between two nodes at one place.
+  // No density lies between two nodes at the same density.
   for (std::size_t n = 0; n + 1 < points.size(); ++n)
     if (nodes[n] < nodes[n + 1]) writer.add(n, n + 1, nodes[n + 1]);
   writer.add(points.size() - 1, points.size() - 1, infinity);

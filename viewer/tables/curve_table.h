@@ -7,29 +7,29 @@
 
 namespace volumen {
 
-/// How a kernel's density relates to real values: real = slope * density + intercept, slope > 0.
+/// Converts a kernel's density to real values: real = slope * density + intercept, slope > 0.
 struct DensityScale {
   double slope = 1, intercept = 0;
-  double low = 0, high = 0;  ///< the range of densities
+  double low = 0, high = 0;  ///< The range of densities.
 };
 
-/// The transfer function over density as the kernels read it: exact, piecewise linear. A density falls into a
-/// bucket, the bucket names the first segment it can lie in, and at most `hops` comparisons with the nodes
-/// find the right one: segment = number of (different) nodes <= density (picture.md 4: the last point of a
-/// step holds at the value and above).
+/// The transfer function over density as the kernels read it: exact and piecewise linear. A density falls
+/// into a bucket, which names the first segment it can lie in. At most `hops` comparisons with nodes find the
+/// right segment: the number of (different) nodes <= density. By picture.md 4 the last point of a step holds
+/// at its value and above.
 struct CurveTable {
   static constexpr int buckets = 2048;
-  static constexpr int padding = 16;      ///< the segments' arrays are padded to at least this many entries
-  float visibleLow = 0, visibleHigh = 0;  ///< densities outside these have opacity 0
-  float low = 0, perBucket = 0;  ///< bucket = clamp(int((density - low) * perBucket), 0, buckets - 1)
+  static constexpr int padding = 16;      ///< The segments' arrays are padded to at least this many entries.
+  float visibleLow = 0, visibleHigh = 0;  ///< Densities outside this range have opacity 0.
+  float low = 0, perBucket = 0;  ///< bucket = clamp(int((density - low) * perBucket), 0, buckets - 1).
   int hops = 0;
   int segments = 0;
-  std::vector<std::int32_t> first;          ///< of each bucket
-  std::vector<float> node;                  ///< node[s]: end of segment s; infinity behind the last
-  std::vector<float> start;                 ///< density from which segment s is counted
-  std::vector<float> opacity, opacityRise;  ///< at `start`, and a unit of density
-  /// How many segments have any opacity, before segment s and up to it: where the two differ for the first
-  /// and the last of some neighbours, none of them has.
+  std::vector<std::int32_t> first;          ///< For each bucket.
+  std::vector<float> node;                  ///< node[s]: end of segment s; infinity behind the last.
+  std::vector<float> start;                 ///< Density from which segment s is counted.
+  std::vector<float> opacity, opacityRise;  ///< At `start`, and per unit of density.
+  /// Number of segments with any opacity before segment s, and up to and including it. If `shownBefore` of
+  /// the first and `shownUpTo` of the last of several neighbours are equal, none of them has opacity.
   std::vector<float> shownBefore, shownUpTo;
   std::vector<float> red, redRise, green, greenRise, blue, blueRise;
   std::size_t bytes() const;

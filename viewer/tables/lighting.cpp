@@ -9,11 +9,11 @@ namespace volumen {
 
 namespace {
 
-// Strengths are limited to this, so that no product of them leaves the range of floats; the picture has long
-// been white.
+// Limits a strength so that products of strengths stay within the range of floats. The picture is white long
+// before.
 double limited(double strength) { return std::min(strength, 1e12); }
 
-// picture.md 5: a light exactly behind has no half-way vector.
+// Returns the half-way vector; a light exactly behind has none (picture.md 5).
 glm::dvec3 halfWay(glm::dvec3 light, glm::dvec3 viewer) {
   const glm::dvec3 both = light + viewer;
   return glm::length(both) < 1e-3 ? glm::dvec3(0) : glm::normalize(both);

@@ -9,12 +9,12 @@ namespace volumen {
 
 namespace {
 
-// What remains of 1 - (1 - x)^unitDistances when x is taken out.
+// Returns (1 - (1 - x)^unitDistances) / x.
 double ratio(double x, double unitDistances) {
   return x > 0 ? -std::expm1(unitDistances * std::log1p(-x)) / x : unitDistances;
 }
 
-// The polynomial through the ratio's values at as many Chebyshev nodes of 0 .. most as it has terms.
+// Returns the polynomial through the ratio's values at Chebyshev nodes of 0 .. most, one node per term.
 std::vector<double> throughNodes(double unitDistances, double most, int terms) {
   std::vector<double> nodes(terms), differences(terms), c(terms);
   for (int n = 0; n < terms; ++n) {
@@ -24,7 +24,7 @@ std::vector<double> throughNodes(double unitDistances, double most, int terms) {
   for (int order = 1; order < terms; ++order)
     for (int n = terms - 1; n >= order; --n)
       differences[n] = (differences[n] - differences[n - 1]) / (nodes[n] - nodes[n - order]);
-  // Newton's form multiplied out, from the last factor on.
+  // Expands Newton's form, from the last factor on.
   for (int n = terms - 1; n >= 0; --n) {
     for (int k = terms - 1; k >= 1; --k) c[k] = c[k - 1] - nodes[n] * c[k];
     c[0] = differences[n] - nodes[n] * c[0];
@@ -32,7 +32,7 @@ std::vector<double> throughNodes(double unitDistances, double most, int terms) {
   return c;
 }
 
-// Also when added up in floats: no term is much larger than the sum.
+// Requires accuracy also for sums in floats: no term is much larger than the sum.
 bool isGoodEnough(const std::vector<double>& c, double unitDistances, double most) {
   constexpr int looks = 50;
   for (int n = 0; n <= looks; ++n) {

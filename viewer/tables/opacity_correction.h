@@ -2,18 +2,18 @@
 
 namespace volumen {
 
-/// 1 - (1 - x)^unitDistances for opacities x of 0 .. most: x (c0 + c1 x + c2 x^2 ...), to seven digits. Where
-/// most is 0 there is none.
+/// The series x (c0 + c1 x + c2 x^2 ...) for 1 - (1 - x)^unitDistances, to seven digits, for opacities x of 0
+/// .. most. If `most` is 0 there is no series.
 struct CorrectionSeries {
   static constexpr int mostTerms = 10;
-  float unitDistances = 0;  ///< the interval's length in unit distances
+  float unitDistances = 0;  ///< The interval's length in unit distances.
   float most = 0;
   int terms = 0;
-  float c[mostTerms] = {};  ///< 0 from the terms-th on
+  float c[mostTerms] = {};  ///< 0 from index `terms` on.
 };
 
-/// Of opacities up to `most`, or as far as so many terms reach: at least to 1/2 for intervals of up to a
-/// unit.
+/// Makes the series for opacities up to `most`, or as far as the largest number of terms reaches. For
+/// intervals of up to a unit that is at least 1/2.
 CorrectionSeries makeCorrectionSeries(float unitDistances, double most);
 
 }  // namespace volumen

@@ -20,7 +20,7 @@ glm::dvec3 colourOf(const CurveTable& t, double density) {
   return glm::clamp(c, 0.0, 1.0);
 }
 
-// D'' and S'' of picture.md 5 of a stored gradient.
+// Returns D'' and S'' of picture.md 5 for a stored gradient.
 Shade shadeOfGradient(const Lighting& lighting, const ShadeTableInput& in, glm::dvec3 stored) {
   const auto& m = in.gradientMatrix;
   const glm::dvec3 g(glm::dot(glm::dvec3(m[0], m[1], m[2]), stored),

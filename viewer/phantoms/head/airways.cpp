@@ -4,7 +4,7 @@ namespace volumen::head {
 
 namespace {
 
-// Septum and the three shelves on the outer wall of the nasal cavity, each curled downwards.
+// Returns the septum and the three shelves on the outer wall of the nasal cavity, each curled downwards.
 float turbinates(Vec p) {
   const float septum = std::abs(p.x - 0.8f * wave(p.y / 70)) - 1.3f;
   float d = septum;
@@ -39,7 +39,7 @@ float throat(Vec p) {
   return join(d, windpipe, 4);
 }
 
-// A honeycomb of air cells, s mm apart.
+// Returns a honeycomb of air cells, `s` mm apart.
 float cells(Vec p, float s) {
   const Vec row = glm::floor(p / s);
   float d = 1e3f;

@@ -6,14 +6,14 @@ namespace {
 
 constexpr float csfHu = 8, greyHu = 40, whiteHu = 29, duraHu = 60;
 
-// Distance to the sheets of fluid between the folds of the brain, as far as they reach in.
+// Returns the distance to the sheets of fluid between the folds of the brain, up to their depth.
 float folds(Vec p, float depth) {
   const Vec bent = p + 5.f * Vec(noise(p / 23.f), noise(p / 23.f + 31.f), noise(p / 23.f + 67.f));
   const float sheet = std::abs(noise(bent / 11.f)) * 8;
   return sheet + 6 * rise(11, 20, depth);
 }
 
-// The leaves of the cerebellum are thin and lie almost level.
+// The leaves of the cerebellum are thin and almost level.
 float leaves(Vec p, float depth) {
   const float sheet = (1 + wave((p.z + 0.35f * p.y + 2 * noise(p / 12.f)) / 5.5f)) * 1.2f;
   return sheet + 3 * rise(6, 14, depth);
@@ -25,7 +25,7 @@ float deepGrey(Vec q) {
   return std::min(d, tube(q, {14, -26, 38}, {17, 10, 50}, 5, 2.5f));  // caudate
 }
 
-// Above the tent of the cerebellum (> 0) lies the cerebrum.
+// Returns a positive value in the cerebrum, which lies above the tent of the cerebellum.
 float aboveTent(Vec p) { return p.z - 6 - 0.35f * (62 - p.y) + 0.25f * std::abs(p.x); }
 
 float brainStem(Vec p) {
@@ -33,7 +33,8 @@ float brainStem(Vec p) {
   return std::min(upper, tube(p, {0, 27, -12}, {0, 35, -44}, 11, 6.5f));
 }
 
-// Distance to the fluid that parts the lobes: between the hemispheres, in the Sylvian fissure, at the tent.
+// Returns the distance to the fluid between the lobes: between the hemispheres, in the Sylvian fissure, at
+// the tent.
 float fissures(Vec p) {
   const Vec q = mirrored(p);
   const float tent = aboveTent(p);
@@ -45,8 +46,8 @@ float fissures(Vec p) {
   return std::min(d, std::max({course, 30 - q.x, std::abs(p.y) - 36}));
 }
 
-// How far p lies inside brain tissue from the nearest fluid, negative in the fluid, up to where it no longer
-// matters.
+// Returns how far p lies inside brain tissue, measured from the nearest fluid. Negative in fluid, and limited
+// where larger values no longer matter.
 float cortex(Vec p, float depth) {
   const float surface = depth - 2.6f - 0.8f * noise(p / 19.f);
   if (brainStem(p) < 0) return std::min(8.9f, surface);
@@ -59,7 +60,7 @@ float cortex(Vec p, float depth) {
   return std::min({fluid - 1.1f, surface, cistern, 8.9f});
 }
 
-// The hard membranes: around all, between the hemispheres, over the cerebellum.
+// Returns the hard membranes: around everything, between the hemispheres, over the cerebellum.
 float dura(Vec p, float depth) {
   const float falx = std::max(std::abs(p.x) - 0.6f, 46 - p.z + 0.2f * p.y);
   const float tent = std::max({std::abs(aboveTent(p)) - 0.7f, 16 - p.y, 14 - std::abs(p.x)});

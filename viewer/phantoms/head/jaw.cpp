@@ -6,7 +6,7 @@ namespace volumen::head {
 
 float jaw(Vec p) {
   p = mirrored(p);
-  // The body: a band that stands on edge along a parabola, its upper edge nearer to the tongue.
+  // The body is a band on edge along a parabola, with its upper edge nearer to the tongue.
   const float curve = 27 - 4 * rise(-92, -76, p.z), x = std::min(p.x, 42.f);
   const float slope = 2 * x / curve, across = (p.y + 85 - x * x / curve) / std::sqrt(1 + slope * slope);
   const float middle = -90 + 14 * rise(8, 48, p.x), halfHeight = 18.5f - 4.5f * rise(20, 46, p.x);
@@ -29,14 +29,14 @@ float jaw(Vec p) {
 namespace {
 
 struct ToothShape {
-  float x, y;                    // centre of the crown
-  float alongX, alongY;          // unit vector along the arch
-  float halfWidth, halfDepth;    // along the arch and across it
-  float biteZ, neckZ, rootTipZ;  // heights: biting edge, where the crown ends, end of the root
+  float x, y;                    // Centre of the crown.
+  float alongX, alongY;          // Unit vector along the arch.
+  float halfWidth, halfDepth;    // Along the arch and across it.
+  float biteZ, neckZ, rootTipZ;  // Heights: biting edge, end of the crown, end of the root.
 };
 
-// Widths of the teeth from the middle to the back, mm; each tooth touches the next along the parabola
-// y = front + x^2 / curve.
+// Widths of the teeth from the middle to the back, in mm. Each tooth touches the next along the parabola y =
+// front + x^2 / curve.
 struct Arch {
   float front, curve;
   std::array<float, 7> widths, depths;
@@ -79,7 +79,7 @@ std::array<ToothShape, 7> placed(const Arch& arch) {
 Tooth toothAt(Vec p, const ToothShape& s, bool molar) {
   const Vec fromCentre = p - Vec(s.x, s.y, 0);
   const float up = s.biteZ > s.neckZ ? 1.f : -1.f;
-  // Local: x along the arch, y outwards from it, z from the neck of the tooth to its biting edge.
+  // Local axes: x along the arch, y outwards, z from the neck of the tooth to its biting edge.
   const Vec q(fromCentre.x * s.alongX + fromCentre.y * s.alongY,
               fromCentre.y * s.alongX - fromCentre.x * s.alongY, (p.z - s.neckZ) * up);
   const float height = (s.biteZ - s.neckZ) * up;

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-/// Signed distances in mm, negative inside, to the shapes that the head is built of. Distances are exact or a
-/// little too small outside and never below minus the smallest half width inside, so that far means far.
-/// Nothing here calls a transcendental function: the same bytes on every machine.
+/// Signed distances in mm, negative inside, to the shapes that the head consists of. They are exact or
+/// slightly too small outside, and never below minus the smallest half width inside, so that far means far.
+/// No transcendental functions are used: the bytes are the same on every machine.
 namespace volumen::head {
 
 using Vec = glm::vec3;
@@ -21,7 +21,7 @@ inline float ellipsoid(Vec p, Vec centre, Vec radii) {
   return k1 > 0 ? std::max(k0 * (k0 - 1) / k1, -smallest) : -smallest;
 }
 
-/// A tube from a to b whose radius goes from radiusA to radiusB.
+/// A tube from a to b whose radius changes from radiusA to radiusB.
 inline float tube(Vec p, Vec a, Vec b, float radiusA, float radiusB) {
   const Vec ab = b - a;
   const float t = std::clamp(glm::dot(p - a, ab) / glm::dot(ab, ab), 0.f, 1.f);
@@ -29,28 +29,28 @@ inline float tube(Vec p, Vec a, Vec b, float radiusA, float radiusB) {
 }
 inline float tube(Vec p, Vec a, Vec b, float radius) { return tube(p, a, b, radius, radius); }
 
-/// A box with rounded edges; `half` counts the rounding in.
+/// A box with rounded edges. `half` includes the rounding.
 inline float box(Vec p, Vec centre, Vec half, float rounding) {
   const Vec q = glm::abs(p - centre) - (half - rounding);
   return glm::length(glm::max(q, Vec(0))) + std::min(std::max({q.x, q.y, q.z}), 0.f) - rounding;
 }
 
-/// Both shapes as one, melted together where they are within k mm of each other.
+/// The union of two shapes, blended smoothly where they are within k mm of each other.
 inline float join(float a, float b, float k) {
   const float h = std::max(k - std::abs(a - b), 0.f) / k;
   return std::min(a, b) - h * h * k * 0.25f;
 }
-/// What both shapes have in common.
+/// The intersection of two shapes.
 inline float both(float a, float b, float k) { return -join(-a, -b, k); }
 /// Shape a without shape b.
 inline float without(float a, float b, float k) { return -join(-a, b, k); }
 
-/// How much of a voxel at distance d from a surface lies inside it, 0..1; the edge is 2 w wide.
+/// Returns the share of a voxel inside a surface at distance d, 0..1. The edge is 2 w wide.
 inline float cover(float d, float w) {
   const float t = std::clamp(0.5f - 0.5f * d / w, 0.f, 1.f);
   return t * t * (3 - 2 * t);
 }
-/// 0 up to `low`, 1 from `high` on, smooth between.
+/// Returns 0 up to `low`, 1 from `high` on, and a smooth transition between.
 inline float rise(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.f, 1.f);
   return t * t * (3 - 2 * t);
@@ -66,7 +66,7 @@ inline std::uint32_t hashOf(int x, int y, int z) {
   return h ^ (h >> 15);
 }
 
-/// Smooth noise in -1..1 that changes over a distance of 1.
+/// Returns smooth noise in -1..1 that varies over a distance of 1.
 inline float noise(Vec p) {
   const Vec base = glm::floor(p);
   const Vec f = p - base, s = f * f * (3.f - 2.f * f);
@@ -83,13 +83,13 @@ inline float noise(Vec p) {
   return glm::mix(low, high, s.z);
 }
 
-/// A smooth wave of period 1 between -1 and 1.
+/// Returns a smooth wave of period 1 between -1 and 1.
 inline float wave(float x) {
   const float t = std::abs(2 * (x - std::floor(x)) - 1);
   return 2 * t * t * (3 - 2 * t) - 1;
 }
 
-/// Left and right half are mirror images: the left one (x >= 0) is modelled.
+/// Left and right half are mirror images. The left one (x >= 0) is modelled.
 inline Vec mirrored(Vec p) { return {std::abs(p.x), p.y, p.z}; }
 
 }  // namespace volumen::head

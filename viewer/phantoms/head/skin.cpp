@@ -5,12 +5,12 @@ namespace volumen::head {
 namespace {
 
 float faceMass(Vec p) {
-  float d = ellipsoid(p, {0, -34, -14}, {62, 48, 56});             // upper face
-  d = join(d, ellipsoid(p, {26, -50, -34}, {33, 35, 32}), 14);     // cheeks
-  d = join(d, ellipsoid(p, {0, -61, -57}, {34, 31, 30}), 14);      // around the mouth
-  d = join(d, ellipsoid(p, {30, -34, -74}, {24, 38, 24}), 12);     // along the jaw
-  d = join(d, ellipsoid(p, {0, -28, -64}, {46, 54, 40}), 8);       // the floor of the mouth and all between
-  d = join(d, ellipsoid(p, {46, -36, 10}, {20, 36, 36}), 12);      // temples
+  float d = ellipsoid(p, {0, -34, -14}, {62, 48, 56});          // upper face
+  d = join(d, ellipsoid(p, {26, -50, -34}, {33, 35, 32}), 14);  // cheeks
+  d = join(d, ellipsoid(p, {0, -61, -57}, {34, 31, 30}), 14);   // around the mouth
+  d = join(d, ellipsoid(p, {30, -34, -74}, {24, 38, 24}), 12);  // along the jaw
+  d = join(d, ellipsoid(p, {0, -28, -64}, {46, 54, 40}), 8);    // floor of the mouth, and everything between
+  d = join(d, ellipsoid(p, {46, -36, 10}, {20, 36, 36}), 12);   // temples
   d = join(d, ellipsoid(p, {44, -25, -44}, {23.5f, 36, 38}), 12);  // over the muscles of the jaw
   d = join(d, ellipsoid(p, {0, -46, -94}, {26, 34, 14}), 10);      // under the chin
   d = join(d, tube(p, {54, 25, -14}, {52, 22, -40}, 14, 9), 14);   // behind the ears
@@ -42,7 +42,7 @@ float eyes(Vec p, float face) {
   float d = without(face, hollow, 12);
   const float fromCentre = glm::length(p - Vec(32, -69, 3));
   float lids = fromCentre - 14.2f;
-  // Grooves in their surface: where the closed lids meet, and the fold of the upper lid.
+  // Grooves in the lids: where the closed lids meet, and the fold of the upper lid.
   const float curve = 0.012f * (p.x - 32) * (p.x - 32);
   const float meet = std::abs(p.z + 2 - curve) - 0.5f, fold = std::abs(p.z - 10.5f + 1.3f * curve) - 0.3f;
   lids = without(lids, std::max({meet, std::abs(lids) - 1.2f, std::abs(p.x - 32) - 13}), 1.5f);
@@ -52,7 +52,7 @@ float eyes(Vec p, float face) {
 
 float mouth(Vec p, float face) {
   const float curve = 0.006f * p.x * p.x;
-  const Vec lip(p.x, p.y - 1.3f * curve, p.z);  // lips bend around the teeth
+  const Vec lip(p.x, p.y - 1.3f * curve, p.z);  // Lips bend around the teeth.
   float d = join(face, ellipsoid(lip, {5, -89.2f, -59.5f - 0.6f * curve}, {17, 7, 4.8f}), 6);
   d = join(d, ellipsoid(lip, {0, -88.2f, -69.5f + curve}, {18, 7.5f, 5.5f}), 6);
   d = without(d, ellipsoid(lip + Vec(0, 0, -0.25f * curve), {0, -98.5f, -64.3f}, {22, 9.5f, 1}), 2.5f);
@@ -61,7 +61,7 @@ float mouth(Vec p, float face) {
   return without(d, ellipsoid(p, {0, -99, -80}, {17, 6, 5}), 8);   // under the lower lip
 }
 
-// The auricle: a bowl with a rolled rim, standing off the head towards the back.
+// The auricle: a bowl with a rolled rim that stands off the head towards the back.
 float ear(Vec p) {
   const Vec fromCanal = p - Vec(66, 11, -12);
   const float out = 0.94f * fromCanal.x - 0.34f * fromCanal.y;

@@ -17,7 +17,7 @@ float vault(Vec p) {
 
 float cranialCavity(Vec p) {
   p = mirrored(p);
-  const float anteriorFloor = 15 - 0.10f * (p.y + 40) - p.z;  // below it lie the orbits
+  const float anteriorFloor = 15 - 0.10f * (p.y + 40) - p.z;  // The orbits lie below it.
   const float above = both(vault(p), std::max(anteriorFloor, -6 - p.z), 5);
   const float temporal = ellipsoid(p, {34, -5, 3}, {25, 34, 20});
   const float posterior = ellipsoid(p, {0, 52, -4}, {51, 39, 34});
@@ -82,7 +82,7 @@ float noseBone(Vec p) {
   return join(d, box(p, {7, -54, 2}, {8, 21, 11}, 3), 3);
 }
 
-// Sphenoid, petrous bones, mastoids and condyles: what the brain rests on.
+// The base of the skull: sphenoid, petrous bones, mastoids and condyles.
 float baseOfSkull(Vec p) {
   float d = ellipsoid(p, {0, -12, -8}, {17, 24, 15});
   d = join(d, tube(p, {0, 2, -10}, {0, 20, -36}, 9, 5), 5);

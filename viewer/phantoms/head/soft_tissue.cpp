@@ -6,7 +6,7 @@ namespace {
 
 constexpr float skinHu = 25, fatHu = -95, muscleHu = 58;
 
-// Muscles that are seen through the fat around them.
+// Muscles that are visible through the surrounding fat.
 float muscles(Vec p) {
   float d = ellipsoid(p, {57, -22, -48}, {7, 17, 30});              // masseter
   d = std::min(d, ellipsoid(p, {60, -22, 14}, {7, 30, 34}));        // temporalis
@@ -32,7 +32,7 @@ float looseTissue(Vec p) {
 
 float softTissueValue(Vec p, float depth, float w) {
   const float onScalp = rise(20, 45, p.z + 0.25f * p.y);
-  const float inFace = rise(-45, -65, p.y);  // muscles move the skin there
+  const float inFace = rise(-45, -65, p.y);  // Muscles move the skin there.
   const float fatDepth = glm::mix(9.f, 4.5f, std::max(onScalp, inFace)) + 1.5f * noise(p / 22.f);
   const float belowFat = cover(fatDepth - depth, 2 * w);
   float hu = fatHu + 10 * noise(p / 5.f);

@@ -11,7 +11,8 @@ struct Point {
   float radius;
 };
 
-// Courses on the left side; the right side mirrors them. Basilar artery and sinuses run in the middle.
+// Courses on the left side; the right side mirrors them. The basilar artery and the sinuses run in the
+// middle.
 constexpr Point carotid[] = {{{30, 2, -150}, 3.6f}, {{29, 0, -110}, 3.6f}, {{27, 6, -80}, 3},
                              {{25, 8, -50}, 2.6f},  {{25, 8, -26}, 2.5f},  {{22, 2, -16}, 2.5f},
                              {{13, 0, -12}, 2.4f},  {{10, -8, -4}, 2.4f},  {{10, -20, -1}, 2.3f},
@@ -48,7 +49,7 @@ constexpr Point transverseSinus[] = {{{0, 90, 16}, 3.5f}, {{22, 85, 12}, 3.5f}, 
                                      {{27, 22, -24}, 4}};
 constexpr Point straightSinus[] = {{{0, 40, 42}, 2}, {{0, 62, 32}, 2.4f}, {{0, 90, 16}, 3}};
 
-// A smooth curve through the points, cut into short tubes, and the box around it.
+// A smooth curve through the points, divided into short tubes, and its bounding box.
 class Course {
  public:
   template <std::size_t N>
@@ -72,7 +73,7 @@ class Course {
   }
 
  private:
-  // Catmull and Rom's spline from b to c.
+  // Returns a point of the Catmull-Rom spline from b to c.
   static Point between(Point a, Point b, Point c, Point d, float t) {
     const Vec at = 0.5f * (2.f * b.at + t * (c.at - a.at +
                                              t * (2.f * a.at - 5.f * b.at + 4.f * c.at - d.at +
