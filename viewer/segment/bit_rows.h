@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-/// Rows of a BitMask, bit by bit: 64 bits a word, lowest first.
+/// Rows of a BitMask, bit by bit: 64 bits per word, lowest first.
 namespace volumen::bits {
 
 using Row = std::span<const std::uint64_t>;

@@ -20,7 +20,7 @@ inline VoxelBox grownBox(const VoxelBox& box, glm::ivec3 by) { return {box.low -
 class BitWindow {
  public:
   void read(const BitMask& mask, const VoxelBox& box, BeyondGrid beyond);
-  /// Sets the bits where `labels` equals `label`. `labels` has one entry a voxel of the box.
+  /// Sets the bits where `labels` equals `label`. `labels` has one entry per voxel of the box.
   void read(std::span<const std::uint8_t> labels, std::uint8_t label, const VoxelBox& box);
 
   glm::ivec3 size() const { return size_; }

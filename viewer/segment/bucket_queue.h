@@ -7,7 +7,7 @@ namespace volumen {
 /// A bucket queue of voxels over a window of costs. Voxels of equal cost come in no particular order.
 class BucketQueue {
  public:
-  /// Creates one empty bucket a cost.
+  /// Creates one empty bucket per cost.
   explicit BucketQueue(std::size_t buckets) : heads_(buckets, none) {}
   /// Adds a voxel (index >= 0).
   void push(std::size_t bucket, int voxel) {

@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-/// One label a voxel in one array, i fastest, as algorithms need it. 0 is background.
+/// One label per voxel in one array, i fastest, as algorithms need it. 0 is background.
 struct DenseLabels {
   VoxelGeometry geometry;
   std::vector<std::uint8_t> labels;  ///< geometry.voxelCount() entries

@@ -15,9 +15,9 @@ namespace volumen {
 
 class BitMask;
 
-/// One label a voxel of a grid; 0 is background. Voxels are held in bricks; bricks with a single label store
-/// no voxels. A LabelMap is immutable. LabelEdit derives a new map that shares all unchanged bricks, so that
-/// an undo step costs only what it changed.
+/// One label per voxel of a grid; 0 is background. Voxels are held in bricks; bricks with a single label
+/// store no voxels. A LabelMap is immutable. LabelEdit derives a new map that shares all unchanged bricks, so
+/// that an undo step costs only what it changed.
 class LabelMap {
  public:
   static constexpr int edge = 32;  ///< Brick edge in voxels

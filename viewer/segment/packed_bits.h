@@ -13,7 +13,7 @@ inline bool bitAt(std::span<const std::uint8_t> bytes, std::size_t bit) {
   return bytes[bit / 8] >> bit % 8 & 1;
 }
 
-/// Writes the bits from `first` on as 0 or 1, one a value. `bytes` must hold them all.
+/// Writes the bits from `first` on as 0 or 1, one per value. `bytes` must hold them all.
 void unpackBits(std::span<const std::uint8_t> bytes, std::size_t first, std::span<std::uint8_t> values);
 
 /// Writes them as 64-bit words, lowest bit first. Bits of the last word beyond `count` are 0.

@@ -15,7 +15,7 @@ void forEachVoxel(const VoxelSpans& spans, const Visit& visit) {
     for (int i = span.begin; i < span.end; ++i) visit(glm::ivec3(i, span.j, span.k));
 }
 
-// The bounding box of some runs, one byte a voxel.
+// The bounding box of some runs, one byte per voxel.
 class BoxOfSpans {
  public:
   static constexpr std::uint8_t isOpen = 1, isReached = 2;  // 0 means neither
