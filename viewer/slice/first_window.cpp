@@ -10,7 +10,7 @@ namespace volumen {
 namespace {
 
 // Returns 0 .. P99 above a background of exactly 0, as in diffusion and its maps. There P99.9 would leave
-// nearly everything black.
+// nearly everything black. Empty for other volumes.
 std::optional<ValueRange> aboveBackground(const Volume& volume) {
   constexpr double least = 0.25;  // of the values
   if (valueRange(volume).low != 0) return {};
