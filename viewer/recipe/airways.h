@@ -9,8 +9,8 @@
 namespace volumen {
 
 /// Returns a slice of the trachea in a CT. Slices across the grid axis nearest to the patient's are searched
-/// from above. The result is the first region inside the body of at most -800 HU, 60 to 700 mm^2 and an
-/// aspect ratio of at most 2 that continues downwards for 3 cm through such regions. Of several, the one
+/// from above. The trachea is the first region inside the body of at most -800 HU and 60 to 700 mm^2, with an
+/// aspect ratio of at most 2. It must continue downwards for 3 cm through such regions. Of several, the one
 /// nearest to the body's centre counts. The Error means: none found, or the grid is not calibrated.
 Result<BitMask> tracheaOf(const Volume& volume, const BitMask& body, const CancelToken& cancel = {});
 

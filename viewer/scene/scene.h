@@ -124,9 +124,9 @@ std::optional<Camera> standardView(const std::string& name);
 /// Returns their names in that order.
 const std::vector<std::string>& standardViewNames();
 
-/// Returns `camera` with its target set (by default the volume's centre) and with the smallest height
-/// (parallel) and distance (perspective, at its fov) that fit the volume's whole unclipped box into a picture
-/// of this aspect (width / height).
+/// Returns `camera` with its target set, by default to the volume's centre. Height (parallel) and distance
+/// (perspective, at its fov) are the smallest that fit the whole unclipped box into a picture of this aspect
+/// (width / height).
 Camera fitCamera(Camera camera, const VoxelGeometry& geometry, double aspect);
 
 /// Orthonormal camera axes of picture.md 7 in patient space.

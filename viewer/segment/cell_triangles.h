@@ -7,8 +7,8 @@
 namespace volumen {
 
 /// Triangles of the surface in one cell (2 x 2 x 2 grid points). Corner x + 2 y + 4 z is the point (x, y, z).
-/// Edges 0..3 run along x at (y, z) = (0, 0), (1, 0), (0, 1), (1, 1), edges 4..7 along y at (x, z), and edges
-/// 8..11 along z at (x, y).
+/// Edges 0..3 run along x at (y, z) = (0, 0), (1, 0), (0, 1), (1, 1). Likewise edges 4..7 run along y at (x,
+/// z), and edges 8..11 along z at (x, y).
 struct CellTriangles {
   std::uint16_t crossed = 0;  ///< Bit n is set if the surface crosses edge n
   std::uint8_t count = 0;

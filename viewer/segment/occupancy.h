@@ -11,7 +11,7 @@ namespace volumen {
 /// Thin parts are kept if sigma > 0. Voxels of the segment in no 2 x 2 x 2 box of it get at least the value
 /// that keeps a one-voxel plate one voxel thick. Voxels in no 2 x 2 square raise the field to at least min(1,
 /// 4 G(0.65)), at most 0.36 beside them: lines stay connected in every direction.
-/// Values are at least 1/2 + 0.02 in the segment and at most 1/2 - 0.02 outside, so that the surface always
+/// Values are at least 1/2 + 0.02 in the segment and at most 1/2 - 0.02 outside. The surface therefore always
 /// passes between the centres of inside and outside voxels. Nothing is inside beyond the grid.
 /// The box of an empty mask is empty (high < low). Runs on all cores; a cancelled result is incomplete or has
 /// no box.

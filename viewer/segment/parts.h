@@ -49,9 +49,9 @@ class Parts {
 BitMask connected(const BitMask& mask, std::span<const glm::ivec3> seeds, Neighbours neighbours,
                   const CancelToken& cancel = {});
 
-/// Works like connected(), but does not pass thin bridges. It shrinks the mask by a ball of `radiusMm`, keeps
-/// the components that hold a seed (or are the nearest within 2 radiusMm), and grows them again by that ball,
-/// which stays inside the mask. Unlike opening by reconstruction it does not leak back.
+/// Works like connected(), but does not pass thin bridges. It shrinks the mask by a ball of `radiusMm` and
+/// keeps the components that hold a seed, or are the nearest within 2 radiusMm. Then it grows them again by
+/// that ball, which stays inside the mask. Unlike opening by reconstruction it does not leak back.
 BitMask connectedBeyond(const BitMask& mask, std::span<const glm::ivec3> seeds, Neighbours neighbours,
                         double radiusMm, const CancelToken& cancel = {});
 

@@ -135,8 +135,8 @@ class Resampler {
   }
 
  private:
-  // Tile size in (sub-)samples, small enough that voxels read at one depth stay in the cache for the next,
-  // although voxels above each other share few cache sets.
+  // Tile size in (sub-)samples. Voxels read at one depth must stay in the cache for the next, although voxels
+  // above each other share few cache sets.
   static constexpr int columnsATile = 256, rowsATile = 16;
 
   int tilesAcross() const { return (size_.x + tileColumns_ - 1) / tileColumns_; }

@@ -9,7 +9,7 @@
 namespace volumen {
 
 /// Smallest and largest value of each block of edge^3 cells. Block (a, b, c) bounds every trilinear value
-/// v(x) with edge a <= x < edge (a + 1) (likewise y, z), so it spans the voxels edge a .. edge a + edge,
+/// v(x) with edge a <= x < edge (a + 1) (likewise y, z). It thus spans the voxels edge a .. edge a + edge,
 /// clamped to the grid. Bounds are stored as one byte each: the next outward one of a few levels. They take 3
 /// % of the memory of 16-bit densities.
 struct BlockRanges {

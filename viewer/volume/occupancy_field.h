@@ -8,8 +8,8 @@
 namespace volumen {
 
 /// The smoothed occupancy of a segment (occupancyOf), 0 to 1. Its surface, in 3D and in files, is where the
-/// trilinear field is 1/2. It is held in a box around the segment with at least one more voxel on every side,
-/// also beyond the grid, so that the surface is closed; outside the box it is 0.
+/// trilinear field is 1/2. The box around the segment has at least one more voxel on every side, also beyond
+/// the grid, so that the surface is closed. Outside the box the field is 0.
 struct OccupancyField {
   VoxelGeometry geometry;     ///< Geometry of the whole grid
   VoxelBox box;               ///< In voxels of the grid; may reach one voxel or more beyond it
