@@ -30,7 +30,7 @@ Status checkTolerance(const Scene& scene, const RenderOptions& o) {
       "--shader table or --map-lookup nearest."};
 }
 
-// What the reference, which draws the picture's definition, has not.
+// Refuses options that the reference does not have, because it draws the picture's definition.
 Status checkKnobs(const Scene& scene, const RenderOptions& o) {
   if (o.stopAt && !(*o.stopAt >= 0 && *o.stopAt < 1)) return Error{"--stop-at must be 0 to 1, below 1."};
   if (o.stopAt && o.method == Method::blend &&

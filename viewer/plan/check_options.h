@@ -6,15 +6,15 @@
 
 namespace volumen {
 
-/// The method that draws the scene: as asked, but the reference for a mode without kernels.
+/// Returns the method that draws the scene: the requested one, but the reference for modes without kernels.
 Method methodOf(const Scene& scene, const RenderOptions& options);
 
-/// Whether a level can integrate along intervals, where no step is asked for. Only the CPU's planes know the
-/// values around an interval before they draw it.
+/// Returns whether a level can integrate along intervals (if no step is requested). Only planes on the CPU
+/// know the values around an interval before they draw it.
 bool canIntegrate(const Scene& scene, const RenderOptions& options);
 
-/// Refuses options out of range and those that do not go together or with the scene: a sentence that names
-/// them.
+/// Returns an Error that names the options if any is out of range, or if they conflict with each other or the
+/// scene.
 Status checkOptions(const Scene& scene, const RenderOptions& options);
 
 }  // namespace volumen

@@ -16,29 +16,29 @@ namespace volumen {
 
 namespace {
 
-// Nanoseconds on one core of an AMD EPYC (2.6 GHz, AVX-512), November 2026: stagesMs over samples of
-// `volumen render phantom:ct-head:128 --threads 1 --frames 7 --stats`, with 1, 4, 8 and 16 lights, unlit,
-// and each shader, method and resampler in turn. Those of samples, and of what goes cell by cell: whole
-// frames of the chest CT's bone, skin and bone, and gel, lit and unlit, by `--step` and `--tolerance`,
-// between which the cost of a voxel that is seen differs by up to a factor of 3. `bench_choices` holds them
-// all against whole frames.
-constexpr double sampleNs = 2.6;          // a density interpolated at a plain step
-constexpr double sampleGradientNs = 1.8;  // its gradient beside it
-constexpr double intervalNs = 9;          // 2 voxels of planes that go cell by cell: the walk, densities
-constexpr double seenNs = 45;             // those of them that can be seen: the curve, integrated
+// Nanoseconds on one core of an AMD EPYC (2.6 GHz, AVX-512), November 2026: stagesMs over samples of `volumen
+// render phantom:ct-head:128 --threads 1 --frames 7 --stats`, with 1, 4, 8 and 16 lights, unlit, and each
+// shader, method and resampler in turn. Constants of samples and of cell by cell come from whole frames of
+// the chest CT (bone, skin and bone, gel), lit and unlit, by `--step` and `--tolerance`. Between these, the
+// cost of a visible voxel differs by up to a factor of 3. `bench_choices` checks them all against whole
+// frames.
+constexpr double sampleNs = 2.6;          // density interpolated at a plain step
+constexpr double sampleGradientNs = 1.8;  // its gradient in addition
+constexpr double intervalNs = 9;          // 2 voxels of planes cell by cell: traversal and densities
+constexpr double seenNs = 45;             // those that can be seen: the curve, integrated
 constexpr double cutNs = 15;              // cuts at a budget of 1, growing with its inverse fourth root
 constexpr double litCutNs = 72;           // likewise, gradients and the cuts that follow the light
-constexpr double litPlaces = 13;          // places on them where light is computed, likewise
-constexpr double glSampleNs = 6;          // OpenGL without a GPU, with the way back to the CPU
-constexpr double glGradientNs = 6;        // three components more
-constexpr double colourNs = 0.3;          // a visible sample's colour and opacity, composited
-constexpr double diffuseNs = 0.15;        // a light's D, directly
-constexpr double wholePowerNs = 0.32;     // a light's S with a whole shininess: a few multiplications
+constexpr double litPlaces = 13;          // lit places on them, likewise
+constexpr double glSampleNs = 6;          // OpenGL without a GPU, including the transfer to the CPU
+constexpr double glGradientNs = 6;        // three more components
+constexpr double colourNs = 0.3;          // colour and opacity of a visible sample, composited
+constexpr double diffuseNs = 0.15;        // D of one light, directly
+constexpr double wholePowerNs = 0.32;     // S of one light with integer shininess: a few multiplications
 constexpr double powerNs = 1.3;           // with any other: logarithm and exponential
-constexpr double colouredNs = 0.07;       // a light with green and blue of their own
-constexpr double lookupNs = 4.8;          // a bilinear look-up in a map, four nodes of two floats
-constexpr double colouredLookupNs = 11;   // of eight floats
-constexpr double nodeNs = 3.5;            // a node of a map, beside its lights
+constexpr double colouredNs = 0.07;       // a light with its own green and blue
+constexpr double lookupNs = 4.8;          // bilinear look-up in a map, four nodes of two floats
+constexpr double colouredLookupNs = 11;   // with eight floats
+constexpr double nodeNs = 3.5;            // node of a map, without its lights
 
 double pixelMm(const Camera& camera, glm::ivec2 size) {
   const double height = camera.projection == Projection::parallel
@@ -47,7 +47,7 @@ double pixelMm(const Camera& camera, glm::ivec2 size) {
   return height / size.y;
 }
 
-// The box that is drawn: its three edges, patient mm.
+// Edges of the drawn box in patient space, mm.
 struct Box {
   glm::dvec3 edge[3];
   double volume() const { return std::abs(glm::dot(glm::cross(edge[0], edge[1]), edge[2])); }
@@ -66,7 +66,7 @@ Box boxOf(const Clip& clip, const VoxelGeometry& geometry) {
   return box;
 }
 
-// All rays together: how many meet the box, and how long they are inside, mm.
+// Number of rays that meet the box and their total length inside, mm.
 struct Rays {
   double count = 0, mm = 0;
 };
@@ -81,13 +81,13 @@ Rays raysOf(const Plan& plan, const VoxelGeometry& geometry) {
   return {count, count * box.volume() / shadow};
 }
 
-// Calls look with the opacities of the least, middle and largest value of some blocks, spread evenly.
+// Calls look with the opacities of the minimum, middle and maximum of evenly spread blocks.
 template <class Look>
 void lookIntoSome(const BlockRanges& blockRanges, const TransferFunction& curve, const Look& look) {
   constexpr std::size_t most = 1024;
   const std::size_t all = blockRanges.size(), looks = std::min(all, most);
   for (std::size_t k = 0; k < looks; ++k) {
-    // Multiples of the golden ratio spread evenly; a stride would meet the same columns of blocks again.
+    // Multiples of the golden ratio spread evenly; a stride would hit the same columns of blocks again.
     const double place = glm::fract(double(k) * 0.6180339887498949);
     const std::size_t n = looks < all ? std::size_t(place * double(all)) : k;
     const float low = blockRanges.low(n), high = blockRanges.high(n);
@@ -95,8 +95,8 @@ void lookIntoSome(const BlockRanges& blockRanges, const TransferFunction& curve,
   }
 }
 
-// The share of what is visible that is seen before rays are opaque: how far rays go into matter of the mean
-// extinction of some visible blocks, each at its least, middle and largest value, over how much is on a ray.
+// Returns the fraction of visible matter seen before rays become opaque: the depth that rays reach in the
+// mean extinction of visible blocks (minimum, middle and maximum) over the visible length per ray.
 double seenShare(const Plan& plan, const VolumeFacts& facts, const Rays& rays) {
   const double visibleMmARay = rays.count > 0 ? plan.visibleShare * rays.mm / rays.count : 0;
   if (plan.stopTransmittance <= 0 || !facts.blockRanges || visibleMmARay <= 0) return 1;
@@ -117,7 +117,7 @@ double lightNs(const Plan& plan, Shader shader, double samples) {
   if (!plan.lit) return 0;
   const Shading& s = plan.scene.shading;
   const bool whole = s.shininess <= 256 && s.shininess == std::floor(s.shininess);
-  // Of the scene alone: `--full` keeps the choice.
+  // Depends on the scene alone, so that `--full` keeps the choice.
   const bool coloured = lightIsColoured(plan.scene);
   const double aLight =
       diffuseNs + (s.specular > 0 ? (whole ? wholePowerNs : powerNs) : 0) + (coloured ? colouredNs : 0);
@@ -127,10 +127,10 @@ double lightNs(const Plan& plan, Shader shader, double samples) {
          6.0 * plan.mapSize * plan.mapSize * (nodeNs + direct);
 }
 
-// How finely rays that go cell by cell are cut, as measured between budgets of 1/3 and 1/2500.
+// Returns how finely rays are cut cell by cell, as measured for budgets of 1/3 to 1/2500.
 double finenessOf(const Plan& plan) { return 1 / std::sqrt(std::sqrt(plan.errorBudget)); }
 
-// Planes on the CPU: of a sample, or of two voxels with their parts, looked at and seen.
+// Planes on the CPU: cost per sample, or per two voxels with their parts, when tested and when visible.
 struct SampleNs {
   double looked, seen;
 };
@@ -168,11 +168,11 @@ PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts, Shader s
   if (plan.resampler == Resampler::gl) {
     cost.samplingNs = samples * (glSampleNs + (plan.gradients ? glGradientNs : 0)) + visible * colourNs;
   } else {
-    // Rays look in packets, whose box meets more blocks than one ray does.
+    // Rays test blocks in packets, whose box meets more blocks than a single ray.
     const SampleNs ns = planesNs(plan);
     const double looked = std::sqrt(samples * visible);
     cost.samplingNs = looked * ns.looked + visible * ns.seen;
-    if (plan.method == Method::blend && plan.stopTransmittance > 0)  // what finds out what is hidden
+    if (plan.method == Method::blend && plan.stopTransmittance > 0)  // the pass that finds hidden samples
       cost.samplingNs += looked * sampleNs + visible * colourNs;
   }
   const double lit = plan.cellByCell ? visible * litPlaces * finenessOf(plan) : visible;

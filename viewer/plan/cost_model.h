@@ -4,31 +4,31 @@
 
 namespace volumen {
 
-/// What a picture is predicted to cost before it is drawn, from the plan and facts of the volume alone: in
-/// nanoseconds of one core of the machine its constants were measured on (cost_model.cpp). Elsewhere only
-/// ratios mean anything, and only they are used: a choice must not depend on the machine.
+/// Predicted cost of a picture before it is drawn, from the plan and the volume's facts alone. Times are
+/// nanoseconds on one core of the machine where the constants were measured (cost_model.cpp). Only ratios are
+/// meaningful elsewhere, and only ratios are used, because choices must not depend on the machine.
 struct PredictedCost {
-  double samplingNs = 0;  ///< finding samples, their densities and gradients
-  double lightNs = 0;     ///< lighting those that are seen; a reflectance map's nodes once
+  double samplingNs = 0;  ///< Finding samples, their densities and gradients
+  double lightNs = 0;     ///< Lighting visible samples; the nodes of a reflectance map once
   double ns() const { return samplingNs + lightNs; }
 };
 
-/// Of a plan of planes or blend that is complete but for its later lines.
+/// Predicts the cost of a planes or blend plan; only later effect lines may be missing.
 PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts);
 
-/// The same with another shader (map or phong), with the map's size as planned.
+/// Predicts the cost with another shader (map or phong) at the planned map size.
 PredictedCost predictedCost(const Plan& plan, const VolumeFacts& facts, Shader shader);
 
-/// The share of what is visible that is seen before rays are opaque, predicted from plan.visibleShare and
-/// plan.stopTransmittance; 1 where that is 0 or nothing is known of the blocks.
+/// Returns the predicted fraction of visible matter that is seen before rays become opaque, from
+/// plan.visibleShare and plan.stopTransmittance. 1 if either is 0 or the block ranges are unknown.
 double seenShare(const Plan& plan, const VolumeFacts& facts);
 
-/// Of the blocks that hold a visible value, the share of their values that are visible, estimated from their
-/// least, middle and largest; 1 where there is no such block.
+/// Returns the fraction of visible values in blocks that hold a visible value, estimated from each block's
+/// minimum, middle and maximum. 1 if there is no such block.
 double shareInVisibleBlocks(const TransferFunction& curve, const BlockRanges& blockRanges);
 
-/// Samples of all rays inside the clip box, visible or not: the box's volume over a pixel's area and the step
-/// (picture.md 9), or what of it the picture shows.
+/// Returns the number of samples of all rays inside the clip box, visible or not: the visible box volume over
+/// pixel area and step (picture.md 9).
 double samplesInBox(const Plan& plan, const VoxelGeometry& geometry);
 
 }  // namespace volumen

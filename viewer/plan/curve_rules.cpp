@@ -1,4 +1,4 @@
-// The choices that change the curve which is drawn.
+// Choices that change the drawn curve.
 #include <cmath>
 
 #include "viewer/plan/rule_lines.h"
@@ -24,7 +24,7 @@ Effect decideCurveTable(const RuleInput& in, Plan& plan) {
 Effect decideFaintSamples(const RuleInput& in, Plan& plan) {
   if (in.scene.mode != Mode::composite) return off(noCurve);
   if (!in.options.opacityThreshold) return off("every sample that has any opacity counts");
-  // 1 - (1 - a)^(step / unit) = threshold, solved for a.
+  // Solves 1 - (1 - a)^(step / unit) = threshold for a.
   const double threshold = *in.options.opacityThreshold;
   const double a = -std::expm1(std::log1p(-threshold) * plan.curve.unitDistance /
                                stepMm(*in.scene.camera, in.facts.geometry, plan.stepVoxels));

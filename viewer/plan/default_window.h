@@ -4,7 +4,7 @@
 
 namespace volumen {
 
-/// The window of a projection whose scene has none: the file's, else P0.1 .. P99.9 (picture.md 8).
+/// Returns the window of a projection whose scene has none: the file's, else P0.1 .. P99.9 (picture.md 8).
 Window defaultWindow(const VolumeFacts& facts);
 
 }  // namespace volumen

@@ -9,8 +9,8 @@ namespace volumen {
 
 namespace {
 
-// Whether all voxels have one value that is not slope * integer + intercept but that rounded to a float:
-// narrow windows may tell it apart.
+// Returns whether all voxels have one value that is slope * integer + intercept rounded to a float: narrow
+// windows may show the difference.
 bool isRounded(const Volume& volume, ValueRange range) {
   const double unrounded = std::visit(
       [&](const auto& stored) { return volume.slope() * double(stored.front()) + volume.intercept(); },

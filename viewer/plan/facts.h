@@ -7,27 +7,26 @@
 
 namespace volumen {
 
-/// What the planner's rules may ask of a volume: a value, so that tests can invent one.
+/// Everything that planning rules may ask about a volume. It is a value, so that tests can make one up.
 struct VolumeFacts {
   VoxelGeometry geometry;
-  bool integers = true;  ///< stored as 8- or 16-bit integers that tell the values apart
+  bool integers = true;  ///< True if 8- or 16-bit stored integers tell all values apart
   double rescaleSlope = 1;
-  double densityZero = 0;    ///< the value whose 16-bit density is 0 (Density16): near it floats are finest
-  ValueRange range;          ///< smallest and largest value
+  double densityZero = 0;    ///< Value of 16-bit density 0 (Density16), near which floats are finest
+  ValueRange range;          ///< Smallest and largest value
   double p01 = 0, p999 = 0;  ///< P0.1 and P99.9 of picture.md 5
   std::optional<Window> fileWindow;
-  std::shared_ptr<const BlockRanges> blockRanges;  ///< null: unknown, every block counts
-  std::vector<float> gradientBounds;               ///< gradientBoundsOf the volume; empty: unknown
-  Cut cut;                                         ///< VolumeAttributes::cut
+  std::shared_ptr<const BlockRanges> blockRanges;  ///< Null if unknown: every block counts
+  std::vector<float> gradientBounds;               ///< Result of gradientBoundsOf(); empty if unknown
+  Cut cut;                                         ///< Copy of VolumeAttributes::cut
 };
 
-/// Reads the facts off a volume (one pass over it each for blockRanges, slopes and percentiles, on all
-/// cores).
+/// Returns the facts of a volume. Runs one pass each for block ranges, slopes and percentiles, on all cores.
 VolumeFacts factsOf(const Volume& volume);
 
-/// (P99.9 - P0.1) / 32 / cbrt(|det L|), value per mm (picture.md 5).
+/// Returns (P99.9 - P0.1) / 32 / cbrt(|det L|), value per mm (picture.md 5).
 double defaultGradientFloor(const VolumeFacts& facts);
-/// The same for P99.9 - P0.1.
+/// Returns the same with `valueSpread` for P99.9 - P0.1.
 double defaultGradientFloor(double valueSpread, const VoxelGeometry& geometry);
 
 }  // namespace volumen

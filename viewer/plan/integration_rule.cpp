@@ -1,4 +1,4 @@
-// How rays are integrated: cell by cell, or by plain steps.
+// Choice of the integration of rays: cell by cell, or by plain steps.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -15,8 +15,7 @@ namespace volumen {
 
 namespace {
 
-// Whether the opacity jumps, or rises within `narrow` values, somewhere: what lies between two samples then
-// counts.
+// Returns whether the opacity jumps, or rises within `narrow` values: values between two samples then matter.
 bool isSharp(const TransferFunction& curve, double narrow) {
   for (std::size_t n = 0; n + 1 < curve.points.size(); ++n) {
     const CurvePoint &a = curve.points[n], &b = curve.points[n + 1];
@@ -25,16 +24,15 @@ bool isSharp(const TransferFunction& curve, double narrow) {
   return false;
 }
 
-// Plain steps of a level where matter changes little from voxel to voxel: the longest and the shortest
-// (shorter ones take longer than going cell by cell); how far the change of extinction a voxel, times the
-// square of the step, may go; and how far the light that a voxel gives, times the step. Noise, plates and
-// stripes of one voxel keep the level's promise at these limits.
+// Limits of plain steps for matter that changes little between voxels: longest and shortest step (shorter
+// ones take longer than cell by cell), change of extinction per voxel times the squared step, and light per
+// voxel times the step. Noise and plates and stripes of one voxel keep the level's promise at these limits.
 struct EvenSteps {
   double longest, shortest, extinction, light;
 };
 EvenSteps evenStepsOf(Quality quality) {
   switch (quality) {
-    case Quality::draft:  // the same steps as standard are sure to give the same means
+    case Quality::draft:  // the same steps as standard give the same means
     case Quality::standard:
       return {3.0 / 8, 3.0 / 16, 0.16, 0.044};
     case Quality::high:
@@ -45,8 +43,8 @@ EvenSteps evenStepsOf(Quality quality) {
   return {1.0 / 4, 1.0 / 8, 0.006, 0};
 }
 
-// The length of a step of one voxel, mm, on the ray that takes the longest ones: in perspective a bound, the
-// largest spacing where the grid is not sheared.
+// Returns the longest length of a one-voxel step on any ray, mm. In perspective it is a bound: the largest
+// spacing if the grid is not sheared.
 double longestVoxelMm(const Camera& camera, const VoxelGeometry& geometry) {
   if (camera.projection == Projection::parallel) return stepMm(camera, geometry, 1);
   const glm::dmat3 squares = glm::transpose(geometry.patientFromVoxelStep) * geometry.patientFromVoxelStep;
@@ -56,24 +54,24 @@ double longestVoxelMm(const Camera& camera, const VoxelGeometry& geometry) {
   return std::sqrt(most);
 }
 
-// What plain steps meet at most: what a voxel adds to a ray, and how that can change along it.
+// Bounds for plain steps: contribution of a voxel to a ray, and its change along the ray.
 struct EvenStep {
   double voxels, most, change;
 };
 
-// What a voxel adds to a ray at most, as a share of white.
+// Returns the largest contribution of a voxel to a ray, as a fraction of white.
 double mostOfVoxel(const RuleInput& in, const Steepness& s) {
   const double voxelMm = longestVoxelMm(*in.scene.camera, in.facts.geometry);
   return -std::expm1(-s.perMm * voxelMm) * std::max(1.0, brightest(in.scene));
 }
 
-// Whether the level does as it is meant to, with nothing of it chosen by hand.
+// Returns whether the level applies without manual choices.
 bool isWholeLevel(const RenderOptions& o) {
   return !o.step && !o.tolerance && !o.curveTable && !o.opacityThreshold;
 }
 
-// The longest plain step that keeps the level's promise, if there is any: of a lattice, too, so a little less
-// where all samples would meet the same places of its cells.
+// Returns the longest plain step that keeps the level's promise, also for lattices: it is shortened a little
+// if all samples would meet the same places of their cells. Empty if there is none.
 std::optional<EvenStep> evenStep(const RuleInput& in) {
   const RenderOptions& o = in.options;
   if (in.facts.gradientBounds.empty() || !isWholeLevel(o)) return {};
@@ -86,7 +84,7 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
   const glm::dvec3 alongVoxel = alongVoxelOf(*in.scene.camera, in.facts.geometry);
   constexpr double little = 0.85;
   for (double step = even.longest; step >= even.shortest; step /= 2) {
-    // Light may turn over anywhere within a voxel; the extinction changes along all of it.
+    // Light may change sign anywhere within a voxel; extinction changes along all of it.
     if (in.scene.shading.lit && most * step > even.light) continue;
     if (change * step * step > even.extinction) continue;
     if (const auto kept = stepWithoutResonance(alongVoxel, step, little * step))
@@ -95,16 +93,16 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
   return {};
 }
 
-// How far off the pixels may be that a pilot misses, as a share of white: of a few rays in thousands it knows
-// nothing. `high` promises a third of the error.
+// Returns the largest error, as a fraction of white, that pixels missed by a pilot may have: it knows nothing
+// about a few rays in thousands. `high` promises a third of the error.
 double mostMissed(Quality quality) { return quality == Quality::standard ? 0.25 : 0.08; }
 
-// Near what views of bone in CT come to at `standard`, so that a second try is seldom far off. Of those that
-// a pilot may take: no simple share of a voxel.
+// Returns a step near the typical result for bone in CT at `standard`, so that a second try is seldom far
+// off. It must not be a simple fraction of a voxel.
 double firstStep(Quality quality) { return quality == Quality::standard ? 0.5607 : 0.2764; }
 
-// What a pilot tries, but for the shortest, where what it misses cannot be far off: thin plates hide what
-// lies behind them.
+// Returns the steps for a pilot, without `shortest`, if rays it misses cannot be far off: thin plates hide
+// what lies behind them.
 std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
   if (!canIntegrate(in.scene, in.options) || in.facts.gradientBounds.empty()) return {};
   const TransferFunction& curve = in.scene.transferFunction;
@@ -113,7 +111,7 @@ std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
   return PilotSteps{0, firstStep(in.options.quality)};
 }
 
-// Of projections: only the CPU's planes follow rays through cells.
+// True for projections by planes on the CPU, the only ones that follow rays through cells.
 bool goesFromCellToCell(const RuleInput& in) {
   return !composite(in) && in.options.method == Method::planes && resamplerOf(in.options) == Resampler::cpu;
 }
@@ -122,7 +120,7 @@ Effect plainSteps(const Plan& plan, const std::string& why) {
   return on("plain steps of " + inVoxels(plan.stepVoxels) + why);
 }
 
-// Of paths that can go from cell to cell; `tried`: what a pilot tried in vain.
+// Decides for paths that can go from cell to cell; `tried` tells of steps that a pilot rejected.
 Effect integrated(const RuleInput& in, Plan& plan, const std::string& tried) {
   if (const auto even = evenStep(in)) {
     plan.stepVoxels = even->voxels;
@@ -130,7 +128,7 @@ Effect integrated(const RuleInput& in, Plan& plan, const std::string& tried) {
                                 " to a ray, and the curve's slope times that of the values is at most " +
                                 inDigits(even->change, 2) + " a voxel" + tried);
   }
-  plan.stepVoxels = 2;  // rays stop and look around them at these
+  plan.stepVoxels = 2;  // stops at which rays test blocks around them
   plan.cellByCell = true;
   plan.errorBudget = in.options.tolerance.value_or(levelOf(in.options.quality).rayBudget / 255);
   return on(
@@ -139,13 +137,13 @@ Effect integrated(const RuleInput& in, Plan& plan, const std::string& tried) {
       inDigits(255 * plan.errorBudget, 3) + "/255" + (in.options.tolerance ? ", as asked" : "") + tried);
 }
 
-// Of all others.
+// Decides for all other paths.
 Effect stepped(const RuleInput& in, Plan& plan, const std::string& tried) {
   plan.stepVoxels = levelOf(in.options.quality).stepVoxels;
   const double range = in.facts.p999 - in.facts.p01;
   if (composite(in) && !isSharp(in.scene.transferFunction, range / 50))
     return plainSteps(plan, ": the curve is smooth");
-  // A draft's means over pixels take the errors of many rays out.
+  // Means over pixels of a draft average out the errors of many rays.
   if (in.scene.mode != Mode::average || in.options.quality != Quality::draft) plan.stepVoxels /= 2;
   return plainSteps(
       plan, (composite(in) ? ": the curve has a step" : ": extremes and means lie between coarser samples") +
@@ -156,7 +154,7 @@ Effect stepped(const RuleInput& in, Plan& plan, const std::string& tried) {
 
 std::string toldBy(const PilotFinding& pilot) {
   if (pilot.rays == 0) return "no ray that was tried shows anything";
-  // Rounded to the side that promises less.
+  // Rounded towards the weaker promise.
   return std::to_string(pilot.rays) +
          " rays of this picture, also followed cell by cell, tell of a PSNR of " +
          inDigits(std::floor(10 * pilot.psnrDb) / 10) + " dB at least and a 99th percentile of " +
@@ -165,24 +163,23 @@ std::string toldBy(const PilotFinding& pilot) {
 
 std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
   const RenderOptions& o = in.options;
-  if (o.full) {  // a sound rule changes no choice
+  if (o.full) {  // sound rules change no choice
     RenderOptions lean = o;
     lean.full = false;
     return makePlan(in.scene, in.facts, lean)->pilotSteps;
   }
-  // A pilot would take half of the time that a draft has in the window, and no sample of rays can promise a
-  // maximum.
+  // A pilot would take half the time of a draft in the window, and no sample of rays can promise a maximum.
   if (o.quality != Quality::standard && o.quality != Quality::high) return {};
   if (!isWholeLevel(o)) return {};
-  // As many rays as a 99th percentile is known by would be too large a share of a smaller picture; of a strip
-  // they would leave out the ends.
+  // The rays needed for a 99th percentile would be too large a share of smaller pictures, and would miss the
+  // ends of strips.
   if (double(o.size.x) * o.size.y < 384.0 * 384 || std::min(o.size.x, o.size.y) < 128) return {};
   auto steps = stepsOfMatter(in);
   if (!steps) return {};
   Plan plain = plan;
   plain.stepVoxels = steps->first;
   plain.cellByCell = false;
-  // A pilot takes about a tenth of a frame, and something should be left to win.
+  // A pilot takes about a tenth of a frame, so steps must save more than that.
   constexpr double worthwhile = 0.81;
   const double share = predictedCost(plain, in.facts).ns() / predictedCost(plan, in.facts).ns();
   if (!(share <= worthwhile)) return {};
@@ -196,7 +193,7 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
     return plainSteps(plan, ", as asked");
   }
   if (goesFromCellToCell(in)) {
-    plan.stepVoxels = 2;  // rays look around them at these
+    plan.stepVoxels = 2;  // stops at which rays test blocks around them
     plan.cellByCell = true;
     return on(std::string("cell by cell: ") + (in.scene.mode == Mode::average ? "means" : "extremes") +
               " are exact");

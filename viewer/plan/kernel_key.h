@@ -4,28 +4,28 @@ namespace volumen {
 
 struct Plan;
 
-/// How the CPU's kernels read density (and gradients): 16-bit integers with 4 x 16-bit gradients, floats with
-/// 4 x float gradients, a byte a voxel without gradients, four bytes a voxel with them, or a plane of rays
-/// that another resampler (GL) has filled: floats, one row a step.
+/// Storage of density and gradients for CPU kernels: 16-bit integers with 4 x 16-bit gradients, floats with 4
+/// x float gradients, one byte per voxel without gradients, or four with them. `plane` is a plane of rays
+/// filled by another resampler (GL): floats, one row per step.
 enum class Store { int16, float32, byte1, byte4, plane };
 
-/// Which samples of a ray a kernel takes.
+/// Samples of a ray that a kernel takes.
 enum class Sampling {
-  dense,         ///< plain steps, density and gradient at each
-  visibleCells,  ///< plain steps, those in cells that can show something; the same bytes
-  passages       ///< from cell to cell, each integrated to an ErrorBudget, or exactly in a projection
+  dense,         ///< Plain steps, density and gradient at each
+  visibleCells,  ///< Plain steps, only in cells that can show something; the same bytes
+  passages       ///< From cell to cell, integrated to an ErrorBudget, or exactly in a projection
 };
 
-/// What a kernel of planes or slices on the CPU is compiled for; chosen once a frame. Whatever else a frame
-/// asks for, its kernel asks of the frame, a vector of samples at a time.
+/// The properties that CPU kernels of planes or slices are compiled for, chosen once per frame. Kernels check
+/// all other properties of the frame at run time, once per vector of samples.
 struct KernelKey {
   Store store = Store::int16;
   Sampling sampling = Sampling::dense;
-  bool lit = false;  ///< by RayInputs::light
+  bool lit = false;  ///< By RayInputs::light
   bool gradientOpacity = false;
 };
 
-/// The kernel that draws a plan; of one that is complete but for its later lines, too.
+/// Returns the kernel that draws a plan; only later effect lines may be missing.
 KernelKey kernelKey(const Plan& plan);
 
 }  // namespace volumen

@@ -4,32 +4,35 @@
 
 namespace volumen {
 
-/// Levels of quality, each an error promise against the reference (design.md 2).
+/// Quality levels, each with an error promise against the reference (design.md 2).
 enum class Quality { draft, standard, high, exact };
 
-/// What a level keeps on any scene: against the reference, of well-conditioned pixels. Errors in 1/255.
+/// Error bounds that a level keeps on any scene, against the reference, over well-conditioned pixels. Errors
+/// in 1/255.
 struct LevelPromise {
   double leastPsnrDb = 0, most99 = 255, mostMaximum = 255;
 };
 
-/// What is promised of a draft: beside `standard`, of means over square blocks of pixels and of the whole
-/// picture. Errors in 1/255.
+/// Error bounds of a draft against `standard`: of means over square blocks of pixels, and of the mean of the
+/// whole picture. Errors in 1/255.
 struct DraftPromise {
   int blockEdge = 16;
   double mostRmse = 3, mostMeanColour = 1;
 };
 inline constexpr DraftPromise draftPromise;
 
-/// A row of the table of levels. The one in resources/docs/design.md shows the same; a test compares them.
+/// A row of the table of levels. The table in resources/docs/design.md must match; a test compares them.
 struct QualityLevel {
   const char* name;
   LevelPromise promise;
-  /// What a ray that goes cell by cell may be off by, 1/255. Of standard and high what they promise of 99
-  /// pixels of a hundred, of exact half of what it promises of all.
+  /// Error budget of a ray that goes cell by cell, 1/255. Standard and high use their promise for 99 % of
+  /// pixels, exact uses half of its promise for all.
   double rayBudget;
-  double stepVoxels;  ///< plain steps where curve and values are smooth and no ray goes cell by cell
-  double timeGoal;    ///< times plain steps of one voxel, median over scenes; 0: the frame time asked for
-  double mostTime;    ///< likewise, on any scene; 0: no goal
+  /// Length of plain steps where curve and values are smooth and no ray goes cell by cell.
+  double stepVoxels;
+  /// Time relative to plain steps of one voxel, median over scenes; 0: the requested frame time.
+  double timeGoal;
+  double mostTime;  ///< The same on any scene; 0 means no goal
 };
 inline constexpr QualityLevel qualityLevels[] = {{"draft", {}, 32, 1.0 / 2, 0, 0},
                                                  {"standard", {42, 8, 255}, 8, 1.0 / 4, 1.5, 2},
@@ -38,10 +41,10 @@ inline constexpr QualityLevel qualityLevels[] = {{"draft", {}, 32, 1.0 / 2, 0, 0
 
 constexpr const QualityLevel& levelOf(Quality quality) { return qualityLevels[int(quality)]; }
 constexpr const LevelPromise& promiseOf(Quality quality) { return levelOf(quality).promise; }
-/// "draft", "standard", "high", "exact".
+/// Returns "draft", "standard", "high" or "exact".
 constexpr const char* qualityName(Quality quality) { return levelOf(quality).name; }
 
-/// "PSNR >= 42 dB, 99th percentile <= 8/255".
+/// Returns for example "PSNR >= 42 dB, 99th percentile <= 8/255".
 std::string promiseText(Quality quality);
 
 }  // namespace volumen

@@ -9,7 +9,7 @@ Resampler resamplerOf(const RenderOptions& o) {
 
 namespace {
 
-// What is added where a level was asked for that this path does not keep.
+// Returns the addition for a level that this path does not keep.
 std::string unlessPromised(const RenderOptions& o) {
   return o.step || keepsLevels(o) ? "" : "; its steps do not see what lies between, so no error is promised";
 }
@@ -36,8 +36,8 @@ Effect decideMethod(const RuleInput& in, Plan& plan) {
                           : "planes: rays from front to back, each looked at from end to end");
 }
 
-// Blend draws the same picture; what else there is draws another one. What a projection passes over is not
-// predicted.
+// Compares only with blend, which draws the same picture; other methods draw another one. Savings of
+// projections are not predicted.
 std::string methodCost(const RuleInput& in, const Plan& plan) {
   if (!composite(in) || plan.method != Method::planes || plan.resampler != Resampler::cpu) return {};
   RenderOptions options = in.options;

@@ -28,7 +28,7 @@ std::string joined(std::initializer_list<std::string> parts) {
   return text;
 }
 
-// Empty where the map was not asked for.
+// Returns an empty text if the map was not requested.
 std::string mapAsked(const Plan& plan) {
   const RenderOptions& o = plan.options;
   if (plan.shader != Shader::map || !(o.shader == Shader::map || o.mapSize || o.mapLookup)) return {};
@@ -36,7 +36,7 @@ std::string mapAsked(const Plan& plan) {
          (plan.mapLookup == MapLookup::nearest ? "nearest" : "bilinear");
 }
 
-// What was asked for that no level promises anything of.
+// Returns the requested options for which no level makes a promise.
 std::string besides(const Plan& plan) {
   const RenderOptions& o = plan.options;
   const bool others = o.stopAt || o.opacityThreshold || o.curveTable || o.gradient != GradientOperator::sobel;
@@ -53,7 +53,7 @@ std::string besides(const Plan& plan) {
        others ? "thresholds, curve table or gradient operator" : ""});
 }
 
-// Of a projection that goes from cell to cell.
+// True for projections that go from cell to cell.
 bool isExact(const Plan& plan) { return plan.cellByCell && plan.scene.mode != Mode::composite; }
 
 std::string errorText(const Plan& plan) {
@@ -78,7 +78,7 @@ std::string notEstimated(const Plan& plan) {
 
 namespace {
 
-// Two digits, from 100 on three, rounded up.
+// Rounds up to two digits, or three from 100 on.
 std::string atMost(double x) {
   const double unit = std::min(1.0, std::pow(10, std::floor(std::log10(x)) - 1));
   const double up = unit * std::ceil(x / unit - 1e-6);

@@ -9,33 +9,35 @@
 
 namespace volumen {
 
-/// How far a picture was found to be from the reference, at some of its pixels.
+/// Error of a picture against the reference, measured at some of its pixels.
 struct MeasuredError {
   PictureError error;
   std::size_t pixels = 0, ofPixels = 0;
 };
 
-/// What is known of a picture's error beside what its plan promises.
+/// Known errors of a picture, beside the promise of its plan.
 struct KnownError {
-  std::optional<PictureError> estimated{};  ///< by the picture itself (estimateOf)
+  std::optional<PictureError> estimated{};  ///< Estimated by the picture itself (estimateOf)
   std::optional<MeasuredError> measured{};
 };
 
-/// "at most 0.61/255, 99th percentile 0.2/255, PSNR at least 71 dB", and what that leaves out (notEstimated).
+/// Returns for example "at most 0.61/255, 99th percentile 0.2/255, PSNR at least 71 dB", and what that leaves
+/// out (notEstimated).
 std::string estimateText(const Plan& plan, const PictureError& estimated);
-/// What was chosen by hand that no picture's estimate holds, as it belongs to what is integrated; else empty.
+/// Returns the manual choices that no error estimate covers, because they change the integrand. May be empty.
 std::string notEstimated(const Plan& plan);
-/// Why a picture of this plan has no estimate: a sentence.
+/// Returns a sentence on why a picture of this plan has no estimate.
 std::string whyNoEstimate(const Plan& plan);
 
-/// "99 % of pixels within 1.23/255, largest 4.88/255, RMSE 0.697/255, measured at 972 of 750000 pixels".
+/// Returns for example "99 % of pixels within 1.23/255, largest 4.88/255, RMSE 0.697/255, measured at 972 of
+/// 750000 pixels".
 std::string errorText(const MeasuredError& measured);
 
-/// What a PNG says of itself (design.md 10): program, method, level or step, promised error, what is known
-/// of exactly this picture's, scene; key and value.
+/// Returns the text entries of a PNG as key and value (design.md 10): program, method, level or step,
+/// promised error, known errors of this picture, scene.
 std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan, const KnownError& known = {});
 
-/// "planes", "blend", "preshaded", "gpu", "reference".
+/// Returns "planes", "blend", "preshaded", "gpu" or "reference".
 const char* methodName(Method method);
 
 }  // namespace volumen

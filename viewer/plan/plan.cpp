@@ -10,14 +10,14 @@ namespace volumen {
 
 namespace {
 
-// What was done to the volume before it is drawn.
+// Records changes made to the volume before drawing.
 void sayWhatWasDone(const VolumeFacts& facts, Plan& plan) {
   plan.cut = facts.cut;
   if (const std::string text = cutText(facts.cut); !text.empty())
     plan.effects.push_back({"cut", true, false, text + "; what is cut away is taken as air"});
 }
 
-// The scene with everything set that picture.md 8 lets out: camera, window, gradientFloor.
+// Returns the scene with all settings that picture.md 8 makes optional: camera, window, gradientFloor.
 Scene completed(Scene scene, const VolumeFacts& facts, glm::ivec2 size) {
   if (!scene.camera)
     scene.camera = fitCamera(firstCamera(facts.geometry), facts.geometry, double(size.x) / size.y);

@@ -12,9 +12,9 @@ namespace volumen {
 namespace {
 
 constexpr int finestWave = 20;         // finer ones are weaker than 1/400
-constexpr double samplesOfARay = 200;  // of a long one: they average out what is off by a period over them
+constexpr double samplesOfARay = 200;  // of a long ray: a deviation of one period over them averages out
 
-// Above this, lattices broke levels whose steps keep their promise on all else (tests/unit/promises,
+// Above this, lattices violated levels whose steps keep their promise otherwise (tests/unit/promises,
 // TestEvenSteps::noDirectionResonates).
 constexpr double mostResonance = 0.5;
 
@@ -23,7 +23,7 @@ struct Wave {
   double power;
 };
 
-// Half of all: the opposite of each is the same wave.
+// Half of all waves: the opposite of each is the same.
 std::vector<Wave> makeWaves() {
   std::vector<Wave> waves;
   for (int x = -finestWave; x <= finestWave; ++x)
@@ -36,14 +36,14 @@ std::vector<Wave> makeWaves() {
   return waves;
 }
 
-// What of a wave is left in the mean of a ray's samples, `periods` a step.
+// Returns the part of a wave that remains in the mean of a ray's samples, at `periods` per step.
 double leftOf(double periods) {
-  if (std::abs(periods) < 0.5) return 0;  // told from a constant
+  if (std::abs(periods) < 0.5) return 0;  // resolved by the steps
   const double off = std::abs(periods - std::round(periods)) * samplesOfARay;
-  return std::min(1.0, 1 / (std::numbers::pi * off));  // the envelope of a sinc
+  return std::min(1.0, 1 / (std::numbers::pi * off));  // envelope of a sinc
 }
 
-// What patterns of two to four voxels resonate by, as a share of all that such steps have wrong.
+// Returns the resonance with patterns of two to four voxels, relative to the whole error of such steps.
 double resonance(double stepVoxels, glm::dvec3 alongVoxel) {
   static const std::vector<Wave> waves = makeWaves();
   double most = 0;
@@ -58,7 +58,7 @@ double resonance(double stepVoxels, glm::dvec3 alongVoxel) {
   return most / (stepVoxels * stepVoxels);
 }
 
-// Whether a step along an axis is within 2 % of one that meets all cells in the same few places.
+// Returns whether a step along an axis is within 2 % of one that meets all cells at the same few places.
 bool meetsSamePlaces(double step) {
   for (double few : {1.0, 3.0 / 4, 2.0 / 3, 1.0 / 2, 1.0 / 3, 1.0 / 4})
     if (std::abs(step / few - 1) <= 0.02) return true;

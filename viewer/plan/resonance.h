@@ -7,19 +7,18 @@
 
 namespace volumen {
 
-/// Whether plain steps fall in step with what repeats from voxel to voxel, so that all samples of a ray get
-/// the same wrong. `alongVoxel`: the ray's unit direction, voxels.
-///
-/// A pattern that repeats after p voxels is a sum of waves m / p, m in whole numbers by axis; those of a
-/// trilinear interpolation fall off with the square of m. A wave of which a step is a whole number of periods
-/// cannot be told from a constant: what that gets wrong does not average out. Steps do so, too, that come by
-/// the same few places of all cells along an axis.
+/// Returns whether plain steps resonate with patterns that repeat from voxel to voxel, so that all samples of
+/// a ray share the same error. `alongVoxel` is the ray's unit direction in voxels.
+/// A pattern with a period of p voxels is a sum of waves m / p, with integers m per axis. Those of trilinear
+/// interpolation decay with the square of m. A wave with a whole number of periods per step looks constant,
+/// and its error does not average out. The same holds for steps that meet all cells along an axis at the same
+/// few places.
 bool resonates(double stepVoxels, glm::dvec3 alongVoxel);
 
-/// The unit direction of the ray in the middle of the view, voxels: resonance is judged by that one.
+/// Returns the unit direction of the central ray in voxels, which is used to judge resonance.
 glm::dvec3 alongVoxelOf(const Camera& camera, const VoxelGeometry& geometry);
 
-/// The longest step from `least` to `most` voxels that does not resonate, if there is any.
+/// Returns the longest step from `least` to `most` voxels that does not resonate; empty if there is none.
 std::optional<double> stepWithoutResonance(glm::dvec3 alongVoxel, double most, double least);
 
 }  // namespace volumen

@@ -95,13 +95,13 @@ Effect segmentSurfaces(const RuleInput& in, Plan& plan) {
             (count == 1 ? "the surface of 1 segment" : "surfaces of " + std::to_string(count) + " segments"));
 }
 
-// The CPU's slices are blended by the kernels of planes.
+// True for planes and for CPU slices, which planes kernels blend.
 bool isDrawnByPlanes(const RuleInput& in) {
   return in.options.method == Method::planes ||
          (in.options.method == Method::blend && resamplerOf(in.options) == Resampler::cpu);
 }
 
-// Where no block can hold more than what was met, or less.
+// Skips blocks that cannot exceed (or undercut) the extreme met so far.
 Effect outdoneBlocks(const RuleInput& in, Plan& plan) {
   if (in.scene.mode == Mode::average) return off("a mean looks at every value");
   if (!isDrawnByPlanes(in)) return off("this method looks at every sample");
@@ -129,14 +129,14 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
   return plan.skipBlocks ? on(share) : off("every block holds a visible value");
 }
 
-// What the light behind could still add is at most this share of its brightness: 0.2/255 at most, which
-// leaves a fifth of 0.25/255 to the rounding of what came before.
+// Limits the light that could still come from behind to this fraction of its brightness: at most 0.2/255,
+// which leaves a fifth of 0.25/255 for rounding before.
 double stopTransmittance(const RuleInput& in) {
   const RenderOptions& o = in.options;
   const double most = 0.2 / 255 / std::max(1.0, brightest(in.scene));
   // These levels promise far less than that.
   if (!o.step && (o.quality == Quality::draft || o.quality == Quality::standard)) return most;
-  // Longer steps than half a voxel are off by so much more that nothing finer is worth its time.
+  // Steps above half a voxel have so much larger errors that a finer limit is not worth its time.
   const bool fine = o.quality == Quality::exact || o.step.value_or(1) <= 0.5;
   return std::min(fine ? 1.0 / 16384 : 1.0 / 4096, most);
 }
@@ -150,7 +150,7 @@ std::string behind(const RuleInput& in, const Plan& plan) {
 
 std::string asAsked(const RuleInput& in) { return in.options.stopAt ? ", as asked" : ""; }
 
-// Slices come from the back: where they can leave out what is hidden is found from the front first, without
+// Slices come from the back. If skipping hidden samples pays, they are found from the front first, without
 // light.
 Effect earlyTerminationOfSlices(const RuleInput& in, Plan& plan) {
   if (resamplerOf(in.options) == Resampler::gl)
@@ -159,7 +159,7 @@ Effect earlyTerminationOfSlices(const RuleInput& in, Plan& plan) {
     return off("slices that are rounded hide nothing for good");
   plan.stopTransmittance = in.options.stopAt.value_or(stopTransmittance(in));
   if (plan.stopTransmittance == 0) return off("every slice is blended, as asked");
-  // Where more than that is seen of what is visible, blending all of it is faster, as measured.
+  // If more of the visible matter is seen, blending all of it is faster, as measured.
   constexpr double mostSeen = 0.4;
   if (in.options.stopAt || seenShare(plan, in.facts) <= mostSeen)
     return on("what lies where " + behind(in, plan) + " is not blended: found from the front first" +
@@ -177,7 +177,7 @@ Effect earlyRayTermination(const RuleInput& in, Plan& plan) {
   return on("a ray ends where " + behind(in, plan) + asAsked(in));
 }
 
-// By how much a colour may change, as a share of white, where a normal turns by a little: a share of that.
+// Returns a bound on the change of colour, as a fraction of white, per small turn of the normal.
 double lightPerTurn(const Scene& scene) {
   double light = 0;
   for (const Light& l : scene.lights)
@@ -185,9 +185,9 @@ double lightPerTurn(const Scene& scene) {
   return light * (scene.shading.diffuse + scene.shading.specular * std::sqrt(scene.shading.shininess));
 }
 
-// Whether 16-bit gradients would blur what the scene asks of small ones: a colour at the gradient floor would
-// be off by 1/256, at `exact` by a quarter of that, or the ramp of gradient opacity by 1/256. A few extreme
-// values make the packing that coarse.
+// Returns whether 16-bit gradients would blur small gradients that matter. Their error limits are 1/256 for a
+// colour at the gradient floor (a quarter of that at `exact`) and 1/256 for the gradient opacity ramp. A few
+// extreme values can make the packing that coarse.
 bool packingIsCoarse(const RuleInput& in, GradientOperator by) {
   if (by == GradientOperator::sobel && !gradients16AreRounded(in.facts.range, in.facts.rescaleSlope))
     return false;
@@ -205,8 +205,8 @@ bool packingIsCoarse(const RuleInput& in, GradientOperator by) {
   return composite(in) && step / 2 > smallestPerMm / 256;
 }
 
-// Whether the curve rises within so few of the floats about 16-bit densities that its opacity would be off by
-// more than a thousandth.
+// Returns whether the curve rises within so few floats around 16-bit densities that its opacity would be off
+// by more than a thousandth.
 bool densitiesAreCoarse(const RuleInput& in) {
   constexpr double rounding = 0x1p-24, most = 1.0 / 1024;
   const auto& points = in.scene.transferFunction.points;
@@ -229,10 +229,10 @@ Effect inBytes(const RuleInput& in, Plan& plan) {
 
 Effect precision(const RuleInput& in, Plan& plan) {
   if (in.options.precision == 8) return inBytes(in, plan);
-  // Integers are kept exactly in 16 bits; a negative slope would turn the order of values round.
+  // 16 bits hold integers exactly, but a negative slope would reverse the order of values.
   const bool fits = in.facts.integers && in.facts.rescaleSlope > 0;
-  // Texture hardware that filters 16 bits may keep 8 bits of the place between two voxels: measured on
-  // scenes with thin bright shells, 0.7/255 RMSE at standard's steps.
+  // Texture hardware that filters 16 bits may keep only 8 bits of the position between voxels. On scenes with
+  // thin bright shells that gave 0.7/255 RMSE at standard's steps.
   const bool coarse =
       resamplerOf(in.options) == Resampler::gl && plan.method != Method::preshaded && !in.options.precision &&
       (in.options.step || in.options.quality == Quality::high || in.options.quality == Quality::exact);
@@ -249,11 +249,12 @@ Effect precision(const RuleInput& in, Plan& plan) {
             (in.options.precision ? " bits, as asked" : " bits hold the stored integers exactly"));
 }
 
-// Plain steps in cells that show nothing (VisibleCells).
+// Skips plain steps in cells that show nothing (VisibleCells).
 Effect emptyCells(const RuleInput& in, Plan& plan) {
-  // From such a share on asking takes longer than the samples that it spares, as measured.
+  // From this fraction on, testing takes longer than the samples it saves, as measured.
   constexpr double many = 0.6;
-  // Of floats only gradients are spared, which lie apart from densities: up to such a share of blocks.
+  // With floats only gradients are saved, as they are stored apart from densities: up to this fraction of
+  // blocks.
   constexpr double manyBlocks = 0.3;
   plan.skipCells = false;
   if (!composite(in)) return off("a projection of values has no opacity");

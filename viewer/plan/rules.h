@@ -6,8 +6,7 @@
 
 namespace volumen {
 
-/// What a rule sees: the completed scene and what was asked, with the facts of the volume and what a pilot
-/// found.
+/// Input of a rule: the completed scene, the options, the volume's facts and the pilot's result.
 struct RuleInput {
   const Scene& scene;
   const VolumeFacts& facts;
@@ -15,10 +14,10 @@ struct RuleInput {
   const std::optional<PilotFinding>& pilot;
 };
 
-/// A rule decides one effect: sets its fields of the plan and returns the line that says so. Rules run in the
-/// order of the table; a later one may read what an earlier one decided. `cost`, where there is one, adds to
-/// the line what the cost model says once all is decided. A sound rule leaves out only what contributes
-/// exactly nothing, and switches itself off (everything on) where `options.full` is set.
+/// A rule decides one effect: it sets its fields of the plan and returns the line for --explain. Rules run in
+/// the order of the table, and later rules may read earlier decisions. `cost`, if present, appends the cost
+/// model's prediction once everything is decided. A sound rule leaves out only exact zeros and turns itself
+/// off (everything on) with `options.full`.
 struct Rule {
   const char* name;
   bool sound;

@@ -42,7 +42,7 @@ namespace {
 
 std::string mapText(const Plan& plan) {
   const std::string n = std::to_string(plan.mapSize);
-  // A patch's corner is sqrt(2) / n from its middle, seen from the middle of the cube.
+  // The corner of a patch is sqrt(2) / n from its middle, as seen from the cube's centre.
   return "reflectance map of " + n + " x " + n + " a face, " +
          (plan.mapLookup == MapLookup::nearest
               ? "nearest, as asked: directions off by up to " + inDigits(81.0 / plan.mapSize) + " degrees"

@@ -12,7 +12,7 @@ namespace volumen {
 
 namespace {
 
-// Of the cells that hold any value between the two, value per voxel.
+// Returns the largest slope in cells that hold any value between the two, value per voxel.
 double largestSlope(const VolumeFacts& facts, double low, double high) {
   const auto entry = [&](double value) {
     return facts.gradientBounds.begin() + std::ptrdiff_t(gradientBoundEntry(value, facts.range));
@@ -24,7 +24,7 @@ double extinctionAt(const CurvePoint& p, double unitMm) {
   return p.opacity < 1 ? -std::log1p(-p.opacity) / unitMm : std::numeric_limits<double>::infinity();
 }
 
-// The same between two points of the curve; in front of the first and behind the last nothing changes.
+// Returns the bounds between two curve points; before the first and after the last nothing changes.
 Steepness between(const CurvePoint& a, const CurvePoint& b, double unitMm, const VolumeFacts& facts) {
   const double most = std::max(a.opacity, b.opacity);
   Steepness s;
@@ -37,7 +37,7 @@ Steepness between(const CurvePoint& a, const CurvePoint& b, double unitMm, const
     return s;
   }
   const glm::dvec3 colours = glm::abs(b.colour - a.colour);
-  // The slope of -ln(1 - opacity) is largest where the opacity is.
+  // The slope of -ln(1 - opacity) is largest at the largest opacity.
   const double rise = std::abs(b.opacity - a.opacity) / (1 - most) / unitMm +
                       s.perMm * std::max({colours.r, colours.g, colours.b});
   s.change = rise / width *

@@ -6,11 +6,12 @@ namespace volumen {
 
 struct VolumeFacts;
 
-/// Bounds, over all values of a volume, on what a curve makes of them.
+/// Bounds over all values of a volume on extinction and colour by a curve.
 struct Steepness {
-  double perMm = 0;   ///< largest extinction, 1/mm
-  double change = 0;  ///< how much extinction, and colour times extinction, can change from voxel to voxel:
-                      ///< 1/mm a voxel; infinity where the curve jumps or is opaque
+  double perMm = 0;  ///< Largest extinction, 1/mm
+  /// Largest change of extinction, or colour times extinction, from voxel to voxel, in 1/mm per voxel.
+  /// Infinity where the curve jumps or is opaque.
+  double change = 0;
 };
 Steepness steepnessOf(const TransferFunction& curve, const VolumeFacts& facts);
 

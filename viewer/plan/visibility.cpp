@@ -10,8 +10,8 @@ namespace volumen {
 
 namespace {
 
-// Blocks bounded from below by one of the levels first .. last are visible if level `high` or a higher one
-// bounds them from above.
+// Blocks whose minimum is one of the levels first .. last are visible if their maximum is at least level
+// `high`.
 struct Reach {
   std::uint8_t first, last, high;
 };
@@ -29,7 +29,7 @@ std::vector<Reach> visibleReaches(const TransferFunction& curve, const std::vect
   };
   std::vector<Reach> reaches;
   for (std::size_t low = 0; low < levels.size(); ++low) {
-    // The farther a block reaches up, the more it holds.
+    // A block with a higher maximum holds more values.
     const auto first = levels.begin() + std::ptrdiff_t(low);
     const auto at = std::partition_point(first, levels.end(), [&](float h) { return !isVisible(*first, h); });
     if (at == levels.end()) continue;
@@ -42,7 +42,7 @@ std::vector<Reach> visibleReaches(const TransferFunction& curve, const std::vect
   return reaches;
 }
 
-// Sets flags[0 .. count), which are 0.
+// Sets flags[0 .. count), which must be 0.
 void markVisible(const std::vector<Reach>& reaches, const std::uint8_t* lowest, const std::uint8_t* highest,
                  std::size_t count, std::uint8_t* flags) {
   for (const Reach r : reaches)
@@ -56,7 +56,7 @@ std::vector<std::uint8_t> visibleBlocks(const TransferFunction& curve, const Blo
                                         double rounding) {
   const std::vector<Reach> reaches = visibleReaches(curve, blockRanges.levels, rounding);
   std::vector<std::uint8_t> visible(blockRanges.size());
-  constexpr std::size_t chunk = 1 << 13;  // blocks that are looked at together: they stay in the cache
+  constexpr std::size_t chunk = 1 << 13;  // blocks processed together, so that they stay in the cache
   const auto chunks = std::int64_t((visible.size() + chunk - 1) / chunk);
   parallelFor(chunks, 0, [&](std::int64_t first, std::int64_t last) {
     for (std::size_t begin = first * chunk; begin < last * chunk; begin += chunk)

@@ -21,8 +21,8 @@ constexpr std::array<std::string_view, 3> ofValues{"range", "otsu", "lesion"};
 constexpr std::array<std::string_view, 6> ofMasks{"copy", "add", "subtract", "intersect", "invert", "empty"};
 constexpr std::array<std::string_view, 5> ofParts{"largest", "islands", "keep", "remove", "connected"};
 
-// Whether a step decides each voxel by its value and what other segments have there. Of a lesion the region
-// is what it may be in.
+// Returns whether a step decides each voxel by its value and the other segments there. For a lesion, the
+// region limits the voxels.
 bool isOfVoxels(const Step& step) {
   const auto margin = step.fields.find("marginMm");
   const bool hasMargin = margin != step.fields.end() && std::get<double>(margin->second) > 0;
@@ -43,7 +43,8 @@ bool AcquiredMasks::doneOnSlices(const Step& step, const CancelToken& cancel) {
   return true;
 }
 
-// Of what is in by its own value that which is left, and what it is joined to there.
+// Returns the remaining voxels that are in by their own value, and the components attached to them on the
+// slices.
 BitMask AcquiredMasks::narrowed(const Step& step, const BitMask& before, const BitMask& after,
                                 const CancelToken& cancel) const {
   const BitMask& own = masks_.at(step.segment);

@@ -7,20 +7,20 @@
 
 namespace volumen {
 
-/// Masks on the slices as acquired, kept while steps are done on the grid that is drawn of them. Steps that
-/// decide voxel by voxel are done on the slices themselves. What other steps leave is that of the nearest
-/// voxel; those that leave out whole parts leave them out here.
+/// Masks on the slices as acquired, kept in step with the masks on the grid resampled from them. Steps that
+/// decide per voxel run on the slices themselves. Results of other steps are taken over by nearest neighbour,
+/// except that steps removing whole components remove them here too.
 class AcquiredMasks {
  public:
   explicit AcquiredMasks(const AcquiredSlices& slices) : slices_(slices) {}
 
-  /// Does a step that made `after` of `before` on the grid.
+  /// Applies a step that turned `before` into `after` on the grid.
   void add(const Step& step, const NamedMasks& before, const NamedMasks& after, const CancelToken& cancel);
-  /// Lets go of all but these.
+  /// Drops all masks but these.
   void keep(const NamedMasks& kept);
 
   const NamedMasks& masks() const { return masks_; }
-  /// Whether a mask has more than the slices themselves say.
+  /// Returns whether a mask contains voxels that were interpolated from the grid.
   bool isInterpolated(const std::string& name) const { return interpolated_.contains(name); }
 
  private:

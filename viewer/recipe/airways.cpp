@@ -18,7 +18,7 @@ namespace {
 constexpr double airHu = -800, leastMm2 = 60, mostMm2 = 700, longMm = 30, mostAspect = 2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A volume's slices across an axis, each a grid of its own.
+/// The slices of a volume across an axis, each a grid of its own.
 class Slices {
  public:
   Slices(const VoxelGeometry& grid, int axis) : grid_(grid), axis_(axis) {
@@ -43,7 +43,7 @@ class Slices {
 
   double areaMm2(std::int64_t voxels) const { return double(voxels) * pixelMm2_; }
 
-  /// mm; of an empty one none.
+  /// Returns the centroid in mm; empty if the slice is.
   std::optional<glm::dvec3> middle(const BitMask& slice) const {
     const std::vector<glm::ivec3> voxels = voxelsOf(slice);
     if (voxels.empty()) return {};
@@ -52,7 +52,7 @@ class Slices {
     return grid_.patientFromVoxel(sum / double(voxels.size()));
   }
 
-  /// Whether its box is at most mostAspect times as long as wide.
+  /// Returns whether the aspect ratio of its box is at most mostAspect.
   bool isRound(const BitMask& region) const {
     glm::ivec3 low(std::numeric_limits<int>::max()), high(-1);
     for (const glm::ivec3& v : voxelsOf(region)) low = glm::min(low, v), high = glm::max(high, v);
@@ -61,7 +61,7 @@ class Slices {
     return std::max(a, b) <= mostAspect * std::min(a, b);
   }
 
-  /// The regions of a slice that a trachea could be.
+  /// Returns the regions of a slice that could be the trachea.
   std::vector<BitMask> regions(const BitMask& air) const {
     std::vector<BitMask> found;
     const Parts parts(air, Neighbours::faces);
@@ -98,7 +98,7 @@ class TracheaSearch {
   }
 
  private:
-  // The n-th from above.
+  // Returns the index of the n-th slice from above.
   int indexOf(int n) const { return isUpwards_ ? count_ - 1 - n : n; }
   BitMask air(int n) const { return slices_.slice(air_, indexOf(n)); }
 
@@ -161,7 +161,7 @@ Result<BitMask> airTreeOf(const Volume& volume, const std::vector<glm::ivec3>& s
   low = std::floor(std::min(low, limits.most)), limits.most = std::max(low, limits.most);
   BitMask tree = upTo(limits.most);
   if (fits(tree)) return tree;
-  double high = std::ceil(limits.most);  // whole, so that the middle is another one
+  double high = std::ceil(limits.most);  // whole, so that the midpoint differs from it
   std::optional<BitMask> largest;
   while (high - low > 1 && !cancel.cancelled()) {
     const double middle = std::floor((low + high) / 2);

@@ -8,21 +8,21 @@
 
 namespace volumen {
 
-/// A slice of the trachea in a CT. Slices across the axis of the grid nearest to the patient's are looked
-/// through from above: the first with a region of at most -800 HU inside the body, of 60 to 700 mm^2 and at
-/// most twice as wide as long, that goes on downwards for 3 cm in such regions; of several the one nearest to
-/// the body's middle. The Error: there is none, or the grid is not calibrated.
+/// Returns a slice of the trachea in a CT. Slices across the grid axis nearest to the patient's are searched
+/// from above. The trachea is the first region inside the body of at most -800 HU and 60 to 700 mm^2, with an
+/// aspect ratio of at most 2. It must continue downwards for 3 cm through such regions. Of several, the one
+/// nearest to the body's centre counts. The Error means: none found, or the grid is not calibrated.
 Result<BitMask> tracheaOf(const Volume& volume, const BitMask& body, const CancelToken& cancel = {});
 
-/// How far an air tree may grow.
+/// Growth limits of an air tree.
 struct AirTreeLimits {
-  double most = -600;  ///< value
+  double most = -600;  ///< Largest value
   double mostMl = 60;
 };
 
-/// What is joined by faces to the seeds through values up to T, where T is the highest value (to 1, at most
-/// limits.most) at which that is no larger than limits.mostMl: above, it leaks into the lung. The Error: no
-/// seed, or it is larger wherever it holds one.
+/// Returns the voxels 6-connected to the seeds through values up to T. T is the highest value (to within 1,
+/// at most limits.most) at which the tree is no larger than limits.mostMl; above, it leaks into the lung. The
+/// Error means: no seed, or the tree is too large at every value that reaches a seed.
 Result<BitMask> airTreeOf(const Volume& volume, const std::vector<glm::ivec3>& seeds, AirTreeLimits limits,
                           const CancelToken& cancel = {});
 

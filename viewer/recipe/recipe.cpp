@@ -13,13 +13,13 @@ namespace volumen {
 
 namespace {
 
-// With every field that its row has.
+// Adds the defaults of all missing fields.
 Step completed(Step step, const StepKind& kind) {
   for (const StepField& field : kind.fields) step.fields.emplace(field.name, field.byDefault);
   return step;
 }
 
-// The segments that a field names.
+// Returns the segments that a field names.
 std::vector<std::string> namesIn(const StepField& field, const StepValue& value) {
   if (const auto* names = std::get_if<std::vector<std::string>>(&value)) return *names;
   const auto* name = std::get_if<std::string>(&value);
@@ -27,7 +27,7 @@ std::vector<std::string> namesIn(const StepField& field, const StepValue& value)
   return {*name};
 }
 
-// The Error: a segment that it names is not there.
+// Returns an Error if a named segment does not exist.
 Status checkSegments(const Step& step, const StepKind& kind, const NamedMasks& masks) {
   for (const StepField& field : kind.fields)
     for (const std::string& name : namesIn(field, step.fields.at(field.name)))
@@ -44,7 +44,7 @@ Result<NamedMasks> madeBy(const StepKind& kind, const StepInput& in) {
   return NamedMasks{{in.name(), std::move(*made)}};
 }
 
-// The step behind which nothing asks for a segment any more; for those of the recipe none.
+// Returns the last step that needs each segment; past the end for segments of the recipe.
 std::map<std::string, std::size_t> lastSteps(const Recipe& recipe) {
   std::map<std::string, std::size_t> last;
   for (std::size_t n = 0; n < recipe.steps.size(); ++n)
@@ -54,13 +54,13 @@ std::map<std::string, std::size_t> lastSteps(const Recipe& recipe) {
   return last;
 }
 
-// The mask that a step changes, as it was before.
+// Returns the mask that a step is about to change.
 NamedMasks ownBefore(const Step& step, const NamedMasks& masks) {
   const auto own = masks.find(step.segment);
   return own == masks.end() ? NamedMasks() : NamedMasks{*own};
 }
 
-// The n-th segment is the label n + 1.
+// Segment n gets label n + 1.
 LabelMap labelsOf(const Recipe& recipe, const NamedMasks& masks, const VoxelGeometry& grid) {
   LabelMap labels(grid);
   for (std::size_t n = 0; n < recipe.segments.size(); ++n)

@@ -13,62 +13,62 @@
 
 namespace volumen {
 
-/// What a field of a step holds: a number, a word or the name of a segment, yes or no, places in the patient
-/// (mm, LPS), names of segments.
+/// Value of a step's field: a number, a word or segment name, a flag, points in patient space (mm, LPS), or
+/// segment names.
 using StepValue = std::variant<double, std::string, bool, std::vector<glm::dvec3>, std::vector<std::string>>;
 
-/// One step: what is done (the name of a row of stepKinds()), to which segment, and its fields by name; those
-/// left out are as their row says.
+/// One recipe step: its kind (a row of stepKinds()), its segment, and its fields by name. Missing fields have
+/// the default of their row.
 struct Step {
   std::string kind, segment;
   std::map<std::string, StepValue> fields{};
   bool operator==(const Step&) const = default;
 };
 
-/// Segments, and the steps that make them from a volume. What steps name that is none of `segments` helps on
-/// the way, and is not kept.
+/// Segments, and the steps that make them from a volume. Segments that only steps name are intermediate and
+/// not kept.
 struct Recipe {
   std::string name, description;
-  std::vector<std::string> modalities;  ///< that it is offered for; none: all
-  std::vector<Segment> segments;        ///< numbers are 1, 2, ...
+  std::vector<std::string> modalities;  ///< Modalities it is offered for; empty means all
+  std::vector<Segment> segments;        ///< Numbered 1, 2, ...
   std::vector<Step> steps;
-  bool needsContrast = false;  ///< it is for series with contrast agent
+  bool needsContrast = false;  ///< True if it is for contrast-enhanced series
   bool operator==(const Recipe&) const = default;
 };
 
-/// The most steps of a recipe.
+/// Largest number of steps in a recipe.
 inline constexpr std::size_t mostSteps = 10000;
-/// The most segments that are held at once while one is followed, those that help on the way among them.
+/// Largest number of segments held at once while a recipe runs, intermediate ones included.
 inline constexpr std::size_t mostMasks = 510;
 
-/// Masks of one grid by the names of their segments.
+/// Masks on one grid by segment name.
 using NamedMasks = std::map<std::string, BitMask>;
 
-/// Does a step on the segments before it. The same voxels on any machine. The Error names the step and the
-/// field, or says that it was cancelled; the masks are as they were then.
+/// Runs a step on the given segments. The voxels are the same on every machine. The Error names the step and
+/// the field, or says that it was cancelled; `masks` is then unchanged.
 Status runStep(const Step& step, const Volume& volume, NamedMasks& masks, const CancelToken& cancel = {});
 
-/// Says of a segment of a recipe how it is made, unless that is said or it is one of a range of values: by
-/// the recipe alone, or with the help of a person where its steps name places or what was drawn.
+/// Sets how a recipe's segment was made, unless that is set or the segment has a value range: automatic, or
+/// semi-automatic if its steps use points or manual drawing.
 Segment withRecipeNamed(Segment segment, const Recipe& recipe);
 
-/// A recipe's segments of a volume; where they overlap, the later one's. With `slices`, of which the volume
-/// is drawn, on these, too: what is decided voxel by voxel is decided by their own values. An Error as of
-/// runStep(), with the number of the step.
+/// Runs a recipe on a volume; where segments overlap, the later one wins. With `slices`, from which the
+/// volume was resampled, segments are made on these too, and per-voxel steps use the slices' own values. The
+/// Error is that of runStep() with the step number.
 Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel = {},
                          const AcquiredSlices& slices = {});
 
-/// A recipe from its JSON (resources/docs/segment.md). Unknown steps, fields and words, and numbers out of
-/// range, are refused by name.
+/// Reads a recipe from JSON (resources/docs/segment.md). The Error names unknown steps, fields and words, and
+/// numbers out of range.
 Result<Recipe> readRecipe(const std::string& json);
-/// With every field that is not as its row says.
+/// Writes a recipe with all fields that differ from their defaults.
 std::string recipeJson(const Recipe& recipe);
 
-/// Steps alone, a list of JSON, as they stand in a recipe.
+/// Read and write steps alone, as a JSON list, in the format of recipes.
 Result<std::vector<Step>> readSteps(const std::string& json);
 std::string stepsJson(const std::vector<Step>& steps);
 
-/// Those compiled in from resources/recipes, in alphabetical order of their files.
+/// Returns the recipes compiled in from resources/recipes, in alphabetical order of their files.
 const std::vector<Recipe>& builtInRecipes();
 
 }  // namespace volumen

@@ -19,9 +19,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t mostSegments = 255, mostPlaces = 100000;
-constexpr double mostMm = 1e12;  // of a place from the origin: beyond, voxels are no numbers any more
+constexpr double mostMm = 1e12;  // from the origin: farther away, voxel indices overflow
 
-// Codes of files may lack some.
+// Codes from files may lack some.
 bool hasAllParts(const Code& code) {
   return !isBlank(code.value) && !isBlank(code.scheme) && !isBlank(code.meaning);
 }
@@ -163,7 +163,7 @@ void readSteps(JsonFields& fields, std::vector<Step>& steps) {
     fields.refuse("steps", "must be at most " + std::to_string(mostSteps) + " steps");
 }
 
-// Where no step made a segment, one that leaves it empty is about another: a mistyped name.
+// Without a step that made it, a segment that this step leaves empty must be a mistyped name.
 void checkOrder(const std::vector<Step>& steps, JsonFields& fields) {
   std::set<std::string> made;
   for (std::size_t n = 0; n < steps.size(); ++n) {

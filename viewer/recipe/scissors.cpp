@@ -9,7 +9,7 @@ namespace {
 
 using ScissorsPlaces = std::vector<glm::dvec3>;
 
-// A unit vector across another one.
+// Returns a unit vector perpendicular to a unit vector.
 glm::dvec3 unitAcross(glm::dvec3 unit) {
   const glm::dvec3 a = glm::abs(unit);
   const glm::dvec3 least = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
@@ -18,7 +18,7 @@ glm::dvec3 unitAcross(glm::dvec3 unit) {
   return glm::normalize(glm::cross(unit, least));
 }
 
-// The lasso that goes through these places, seen from the first place of a line along it.
+// Returns the lasso through these points, seen from the first point of the line of sight.
 Result<Lasso> lassoThrough(const ScissorsPlaces& outline, const ScissorsPlaces& sight, bool perspective) {
   if (outline.size() < 3) return Error{"outline must be three places or more"};
   if (sight.size() != 2 || !(glm::distance(sight[0], sight[1]) > 0))

@@ -7,11 +7,11 @@
 
 namespace volumen {
 
-/// The step that takes from a segment what a lasso cuts away, within so many mm of its origin along the line
-/// of sight (leftBy()).
+/// Returns the step that cuts a lasso out of a segment, within `withinMm` of its origin along the line of
+/// sight (leftBy()).
 Step scissorsStep(const std::string& segment, const Lasso& lasso, double withinMm);
 
-/// What such a step leaves of its segment. The Error: its places are no outline and no line of sight.
+/// Runs such a step. The Error means: its points are not an outline and a line of sight.
 Result<BitMask> leftByScissors(const StepInput& in);
 
 }  // namespace volumen

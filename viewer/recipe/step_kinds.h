@@ -8,17 +8,17 @@
 
 namespace volumen {
 
-/// A step at work: its fields, all of them, and the segments before it.
+/// Input of a running step: all its fields, and the segments before it.
 class StepInput {
  public:
   StepInput(const Step& complete, const Volume& whole, const NamedMasks& before, const CancelToken& token)
       : volume(whole), cancel(token), step_(complete), masks_(before) {}
 
-  /// The step's segment before it; empty where there is none yet.
+  /// Returns the step's own segment as it was before; empty if there is none yet.
   BitMask own() const;
-  /// The segment that a field names; checked to be there.
+  /// Returns the segment named by a field; its existence has been checked.
   const BitMask& segment(const char* field) const;
-  /// The name of the step's segment, and the mask of any that its fields name.
+  /// Name of the step's segment; mask of any segment that its fields name.
   const std::string& name() const { return step_.segment; }
   const BitMask& mask(const std::string& name) const { return masks_.at(name); }
   const std::vector<std::string>& names(const char* field) const {
@@ -31,7 +31,7 @@ class StepInput {
   const std::vector<glm::dvec3>& places(const char* field) const {
     return std::get<std::vector<glm::dvec3>>(step_.fields.at(field));
   }
-  /// The voxels of the grid nearest to the places of a field; those outside are left out.
+  /// Returns the voxels nearest to the points of a field, without those outside the grid.
   std::vector<glm::ivec3> voxelsAt(const char* field) const;
 
   const Volume& volume;
@@ -42,46 +42,46 @@ class StepInput {
   const NamedMasks& masks_;
 };
 
-/// What a step can be told. Its type is that of `byDefault`.
+/// A parameter of a step. Its type is that of `byDefault`.
 struct StepField {
   enum class Need { no, yes };
   enum class Number { real, whole };
   const char* name;
-  const char* title;  ///< for people
-  const char* unit;   ///< "mm", "ml", "value"; empty: none
+  const char* title;  ///< Label in the user interface
+  const char* unit;   ///< "mm", "ml", "value", or empty
   StepValue byDefault;
-  ValueRange allowed{};              ///< of a number, both ends inside
-  std::vector<const char*> words{};  ///< that a text may be; none: it is the name of a segment
-  Need need = Need::no;              ///< whether it must be given
-  Number number = Number::real;      ///< whole: it counts something
+  ValueRange allowed{};              ///< Range of a number, ends included
+  std::vector<const char*> words{};  ///< Allowed words; if empty, a text is a segment name
+  Need need = Need::no;              ///< Whether the field is required
+  Number number = Number::real;      ///< `whole` for counts
 };
 
 /// A kind of step.
 struct StepKind {
-  /// What becomes of its segment: it is made, whatever it was; changed; changed, but left empty where it is
-  /// empty; or only made smaller.
+  /// Effect on its segment: it is made anew; changed; changed, but stays empty if empty; or only made
+  /// smaller.
   enum class Use { makes, changes, reshapes, narrows };
   const char* name;
-  const char* title;  ///< a few words, for people
-  const char* says;   ///< what it makes of its segment, for people
+  const char* title;  ///< Short label in the user interface
+  const char* says;   ///< Description of the resulting segment for users
   std::vector<StepField> fields;
   Use use;
   Result<BitMask> (*run)(const StepInput&);
-  /// In place of that where it changes the segments of its field "with", too.
+  /// Used instead of `run` if the step also changes the segments in its field "with".
   Result<NamedMasks> (*runAll)(const StepInput&) = nullptr;
 };
 
-/// The kind of what no recipe can do again; to follow it is an Error.
+/// Kind of manual edits, which no recipe can repeat; running it is an Error.
 inline constexpr const char* byHandStep = "byHand";
-/// The kind that grows several segments into what lies around them (grow_from_seeds.h).
+/// Kind that grows several segments from painted seeds (grow_from_seeds.h).
 inline constexpr const char* growFromSeedsStep = "growFromSeeds";
 
-/// All of them, in the order of a menu. A new one is a row.
+/// Returns all kinds in menu order. A new kind is one row.
 std::span<const StepKind> stepKinds();
-/// Null: there is none of this name.
+/// Returns the kind of this name, or null.
 const StepKind* stepKind(const std::string& name);
 
-/// The rows of one file each (steps_*.cpp).
+/// Return the rows of one file each (steps_*.cpp).
 std::vector<StepKind> stepsOfValues();
 std::vector<StepKind> stepsOfParts();
 std::vector<StepKind> stepsOfShape();

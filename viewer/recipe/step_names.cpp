@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// The names of segments in the fields of a step.
+// Visits the segment names in the fields of a step.
 template <class Visit>
 void forEachName(Step& step, const Visit& visit) {
   const StepKind* const kind = stepKind(step.kind);

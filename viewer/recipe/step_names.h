@@ -11,31 +11,30 @@ namespace volumen {
 
 struct StepField;
 
-// Which segments steps are about. A step of an unknown kind is about its own alone.
+// Segments that steps read and change. A step of an unknown kind is about its own segment only.
 
-/// The segments that a step changes, its own first.
+/// Returns the segments that a step changes, its own first.
 std::vector<std::string> changedBy(const Step& step);
-/// The segments that it needs as they were before: those that its fields name, and all that it changes where
-/// it does not make them.
+/// Returns the segments that a step needs as they were before: those its fields name, and all it changes
+/// without making them anew.
 std::vector<std::string> neededBy(const Step& step);
-/// Whether it can only make its segment smaller; whether it leaves an empty one empty; whether it makes it,
-/// whatever it was.
+/// Return whether a step can only make its segment smaller, keeps an empty one empty, or makes it anew.
 bool onlyNarrows(const Step& step);
 bool leavesEmpty(const Step& step);
 bool makesAnew(const Step& step);
-/// Whether a field is a value of the series.
+/// Returns whether a field is a voxel value of the series.
 bool isOfValues(const StepField& field);
-/// Whether a step compares with a value of its own; a lesion by a value may leave it out.
+/// Returns whether a step compares with a voxel value. A lesion by a value may rely on its default.
 bool namesValue(const Step& step);
-/// Whether its range of values ("low", "high") ends below where it begins.
+/// Returns whether its value range ("low", "high") is reversed.
 bool isRangeReversed(const Step& step);
 
-/// With other names of segments.
+/// Returns the step with segments renamed.
 Step renamed(Step step, const std::function<std::string(const std::string&)>& name);
-/// Without the fields that are as their row says.
+/// Returns the step without fields at their default.
 Step withoutDefaults(Step step);
 
-/// Those of the steps that these segments come from.
+/// Returns the steps that these segments depend on.
 std::vector<Step> stepsBehind(const std::vector<Step>& steps, std::set<std::string> segments);
 
 }  // namespace volumen

@@ -24,11 +24,12 @@ Parts partsOf(const StepInput& in) { return Parts(in.own(), neighboursOf(in), in
 
 Result<BitMask> largest(const StepInput& in) { return partsOf(in).largest(std::size_t(in.number("count"))); }
 
-// Surfaces part voxels that share no face: a part that is large enough by edges or corners would leave crumbs
-// beside its body. Where no piece of it is large enough it is a thin, oblique structure and stays whole.
+// Surfaces separate voxels that share no face. A component that is large enough only by edges or corners
+// would leave crumbs beside its body. If no face-connected piece is large enough, it is a thin oblique
+// structure and stays whole.
 Result<BitMask> islands(const StepInput& in) {
   const double voxels = in.number("leastMl") * 1000 / in.volume.geometry().voxelVolume();
-  const auto least = std::int64_t(std::ceil(voxels - 1e-9));  // rounding makes no voxel more
+  const auto least = std::int64_t(std::ceil(voxels - 1e-9));  // tolerates rounding
   const Neighbours neighbours = neighboursOf(in);
   const BitMask large = Parts(in.own(), neighbours, in.cancel).atLeast(least);
   if (neighbours == Neighbours::faces) return large;
@@ -41,7 +42,7 @@ Result<BitMask> keep(const StepInput& in) { return partsOf(in).touched(in.voxels
 
 Result<BitMask> remove(const StepInput& in) { return partsOf(in).untouched(in.voxelsAt("at")); }
 
-// The voxels to start from: places, or those of another segment.
+// Returns the seed voxels: points, or the voxels of another segment.
 std::vector<glm::ivec3> seedsOf(const StepInput& in) {
   std::vector<glm::ivec3> seeds = in.voxelsAt("at");
   if (!in.namesSegment("from")) return seeds;
@@ -60,7 +61,7 @@ Result<BitMask> connectedPart(const StepInput& in) {
 Result<BitMask> copy(const StepInput& in) { return BitMask(in.segment("other")); }
 Result<BitMask> add(const StepInput& in) { return united(in.own(), in.segment("other")); }
 
-// The other segment, and what lies within so many mm of it.
+// Returns the other segment, grown by the margin.
 BitMask nearOther(const StepInput& in) {
   const double margin = in.number("marginMm");
   return margin > 0 ? grown(in.segment("other"), margin, in.cancel) : in.segment("other");

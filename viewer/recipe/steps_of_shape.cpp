@@ -16,7 +16,7 @@ namespace {
 
 using Shape = BitMask (*)(const BitMask&, double, const CancelToken&);
 
-// A step by a radius.
+// Runs a step that takes a radius.
 template <Shape shape>
 Result<BitMask> byRadius(const StepInput& in) {
   return shape(in.own(), in.number("radiusMm"), in.cancel);
@@ -40,9 +40,9 @@ Result<BitMask> betweenSlices(const StepInput& in) {
   return filledBetweenSlices(in.own(), axisOf(in), in.cancel);
 }
 
-constexpr std::size_t mostTogether = 255;  // that labels are enough for
+constexpr std::size_t mostTogether = 255;  // number of labels
 
-// The step's segment, those of "with" and those that are locked, each once.
+// Returns the step's segment, those of "with" and the locked ones, each once.
 std::vector<std::string> namesTogether(const StepInput& in, std::size_t& unlocked) {
   std::vector<std::string> names{in.name()};
   const auto add = [&](const std::vector<std::string>& more) {
@@ -55,7 +55,7 @@ std::vector<std::string> namesTogether(const StepInput& in, std::size_t& unlocke
   return names;
 }
 
-// Labels 1, 2, ... for the names, of which the first is the step's segment.
+// Gives the names labels 1, 2, ...; the first is the step's own segment.
 LabelMap labelsTogether(const StepInput& in, std::span<const std::string> names) {
   LabelMap labels(in.volume.geometry());
   for (std::size_t n = 0; n < names.size(); ++n)
@@ -79,7 +79,7 @@ Result<NamedMasks> joint(const StepInput& in) {
   return masksTogether(smoothed, std::span(names).first(unlocked));
 }
 
-// What may be reached: of "within", where that is named, what is of no locked segment.
+// Returns the voxels that may be reached: those of "within", if given, that no locked segment holds.
 BitMask openVoxels(const StepInput& in, std::span<const std::string> locked) {
   BitMask open = in.namesSegment("within") ? in.segment("within") : inverted(BitMask(in.volume.geometry()));
   for (const std::string& name : locked) open = subtracted(std::move(open), in.mask(name));
@@ -110,7 +110,7 @@ std::vector<StepKind> stepsOfShape() {
   const auto radius = [](double mm, double most = 100) {
     return StepField{"radiusMm", "Radius", "mm", mm, {0, most}};
   };
-  // What costs the more the farther it reaches; beyond, no shape is left.
+  // Cost grows with the reach, and beyond this no shape is left.
   constexpr double mostSmoothing = 20;
   const StepField sigma{"sigmaMm", "Standard deviation", "mm", 1.0, {0, mostSmoothing}};
   const std::vector<std::string> none;

@@ -21,7 +21,7 @@ ValueRange rangeOf(const StepInput& in) { return {in.number("low"), in.number("h
 
 Result<BitMask> range(const StepInput& in) { return voxelsInRange(in.volume, rangeOf(in)); }
 
-// The value that parts a histogram into two classes of most variance between them. (Otsu 1979)
+// Returns the threshold with the largest between-class variance (Otsu 1979).
 double otsuValue(const Volume& volume) {
   const Histogram h = histogram(volume, 1024);
   double all = 0, sum = 0;
@@ -50,7 +50,7 @@ Result<BitMask> ball(const StepInput& in) {
   return mask;
 }
 
-// What is painted by a ball that is drawn along the places.
+// Paints with a ball drawn along the points.
 Result<BitMask> paint(const StepInput& in) {
   BitMask stroke(in.volume.geometry());
   const Places& at = in.places("at");

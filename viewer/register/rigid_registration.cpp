@@ -17,11 +17,11 @@ namespace volumen {
 
 namespace {
 
-constexpr double gridMm = 2;      // of what is compared
+constexpr double gridMm = 2;      // grid of the comparison
 constexpr int mostSamples = 160;  // along an axis
 constexpr int fewestSamples = 8;  // along an axis
-constexpr int bins = 50;          // of grey values, of each volume
-constexpr int iterations = 200;   // of each level at most
+constexpr int bins = 50;          // of grey values, for each volume
+constexpr int iterations = 200;   // per level at most
 constexpr double firstStepMm = 2, lastStepMm = 0.002;
 constexpr double leastOverlap = 0.2;  // of the smaller volume
 constexpr std::size_t levels = 3;
@@ -60,7 +60,7 @@ itk::Point<double, 3> pointOf(glm::dvec3 p) {
   return point;
 }
 
-// Where the values above the darkest lie, and how far from there (root of the mean square), mm.
+// Centroid of the values above the darkest, and their RMS distance from it, mm.
 struct Mass {
   glm::dvec3 middle;
   double radius;
@@ -98,12 +98,12 @@ Metric::Pointer makeMetric() {
   metric->SetNumberOfHistogramBins(bins);
   metric->SetUseMovingImageGradientFilter(false);
   metric->SetUseFixedImageGradientFilter(false);
-  // Sums of several threads differ in their last digits from run to run.
+  // Sums over several threads differ in their last digits from run to run.
   metric->SetMaximumNumberOfWorkUnits(1);
   return metric;
 }
 
-// How well the two agree; the less the better, the most there is where they do not overlap.
+// Returns the negative mutual information: smaller is better, and the maximum means no overlap.
 double disagreement(GreyImage* fixed, GreyImage* moving, Transform* transform) {
   const Metric::Pointer metric = makeMetric();
   metric->SetFixedImage(fixed);
@@ -117,7 +117,7 @@ double disagreement(GreyImage* fixed, GreyImage* moving, Transform* transform) {
   }
 }
 
-// Where the two are as their files say, else middle on middle, or mass on mass: whichever agrees best.
+// Returns the best of three starts: positions as in the files, aligned centres, aligned centroids.
 Transform::Pointer firstGuess(const SampledGrid& fixed, const SampledGrid& moving, GreyImage* fixedImage,
                               GreyImage* movingImage) {
   const glm::dvec3 centre = massOf(fixed).middle;
@@ -132,7 +132,7 @@ Transform::Pointer firstGuess(const SampledGrid& fixed, const SampledGrid& movin
   return best;
 }
 
-// Tells how far it is, and ends it by an exception.
+// Reports the progress and stops the optimizer by an exception when cancelled.
 void watch(Optimizer* optimizer, Registration* registration, const CancelToken& cancel) {
   optimizer->AddObserver(itk::IterationEvent(), [=](const itk::EventObject&) {
     if (cancel.cancelled()) throw itk::ProcessAborted(__FILE__, __LINE__);
@@ -155,7 +155,7 @@ Rigid optimised(GreyImage* fixed, GreyImage* moving, Transform* transform, doubl
                 const CancelToken& cancel) {
   const Metric::Pointer metric = makeMetric();
   auto optimizer = Optimizer::New();
-  // Angles and lengths alike: by how far they move what is seen, in mm.
+  // Angles and lengths count by how far they move visible matter, in mm.
   Optimizer::ScalesType scales(6);
   for (unsigned n = 0; n < 6; ++n) scales[n] = n < 3 ? radiusMm * radiusMm : 1;
   optimizer->SetScales(scales);
@@ -191,7 +191,7 @@ Rigid optimised(GreyImage* fixed, GreyImage* moving, Transform* transform, doubl
   return rigidOf(*registration->GetTransform());
 }
 
-// Of the samples of one grid, the share that lies within the other.
+// Returns the fraction of samples of one grid that lie within the other.
 double shareWithin(const VoxelGeometry& grid, const Rigid& toOther, const VoxelGeometry& other) {
   constexpr int steps = 12;
   int inside = 0;

@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// How many voxels a block has along each axis.
+// Returns the block size in voxels along each axis.
 glm::ivec3 blockOf(const VoxelGeometry& geometry, double mm, int most) {
   glm::ivec3 block(1);
   for (int axis = 0; axis < 3; ++axis) {

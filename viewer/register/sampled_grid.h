@@ -5,15 +5,14 @@
 
 namespace volumen {
 
-/// A volume on a coarser grid of the same directions: means over blocks, limited to the values between
-/// P0.1 and P99.9.
+/// A volume on a coarser grid with the same axes: means over blocks of values clamped to P0.1 .. P99.9.
 struct SampledGrid {
   VoxelGeometry geometry;
   std::vector<float> values;
 };
 
-/// Blocks of about `mm`, never smaller than a voxel, and larger where an axis would have more than `most`.
-/// Parts of blocks at the far ends are left out. Nothing of meaning where it was cancelled.
+/// Averages blocks of about `mm`, at least one voxel, larger where an axis would have more than `most`
+/// blocks. Incomplete blocks at the far ends are dropped. The result is undefined if cancelled.
 SampledGrid sampledGrid(const Volume& volume, double mm, int most, const CancelToken& cancel);
 
 }  // namespace volumen

@@ -6,24 +6,23 @@ namespace volumen {
 
 namespace {
 
-// What a sample that is shaded takes, in units of its colour looked up and composited: operations counted in
-// the kernels.
+// Work for a shaded sample relative to colour look-up and compositing, from operation counts of the kernels.
 struct SampleWork {
   double colour = 1, gradient = 0, light = 0, shine = 0;
   double all() const { return colour + gradient + light + shine; }
 };
 
-constexpr double gradientWork = 3;  // three components at eight corners, beside the density's one
+constexpr double gradientWork = 3;  // three components at eight corners, against one density
 
 SampleWork workOf(const Plan& plan) {
   SampleWork work;
   if (!plan.lit) return work;
   const auto lights = double(
       std::count_if(plan.scene.lights.begin(), plan.scene.lights.end(), [](const Light& l) { return l.on; }));
-  // OpenGL resamples gradients beside the densities.
+  // OpenGL resamples gradients together with densities.
   if (plan.resampler == Resampler::cpu) work.gradient = gradientWork;
   switch (plan.shader) {
-    case Shader::map:  // one look-up whatever the lights
+    case Shader::map:  // one look-up for any number of lights
       work.light = 2;
       break;
     case Shader::table:
@@ -38,7 +37,7 @@ SampleWork workOf(const Plan& plan) {
   return work;
 }
 
-// Looking that all is there already is no cost of gradients.
+// Checking for existing gradients is not a cost.
 double onceMs(const RenderStats& stats) { return stats.gradientsMs < 1 ? 0 : stats.gradientsMs; }
 
 class Costs {
@@ -58,7 +57,7 @@ class Costs {
   }
 
  private:
-  // Every voxel is lit before the first sample is taken.
+  // All voxels are lit before the first sample.
   std::optional<EffectCost> ofVoxels(const Effect& effect) const {
     if (effect.name == "lighting") return EffectCost{.ms = stats_.shadeMs};
     if (effect.name == "gradients") return EffectCost{.onceMs = onceMs(stats_)};
@@ -71,12 +70,12 @@ class Costs {
     if (effect.name == "lighting") return EffectCost{.ms = share(work_.light), .estimated = true};
     if (effect.name == "specular") return EffectCost{.ms = share(work_.shine), .estimated = true};
     if (effect.name == "gradient opacity") {
-      // Fetched while opacity is still asked for: part of resampling.
+      // Fetched before the opacity is known: part of resampling.
       const double fetched = gradientWork * double(stats_.composited), plain = double(stats_.resampled);
       return EffectCost{.ms = plain > 0 ? stats_.resampleMs * fetched / (plain + fetched) : 0,
                         .estimated = true};
     }
-    // What a projection passes over depends on what its rays meet.
+    // Skipping in projections depends on the values met by each ray.
     const bool composite = plan_.scene.mode == Mode::composite;
     if (effect.name == "empty blocks" && composite && plan_.visibleShare > 0)
       return EffectCost{.ms = -stats_.resampleMs * (1 / plan_.visibleShare - 1), .estimated = true};

@@ -5,9 +5,9 @@
 
 namespace volumen {
 
-/// What each effect of a plan cost the picture that `stats` tells of. What is off cost nothing. The picture,
-/// its resampling and what was made once are measured; what a sample's light, gradient and colour share in
-/// the measured time of shading is divided by counts of samples and lights, and says that it is estimated.
+/// Returns the cost of each effect of a plan in the picture that `stats` describes; effects that are off cost
+/// nothing. The picture, its resampling and one-time data are measured. The shares of light, gradients and
+/// colour in the measured shading time are estimated from counts of samples and lights, and marked so.
 EffectCosts effectCosts(const Plan& plan, const RenderStats& stats);
 
 }  // namespace volumen

@@ -15,21 +15,21 @@ namespace volumen {
 
 namespace {
 
-// Rays of a pilot stand about that many pixels apart: near enough to meet the same blocks and memory, far
-// enough to differ. No whole number, or they could all meet what repeats with the pixels at the same place.
+// Distance of a pilot's rays in pixels: near enough to share blocks and memory, far enough to differ. It is
+// no integer, since rays could otherwise all hit a pattern of pixels at the same place.
 constexpr double pixelsApart = 4.236;
 constexpr int tilesATask = 8;
 
-// Where the first steps keep the promise longer ones are tried once, else shorter ones that often: going cell
-// by cell would take longer than the last try.
+// After a success longer steps are tried once; after a failure shorter ones up to this often. Cell by cell
+// would take longer than the last try.
 constexpr int mostFurtherTries = 2;
 
-// What the rays that tell the truth may be off by, as a share of what the level promises of 99 pixels of a
-// hundred. That little costs them little, and is added to the error.
+// Error budget of the fine rays as a fraction of the level's promise for 99 % of pixels. It costs little and
+// is added to the measured error.
 constexpr double shareOfTruth = 1.0 / 32;
 
-// Lengths of steps whose continued fractions end in ones: any number of such steps in a row comes by all
-// places of its cells about as often. Longer ones would be near a whole voxel.
+// Step lengths whose continued fractions end in ones: successive steps visit all places of the cells about
+// equally often. Longer ones would be too close to a whole voxel.
 constexpr double evenlySpread[] = {0.8490, 0.7835, 0.7236, 0.6180, 0.5802, 0.5607, 0.4393, 0.4198, 0.3820,
                                    0.3593, 0.3052, 0.2764, 0.2282, 0.2165, 0.1780, 0.1513, 0.1315};
 
@@ -67,14 +67,14 @@ class Pilot {
   }
 
  private:
-  // `off`: the largest of its errors as a share of what is promised; `likely`: the same without what may have
-  // been missed.
+  // `off` is the largest error relative to its promise; `likely` is the same without allowance for missed
+  // pixels.
   struct Found {
     PilotFinding told;
     double off = 0, likely = 0;
   };
 
-  // The longest step from `least` to `most` that does not resonate with the grid.
+  // Returns the longest step from `least` to `most` that does not resonate with the grid.
   std::optional<double> stepUpTo(double most, double least) const {
     const glm::dvec3 alongVoxel = alongVoxelOf(*plan_.scene.camera, caches_.volume()->geometry());
     for (double step : evenlySpread)
@@ -82,7 +82,7 @@ class Pilot {
     return {};
   }
 
-  // What to try after that, if anything: errors grow with the square of the step.
+  // Returns the next step to try, if any: errors grow with the square of the step.
   std::optional<double> betterStep(const Found& found) const {
     if (found.told.rays == 0) return {};
     const double tried = found.told.stepVoxels;
@@ -93,16 +93,16 @@ class Pilot {
     return stepUpTo(std::min(std::max(wanted, 1.1 * least), 0.99 * tried), least);
   }
 
-  // The plan of the whole picture, but for the size of the one that the rays belong to.
+  // Returns the plan of the whole picture at the size of the pilot's picture.
   Result<Plan> planOf(const RenderOptions& options, const std::optional<PilotFinding>& finding) const {
     auto plan = makePlan(plan_.scene, caches_.facts(), options, finding);
     if (plan) plan->options.size = size_;
     return plan;
   }
 
-  // What the rays tell of plain steps; a quarter of them where that tells already that they are of no use.
+  // Tries plain steps. Stops after a quarter of the rays if these already rule the steps out.
   Result<Found> tried(double step) {
-    // As they would be drawn if they were found good enough.
+    // Planned as if the pilot had accepted them.
     const auto plain = planOf(plan_.options, PilotFinding{step, true});
     if (!plain) return plain.error();
     const double shorter = std::min(1.0, plan_.pilotSteps->shortest / step);
@@ -119,7 +119,7 @@ class Pilot {
     return found;
   }
 
-  // The truth at the first `count` tiles, with what it may be off by itself.
+  // Draws the fine picture at the first `count` tiles, with its own error.
   void followTruth(std::size_t count) {
     const std::vector<float> error = follow(fine_, fineTiles_, count, finePicture_);
     fineTiles_ = std::max(fineTiles_, count);
@@ -127,8 +127,7 @@ class Pilot {
     for (std::size_t n = 0; n < error.size(); ++n) truthError_[n] = std::max(truthError_[n], error[n]);
   }
 
-  // Draws the picture of a plan at the tiles [from, to), and nothing elsewhere. What its pixels may be off
-  // by.
+  // Draws a plan at the tiles [from, to) only. Returns the possible error of its pixels.
   std::vector<float> follow(const Plan& plan, std::size_t from, std::size_t to, Picture& picture) const {
     if (from >= to) return {};
     RenderStats stats;
@@ -152,7 +151,7 @@ class Pilot {
     return error;
   }
 
-  // Whether a pixel of any tile differs from the background by what could be seen.
+  // Returns whether a pixel of a tile visibly differs from the background.
   bool shows(const Picture& picture, std::size_t pixel) const {
     const Background& b = plan_.scene.background;
     const glm::vec4 empty = b.transparent ? glm::vec4(0) : glm::vec4(b.colour, 1);
@@ -161,8 +160,8 @@ class Pilot {
     return false;
   }
 
-  // What plain steps are off by at a pixel: `largest` component, 1/255, and the mean of all squares. As far
-  // as the truth may be off, they are taken to be off the other way.
+  // Error of plain steps at a pixel: `largest` component in 1/255, and the mean of all squares. The possible
+  // error of the fine picture is added in the worse direction.
   struct PixelError {
     double largest = 0, square = 0;
   };
@@ -178,7 +177,7 @@ class Pilot {
     return e;
   }
 
-  // Of the first `count` tiles.
+  // Evaluates the first `count` tiles.
   Found finding(double step, std::size_t count, const Picture& plain) const {
     PilotErrors errors;
     for (std::size_t n = 0; n < count; ++n) {
@@ -187,7 +186,7 @@ class Pilot {
       for (int y = corner.y; y < end.y; ++y)
         for (int x = corner.x; x < end.x; ++x) {
           const auto pixel = std::size_t(y) * size_.x + x;
-          // What is promised of all pixels is kept by those alone that show anything.
+          // Promises for all pixels hold if those showing anything keep them.
           if (!shows(plain, pixel) && !shows(finePicture_, pixel)) continue;
           const PixelError e = errorAt(pixel, plain);
           errors.add(e.largest, e.square);
@@ -211,12 +210,12 @@ class Pilot {
   RenderCaches& caches_;
   RenderStats& stats_;
   const CancelToken& cancel_;
-  glm::ivec2 size_;  ///< of the picture that the tiles are of
+  glm::ivec2 size_;  ///< Size of the pilot's picture
   std::vector<PilotTile> tiles_;
-  Plan fine_;            ///< cell by cell, finer than the level
-  Picture finePicture_;  ///< by that
+  Plan fine_;            ///< Cell by cell, finer than the level
+  Picture finePicture_;  ///< Drawn by fine_
   std::vector<float> truthError_;
-  std::size_t fineTiles_ = 0;  ///< the first of them that it holds
+  std::size_t fineTiles_ = 0;  ///< Number of tiles it holds
 };
 
 }  // namespace

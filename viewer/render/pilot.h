@@ -4,11 +4,11 @@
 
 namespace volumen {
 
-/// What a pilot finds of a plan that leaves plain steps open (Plan::pilotSteps): about a hundredth of its
-/// rays are followed by them and cell by cell, finely: by the first steps, then by those that their errors
-/// tell to be as long as may be, or by up to two shorter ones that save time. The longest that keep the
-/// level's promise at worst, with what may have been missed, are found. Adds to the times of `stats`. An
-/// Error where it was cancelled; out of memory it throws.
+/// Runs the pilot of a plan that leaves plain steps open (Plan::pilotSteps). About a hundredth of its rays
+/// are followed finely cell by cell, and by plain steps: the first length, then the longest that its errors
+/// suggest, or up to two shorter ones that still save time. Returns the longest steps that keep the level's
+/// promise in the worst case, allowing for missed pixels. Adds to the times of `stats`. The Error means
+/// cancelled; throws if memory runs out.
 Result<PilotFinding> probe(const Plan& plan, RenderCaches& caches, RenderStats& stats,
                            const CancelToken& cancel);
 

@@ -28,7 +28,7 @@ double PilotErrors::percentile99(double deviations) const {
   });
   const double hundredth = 0.01 * pixelsInAll();
   std::vector<int> above(tiles_.size());
-  double sum = 0, variance = 0;  // pixels of a tile come together or not at all
+  double sum = 0, variance = 0;  // pixels of a tile are sampled together
   for (const Pixel& p : sorted) {
     const Tile& tile = tiles_[p.tile];
     const double more = 2.0 * above[p.tile]++ + 1;
@@ -47,8 +47,9 @@ PilotErrors::Bounds PilotErrors::likely() const {
 }
 
 PilotErrors::Bounds PilotErrors::worst() const {
-  // Tiles whose chances add up to three are all missed one time in twenty (e^-3). They are taken to be twice
-  // as wrong as the worst that was found, each for its chance: that grows with what may be wrong there.
+  // Missing all of a set of tiles whose probabilities sum to three has a chance of one in twenty (e^-3).
+  // Missed tiles are assumed to be twice as wrong as the worst one found, weighted by probability, which
+  // grows with the possible error.
   constexpr double missed = 3, asWrong = 2, deviations = 2;
   double squares = 0, variance = 0, most = 0;
   for (const Tile& t : tiles_) {

@@ -4,19 +4,20 @@
 
 namespace volumen {
 
-/// What a sample of a picture's tiles tells of the errors of all of it, at worst: of what it cannot have
-/// missed but for one time in twenty.
+/// Estimates the errors of a whole picture from a sample of its tiles, including a worst case that allows for
+/// missed errors with 95 % confidence.
 class PilotErrors {
  public:
-  /// The pixels that follow are of a tile that was to be looked at with that chance.
+  /// Starts a tile that was sampled with this probability; the following pixels belong to it.
   void beginTile(double chance);
-  /// A pixel that shows something: its largest component's error, 1/255, and the mean square of all four.
+  /// Adds a pixel that shows something: the error of its largest component in 1/255, and the mean square of
+  /// all four.
   void add(double largest, double square);
 
   struct Bounds {
-    double rmse = 0, percentile99 = 0;  ///< 1/255
+    double rmse = 0, percentile99 = 0;  ///< In 1/255
   };
-  Bounds likely() const;  ///< as if all tiles were like these
+  Bounds likely() const;  ///< Estimate without a safety margin
   Bounds worst() const;
   int rays() const { return int(pixels_.size()); }
 
@@ -30,7 +31,7 @@ class PilotErrors {
     int tile = 0;
   };
   double pixelsInAll() const;
-  /// Above that not more than a hundredth of the pixels lie, with so many standard deviations on top.
+  /// Returns the error that at most 1 % of the pixels exceed, plus `deviations` standard deviations.
   double percentile99(double deviations) const;
 
   std::vector<Tile> tiles_;

@@ -17,15 +17,15 @@ namespace {
 
 constexpr int tile = RayGenerator::tile;
 constexpr double shareOfTiles = 1.0 / 4;
-constexpr int fewestTiles = 192;  // or a 99th percentile cannot be known
+constexpr int fewestTiles = 192;  // fewer cannot determine a 99th percentile
 
-// A ray's way through a block: how much of its light may be judged wrongly there, and how much of the light
-// from behind comes through at most.
+// Path of a ray through a block: the fraction of its light that may be misjudged there, and the largest
+// transmittance.
 struct Way {
   float change = 0, through = 1;
 };
 
-// Red, green and blue times the extinction, and the extinction: 1/mm.
+// Returns red, green and blue times the extinction, and the extinction, 1/mm.
 glm::dvec4 matterOf(const CurvePoint& p, double unitMm) {
   const double extinction = -std::log1p(-std::min(p.opacity, 0.9999)) / unitMm;
   return {extinction * p.colour, extinction};
@@ -49,10 +49,11 @@ struct Extremes {
   void takeIn(const Extremes& e) { low = glm::min(low, e.low), high = glm::max(high, e.high); }
 };
 
-// Ways of `mm` through blocks whose values lie between two levels: entry lowest * levels + highest.
+// Returns the paths of length `mm` through blocks with values between two levels: entry lowest * levels +
+// highest.
 std::vector<Way> waysOf(const Plan& plan, const std::vector<float>& levels, double mm) {
   const TransferFunction& curve = plan.curve;
-  std::vector<Extremes> upTo(levels.size());  // from the level before
+  std::vector<Extremes> upTo(levels.size());  // over values from the level before
   for (std::size_t n = 0; n < levels.size(); ++n) {
     const float before = levels[n > 0 ? n - 1 : n];
     upTo[n].takeIn(matterAt(curve, levels[n]));
@@ -60,7 +61,8 @@ std::vector<Way> waysOf(const Plan& plan, const std::vector<float>& levels, doub
     for (const CurvePoint& p : curve.points)
       if (p.value >= before && p.value <= levels[n]) upTo[n].takeIn(matterOf(p, curve.unitDistance));
   }
-  // Where values differ gradients turn, and with them light and the factor over them, by what no block knows.
+  // Where values differ, gradients turn, and light and gradient opacity with them, which block ranges do not
+  // tell.
   const bool faded = !curve.gradientOpacity.empty();
   const double turns = faded ? 1 : plan.scene.shading.lit ? 0.3 : 0;
   const double bright = std::max(1.0, brightest(plan.scene));
@@ -87,7 +89,7 @@ class BlockWalk {
         ways_(waysOf(plan, blockRanges_.levels,
                      stepMm(*plan.scene.camera, facts.geometry, blockRanges_.edge))) {}
 
-  // How much of the light of a ray may be judged wrongly: 1, all of it.
+  // Returns the fraction of a ray's light that may be misjudged, at most 1.
   float changeOn(const RayRow& rays, int ray) const {
     const float inBlocks = 1.0f / float(blockRanges_.edge);
     const glm::vec3 move = glm::vec3(rays.moveX[ray], rays.moveY[ray], rays.moveZ[ray]) * inBlocks;
@@ -110,8 +112,8 @@ class BlockWalk {
   std::vector<Way> ways_;
 };
 
-// Of every tile the most that any ray through it tells: rays stand a block apart, so that they come by all
-// that is larger.
+// Returns the largest such fraction over the rays of each tile. Rays are a block apart, so that they hit
+// everything larger.
 std::vector<float> changeOfTiles(const Plan& plan, const VolumeFacts& facts, glm::ivec2 size,
                                  glm::ivec2 grid) {
   std::vector<float> changes(std::size_t(grid.x) * grid.y, 1.0f);
@@ -123,7 +125,7 @@ std::vector<float> changeOfTiles(const Plan& plan, const VolumeFacts& facts, glm
                               : 2 * camera.distance * std::tan(glm::radians(camera.fov) / 2);
   const double blocks = heightMm / (facts.blockRanges->edge * std::min({spacing.x, spacing.y, spacing.z}));
   const int rows = int(std::clamp(blocks, 1.0 * grid.y, 2.0 * size.y));
-  const double scale = double(size.y) / rows;  // pixels from ray to ray
+  const double scale = double(size.y) / rows;  // pixels between rays
   const glm::ivec2 count(int(std::ceil(size.x / scale)), rows);
   const RayGenerator setup(plan.scene, facts.geometry, count, facts.blockRanges->edge, plan.clip);
   const BlockWalk walk(plan, facts);
@@ -152,14 +154,14 @@ struct Choice {
   double chance = 0;
 };
 
-// One of each cell of a grid, at a place that only the cell decides: tiles in rows and columns could all pass
-// by what is straight and upright.
+// Chooses one tile in each cell of a grid, at a position that depends only on the cell. Tiles in rows and
+// columns could all miss straight upright structures.
 void chooseEvenly(glm::ivec2 grid, double wanted, std::vector<Choice>& choices) {
   const double shrink = std::min(1.0, std::sqrt(wanted / (double(grid.x) * grid.y)));
   const glm::ivec2 cells = glm::max(glm::ivec2(1), glm::ivec2(glm::ceil(glm::dvec2(grid) * shrink)));
   for (int y = 0; y < cells.y; ++y)
     for (int x = 0; x < cells.x; ++x) {
-      // The additive recurrence of the plastic number, which fills a square evenly.
+      // The additive recurrence of the plastic number fills a square evenly.
       const double n = x + double(y) * cells.x;
       const glm::dvec2 place = glm::fract(n * glm::dvec2(0.7548776662466927, 0.5698402909980532));
       const glm::ivec2 begin = glm::ivec2(x, y) * grid / cells, end = glm::ivec2(x + 1, y + 1) * grid / cells;
@@ -171,8 +173,8 @@ void chooseEvenly(glm::ivec2 grid, double wanted, std::vector<Choice>& choices) 
     }
 }
 
-// So many more, with chances that grow with the square of what may be wrong, as its part in a mean of squares
-// does, up to certainty.
+// Chooses `wanted` more tiles with probabilities proportional to the squared possible error, its share in a
+// mean square, up to certainty.
 void chooseByChange(const std::vector<float>& changes, double wanted, std::vector<Choice>& choices) {
   const auto chanceAt = [&](float change, double scale) {
     return std::min(1.0, scale * double(change) * change);

@@ -7,13 +7,13 @@
 
 namespace volumen {
 
-/// The plan with nothing left open: makePlan() with what a pilot (probe) finds. What comes of it depends on
-/// the picture alone, not on the machine. Adds to the times of `stats`. Errors as render().
+/// Returns the plan with nothing left open: makePlan() with the result of a pilot (probe). It depends only on
+/// the picture, not on the machine. Adds to the times of `stats`. Errors are those of render().
 Result<Plan> completedPlan(const Plan& plan, RenderCaches& caches, RenderStats& stats,
                            const CancelToken& cancel = {});
 
-/// Draws the plan, completed. An Error where it was cancelled ("cancelled") or a resource is missing (a
-/// sentence).
+/// Draws the completed plan. The Error means cancelled ("cancelled"), or names a missing resource in a
+/// sentence.
 Result<Rendered> render(const Plan& plan, RenderCaches& caches, const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int fineBins = 1 << 16;
 
-// How many values lie in [low, high), by whole bins.
+// Returns the number of values in [low, high), by whole bins.
 std::int64_t countBetween(const Histogram& h, double low, double high) {
   std::int64_t sum = 0;
   for (std::size_t n = 0; n < h.counts.size(); ++n) {
@@ -22,7 +22,7 @@ std::int64_t countBetween(const Histogram& h, double low, double high) {
   return sum;
 }
 
-// The part that the values of `low` .. `high` have in those above `least`; 0 where there are none.
+// Returns the fraction of the values above `least` that lie in [low, high); 0 if there are none.
 double share(const Histogram& h, double low, double high, double least) {
   const std::int64_t all = countBetween(h, least, 1e30);
   return all == 0 ? 0 : double(countBetween(h, low, high)) / double(all);
@@ -33,7 +33,7 @@ double share(const Histogram& h, double low, double high, double least) {
 ValueRange usualRange(const Volume& volume) {
   const Histogram h = histogram(volume, fineBins);
   const ValueRange usual{valueOfRank(h, 0.01), valueOfRank(h, 0.995)};
-  // Of a label map or a small thing in a large background all but a few values are one.
+  // In label maps, or small objects on a large background, nearly all values are equal.
   return usual.low < usual.high ? usual : ValueRange{h.low, h.high};
 }
 
@@ -50,7 +50,7 @@ double waterOf(const Volume& volume) {
       },
       volume.stored());
   if (hasNegative) return 0;
-  // Fat and muscle, 1024 higher, are most of what is denser than foam; of Hounsfield units that would be
+  // Fat and muscle, 1024 higher, are most of what is denser than foam. In Hounsfield units that would be
   // bone.
   return share(histogram(volume, fineBins), 850, 1200, 500) > 0.5 ? 1024 : 0;
 }
@@ -65,7 +65,7 @@ bool hasContrast(const Histogram& h) {
   double lowest = double(countBetween(h, firstHu, firstHu + binHu));
   for (double hu = firstHu + binHu; hu < lastHu; hu += binHu) {
     const double count = double(countBetween(h, hu, hu + binHu));
-    // Half as much again: a table top makes a hump of a tenth. And more than chance makes of so few voxels.
+    // The factor 1.5 exceeds the hump of a table top (a tenth); the second term exceeds chance.
     if (count > 1.5 * lowest + 5 * std::sqrt(count)) return true;
     lowest = std::min(lowest, count);
   }
@@ -79,7 +79,7 @@ bool isBony(const Histogram& h) { return share(h, 300, 1e30, -200) > 0.09; }
 std::string automaticPreset(const Volume& volume) {
   const std::string& modality = volume.attributes().modality;
   if (modality == "US") return "US-Fetal";
-  // Of a head the surface would be its face; the brightest values lie inside.
+  // A surface of a head would be its face; the brightest values lie inside.
   if (modality == "MR") return "MR-MIP";
   if (modality == "PT" || modality == "NM") return "PET-MIP";
   Histogram h = histogram(volume, fineBins);

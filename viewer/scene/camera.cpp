@@ -19,7 +19,7 @@ constexpr View views[] = {
     {"superior", {0, 0, -1}, {0, -1, 0}}, {"inferior", {0, 0, 1}, {0, -1, 0}},
 };
 
-// Turns v about the unit axis by the angle (Rodrigues).
+// Rotates v around a unit axis (Rodrigues).
 glm::dvec3 rotated(glm::dvec3 v, glm::dvec3 axis, double angleRad) {
   return v * std::cos(angleRad) + glm::cross(axis, v) * std::sin(angleRad) +
          axis * glm::dot(axis, v) * (1 - std::cos(angleRad));
@@ -78,7 +78,7 @@ Camera turned(Camera camera, double degrees) {
 Camera elevated(Camera camera, double degrees) {
   const CameraAxes axes = cameraAxes(camera);
   const glm::dvec3 up = glm::normalize(camera.up);
-  const glm::dvec3 level = glm::cross(up, axes.right);  // unit: right lies in the plane
+  const glm::dvec3 level = glm::cross(up, axes.right);  // a unit vector, as right is perpendicular to up
   camera.direction = std::cos(glm::radians(degrees)) * level - std::sin(glm::radians(degrees)) * up;
   return camera;
 }

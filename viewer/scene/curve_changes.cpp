@@ -6,13 +6,13 @@ namespace volumen {
 
 namespace {
 
-// Between two points, at the share s of the way.
+// Interpolates between two points at fraction s.
 CurvePoint between(const CurvePoint& a, const CurvePoint& b, double s) {
   return {float(double(a.value) + s * (double(b.value) - a.value)), a.colour + s * (b.colour - a.colour),
           a.opacity + s * (b.opacity - a.opacity)};
 }
 
-// picture.md 4: the last of equal points holds at their value.
+// The last of equal points holds at their value (picture.md 4).
 CurvePoint curveAt(const std::vector<CurvePoint>& points, float value) {
   const auto behind = std::upper_bound(points.begin(), points.end(), value,
                                        [](float v, const CurvePoint& p) { return v < p.value; });

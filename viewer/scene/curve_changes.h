@@ -4,14 +4,14 @@
 
 namespace volumen {
 
-/// The opacity of a value per unit distance (picture.md 4), gradient opacity aside.
+/// Returns the opacity of a value per unit distance (picture.md 4), without gradient opacity.
 double opacityAt(const TransferFunction& curve, float value);
 
-/// The curve as a classification table of `entries` >= 2 entries holds it, spread evenly over the range, the
-/// nearest one looked up: steps half way between entries.
+/// Returns the curve as a table of `entries` >= 2 evenly spaced entries with nearest look-up, so it steps
+/// halfway between entries.
 TransferFunction tabulated(const TransferFunction& curve, int entries, ValueRange range);
 
-/// The curve with opacity 0 where it is below `opacity` (per unit distance); colours kept.
+/// Returns the curve with opacities below `opacity` (per unit distance) set to 0; colours are kept.
 TransferFunction withoutFaint(const TransferFunction& curve, double opacity);
 
 }  // namespace volumen

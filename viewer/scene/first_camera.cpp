@@ -10,10 +10,10 @@ namespace volumen {
 
 namespace {
 
-// How flat pictures are read: axial ones from below, with the front on top.
+// Views in which flat images are read: axial ones from below, with the front on top.
 constexpr const char* readingViews[] = {"inferior", "anterior", "left"};
 
-// Edge-on such a volume would be a strip.
+// Seen edge-on, such a volume would be a strip.
 bool isFlat(const VoxelGeometry& g) {
   const glm::dvec3 mm = g.spacing() * glm::dvec3(g.size);
   const int across = std::min(g.size.x, g.size.y);
@@ -21,7 +21,7 @@ bool isFlat(const VoxelGeometry& g) {
   return across > 1 && (few || mm.z < 0.5 * std::min(mm.x, mm.y));
 }
 
-// Of a direction and its opposite the one nearer to `to`.
+// Returns `direction` or its opposite, whichever is nearer to `to`.
 glm::dvec3 towards(glm::dvec3 direction, glm::dvec3 to) {
   return glm::dot(direction, to) < 0 ? -direction : direction;
 }
@@ -39,7 +39,7 @@ Camera firstCamera(const VoxelGeometry& geometry) {
   Camera camera = *std::max_element(views.begin(), views.end(),
                                     [&](const Camera& a, const Camera& b) { return along(a) < along(b); });
   camera.direction = towards(normal, camera.direction);
-  // The edge of the pictures that is most upright.
+  // Chooses the image edge closest to upright as `up`.
   const glm::dvec3 row = towards(glm::normalize(step[0]), camera.up);
   const glm::dvec3 column = towards(glm::normalize(step[1]), camera.up);
   camera.up = glm::dot(row, camera.up) > glm::dot(column, camera.up) ? row : column;

@@ -4,9 +4,9 @@
 
 namespace volumen {
 
-/// From where a volume is seen that nobody has chosen a camera for, not fitted yet: from the front; a volume
-/// of few slices, or one much thinner than wide, along the normal of its slices, upright as its pictures are
-/// read (from below, the front or the left).
+/// Returns the initial camera of a volume, not fitted yet: from the front. Volumes with few slices, or much
+/// thinner than wide, are seen along their slice normal, upright as their images are read (from below, the
+/// front or the left).
 Camera firstCamera(const VoxelGeometry& geometry);
 
 }  // namespace volumen

@@ -16,13 +16,12 @@ namespace {
 
 constexpr std::size_t deepestNesting = 32;
 
-// Goes through a text and notes what a parsed value no longer shows: how deep it was, fields given twice, and
-// where a number is that no double holds.
-// A callback of json::parse could, too, but takes time by the square of a list's length.
+// Scans a text for properties that a parsed value no longer shows: its depth, duplicate fields, and numbers
+// that overflow a double. A callback of json::parse would take quadratic time in the length of a list.
 class Nesting : public nlohmann::json_sax<json> {
  public:
   std::string problem;
-  std::optional<std::size_t> tooLargeAt;  // the byte behind the number; `problem` says which it is
+  std::optional<std::size_t> tooLargeAt;  // byte after the number; `problem` names it
 
   bool null() override { return value(); }
   bool boolean(bool) override { return value(); }
@@ -41,7 +40,7 @@ class Nesting : public nlohmann::json_sax<json> {
     if (!level.keys.insert(name).second) problem = path() + " is given twice.";
     return problem.empty();
   }
-  // Of all else json::parse says what and where.
+  // json::parse reports all other errors.
   bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception& e) override {
     constexpr int numberOverflow = 406;
     if (e.id != numberOverflow) return false;
@@ -93,7 +92,7 @@ std::string placeInText(const std::string& text, std::size_t byte) {
   return "line " + std::to_string(line) + ", column " + std::to_string(std::max<std::size_t>(column, 1));
 }
 
-// The parser's own reason, without its number and without the text of the file that it repeats.
+// Returns the parser's reason without its number and without the quoted file text.
 std::string reasonOf(const std::string& what) {
   const std::size_t from = what.rfind(": ", what.find(" - "));
   std::string reason = from == std::string::npos ? what : what.substr(from + 2);

@@ -11,18 +11,17 @@
 
 namespace volumen {
 
-/// Parses JSON text that nobody has checked. Refused in one sentence: texts above `mostMiB`, nesting deeper
-/// than 32, a field given twice in one object (with its path), anything that is not JSON (with line and
-/// column).
+/// Parses untrusted JSON text. The Error, one sentence, means: text above `mostMiB`, nesting deeper than 32,
+/// a field given twice in one object (with its path), or not JSON (with line and column).
 Result<nlohmann::json> parseJson(const std::string& text, std::size_t mostMiB = 4);
 
 /// The words of an enumeration in a file.
 template <class T>
 using Words = std::vector<std::pair<const char*, T>>;
 
-/// The fields of one JSON object, each asked for by name; a missing field leaves the value as it is. The
-/// first thing that is wrong is kept in `problem`, shared by all objects of one text, as a sentence with the
-/// field's path ("lights[2].intensity"); what is read after it has no meaning. `object` must outlive this.
+/// Reads the fields of one JSON object by name; missing fields leave the value unchanged. The first problem
+/// is kept in `problem`, shared by all objects of one text, as a sentence with the field's path
+/// ("lights[2].intensity"). Values read after it are meaningless. `object` must outlive this.
 class JsonFields {
  public:
   JsonFields(const nlohmann::json& object, std::string path, std::string& problem);
@@ -30,13 +29,13 @@ class JsonFields {
   void read(const char* name, bool& value);
   void read(const char* name, int& value);
   void read(const char* name, double& value);
-  /// Rounded once; what float32 cannot hold is refused.
+  /// Rounds once; refuses values beyond float32.
   void read(const char* name, float& value);
   void read(const char* name, std::string& value);
-  /// Three numbers.
+  /// Reads three numbers.
   void read(const char* name, glm::dvec3& value);
 
-  /// One of some words.
+  /// Reads one of several words.
   template <class T>
   void read(const char* name, T& value, const Words<T>& words) {
     std::string word, allowed;
@@ -50,16 +49,16 @@ class JsonFields {
     refuse(pathOf(name), "must be " + allowed + ", not " + quoted(word));
   }
 
-  /// The object in a field; none where it is missing.
+  /// Returns the object in a field; empty if missing.
   std::optional<JsonFields> object(const char* name);
-  /// The same for a field that may also be null.
+  /// Does the same for a field that may be null.
   std::optional<JsonFields> objectOrNull(const char* name);
-  /// Whether a field that may be null has a value.
+  /// Returns whether a field that may be null has a value.
   bool given(const char* name);
-  /// What is in a field, unchecked; nullptr where it is missing.
+  /// Returns the unchecked value of a field; null if missing.
   const nlohmann::json* raw(const char* name);
 
-  /// A list of objects, each read by `readItem(JsonFields)`; replaces `items` where the field is there.
+  /// Reads a list of objects with `readItem(JsonFields)`; replaces `items` if the field exists.
   template <class T, class Read>
   void readList(const char* name, std::vector<T>& items, Read readItem) {
     const nlohmann::json* list = find(name, Kind::list);
@@ -68,19 +67,19 @@ class JsonFields {
     for (const nlohmann::json& item : *list)
       items.push_back(readItem(JsonFields(item, pathOf(name, items.size()), problem_)));
   }
-  /// `count` numbers of a list at `path`.
+  /// Reads `count` numbers from a list at `path`.
   void readNumbers(const nlohmann::json& list, const std::string& path, double* numbers, std::size_t count);
 
-  /// Refuses the fields that nobody has asked for. To be called last.
+  /// Refuses all fields that were not asked for. Call it last.
   void refuseOthers();
-  /// "PATH SENTENCE." becomes the problem, unless something was wrong before.
+  /// Makes "PATH SENTENCE." the problem, unless there is one already.
   void refuse(const std::string& path, const std::string& sentence);
 
   std::string pathOf(const std::string& name) const { return path_.empty() ? name : path_ + "." + name; }
   std::string pathOf(const std::string& name, std::size_t n) const {
     return pathOf(name) + "[" + std::to_string(n) + "]";
   }
-  /// Text of a file as it may stand in a sentence: in quotes, shortened.
+  /// Returns text from a file in quotes and shortened, for use in a sentence.
   static std::string quoted(const std::string& text);
 
  private:

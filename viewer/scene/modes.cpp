@@ -36,7 +36,7 @@ class Mean : public RayProjection {
   double value(double lengthMm) const override { return first_.value_or(0) + integral_ / lengthMm; }
 
  private:
-  std::optional<double> first_;  // means are counted from it: a constant loses nothing
+  std::optional<double> first_;  // sums are relative to it, so that constants are exact
   double integral_ = 0;
 };
 

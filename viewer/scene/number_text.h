@@ -5,13 +5,13 @@
 
 namespace volumen {
 
-/// The shortest decimal text that reads back as the same double.
+/// Returns the shortest decimal text that reads back as the same double.
 inline std::string numberText(double value) {
   char text[32];
   return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
 }
 
-/// The shortest text that reads back, by way of double, as the same float: 0.1 and not 0.10000000149011612.
+/// Returns the shortest text that reads back (via double) as the same float: 0.1, not 0.10000000149011612.
 inline std::string numberText(float value) {
   char text[32];
   char* const end = std::to_chars(text, text + sizeof text, value).ptr;

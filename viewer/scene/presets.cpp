@@ -14,7 +14,7 @@ namespace volumen {
 namespace {
 
 void anchor(Scene& scene, ValueRange from, ValueRange to) {
-  // A volume of one value has no range to map to; that value then counts as `high`.
+  // A constant volume has no range to map to; its value then counts as `high`.
   const double scale = to.high > to.low ? (to.high - to.low) / (from.high - from.low) : 1;
   const auto moved = [&](double value) { return to.high + (value - from.high) * scale; };
   for (CurvePoint& p : scene.transferFunction.points) p.value = float(moved(double(p.value)));
@@ -22,7 +22,7 @@ void anchor(Scene& scene, ValueRange from, ValueRange to) {
   if (scene.window) scene.window = Window{moved(scene.window->centre), scene.window->width * scale};
 }
 
-// Over the left shoulder, and a weak light from the other side, so that no part is black.
+// Light over the left shoulder, and a weak one from the other side, so that nothing is black.
 std::vector<Light> shoulderLights() {
   return {{.direction = {-0.5, 0.5, 1}}, {.direction = {0.8, -0.3, 0.6}, .intensity = 0.25}};
 }

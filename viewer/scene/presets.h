@@ -8,45 +8,46 @@
 
 namespace volumen {
 
-/// How values are shown: a scene without a view. `anchor`: values without a unit (MR) are moved so that `low`
-/// falls on a volume's P1 and `high` on its P99.5. Without one those of CT are Hounsfield units.
+/// Display settings: a scene without a view. With `anchor`, values without a unit (MR) are mapped so that
+/// `low` is the volume's P1 and `high` its P99.5. Without it, CT values are Hounsfield units.
 struct Preset {
   std::string name, modality;
   Scene scene;
   std::optional<ValueRange> anchor;
 };
 
-/// Those compiled in from resources/presets, in the order of a menu.
+/// Returns the presets compiled in from resources/presets, in menu order.
 const std::vector<Preset>& builtInPresets();
-/// Their names; "auto" is not among them.
+/// Returns their names, without "auto".
 const std::vector<std::string>& presetNames();
 
-/// Whether there is such a preset ("auto" and the user's `own` included); the Error suggests a name that is
-/// spelled like it.
+/// Returns whether the preset exists ("auto" and the user's `own` included). The Error suggests a similar
+/// name.
 Status checkPreset(const std::string& name, const std::vector<Preset>& own = {});
 
-/// A preset file: {"name", "modality", "anchor"?, "scene": what differs from picture.md 8's defaults}. An
-/// Error is a sentence that names the field.
+/// Reads a preset file: {"name", "modality", "anchor"?, "scene": differences from picture.md 8's defaults}.
+/// The Error names the field.
 Result<Preset> presetFromJson(const std::string& text);
-/// The file of a preset; camera and clip are left out.
+/// Returns the file of a preset, without camera and clip.
 std::string presetToJson(const Preset& preset);
 
-/// Moves all that stands at values, up by so much.
+/// Shifts the curve and the window of a scene up by `by`.
 void moveValues(Scene& scene, double by);
-/// The preset's scene for this volume; of a CT without its rescale moved to where its water is (waterOf).
-/// Camera and clip are left at their defaults.
+/// Returns the preset's scene for this volume, shifted to the value of water for CT without its rescale
+/// (waterOf). Camera and clip keep their defaults.
 Scene sceneOf(const Preset& preset, const Volume& volume);
 
-/// What a preset is, of two scenes: mode, window, curve, shading, lights and background, but not the view.
+/// Returns whether two scenes agree in everything a preset holds: mode, window, curve, shading, lights and
+/// background, but not the view.
 bool sameLook(const Scene& a, const Scene& b);
-/// `scene` with the look of another.
+/// Returns `scene` with these settings of another scene.
 Scene withLook(Scene scene, const Scene& look);
 
-/// The scene of a preset for this volume, of those compiled in and of the user's `own`. "auto" chooses by
-/// modality and histogram, and lights over the shoulder. Refused: an unknown name (checkPreset).
+/// Returns the scene of a built-in preset or one of the user's `own` for this volume. "auto" chooses by
+/// modality and histogram and lights over the shoulder. The Error means an unknown name (checkPreset).
 Result<Scene> presetScene(const std::string& name, const Volume& volume, const std::vector<Preset>& own = {});
 
-/// The preset that "auto" takes for this volume.
+/// Returns the preset that "auto" selects for this volume.
 std::string automaticPreset(const Volume& volume);
 
 }  // namespace volumen

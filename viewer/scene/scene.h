@@ -11,16 +11,16 @@
 
 namespace volumen {
 
-/// The scene of picture.md as a plain value; every default is the one picture.md 8 shows.
+/// The scene of picture.md as a plain value, with the defaults of picture.md 8.
 
-/// What a ray shows: the row of this number in the table of modes (modes.h).
+/// The projection of rays: index into the table of modes (modes.h).
 enum class Mode { composite, mip, minip, average };
 
-/// One point of the transfer function (picture.md 4). `value` in real units, colour and opacity 0..1.
+/// One point of the transfer function (picture.md 4). `value` is in real units; colour and opacity are 0..1.
 struct CurvePoint {
   float value = 0;
   glm::dvec3 colour{1};
-  double opacity = 0;  ///< per unitDistance mm
+  double opacity = 0;  ///< Per unitDistance mm
   bool operator==(const CurvePoint&) const = default;
 };
 
@@ -31,9 +31,9 @@ struct GradientOpacityPoint {
 };
 
 struct TransferFunction {
-  double unitDistance = 1.0;  ///< mm
+  double unitDistance = 1.0;  ///< In mm
   std::vector<CurvePoint> points{{150, {0.9, 0.8, 0.7}, 0.0}, {400, {1.0, 1.0, 0.9}, 0.8}};
-  std::vector<GradientOpacityPoint> gradientOpacity;  ///< empty: factor 1
+  std::vector<GradientOpacityPoint> gradientOpacity;  ///< If empty, the factor is 1
   bool operator==(const TransferFunction&) const = default;
 };
 
@@ -41,7 +41,7 @@ struct Shading {
   bool lit = true;
   int sides = 2;  ///< 1 or 2
   bool localViewer = false;
-  std::optional<double> gradientFloor;  ///< value per mm; none: the default of picture.md 5
+  std::optional<double> gradientFloor;  ///< Value per mm; if empty, the default of picture.md 5
   double ambient = 0.2, diffuse = 0.7, specular = 0.2, shininess = 20;
   bool operator==(const Shading&) const = default;
 };
@@ -49,7 +49,7 @@ struct Shading {
 enum class Space { camera, patient };
 
 struct Light {
-  glm::dvec3 direction{0, 0, 1};  ///< towards the light; need not be unit
+  glm::dvec3 direction{0, 0, 1};  ///< Towards the light; any length
   Space space = Space::camera;
   glm::dvec3 colour{1};
   double intensity = 1.0;
@@ -59,19 +59,19 @@ struct Light {
 
 enum class Projection { parallel, perspective };
 
-/// picture.md 7. `direction` and `up` need not be unit.
+/// The camera of picture.md 7. `direction` and `up` may have any length.
 struct Camera {
-  std::optional<glm::dvec3> target;  ///< patient mm; none: the centre of the volume
+  std::optional<glm::dvec3> target;  ///< Patient space, mm; if empty, the centre of the volume
   glm::dvec3 direction{0, 1, 0}, up{0, 0, 1};
   Projection projection = Projection::parallel;
-  double height = 300;    ///< mm, parallel
-  double fov = 30;        ///< degrees, vertical, perspective
-  double distance = 800;  ///< mm from eye to target, perspective
+  double height = 300;    ///< In mm, for parallel
+  double fov = 30;        ///< Vertical angle in degrees, for perspective
+  double distance = 800;  ///< Distance from eye to target in mm, for perspective
   bool operator==(const Camera&) const = default;
 };
 
-/// Keeps normal . p <= offset (patient mm). The normal need not be unit; offset is in mm along the unit
-/// normal.
+/// Keeps the half-space normal . p <= offset (patient space, mm). The normal may have any length; offset is
+/// in mm along the unit normal.
 struct ClipPlane {
   glm::dvec3 normal{0, 0, 1};
   double offset = 0;
@@ -79,68 +79,68 @@ struct ClipPlane {
 };
 
 struct Clip {
-  glm::dvec3 boxLow{0}, boxHigh{1};  ///< fractions of the volume's box along i, j, k
+  glm::dvec3 boxLow{0}, boxHigh{1};  ///< Fractions of the volume's box along i, j, k
   std::vector<ClipPlane> planes;
   bool operator==(const Clip&) const = default;
 };
 
 struct Background {
   bool transparent = false;
-  glm::dvec3 colour{0};  ///< no meaning where transparent
+  glm::dvec3 colour{0};  ///< Ignored if transparent
   bool operator==(const Background& o) const {
     return transparent == o.transparent && (transparent || colour == o.colour);
   }
 };
 
-/// A segment drawn as a lit surface of its own (picture.md 10): where its smoothed occupancy is 1/2.
+/// A segment drawn as a lit surface (picture.md 10) where its smoothed occupancy is 1/2.
 struct SegmentSurface {
-  std::shared_ptr<const OccupancyField> field;  ///< never null; of any grid; equal where it is the same
-                                                ///< object: it never changes
+  /// Immutable and never null, on any grid; compared by identity.
+  std::shared_ptr<const OccupancyField> field;
   glm::dvec3 colour{1};
-  double opacity = 1;  ///< of each crossing of the surface; 0: not drawn
+  double opacity = 1;  ///< Of each crossing of the surface; 0 is not drawn
   bool operator==(const SegmentSurface&) const = default;
 };
 
 struct Scene {
   Mode mode = Mode::composite;
-  std::optional<Window> window;  ///< none: the file's, else P0.1 .. P99.9
+  std::optional<Window> window;  ///< If empty, the file's, else P0.1 .. P99.9
   TransferFunction transferFunction;
   Shading shading;
   std::vector<Light> lights{Light{}};
-  std::optional<Camera> camera;  ///< none: from the front, the whole box in view
+  std::optional<Camera> camera;  ///< If empty, from the front with the whole box in view
   Clip clip;
   Background background;
-  /// Of which none are in scene files: a session holds them.
+  /// Sessions hold them; scene files have none.
   std::vector<SegmentSurface> segments;
   bool operator==(const Scene&) const = default;
 };
 
-/// The segments that show: opacity above 0, and not of no voxels. Pointers into `scene`.
+/// Returns the visible segments, those with opacity and voxels. The pointers refer to `scene`.
 std::vector<const SegmentSurface*> shownSegments(const Scene& scene);
 
-/// The six views of design.md 10: anterior, posterior, left, right, superior, inferior. None where the name
-/// is unknown.
+/// Returns one of the six views of design.md 10 (anterior, posterior, left, right, superior, inferior); empty
+/// if the name is unknown.
 std::optional<Camera> standardView(const std::string& name);
-/// Their names, in that order.
+/// Returns their names in that order.
 const std::vector<std::string>& standardViewNames();
 
-/// `camera` with its target set (the volume's centre where it has none) and with the smallest height
-/// (parallel) and distance (perspective, at its fov) at which the volume's whole unclipped box fits in both
-/// directions of a picture of this aspect (width / height).
+/// Returns `camera` with its target set, by default to the volume's centre. Height (parallel) and distance
+/// (perspective, at its fov) are the smallest that fit the whole unclipped box into a picture of this aspect
+/// (width / height).
 Camera fitCamera(Camera camera, const VoxelGeometry& geometry, double aspect);
 
-/// picture.md 7's orthonormal axes of a camera in patient space.
+/// Orthonormal camera axes of picture.md 7 in patient space.
 struct CameraAxes {
   glm::dvec3 right, up, direction;
 };
 CameraAxes cameraAxes(const Camera& camera);
 
-/// `camera` turned by `degrees` about its `up` through the target, anticlockwise seen from the tip of up
+/// Rotates the camera by `degrees` around its `up` through the target, anticlockwise seen from the tip of up
 /// (design.md 10).
 Camera turned(Camera camera, double degrees);
 
-/// `camera` with its eye `degrees` above the plane through the target at right angles to `up` (towards the
-/// tip of up; -90 < degrees < 90), on the side where it was.
+/// Sets the elevation of the eye to `degrees` above the plane through the target perpendicular to `up`
+/// (towards its tip; -90 < degrees < 90), on the same side.
 Camera elevated(Camera camera, double degrees);
 
 }  // namespace volumen

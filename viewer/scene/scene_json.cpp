@@ -19,11 +19,11 @@ const Words<Space> spaceWords{{"camera", Space::camera}, {"patient", Space::pati
 const Words<Projection> projectionWords{{"parallel", Projection::parallel},
                                         {"perspective", Projection::perspective}};
 
-// The elements that picture.md 8 shows stand for the defaults of every element of their lists.
+// List elements default to the values that picture.md 8 shows for them.
 constexpr CurvePoint shownPoint{150, {0.9, 0.8, 0.7}, 0};
 constexpr ClipPlane shownPlane{{0, 0, 1}, 50};
 
-// A direction's length has no meaning, but its square must be a number that arithmetic can hold.
+// The length of a direction is meaningless, but its square must not overflow.
 void readDirection(JsonFields& fields, const char* name, glm::dvec3& direction) {
   fields.read(name, direction);
   const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});

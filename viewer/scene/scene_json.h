@@ -6,15 +6,15 @@
 
 namespace volumen {
 
-/// Reads a scene file (picture.md 8, JSON in UTF-8), validated. Every refusal is one sentence that names the
-/// field, e.g. "lights[2].intensity must be >= 0, not -1". Unknown fields are refused.
+/// Reads and validates a scene file (picture.md 8, JSON in UTF-8). The Error is one sentence that names the
+/// field, such as "lights[2].intensity must be >= 0, not -1". Unknown fields are refused.
 Result<Scene> sceneFromJson(const std::string& text);
 
-/// The complete scene, every field written, in picture.md 8's order; sceneFromJson(sceneToJson(s)) == s for
-/// every valid scene.
+/// Returns the complete scene with every field, in the order of picture.md 8. sceneFromJson(sceneToJson(s))
+/// == s for every valid scene.
 std::string sceneToJson(const Scene& scene);
 
-/// Checks a scene made in code by the same rules as a file; the sentence names the field.
+/// Validates a scene made in code by the rules for files. The Error names the field.
 Status validateScene(const Scene& scene);
 
 }  // namespace volumen

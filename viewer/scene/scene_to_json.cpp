@@ -6,8 +6,8 @@ namespace volumen {
 
 namespace {
 
-// Written by hand, because a scene file is read and edited by people: one line a point, light or plane, in
-// picture.md 8's order.
+// Scene files are read and edited by people, so the layout is fixed: one line per point, light or plane, in
+// the order of picture.md 8.
 
 template <class... Parts>
 std::string join(const Parts&... parts) {

@@ -13,7 +13,7 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-// Levenshtein's edit distance.
+// Returns the Levenshtein distance.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t(0));

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// The name that was probably meant by a mistyped word: the one with the fewest letters to change, add or
-/// leave out, where capitals do not count; none where more than a third of the letters differ.
+/// Returns the name that a mistyped word probably meant: the one with the smallest edit distance, ignoring
+/// case. Empty if more than a third of the letters differ.
 std::optional<std::string> similarName(const std::string& word, const std::vector<std::string>& names);
 
 }  // namespace volumen

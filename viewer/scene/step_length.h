@@ -5,7 +5,7 @@
 
 namespace volumen {
 
-/// picture.md 9: the length of a step on a ray along the camera's axis, mm.
+/// Returns the step length on a ray along the camera's axis, mm (picture.md 9).
 double stepMm(const Camera& camera, const VoxelGeometry& geometry, double stepVoxels);
 
 }  // namespace volumen

@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// Keeps the first broken rule (picture.md 8, table of what is allowed) as a sentence.
+// Keeps the first broken rule (picture.md 8, table of allowed values) as a sentence.
 class Rules {
  public:
   std::string problem;
@@ -27,7 +27,7 @@ class Rules {
     finite(path, value);
     require(value > 0, path, "must be > 0, not " + numberText(value));
   }
-  // A length whose square is an ordinary number.
+  // The square of a length must be an ordinary number.
   void length(const std::string& path, double value) {
     positive(path, value);
     within(path, value, 1e-30, 1e30);
@@ -44,7 +44,7 @@ class Rules {
   void colour(const std::string& path, const glm::dvec3& v) {
     for (int a = 0; a < 3; ++a) within(path + "[" + std::to_string(a) + "]", v[a], 0, 1);
   }
-  // A direction may have any length whose square is still an ordinary number.
+  // A direction may have any length whose square is an ordinary number.
   void direction(const std::string& path, const glm::dvec3& v) {
     finite(path, v);
     require(v != glm::dvec3(0), path, "must not be zero");

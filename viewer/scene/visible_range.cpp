@@ -14,7 +14,7 @@ constexpr float largest = std::numeric_limits<float>::max();
 float above(float value) { return std::nextafter(value, infinity); }
 float below(float value) { return std::nextafter(value, -infinity); }
 
-// The smallest float32 >= value, the largest <= value; limited to finite ones.
+// The smallest float32 >= value and the largest <= value, clamped to finite ones.
 float ceilFloat(double value) {
   const auto f = float(std::clamp(value, -double(largest), double(largest)));
   return double(f) < value && f < largest ? above(f) : f;
@@ -24,7 +24,7 @@ float floorFloat(double value) {
   return double(f) > value && f > -largest ? below(f) : f;
 }
 
-// The curve just below a value (picture.md 4: the first of equal points is the limit from below).
+// Returns the curve just below a value (picture.md 4: the first of equal points is the limit from below).
 CurvePoint limitFromBelow(const std::vector<CurvePoint>& points, float value) {
   const auto b = std::find_if(points.begin(), points.end(), [&](const auto& p) { return p.value >= value; });
   if (b == points.begin()) return {value, b->colour, b->opacity};
@@ -34,7 +34,7 @@ CurvePoint limitFromBelow(const std::vector<CurvePoint>& points, float value) {
   return {value, a.colour + f * (b->colour - a.colour), a.opacity + f * (b->opacity - a.opacity)};
 }
 
-// The curve at a value (the last of equal points holds there).
+// Returns the curve at a value (the last of equal points holds there).
 CurvePoint at(const std::vector<CurvePoint>& points, float value) {
   for (auto p = points.rbegin(); p != points.rend(); ++p)
     if (p->value == value) return *p;
@@ -70,8 +70,8 @@ TransferFunction restrictedTo(const TransferFunction& curve, ValueRange range) {
 std::vector<ValueRange> visibleSpans(const TransferFunction& curve) {
   const std::vector<CurvePoint>& points = curve.points;
   std::vector<ValueRange> spans;
-  // Pieces come in ascending order and without gaps between their float32 values, so that a visible piece
-  // that begins next to the last one continues it.
+  // Pieces come in ascending order without gaps between their float32 values, so a visible piece next to the
+  // last span extends it.
   const auto add = [&](float low, float high, bool visible) {
     if (!visible || low > high) return;
     if (!spans.empty() && above(float(spans.back().high)) == low)

@@ -6,15 +6,15 @@
 
 namespace volumen {
 
-/// The curve for seeing a value range alone: its opacity inside the closed range, 0 outside, colours kept.
-/// Exact for every float32 value (the upper step stands at the next float32 above the range, because
-/// picture.md 4 holds the last of equal points at its value). Ends may be infinite. Has at most four points
-/// more than `curve`.
+/// Returns the curve restricted to a value range: its opacity inside the closed range, 0 outside, colours
+/// kept. It is exact for every float32 value: the upper step stands at the next float32 above the range,
+/// because the last of equal points holds at its value (picture.md 4). Ends may be infinite. At most four
+/// points are added.
 TransferFunction restrictedTo(const TransferFunction& curve, ValueRange range);
 
-/// The maximal spans of values with opacity > 0, ascending, as closed ranges of float32 values: exactly those
-/// that voxelsInRange() needs to find what is seen. Ends are infinite where the curve's ends are visible.
-/// Gradient opacity is ignored.
+/// Returns the maximal spans of values with opacity > 0, ascending, as closed ranges of float32 values,
+/// exactly as voxelsInRange() needs them. Spans are infinite where the curve's ends are visible. Gradient
+/// opacity is ignored.
 std::vector<ValueRange> visibleSpans(const TransferFunction& curve);
 
 }  // namespace volumen

@@ -7,15 +7,14 @@
 
 namespace volumen {
 
-/// The slices of a series as acquired, beside the evenly spaced grid that is drawn of them. None, where both
-/// are the same.
+/// The slices of a series as acquired, beside the evenly spaced grid resampled from them. Empty if both are
+/// the same.
 struct AcquiredSlices {
-  VolumePtr volume{};            ///< their values, slice after slice
-  std::vector<double> places{};  ///< where each lies along k of the grid, in slices of that
+  VolumePtr volume{};            ///< Values, slice after slice
+  std::vector<double> places{};  ///< Position of each slice along k of the grid, in grid slices
 };
 
-/// A mask of the grid on the slices as acquired: each of their pixels has what the nearest voxel has. On all
-/// cores.
+/// Returns a mask of the grid on the slices as acquired, by nearest neighbour along k. Runs on all cores.
 BitMask onAcquired(const BitMask& mask, const AcquiredSlices& slices);
 
 }  // namespace volumen

@@ -8,11 +8,11 @@
 
 namespace volumen {
 
-/// The labels of `other`, which is of the grid of `map`, that have a voxel where that has a label, too.
+/// Returns the labels of `other` that share a voxel with any label of `map`. Both have the same grid.
 std::bitset<256> labelsOverlapping(const LabelMap& map, const LabelMap& other);
 
-/// `map` with the labels of `other`, which is of its grid, where it has none: label n becomes `numbers[n]`; 0
-/// leaves it out.
+/// Returns `map` with the labels of `other` (same grid) added where `map` is background. Label n becomes
+/// `numbers[n]`; 0 leaves it out.
 LabelMap withLabelsAdded(const LabelMap& map, const LabelMap& other,
                          const std::array<std::uint8_t, 256>& numbers);
 

@@ -17,7 +17,7 @@ namespace volumen {
 
 namespace {
 
-// Pixels of a slice, x fastest.
+// The pixels of a slice, x fastest.
 struct SlicePlane {
   glm::ivec2 size;
   std::vector<std::uint8_t> in;
@@ -30,7 +30,7 @@ struct SlicePlane {
   bool empty() const { return std::ranges::find(in, 1) == in.end(); }
 };
 
-// Squared lengths in a slice, mm^2: of steps along both axes, and their product.
+// Metric of a slice: dot products of the steps along its axes, mm^2.
 struct PlaneMetric {
   double xx, xy, yy;
   double length(glm::dvec2 d) const {
@@ -38,7 +38,7 @@ struct PlaneMetric {
   }
 };
 
-// How far it is to the nearest pixel that is in, or that is not.
+// Distance to the nearest pixel that is in the mask, or that is not.
 class NearestPixel {
  public:
   NearestPixel(const SlicePlane& plane, bool in, const PlaneMetric& metric)
@@ -57,7 +57,7 @@ class NearestPixel {
     }
   }
 
-  // mm; where there is none the diagonal of the slice.
+  // Returns the distance in mm, or the diagonal of the slice if there is no such pixel.
   double operator()(glm::ivec2 from) const {
     double best = std::numeric_limits<double>::infinity();
     const double skew = metric_.xy / metric_.xx;
@@ -81,7 +81,7 @@ class NearestPixel {
     const auto consider = [&](int x) {
       if (x != none) best = std::min(best, metric_.length({x - from.x, dy}));
     };
-    // Where on this row a sheared grid comes nearest.
+    // Position on this row that is nearest to `from` on a sheared grid.
     const double nearest = std::clamp(from.x - skew * dy, -1.0, double(size_.x));
     const int at = int(std::floor(nearest));
     if (at >= 0) consider(before_[row + std::size_t(std::min(at, size_.x - 1))]);
@@ -91,10 +91,10 @@ class NearestPixel {
 
   glm::ivec2 size_;
   PlaneMetric metric_;
-  std::vector<int> before_, behind_;  // the next one in the row, this pixel included
+  std::vector<int> before_, behind_;  // nearest such pixel in the row, this pixel included
 };
 
-// Parts of a slice (pixels that share a corner too), numbered from 1; `of` holds 0 elsewhere.
+// Connected components of a slice (8-connected), numbered from 1; `of` is 0 elsewhere.
 struct PlaneParts {
   struct Part {
     std::vector<glm::ivec2> pixels;
@@ -127,7 +127,7 @@ struct PlaneParts {
       }
   }
 
-  // Those that overlap nothing, the largest first; of equal ones the first.
+  // Returns the components that overlap nothing, largest first, in order of discovery if equal.
   std::vector<Part*> apart() {
     std::vector<Part*> found;
     for (Part& part : parts)
@@ -137,13 +137,13 @@ struct PlaneParts {
   }
 };
 
-// Voxels of the slices first .. last.
+// One pixel position filled in the slices first .. last.
 struct FilledVoxels {
   glm::ivec2 at;
   int first, last;
 };
 
-// The slices from + 1 .. to - 1, filled by what is in both of these; neither has been changed.
+// Fills the slices from + 1 .. to - 1 between two painted slices.
 class SliceGap {
  public:
   SliceGap(int from, int to, const PlaneMetric& metric, glm::ivec2 size)
@@ -172,7 +172,7 @@ class SliceGap {
   }
 
  private:
-  // One part becomes the other, on the way from its middle to that one's.
+  // Morphs one component into the other while moving it from centroid to centroid.
   void move(const PlaneParts::Part& part, const PlaneParts::Part& other) {
     const glm::ivec2 by = glm::round(other.middle() - part.middle());
     glm::ivec2 low = part.pixels.front(), high = low;
@@ -186,7 +186,7 @@ class SliceGap {
     fill(first, second, low, by);
   }
 
-  // Pixel p of both planes lies at p + origin in the first slice, and `by` farther in the second.
+  // Pixel p of both planes lies at p + origin in the first slice and at p + origin + by in the second.
   void fill(const SlicePlane& first, const SlicePlane& second, glm::ivec2 origin, glm::ivec2 by) {
     const NearestPixel outOfFirst(first, false, metric_), outOfSecond(second, false, metric_);
     const NearestPixel inFirst(first, true, metric_), inSecond(second, true, metric_);
@@ -201,7 +201,7 @@ class SliceGap {
           outside = a ? inSecond(p) : inFirst(p);
         }
         int begin = from_ + 1, end = to_;
-        // Rounding decides nothing: what sums to 0 is in.
+        // The tolerance counts sums of 0 as inside, whatever the rounding.
         const auto isIn = [&](int slice) {
           const double away = double(a ? slice - from_ : to_ - slice) / (to_ - from_);
           return away * outside - (1 - away) * inside <= 1e-9 * (outside + inside);
@@ -233,7 +233,7 @@ class SliceGap {
   std::vector<FilledVoxels> filled_;
 };
 
-// The voxels of a mask by slices across an axis.
+// Access to the slices of a mask across an axis.
 class SlicesAcross {
  public:
   SlicesAcross(glm::ivec3 size, int axis)
@@ -259,7 +259,7 @@ class SlicesAcross {
       for (int x = 0; x < size_.x; ++x) plane.in[plane.placeOf({x, y})] = mask.at(voxel(slice, {x, y}));
     return plane;
   }
-  // Those with voxels, in order.
+  // Returns the slices with voxels, in order.
   std::vector<int> painted(const BitMask& mask) const {
     std::vector<bool> any(std::size_t(count_), false);
     for (int k = 0; k < mask.size().z; ++k)

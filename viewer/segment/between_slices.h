@@ -7,16 +7,18 @@
 
 namespace volumen {
 
-/// With the slices between painted ones filled: across the axis (0, 1, 2), of two slices with voxels and only
-/// empty ones between them, each of these holds the voxels where the signed distances (mm, in the slice;
-/// negative inside; from voxel to voxel) to both outlines, weighted by nearness, sum to 0 or less. Parts of
-/// one slice that overlap none of the other, the largest first, are moved onto the nearest such part of that
-/// one, by their centroids and to whole voxels, and become it on the way. Painted slices stay as they are. A
+/// Returns the mask with the empty slices between painted ones filled, across `axis` (0, 1, 2). A voxel is
+/// filled where the signed distances to the outlines in both neighbouring painted slices sum to 0 or less.
+/// Distances are in mm within the slice, negative inside, from voxel to voxel, and weighted by nearness.
+/// A connected component of one slice that overlaps none of the other becomes the nearest such component
+/// there. It is moved by the difference of the centroids, in whole voxels; the largest component goes first.
+/// Painted slices stay as they are. The result is incomplete if cancelled.
 /// cancelled one is returned half done.
 BitMask filledBetweenSlices(const BitMask& mask, int axis, const CancelToken& cancel = {});
 
-/// The axis across which slices were painted: of those across which there are empty slices between ones with
-/// voxels the one with the fewest such (of as many, the last); none where there are no empty ones.
+/// Returns the axis across which slices were painted: there are empty slices between painted ones, and
+/// painted slices are fewest (of equal axes the last). Empty if no axis has empty slices between painted
+/// ones.
 std::optional<int> axisOfPaintedSlices(const BitMask& mask);
 
 }  // namespace volumen

@@ -28,7 +28,7 @@ BitMask combined(BitMask a, const BitMask& b, const Combine& combine) {
   return a;
 }
 
-// Which of 32 bytes are `label`.
+// Returns a bit for each of 32 bytes: set if it equals `label`.
 std::uint32_t bitsEqual(const std::uint8_t* bytes, std::uint8_t label) {
   std::array<std::uint8_t, 32> same;
   for (std::size_t n = 0; n < same.size(); ++n) same[n] = bytes[n] == label;
@@ -46,7 +46,7 @@ static_assert(brickRow == 32, "half a word of a mask");
 
 std::size_t firstInBrick(int j, int k) { return std::size_t(brickRow * (j + brickRow * k)); }
 
-// What a label becomes where the mask is not, and where it is.
+// Maps old labels to new ones, outside [0] and inside [1] the mask.
 using NewLabels = std::array<std::array<std::uint8_t, 256>, 2>;
 
 NewLabels newLabels(std::uint8_t label, std::span<const std::uint8_t> locked) {
@@ -59,12 +59,12 @@ NewLabels newLabels(std::uint8_t label, std::span<const std::uint8_t> locked) {
   return to;
 }
 
-// The mask in the 32 voxels from (i, j, k) on, i a multiple of 32.
+// Returns the mask bits of the 32 voxels from (i, j, k) on; i must be a multiple of 32.
 std::uint32_t bitsFrom(const BitMask& mask, glm::ivec3 voxel) {
   return std::uint32_t(mask.row(voxel.y, voxel.z)[std::size_t(voxel.x) / 64] >> voxel.x % 64);
 }
 
-// What of a row of a brick has a label, of its voxels in `whole`.
+// Returns the voxels of a brick row with `label`, restricted to the bits of `whole`.
 std::uint32_t labelled(const LabelMap::Brick& brick, std::size_t first, std::uint8_t label,
                        std::uint32_t whole) {
   if (!brick.voxels) return brick.label == label ? whole : 0;

@@ -11,19 +11,19 @@
 
 namespace volumen {
 
-/// A set of voxels, one bit each: what the steps of segmentation work on, 64 voxels at once. A row along i is
-/// whole words, lowest bit first; bits beyond the grid are 0. Results are the same for any number of threads.
+/// A set of voxels, one bit each: segmentation steps process 64 voxels at once. Each row along i starts on a
+/// word, lowest bit first; bits beyond the grid are 0. Results are the same for any number of threads.
 class BitMask {
  public:
-  /// None.
+  /// Creates an empty mask.
   explicit BitMask(const VoxelGeometry& geometry);
 
   const VoxelGeometry& geometry() const { return geometry_; }
   glm::ivec3 size() const { return geometry_.size; }
   int wordsPerRow() const { return wordsPerRow_; }
-  /// The bits of a row's last word that lie in the grid.
+  /// Returns a word with those bits set that lie in the grid in the last word of a row.
   std::uint64_t lastWord() const { return ~std::uint64_t(0) >> (wordsPerRow_ * 64 - geometry_.size.x); }
-  /// The words of the voxels (0.., j, k). Who writes keeps bits beyond the grid 0.
+  /// Returns the words of the voxels (0.., j, k). Writers must keep bits beyond the grid 0.
   std::span<std::uint64_t> row(int j, int k) { return {words_.data() + firstOf(j, k), wordCount()}; }
   std::span<const std::uint64_t> row(int j, int k) const {
     return {words_.data() + firstOf(j, k), wordCount()};
@@ -35,10 +35,10 @@ class BitMask {
     return words_[firstOf(voxel.y, voxel.z) + std::size_t(voxel.x) / 64] >> voxel.x % 64 & 1;
   }
   void set(glm::ivec3 voxel, bool in = true);
-  /// How many voxels it holds; on all cores.
+  /// Returns the number of voxels in the mask. Runs on all cores.
   std::int64_t count() const;
   bool empty() const;
-  /// The smallest box that holds all of them; none where there are none.
+  /// Returns the bounding box of the mask; empty if the mask is empty.
   std::optional<VoxelBox> box() const;
   bool operator==(const BitMask&) const = default;
 
@@ -53,17 +53,18 @@ class BitMask {
   std::vector<std::uint64_t> words_;
 };
 
-/// Of two masks of one grid; on all cores.
+/// Set operations on two masks of one grid. They run on all cores.
 BitMask united(BitMask a, const BitMask& b);
 BitMask intersected(BitMask a, const BitMask& b);
 BitMask subtracted(BitMask a, const BitMask& b);
-/// All other voxels of the grid.
+/// Returns all other voxels of the grid.
 BitMask inverted(BitMask mask);
 
-/// The voxels of a label; on all cores.
+/// Returns the voxels with `label`. Runs on all cores.
 BitMask maskOf(const LabelMap& map, std::uint8_t label);
-/// `label` exactly at the voxels of the mask, but none of a locked label (background may be one) is changed;
-/// where it was and the mask is not, background. Bricks that stay the same are shared. On all cores.
+/// Gives `label` to exactly the voxels of the mask; voxels outside it that had the label become background.
+/// Voxels of `locked` labels (background may be one) do not change. Unchanged bricks are shared. Runs on all
+/// cores.
 LabelMap withLabel(const LabelMap& map, std::uint8_t label, const BitMask& mask,
                    std::span<const std::uint8_t> locked = {});
 

@@ -5,14 +5,15 @@
 #include <cstdint>
 #include <span>
 
-/// The rows of a BitMask bit by bit: lowest first, 64 a word.
+/// Rows of a BitMask, bit by bit: 64 bits per word, lowest first.
 namespace volumen::bits {
 
 using Row = std::span<const std::uint64_t>;
 
 inline bool isSet(Row row, int at) { return row[std::size_t(at) / 64] >> at % 64 & 1; }
 
-/// The first bit in [from, end) that is set (of the row with its words turned by `flip`); `end`: none is.
+/// Returns the first set bit in [from, end) of the row with its words XORed with `flip`, or `end` if there is
+/// none.
 inline int firstSet(Row row, int from, int end, std::uint64_t flip = 0) {
   if (from >= end) return end;
   std::size_t word = std::size_t(from) / 64;
@@ -23,7 +24,7 @@ inline int firstSet(Row row, int from, int end, std::uint64_t flip = 0) {
 }
 inline int firstUnset(Row row, int from, int end) { return firstSet(row, from, end, ~std::uint64_t(0)); }
 
-/// Where the set bits that `at` is one of begin.
+/// Returns the begin of the run of set bits that contains `at`.
 inline int beginOfRun(Row row, int at) {
   int word = at / 64;
   std::uint64_t unset = ~row[std::size_t(word)] & ~std::uint64_t(0) >> (63 - at % 64);
@@ -31,7 +32,7 @@ inline int beginOfRun(Row row, int at) {
   return unset ? word * 64 + 64 - std::countl_zero(unset) : 0;
 }
 
-/// Calls run(begin, end) for the set bits of the row's first `size` that lie side by side, in order.
+/// Calls run(begin, end) for each run of set bits in the first `size` bits of the row, in order.
 template <class Call>
 void forEachRun(Row row, int size, const Call& run) {
   for (int begin = firstSet(row, 0, size); begin < size;) {
@@ -41,7 +42,7 @@ void forEachRun(Row row, int size, const Call& run) {
   }
 }
 
-/// Sets [begin, end), begin < end.
+/// Sets the bits [begin, end); begin < end.
 inline void setRun(std::span<std::uint64_t> row, int begin, int end) {
   const std::size_t first = std::size_t(begin) / 64, last = std::size_t(end - 1) / 64;
   const std::uint64_t from = ~std::uint64_t(0) << begin % 64, to = ~std::uint64_t(0) >> (63 - (end - 1) % 64);
@@ -54,14 +55,14 @@ inline void setRun(std::span<std::uint64_t> row, int begin, int end) {
   row[last] |= to;
 }
 
-/// The 64 bits from `at` on; 0 where the row is not.
+/// Returns the 64 bits from `at` on; bits outside the row are 0.
 inline std::uint64_t wordAt(Row row, int at) {
   const int word = at >> 6, by = at & 63;
   const auto of = [&](int n) { return n >= 0 && n < int(row.size()) ? row[std::size_t(n)] : 0; };
   return by ? of(word) >> by | of(word + 1) << (64 - by) : of(word);
 }
 
-/// The lowest bits of eight bytes, the first byte's lowest.
+/// Packs the lowest bits of eight bytes into one byte; the first byte gives the lowest bit.
 inline std::uint64_t bitsOfBytes(std::uint64_t eight) {
   return (eight & 0x0101010101010101) * 0x0102040810204080 >> 56;
 }

@@ -9,10 +9,10 @@ namespace {
 
 constexpr std::uint64_t allBits = ~std::uint64_t(0);
 
-// The lowest so many bits.
+// Returns a word with the lowest `count` bits set.
 std::uint64_t lowest(int count) { return count >= 64 ? allBits : (std::uint64_t(1) << count) - 1; }
 
-// The bits of the voxels from .. from + 63 of a row of `size` voxels.
+// Returns the bits of voxels from .. from + 63 of a row of `size` voxels.
 std::uint64_t bitsFrom(std::span<const std::uint64_t> row, int size, int from, BeyondGrid beyond) {
   const int word = from >> 6, shift = from & 63;
   const auto wordAt = [&](int n) { return n >= 0 && n < int(row.size()) ? row[std::size_t(n)] : 0; };
@@ -36,7 +36,7 @@ void BitWindow::start(const VoxelBox& box) {
   all_ = true;
 }
 
-// Notes what is in a row that was read.
+// Clears the bits after the last voxel of a row and updates any_ and all_.
 void BitWindow::take(std::uint64_t* words) {
   const std::size_t last = wordsPerRow_ - 1;
   const std::uint64_t inLast = lowest(size_.x - 64 * int(last));

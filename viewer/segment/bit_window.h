@@ -10,26 +10,26 @@
 
 namespace volumen {
 
-/// What filters find beyond the grid of a mask.
+/// What filters assume beyond the grid of a mask: no voxels, or the nearest voxel of its border.
 enum class BeyondGrid { nothing, asAtBorder };
 
-/// A box grown by so many voxels on each side.
+/// Returns the box grown by `by` voxels on each side.
 inline VoxelBox grownBox(const VoxelBox& box, glm::ivec3 by) { return {box.low - by, box.high + by}; }
 
-/// A copy of the bits of a box of voxels that may reach beyond the grid: what a filter needs for one block.
+/// A copy of the bits in a box of voxels that may reach beyond the grid: the input of a filter for one block.
 class BitWindow {
  public:
   void read(const BitMask& mask, const VoxelBox& box, BeyondGrid beyond);
-  /// 1 where `labels`, one a voxel of the box, are `label`.
+  /// Sets the bits where `labels` equals `label`. `labels` has one entry per voxel of the box.
   void read(std::span<const std::uint8_t> labels, std::uint8_t label, const VoxelBox& box);
 
   glm::ivec3 size() const { return size_; }
-  /// The words of row (j, k) of the box; bit 0 is the first voxel, and bits behind the last one are 0.
+  /// Returns the words of row (j, k) of the box. Bit 0 is the first voxel; bits after the last voxel are 0.
   std::span<const std::uint64_t> row(int j, int k) const {
     return {words_.data() + (std::size_t(k) * std::size_t(size_.y) + std::size_t(j)) * wordsPerRow_,
             wordsPerRow_};
   }
-  /// Whether all bits are 0, or all are 1.
+  /// True if all bits are 0 (empty) or all are 1 (full).
   bool empty() const { return !any_; }
   bool full() const { return all_; }
 
@@ -43,12 +43,12 @@ class BitWindow {
   bool any_ = false, all_ = false;
 };
 
-/// Voxels along i of a block: one word of a mask.
+/// Width of a block along i in voxels: one word of a mask.
 inline constexpr int blockWidth = 64;
 
-/// Shares a box out into blocks, 64 voxels along i from box.low.x on (the last one, too) and up to `edge`
-/// along j and k, on all cores. Each part of the work asks makeWork() for what it then calls with its blocks,
-/// so that this can hold memory.
+/// Divides a box into blocks and processes them on all cores. Blocks span 64 voxels along i from box.low.x on
+/// (the last one too) and up to `edge` along j and k. Each thread's share calls makeWork() once and the
+/// result for each of its blocks, so that buffers are reused.
 template <class MakeWork>
 void forEachBlock(const VoxelBox& box, int edge, const CancelToken& cancel, const MakeWork& makeWork) {
   const glm::ivec3 size = box.high - box.low + 1, step(blockWidth, edge, edge);

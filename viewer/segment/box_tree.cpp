@@ -12,7 +12,7 @@ SpaceBox boxAbout(const SpaceBox& a, const SpaceBox& b) {
   return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
 }
 
-// Boxes about four of these each.
+// Returns one bounding box for every four boxes.
 std::vector<SpaceBox> boxesAbout(std::span<const SpaceBox> below) {
   std::vector<SpaceBox> boxes;
   boxes.reserve((below.size() + BoxTree::fanOut - 1) / BoxTree::fanOut);
@@ -29,11 +29,11 @@ struct PlacedItem {
   std::uint32_t index;
 };
 
-// Orders items so that those of each box of the tree come together: halves them across their longest side,
-// between boxes, until four are left.
+// Orders items so that those of each tree box are adjacent. Splits at a box boundary across the longest side
+// until four are left.
 void arrange(std::span<PlacedItem> items) {
   if (items.size() <= BoxTree::fanOut) return;
-  std::size_t ofBox = BoxTree::fanOut;  // in the largest boxes that are smaller than all
+  std::size_t ofBox = BoxTree::fanOut;  // capacity of the children's boxes
   while (ofBox * BoxTree::fanOut < items.size()) ofBox *= BoxTree::fanOut;
   const std::size_t half = ((items.size() + ofBox - 1) / ofBox + 1) / 2 * ofBox;
   glm::vec3 low = items[0].middle, high = low;

@@ -9,33 +9,32 @@
 
 namespace volumen {
 
-/// A box of patient space, mm.
+/// A box in patient space, mm.
 struct SpaceBox {
   glm::vec3 low{0}, high{0};
 };
 
-/// Four boxes, their coordinates beside each other so that vectors hold them; what is missing of them is far
-/// away.
+/// Four boxes, stored by coordinate for SIMD. Missing boxes lie far away.
 struct BoxGroup {
   std::array<std::array<float, 4>, 3> low, high;
 };
 
-/// Items of space, those near each other together: their boxes, boxes about four of these, and so on, up to
-/// at most four. What is asked of an item is first asked of the boxes about it.
+/// A bounding volume hierarchy. Each box encloses four boxes or items below it; the top level has at most
+/// four.
 class BoxTree {
  public:
   static constexpr std::size_t fanOut = 4;
 
-  /// Of the boxes of the items; at least one.
+  /// Builds the tree over the boxes of the items; at least one.
   explicit BoxTree(std::span<const SpaceBox> items);
 
-  /// The items in the order of the tree: box n of level 0 is that of the n-th.
+  /// Returns the item indices in tree order: box n of level 0 belongs to item order()[n].
   std::span<const std::uint32_t> order() const { return order_; }
-  /// The last has one group.
+  /// Returns the number of levels; the last level has one group.
   std::size_t levels() const { return levels_.size(); }
-  /// Boxes 4 n .. 4 n + 3 of a level; box m of it is about those of group m of the level below.
+  /// Returns boxes 4n .. 4n + 3 of a level. Box m encloses the boxes of group m of the level below.
   const BoxGroup& group(std::size_t level, std::size_t n) const { return levels_[level].groups[n]; }
-  /// How many boxes a level has.
+  /// Returns the number of boxes of a level.
   std::size_t boxes(std::size_t level) const { return levels_[level].boxes; }
 
  private:

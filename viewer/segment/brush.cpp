@@ -15,16 +15,16 @@ namespace volumen {
 
 namespace {
 
-// Distances that differ by rounding alone are equal.
+// Distances that differ only by rounding are equal.
 constexpr double brushRounding = 1e-9;
 
 struct BrushBox {
-  glm::ivec3 low, high;  // both inside
+  glm::ivec3 low, high;  // inclusive
 };
 
-// The voxels of the grid within so many mm of a line, and one more on each side.
+// Returns the box of voxels within `mm` of a line, with one more voxel on each side.
 BrushBox boxOfStroke(const VoxelGeometry& grid, glm::dvec3 from, glm::dvec3 to, double mm) {
-  // Rows of L^-1: how many voxels along an axis a mm can be.
+  // Rows of L^-1: their lengths are the most voxels along an axis that 1 mm can span.
   const glm::dmat3 steps = glm::transpose(grid.voxelFromPatientStep());
   const glm::dvec3 a = grid.voxelFromPatient(from), b = grid.voxelFromPatient(to);
   BrushBox box{};
@@ -36,7 +36,7 @@ BrushBox boxOfStroke(const VoxelGeometry& grid, glm::dvec3 from, glm::dvec3 to, 
   return box;
 }
 
-// The part of a row, i from low to high, in which low <= at + i * step <= high; widened by rounding.
+// The part of a row, i from low to high, where low <= at + i * step <= high, widened by rounding.
 struct RowRange {
   int low, high;
 
@@ -59,7 +59,7 @@ void forRows(const BrushBox& box, const Row& row) {
     for (int j = box.low.y; j <= box.high.y; ++j) row(j, k, RowRange{box.low.x, box.high.x});
 }
 
-// Adds the voxels of a row that are covered.
+// Adds the covered voxels of a row as runs.
 template <class IsCovered>
 void addRow(VoxelSpans& spans, int j, int k, RowRange range, const IsCovered& isCovered) {
   for (int i = range.low; i <= range.high; ++i) {
@@ -70,7 +70,7 @@ void addRow(VoxelSpans& spans, int j, int k, RowRange range, const IsCovered& is
   }
 }
 
-// In the order of memory; those that overlap or touch are one.
+// Returns the runs in memory order; overlapping or touching ones are merged.
 VoxelSpans mergedSpans(VoxelSpans spans) {
   std::ranges::sort(spans, {}, [](const RowSpan& s) { return std::tuple(s.k, s.j, s.begin); });
   VoxelSpans all;
@@ -84,8 +84,8 @@ VoxelSpans mergedSpans(VoxelSpans spans) {
   return all;
 }
 
-// Which voxels a plane goes through: of the cells of two neighbours that it lies between, the one that a
-// slice shows, whose index is the larger one.
+// Decides which voxels a plane cuts. If it lies between two neighbours, it cuts the one with the larger
+// index, which the slice shows.
 class CutByPlane {
  public:
   CutByPlane(const VoxelGeometry& grid, glm::dvec3 at, glm::dvec3 normal)
@@ -109,7 +109,7 @@ class CutByPlane {
   double distance(glm::dvec3 voxel) const { return glm::dot(perVoxel_, voxel - at_); }
 
   glm::dvec3 at_, perVoxel_;
-  double half_;  // of a voxel along the normal, mm
+  double half_;  // half extent of a voxel along the normal, mm
 };
 
 double squareToLine(glm::dvec3 p, glm::dvec3 from, glm::dvec3 to) {
@@ -120,12 +120,12 @@ double squareToLine(glm::dvec3 p, glm::dvec3 from, glm::dvec3 to) {
   return glm::dot(away, away);
 }
 
-// One disc; spans of a row may be there already.
+// Adds one disc; its runs may overlap those already in `spans`.
 void addDisc(VoxelSpans& spans, const VoxelGeometry& grid, const CutByPlane& cut, glm::dvec3 middle,
              glm::dvec3 normal, double radiusMm) {
   const glm::dvec3 edges = grid.spacing(), place = grid.voxelFromPatient(middle);
   const double finest = std::min({edges.x, edges.y, edges.z}), most = radiusMm * (1 + brushRounding);
-  const glm::dvec3 core = 0.5 - 0.5 * finest / edges;  // of a voxel, from its middle
+  const glm::dvec3 core = 0.5 - 0.5 * finest / edges;  // half extents of the inner box within a voxel
   forRows(boxOfStroke(grid, middle, middle, radiusMm + finest), [&](int j, int k, RowRange range) {
     cut.narrow(j, k, range);
     addRow(spans, j, k, range, [&](int i) {
@@ -149,7 +149,7 @@ VoxelSpans ballStroke(const VoxelGeometry& grid, glm::dvec3 from, glm::dvec3 to,
   VoxelSpans spans;
   forRows(boxOfStroke(grid, from, to, radiusMm), [&](int j, int k, RowRange range) {
     const glm::dvec3 first = grid.patientFromVoxel({0, j, k});
-    // Within radiusMm of the endless line.
+    // Restricts the row to radiusMm around the infinite line.
     if (a > 1e-9 * glm::dot(step, step)) {
       const glm::dvec3 out = across(first - from);
       const double middle = -glm::dot(out, stepAcross) / a,

@@ -10,45 +10,46 @@
 
 namespace volumen {
 
-/// Voxels side by side in a row of a grid: (begin .. end - 1, j, k).
+/// A run of voxels in a row of a grid: (begin .. end - 1, j, k).
 struct RowSpan {
   int begin, end, j, k;
   bool operator==(const RowSpan&) const = default;
 };
 
-/// Voxels of a grid, row after row in the order of memory; no two spans touch.
+/// Voxels of a grid as runs, in memory order. No two runs touch.
 using VoxelSpans = std::vector<RowSpan>;
 
-// What brushes cover. Places are in the patient, mm; the cost is that of the box about the stroke.
+// Voxels that brushes cover. Points are in patient space, mm. The cost grows with the bounding box of the
+// stroke.
 
-/// The voxels whose centre lies within radiusMm of the line between two places.
+/// Returns the voxels whose centre lies within `radiusMm` of the line from `from` to `to`.
 VoxelSpans ballStroke(const VoxelGeometry& grid, glm::dvec3 from, glm::dvec3 to, double radiusMm);
 
-/// What discs in a plane cover that follow each other along a line in it, at most half the finest edge of a
-/// voxel apart. A disc covers the voxels that the plane goes through (those that a slice of it shows) and
-/// that it reaches farther into than half that edge: of cubes those whose centre lies before or behind it, of
-/// longer ones those of which a part does.
+/// Returns the voxels covered by discs in a plane, placed along a line at most half the finest voxel edge
+/// apart. A disc covers voxels that the plane cuts (those shown in its slice) and that it enters by more than
+/// half that edge. The centre of a cubic voxel must lie in the disc, seen along the normal. For longer voxels
+/// it is enough that a point at least that far from all their faces does.
 VoxelSpans discStroke(const VoxelGeometry& grid, glm::dvec3 from, glm::dvec3 to, glm::dvec3 normal,
                       double radiusMm);
 
-/// The voxels that a plane goes through and whose centre lies, along its normal, within an outline in it. The
-/// last point is joined to the first; where the outline crosses itself, all that it goes around is inside
-/// (non-zero winding number).
+/// Returns the voxels that a plane cuts and whose centre, projected along the normal, lies within a closed
+/// outline. Self-crossing outlines follow the non-zero winding rule.
 VoxelSpans insideOutline(const VoxelGeometry& grid, std::span<const glm::dvec3> outline, glm::dvec3 normal);
 
-/// What painting changes.
+/// What a brush changes.
 struct PaintRules {
-  std::uint8_t label = 1;             ///< that is painted, or taken away
-  bool erases = false;                ///< voxels of the label become background
-  std::vector<std::uint8_t> kept{};   ///< labels that are not painted over; background may be one
-  std::optional<ValueRange> range{};  ///< only voxels of these values that are no padding; with a volume
-  VolumePtr volume{};                 ///< on the grid of the labels
+  std::uint8_t label = 1;            ///< Label to paint or erase
+  bool erases = false;               ///< True if voxels of the label become background
+  std::vector<std::uint8_t> kept{};  ///< Labels that are not painted over; may include background
+  /// Paints only voxels with values in this range, except padding; needs `volume`.
+  std::optional<ValueRange> range{};
+  VolumePtr volume{};  ///< Volume on the grid of the labels
 };
 
-/// With these voxels painted. Bricks that stay the same are shared.
+/// Returns the map with these voxels painted. Unchanged bricks are shared.
 LabelMap painted(const LabelMap& map, const VoxelSpans& spans, const PaintRules& rules);
 
-/// Adds voxels to a mask of their grid.
+/// Adds voxels to a mask of the same grid.
 void addSpans(BitMask& mask, const VoxelSpans& spans);
 
 }  // namespace volumen

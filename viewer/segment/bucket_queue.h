@@ -4,24 +4,24 @@
 
 namespace volumen {
 
-/// Voxels in order of what they cost, in one window of costs; of one cost in no order.
+/// A bucket queue of voxels over a window of costs. Voxels of equal cost come in no particular order.
 class BucketQueue {
  public:
-  /// A bucket for each cost, all of them empty.
+  /// Creates one empty bucket per cost.
   explicit BucketQueue(std::size_t buckets) : heads_(buckets, none) {}
-  /// A voxel more, >= 0.
+  /// Adds a voxel (index >= 0).
   void push(std::size_t bucket, int voxel) {
     nodes_.push_back({heads_[bucket], voxel});
     heads_[bucket] = int(nodes_.size()) - 1;
   }
-  /// Takes the next of a bucket; < 0 where there is none.
+  /// Removes and returns the next voxel of a bucket; negative if the bucket is empty.
   int pop(std::size_t bucket) {
     const int node = heads_[bucket];
     if (node == none) return none;
     heads_[bucket] = nodes_[std::size_t(node)].next;
     return nodes_[std::size_t(node)].voxel;
   }
-  /// Gives back the room of what was taken, once all was.
+  /// Frees the nodes for reuse. All buckets must be empty.
   void clear() { nodes_.clear(); }
 
  private:

@@ -13,10 +13,10 @@ namespace {
 constexpr int cellEdges = 12;
 using EdgeLoop = std::vector<std::uint8_t>;
 
-// The axes across an edge along `axis`, in the order in which edges are counted.
+// Returns the two axes across an edge along `axis`, in the order of edge numbers.
 constexpr std::pair<int, int> axesAcross(int axis) { return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2}; }
 
-// Of two corners that differ along one axis.
+// Returns the edge between two corners that differ along one axis.
 int edgeBetween(int a, int b) {
   const int low = std::min(a, b), axis = (a ^ b) == 1 ? 0 : (a ^ b) == 2 ? 1 : 2;
   const auto [first, second] = axesAcross(axis);
@@ -32,15 +32,15 @@ bool shareFace(int a, int b) {
   return std::ranges::any_of(sides(b), [&](int side) { return side == of[0] || side == of[1]; });
 }
 
-// The corners of a face, anticlockwise seen from outside the cell.
+// Returns the corners of a face, anticlockwise seen from outside the cell.
 std::array<int, 4> cornersOfFace(int axis, bool high) {
   const int first = 1 << (axis + 1) % 3, second = 1 << (axis + 2) % 3, base = high ? 1 << axis : 0;
   if (high) return {base, base + first, base + first + second, base + second};
   return {base, base + second, base + first + second, base + first};
 }
 
-// Each crossed edge to the next of its loop: going round a face, from where corners inside begin to where
-// they end.
+// Returns for each crossed edge the next one of its loop. Around a face, the loop leads from where inside
+// corners begin to where they end.
 std::array<int, cellEdges> nextCrossings(int inside) {
   std::array<int, cellEdges> next;
   next.fill(-1);
@@ -73,7 +73,7 @@ std::vector<EdgeLoop> loopsOf(std::array<int, cellEdges> next) {
 
 using Triangles = std::vector<std::array<std::uint8_t, 3>>;
 
-// All ways to divide what lies between the loop's places first..last and the line that joins them.
+// Returns all triangulations of the polygon loop[first..last].
 std::vector<Triangles> divisionsOf(const EdgeLoop& loop, std::size_t first, std::size_t last) {
   if (last - first < 2) return {{}};
   const auto joined = [&](std::size_t a, std::size_t b) {
@@ -92,7 +92,7 @@ std::vector<Triangles> divisionsOf(const EdgeLoop& loop, std::size_t first, std:
   return all;
 }
 
-// In the cell, the middle of an edge.
+// Returns the midpoint of an edge in cell coordinates.
 glm::dvec3 middleOfEdge(int edge) {
   const int axis = edge / 4;
   const auto [first, second] = axesAcross(axis);
@@ -101,7 +101,7 @@ glm::dvec3 middleOfEdge(int edge) {
   return x;
 }
 
-// The trilinear field in the cell of 1 at corners inside and 0 at the others.
+// Returns the trilinear field of a cell that is 1 at inside corners and 0 at the others.
 double fieldAt(int inside, glm::dvec3 x) {
   double sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -112,8 +112,8 @@ double fieldAt(int inside, glm::dvec3 x) {
   return sum;
 }
 
-// That whose triangles' middles have the values nearest to 1/2; of several that which is the fairest: off it
-// as much to one side as to the other.
+// Returns the triangulation whose triangle centroids have field values closest to 1/2. Ties go to the one
+// whose deviations to both sides balance best.
 Triangles nearestDivision(const std::vector<Triangles>& divisions, int inside) {
   return std::ranges::min(divisions, {}, [&](const Triangles& triangles) {
     double off = 0, aside = 0;
@@ -121,7 +121,8 @@ Triangles nearestDivision(const std::vector<Triangles>& divisions, int inside) {
       const double value = fieldAt(inside, (middleOfEdge(a) + middleOfEdge(b) + middleOfEdge(c)) / 3.0) - 0.5;
       off += std::abs(value), aside += value;
     }
-    return std::pair(std::round(off * 1e6), std::round(std::abs(aside) * 1e6));  // equal ones are equal
+    // Rounded, so that equal ones compare equal.
+    return std::pair(std::round(off * 1e6), std::round(std::abs(aside) * 1e6));
   });
 }
 

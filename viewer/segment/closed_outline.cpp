@@ -19,7 +19,7 @@ ClosedOutline::ClosedOutline(const std::vector<glm::dvec2>& points) {
 }
 
 bool ClosedOutline::holds(glm::dvec2 p) const {
-  // Written so that what is no number lies outside.
+  // Written so that NaN lies outside.
   if (bands_.empty() || !(p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y)) return false;
   int winding = 0;
   for (const Edge& edge : bands_[bandOf(p.y)]) {

@@ -6,12 +6,12 @@
 
 namespace volumen {
 
-/// An outline whose last point is joined to the first; where it crosses itself, all that it goes around is
-/// inside (non-zero winding number). Its edges are sorted into bands of y, so that a point meets few of them.
+/// A closed polygon with the non-zero winding rule. Edges are sorted into bands of y, so that each query
+/// tests few.
 class ClosedOutline {
  public:
   explicit ClosedOutline(const std::vector<glm::dvec2>& points);
-  /// Whether a point is inside; what is no number is not.
+  /// Returns whether a point is inside. NaN is outside.
   bool holds(glm::dvec2 p) const;
 
  private:

@@ -13,7 +13,7 @@ namespace volumen {
 
 namespace {
 
-// All rows that touch a row. Along it runs never touch one another.
+// Returns the steps to all neighbouring rows. Runs in the same row never touch.
 std::vector<RowStep> touchingRows(Neighbours neighbours) {
   std::vector<RowStep> steps;
   for (int dk = -1; dk <= 1; ++dk)
@@ -31,7 +31,7 @@ bool isIn(glm::ivec3 voxel, glm::ivec3 size) {
   return glm::all(glm::greaterThanEqual(voxel, glm::ivec3(0))) && glm::all(glm::lessThan(voxel, size));
 }
 
-// From run to run over the rows of a mask; of what is found every run is whole.
+// Flood fill from run to run over the rows of a mask; runs are always filled completely.
 class Flood {
  public:
   explicit Flood(const BitMask& mask) : mask_(mask), found_(mask.geometry()) {}
@@ -74,7 +74,8 @@ class Flood {
   std::vector<Open> open_;
 };
 
-// The voxel of the mask that is nearest to one, and the first in memory of those; none within mostMm.
+// Returns the mask voxel nearest to `to` (of equal ones the first in memory); empty if none lies within
+// `mostMm`.
 std::optional<glm::ivec3> nearestIn(const BitMask& mask, glm::ivec3 to, double mostMm) {
   const VoxelGeometry& grid = mask.geometry();
   const glm::dmat3 rows = glm::transpose(grid.voxelFromPatientStep());

@@ -7,10 +7,10 @@
 
 namespace volumen {
 
-/// One label a voxel in one piece, i fastest: what algorithms work on. 0 is background.
+/// One label per voxel in one array, i fastest, as algorithms need it. 0 is background.
 struct DenseLabels {
   VoxelGeometry geometry;
-  std::vector<std::uint8_t> labels;  ///< geometry.voxelCount() of them
+  std::vector<std::uint8_t> labels;  ///< geometry.voxelCount() entries
 };
 
 }  // namespace volumen

@@ -16,13 +16,13 @@ using glm::dvec3;
 
 double squareOf(dvec3 v) { return glm::dot(v, v); }
 
-// Two boxes that are asked, those farthest from each other first.
+// A pair of boxes to search, farthest first.
 struct Farther {
   double squared;
   std::size_t first, second;
 };
 
-// Largest distances between the points of boxes, asked for pairs of boxes of one level.
+// Finds the two farthest points by branch and bound over pairs of boxes of one level.
 class FarthestPair {
  public:
   explicit FarthestPair(std::span<const glm::vec3> points)
@@ -40,7 +40,7 @@ class FarthestPair {
     for (const glm::vec3& p : points) boxes.push_back({p, p});
     return boxes;
   }
-  // No two points of the boxes are farther apart; squared.
+  // Returns an upper bound of the squared distance between points of the two boxes.
   double bound(std::size_t level, std::size_t n, std::size_t m) const {
     const BoxGroup& a = tree_.group(level, n / BoxTree::fanOut);
     const BoxGroup& b = tree_.group(level, m / BoxTree::fanOut);
@@ -53,7 +53,7 @@ class FarthestPair {
     return squareOf(apart);
   }
 
-  // The boxes of two groups of a level.
+  // Searches the boxes of two groups of a level.
   void search(std::size_t level, std::size_t a, std::size_t b) {
     std::array<Farther, BoxTree::fanOut * BoxTree::fanOut> farther;
     std::size_t count = 0;
@@ -69,11 +69,11 @@ class FarthestPair {
       if (level > 0) {
         search(level - 1, farther[n].first, farther[n].second);
       } else {
-        best_ = farther[n].squared;  // of boxes that are points
+        best_ = farther[n].squared;  // boxes of level 0 are points
         found_ = {points_[tree_.order()[farther[n].first]], points_[tree_.order()[farther[n].second]]};
       }
   }
-  // What is inside two groups, no pair twice.
+  // Visits all pairs of boxes of two groups, each pair once.
   template <class Visit>
   static void forEachPair(std::size_t a, std::size_t b, std::size_t count, const Visit& visit) {
     constexpr std::size_t fan = BoxTree::fanOut;

@@ -7,7 +7,8 @@
 
 namespace volumen {
 
-/// Two points of a surface that are farthest from each other, exact; it has points.
+/// Returns two points of a surface with the largest distance between them (exact). The surface must have
+/// points.
 std::array<glm::vec3, 2> farthestPoints(const Surface& surface);
 
 }  // namespace volumen

@@ -10,9 +10,9 @@ namespace volumen {
 namespace {
 
 constexpr double cutAt = 4;       // standard deviations
-constexpr double noShear = 1e-3;  // cosine of axes that count as orthogonal
+constexpr double noShear = 1e-3;  // largest cosine between axes that count as orthogonal
 
-// The weights of -reach .. reach, of sum 1.
+// Returns the weights for -reach .. reach, with sum 1.
 std::vector<double> gaussianWeights(double sigma) {
   const int reach = int(cutAt * sigma);
   std::vector<double> weights;
@@ -38,7 +38,7 @@ bool isOrthogonal(const glm::dmat3& step) {
   return true;
 }
 
-// Adds a filtered row of bits: each step in it adds what becomes of it, up or down.
+// Adds a filtered row of bits: each step up or down in the row adds or subtracts the step response.
 void addFilteredRow(std::span<const std::uint64_t> bits, int reach, const float* step, float sum, float* to) {
   if (bits[0] & 1)
     for (int i = 0; i < blockWidth; ++i) to[i] += sum;
@@ -59,7 +59,7 @@ void addFilteredRow(std::span<const std::uint64_t> bits, int reach, const float*
   }
 }
 
-// Rows of a block, filtered across: `from` is the middle one, others `stride` apart.
+// Filters a row of a block across rows. `from` is the middle row; neighbours are `stride` apart.
 void filterAcross(const std::vector<float>& weights, const float* from, std::ptrdiff_t stride, float* to) {
   for (int i = 0; i < blockWidth; ++i) to[i] = weights[0] * from[i];
   for (std::size_t n = 1; n < weights.size(); ++n) {
@@ -72,8 +72,8 @@ void filterAcross(const std::vector<float>& weights, const float* from, std::ptr
 
 }  // namespace
 
-// `weights`: of -reach .. reach along i. The step is that of a row whose voxels from 0 on are 1, at
-// -(blockWidth - 1 + reach) .. blockWidth - 1 + reach.
+// `weights` are those for -reach .. reach along i. The step response is that of a row that is 1 from voxel 0
+// on, at -(blockWidth - 1 + reach) .. blockWidth - 1 + reach.
 GaussianKernel::Row GaussianKernel::rowOf(int y, int z, const std::vector<double>& weights) const {
   Row row{y, z, {}, 0};
   double sum = 0;
@@ -104,7 +104,7 @@ GaussianKernel GaussianKernel::inPatient(const VoxelGeometry& geometry, double s
   const glm::dmat3& step = geometry.patientFromVoxelStep;
   if (isOrthogonal(step)) return alongAxes(sigmaMm / geometry.spacing());
   GaussianKernel kernel;
-  // The ball of 4 standard deviations reaches along an axis as far as that row of L^-1 is long.
+  // A ball of 4 standard deviations reaches along an axis as far as the length of that row of L^-1.
   const glm::dmat3 back = glm::transpose(geometry.voxelFromPatientStep());
   for (int a = 0; a < 3; ++a) kernel.reach_[a] = int(cutAt * sigmaMm * glm::length(back[a]));
   const glm::ivec3 r = kernel.reach_;

@@ -8,25 +8,26 @@
 
 namespace volumen {
 
-/// A Gaussian, sampled at voxels, cut at 4 standard deviations, of sum 1.
+/// A Gaussian kernel sampled at voxels, cut at 4 standard deviations, with sum 1.
 class GaussianKernel {
  public:
-  /// Of `sigma` voxels along each axis; 0: the voxel alone.
+  /// Returns a kernel of `sigma` voxels along each axis; 0 is the identity.
   static GaussianKernel inVoxels(double sigma);
-  /// Of so many voxels along each of them, a product of three.
+  /// Returns a separable kernel with its own sigma along each axis, in voxels.
   static GaussianKernel alongAxes(glm::dvec3 sigma);
-  /// Of sigmaMm in patient space. Where the axes of the grid are orthogonal it is a product of three along
-  /// them; on sheared grids each row (y, z) of it has its own along i, cut and shifted as the grid demands.
+  /// Returns a kernel of `sigmaMm` in patient space. It is separable if the grid axes are orthogonal. On
+  /// sheared grids each row (y, z) has its own weights along i, cut and shifted to fit.
   static GaussianKernel inPatient(const VoxelGeometry& geometry, double sigmaMm);
 
-  /// How many voxels it reaches along each axis.
+  /// Returns the radius of the kernel along each axis, in voxels.
   glm::ivec3 reach() const { return reach_; }
-  /// The weight of the next voxel along k by that axis alone; of a product of three.
+  /// Returns the 1D weight of the next voxel along k. The kernel must be separable.
   float besideMiddle() const { return reach_.z > 0 ? alongJAndK_[1][1] : 0; }
 
  private:
   friend class GaussianBlock;
-  // A row of the kernel along i, as what becomes of a step from 0 to 1 (sums of its weights).
+  // One row of the kernel along i, stored as its response to a step from 0 to 1 (running sums of the
+  // weights).
   struct Row {
     int y, z;
     std::vector<float> step;
@@ -35,17 +36,17 @@ class GaussianKernel {
   Row rowOf(int y, int z, const std::vector<double>& weights) const;
 
   glm::ivec3 reach_{0};
-  std::vector<Row> rows_;                         // separable: the one along i
-  std::array<std::vector<float>, 2> alongJAndK_;  // weights by distance; empty where it is not separable
+  std::vector<Row> rows_;                         // Separable kernels have only the row along i
+  std::array<std::vector<float>, 2> alongJAndK_;  // Weights by distance; empty if not separable
 };
 
-/// Smooths masks block by block; the memory for it is kept from one block to the next.
+/// Smooths masks block by block. Its buffers are reused from one block to the next.
 class GaussianBlock {
  public:
   explicit GaussianBlock(const GaussianKernel& kernel) : kernel_(&kernel) {}
 
-  /// The smoothed bits of a block, i fastest: `window` is it and the kernel's reach around it. To the next
-  /// call.
+  /// Returns the smoothed bits of a block, i fastest; valid until the next call. `window` is the block grown
+  /// by the kernel's reach.
   const float* smoothed(const BitWindow& window);
 
  private:
@@ -56,7 +57,7 @@ class GaussianBlock {
   std::vector<float> alongI_, alongJ_, values_;
 };
 
-/// The edge of blocks along j and k for which a kernel's reach costs little.
+/// Returns the block edge along j and k at which the overlap of blocks costs little for this reach.
 int blockEdgeFor(glm::ivec3 reach);
 
 }  // namespace volumen

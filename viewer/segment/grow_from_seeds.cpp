@@ -24,16 +24,16 @@ namespace {
 
 using Cost = GrowthCost;
 constexpr Cost unreached = GrowthTile::unreached;
-constexpr double mostPerStep = 1 << 19;  // so that no path of a grid overflows
+constexpr double mostPerStep = 1 << 19;  // so that no path overflows
 
 constexpr int tileEdge = LabelMap::edge;
 constexpr int tileVoxels = GrowthTile::voxels;
 constexpr std::array<int, 3> tileStride = {1, tileEdge, tileEdge* tileEdge};
 
-// How far paths are followed before tiles hear of each other: so many steps of the range of values.
+// Cost window in which tiles follow paths before they exchange updates, in costs of the value range.
 constexpr Cost windowCosts = 2048;
 
-// What seeds there are, and where.
+// Number of seed labels and their bounding box.
 struct SeedsFound {
   int labels = 0;
   VoxelBox box;
@@ -74,8 +74,8 @@ VoxelBox withMargin(const VoxelBox& seeds, const VoxelGeometry& geometry, double
   return {glm::max(seeds.low - reach, glm::ivec3(0)), glm::min(seeds.high + reach, geometry.size - 1)};
 }
 
-// Shortest paths tile by tile. Costs and labels of voxels are only ever bettered, until nothing can be: what
-// that ends in is one, in whatever order tiles are taken.
+// Shortest paths, tile by tile. Costs and labels only ever improve until none can, so the result does not
+// depend on the order of tiles.
 class Growth {
  public:
   Growth(const Volume& volume, const LabelMap& seeds, const VoxelBox& box, const SeedGrowth& growth,
@@ -136,7 +136,7 @@ class Growth {
     const int n = int(tile);
     return tileEdge * glm::ivec3(n % bricks_.x, n / bricks_.x % bricks_.y, n / bricks_.x / bricks_.y);
   }
-  // What of the box lies in a tile.
+  // Returns the part of the box that lies in a tile.
   VoxelBox partOf(std::size_t tile) const {
     const glm::ivec3 corner = cornerOf(tile);
     return {glm::max(corner, box_.low), glm::min(corner + tileEdge - 1, box_.high)};
@@ -158,7 +158,7 @@ class Growth {
   int levelAt(glm::ivec3 voxel) const;
   void follow(std::size_t n, Cost from, BucketQueue& queue);
   void hear(std::size_t n);
-  // The number of the tile before (side 0) or behind (1) another along an axis; none where the grid ends.
+  // Returns the tile before (side 0) or behind (1) another along an axis; empty at the end of the grid.
   std::optional<std::size_t> beside(std::size_t n, int axis, int side) const {
     const std::ptrdiff_t stride = axis == 0   ? 1
                                   : axis == 1 ? bricks_.x
@@ -167,7 +167,7 @@ class Growth {
     if (at < 0 || at >= bricks_[axis]) return {};
     return std::size_t(std::ptrdiff_t(n) + (side ? stride : -stride));
   }
-  // What that tile tells this one; null where there is no tile.
+  // Returns the updates from that neighbour for this tile; null if there is no such tile.
   std::vector<GrowthMessage>* toldBy(std::size_t n, int d) const {
     const auto from = beside(n, d / 2, d % 2);
     return from && tiles_[*from] ? &tiles_[*from]->out[std::size_t(d ^ 1)] : nullptr;
@@ -176,13 +176,13 @@ class Growth {
   const Volume& volume_;
   const LabelMap& seeds_;
   const VoxelBox box_;
-  const BitMask* const within_;  // null: all
+  const BitMask* const within_;  // null means all voxels
   const glm::ivec3 bricks_;
   const SeedLevels levels_;
   DenseLabels labels_;
   const CancelToken& cancel_;
-  glm::ivec3 step_{0};  // what a step along each axis costs by its length
-  // Those that paths have come to; null before that, and once nothing in them can get cheaper.
+  glm::ivec3 step_{0};  // cost of a step along each axis by its length
+  // Tiles that paths have reached; null before that and once they are final.
   std::vector<std::unique_ptr<GrowthTile>> tiles_;
   std::vector<char> isFinal_;
 };
@@ -218,7 +218,7 @@ void Growth::make(std::size_t n) {
       volume_.stored());
 }
 
-// Makes the tiles that are told something for the first time.
+// Creates the tiles that receive updates for the first time.
 void Growth::makeReached() {
   std::vector<std::size_t> reached;
   for (std::size_t n = 0; n < tiles_.size(); ++n)
@@ -241,8 +241,8 @@ void Growth::takeLabels(std::size_t n) {
                   part.high.x - part.low.x + 1, labels_.labels.data() + rowOf(j, k) + part.low.x);
 }
 
-// Takes the labels of the tiles in which nothing can get cheaper, as paths that are still followed cost
-// `earliest` and more, and lets go of them; returns how many voxels were reached there.
+// Finalizes tiles in which no voxel can get cheaper, because open paths cost at least `earliest`: takes their
+// labels and frees them. Returns the number of voxels reached in them.
 double Growth::finish(Cost earliest) {
   overTiles([&](std::size_t n) {
     if (!tiles_[n]) return;
@@ -264,12 +264,12 @@ double Growth::finish(Cost earliest) {
   return reached;
 }
 
-// Follows all paths of a tile through costs of from .. from + windowCosts - 1.
+// Follows all paths of a tile with costs from .. from + windowCosts - 1.
 void Growth::follow(std::size_t n, Cost from, BucketQueue& queue) {
   GrowthTile& tile = *tiles_[n];
   const VoxelBox part = partOf(n);
   const glm::ivec3 corner = cornerOf(n);
-  std::array<bool, 6> goesOn{};  // whether paths lead on into the tile beside it
+  std::array<bool, 6> goesOn{};  // true if paths may continue into that neighbour
   for (int d = 0; d < 6; ++d) {
     const auto next = beside(n, d / 2, d % 2);
     const int end = d % 2 ? part.high[d / 2] + 1 : part.low[d / 2] - 1;
@@ -279,7 +279,7 @@ void Growth::follow(std::size_t n, Cost from, BucketQueue& queue) {
   pending.swap(tile.pending);
   tile.earliest = unreached;
   for (const GrowthPending& one : pending) {
-    if (tile.cost[one.voxel] != one.cost) continue;  // it has been reached cheaper since
+    if (tile.cost[one.voxel] != one.cost) continue;  // a cheaper path has reached it since
     if (one.cost - from < windowCosts)
       queue.push(one.cost - from, one.voxel);
     else
@@ -291,7 +291,7 @@ void Growth::follow(std::size_t n, Cost from, BucketQueue& queue) {
       if (tile.cost[at] != from + bucket) continue;
       const int level = tile.level[at];
       const std::uint8_t label = tile.label[at];
-      // Along each axis, before and behind; d counts as in GrowthTile::out.
+      // Updates the neighbour in direction d, counted as in GrowthTile::out.
       const auto tell = [&]<int d>(std::integral_constant<int, d>) {
         constexpr int stride = tileStride[d / 2], toNext = d % 2 ? stride : -stride;
         const bool leaves = voxel / stride % tileEdge == (d % 2 ? tileEdge - 1 : 0);
@@ -323,7 +323,7 @@ void Growth::follow(std::size_t n, Cost from, BucketQueue& queue) {
   queue.clear();
 }
 
-// Takes in what neighbours have told a tile.
+// Applies the updates from neighbouring tiles.
 void Growth::hear(std::size_t n) {
   if (!tiles_[n]) return;
   GrowthTile& tile = *tiles_[n];

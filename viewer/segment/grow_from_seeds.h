@@ -8,31 +8,32 @@
 namespace volumen {
 
 struct SeedGrowth {
-  /// What a mm of path costs, as a share of the range of values (P0.1 to P99.9, or all of it where those are
-  /// one); 0: only values count.
+  /// Cost of 1 mm of path, as a fraction of the value range (P0.1 to P99.9, or the full range if these are
+  /// equal). At 0 only values count.
   double locality = 0.002;
-  /// mm around the box of the seeds in which is grown; infinite: everywhere.
+  /// Region to grow in: the bounding box of the seeds plus this margin in mm; infinite means the whole grid.
   double marginMm = 20;
-  /// Only these voxels are reached, and only labels in them are seeds; all others keep theirs, and nothing
-  /// grows through them. Null: all voxels of the grid.
+  /// Only these voxels are reached, and only labels in them are seeds. All others keep their label and block
+  /// paths. Null means all voxels of the grid.
   const BitMask* within = nullptr;
 };
 
-/// Costs are whole numbers: so many are the range of values.
+/// Number of integer cost units in the value range.
 inline constexpr int costsOfRange = 16384;
 
-/// Each voxel takes the label of the seed from which the cheapest path of faces leads to it; a step costs
-/// the difference of values (rounded to whole costs; values more than 1.5 ranges outside the range count as
-/// that far) plus locality times its length in mm (rounded), at least 1. Background (0) in `seeds` is what is
-/// to be found; where the margin ends it stays. Of paths of one cost the smaller label wins, so that the
-/// bytes depend on no order. Volume and seeds are of one grid. `cancel` hears how far it is. Bucketed
-/// shortest paths (Dial 1969), in tiles, on all cores. The Error, in lower case and without a full stop:
-/// fewer than two labels, too little memory, or cancelled.
+/// Grows segments from painted seeds along the path of least intensity change: each voxel gets the label of
+/// the seed with the cheapest 6-connected path. A step costs the value difference (rounded; values are
+/// clamped to 1.5 ranges outside the range) plus locality times its length in mm (rounded), at least 1. Only
+/// background (0) voxels of `seeds` change; outside the margin they stay background.
+/// Of equally cheap paths the smaller label wins, so that the result does not depend on the order. Volume and
+/// seeds share one grid. `cancel` is told the progress. The algorithm is Dial's bucketed shortest paths
+/// (1969), in tiles, on all cores.
+/// The Error (lower case, no full stop) means: fewer than two labels, too little memory, or cancelled.
 Result<LabelMap> grownFromSeeds(const Volume& volume, const LabelMap& seeds, const SeedGrowth& growth,
                                 const CancelToken& cancel = {});
 
-/// The margin of what is grown about seeds, mm: a tenth of the longest edge of their box, and at least three
-/// voxels along the axis where those are longest; 0 where there are none.
+/// Returns the margin for growing around seeds, in mm: a tenth of the longest edge of their bounding box, at
+/// least three voxels along the axis with the largest spacing. 0 if there are no seeds.
 double marginAboutSeeds(const BitMask& seeds);
 
 }  // namespace volumen

@@ -15,7 +15,8 @@ namespace volumen {
 
 using GrowthCost = std::uint32_t;
 
-/// Values as whole steps: the range (P0.1 to P99.9) in the middle, and 1.5 of it on both sides.
+/// Maps values to 16-bit integer levels: the range (P0.1 to P99.9) in the middle, with 1.5 ranges on either
+/// side.
 struct SeedLevels {
   double low, perValue;
 
@@ -32,20 +33,20 @@ struct SeedLevels {
   }
 };
 
-/// A voxel that was reached and has not told its neighbours.
+/// A reached voxel that has not updated its neighbours yet.
 struct GrowthPending {
   GrowthCost cost;
   std::uint16_t voxel;
 };
 
-/// What a voxel of another tile is told.
+/// An update for a voxel of a neighbouring tile.
 struct GrowthMessage {
   GrowthCost cost;
   std::uint16_t voxel;
   std::uint8_t label;
 };
 
-/// The voxels of a brick. Those that are not to be reached cost nothing: nothing is cheaper.
+/// The voxels of one brick. Voxels that must not be reached have cost 0, so that no path improves them.
 struct GrowthTile {
   static constexpr GrowthCost unreached = std::numeric_limits<GrowthCost>::max();
   static constexpr int voxels = LabelMap::edge * LabelMap::edge * LabelMap::edge;
@@ -54,10 +55,11 @@ struct GrowthTile {
   std::array<std::uint16_t, voxels> level;
   LabelMap::Voxels label;
   std::vector<GrowthPending> pending;
-  GrowthCost earliest = unreached;                ///< of `pending`, or before it
-  GrowthCost dearest = unreached;                 ///< no voxel costs more, once all are reached
-  int reached = 0, open = 0;                      ///< voxels; that may be reached
-  std::array<std::vector<GrowthMessage>, 6> out;  ///< to the tiles before and behind it, along i, j, k
+  GrowthCost earliest = unreached;  ///< Lower bound of the costs in `pending`
+  GrowthCost dearest = unreached;   ///< Largest cost of a voxel once all are reached
+  int reached = 0, open = 0;        ///< Voxels reached; voxels that may be reached
+  /// Updates for the tiles before and behind this one, along i, j, k.
+  std::array<std::vector<GrowthMessage>, 6> out;
 
   bool improve(int voxel, GrowthCost by, std::uint8_t from) {
     if (by > cost[std::size_t(voxel)] ||

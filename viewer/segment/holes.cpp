@@ -10,7 +10,8 @@ namespace volumen {
 
 namespace {
 
-// What is not in the mask and no steps lead to the border of the grid; the border across `open` is none.
+// Returns the voxels outside the mask that no steps link to the grid border. The border across axis `open`
+// does not count.
 BitMask enclosed(const BitMask& mask, std::span<const RowStep> steps, int open, const CancelToken& cancel) {
   const JoinedRuns outside = joinedRuns(inverted(mask), steps, cancel);
   const glm::ivec3 size = mask.size();
@@ -27,7 +28,7 @@ BitMask enclosed(const BitMask& mask, std::span<const RowStep> steps, int open, 
   return maskOfRuns(outside, mask.geometry(), inside);
 }
 
-// Of 64 rows of 64 bits: bit b of row a becomes bit a of row b. (Warren, Hacker's Delight, 7-3)
+// Transposes a matrix of 64 x 64 bits (Warren, Hacker's Delight, 7-3).
 void transpose(std::array<std::uint64_t, 64>& rows) {
   std::uint64_t half = 0x00000000ffffffff;
   for (std::size_t step = 32; step; step /= 2, half ^= half << step)
@@ -39,7 +40,7 @@ void transpose(std::array<std::uint64_t, 64>& rows) {
       }
 }
 
-// With i and j exchanged.
+// Returns the mask with i and j exchanged.
 BitMask turned(const BitMask& mask) {
   VoxelGeometry grid = mask.geometry();
   std::swap(grid.size.x, grid.size.y);

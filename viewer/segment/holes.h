@@ -5,11 +5,10 @@
 
 namespace volumen {
 
-/// With what it encloses: voxels that no path of faces outside the mask joins to the border of the grid.
-/// Cancelled: as it was.
+/// Returns the mask with its holes filled: voxels that no 6-connected path outside the mask links to the grid
+/// border. Returns the mask unchanged if cancelled.
 BitMask holesFilled(const BitMask& mask, const CancelToken& cancel = {});
-/// With what it encloses in a slice across an axis of the grid (0, 1, 2), each slice by itself. Cancelled: as
-/// it was.
+/// Fills the holes of each slice across `axis` (0, 1, 2) separately. Returns the mask unchanged if cancelled.
 BitMask holesFilledInSlices(const BitMask& mask, int axis, const CancelToken& cancel = {});
 
 }  // namespace volumen

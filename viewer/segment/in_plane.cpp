@@ -18,10 +18,10 @@ namespace {
 
 using glm::dvec2, glm::dvec3, glm::i64vec2;
 
-// Places in a slice in half voxels, so that those between two pixels are whole numbers.
+// Positions in a slice in half voxels, so that midpoints between pixels are integers.
 using HalfPlace = i64vec2;
 
-// The directions of a slice: i lies along x.
+// Coordinates of a slice in mm; i runs along x.
 class SlicePlaneMm {
  public:
   explicit SlicePlaneMm(const VoxelGeometry& grid) : grid_(grid) {
@@ -31,7 +31,7 @@ class SlicePlaneMm {
     j_ = {glm::dot(j, x), glm::dot(j, y)};
   }
   dvec2 mm(HalfPlace p) const { return (double(p.x) * i_ + double(p.y) * j_) / 2.0; }
-  // The place in voxels of mm in the plane.
+  // Converts a position in mm in the plane to voxels.
   dvec2 voxels(dvec2 mm) const {
     const double j = mm.y / j_.y;
     return {(mm.x - j * j_.x) / i_.x, j};
@@ -43,13 +43,13 @@ class SlicePlaneMm {
   dvec2 i_, j_;
 };
 
-// A row of the slice; nothing beyond the grid.
+// Returns a row of the slice, or `nothing` beyond the grid.
 bits::Row rowOf(const BitMask& mask, int j, int k, bits::Row nothing) {
   return j < 0 || j >= mask.size().y ? nothing : bits::Row(mask.row(j, k));
 }
 
-// Calls visit with the first and the last place of the outline in each half row, from top to bottom: all that
-// its convex hull needs.
+// Visits the first and last outline point of each half row, from top to bottom. They suffice for the convex
+// hull.
 template <class Visit>
 void forEachEnd(const BitMask& mask, int k, const Visit& visit) {
   const std::vector<std::uint64_t> nothing(std::size_t(mask.wordsPerRow()));
@@ -75,7 +75,7 @@ void forEachEnd(const BitMask& mask, int k, const Visit& visit) {
   }
 }
 
-// Of places in the order of their y, of one y in that of x. (Andrew 1979)
+// Returns the convex hull of points sorted by y, then x (Andrew 1979).
 std::vector<HalfPlace> convexHull(const std::vector<HalfPlace>& places) {
   std::vector<HalfPlace> hull;
   const auto add = [&](HalfPlace p, std::size_t from) {
@@ -92,7 +92,7 @@ std::vector<HalfPlace> convexHull(const std::vector<HalfPlace>& places) {
   return hull;
 }
 
-// The two places of a slice that are farthest from each other, and their distance; -1: there are none.
+// The two farthest points of a slice and their distance; -1 if there are none.
 struct FarPlaces {
   double mm = -1;
   HalfPlace from{0}, to{0};
@@ -113,8 +113,7 @@ FarPlaces farthestOf(const BitMask& mask, int k, const SlicePlaneMm& plane) {
   return far;
 }
 
-// Calls visit with the ends of each piece of the outline; where pixels touch by a corner alone they are
-// parted.
+// Visits both ends of each outline segment. Pixels that touch only at a corner are separated.
 template <class Visit>
 void forEachPiece(const BitMask& mask, int k, const Visit& visit) {
   const std::vector<std::uint64_t> nothing(std::size_t(mask.wordsPerRow()));
@@ -142,13 +141,13 @@ void forEachPiece(const BitMask& mask, int k, const Visit& visit) {
   }
 }
 
-// A piece of the outline along a direction (x) and across it (y), its first end first.
+// An outline segment in coordinates along (x) and across (y) a direction, smaller x first.
 struct OutlinePiece {
   dvec2 first, last;
 };
 
-// The longest line across a direction that ends on the pieces: between corners of the outline its length is
-// linear, so that it begins or ends at one.
+// Returns the longest line across a direction between the segments. Its length is linear between outline
+// corners, so the longest line starts or ends at a corner.
 InPlaneDiameters::Line longestAcross(std::vector<OutlinePiece> pieces, const SlicePlaneMm& plane, dvec2 along,
                                      int k) {
   std::ranges::sort(pieces, {}, [](const OutlinePiece& piece) {

@@ -9,20 +9,21 @@
 
 namespace volumen {
 
-/// Diameters of a segment in one slice as acquired (voxels of one k), as RECIST measures lesions: patient mm.
-/// Their ends lie on the outline of its pixels, which passes halfway between pixels inside and outside.
+/// Diameters of a segment in one acquired slice (constant k), as RECIST measures lesions, in mm and patient
+/// space. The endpoints lie on the outline, which runs halfway between inside and outside pixels.
 struct InPlaneDiameters {
   /// A line between two points of the outline.
   struct Line {
     double mm = 0;
     std::array<glm::dvec3, 2> at{};
   };
-  int slice = 0;       ///< k
-  Line longest;        ///< the longest of all slices; of equal ones that of the first
-  Line perpendicular;  ///< the longest in that slice at right angles to it
+  int slice = 0;       ///< Index k
+  Line longest;        ///< Longest diameter of all slices; of equal ones, in the first slice
+  Line perpendicular;  ///< Longest diameter in that slice perpendicular to `longest`
 };
 
-/// None where the mask is empty. The same for any number of threads; cancelled: any.
+/// Returns the diameters; empty if the mask is empty. The result is the same for any number of threads and
+/// undefined if cancelled.
 std::optional<InPlaneDiameters> inPlaneDiameters(const BitMask& mask, const CancelToken& cancel = {});
 
 }  // namespace volumen

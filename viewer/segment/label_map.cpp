@@ -136,7 +136,7 @@ LabelMap LabelEdit::done() const {
   for (std::size_t n = 0; n < written_.size(); ++n) {
     if (!written_[n]) continue;
     auto brick = LabelMap::Brick::of(std::make_shared<const LabelMap::Voxels>(*written_[n]), map_.sizeOf(n));
-    // What was set back to what it was is shared as before.
+    // Bricks that were set back to their old labels stay shared.
     if (brick != map_.held_[n]) made.held_[n] = std::move(brick);
   }
   return made;

@@ -8,7 +8,7 @@
 
 namespace volumen {
 
-// What holds at all corners holds in the whole grid: places are linear.
+// Checking the corners suffices, because positions are linear.
 bool areSameVoxels(const VoxelGeometry& a, const VoxelGeometry& b) {
   constexpr double off = 0.49;  // less than half a voxel
   if (a.size != b.size) return false;

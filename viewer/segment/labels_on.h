@@ -4,12 +4,11 @@
 
 namespace volumen {
 
-/// A label map on another grid: each voxel has the label of the voxel that holds its centre; background where
-/// none does. On all cores.
+/// Resamples a label map to another grid by nearest neighbour; background outside the map. Runs on all cores.
 LabelMap labelsOn(const LabelMap& map, const VoxelGeometry& grid);
 
-/// Whether each voxel of one grid lies nearest to the same voxel of the other, so that labels stay as they
-/// are.
+/// Returns whether each voxel of grid `a` lies nearest to the voxel of `b` with the same index, so that
+/// labels need no resampling.
 bool areSameVoxels(const VoxelGeometry& a, const VoxelGeometry& b);
 
 }  // namespace volumen

@@ -7,7 +7,8 @@ namespace volumen {
 
 namespace {
 
-// Those of a region from a value on. Costs what the region holds, not what the grid does.
+// Returns the region's voxels with a value of at least `least`. The cost grows with the region, not with the
+// grid.
 BitMask fromValueOn(const BitMask& region, const Volume& volume, double least) {
   const std::optional<ValueRange>& padding = volume.attributes().padding;
   BitMask found(region.geometry());

@@ -6,18 +6,18 @@
 
 namespace volumen {
 
-/// From which value on a voxel may belong to a lesion.
+/// Smallest value of voxels that may belong to a lesion.
 struct LesionThreshold {
-  double amount = 0.41;  ///< of the largest value of the region, or the value itself
+  double amount = 0.41;  ///< Fraction of the region's maximum, or the value itself
   bool isShare = true;
   bool operator==(const LesionThreshold&) const = default;
 };
 
-/// A lesion in PET: of the voxels of a region from the threshold on the part, connected by faces, that holds
-/// the region's largest value (of several voxels the first in memory). Padding is no value. 41 % and 50 % of
-/// the largest SUV are those of the EANM guidelines for FDG, version 2 (Boellaard et al. 2015). The Error, in
-/// lower case and without a full stop: the region has no value, none from the threshold on, or what is found
-/// has a voxel beside one of the grid outside the region: it leaks.
+/// Segments a lesion in PET: the 6-connected component, of the region's voxels at or above the threshold,
+/// that holds the region's maximum (of equal maxima, the first in memory). Padding is ignored. Thresholds of
+/// 41 % and 50 % of SUVmax follow the EANM guidelines for FDG, version 2 (Boellaard et al. 2015).
+/// The Error (lower case, no full stop) means: the region has no value, none reaches the threshold, or the
+/// lesion touches a grid voxel outside the region, that is, it leaks.
 Result<BitMask> lesionIn(const BitMask& region, const Volume& volume, LesionThreshold threshold,
                          const CancelToken& cancel = {});
 

@@ -18,8 +18,8 @@ namespace {
 constexpr double air = -1000;
 constexpr double depthRounding = 1e-9;  // mm
 
-// Calls cut(i, j, k) for what one lasso cuts, where isThere(i, j, k) still: rows side by side, a row in
-// order.
+// Calls cut(i, j, k) for each voxel with isThere(i, j, k) that the lasso cuts away. Rows run in parallel,
+// voxels of a row in order.
 template <class IsThere, class Cut>
 void cutAway(const VoxelGeometry& geometry, const Lasso& lasso, const IsThere& isThere, const Cut& cut,
              const CancelToken& cancel) {
@@ -72,7 +72,7 @@ BitMask beforeLassos(const Volume& volume, const Mask& mask, const CancelToken& 
   return inverted(BitMask(volume.geometry()));
 }
 
-// The stored value that means `value` best, within what its type and the volume hold.
+// Returns the stored value closest to `value`, clamped to the values that occur in the volume.
 template <class T>
 T storedNear(double value, const Volume& volume, const std::vector<T>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -115,7 +115,7 @@ Result<VolumePtr> volumeWith(const Volume& volume, VoxelValues values, const Cut
   VolumeParts parts{volume.geometry(), std::move(values), volume.slope(), volume.intercept(),
                     volume.attributes()};
   parts.attributes.cut = cut;
-  std::vector<std::string> warnings;  // its values were looked at when the volume was made
+  std::vector<std::string> warnings;  // unused: the values were checked when the volume was made
   return Volume::make(std::move(parts), warnings);
 }
 

@@ -24,7 +24,7 @@ struct MedianBall {
 
 MedianBall medianBall(const VoxelGeometry& geometry, double radiusMm) {
   MedianBall ball;
-  const double radius = radiusMm * (1 + 1e-9);  // a distance that is the radius may be rounded up
+  const double radius = radiusMm * (1 + 1e-9);  // tolerates rounding of distances equal to the radius
   const glm::dmat3 back = glm::transpose(geometry.voxelFromPatientStep());
   for (int a = 0; a < 3; ++a)
     ball.reach[a] = std::min(int(radius * glm::length(back[a])), geometry.size[a] - 1);
@@ -42,7 +42,7 @@ MedianBall medianBall(const VoxelGeometry& geometry, double radiusMm) {
   return ball;
 }
 
-// For one thread: which voxels of a block have more voxels of the mask about them than others.
+// Median filter of one block: sets voxels with more mask voxels than others around them. Not thread-safe.
 class MedianBlock {
  public:
   MedianBlock(const BitMask& mask, const MedianBall& ball) : mask_(mask), ball_(ball) {}
@@ -75,8 +75,8 @@ class MedianBlock {
     return sums_.data() + (std::ptrdiff_t(k) * size.y + j) * (size.x + 1);
   }
 
-  // Of each row of the box: before each voxel, how many more have been in the mask than not; what lies beyond
-  // the grid is neither.
+  // Computes prefix sums of each row of the box: mask voxels minus others before each voxel. Voxels beyond
+  // the grid count as 0.
   void sumRows(const VoxelBox& box) {
     const glm::ivec3 size = window_.size(), grid = mask_.size();
     sums_.resize(std::size_t(size.x + 1) * std::size_t(size.y) * std::size_t(size.z));

@@ -16,7 +16,7 @@ namespace volumen {
 
 namespace {
 
-// The rows of a ball about the origin, up to so many voxels away along each axis.
+// Returns the rows of a ball around the origin, cut off at `farthest` voxels along each axis.
 std::vector<SpreadRow> ballOf(const VoxelGeometry& grid, double radiusMm, glm::ivec3 farthest) {
   const glm::dmat3& step = grid.patientFromVoxelStep;
   const glm::dmat3 inverseRows = glm::transpose(grid.voxelFromPatientStep());
@@ -32,7 +32,7 @@ std::vector<SpreadRow> ballOf(const VoxelGeometry& grid, double radiusMm, glm::i
       const double centre = -glm::dot(step[0], middle) / glm::dot(step[0], step[0]);
       const double away = glm::length(middle + centre * step[0]);
       const double half = std::sqrt(std::max(most * most - away * away, 0.0)) / glm::length(step[0]);
-      // A voxel too many at most; length() decides.
+      // This is at most one voxel too many; length() decides.
       int low = int(std::clamp(std::floor(centre - half), -double(farthest.x), double(farthest.x)));
       int high = int(std::clamp(std::ceil(centre + half), -double(farthest.x), double(farthest.x)));
       while (low <= high && !holds(low, j, k)) ++low;
@@ -42,7 +42,7 @@ std::vector<SpreadRow> ballOf(const VoxelGeometry& grid, double radiusMm, glm::i
   return rows;
 }
 
-// How far a shape reaches along each axis.
+// Returns the reach of a structuring element along each axis.
 glm::ivec3 reachOf(std::span<const SpreadRow> shape) {
   glm::ivec3 reach(0);
   for (const SpreadRow& row : shape)
@@ -51,7 +51,8 @@ glm::ivec3 reachOf(std::span<const SpreadRow> shape) {
   return reach;
 }
 
-// What lies on a grid whose first voxel is the voxel `corner` of the mask; what the mask is not, is not set.
+// Copies the mask to a grid whose first voxel is voxel `corner` of the mask. Voxels outside the mask's grid
+// are not set.
 BitMask movedOnto(const VoxelGeometry& grid, const BitMask& mask, glm::ivec3 corner) {
   BitMask moved(grid);
   const glm::ivec3 size = grid.size, from = mask.size();
@@ -86,7 +87,7 @@ BitMask shrunkBy(BitMask mask, std::span<const SpreadRow> ball, const CancelToke
   return inverted(spread(inverted(std::move(mask)), ball, cancel));
 }
 
-// Works on a box of the mask only, `reach` larger than its voxels.
+// Runs `work` on the given box of the mask only.
 template <class Work>
 BitMask inBox(const BitMask& mask, const VoxelBox& box, const Work& work) {
   if (box == VoxelBox{{}, mask.size() - 1}) return work(mask);
@@ -117,7 +118,7 @@ BitMask closed(const BitMask& mask, double radiusMm, const CancelToken& cancel) 
   const VoxelGeometry& grid = mask.geometry();
   const glm::ivec3 flat(glm::equal(grid.size, glm::ivec3(1)));
   const auto ball = ballOf(grid, radiusMm, (1 - flat) * glm::max(2 * grid.size, 32));
-  // What grows beyond the box of the mask is needed on the way; all that stays is in it.
+  // Closing needs the voxels grown beyond the mask's box; the result lies within it.
   const VoxelBox around = larger(*box, reachOf(ball));
   const BitMask before = movedOnto(boxGrid(grid, around), mask, around.low);
   const BitMask after = shrunkBy(spread(before, ball, cancel), ball, cancel);

@@ -5,20 +5,20 @@
 
 namespace volumen {
 
-/// By a ball of radiusMm in patient space, on any grid: voxel b is in the ball about voxel a where
-/// |L (b - a)| <= radiusMm (1 + 1e-9), L the step of the grid (a ball smaller than every step is its middle
-/// alone). Outside the grid nothing is set and nothing is unset: growing brings nothing in, shrinking takes
-/// nothing from the border. Radii are >= 0; the cost grows with their square (rows of the grid in a ball
-/// times voxels of the grid). A cancelled one is returned half done.
+/// Dilation (grown) and erosion (shrunk) by a ball of `radiusMm` >= 0 in patient space, on any grid. Voxel b
+/// is in the ball around voxel a if |L (b - a)| <= radiusMm (1 + 1e-9), with L the voxel step matrix. A ball
+/// smaller than every step is its centre alone. Voxels outside the grid count as neither set nor unset:
+/// growing takes nothing in from there and shrinking does not erode at the border. The cost grows with the
+/// square of the radius (rows in the ball times voxels). The result is incomplete if cancelled.
 BitMask grown(const BitMask& mask, double radiusMm, const CancelToken& cancel = {});
 BitMask shrunk(const BitMask& mask, double radiusMm, const CancelToken& cancel = {});
-/// Grown, then shrunk, as if the grid went on (but along an axis of one voxel, where a ball is flat): closes
-/// gaps, and does not fill up what is between the mask and the border. A ball is cut off where it reaches
-/// farther than 32 voxels and twice the grid along an axis.
+/// Closing: grown, then shrunk, as if the grid continued beyond its border (except along axes of one voxel,
+/// where the ball is flat). It closes gaps but does not fill the space between the mask and the border. The
+/// ball is cut off beyond 32 voxels and twice the grid along an axis.
 BitMask closed(const BitMask& mask, double radiusMm, const CancelToken& cancel = {});
-/// Shrunk, then grown: takes away what no ball fits in.
+/// Opening: shrunk, then grown. Removes parts that are too thin for the ball.
 BitMask opened(const BitMask& mask, double radiusMm, const CancelToken& cancel = {});
-/// The outermost radiusMm of it: without what shrunk() leaves.
+/// Returns the outer layer of thickness `radiusMm`: the mask without shrunk().
 BitMask shell(const BitMask& mask, double radiusMm, const CancelToken& cancel = {});
 
 }  // namespace volumen

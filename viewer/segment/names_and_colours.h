@@ -10,20 +10,20 @@
 
 namespace volumen {
 
-/// The colour of a number: one of ten that are far apart, then they begin again.
+/// Returns one of ten distinct colours; `number` wraps around.
 glm::u8vec3 tenColour(int number);
-/// The first of the ten from that of a number on that is not taken; that of the number where all are.
+/// Returns the first of the ten colours, starting at `first`, that is not taken; colour `first` if all are.
 glm::u8vec3 freeTenColour(int first, const std::function<bool(glm::u8vec3)>& isTaken);
 
-/// Gives each segment without a colour the next of the ten that no other one has, by its number.
+/// Gives each segment without a colour a free one of the ten, starting at that of its number.
 void addColours(std::span<Segmented> maps);
 
-/// The names that segments have got in place of none, and of one that another segment has.
+/// New names: of segments that had none, and of segments that had the name of an earlier one.
 struct NamesGiven {
   std::vector<std::string> unnamed, alike;
 };
-/// Gives segments without a name one, "Segment 3" by their number, and those that are called as one before
-/// them another one (freeName()): no two are called alike then.
+/// Gives unnamed segments a name by their number ("Segment 3") and renames duplicates (freeName()). All names
+/// are unique afterwards.
 NamesGiven addNames(std::span<Segmented> maps);
 
 }  // namespace volumen

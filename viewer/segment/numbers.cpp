@@ -14,7 +14,7 @@ namespace volumen {
 
 namespace {
 
-// Calls visit with the place in memory of each voxel of a slice, in order.
+// Visits the memory index of each mask voxel of a slice, in order.
 template <class Visit>
 void forEachOfSlice(const BitMask& mask, int k, const Visit& visit) {
   const glm::ivec3 size = mask.size();
@@ -27,19 +27,19 @@ void forEachOfSlice(const BitMask& mask, int k, const Visit& visit) {
   }
 }
 
-// A value and how many voxels have it.
+// A value and its number of voxels.
 struct CountedValue {
   double value = 0;
   std::int64_t count = 0;
 };
 
-// All values at the voxels of the mask, ascending, padding left out. Integers are counted as they are stored.
+// Returns all values in the mask, ascending, without padding. Integers are counted as stored.
 template <class T>
 std::vector<CountedValue> countedValues(const BitMask& mask, const Volume& volume,
                                         const std::vector<T>& stored) {
   constexpr int least = std::numeric_limits<T>::min();
   constexpr std::size_t kinds = std::size_t(1) << (8 * sizeof(T));
-  // A part costs as much as some ten thousand voxels: clearing its counts and adding them up.
+  // Each part needs its own counts. Clearing and adding them costs as much as tens of thousands of voxels.
   const int depth = mask.size().z;
   const auto parts =
       int(std::clamp<std::int64_t>(mask.count() / std::int64_t(kinds), 1, std::min(depth, 16)));
@@ -61,7 +61,7 @@ std::vector<CountedValue> countedValues(const BitMask& mask, const Volume& volum
   return values;
 }
 
-// Floats, which are hardly ever equal, one by one and in memory order.
+// Returns float values one by one in memory order, as they hardly ever repeat.
 std::vector<float> floatValues(const BitMask& mask, const Volume& volume, const std::vector<float>& stored) {
   std::vector<std::vector<float>> slices(std::size_t(mask.size().z));
   parallelFor(mask.size().z, 0, [&](std::int64_t begin, std::int64_t end) {
@@ -92,7 +92,7 @@ SegmentValues numbersOf(const std::vector<CountedValue>& values) {
   for (const CountedValue& v : values) out.voxels += v.count;
   if (out.voxels == 0) return out;
   out.min = values.front().value, out.max = values.back().value;
-  // From the smallest on, so that no digits are lost far from 0.
+  // Sums relative to the minimum keep their digits far from 0.
   double sum = 0, squares = 0;
   for (const CountedValue& v : values) sum += double(v.count) * (v.value - out.min);
   out.mean = out.min + sum / double(out.voxels);
@@ -125,7 +125,7 @@ SegmentValues numbersOf(std::vector<float> values) {
   out.mean = out.min + sum / double(out.voxels);
   for (const float v : values) squares += (double(v) - out.mean) * (double(v) - out.mean);
   out.sd = std::sqrt(squares / double(out.voxels));
-  auto from = values.begin();  // what comes before it is smaller
+  auto from = values.begin();  // everything before it is smaller
   const auto atRank = [&](std::int64_t rank) {
     const auto at = values.begin() + (rank - 1);
     std::nth_element(from, at, values.end());
@@ -141,7 +141,7 @@ SegmentValues numbersOf(std::vector<float> values) {
   return out;
 }
 
-// The first in memory that has a value; there is one.
+// Returns the first voxel in memory with `value`; there must be one.
 glm::ivec3 firstWith(const BitMask& mask, const Volume& volume, double value) {
   const glm::ivec3 size = mask.size();
   for (int k = 0; k < size.z; ++k)

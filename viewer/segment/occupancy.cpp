@@ -11,13 +11,13 @@ namespace volumen {
 
 namespace {
 
-constexpr float clampTo = 0.02f;  // how far from 1/2 voxels stay on their side
-// What lines add is what keeps one of steps across corners in one piece, with the least volume: beside it at
-// least 1/3 is needed. (Tried on lines in all directions; 3 G(0.6) breaks those.)
+constexpr float clampTo = 0.02f;  // least distance of voxels from 1/2 on their side
+// These keep a line of corner-to-corner steps connected with the least added volume; beside a line at least
+// 1/3 is needed. They were found by trying lines in all directions, which 3 G(0.6) breaks.
 constexpr double lineSigma = 0.65;
 constexpr float lineTimes = 4, mostBesideLine = 0.36f;
 
-// Voxels that a box of 2 voxels along those axes covers which lies in the mask.
+// Returns the opening of the mask by a box of 2 voxels along the axes in `two` and 1 along the others.
 BitMask openedByBox(const BitMask& mask, glm::bvec3 two, const CancelToken& cancel) {
   const glm::ivec3 size = mask.size(), far(two.x, two.y, two.z);
   const auto filtered = [&](const BitMask& from, bool erode) {
@@ -49,7 +49,7 @@ BitMask openedByBox(const BitMask& mask, glm::bvec3 two, const CancelToken& canc
   return filtered(filtered(mask, true), false);
 }
 
-// What is thinner than two voxels in one direction, and which of this is so in two.
+// Voxels thinner than two voxels in at least one direction, and those thinner in at least two.
 struct ThinParts {
   BitMask thin, lines;
 };
@@ -65,7 +65,7 @@ ThinParts thinPartsOf(const BitMask& mask, const CancelToken& cancel) {
   return {thin, lines};
 }
 
-// For one thread: the field in a block.
+// Computes the field of one block. Not thread-safe.
 class OccupancyBlock {
  public:
   OccupancyBlock(const BitMask& mask, const ThinParts& parts, const GaussianKernel& kernel,
@@ -110,12 +110,12 @@ class OccupancyBlock {
   const BitMask& mask_;
   const ThinParts& parts_;
   const glm::ivec3 reach_, lineReach_;
-  const float leastThin_;  // with it a plate of one voxel is one voxel thick
+  const float leastThin_;  // keeps a one-voxel plate one voxel thick
   GaussianBlock smooth_, smoothLines_;
   BitWindow window_, lines_, own_, thin_;
 };
 
-// What the field of a mask in `voxels` is held in.
+// Returns the box of the field for a mask within `voxels`.
 VoxelBox fieldBox(const VoxelBox& voxels, const GaussianKernel& kernel, const GaussianKernel& lineKernel) {
   return grownBox(voxels, glm::max(kernel.reach(), lineKernel.reach()) + 1);
 }

@@ -6,20 +6,22 @@
 
 namespace volumen {
 
-/// Gaussian of `sigma` voxels along each axis of the grid (at most 1; 0: 1 inside, 0 outside), with thin
-/// parts kept: voxels that no box of 2 x 2 x 2 voxels of the segment covers have at least what leaves a plate
-/// of one voxel one voxel thick, and those that no square of 2 x 2 covers add min(1, 4 G(0.65)), beside them
-/// at most 0.36: lines stay in one piece, whichever way they run. Clamped to at least 1/2 + 0.02 at voxels of
-/// the segment and at most 1/2 - 0.02 at all others: the surface passes between the centres of voxels inside
-/// and outside, never elsewhere. Beyond the grid nothing is inside. Of no voxels the box is empty (high <
-/// low). On all cores; a cancelled one is half done, or has no box.
+/// Returns the smoothed occupancy of a mask: a Gaussian of `sigma` (at most 1) voxels along each grid axis;
+/// at 0 it is 1 inside, 0 outside.
+/// Thin parts are kept if sigma > 0. Voxels of the segment in no 2 x 2 x 2 box of it get at least the value
+/// that keeps a one-voxel plate one voxel thick. Voxels in no 2 x 2 square raise the field to at least min(1,
+/// 4 G(0.65)), at most 0.36 beside them: lines stay connected in every direction.
+/// Values are at least 1/2 + 0.02 in the segment and at most 1/2 - 0.02 outside. The surface therefore always
+/// passes between the centres of inside and outside voxels. Nothing is inside beyond the grid.
+/// The box of an empty mask is empty (high < low). Runs on all cores; a cancelled result is incomplete or has
+/// no box.
 OccupancyField occupancyOf(const BitMask& mask, double sigma, const CancelToken& cancel = {});
-/// Bytes of the values of that.
+/// Returns the size of the values of occupancyOf() in bytes.
 std::size_t occupancyBytes(const BitMask& mask, double sigma);
-/// Where the trilinear field is at least 1/2, mm^3: what pictures draw. Of cells that are in part inside by
-/// 5 x 5 lines along the steepest axis,
-/// each exact. The same digits for any number of threads; cancelled: any number.
+/// Returns the volume where the trilinear field is at least 1/2, in mm^3, as pictures draw it. Cells that are
+/// partly inside are integrated over 5 x 5 lines along the steepest axis, each exact. The result is the same
+/// for any number of threads and undefined if cancelled.
 double volumeOf(const OccupancyField& field, const CancelToken& cancel = {});
-inline constexpr double surfaceSigma = 0.7;  ///< voxels: of pictures and of files alike
+inline constexpr double surfaceSigma = 0.7;  ///< Voxels; used for pictures and files
 
 }  // namespace volumen

@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// The part of a line on which a value is at least 1/2 that goes evenly from one end to the other.
+// Returns the fraction of a line on which a value is at least 1/2 that runs linearly from `first` to `last`.
 float partInside(float first, float last) {
   const float atFirst = first - 0.5f, atLast = last - 0.5f;
   if (atFirst >= 0 && atLast >= 0) return 1;
@@ -20,7 +20,7 @@ float partInside(float first, float last) {
 
 using Corners = std::array<float, 8>;  // of a cell, x fastest
 
-// The axis along which the values of a cell differ most.
+// Returns the axis along which the values of a cell differ most.
 std::size_t steepestAxis(const Corners& v) {
   std::array<float, 3> slope{};
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -31,8 +31,8 @@ std::size_t steepestAxis(const Corners& v) {
   return steeper(first, 2) ? 2 : first;
 }
 
-// By lines along that axis, which a flat face crosses: all of them at the same place where it is a face of
-// the grid, so that lines across it would all be off by the same.
+// Integrates along lines on the steepest axis, which cross a flat surface. Lines parallel to a surface along
+// the grid would all have the same error.
 float partInside(const Corners& v) {
   constexpr int n = 5;
   const std::size_t axis = steepestAxis(v), along = std::size_t(1) << axis;
@@ -51,8 +51,8 @@ float partInside(const Corners& v) {
   return sum / float(n * n);
 }
 
-// Of the cells between rows j and j + 1 of slices k and k + 1, in cells; `least` and `most` have room for a
-// row.
+// Returns the inside volume of the cells between rows j and j + 1 of slices k and k + 1, in cells. `least`
+// and `most` are buffers of one row.
 double cellsInside(const OccupancyField& field, int j, int k, std::vector<float>& least,
                    std::vector<float>& most) {
   const auto width = std::size_t(field.size().x), height = std::size_t(field.size().y);

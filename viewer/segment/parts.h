@@ -11,27 +11,27 @@
 
 namespace volumen {
 
-/// Which voxels touch: those that share a face, an edge too, a corner too.
+/// Connectivity: voxels that share a face; or also an edge; or also a corner.
 enum class Neighbours { faces = 6, edges = 18, corners = 26 };
 
-/// The connected parts of a mask, in order of size; of equal ones the one whose first voxel is first in
-/// memory comes first.
+/// The connected components of a mask, largest first. Of equal ones, the one with the first voxel in memory
+/// comes first.
 class Parts {
  public:
-  /// Of a cancelled one there are none.
+  /// Finds the components; none if cancelled.
   Parts(const BitMask& mask, Neighbours neighbours, const CancelToken& cancel = {});
 
   std::size_t count() const { return sizes_.size(); }
-  /// Voxels of the n-th.
+  /// Returns the number of voxels of component `n`.
   std::int64_t size(std::size_t n) const { return sizes_[n]; }
-  /// The part that holds a voxel; count() where none does, and of a voxel beyond the grid.
+  /// Returns the component of a voxel, or count() if none holds it or it lies beyond the grid.
   std::size_t of(glm::ivec3 voxel) const;
-  /// The voxels of the parts whose number is chosen (chosen.size() == count()).
+  /// Returns the voxels of all components with chosen[n] set (chosen.size() == count()).
   BitMask mask(const std::vector<bool>& chosen) const;
   BitMask largest(std::size_t count = 1) const;
-  /// Those of at least so many voxels.
+  /// Returns the components of at least `voxels` voxels.
   BitMask atLeast(std::int64_t voxels) const;
-  /// Those that hold one of these voxels, and all others.
+  /// Return the components that hold one of these voxels, and all others.
   BitMask touched(std::span<const glm::ivec3> voxels) const;
   BitMask untouched(std::span<const glm::ivec3> voxels) const;
 
@@ -43,14 +43,15 @@ class Parts {
   std::vector<std::int64_t> sizes_;
 };
 
-/// The parts of the mask that hold a seed; empty where none is in it. Costs about what it finds. Seeds beyond
-/// the grid are left out. A cancelled one is returned half done.
+/// Returns the components of the mask that hold a seed; empty if no seed is in the mask. Seeds beyond the
+/// grid are ignored. The cost grows with the result, not with the grid. The result is incomplete if
+/// cancelled.
 BitMask connected(const BitMask& mask, std::span<const glm::ivec3> seeds, Neighbours neighbours,
                   const CancelToken& cancel = {});
 
-/// As connected(), but thin bridges let nothing through: of the mask shrunk by a ball of radiusMm the parts
-/// that hold a seed (or are the nearest to it within 2 radiusMm), grown again by that ball, which stays
-/// inside the mask. Unlike an opening by reconstruction it does not leak back.
+/// Works like connected(), but does not pass thin bridges. It shrinks the mask by a ball of `radiusMm` and
+/// keeps the components that hold a seed, or are the nearest within 2 radiusMm. Then it grows them again by
+/// that ball, which stays inside the mask. Unlike opening by reconstruction it does not leak back.
 BitMask connectedBeyond(const BitMask& mask, std::span<const glm::ivec3> seeds, Neighbours neighbours,
                         double radiusMm, const CancelToken& cancel = {});
 

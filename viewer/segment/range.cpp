@@ -20,13 +20,14 @@ struct Stored {
   bool holds(T value) const { return (low <= value) & (value <= high); }
 };
 
-// Whose real values are in the range: integers by bisection, for real values rise or fall with stored ones.
+// Returns the stored values whose real values are in the range, by bisection: real values are monotonic in
+// integer stored values.
 template <class T>
 std::optional<Stored<T>> storedIn(const Volume& volume, ValueRange range) {
   const auto real = [&](int stored) { return double(volume.realValue(stored)); };
   int least = std::numeric_limits<T>::min(), most = std::numeric_limits<T>::max();
   const bool rises = volume.slope() > 0;
-  const auto first = [&](const auto& isBehind) {  // the first stored value that is
+  const auto first = [&](const auto& isBehind) {  // first stored value for which isBehind() holds
     int low = least, high = most + 1;
     while (low < high) {
       const int middle = low + (high - low) / 2;
@@ -43,14 +44,14 @@ std::optional<Stored<T>> storedIn(const Volume& volume, ValueRange range) {
   return Stored<T>{T(begin), T(end - 1)};
 }
 
-// Floats are stored as they are.
+// Float volumes store real values.
 template <>
 std::optional<Stored<float>> storedIn(const Volume&, ValueRange range) {
   if (!(range.low <= range.high)) return {};
   return Stored<float>{float(range.low), float(range.high)};
 }
 
-// Up to 64 values, a bit each.
+// Tests up to 64 values, one bit each.
 template <class T, class In>
 std::uint64_t bitsOf(const T* values, int count, const In& isIn) {
   std::array<std::uint8_t, 64> in{};

@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// The voxels where range.low <= value <= range.high (holds()), real units, and the value is no padding; ends
-/// may be infinite. On all cores, by SIMD.
+/// Returns the voxels with range.low <= value <= range.high (holds()) in real units, without padding. Ends
+/// may be infinite. Runs on all cores with SIMD.
 BitMask voxelsInRange(const Volume& volume, ValueRange range);
 
 }  // namespace volumen

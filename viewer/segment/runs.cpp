@@ -10,12 +10,13 @@ namespace volumen {
 
 namespace {
 
-// The union-find: `part` of a run is its parent, always an earlier run; of the first of a part itself.
+// Union-find over runs: `part` is the parent, always an earlier run; a root is its own parent.
 class Joining {
  public:
   Joining(JoinedRuns& joined, glm::ivec3 size) : runs_(joined.runs), first_(joined.firstOfRow), size_(size) {}
 
-  // What of the row (j, k) touches what of the row a step away, if there is one from `fromSlice` on.
+  // Unites runs of row (j, k) with touching runs of the row a step away, if that lies in slice `fromSlice` or
+  // later.
   void join(int j, int k, RowStep step, int fromSlice) {
     const int otherJ = j + step.dj, otherK = k + step.dk;
     if (otherJ < 0 || otherJ >= size_.y || otherK < fromSlice) return;
@@ -99,7 +100,7 @@ JoinedRuns joinedRuns(const BitMask& mask, std::span<const RowStep> steps, const
       for (const RowStep step : steps)
         if (step.dk < 0) joining.join(j, k, step, 0);
   if (cancel.cancelled()) return {{}, std::vector<std::size_t>(rows + 1), 0};
-  // A parent is earlier, so that it has its number when its children ask for it.
+  // Parents come earlier, so they already have their number.
   for (std::size_t n = 0; n < joined.runs.size(); ++n) {
     std::uint32_t& part = joined.runs[n].part;
     part = part == n ? joined.parts++ : joined.runs[part].part;

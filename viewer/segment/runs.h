@@ -9,30 +9,31 @@
 
 namespace volumen {
 
-/// From a row of voxels to another that touches it: voxels of both touch whose i differ by at most `reach`.
+/// Step from a row of voxels to a neighbouring row. Voxels of both are neighbours if their i differ by at
+/// most `reach`.
 struct RowStep {
   int dj, dk, reach;
 };
 
-/// Voxels of a mask side by side in a row, [begin, end), and the part that they are of.
+/// A run [begin, end) of mask voxels in a row, and its connected component.
 struct VoxelRun {
   int begin, end;
   std::uint32_t part;
 };
 
-/// All runs of a mask, row after row, and which are joined by steps. Parts are numbered by their first
-/// voxels.
+/// All runs of a mask, row after row, with their components. Components are numbered by their first voxel.
 struct JoinedRuns {
   std::vector<VoxelRun> runs;
-  std::vector<std::size_t> firstOfRow;  ///< of row j + size.y k; and the number of runs
+  /// First run of row j + size.y k; the last entry is the number of runs.
+  std::vector<std::size_t> firstOfRow;
   std::uint32_t parts = 0;
 };
 
-/// By union-find, in slabs on all cores. The steps lead to rows that are earlier in memory, dk is 0 or -1.
-/// Of a cancelled one there are no runs.
+/// Labels components by union-find, in slabs on all cores. Steps must lead to rows earlier in memory, with dk
+/// 0 or -1. Returns no runs if cancelled.
 JoinedRuns joinedRuns(const BitMask& mask, std::span<const RowStep> steps, const CancelToken& cancel);
 
-/// The voxels of the parts that are chosen.
+/// Returns the voxels of the chosen components.
 BitMask maskOfRuns(const JoinedRuns& joined, const VoxelGeometry& geometry, const std::vector<bool>& chosen);
 
 }  // namespace volumen

@@ -10,37 +10,38 @@
 
 namespace volumen {
 
-/// One of the spans of values that a curve of opacity shows.
+/// One of the value ranges that an opacity curve shows.
 struct CurveSpan {
-  int number = 0;  ///< from 0, ascending
-  int of = 1;      ///< how many there are
+  int number = 0;  ///< Index from 0, ascending
+  int of = 1;      ///< Number of ranges
   bool operator==(const CurveSpan&) const = default;
 };
 
-/// How a segment was made (PS3.3 C.8.20.4): by a program alone, by one that a person helps, or by hand.
+/// How a segment was made (PS3.3 C.8.20.4): automatically, semi-automatically, or by hand.
 enum class SegmentAlgorithm { unsaid, manual, semiautomatic, automatic };
 
-/// One segment of a segmentation (PS3.3 C.8.20.4); its voxels are in a LabelMap, or in Segmentation::bits.
+/// One segment of a segmentation (PS3.3 C.8.20.4). Its voxels are in a LabelMap or in Segmentation::bits.
 /// Texts are UTF-8.
 struct Segment {
-  int number = 0;                       ///< from 1: as its file counts; of a label map its label
-  std::string label{}, description{};   ///< its name, and what is said of it
-  Code category{}, type{}, modifier{};  ///< "Tissue", "Bone", "Left"
-  Code region{}, regionModifier{};      ///< the part of the body that it lies in: "Lung", "Left"
+  int number = 0;                       ///< From 1: segment number of its file, or its label in a label map
+  std::string label{}, description{};   ///< Name and description
+  Code category{}, type{}, modifier{};  ///< For example "Tissue", "Bone", "Left"
+  Code region{}, regionModifier{};      ///< Anatomic region, for example "Lung", "Left"
   SegmentAlgorithm algorithmType = SegmentAlgorithm::unsaid;
-  std::string algorithm{};                  ///< the name of what made it
-  std::string trackingId{}, trackingUid{};  ///< of what it shows, wherever else that is found again
-  std::optional<glm::u8vec3> colour{};      ///< recommended, sRGB
-  std::optional<ValueRange> range{};        ///< the values that it was made of; none: it was not made so
-  std::optional<CurveSpan> span{};  ///< that `range` follows when the curve is pulled; none: it does not
+  std::string algorithm{};                  ///< Name of the algorithm
+  std::string trackingId{}, trackingUid{};  ///< Identify the tracked object across segmentations
+  std::optional<glm::u8vec3> colour{};      ///< Recommended display colour, sRGB
+  std::optional<ValueRange> range{};        ///< Value range it was made from; empty if made otherwise
+  /// Span of the curve that `range` follows when the curve is edited; empty if it does not follow.
+  std::optional<CurveSpan> span{};
   bool visible = true;
-  bool locked = false;  ///< nothing takes voxels from it or gives it some
-  double opacity = 1;   ///< where it is drawn, 0..1
+  bool locked = false;  ///< True if no tool may change its voxels
+  double opacity = 1;   ///< Opacity of its drawing, 0..1
   bool operator==(const Segment&) const = default;
 };
 
-/// Says of a segment that its voxels were changed here: what a program made alone is so no more, and the name
-/// of what made it says that it was edited. What was made by hand, or by nothing that is known, stays so.
+/// Records a manual edit: an automatic segment becomes semi-automatic, and its algorithm name notes the edit.
+/// Segments made by hand or of unknown origin stay as they are.
 void markEdited(Segment& segment);
 
 }  // namespace volumen

@@ -19,14 +19,14 @@ namespace {
 
 using glm::dmat3, glm::dvec3;
 
-// Sums over the voxels of a mask of powers of i, j, k: integers, so that their order does not matter.
+// Sums of powers of i, j, k over the voxels of a mask. Integers, so that the order does not matter.
 struct Moments {
   std::int64_t voxels = 0;
   std::array<std::int64_t, 3> sum{};      // i, j, k
   std::array<std::int64_t, 6> product{};  // ii, jj, kk, ij, ik, jk
   VoxelBox box{glm::ivec3(INT32_MAX), glm::ivec3(INT32_MIN)};
 
-  // The voxels first..last of a row.
+  // Adds the voxels first..last of a row.
   void addRun(std::int64_t first, std::int64_t last, std::int64_t j, std::int64_t k) {
     const std::int64_t n = last - first + 1, i = (first + last) * n / 2;
     const auto squaresTo = [](std::int64_t m) { return m * (m + 1) * (2 * m + 1) / 6; };
@@ -62,7 +62,7 @@ Moments momentsOf(const BitMask& mask) {
   return all;
 }
 
-// Covariance by n of the voxels' places, voxels^2.
+// Returns the covariance (dividing by n) of voxel positions, voxels^2.
 dmat3 covariance(const Moments& m) {
   const double n = double(m.voxels);
   const dvec3 mean = dvec3(double(m.sum[0]), double(m.sum[1]), double(m.sum[2])) / n;
@@ -73,7 +73,8 @@ dmat3 covariance(const Moments& m) {
   return {of(0, 0, 0), ij, ik, ij, of(1, 1, 1), jk, ik, jk, of(2, 2, 2)};
 }
 
-// The eigenvectors of a symmetric matrix as columns, its eigenvalues in its diagonal (Jacobi 1846).
+// Returns the eigenvectors of a symmetric matrix as columns; its diagonal becomes the eigenvalues (Jacobi
+// 1846).
 dmat3 diagonalised(dmat3& a) {
   dmat3 vectors(1);
   for (int sweep = 0; sweep < 30; ++sweep)

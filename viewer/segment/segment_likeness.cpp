@@ -13,7 +13,7 @@ namespace volumen {
 
 namespace {
 
-// The distance that 95 % of the area are not farther than.
+// Returns the distance that 95 % of the area do not exceed.
 double distanceOf95Percent(const SurfaceDistances& all) {
   std::vector<std::uint32_t> order(all.ofTriangles.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -27,7 +27,7 @@ double distanceOf95Percent(const SurfaceDistances& all) {
   return all.ofTriangles[order.back()];
 }
 
-// Points are floats: what is nearer than the last digit of the largest coordinate is no distance.
+// Returns the smallest distance that float points can represent: the precision of the largest coordinate.
 double leastDistance(std::initializer_list<const Surface*> surfaces) {
   float largest = 0;
   for (const Surface* surface : surfaces)
@@ -36,7 +36,7 @@ double leastDistance(std::initializer_list<const Surface*> surfaces) {
   return double(largest) * double(std::numeric_limits<float>::epsilon());
 }
 
-// 0 in place of distances that are none.
+// Returns distances with values below `least` set to 0.
 SurfaceDistances distancesFrom(const TriangleTree& of, const TriangleTree& to, double least,
                                const CancelToken& cancel) {
   SurfaceDistances all = distances(of, to, cancel);

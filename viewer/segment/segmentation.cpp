@@ -11,7 +11,7 @@
 namespace volumen {
 namespace {
 
-/// A frame, by where it lies along the normal.
+/// A frame and its position along the normal, mm.
 struct Plane {
   double along;
   std::size_t frame;
@@ -26,7 +26,7 @@ std::vector<Plane> planesOf(const Segmentation& s) {
   return planes;
 }
 
-/// A segment on the grid that is drawn, and on the slices as acquired.
+/// A segment on the grid and on the slices as acquired.
 struct TwoMasks {
   BitMask drawn;
   std::optional<BitMask> onSlices;
@@ -38,7 +38,7 @@ bool shareVoxel(const BitMask& one, const BitMask& other) {
                              [&](std::size_t n) { return a[n] & b[n]; });
 }
 
-/// A label map that takes one segment after the other.
+/// A label map that segments are added to one by one.
 struct SharedLabels {
   static constexpr int mostLabels = 255;
   std::vector<Segment> segments;
@@ -79,10 +79,10 @@ struct SharedLabels {
   }
 };
 
-/// The slice that a plane lies on, along k of the grid; none where there is none.
+/// Returns the slice that a plane lies on, along k of the grid; empty if there is none.
 std::optional<std::size_t> sliceAt(const Segmentation& s, glm::dvec3 origin, const VoxelGeometry& grid,
                                    const std::vector<double>& places) {
-  constexpr double off = 0.02;  // of the distance of slices
+  constexpr double off = 0.02;  // fraction of the slice spacing
   const glm::dvec3 across = (s.size.x - 1) * s.mm.x * s.right, down = (s.size.y - 1) * s.mm.y * s.down;
   const double k = grid.voxelFromPatient(origin).z;
   for (const glm::dvec3& corner : {across, down})
@@ -92,7 +92,7 @@ std::optional<std::size_t> sliceAt(const Segmentation& s, glm::dvec3 origin, con
   return {};
 }
 
-/// Of each frame the slice that it lies on; none where one lies on none.
+/// Returns the slice of each frame; empty if any frame lies on none.
 std::vector<std::size_t> slicesOf(const Segmentation& s, const VoxelGeometry& grid,
                                   const AcquiredSlices& slices) {
   std::vector<std::size_t> all;
@@ -105,7 +105,7 @@ std::vector<std::size_t> slicesOf(const Segmentation& s, const VoxelGeometry& gr
   return all;
 }
 
-/// A segment on the slices that its frames lie on.
+/// Returns a segment on the slices of its frames.
 BitMask maskOnSlices(const Segmentation& s, std::size_t segment, const VoxelGeometry& grid,
                      const AcquiredSlices& slices, const std::vector<std::size_t>& sliceOf) {
   BitMask mask(slices.volume->geometry());
@@ -134,7 +134,7 @@ std::int64_t pixelsOf(const Segmentation& s, std::size_t segment) {
 }
 
 Result<VoxelGeometry> gridOf(const Segmentation& s) {
-  constexpr double same = 1e-3, off = 0.05;  // mm, and part of a step
+  constexpr double same = 1e-3, off = 0.05;  // mm; fraction of a step
   constexpr double mostVoxels = 2147483647;
   const std::vector<Plane> planes = planesOf(s);
   if (planes.empty()) return Error{"the segmentation has no frames"};
@@ -169,7 +169,7 @@ SegmentPlaces::SegmentPlaces(const Segmentation& segmentation, std::size_t segme
 }
 
 const SegmentPlaces::Plane* SegmentPlaces::planeAt(double along) const {
-  constexpr double touching = 1e-6;  // a place on the face between two planes belongs to one of them
+  constexpr double touching = 1e-6;  // tolerance for points on the face between two planes
   if (planes_.empty()) return nullptr;
   auto plane = std::ranges::lower_bound(planes_, along, {}, &Plane::along);
   if (plane == planes_.end() || (plane != planes_.begin() && along - plane[-1].along < plane->along - along))
@@ -197,7 +197,7 @@ bool SegmentPlaces::holds(glm::dvec3 p) const {
   return pixel && isSet(*pixel);
 }
 
-// On a line within a plane the nearest plane stays the same, and the pixel goes on evenly.
+// If the line runs within a plane, the nearest plane is constant and the pixel position linear.
 void SegmentPlaces::holdsAlong(glm::dvec3 pFirst, glm::dvec3 step, std::span<std::uint8_t> held) const {
   const auto placeOf = [&](std::size_t n) { return pFirst + double(n) * step; };
   if (std::abs(glm::dot(step, normal_)) * double(held.size()) > 1e-9) {
@@ -211,8 +211,8 @@ void SegmentPlaces::holdsAlong(glm::dvec3 pFirst, glm::dvec3 step, std::span<std
   for (std::size_t n = 0; n < held.size(); ++n) held[n] = isSet({first->frame, first->at + double(n) * on});
 }
 
-// What holds at the corners of a slice holds between them: places are linear, and what is nearest to a plane
-// is convex.
+// Checking the corners of a slice suffices: positions are linear, and the region nearest to a plane is
+// convex.
 std::optional<std::size_t> SegmentPlaces::frameOn(const VoxelGeometry& grid, int k) const {
   constexpr double off = 0.49;  // less than half a pixel
   if (glm::ivec2(grid.size) != all_.size) return {};

@@ -9,18 +9,18 @@
 
 namespace volumen {
 
-/// Labels on the slices of a series as acquired, a voxel a pixel.
+/// Labels on the slices of a series as acquired, one voxel a pixel.
 struct AcquiredLabels {
   LabelMap labels;
-  /// Segments that are only where the nearest voxels of the grid that is drawn have them.
+  /// Segments that exist only on the grid; their labels here are the nearest grid voxels.
   std::set<int> interpolated{};
 };
 
-/// Segments that share no voxel: each is where its number is the label.
+/// Segments that share no voxel: each occupies the voxels whose label is its number.
 struct Segmented {
   std::vector<Segment> segments;
   LabelMap labels;
-  /// The same on the slices as acquired, where that is known and they are no slices of the grid of `labels`.
+  /// The same on the slices as acquired. Null if unknown or if these are slices of the grid of `labels`.
   std::shared_ptr<const AcquiredLabels> acquired{};
 };
 

@@ -15,10 +15,10 @@ void forEachVoxel(const VoxelSpans& spans, const Visit& visit) {
     for (int i = span.begin; i < span.end; ++i) visit(glm::ivec3(i, span.j, span.k));
 }
 
-// Voxels of the box about some spans, a byte each.
+// The bounding box of some runs, one byte per voxel.
 class BoxOfSpans {
  public:
-  static constexpr std::uint8_t isOpen = 1, isReached = 2;  // what is neither is 0
+  static constexpr std::uint8_t isOpen = 1, isReached = 2;  // 0 means neither
 
   explicit BoxOfSpans(const VoxelSpans& spans) : low_(spans.front().begin, spans.front().j, spans.front().k) {
     glm::ivec3 high = low_;
@@ -29,7 +29,7 @@ class BoxOfSpans {
     size_ = high - low_ + 1;
     voxels_.resize(std::size_t(size_.x) * std::size_t(size_.y) * std::size_t(size_.z));
   }
-  // Null: outside.
+  // Returns null outside the box.
   std::uint8_t* at(glm::ivec3 voxel) {
     const glm::ivec3 v = voxel - low_;
     if (glm::any(glm::lessThan(v, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(v, size_)))
@@ -51,7 +51,7 @@ std::optional<ValueRange> valuesUnder(const VoxelSpans& spans, const Volume& vol
   forEachVoxel(spans, [&](glm::ivec3 v) {
     const double value = double(volume.value(v.x, v.y, v.z));
     if (isPadding(volume.attributes().padding, value)) return;
-    if (count++ == 0) first = value;  // from which all are counted: no digits are lost far from 0
+    if (count++ == 0) first = value;  // sums relative to it keep their digits far from 0
     sum += value - first, squares += (value - first) * (value - first);
   });
   if (count == 0) return {};

@@ -4,12 +4,12 @@
 
 namespace volumen {
 
-/// The mean of the values under a brush and so many of their standard deviations (by n) to both sides;
-/// padding is no value. None: there is no value.
+/// Returns the mean of the values under a brush plus and minus `deviations` standard deviations (dividing by
+/// n), without padding. Empty if there is no value.
 std::optional<ValueRange> valuesUnder(const VoxelSpans& spans, const Volume& volume, double deviations);
 
-/// Of the voxels under a brush those of a range of values, ends included, that are joined by faces, through
-/// such voxels, to one of them; empty where that is none of them. Padding is in no range.
+/// Returns the voxels under a brush with values in the range (ends included) that are 6-connected to `voxel`
+/// through such voxels. Empty if `voxel` is not one of them. Padding is in no range.
 VoxelSpans connectedUnder(const VoxelSpans& spans, const Volume& volume, ValueRange range, glm::ivec3 voxel);
 
 }  // namespace volumen

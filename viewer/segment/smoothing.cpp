@@ -11,14 +11,14 @@ namespace volumen {
 
 namespace {
 
-// What differs by less is the same: rounding decides no voxel.
+// Smaller differences are rounding and count as equal.
 constexpr float sameOccupancy = 1e-6f;
 
 bool isLocked(std::span<const std::uint8_t> locked, std::uint8_t label) {
   return std::ranges::find(locked, label) != locked.end();
 }
 
-// The labels of a box, those at the border of the grid also beyond it.
+// Returns the labels of a box; labels at the grid border continue beyond it.
 std::vector<std::uint8_t> labelsIn(const DenseLabels& map, const VoxelBox& box) {
   const glm::ivec3 grid = map.geometry.size;
   std::vector<std::uint8_t> labels;
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> labelsIn(const DenseLabels& map, const VoxelBox& box) 
   return labels;
 }
 
-// For one thread: what each voxel of a block takes.
+// Chooses the label of each voxel of a block. Not thread-safe.
 class JointBlock {
  public:
   JointBlock(const DenseLabels& map, const GaussianKernel& kernel, std::span<const std::uint8_t> locked)
@@ -88,7 +88,7 @@ class JointBlock {
   std::vector<std::uint8_t> chosen_;
 };
 
-// `map` with these labels; bricks that stay the same are shared.
+// Returns `map` with new labels; unchanged bricks are shared.
 LabelMap withLabels(const LabelMap& map, const DenseLabels& before, const std::vector<std::uint8_t>& labels) {
   LabelEdit edit(map);
   const glm::ivec3 size = map.geometry().size;

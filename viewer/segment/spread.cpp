@@ -13,8 +13,8 @@ namespace volumen {
 
 namespace {
 
-// A row, widened: each bit to those from `low` to `high` away, by doubling. Words before and behind it take
-// what leaves it on the way.
+// Widens a row: each bit spreads to the bits at offsets low to high, by doubling. Extra words on both sides
+// hold bits that leave the row meanwhile.
 class WideRow {
  public:
   WideRow(int words, int farthest)
@@ -36,14 +36,14 @@ class WideRow {
   }
 
  private:
-  // Moves all by so many bits, keeping what was there or not.
+  // Shifts all bits by `by`; with `keep`, the unshifted bits stay set too.
   template <bool keep>
   void move(int by) {
     const int words = by >> 6, up = by & 63;  // by = 64 words + up
     const std::uint64_t* const from = a_.data();
     std::uint64_t* const to = b_.data();
     const int all = int(a_.size());
-    // Row words are at least two words from the ends, which hold nothing that matters.
+    // Words of the row are at least two words from either end, so dropping the end words is safe.
     const int begin = std::max(0, words + 1), end = std::min(all, all + words);
     std::fill(to, to + begin, 0), std::fill(to + end, to + all, 0);
     if (up == 0)
@@ -58,7 +58,7 @@ class WideRow {
   std::vector<std::uint64_t> a_, b_;
 };
 
-// Rows of a shape that are as wide.
+// Rows of a structuring element with the same extent.
 struct Width {
   int low, high;
   std::vector<std::pair<int, int>> steps;  // dj, dk
@@ -92,7 +92,7 @@ BitMask spread(const BitMask& mask, std::span<const SpreadRow> shape, const Canc
     farthest = std::max({farthest, std::abs(row.low), std::abs(row.high)});
     slices = std::max(slices, std::abs(row.dk));
   }
-  // What spreads into a slab, row by row; rows near two slabs are widened for both.
+  // Computes the result of a slab row by row. Rows near two slabs are widened for both.
   const auto fillSlab = [&](int begin, int end) {
     WideRow wide(mask.wordsPerRow(), farthest);
     for (int k = std::max(0, begin - slices); k < std::min(size.z, end + slices) && !cancel.cancelled(); ++k)

@@ -7,13 +7,13 @@
 
 namespace volumen {
 
-/// To which voxels of one row a voxel (i, j, k) spreads: i + low .. i + high of row (j + dj, k + dk).
+/// One row of a structuring element: voxel (i, j, k) spreads to i + low .. i + high of row (j + dj, k + dk).
 struct SpreadRow {
   int dj, dk, low, high;
 };
 
-/// All voxels of the grid to which one of the mask spreads; on all cores, at a cost of about voxels / 128
-/// for each row of the shape. A cancelled one is returned half done.
+/// Dilates a mask by a structuring element, clipped to the grid. Runs on all cores; each row of the element
+/// costs about voxels / 128. The result is incomplete if cancelled.
 BitMask spread(const BitMask& mask, std::span<const SpreadRow> shape, const CancelToken& cancel);
 
 }  // namespace volumen

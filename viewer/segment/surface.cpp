@@ -19,10 +19,11 @@ namespace {
 
 using Word = std::uint64_t;
 constexpr float surfaceLevel = 0.5f;
-constexpr double nearestToPoint = 0.02;  // of an edge: crossings about a point never become one by rounding
+// Fraction of an edge: keeps crossings around a point apart despite rounding.
+constexpr double nearestToPoint = 0.02;
 
-// Where the points and triangles of one row of cells begin, or how many there are. A row has the crossings of
-// the edges that start at its points: along x, then y, then z.
+// First point and triangle of a row of cells, or their counts. A row owns the crossings of edges that start
+// at its points: along x, then y, then z.
 struct RowPlace {
   std::uint32_t points[3]{};
   std::uint32_t triangles = 0;
@@ -34,7 +35,7 @@ class SurfaceMaker {
       : field_(field),
         cancel_(cancel),
         size_(field.size()),
-        words_(std::size_t(size_.x) / 64 + 1),  // so that a bit has one behind it
+        words_(std::size_t(size_.x) / 64 + 1),  // so that each bit has a next one
         inside_(words_ * std::size_t(size_.y) * std::size_t(size_.z)),
         places_(std::size_t(size_.y) * std::size_t(size_.z)),
         mirrored_(glm::determinant(field.geometry.patientFromVoxelStep) < 0) {}
@@ -47,7 +48,7 @@ class SurfaceMaker {
     forEachRow([&](int j, int k) { makeTriangles(j, k); });
     return ended();
   }
-  // Moves the points along their edges so that the surface encloses a volume, mm^3.
+  // Moves the points along their edges so that the surface encloses `volume` mm^3.
   Status enclose(double volume);
   Surface& surface() { return surface_; }
 
@@ -74,16 +75,16 @@ class SurfaceMaker {
   void makePoints(int j, int k);
   void makeTriangles(int j, int k);
 
-  // The bits of word w that have another one behind them in the row.
+  // Returns the bits of word w that have a next one in the row.
   Word withNext(std::size_t w) const {
     const int left = size_.x - 1 - int(w) * 64;
     return left >= 64 ? ~Word(0) : left <= 0 ? 0 : (Word(1) << left) - 1;
   }
-  // Word w of a row, moved so that each bit is the one behind it.
+  // Returns word w of a row shifted by one, so that each bit holds the next one.
   Word behind(const Word* row, std::size_t w) const {
     return row[w] >> 1 | (w + 1 < words_ ? row[w + 1] << 63 : 0);
   }
-  // Which edges along x, y, z are crossed that start at the points of word w.
+  // Return the crossed edges along x, y, z that start at the points of word w.
   Word crossedX(int j, int k, std::size_t w) const {
     const Word* row = insideRow(j, k);
     return (row[w] ^ behind(row, w)) & withNext(w);
@@ -94,9 +95,9 @@ class SurfaceMaker {
   Word crossedZ(int j, int k, std::size_t w) const {
     return k + 1 < size_.z ? insideRow(j, k)[w] ^ insideRow(j, k + 1)[w] : 0;
   }
-  // Which cells of word w have corners inside and outside.
+  // Returns the cells of word w with corners both inside and outside.
   Word crossedCells(int j, int k, std::size_t w) const;
-  // The set of corners inside (cellTriangles()) of a cell.
+  // Returns the set of inside corners of a cell, the index into cellTriangles().
   std::size_t cornersOf(glm::ivec3 cell) const;
 
   glm::vec3 crossing(glm::ivec3 point, int axis, float here, float there) const;
@@ -108,7 +109,7 @@ class SurfaceMaker {
   std::vector<Word> inside_;
   std::vector<RowPlace> places_;
   bool mirrored_;
-  double level_ = surfaceLevel;  // where the points are
+  double level_ = surfaceLevel;  // field value at the points
   Surface surface_;
 };
 
@@ -161,7 +162,7 @@ void SurfaceMaker::countRow(int j, int k) {
   }
 }
 
-// From counts to places; false: there are too many triangles.
+// Turns counts into start indices. Returns false if there are too many triangles.
 bool SurfaceMaker::placeRows() {
   std::uint64_t points = 0, triangles = 0;
   for (RowPlace& place : places_) {
@@ -201,10 +202,10 @@ void SurfaceMaker::makePoints(int j, int k) {
   }
 }
 
-// A run of points: the crossings of edges along one axis that start in one row, counted as the cells go by.
+// Numbers the crossings of edges along one axis that start in one row, while cells are visited in order.
 struct CrossingRun {
   std::uint32_t first = 0;
-  Word crossed = 0;  // of the word at hand
+  Word crossed = 0;  // of the current word
   std::uint32_t at(int bit) const {
     const Word before = bit < 64 ? (Word(1) << bit) - 1 : ~Word(0);
     return first + std::uint32_t(std::popcount(crossed & before));
@@ -249,7 +250,7 @@ void SurfaceMaker::makeTriangles(int j, int k) {
   }
 }
 
-// By the secant method: the lower the level, the more is inside.
+// Uses the secant method: the lower the level, the larger the volume.
 Status SurfaceMaker::enclose(double volume) {
   constexpr double farthest = 0.05, near = 1e-4;
   constexpr int mostSteps = 6;
@@ -265,7 +266,7 @@ Status SurfaceMaker::enclose(double volume) {
   return ended();
 }
 
-// The sum over all triangles: of parts of fixed length, added in order.
+// Sums over all triangles in parts of fixed length, added in order.
 template <class Term>
 double summed(const Surface& surface, const Term& term) {
   constexpr std::size_t part = 1 << 14;
@@ -303,7 +304,7 @@ Result<Surface> volumePreservingSurface(const OccupancyField& field, const Cance
 
 double volumeOf(const Surface& surface) {
   if (surface.points.empty()) return 0;
-  const glm::dvec3 o(surface.points.front());  // near it the digits are
+  const glm::dvec3 o(surface.points.front());  // nearby origin, for precision
   return summed(surface, [o](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     return glm::dot(a - o, glm::cross(b - o, c - o)) / 6;
   });

@@ -22,7 +22,7 @@ constexpr int rowsOfFaces = 48;    // of a block, along j and k
 constexpr int slopeReach = 2;      // voxels
 constexpr double sameWay = 0.985;  // cosine of 10 degrees
 
-// The mask in a block of blockWidth voxels along i, smoothed.
+// The smoothed mask in a block of blockWidth voxels along i.
 class SmoothedBlock {
  public:
   explicit SmoothedBlock(const GaussianKernel& kernel) : reach_(kernel.reach()), smooth_(kernel) {}
@@ -32,7 +32,7 @@ class SmoothedBlock {
     values_ = smooth_.smoothed(window_);
     row_ = blockWidth, slice_ = row_ * (box.high.y - box.low.y + 1);
   }
-  // Along each axis of the grid, a voxel; by differences of fourth order.
+  // Returns the slopes along each grid axis, per voxel, by fourth-order differences.
   dvec3 slopes(glm::ivec3 v) const {
     const float* const at = values_ + v.z * slice_ + v.y * row_ + v.x;
     const auto along = [&](std::ptrdiff_t n) {
@@ -49,7 +49,7 @@ class SmoothedBlock {
   std::ptrdiff_t row_ = 0, slice_ = 0;
 };
 
-// For one thread: what the faces of voxels in a block come to, seen along the normals.
+// Sums the projected area of the faces in a block. Not thread-safe.
 class FacesSeen {
  public:
   FacesSeen(const BitMask& mask, const std::vector<BrickFace>& faces, const GaussianKernel& narrow,
@@ -61,8 +61,8 @@ class FacesSeen {
         narrow_(narrow),
         wide_(wide) {}
 
-  // Of the faces at voxels of `own`. The box, blockWidth voxels along i, also holds what the slopes there and
-  // at the voxels beyond the faces reach.
+  // Returns the area of the faces at voxels of `own`. `box`, blockWidth voxels along i, must also hold the
+  // voxels that the slopes there and beyond the faces need.
   double area(const VoxelBox& own, const VoxelBox& box) {
     bits_.read(mask_, box, BeyondGrid::nothing);
     if (bits_.empty() || bits_.full()) return 0;
@@ -98,24 +98,24 @@ double FacesSeen::sumOf(const BrickFace& face, const VoxelBox& own) const {
   return sum * face.area;
 }
 
-// The share of a face that is seen along the normal.
+// Returns the projection of a face along the normal, as a fraction of its area.
 double FacesSeen::seen(const BrickFace& face, glm::ivec3 voxel) const {
   const auto gradient = [&](const SmoothedBlock& of) {
     return patientFromSlopes_ * (of.slopes(voxel) + of.slopes(voxel + face.step));
   };
   const dvec3 narrow = gradient(narrow_), wide = gradient(wide_);
   const double length = glm::length(narrow), wideLength = glm::length(wide);
-  if (!(length > 1e-5)) return 1;  // it has no normal: smoothing leaves nothing of it
+  if (!(length > 1e-5)) return 1;  // smoothing leaves no gradient, so there is no normal
   const double found = std::abs(glm::dot(narrow, face.normal)) / length;
-  // An edge turns the normal by less; what is thinner than the Gaussians by more.
+  // Edges turn the normal by less than this, structures thinner than the Gaussians by more.
   if (!(glm::dot(narrow, wide) > sameWay * length * wideLength)) return found;
   return found + share_ * (found - std::abs(glm::dot(wide, face.normal)) / wideLength);
 }
 
-// Which two bricks of the next row, moved along by so many bricks, share the face of one: their places from
-// it, and their shares of the face.
+// Returns the two bricks of the next row, shifted by `moved` bricks, that share a brick's face: their offsets
+// and their shares of the face.
 std::array<std::pair<int, double>, 2> sharesOf(double moved) {
-  moved = std::clamp(moved, -20.0, 20.0);  // rows are moved within a word
+  moved = std::clamp(moved, -20.0, 20.0);  // offsets must stay within a word
   if (std::abs(moved - std::round(moved)) < 1e-6) moved = std::round(moved);
   const double whole = std::floor(moved);
   return {{{-int(whole), 1 - (moved - whole)}, {-int(whole) - 1, moved - whole}}};
@@ -143,7 +143,7 @@ AreaSmoothing areaSmoothing(const VoxelGeometry& geometry) {
   const double longest = std::max({glm::length(step[0]), glm::length(step[1]), glm::length(step[2])});
   const double even = std::cbrt(geometry.voxelVolume());
   const double narrow = 2 * std::sqrt(longest * even);
-  // Thick slices do not tell edges from what is round: less is added.
+  // Thick slices hardly distinguish edges from round surfaces, so less is added.
   return {narrow, std::sqrt(2.0) * narrow,
           std::clamp((4.9 - longest / even) / 2.5, 0.0, 1.0) / (std::sqrt(2.0) - 1)};
 }
@@ -155,7 +155,7 @@ double boundaryArea(const BitMask& mask, const CancelToken& cancel) {
   const AreaSmoothing smoothing = areaSmoothing(mask.geometry());
   const auto narrow = GaussianKernel::alongAxes(smoothing.narrowMm / mask.geometry().spacing()),
              wide = GaussianKernel::alongAxes(smoothing.wideMm / mask.geometry().spacing());
-  glm::ivec3 before(0), behind(0);  // how far steps lead
+  glm::ivec3 before(0), behind(0);  // largest steps of the faces
   for (const BrickFace& face : faces)
     before = glm::max(before, -face.step), behind = glm::max(behind, face.step);
   const VoxelBox all{voxels->low - behind, voxels->high + before};

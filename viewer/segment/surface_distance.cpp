@@ -18,7 +18,8 @@ using glm::dvec3;
 
 double squared(dvec3 v) { return glm::dot(v, v); }
 
-// Christer Ericson, Real-Time Collision Detection, 5.1.5: by the part of the plane that p lies over.
+// Finds the feature (corner, edge, face) nearest to p: Christer Ericson, Real-Time Collision Detection,
+// 5.1.5.
 double squaredDistance(dvec3 p, const TriangleTree::Triangle& triangle) {
   const dvec3 a(triangle[0]), ab = dvec3(triangle[1]) - a, ac = dvec3(triangle[2]) - a, ap = p - a;
   const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
@@ -64,7 +65,7 @@ BoxTree treeOf(const Surface& surface) {
   return BoxTree(boxes);
 }
 
-// A box that is asked, the nearest first.
+// A box to search, nearest first.
 struct Nearer {
   double squared;
   std::size_t box;
@@ -117,7 +118,7 @@ namespace {
 
 dvec3 middleOf(const TriangleTree::Triangle& t) { return (dvec3(t[0]) + dvec3(t[1]) + dvec3(t[2])) / 3.0; }
 
-// Parts of so many triangles, on all cores: what is found of one does not depend on who does it.
+// Runs `work` on parts of fixed size on all cores, so that results do not depend on the number of threads.
 void forEachPart(std::size_t count, const CancelToken& cancel,
                  const std::function<void(std::size_t first, std::size_t end)>& work) {
   constexpr std::size_t part = 512;
@@ -127,8 +128,8 @@ void forEachPart(std::size_t count, const CancelToken& cancel,
   });
 }
 
-// The largest distance from middles and corners: no corner is farther than the middle by more than its way
-// from there, so that few are asked.
+// Returns the largest distance from triangle centres and corners. A corner exceeds its centre's distance by
+// at most its own distance from that centre, so few corners need a query.
 double largestOfCorners(const TriangleTree& of, const TriangleTree& to, const SurfaceDistances& middles,
                         const CancelToken& cancel) {
   double largest = middles.largest;

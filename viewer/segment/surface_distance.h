@@ -11,18 +11,18 @@
 
 namespace volumen {
 
-/// The triangles of a surface, those near each other together, and distances to them, exact.
+/// The triangles of a surface in a bounding volume hierarchy, for exact distances.
 class TriangleTree {
  public:
   using Triangle = std::array<glm::vec3, 3>;
 
-  /// Of a surface that has triangles.
+  /// The surface must have triangles.
   explicit TriangleTree(const Surface& surface);
 
-  /// In an order in which those beside each other are mostly near each other.
+  /// Returns the triangles in tree order: neighbours in the list are mostly close together.
   std::span<const Triangle> triangles() const { return triangles_; }
-  /// From p to the nearest point of all triangles, mm. `near`: a triangle to begin with (at first 0), which
-  /// becomes the nearest: quick for points near each other, asked for one after another.
+  /// Returns the distance from p to the nearest triangle in mm. `near` is the triangle to start from (0 at
+  /// first) and becomes the nearest one, which makes queries of nearby points fast.
   double distance(glm::dvec3 p, std::size_t& near) const;
 
  private:
@@ -30,17 +30,17 @@ class TriangleTree {
   void search(Search& search, std::size_t level, std::size_t group) const;
 
   BoxTree tree_;
-  std::vector<Triangle> triangles_;  // in the order of the tree
+  std::vector<Triangle> triangles_;  // in tree order
 };
 
-/// Distances (mm) from a surface to another one.
+/// Distances from one surface to another, mm.
 struct SurfaceDistances {
-  std::vector<double> ofTriangles;  ///< from the middle of each, in the order of its tree
-  std::vector<double> areas;        ///< of them, mm^2
-  double largest = 0;               ///< from all middles and corners
+  std::vector<double> ofTriangles;  ///< From the centre of each triangle, in tree order
+  std::vector<double> areas;        ///< Areas of the triangles, mm^2
+  double largest = 0;               ///< Over all centres and corners
 };
 
-/// The same for any number of threads. Where it is cancelled, nothing.
+/// Returns the same result for any number of threads, and an empty one if cancelled.
 SurfaceDistances distances(const TriangleTree& of, const TriangleTree& to, const CancelToken& cancel = {});
 
 }  // namespace volumen

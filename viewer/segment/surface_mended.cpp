@@ -17,12 +17,12 @@ namespace {
 
 using glm::dvec3, glm::ivec3;
 
-constexpr double thinBelow = 0.5;      // quality of the triangles that are mended
-constexpr int mostPasses = 6;          // fewer are needed but for noise
-constexpr double leastGain = 0.02;     // in quality, for which a point is moved
-constexpr double leastUpright = 0.35;  // cosine between a triangle and the surface at a point that moves
-constexpr double farthestOff = 0.49;   // voxels from the border, as segment.md promises 1/2
-constexpr double mostOffLevel = 0.03;  // of the field, of 0 to 1
+constexpr double thinBelow = 0.5;      // quality below which triangles are mended
+constexpr int mostPasses = 6;          // only noise needs that many
+constexpr double leastGain = 0.02;     // least gain in quality for which a point is moved
+constexpr double leastUpright = 0.35;  // cosine between a triangle and the surface at a moved point
+constexpr double farthestOff = 0.49;   // voxels from the border; segment.md promises 1/2
+constexpr double mostOffLevel = 0.03;  // in field values (0 to 1)
 
 double qualityOf(dvec3 a, dvec3 b, dvec3 c) {
   const dvec3 u = b - a, v = c - b, w = a - c;
@@ -30,7 +30,7 @@ double qualityOf(dvec3 a, dvec3 b, dvec3 c) {
   return squares > 0 ? 2 * std::numbers::sqrt3 * glm::length(glm::cross(u, v)) / squares : 0;
 }
 
-// The cell of a field that holds a place, in voxels.
+// The cell of a field that contains a point, in voxels.
 class FieldCell {
  public:
   FieldCell(const OccupancyField& field, dvec3 pVoxel) {
@@ -49,7 +49,7 @@ class FieldCell {
     for (std::size_t c = 0; c < 8; ++c) sum += corners_[c] * share(c, 0) * share(c, 1) * share(c, 2);
     return sum;
   }
-  // From the place to the border of the voxels in the cell; infinite where none goes through it.
+  // Returns the distance to the voxel border in the cell; infinite if none crosses it.
   double fromBorder() const {
     double nearest = HUGE_VAL;
     for (int axis = 0; axis < 3; ++axis)
@@ -72,7 +72,7 @@ class FieldCell {
   std::array<double, 8> corners_{};
 };
 
-// Moves points along the surface, one after the other, where that makes the worst triangle about them better.
+// Moves points along the surface, one after another, wherever this improves the worst triangle around them.
 class Mender {
  public:
   Mender(Surface& surface, const OccupancyField& field)
@@ -105,7 +105,7 @@ class Mender {
     return std::span(about_).subspan(first_[point], first_[point + 1] - first_[point]);
   }
   FieldCell cellAt(dvec3 p) const { return FieldCell(field_, toVoxels_ * (p - field_.geometry.origin)); }
-  // The corners of a triangle, that point at p.
+  // Returns the corners of a triangle with `point` moved to p.
   std::array<dvec3, 3> cornersWith(std::uint32_t triangle, std::uint32_t point, dvec3 p) const {
     std::array<dvec3, 3> corners;
     for (std::size_t n = 0; n < 3; ++n) {
@@ -114,8 +114,8 @@ class Mender {
     }
     return corners;
   }
-  // Twice the area that the triangles about a point have together, as a vector outwards; the same wherever
-  // the point is. What is enclosed changes by a move along it alone.
+  // Returns twice the area vector, outwards, of the triangles around a point. It does not depend on the
+  // position of the point. Only moves along it change the enclosed volume.
   dvec3 outwardsAt(std::uint32_t point) const {
     dvec3 sum(0);
     for (const std::uint32_t t : trianglesAbout(point)) {
@@ -124,7 +124,7 @@ class Mender {
     }
     return sum;
   }
-  // The quality of the worst triangle about a point at p; below 0 where one is not upright any more.
+  // Returns the quality of the worst triangle around a point at p; negative if one is no longer upright.
   double worstAbout(std::uint32_t point, dvec3 p, dvec3 outwards) const {
     double worst = 1;
     for (const std::uint32_t t : trianglesAbout(point)) {
@@ -135,7 +135,7 @@ class Mender {
     }
     return worst;
   }
-  // Whether all triangles about a point at p keep near the border of the voxels.
+  // Returns whether all triangles around a point at p stay near the voxel border.
   bool liesNearBorder(std::uint32_t point, dvec3 p) const {
     constexpr int parts = 6;
     for (const std::uint32_t t : trianglesAbout(point)) {
@@ -155,11 +155,11 @@ class Mender {
     dvec3 middle(0);
     for (const std::uint32_t t : trianglesAbout(point))
       for (const std::uint32_t corner : surface_.triangles[t]) middle += at(corner) - p;
-    middle /= 2.0 * double(trianglesAbout(point).size());  // each neighbour is in two of them
+    middle /= 2.0 * double(trianglesAbout(point).size());  // each neighbour is in two triangles
     const dvec3 along = middle - glm::dot(middle, outwards) / size * outwards;
     const double before = worstAbout(point, p, outwards), value = cellAt(p).value();
     for (const double part : {1.0, 0.6, 0.3}) {
-      const dvec3 to(glm::vec3(p + part * along));  // rounded as points are
+      const dvec3 to(glm::vec3(p + part * along));  // rounded as points are stored
       if (worstAbout(point, to, outwards) < std::max(before, 0.0) + leastGain) continue;
       if (std::abs(cellAt(to).value() - value) > mostOffLevel || !liesNearBorder(point, to)) continue;
       surface_.points[point] = glm::vec3(to);
@@ -173,9 +173,9 @@ class Mender {
 
   Surface& surface_;
   const OccupancyField& field_;
-  std::vector<char> rests_;  // points that cannot move until one beside them has
+  std::vector<char> rests_;  // points that cannot move until a neighbour has
   const glm::dmat3 toVoxels_ = field_.geometry.voxelFromPatientStep();
-  std::vector<std::uint32_t> first_, about_;  // the triangles about each point: where they begin, and all
+  std::vector<std::uint32_t> first_, about_;  // triangles around each point: first index, and list
 };
 
 }  // namespace

@@ -4,10 +4,10 @@
 
 namespace volumen {
 
-/// The surface of a field (volumePreservingSurface()) without most of its thin triangles: points move along
-/// it, to where the field has the same value as before, so that the worst triangle about them gets better. It
-/// has the same triangles, is as closed, and stays within half a voxel of the border of the voxels.
-/// Cancelled: as far as it has come by then.
+/// Returns the surface of a field (volumePreservingSurface()) with most thin triangles improved. Points move
+/// along the surface to places with nearly the same field value, where the worst triangle around them gets
+/// better. Triangles and topology stay the same, and the surface stays within half a voxel of the voxel
+/// border. If cancelled, returns the surface so far.
 Surface mended(Surface surface, const OccupancyField& field, const CancelToken& cancel = {});
 
 }  // namespace volumen

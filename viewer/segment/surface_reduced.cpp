@@ -20,9 +20,9 @@ namespace {
 using glm::dmat3, glm::dvec3;
 using Index = std::uint32_t;
 constexpr Index nobody = std::numeric_limits<Index>::max();
-constexpr double leastCosine = 0.5;  // of the turn of a normal: 60 degrees
+constexpr double leastCosine = 0.5;  // largest turn of a normal: 60 degrees
 
-// The sum of squared distances from planes, as a polynomial: x A x + 2 b x + c.
+// Sum of squared distances from planes, as the polynomial x A x + 2 b x + c.
 struct Quadric {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   dvec3 b{0};
@@ -41,12 +41,12 @@ struct Quadric {
   double at(dvec3 x) const { return glm::dot(x, matrix() * x) + 2 * glm::dot(b, x) + c; }
 };
 
-// An edge that may be collapsed, as it was when it was asked for.
+// A candidate edge collapse, as of when it was queued.
 struct Collapse {
   double cost;
   Index a, b;
-  Index stamp;                               // of both ends, added
-  bool operator<(const Collapse& o) const {  // the cheapest comes first
+  Index stamp;                               // sum of the stamps of both ends
+  bool operator<(const Collapse& o) const {  // cheapest first
     return cost != o.cost ? cost > o.cost : std::pair(a, b) > std::pair(o.a, o.b);
   }
 };
@@ -100,12 +100,12 @@ class Reducer {
   }
 
  private:
-  // Corner 3 t + n is the n-th of triangle t; those of one point form a list.
+  // Corner 3 t + n is the n-th of triangle t. The corners of each point form a linked list.
   Index& pointOf(Index corner) { return triangles_[corner / 3][corner % 3]; }
   bool isGone(Index triangle) const { return triangles_[triangle][0] == triangles_[triangle][1]; }
   bool isThere(Index point) const { return firstCorner_[point] != nobody; }
 
-  // Calls visit with the triangles about a point; takes those out of its list that are gone.
+  // Visits the triangles around a point and unlinks removed ones.
   template <class Visit>
   void forEachTriangle(Index point, const Visit& visit) {
     for (Index* link = &firstCorner_[point]; *link != nobody;) {
@@ -128,7 +128,7 @@ class Reducer {
     for (const Index point : t) quadrics_[point].addPlane(unit, -glm::dot(unit, points_[t[0]]));
   }
 
-  // Where the ends become one, and the sum of squared distances there.
+  // Returns the best position of the merged point and its sum of squared distances.
   std::pair<dvec3, double> best(Index a, Index b) const {
     Quadric sum = quadrics_[a];
     sum.add(quadrics_[b]);
@@ -160,7 +160,7 @@ class Reducer {
     return all;
   }
 
-  // Link condition: the ends have no common neighbours but the two corners opposite, and these have others.
+  // Link condition: the ends share only the two opposite corners, and these have further neighbours.
   bool staysClosed(Index a, Index b) {
     const std::vector<Index> ofA = neighboursOf(a), ofB = neighboursOf(b);
     std::vector<Index> common;
@@ -169,7 +169,7 @@ class Reducer {
            neighboursOf(common[1]).size() > 3;
   }
 
-  // Whether a triangle about `point`, which moves to x, keeps its side; those that have `other` vanish.
+  // Returns whether triangles around `point`, moved to x, keep their orientation. Those with `other` vanish.
   bool staysUpright(Index point, Index other, dvec3 x) {
     bool upright = true;
     forEachTriangle(point, [&](Index t, Index corner) {
@@ -189,7 +189,7 @@ class Reducer {
     forEachTriangle(b, [&](Index t, Index corner) {
       triangles_[t][corner] = a;
       auto& corners = triangles_[t];
-      if (std::ranges::count(corners, a) > 1) corners.fill(a);  // gone
+      if (std::ranges::count(corners, a) > 1) corners.fill(a);  // removed
       last = 3 * t + corner;
     });
     nextCorner_[last] = std::exchange(firstCorner_[a], std::exchange(firstCorner_[b], nobody));
@@ -200,11 +200,11 @@ class Reducer {
   }
 
   double most_;   // mm^2
-  dvec3 middle_;  // points are held relative to it: near 0 digits are
+  dvec3 middle_;  // points are relative to it, for precision
   std::vector<std::array<Index, 3>> triangles_;
   std::vector<dvec3> points_;
   std::vector<Quadric> quadrics_;
-  std::vector<Index> stamps_;  // how often a point has changed
+  std::vector<Index> stamps_;  // number of changes of a point
   std::vector<Index> firstCorner_, nextCorner_;
   std::priority_queue<Collapse> queue_;
 };

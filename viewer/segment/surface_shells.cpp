@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// The points of each shell as a tree; each knows one that is nearer to the root.
+// Union-find over the points of each shell.
 class PointTrees {
  public:
   explicit PointTrees(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), 0u); }
@@ -36,7 +36,7 @@ std::vector<double> shellVolumes(const Surface& surface) {
   std::vector<double> ofRoot(surface.points.size());
   for (const auto& t : surface.triangles) {
     const std::uint32_t root = trees.rootOf(t[0]);
-    const glm::dvec3 o(surface.points[root]);  // near it the digits are
+    const glm::dvec3 o(surface.points[root]);  // nearby origin, for precision
     const auto at = [&](std::size_t n) { return glm::dvec3(surface.points[t[n]]) - o; };
     ofRoot[root] += glm::dot(at(0), glm::cross(at(1), at(2))) / 6;
   }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double grownMm = 3;
 
-// What lies within `reach` voxels along one axis too.
+// Dilates by `reach` voxels along one axis.
 BitMask grownAlong(const BitMask& mask, int axis, int reach, const CancelToken& cancel) {
   const int most = std::min(reach, mask.size()[axis] - 1);
   std::vector<SpreadRow> rows;
@@ -31,7 +31,7 @@ BitMask notAirIn(const Volume& volume) {
   return voxelsInRange(volume, {notAirHu, std::numeric_limits<double>::infinity()});
 }
 
-// By a box of so many mm to each side.
+// Dilates by a box that reaches `mm` to each side.
 BitMask grownByBox(BitMask mask, double mm, const CancelToken& cancel) {
   const glm::dvec3 spacing = mask.geometry().spacing();
   for (int axis = 0; axis < 3 && !cancel.cancelled(); ++axis)
@@ -39,15 +39,15 @@ BitMask grownByBox(BitMask mask, double mm, const CancelToken& cancel) {
   return mask;
 }
 
-// With all that it encloses in its slices, and its skin.
+// Fills the holes in each slice and grows the mask by the skin margin.
 BitMask filledAndGrown(BitMask mask, const CancelToken& cancel) {
   if (cancel.cancelled() || mask.empty()) return mask;
   mask = holesFilledInSlices(mask, axisAlongPatient(mask.geometry()), cancel);
   return grownByBox(std::move(mask), grownMm, cancel);
 }
 
-// Whether a part beside the largest is of the patient: large, and somewhere thicker than the shell of a
-// table.
+// Returns whether a further component belongs to the patient: it is large and somewhere thicker than a
+// table's shell.
 bool staysBeside(const Parts& parts, std::size_t n, const CancelToken& cancel) {
   constexpr double largePart = 0.1, shellMm = 8;
   if (double(parts.size(n)) < largePart * double(parts.size(0))) return false;
@@ -72,7 +72,7 @@ BitMask patientMask(const Volume& volume, const CancelToken& cancel) {
 }
 
 std::optional<BitMask> patientBesideTable(const Volume& volume, const CancelToken& cancel) {
-  constexpr double leastTable = 0.005;  // of what is above notAirHu: a chest's is ten times that
+  constexpr double leastTable = 0.005;  // of the voxels above notAirHu; a chest CT's table has ten times that
   const BitMask notAir = notAirIn(volume);
   const Parts parts(notAir, Neighbours::faces, cancel);
   if (parts.count() < 2) return {};

@@ -8,27 +8,28 @@
 
 namespace volumen {
 
-/// What a segment can be: its code and its category's (SNOMED CT, as PS3.16 CID 7150 and 7166 and the lists
-/// of 3D Slicer have them), and the colour that it is shown in, sRGB.
+/// A segment type: its code and category (SNOMED CT, from PS3.16 CID 7150 and 7166 and the lists of 3D
+/// Slicer) and its display colour, sRGB.
 struct TissueCode {
   Code category, type;
   glm::u8vec3 colour{0};
-  bool paired = false;  ///< there is a right and a left one
+  bool paired = false;  ///< True if it exists on the right and the left
 };
 
-/// All that are offered, by category.
+/// Returns all types on offer, by category.
 std::span<const TissueCode> tissueCodes();
-/// The categories, each once.
+/// Returns the categories, each once.
 std::span<const Code> tissueCategories();
-/// "Tissue": what a segment is of which no more is said.
+/// Returns "Tissue", the type of segments without further details.
 const TissueCode& anyTissue();
 
-/// By its code's meaning, upper and lower case alike; null where there is none of that name.
+/// Returns the type with this code meaning, ignoring case; null if there is none.
 const TissueCode* tissueNamed(std::string_view name);
-/// By value and scheme; SRT and SNM3 of old objects are other values, and not known.
+/// Returns the type with this value and scheme; null if unknown. SRT and SNM3 codes of old objects have other
+/// values and are unknown.
 const TissueCode* tissueOf(const Code& type);
 
-/// The modifiers of what is on one side.
+/// Return the laterality modifiers.
 const Code& rightSide();
 const Code& leftSide();
 

@@ -10,26 +10,26 @@
 
 namespace volumen {
 
-/// Where a volume's own tissue is shown: everywhere, or only inside segments, or only outside them.
+/// Where the tissue of a volume is shown: everywhere, only inside segments, or only outside them.
 struct TissueShown {
   enum class Where { everywhere, inside, outside };
 
   Where where = Where::everywhere;
-  double marginMm = 0;  ///< that the segments are grown by, as grown() does; 0 to mostTissueMarginMm
+  double marginMm = 0;  ///< Margin by which segments are grown (grown()); 0 to mostTissueMarginMm
   bool operator==(const TissueShown&) const = default;
 };
 inline constexpr double mostTissueMarginMm = 50;
 
-/// Segments of a map, by their labels.
+/// Segments of a label map, by label.
 struct ChosenSegments {
   std::shared_ptr<const LabelMap> labels;
   std::vector<int> numbers;
-  /// Of one map, not only of equal ones.
+  /// Compares the map by identity, not by content.
   bool operator==(const ChosenSegments&) const = default;
 };
 
-/// The voxels where it is shown, for segments of one or several maps of one grid; without segments nothing is
-/// inside. On all cores. A cancelled one is half done.
+/// Returns the voxels where tissue is shown, for segments of one or several maps on one grid. Without
+/// segments nothing is inside. Runs on all cores. The result is incomplete if cancelled.
 BitMask tissueVoxels(std::span<const ChosenSegments> maps, const TissueShown& shown,
                      const CancelToken& cancel = {});
 

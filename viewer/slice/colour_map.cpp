@@ -52,7 +52,7 @@ ColourTable tableOf(const Palette& palette) {
   return table;
 }
 
-// Of one channel: over and under as bytes.
+// Blends one channel of two colours.
 std::uint32_t mixed(std::uint32_t under, std::uint32_t over, int shift, double part) {
   const double u = under >> shift & 0xff, o = over >> shift & 0xff;
   return std::uint32_t(u + part * (o - u) + 0.5) << shift;

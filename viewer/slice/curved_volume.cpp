@@ -21,19 +21,19 @@ namespace {
 using glm::dmat3, glm::dvec3;
 
 constexpr double smallestVoxel = 1e-6, noLength = 1e-6;  // mm
-constexpr double upright = 0.7;  // of a unit vector's z: it runs along the patient rather than across
+constexpr double upright = 0.7;  // least |z| of a unit vector that runs along the patient rather than across
 
 dvec3 meanOf(const std::vector<dvec3>& points) {
   return std::accumulate(points.begin(), points.end(), dvec3(0)) / double(points.size());
 }
 
-// A vector without its part along a unit vector, as long as 1; `otherwise` where nothing is left of it.
+// Returns the unit vector of v without its part along a unit vector, or `otherwise` if nothing is left.
 dvec3 acrossOf(dvec3 v, dvec3 along, dvec3 otherwise) {
   const dvec3 across = v - along * glm::dot(v, along);
   return glm::length(across) > 1e-9 ? glm::normalize(across) : otherwise;
 }
 
-// Some unit vector at right angles to a unit vector.
+// Returns a unit vector perpendicular to a unit vector.
 dvec3 anyAcross(dvec3 along) {
   return acrossOf(std::abs(along.z) < upright ? dvec3(0, 0, 1) : dvec3(1, 0, 0), along, {});
 }
@@ -45,12 +45,13 @@ dvec3 withLargestAboveZero(dvec3 v) {
   return v[largest] < 0 ? -v : v;
 }
 
-// What becomes straight: a curve, or its foot on a plane.
+// The line that becomes straight: a curve, or its projection onto a plane.
 class StraightLine {
  public:
   StraightLine(const SmoothCurve& curve, const CurvedRecipe& recipe);
   double length() const { return laid_.back(); }
-  /// Without directions across. `before`: the direction where it has none.
+  /// Returns a section without directions across. `before` is the direction to use if the line has none
+  /// there.
   CurvedGrid::Section sectionAt(double length, dvec3 before) const;
 
  private:
@@ -58,8 +59,8 @@ class StraightLine {
 
   const SmoothCurve& curve_;
   bool isFoot_;
-  dvec3 mean_, up_;                         // of the plane: a point of it and its normal
-  std::vector<double> drawn_{0}, laid_{0};  // arc lengths up to places of it: of the curve, of its foot
+  dvec3 mean_, up_;                         // a point of the plane and its normal
+  std::vector<double> drawn_{0}, laid_{0};  // arc lengths at sample points: of the curve, of the line
 };
 
 StraightLine::StraightLine(const SmoothCurve& curve, const CurvedRecipe& recipe)
@@ -85,13 +86,13 @@ CurvedGrid::Section StraightLine::sectionAt(double length, dvec3 before) const {
   return {footOf(curve_.at(drawn)), {}, {}, isFoot_ ? acrossOf(along, up_, before) : along, drawn};
 }
 
-// mm along a direction.
+// An interval along a direction, mm.
 struct Reach {
   double low, high;
   double mm() const { return high - low; }
 };
 
-// How far the box of a volume reaches along a unit vector from a place, as far as a curved volume does.
+// Returns the extent of a volume's box from a point along a unit vector, limited to mostAlongRuled.
 Reach alongRuled(const VoxelGeometry& source, dvec3 from, dvec3 ruled) {
   Reach reach{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const dvec3& corner : source.boxCorners()) {
@@ -122,7 +123,7 @@ Status checkRecipe(const CurvedRecipe& recipe, const VoxelGeometry& source) {
   return {};
 }
 
-// Each frame follows from the one before by two reflections (Wang et al. 2008, table I).
+// Propagates the frame by two reflections (Wang et al. 2008, table I).
 dvec3 carried(dvec3 right, const CurvedGrid::Section& from, const CurvedGrid::Section& to) {
   const auto reflect = [](dvec3 v, dvec3 mirror) {
     const double squared = glm::dot(mirror, mirror);
@@ -141,7 +142,7 @@ dvec3 ruledDirection(const std::vector<dvec3>& points, dvec3 otherwise) {
   for (const dvec3 p : points)
     if (glm::length(p - mean) > glm::length(furthest)) furthest = p - mean;
   if (glm::length(furthest) == 0) return glm::normalize(otherwise);
-  // The eigenvector of the smallest eigenvalue of the points' spread, by turning the basis (Jacobi).
+  // The smallest eigenvector of the points' covariance, by Jacobi rotations.
   dmat3 spread(0), basis(1);
   for (const dvec3 p : points) spread += glm::outerProduct(p - mean, p - mean);
   for (int sweep = 0; sweep < 30; ++sweep)
@@ -210,7 +211,7 @@ void CurvedGrid::setFrames() {
   }
   Section& first = sections_.front();
   if (first.along.z < upright) axes_ = {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-  // As pictures lie: the patient's left on the right, or the head on top.
+  // Oriented as usual: the patient's left is on the right, or the head on top.
   first.right = std::abs(first.along.z) < upright ? glm::cross(anyAcross(first.along), first.along)
                                                   : anyAcross(first.along);
   for (std::size_t n = 1; n < sections_.size(); ++n)
@@ -249,7 +250,7 @@ double CurvedGrid::alongCurve(dvec3 p) const {
 
 namespace {
 
-// The plane of a cross-section, a pixel for each voxel of the grid.
+// Returns the plane of a cross-section with one pixel per voxel of the grid.
 SlicePlane planeOf(const CurvedGrid::Section& section, const VoxelGeometry& grid) {
   const dvec3 first = glm::inverse(grid.patientFromVoxelStep) * grid.origin, mm = grid.spacing();
   SlicePlane plane;
@@ -261,21 +262,21 @@ SlicePlane planeOf(const CurvedGrid::Section& section, const VoxelGeometry& grid
   return plane;
 }
 
-// With the float32 values that stand for its ends.
+// Extends the range by the float32 roundings of its ends.
 ValueRange withFloat32(ValueRange range) {
   const double low = double(float(range.low)), high = double(float(range.high));
   return {std::min(range.low, low), std::max({range.high, low, high})};
 }
 
-// The padding of a source, else a value below all of these.
+// Returns the padding of the source, else a value below `least`.
 ValueRange paddingFor(const Volume& source, float least) {
   const float below = std::nextafter(std::floor(least) - 1, -std::numeric_limits<float>::infinity());
   return withFloat32(source.attributes().padding.value_or(ValueRange{below, below}));
 }
 
-// Whether a voxel that a value is interpolated from is padding.
+// Returns whether any voxel that this position interpolates is padding.
 bool isBesidePadding(const Volume& source, ValueRange padding, dvec3 pVoxel) {
-  constexpr double steps = 1 << 24;  // positions are rounded to these
+  constexpr double steps = 1 << 24;  // positions are rounded to this
   const dvec3 x = glm::clamp(glm::round(pVoxel * steps) / steps, dvec3(0), dvec3(source.size() - 1));
   const glm::ivec3 from(glm::floor(x)), to(glm::ceil(x));
   for (int k = from.z; k <= to.z; ++k)
@@ -286,7 +287,7 @@ bool isBesidePadding(const Volume& source, ValueRange padding, dvec3 pVoxel) {
   return false;
 }
 
-// Padding is no value to interpolate with: what it is beside has none, either.
+// Sets values that interpolate padding to NaN.
 void leaveOutPadding(const Volume& source, const SlicePlane& plane, std::vector<float>& values) {
   if (!source.attributes().padding) return;
   const ValueRange padding = withFloat32(*source.attributes().padding);
@@ -326,7 +327,7 @@ Result<VolumePtr> curvedVolume(const Volume& source, const CurvedRecipe& recipe,
   }
   float least = std::numeric_limits<float>::infinity();
   for (const float v : values)
-    if (v < least) least = v;  // not where there is none
+    if (v < least) least = v;  // false for NaN
   if (std::isinf(least)) return Error{"The curve lies outside the series: set its points within it."};
   const ValueRange padding = paddingFor(source, least);
   std::ranges::replace_if(

@@ -12,63 +12,63 @@
 
 namespace volumen {
 
-/// How a volume is laid out flat along a curve (Kanitsar et al., CPR: curved planar reformation, IEEE
+/// Ways to lay a volume out flat along a curve (Kanitsar et al., CPR: curved planar reformation, IEEE
 /// Visualization 2002).
 enum class CurvedKind {
-  straightened,  ///< the curve becomes a straight line, its cross-sections stand at right angles to it
-  stretched      ///< the surface of straight lines in one direction through the curve is unrolled
+  straightened,  ///< The curve becomes a straight line with its cross-sections at right angles
+  stretched      ///< The surface ruled through the curve in one direction is unrolled
 };
 
-/// What a curved volume is made by, beside the volume itself. Patient space, mm.
+/// Parameters of a curved volume. Patient space, mm.
 struct CurvedRecipe {
   CurvedKind kind = CurvedKind::straightened;
-  std::vector<glm::dvec3> points;  ///< that the curve runs through
-  glm::dvec3 ruled{0, 0, 1};       ///< of `stretched`: the direction of the straight lines, a unit vector
-  double halfWidth = 25;           ///< how far it reaches across the curve, each way
+  std::vector<glm::dvec3> points;  ///< Points on the curve
+  glm::dvec3 ruled{0, 0, 1};       ///< For `stretched`: direction of the ruled lines, unit vector
+  double halfWidth = 25;           ///< Extent across the curve to each side
   bool operator==(const CurvedRecipe&) const = default;
 };
 
-/// The direction in which a surface through these points is ruled: the normal of the plane that fits them
-/// best, its largest component above 0; where they lie on a line, the one at right angles to that line that
-/// is closest to `otherwise`. A unit vector.
+/// Returns the ruling direction for a surface through these points, a unit vector: the normal of the
+/// best-fitting plane, with its largest component positive. If the points lie on a line, it is the
+/// perpendicular to that line closest to `otherwise`.
 glm::dvec3 ruledDirection(const std::vector<glm::dvec3>& points, glm::dvec3 otherwise);
 
-/// Where the voxels of a curved volume come from. It has a space of its own, in mm. Of `straightened` z is 0
-/// at the start of the curve and falls along it by arc length, or rises where the curve begins upwards; x and
-/// y are across it, in a frame that does not turn about the curve (double reflection: Wang, Juettler, Zheng
-/// and Liu, ACM Transactions on Graphics 27 (2008) 2). Of `stretched` x is the arc length of the curve as
-/// seen along `ruled`, y is across the surface and z along `ruled`. Lengths along the curve and within a
-/// cross-section are true, any other only near the curve.
+/// Maps the voxels of a curved volume to the patient. The curved space has its own axes in mm.
+/// For `straightened`, z is 0 at the start of the curve and decreases with arc length, or increases if the
+/// curve starts upwards. x and y lie across the curve in a rotation-minimizing frame (double reflection:
+/// Wang, Juettler, Zheng and Liu, ACM Transactions on Graphics 27 (2008) 2).
+/// For `stretched`, x is the arc length of the curve seen along `ruled`, y lies across the surface, and z
+/// along `ruled`. Lengths along the curve and within a cross-section are true; others hold only near the
+/// curve.
 class CurvedGrid {
  public:
-  /// Voxels are as large as the source's smallest spacing, larger where there would be more than mostVoxels
-  /// or mostSections; along the curve they are stretched a little so that its two ends have a cross-section
-  /// each. An Error where SmoothCurve has one, there are more than mostPoints, the curve is shorter than a
-  /// voxel or longer than `longest`, as seen along `ruled` too, a number of the recipe makes no sense, or the
-  /// source is not calibrated.
+  /// Voxels have the smallest spacing of the source, or more if mostVoxels or mostSections would be exceeded.
+  /// Along the curve they are stretched slightly so that both ends have a cross-section. The Error means:
+  /// SmoothCurve has one, there are more than mostPoints points, the curve (also seen along `ruled`) is
+  /// shorter than a voxel or longer than `longest`, a parameter is invalid, or the source is not calibrated.
   static Result<CurvedGrid> make(const CurvedRecipe& recipe, const VoxelGeometry& source);
   static constexpr double mostVoxels = 1 << 26, mostSections = 1 << 15;
   static constexpr std::size_t mostPoints = 2000;
-  static constexpr double longest = 10000, mostAlongRuled = 100;  ///< mm
+  static constexpr double longest = 10000, mostAlongRuled = 100;  ///< In mm
 
   /// Slices k are the cross-sections, from the start of the curve on.
   const VoxelGeometry& geometry() const { return geometry_; }
-  /// The length of the curve that is laid out straight, mm.
+  /// Returns the length of the straightened curve in mm.
   double length() const { return length_; }
-  /// The place in the patient of one in the curved space.
+  /// Converts a point from curved space to patient space.
   glm::dvec3 patientFromCurved(glm::dvec3 p) const;
-  /// The place in the curved space of one in the patient, by the cross-section whose middle is nearest.
+  /// Converts a point from patient space to curved space, by the cross-section with the nearest centre.
   glm::dvec3 curvedFromPatient(glm::dvec3 pPatient) const;
 
-  /// How far along the curve that was drawn the cross-section of a place in the curved space lies, mm of arc
-  /// length; of `stretched` that is more than its x where the curve leaves its plane.
+  /// Returns the arc length (mm) on the drawn curve of the cross-section at a point in curved space. For
+  /// `stretched` it exceeds x where the curve leaves its plane.
   double alongCurve(glm::dvec3 p) const;
 
-  /// A cross-section. Patient space.
+  /// A cross-section in patient space.
   struct Section {
-    glm::dvec3 at;  ///< on the curve, of `stretched` its foot on the plane along which it is seen, mm
-    glm::dvec3 right, down, along;  ///< unit vectors: of voxels i and j, and of the curve, right x down
-    double mm = 0;                  ///< arc length of the curve that was drawn, up to there
+    glm::dvec3 at;                  ///< Point on the curve, for `stretched` projected onto the view plane, mm
+    glm::dvec3 right, down, along;  ///< Unit vectors of voxels i and j and of the curve (right x down)
+    double mm = 0;                  ///< Arc length of the drawn curve up to `at`
   };
   const std::vector<Section>& sections() const { return sections_; }
 
@@ -78,16 +78,16 @@ class CurvedGrid {
 
   CurvedRecipe recipe_;
   double length_ = 0;
-  glm::dmat3 axes_{1};  // of right, down and along in the curved space
+  glm::dmat3 axes_{1};  // right, down and along in curved space
   std::vector<Section> sections_;
   VoxelGeometry geometry_;
 };
 
-/// The values of `source` on the grid of the recipe, by trilinear interpolation as flat views have it
-/// (slice.h), as float32 in real units. Voxels outside the source's box have a value that is left out of
-/// statistics (VolumeAttributes::padding): the source's padding, else one below all others; so have those
-/// that padding would have a part in. `progress` hears of each cross-section. An Error where CurvedGrid has
-/// one, all of it lies outside the source, or it was cancelled.
+/// Resamples `source` onto the grid of the recipe by trilinear interpolation, as in flat views (slice.h), to
+/// float32 in real units. Voxels outside the source's box, or interpolated from padding, get padding that
+/// statistics leave out (VolumeAttributes::padding): the source's, else a value below all others. `progress`
+/// is called for each cross-section. The Error means: CurvedGrid has one, everything lies outside the source,
+/// or cancelled.
 Result<VolumePtr> curvedVolume(const Volume& source, const CurvedRecipe& recipe,
                                const std::function<void(std::size_t done, std::size_t total)>& progress = {},
                                const CancelToken& cancel = {});

@@ -9,8 +9,8 @@ namespace volumen {
 
 namespace {
 
-// Of pictures whose background is exactly 0, such as diffusion and its maps, the few brightest voxels would
-// leave the rest nearly black.
+// Returns 0 .. P99 above a background of exactly 0, as in diffusion and its maps. There P99.9 would leave
+// nearly everything black. Empty for other volumes.
 std::optional<ValueRange> aboveBackground(const Volume& volume) {
   constexpr double least = 0.25;  // of the values
   if (valueRange(volume).low != 0) return {};
@@ -23,7 +23,7 @@ std::optional<ValueRange> aboveBackground(const Volume& volume) {
 }
 
 ValueRange mostValues(const Volume& volume, const std::string& unit) {
-  // What is counted in a unit, as activity is, has its meaning in the brightest, too.
+  // Values with a unit, such as activity, matter up to the brightest.
   if (unit.empty())
     if (const auto range = aboveBackground(volume)) return *range;
   if (!volume.attributes().padding) {
@@ -39,7 +39,7 @@ ValueRange mostValues(const Volume& volume, const std::string& unit) {
 Window firstWindow(const Volume& volume, const std::string& unit) {
   for (const Window& window : volume.attributes().windows)
     if (window.width > 0) return window;
-  // From air to metal HU are so far apart that nearly all of them at once look flat.
+  // HU from air to metal span so much that most tissue would look flat.
   if (unit == "HU") return softTissueWindow;
   const ValueRange range = mostValues(volume, unit);
   const double width = range.high - range.low;

@@ -4,16 +4,15 @@
 
 namespace volumen {
 
-/// Of HU where files have none.
+/// For HU if the file has no window.
 inline constexpr Window softTissueWindow{.centre = 40, .width = 400};
 
-/// The window that planes through a volume begin with: the file's first, else softTissueWindow of HU (`unit`
-/// of the values), else P0.1 .. P99.9 without padding, or 0 .. P99 of what is no background of 0 (slices.md
-/// 1).
+/// Returns the initial window for slices: the file's first. Otherwise softTissueWindow for HU (`unit` of the
+/// values), else P0.1 .. P99.9 without padding, or 0 .. P99 above a background of 0 (slices.md 1).
 Window firstWindow(const Volume& volume, const std::string& unit);
 
-/// A window of a volume's values: LINEAR for integers that DICOM stored (`fromDicom`), of a width of 1 or
-/// more, else LINEAR_EXACT (slices.md 3).
+/// Returns the mapping for a window: LINEAR for integers stored by DICOM (`fromDicom`) and widths of at least
+/// 1, else LINEAR_EXACT (slices.md 3).
 GreyMapping windowGrey(const Volume& volume, bool fromDicom, Window window);
 
 }  // namespace volumen

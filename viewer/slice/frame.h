@@ -10,75 +10,75 @@
 
 namespace volumen {
 
-/// What the size of a pixel stands for (slices.md 4, PS3.3 10.7).
+/// Meaning of the pixel size (slices.md 4, PS3.3 10.7).
 enum class PixelSizeKind {
-  unknown,     ///< pixels only; `mm` is the shape of a pixel, no length
+  unknown,     ///< Pixels only; `mm` gives the aspect ratio, not lengths
   patient,     ///< PixelSpacing of CT, MR, PET: mm in the patient
-  calibrated,  ///< of a projection, calibrated by an object of known size
-  unstated,    ///< of a projection, calibrated, the file does not say how
-  atDetector,  ///< of a projection: mm at the detector
-  magnified,   ///< at the detector, divided by the magnification
+  calibrated,  ///< Projection, calibrated with an object of known size
+  unstated,    ///< Projection, calibrated in an unstated way
+  atDetector,  ///< Projection: mm at the detector
+  magnified,   ///< Detector size divided by the magnification
   filmScan     ///< NominalScannedPixelSpacing
 };
 
 struct PixelSize {
-  glm::dvec2 mm{1};  ///< x: from column to column, y: from row to row
+  glm::dvec2 mm{1};  ///< x: column spacing, y: row spacing
   PixelSizeKind kind = PixelSizeKind::unknown;
   bool operator==(const PixelSize&) const = default;
 };
 
-/// The word that stands beside lengths of it: "at detector"; empty: none, they are the patient's, or there
-/// are none.
+/// Returns the label for lengths of this kind, such as "at detector". Empty if they are true patient lengths
+/// or there are none.
 const char* pixelSizeWord(PixelSizeKind kind);
 
-/// A layer over a frame: 60xx overlay planes. One byte a pixel of the frame, 1 where it draws.
+/// A 60xx overlay plane: one byte per pixel of the frame, 1 where it draws.
 struct FrameOverlay {
   std::string label;
   std::vector<std::uint8_t> mask;
 };
 
-/// A region of an ultrasound picture with units of its own (PS3.3 C.8.5.5); pixels, inclusive.
+/// A region of an ultrasound picture with its own units (PS3.3 C.8.5.5), in pixels, inclusive.
 struct UltrasoundRegion {
   glm::ivec2 from{0}, to{0};
   int unitX = 0, unitY = 0;  ///< 3 = cm, 4 = s, 7 = cm/s
-  glm::dvec2 delta{0};       ///< per pixel, in that unit; never below 0
-  /// Along x and along y: the pixel of the frame that stands for 0 of its unit; none: the file does not say.
+  glm::dvec2 delta{0};       ///< Units per pixel; never negative
+  /// Pixel of the frame at 0 of the unit, along x and along y; empty if the file does not say.
   std::optional<double> zero[2]{};
-  glm::dvec2 sign{1};  ///< -1 where numbers fall from pixel to pixel
+  glm::dvec2 sign{1};  ///< -1 if values decrease from pixel to pixel
 };
 
-/// A named way from value to grey that the file offers.
+/// A named grey mapping that the file offers.
 struct NamedGrey {
-  std::string name;  ///< WindowCenterWidthExplanation, LUTExplanation; empty where it has none
+  std::string name;  ///< WindowCenterWidthExplanation or LUTExplanation; may be empty
   GreyMapping mapping;
-  bool ofValues = false;  ///< the file offers none: P0.1 .. P99.9 of the frame
+  bool ofValues = false;  ///< True if the file has none: P0.1 .. P99.9 of the frame
 };
 
-/// Where a frame lies in the patient, mm.
+/// Position of a frame in patient space, mm.
 struct FramePlace {
-  glm::dvec3 origin{0};                      ///< the centre of its first pixel
-  glm::dvec3 row{1, 0, 0}, column{0, 1, 0};  ///< unit vectors along a row and down a column
+  glm::dvec3 origin{0};                      ///< Centre of the first pixel
+  glm::dvec3 row{1, 0, 0}, column{0, 1, 0};  ///< Unit vectors along a row and down a column
 };
 
-/// One picture as acquired, pixel for pixel (slices.md 2).
+/// One acquired image, pixel for pixel (slices.md 2).
 struct Frame {
-  glm::ivec2 size{0};             ///< columns, rows
-  std::vector<float> values;      ///< grey: after modality LUT or rescale, first row on top; else empty
-  std::vector<std::uint8_t> rgb;  ///< colour: 3 a pixel; else empty
-  std::vector<NamedGrey>
-      greys;  ///< the file's windows and VOI LUTs, first is the default; never empty for grey
-  std::optional<ValueRange> padding;  ///< values that stand for no value
+  glm::ivec2 size{0};         ///< Columns, rows
+  std::vector<float> values;  ///< Grey: values after modality LUT or rescale, first row on top; else empty
+  std::vector<std::uint8_t> rgb;  ///< Colour: 3 bytes per pixel; else empty
+  std::vector<NamedGrey> greys;   ///< The file's windows and VOI LUTs, default first; never empty for grey
+  std::optional<ValueRange> padding;  ///< Values that mean no value
   PixelSize pixel;
-  std::optional<FramePlace> place;  ///< of slices whose file says it
-  /// The patient's sides that rows and columns run to, in letters of L R A P S I: "L", "PI"; empty where the
-  /// file does not say (PatientOrientation, PS3.3 C.7.6.1.1.1).
+  std::optional<FramePlace> place;  ///< For slices whose file states it
+  /// Patient directions of rows and columns as letters of L R A P S I, such as "L" or "PI". Empty if the file
+  /// does not say (PatientOrientation, PS3.3 C.7.6.1.1.1).
   std::string rowSide, columnSide;
   std::vector<FrameOverlay> overlays;
-  std::vector<std::uint8_t> shutter;  ///< one byte a pixel, 1 where it hides; empty: none
-  float shutterGrey = 0;              ///< what it hides behind, 0 black .. 1 white
+  std::vector<std::uint8_t> shutter;  ///< One byte per pixel, 1 where it hides; empty if there is no shutter
+  float shutterGrey = 0;              ///< Grey of hidden pixels, 0 black .. 1 white
   std::vector<UltrasoundRegion> regions;
-  std::string unit;                   ///< "HU", ...; empty: none
-  std::vector<std::string> warnings;  ///< what of the file is not shown and why: sentences without its name
+  std::string unit;  ///< For example "HU"; may be empty
+  /// Parts of the file that are not shown, and why; whole sentences without its name.
+  std::vector<std::string> warnings;
 
   bool colour() const { return !rgb.empty(); }
 };

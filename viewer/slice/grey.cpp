@@ -13,7 +13,7 @@ namespace volumen::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// floor(times (value - middle) / width + 128) of each value, clamped to 0 .. 255; `outside` for NaN.
+// Writes floor(times (value - middle) / width + 128), clamped to 0 .. 255, for each value; `outside` for NaN.
 void RampBytes(const float* values, std::size_t count, double middle, double times, double width, int outside,
                std::uint8_t* bytes) {
   const hn::ScalableTag<double> dd;
@@ -51,7 +51,7 @@ HWY_EXPORT(ChooseRampBytes);
 
 namespace {
 
-// LINEAR's middle and width, which is 0 where it is a step (C.11.2.1.2.1).
+// Centre and width of LINEAR; width 0 means a step (C.11.2.1.2.1).
 double linearMiddle(const Window& w) { return w.centre - 0.5; }
 double linearWidth(const Window& w) { return std::max(w.width, 1.0) - 1; }
 

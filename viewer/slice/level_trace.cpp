@@ -12,25 +12,25 @@ namespace volumen {
 namespace {
 
 constexpr double belowAny = -std::numeric_limits<double>::infinity();
-// Of the way between two pixels: so that none of them lies on the line.
+// Fraction of the way between two pixels that keeps the line off the pixels.
 constexpr double leastWay = 0.02;
 
-// Two pixels beside each other, of which the first is within and the second is not: the line goes between.
+// Two neighbouring pixels, the first inside and the second outside: the contour crosses between them.
 struct TraceCrossing {
   glm::ivec2 in, out;
   bool operator==(const TraceCrossing&) const = default;
 };
 
-// A quarter of a turn.
+// Rotates by a quarter turn.
 glm::ivec2 quarterTurned(glm::ivec2 step) { return {-step.y, step.x}; }
 
 class LevelLines {
  public:
   LevelLines(const SliceValues& slice, double level) : slice_(slice), level_(level) {}
 
-  // Of the crossings of the picture the one nearest to a place; of equal ones the first.
+  // Returns the crossing nearest to a point, the first of equal ones.
   std::optional<TraceCrossing> nearest(glm::dvec2 at) const;
-  // All points of the line that goes through one.
+  // Returns all points of the contour through a crossing.
   std::vector<glm::dvec2> lineFrom(const TraceCrossing& first) const;
 
  private:
@@ -47,8 +47,8 @@ class LevelLines {
     return glm::dvec2(crossing.in) + 0.5 + way * glm::dvec2(crossing.out - crossing.in);
   }
 
-  // Whether two pixels across a cell are joined through its middle, the other two being out: the bilinear
-  // function is at least the level at its saddle.
+  // Returns whether two diagonal inside pixels of a cell are connected: the bilinear function reaches the
+  // level at its saddle point.
   bool isJoined(double in, double otherIn, double out, double otherOut) const {
     if (out == belowAny || otherOut == belowAny) return false;
     return (in * otherIn - out * otherOut) / ((in + otherIn) - (out + otherOut)) >= level_;
@@ -81,7 +81,7 @@ std::optional<TraceCrossing> LevelLines::nearest(glm::dvec2 at) const {
     if (const double distance = glm::distance(place(crossing), at); distance < least)
       least = distance, found = crossing;
   };
-  // Row by row away from it, as long as there can be a nearer one.
+  // Searches outwards row by row while a nearer crossing is possible.
   for (int away = 0; away <= rows && away - 2 < least; ++away)
     for (const int y : {row - away, row + away}) {
       if (y < -1 || y >= slice_.size.y) continue;
@@ -103,7 +103,8 @@ std::vector<glm::dvec2> LevelLines::lineFrom(const TraceCrossing& first) const {
   return line;
 }
 
-// At a place; NaN where the pixel there has none. Beside pixels without a value it is that of the pixel.
+// Returns the interpolated value at a point, the pixel's own value beside pixels without one, or NaN if it
+// has none.
 double levelAt(const SliceValues& slice, glm::dvec2 at) {
   const glm::ivec2 last = slice.size - 1, pixel(glm::floor(at));
   const auto value = [&](glm::ivec2 p) {

@@ -6,12 +6,12 @@
 
 namespace volumen {
 
-/// The closed line at the value under a place of a slice: its points in pixels (the centre of pixel (x, y) is
-/// (x + 1/2, y + 1/2)), the last joined to the first. The value is interpolated between the centres of
-/// pixels, and so is the line (marching squares; where a cell can be parted in two ways, as the bilinear
-/// function is). Pixels of that value are within it. Pixels without a value, and all beyond the slice, are
-/// below any; the line lies half way to them. Of several lines the one of which a crossing between two pixels
-/// is nearest to the place; empty where there is no value there.
+/// Returns the closed contour at the value under a point of a slice, in pixels. The centre of pixel (x, y) is
+/// (x + 1/2, y + 1/2), and the last point joins the first.
+/// The value and the contour are interpolated between pixel centres (marching squares; ambiguous cells follow
+/// the bilinear function). Pixels of exactly that value are inside. Pixels without a value and beyond the
+/// slice are below any value; the contour runs halfway to them. Of several contours, the one with the
+/// crossing nearest to the point is returned. Empty if the point has no value.
 std::vector<glm::dvec2> levelTrace(const SliceValues& slice, glm::dvec2 at);
 
 }  // namespace volumen

@@ -19,7 +19,7 @@ double smallestSpacing(const VoxelGeometry& geometry) {
   return std::min({s.x, s.y, s.z});
 }
 
-// Of a ratio of lengths; what rounding adds to a whole number does not count.
+// Rounds up, tolerating rounding errors of whole numbers.
 double roundedUp(double ratio) { return std::ceil(ratio - 1e-6); }
 
 int largestComponent(glm::dvec3 v) {

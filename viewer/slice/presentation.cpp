@@ -7,7 +7,7 @@
 namespace volumen {
 namespace {
 
-/// A position in a box of `size`, turned; `size` is that before the turn.
+/// Returns a turned position; `size` is that of the box before the turn.
 glm::dvec2 turned(glm::dvec2 p, glm::dvec2 size, const PictureTurn& turn) {
   for (int n = 0; n < turn.quarters; ++n) {
     p = {size.y - p.y, p.x};
@@ -26,7 +26,7 @@ std::vector<glm::dvec2> ellipseOutline(glm::dvec2 centre, glm::dvec2 a, glm::dve
   return line;
 }
 
-/// Catmull-Rom through the points.
+/// Returns a Catmull-Rom curve through the points.
 std::vector<glm::dvec2> smoothLine(const std::vector<glm::dvec2>& p) {
   constexpr int pieces = 16;
   const bool closed = p.size() > 2 && p.front() == p.back();
@@ -48,7 +48,7 @@ std::vector<glm::dvec2> smoothLine(const std::vector<glm::dvec2>& p) {
 }  // namespace
 
 PictureTurn composed(PictureTurn first, PictureTurn second) {
-  // A mirror image turns the other way round.
+  // A mirrored image turns the other way.
   const int turned = first.quarters + (first.mirrored ? -second.quarters : second.quarters);
   return {(turned % 4 + 4) % 4, first.mirrored != second.mirrored};
 }

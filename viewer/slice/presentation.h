@@ -8,41 +8,42 @@
 
 namespace volumen {
 
-/// How a picture is turned on screen (PS3.3 C.10.6): first clockwise, then mirrored left to right.
+/// Orientation of an image on screen (PS3.3 C.10.6): rotated clockwise, then mirrored left to right.
 struct PictureTurn {
-  int quarters = 0;  ///< of a turn clockwise, 0 .. 3
+  int quarters = 0;  ///< Clockwise quarter turns, 0 .. 3
   bool mirrored = false;
   bool operator==(const PictureTurn&) const = default;
 };
 
-/// One turn that does what these two do one after the other.
+/// Returns the turn equal to `first` followed by `second`.
 PictureTurn composed(PictureTurn first, PictureTurn second);
 
-/// The directions of a picture's right and down once it is turned.
+/// Updates the right and down directions of an image for a turn.
 void turnAxes(PictureTurn turn, glm::dvec3& right, glm::dvec3& down);
 
-/// A rectangle of pixels, both ends inside, counted from 0; it may reach beyond the picture.
+/// A pixel rectangle, both corners inclusive, counted from 0; it may reach beyond the image.
 struct PixelBox {
   glm::ivec2 from{0}, to{0};
   bool operator==(const PixelBox&) const = default;
 };
 
-/// What positions of annotations count in (PS3.3 C.10.5).
+/// Units of annotation positions (PS3.3 C.10.5).
 enum class AnnotationUnits {
-  pixel,   ///< pixels of the picture before it is turned: 0, 0 is the outer corner of the first pixel, its
-           ///< centre 0.5, 0.5; columns, rows is the outer corner of the last
-  display  ///< parts of what is displayed after it is turned: 0, 0 its top left, 1, 1 its bottom right corner
+  /// Pixels of the image before it is turned: 0, 0 is the outer corner of the first pixel and 0.5, 0.5 its
+  /// centre; columns, rows is the outer corner of the last.
+  pixel,
+  display  ///< Fractions of the displayed, turned area: 0, 0 is top left, 1, 1 bottom right
 };
 
 enum class GraphicType {
   point,         ///< 1 point
-  polyline,      ///< points, each joined to the next; closed where the last is the first
-  interpolated,  ///< a smooth curve through the points
-  circle,        ///< its centre and a point on it
-  ellipse        ///< the ends of the major axis, then of the minor one
+  polyline,      ///< Connected points; closed if the last equals the first
+  interpolated,  ///< A smooth curve through the points
+  circle,        ///< Centre and a point on the circle
+  ellipse        ///< Ends of the major axis, then of the minor one
 };
 
-/// A graphic object of a presentation state. Always as many points as its type needs.
+/// A graphic object of a presentation state, with as many points as its type needs.
 struct Graphic {
   GraphicType type = GraphicType::polyline;
   AnnotationUnits units = AnnotationUnits::pixel;
@@ -51,7 +52,7 @@ struct Graphic {
   std::string layer;
 };
 
-/// A text object: it stands in a box, at a point, or in a box and tells of a point.
+/// A text object: in a box, at an anchor point, or both.
 struct GraphicText {
   struct Box {
     glm::dvec2 topLeft{0}, bottomRight{0};
@@ -61,7 +62,7 @@ struct GraphicText {
   struct Anchor {
     glm::dvec2 point{0};
     AnnotationUnits units = AnnotationUnits::pixel;
-    bool visible = true;  ///< a line to it is wanted
+    bool visible = true;  ///< True if a line to the point is drawn
   };
   std::string text;  ///< UTF-8, may have several lines
   std::optional<Box> box;
@@ -69,34 +70,34 @@ struct GraphicText {
   std::string layer;
 };
 
-/// A layer that graphics and texts lie on.
+/// A layer of graphics and texts.
 struct GraphicLayer {
   std::string name, description;
-  double order = 0;                   ///< the lowest is drawn first
-  float grey = 1;                     ///< recommended, 0 black .. 1 white; 1 where it is not said
-  std::optional<glm::u8vec3> colour;  ///< recommended, sRGB
+  double order = 0;                   ///< The lowest is drawn first
+  float grey = 1;                     ///< Recommended grey, 0 black .. 1 white; 1 if not stated
+  std::optional<glm::u8vec3> colour;  ///< Recommended colour, sRGB
 };
 
-/// How one frame is to be shown beside its greys and its shutter.
+/// Presentation of one frame, apart from greys and shutter.
 struct FramePresentation {
   PictureTurn turn;
-  std::optional<PixelBox> area;      ///< what is displayed; none: all of it
-  std::vector<GraphicLayer> layers;  ///< the lowest first
+  std::optional<PixelBox> area;      ///< Displayed area; empty if all
+  std::vector<GraphicLayer> layers;  ///< Lowest first
   std::vector<Graphic> graphics;
   std::vector<GraphicText> texts;
 };
 
-/// From the pixels of a picture to those of the displayed, turned picture, pixel for pixel.
+/// Maps the pixels of the displayed, turned image to those of the acquired one.
 class PresentedGrid {
  public:
-  /// `size`: of the picture as acquired.
+  /// `size` is that of the acquired image.
   PresentedGrid(const FramePresentation& how, glm::ivec2 size);
 
-  /// Of the displayed picture; each at least 1 and below 2^31.
+  /// Returns the size of the displayed image; each side is at least 1 and below 2^31.
   glm::ivec2 size() const { return size_; }
-  /// The pixel of the picture that displayed pixel `p` (from 0) shows; it may lie outside the picture.
+  /// Returns the image pixel that displayed pixel `p` (from 0) shows; it may lie outside the image.
   glm::ivec2 pixelAt(glm::ivec2 p) const;
-  /// Where a position of an annotation lies in the displayed picture, in its pixels, outer corner 0, 0.
+  /// Returns an annotation position in pixels of the displayed image, with its outer corner at 0, 0.
   glm::dvec2 displayed(glm::dvec2 position, AnnotationUnits units) const;
 
  private:
@@ -105,7 +106,7 @@ class PresentedGrid {
   glm::ivec2 size_;
 };
 
-/// The pixels that are displayed, `channels` values each; `outside` where they lie outside the picture.
+/// Returns the displayed pixels, `channels` values each; pixels outside the image are `outside`.
 template <class T>
 std::vector<T> presentPixels(const PresentedGrid& grid, const std::vector<T>& pixels, glm::ivec2 size,
                              int channels, T outside) {
@@ -122,8 +123,8 @@ std::vector<T> presentPixels(const PresentedGrid& grid, const std::vector<T>& pi
   return shown;
 }
 
-/// A graphic as a line through points of its own units, closed ones with the first point again at the end.
-/// Curves are cut into pieces short of 1/100 of a turn, and 16 between two points.
+/// Returns a graphic as a polyline in its own units; closed ones repeat the first point. Curves are cut into
+/// pieces below 1/100 of a turn, or 16 between two points.
 std::vector<glm::dvec2> outlineOf(const Graphic& graphic);
 
 }  // namespace volumen

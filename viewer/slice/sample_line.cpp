@@ -17,17 +17,16 @@ namespace hn = hwy::HWY_NAMESPACE;
 using DF = hn::ScalableTag<float>;
 using VF = hn::Vec<DF>;
 
-// Points are taken in hand so many at a time: where they lie, then their voxels, then what lies between
-// these.
+// Points are processed in chunks: first all positions, then their voxels, then the interpolation.
 constexpr int kChunk = 64;
 static_assert(kChunk <= lineSlack && kChunk % hn::MaxLanes(DF()) == 0);
 
-/// How many of the voxels along an axis lie before the point's own.
+/// Number of taps before the point's own voxel along an axis.
 constexpr int BeforeOf(int taps) { return taps == 4 ? 1 : 0; }
 
 struct Places {
   HWY_ALIGN std::int32_t voxel[3][kChunk];
-  HWY_ALIGN float part[3][kChunk];  ///< of the way to the next voxel, 0 .. 1
+  HWY_ALIGN float part[3][kChunk];  ///< Fraction of the way to the next voxel, 0 .. 1
 };
 
 template <Interpolation kHow>
@@ -49,7 +48,7 @@ HWY_INLINE void LocateAlong(int axis, const SampleLine& line, std::int64_t first
   }
 }
 
-/// Voxels next to each other along x, of each of the points.
+/// Pairs of neighbouring voxels along x, for each point.
 template <class T>
 using Pairs = T[kChunk][2];
 
@@ -87,13 +86,13 @@ HWY_INLINE PairOf LoadPairs(const T (*pairs)[2]) {
 #endif
 }
 
-/// Offsets of the kTaps voxels along an axis, neighbours clamped.
+/// Returns the offsets of the kTaps voxels along an axis, clamped to the volume.
 template <int kTaps>
 HWY_INLINE void TapOffsets(int voxel, int size, std::ptrdiff_t stride, std::ptrdiff_t (&offsets)[kTaps]) {
   for (int t = 0; t < kTaps; ++t) offsets[t] = std::clamp(voxel + t - BeforeOf(kTaps), 0, size - 1) * stride;
 }
 
-/// The voxels around each point, as pairs: taps[((z kTaps + y) kTaps + x) / 2].
+/// Collects the voxels around each point as pairs: taps[((z kTaps + y) kTaps + x) / 2].
 template <class T, int kTaps>
 HWY_INLINE void CollectClamped(const T* stored, glm::ivec3 size, const Places& at, int first, int last,
                                Pairs<T>* taps) {
@@ -109,7 +108,7 @@ HWY_INLINE void CollectClamped(const T* stored, glm::ivec3 size, const Places& a
   }
 }
 
-/// The same where no point lies so near a face that a neighbour is clamped.
+/// Does the same for points far enough from all faces that no neighbour is clamped.
 template <class T, int kTaps>
 HWY_INLINE void CollectInner(const T* stored, glm::ivec3 size, const Places& at, int first, int last,
                              Pairs<T>* taps) {
@@ -124,7 +123,7 @@ HWY_INLINE void CollectInner(const T* stored, glm::ivec3 size, const Places& at,
   }
 }
 
-/// Whether none of the voxels around the point is clamped.
+/// Returns whether no voxel around the point is clamped.
 template <int kTaps>
 HWY_INLINE bool IsInner(const Places& at, int n, glm::ivec3 size) {
   const auto along = [&](int a) {
@@ -136,7 +135,7 @@ HWY_INLINE bool IsInner(const Places& at, int n, glm::ivec3 size) {
 
 template <class T, int kTaps>
 HWY_INLINE void Collect(const T* stored, glm::ivec3 size, const Places& at, int count, Pairs<T>* taps) {
-  // Of points on a line the inner ones follow each other.
+  // Inner points are contiguous on a line.
   int first = 0, last = count;
   while (first < last && !IsInner<kTaps>(at, first, size)) ++first;
   while (first < last && !IsInner<kTaps>(at, last - 1, size)) --last;
@@ -145,14 +144,14 @@ HWY_INLINE void Collect(const T* stored, glm::ivec3 size, const Places& at, int 
   CollectClamped<T, kTaps>(stored, size, at, last, count, taps);
 }
 
-/// What lies between two voxels: exactly theirs where they are equal.
+/// Linear interpolation that is exact for equal voxels.
 struct Linear {
   explicit Linear(VF part) : f(part) {}
   HWY_INLINE VF operator()(const VF (&v)[2]) const { return hn::Add(v[0], hn::Mul(f, hn::Sub(v[1], v[0]))); }
   VF f;
 };
 
-/// Catmull-Rom between v[1] and v[2], by differences from v[1]: exactly it where all are equal, or at it.
+/// Catmull-Rom between v[1] and v[2] as differences from v[1]: exact at v[1] and where all are equal.
 struct Cubic {
   explicit Cubic(VF t) {
     const DF df;
@@ -188,7 +187,7 @@ HWY_INLINE VF Blend(const Pairs<T>* taps, const Places& at, int n) {
   return alongZ(slices);
 }
 
-/// Calls use(places, values, count) for the points of each chunk.
+/// Calls use(places, values, count) for each chunk of points.
 template <Interpolation kHow, class Use>
 HWY_INLINE void OverChunks(glm::ivec3 size, const SampleLine& line, SampleRange range, float* values,
                            const Use& use) {
@@ -225,7 +224,7 @@ void Interpolate(const void* stored, glm::ivec3 size, const SampleLine& line, Sa
   });
 }
 
-/// Samples as floats.
+/// Loads samples as floats.
 template <class T>
 HWY_INLINE VF LoadFloats(const T* samples) {
   const DF df;
@@ -235,7 +234,8 @@ HWY_INLINE VF LoadFloats(const T* samples) {
     return hn::ConvertTo(df, hn::PromoteTo(hn::RebindToSigned<DF>(), hn::Load(hn::Rebind<T, DF>(), samples)));
 }
 
-/// Linear between the four voxels of one layer, across kAxis; along kAxis the points lie on voxels.
+/// Interpolates linearly between the four voxels of one layer across kAxis; along kAxis the points lie on
+/// voxels.
 template <class T, int kAxis>
 void InterpolateInLayer(const void* stored, glm::ivec3 size, const SampleLine& line, SampleRange range,
                         float* values) {
@@ -316,7 +316,7 @@ bool isInside(const SampleLine& line, std::int64_t n, glm::ivec3 size) {
 }  // namespace
 
 SampleRange insideBox(const SampleLine& line, SampleRange range, glm::ivec3 size) {
-  constexpr double margin = 0x1p-23;  // more than rounding moves a position
+  constexpr double margin = 0x1p-23;  // exceeds the rounding of positions
   for (int a = 0; a < 3; ++a) {
     if (line.step[a] == 0) {
       if (!isInside(line, range.first, a, size)) return {};

@@ -7,40 +7,40 @@
 
 namespace volumen {
 
-/// Positions are rounded to 2^-24 voxels: what the rounding of doubles leaves of a voxel's centre, of the
-/// middle between two or of the box's face is that place itself. |x| below 2^27.
+/// Rounds positions to 2^-24 voxels, so that points on a voxel centre, a midpoint or a box face hit it
+/// exactly. |x| must be below 2^27.
 constexpr double positionUnits = 0x1.8p28;
 inline double roundedPosition(double x) { return (x + positionUnits) - positionUnits; }
 
-/// Evenly spaced points of voxel space.
+/// Evenly spaced points in voxel space.
 struct SampleLine {
   glm::dvec3 start{0}, step{0};
 
-  /// Component a of the n-th point.
+  /// Returns component a of the n-th point.
   double at(std::int64_t n, int a) const { return roundedPosition(double(n) * step[a] + start[a]); }
 };
 
-/// The points `first` up to, not including, `last`.
+/// The points [first, last).
 struct SampleRange {
   std::int64_t first = 0, last = 0;
 };
 
-/// Those of the points in `range` that lie in the box -1/2 .. size - 1/2, faces included.
+/// Returns the points of `range` inside the box -1/2 .. size - 1/2, faces included.
 SampleRange insideBox(const SampleLine& line, SampleRange range, glm::ivec3 size);
 
-/// How many values beyond the last a line kernel may write.
+/// Number of values beyond the last that a line kernel may write.
 constexpr int lineSlack = 64;
 
-/// Writes the stored values, interpolated, at points of `range`, which lie in the box. `stored`: the samples,
-/// i fastest.
+/// Writes interpolated stored values at the points of `range`, which must lie in the box. `stored` has i
+/// fastest.
 using LineKernel = void (*)(const void* stored, glm::ivec3 size, const SampleLine& line, SampleRange range,
                             float* values);
 
-/// The kernel for samples of this type, on this CPU.
+/// Returns the kernel for this sample type on this CPU.
 LineKernel chooseLineKernel(const VoxelValues& stored, Interpolation interpolation);
 
-/// The linear one for points that lie on voxels along `axis`: half the voxels are read. Where `axis` is 2 the
-/// values are those of the kernel above, bit for bit.
+/// Returns the linear kernel for points on voxel positions along `axis`, which reads half the voxels. For
+/// axis 2 the values equal those of chooseLineKernel() bit for bit.
 LineKernel chooseLayerKernel(const VoxelValues& stored, int axis);
 
 }  // namespace volumen

@@ -6,7 +6,7 @@
 namespace volumen {
 namespace {
 
-/// Columns of one row that a shape leaves free, from (inclusive) and to (exclusive), counted from 0.
+/// Visible columns [from, to) of one row, counted from 0.
 struct Run {
   double from = 0, to = 0;
 };
@@ -23,7 +23,7 @@ std::vector<Run> circleRuns(const ShutterShape& shape, int row, double aspect) {
   return {{std::ceil(column - half), std::floor(column + half) + 1}};
 }
 
-/// Even-odd; edges along the row are free.
+/// Uses the even-odd rule; edges along the row are visible.
 std::vector<Run> polygonRuns(const ShutterShape& shape, int row) {
   std::vector<double> crossings;
   std::vector<Run> runs;
@@ -42,7 +42,7 @@ std::vector<Run> polygonRuns(const ShutterShape& shape, int row) {
   return runs;
 }
 
-/// What the shape leaves free of a row (from 0), in order.
+/// Returns the visible columns of a row (from 0), in order.
 std::vector<Run> freeRuns(const ShutterShape& shape, int row, double aspect) {
   switch (shape.kind) {
     case ShutterShape::Kind::rectangle:

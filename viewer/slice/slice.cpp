@@ -18,18 +18,18 @@ struct Extent {
   double low, high;  // mm
 };
 
-// Evenly spaced samples in one direction of a plane: the n-th lies `at(n)` mm from its centre.
+// Evenly spaced samples along one direction of a plane: sample n lies first + n distance mm from its centre.
 struct Samples {
   double first = 0, distance = 1;  // mm
   std::int64_t count = 1;
 
-  // `count` of them centred on the plane's centre.
+  // Returns `count` samples centred on the plane's centre.
   static Samples centred(double width, std::int64_t count) {
     const double distance = width / double(count);
     return {distance * 0.5 - width * 0.5, distance, count};
   }
 
-  // Those between, and one more at each end.
+  // Returns the samples in an interval, and one more at each end.
   SampleRange between(Extent mm) const {
     if (distance == 0) return {0, count};
     const double last = double(count);
@@ -39,7 +39,7 @@ struct Samples {
   }
 };
 
-// Of the volume's box along a direction from the plane's centre, mm.
+// Returns the extent of the volume's box along a direction from the plane's centre, mm.
 Extent boxAlong(const VoxelGeometry& geometry, glm::dvec3 centre, glm::dvec3 direction) {
   Extent extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const glm::dvec3& corner : geometry.boxCorners()) {
@@ -62,23 +62,23 @@ struct Tile {
   std::int64_t count() const { return width() * (rows.last - rows.first); }
 };
 
-// What the points of a tile are over one layer of voxels, row by row.
+// Values of a tile's points on one layer of voxels, row by row.
 struct Layer {
-  int voxel = -1;  // along the axis; -1: none yet
+  int voxel = -1;  // index along the axis; -1: none yet
   std::vector<float> values;
 };
 
-// What the slabs through the points of a tile hold, row by row, in stored values; `value` is NaN where there
-// is none. Kept from tile to tile for its memory.
+// Slab results at the points of a tile, row by row, in stored values; NaN if there is none. Reused from tile
+// to tile to save allocations.
 struct Slabs {
   Layer layers[2];
-  std::vector<SampleRange> inside;  // of each row, the points in the box
+  std::vector<SampleRange> inside;  // points of each row in the box
   std::vector<float> samples, extreme;
   std::vector<double> sum, value;
   std::vector<int> counted;
 };
 
-// The extreme in stored values that is `mode` of what they mean.
+// Returns the mode for stored values: a negative slope swaps maximum and minimum.
 SlabMode storedMode(SlabMode mode, double slope) {
   if (slope > 0 || mode == SlabMode::mean) return mode;
   return mode == SlabMode::max ? SlabMode::min : SlabMode::max;
@@ -113,7 +113,7 @@ class Resampler {
 
   std::int64_t tiles() const { return std::int64_t(tilesAcross()) * ((size_.y + tileRows_ - 1) / tileRows_); }
 
-  // Writes the pixels of the n-th tile of a picture.
+  // Writes the pixels of tile n.
   void draw(std::int64_t n, Slabs& slabs, float* values) const {
     const int left = int(n % tilesAcross()) * tileColumns_, top = int(n / tilesAcross()) * tileRows_;
     const int right = std::min(left + tileColumns_, size_.x), bottom = std::min(top + tileRows_, size_.y);
@@ -135,8 +135,8 @@ class Resampler {
   }
 
  private:
-  // Tiles of so many (sub-)samples: small enough that what one depth reads is still in the caches for the
-  // next, though voxels above each other fall into the same few sets of a cache.
+  // Tile size in (sub-)samples. Voxels read at one depth must stay in the cache for the next, although voxels
+  // above each other share few cache sets.
   static constexpr int columnsATile = 256, rowsATile = 16;
 
   int tilesAcross() const { return (size_.x + tileColumns_ - 1) / tileColumns_; }
@@ -198,7 +198,7 @@ class Resampler {
       slabs.value[n] = slabs.counted[n] ? slabs.sum[n] / slabs.counted[n] : nan;
   }
 
-  // The axis of the volume that the normal runs along, with the pixels in layers of voxels; -1: none.
+  // Returns the volume axis along the normal if pixel rows lie in layers of voxels; else -1.
   int axisAlongNormal() const {
     for (int a = 0; a < 3; ++a) {
       const int b = (a + 1) % 3, c = (a + 2) % 3;
@@ -207,8 +207,8 @@ class Resampler {
     return -1;
   }
 
-  // The same as overLines() for every depth. Where the slab's depths lie along an axis of the volume, the
-  // layers of voxels are interpolated once each, and what lies between two of them is linear.
+  // Works like overLines() for every depth. If depths run along a volume axis, each voxel layer is
+  // interpolated once, and values between two layers are linear.
   template <class Use>
   void overDepths(const Tile& tile, Slabs& slabs, const Use& use) const {
     if (layerAxis_ < 0) {
@@ -223,7 +223,7 @@ class Resampler {
     for (std::int64_t w = depthsInBox_.first; w < depthsInBox_.last; ++w) betweenLayers(tile, w, slabs, use);
   }
 
-  // A row of pixels at a layer of voxels.
+  // Returns a row of pixels on a layer of voxels.
   SampleLine inLayer(std::int64_t v, int voxel) const {
     SampleLine line = lineAt(v, 0);
     line.start[layerAxis_] = voxel;
@@ -251,7 +251,7 @@ class Resampler {
     }
   }
 
-  // What the pixels of a tile are over one layer of voxels; of the layers asked for before, the last stays.
+  // Returns the tile's values on one layer of voxels. The layer asked for before it stays cached.
   const float* layer(const Tile& tile, int voxel, Slabs& slabs) const {
     Layer& layer = slabs.layers[voxel % 2];
     if (layer.voxel == voxel) return layer.values.data();
@@ -266,7 +266,8 @@ class Resampler {
     return layer.values.data();
   }
 
-  // Calls use(place in the tile, count, samples) for what lies in the box of each row of a tile at depth w.
+  // Calls use(index in the tile, count, samples) for the part of each row of the tile that lies in the box at
+  // depth w.
   template <class Use>
   void overLines(const Tile& tile, std::int64_t w, std::vector<float>& samples, const Use& use) const {
     samples.resize(tile.width() + lineSlack);
@@ -291,9 +292,9 @@ class Resampler {
   int tileColumns_, tileRows_;  // pixels
   SlabMode mode_;
   LineKernel kernel_, layerKernel_ = nullptr;
-  int layerAxis_ = -1;  // that a slab's depths lie along; -1: none
+  int layerAxis_ = -1;  // axis of the slab's depths; -1: none
   Samples across_, down_, deep_;
-  glm::dvec3 centre_, right_, below_, normal_;  // voxel space; the directions are voxels per mm
+  glm::dvec3 centre_, right_, below_, normal_;  // voxel space; directions in voxels per mm
   SampleRange columnsInBox_, rowsInBox_, depthsInBox_;
   const void* samples_;
 };

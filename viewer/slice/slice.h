@@ -7,16 +7,15 @@
 
 namespace volumen {
 
-/// The values of a plane's pixels, first row on top; NaN where the plane lies outside the volume's box.
+/// Values of a plane's pixels, first row on top; NaN outside the volume's box.
 struct SliceValues {
   glm::ivec2 size{0};
   std::vector<float> values;
 };
 
-/// The volume's values on `plane` (slices.md 1), on so many threads (0: all allowed) and with SIMD: the same
-/// bytes for any number and on every CPU. Averages are of the slab's values at those sub-samples that have
-/// one. Positions are rounded to 2^-24 voxels. An Error for what checkPlane refuses, and where it was
-/// cancelled.
+/// Resamples the volume on `plane` (slices.md 1) with SIMD on `threads` threads (0: all allowed). The bytes
+/// are the same for any number of threads and every CPU. Averages are over the sub-samples that have a slab
+/// value. Positions are rounded to 2^-24 voxels. The Error means: refused by checkPlane(), or cancelled.
 Result<SliceValues> resampleSlice(const Volume& volume, const SlicePlane& plane, int threads = 0,
                                   const CancelToken& cancel = {});
 

@@ -18,7 +18,7 @@ bool isPlace(dvec3 p) {
          std::abs(p.z) <= largestCoordinate;
 }
 
-// The slope at the first of three points of the parabola through them; h0, h1: knots from one to the next.
+// Returns the end slope of the parabola through three points; h0 and h1 are the knot intervals.
 dvec3 slopeAtEnd(dvec3 first, dvec3 second, double h0, double h1) {
   return first + (first - second) * (h0 / (h0 + h1));
 }
@@ -44,7 +44,7 @@ Result<SmoothCurve> SmoothCurve::through(std::span<const dvec3> points) {
   }
   if (p.size() < 2) return Error{"A curve needs points at two different places: set another one."};
   const std::size_t last = p.size() - 1;
-  std::vector<double> knots;  // from each point to the next
+  std::vector<double> knots;  // intervals from each point to the next
   std::vector<dvec3> slopes, chords;
   for (std::size_t n = 0; n < last; ++n) {
     knots.push_back(std::sqrt(glm::distance(p[n], p[n + 1])));
@@ -92,7 +92,7 @@ dvec3 SmoothCurve::tangent(double length) const {
   const Place place = placeOf(length);
   const dvec3 slope = place.piece->slope(place.t);
   if (glm::length(slope) > 0) return glm::normalize(slope);
-  // Where it turns back on itself.
+  // The curve turns back on itself here.
   const double t = double(place.part % partsOfPiece) / partsOfPiece;
   const dvec3 chord = place.piece->at(t + 1.0 / partsOfPiece) - place.piece->at(t);
   return glm::length(chord) > 0 ? glm::normalize(chord) : glm::normalize(place.piece->to - place.piece->from);

@@ -8,30 +8,29 @@
 
 namespace volumen {
 
-/// A smooth open curve through points of space, measured by its arc length: cubic pieces from point to point
-/// (Catmull and Rom 1974) with centripetal knots, which make neither loops nor cusps within a piece (Yuksel,
-/// Schaefer and Keyser, Computer-Aided Design 43 (2011) 747-755). At its ends it runs along the parabola
-/// through the three points there; through two points it is straight. Lengths are those of the coordinates,
-/// mm in the patient.
+/// A smooth open curve through points, measured by arc length. It consists of cubic pieces (Catmull and Rom
+/// 1974) with centripetal knots, which form neither loops nor cusps within a piece (Yuksel, Schaefer and
+/// Keyser, Computer-Aided Design 43 (2011) 747-755). Its ends follow the parabola through the three outer
+/// points; two points give a straight line. Lengths are in the unit of the coordinates, mm in the patient.
 class SmoothCurve {
  public:
-  /// The curve through these points in their order; points that repeat the one before are left out. An Error
-  /// where a coordinate is not finite or above 1e9, or fewer than two points are left.
+  /// Creates the curve through these points in order; repeated points are skipped. The Error means: a
+  /// coordinate is not finite or above 1e9, or fewer than two points remain.
   static Result<SmoothCurve> through(std::span<const glm::dvec3> points);
 
-  /// Its arc length, within a share of 1e-5.
+  /// Returns the arc length, with a relative error of at most 1e-5.
   double length() const { return lengths_.back(); }
-  /// The place so far along it; before the start and behind the end the ends themselves.
+  /// Returns the point at this arc length, clamped to the ends.
   glm::dvec3 at(double length) const;
-  /// Its direction there, a unit vector.
+  /// Returns the unit tangent there.
   glm::dvec3 tangent(double length) const;
-  /// How far along it the points lie that it was made of.
+  /// Returns the arc length at each of the curve's points.
   std::vector<double> knots() const;
-  /// A line that looks like it: so many straight parts from point to point.
+  /// Returns a polyline with `partsAPiece` segments between consecutive points.
   std::vector<glm::dvec3> line(int partsAPiece) const;
 
  private:
-  // Of Hermite's cubic.
+  // A cubic Hermite piece.
   struct Piece {
     glm::dvec3 from, to, fromSlope, toSlope;
 
@@ -41,13 +40,13 @@ class SmoothCurve {
   struct Place {
     const Piece* piece;
     double t;          // 0 .. 1 within it
-    std::size_t part;  // of lengths_, that it lies behind
+    std::size_t part;  // index of the part of lengths_ that holds it
   };
 
   Place placeOf(double length) const;
 
   std::vector<Piece> pieces_;
-  std::vector<double> lengths_;  // up to the ends of the parts into which each piece is cut
+  std::vector<double> lengths_;  // arc length at the part ends of all pieces
 };
 
 }  // namespace volumen

@@ -1,4 +1,4 @@
-// Pixels as the screen takes them.
+// Conversion of pixels to the screen format.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "viewer/volume/argb.cpp"
 #include <hwy/foreach_target.h>
@@ -13,18 +13,18 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 void ToArgb(const float* rgba, std::size_t count, std::uint32_t* argb) {
   std::size_t n = 0;
-#if HWY_TARGET != HWY_SCALAR  // which interleaves nothing
+#if HWY_TARGET != HWY_SCALAR  // it has no interleaving
   const hn::ScalableTag<float> df;
   const hn::RebindToSigned<decltype(df)> di;
   using VF = hn::Vec<decltype(df)>;
   using VI = hn::Vec<decltype(di)>;
   const VF zero = hn::Zero(df), one = hn::Set(df, 1), half = hn::Set(df, 0.5f), all = hn::Set(df, 256);
-  // toByte of x in 0..1, in floats: 255 x is rounded, and the rest known exactly.
+  // Computes toByte() in floats for x in 0..1: 255 x is rounded, and its rounding error is known exactly.
   const auto byteOf = [&](VF x) {
     const VF more = hn::Mul(x, all), scaled = hn::Sub(more, x), lost = hn::Sub(hn::Sub(more, scaled), x);
     const VI whole = hn::ConvertTo(di, hn::Add(scaled, half));
     const VF above = hn::Sub(scaled, hn::Sub(hn::ConvertTo(df, whole), half));
-    // Rounding can have taken it up to the next byte, never down.
+    // Rounding may have raised it to the next byte, but never lowered it.
     return hn::Sub(
         whole, hn::IfThenElseZero(hn::RebindMask(di, hn::Lt(hn::Add(above, lost), zero)), hn::Set(di, 1)));
   };

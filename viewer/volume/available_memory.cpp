@@ -18,13 +18,13 @@ constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
 std::uint64_t less(std::uint64_t limit, std::uint64_t used) { return limit > used ? limit - used : 0; }
 
-// The number that a file consists of. Other words, such as "max", are no limit.
+// Returns the number in a file. Words such as "max" mean no limit.
 std::uint64_t numberIn(const fs::path& path) {
   std::uint64_t number = 0;
   return std::ifstream(path) >> number ? number : unlimited;
 }
 
-// The numbers of lines such as "MemTotal:  8000000 kB" or "inactive_file 4096", as they are written.
+// Returns the numbers of lines such as "MemTotal:  8000000 kB" or "inactive_file 4096", unscaled.
 std::map<std::string, std::uint64_t> numbersByName(const fs::path& path) {
   std::map<std::string, std::uint64_t> numbers;
   std::ifstream file(path);
@@ -39,12 +39,12 @@ bool listed(const std::string& names, const std::string& name) {
   return ("," + names + ",").find("," + name + ",") != std::string::npos;
 }
 
-// A tree of control groups: where it is mounted, which of its groups is seen there as the root.
+// A tree of control groups: its mount point, and the group visible there as its root.
 struct GroupTree {
   fs::path mountedAt, rootGroup;
 };
 
-// The tree that limits memory in version 1 or 2.
+// Returns the trees that limit memory in version 1 or 2.
 std::vector<GroupTree> groupTrees(const fs::path& root, bool version2) {
   std::vector<GroupTree> trees;
   std::ifstream file(root / "proc/self/mountinfo");
@@ -61,7 +61,7 @@ std::vector<GroupTree> groupTrees(const fs::path& root, bool version2) {
   return trees;
 }
 
-// The process's group of each tree, as its line of proc/self/cgroup names it.
+// Returns the process's group in the tree, from its line in proc/self/cgroup.
 std::string groupOfProcess(const fs::path& root, bool version2) {
   std::ifstream file(root / "proc/self/cgroup");
   for (std::string line; std::getline(file, line);) {
@@ -85,7 +85,7 @@ void lowerToGroup(ProcessMemory& memory, const fs::path& group, bool version2) {
   if (limit == unlimited) return;
   const std::uint64_t used = numberIn(group / (version2 ? "memory.current" : "memory.usage_in_bytes"));
   auto parts = numbersByName(group / "memory.stat");
-  // Version 1 counts child groups in lines of their own.
+  // Version 1 counts child groups in separate lines.
   const std::uint64_t cached = version2
                                    ? parts["inactive_file"] + parts["active_file"] + parts["slab_reclaimable"]
                                    : parts["total_inactive_file"] + parts["total_active_file"];
@@ -95,7 +95,7 @@ void lowerToGroup(ProcessMemory& memory, const fs::path& group, bool version2) {
 void lowerToGroups(ProcessMemory& memory, const fs::path& root, bool version2) {
   const std::string name = groupOfProcess(root, version2);
   for (const GroupTree& tree : groupTrees(root, version2)) {
-    // A container sees its own group mounted as the root, and its name as seen from outside.
+    // In a container the own group is mounted as the root, but named as seen from outside.
     const fs::path below = fs::path(name).lexically_relative(tree.rootGroup);
     fs::path group = tree.mountedAt;
     const bool inside = !below.empty() && *below.begin() != ".." && below != ".";
@@ -105,7 +105,7 @@ void lowerToGroups(ProcessMemory& memory, const fs::path& root, bool version2) {
   }
 }
 
-// Limits of `ulimit`: "Max address space  1073741824  unlimited  bytes".
+// Returns a limit of `ulimit` from lines such as "Max address space  1073741824  unlimited  bytes".
 std::uint64_t limitOf(const fs::path& root, const std::string& name) {
   std::ifstream file(root / "proc/self/limits");
   for (std::string line; std::getline(file, line);) {

@@ -5,20 +5,18 @@
 
 namespace volumen {
 
-/// What sets the limit to the memory of this process: installed memory, a control group, `ulimit -v` or
-/// `ulimit -d`.
+/// Limits of this process's memory: installed memory, a control group, `ulimit -v`, or `ulimit -d`.
 enum class MemoryBound { machine, controlGroup, addressSpace, data };
 
 /// Memory of this process, in bytes.
 struct ProcessMemory {
-  std::uint64_t
-      available;       ///< It can take this much more now. The largest number if the system does not tell.
-  std::uint64_t most;  ///< It could take this much if nothing else ran: the least of all limits.
-  MemoryBound bound;   ///< The limit that `available` follows from.
+  std::uint64_t available;  ///< Memory it can still take now; the largest number if unknown
+  std::uint64_t most;       ///< Memory it could take if nothing else ran: the lowest limit
+  MemoryBound bound;        ///< The limit that determines `available`
 };
 
-/// Reads what `proc` and control groups (of version 1 and 2, parents too) say now. Page cache that can be
-/// reclaimed is available. Tests hand over `root`, a folder with files like those of the system.
+/// Reads the current state from `proc` and control groups (versions 1 and 2, including parents). Reclaimable
+/// page cache counts as available. Tests pass a `root` folder with files like those of the system.
 ProcessMemory processMemory(const std::filesystem::path& root = "/");
 
 }  // namespace volumen

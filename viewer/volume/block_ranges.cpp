@@ -12,15 +12,15 @@ namespace volumen {
 
 namespace {
 
-// The fewer voxels, the more samples stand in each block, and the more of them in what it holds besides what
-// can be seen.
+// With fewer voxels each block covers more samples of a picture, and more of these lie in its invisible part.
+// Small volumes therefore get smaller blocks.
 int edgeFor(const VoxelGeometry& geometry) {
   const std::int64_t voxels = geometry.voxelCount();
   return voxels <= 1 << 15 ? 1 : voxels <= 1 << 18 ? 2 : 4;
 }
 
-// Smallest and largest value of one line of blocks (b, c), their upper faces included: first across the rows
-// of the line, voxel by voxel, then along x.
+// Computes the ranges of one line of blocks (b, c), upper faces included: first across the rows of the line
+// per voxel, then along x.
 template <class T>
 void lineRange(const std::vector<T>& stored, glm::ivec3 size, int edge, int b, int c, std::vector<T>& lowest,
                std::vector<T>& highest) {
@@ -33,8 +33,8 @@ void lineRange(const std::vector<T>& stored, glm::ivec3 size, int edge, int b, i
     }
 }
 
-// The values of some blocks, in order. They are spread by chance: a stride would meet the same columns of
-// blocks again.
+// Returns a sorted sample of the blocks' values at irregular distances: a stride would hit the same columns
+// of blocks again.
 std::vector<float> someOf(const std::vector<float>& values) {
   constexpr std::size_t most = 1 << 14;
   std::vector<float> some(std::min(values.size(), most));
@@ -47,8 +47,8 @@ std::vector<float> someOf(const std::vector<float>& values) {
   return some;
 }
 
-// Of sorted values from [begin, end) each that differs from the one taken before and has a share more before
-// it than that one.
+// Returns distinct values of a sorted sequence. Each has at least a factor of 1 + share more values before it
+// than the last one taken.
 template <class Iterator>
 std::vector<float> everyShare(Iterator begin, Iterator end, double share) {
   std::vector<float> taken;
@@ -61,7 +61,7 @@ std::vector<float> everyShare(Iterator begin, Iterator end, double share) {
   return taken;
 }
 
-// At most so many, of the smallest share that leaves no more.
+// Returns at most `most` values, by the smallest share that suffices.
 template <class Iterator>
 std::vector<float> fewOf(Iterator begin, Iterator end, std::size_t most) {
   std::vector<float> few = everyShare(begin, end, 0);
@@ -80,8 +80,8 @@ std::vector<float> fewOf(Iterator begin, Iterator end, std::size_t most) {
   return few;
 }
 
-// A curve shows the blocks that reach up to some value, or down to one: levels stand where few more would
-// count than do.
+// A curve shows blocks that reach up to some value, or down to one. Levels are placed so that rounding to the
+// next one adds few blocks.
 std::vector<float> levelsOf(const std::vector<float>& low, const std::vector<float>& high) {
   if (low.empty()) return {};
   const float least = *std::min_element(low.begin(), low.end()),
@@ -100,26 +100,26 @@ std::vector<float> levelsOf(const std::vector<float>& low, const std::vector<flo
   return levels;
 }
 
-// Finds the levels next to values that lie between the first and the last.
+// Finds the levels next to values between the first and the last level.
 class LevelSearch {
  public:
   explicit LevelSearch(const std::vector<float>& levels)
       : levels_(levels),
         least_(levels.front()),
         perValue_(levels.back() > levels.front() ? buckets / (double(levels.back()) - least_) : 0) {
-    // first_[b]: the levels that lie in earlier buckets.
+    // first_[b] is the number of levels in earlier buckets.
     for (float level : levels) ++first_[bucketOf(level) + 1];
     for (int b = 0; b < buckets; ++b) first_[b + 1] = std::uint16_t(first_[b + 1] + first_[b]);
   }
 
-  // The largest level that is not above `value`.
+  // Returns the largest level not above `value`.
   std::uint8_t below(float value) const { return std::uint8_t(levelsUpTo<std::less_equal<>>(value) - 1); }
-  // The smallest that is not below it.
+  // Returns the smallest level not below `value`.
   std::uint8_t above(float value) const { return std::uint8_t(levelsUpTo<std::less<>>(value)); }
 
  private:
   static constexpr int buckets = 1 << 14;
-  // How many levels are less than `value`, or not larger.
+  // Returns the number of levels below `value`, or not above it.
   template <class IsBefore>
   std::size_t levelsUpTo(float value) const {
     const std::size_t b = bucketOf(value), first = first_[b], count = first_[b + 1] - first;

@@ -9,16 +9,17 @@
 namespace volumen {
 
 /// Smallest and largest value of each block of edge^3 cells. Block (a, b, c) bounds every trilinear value
-/// v(x) with edge a <= x < edge (a + 1) (likewise y, z), so it spans the voxels edge a .. edge a + edge; what
-/// lies outside the grid is clamped to it. A byte each: the bounds are the next of a few levels that lie
-/// outward, so that they take 3 % of densities of 16 bits.
+/// v(x) with edge a <= x < edge (a + 1) (likewise y, z). It thus spans the voxels edge a .. edge a + edge,
+/// clamped to the grid. Bounds are stored as one byte each: the next outward one of a few levels. They take 3
+/// % of the memory of 16-bit densities.
 struct BlockRanges {
   static constexpr int mostLevels = 256;
-  int edge = 4;  ///< cells: a power of two
+  int edge = 4;  ///< In cells; a power of two
   glm::ivec3 count{0};
-  std::vector<float> levels;                  ///< real values, ascending
-  std::vector<std::uint8_t> lowest, highest;  ///< which level bounds a block's values; i fastest
-  std::vector<std::uint32_t> counts;  ///< how many two levels bound: entry lowest * levels.size() + highest
+  std::vector<float> levels;                  ///< Real values, ascending
+  std::vector<std::uint8_t> lowest, highest;  ///< Levels that bound each block's values; i fastest
+  /// Number of blocks per pair of levels: entry lowest * levels.size() + highest.
+  std::vector<std::uint32_t> counts;
 
   std::size_t size() const { return lowest.size(); }
   float low(std::size_t n) const { return levels[lowest[n]]; }
@@ -28,11 +29,12 @@ struct BlockRanges {
   }
 };
 
-/// Of a volume: blocks of 4 cells along each edge, of fewer where there are few voxels.
+/// Returns the ranges of a volume: blocks of 4 cells per edge, fewer for small volumes.
 BlockRanges blockRanges(const Volume& volume);
 
-/// Blocks of these real values, which are `count` and finite. Most values that many blocks share are levels,
-/// and so are the least, the largest and 0 where it lies between them; up to 256 different ones all are.
+/// Returns the ranges of `count` blocks with these finite real values. Levels are mostly values that many
+/// blocks share, plus the smallest, the largest, and 0 if it lies between. Up to 256 distinct values are all
+/// levels.
 BlockRanges blockRangesOf(int edge, glm::ivec3 count, const std::vector<float>& low,
                           const std::vector<float>& high);
 

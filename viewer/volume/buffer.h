@@ -7,15 +7,15 @@
 
 namespace volumen {
 
-/// Asks the system for huge pages behind memory that nothing has touched yet: first touch of small pages
-/// costs more than the work on them. Only a wish: without them the memory is as good.
+/// Requests huge pages for untouched memory: the first touch of small pages costs more than the work on them.
+/// Memory remains usable if the system declines.
 void wantHugePages(void* memory, std::size_t bytes);
 
-/// Memory behind huge pages where it is large.
+/// Allocates memory with huge pages if it is large.
 void* allocateLarge(std::size_t bytes);
 void freeLarge(void* memory) noexcept;
 
-/// So many zeros, behind huge pages where they are many: for the values of a volume.
+/// Returns `count` zeros for the values of a volume, with huge pages if they are many.
 template <class T>
 std::vector<T> zeros(std::size_t count) {
   std::vector<T> values;
@@ -25,16 +25,15 @@ std::vector<T> zeros(std::size_t count) {
   return values;
 }
 
-/// How many elements apart rows of `count` elements begin, each of so many bytes. Rows of a multiple of 2048
-/// bytes get 32 more: those next to each other would fall into one or two sets of a cache and push one
-/// another out (512 voxels of 8 bytes all into one).
+/// Returns the distance between rows of `count` elements of `elementBytes` each, in elements. Multiples of
+/// 2048 bytes get 32 more: neighbouring rows would otherwise share one or two cache sets and evict each other
+/// (all into one for 512 voxels of 8 bytes).
 constexpr int rowStride(int count, int elementBytes) {
   return count + (count * elementBytes % 2048 == 0 ? 32 / elementBytes : 0);
 }
 
-/// A fixed number of values, not initialised, aligned to 64 bytes, with 64 readable bytes behind the last:
-/// vector loads and gathers of the last value may read past it. For large data that are written once, on all
-/// cores.
+/// A fixed number of uninitialised values, aligned to 64 bytes, with 64 readable bytes after the last one:
+/// vector loads and gathers may read past it. For large data written once, on all cores.
 template <class T>
 class Buffer {
  public:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double mostByte = 255, mostSigned = 127;
 
-// The byte of a stored sample.
+// Converts stored samples to bytes.
 class ToByte {
  public:
   ToByte(const Volume& volume, const ByteScale& scale)
@@ -26,7 +26,7 @@ class ToByte {
   double slope_, offset_;
 };
 
-// The largest component of all gradients as gradientRowsBy has them, and their scale.
+// Largest gradient component as gradientRowsBy() computes it, and the scale.
 struct Largest {
   double component, scale;
 };
@@ -46,7 +46,7 @@ Largest largestComponent(const Volume& volume, GradientOperator by) {
 }  // namespace
 
 bool bytesHoldExactly(ValueRange range, double slope) {
-  // Real values are rounded to floats, so that 255 steps may measure a little more.
+  // Real values are rounded to floats, so 255 steps may measure slightly more.
   return (range.high - range.low) / std::abs(slope) < mostByte + 0.5;
 }
 
@@ -54,7 +54,7 @@ ByteScale byteScale(const Volume& volume, ValueRange range) {
   const double slope = std::abs(volume.slope()), width = range.high - range.low;
   const bool integers = !std::holds_alternative<std::vector<float>>(volume.stored());
   if (integers && bytesHoldExactly(range, slope)) {
-    // The sample that means the smallest value, so that the bytes mean what the samples do, to the last bit.
+    // Based on the sample of the smallest value, so that bytes reproduce the samples' values to the last bit.
     const double lowest = std::round((range.low - volume.intercept()) / volume.slope());
     return {volume.slope() * lowest + volume.intercept(), slope, true};
   }

@@ -5,14 +5,14 @@
 
 namespace volumen {
 
-/// Says to long work that nobody waits for it any more, and hears how far it is. Copies share one state;
-/// checked between rows, slices, files.
+/// Cancels long work and reports its progress. Copies share one state. Work checks it between rows, slices or
+/// files.
 class CancelToken {
  public:
   void cancel() const { state_->cancelled.store(true, std::memory_order_relaxed); }
   bool cancelled() const { return state_->cancelled.load(std::memory_order_relaxed); }
 
-  /// How much of the work is done, 0 to 1, where whoever does it says so; else 0.
+  /// Returns the completed fraction, 0 to 1; 0 if the work does not report it.
   double done() const { return state_->done.load(std::memory_order_relaxed); }
   void setDone(double part) const { state_->done.store(part, std::memory_order_relaxed); }
 

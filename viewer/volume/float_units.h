@@ -9,24 +9,24 @@
 
 namespace volumen {
 
-/// How real values are counted where they are computed with in floats: value = slope * number + intercept. No
-/// step of the values is lost, and neither their differences nor products of these leave what floats hold.
+/// Units for float arithmetic on real values: value = slope * number + intercept. They preserve every step
+/// between values, and keep differences and their products within the range of floats.
 struct FloatUnits {
-  double slope = 1;      ///< a power of two
-  double intercept = 0;  ///< the smallest value where all lie far from 0 beside their range, else 0
+  double slope = 1;      ///< A power of two
+  double intercept = 0;  ///< The smallest value if all are far from 0 compared with their range, else 0
   bool operator==(const FloatUnits&) const = default;
 };
 
-/// The units of values of this range; those of ordinary ones are the values themselves.
+/// Returns the units for values of this range; ordinary values stay as they are.
 FloatUnits floatUnits(ValueRange range);
 
-/// A value in these units, rounded once.
+/// Returns a value in these units, rounded once.
 inline float inUnits(float value, const FloatUnits& units) {
   return float((double(value) - units.intercept) / units.slope);
 }
 
-/// Calls use(samples, sign) with what gradients in floats are computed from: integers as they are stored,
-/// floats in their units. Real value = sign * scale * sample, but for the intercept; returns the scale, > 0.
+/// Calls use(samples, sign) with the input of float gradients: integers as stored, floats in their units.
+/// Real value = sign * scale * sample, apart from the intercept. Returns the scale, > 0.
 template <class Use>
 double withFloatUnits(const Volume& volume, const Use& use) {
   return std::visit(

@@ -7,14 +7,14 @@ namespace volumen {
 
 namespace {
 
-// "Bone (3)" is a third "Bone".
+// "Bone (3)" is the third "Bone".
 struct CountedName {
   std::string name;
   int count = 1;
 };
 
 CountedName countedName(const std::string& name) {
-  constexpr int most = 999;  // more is a year, or whatever else
+  constexpr int most = 999;  // larger numbers are years or the like
   const std::size_t open = name.rfind(" (");
   if (open == std::string::npos || !name.ends_with(')')) return {name};
   const char *const first = name.data() + open + 2, *const end = name.data() + name.size() - 1;

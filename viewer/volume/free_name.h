@@ -5,10 +5,10 @@
 
 namespace volumen {
 
-/// Whether a name says nothing: it is empty, or of spaces and control characters alone.
+/// Returns whether a name is empty or consists only of spaces and control characters.
 bool isBlank(const std::string& name);
 
-/// `wanted`, or with a number behind it where that is taken: "Bone (2)", and of that "Bone (3)".
+/// Returns `wanted`, or a numbered name if it is taken: "Bone (2)", after that "Bone (3)".
 std::string freeName(const std::string& wanted, const std::function<bool(const std::string&)>& isTaken);
 
 }  // namespace volumen

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t entries = 256;
 
-// The largest differences between neighbours along x, y and z in one line of blocks (b, c), its upper faces
-// included, by i: entry i of x lies between i and i + 1.
+// Largest differences between neighbours along x, y and z in one line of blocks (b, c), upper faces included,
+// by i. Entry i of x lies between i and i + 1.
 template <class T>
 class LineSlopes {
  public:
@@ -38,7 +38,7 @@ class LineSlopes {
       }
   }
 
-  // Of block a of the line, in stored units a voxel.
+  // Returns the bound for block a of the line, in stored units per voxel.
   double slope(int a) const {
     const auto most = [&](int axis, int count) {
       const auto first = largest_[axis].begin() + a * edge_;
@@ -55,7 +55,7 @@ class LineSlopes {
   std::array<std::vector<Distance<T>>, 3> largest_;
 };
 
-// Of each block, value per voxel.
+// Returns the bound of each block, value per voxel.
 std::vector<float> gradientBoundsOfBlocks(const Volume& volume, int edge, glm::ivec3 count) {
   std::vector<float> slopes(std::size_t(count.x) * count.y * count.z);
   std::visit(
@@ -84,16 +84,16 @@ std::size_t gradientBoundEntry(double value, ValueRange range) {
 
 std::vector<float> gradientBoundsOf(const Volume& volume, const BlockRanges& blockRanges, ValueRange range) {
   const std::vector<float> ofBlocks = gradientBoundsOfBlocks(volume, blockRanges.edge, blockRanges.count);
-  std::vector<std::size_t> entryOf;  // of each level
+  std::vector<std::size_t> entryOf;  // entry of each level
   for (float level : blockRanges.levels) entryOf.push_back(gradientBoundEntry(level, range));
-  // largest[entries * p + q]: of the blocks whose values reach from entry p to entry q.
+  // largest[entries * p + q] is that of blocks whose values reach from entry p to entry q.
   std::vector<float> largest(entries * entries, 0.0f), slopes(entries, 0.0f);
   for (std::size_t n = 0; n < ofBlocks.size(); ++n) {
     float& here = largest[entries * entryOf[blockRanges.lowest[n]] + entryOf[blockRanges.highest[n]]];
     here = std::max(here, ofBlocks[n]);
   }
   for (std::size_t p = 0; p < entries; ++p) {
-    float reaching = 0;  // of the blocks from p that reach as far as q
+    float reaching = 0;  // largest over blocks that start at p and reach at least q
     for (std::size_t q = entries; q-- > p;) {
       reaching = std::max(reaching, largest[entries * p + q]);
       slopes[q] = std::max(slopes[q], reaching);

@@ -6,11 +6,11 @@
 
 namespace volumen {
 
-/// How steeply values rise, by value: entry n bounds the gradient (value per voxel) in the cells of all
-/// blocks that hold a value of the n-th of 256 equal parts of `range`, the values' own range.
+/// Returns bounds of the gradient (value per voxel) by value. Entry n bounds it in all blocks that hold a
+/// value of the n-th of 256 equal parts of `range`, the range of all values.
 std::vector<float> gradientBoundsOf(const Volume& volume, const BlockRanges& blockRanges, ValueRange range);
 
-/// The entry of a value; the nearest one's for values outside.
+/// Returns the entry of a value, clamped to the ends.
 std::size_t gradientBoundEntry(double value, ValueRange range);
 
 }  // namespace volumen

@@ -9,8 +9,8 @@ namespace volumen {
 
 namespace {
 
-// What the difference of two neighbours along an axis counts: on the axis, one off it, two off it (the
-// corners of the 3 x 3 x 3 neighbours). face + 4 edge + 4 corner = 1/2.
+// Weights of the difference of two neighbours along an axis: on the axis, one step off it, two steps off it
+// (corners of the 3 x 3 x 3 neighbours). face + 4 edge + 4 corner = 1/2.
 struct Weights {
   float face, edge, corner;
 };
@@ -18,12 +18,12 @@ struct Weights {
 Weights weightsOf(GradientOperator by) {
   if (by == GradientOperator::central) return {0.5f, 0, 0};
   if (by == GradientOperator::sobel) return {4 / 32.0f, 2 / 32.0f, 1 / 32.0f};
-  // Zucker and Hummel (1981): inversely as the neighbour's distance.
+  // Zucker and Hummel (1981) weight neighbours by inverse distance.
   const double edge = 1 / std::sqrt(2.0), corner = 1 / std::sqrt(3.0), sum = 1 + 4 * edge + 4 * corner;
   return {float(0.5 / sum), float(0.5 * edge / sum), float(0.5 * corner / sum)};
 }
 
-// Sums over the 3 x 3 neighbours across x, an entry a voxel and one more at each end (clamp to edge).
+// Sums over the 3 x 3 neighbours across x, one entry per voxel and one more at each end (clamped).
 struct Sums {
   explicit Sums(std::size_t voxels) : across(voxels + 2), y(voxels + 2), ySide(y), z(y), zSide(y) {}
   void clampEnds() {
@@ -69,7 +69,7 @@ void overRows(const std::vector<T>& stored, glm::ivec3 size, GradientOperator by
   });
 }
 
-// Calls store(voxel, x, y, z) for every voxel of a row, gradients in stored values per voxel.
+// Calls store(voxel, x, y, z) for every voxel of a row, with gradients in stored values per voxel.
 template <class Store>
 void overVoxels(const Sums& s, std::size_t count, const Store& store) {
   for (std::size_t n = 0; n < count; ++n)
@@ -90,7 +90,7 @@ void writeRow32(const Sums& s, std::size_t count, float sign, float* out) {
 Gradients16 gradients16By(const Volume& volume, GradientOperator by) {
   if (by == GradientOperator::sobel) return sobel16(volume);
   const ValueRange range = valueRange(volume);
-  // No component is larger than half the range. In units of a power of two, 1/32 or more, as Sobel's.
+  // Components are at most half the range. The unit is a power of two, at least 1/32, as for Sobel.
   const double largest = (range.high - range.low) / 2 / std::abs(volume.slope());
   double unit = 1.0 / 32;
   while (largest / unit > 32767) unit *= 2;

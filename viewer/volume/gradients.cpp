@@ -18,13 +18,13 @@ namespace volumen::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The nine rows around a row of voxels: rows[z][y], 0 before, 1 at, 2 behind; clamped at the faces.
+// The nine rows around a row of voxels: rows[z][y] with 0 before, 1 at, 2 behind; clamped at the faces.
 template <class T>
 using Rows = const T* [3][3];
 
-// Sums over the neighbours across x for one row: smooth = [1 2 1] x [1 2 1] of the values, alongY and alongZ
-// the differences along y and z smoothed along the other. Entry n + 1 belongs to voxel n; the ends repeat
-// (clamp to edge).
+// Sums over the neighbours across x for one row: smooth = [1 2 1] x [1 2 1] of the values; alongY and alongZ
+// are differences along y and z, smoothed along the other. Entry n + 1 belongs to voxel n; the ends repeat
+// (clamped).
 template <class T, class Sum>
 void SumAcross(const Rows<T>& r, std::size_t count, Sum* HWY_RESTRICT smooth, Sum* HWY_RESTRICT alongY,
                Sum* HWY_RESTRICT alongZ) {
@@ -43,8 +43,8 @@ void SumAcross(const Rows<T>& r, std::size_t count, Sum* HWY_RESTRICT smooth, Su
   }
 }
 
-// Finishes one row along x: gradients in units of 1/32, shifted right with rounding, and the density, four
-// 16-bit integers a voxel.
+// Finishes one row along x: gradients in units of 1/32, shifted right with rounding, and the density, as four
+// 16-bit integers per voxel.
 void FinishRow16(const std::int16_t* density, const std::int32_t* smooth, const std::int32_t* alongY,
                  const std::int32_t* alongZ, std::size_t count, int shift, std::int16_t* HWY_RESTRICT out) {
   const hn::ScalableTag<std::int32_t> d32;
@@ -56,7 +56,7 @@ void FinishRow16(const std::int16_t* density, const std::int32_t* smooth, const 
     return hn::Add(hn::Add(hn::LoadU(d32, s + n), hn::LoadU(d32, s + n + 2)), hn::Add(middle, middle));
   };
   const std::size_t lanes = hn::Lanes(d32);
-  // The scratch rows and `part` have room for a whole last vector.
+  // The scratch rows and `part` have room for a full last vector.
   HWY_ALIGN std::int16_t part[4 * HWY_MAX_BYTES / sizeof(std::int32_t)];
   for (std::size_t n = 0; n < count; n += lanes) {
     const bool whole = n + lanes <= count;
@@ -94,7 +94,7 @@ void Row32(const Rows<T>& rows, std::size_t count, float scale, float* scratch, 
   FinishRow32(scratch, scratch + stride, scratch + 2 * stride, count, scale, out);
 }
 
-// One function pointer a stored type; the overload set cannot be exported as it is.
+// One function pointer per stored type, because an overload set cannot be exported.
 struct RowKernels {
   decltype(&Row16<std::uint8_t>) u8;
   decltype(&Row16<std::int16_t>) i16;
@@ -129,7 +129,7 @@ template <class T, class Sum, class Out>
 using RowKernel = void (*)(const Rows<T>&, std::size_t, Out, Sum*, std::size_t,
                            std::conditional_t<std::is_same_v<Sum, float>, float, std::int16_t>*);
 
-// The same layout as the RowKernels of every target.
+// Has the same layout as the RowKernels of every target.
 struct RowKernels {
   RowKernel<std::uint8_t, std::int32_t, int> u8;
   RowKernel<std::int16_t, std::int32_t, int> i16;
@@ -148,7 +148,7 @@ struct RowKernels {
   auto of(float, float) const { return f32Float; }
 };
 
-// Runs the row kernel over all rows on all cores: use(row, draw) has draw(out) fill a row.
+// Runs the row kernel over all rows on all cores: use(row, draw) calls draw(out) to fill a row.
 template <class Sum, class T, class Factor, class Use>
 void overRows(const std::vector<T>& stored, glm::ivec3 size, Factor factor, const Use& use) {
   const auto kernel =
@@ -192,7 +192,7 @@ glm::dvec3 sobelAt(const Volume& volume, int i, int j, int k) {
 
 namespace {
 
-// How far gradients in units of 1/32 stored value are shifted right to fit 16 bits.
+// Returns the right shift that fits gradients in units of 1/32 stored value into 16 bits.
 int shiftOf(ValueRange range, double slope) {
   const double largest = 16 * (range.high - range.low) / std::abs(slope);
   int shift = 0;

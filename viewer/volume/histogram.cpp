@@ -12,10 +12,9 @@ namespace volumen {
 
 namespace {
 
-constexpr std::int64_t chunk =
-    1 << 20;  // voxels a task; small enough to share out, large enough to forget the sharing
+constexpr std::int64_t chunk = 1 << 20;  // voxels per task: small enough to share, large enough to be cheap
 
-constexpr int mostBins = 64;  // of binsFor()
+constexpr int mostBins = 64;  // largest number of bins of binsFor()
 
 // Calls work(first, last) for runs of voxels on all cores.
 void overVoxels(std::size_t count, const std::function<void(std::size_t, std::size_t)>& work) {
@@ -25,7 +24,7 @@ void overVoxels(std::size_t count, const std::function<void(std::size_t, std::si
   });
 }
 
-// How often each stored value occurs, entry 0 = smallest value of the type. Only for 8- and 16-bit integers.
+// Counts each stored value; entry 0 is the smallest value of the type. Only for 8- and 16-bit integers.
 template <class T>
 std::vector<std::int64_t> countStored(const std::vector<T>& values) {
   constexpr int bins = 1 << (8 * sizeof(T));
@@ -40,7 +39,7 @@ std::vector<std::int64_t> countStored(const std::vector<T>& values) {
   return total;
 }
 
-// The values (real units, ascending) with their counts; integers only.
+// Values (real units, ascending) and their counts; integers only.
 struct CountedValues {
   std::vector<float> values;
   std::vector<std::int64_t> counts;
@@ -62,7 +61,7 @@ CountedValues countedValues(const Volume& volume, const std::vector<T>& stored) 
   return out;
 }
 
-// picture.md 5's rank: max(1, ceil(r N / 100)) with r = perMille / 10.
+// Returns the rank of picture.md 5: max(1, ceil(r N / 100)) with r = perMille / 10.
 std::int64_t rankOf(int perMille, std::int64_t count) {
   return std::max<std::int64_t>(1, (perMille * count + 999) / 1000);
 }
@@ -95,7 +94,7 @@ std::vector<float> percentiles(const Volume& volume, const std::vector<int>& per
   return std::visit(
       [&]<class T>(const std::vector<T>& stored) {
         if constexpr (std::is_same_v<T, float>)
-          return percentilesOf(stored, perMille);  // floats are kept as real values
+          return percentilesOf(stored, perMille);  // float volumes store real values
         else
           return percentilesOf(countedValues(volume, stored), perMille, volume.geometry().voxelCount());
       },
@@ -135,7 +134,8 @@ Histogram histogram(const Volume& volume, int bins) {
           for (float v : stored)
             if (!isPadding(padding, v)) ++h.counts[binOf(v)];
         } else {
-          // One bin a stored value where that fits: a bin of half a value would leave every other one empty.
+          // Uses one bin per stored value if they suffice: bins of half a value would leave every other one
+          // empty.
           const double step = std::abs(volume.slope());
           const double steps = std::round((h.high - h.low) / step) + 1;
           if (steps <= bins) {

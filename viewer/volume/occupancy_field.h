@@ -7,13 +7,13 @@
 
 namespace volumen {
 
-/// The smoothed occupancy of a segment (occupancyOf), 0 to 1: its surface in 3D and in files is where the
-/// trilinear field is 1/2. Held in a box of voxels about the segment, at least one voxel larger on every side
-/// (also beyond the grid), so that the surface is closed; 0 outside it.
+/// The smoothed occupancy of a segment (occupancyOf), 0 to 1. Its surface, in 3D and in files, is where the
+/// trilinear field is 1/2. The box around the segment has at least one more voxel on every side, also beyond
+/// the grid, so that the surface is closed. Outside the box the field is 0.
 struct OccupancyField {
-  VoxelGeometry geometry;     ///< of the whole grid
-  VoxelBox box;               ///< in voxels of the grid; may reach one voxel or more beyond it
-  std::vector<float> values;  ///< of the box, i fastest
+  VoxelGeometry geometry;     ///< Geometry of the whole grid
+  VoxelBox box;               ///< In voxels of the grid; may reach one voxel or more beyond it
+  std::vector<float> values;  ///< Values of the box, i fastest
   glm::ivec3 size() const { return box.high - box.low + 1; }
 };
 

@@ -19,7 +19,7 @@ namespace volumen {
 
 namespace {
 
-// cgroup v2: "max 100000" or "QUOTA PERIOD", both in microseconds.
+// Reads the quota of cgroup v2: "max 100000" or "QUOTA PERIOD", both in microseconds.
 int cgroupThreads() {
   std::ifstream file("/sys/fs/cgroup/cpu.max");
   std::string quota;
@@ -28,8 +28,8 @@ int cgroupThreads() {
   return std::max(1, int(std::ceil(std::atof(quota.c_str()) / period)));
 }
 
-// Arenas that nobody is in, by their number of threads. They are kept: oneTBB 2021.8 never frees one that
-// workers have entered, and searches all that there ever were (its issue 967).
+// Unused arenas by number of threads. They are kept, because oneTBB 2021.8 never frees an arena that workers
+// have entered and searches all that ever existed (its issue 967).
 struct IdleArenas {
   std::mutex mutex;
   std::map<int, std::vector<std::unique_ptr<tbb::task_arena>>> arenas;
@@ -39,8 +39,8 @@ IdleArenas& idle() {
   return all;
 }
 
-// An arena for one call alone: in a shared one a thread that waits may take up another call's work, which may
-// ask for a lock that the thread holds.
+// An arena for a single call. In a shared one, a waiting thread may take up another call's work, which may
+// need a lock that this thread holds.
 class BorrowedArena {
  public:
   explicit BorrowedArena(int threads) : threads_(threads) {
@@ -79,7 +79,7 @@ int allowedThreads() {
 void parallelFor(std::int64_t count, int threads,
                  const std::function<void(std::int64_t, std::int64_t)>& work) {
   const int wanted = threads > 0 ? threads : allowedThreads();
-  // More threads than cores only where asked for; without this oneTBB would quietly use fewer.
+  // Allows more threads than cores if requested; oneTBB would otherwise silently use fewer.
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism,
                                   std::size_t(std::max(wanted, allowedThreads())));
   const BorrowedArena arena(wanted);

@@ -23,7 +23,7 @@ std::vector<std::uint8_t> toBytes(const Picture& picture) {
 
 namespace {
 
-// From each pixel's largest difference and the sum of all components' squares.
+// Computes the errors from each pixel's largest difference and the sum of all components' squares.
 PictureError errorOf(std::vector<double> largest, double squares) {
   PictureError e;
   if (largest.empty()) return e;

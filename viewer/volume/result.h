@@ -7,13 +7,13 @@
 
 namespace volumen {
 
-/// One sentence that says what is wrong, names the file or field, and what to do about it.
+/// A sentence that says what is wrong, names the file or field, and says what to do about it.
 struct Error {
   std::string message;
 };
 
-/// A value, or the sentence that says why there is none. For what users and files cause;
-/// what only a programmer can cause is an assertion. (C++20 has no std::expected.)
+/// A value, or a sentence on why there is none. For causes in users and files; programming errors are
+/// assertions. (C++20 has no std::expected.)
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -23,14 +23,14 @@ class [[nodiscard]] Result {
   bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
 
-  /// The value. Only where ok().
+  /// Returns the value; requires ok().
   const T& operator*() const& { return std::get<0>(content_); }
   T& operator*() & { return std::get<0>(content_); }
   T&& operator*() && { return std::get<0>(std::move(content_)); }
   const T* operator->() const { return &std::get<0>(content_); }
   T* operator->() { return &std::get<0>(content_); }
 
-  /// The sentence. Only where !ok().
+  /// Returns the sentence; requires !ok().
   const std::string& message() const { return std::get<1>(content_).message; }
   Error error() const { return std::get<1>(content_); }
 
@@ -38,7 +38,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> content_;
 };
 
-/// Success, or the sentence that says why not.
+/// Success, or a sentence on why not.
 class [[nodiscard]] Status {
  public:
   Status() = default;

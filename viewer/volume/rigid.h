@@ -6,11 +6,10 @@
 
 namespace volumen {
 
-/// A motion that keeps all lengths, from one patient space (mm) to another: to = rotation * from +
-/// translation.
+/// A rigid motion from one patient space to another (mm): to = rotation * from + translation.
 struct Rigid {
   glm::dmat3 rotation{1};
-  glm::dvec3 translation{0};  ///< mm
+  glm::dvec3 translation{0};  ///< In mm
   bool operator==(const Rigid&) const = default;
 
   glm::dvec3 operator()(glm::dvec3 p) const { return rotation * p + translation; }
@@ -18,7 +17,7 @@ struct Rigid {
     const glm::dmat3 back = glm::transpose(rotation);
     return {back, -(back * translation)};
   }
-  /// First `first`, then this.
+  /// Returns the motion that applies `first`, then this one.
   Rigid after(const Rigid& first) const {
     return {rotation * first.rotation, rotation * first.translation + translation};
   }

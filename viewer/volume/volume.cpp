@@ -45,13 +45,13 @@ std::string cutText(const Cut& cut) {
 
 namespace {
 
-// Values beyond this are limited (design.md 10), so that sums and products of values stay finite in float32.
+// Larger values are limited (design.md 10), so that sums and products stay finite in float32.
 constexpr float largestValue = 1e30f;
-// What is smaller than this share of the largest is set to 0: no float holds the product of both.
+// Smaller fractions of the largest value become 0: no float holds the product of both.
 constexpr float smallestShare = 1e-33f;
 
-// Whether the rounding of values to floats can be told beside a step of the stored integers: as such they
-// would be more exact than what the file means by them here (picture.md 2).
+// Returns whether rounding values to floats is noticeable beside a step of the stored integers. Integers
+// would then be more exact than the file's values here (picture.md 2).
 bool roundsToFloats(const VolumeParts& parts) {
   return std::abs(parts.intercept) > double(1 << 17) * std::abs(parts.slope);
 }
@@ -72,8 +72,8 @@ Status checkGeometry(const VoxelGeometry& g) {
   return {};
 }
 
-// NaN and -inf become the smallest, +inf the largest finite value (picture.md 2). Returns how many were
-// changed.
+// Replaces NaN and -inf by the smallest and +inf by the largest finite value (picture.md 2). Returns the
+// number of changes.
 std::size_t replaceNonFinite(std::vector<float>& values) {
   float low = std::numeric_limits<float>::infinity(), high = -low;
   for (float v : values)
@@ -110,7 +110,7 @@ std::size_t dropSmall(std::vector<float>& values) {
   return changed;
 }
 
-// Floats are kept as real values (slope 1), so that limits and replacements speak of what the file means.
+// Floats are kept as real values (slope 1), so that limits and replacements refer to the file's values.
 void makeReal(VolumeParts& parts) {
   if (parts.slope == 1 && parts.intercept == 0 && std::holds_alternative<std::vector<float>>(parts.values))
     return;
