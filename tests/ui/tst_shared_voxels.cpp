@@ -1,5 +1,7 @@
-// Guards design.md 11: what is computed once of a volume is shared by all that draw it, and goes with it.
+// Guards design.md 11: what is computed once of a volume is shared by all that draw it, goes with it, and
+// goes first where memory is short.
 #include "tests/ui/slow_renderer.h"
+#include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "viewer/phantoms/phantoms.h"
 #include "viewer/scene/presets.h"
@@ -14,6 +16,11 @@ class TestSharedVoxels : public QObject {
   void aVolumeShownAgainIsNotComputedAgain();
   void voxelsGoWithTheirVolume();
   void picturesOfSharedVoxelsAreTheSame();
+  void whatWasComputedGoesBeforeSeries();
+  void whatIsInUseStays();
+  void roomIsMadeBeforeItIsTaken_data();
+  void roomIsMadeBeforeItIsTaken();
+  void shortMemoryIsASentence();
 };
 
 namespace {
@@ -108,6 +115,103 @@ void TestSharedVoxels::picturesOfSharedVoxelsAreTheSame() {
     gradients = now;
   }
   QCOMPARE(&voxels->facts(), facts);
+}
+
+namespace {
+
+constexpr GradientOperator sobel = GradientOperator::sobel;
+
+std::size_t valueBytes() { return ballSeries()->volume->bytes(); }
+
+// A pool with series that were needed in this order, and what was computed of each.
+struct Filled {
+  std::vector<PoolKey> keys;
+  std::size_t computedBytes = 0;  // of each
+
+  Filled(SeriesPool& pool, int count) {
+    for (int n = 0; n < count; ++n) {
+      const LoadedSeriesPtr series = ballSeries();
+      keys.push_back({keyOf(series->series), {}});
+      pool.put(keys.back(), series);
+      const VoxelsPtr voxels = pool.voxelsOf(series->volume);
+      voxels->gradientsIn16(sobel);
+      computedBytes = voxels->bytes();
+    }
+  }
+};
+
+int heldOf(const SeriesPool& pool, const Filled& filled) {
+  return int(
+      std::ranges::count_if(filled.keys, [&](const PoolKey& key) { return pool.peek(key) != nullptr; }));
+}
+
+}  // namespace
+
+void TestSharedVoxels::whatWasComputedGoesBeforeSeries() {
+  SeriesPool pool(std::size_t(1) << 30);
+  const Filled filled(pool, 4);
+  QVERIFY2(filled.computedBytes >= 4 * valueBytes(), "gradients take four times as much as values");
+  const std::size_t series = 4 * valueBytes();
+  QCOMPARE(pool.counted(), series + 4 * filled.computedBytes);
+  pool.setBudget(series + 2 * filled.computedBytes);
+  QCOMPARE(pool.counted(), series + 2 * filled.computedBytes);
+  QCOMPARE(heldOf(pool, filled), 4);
+  QVERIFY2(pool.voxelsOf(pool.peek(filled.keys[3])->volume)->bytes() > 0, "needed last");
+  pool.setOnScreen({filled.keys[0]});
+  pool.setBudget(2 * valueBytes());
+  QCOMPARE(pool.counted(), 2 * valueBytes());
+  QVERIFY2(pool.peek(filled.keys[0]), "on screen");
+  QVERIFY2(pool.peek(filled.keys[3]), "needed last");
+}
+
+void TestSharedVoxels::whatIsInUseStays() {
+  SeriesPool pool(std::size_t(1) << 30);
+  const Filled filled(pool, 2);
+  const VoxelsPtr drawn = pool.voxelsOf(pool.peek(filled.keys[0])->volume);
+  pool.setBudget(1);
+  QCOMPARE(pool.voxelsOf(drawn->volume()), drawn);
+  QCOMPARE(drawn->bytes(), filled.computedBytes);
+  // A volume that others hold counts though it was let go of.
+  pool.clear();
+  QCOMPARE(pool.counted(), valueBytes() + filled.computedBytes);
+}
+
+void TestSharedVoxels::roomIsMadeBeforeItIsTaken_data() {
+  QTest::addColumn<int>("budget");
+  QTest::addColumn<int>("available");
+  QTest::addColumn<int>("wanted");
+  QTest::addColumn<bool>("isRoom");
+  QTest::addColumn<int>("held");
+  // In volumes of a series; nothing was computed of them.
+  QTest::newRow("there is room") << 8 << 8 << 4 << true << 4;
+  QTest::newRow("the budget is short") << 6 << 8 << 4 << true << 2;
+  QTest::newRow("the machine is short") << 8 << 1 << 3 << true << 2;
+  QTest::newRow("the last needed stays") << 4 << 8 << 4 << true << 1;
+  QTest::newRow("the machine has not enough") << 8 << 1 << 5 << false << 1;
+}
+
+void TestSharedVoxels::roomIsMadeBeforeItIsTaken() {
+  QFETCH(int, budget);
+  QFETCH(int, available);
+  QFETCH(int, wanted);
+  QFETCH(int, held);
+  SeriesPool pool(std::size_t(budget) * valueBytes(), [=] { return std::size_t(available) * valueBytes(); });
+  std::vector<PoolKey> keys;
+  for (int n = 0; n < 4; ++n) {
+    const LoadedSeriesPtr series = ballSeries();
+    keys.push_back({keyOf(series->series), {}});
+    pool.put(keys.back(), series);
+  }
+  QTEST(pool.makeRoomFor(std::size_t(wanted) * valueBytes()), "isRoom");
+  QCOMPARE(pool.bytes(), std::size_t(held) * valueBytes());
+}
+
+void TestSharedVoxels::shortMemoryIsASentence() {
+  const VolumePtr head = *makePhantom("ct-head:48");
+  SeriesPool pool(std::size_t(1) << 30, [] { return 1000; });
+  const auto drawn = drawWithCaches(pool.voxelsOf(head))(*presetScene("auto", *head), ofSize(64, 64), {});
+  QVERIFY(!drawn.ok());
+  QVERIFY2(drawn.message().find("not enough memory") != std::string::npos, drawn.message().c_str());
 }
 
 VOLUMEN_TEST(TestSharedVoxels);

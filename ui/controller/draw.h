@@ -26,6 +26,7 @@ struct Planned {
 struct Draw {
   std::function<Result<Planned>(const Scene&, const RenderOptions&, const CancelToken&)> plan;
   std::function<Result<Drawn>(const Planned&, const CancelToken&)> picture;  ///< its times: of both
+  std::function<std::size_t()> bytes{};  ///< of its own caches; empty: it has none
 
   /// Both at once.
   Result<Drawn> operator()(const Scene& scene, const RenderOptions& options, const CancelToken& cancel) const;

@@ -2,8 +2,8 @@
 
 namespace volumen {
 
-DrawService::DrawService(MakeDraw makeDraw, QObject* parent)
-    : QObject(parent), makeDraw_(std::move(makeDraw)), thread_([this] { run(); }) {}
+DrawService::DrawService(MakeDraw makeDraw, std::shared_ptr<SeriesPool> pool, QObject* parent)
+    : QObject(parent), makeDraw_(std::move(makeDraw)), pool_(std::move(pool)), thread_([this] { run(); }) {}
 
 DrawService::~DrawService() {
   {

@@ -9,7 +9,7 @@
 
 #include "ui/controller/draw_schedule.h"
 #include "ui/controller/view_drawing.h"
-#include "ui/controller/voxel_pool.h"
+#include "ui/data/series_pool.h"
 
 namespace volumen {
 
@@ -40,7 +40,9 @@ struct Trial {
 class DrawService : public QObject {
   Q_OBJECT
  public:
-  explicit DrawService(MakeDraw makeDraw, QObject* parent = nullptr);
+  /// `pool`: where it finds and keeps what is computed of volumes.
+  explicit DrawService(MakeDraw makeDraw, std::shared_ptr<SeriesPool> pool = std::make_shared<SeriesPool>(),
+                       QObject* parent = nullptr);
   /// Gives up what is being drawn and waits for the thread, which checks its token between rows. What has no
   /// answer yet is answered: cancelled.
   ~DrawService() override;
@@ -155,6 +157,7 @@ class DrawService : public QObject {
   void useCpu();
 
   const MakeDraw makeDraw_;
+  const std::shared_ptr<SeriesPool> pool_;
 
   int number_ = 0;  // of the last request, or the last showing; for the thread of this object, as these
   std::deque<Answered> answers_;
@@ -177,7 +180,6 @@ class DrawService : public QObject {
 
   // Of the render thread alone.
   std::map<ViewId, ViewDrawing> drawings_;
-  VoxelPool pool_;
   Clock::time_point quietAt_;  // when nothing new was asked for long enough since the last draft
 
   std::thread thread_;

@@ -39,6 +39,7 @@ void DrawService::run() {
     }
   }
   drawings_.clear();  // on this thread, which their OpenGL contexts belong to
+  pool_->count(this, 0);
 }
 
 std::optional<Turn> DrawService::waitForTurn(std::unique_lock<std::mutex>& lock) {
@@ -46,21 +47,26 @@ std::optional<Turn> DrawService::waitForTurn(std::unique_lock<std::mutex>& lock)
     dropUnused(lock);
     if (closing_) return {};
     if (const auto turn = nextTurn(waiting())) return turn;
-    if (pool_.hasIdle())
+    if (pool_->hasIdle())
       wake_.wait_for(lock, lookTime);
     else
       wake_.wait(lock);
   }
 }
 
-// What drew views that are hidden or show another volume, and what was computed of volumes that are gone.
+// Drops what drew views that are hidden or show another volume, and what was computed of volumes that are
+// gone.
 void DrawService::dropUnused(std::unique_lock<std::mutex>& lock) {
   std::vector<ViewId> unused;
   for (const auto& [id, drawing] : drawings_)
     if (drawing.shownAt() != views_.at(id).shownAt) unused.push_back(id);
   lock.unlock();
   for (const ViewId id : unused) drawings_.erase(id);
-  pool_.dropUnheld();
+  pool_->dropUnheld();
+  std::size_t bytes = 0;
+  for (const auto& [id, drawing] : drawings_)
+    if (drawing.draw().bytes) bytes += drawing.draw().bytes();
+  pool_->count(this, bytes);
   lock.lock();
 }
 
@@ -187,14 +193,14 @@ ViewDrawing& DrawService::drawingOf(ViewId id, const VolumePtr& volume, int show
   const auto found = drawings_.find(id);
   if (found != drawings_.end() && found->second.shownAt() == shownAt) return found->second;
   drawings_.erase(id);
-  return drawings_.try_emplace(id, volume, shownAt, makeDraw_(pool_.voxelsOf(volume))).first->second;
+  return drawings_.try_emplace(id, volume, shownAt, makeDraw_(pool_->voxelsOf(volume))).first->second;
 }
 
 // What draws a volume for no view: what does so for one, else something of its own.
 Draw DrawService::drawOf(const VolumePtr& volume) {
   const auto shown = std::find_if(drawings_.begin(), drawings_.end(),
                                   [&](const auto& entry) { return entry.second.volume() == volume; });
-  return shown != drawings_.end() ? shown->second.draw() : makeDraw_(pool_.voxelsOf(volume));
+  return shown != drawings_.end() ? shown->second.draw() : makeDraw_(pool_->voxelsOf(volume));
 }
 
 DrawService::Outcome DrawService::drawScreen(ViewId id, const ScreenRequest& request, Pass pass, bool atRest,

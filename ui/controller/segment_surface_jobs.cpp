@@ -41,6 +41,7 @@ void SegmentSurfaceJobs::noteChanges(const Workspace& before, const Workspace& a
 }
 
 void SegmentSurfaceJobs::next() {
+  session_.pool().count(this, bytesBeside({}));
   if (painter_.isPainting()) return;
   if (lane_.isBusy() && isInVain()) lane_.giveUpAll();
   if (lane_.isBusy()) return;

@@ -1,68 +1,202 @@
 #include "ui/data/series_pool.h"
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <new>
+#include <ranges>
+
+#include "viewer/acceleration/stored_voxels.h"
+#include "viewer/volume/available_memory.h"
 
 namespace volumen {
 
-SeriesPool::SeriesPool(std::size_t budget) : budget_(budget) {}
+SeriesPool::SeriesPool(std::size_t budget, Available available)
+    : available_(std::move(available)), budget_(budget) {}
 
 std::size_t SeriesPool::partOfMemory(int percent) {
-  const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGESIZE);
-  return pages > 0 && bytes > 0 ? std::size_t(pages) * std::size_t(bytes) / 100 * std::size_t(percent)
-                                : std::size_t(1) << 30;
+  return std::size_t(processMemory().most / 100 * std::uint64_t(percent));
+}
+
+std::uint64_t SeriesPool::availableNow() { return processMemory().available; }
+
+// Of what is held here alone.
+std::size_t SeriesPool::Held::bytes() const {
+  return (series ? volumeBytes : 0) + (computed ? computed->bytes() : 0);
+}
+
+bool SeriesPool::Held::isInUse() const { return computed && computed.use_count() > 1; }
+
+std::list<SeriesPool::Held>::const_iterator SeriesPool::withKey(const PoolKey& key) const {
+  return std::ranges::find_if(held_, [&](const Held& h) { return h.series && h.key == key; });
 }
 
 LoadedSeriesPtr SeriesPool::find(const PoolKey& key) {
-  const auto found = std::ranges::find(held_, key, &Held::key);
+  const std::lock_guard lock(mutex_);
+  const auto found = withKey(key);
   if (found == held_.end()) return nullptr;
   held_.splice(held_.begin(), held_, found);
-  return held_.front().series;
+  return found->series;
+}
+
+LoadedSeriesPtr SeriesPool::peek(const PoolKey& key) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = withKey(key);
+  return found == held_.end() ? nullptr : found->series;
+}
+
+// Makes the first of those that `fits` the first of all, or a new one.
+SeriesPool::Held& SeriesPool::firstOf(const VolumePtr& volume, const std::function<bool(const Held&)>& fits) {
+  std::erase_if(held_, [](const Held& h) { return !h.series && !h.computed && h.volume.expired(); });
+  const auto known =
+      std::ranges::find_if(held_, [&](const Held& h) { return h.volume.lock() == volume && fits(h); });
+  if (known == held_.end()) return held_.emplace_front(Held{volume, volume->bytes()});
+  held_.splice(held_.begin(), held_, known);
+  return held_.front();
 }
 
 void SeriesPool::put(const PoolKey& key, LoadedSeriesPtr series) {
-  std::erase_if(held_, [&](const Held& h) { return h.key == key; });
-  held_.push_front({key, std::move(series)});
-  dropBeyondBudget();
+  Garbage garbage;
+  const std::lock_guard lock(mutex_);
+  for (Held& h : held_)
+    if (h.series && h.key == key) garbage.push_back(std::move(h.series));
+  Held& first = firstOf(series->volume, [](const Held& h) { return !h.series; });
+  first.key = key;
+  first.series = std::move(series);
+  letGoBeyond(budget_, garbage);
+}
+
+void SeriesPool::watch(const VolumePtr& volume) {
+  const std::lock_guard lock(mutex_);
+  firstOf(volume, [](const Held&) { return true; });
+}
+
+std::shared_ptr<StoredVoxels> SeriesPool::voxelsOf(const VolumePtr& volume) {
+  const std::lock_guard lock(mutex_);
+  Held& first = firstOf(volume, [](const Held&) { return true; });
+  if (!first.computed)
+    first.computed = std::make_shared<StoredVoxels>(volume, [this](std::size_t bytes) {
+      if (!makeRoomFor(bytes)) throw std::bad_alloc();
+    });
+  return first.computed;
 }
 
 void SeriesPool::setOnScreen(std::vector<PoolKey> keys, std::size_t elsewhere) {
+  Garbage garbage;
+  const std::lock_guard lock(mutex_);
   onScreen_ = std::move(keys);
-  elsewhere_ = elsewhere;
-  dropBeyondBudget();
+  for (const PoolKey& key : onScreen_ | std::views::reverse)
+    if (const auto shown = withKey(key); shown != held_.end()) held_.splice(held_.begin(), held_, shown);
+  elsewhere_[nullptr] = elsewhere;
+  letGoBeyond(budget_, garbage);
+}
+
+void SeriesPool::count(const void* holder, std::size_t bytes) {
+  Garbage garbage;
+  const std::lock_guard lock(mutex_);
+  elsewhere_[holder] = bytes;
+  letGoBeyond(budget_, garbage);
 }
 
 void SeriesPool::setBudget(std::size_t bytes) {
+  Garbage garbage;
+  const std::lock_guard lock(mutex_);
   budget_ = bytes;
-  dropBeyondBudget();
+  letGoBeyond(budget_, garbage);
+}
+
+bool SeriesPool::makeRoomFor(std::size_t bytes) {
+  const std::uint64_t available = available_();
+  Garbage garbage;
+  const std::lock_guard lock(mutex_);
+  const std::size_t before = inMemory();
+  const std::uint64_t most =
+      std::min<std::uint64_t>(budget_, available < ~before ? before + available : ~std::uint64_t(0));
+  const std::size_t after = letGoBeyond(most > bytes ? std::size_t(most) - bytes : 0, garbage);
+  return bytes <= available || bytes - available <= before - after;
 }
 
 void SeriesPool::forget(const SeriesKey& key) {
-  std::erase_if(held_, [&](const Held& h) { return h.key.series == key; });
+  letGoIf([&](const Held& h) { return h.key.series == key; });
+}
+
+void SeriesPool::clear() {
+  letGoIf([](const Held&) { return true; });
+}
+
+// With what was computed of them, where that is not in use.
+void SeriesPool::letGoIf(const std::function<bool(const Held&)>& isGone) {
+  Garbage garbage;
+  const std::lock_guard lock(mutex_);
+  for (Held& h : held_) {
+    if (!h.series || !isGone(h)) continue;
+    garbage.push_back(std::move(h.series));
+    if (!h.isInUse()) garbage.push_back(std::move(h.computed));
+  }
+}
+
+bool SeriesPool::hasIdle() const {
+  const std::lock_guard lock(mutex_);
+  return std::ranges::any_of(held_, [](const Held& h) { return !h.series && h.computed && !h.isInUse(); });
+}
+
+void SeriesPool::dropUnheld() {
+  Garbage garbage;
+  const std::lock_guard lock(mutex_);
+  for (Held& h : held_)
+    if (h.computed && !h.isInUse() && h.volume.use_count() == 1) garbage.push_back(std::move(h.computed));
 }
 
 bool SeriesPool::hasRoomFor(std::size_t bytes) const {
-  std::size_t sum = bytes + elsewhere_;
-  for (const Held& h : held_)
-    if (std::ranges::find(onScreen_, h.key) != onScreen_.end()) sum += h.series->volume->bytes();
+  const std::lock_guard lock(mutex_);
+  std::size_t sum = bytes + inMemory();
+  for (const Held& h : held_) {
+    if (h.computed && !h.isInUse()) sum -= h.computed->bytes();
+    if (h.series && !isOnScreen(h)) sum -= h.volumeBytes;
+  }
   return sum <= budget_;
 }
 
 std::size_t SeriesPool::bytes() const {
+  const std::lock_guard lock(mutex_);
   std::size_t sum = 0;
-  for (const Held& h : held_) sum += h.series->volume->bytes();
+  for (const Held& h : held_) sum += h.bytes();
   return sum;
 }
 
-void SeriesPool::dropBeyondBudget() {
-  std::size_t held = bytes() + elsewhere_;
-  // The first was asked for just now.
-  for (auto h = held_.end(); held > budget_ && h != held_.begin();) {
-    if (--h == held_.begin() || std::ranges::find(onScreen_, h->key) != onScreen_.end()) continue;
-    held -= h->series->volume->bytes();
-    h = held_.erase(h);
+std::size_t SeriesPool::counted() const {
+  const std::lock_guard lock(mutex_);
+  return inMemory();
+}
+
+bool SeriesPool::isOnScreen(const Held& held) const {
+  return std::ranges::find(onScreen_, held.key) != onScreen_.end();
+}
+
+// Volumes that were let go of here count as long as others hold them.
+std::size_t SeriesPool::inMemory() const {
+  std::size_t sum = 0;
+  for (const auto& [holder, bytes] : elsewhere_) sum += bytes;
+  for (const Held& h : held_)
+    sum += (h.volume.expired() ? 0 : h.volumeBytes) + (h.computed ? h.computed->bytes() : 0);
+  return sum;
+}
+
+// Returns what is left in memory, as if nobody else held what goes.
+std::size_t SeriesPool::letGoBeyond(std::size_t most, Garbage& garbage) {
+  std::size_t left = inMemory();
+  for (Held& h : held_ | std::views::reverse) {
+    if (left <= most) return left;
+    if (!h.computed || h.isInUse()) continue;
+    left -= h.computed->bytes();
+    garbage.push_back(std::move(h.computed));
   }
+  // The first was asked for just now.
+  for (Held& h : held_ | std::views::drop(1) | std::views::reverse) {
+    if (left <= most) return left;
+    if (!h.series || isOnScreen(h)) continue;
+    left -= h.volumeBytes;
+    garbage.push_back(std::move(h.series));
+  }
+  return left;
 }
 
 }  // namespace volumen

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <list>
+#include <map>
+#include <mutex>
 #include <vector>
 
 #include "ui/data/loaded_series.h"
@@ -10,6 +13,8 @@
 
 namespace volumen {
 
+class StoredVoxels;
+
 /// Which volume of a series: as it is, or without what a mask takes away.
 struct PoolKey {
   SeriesKey series;
@@ -17,39 +22,82 @@ struct PoolKey {
   bool operator==(const PoolKey&) const = default;
 };
 
-/// The series in memory. Beyond a budget those that were used longest ago go first; never what is on screen.
+/// The series in memory and what was computed of their volumes. Both can be had again. Beyond the budget what
+/// is off screen goes: first what was computed, then series, of each those that were needed longest ago. For
+/// all threads.
 class SeriesPool {
  public:
-  /// `budget`: bytes of voxels to keep, those on screen included.
-  explicit SeriesPool(std::size_t budget = partOfMemory(25));
+  /// Returns how many bytes this process can still take.
+  using Available = std::function<std::uint64_t()>;
 
-  /// Null where it is not in memory. Counts as use.
+  /// `budget`: bytes to keep, those on screen included.
+  explicit SeriesPool(std::size_t budget = partOfMemory(25), Available available = availableNow);
+
+  /// Returns null if it is not in memory. Counts as need.
   LoadedSeriesPtr find(const PoolKey& key);
+  /// The same, but does not count as need.
+  LoadedSeriesPtr peek(const PoolKey& key) const;
   void put(const PoolKey& key, LoadedSeriesPtr series);
-  /// What is on screen from now on, and how many bytes of voxels are held elsewhere for it; drops what is
+  /// Counts a volume as long as others hold it.
+  void watch(const VolumePtr& volume);
+  /// Returns what was computed of a volume, for all that draw it. It is made where there is none, and kept as
+  /// long as somebody else holds the volume. Counts as need.
+  std::shared_ptr<StoredVoxels> voxelsOf(const VolumePtr& volume);
+
+  /// Sets what is on screen from now on, and how many bytes are held elsewhere for it. Lets go of what is
   /// beyond the budget.
   void setOnScreen(std::vector<PoolKey> keys, std::size_t elsewhere = 0);
+  /// Counts what a holder keeps beside that; 0: nothing any more.
+  void count(const void* holder, std::size_t bytes);
   void setBudget(std::size_t bytes);
+  /// Lets go of what is in the way of so many bytes more; returns false if the machine has no room for them
+  /// even so.
+  bool makeRoomFor(std::size_t bytes);
   void forget(const SeriesKey& key);
-  /// Whether a volume of so many bytes has room beside what is on screen.
-  bool hasRoomFor(std::size_t bytes) const;
-  void clear() { held_.clear(); }
+  void clear();
+  /// Returns true if some volumes are held only by what was computed of them, or may soon be.
+  bool hasIdle() const;
+  /// Forgets what was computed of volumes that nobody else holds.
+  void dropUnheld();
 
-  /// Of the voxels held.
+  /// Returns true if a volume of so many bytes has room beside what is on screen.
+  bool hasRoomFor(std::size_t bytes) const;
+  /// Returns the bytes of the series held and of what was computed.
   std::size_t bytes() const;
-  /// So many percent of the machine's memory.
+  /// Returns all bytes that the budget is for: those, what is counted elsewhere, and volumes that were let go
+  /// of here while others hold them.
+  std::size_t counted() const;
+  /// Returns so many percent of the memory that this process could take.
   static std::size_t partOfMemory(int percent);
 
  private:
+  // A volume, and what was computed of it.
   struct Held {
-    PoolKey key;
-    LoadedSeriesPtr series;
-  };
-  void dropBeyondBudget();
+    std::weak_ptr<const Volume> volume;
+    std::size_t volumeBytes = 0;
+    PoolKey key{};             // of `series`
+    LoadedSeriesPtr series{};  // null: only others hold the volume
+    std::shared_ptr<StoredVoxels> computed{};
 
-  std::list<Held> held_;  // the last used first
+    std::size_t bytes() const;
+    bool isInUse() const;  // what was computed
+  };
+  using Garbage = std::vector<std::shared_ptr<const void>>;  // goes after the lock
+
+  static std::uint64_t availableNow();
+  std::list<Held>::const_iterator withKey(const PoolKey& key) const;
+  Held& firstOf(const VolumePtr& volume, const std::function<bool(const Held&)>& fits);
+  bool isOnScreen(const Held& held) const;
+  std::size_t inMemory() const;
+  std::size_t letGoBeyond(std::size_t most, Garbage& garbage);
+  void letGoIf(const std::function<bool(const Held&)>& isGone);
+
+  const Available available_;
+  mutable std::mutex mutex_;  // guards what follows
+  std::list<Held> held_;      // the last needed first
   std::vector<PoolKey> onScreen_;
-  std::size_t budget_, elsewhere_ = 0;
+  std::map<const void*, std::size_t> elsewhere_;  // by holder
+  std::size_t budget_;
 };
 
 }  // namespace volumen

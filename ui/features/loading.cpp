@@ -27,8 +27,10 @@ Loading::Loading(Workbench& bench) : Feature(bench) {
           });
   connect(&loader, &Loader::failed, this, [this](const QString& sentence) { bench_.banner.add(sentence); });
   connect(&loader, &Loader::notLoaded, &grid_, &ViewGrid::giveUpWaiting);
-  connect(&loader, &Loader::loadBegan, this,
-          [this](const Series& series) { session_.setLoading(keyOf(series)); });
+  connect(&loader, &Loader::loadBegan, this, [this](const Series& series) {
+    session_.setLoading(keyOf(series));
+    session_.pool().makeRoomFor(std::size_t(series.acquired.voxelCount()) * sizeof(float));
+  });
   // Later: what gave it up may be about to load another, or to close all.
   const auto askSoon = [this] {
     QMetaObject::invokeMethod(&session_, &Session::askForMissing, Qt::QueuedConnection);

@@ -54,7 +54,7 @@ bool areSeriesOf(const Workspace& a, const Workspace& b) {
 
 Document::Document(const Services& services)
     : sources(services.makeSources(services.indexFolder, jobs)),
-      drawService(services.makeDraw),
+      drawService(services.makeDraw, session.sharedPool()),
       loader(jobs, services.makeScene) {
   loader.useHeld([this](const SeriesKey& key) {
     const LoadedSeriesPtr held = session.pool().find({key, {}});

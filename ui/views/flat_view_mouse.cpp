@@ -223,6 +223,9 @@ void FlatView::keyPressEvent(QKeyEvent* event) {
 void FlatView::hideEvent(QHideEvent* event) {
   stop();
   closeFields();
+  // A view that is not seen holds no volumes.
+  asked_.reset();
+  drawn_.reset();
   View::hideEvent(event);
 }
 

@@ -8,6 +8,13 @@
 
 namespace volumen {
 
+std::size_t bytesBesideVolumes(const MadeTissue& tissue) {
+  std::size_t words = 0;
+  if (tissue.voxels) words += tissue.voxels->words().size();
+  if (tissue.patient && tissue.patient != tissue.voxels) words += tissue.patient->words().size();
+  return words * sizeof(std::uint64_t);
+}
+
 std::vector<ChosenSegments> segmentsShownOf(const std::vector<const SegmentMap*>& maps,
                                             const VoxelGeometry& grid) {
   std::vector<ChosenSegments> all;

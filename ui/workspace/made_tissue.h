@@ -30,6 +30,9 @@ struct MadeTissue {
   }
 };
 
+/// Returns the bytes of its masks.
+std::size_t bytesBesideVolumes(const MadeTissue& tissue);
+
 /// The segments that are shown, of those of these maps that lie on the grid: an entry a map.
 std::vector<ChosenSegments> segmentsShownOf(const std::vector<const SegmentMap*>& maps,
                                             const VoxelGeometry& grid);

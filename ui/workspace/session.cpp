@@ -26,7 +26,7 @@ Session::Session(QObject* parent) : QObject(parent) {}
 PoolKey Session::poolKeyOf(const SeriesKey& series) const { return {series, maskOf(series)}; }
 
 LoadedSeriesPtr Session::seriesNamed(const SeriesKey& key) const {
-  return key.empty() ? nullptr : pool_.find(poolKeyOf(key));
+  return key.empty() ? nullptr : pool_->peek(poolKeyOf(key));
 }
 
 LoadedSeriesPtr Session::seriesOf(ViewId view) const { return seriesNamed(workspace_.view(view).series); }
@@ -45,7 +45,7 @@ void Session::show(LoadedSeriesPtr series) {
 
 void Session::show(LoadedSeriesPtr series, ViewId view, const Arrange& arrange) {
   const SeriesKey key = keyOf(series->series);
-  pool_.put({key, {}}, series);
+  pool_->put({key, {}}, series);
   const SceneLook first = firstLook(*series);
   const bool isNew = !workspace_.series.contains(key);
   Workspace after = withSeries(workspace_, view, series->series, first);
@@ -90,7 +90,7 @@ void Session::makeRoom(const QString& text, const Workspace& after) {
 }
 
 bool Session::showAgain(const Series& series, ViewId view, const Arrange& arrange) {
-  const LoadedSeriesPtr held = pool_.find({keyOf(series), {}});
+  const LoadedSeriesPtr held = pool_->find({keyOf(series), {}});
   if (held) show(held, view, arrange);
   return held != nullptr;
 }
@@ -108,14 +108,14 @@ void Session::take(LoadedSeriesPtr series, const Arrange& arrange) {
 }
 
 void Session::keep(LoadedSeriesPtr series) {
-  pool_.put({keyOf(series->series), {}}, series);
+  pool_->put({keyOf(series->series), {}}, series);
   setWorkspace(withFound(workspace_, series->series));
 }
 
 void Session::takeMasked(const Mask& mask, LoadedSeriesPtr masked) {
   const SeriesKey key = keyOf(masked->series);
   if (!workspace_.series.contains(key)) return;
-  pool_.put({key, mask}, std::move(masked));
+  pool_->put({key, mask}, std::move(masked));
   setWorkspace(workspace_);
 }
 
@@ -138,7 +138,7 @@ void Session::close(const std::vector<SeriesKey>& series, const std::vector<Deri
   unlisted.derived.insert(derived.begin(), derived.end());
   if (after == workspace_) return;
   endGesture();
-  for (const SeriesKey& key : gone) pool_.forget(key);
+  for (const SeriesKey& key : gone) pool_->forget(key);
   push(tr("Remove from list"), after, {});
 }
 
@@ -153,7 +153,7 @@ void Session::closeAll(const Unlisted& listed) {
   unlisted.series.insert(listed.series.begin(), listed.series.end());
   unlisted.derived.insert(listed.derived.begin(), listed.derived.end());
   endGesture();
-  pool_.clear();
+  pool_->clear();
   if (after != workspace_) push(tr("Close all"), after, {});
 }
 
@@ -221,7 +221,7 @@ Mask Session::maskOf(const SeriesKey& series) const {
 }
 
 LoadedSeriesPtr Session::seriesWith(const SeriesKey& series, const Mask& mask) const {
-  return pool_.find({series, mask});
+  return pool_->peek({series, mask});
 }
 
 void Session::setGoal(const QString& text, const QualityGoal& after, const QString& mergeKey) {
@@ -263,7 +263,7 @@ void Session::prefer(const Preferences& preferences) {
   const Preferences before = std::exchange(preferences_, preferences);
   hideNames(preferences.hideNames);
   showPetIn(preferences.petUnit);
-  pool_.setBudget(SeriesPool::partOfMemory(preferences.memoryPercent));
+  pool_->setBudget(SeriesPool::partOfMemory(preferences.memoryPercent));
   Q_EMIT preferencesChanged(before, preferences_);
 }
 
@@ -308,7 +308,7 @@ void Session::setNotLoaded(const SeriesKey& series) {
 // That can be loaded.
 bool Session::isMissing(const SeriesKey& series) const {
   const auto known = workspace_.series.find(series);
-  return known != workspace_.series.end() && !known->second.missing && !pool_.find(poolKeyOf(series));
+  return known != workspace_.series.end() && !known->second.missing && !pool_->peek(poolKeyOf(series));
 }
 
 void Session::askForMissing() {
@@ -321,7 +321,7 @@ void Session::askForMissing() {
   std::optional<SeriesKey> next;
   for (const auto& [key, mask] : wanted) {
     if (!isMissing(key)) continue;
-    if (!mask.empty() && pool_.find({key, {}}))
+    if (!mask.empty() && pool_->peek({key, {}}))
       Q_EMIT maskedNeeded(key);
     else if (!next && !notLoaded_.contains(key))
       next = key;
@@ -329,7 +329,7 @@ void Session::askForMissing() {
   // A curve is laid out from its source in memory.
   if (next && isMissing(*next))
     if (const SeriesKey source = keyOf(sourceOf(*workspace_.series.at(*next).series));
-        isWanted(source) && isMissing(source) && !pool_.find({source, {}}) && !notLoaded_.contains(source))
+        isWanted(source) && isMissing(source) && !pool_->peek({source, {}}) && !notLoaded_.contains(source))
       next = source;
   // What heard of a mask may have changed the workspace.
   if (!next || !canAsk || !isMissing(*next)) return;
@@ -344,10 +344,9 @@ void Session::setWorkspace(const Workspace& workspace) {
   for (std::size_t n = 0, count = onScreen.size(); n < count; ++n)
     onScreen.push_back({onScreen[n].series, {}});  // for the next mask
   dropUndrawn();
-  std::size_t tissueBytes = 0;
-  for (const MadeTissue& tissue : tissues_)
-    if (tissue.left && tissue.left != tissue.of) tissueBytes += tissue.left->volume->bytes();
-  pool_.setOnScreen(onScreen, tissueBytes);
+  std::size_t masks = 0;
+  for (const MadeTissue& tissue : tissues_) masks += bytesBesideVolumes(tissue);
+  pool_->setOnScreen(std::move(onScreen), masks);
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);
   if (stateBefore != state_) Q_EMIT changed(stateBefore, state_);

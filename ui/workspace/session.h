@@ -157,7 +157,9 @@ class Session : public QObject {
   /// The same for a change of those in use.
   void prefer(const std::function<void(Preferences&)>& change);
 
-  SeriesPool& pool() { return pool_; }
+  SeriesPool& pool() { return *pool_; }
+  /// The same, for those that live longer or on other threads.
+  const std::shared_ptr<SeriesPool>& sharedPool() const { return pool_; }
 
   /// The mouse was released, the field was left: what follows is a step of its own.
   void endGesture() { ++gesture_; }
@@ -188,7 +190,7 @@ class Session : public QObject {
   void setWorkspace(const Workspace& workspace);
 
   Workspace workspace_;
-  mutable SeriesPool pool_;
+  const std::shared_ptr<SeriesPool> pool_ = std::make_shared<SeriesPool>();
   std::vector<MadeSurface> surfaces_;
   std::vector<MadeTissue> tissues_;
   SessionState state_;  // of the 3D view in focus

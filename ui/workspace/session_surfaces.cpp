@@ -65,6 +65,7 @@ LoadedSeriesPtr Session::drawnSeries(ViewId view) const {
 
 void Session::takeTissue(MadeTissue made) {
   std::erase_if(tissues_, [&](const MadeTissue& before) { return areOneSeries(before.of, made.of); });
+  if (made.left) pool_->watch(made.left->volume);
   tissues_.push_back(std::move(made));
   setWorkspace(workspace_);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <optional>
 
 #include "viewer/plan/facts.h"
@@ -31,9 +33,15 @@ struct Density32 {
 /// thread-safe.
 class StoredVoxels {
  public:
-  explicit StoredVoxels(VolumePtr volume) : volume_(std::move(volume)) {}
+  /// Called before so many bytes are taken. It may throw std::bad_alloc.
+  using MakeRoom = std::function<void(std::size_t bytes)>;
+
+  explicit StoredVoxels(VolumePtr volume, MakeRoom makeRoom = {})
+      : volume_(std::move(volume)), makeRoom_(std::move(makeRoom)) {}
 
   const VolumePtr& volume() const { return volume_; }
+  /// Returns the bytes of what was made of the volume and of what is being made. From any thread.
+  std::size_t bytes() const { return bytes_; }
   const VolumeFacts& facts();
   const Density16& densities16();  ///< Only for integers with a positive slope.
   const Density32& densities32();
@@ -48,8 +56,12 @@ class StoredVoxels {
     GradientOperator by;
     Gradients gradients;
   };
+  std::size_t held() const;
+  void begin(std::size_t bytes);
 
   VolumePtr volume_;
+  MakeRoom makeRoom_;
+  std::atomic<std::size_t> bytes_{0};
   std::optional<VolumeFacts> facts_;
   std::optional<Density16> density16_;
   std::optional<Density32> density32_;

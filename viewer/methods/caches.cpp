@@ -19,6 +19,14 @@ RenderCaches& RenderCaches::operator=(RenderCaches&&) noexcept = default;
 const VolumePtr& RenderCaches::volume() const { return impl_->voxels->volume(); }
 const VolumeFacts& RenderCaches::facts() { return impl_->voxels->facts(); }
 
+std::size_t RenderCaches::bytes() const {
+  std::size_t sum = impl_->skips[0].bytes() + impl_->skips[1].bytes();
+  if (impl_->map) sum += impl_->map->map.nodes.size() * sizeof(impl_->map->map.nodes[0]);
+  for (const auto& cells : impl_->segmentCells) sum += cells->bytes();
+  if (impl_->gl) sum += impl_->gl->textures.densityBytes() + impl_->gl->textures.gradientBytes();
+  return sum;
+}
+
 void RenderCaches::setGlContextFactory(GlContextFactory factory) {
   impl_->gl.reset();
   impl_->glFactory = std::move(factory);

@@ -24,6 +24,8 @@ class RenderCaches {
 
   const VolumePtr& volume() const;
   const VolumeFacts& facts();
+  /// Returns the bytes of what is of these caches alone.
+  std::size_t bytes() const;
 
   /// Sets the source of the OpenGL context, which is made when a plan first needs one. That happens on the
   /// rendering thread, on which these caches must then also be destroyed. The default is EGL without a

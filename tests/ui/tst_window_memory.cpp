@@ -1,0 +1,224 @@
+// Guards design.md 11: what the window keeps in memory stays within its budget, whatever is opened one after
+// the other. With VOLUMEN_FIGURES it prints what it took; with VOLUMEN_FULL_SIZE series have the size of a
+// CT.
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <QProcess>
+
+#include "tests/ui/killed_window.h"
+#include "tests/ui/many_series.h"
+#include "tests/ui/perfusion_window.h"
+#include "tests/ui/session_folder.h"
+#include "tests/unit/suite.h"
+#include "viewer/acceleration/stored_voxels.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+double inMebi(std::size_t bytes) { return double(bytes) / (1 << 20); }
+
+// A control group of so many bytes below the one of this process, of version 1; not there where the machine
+// does not let it.
+class MemoryGroup {
+ public:
+  explicit MemoryGroup(std::size_t bytes)
+      : path_(
+            QStringLiteral("/sys/fs/cgroup/memory/volumen-test-%1").arg(QCoreApplication::applicationPid())) {
+    isThere_ = QDir().mkdir(path_) && write("memory.limit_in_bytes", QByteArray::number(qulonglong(bytes)));
+  }
+  ~MemoryGroup() { QDir().rmdir(path_); }
+  MemoryGroup(const MemoryGroup&) = delete;
+  MemoryGroup& operator=(const MemoryGroup&) = delete;
+
+  bool isThere() const { return isThere_; }
+  QByteArray processes() const { return (path_ + QStringLiteral("/cgroup.procs")).toLocal8Bit(); }
+
+ private:
+  bool write(const char* name, const QByteArray& text) const {
+    QFile file(path_ + QLatin1Char('/') + QLatin1String(name));
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+  }
+
+  QString path_;
+  bool isThere_ = false;
+};
+
+}  // namespace
+
+class TestWindowMemory : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void fortySeriesInTurnStayWithinTheBudget();
+  void fortySeriesInTurnSurviveALimit_data();
+  void fortySeriesInTurnSurviveALimit();
+  void aClipIn3dStaysWithinTheBudget();
+  void aSessionOfTenSeriesStaysWithinTheBudget();
+  void viewsThatAreHiddenHoldNothing();
+};
+
+// Run by fortySeriesInTurnSurviveALimit(), it has the budget that follows from the limit.
+void TestWindowMemory::fortySeriesInTurnStayWithinTheBudget() {
+  const ManySeries all;
+  ManyWindow w;
+  if (!qEnvironmentVariableIsSet("VOLUMEN_UNDER_LIMIT")) w.pool().setBudget(ManySeries::budget());
+  w.window.open({all.folder()});
+  QVERIFY(w.settle());
+  const QImage first = w.window.view()->picture();
+  for (int n = 1; n < ManySeries::most; ++n) {
+    const QImage picture = w.click(n);
+    QVERIFY2(!picture.isNull() && picture != first, qPrintable(ManySeries::name(n)));
+  }
+  const std::size_t taken = ManyWindow::peakRss() - w.rssBefore;
+  if (qEnvironmentVariableIsSet("VOLUMEN_FIGURES"))
+    std::printf("counted %.0f MiB at most, taken %.0f MiB: %.2f\n", inMebi(w.mostCounted), inMebi(taken),
+                double(w.mostCounted) / double(taken));
+  if (!qEnvironmentVariableIsSet("VOLUMEN_UNDER_LIMIT")) {
+    QVERIFY2(w.mostCounted <= ManySeries::budget(), qPrintable(QString::number(w.mostCounted)));
+    QVERIFY2(w.mostCounted > ManySeries::budget() / 2, "what there is room for is kept");
+    QVERIFY2(taken <= ManySeries::budget() + 4 * ManySeries::valueBytes(),
+             qPrintable(QString::number(taken)));
+  }
+  QVERIFY2(w.click(0) == first, "what was dropped is computed again, and is the same");
+}
+
+void TestWindowMemory::fortySeriesInTurnSurviveALimit_data() {
+  QTest::addColumn<bool>("isGroup");
+  QTest::addColumn<quint64>("mebibytes");
+  QTest::newRow("a control group of 768 MiB") << true << quint64(768);
+  QTest::newRow("ulimit -v of 2 GiB") << false << quint64(2048);
+}
+
+void TestWindowMemory::fortySeriesInTurnSurviveALimit() {
+  QFETCH(bool, isGroup);
+  QFETCH(quint64, mebibytes);
+  const std::size_t most = std::size_t(mebibytes) << 20;
+  std::optional<MemoryGroup> group;
+  if (isGroup && !group.emplace(most).isThere()) QSKIP("control groups of version 1 cannot be made here");
+  QProcess process;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(QStringLiteral("VOLUMEN_ONLY"), QStringLiteral("TestWindowMemory"));
+  environment.insert(QStringLiteral("VOLUMEN_UNDER_LIMIT"), QStringLiteral("1"));
+  process.setProcessEnvironment(environment);
+  process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+  process.setChildProcessModifier([=, processes = group ? group->processes() : QByteArray()] {
+    if (processes.isEmpty()) {
+      const rlimit limit{most, most};
+      ::setrlimit(RLIMIT_AS, &limit);
+    } else if (const int file = ::open(processes.constData(), O_WRONLY); file >= 0) {
+      if (::write(file, "0", 1) != 1) ::_exit(1);
+      ::close(file);
+    }
+  });
+  process.start(QCoreApplication::applicationFilePath(),
+                {QStringLiteral("fortySeriesInTurnStayWithinTheBudget")});
+  QVERIFY(process.waitForFinished(10 * longest));
+  const QByteArray said = process.readAllStandardOutput();
+  if (qEnvironmentVariableIsSet("VOLUMEN_FIGURES")) std::printf("%s\n", said.constData());
+  QVERIFY2(process.exitStatus() == QProcess::NormalExit, "killed");
+  QVERIFY2(process.exitCode() == 0, said);
+}
+
+// Each step has gradients of its own.
+void TestWindowMemory::aClipIn3dStaysWithinTheBudget() {
+  const QTemporaryDir folder;
+  constexpr int steps = 8;
+  const QString path = folder.filePath(QStringLiteral("clip.nrrd"));
+  constexpr int edge = 96;
+  {
+    std::ofstream file(path.toStdString(), std::ios::binary);
+    file << "NRRD0005\ntype: int16\ndimension: 4\nspace: left-posterior-superior\nsizes: " << edge << ' '
+         << edge << ' ' << edge << ' ' << steps
+         << "\nspace directions: (2,0,0) (0,2,0) (0,0,2) none\nkinds: domain domain domain time\nspace "
+            "origin: "
+            "(0,0,0)\nendian: little\nencoding: raw\n\n";
+    for (int n = 0; n < steps; ++n)
+      for (int v = 0; v < edge * edge * edge; ++v) {
+        const auto value = std::int16_t(v / edge % edge < 20 + 5 * n ? 0 : 100 + n + v % edge);
+        file.write(reinterpret_cast<const char*>(&value), sizeof value);
+      }
+  }
+  // Values of one step are 1.7 MiB, gradients 6.8.
+  const std::size_t budget = std::size_t(20) << 20;
+  ManyWindow w;
+  w.pool().setBudget(budget);
+  w.window.open({path});
+  QVERIFY(w.settle());
+  FlatView* axial = w.window.views()->viewAs<FlatView>(axialViewId);
+  QVERIFY(axial && axial->isVisible());
+  const auto isShown = [&](int step) {
+    const LoadedSeriesPtr shown = w.window.session().seriesOf(sceneViewId);
+    return shown && shown->volume->value(0, edge - 1, 0) == 100.f + float(step);
+  };
+  std::vector<QImage> seen{w.window.view()->picture()};
+  const auto go = [&](Qt::Key key) { return w.after([&] { QTest::keyClick(axial, key); }); };
+  for (int n = 1; n < steps; ++n) {
+    seen.push_back(go(Qt::Key_Right));
+    QVERIFY2(isShown(n), qPrintable(QString::number(n)));
+    QVERIFY(!seen.back().isNull() && seen[std::size_t(n)] != seen[std::size_t(n) - 1]);
+  }
+  for (int n = steps - 2; n >= 0; --n)
+    QVERIFY2(go(Qt::Key_Left) == seen[std::size_t(n)] && isShown(n), qPrintable(QString::number(n)));
+  QVERIFY2(w.mostCounted <= budget, qPrintable(QString::number(w.mostCounted)));
+}
+
+void TestWindowMemory::aSessionOfTenSeriesStaysWithinTheBudget() {
+  constexpr int count = 10;
+  const ManySeries all(count);
+  const SessionFolder sessions;
+  std::vector<QImage> seen;
+  {
+    ManyWindow w;
+    w.pool().setBudget(ManySeries::budget());
+    w.window.open({all.folder()});
+    QVERIFY(w.settle());
+    seen.push_back(w.window.view()->picture());
+    for (int n = 1; n < count; ++n) seen.push_back(w.click(n));
+    QVERIFY(sessions.save(w));
+  }
+  ManyWindow w;
+  w.pool().setBudget(ManySeries::budget());
+  QVERIFY(sessions.open(w));
+  QCOMPARE(w.window.session().workspace().series.size(), std::size_t(count));
+  for (int n = 0; n < count; ++n)
+    QVERIFY2(w.click(n) == seen[std::size_t(n)], qPrintable(ManySeries::name(n)));
+  // Back and forth through all of them.
+  while (w.window.session().undoStack().canUndo()) QVERIFY(!w.after("undo").isNull());
+  while (w.window.session().undoStack().canRedo()) QVERIFY(!w.after("redo").isNull());
+  QVERIFY2(w.mostCounted <= ManySeries::budget(), qPrintable(QString::number(w.mostCounted)));
+}
+
+// Twelve series side by side stay; once they are hidden they go as others do.
+void TestWindowMemory::viewsThatAreHiddenHoldNothing() {
+  constexpr int count = 14, side = 12;
+  const ManySeries all(count);
+  ManyWindow w;
+  w.pool().setBudget(ManySeries::budget());
+  w.window.open({all.folder()});
+  QVERIFY(w.settle());
+  Session& session = w.window.session();
+  w.window.document().opener.chooseLayout({Layout::Kind::grid, 3, 4});
+  for (int n = 0; n < side; ++n) {
+    const ViewId view = firstComparedId + n;
+    session.setFocus(view);
+    w.press(n);
+    const auto isShown = [&] {
+      const LoadedSeriesPtr shown = session.seriesOf(view);
+      return shown && shown->series.path.find(ManySeries::name(n).toStdString()) != std::string::npos &&
+             !w.window.views()->viewAs<FlatView>(view)->picture().isNull();
+    };
+    QVERIFY2(QTest::qWaitFor(isShown, longest), qPrintable(ManySeries::name(n)));
+  }
+  QVERIFY(w.pool().counted() >= side * ManySeries::valueBytes());
+  w.window.document().opener.chooseLayout(Layout::planes);
+  session.setFocus(axialViewId);
+  QVERIFY(!w.click(side).isNull());
+  QVERIFY(!w.click(side + 1).isNull());
+  QVERIFY2(w.pool().counted() <= ManySeries::budget(), qPrintable(QString::number(w.pool().counted())));
+}
+
+VOLUMEN_TEST(TestWindowMemory);
+#include "tst_window_memory.moc"
