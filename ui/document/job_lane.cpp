@@ -6,7 +6,7 @@ namespace volumen {
 
 JobLane::JobLane(Jobs* list, QThread::Priority priority) : list_(list) {
   pool_.setMaxThreadCount(1);
-  pool_.setExpiryTimeout(-1);  // one thread for good: what belongs to a thread may stay with it
+  pool_.setExpiryTimeout(-1);  // one permanent thread: objects bound to a thread may stay
   pool_.setThreadPriority(priority);
 }
 

@@ -10,20 +10,20 @@
 
 namespace volumen {
 
-/// Runs jobs one after the other on a thread of its own, and brings what they come to back to the thread that
-/// it was made on. Each job that is not given up ends once, in what `done` does.
+/// Runs jobs one after the other on its own thread and delivers their results on the thread that made the
+/// lane. Each job ends once, by calling `done`, unless it is cancelled.
 class JobLane {
  public:
-  /// Jobs with a name stand in the list; without one none does.
+  /// Jobs with a name appear in `list`; without a list none does.
   explicit JobLane(Jobs* list = nullptr, QThread::Priority priority = QThread::InheritPriority);
-  /// Gives up all and waits for the one that runs.
+  /// Cancels all jobs and waits for the running one.
   ~JobLane();
   JobLane(const JobLane&) = delete;
   JobLane& operator=(const JobLane&) = delete;
 
-  /// `work(job)` on the lane's thread, where it may be long and asks job.cancelled() now and then; then
-  /// `done(result)` here, or `done()` where work returns nothing. Neither is called once the job was given
-  /// up; where the user did so, `cancelled` is. Returns the job's number.
+  /// Runs `work(job)` on the lane's thread, then `done(result)` on this one, or `done()` if work returns
+  /// nothing. Long work checks job.cancelled() now and then. Once a job is cancelled neither is called. If
+  /// the user cancelled it, `cancelled` is. Returns the job's id.
   template <std::invocable<const Job&> Work, class Done>
   int run(const JobName& name, Work work, Done done, std::function<void()> cancelled = {}) {
     using Result = std::invoke_result_t<Work, const Job&>;
@@ -41,7 +41,7 @@ class JobLane {
     return job.id();
   }
 
-  /// For work: runs a function here, as long as the job is not given up.
+  /// For work: runs a function on the lane owner's thread unless the job is cancelled.
   template <std::invocable Function>
   void tell(const Job& job, Function function) {
     tell([job, function = std::move(function)] {
@@ -49,23 +49,23 @@ class JobLane {
     });
   }
 
-  /// For work: runs a function here, whatever becomes of the job.
+  /// For work: runs a function on the lane owner's thread, even if the job is cancelled.
   template <std::invocable Function>
   void tell(Function function) {
     QMetaObject::invokeMethod(&here_, std::move(function), Qt::QueuedConnection);
   }
 
-  /// Without a word; what has ended stays so.
+  /// Cancels a job silently. Does nothing if it has ended.
   void giveUp(int job);
   void giveUpAll();
-  /// Where it only waits as yet.
+  /// Cancels a job that has not begun.
   void giveUpWaiting(int job);
   bool isBusy() const { return !underWay_.empty(); }
-  /// From now on its jobs cannot be cancelled by the user: what is written is written to its end.
+  /// From now on the user cannot cancel its jobs: files are written to their end.
   void keepToTheEnd() { canBeCancelled_ = false; }
-  /// Called, from the event loop, whenever nothing is asked for any more.
+  /// Sets a function that the event loop calls whenever no jobs are left.
   void whenIdle(std::function<void()> idle) { idle_ = std::move(idle); }
-  /// Until all that was asked for has been worked on.
+  /// Waits until all jobs have been worked on.
   void wait() { pool_.waitForDone(); }
 
  private:

@@ -17,7 +17,7 @@ struct Job::State {
   CancelToken cancel;
   QElapsedTimer since;
   std::atomic<bool> begun = false;
-  std::mutex mutex;  // guards what follows
+  std::mutex mutex;  // guards the members below
   QString text;
   double part = -1;
 };
@@ -66,7 +66,7 @@ Progress Job::progress() const {
   };
 }
 
-// Work that knows nothing of files says how far it is by its token.
+// Work that reads no files reports its progress by the cancel token.
 JobRow Job::row() const {
   const std::lock_guard lock(state_->mutex);
   const JobName& name = state_->name;

@@ -12,8 +12,8 @@
 
 namespace volumen {
 
-/// What a job does ("Opening"), and the file, folder or series that it does it to: not told while names are
-/// hidden, and shortened where it is long.
+/// Action of a job ("Opening") and the file, folder or series it acts on. The object is hidden while names
+/// are hidden, and shortened if it is long.
 struct JobName {
   JobName() = default;
   JobName(const QString& doing, const QString& object = {});
@@ -23,33 +23,32 @@ struct JobName {
   QString doing, object;
 };
 
-/// What is told of a job that runs or waits.
+/// A running or waiting job as it is listed.
 struct JobRow {
   int id = 0;
-  QString text;        ///< its name, and how far it is
-  double part = -1;    ///< 0 to 1; negative: not known
-  qint64 sinceMs = 0;  ///< since it was asked for
+  QString text;        ///< name and progress
+  double part = -1;    ///< progress from 0 to 1; negative: unknown
+  qint64 sinceMs = 0;  ///< time since the job was requested
   bool canBeCancelled = true;
 };
 
-/// Work that takes its time: how far it is, told from any thread, and whether it was given up. Copies share
-/// one state.
+/// A long-running task with progress, reported from any thread, and cancellation. Copies share one state.
 class Job {
  public:
   explicit Job(const JobName& name);
 
-  /// Of all jobs of a run of the program.
+  /// Returns an id that is unique in this run of the program.
   int id() const;
   const JobName& name() const;
   const CancelToken& cancel() const;
   bool cancelled() const { return cancel().cancelled(); }
-  /// Whoever runs it begins; false where it was given up before.
+  /// Called by whoever runs the job. Returns false if it was cancelled before.
   bool begin() const;
   bool hasBegun() const;
 
-  /// `text` stands in place of the name; behind it where that has an object.
+  /// Reports progress. `text` replaces the name, or follows it if the name has an object.
   void tell(const QString& text, double part) const;
-  /// The same for what reads and writes files: "reading slices: 3 of 10".
+  /// Returns a progress function for reading and writing files: "reading slices: 3 of 10".
   Progress progress() const;
   JobRow row() const;
 
@@ -58,25 +57,25 @@ class Job {
   std::shared_ptr<State> state_;
 };
 
-/// The list of the jobs that run and wait, in the order in which they were asked for. Whoever runs one
-/// (JobLane does) puts it here and takes it away; each is cancelled for itself. Lives on one thread.
+/// The list of running and waiting jobs, in the order of their requests. Whoever runs a job (such as JobLane)
+/// adds and removes it; each is cancelled separately. Lives on one thread.
 class Jobs : public QObject {
   Q_OBJECT
  public:
   explicit Jobs(QObject* parent = nullptr);
 
-  /// `cancelled` is called once where the user cancels the job, after it has left the list. What is being
-  /// written is written to its end: it cannot be cancelled.
+  /// Adds a job. `cancelled` is called once if the user cancels it, after it has left the list. Jobs that
+  /// write files cannot be cancelled: they are written to their end.
   void add(const Job& job, std::function<void()> cancelled, bool canBeCancelled = true);
-  /// It has ended; what is not in the list stays so.
+  /// Removes a job that has ended. Does nothing if it is not listed.
   void remove(const Job& job);
 
   std::vector<JobRow> rows() const;
-  /// As the user asks, where that can be.
+  /// Cancels a job for the user, if that is allowed.
   void cancel(int id);
 
  Q_SIGNALS:
-  /// A job came, went or got further; every 100 ms while there are any.
+  /// Emitted when a job is added, removed or makes progress; every 100 ms while there are jobs.
   void changed();
 
  private:

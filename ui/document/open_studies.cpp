@@ -19,7 +19,7 @@ const Series* OpenStudy::seriesAt(std::size_t n) const {
 
 std::vector<std::vector<std::size_t>> OpenStudy::rows() const {
   std::vector<std::vector<const Series*>> volumes;
-  std::map<std::string_view, std::vector<std::size_t>> ofSeries;  // the rows of each series
+  std::map<std::string_view, std::vector<std::size_t>> ofSeries;  // rows of each series
   for (const Series& series : study->volumes) {
     std::vector<std::size_t>& known = ofSeries[series.seriesUid];
     const auto row = std::ranges::find_if(

@@ -12,63 +12,63 @@
 
 namespace volumen {
 
-/// What was opened by one path: volumes, and frames of what is no volume.
+/// The content of an opened path: volumes, and frames of series that are no volumes.
 struct OpenStudy {
   QString path;
   std::shared_ptr<const Study> study;
   std::vector<Series> frames;
 
-  /// First the volumes, then the frames; null beyond them.
+  /// Returns the n-th series, volumes before frames; null beyond the last.
   const Series* seriesAt(std::size_t n) const;
-  /// The number of a volume of `study`.
+  /// Returns the index of a volume of `study`.
   std::size_t numberOf(const Series& volume) const { return std::size_t(&volume - study->volumes.data()); }
-  /// The numbers of all, the steps of one series together and in their order.
+  /// Returns indices in rows: the time points of one series together, in their order.
   std::vector<std::vector<std::size_t>> rows() const;
 };
 
-/// The studies that are open, in the order in which they were opened. What was taken off the list stays
-/// known, so that undo brings it back.
+/// The open studies, in the order of opening. Items removed from the list stay known, so that undo brings
+/// them back.
 class OpenStudies : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
 
-  /// Adds what a path holds, in place of what it held when it was opened before.
+  /// Adds the content of a path and replaces its earlier content.
   void add(const QString& path, const std::shared_ptr<const Study>& study);
-  /// What of it is not in the list.
+  /// Sets which items are not in the list.
   void setUnlisted(const Unlisted& unlisted);
-  /// Forgets the paths that hold nothing that can be listed.
+  /// Forgets paths without content to list.
   void forgetEmpty();
 
   const std::vector<OpenStudy>& all() const { return all_; }
-  /// By its path; null: it is not known.
+  /// Returns the study of a path, or null if it is unknown.
   const OpenStudy* find(const QString& path) const;
-  /// What was opened by this path; null: nothing that is in the list.
+  /// Returns the study of a path, or null if nothing of it is in the list.
   std::shared_ptr<const Study> studyOf(const QString& path) const;
 
   bool isListed(const Series& series) const { return !unlisted_.series.contains(keyOf(series)); }
   bool isListed(const DerivedObject& object) const { return !unlisted_.derived.contains(keyOf(object)); }
-  /// Whether any of it is, or there is nothing in it to be listed.
+  /// Returns whether any item of it is listed, or there is nothing to list.
   bool isListed(const OpenStudy& opened) const;
 
-  /// All volumes that are in the list.
+  /// Returns all volumes in the list.
   std::vector<const Series*> volumes() const;
-  /// The same and the frames of what is no volume.
+  /// Returns all volumes in the list, then the frames of series that are no volumes.
   std::vector<const Series*> pictures() const;
-  /// All objects that refer to pictures.
+  /// Returns all listed objects that refer to pictures.
   std::vector<DerivedObjectPtr> derived() const;
-  /// The files that have no pictures and are no such objects, each with what it is: "F: DICOM file without
+  /// Returns files that hold neither pixels nor derived objects, each with its kind: "F: DICOM file without
   /// pixel data (CR)".
   QStringList filesWithoutPixels() const;
-  /// All that could be listed.
+  /// Returns all items that could be listed.
   Unlisted everything() const;
 
  Q_SIGNALS:
-  /// This path holds something else now.
+  /// The content of this path was replaced or added.
   void added(const QString& path);
-  /// Of setUnlisted(); `comesBack`: some of it is in the list again.
+  /// setUnlisted() changed the list. `comesBack`: some items are listed again.
   void unlistedChanged(bool comesBack);
-  /// After either.
+  /// Emitted after added() and unlistedChanged().
   void changed();
 
  private:

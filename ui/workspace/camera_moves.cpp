@@ -77,7 +77,7 @@ glm::dvec2 seenAt(const Camera& camera, glm::dvec2 size, glm::dvec3 pPatient) {
 
 Camera orbited(Camera camera, glm::dvec3 pivot, double turn, double tilt) {
   const CameraAxes axes = cameraAxes(camera);
-  // Upside down, the hand still pushes what it sees.
+  // When the camera is upside down, the picture still follows the hand.
   const double side = axes.up.z < 0 ? -1 : 1;
   const auto moved = [&](glm::dvec3 v) {
     return turned(turned(v, axes.right, -tilt), {0, 0, 1}, -turn * side);

@@ -8,44 +8,45 @@
 
 namespace volumen {
 
-/// Moves of a camera by hand, from value to value. Cameras have a target; pictures are `size` pixels,
-/// positions in them in pixels, y downwards. All lengths mm, all angles rad.
+/// Camera movements by hand, each from camera value to camera value. Cameras have a target. Pictures are
+/// `size` pixels; positions in them are pixels, y down. Lengths are mm, angles rad.
 
-/// The camera that draws the scene: its own, or the one fitted to the volume in a picture of this size.
+/// Returns the camera that draws the scene: its own, or the one fitted to the volume in a picture of `size`.
 Camera cameraInUse(const Scene& scene, const VoxelGeometry& geometry, glm::dvec2 size);
 
-/// A line of sight (picture.md 7). parallel: the origin lies in the plane of the target.
+/// A line of sight (picture.md 7). In parallel projection the origin lies in the target's plane.
 struct SightLine {
-  glm::dvec3 origin, direction;  ///< patient space; direction is a unit vector
+  glm::dvec3 origin, direction;  ///< patient space; `direction` is a unit vector
 };
 SightLine sightLine(const Camera& camera, glm::dvec2 size, glm::dvec2 position);
 
-/// Where a point in patient space is seen. For perspective it must lie in front of the eye.
+/// Returns the pixel position of a point in patient space. In perspective it must lie in front of the eye.
 glm::dvec2 seenAt(const Camera& camera, glm::dvec2 size, glm::dvec3 pPatient);
-/// An outline in the picture as what it cuts; what is inside goes.
+/// Returns the lasso that cuts away the inside of an outline in the picture.
 Lasso lassoOf(const Camera& camera, glm::dvec2 size, const std::vector<glm::dvec2>& outline);
-/// Millimetres a pixel covers at that point.
+/// Returns the size of a pixel in mm at a point.
 double mmPerPixel(const Camera& camera, glm::dvec2 size, glm::dvec3 pPatient);
 
-/// Turned by `turn` about the patient's z axis and by `tilt` about the picture's horizontal, through `pivot`:
-/// a turntable. Positive angles move what is in front to the right and down.
+/// Turns the camera about `pivot` as on a turntable: by `turn` about the patient's z axis, by `tilt` about
+/// the picture's horizontal. Positive angles move the near side right and down.
 Camera orbited(Camera camera, glm::dvec3 pivot, double turn, double tilt);
-/// Rolled about the line of sight through the target; positive: the picture turns clockwise.
+/// Rolls about the line of sight through the target. Positive angles turn the picture clockwise.
 Camera rolled(Camera camera, double angle);
-/// Moved so that `at` follows the hand by `moved` pixels.
+/// Pans so that the point `at` follows the hand by `moved` pixels.
 Camera panned(Camera camera, glm::dvec2 size, glm::dvec2 moved, glm::dvec3 at);
-/// Zoomed, `fixed` staying where it is; factor < 1 enlarges.
+/// Zooms while `fixed` keeps its position in the picture. A factor below 1 enlarges.
 Camera zoomedAt(Camera camera, glm::dvec3 fixed, double factor);
-/// The other projection, what is at the target's depth as large as before.
+/// Changes the projection. Objects at the target's depth keep their size.
 Camera withProjection(Camera camera, Projection projection);
 
-/// The patient's side a direction points to: "L", "PL", "SAR" ..., strongest first (LPS).
+/// Returns the patient's sides a direction points to, strongest first (LPS): "L", "PL", "SAR".
 std::string sideLetters(glm::dvec3 direction);
-/// The same in words: "posterior-left".
+/// Returns the same in words: "posterior-left".
 std::string sideWords(glm::dvec3 direction);
-/// Millimetres from the lower to the upper edge of the picture, at the target's depth.
+/// Returns the height of the picture at the target's depth, in mm.
 double heightAtTarget(const Camera& camera);
-/// "anterior" where the camera looks along that view within a degree, else empty.
+/// Returns the standard view within one degree of the line of sight, such as "anterior", else an empty
+/// string.
 std::string viewName(const Camera& camera);
 
 }  // namespace volumen

@@ -6,10 +6,10 @@
 
 namespace volumen {
 
-/// The window that was chosen for what flat views show.
+/// The window chosen for flat views.
 struct ChosenWindow {
-  std::optional<Window> window;  ///< a negative width is inverted; none: the series' own
-  int namedGrey = 0;             ///< of frames without such a window: which of the file's own
+  std::optional<Window> window;  ///< negative width: inverted; empty: the series' own window
+  int namedGrey = 0;             ///< index among the file's own windows, for frames without `window`
   bool operator==(const ChosenWindow&) const = default;
 };
 

@@ -16,7 +16,7 @@ bool hasTimes(const Cine& cine) {
          std::reduce(cine.frameTimesMs.begin() + 1, cine.frameTimesMs.end()) > 0;
 }
 
-// How long one frame is on screen before another; as long as on average where no time is said.
+// Returns how long a frame is shown before the next, in ms. Uses the average if the file gives no time.
 double msBetween(const Cine& cine, int from, int to) {
   const auto later = std::size_t(std::max(from, to));
   const bool isSaid = hasTimes(cine) && std::abs(from - to) == 1 && later < cine.frameTimesMs.size();
@@ -59,7 +59,7 @@ int CineTrack::pass(double ms, int most) {
   spent_ += std::max(0.0, ms);
   for (; !isOver() && spent_ >= steps_[at_].ms; --most) {
     if (most <= 0) {
-      spent_ = steps_[at_].ms;  // goes on as soon as it may
+      spent_ = steps_[at_].ms;  // the next position is due at once in the next call
       break;
     }
     spent_ -= steps_[at_].ms;

@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// The part of the line a . x = e that lies in a rectangle; false: none.
+// Clips the line a . x = e to a rectangle. Returns false if they do not meet.
 bool cutRectangle(glm::dvec2 a, double e, glm::dvec2 low, glm::dvec2 high, glm::dvec2& from, glm::dvec2& to) {
   const double square = glm::dot(a, a);
   if (!(square > 0)) return false;
@@ -34,7 +34,7 @@ bool cutRectangle(glm::dvec2 a, double e, glm::dvec2 low, glm::dvec2 high, glm::
 }  // namespace
 
 std::vector<ClipEdge> clipEdges(const Clip& clip, const VoxelGeometry& geometry, const SlicePlane& plane) {
-  // The plane and the box in voxels.
+  // Plane and box in voxel space.
   const glm::dvec3 a = glm::transpose(geometry.patientFromVoxelStep) * plane.normal(), n(geometry.size);
   const double d = glm::dot(plane.normal(), plane.centre - geometry.origin);
   const glm::dvec3 ends[] = {clip.boxLow * n - 0.5, clip.boxHigh * n - 0.5};

@@ -7,18 +7,18 @@
 
 namespace volumen {
 
-/// Where a face of a scene's clip box cuts a plane.
+/// The line in which a face of a scene's clip box cuts a plane.
 struct ClipEdge {
-  int axis = 0;  ///< i, j, k: that the face is across
+  int axis = 0;  ///< axis (i, j, k) perpendicular to the face
   bool high = false;
   glm::dvec3 from{0}, to{0};  ///< patient mm
 };
 
-/// The faces of the box that a plane cuts, in their order.
+/// Returns the lines in which `plane` cuts faces of the clip box, in the order of the faces.
 std::vector<ClipEdge> clipEdges(const Clip& clip, const VoxelGeometry& geometry, const SlicePlane& plane);
 
-/// Moves a face to a fraction of the volume's box along its axis, at most to the box's ends; pushes the
-/// opposite face along.
+/// Moves a face to a fraction (clamped to 0 to 1) of the volume's box along its axis. Pushes the opposite
+/// face along.
 void moveClipFace(Clip& clip, int axis, bool high, double fraction);
 
 }  // namespace volumen

@@ -20,7 +20,7 @@ namespace volumen {
 
 namespace {
 
-// In the order in which they are read; what has the lowest rank stays longest.
+// In reading order. Lines with the lowest rank stay longest.
 struct CornerRow {
   CornerItem item;
   bool right;
@@ -34,7 +34,7 @@ constexpr CornerRow cornerTable[] = {
     {CornerItem::pixelSize, true, 9},  {CornerItem::mask, true, 6},     {CornerItem::link, true, 4},
     {CornerItem::mark, true, 7},       {CornerItem::turn, true, 1}};
 
-// Where sides are not known by the axes of the file's space.
+// Names planes by the file's axes if the patient's sides are unknown.
 QString kindText(ViewKind kind, bool knownSides) {
   const KindRow& row = rowOf(kind);
   return tr(knownSides ? row.text : row.plane->axesText);
@@ -49,10 +49,10 @@ QString slabText(const FlatLook& look) {
 
 QString mmText(double mm) { return tr("%1 mm").arg(mm, 0, 'g', 3); }
 
-// "S 12.5 mm", "z 12.5 mm": where along its axis a plane lies; of one that is turned "oblique".
+// Returns a plane's position along its patient axis, "S 12.5 mm" or "z 12.5 mm"; "oblique" if it is turned.
 QString positionText(ViewKind kind, const SlicePlane& plane, bool knownSides) {
   constexpr double parallel = 1e-3;
-  const glm::dvec3 along = glm::abs(Crosshair().plane(kind).normal());  // an axis of the patient
+  const glm::dvec3 along = glm::abs(Crosshair().plane(kind).normal());  // a patient axis
   if (glm::length(glm::cross(plane.normal(), along)) > parallel) return tr("oblique");
   const int axis = along.x > 0 ? 0 : along.y > 0 ? 1 : 2;
   const double shown = std::round(10 * plane.centre[axis]) / 10 + 0.0;  // no -0.0
@@ -69,8 +69,8 @@ int numberIn(const std::string& text, std::size_t from, std::size_t count) {
   return number;
 }
 
-// "45 y" of "045Y"; of a birth date and a study date where no age is given. What de-identification leaves, no
-// years or the day of the study as that of birth, is none.
+// Returns "45 y" from "045Y", else the age from birth and study dates. De-identification leaves zero years,
+// or the study date as birth date; both count as unknown.
 QString ageText(const Series& series) {
   const std::string& age = series.patientAge;
   if (age.size() == 4 && numberIn(age, 0, 3) + (age[3] == 'D') > 0 &&
@@ -88,7 +88,7 @@ QString joined(QStringList parts, const QString& with) {
   return parts.join(with);
 }
 
-// The slices as acquired between which a place along k of the drawn grid lies, from 1.
+// Returns the acquired slices (from 1) on both sides of position `k` on the drawn grid.
 std::pair<int, int> neighbours(const Series& series, double k) {
   const int below = int(std::floor(k + 1e-3)), last = series.acquired.size.z;
   if (!series.regular) return {std::clamp(below + 1, 1, last), std::clamp(below + 2, 1, last)};
@@ -113,7 +113,7 @@ void CornerTexts::add(CornerItem item, const QStringList& texts) {
 }
 
 QStringList CornerTexts::corner(bool right, int lines) const {
-  std::vector<std::pair<int, int>> kept;  // rank and place
+  std::vector<std::pair<int, int>> kept;  // rank and index in `texts`
   std::vector<QString> texts;
   for (const CornerRow& row : cornerTable)
     for (const auto& [item, text] : items_)
@@ -163,7 +163,7 @@ QString thicknessText(const Series& series) {
 
 QString lossyText(const Series& series) {
   if (!series.lossyRatio) return {};
-  QStringList ratios;  // of each time that it was compressed
+  QStringList ratios;  // one for each compression
   for (const QString& text : shownText(*series.lossyRatio).split(QLatin1Char('\\')))
     if (const double ratio = text.toDouble(); ratio > 0) ratios << tr("%1:1").arg(shortNumberText(ratio));
   return joined({tr("Lossy"), ratios.join(tr(", "))}, QStringLiteral(" "));
@@ -209,7 +209,7 @@ PlaneNumber planeNumber(const Series& series, const VoxelGeometry& drawn, ViewKi
 
 namespace {
 
-// Of a series that is laid out along a curve.
+// Returns the lines of a curved reformat.
 CornerTexts curvedCorner(const Workspace& workspace, const ViewState& state, const LoadedSeries& shown,
                          const SlicePlane& plane, const PlaneNumber& number, CornerTexts texts) {
   const FlatLook look = flatLookOf(state);

@@ -8,34 +8,34 @@
 
 namespace volumen {
 
-/// What a corner of a view says, one line each.
+/// Items in the corners of a view, one line each.
 enum class CornerItem {
   patient,
-  study,  ///< its date and time
+  study,  ///< date and time
   series,
-  projection,  ///< side and view: "L MLO"
+  projection,  ///< laterality and view position: "L MLO"
   overlay,
   sexAge,
-  thickness,  ///< of the slices, and of which this is a reformat
+  thickness,  ///< slice thickness; of the acquired slices if the plane is reformatted
   plane,
   number,
   step,  ///< phase, b-value, echo, ...
   slab,
   link,
   position,
-  turn,  ///< of the picture
-  mark,  ///< lossy compression, a key image, a presentation state
+  turn,  ///< rotation and mirroring of the picture
+  mark,  ///< lossy compression, key image, presentation state
   mask,
   pixelSize
 };
 
-/// The lines of a view's corners. Which of them stay where there is little room says one table.
+/// The lines of a view's corners. One table says which lines stay in a small view.
 class CornerTexts {
  public:
-  /// Empty: nothing is said.
+  /// Adds a line; ignores empty texts.
   void add(CornerItem item, const QString& text);
   void add(CornerItem item, const QStringList& texts);
-  /// At most so many lines of each corner, those that matter most, in the order in which they are read.
+  /// Returns the most important lines of a corner, `lines` at most, in reading order.
   QStringList left(int lines = 100) const { return corner(false, lines); }
   QStringList right(int lines = 100) const { return corner(true, lines); }
 
@@ -45,42 +45,45 @@ class CornerTexts {
   std::vector<std::pair<CornerItem, QString>> items_;
 };
 
-/// "Turned 90 degrees, mirrored"; empty where nothing is.
+/// Returns "Turned 90°, mirrored", or an empty text for an unturned picture.
 QString turnText(PictureTurn turn);
 
-/// "2026-03-14 10:22:31" of a study; "(no date)" where a DICOM file has none.
+/// Returns date and time of a study, "2026-03-14 10:22:31", or "(no date)" for a DICOM file without one.
 QString studyTimeText(const Series& series);
 
-/// "F, 45 y": the age at the study, from the birth date where it is not given; empty where neither is known.
+/// Returns sex and age at the study, "F, 45 y". Computes an age that is not given from the birth date.
+/// Unknown parts are left out.
 QString sexAgeText(const Series& series);
 
-/// "L MLO": side and view position of a frame, from 0, as in the file; -1: what all frames share.
+/// Returns laterality and view position, "L MLO", of `frame` (from 0, as in the file; -1: shared by all
+/// frames).
 QString projectionText(const Series& series, int frame);
 
-/// "3 mm thick, 3.3 mm apart"; the distance alone where no thickness is given, and only where it differs;
-/// "unevenly apart".
+/// Returns thickness and distance of slices, "3 mm thick, 3.3 mm apart". Leaves out an unknown thickness, and
+/// a distance equal to it. Irregular stacks read "unevenly apart".
 QString thicknessText(const Series& series);
 
-/// "Lossy 20:1" of pictures with losses by compression, "Lossy" where the file does not say how strong it
-/// was; empty of others. The files of a series may differ: it is said where any has losses.
+/// Returns "Lossy 20:1" for lossy compressed pictures, "Lossy" if the ratio is unknown, else an empty text.
+/// Files of a series may differ; one lossy file is enough.
 QString lossyText(const Series& series);
 
-/// Which volume of its series it is: timePointText(), else what separated it from others.
+/// Returns which volume of its series this is: timePointText(), else the values it was separated by, else its
+/// b-value.
 QString stepText(const Workspace& workspace, const SeriesKey& series);
 
-/// Whose pictures these are: what holds in every view of a series, and of `frame`, from 0, its side and view;
-/// -1: of none.
+/// Returns the lines shown in every view of a series, and the projection of `frame` (from 0; -1: shared by
+/// all frames).
 CornerTexts seriesCorner(const Series& series, int frame = -1);
 
-/// How a plane lies to the slices as acquired.
+/// The position of a plane relative to the acquired slices.
 struct PlaneNumber {
-  bool reformatted = false;  ///< it is none of the slices as acquired
-  QString text;  ///< "12 / 31" of these; of others the step and how many, or between which it lies
+  bool reformatted = false;  ///< true if the plane is not an acquired slice
+  QString text;  ///< "12 / 31" for an acquired slice; else step and count, or the slices it lies between
 };
 PlaneNumber planeNumber(const Series& series, const VoxelGeometry& drawn, ViewKind kind,
                         const Crosshair& crosshair, const SlicePlane& plane);
 
-/// All that a flat view says of slices of a series; `plane`: the one that it shows.
+/// Returns all lines of a flat view that shows `plane` of a series.
 CornerTexts slicesCorner(const Workspace& workspace, ViewId view, const LoadedSeries& shown,
                          const SlicePlane& plane);
 

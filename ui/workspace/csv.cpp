@@ -17,7 +17,7 @@ QString harmlessName(const QString& text) {
 }
 
 QString csvNumber(double number) {
-  constexpr int digits = 7;  // a voxel holds no more
+  constexpr int digits = 7;  // precision of a float voxel
   constexpr double exact = 1e15;
   const bool isWhole = number == std::round(number) && std::abs(number) < exact;
   return isWhole ? QString::number(qint64(number)) : QString::number(number, 'g', digits);

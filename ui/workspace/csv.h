@@ -4,12 +4,12 @@
 
 namespace volumen {
 
-/// A field of CSV, between quotation marks where it needs them (RFC 4180).
+/// Returns a CSV field, quoted if necessary (RFC 4180).
 QString csvField(QString text);
-/// A name that somebody chose as no spreadsheet takes it for a formula: with =, +, -, @, a tab or a line end
-/// in front it begins with an apostrophe.
+/// Returns a user's name so that no spreadsheet takes it for a formula. An apostrophe precedes a leading =,
+/// +, -, @, tab or line end.
 QString harmlessName(const QString& text);
-/// A number as it is read back to the last bit.
+/// Returns a number with 7 significant digits; integers below 1e15 in full.
 QString csvNumber(double number);
 
 }  // namespace volumen

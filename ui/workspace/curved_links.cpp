@@ -19,7 +19,7 @@ bool isMoved(const Workspace& before, const Workspace& after, const std::string&
   return was == before.crosshairs.end() || was->second.at != now->second.at;
 }
 
-// The series on screen that are laid out along curves, by what they are made of.
+// Returns the curved reformats on screen, by source series.
 std::map<SeriesKey, std::vector<const Series*>> curvedOnScreen(const Workspace& workspace) {
   std::map<SeriesKey, std::vector<const Series*>> found;
   for (const ViewId id : viewsOnScreen(workspace)) {
@@ -31,7 +31,7 @@ std::map<SeriesKey, std::vector<const Series*>> curvedOnScreen(const Workspace& 
   return found;
 }
 
-// The voxel's place that is nearest to a point.
+// Returns the point nearest to `p` between the grid's outer voxel centres.
 glm::dvec3 nearestIn(const VoxelGeometry& geometry, glm::dvec3 p) {
   const glm::dvec3 last(geometry.size - 1);
   return geometry.patientFromVoxel(glm::clamp(geometry.voxelFromPatient(p), glm::dvec3(0), last));

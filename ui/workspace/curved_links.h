@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// With the crosshair of a series that is laid out along curves, and those of what is made of it, at one
-/// place: the one that was moved is followed by the others, where positions are linked. Of what is on screen.
+/// Moves the crosshairs of curved reformats on screen and of their source to one position: the others follow
+/// the one that was moved. Does nothing unless positions are linked.
 Workspace withCurvesFollowed(const Workspace& before, Workspace after);
 
 }  // namespace volumen

@@ -22,7 +22,7 @@ void showIn(Workspace& workspace, ViewId id, const Series& series, ViewKind kind
   view.flats.add(view.series, {});
 }
 
-// By the window and the colours of its source.
+// Takes window and colours from the source.
 void addSeries(Workspace& workspace, const Series& series) {
   SeriesState state;
   if (const auto source = workspace.series.find(keyOf(sourceOf(series))); source != workspace.series.end())
@@ -31,7 +31,7 @@ void addSeries(Workspace& workspace, const Series& series) {
   workspace.series.add(keyOf(series), state);
 }
 
-// The view that shows slices of a series, the one in focus first; none on screen: none.
+// Returns a view on screen with slices of a series, the one in focus first; null if there is none.
 const ViewState* slicesOf(const Workspace& workspace, const SeriesKey& series) {
   std::vector<ViewId> views = viewsOnScreen(workspace);
   std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace.focus; });
@@ -58,7 +58,7 @@ Workspace withoutEarlier(Workspace workspace, const CurvedPair& pair) {
   return workspace;
 }
 
-// Whether a series was laid out along this curve, as it is or as it was.
+// Returns whether a series was reformatted along this curve in its present or an earlier form.
 bool isAlong(const Series& series, const Measurement& curve) {
   return series.curved && keyOf(sourceOf(series)) == curve.series &&
          series.curved->name == nameText(curve).toStdString();

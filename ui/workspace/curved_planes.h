@@ -4,31 +4,31 @@
 
 namespace volumen {
 
-/// A series laid out along one of its curves in both ways (CurvedKind).
+/// The two reformats of a series along one of its curves (CurvedKind).
 struct CurvedPair {
   Series straightened, stretched;
 };
 
-/// The series of a curve that was measured, so far to each side of it, mm. `towards`: the normal of the plane
-/// that it was drawn on, for a curve that lies on a line. What is stretched across the patient begins on the
-/// patient's right, and so does what is straightened beside it. An Error says why it cannot be laid out: that
-/// of curvedSeries(), the curve lies on a frame, or its series is missing.
+/// Returns the reformats along a measured curve, `halfWidth` mm to each side. `towards` is the normal of the
+/// plane it was drawn on and decides for straight curves. Stretched reformats across the patient begin on the
+/// patient's right, and so do their straightened ones. Returns an Error if the curve lies on a frame, if its
+/// series is missing, or that of curvedSeries().
 Result<CurvedPair> curvedPair(const Workspace& workspace, const Measurement& curve, glm::dvec3 towards,
                               double halfWidth);
 
-/// `towards` of a curve where no slices are seen that say it: as it was laid out before, else the normal of
-/// its series as acquired.
+/// Returns `towards` for a curve if no view of its slices gives it: as in its earlier stretched reformat,
+/// else the normal of its acquired slices.
 glm::dvec3 usualTowards(const Workspace& workspace, const Measurement& curve);
 
-/// What is laid out along curves of a series and has nothing made on it.
+/// Returns the curved reformats of a series without measurements, key images or segments.
 std::vector<SeriesKey> unusedCurvesOf(const Workspace& workspace, const SeriesKey& source);
 
-/// With four views: of the series of the curve its slices as they are seen in `focus` (else as acquired), the
-/// straightened plane, the stretched plane and the cross-sections. What was laid out along the curve before
-/// gives way, unless something was measured on it.
+/// Shows four views: slices of the source, the straightened plane, the stretched plane and the
+/// cross-sections. The slices are as seen on screen, `focus` first, else as acquired. Removes earlier
+/// reformats along the curve unless they carry measurements, key images or segments.
 Workspace withCurvedPlanes(Workspace workspace, const CurvedPair& pair);
 
-/// The curve that is meant: the one with handles, else the last one on the series in focus; null: none.
+/// Returns the selected curve, else the last curve on the series in focus, else null.
 const Measurement* curveMeant(const Workspace& workspace);
 
 }  // namespace volumen

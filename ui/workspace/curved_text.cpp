@@ -14,7 +14,7 @@ namespace volumen {
 
 namespace {
 
-// The axis of the curved space that a plane stands at right angles to; none: it is oblique.
+// Returns the axis of curved space perpendicular to a plane; empty if the plane is oblique.
 std::optional<int> axisAcross(const SlicePlane& plane) {
   const glm::dvec3 normal = glm::abs(plane.normal());
   for (int axis = 0; axis < 3; ++axis)
@@ -24,10 +24,11 @@ std::optional<int> axisAcross(const SlicePlane& plane) {
 
 bool isStretched(const Series& series) { return series.curved->recipe.kind == CurvedKind::stretched; }
 
-// The axis that runs along the curve.
+// Returns the axis along the curve.
 int axisAlong(const Series& series) { return isStretched(series) ? 0 : 2; }
 
-// Of the curve as it was drawn, mm: the stretched one is laid out by the length of its foot on a plane.
+// Returns the arc length of the drawn curve at `p`, mm. A stretched reformat is laid out by the length of the
+// curve's projection onto a plane.
 double alongCurve(const Series& series, glm::dvec3 p) {
   if (!isStretched(series)) return std::abs(p[axisAlong(series)]);
   const Result<CurvedGrid> grid = CurvedGrid::make(series.curved->recipe, drawnGeometry(sourceOf(series)));

@@ -7,15 +7,15 @@
 
 namespace volumen {
 
-/// Of a series along a curve (Series::curved): which of its planes this is, "Cross-section".
+/// Returns the name of a plane of a curved reformat (Series::curved), such as "Cross-section".
 QString curvedPlaneText(const Series& series, const SlicePlane& plane);
 
-/// Where it lies: "12.5 mm along the curve", of its arc length as it was drawn, "3 mm off the curve"; empty
-/// for one that is oblique.
+/// Returns a plane's position: "12.5 mm along the curve" (arc length of the drawn curve) or "3 mm off the
+/// curve". Empty for oblique planes.
 QString curvedPlaceText(const Series& series, const SlicePlane& plane);
 
-/// Whether no curve on its source runs as this series was laid out: it was changed or deleted since. False
-/// where the source was closed.
+/// Returns whether the curve was changed or deleted after the reformat: no curve on the source has its
+/// points. False if the source was closed.
 bool isOfEarlierCurve(const Workspace& workspace, const Series& series);
 
 }  // namespace volumen

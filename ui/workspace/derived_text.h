@@ -7,20 +7,20 @@
 
 namespace volumen {
 
-/// "Key objects: Of Interest": what it is and what it is called.
+/// Returns kind and label of an object: "Key objects: Of Interest".
 QString derivedName(const DerivedObject& object);
 
-/// What it is and what to do where none of its pictures is open: two sentences.
+/// Returns two sentences for an object whose pictures are not open: what it is and what to do.
 QString aloneText(const DerivedObject& object);
 
-/// Its name; its date and how many of its pictures are not here, "2 of 179 pictures are not here".
+/// Returns its name, then its date and how many pictures are missing: "2 of 179 pictures are not here".
 QStringList referenceLines(const DerivedObject& object, std::size_t notHere);
 
-/// A report as rich text: findings and measurements, pictures as links "picture:N" where N counts the
-/// pictures that reportPictures() lists. `isHere`: of each of those.
+/// Returns a report as rich text: findings, measurements and links "picture:N" to pictures. N is an index
+/// into reportPictures(); `isHere` says for each of them whether it is open.
 QString reportHtml(const DerivedObject& object, const Report& report, const std::vector<bool>& isHere);
 
-/// All pictures that a report's measurements are of, each once, in the report's order.
+/// Returns all pictures that a report's measurements refer to, each once, in report order.
 std::vector<ReferencedPicture> reportPictures(const Report& report);
 
 }  // namespace volumen

@@ -4,7 +4,7 @@
 
 namespace volumen {
 
-/// What a series is dragged as, from the lists of series into views.
+/// MIME type of a series dragged from a list into a view.
 inline const QString draggedSeriesType = QStringLiteral("application/x-volumen-series");
 
 }  // namespace volumen

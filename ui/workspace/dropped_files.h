@@ -6,7 +6,7 @@
 
 namespace volumen {
 
-/// The files and folders of this machine among what is dropped.
+/// Returns the local files and folders among dropped items.
 inline QStringList localFiles(const QMimeData& dropped) {
   QStringList paths;
   for (const QUrl& url : dropped.urls())

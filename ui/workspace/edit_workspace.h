@@ -6,21 +6,22 @@
 
 namespace volumen {
 
-/// The merge key of a step that empties views for a series that is on its way, and that of a step that shows
-/// a series: the second makes the first its own, in whatever gesture it comes.
+/// Merge keys of the undo step that empties views for a series being loaded, and of the step that shows it.
+/// The second is merged into the first, whatever its gesture.
 inline const QString roomMadeKey = QStringLiteral("room made"), seriesShownKey = QStringLiteral("shown");
 
-/// The same for a step that hangs a study, and that which turns its pictures once they are there.
+/// Merge keys of the undo step that hangs a study, and of the step that turns its pictures once they are
+/// loaded.
 inline const QString hungKey = QStringLiteral("hung"), facedKey = QStringLiteral("faced");
 
-/// The merge key of what plays on: the step before takes it in, whatever that is.
+/// Merge key of Session::playOn(): the undo step before takes it in, whatever that is.
 inline const QString playedOnKey = QStringLiteral("played on");
 
-/// The one undo command: the workspace before and after. They share what is the same in both, so no property
-/// needs a class of its own.
+/// The only undo command: the workspace before and after. The two share equal parts, so no property needs a
+/// command class of its own.
 class EditWorkspace : public QUndoCommand {
  public:
-  /// `mergeKey`: commands of one non-empty key in one gesture merge.
+  /// Commands with the same non-empty `mergeKey` merge within one gesture.
   EditWorkspace(Session& session, const QString& text, Workspace after, const QString& mergeKey, int gesture);
 
   void undo() override;

@@ -10,10 +10,10 @@ namespace volumen {
 
 namespace {
 
-// Tissue lies at the chest wall, air away from it.
+// Tissue lies at the chest wall, air opposite.
 ChestWall brighterSide(const LoadedFrame& frame) {
-  constexpr int step = 8;             // pixels that are looked at
-  constexpr double leastPart = 0.05;  // of all light that must make the difference
+  constexpr int step = 8;             // pixels between samples
+  constexpr double leastPart = 0.05;  // smallest mean difference of the sides, as part of the value range
   const Volume& values = *frame.slice->volume;
   const glm::ivec3 size = values.size();
   double low = 0, high = 0, left = 0, right = 0;
@@ -45,7 +45,7 @@ double fittedMm(const FacingFrame& f) {
 }  // namespace
 
 ChestWall chestWallOf(const LoadedFrame& frame) {
-  const std::string& along = frame.rowSide;  // where rows lead to
+  const std::string& along = frame.rowSide;  // direction of the rows
   const bool toBack = along.find('P') != std::string::npos, toFront = along.find('A') != std::string::npos;
   if (toBack != toFront) return toBack ? ChestWall::right : ChestWall::left;
   return frame.colour() ? ChestWall::anywhere : brighterSide(frame);
@@ -53,13 +53,13 @@ ChestWall chestWallOf(const LoadedFrame& frame) {
 
 bool liesUpsideDown(const LoadedFrame& frame) {
   if (frame.columnSide.empty()) return false;
-  const char down = frame.columnSide.front();  // where columns lead to
+  const char down = frame.columnSide.front();  // direction of the columns
   const std::string& breast = frame.slice->series.laterality;
   return down == 'S' || ((down == 'L' || down == 'R') && breast == std::string(1, down));
 }
 
 std::vector<FlatLook> facingLooks(const std::vector<FacingFrame>& frames, bool sameScale) {
-  double mmPerPixel = 0;  // of frames whose pixels have a size
+  double mmPerPixel = 0;  // largest among frames with pixel size in mm
   for (const FacingFrame& f : frames)
     if (hasMm(*f.frame)) mmPerPixel = std::max(mmPerPixel, fittedMm(f));
   std::vector<FlatLook> looks;

@@ -5,25 +5,25 @@
 
 namespace volumen {
 
-/// On which side of a mammogram, as acquired, the chest wall is: by the file's PatientOrientation, else the
-/// side that is brighter; `anywhere` where neither tells.
+/// Returns the side of the chest wall in a mammogram as acquired: by PatientOrientation, else the brighter
+/// side. `anywhere` if neither decides.
 ChestWall chestWallOf(const LoadedFrame& frame);
 
-/// Whether a mammogram, as acquired, has below what is shown above: the head, or of a breast seen from above
-/// (CC) its outer side. By the file's PatientOrientation; false where it says neither.
+/// Returns whether a mammogram as acquired lies upside down by PatientOrientation: the head is down, or in a
+/// CC view (from above) the outer side. False if the orientation says neither.
 bool liesUpsideDown(const LoadedFrame& frame);
 
-/// A frame in its view, and where its chest wall is wanted.
+/// A frame in its view, and the wanted side of its chest wall.
 struct FacingFrame {
   LoadedFramePtr frame;
   FlatLook look;
-  glm::ivec2 pixels{1};  ///< of the view
+  glm::ivec2 pixels{1};  ///< size of the view
   ChestWall wanted = ChestWall::anywhere;
 };
 
-/// The looks by which frames face each other: upright, turned by half or mirrored where their chest wall is
-/// on the other side than wanted, moved to that edge of the view, and, `sameScale`, as many mm a pixel as the
-/// one that needs most; those whose pixels have no size in mm fill their views.
+/// Returns looks by which frames face each other. Frames are upright and moved to the wanted edge of the
+/// view, rotated by 180 degrees or mirrored if necessary. With `sameScale` all have the mm per pixel of the
+/// frame that needs most. Frames without pixel size in mm fill their views.
 std::vector<FlatLook> facingLooks(const std::vector<FacingFrame>& frames, bool sameScale);
 
 }  // namespace volumen

@@ -12,17 +12,17 @@ namespace volumen {
 
 namespace {
 
-// How a crosshair lies for a series.
+// Orients a crosshair for a series.
 Crosshair lyingFor(const Crosshair& crosshair, const VoxelGeometry& geometry) {
   return crosshair.byHand ? crosshair : alongSlices(crosshair.at, geometry);
 }
 
-// The direction that the wheel moves along; unturned: caudal, posterior, left.
+// Returns the direction of a wheel step down: caudal, posterior or left while unturned.
 glm::dvec3 wheelDown(ViewKind kind, const Crosshair& crosshair) {
   return rowOf(kind).plane->wheelSign * crosshair.plane(kind).normal();
 }
 
-// The places along a direction where slices lie: first + index * step, in mm along it.
+// The wheel positions along a direction: first + index * step, in mm.
 struct Stack {
   glm::dvec3 along{0};
   double first = 0, step = 1;
@@ -32,7 +32,7 @@ struct Stack {
 Stack stackOf(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair) {
   const glm::dvec3 down = wheelDown(kind, crosshair);
   Stack stack{.along = down, .step = wheelStep(geometry, down)};
-  // Through the first and the last voxel: acquired slices, where the plane is parallel to them.
+  // From the first to the last voxel: acquired slices if the plane is parallel to them.
   double low = 1e300, high = -1e300;
   const glm::ivec3 last = geometry.size - 1;
   for (int corner = 0; corner < 8; ++corner) {
@@ -45,20 +45,20 @@ Stack stackOf(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& cro
   return stack;
 }
 
-// All of what a view shows where no plane is turned.
+// Returns the full plane of a view kind while no plane is turned.
 SlicePlane unturned(const VoxelGeometry& geometry, ViewKind kind) {
   if (showsFrames(kind)) return framePlane(geometry);
   const PlaneDirections along = alongSlices({}, geometry).plane(kind);
   return planeAlong(geometry, along.right, along.down);
 }
 
-// mm across and down of a whole plane, turned as the look says.
+// Returns width and height of a full plane in mm, after the look's quarter turns.
 glm::dvec2 extent(const SlicePlane& whole, const FlatLook& look) {
   const glm::dvec2 mm = glm::dvec2(whole.size) * whole.mmPerPixel;
   return look.turn.quarters % 2 ? glm::dvec2(mm.y, mm.x) : mm;
 }
 
-// The crosshair of a view in a frame of reference; null: none was set yet.
+// Returns a view's crosshair in a frame of reference; null if none is set.
 const Crosshair* findCrosshair(const Workspace& workspace, ViewId view, const std::string& frame) {
   const auto find = [&](const SharedMap<std::string, Crosshair>& in) {
     const auto found = in.find(frame);
@@ -74,8 +74,8 @@ bool liesIn(const VoxelGeometry& geometry, glm::dvec3 pPatient) {
          glm::all(glm::lessThan(pVoxel, glm::dvec3(geometry.size) - 0.5));
 }
 
-// Where no crosshair was set yet, all views of its frame of reference start where the first of them does, as
-// far as the series lies there. `geometry`: that of the series.
+// Without a crosshair, all views of a frame of reference start where the first one does, if that point lies
+// in the series. `geometry` is that of the series.
 Crosshair startOf(const Workspace& workspace, const Series& series, const VoxelGeometry& geometry) {
   for (ViewId id = 0; id < viewCount; ++id) {
     const Series* first = seriesIn(workspace, id);
@@ -156,7 +156,7 @@ Crosshair firstCrosshair(const Series& series) {
   for (int k = 0; k < int(copies.size()); ++k)
     if (copies[std::size_t(k)] >= 0 && (!nearest || std::abs(k - middle) < std::abs(*nearest - middle)))
       nearest = k;
-  // Across the slices alone, so that it stays on those of the other planes.
+  // Moves only along the slice normal, so that it stays on slices of the other planes.
   const glm::dvec3 normal = sliceNormal(geometry);
   const double mm = glm::dot(geometry.patientFromVoxelStep[2], normal);
   if (nearest) crosshair.at += double(*nearest - middle) * mm * normal;
@@ -193,7 +193,7 @@ Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& fra
     if (!showsSlices(state.kind) || !series || frameOfReference(*series) != frame) continue;
     if (id != view && (alone || (scrollsAlone(workspace, id) && state.crosshairs.contains(frame)))) continue;
     const VoxelGeometry& geometry = drawnGeometry(*series);
-    // Where the crosshair stands from the volume's centre in the picture, before and after.
+    // Offset of the crosshair from the volume's centre in the picture, before and after.
     const FlatLook turned{.turn = flatLookOf(state).turn};
     const auto place = [&](const Crosshair& crosshair) {
       const SlicePlane plane = flatPlane(state, turned, geometry, lyingFor(crosshair, geometry), {1, 1});
@@ -233,7 +233,7 @@ Crosshair turnedIn(Crosshair crosshair, ViewKind kind, double angle) {
 Crosshair alongSlices(glm::dvec3 at, const VoxelGeometry& geometry) {
   const glm::dvec3 i = glm::normalize(geometry.patientFromVoxelStep[0]), k = sliceNormal(geometry);
   const glm::dvec3 acquired[] = {i, glm::cross(k, i), k};
-  // Of the 24 turns that put these in the place of the patient's axes, the smallest.
+  // Takes the smallest of the 24 rotations from the patient's axes to the acquired ones.
   glm::dmat3 best(1);
   double closest = -4;
   int order[] = {0, 1, 2};
@@ -263,7 +263,7 @@ std::optional<PixelLine> referenceLine(const SlicePlane& view, const SlicePlane&
   const glm::dvec3 along = glm::cross(view.normal(), other.normal());
   const double sine = glm::length(along);
   if (sine < 1e-6) return {};
-  // A point of both planes: from the view's centre, within it, towards the other.
+  // A point on both planes: from the view's centre within its plane towards the other.
   const glm::dvec3 towards = glm::cross(along / sine, view.normal());
   const double distance =
       glm::dot(other.centre - view.centre, other.normal()) / glm::dot(towards, other.normal());
@@ -273,7 +273,7 @@ std::optional<PixelLine> referenceLine(const SlicePlane& view, const SlicePlane&
                    view.pixelFromPatient(p + halfMm * along / sine)};
 }
 
-// Liang and Barsky: what each edge leaves of the part of the line from `low` to `high`.
+// Clips as Liang and Barsky do: each edge shortens the part of the line from `low` to `high`.
 std::optional<PixelLine> referenceSegment(const SlicePlane& view, const SlicePlane& other) {
   const auto line = referenceLine(view, other);
   if (!line) return {};

@@ -9,83 +9,86 @@
 
 namespace volumen {
 
-/// The plane that a flat view shows, through the crosshair and turned as it is, or of frames, whose slice is
-/// the volume; as many pixels as asked for. `view`: not a 3D one. Turning changes no size: a view fits what
-/// it would show unturned.
+/// Returns the plane of a flat view in `pixels`: through the crosshair and turned like it, or the frame
+/// itself for views of frames. `view` is not a 3D view. Turned planes keep their scale: a view is fitted to
+/// its unturned extent.
 SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry,
                      const Crosshair& crosshair, glm::ivec2 pixels);
 
-/// How large all of what a flat view shows is, mm across and down, turned as it is.
+/// Returns the full extent of a flat view, mm across and down, as rotated by the look.
 glm::dvec2 wholeMm(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry);
 
-/// The crosshair's point moved along the normal of a kind of view to the nearest place where wheel steps
-/// land: on an acquired slice where the plane is parallel to them.
+/// Returns the crosshair's point moved along the normal of a view kind to the nearest wheel position. That is
+/// an acquired slice if the plane is parallel to the slices.
 glm::dvec3 onSlice(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair);
 
-/// Where it starts: in the middle, on slices of all three planes, which lie along the slices as acquired.
+/// Returns the initial crosshair: at the centre, on slices of all three planes, parallel to the acquired
+/// slices.
 Crosshair firstCrosshair(const VoxelGeometry& geometry);
-/// The same on the grid that is drawn of a series, of whose slices it is on one as acquired.
+/// Returns the same on the drawn grid of a series, on one of its acquired slices.
 Crosshair firstCrosshair(const Series& series);
 
-/// Whether a view has positions of its own: it is one of those to compare, and they are not linked.
+/// Returns whether a view has its own positions: it is a comparison view and positions are not linked.
 bool scrollsAlone(const Workspace& workspace, ViewId view);
 
-/// The grid of a series that is drawn.
+/// Returns the grid on which a series is drawn.
 const VoxelGeometry& drawnGeometry(const Series& series);
 
-/// The crosshair of the series' frame of reference, as it lies for this series; where none was set yet,
-/// firstCrosshair() of what the first view of the frame shows, or its own where it does not reach there.
+/// Returns the crosshair of the series' frame of reference, oriented for this series. If none is set:
+/// firstCrosshair() of the first view in that frame of reference, or of this series if that point lies
+/// outside it.
 Crosshair crosshairOf(const Workspace& workspace, const LoadedSeries& series);
-/// The same in a view, which may scroll alone.
+/// Returns the same for a view, which may scroll alone.
 Crosshair crosshairOf(const Workspace& workspace, ViewId view, const LoadedSeries& series);
 Crosshair crosshairOf(const Workspace& workspace, ViewId view, const Series& series);
 
-/// Its point after so many steps of the wheel (unturned down: caudal, posterior, left of the patient), kept
-/// inside the volume.
+/// Returns the crosshair's point after `steps` wheel steps, kept inside the volume. In unturned planes, down
+/// is caudal, posterior or left.
 glm::dvec3 scrolled(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair, int steps);
 
-/// Which step along a view's normal the crosshair is on, and of how many; from 0 at the first end.
+/// The index (from 0 at the first end) of the crosshair's position along a view's normal, and the number of
+/// positions.
 struct StackPlace {
   int index = 0, count = 1;
 };
 StackPlace stackPlace(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair);
 
-/// A place of a stack, and the number that it has on screen: of slices and frames as acquired that in the
+/// A position in a stack and its number on screen. For acquired slices and frames that is the number in the
 /// series.
 struct NumberedPlace {
   int number = 1, place = 0;
 };
 
-/// With a flat view at another place of its stack: a step of the wheel, or a frame; from 0. `shown`: what the
-/// view shows.
+/// Returns the workspace with a flat view at position `index` (from 0) of its stack: a wheel step or a frame.
+/// `shown` is the series in the view.
 Workspace withPlace(Workspace workspace, ViewId view, const LoadedSeries& shown, int index);
 
-/// With another crosshair for a frame of reference, or for the view alone where it scrolls alone. Where it is
-/// turned otherwise than before, every view that it belongs to keeps its point at the same place of the
-/// picture.
+/// Sets the crosshair of a frame of reference, or of the view alone if it scrolls alone. If its planes turn,
+/// every view of it keeps its point at the same position in the picture.
 Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& frame, const Crosshair& before,
                         const Crosshair& after);
 
-/// The kind of plane that lies along the slices as acquired where no plane was turned by hand.
+/// Returns the kind of plane parallel to the acquired slices while no plane is turned by hand.
 ViewKind acquiredKind(const VoxelGeometry& geometry);
 
-/// With the planes of the two other kinds turned about the normal of this one, radians, clockwise in its
-/// picture where that is not mirrored.
+/// Turns the planes of the two other kinds about this one's normal, in radians, clockwise in its unmirrored
+/// picture.
 Crosshair turnedIn(Crosshair crosshair, ViewKind kind, double angle);
 
-/// Planes along the slices as acquired and at right angles to them, each named after the patient's plane that
-/// it is closest to.
+/// Returns planes parallel and perpendicular to the acquired slices, each named after the closest patient
+/// plane.
 Crosshair alongSlices(glm::dvec3 at, const VoxelGeometry& geometry);
 
-/// The ends of the line in which the plane of `view` cuts `other`, in pixels of `view`; none where they are
-/// parallel.
+/// The ends of a line, in pixels of a view.
 struct PixelLine {
   glm::dvec2 from, to;
 };
+/// Returns the line in which `other` cuts the plane of `view`, in pixels of `view`; empty if they are
+/// parallel.
 std::optional<PixelLine> referenceLine(const SlicePlane& view, const SlicePlane& other);
-/// The part of it that lies in the picture of `view`; none where it lies beside it.
+/// Returns its part inside the picture of `view`; empty if it lies outside.
 std::optional<PixelLine> referenceSegment(const SlicePlane& view, const SlicePlane& other);
-/// A plane as it lies in another frame of reference.
+/// Returns a plane transformed to another frame of reference.
 SlicePlane carriedTo(const Rigid& toFromFrom, SlicePlane plane);
 
 }  // namespace volumen

@@ -21,7 +21,7 @@ const NamedGrey& chosenOf(const SeriesState& state, const LoadedFrame& frame) {
   return greys[std::min(std::size_t(std::max(0, state.namedGrey)), greys.size() - 1)];
 }
 
-// Whether LINEAR of DICOM is right for these values.
+// Returns whether DICOM's LINEAR function is right for these values.
 bool areIntegers(const LoadedFrame& frame) {
   const NamedGrey& first = frame.greys.front();
   return first.ofValues || first.mapping.function != WindowFunction::linearExact;
@@ -38,7 +38,7 @@ QString nameOf(const NamedGrey& grey, std::size_t number, std::size_t count, con
 
 }  // namespace
 
-// What suits a hand does not suit a chest.
+// Frames made one by one may show different body parts: a window for a hand does not suit a chest.
 bool hasOwnWindows(const SeriesState& state, const Series& series) {
   return state.frameWindow == FrameWindow::ofEach ||
          (state.frameWindow == FrameWindow::usual && areMadeOneByOne(series));
@@ -47,7 +47,7 @@ bool hasOwnWindows(const SeriesState& state, const Series& series) {
 GreyMapping frameGrey(const SeriesState& state, const FlatLook& look, const LoadedFrame& frame) {
   if (frame.greys.empty()) return {};
   GreyMapping grey = chosenOf(state, frame).mapping;
-  grey.inverted = frame.greys.front().mapping.inverted;  // a matter of its pixels, not of the window
+  grey.inverted = frame.greys.front().mapping.inverted;  // a property of the pixels, not of the window
   if (const std::optional<Window>& window = state.window) {
     const double width = std::abs(window->width);
     const bool isLinear = areIntegers(frame) && width >= 1;

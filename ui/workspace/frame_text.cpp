@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int centimetres = 3;  // of UltrasoundRegion's units
+constexpr int centimetres = 3;  // a unit code of UltrasoundRegion
 
 QString withKind(const QString& text, PixelSizeKind kind) {
   const QString word = QLatin1String(pixelSizeWord(kind));

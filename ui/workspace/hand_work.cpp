@@ -18,7 +18,7 @@ bool areOne(const Measurement& a, const Measurement& b) {
   return a.series == b.series && a.shape == b.shape && a.textOffset == b.textOffset;
 }
 
-// Which of its segments is worked on is no work.
+// Choosing the current segment is no work.
 bool areOne(const SegmentMap& a, const SegmentMap& b) {
   SegmentMap same = a;
   same.current = b.current;

@@ -8,7 +8,7 @@
 
 namespace volumen {
 
-/// What a person made by hand, on series that are shown and on closed ones.
+/// Everything a person made by hand, on shown and on closed series.
 struct HandWork {
   std::vector<Measurement> measurements;
   std::vector<KeyImage> keyImages;
@@ -22,13 +22,13 @@ struct HandWork {
 
 HandWork workIn(const Workspace& workspace);
 
-/// What of it is not among what was saved; the numbers of measurements count for nothing.
+/// Returns the work that is not in `saved`. Ignores the ids of measurements.
 HandWork without(HandWork work, const HandWork& saved);
 
-/// Both.
+/// Returns both together.
 HandWork operator+(HandWork a, const HandWork& b);
 
-/// "2 measurements, 1 key image"; empty where there is none.
+/// Returns "2 measurements, 1 key image", or an empty text.
 QString workText(const HandWork& work);
 
 }  // namespace volumen

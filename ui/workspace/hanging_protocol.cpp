@@ -48,7 +48,7 @@ bool comesBefore(const SeriesPicture& one, const SeriesPicture& other, SeriesOrd
   return byNumber(*a) < byNumber(*b);
 }
 
-// Names between "|".
+// Splits names at "|".
 std::vector<std::string> namesIn(const std::string& text) {
   std::vector<std::string> names(1);
   for (const char c : text)
@@ -68,14 +68,14 @@ const ProtocolSeries* entryNamed(const HangingProtocol& protocol, const std::str
   return found == protocol.series.end() ? nullptr : &*found;
 }
 
-// The series of earlier studies that are most like those of another entry.
+// Returns the series of earlier studies most similar to those of another entry.
 std::vector<SeriesPicture> likeOthers(const HangingProtocol& protocol, const PatientStudies& studies,
                                       const ProtocolSeries& entry) {
   const ProtocolSeries* model = entryNamed(protocol, entry.like);
   if (!model || !model->like.empty()) return {};
   std::vector<SeriesPicture> found;
   for (const SeriesPicture& picture : picturesNamed(protocol, studies, entry.like)) {
-    int before = 0;  // studies that hold one
+    int before = 0;  // earlier studies with a similar series
     for (const auto& prior : studies.priors)
       if (const SeriesPicture like = mostLike(picture, prior); like && ++before == entry.prior)
         found.push_back(like);
@@ -99,7 +99,7 @@ SeriesPicture pictureFor(const HangingProtocol& protocol, const PatientStudies& 
   return {};
 }
 
-// How much a condition says.
+// Counts the facts that a condition states.
 int factsOf(const ProtocolCondition& when) {
   const SeriesRule& rule = when.rule;
   const ProtocolCondition any;
@@ -118,7 +118,7 @@ bool holds(const ProtocolCondition& when, const PatientStudies& studies) {
          (!when.prior || !priorsOf(studies, when.rule.modality).empty());
 }
 
-// The 3D look that some view has of a series; null: none.
+// Returns the 3D look of a series in any view, or null.
 const SceneLook* knownLook(const Workspace& workspace, const SeriesKey& key) {
   for (const ViewState& view : workspace.views)
     if (const auto look = view.scenes.find(key); look != view.scenes.end()) return &look->second;
@@ -186,7 +186,7 @@ Workspace withCell(Workspace workspace, ViewId id, const ProtocolCell& cell, con
   return workspace;
 }
 
-// Whether another cell shows the series of this one by another window.
+// Returns whether another cell shows this cell's series with another window.
 bool hasWindowAlone(const HangingProtocol& protocol, const std::vector<SeriesPicture>& found,
                     std::size_t cell) {
   if (!protocol.cells[cell].window) return false;

@@ -9,50 +9,50 @@
 
 namespace volumen {
 
-/// What a series must be, or of a series of projections one picture; what is not said may be anything. Texts
-/// are alternatives, "CR|DX"; upper or lower case is the same.
+/// Conditions on a series, or on one picture of a series of projections. Empty fields accept anything. Texts
+/// are alternatives, "CR|DX", and ignore case.
 struct SeriesRule {
-  std::string modality, laterality, viewPosition;     ///< one of these
+  std::string modality, laterality, viewPosition;     ///< alternatives
   std::string bodyPart, description, notDescription;  ///< words, by their beginning (hasWord())
-  std::optional<ViewKind> plane;                      ///< of the slices as acquired
+  std::optional<ViewKind> plane;                      ///< plane of the acquired slices
   std::optional<Weighting> weighting;
   std::optional<Kernel> kernel;
   std::optional<bool> contrast;
   bool operator==(const SeriesRule&) const = default;
 };
 
-/// Which of several series comes first.
+/// The order of several matching series.
 enum class SeriesOrder { number, time, description, slices };
 
-/// A series by a name that cells use.
+/// A series under the name that cells use.
 struct ProtocolSeries {
   std::string name;
   SeriesRule rule;
   SeriesOrder order = SeriesOrder::number;
-  int prior = 0;  ///< of which study: 0 the current one, 1 the latest before that holds such a modality, ...
-  std::string like;  ///< instead of a rule: what is most like this one of the protocol, of the earlier
-                     ///< studies that hold something like it
+  int prior = 0;     ///< study: 0 the current one, 1 the latest earlier one with this modality, ...
+  std::string like;  ///< replaces the rule: name of the entry whose most similar series is taken; `prior`
+                     ///< counts earlier studies that have one
   bool operator==(const ProtocolSeries&) const = default;
 };
 
-/// What a cell shows of its series.
+/// The picture that a cell shows of its series.
 enum class CellPicture { asAcquired, axial, coronal, sagittal, scene, frames };
 
-/// What the centre and width of a cell's window may be, negative ones as well.
+/// Limits of a cell's window: largest centre and width, negative ones as well, and smallest width.
 inline constexpr double mostOfWindow = 1e9, leastWidthOfWindow = 1e-9;
 
-/// Where the chest wall of a mammogram is to lie.
+/// The side of a view where a mammogram's chest wall is to lie.
 enum class ChestWall { anywhere, left, right };
 
 /// One view of the grid.
 struct ProtocolCell {
-  std::string series;  ///< names, "lung|soft": the first one that there is; empty: nothing
-  int which = 1;       ///< of several series that fit: the first, the second, ...
-  CellPicture picture = CellPicture::asAcquired;  ///< `scene` where the 3D look of the series is known
-  /// In the numbers on screen; of the series wherever it is shown, but of this view alone where another cell
-  /// gives that series another window.
+  std::string series;  ///< names, "lung|soft": the first that is found; empty: no series
+  int which = 1;       ///< number among several matching series, from 1
+  CellPicture picture = CellPicture::asAcquired;  ///< `scene` needs a known 3D look of the series
+  /// In displayed units. Applies to the series in all views, but to this view alone if another cell gives the
+  /// series another window.
   std::optional<Window> window;
-  std::string over;  ///< the name of a series over it; empty: none
+  std::string over;  ///< name of the overlaid series; empty: none
   double slabMm = 0;
   SlabMode slabMode = SlabMode::max;
   bool inverted = false;
@@ -60,52 +60,52 @@ struct ProtocolCell {
   bool operator==(const ProtocolCell&) const = default;
 };
 
-/// Which studies a protocol is for.
+/// The studies a protocol is for.
 struct ProtocolCondition {
-  SeriesRule rule;              ///< of at least one series
-  int least = 1, most = 10000;  ///< how many of them there are
-  bool prior = false;           ///< an earlier study of that modality is open, too
+  SeriesRule rule;              ///< matched by at least one series
+  int least = 1, most = 10000;  ///< number of matching series
+  bool prior = false;           ///< needs an open earlier study of that modality
   bool operator==(const ProtocolCondition&) const = default;
 };
 
-/// How a study is hung: which series stand where, and how.
+/// A hanging protocol: which series are shown, where and how.
 struct HangingProtocol {
   std::string name;
   ProtocolCondition when;
   std::vector<ProtocolSeries> series;
-  Layout layout = Layout::two;      ///< a grid
-  std::vector<ProtocolCell> cells;  ///< row by row; at most as many as the grid has
-  int leastFilled = 1;              ///< cells that find their series, or it does not fit
+  Layout layout = Layout::two;      ///< must be a grid
+  std::vector<ProtocolCell> cells;  ///< row by row, at most one per cell of the grid
+  int leastFilled = 1;              ///< cells that must find their series
   Links links;
-  bool sameScale = false;  ///< of frames: as many mm a pixel in all of them
-  bool automatic = false;  ///< hung as the study is opened
+  bool sameScale = false;  ///< same mm per pixel in all frames
+  bool automatic = false;  ///< hangs when the study is opened
   bool operator==(const HangingProtocol&) const = default;
 };
 
-/// A protocol from JSON (resources/docs/protocols.md). An Error names the field that is wrong, or unknown.
+/// Reads a protocol from JSON (resources/docs/protocols.md). The Error names the wrong or unknown field.
 Result<HangingProtocol> protocolFromJson(const std::string& text);
-/// What protocolFromJson() reads; what is as by default is left out.
+/// Returns JSON that protocolFromJson() reads. Default values are left out.
 std::string protocolToJson(const HangingProtocol& protocol);
 
 bool matches(const SeriesRule& rule, const SeriesPicture& picture);
 
-/// What the rule of an entry finds in its study, in its order.
+/// Returns the pictures that match the rule of an entry in its study, in the entry's order.
 std::vector<SeriesPicture> picturesFor(const ProtocolSeries& entry, const PatientStudies& studies);
 
-/// What each cell shows; no series: none was found. As many as there are cells.
+/// Returns one picture for each cell, without a series if none was found.
 std::vector<SeriesPicture> picturesOfCells(const HangingProtocol& protocol, const PatientStudies& studies);
 
-/// The numbers of those of some protocols that fit what is open, the best first: that whose condition says
-/// most, else that of which most cells are filled; those alike in their order.
+/// Returns the indices of protocols that fit the open studies, best first: by number of conditions, then by
+/// number of filled cells. Equal ones keep their order.
 std::vector<std::size_t> fitting(const std::vector<HangingProtocol>& protocols,
                                  const PatientStudies& studies);
 
-/// The workspace as a protocol has it. Cells without a series are empty and say what they want.
+/// Returns the workspace after hanging. Cells without a series are empty and name the one they want.
 Workspace hung(Workspace workspace, const HangingProtocol& protocol, const PatientStudies& studies);
 
-/// The protocol that hangs studies like the one in focus as the views on screen show it; what they show of
-/// other patients is left out. `open`: all pictures that are open. `last`: the protocol that was hung last,
-/// null: none; where its pictures stand it says where chest walls lie, and the scale.
+/// Returns the protocol that hangs studies like the one in focus as on screen, without other patients'
+/// series. `open` are all open pictures. `last` is the protocol hung last, or null. Where its pictures still
+/// stand it gives chest walls and scale.
 HangingProtocol protocolOf(const Workspace& workspace, const std::string& name,
                            const std::vector<const Series*>& open, const HangingProtocol* last = nullptr);
 

@@ -13,7 +13,7 @@ namespace {
 
 const QString punctuation = QStringLiteral(".,:;)\"'");
 
-// A slash that begins a word.
+// Matches a slash that begins a word.
 const QRegularExpression& beginOfPath() {
   static const QRegularExpression begin(QStringLiteral("(?<![^\\s\"'(])/(?=[^\\s])"));
   return begin;
@@ -24,7 +24,7 @@ QString withoutPunctuation(QString text) {
   return text;
 }
 
-// How many characters of a text that begins with a path are that path.
+// Returns the length of the path that `text` begins with.
 qsizetype pathLength(const QString& text) {
   constexpr int mostWords = 60;
   const qsizetype colon = text.indexOf(QLatin1String(": ")), before = colon < 0 ? text.size() : colon;
@@ -36,7 +36,7 @@ qsizetype pathLength(const QString& text) {
     if (QFileInfo::exists(path)) length = path.size();
   }
   if (length == 0) return withoutPunctuation(text.left(before)).size();
-  // A path that is not there may go on behind one that is.
+  // A path that does not exist may continue behind one that does.
   const qsizetype other = text.indexOf(beginOfPath(), 1),
                   limit = other < 0 ? before : std::min(before, other);
   const qsizetype slash = text.left(limit).lastIndexOf(QLatin1Char('/'));

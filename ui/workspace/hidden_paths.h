@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// Sentences as a person may read them: while names are hidden (hideNames) absolute paths in them are, too. A
-/// path goes as far as one is there on disk; else to the next colon, or to the end of its line.
+/// Returns sentences with absolute paths replaced while names are hidden (hideNames). A path extends as far
+/// as it exists on disk, else to the next colon or the end of its line.
 QString withoutPaths(const QString& sentences);
 
 }  // namespace volumen

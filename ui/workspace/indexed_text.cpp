@@ -16,7 +16,7 @@ QString offlineText() {
       "from where they are.");
 }
 
-// What stands in one group of a DICOM name.
+// Returns one component group of a DICOM person name.
 QString groupText(const std::string& name, int group) {
   const QString text = shownText(name).section(QLatin1Char('='), group, group);
   return text.split(QLatin1Char('^'), Qt::SkipEmptyParts).join(QLatin1Char(' ')).simplified();

@@ -6,33 +6,33 @@
 
 namespace volumen {
 
-/// "Doe, Jane" of a DICOM name; "(no name)", "(name hidden)". What it says in a second script stands behind
-/// it.
+/// Returns the name of a patient, "Doe, Jane", followed by its form in a second script; "(no name)" or "(name
+/// hidden)".
 QString patientNameText(const std::string& name);
 
-/// An ID as a person may read it; "(ID hidden)".
+/// Returns an ID, or "(ID hidden)" while names are hidden.
 QString idText(const std::string& id);
 
-/// Where a study was made; "(institution hidden)".
+/// Returns an institution, or "(institution hidden)" while names are hidden.
 QString institutionText(const std::string& institution);
 
-/// "Series 3"; "Series" where it has no number.
+/// Returns "Series 3", or "Series" without a number.
 QString seriesNameText(const IndexedSeries& series);
 
-/// "Chest 1.0 mm, 4 echoes": description and what tells it from others.
+/// Returns description and distinguishing label: "Chest 1.0 mm, 4 echoes".
 QString contentText(const IndexedSeries& series);
 
-/// "120 images", "1 image, 96 frames".
+/// Returns "120 images" or "1 image, 96 frames".
 QString imagesText(const IndexedSeries& series);
 
-/// All that is known, one thing a line, warnings and why it cannot be opened last.
+/// Returns all known facts, one per line. Warnings and the reason why it cannot be opened come last.
 QStringList everythingOf(const IndexedSeries& series);
 QStringList everythingOf(const IndexedStudy& study);
 
-/// "! 3 warnings: hover over the series to read them"; empty where there are none.
+/// Returns "! 3 warnings: hover over the series to read them", or an empty text for none.
 QString warningsText(int warnings);
 
-/// How an import went, in a sentence: "312 images imported; 20 were in the list already."
+/// Returns the result of an import as a sentence: "312 images imported; 20 were in the list already."
 QString importText(const ImportReport& report);
 
 }  // namespace volumen

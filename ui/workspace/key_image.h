@@ -8,12 +8,12 @@
 
 namespace volumen {
 
-/// A picture that the user marked.
+/// A picture that the user marked as key image.
 struct KeyImage {
   SeriesKey series;
   std::string sopInstanceUid;
-  int frame = 0;  ///< of that instance, from 0
-  /// Of the view that it was marked in, where that had one alone; none: that of its series.
+  int frame = 0;  ///< in that instance, from 0
+  /// Window of the view it was marked in, if the view had its own; empty: the window of its series.
   std::optional<ChosenWindow> window{};
   bool operator==(const KeyImage&) const = default;
 };

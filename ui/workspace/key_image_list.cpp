@@ -36,7 +36,7 @@ KeyImageGroup markedIn(const DerivedObject& document, const std::vector<const Se
   return group;
 }
 
-// The view of the four of a series that shows planes of a kind.
+// Returns which of the four views of a series shows this kind of plane.
 ViewId viewOfPlane(ViewKind kind) {
   for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId})
     if (usualKind(id) == kind) return id;

@@ -10,7 +10,7 @@
 
 namespace volumen {
 
-/// A key image that is here.
+/// A key image whose series is open.
 struct ListedKeyImage {
   std::shared_ptr<const Series> series;
   int index = 0;                         ///< in the series, from 0
@@ -22,21 +22,20 @@ struct KeyImageGroup {
   QString name;             ///< "Marked here", "Key objects: Of Interest (left lung)"
   bool isDocument = false;  ///< marked in a file, not here
   std::vector<ListedKeyImage> pictures;
-  std::size_t notHere = 0;  ///< how many more the document names
+  std::size_t notHere = 0;  ///< further pictures of the document that are not open
 };
 
-/// All key images: those that the user marked, where there are any, then those of each key object document.
-/// `open`: all pictures that are open.
+/// Returns all key images: the user's own, if any, then those of each key object document. `open` are all
+/// open pictures.
 std::vector<KeyImageGroup> listKeyImages(const Workspace& workspace,
                                          const std::vector<DerivedObjectPtr>& derived,
                                          const std::vector<const Series*>& open);
 
-/// "CT Head (3), slice 12".
+/// Returns "CT Head (3), slice 12".
 QString keyImageName(const ListedKeyImage& image);
 
-/// A flat view that shows it and nothing else: where `shown` is its series in memory and the picture one of
-/// the slices that are drawn, as a slice, with what is measured there; else as a frame. By the window that it
-/// was marked by.
+/// Returns a flat view of the key image alone, with the window it was marked with. Shows a slice with its
+/// measurements if `shown` is its series in memory and draws that slice; else a frame.
 PictureStop viewOfKeyImage(Workspace workspace, const ListedKeyImage& image, const LoadedSeriesPtr& shown);
 
 }  // namespace volumen

@@ -15,7 +15,7 @@ bool areOfOnePicture(const KeyImage& a, const KeyImage& b) {
 }  // namespace
 
 PictureSeen pictureSeen(const Series& series, const VoxelGeometry& drawn, const SlicePlane& plane) {
-  constexpr double parallel = 1e-3, onSlice = 1e-3;  // of an angle, and of a step
+  constexpr double parallel = 1e-3, onSlice = 1e-3;  // sine of an angle; fraction of a step
   const glm::dvec3 normal = sliceNormal(drawn);
   const double k = drawn.voxelFromPatient(plane.centre).z, nearest = std::round(k);
   if (!(plane.slabMm == 0 && glm::length(glm::cross(normal, plane.normal())) <= parallel &&

@@ -4,31 +4,32 @@
 
 namespace volumen {
 
-/// Which picture as acquired a plane shows, by its number in the series; none where it is not along the
-/// slices, on none of them, a slab, or, with `interpolated`, on a slice that was made of its neighbours.
+/// The acquired picture that a plane shows, by its index in the series. Empty if the plane is a slab, is not
+/// parallel to the slices or lies on none. With `interpolated` it lies on a slice made from its neighbours.
 struct PictureSeen {
   std::optional<int> index;
   bool interpolated = false;
 };
 
-/// `drawn`: the grid of the volume, which differs from that of the slices where these are uneven.
+/// Returns the picture that `plane` shows. `drawn` is the volume's grid, which differs from that of unevenly
+/// spaced slices.
 PictureSeen pictureSeen(const Series& series, const VoxelGeometry& drawn, const SlicePlane& plane);
 
-/// Where slice `index` of a series lies along k of the grid that is drawn; none: beyond its end, or
+/// Returns the k index of slice `index` on the drawn grid; empty if it lies beyond the end or was
 /// interpolated.
 std::optional<int> drawnSlice(const Series& series, int index);
 
-/// The mark that picture `index` (from 0) of a series has or would have, without a window; none where its
-/// file has no UID.
+/// Returns the key image of picture `index` (from 0) of a series, without a window; empty if its file has no
+/// UID.
 std::optional<KeyImage> keyImageOf(const Series& series, int index);
 
-/// The pictures of a series that are marked, by their numbers there: ascending.
+/// Returns the indices of the marked pictures of a series, ascending.
 std::vector<int> keyImagesOf(const Workspace& workspace, const Series& series);
 
-/// Whether that picture is marked, by whatever window.
+/// Returns whether the picture is marked, with any window.
 bool isKeyImage(const Workspace& workspace, const KeyImage& image);
 
-/// Marked where it was not, and the other way round.
+/// Marks an unmarked picture and unmarks a marked one.
 Workspace withKeyImageToggled(Workspace workspace, const KeyImage& image);
 
 }  // namespace volumen

@@ -6,10 +6,10 @@
 
 namespace volumen {
 
-/// "3 rows, 2 columns" of a grid.
+/// Returns "3 rows, 2 columns" for a grid.
 QString gridText(const Layout& grid);
 
-/// What an empty view to compare asks for: "T2, axial: drop a series here ...".
+/// Returns the invitation of an empty comparison view: "T2, axial: drop a series here ...".
 QString invitationText(const ViewState& view);
 
 }  // namespace volumen

@@ -12,7 +12,7 @@ namespace {
 struct LayoutEntry {
   Layout layout;
   std::string name;
-  std::vector<ViewId> views;  // empty: the one in focus
+  std::vector<ViewId> views;  // empty: the view in focus
 };
 
 std::vector<ViewId> cellsFrom(ViewId first, Layout grid) {
@@ -45,7 +45,7 @@ const std::vector<LayoutEntry>& layouts() {
   return table;
 }
 
-// The group's view of the plane that its slices were acquired in.
+// Returns the group's view of the plane of acquisition.
 ViewId acquiredViewOf(const Workspace& workspace) {
   const Series* series = seriesIn(workspace, axialViewId);
   const ViewKind kind = series ? acquiredKind(series->acquired) : ViewKind::axial;
@@ -137,7 +137,7 @@ Workspace withSecondShown(Workspace workspace, bool shown) {
 }
 
 Layout usualLayout(const Series& series) {
-  constexpr int fewest = 8;  // slices that make planes across them worth a look
+  constexpr int fewest = 8;  // fewest slices for which reformatted planes are useful
   const glm::ivec3 n = series.acquired.size;
   return std::min({n.x, n.y, n.z}) < fewest ? Layout::one : Layout::planes;
 }

@@ -6,14 +6,14 @@
 
 namespace volumen {
 
-/// How a view follows the one in focus, for a line in its corner: "not linked", "linked by hand, +12 mm"
-/// (along the normal of its plane); empty where they share a frame of reference.
+/// Returns how a view follows the one in focus, for a corner line: "not linked", "linked by hand, +12 mm"
+/// (along its plane's normal). Empty if they share a frame of reference.
 QString linkText(const Workspace& workspace, ViewId view);
 
-/// Whether the views on screen follow the one in focus, and why not: a sentence.
+/// Returns a sentence: whether the views on screen follow the one in focus, and if not, why.
 QString linkSentence(const Workspace& workspace);
 
-/// Why two series cannot lie over each other; empty where they can: in one frame of reference or in two that
+/// Returns why two series cannot be overlaid. Empty if they can: they share a frame of reference, or theirs
 /// are linked.
 QString whyNotOverlaid(const Workspace& workspace, const Series& under, const Series& over);
 

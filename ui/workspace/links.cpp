@@ -44,7 +44,7 @@ std::set<std::string> linkedFrames(const Workspace& workspace) {
   return frames;
 }
 
-// Directions follow only where they were turned: planes linked by hand keep how they lie.
+// Directions follow only if they were turned: planes linked by hand keep their orientation.
 Workspace withPositionFollowed(Workspace workspace, const std::string& to, const Rigid& rigid,
                                const Crosshair& source, bool turns) {
   const auto known = workspace.crosshairs.find(to);
@@ -57,7 +57,7 @@ Workspace withPositionFollowed(Workspace workspace, const std::string& to, const
   return withCrosshair(std::move(workspace), sceneViewId, to, now, after);
 }
 
-// The crosshair of a frame of reference as the series that is shown of it has it, the one in focus first.
+// Returns the crosshair of a frame of reference as its series on screen has it, the one in focus first.
 Crosshair crosshairSeen(const Workspace& workspace, const std::string& frame) {
   std::vector<ViewId> views = slicesOnScreen(workspace);
   std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace.focus; });
@@ -66,7 +66,7 @@ Crosshair crosshairSeen(const Workspace& workspace, const std::string& frame) {
   return workspace.crosshairs.at(frame);
 }
 
-// What is linked to a frame of reference takes its place, but for frames that have theirs.
+// Moves linked frames of reference to the position of `from`, except those in `placed`.
 Workspace withFrameFollowed(Workspace workspace, const std::string& from, std::set<std::string>& placed) {
   if (!placed.insert(from).second || !workspace.crosshairs.contains(from)) return workspace;
   const Crosshair seen = crosshairSeen(workspace, from);
@@ -108,7 +108,7 @@ SlicePlane planeIn(const Workspace& workspace, ViewId view, glm::ivec2 pixels) {
                    pixels);
 }
 
-// Whether it shows the same plane of the same series in another place, size or turn.
+// Returns whether a view shows the same kind of plane of the same series with another pan, zoom or turn.
 bool isMoved(const Workspace& before, const Workspace& after, ViewId view) {
   const ViewState &from = before.view(view), &to = after.view(view);
   const FlatLook was = flatLookOf(from), is = flatLookOf(to);
@@ -116,7 +116,7 @@ bool isMoved(const Workspace& before, const Workspace& after, ViewId view) {
          (was.zoom != is.zoom || was.panMm != is.panMm || was.turn != is.turn);
 }
 
-// The mm per pixel and the middle of a view, as far as they are linked, for one whose planes are parallel.
+// Applies linked zoom and pan of one view to another if their planes are parallel.
 void followLook(Workspace& workspace, ViewId from, ViewId to, const ViewSizes& sizes) {
   const SlicePlane source = planeIn(workspace, from, sizes.at(from));
   const SlicePlane target = planeIn(workspace, to, sizes.at(to));
@@ -133,7 +133,7 @@ void followLook(Workspace& workspace, ViewId from, ViewId to, const ViewSizes& s
   look.panMm = {glm::dot(middle, target.right), glm::dot(middle, target.down)};
 }
 
-// From the one that was changed; from the one in focus where a link is new.
+// The changed view leads, or the view in focus if a link is new.
 Workspace withLooksFollowed(const Workspace& before, Workspace after, const ViewSizes& sizes) {
   if (!after.links.zoom && !after.links.pan) return after;
   std::vector<ViewId> views = slicesOnScreen(after), changed;
@@ -213,7 +213,7 @@ std::optional<SeriesOver> seriesOver(const Workspace& workspace, const SeriesKey
 Workspace withLinksFollowed(const Workspace& before, Workspace after, const ViewSizes& sizes) {
   after = withPositionsFollowed(before, std::move(after));
   after = withCurvesFollowed(before, std::move(after));
-  // Of what a curve took along.
+  // Follows positions that a curve moved.
   after = withPositionsFollowed(before, std::move(after));
   after = withLooksFollowed(before, std::move(after), sizes);
   return withWindowsFollowed(before, std::move(after));
@@ -222,7 +222,7 @@ Workspace withLinksFollowed(const Workspace& before, Workspace after, const View
 Workspace withScrollLinked(Workspace workspace, bool linked) {
   if (workspace.links.scroll == linked) return workspace;
   std::vector<ViewId> views = slicesOnScreen(workspace);
-  // The last one says where a frame of reference is: the view in focus.
+  // The last view sets the position of a frame of reference, so the one in focus goes last.
   std::stable_partition(views.begin(), views.end(), [&](ViewId id) { return id != workspace.focus; });
   std::map<ViewId, Crosshair> now;
   for (const ViewId id : views) now[id] = crosshairOf(workspace, id, *seriesIn(workspace, id));
@@ -240,7 +240,7 @@ Workspace withScrollLinked(Workspace workspace, bool linked) {
 std::vector<ViewId> viewsOfOtherFrames(const Workspace& workspace) {
   std::vector<ViewId> views = slicesOnScreen(workspace);
   if (std::ranges::find(views, workspace.focus) == views.end()) return {};
-  // What lies along a curve is related to nothing by a shift or a turn.
+  // A curved reformat has no rigid relation to anything.
   const auto isCurved = [&](ViewId id) { return seriesIn(workspace, id)->curved.has_value(); };
   if (isCurved(workspace.focus)) return {};
   const std::string own = frameIn(workspace, workspace.focus);
@@ -283,7 +283,7 @@ Workspace lockedHere(Workspace workspace) {
 Workspace withRegistration(Workspace workspace, const std::string& from, const std::string& to,
                            const Rigid& toFromFrom) {
   workspace = withScrollLinked(std::move(workspace), true);
-  // What links them otherwise would contradict it.
+  // Other links between them would contradict the registration.
   if (relationOf(workspace, from, to))
     workspace.frameLinks.eraseIf([&](const FrameLink& link) { return link.from == to || link.to == to; });
   workspace.frameLinks.push_back({from, to, toFromFrom, true});

@@ -8,48 +8,48 @@
 
 namespace volumen {
 
-/// How positions of one frame of reference are found in another.
+/// The relation of positions in two frames of reference.
 struct FrameRelation {
   Rigid toFromFrom;
-  bool byHand = false, registered = false;  ///< neither: it is one frame
+  bool byHand = false, registered = false;  ///< neither: both are the same frame of reference
 };
 
-/// None: the frames are not linked, not through others either.
+/// Returns the relation of two frames of reference, also through others; empty if they are not linked.
 std::optional<FrameRelation> relationOf(const Workspace& workspace, const std::string& from,
                                         const std::string& to);
 
-/// A series that lies over another one.
+/// A series overlaid on another.
 struct SeriesOver {
   SeriesKey series;
-  Rigid toFromUnder;  ///< from the patient space of the one under it
+  Rigid toFromUnder;  ///< from the patient space of the series under it
   bool operator==(const SeriesOver&) const = default;
 };
 
-/// The series that a view of slices on screen shows over this one, that of the focus first; none: no view
-/// does, or their frames of reference are not linked.
+/// Returns the overlay on `under` in a view of slices on screen, the view in focus first. Empty if no view
+/// has one or their frames of reference are not linked.
 std::optional<SeriesOver> seriesOver(const Workspace& workspace, const SeriesKey& under);
 
-/// How large the pictures of views are, device pixels.
+/// Sizes of the pictures of views, in device pixels.
 using ViewSizes = std::map<ViewId, glm::ivec2>;
 
-/// A change, carried on to what is linked: positions to linked frames of reference (mm, never numbers of
-/// slices), and of the flat views on screen whose planes are parallel within 25 degrees the mm per pixel and
-/// the patient's point in the middle; windows to series on screen of the same modality and unit.
+/// Applies a change to linked views. Positions go to linked frames of reference, in mm, never by slice
+/// number. The mm per pixel and the patient's point in the middle go to flat views on screen with planes
+/// parallel within 25 degrees. Windows go to series on screen of the same modality and unit.
 Workspace withLinksFollowed(const Workspace& before, Workspace after, const ViewSizes& sizes);
 
-/// With positions linked, or each of the compared views on its own from where it is. What is linked takes the
-/// place of the view in focus, or else of the last of its views on screen.
+/// Links positions, or lets each comparison view scroll on its own from its present position. Linked views
+/// take the position of the view in focus, else of the last of their views on screen.
 Workspace withScrollLinked(Workspace workspace, bool linked);
 
-/// The flat views on screen that show slices of series in other frames of reference than the one in focus.
+/// Returns flat views on screen with slices in frames of reference other than that of the view in focus.
 std::vector<ViewId> viewsOfOtherFrames(const Workspace& workspace);
 
-/// With the views on screen of other frames of reference linked to the one in focus by what they show now.
+/// Links the frames of reference of other views on screen to the one in focus by their present positions.
 Workspace lockedHere(Workspace workspace);
-/// With two frames of reference linked by a registration, and the positions of `to` at those of `from`.
+/// Links two frames of reference by a registration and moves `to` to the position of `from`.
 Workspace withRegistration(Workspace workspace, const std::string& from, const std::string& to,
                            const Rigid& toFromFrom);
-/// Without the links between frames of reference on screen, and without overlays that need them.
+/// Removes links between frames of reference on screen, and overlays that need them.
 Workspace unlocked(Workspace workspace);
 bool canLock(const Workspace& workspace);
 bool canRegister(const Workspace& workspace);

@@ -12,18 +12,17 @@ namespace volumen {
 
 struct Workspace;
 
-/// What 3D views draw of a series whose tissue is not shown everywhere, or whose table is left out, and what
-/// that was made of.
+/// The volume that 3D views draw of a series if tissue is left out or the table is removed, and its inputs.
 struct MadeTissue {
-  LoadedSeriesPtr of;                    ///< the series, without what its mask takes away
-  std::vector<ChosenSegments> segments;  ///< of its grid: those that were shown, of all its maps
+  LoadedSeriesPtr of;                    ///< the series with its mask applied
+  std::vector<ChosenSegments> segments;  ///< shown segments on its grid, of all its maps
   TissueShown shown;
-  std::shared_ptr<const BitMask> voxels{};  ///< where tissue is left
-  LoadedSeriesPtr left{};     ///< with air elsewhere; null: it could not be made; `of`: nothing goes
-  bool withoutTable = false;  ///< of CT: the patient alone
-  std::shared_ptr<const BitMask> patient{};  ///< where it is, then; null: there is no table
+  std::shared_ptr<const BitMask> voxels{};  ///< where tissue remains
+  LoadedSeriesPtr left{};     ///< with air elsewhere; null: could not be made; `of`: nothing is left out
+  bool withoutTable = false;  ///< CT: draws the patient alone
+  std::shared_ptr<const BitMask> patient{};  ///< voxels of the patient then; null: there is no table
 
-  /// Whether both are made of the same.
+  /// Returns whether both have the same inputs.
   bool isAs(const MadeTissue& other) const {
     return of == other.of && segments == other.segments && shown == other.shown &&
            withoutTable == other.withoutTable;
@@ -33,20 +32,20 @@ struct MadeTissue {
 /// Returns the bytes of its masks.
 std::size_t bytesBesideVolumes(const MadeTissue& tissue);
 
-/// The segments that are shown, of those of these maps that lie on the grid: an entry a map.
+/// Returns the shown segments of those maps that lie on `grid`, one entry per map.
 std::vector<ChosenSegments> segmentsShownOf(const std::vector<const SegmentMap*>& maps,
                                             const VoxelGeometry& grid);
 
-/// What is to be made for 3D views of a series with these maps of segments; none: all of it is shown, or all
-/// segments lie on another grid.
+/// Returns the inputs of the volume to make for 3D views of a series with these segment maps. Empty if all of
+/// it is drawn, or if all segments lie on another grid.
 std::optional<MadeTissue> tissueWanted(const std::vector<const SegmentMap*>& maps,
                                        const LoadedSeriesPtr& series, bool withoutTable = false);
 
-/// Whether the series is in a 3D view on screen, and what is left of it still to be shown alone.
+/// Returns whether the series is in a 3D view on screen and still has the same kind of tissue left out.
 bool isTissueOnScreen(const MadeTissue& tissue, const Workspace& workspace);
 
-/// A scene that says nothing of window and gradientFloor with those of all of a volume, of which only some
-/// tissue is drawn: few voxels have other percentiles.
+/// Returns a scene whose missing window and gradientFloor are those of the whole volume. The percentiles of
+/// the few voxels drawn would differ.
 Scene drawnAsTheWhole(Scene scene, const Window& window, double valueSpread, const VoxelGeometry& geometry);
 
 }  // namespace volumen

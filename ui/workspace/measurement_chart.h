@@ -14,53 +14,53 @@
 
 namespace volumen {
 
-/// What is drawn of the values under a measurement.
+/// The charts of the values under a measurement.
 enum class ChartKind {
   profile,    ///< along a length or polyline
-  histogram,  ///< of a region
-  overTime    ///< the mean of a region at each of the steps of its series
+  histogram,  ///< distribution of a region
+  overTime    ///< mean of a region at each time point of its series
 };
 
-/// "Profile", "Histogram", "Over time".
+/// Returns "Profile", "Histogram" or "Over time".
 QString chartText(ChartKind kind);
 
-/// Those that a measurement has, the first one by default; none: its values make no chart.
+/// Returns the charts of a measurement, the default first; empty if it has none.
 std::vector<ChartKind> chartsOf(const Workspace& workspace, const Measurement& measurement);
 
-/// Whose values a line shows, where a chart has those of several things.
+/// Name and colour of a line in a chart of several things.
 struct ChartLineLook {
   QString name;
   QColor colour;
   bool operator==(const ChartLineLook&) const = default;
 };
 
-/// Values of a measurement or of segments along an axis, with what the axes say.
+/// Values of a measurement or of segments along an axis, with the titles of both axes.
 struct MeasuredChart {
   QString xTitle, yTitle;
-  std::vector<std::vector<QPointF>> lines;  ///< each runs on without a gap
-  bool marked = false;                      ///< with a mark at each point: few that were measured
-  QString problem;                          ///< why there is nothing, or less than there might be
-  std::vector<ChartLineLook> looks{};       ///< one a line; empty: all are of one thing
-  std::vector<std::vector<double>> sds{};   ///< of each point of each line; empty: none is told
+  std::vector<std::vector<QPointF>> lines;  ///< each without gaps
+  bool marked = false;                      ///< marks each point, as few were measured
+  QString problem;                          ///< why the chart is empty or incomplete
+  std::vector<ChartLineLook> looks{};       ///< one per line; empty: all lines belong to one thing
+  std::vector<std::vector<double>> sds{};   ///< one for each point of each line; empty: not given
   bool operator==(const MeasuredChart&) const = default;
 };
 
-/// The values along a line of patient points, whose length is told by `length`; gaps where it is outside.
+/// Returns the values along a line of patient points, with gaps outside the volume. `length` is the line's
+/// length.
 MeasuredChart profileChart(std::span<const glm::dvec3> line, const Volume& volume, const ValueScale& scale,
                            Interpolation interpolation, const Measured& length);
 
-/// A staircase: how many voxels have which values, of a region or as they were counted. `counted`: what
-/// voxels are called there.
+/// Returns a histogram as a staircase, of a region or of counted values. `counted` is the word for voxels.
 MeasuredChart histogramChart(const ValueCounts& counts, const ValueScale& scale, const QString& counted);
 MeasuredChart histogramChart(const Shape& region, const Volume& volume, const ValueScale& scale,
                              const QString& counted);
 
-/// The means of a region at these places; a place without one is left out.
+/// Returns the means of a region along `axis`. Positions without a mean are left out.
 MeasuredChart timeChart(const StepAxis& axis, const std::vector<std::optional<double>>& means,
                         const std::string& unit);
 
-/// RFC 4180: a line of headings, then a line a point, in front the name where lines have names, behind it
-/// the SD where there is one; lines are parted by an empty row.
+/// Returns CSV (RFC 4180): a header, then a row per point. Lines with names have them in the first column; an
+/// SD comes last. An empty row separates lines.
 QString chartAsCsv(const MeasuredChart& chart);
 
 }  // namespace volumen

@@ -9,12 +9,12 @@ namespace volumen {
 
 namespace {
 
-// A place in mm.
+// Formats a position in mm.
 QString exactPlace(glm::dvec3 p) {
   return QStringLiteral("%1 %2 %3").arg(csvNumber(p.x), csvNumber(p.y), csvNumber(p.z));
 }
 
-// number, unit, +-, mean, SD, min, max, voxels, unit of the values, problem, calibration.
+// Returns number, unit, +-, mean, SD, min, max, voxels, unit of the values, problem and calibration.
 QStringList csvNumbers(const Result<Measured>* measured) {
   QStringList fields(11, QString());
   if (!measured)
@@ -38,19 +38,19 @@ QStringList csvNumbers(const Result<Measured>* measured) {
   return fields;
 }
 
-// What only some kinds have: the names of the columns, and what stands in them.
+// Columns that only some kinds fill.
 constexpr const char* furtherColumns =
     "first_length,second_length,length_unit,product,suv_peak,suv_peak_mm,other_series,other_mean,other_sd,"
     "other_min,other_max,other_voxels,other_unit,other_suv_peak,hka,bend";
 
-// As columns are called: for programs. Empty: the side is not known.
+// Returns the bend as a program reads it; empty if the side is unknown.
 QString bendName(LegAxis::Bend bend) {
   return bend == LegAxis::Bend::varus    ? QStringLiteral("varus")
          : bend == LegAxis::Bend::valgus ? QStringLiteral("valgus")
                                          : QString();
 }
 
-constexpr int suvPeakPlace = 5;  // suv_peak_mm
+constexpr int suvPeakPlace = 5;  // index of suv_peak_mm
 
 QStringList furtherNumbers(const Result<Measured>* measured) {
   QStringList fields(16, QString());
@@ -82,7 +82,7 @@ QStringList furtherNumbers(const Result<Measured>* measured) {
   return fields;
 }
 
-// How it was drawn or chosen.
+// Returns how a shape was drawn or chosen.
 QString howText(const Shape& shape) {
   if (shape.kind == ShapeKind::volume)
     return tr("values from %1 to %2").arg(csvNumber(shape.range.low), csvNumber(shape.range.high));
@@ -90,7 +90,7 @@ QString howText(const Shape& shape) {
   return shape.frame ? tr("drawn on a frame") : tr("drawn in slices");
 }
 
-// Patient, study, series, time point, slice and how; "series" has its column already.
+// Returns patient, study, series, time point, slice and how. "series" already has its column.
 QStringList identityFields(const MeasuredRow& row) {
   QStringList fields;
   const QStringList of = row.series ? seriesFields(*row.series, row.timePoint) : QStringList();
@@ -121,7 +121,7 @@ QString measurementsAsCsv(const std::vector<MeasuredRow>& rows) {
     for (const glm::dvec3 p : row.measurement.shape.points)
       points << (frame ? QStringLiteral("%1 %2").arg(csvNumber(p.x), csvNumber(p.y)) : exactPlace(p));
     const QString places = points.join(QStringLiteral("; "));
-    const bool isCurved = row.series && row.series->curved;  // its places are not the patient's
+    const bool isCurved = row.series && row.series->curved;  // its positions are not patient space
     QStringList fields{nameText(row.measurement), QLatin1String(ruleOf(row.measurement.shape.kind).name)};
     const bool numberless = ruleOf(row.measurement.shape.kind).numberless;
     fields += csvNumbers(numberless ? nullptr : row.measured);

@@ -14,7 +14,7 @@ namespace volumen {
 
 namespace {
 
-// A unit as it stands behind a number: an angle's sign touches it.
+// Returns a unit as it follows a number. A degree sign follows without a space.
 QString unitText(const std::string& unit) {
   if (unit == "degrees") return QStringLiteral("\u00b0");
   if (unit == "mm^2") return QStringLiteral(" mm\u00b2");
@@ -22,7 +22,7 @@ QString unitText(const std::string& unit) {
   return unit.empty() ? QString() : QLatin1Char(' ') + shownText(unit);
 }
 
-// An area below a hundredth of a mm^2 is still no 0.
+// An area below 0.01 mm^2 must not read as 0.
 QString withUnit(double number, const std::string& unit) {
   if (unit == "degrees") return QString::number(number, 'f', 1) + unitText(unit);
   return shortNumberText(number) + unitText(unit);
@@ -33,7 +33,7 @@ QString placeText(const ValuePeak& peak) {
   return QStringLiteral("%1, %2, %3").arg(shortNumberText(p.x), shortNumberText(p.y), shortNumberText(p.z));
 }
 
-// Lengths and areas with the word that says what is true of their mm.
+// Appends the calibration word to lengths and areas.
 QString extentText(const Measured& m) {
   const QString text = withUnit(m.number, m.unit);
   return m.frame && !m.frame->calibration.empty() ? tr("%1 (%2)").arg(text, shownText(m.frame->calibration))
@@ -46,7 +46,7 @@ QString countText(std::int64_t n, bool ofPixels) {
   return ofPixels ? tr("%1 pixels").arg(number) : tr("%1 voxels").arg(number);
 }
 
-// In a region of ultrasound that counts something else than cm: "0.502 s, 12 cm/s".
+// Returns the readings in an ultrasound region with units other than cm: "0.502 s, 12 cm/s".
 QString readingText(const FrameReading& frame) {
   QStringList parts;
   for (const std::optional<AxisReading>& reading : {frame.across, frame.down})
@@ -54,7 +54,7 @@ QString readingText(const FrameReading& frame) {
   return parts.join(QStringLiteral(", "));
 }
 
-// Behind a length with its +-: " (at detector), 0.502 s".
+// Returns the words behind a length and its +-: " (at detector), 0.502 s".
 QString wordsBehind(const Measured& m) {
   if (!m.frame) return {};
   QString text;
@@ -71,19 +71,19 @@ QStringList frameLines(const FrameReading& frame, QStringList lines) {
   return lines;
 }
 
-// "Mean 45.2, SD 3.05 HU".
+// Returns "Mean 45.2, SD 3.05 HU".
 QString meanText(const ValueStatistics& values, const QString& unit) {
   return tr("Mean %1, SD %2%3").arg(shortNumberText(values.mean), shortNumberText(values.sd), unit);
 }
 
-// "Min -5, max 99 HU"; of SUV by the names of the field: "SUVmax 8.1, SUVpeak 6.2, min 0.3 SUVbw".
+// Returns "Min -5, max 99 HU"; for SUV, by the field's names: "SUVmax 8.1, SUVpeak 6.2, min 0.3 SUVbw".
 QString limitsText(const ValueStatistics& values, const std::optional<ValuePeak>& peak, const QString& unit) {
   const QString least = shortNumberText(values.min), most = shortNumberText(values.max);
   if (!peak) return tr("Min %1, max %2%3").arg(least, most, unit);
   return tr("SUVmax %1, SUVpeak %2, min %3%4").arg(most, shortNumberText(peak->mean), least, unit);
 }
 
-// Of one of two series: two lines that begin with its name.
+// Returns the two lines of one of two series, which begin with its name.
 QStringList linesOfSource(const std::string& source, const std::optional<ValueStatistics>& values,
                           const std::optional<ValuePeak>& peak, const std::string& valueUnit) {
   const QString name = shownText(source), unit = unitText(valueUnit);
@@ -104,9 +104,9 @@ QStringList regionLines(const Measured& m) {
                << countText(m.values->n, m.frame.has_value());
 }
 
-// How deep points lie that were picked in 3D depends on the curve that they were seen with.
+// The depth of points picked in 3D depends on the transfer function they were seen with.
 QString surfaceText(double softMm, const Series& series) {
-  constexpr double least = 0.1;  // below that the voxels matter more
+  constexpr double least = 0.1;  // voxel size matters more below that
   const QString unit = series.acquired.calibrated ? tr(" mm") : tr(" px");
   const double twoU = 2 * std::sqrt(depthVariance(softMm));
   const QString depth = twoU < least ? tr("within %1").arg(QString::number(least) + unit)
@@ -114,7 +114,7 @@ QString surfaceText(double softMm, const Series& series) {
   return tr(", on the surface as it was seen in 3D (depth %1)").arg(depth);
 }
 
-// "23.4 \u00d7 12.1 mm (283.1 mm\u00b2)"; "Ratio 0.48", "Heart 130.2, thorax 271 mm".
+// Returns "23.4 × 12.1 mm (283.1 mm²)", or "Ratio 0.48", "Heart 130.2, thorax 271 mm".
 QStringList twoLinesText(ShapeKind kind, const Measured& m) {
   const TwoLines& lines = *m.lines;
   const QString first = shortNumberText(lines.first), second = withUnit(lines.second, lines.unit);
@@ -128,7 +128,7 @@ QStringList twoLinesText(ShapeKind kind, const Measured& m) {
       word};
 }
 
-// "5.8\u00b0 varus", "HKA 174.2\u00b0"; what reads as straight is neither varus nor valgus.
+// Returns "5.8° varus", "HKA 174.2°". An angle that reads as straight is neither varus nor valgus.
 QStringList legAxisText(const Measured& m) {
   constexpr double straight = 0.05;
   const QString number = withUnit(m.number, m.unit);

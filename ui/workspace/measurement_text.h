@@ -9,47 +9,48 @@
 
 namespace volumen {
 
-/// "Length", "Cobb angle": of a tool.
+/// Returns the name of a tool: "Length", "Cobb angle".
 QString kindText(ShapeKind kind);
 
-/// The name, else what it is and its number: "Length 3".
+/// Returns the name, else kind and number: "Length 3".
 QString nameText(const Measurement& measurement);
 
-/// That a region holds nothing to take a mean of.
+/// Returns the message that a region holds nothing to average.
 QString noneInsideText(const Measured& measured);
 
-/// A number as people read it: three digits of what is small, one decimal of what is large, whole numbers as
-/// they are; never with an exponent.
+/// Returns a number for people: three digits if small, one decimal if large, integers unchanged, never an
+/// exponent.
 QString shortNumberText(double number);
 
-/// A measured number with its unit, and of regions what the voxels inside say, a line each: "23.4 mm";
-/// "Area 12.3 mm²", "Mean 45.2, SD 3.1 HU", "Min -5, max 99 HU", "123 voxels"; where a second series lies
-/// over the first, the values of each behind its name. Where there is no number, why.
+/// Returns a measured number with its unit, or the reason why there is none: "23.4 mm". Regions add the
+/// statistics of their voxels, one per line: "Area 12.3 mm²", "Mean 45.2, SD 3.1 HU", "Min -5, max 99 HU",
+/// "123 voxels". With an overlay, the values of each series follow its name.
 QStringList measuredLines(const Shape& shape, const Result<Measured>& measured);
 
-/// The same in one line, for lists.
+/// Returns the same in one line, for lists.
 QString measuredText(const Shape& shape, const Result<Measured>& measured);
 
-/// How sure the number is and what it was taken from: "23.4 ± 0.6 mm, from CT Chest (3)".
+/// Returns the number with uncertainty and source: "23.4 ± 0.6 mm, from CT Chest (3)".
 QString detailText(const Measurement& measurement, const Result<Measured>& measured, const Series& series);
 
-/// The series that it was taken from, and which frame of it: "CR Chest, frame 1".
+/// Returns the source series, and which frame of it: "CR Chest, frame 1".
 QString sourceText(const Measurement& measurement, const Series& series);
 
-/// A measurement and its numbers, as far as they are known.
+/// A measurement with its numbers, as far as known.
 struct MeasuredRow {
   Measurement measurement;
-  const Result<Measured>* measured;  ///< null: not yet
+  const Result<Measured>* measured;  ///< null: not measured yet
   const Series* series;              ///< null: unknown
-  QString timePoint{};               ///< which volume of its series it is, in words
+  QString timePoint{};               ///< volume of its series, in words
 };
 
-/// Where it was drawn: "slice 12 of 31", "frame 3", else the place of its middle in mm.
+/// Returns where it was drawn: "slice 12 of 31", "frame 3", else the position of its middle in mm.
 QString whereText(const Measurement& measurement, const Series& series);
 
-/// Name, numbers, series, place, patient and study date, a line each.
+/// Returns name, numbers, series, position, patient and study date, one line per measurement.
 QString measurementsAsText(const std::vector<MeasuredRow>& rows);
-/// RFC 4180, with a line of headings; numbers of seven digits, positions in patient mm, of frames in pixels.
+/// Returns CSV (RFC 4180) with a header. Numbers have seven digits. Positions are patient mm, or pixels of
+/// frames.
 QString measurementsAsCsv(const std::vector<MeasuredRow>& rows);
 
 }  // namespace volumen

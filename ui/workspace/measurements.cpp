@@ -22,7 +22,7 @@ glm::dvec3 footOn(const ShapePlane& plane, glm::dvec3 p) {
   return p - plane.normal() * glm::dot(p - plane.centre, plane.normal());
 }
 
-// How many points of a freehand outline lie from one handle to the next.
+// Returns the number of points of a freehand outline from one handle to the next.
 std::size_t strideOf(const Shape& shape) { return (shape.points.size() + mostHandles - 1) / mostHandles; }
 
 void dragOutline(std::vector<glm::dvec3>& points, std::size_t at, std::size_t stride, glm::dvec3 mm) {
@@ -33,10 +33,10 @@ void dragOutline(std::vector<glm::dvec3>& points, std::size_t at, std::size_t st
   }
 }
 
-// A vector without its part along a unit vector.
+// Returns a vector without its component along a unit vector.
 glm::dvec3 acrossOf(glm::dvec3 way, glm::dvec3 along) { return way - along * glm::dot(way, along); }
 
-// The other end of a line goes along across it.
+// The other end of the line follows perpendicular to the line.
 void dragLevelLine(std::vector<glm::dvec3>& p, std::size_t handle, glm::dvec3 place) {
   const std::size_t other = handle ^ 1u;
   const glm::dvec3 line = p[other] - p[handle], way = place - p[handle];
@@ -44,7 +44,7 @@ void dragLevelLine(std::vector<glm::dvec3>& p, std::size_t handle, glm::dvec3 pl
   p[handle] = place;
 }
 
-// The short axis keeps its length, its share of the long one, and its right angle to it.
+// The short axis keeps its length, its relative position on the long one, and its right angle to it.
 void dragLongAxis(std::vector<glm::dvec3>& p, std::size_t handle, glm::dvec3 place) {
   const std::vector<glm::dvec3> was = p;
   const glm::dvec3 fixed = p[handle ^ 1u], before = p[handle] - fixed, after = place - fixed;
@@ -61,7 +61,7 @@ void dragLongAxis(std::vector<glm::dvec3>& p, std::size_t handle, glm::dvec3 pla
   }
 }
 
-// Its other end follows along the long axis alone.
+// The other end follows only along the long axis.
 void dragShortAxis(std::vector<glm::dvec3>& p, std::size_t handle, glm::dvec3 place) {
   const glm::dvec3 line = p[1] - p[0];
   if (glm::length(line) == 0) return;

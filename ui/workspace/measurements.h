@@ -9,34 +9,34 @@
 
 namespace volumen {
 
-/// Null: there is none of this id.
+/// Returns the measurement with this id, or null.
 const Measurement* findMeasurement(const Workspace& workspace, int id);
 
-/// The measurements of the patient whose series has this frame of reference, in their order.
+/// Returns the measurements in patient space of series with this frame of reference, in their order.
 std::vector<const Measurement*> measurementsIn(const Workspace& workspace, const std::string& frame);
 
-/// Those that were drawn on a frame of a series, in their order.
+/// Returns the measurements drawn on a frame of a series, in their order.
 std::vector<const Measurement*> measurementsOn(const Workspace& workspace, const Series& series, int frame);
 
-/// What names a frame of a series (from 0) whatever else the series holds.
+/// Returns a name for a frame of a series (from 0) that does not depend on the other frames.
 ShapeFrame frameNamed(const Series& series, int frame);
-/// Which one that is; none: the series does not hold it.
+/// Returns the index of the named frame; empty if the series does not hold it.
 std::optional<int> frameMeant(const Series& series, const ShapeFrame& name);
 
-/// A frame as it is measured on.
+/// Returns a frame as measurements need it.
 FramePixels pixelsOf(const LoadedFrame& frame);
 
-/// Adds one to a series of the workspace and selects it: one step. The id it got.
+/// Adds a measurement to a series of the workspace and selects it, in one undo step. Returns its id.
 int addMeasurement(Session& session, const SeriesKey& series, const Shape& shape);
-/// The same for a list of them; the last one is selected. An empty list changes nothing.
+/// Adds several measurements in one undo step and selects the last. An empty list changes nothing.
 void addMeasurements(Session& session, const SeriesKey& series, std::span<const Shape> shapes);
 
-/// Changes one: steps of one text in a gesture are one. Nothing where there is none of this id.
+/// Changes a measurement. Edits with one text in one gesture are one undo step. Ignores unknown ids.
 void editMeasurement(Session& session, int id, const QString& text,
                      const std::function<void(Measurement&)>& change);
 
-/// Whether one that was just made is to be given its text: an arrow, the first label of a series, what has no
-/// name to follow another's.
+/// Returns whether a new measurement needs a text from the user. This holds for arrows, the first label of a
+/// series, and labels without a name to continue from.
 bool isToBeNamed(const Workspace& workspace, const Measurement& made);
 
 void renameMeasurement(Session& session, int id, const QString& name);
@@ -44,18 +44,17 @@ void deleteMeasurement(Session& session, int id);
 void deleteAllMeasurements(Session& session);
 void showMeasurements(Session& session, bool shown);
 
-/// The shape moved by so many mm, with its plane; of frames by so many pixels.
+/// Returns the shape and its plane moved by `way`, mm; on frames, pixels.
 Shape movedBy(Shape shape, glm::dvec3 way);
 
-/// The places by which a shape is edited, where its points are: its points; of ellipses and rectangles the
-/// corners of the box; of freehand outlines twelve points evenly along it, or all where it has fewer.
+/// Returns the positions of the handles of a shape: its points. Ellipses and rectangles have the corners of
+/// the box. Freehand outlines have twelve points evenly along them, or all if there are fewer.
 std::vector<glm::dvec3> handlesOf(const Shape& shape);
 
-/// The shape with a handle moved to a place (its foot on the plane, where it has one). A corner takes its
-/// neighbours along, so that the box stays one; a point of a freehand outline those up to the next handles,
-/// the less the further they are. Axes stay at right angles: the short one turns with the long one, and moves
-/// along it as a whole; the widths of a chest keep their direction. `unit`: how long steps of the points'
-/// coordinates are, of frames the size of a pixel.
+/// Returns the shape with a handle moved to `place`, projected onto the shape's plane if it has one. A box
+/// stays a box. On a freehand outline, points follow up to the next handles, less with distance. Axes stay
+/// perpendicular: the short one turns with the long one and moves along it as a whole. Chest widths keep
+/// their direction. `unit` is the length of a coordinate step; on frames, the pixel size.
 Shape withHandleAt(Shape shape, std::size_t handle, glm::dvec3 place, glm::dvec3 unit = glm::dvec3(1));
 
 }  // namespace volumen

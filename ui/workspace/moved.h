@@ -4,22 +4,21 @@
 
 namespace volumen {
 
-/// With a series, all that is shown of it and all that was made on it under another key: it was found
-/// elsewhere. Nothing changes where the workspace does not know it.
+/// Moves a series that was found elsewhere to its new key, with everything shown of it and made on it. Does
+/// nothing if the workspace does not know the series.
 Workspace withSeriesMoved(Workspace workspace, const SeriesKey& from, const Series& to);
 
-/// The same for an object that refers to pictures.
+/// Does the same for an object that refers to pictures.
 Workspace withObjectMoved(Workspace workspace, const DerivedKey& from, const DerivedKey& to);
 
-/// An object that refers to pictures and is in use, and what it is.
+/// An object in use that refers to pictures, and its kind.
 struct UsedObject {
   DerivedKey key;
   DerivedKind kind = DerivedKind::presentation;
   bool operator==(const UsedObject&) const = default;
 };
 
-/// The presentation states that pictures are shown by, and the structure sets and segmentations over views;
-/// each once.
+/// Returns the presentation states in use, and the structure sets and segmentations over views, each once.
 std::vector<UsedObject> derivedObjectsOf(const Workspace& workspace);
 
 }  // namespace volumen

@@ -8,10 +8,10 @@
 
 namespace volumen {
 
-/// The user's own presets, as they lie in files.
+/// The user's presets as read from files.
 struct OwnPresets {
   std::vector<Preset> presets;
-  std::vector<std::string> problems;  ///< a sentence for each file that is none
+  std::vector<std::string> problems;  ///< a sentence for each file that is no preset
 };
 OwnPresets ownPresets();
 
@@ -20,11 +20,11 @@ struct PresetEntry {
   std::string name, modality;
   bool own = false;
 };
-/// The user's own and those compiled in.
+/// Returns the user's presets and the built-in ones.
 std::vector<PresetEntry> presetEntries();
 
-/// Keeps the look of a scene under a name; values without a unit are kept relative to those of the series. An
-/// Error where the name is one of the program's own, or the file cannot be written.
+/// Saves the look of a scene under a name. Values without a unit are kept relative to those of the series.
+/// Returns an Error if the name is a built-in one or the file cannot be written.
 Status saveOwnPreset(const std::string& name, const Scene& scene, const LoadedSeries& series);
 Status deleteOwnPreset(const std::string& name);
 

@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// One of a name that there is already is hidden by that.
+// A protocol already known by this name hides the new one.
 void addProtocol(KnownProtocols& known, const std::string& path, const std::string& text) {
   Result<HangingProtocol> protocol = protocolFromJson(text);
   if (!protocol) return known.problems.push_back(path + ": " + protocol.message());

@@ -7,17 +7,17 @@
 
 namespace volumen {
 
-/// The hanging protocols that there are.
+/// All known hanging protocols.
 struct KnownProtocols {
-  std::vector<HangingProtocol> protocols;  ///< the user's own first; of one name the first alone
-  std::size_t own = 0;                     ///< how many of them are
-  std::vector<std::string> problems;       ///< a sentence for each file that is none
+  std::vector<HangingProtocol> protocols;  ///< the user's own first; only the first of equal names
+  std::size_t own = 0;                     ///< how many of them are the user's
+  std::vector<std::string> problems;       ///< a sentence for each file that is no protocol
 };
-/// Those in files of the user's and those compiled in.
+/// Returns the user's protocols from files and the built-in ones.
 KnownProtocols knownProtocols();
 
-/// Keeps one under its name, in place of one of the user's own of that name. An Error where the name is one
-/// of the program's own, or the file cannot be written.
+/// Saves a protocol under its name and replaces the user's protocol of that name. Returns an Error if the
+/// name is a built-in one or the file cannot be written.
 Status saveOwnProtocol(const HangingProtocol& protocol);
 
 }  // namespace volumen

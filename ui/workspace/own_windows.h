@@ -10,19 +10,19 @@ namespace volumen {
 
 struct Series;
 
-/// A window that the user named, for series of one modality whose numbers on screen have one unit.
+/// A window that the user named, for series of one modality and displayed unit.
 struct OwnWindow {
   std::string modality, unit;  ///< "CT", "HU"
   QString name;
-  Window window;  ///< in the numbers on screen, its width above 0
+  Window window;  ///< in displayed units; its width is above 0
   bool operator==(const OwnWindow&) const = default;
 };
 using OwnWindows = std::vector<OwnWindow>;
 
-/// Whether it is for this series, as its numbers are shown now.
+/// Returns whether it applies to a series in its present displayed unit.
 bool isFor(const OwnWindow& own, const Series& series);
 
-/// As text for settings, and back: what is none of them is left out.
+/// Returns windows as text for the settings. ownWindowsIn() reads it back and leaves out what is invalid.
 QString ownWindowsText(const OwnWindows& windows);
 OwnWindows ownWindowsIn(const QString& text);
 

@@ -10,7 +10,7 @@ bool namesPatient(const Series& series) {
   return series.format == "DICOM" || !series.patientName.empty() || !series.patientId.empty();
 }
 
-// Those of a view: what it shows, and what lies over it.
+// Returns the series in a view and its overlay.
 std::vector<const Series*> picturesIn(const Workspace& workspace, ViewId view) {
   std::vector<const Series*> found{seriesIn(workspace, view)};
   const auto overlay = workspace.series.find(flatLookOf(workspace.view(view)).overlay);

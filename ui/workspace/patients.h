@@ -6,15 +6,14 @@
 
 namespace volumen {
 
-/// Whether two series or objects are of one patient: of one name and one ID.
+/// Returns whether two series or objects belong to one patient: same name and same ID.
 bool areOfOnePatient(const SeriesIdentity& a, const SeriesIdentity& b);
 
-/// One series of each patient whose pictures the views on screen show, overlays included, in the order of the
-/// views; series that name no patient and are no DICOM do not count.
+/// Returns one series of each patient on screen, overlays included, in the order of the views. Series that
+/// name no patient and are not DICOM do not count.
 std::vector<const Series*> patientsOnScreen(const Workspace& workspace);
 
-/// With the views that show another patient than that of `series` empty, on screen or not. What was measured
-/// stays.
+/// Empties the views that show another patient than that of `series`, on screen or not. Measurements stay.
 Workspace withoutOtherPatients(Workspace workspace, const Series& series);
 
 }  // namespace volumen

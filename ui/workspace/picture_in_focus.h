@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// Which picture of its series, from 0, a view is about: the frame that it shows, or the slice as acquired
-/// that it shows or that its crosshair is nearest to. None: it shows no series.
+/// Returns the index (from 0) of a view's picture in its series: the shown frame, or the acquired slice shown
+/// or nearest to the crosshair. Empty without a series.
 std::optional<int> pictureOf(const Workspace& workspace, ViewId view);
 
 }  // namespace volumen

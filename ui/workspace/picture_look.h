@@ -10,29 +10,29 @@
 
 namespace volumen {
 
-/// Names a flat view and the workspace that holds its state at one moment.
+/// A flat view, and the workspace that holds its state at one moment.
 struct PictureStop {
   Workspace workspace;
   ViewId view = 0;
-  /// Of the series that it shows and that are measured in it those in memory, which stay there for it.
+  /// The series shown and measured in the view that are in memory; they stay there for it.
   std::map<SeriesKey, LoadedSeriesPtr> held = {};
-  std::optional<Preferences> preferences = {};  ///< none: those of the session as the picture is made
+  std::optional<Preferences> preferences = {};  ///< empty: those of the session when the picture is made
 };
 
-/// How large pictures of flat views are, and what is written over them.
+/// The size of pictures of flat views, and what is written over them.
 struct PictureLook {
   enum class Size {
-    asSeen,  ///< what the view shows, `seen` at its pixels
-    wide,    ///< the same, so many pixels wide
-    own,     ///< all of the picture, a pixel for each of its own
-    whole,   ///< all of the picture, its longer edge so many pixels
-    paper    ///< `mm` about the middle of what the view shows, as large as the patient
+    asSeen,  ///< the view's content, in its pixels (`seen`)
+    wide,    ///< the same, `edge` pixels wide
+    own,     ///< the full picture at its own pixel size
+    whole,   ///< the full picture, its longer edge `edge` pixels
+    paper    ///< `mm` about the middle of the view, as large as the patient
   };
   Size size = Size::asSeen;
-  int edge = 1024;        ///< of `wide` and `whole`: pixels
-  QSize seen{640, 640};   ///< of the view, logical pixels
-  QSizeF mm;              ///< of `paper`
-  bool withTexts = true;  ///< and lines and measurements
+  int edge = 1024;        ///< pixels, for `wide` and `whole`
+  QSize seen{640, 640};   ///< logical pixels of the view
+  QSizeF mm;              ///< for `paper`
+  bool withTexts = true;  ///< also lines and measurements
   bool namesHidden = false;
 };
 

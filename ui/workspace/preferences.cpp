@@ -12,7 +12,7 @@ namespace {
 constexpr PetUnit petUnits[] = {PetUnit::suvBodyWeight, PetUnit::suvLeanBodyMass, PetUnit::suvBodySurface,
                                 PetUnit::file};
 
-// Goes through all preferences: one list for reading and writing.
+// Visits all preferences: one list serves reading and writing.
 template <class Visit>
 void visit(Preferences& p, const Visit& each) {
   each("theme", p.theme);
@@ -42,7 +42,7 @@ QVariant toVariant(Theme theme) {
   return theme == Theme::light ? QStringLiteral("light") : QStringLiteral("dark");
 }
 QVariant toVariant(const std::string& word) { return QString::fromStdString(word); }
-// "flat.right=pan", a line each.
+// Writes one line for each binding: "flat.right=pan".
 QVariant toVariant(const std::map<std::string, std::string>& bindings) {
   QStringList lines;
   for (const auto& [slot, action] : bindings) lines << QString::fromStdString(slot + '=' + action);

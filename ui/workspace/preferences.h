@@ -10,40 +10,40 @@ namespace volumen {
 
 enum class Theme { dark, light };
 
-/// What paints segments in slices: a disc in the slice, or a ball.
+/// The brush that paints segments in slices: a disc in the slice, or a ball.
 struct Brush {
-  static constexpr double leastMm = 1, mostMm = 200;  ///< of diameterMm
+  static constexpr double leastMm = 1, mostMm = 200;  ///< limits of diameterMm
   bool ball = false;
-  double diameterMm = 10;  ///< in the patient
+  double diameterMm = 10;  ///< in patient space
   bool operator==(const Brush&) const = default;
 };
 
-/// How one person wants the window; kept from one start to the next.
+/// One person's preferences, kept from one start to the next.
 struct Preferences {
   Theme theme = Theme::dark;
-  int textPercent = 100;                             ///< of the system's text size
+  int textPercent = 100;                             ///< relative to the system's text size
   std::string mousePreset = "volumen";               ///< one of mousePresets() (ui/tools/mouse_bindings)
-  std::map<std::string, std::string> mouseBindings;  ///< in place of its rows: {"flat.right", "pan"}
+  std::map<std::string, std::string> mouseBindings;  ///< replaces its rows: {"flat.right", "pan"}
   bool zoomDragInverted = false;                     ///< dragging down enlarges
-  bool wheelInverted = false;                        ///< the wheel towards the hand enlarges
+  bool wheelInverted = false;                        ///< turning the wheel towards the hand enlarges
   bool curveDragInverted = false;                    ///< dragging up shifts the curve to higher values
   bool logarithmicOpacity = false;
-  bool crosshairLines = true;  ///< of planes of one series, in each other
-  bool referenceLines = true;  ///< of planes of other views
-  bool referenceEnds = false;  ///< and of their first and last slices
+  bool crosshairLines = true;  ///< planes of one series, drawn in each other
+  bool referenceLines = true;  ///< planes of other views
+  bool referenceEnds = false;  ///< also their first and last slices
   bool hideNames = false;
-  bool tableIn3d = false;                    ///< of CT
-  PetUnit petUnit = PetUnit::suvBodyWeight;  ///< where it can be had
-  int memoryPercent = 25;                    ///< of the machine's memory, for series that are not on screen
+  bool tableIn3d = false;                    ///< CT only
+  PetUnit petUnit = PetUnit::suvBodyWeight;  ///< if available
+  int memoryPercent = 25;  ///< part of the machine's memory for series that are not on screen
   Brush brush;
-  OwnWindows windows;  ///< of flat views and projections, by name
+  OwnWindows windows;  ///< the user's own, for flat views and projections
   bool operator==(const Preferences&) const = default;
 };
 
-/// The defaults, with what the user made himself of these.
+/// Returns the defaults with the user's own windows.
 Preferences defaultsFor(const Preferences& preferences);
 
-/// Those kept by storePreferences(); the defaults for what was never kept or cannot be read.
+/// Returns stored preferences, and defaults for those never stored or unreadable.
 Preferences storedPreferences();
 void storePreferences(const Preferences& preferences);
 

@@ -9,11 +9,11 @@ namespace volumen {
 
 namespace {
 
-/// What is displayed of a frame, as it lies in the frame's mm.
+/// The displayed area of a frame, in the frame's mm.
 struct Displayed {
   PresentedGrid grid;
   glm::dvec3 right, down, centre;
-  glm::dvec2 mm;  ///< of a displayed pixel
+  glm::dvec2 mm;  ///< size of a displayed pixel
 };
 
 Displayed displayedOf(const LoadedFrame& frame) {
@@ -60,7 +60,7 @@ glm::dvec3 annotationPlace(const LoadedFrame& frame, glm::dvec2 position, Annota
 }
 
 std::string frameSide(const LoadedFrame& frame, glm::dvec3 direction) {
-  constexpr double along = 0.9;  // the cosine from which on it is that direction
+  constexpr double along = 0.9;  // smallest cosine that counts as that direction
   const SlicePlane acquired = framePlane(frame.geometry());
   for (const auto& [axis, side] :
        {std::pair(acquired.right, &frame.rowSide), std::pair(acquired.down, &frame.columnSide)}) {

@@ -6,15 +6,16 @@
 
 namespace volumen {
 
-/// The plane of a frame as its presentation state has it: turned, and made to fit what is displayed of it.
-/// `acquired`: the plane of the same look without that. Only of frames with `how`.
+/// Returns the plane of a frame as its presentation state shows it: turned, and fitted to the displayed area.
+/// `acquired` is the plane of the same look without the state. Only for frames with `how`.
 SlicePlane presentedPlane(const LoadedFrame& frame, const FlatLook& look, SlicePlane acquired);
 
-/// Where a position of an annotation lies, in the frame's mm. Only of frames with `how`.
+/// Returns an annotation's position in the frame's mm. Only for frames with `how`.
 glm::dvec3 annotationPlace(const LoadedFrame& frame, glm::dvec2 position, AnnotationUnits units);
 
-/// The patient's side that a direction of the frame's plane points to, by the file's PatientOrientation:
-/// letters as Frame has them; empty where the file does not say or the direction is none of rows and columns.
+/// Returns the patient's side that a direction of the frame's plane points to, in letters as Frame has them,
+/// by the file's PatientOrientation. Empty if the file gives none, or the direction follows neither rows nor
+/// columns.
 std::string frameSide(const LoadedFrame& frame, glm::dvec3 direction);
 
 }  // namespace volumen

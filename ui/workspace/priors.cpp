@@ -21,10 +21,10 @@ namespace {
 
 bool isKnownPatient(const Series& series) { return !series.patientId.empty() || !series.patientName.empty(); }
 
-// Where one of them does not say, they may be the same.
+// Returns whether two facts are equal or one of them is unknown.
 bool mayBeSame(const std::string& a, const std::string& b) { return a.empty() || b.empty() || a == b; }
 
-// Without numbers, and without words too short to tell anything: "CT", "T1".
+// Returns the words without numbers and without those too short to tell anything: "CT", "T1".
 std::vector<std::string> tellingWords(const std::string& text) {
   std::vector<std::string> words = wordsOf(text);
   std::erase_if(words, [](const std::string& word) {
@@ -33,7 +33,7 @@ std::vector<std::string> tellingWords(const std::string& text) {
   return words;
 }
 
-// Likewise.
+// Returns whether the body parts agree or one of them is unknown.
 bool mayBeOfOnePart(const Series& a, const Series& b) {
   return a.bodyPart.empty() || b.bodyPart.empty() || hasWord(a.bodyPart, b.bodyPart) ||
          hasWord(b.bodyPart, a.bodyPart);
@@ -41,7 +41,7 @@ bool mayBeOfOnePart(const Series& a, const Series& b) {
 
 bool isProjection(const Series& series) { return !acquiredPlaneOf(series); }
 
-// How much of `points` two facts that may be missing are worth: half where neither is known.
+// Returns the points for two facts: all if they are equal, half if neither is known, else 0.
 template <class T>
 double pointsOf(double points, const std::optional<T>& a, const std::optional<T>& b) {
   if (!a && !b) return points / 2;
@@ -58,7 +58,7 @@ double pointsOfWords(double points, const Series& a, const Series& b) {
   return points * double(shared) / double(all.size());
 }
 
-// Of 30. From the front or the back the same is seen.
+// Returns up to 30 points. PA and AP views show nearly the same.
 double pointsOfProjection(const ProjectionView& a, const ProjectionView& b) {
   if (a == b) return 30;
   const bool areFrontal = isOneOf(a.viewPosition, "PA|AP") && isOneOf(b.viewPosition, "PA|AP");
@@ -78,7 +78,7 @@ SeriesPicture firstCompared(const Workspace& workspace) {
   return {};
 }
 
-// Returns what lies over the first view; null where a view shows it by itself.
+// Returns the overlay of the first view; null if a view shows it by itself.
 std::shared_ptr<const Series> seriesOverFirst(const Workspace& workspace) {
   const std::vector<ViewId> views = viewsInMain(workspace);
   const auto over = workspace.series.find(flatLookOf(workspace.view(views.front())).overlay);
@@ -87,7 +87,7 @@ std::shared_ptr<const Series> seriesOverFirst(const Workspace& workspace) {
   return std::ranges::any_of(views, shows) ? nullptr : over->second.series;
 }
 
-// Shows it as it is read, in a view to compare.
+// Shows a picture in a comparison view as it is read.
 Workspace withPictures(Workspace workspace, ViewId view, const SeriesPicture& picture) {
   const Series& series = *picture.series;
   if (picture.frame < 0 && !opensAsPictures(series)) {
@@ -197,7 +197,7 @@ std::vector<const Series*> earlierOf(const Series& series, const std::vector<con
     if (!series.patientId.empty() && areOfOnePatient(*other, series) &&
         mayBeSame(other->patientBirthDate, series.patientBirthDate) &&
         mayBeSame(other->patientSex, series.patientSex) && other->studyDate > after &&
-        other->studyDate < series.studyDate)  // nor without a date: "" is not later than any
+        other->studyDate < series.studyDate)  // an empty date is never later
       found.push_back(other);
   return found;
 }
@@ -213,7 +213,7 @@ std::vector<IndexedStudy> unopenedPriors(const Series& series, const std::vector
     const bool isOfPatient = study.patientId == series.patientId && study.patientName == series.patientName &&
                              mayBeSame(study.birthDate, series.patientBirthDate) &&
                              mayBeSame(study.sex, series.patientSex);
-    const bool isBetween = study.date > after && study.date < series.studyDate;  // nor without a date
+    const bool isBetween = study.date > after && study.date < series.studyDate;  // false for an empty date
     const bool isOfModality = series.modality.empty() || hasWord(study.modalities, "=" + series.modality);
     if (isOfPatient && isBetween && isOfModality && !isOpen) found.push_back(study);
   }
@@ -264,14 +264,15 @@ Workspace withLikelySecond(Workspace workspace, const std::vector<const Series*>
 }
 
 Workspace comparedWithPrior(Workspace workspace, const SeriesPicture& current, const SeriesPicture& prior) {
-  const Series left = *current.series, right = *prior.series;  // copies: they may be of the workspace
+  const Series left = *current.series,
+               right = *prior.series;  // copies, because they may belong to the workspace
   workspace = withScrollLinked(std::move(workspace), true);
   workspace.layout = Layout::two;
   workspace.focus = firstComparedId;
   workspace = withPictures(std::move(workspace), firstComparedId, {&left, current.frame});
   workspace = withPictures(std::move(workspace), firstComparedId + 1, {&right, prior.frame});
   workspace.focus = firstComparedId;
-  // What a view had alone before is not what these two are compared by.
+  // The two are not compared by a window that one view had alone.
   for (const ViewId id : {firstComparedId, firstComparedId + 1})
     if (flatLookOf(workspace.view(id)).windowAlone)
       workspace = withWindowAlone(std::move(workspace), id, false);

@@ -35,8 +35,8 @@ const Words<SlabMode> slabModeWords{{"max", SlabMode::max}, {"min", SlabMode::mi
 const Words<ChestWall> wallWords{
     {"anywhere", ChestWall::anywhere}, {"left", ChestWall::left}, {"right", ChestWall::right}};
 
-// ProtocolWriter and ProtocolReader have the same functions: one list of fields a struct both writes and
-// reads it. What is as by default is not written.
+// ProtocolWriter and ProtocolReader have the same functions, so that one list of fields both writes and reads
+// a struct. Default values are not written.
 class ProtocolWriter {
  public:
   template <class T>
@@ -207,7 +207,7 @@ void protocolFields(Fields& f, ProtocolSeries& series) {
 
 template <class Fields>
 void protocolFields(Fields& f, Window& window) {
-  constexpr double never = -1e300;  // both are always written
+  constexpr double never = -1e300;  // no default: both are always written
   f.number("centre", window.centre, never, -mostOfWindow, mostOfWindow);
   f.number("width", window.width, never, -mostOfWindow, mostOfWindow);
   f.require("width", std::abs(window.width) >= leastWidthOfWindow,
@@ -250,7 +250,7 @@ void protocolFields(Fields& f, HangingProtocol& protocol) {
   f.plain("automatic", protocol.automatic, false);
 }
 
-// What the fields say of each other.
+// Checks that the fields agree with each other.
 void checkProtocol(JsonFields& json, const HangingProtocol& protocol) {
   const auto isName = [&](const std::string& name) {
     return std::ranges::find(protocol.series, name, &ProtocolSeries::name) != protocol.series.end();

@@ -15,7 +15,7 @@ namespace volumen {
 
 namespace {
 
-// Without what would read as several alternatives.
+// Returns the text up to a "|", which would read as several alternatives.
 std::string oneOnly(const std::string& text) { return text.substr(0, text.find('|')); }
 
 SeriesRule ruleOf(const SeriesPicture& picture) {
@@ -43,7 +43,7 @@ bool isSamePicture(const SeriesPicture& a, const SeriesPicture& b) {
   return a && b && keyOf(*a.series) == keyOf(*b.series) && a.frame == b.frame;
 }
 
-// Around the latest study on screen of the patient in focus.
+// Returns the studies around the latest one on screen of the patient in focus.
 PatientStudies studiesShown(const Workspace& workspace, const std::vector<const Series*>& open) {
   const Series* latest = seriesIn(workspace, workspace.focus);
   for (const ViewId id : viewsOnScreen(workspace)) {
@@ -65,7 +65,8 @@ class ProtocolMaker {
   ProtocolMaker(const Workspace& workspace, const PatientStudies& studies)
       : workspace_(workspace), studies_(studies) {}
 
-  // The name of the entry that finds it, and its rank there; no name: it is of none of the studies.
+  // Returns the name of the entry that finds a picture, and its rank there; no name if it is in none of the
+  // studies.
   std::pair<std::string, int> nameOf(const SeriesPicture& picture) {
     const std::optional<int> prior = priorNumberOf(*picture.series);
     if (!prior) return {};
@@ -114,7 +115,7 @@ class ProtocolMaker {
   HangingProtocol protocol;
 
  private:
-  // 0: of the current study; none: of no study of the patient's.
+  // Returns 0 for the current study, else the number of the prior; empty if it is no study of the patient.
   std::optional<int> priorNumberOf(const Series& series) const {
     const auto holds = [&](const std::vector<const Series*>& study) {
       return std::ranges::any_of(study, [&](const Series* s) { return keyOf(*s) == keyOf(series); });
@@ -129,7 +130,7 @@ class ProtocolMaker {
   const PatientStudies& studies_;
 };
 
-// Chest walls and scale, where the pictures of the protocol that was hung last still stand.
+// Keeps chest walls and scale where the pictures of the last protocol still stand.
 void keepFacing(HangingProtocol& protocol, const HangingProtocol& last, const Workspace& workspace,
                 const PatientStudies& studies) {
   if (protocol.layout != last.layout) return;

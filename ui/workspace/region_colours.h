@@ -6,7 +6,7 @@
 
 namespace volumen {
 
-/// The colour of a region or segment: the file's, else one of a few that are far apart, by its number.
+/// Returns the colour of a region or segment: the file's, else one of a few distinct ones by its number.
 QColor regionColour(const std::optional<glm::u8vec3>& ofFile, int number);
 
 }  // namespace volumen

@@ -11,9 +11,9 @@ namespace volumen {
 struct RegionsLook {
   DerivedKind kind = DerivedKind::contours;  ///< or segmentation
   std::string label;
-  std::string frameOfReferenceUid;  ///< of a segmentation; views of others do not show it
-  double opacity = 0.4;             ///< of segments
-  SharedMap<int, bool> shown;       ///< by number; those that are not there are shown
+  std::string frameOfReferenceUid;  ///< for segmentations: only views in this frame of reference show it
+  double opacity = 0.4;             ///< for segments
+  SharedMap<int, bool> shown;       ///< by number; missing numbers are shown
   bool operator==(const RegionsLook&) const = default;
 
   bool shows(int number) const {

@@ -15,7 +15,7 @@ namespace {
 
 using Labels = std::pair<std::uint8_t, std::uint8_t>;  // before, after
 
-// How many voxels went from one label to another, of bricks that differ.
+// Counts the voxels that went from one label to another, in bricks that differ.
 std::map<Labels, std::int64_t> voxelsMoved(const LabelMap& before, const LabelMap& after) {
   std::map<Labels, std::int64_t> moved;
   const glm::ivec3 bricks = after.bricks(), size = after.geometry().size;
@@ -37,7 +37,7 @@ std::map<Labels, std::int64_t> voxelsMoved(const LabelMap& before, const LabelMa
   return moved;
 }
 
-// "1,234 voxels (1.23 ml)".
+// Returns "1,234 voxels (1.23 ml)".
 QString amountText(std::int64_t voxels, const VoxelGeometry& grid) {
   const QString count =
       voxels == 1 ? tr("1 voxel") : tr("%1 voxels").arg(QLocale().toString(qlonglong(voxels)));

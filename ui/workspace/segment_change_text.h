@@ -6,9 +6,9 @@
 
 namespace volumen {
 
-/// What a change of a map did that its own segment does not show: voxels that segments took from others
-/// ("Bone took 1,234 voxels (1.23 ml) of Liver."), and segments that got voxels while they are hidden. Empty:
-/// neither. Both have labels. Takes time where many bricks changed.
+/// Returns the side effects of a change of a map: voxels taken from other segments, and hidden segments that
+/// gained voxels. "Bone took 1,234 voxels (1.23 ml) of Liver." Empty if there are none. Both maps have
+/// labels. Slow if many bricks changed.
 QString changeText(const SegmentMap& before, const SegmentMap& after);
 
 }  // namespace volumen

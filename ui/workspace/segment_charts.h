@@ -7,10 +7,10 @@
 
 namespace volumen {
 
-/// Its name and colour.
+/// Returns name and colour of a segment.
 ChartLineLook lookOf(const Segment& segment);
 
-/// The histograms of segments (SegmentValues::histogram), a staircase each, in their colours.
+/// Returns the histograms of segments (SegmentValues::histogram) as staircases in their colours.
 MeasuredChart segmentHistograms(std::span<const SegmentReport> segments, const ValueScale& scale);
 
 }  // namespace volumen

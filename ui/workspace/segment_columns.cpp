@@ -26,7 +26,7 @@ Numbers ofForm(const SegmentReport& report) {
   return report.form ? Numbers{(*report.form).*number} : Numbers();
 }
 
-// The same of what takes the surface.
+// Returns the same for a number that needs the surface.
 template <double SegmentForm::*number>
 Numbers ofSurface(const SegmentReport& report) {
   return report.form && !report.form->ofVoxelsAlone ? ofForm<number>(report) : Numbers();
@@ -68,7 +68,7 @@ Numbers inPlaneSlice(const SegmentReport& report) {
 
 Numbers numbersIf(const std::optional<double>& number) { return number ? Numbers{*number} : Numbers(); }
 
-// Padding has a volume and no value.
+// Padding has volume but no value.
 Numbers timesMl(const SegmentReport& r) {
   if (!r.millilitres || r.values.voxels == 0) return {};
   return {r.values.mean * (*r.millilitres * (double(r.values.voxels) / double(r.voxels)))};
@@ -175,7 +175,7 @@ QString headWithUnit(const QString& name, const QString& unit) {
   return unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit);
 }
 
-// Whole numbers as they are.
+// Writes integers in full.
 QString readableNumber(double number) {
   return number == std::round(number) && std::abs(number) < 1e15 ? QString::number(qint64(number))
                                                                  : digitsText(number, 5);

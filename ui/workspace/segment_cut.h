@@ -5,12 +5,12 @@
 
 namespace volumen {
 
-/// What is to be taken from the current segment of a series: drawn around in 3D, or in a slice.
+/// A cut from the current segment of a series, outlined in 3D or in a slice.
 struct SegmentCut {
   SeriesKey series;
-  Lasso lasso{};         ///< in a slice parallel, from a place of its plane
-  bool inSlice = false;  ///< where the depth can be limited
-  bool onFrame = false;  ///< a picture that is no slice of a volume: it has no lasso
+  Lasso lasso{};         ///< in a slice: parallel, from a point of its plane
+  bool inSlice = false;  ///< in a slice, where the depth can be limited
+  bool onFrame = false;  ///< on a picture that is no slice of a volume: there is no lasso
 };
 
 }  // namespace volumen

@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Of all maps in steps that can be undone: autosave asks after every one.
+// Keeps checksums of all maps in undo steps: autosave asks after every step.
 class KnownChecksums {
  public:
   std::string of(const std::shared_ptr<const LabelMap>& labels) {

@@ -19,7 +19,7 @@ bool isCalled(const SegmentMap& map, const std::string& name) {
   return std::ranges::find(map.segments, name, &Segment::label) != map.segments.end();
 }
 
-// Empty, shown as the others are.
+// Returns an empty map that is shown as the others are.
 SegmentMap furtherMap(const std::vector<SegmentMap>& maps) {
   SegmentMap made = maps.front();
   made.segments.clear();
@@ -37,7 +37,7 @@ bool isColour(std::span<const SegmentMap> maps, glm::u8vec3 colour) {
                              [&](const SegmentMap& map) { return std::ranges::any_of(map.segments, isOf); });
 }
 
-// With its new segments called as none of the series.
+// Gives new segments names that no other segment of the series has.
 SegmentMap withNamesApart(const SegmentMap& before, SegmentMap after,
                           const std::vector<SegmentMap>& ofSeries) {
   const auto isTaken = [&](const std::string& name, const Segment& own) {
@@ -55,8 +55,8 @@ SegmentMap withNamesApart(const SegmentMap& before, SegmentMap after,
   return after;
 }
 
-// Adds to the map at `index` what takes no voxel of it; what is left over comes back. `there`: the maps
-// before anything was added.
+// Adds segments that take no voxel of the map at `index`, and returns the others. `there` are the maps before
+// anything was added.
 std::vector<Segment> addWhatFits(AddedSegments& all, std::size_t index, const LabelMap& labels,
                                  const std::vector<Segment>& segments, const std::vector<SegmentMap>& there) {
   SegmentMap& map = all.maps[index];
@@ -85,8 +85,9 @@ std::size_t indexOfMap(const std::vector<SegmentMap>& maps, int number) {
   return std::size_t(std::ranges::find(maps, number, &SegmentMap::number) - maps.begin());
 }
 
-// The record of a map to which a segment was moved from another one: what might overlap it with other numbers
-// is apart, too. `before`: without it, `overlapping`: the labels that it met there.
+// Records in a map that a segment was moved to it. Recipes with other parameters may make overlapping
+// segments, so subtract steps keep them apart. `before` is the map without it; `overlapping` are the labels
+// it met there.
 SegmentMap withMovedRecorded(const SegmentMap& before, SegmentMap after, const SegmentMap& from, int number,
                              const std::bitset<256>& overlapping) {
   if (!isMadeBySteps(from, number)) return withHandMade(before, std::move(after));

@@ -12,33 +12,33 @@
 
 namespace volumen {
 
-// Several maps of one series, which hold what overlaps. All of them have a grid in common.
+// Several maps of one series hold overlapping segments. All of them have one grid.
 
-/// What people call a map: "Map 2".
+/// Returns the display name of a map: "Map 2".
 QString mapName(int number);
 
-/// Whether the file of one of its maps was not read.
+/// Returns whether the file of one of its maps was not read.
 bool missesSegments(const Workspace& workspace, const SeriesKey& series);
-/// With this map of a series the one that is worked on; as it was where there is none.
+/// Makes this map of a series the current one. Does nothing if there is none.
 Workspace withMapWorkedOn(Workspace workspace, const SeriesKey& series, int number);
-/// `map` as one more of a series: where one there has its number it gets another one, and it is shown as they
-/// are.
+/// Returns `map` as a further map of a series: with another number if its own is taken, and shown as the
+/// others are.
 SegmentMap asMapOf(const Workspace& workspace, const SeriesKey& series, SegmentMap map);
-/// The maps of a series on a grid, the one that is worked on first, the others by their numbers; where that
-/// one lies on another grid, or there is none, an empty one alone.
+/// Returns the maps of a series on a grid, the current one first, the others by number. Returns a single
+/// empty map if the current one lies on another grid or does not exist.
 std::vector<SegmentMap> segmentMapsOn(const Workspace& workspace, const SeriesKey& series,
                                       const VoxelGeometry& grid);
-/// With these maps of a series in place of those of their numbers, the first worked on.
+/// Replaces the maps of a series with the same numbers, and makes the first one current.
 Workspace withSegmentMapsOf(Workspace workspace, const std::vector<SegmentMap>& maps);
 
-/// `wanted`, or with a number behind it where a segment of these maps is called so: "Bone (2)", and of that
-/// "Bone (3)".
+/// Returns `wanted`, with a number behind it if a segment of these maps has that name: "Bone (2)", then "Bone
+/// (3)".
 std::string freeName(std::span<const SegmentMap> maps, const std::string& wanted);
-/// The colour that a new segment of this number in a map of this number has: where a segment of these maps
-/// has that, the next one that none has; where they have all, that of the number.
+/// Returns the colour of a new segment by its number and map. If a segment of these maps has it, returns the
+/// next unused colour; if all are used, that of the number.
 glm::u8vec3 freeColour(std::span<const SegmentMap> maps, int map, int number);
-/// `after`, which was made of `before`, with its new segments called as none of the series, and coloured as
-/// none that was there before.
+/// Returns `after`, made from `before`, with new segments that have names unique in the series, and colours
+/// that no earlier segment has.
 SegmentMap withNewOnesApart(const SegmentMap& before, SegmentMap after,
                             const std::vector<SegmentMap>& ofSeries);
 
@@ -48,32 +48,32 @@ struct SegmentPlace {
   int number;
   bool operator==(const SegmentPlace&) const = default;
 };
-/// Maps with segments that were added, and where these are, in the order of maps.
+/// Maps with added segments, and the places of these in the order of maps.
 struct AddedSegments {
   std::vector<SegmentMap> maps;
   std::vector<SegmentPlace> places{};
 };
 
-// What follows takes time in large volumes: for other threads. The maps have labels, and there is one at
-// least.
+// The functions below are slow in large volumes: call them on other threads. The maps have labels, and there
+// is at least one.
 
-/// With the segments of layers, each in the first map, but for the one at `except`, of which it takes no
-/// voxel; else in a further one. They keep numbers, names and colours where those are free; of colours, where
-/// no segment that was there before has them.
+/// Adds the segments of layers, each to the first map (not that at `except`) in which it takes no voxel, else
+/// to a further map. They keep numbers, names and colours that are free. A colour is free if no earlier
+/// segment has it.
 AddedSegments withSegmentsAdded(std::vector<SegmentMap> maps, std::span<const Segmented> layers,
                                 std::optional<std::size_t> except = {});
-/// With a copy of a segment, called otherwise, in the first other map where it takes no voxel; that map
-/// first, the copy current. As they were where there is no such segment.
+/// Copies a segment under another name to the first other map in which it takes no voxel. That map comes
+/// first, and the copy is current. Does nothing if there is no such segment.
 std::vector<SegmentMap> withSegmentCopied(std::vector<SegmentMap> maps, int map, int number);
 
-/// Maps with a segment that was moved, the one that it is in first, it current there.
+/// Maps with a moved segment. Its map comes first, and the segment is current there.
 struct MovedSegment {
   std::vector<SegmentMap> maps;
   std::int64_t taken;  ///< voxels that it took from segments there
 };
-/// With a segment in another map, that of the number `to` (none: a further one), with all that it is and the
-/// steps that made it; its number stays where it is free there. It takes its voxels from those there; the
-/// Error says that one of them is locked, or what else keeps it.
+/// Moves a segment to map `to` (empty: a further one), with its properties and the steps that made it. It
+/// keeps its number if that is free there, and takes its voxels from segments there. Returns an Error if one
+/// of them is locked or the move is impossible.
 Result<MovedSegment> withSegmentMoved(std::vector<SegmentMap> maps, int map, int number,
                                       std::optional<int> to);
 

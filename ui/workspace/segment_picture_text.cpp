@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// On one line, whatever its name is.
+// Returns a single line, whatever the name is.
 std::string lineOf(const Segment& segment) {
   std::string line = segment.label;
   std::ranges::replace_if(

@@ -10,17 +10,17 @@
 
 namespace volumen {
 
-/// What is to be said of the segments of a picture in 3D.
+/// Texts about the segments in a 3D picture.
 struct SegmentsInPicture {
   std::vector<std::string> drawn;  ///< names, and opacities below 1
-  TissueShown tissue{};            ///< of the volume itself
+  TissueShown tissue{};            ///< masking of the volume
 };
 
-/// Of those that have voxels, and where the volume itself was shown.
+/// Describes the drawn segments that have voxels, and the masking of the volume.
 SegmentsInPicture segmentsInPicture(std::span<const SegmentInScene> drawn, const TissueShown& tissue);
 
-/// For the picture's file: "volumen-segments", a line each, where the picture draws surfaces;
-/// "volumen-tissue" where the volume itself is not shown everywhere.
+/// Returns entries for the picture's file: "volumen-segments", one line per segment, if the picture draws
+/// surfaces; "volumen-tissue" if the volume is masked.
 PictureText textOfSegments(const SegmentsInPicture& segments, bool areDrawn);
 
 }  // namespace volumen

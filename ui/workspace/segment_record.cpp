@@ -14,7 +14,7 @@ namespace {
 
 const std::string removedEnding = " removed";
 
-// Of a segment that is or was there.
+// Returns whether a name is that of a present or removed segment.
 bool isSegmentsName(const std::string& name) { return !name.empty() && name[0] >= '0' && name[0] <= '9'; }
 
 bool hasSegment(const SegmentMap& map, int number) {
@@ -27,14 +27,14 @@ std::set<std::string> stepNamesOf(const SegmentMap& map) {
   return names;
 }
 
-// What becomes of segments, step after step: which were made at all, and which by hand.
+// Tracks segments step by step: which were made at all, and which by hand.
 struct Making {
   std::set<std::string> made, byHand;
 
   bool isByHand(const std::string& name) const {
     return byHand.contains(name) || (isSegmentsName(name) && !made.contains(name));
   }
-  /// Whether a recipe can do the step.
+  /// Adds a step. Returns whether a recipe can do it.
   bool add(const Step& step) {
     const std::vector<std::string> needed = neededBy(step);
     const bool hand = step.kind == byHandStep ||
@@ -52,7 +52,7 @@ struct Making {
 
 using LabelPairs = std::bitset<256 * 256>;
 
-// Which labels became which in a brick.
+// Adds which labels became which in a brick.
 void addLabelChanges(LabelPairs& pairs, const LabelMap::Brick& before, const LabelMap::Brick& after,
                      glm::ivec3 size) {
   for (int k = 0; k < size.z; ++k)
@@ -84,13 +84,14 @@ bool hasChanged(const LabelPairs& pairs, int number) {
   return false;
 }
 
-// Of one grid.
+// Returns whether the labels differ on the same grid.
 bool haveOtherLabels(const SegmentMap& before, const SegmentMap& after) {
   return before.labels && after.labels && before.labels != after.labels &&
          before.labels->geometry() == after.labels->geometry();
 }
 
-// A segment that gained voxels, or lost some to nothing, was changed by hand; others lost theirs to such.
+// A segment that gained voxels or lost some to no segment was changed by hand. Others lost theirs to such
+// segments.
 std::vector<Step> stepsOfChanges(const LabelPairs& pairs, const SegmentMap& map) {
   std::vector<Step> byHand, losses;
   for (const Segment& segment : map.segments) {
@@ -111,7 +112,7 @@ std::vector<Step> stepsOfChanges(const LabelPairs& pairs, const SegmentMap& map)
   return byHand;
 }
 
-// Says of what was made by hand that a step computed its shape, too.
+// Notes in segments made by hand which step also computed their shape.
 void nameComputing(SegmentMap& map, const Making& making, const Step& step) {
   const auto kinds = stepsOfShape();
   const auto kind = std::ranges::find_if(kinds, [&](const StepKind& k) { return k.name == step.kind; });
@@ -126,12 +127,12 @@ void nameComputing(SegmentMap& map, const Making& making, const Step& step) {
     }
 }
 
-// Taken from now on.
+// Returns a free name, which is taken from then on.
 std::string takenName(std::set<std::string>& taken, const std::string& wanted) {
   return freeName(wanted, [&](const std::string& name) { return !taken.insert(name).second; });
 }
 
-// What recipes hold of a segment.
+// Returns the properties of a segment that recipes hold.
 Segment describedSegment(const Segment& segment, const std::string& name, int number) {
   Segment made;
   made.number = number;

@@ -19,7 +19,7 @@ const Error noMemory{"There is not enough memory to measure the segments."};
 
 Json knownNumber(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
-// Counts and places of voxels without a point.
+// Writes voxel counts and indices as integers.
 Json numberJson(double number, bool isWhole) { return isWhole ? Json(std::int64_t(number)) : Json(number); }
 
 Json columnJson(const SegmentColumn& column, const std::vector<double>& numbers) {
@@ -88,7 +88,7 @@ Result<std::vector<SegmentReport>> segmentReports(std::span<const Segment> segme
 
 namespace {
 
-// Without places, and without what is a name of another step.
+// Returns kind and numbers of a step, without positions and names of other steps.
 std::string stepText(const Step& step) {
   std::string fields;
   for (const auto& [name, value] : step.fields) {

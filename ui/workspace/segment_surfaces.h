@@ -12,45 +12,45 @@ namespace volumen {
 
 struct Workspace;
 
-/// What a segment is drawn by in 3D, and what that was made of.
+/// The 3D surface of a segment, and what it was made from.
 struct MadeSurface {
   SeriesKey series;
-  int map = 0;                                    ///< which of the maps of the series
-  int number = 0;                                 ///< of the segment in it
-  std::shared_ptr<const LabelMap> labels;         ///< that held its voxels
-  Mask mask;                                      ///< what was taken away of them
-  std::shared_ptr<const OccupancyField> field{};  ///< null: it was not made
-  QString whyNot{};                               ///< a sentence, where it was not
+  int map = 0;                                    ///< index among the maps of the series
+  int number = 0;                                 ///< number of the segment in that map
+  std::shared_ptr<const LabelMap> labels;         ///< the labels of its voxels
+  Mask mask;                                      ///< the mask applied to them
+  std::shared_ptr<const OccupancyField> field{};  ///< null: could not be made
+  QString whyNot{};                               ///< the reason, as a sentence
 
-  /// Whether both are of one segment.
+  /// Returns whether both belong to the same segment.
   bool isOfSame(const MadeSurface& other) const {
     return series == other.series && map == other.map && number == other.number;
   }
 };
 
-/// A segment as it is drawn in a 3D view.
+/// A segment drawn in a 3D view.
 struct SegmentInScene {
-  const Segment* segment;  ///< of the workspace
+  const Segment* segment;  ///< points into the workspace
   std::shared_ptr<const OccupancyField> field;
 };
 
-/// A segment that is to be drawn in a 3D view and is not.
+/// A segment that should be drawn in a 3D view but is not.
 struct SegmentNotDrawn {
-  const Segment* segment;  ///< of the workspace
+  const Segment* segment;  ///< points into the workspace
   QString whyNot;
 };
 
-/// Says which they are, and why, a line a reason; empty where there are none.
+/// Returns these segments with the reasons, one line per reason; empty if there are none.
 QString notDrawnText(const std::vector<SegmentNotDrawn>& segments);
 
-/// The segments of a map that are to be drawn in 3D: those shown that are not wholly transparent; none of a
-/// map that is in slices alone.
+/// Returns the segments of a map to draw in 3D: those shown and not fully transparent. Empty for a map drawn
+/// only in slices.
 std::vector<const Segment*> segmentsIn3d(const SegmentMap& map);
 
-/// A segment's surface in its colour, as it is drawn.
+/// Returns a segment's surface in its colour.
 SegmentSurface surfaceOf(const Segment& segment, std::shared_ptr<const OccupancyField> field);
 
-/// Whether the segment that a surface was made of is still there, and its series in a 3D view on screen.
+/// Returns whether the segment of a surface still exists and its series is in a 3D view on screen.
 bool isOfSegmentOnScreen(const MadeSurface& surface, const Workspace& workspace);
 
 }  // namespace volumen

@@ -18,7 +18,7 @@ Segment* editSegment(SegmentMap& map, int number) {
   return found == map.segments.end() ? nullptr : &*found;
 }
 
-// "Segment 3", from this number on.
+// Returns the first free name "Segment N" from this number on.
 std::string freshName(const std::vector<SegmentMap>& maps, int number) {
   while (true) {
     const std::string name = tr("Segment %1").arg(number++).toStdString();

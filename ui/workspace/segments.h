@@ -10,57 +10,57 @@
 
 namespace volumen {
 
-/// The segment of a number; null: there is none.
+/// Returns the segment with this number, or null.
 const Segment* findSegment(const SegmentMap& map, int number);
-/// The one that panel and tools work on: the chosen one, else the first; null: there are none.
+/// Returns the segment that panel and tools work on: the chosen one, else the first; null if there are none.
 const Segment* currentSegment(const SegmentMap& map);
-/// The smallest number that no segment has; none: all 255 are taken.
+/// Returns the smallest unused number; empty if all 255 are taken.
 std::optional<int> freeNumber(const SegmentMap& map);
-/// `wanted`, or with a number behind it where another segment is called so: "Bone (2)".
+/// Returns `wanted`, with a number behind it if another segment has that name: "Bone (2)".
 std::string freeName(const SegmentMap& map, const std::string& wanted);
-/// The colour of a number, which new segments have as their own (freeColour()): in every file, also where
-/// others choose those of segments without one.
+/// Returns the colour of a number, which new segments get as their own (freeColour()). Every file states it,
+/// as other programs choose colours for segments without one.
 glm::u8vec3 colourOfNumber(int number);
-/// The numbers of the locked segments.
+/// Returns the numbers of locked segments.
 std::vector<std::uint8_t> lockedNumbers(const SegmentMap& map);
-/// Whether its labels lie on this grid; not where they were not read.
+/// Returns whether the labels lie on this grid; false if they were not read.
 bool isOn(const SegmentMap& map, const VoxelGeometry& grid);
 
-// What follows takes time in large volumes: for other threads. The map has labels.
+// The functions below are slow in large volumes: call them on other threads. The map has labels.
 
-/// With exactly these voxels in a segment; none of a locked one is changed. As it was where there is no such
-/// segment, or it is locked.
+/// Gives a segment exactly these voxels, but none of a locked segment. Does nothing if there is no such
+/// segment or it is locked.
 SegmentMap withMask(SegmentMap map, int number, const BitMask& mask);
-/// Without a segment, whose voxels become background; the one before it is current. As it was where there is
-/// no such segment, or it is locked.
+/// Removes a segment; its voxels become background, and the segment before it is current. Does nothing if
+/// there is no such segment or it is locked.
 SegmentMap withoutSegment(SegmentMap map, int number);
 
-// What follows takes no time. A series without such a segment stays as it is.
+// The functions below are fast. They leave a series without such a segment as it is.
 
-/// With another segment of the map, which has no voxels yet and is current; its number must be free. It gets
-/// a colour that no other one there has where it has none.
+/// Adds a segment without voxels and makes it current; its number must be free. Without a colour it gets one
+/// that no other segment there has.
 SegmentMap withSegment(SegmentMap map, Segment segment);
-/// With another segment that has no voxels yet and is current. It keeps its number where that is free, else
-/// it has the smallest that is; it gets a colour and a name where it has none, and another name where that is
-/// taken. As it was where 255 are there.
+/// Adds a segment without voxels and makes it current. It keeps its number if free, else gets the smallest
+/// free one. It gets a colour and a name if it has none, and another name if its own is taken. Does nothing
+/// if there are 255.
 SegmentMap withSegmentAdded(SegmentMap map, Segment segment);
-/// With a segment of the map that is worked on called, coloured, shown, locked otherwise; its number stays.
+/// Changes a segment of the current map, such as name, colour, visibility and lock. Its number stays.
 Workspace withSegmentChanged(Workspace workspace, const SeriesKey& series, int number,
                              const std::function<void(Segment&)>& change);
-/// With this segment of the map that is worked on current.
+/// Makes this segment of the current map current.
 Workspace withCurrentSegment(Workspace workspace, const SeriesKey& series, int number);
-/// With the segments of a series drawn in 3D, too, or in slices alone.
+/// Draws the segments of a series in 3D as well, or only in slices.
 Workspace withSegmentsIn3d(Workspace workspace, const SeriesKey& series, bool in3d);
-/// With the volume of a series shown in 3D there.
+/// Sets where the volume of a series is shown in 3D.
 Workspace withTissueShown(Workspace workspace, const SeriesKey& series, const TissueShown& tissue);
-/// With another segment without voxels in a map (none: that which is worked on) of a series whose volume has
-/// this grid, current there, in place of segments of other grids; its number as withSegmentAdded() has it,
-/// its name and colour such as no segment of the series has.
+/// Adds a segment without voxels to a map (empty: the current one) of a series whose volume has this grid,
+/// and makes it current. Replaces segments of other grids. Its number is as in withSegmentAdded(); name and
+/// colour are unique in the series.
 Workspace withNewSegment(Workspace workspace, const SeriesKey& series, const VoxelGeometry& grid,
                          Segment segment, std::optional<int> map = {});
 
-/// The map of a number (none: that which is worked on) of a series on a grid; where there is none, or it lies
-/// on another one, an empty map.
+/// Returns the map with a number (empty: the current one) of a series on a grid. Returns an empty map if
+/// there is none or it lies on another grid.
 SegmentMap segmentMapOn(const Workspace& workspace, const SeriesKey& series, const VoxelGeometry& grid,
                         std::optional<int> number = {});
 

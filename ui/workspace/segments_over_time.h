@@ -11,29 +11,29 @@
 
 namespace volumen {
 
-/// Values of a segment in a step of its series, in the unit that is shown.
+/// Values of a segment at one time point of its series, in the displayed unit.
 struct StepValues {
-  double mean = 0, sd = 0;  ///< sd by n
+  double mean = 0, sd = 0;  ///< sd with divisor n
   double min = 0, max = 0;
 };
 
-/// The values of segments in each step of their series, of the same voxels.
+/// Values of segments at each time point of their series, over the same voxels.
 struct SegmentsOverTime {
   StepAxis axis;
   std::string unit;
-  /// Of each segment, step after step; none: no voxel has a value, or the step cannot be read.
+  /// For each segment, one entry per time point; empty: no voxel has a value, or it cannot be read.
   std::vector<std::vector<std::optional<StepValues>>> segments;
 };
 
-/// The mean of each of these segments over time, with its SD at each point, in their colours. `chosen`: which
-/// of the segments, whose reports are `all`.
+/// Returns the mean of segments over time, with its SD at each point, in their colours. `chosen` are indices
+/// of segments, whose reports are `all`.
 MeasuredChart segmentsOverTimeChart(const SegmentsOverTime& values, std::span<const SegmentReport> all,
                                     std::span<const std::size_t> chosen);
 
-/// A list of the steps of one segment: `at` along the axis, `mean`, `sd`, `min`, `max`; null where there is
-/// no value.
+/// Returns the time points of one segment: `at` along the axis, `mean`, `sd`, `min`, `max`; null without a
+/// value.
 nlohmann::ordered_json timePointsJson(const SegmentsOverTime& values, std::size_t segment);
-/// Adds them to the JSON of the numbers of these segments: `timeAxis`, and the list of each of `segments`.
+/// Adds `timeAxis` and the time points of each segment to the JSON of these segments' numbers.
 void addTimePoints(nlohmann::ordered_json& numbers, const SegmentsOverTime& values);
 
 }  // namespace volumen

@@ -39,7 +39,7 @@ QString timePointOf(const Series& series) {
 }
 
 QString sliceNumberText(const Shape& shape, const Series& series) {
-  constexpr double near = 0.01;  // of the distance between slices
+  constexpr double near = 0.01;  // relative to the distance between slices
   if (shape.frame || shape.points.empty() || series.curved || series.acquired.size.z < 2) return {};
   const VoxelGeometry& grid = drawnGeometry(series);
   std::optional<int> slice;

@@ -8,23 +8,23 @@ namespace volumen {
 struct Series;
 struct Shape;
 
-/// What tells the numbers of one series from those of another in a table that leaves the program. A column:
-/// its name for programs, and its head for people.
+/// A column that identifies the series of numbers in an exported table: its name for programs, its heading
+/// for people.
 struct SeriesColumn {
   const char* key;
   const char* head;
 };
 
-/// Patient, patient ID, study date, series, its number and UID, time point.
+/// Returns patient, patient ID, study date, series, its number and UID, time point.
 const std::vector<SeriesColumn>& seriesColumns();
-/// What stands in them, as spreadsheets take it; a field that is not known, or of names that are hidden
-/// (hideNames()), is empty. `timePoint`: which volume of its series it is, in words.
+/// Returns the fields of these columns, harmless to spreadsheets. Unknown fields are empty, and so are names
+/// while they are hidden (hideNames()). `timePoint` says in words which volume of its series it is.
 QStringList seriesFields(const Series& series, const QString& timePoint);
 
-/// The same of a volume that stands alone: "phase 40 %"; mostly empty.
+/// Returns the time point of a volume that stands alone: "phase 40 %"; mostly empty.
 QString timePointOf(const Series& series);
 
-/// The number of the slice, from 1, of all points of a shape; empty where they lie on none, or on several.
+/// Returns the number (from 1) of the slice with all points of a shape; empty if they lie on none or several.
 QString sliceNumberText(const Shape& shape, const Series& series);
 
 }  // namespace volumen

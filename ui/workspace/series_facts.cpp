@@ -17,7 +17,7 @@ std::string loweredText(std::string text) {
   return text;
 }
 
-// Bytes of UTF-8 beyond ASCII belong to letters.
+// Bytes of UTF-8 beyond ASCII count as letters.
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (static_cast<unsigned char>(c) & 0x80); }
 
 std::vector<std::string> alternativesOf(const std::string& text) {
@@ -33,7 +33,7 @@ std::vector<std::string> alternativesOf(const std::string& text) {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-// At the beginning of a word, and no number goes on behind it: "t1" is not in "T10-L2". "=fs": a whole word.
+// The word must begin a word, and no number may continue it: "t1" is not in "T10-L2". "=fs" is a whole word.
 bool saysWord(const std::string& text, std::string word) {
   const bool isWhole = word.size() > 1 && word[0] == '=';
   if (isWhole) word.erase(0, 1);
@@ -53,14 +53,14 @@ const std::string& valueOfSplit(const Series& series, const char* attribute) {
   return found == series.splitBy.end() ? none : found->value;
 }
 
-// "T1 +C", also "T1+C SAG".
+// Returns whether it says "T1 +C" or "T1+C SAG".
 bool saysPlusC(const std::string& description) {
   const std::string said = loweredText(description);
   const std::size_t at = said.find("+c");
   return at != std::string::npos && (at + 2 == said.size() || !isLetter(said[at + 2]));
 }
 
-// Whether what a file has for the agent is one: some write that there was none.
+// Returns whether the text names an agent: some files write that there was none.
 bool isAgent(const std::string& agent) {
   return !agent.empty() && !isOneOf(agent, "none|no|nil|no contrast");
 }
@@ -103,7 +103,7 @@ std::optional<Weighting> weightingOf(const Series& series) {
   const std::pair<const char*, Weighting> table[] = {
       {"tof|mra|angio", Weighting::angiography},
       {"swi|swan|t2*|t2star|hemo|medic", Weighting::t2Star},
-      {"t1|mprage|mp2rage|bravo|spgr|vibe|lava", Weighting::t1},  // "T1 FLAIR" is weighted so
+      {"t1|mprage|mp2rage|bravo|spgr|vibe|lava", Weighting::t1},  // "T1 FLAIR" is T1-weighted
       {"flair|tirm|dark", Weighting::flair},
       {"t2", Weighting::t2},
       {"pd|proton", Weighting::protonDensity}};
@@ -125,7 +125,7 @@ std::optional<Kernel> kernelOf(const Series& series) {
 
 std::optional<bool> contrastOf(const Series& series) {
   const std::string& said = series.description;
-  // Whole words: no "presat", "novel", "posterior".
+  // Whole words, so that "presat", "novel" and "posterior" do not match.
   if (hasWord(said, "native|unenhanced|w/o|=pre|=wo|=no|=non|=without|=ohne|=vor|=kein|=keine|=nativ"))
     return false;
   if (saysPlusC(said) || hasWord(said, "gadolinium|contrast|enhanced|=gd|=gad|=post|=km|=ce") ||

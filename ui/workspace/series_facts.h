@@ -9,29 +9,32 @@
 
 namespace volumen {
 
-/// How an MR series is weighted.
+/// The weighting of an MR series.
 enum class Weighting { t1, t2, t2Star, flair, diffusion, adc, protonDensity, angiography };
 
-/// What a CT was reconstructed for.
+/// The purpose of a CT reconstruction.
 enum class Kernel { soft, lung, bone };
 
-/// By the words of the description, and of diffusion by the b-value; none: nothing tells.
+/// Returns the weighting by words of the description, or diffusion by the b-value; empty if unknown.
 std::optional<Weighting> weightingOf(const Series& series);
-/// By the words of the description and, where it tells volumes apart, the kernel itself.
+/// Returns the kernel by words of the description, and by the kernel itself if it separates volumes.
 std::optional<Kernel> kernelOf(const Series& series);
-/// Whether contrast agent was given, where the words of the description say it.
+/// Returns whether contrast agent was given, by words of the description or by the agent if it separates
+/// volumes; empty if neither says.
 std::optional<bool> contrastOf(const Series& series);
-/// Whether the header says that contrast agent was given: by its name, or by the words of the description.
+/// Returns whether the header says that contrast agent was given: by its name, or by words of the
+/// description.
 bool namesContrast(const Series& series);
-/// The plane of the patient that its slices are closest to; none: not calibrated, or no volume.
+/// Returns the patient plane closest to the slices; empty if not calibrated or no volume.
 std::optional<ViewKind> acquiredPlaneOf(const Series& series);
 
-/// Whether a text has one of the alternatives "head|brain|=fs", each at the beginning of a word, "=fs" as a
-/// whole one, upper or lower case; what ends in a digit is followed by none. No alternatives: false.
+/// Returns whether a text has one of the alternatives "head|brain|=fs", ignoring case. Each must begin a
+/// word; "=fs" must be a whole word. No digit may follow one that ends in a digit. False without
+/// alternatives.
 bool hasWord(const std::string& text, const std::string& alternatives);
-/// Whether a text is one of the alternatives "CR|DX", upper or lower case.
+/// Returns whether a text is one of the alternatives "CR|DX", ignoring case.
 bool isOneOf(const std::string& text, const std::string& alternatives);
-/// The words of a text of letters and digits, in lower case.
+/// Returns the words of letters and digits in a text, in lower case.
 std::vector<std::string> wordsOf(const std::string& text);
 
 }  // namespace volumen

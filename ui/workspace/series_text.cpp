@@ -16,7 +16,7 @@ namespace {
 QString sideText(const std::string& laterality) { return tr("side %1").arg(shownText(laterality)); }
 QString projectionText(const std::string& view) { return tr("view %1").arg(shownText(view)); }
 
-// What may tell series apart, the clearest first, and as what it is shown.
+// Attributes that may distinguish series, the clearest first, and their texts.
 struct Attribute {
   std::string Series::*value;
   QString (*text)(const std::string& value);
@@ -84,7 +84,7 @@ QStringList tellingApart(const Series& series, const std::vector<const Series*>&
     std::erase_if(alike, differs);
     if (!value.empty()) found << attribute.text(value);
   }
-  // Both as films are marked: "L MLO".
+  // Films are marked with both: "L MLO".
   if (found.mid(0, 2) == QStringList{sideText(series.laterality), projectionText(series.viewPosition)})
     found = QStringList{shownText(series.laterality) + QLatin1Char(' ') + shownText(series.viewPosition)} +
             found.mid(2);
@@ -120,7 +120,7 @@ QStringList factsOf(const Series& series, const std::vector<Warning>& warnings) 
     lines << tr("Slices %1").arg(thickness);
   if (const QString unit = unitSuffix(series); !unit.isEmpty())
     lines << tr("Values in%1%2").arg(unit, unitNote(series));
-  // As a volume: frames are measured in pixels of their own.
+  // Concerns only the volume: frames are measured in pixels of their own.
   const auto isOfVolume = [](const Warning& w) { return w.kind == WarningKind::notCalibrated; };
   for (const Warning& w : warnings)
     if (!opensAsFrames(series) || !isOfVolume(w)) lines << QStringLiteral("! ") + shownText(w.sentence);

@@ -11,41 +11,40 @@ namespace volumen {
 struct Series;
 struct Warning;
 
-/// Whether it is known which sides of the patient are left, front and top: letters and the names of planes
-/// may stand for them.
+/// Returns whether it is known which sides of the patient are left, front and top, so that side letters and
+/// plane names can be shown.
 bool knowsSides(const Series& series);
 
-/// "axial", "coronal", "sagittal" or, more than 37 degrees off all of them, "oblique"; empty where the volume
-/// is not calibrated.
+/// Returns "axial", "coronal", "sagittal", or "oblique" if more than 37 degrees off all of them; empty if the
+/// volume is not calibrated.
 QString planeText(const VoxelGeometry& geometry);
 
-/// "28 slices, axial", "34 frames"; the plane where sides are known.
+/// Returns "28 slices, axial" or "34 frames"; the plane only if sides are known.
 QString slicesText(const Series& series);
 
-/// Whether two series of a study have the same name: those of a file by that file.
+/// Returns whether two series of a study have the same name; if not DICOM, they must be of one file.
 bool areNamesakes(const Series& a, const Series& b);
 
-/// What tells a series apart from others of its name: the first of echo time, b-value, time point, label and
-/// time of day that differ, "TE 20 ms", "b 1000", "time point 3", "direction 12", "10:22:31"; several where
-/// none alone is enough, none where nothing does; side and view of single pictures always, "L CC". `others`:
-/// of its name, itself included or not.
+/// Returns what distinguishes a series from `others` of its name (with or without itself). That is the first
+/// of echo time, b-value, time point, label and time of day that differs: "TE 20 ms", "b 1000", "time point
+/// 3", "direction 12", "10:22:31". Returns several if one is not enough, none if nothing differs. Single
+/// pictures always give laterality and view position, "L CC".
 QStringList tellingApart(const Series& series, const std::vector<const Series*>& others);
 
-/// All that is known of a series, one thing a line, warnings last: patient, study, values, place of its
-/// files.
+/// Returns all known facts of a series, one per line: patient, study, values, location of its files; warnings
+/// last.
 QStringList everythingOf(const Series& series);
 
-/// What pictures of a series are made of, one thing a line: its name, slices, size and spacing, thickness and
-/// unit of the values, each of these warnings last; of frames none that is of the volume they would make.
+/// Returns the facts behind pictures of a series, one per line: name, slices, size and spacing, thickness,
+/// unit of the values, then these warnings. For frames, leaves out warnings about the volume they would make.
 QStringList factsOf(const Series& series, const std::vector<Warning>& warnings);
 
-/// What is to be known of a series beside what its picture says by itself: a sentence for each warning that
-/// stands on no picture.
+/// Returns a sentence for each warning that no picture shows by itself.
 QStringList warningSentences(const std::vector<Warning>& warnings);
 
-/// What was taken away from a series, each in two words: "table removed".
+/// Returns what the mask removes from a series, in two words each: "table removed".
 QStringList maskTexts(const Mask& mask);
-/// Where its tissue is shown in 3D: "only inside segments, margin 2 mm"; empty: everywhere.
+/// Returns where tissue is shown in 3D: "only inside segments, margin 2 mm"; empty: everywhere.
 QString tissueText(const TissueShown& tissue);
 
 }  // namespace volumen

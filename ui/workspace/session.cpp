@@ -72,10 +72,10 @@ void Session::showAs(ViewId view, ViewKind kind) {
                                                                                      : firstLook(*series)));
 }
 
-// Nothing was shown in this window yet.
+// Returns whether this window has shown nothing yet.
 bool Session::isFresh() const { return workspace_.series.empty() && undoStack_.count() == 0; }
 
-// A step, but for the first series of a window.
+// Makes an undo step, except for the first series of a window.
 void Session::begin(const QString& text, Workspace after) {
   endGesture();
   if (isFresh() || after == workspace_)
@@ -282,7 +282,7 @@ SessionState Session::stateInFocus() const {
   return state;
 }
 
-// With masks, the view in focus first.
+// Returns the series on screen with their masks, the view in focus first.
 std::vector<PoolKey> Session::wantedOnScreen() const {
   std::vector<ViewId> views = viewsOnScreen(workspace_);
   std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace_.focus; });
@@ -305,7 +305,7 @@ void Session::setNotLoaded(const SeriesKey& series) {
   notLoaded_.insert(series);
 }
 
-// That can be loaded.
+// Returns whether a series is not in memory but can be loaded.
 bool Session::isMissing(const SeriesKey& series) const {
   const auto known = workspace_.series.find(series);
   return known != workspace_.series.end() && !known->second.missing && !pool_->peek(poolKeyOf(series));
@@ -326,23 +326,23 @@ void Session::askForMissing() {
     else if (!next && !notLoaded_.contains(key))
       next = key;
   }
-  // A curve is laid out from its source in memory.
+  // A curved reformat is made from its source in memory.
   if (next && isMissing(*next))
     if (const SeriesKey source = keyOf(sourceOf(*workspace_.series.at(*next).series));
         isWanted(source) && isMissing(source) && !pool_->peek({source, {}}) && !notLoaded_.contains(source))
       next = source;
-  // What heard of a mask may have changed the workspace.
+  // A receiver of maskedNeeded() may have changed the workspace.
   if (!next || !canAsk || !isMissing(*next)) return;
   askedFor_ = next;
   Q_EMIT seriesNeeded(Series(*workspace_.series.at(*next).series));
 }
 
 void Session::setWorkspace(const Workspace& workspace) {
-  Workspace after = workspace;  // a copy: it may be the one in use
+  Workspace after = workspace;  // a copy, because it may be the present one
   const Workspace before = std::exchange(workspace_, std::move(after));
   std::vector<PoolKey> onScreen = wantedOnScreen();
   for (std::size_t n = 0, count = onScreen.size(); n < count; ++n)
-    onScreen.push_back({onScreen[n].series, {}});  // for the next mask
+    onScreen.push_back({onScreen[n].series, {}});  // unmasked, for the next mask
   dropUndrawn();
   std::size_t masks = 0;
   for (const MadeTissue& tissue : tissues_) masks += bytesBesideVolumes(tissue);

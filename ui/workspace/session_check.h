@@ -5,8 +5,8 @@
 
 namespace volumen {
 
-/// Refuses (JsonFields::refuse) what the window relies on beyond what each field of a session may be: the
-/// kinds of its views, a focus that is on screen, numbers of series and measurements.
+/// Refuses (JsonFields::refuse) sessions with valid fields that the window cannot show. Checks the kinds of
+/// views, that the focus is on screen, and the numbers of series and measurements.
 void checkViews(JsonFields& json, const Workspace& workspace);
 
 }  // namespace volumen

@@ -7,33 +7,33 @@
 
 namespace volumen {
 
-/// How a series lies along a curve.
+/// The curve of a curved reformat.
 struct SavedCurve {
   std::string name;
   CurvedRecipe recipe;
 };
 
-/// A series of a session: what finds it again, and its state.
+/// A series of a session: how to find it again, and its state.
 struct SeriesEntry {
-  SavedSeries saved;                ///< of one along a curve: its source
-  std::optional<SavedCurve> curve;  ///< that it lies along; none: it is one of files
+  SavedSeries saved;                ///< the series itself, or the source of a curved reformat
+  std::optional<SavedCurve> curve;  ///< for a curved reformat; empty: the series is one of files
   SeriesState state;
 };
 
-/// A path as it is told from a folder.
+/// Returns a path relative to a folder.
 std::string relativeTo(const std::string& folder, const std::string& path);
 
-/// With the objects in use named by paths under which they are found another day (lastingPath).
+/// Names the objects in use by paths under which they are found another day (lastingPath).
 Workspace withLastingObjects(Workspace workspace);
 
-/// How a session that is to lie in `folder` names a series.
+/// Returns the entry of a series in a session that is stored in `folder`.
 SeriesEntry entryOf(const SeriesState& state, const std::string& folder);
 
-/// The state of a series that a session names: of the one that is found, else as missing.
+/// Returns the state of a series in a session: of the series that is found, else as missing.
 SeriesState stateOf(SeriesEntry entry, const FindSeries& find);
 
-/// With the objects in use that are found where they are now. `listed`: what the session says of their places
-/// beside it.
+/// Gives the objects in use that are found their present paths. `listed` are the session's entries for them,
+/// with paths relative to it.
 Workspace withObjectsFound(Workspace workspace, const std::vector<SavedObject>& listed,
                            const FindObject& find);
 

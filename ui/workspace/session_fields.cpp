@@ -14,10 +14,10 @@ std::string outside(double value, Limits limits) {
          numberText(value);
 }
 
-// NaN is in no limits.
+// NaN is within no limits.
 bool within(double value, Limits limits) { return value >= limits.low && value <= limits.high; }
 
-// Without the full stop that whoever refuses adds.
+// Removes the full stop that refuse() adds.
 std::string unended(std::string sentence) {
   if (sentence.ends_with('.')) sentence.pop_back();
   return sentence;
@@ -167,7 +167,7 @@ void FieldReader::stepsOf(const SeriesKey& series, int map, const char* name, st
     unread_.push_back({series, map, read.message()});
 }
 
-// The number of a series; none where the field is missing or null, or refused.
+// Reads the index of a series; empty if the field is missing, null or refused.
 std::optional<std::size_t> FieldReader::readNumber(const char* name) {
   if (!json_.given(name)) return {};
   int number = -1;

@@ -20,28 +20,28 @@ namespace volumen {
 
 struct Series;
 
-/// What a number of a session may be, ends included.
+/// The range of a number in a session, ends included.
 struct Limits {
   double low, high;
 };
 inline constexpr Limits mmLimits{-1e9, 1e9};
 inline constexpr Limits valueLimits{-1e33, 1e33};  ///< volumes hold up to 1e30
 
-/// The series of a session: everything behind their list refers to them by their number in it, from 0.
+/// The series of a session. Everything after their list refers to them by index in it, from 0.
 struct NumberedSeries {
   std::vector<SeriesKey> keys;
-  std::vector<std::string> frames;  ///< of reference; empty: the series has one that others share
+  std::vector<std::string> frames;  ///< the frame of reference of a series without a UID for it; else empty
 
   void add(const Series& series);
 };
 
-// FieldWriter and FieldReader have the same functions, so that one list of fields a struct,
+// FieldWriter and FieldReader have the same functions, so that one list of fields for a struct,
 //   template <class Fields> void fields(Fields& f, FlatLook& look) { f("zoom", look.zoom, {0.001, 1000}); ...
 //   }
-// both writes and reads it. What cannot be read is not written: the first thing that is wrong is kept in
-// `problem`, as a sentence with the field's path.
+// both writes and reads it. The writer refuses what could not be read back. `problem` keeps the first error,
+// as a sentence with the field's path.
 
-/// Makes a JSON object of a struct.
+/// Writes a struct as a JSON object.
 class FieldWriter {
  public:
   using Json = nlohmann::ordered_json;
@@ -50,11 +50,11 @@ class FieldWriter {
 
   void operator()(const char* name, bool& value) { json_[name] = value; }
   void operator()(const char* name, std::string& value) { json_[name] = value; }
-  /// Left out where there is nothing to say.
+  /// Leaves out an empty text.
   void unlessEmpty(const char* name, std::string& value) {
     if (!value.empty()) json_[name] = value;
   }
-  /// Left out where it is as at first.
+  /// Leaves out a default value.
   template <class T>
   void unlessFirst(const char* name, T& value) {
     if (value != T()) (*this)(name, value);
@@ -63,7 +63,7 @@ class FieldWriter {
   void unlessFirst(const char* name, T& value, const Words<T>& words) {
     if (value != T()) (*this)(name, value, words);
   }
-  /// A struct that sessions of before have as a text, which is read into `text`, a member of it.
+  /// Writes a struct. Older sessions have a text instead, which is read into `text`, one of its members.
   template <class T>
   void onceText(const char* name, T& value, std::string&) {
     (*this)(name, value);
@@ -72,18 +72,18 @@ class FieldWriter {
   void operator()(const char* name, double& value, Limits limits);
   void operator()(const char* name, glm::dvec2& value, Limits limits);
   void operator()(const char* name, glm::dvec3& value, Limits limits);
-  /// x and y of each in turn.
+  /// Writes x and y of each point in turn.
   void operator()(const char* name, std::vector<glm::dvec2>& points, Limits limits);
   void require(const char* name, bool kept, const char* sentence) {
     if (!kept && problem_.empty()) problem_ = pathOf(name) + " " + sentence + ".";
   }
   void operator()(const char* name, Scene& scene);
   void operator()(const char* name, Shape& shape);
-  /// How the segments of a map were made, as in a recipe; left out where nothing is known.
+  /// Writes how the segments of a map were made, as in a recipe. Left out if that is unknown.
   void stepsOf(const SeriesKey& series, int map, const char* name, std::vector<Step>& steps);
-  /// A number of the list; null: no series.
+  /// Writes the index of a series in the list; null: no series.
   void operator()(const char* name, SeriesKey& series);
-  /// A frame of reference: its UID, or the number of the only series in it.
+  /// Writes a frame of reference: its UID, or the index of the only series in it.
   void frame(const char* name, std::string& frame);
 
   template <class T>
@@ -99,7 +99,7 @@ class FieldWriter {
   void operator()(const char* name, std::optional<T>& value) {
     json_[name] = value ? objectOf(*value, pathOf(name)) : Json();
   }
-  /// Left out where there is none.
+  /// Leaves out an empty value.
   template <class T>
   void unlessNone(const char* name, std::optional<T>& value) {
     if (value) json_[name] = objectOf(*value, pathOf(name));
@@ -119,7 +119,7 @@ class FieldWriter {
     std::vector<T> copy(items.begin(), items.end());
     (*this)(name, copy);
   }
-  /// A map as a list of objects, each of the fields that `item(writer, key, value)` names.
+  /// Writes a map as a list of objects, each with the fields that `item(writer, key, value)` names.
   template <class Key, class T, class Item>
   void map(const char* name, SharedMap<Key, T>& items, Item item) {
     Json& list = json_[name] = Json::array();
@@ -154,15 +154,15 @@ class FieldWriter {
   std::string& problem_;
 };
 
-/// How the segments of a map were made, which cannot be read: a sentence of a step.
+/// The steps of a segment map that cannot be read, and why: a sentence about one step.
 struct UnreadSteps {
   SeriesKey series;
-  int map;  ///< its number
+  int map;  ///< number of the map
   std::string why;
 };
 
-/// Reads a JSON object into a struct; a missing field leaves what is there. Steps that cannot be read are no
-/// problem: they are left out, and told in `unread`.
+/// Reads a JSON object into a struct. A missing field keeps the value that is there. Steps that cannot be
+/// read are no error: they are left out and listed in `unread`.
 class FieldReader {
  public:
   FieldReader(JsonFields& json, const NumberedSeries& series, std::vector<UnreadSteps>& unread)

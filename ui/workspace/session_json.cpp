@@ -20,7 +20,7 @@ constexpr std::size_t mostMiB = 8;
 
 }  // namespace
 
-// One list a struct, for writing and reading (session_fields.h).
+// One list of fields for each struct, for writing and reading (session_fields.h).
 
 template <class Fields>
 void fields(Fields& f, Window& w) {
@@ -29,7 +29,7 @@ void fields(Fields& f, Window& w) {
   f.require("width", w.width != 0, "must not be 0");
 }
 
-// How a picture lies in the patient. Rounding may take a cosine a little beyond 1.
+// The directions of a picture in the patient. Rounding may take a cosine a little beyond 1.
 template <class Fields>
 void directions(Fields& f, glm::dvec3& right, glm::dvec3& down) {
   constexpr double within = 1e-6;
@@ -195,7 +195,7 @@ void fields(Fields& f, Crosshair& crosshair) {
   f("coronal", crosshair.coronal);
   f("sagittal", crosshair.sagittal);
   f("byHand", crosshair.byHand);
-  crosshair.byHand = crosshair.byHand || crosshair.turned();  // sessions of before do not say it
+  crosshair.byHand = crosshair.byHand || crosshair.turned();  // older sessions lack this field
 }
 
 template <class Fields>
@@ -279,7 +279,7 @@ void fields(Fields& f, Measurement& m) {
   if (placed) m.textOffset = offset;
 }
 
-// Views that are as at first are not written where they come last, but for those that there always were.
+// Views in their initial state at the end of the list are not written, except for the first eight.
 template <class Fields>
 void viewsField(Fields& f, SharedList<ViewState>& views) {
   constexpr std::size_t always = 8;
@@ -295,7 +295,7 @@ void viewsField(Fields& f, SharedList<ViewState>& views) {
   views.assign(written);
 }
 
-// Written only where there was one: what programs of before read stays as it was.
+// Written only if it is not the default, so that older versions can read sessions without a second window.
 template <class Fields>
 void fields(Fields& f, SecondWindow& second) {
   f("shown", second.shown);
@@ -303,7 +303,7 @@ void fields(Fields& f, SecondWindow& second) {
   f("mainFocus", second.mainFocus, {0, firstSecondId - 1});
 }
 
-// All but the series, whose list comes first.
+// All fields except the series, whose list comes first.
 template <class Fields>
 void fields(Fields& f, Workspace& w) {
   f("layout", w.layout, layoutWords);
@@ -389,7 +389,7 @@ Result<std::string> sessionToJson(const Workspace& workspace, const std::string&
   if (!savedAs.empty()) write("savedAs", of);
   if (!patients.empty()) write("patients", patients);
   if (!problem.empty()) return Error{problem};
-  // A name that is no UTF-8 is written with marks in its place; such a series is told as missing later.
+  // Names that are not UTF-8 get replacement characters; such series are reported as missing later.
   std::string text = write.json().dump(1, ' ', false, FieldWriter::Json::error_handler_t::replace) + "\n";
   if (text.size() > mostMiB << 20)
     return Error{"The session is larger than " + std::to_string(mostMiB) + " MiB."};

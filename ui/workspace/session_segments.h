@@ -9,14 +9,13 @@
 
 namespace volumen {
 
-// What sessions keep of segments and their grids: lists of fields (session_fields.h), part of those in
-// session_json.cpp.
+// Lists of the fields of segments and their grids in sessions (session_fields.h), used by session_json.cpp.
 
 inline bool isChecksum(const std::string& text) {
   return text.size() == 40 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-// As Volume::make asks of it.
+// Returns whether the axes span space, as Volume::make requires.
 inline bool spansSpace(const VoxelGeometry& geometry) {
   const glm::dvec3 mm = geometry.spacing();
   return geometry.voxelVolume() / (mm.x * mm.y * mm.z) > 1e-9;
@@ -86,7 +85,7 @@ void fields(Fields& f, TissueShown& tissue) {
   f("marginMm", tissue.marginMm, {0, mostTissueMarginMm});
 }
 
-// The labels themselves lie in a file that their checksum names.
+// The labels themselves are in a file named by their checksum.
 template <class Fields>
 void fields(Fields& f, SegmentMap& map) {
   SavedLabels saved = savedLabelsOf(map);

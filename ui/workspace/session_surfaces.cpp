@@ -1,4 +1,4 @@
-// What Session keeps for 3D views: surfaces of segments, and volumes of which only some tissue is shown.
+// Session's data for 3D views: surfaces of segments, and volumes of which only some tissue is shown.
 #include <algorithm>
 #include <utility>
 

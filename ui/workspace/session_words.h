@@ -3,7 +3,7 @@
 #include "ui/workspace/session_fields.h"
 #include "ui/workspace/workspace.h"
 
-// The words that stand for enumerators in a session.
+// The words for enumerators in session files.
 namespace volumen {
 
 inline const Words<FrameWindow> frameWindowWords{

@@ -7,8 +7,8 @@
 
 namespace volumen {
 
-/// A value whose copies share it until one of them is edited (copy on write): copying and comparing copies
-/// cost nothing. Copies may be read and dropped in other threads. Reading never copies; only edit() does.
+/// A value that copies share until one of them is edited (copy on write). Copying and comparing copies cost
+/// nothing. Copies may be read and dropped on other threads. Reading never copies; only edit() does.
 template <class T>
 class Shared {
  public:
@@ -18,7 +18,7 @@ class Shared {
   const T& operator*() const { return held_ ? held_->value : none(); }
   const T* operator->() const { return &**this; }
 
-  /// To write into: a copy of its own where others hold it, too. Valid until this is copied.
+  /// Returns the value for writing, as a copy if others hold it too. Valid until this is copied.
   T& edit() {
     if (!held_)
       held_ = new Held(T());
@@ -27,7 +27,7 @@ class Shared {
     return held_->value;
   }
 
-  /// Whether both hold the same object, not only an equal one.
+  /// Returns whether both hold the same object, not only an equal one.
   bool sharesWith(const Shared& other) const { return held_ == other.held_; }
   bool operator==(const Shared& other) const { return sharesWith(other) || **this == *other; }
 
@@ -45,7 +45,7 @@ class Shared {
   QExplicitlySharedDataPointer<Held> held_;  // null: T{}
 };
 
-/// Goes through shared values as through values.
+/// Iterates over shared values as over plain values.
 template <class T>
 class SharedIterator {
  public:

@@ -8,8 +8,8 @@
 
 namespace volumen {
 
-/// A std::vector whose copies share it, and each element that none of them edited. It is read like one; the
-/// functions that write have names of their own.
+/// A std::vector whose copies share it and each element that none of them edited. It is read like a vector.
+/// Functions that write have names of their own.
 template <class T>
 class SharedList {
  public:
@@ -18,7 +18,7 @@ class SharedList {
 
   SharedList() = default;
   SharedList(std::initializer_list<T> items) { assign(items); }
-  /// `count` times T{}.
+  /// Holds `count` times T{}.
   explicit SharedList(std::size_t count) { items_.edit().resize(count); }
 
   const_iterator begin() const { return const_iterator(items_->data()); }
@@ -30,8 +30,8 @@ class SharedList {
   const T& front() const { return *items_->front(); }
   const T& back() const { return *items_->back(); }
 
-  /// To write into: the list and this element are copied where others hold them, too. Valid until this is
-  /// copied or made longer or shorter.
+  /// Returns an element for writing. Copies the list and this element if others hold them too. Valid until
+  /// this is copied or changes its length.
   T& edit(std::size_t n) { return items_.edit()[n].edit(); }
 
   void push_back(T item) { items_.edit().emplace_back(std::move(item)); }
@@ -46,13 +46,13 @@ class SharedList {
     auto& items = items_.edit();
     items.erase(items.begin() + n);
   }
-  /// Changes those for which `isIt`.
+  /// Changes the elements for which `isIt` holds.
   template <class IsIt, class Change>
   void editIf(const IsIt& isIt, const Change& change) {
     for (std::size_t n = 0; n < size(); ++n)
       if (isIt((*this)[n])) change(edit(n));
   }
-  /// Whether there were any.
+  /// Erases the elements for which `isIt` holds. Returns whether there were any.
   template <class IsIt>
   bool eraseIf(const IsIt& isIt) {
     if (std::none_of(begin(), end(), isIt)) return false;

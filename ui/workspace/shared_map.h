@@ -8,8 +8,8 @@
 
 namespace volumen {
 
-/// A std::map whose copies share it, and each entry that none of them edited. It is read like one; the
-/// functions that write have names of their own, so that nothing is copied by reading.
+/// A std::map whose copies share it and each entry that none of them edited. It is read like a map. Functions
+/// that write have names of their own, so that reading copies nothing.
 template <class Key, class T>
 class SharedMap {
  public:
@@ -26,21 +26,21 @@ class SharedMap {
     return holds(n, key) ? const_iterator(entries_->data() + n) : end();
   }
   bool contains(const Key& key) const { return holds(placeOf(key), key); }
-  /// Throws std::out_of_range where it is not there, as a std::map does.
+  /// Throws std::out_of_range if the key is missing, as std::map does.
   const T& at(const Key& key) const { return (*entries_)[placeOfKnown(key)]->second; }
 
-  /// To write into: the map's list and this entry are copied where others hold them, too. Valid until this is
-  /// copied or the entry is erased. Throws std::out_of_range where it is not there.
+  /// Returns a value for writing. Copies the list of entries and this entry if others hold them too. Valid
+  /// until this is copied or the entry is erased. Throws std::out_of_range if the key is missing.
   T& edit(const Key& key) {
     const std::size_t n = placeOfKnown(key);
     return entries_.edit()[n].edit().second;
   }
-  /// The same, of an entry that is added where there is none.
+  /// Does the same, and adds `first` if the key is missing.
   T& editOrAdd(const Key& key, const T& first = {}) {
     add(key, first);
     return edit(key);
   }
-  /// Whether it was: one that is there stays as it is.
+  /// Adds an entry unless the key is there. Returns whether it did.
   bool add(const Key& key, const T& value) {
     const std::size_t n = placeOf(key);
     if (holds(n, key)) return false;
@@ -48,7 +48,7 @@ class SharedMap {
     entries.insert(entries.begin() + std::ptrdiff_t(n), Shared<value_type>({key, value}));
     return true;
   }
-  /// Whether it was there.
+  /// Erases an entry. Returns whether it was there.
   bool erase(const Key& key) {
     const std::size_t n = placeOf(key);
     if (!holds(n, key)) return false;
@@ -57,7 +57,7 @@ class SharedMap {
     return true;
   }
   void clear() { entries_ = {}; }
-  /// Changes the values of the entries for which `isIt`.
+  /// Changes the values of the entries for which `isIt` holds.
   template <class IsIt, class Change>
   void editIf(const IsIt& isIt, const Change& change) {
     for (std::size_t n = 0; n < size(); ++n)
@@ -67,7 +67,7 @@ class SharedMap {
   bool operator==(const SharedMap&) const = default;
 
  private:
-  // The first entry that does not lie before this key.
+  // Returns the index of the first entry that is not before `key`.
   std::size_t placeOf(const Key& key) const {
     const auto isBefore = [](const Shared<value_type>& entry, const Key& k) { return entry->first < k; };
     return std::size_t(std::lower_bound(entries_->begin(), entries_->end(), key, isBefore) -
@@ -82,7 +82,7 @@ class SharedMap {
     return n;
   }
 
-  Shared<std::vector<Shared<value_type>>> entries_;  // by their keys
+  Shared<std::vector<Shared<value_type>>> entries_;  // sorted by key
 };
 
 }  // namespace volumen

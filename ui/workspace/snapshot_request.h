@@ -11,16 +11,16 @@
 
 namespace volumen {
 
-/// What is written over a snapshot.
+/// The annotations of a snapshot.
 struct Annotations {
   bool letters = false;   ///< the patient's sides at the edges
-  bool scaleBar = false;  ///< where one scale holds: parallel projection, calibrated
+  bool scaleBar = false;  ///< only if one scale holds: parallel projection, calibrated
   bool patient = false;   ///< patient and series
-  bool warnings = true;   ///< what changes what is seen
+  bool warnings = true;   ///< warnings about what is seen
   bool operator==(const Annotations&) const = default;
 };
 
-/// What a snapshot is of: a 3D view at the moment that it is asked for.
+/// The subject of a snapshot: a 3D view at the moment of the request.
 struct SnapshotSeen {
   LoadedSeriesPtr series;
   Scene scene;  ///< with its camera
@@ -28,17 +28,17 @@ struct SnapshotSeen {
   bool namesHidden = false;
 };
 
-/// What a snapshot is to be.
+/// A snapshot to be made.
 struct SnapshotRequest {
   SnapshotSeen seen;
-  /// PNG or JPEG by its suffix; of a turntable numbered before it, and with a further number where files of
-  /// such names are there already; empty: the clipboard.
+  /// PNG or JPEG by its suffix; empty: the clipboard. Pictures of a turntable have a number before the
+  /// suffix, and a further number if files of such names exist.
   QString path;
   QSize size;
   Quality quality = Quality::high;
-  std::optional<Background> background;  ///< nothing: the scene's
+  std::optional<Background> background;  ///< empty: the scene's
   Annotations shown;
-  int pictures = 1;  ///< of a full turn about the camera's up axis
+  int pictures = 1;  ///< in a full turn about the camera's up axis
 };
 
 }  // namespace volumen

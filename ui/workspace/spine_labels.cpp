@@ -16,7 +16,7 @@ std::vector<std::string> spine() {
   return all;
 }
 
-// Where it stands in the spine; -1: nowhere.
+// Returns the index in the spine; -1 if it is no vertebra.
 int placeInSpine(const std::string& name) {
   const auto all = vertebrae();
   const auto found = std::ranges::find(all, name);

@@ -7,12 +7,12 @@
 
 namespace volumen {
 
-/// The vertebrae in their order, from the skull down: C1 to C7, T1 to T12, L1 to L5, S1 to S5.
+/// Returns the vertebrae from the skull down: C1 to C7, T1 to T12, L1 to L5, S1 to S5.
 std::span<const std::string> vertebrae();
 
-/// What the next label of a series says: the vertebra below the last one, or above it where the last two go
-/// upwards; of another name that ends in a number the same with the next number; C7 where there is no label
-/// yet. Empty: nothing follows.
+/// Returns the text of the next label of a series: the vertebra below the last one, or above it if the last
+/// two go upwards. Another name that ends in a number gets the next number. The first label is C7. Empty if
+/// nothing follows.
 std::string nextLabel(const Workspace& workspace, const SeriesKey& series);
 
 }  // namespace volumen

@@ -17,7 +17,7 @@ QString tr(const char* text) { return QCoreApplication::translate("volumen", tex
 
 namespace {
 
-// Invisible characters that would reorder what stands beside them.
+// Returns whether a character is invisible and would reorder its neighbours.
 bool reorders(QChar c) {
   const char16_t u = c.unicode();
   return u == 0x061c || (u >= 0x200e && u <= 0x200f) || (u >= 0x202a && u <= 0x202e) ||
@@ -75,7 +75,7 @@ QString seriesText(const Series& series) {
   QString description = shownText(series.description);
   const bool isFile = series.format != "DICOM" && series.format != "phantom" && !series.curved;
   if (isFile && hidden && description.isEmpty()) description = tr("(file name hidden)");
-  // What programs write into the description of a file is seldom its name.
+  // A description that programs write into a file is rarely its name.
   if (isFile ? !hidden : description.isEmpty() && series.format == "phantom")
     description = QFileInfo(QString::fromStdString(series.path)).fileName();
   if (!description.isEmpty()) parts << description;

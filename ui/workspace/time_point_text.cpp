@@ -18,7 +18,7 @@ namespace {
 using Steps = std::vector<const Series*>;
 using Named = std::string Series::*;
 
-// The first that varies names the steps.
+// The first attribute that varies names the time points.
 constexpr Named namedBy[] = {&Series::bValue, &Series::echoTime, &Series::timePoint, &Series::label};
 
 std::set<std::string> valuesOf(const Steps& steps, Named by) {
@@ -27,7 +27,7 @@ std::set<std::string> valuesOf(const Steps& steps, Named by) {
   return values;
 }
 
-// Labels may be given to some alone: an image without diffusion weight has no direction.
+// Only some may have labels: an image without diffusion weighting has no direction.
 bool varies(const Steps& steps, Named by) {
   const std::set<std::string> values = valuesOf(steps, by);
   return values.size() > 1 && (by == &Series::label || !values.contains({}));
@@ -38,20 +38,20 @@ bool tellsAll(const Steps& steps, Named by) {
   return values.size() == steps.size() && !values.contains({});
 }
 
-// Null: nothing is given that varies.
+// Returns null if no attribute varies.
 const Named* firstVarying(const Steps& steps) {
   const auto found = std::ranges::find_if(namedBy, [&](Named a) { return varies(steps, a); });
   return found == std::end(namedBy) ? nullptr : found;
 }
 
-// Of what starts like a number.
+// Returns the number that a text begins with.
 std::optional<double> numberOf(const std::string& text) {
   double number = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
   return read.ec == std::errc() ? std::optional(number) : std::nullopt;
 }
 
-// Seconds of the day of "HHMMSS.FFFFFF".
+// Returns the seconds since midnight of "HHMMSS.FFFFFF".
 std::optional<double> secondsOf(const std::string& time) {
   if (time.size() < 6 ||
       !std::all_of(time.begin(), time.begin() + 6, [](char c) { return c >= '0' && c <= '9'; }))
@@ -59,7 +59,7 @@ std::optional<double> secondsOf(const std::string& time) {
   return 3600 * *numberOf(time.substr(0, 2)) + 60 * *numberOf(time.substr(2, 2)) + *numberOf(time.substr(4));
 }
 
-// None: not given for all, or not rising.
+// Returns the numbers; empty if some have none or they do not rise.
 std::optional<std::vector<double>> risingNumbers(const Steps& steps, Named by) {
   std::vector<double> numbers;
   for (const Series* step : steps) {

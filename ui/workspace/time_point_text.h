@@ -7,20 +7,21 @@
 
 namespace volumen {
 
-/// How many steps there are, by what they are: "451 directions", "12 time points"; empty of one alone.
+/// Returns the number of time points by what they are: "451 directions", "12 time points"; empty for a single
+/// one.
 QString stepsText(const std::vector<const Series*>& steps);
 
-/// What all steps have in common: the first of them without what varies, and with the warnings that all have.
+/// Returns the first of `steps` without what varies among them, and with the warnings that all have.
 Series commonOf(const std::vector<const Series*>& steps);
 
-/// Which of the steps of its series it is, by the name of what varies: "b 50 (2 of 3)", "echo 2 of 7: 31 ms",
-/// "direction 12 (12 of 30)"; of the only one its label: "component x", mostly empty.
+/// Returns which time point of its series it is, by the attribute that varies. Examples: "b 50 (2 of 3)",
+/// "echo 2 of 7: 31 ms", "direction 12 (12 of 30)". A single one has its label: "component x", mostly empty.
 QString timePointText(const Workspace& workspace, const SeriesKey& series);
-/// All of them: "b = 0, 50, 800"; empty where there is one, or nothing is given that varies.
+/// Returns all values of that attribute: "b = 0, 50, 800"; empty for a single one, or if no attribute varies.
 QString timeAxisText(const std::vector<const Series*>& steps);
 
-/// Where each of the steps stands along what varies: "b (s/mm²)", "Echo time (ms)", "Time (s)" since the
-/// first acquisition; where that is not given for all, or not in order, their numbers from 1: "Volume".
+/// The positions of time points along the attribute that varies: "b (s/mm²)", "Echo time (ms)", or "Time (s)"
+/// since the first acquisition. If it is not given for all, or not in order, their numbers from 1: "Volume".
 struct StepAxis {
   QString title;
   std::vector<double> at;

@@ -24,7 +24,7 @@ double numberIn(const std::string& text) {
   return number;
 }
 
-// The number behind "NAME#" in an id; 0: none.
+// Returns the number after the "#" in an id "NAME#3"; 0 if there is none.
 double volumeNumber(const Series& series) {
   const std::size_t mark = series.id.find_last_of('#');
   return mark == std::string::npos ? 0 : numberIn(series.id.substr(mark + 1));
@@ -100,7 +100,7 @@ Workspace withTimePoint(Workspace workspace, ViewId view, const SeriesKey& step)
   to.namedGrey = from.namedGrey;
   to.frameWindow = from.frameWindow;
   to.colours = from.colours;
-  // Volumes without a frame of reference have one each.
+  // Each volume without a frame of reference has its own.
   const std::string frame = frameOfReference(*from.series), next = frameOfReference(*to.series);
   const auto follow = [](auto& map, const auto& before, const auto& now) {
     const auto known = map.find(before);

@@ -6,23 +6,23 @@
 
 namespace volumen {
 
-/// Whether two volumes are steps of one series: of one patient, series and grid, at different times, echoes,
-/// diffusion weights or directions, or the volumes of one file.
+/// Returns whether two volumes are time points of one series. They have the same patient, series and grid,
+/// and differ in time, echo, diffusion weighting or direction, or they are volumes of one file.
 bool areTimePoints(const Series& a, const Series& b);
 
-/// Brings steps into their order: that of what varies.
+/// Sorts time points by the attribute that varies.
 void sortTimePoints(std::vector<const Series*>& steps);
 
-/// The steps of a series that the workspace knows, itself included, in the order of what varies.
+/// Returns the time points of a series that the workspace knows, itself included, in order.
 std::vector<const Series*> timePointsOf(const Workspace& workspace, const SeriesKey& series);
 
-/// Whether there are several.
+/// Returns whether there are several.
 bool hasTimePoints(const Workspace& workspace, const SeriesKey& series);
 
-/// With the steps of a series known, of all that are open.
+/// Makes the open time points of a series known to the workspace.
 Workspace withTimePointsOf(Workspace workspace, const Series& series, const std::vector<const Series*>& open);
 
-/// With another step of what a view shows, in all views of its group, shown as the last one was.
+/// Shows another time point in a view, or in all views of its group, as the last one was shown.
 Workspace withTimePoint(Workspace workspace, ViewId view, const SeriesKey& step);
 
 }  // namespace volumen

@@ -7,37 +7,37 @@
 
 namespace volumen {
 
-/// What PET is shown in from now on: one switch behind all numbers on screen, as hideNames() is. Volumes,
-/// scenes and sessions stay in the units of the file.
+/// Sets the unit in which PET is shown. Like hideNames(), one switch serves all numbers on screen. Volumes,
+/// scenes and sessions keep the units of the file.
 void showPetIn(PetUnit unit);
 PetUnit shownPetUnit();
 
-/// From the values of a series to the numbers on screen.
+/// Returns the scale from stored values of a series to displayed numbers.
 ValueScale shownScale(const Series& series);
 
-/// " (no SUV: PatientWeight (0010,1030) is missing)"; empty where nothing is to be said of the unit.
+/// Returns a note on the unit, " (no SUV: PatientWeight (0010,1030) is missing)"; empty if there is none.
 QString unitNote(const Series& series);
 
-/// A value as it stands on screen, with its unit and what is to be said of that: "5.23 SUVbw".
+/// Returns a displayed value with its unit and the note on it: "5.23 SUVbw".
 QString valueText(const LoadedSeries& shown, double value);
 
-/// How many decimals tell the numbers of a series apart.
+/// Returns how many decimals distinguish the displayed numbers of a series.
 int valueDecimals(const LoadedSeries& shown);
 
-/// Of so many digits, whole where it has more before the point: never "1.3e+06".
+/// Returns a number with `digits` digits, or an integer if it has more before the point: never "1.3e+06".
 QString digitsText(double number, int digits);
 
-/// A window or a range in the numbers on screen, and back.
+/// Returns a window or a range in displayed units. storedWindow() converts it back.
 Window shownWindow(const Window& window, const Series& series);
-/// "Bone (2000 / 400)": a name, with width and centre as they are shown.
+/// Returns a name with displayed width and centre: "Bone (2000 / 400)".
 QString namedWindowText(const QString& name, const Window& stored, const Series& series);
 Window storedWindow(const Window& shown, const Series& series);
 
-/// Width and centre as they are read: four digits of the width, as many decimals of the centre, no zeros that
-/// both end with, no exponent up to 1e9.
+/// Returns width and centre for people: four digits of the width, as many decimals of the centre. Drops zeros
+/// at the end of both. Uses no exponent up to 1e9.
 std::pair<QString, QString> windowNumbers(const Window& window);
 
-/// "W 400 L 40"; of PET with the unit.
+/// Returns "W 400 L 40"; for PET with the unit.
 QString windowText(const Window& window, const Series& series);
 
 }  // namespace volumen

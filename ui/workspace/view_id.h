@@ -2,10 +2,10 @@
 
 namespace volumen {
 
-/// Names a view of the window; no number is given twice.
+/// The unique number of a view of the window.
 using ViewId = int;
 
-/// As which frames and slices are asked for that no view shows: to be measured, and while a series is loaded.
+/// Ids for requests of frames and slices that no view shows: to measure them, and while a series is loaded.
 inline constexpr ViewId measuredId = -1, firstImageId = -2;
 
 }  // namespace volumen

@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Unturned, the wheel moves down to caudal, posterior and left.
+// Unturned, a wheel step down goes to caudal, posterior and left.
 constexpr KindRow kinds[] = {
     {ViewKind::volume, "volume", "3D", ViewFamily::scene, "show3D"},
     {ViewKind::axial,

@@ -8,42 +8,42 @@ namespace volumen {
 struct Crosshair;
 struct PlaneDirections;
 
-/// What a view shows of its series.
+/// The content of a view.
 enum class ViewKind { volume, axial, coronal, sagittal, frames };
 
-/// What kinds have in common: 3D, slices through a volume, or frames as acquired. The views of a family are
-/// widgets of one class.
+/// Families of kinds: 3D, slices through a volume, or frames as acquired. All views of a family are widgets
+/// of one class.
 enum class ViewFamily { scene, slices, frames };
 
 /// The plane of the crosshair that slices lie in.
 struct KindPlane {
   PlaneDirections Crosshair::*directions;
-  const char* axesText;  ///< for people, where the patient's sides are not known: "Plane xy"
-  double wheelSign;      ///< of the way along its normal that the wheel moves down
-  unsigned lineColour;   ///< of its line in other slices, 0xRRGGBB
+  const char* axesText;  ///< for people, if the patient's sides are unknown: "Plane xy"
+  double wheelSign;      ///< sign of a wheel step down along its normal
+  unsigned lineColour;   ///< colour of its line in other slices, 0xRRGGBB
 };
 
-/// A kind of view, as far as the program tells kinds apart.
+/// A kind of view, with all that distinguishes it from others.
 struct KindRow {
   ViewKind kind;
   const char* word;  ///< in session files
   const char* text;  ///< for people
   ViewFamily family;
-  const char* action;                ///< that shows it in a view to compare; null: none does
-  std::optional<KindPlane> plane{};  ///< of slices, and of nothing else
+  const char* action;                ///< shows it in a comparison view; null: none does
+  std::optional<KindPlane> plane{};  ///< for slices only
 };
 
-/// All of them, each once.
+/// Returns all kinds, each once.
 std::span<const KindRow> viewKinds();
 const KindRow& rowOf(ViewKind kind);
 
-/// Whether it is 3D.
+/// Returns whether a kind is 3D.
 bool showsScene(ViewKind kind);
-/// Whether it is slices through a volume.
+/// Returns whether a kind is slices through a volume.
 bool showsSlices(ViewKind kind);
-/// Whether it is frames as acquired: they are read one by one, and need no volume in memory.
+/// Returns whether a kind is frames as acquired, which are read one by one and need no volume in memory.
 bool showsFrames(ViewKind kind);
-/// Whether it is a picture in a plane, as slices and frames are.
+/// Returns whether a kind is a picture in a plane: slices or frames.
 bool isFlat(ViewKind kind);
 
 }  // namespace volumen

@@ -6,19 +6,19 @@
 
 namespace volumen {
 
-// A flat view has the window of its series, as all views of that do, or one alone (FlatLook::windowAlone).
+// A flat view has the window of its series, as all views of that do, or its own (FlatLook::windowAlone).
 
-/// What holds for the series of a view there: its state, with the window of the view where that has one
-/// alone. The view shows a series.
+/// Returns the state of the series in a view, with the view's own window if it has one. The view must show a
+/// series.
 SeriesState seriesStateIn(const Workspace& workspace, ViewId view);
 
-/// Gives what a flat view shows a window: the view where it has one alone, else its series. Where it shows
-/// nothing, nothing is changed.
+/// Sets the window of a flat view: its own if it has one, else that of its series. Does nothing if the view
+/// is empty.
 void setWindow(Workspace& workspace, ViewId view, const ChosenWindow& chosen);
-/// The same; of the file's own windows the one that was chosen stays.
+/// Does the same and keeps the choice among the file's own windows.
 void setWindow(Workspace& workspace, ViewId view, const std::optional<Window>& window);
 
-/// With the window of a flat view alone, at first as it is; or no longer: it shows that of its series.
+/// Gives a flat view its own window, at first the present one, or returns it to that of its series.
 Workspace withWindowAlone(Workspace workspace, ViewId view, bool alone);
 
 }  // namespace volumen

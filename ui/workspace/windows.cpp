@@ -14,11 +14,11 @@ namespace {
 
 bool isHounsfield(const Series& series) { return series.unit == "HU"; }
 
-// SUVbw. PET of FDG is read from 0 to 5, 7 or 10; this is the one in the middle, and digits choose the
-// others. The windows in files of PET follow the brightest voxel of each slice, which is bladder or brain.
+// SUVbw. PET of FDG is read from 0 to 5, 7 or 10; this is the middle one, and digits choose the others.
+// Windows in PET files follow the brightest voxel of each slice, which is bladder or brain.
 constexpr double mostUptake = 7;
 
-// None where the uptake is not known.
+// Empty if the uptake is unknown.
 std::optional<Window> uptakeWindow(const Series& series) {
   if (series.modality != "PT") return {};
   const ValueScale scale = valueScale(series, PetUnit::suvBodyWeight);
@@ -26,13 +26,13 @@ std::optional<Window> uptakeWindow(const Series& series) {
   return Window{mostUptake / 2 / scale.factor, mostUptake / scale.factor};
 }
 
-// As its modality is read: bright is much.
+// Orients a window as its modality is read: high values are dark in PET, else bright.
 Window inUsualSense(const Series& series, const Window& window) {
   const double width = std::abs(window.width);
   return {window.centre, series.modality == "PT" ? -width : width};
 }
 
-// Least width that a drag makes, as a share of the spread of values.
+// Smallest width that a drag makes, as a share of the spread of values.
 constexpr double finest = 1.0 / 4000;
 
 }  // namespace
@@ -83,7 +83,7 @@ std::vector<NamedWindow> tissueWindows(const Series& series) {
                                                 {tr("CT angiography"), {170, 600}}};
   for (const auto& [name, window] : tissues)
     all.push_back({namedWindowText(name, window, series), window, name});
-  // Without a word: nothing in a corner says whether it is of a maximum.
+  // Has no word: nothing in a corner says whether the picture is a maximum.
   const Window boneMip{700, 1800};
   all.push_back({namedWindowText(tr("Bone MIP"), boneMip, series), boneMip});
   const Window stroke{35, 40};
@@ -133,7 +133,7 @@ std::vector<NamedWindow> windowChoices(const LoadedSeries& series, const OwnWind
 Scene withMode(Scene scene, Mode mode, const LoadedSeries& series) {
   scene.mode = mode;
   if (scene.window || mode == Mode::composite || !isHounsfield(series.series)) return scene;
-  // What a file's window is made for, one slice, leaves a projection all white or all black.
+  // A file's window is made for one slice and leaves a projection all white or all black.
   scene.window = rowOf(mode).hounsfield;
   return scene;
 }

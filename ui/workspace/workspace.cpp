@@ -19,7 +19,7 @@ ViewId& editMainFocus(Workspace& workspace) {
   return isInSecond(workspace.focus) ? workspace.second.mainFocus : workspace.focus;
 }
 
-// The slice of a series at its cursor; the one in the middle where there is none.
+// Returns the slice of a series at its cursor; the middle one without a cursor.
 int sliceAtCursor(const Workspace& workspace, const Series& series) {
   const int last = series.acquired.size.z - 1;
   const auto crosshair = workspace.crosshairs.find(frameOfReference(series));
@@ -28,7 +28,7 @@ int sliceAtCursor(const Workspace& workspace, const Series& series) {
       std::clamp(std::round(series.acquired.voxelFromPatient(crosshair->second.at).z), 0.0, double(last)));
 }
 
-// Slices again; the cursor goes to the frame that was shown.
+// Returns to slices. The cursor goes to the frame that was shown.
 void leaveFrames(Workspace& workspace, ViewId id) {
   if (!showsFrames(workspace.view(id).kind)) return;
   ViewState& view = workspace.editView(id);
@@ -46,14 +46,14 @@ void leaveFrames(Workspace& workspace, ViewId id) {
   if (workspace.layout == Layout::one && focus == axialViewId) focus = sceneViewId;
 }
 
-// Whether it is the series that was closed, opened by whatever path.
+// Returns whether it is the closed series, opened by any path.
 bool isSame(const Series& closed, const Series& opened) {
   if (keyOf(closed) == keyOf(opened)) return true;
   return !opened.seriesUid.empty() && closed.seriesUid == opened.seriesUid &&
          !opened.sopInstanceUids.empty() && closed.sopInstanceUids == opened.sopInstanceUids;
 }
 
-// What was made on it before it was closed, where it was.
+// Restores the work on a series from before it was closed, if it was.
 void takeBack(Workspace& workspace, const Series& series) {
   const auto isIt = [&](const ClosedSeries& c) { return isSame(*c.series, series); };
   const auto found = std::ranges::find_if(workspace.closed, isIt);
@@ -82,7 +82,7 @@ void remember(Workspace& workspace, const Series& series) {
   takeBack(workspace, series);
 }
 
-// Without it a view is empty.
+// Removes a series from a view, which becomes empty if it shows it.
 void leaveSeries(Workspace& workspace, ViewId id, const SeriesKey& key) {
   ViewState& view = workspace.editView(id);
   if (view.series == key) {
@@ -164,7 +164,7 @@ std::string frameOfReference(const Series& series) {
 }
 
 Workspace withFound(Workspace workspace, const Series& series) {
-  // With what is laid out along curves through it.
+  // Also finds the curved reformats of the series.
   workspace.series.editIf(
       [&](const auto& entry) {
         const SeriesState& state = entry.second;
@@ -249,7 +249,7 @@ Workspace withFrames(Workspace workspace, ViewId view, const Series& series) {
 
 Workspace withLayout(Workspace workspace, Layout layout) {
   ViewId& focus = editMainFocus(workspace);
-  // Of a fused group its planes, whichever of its views is in focus.
+  // Takes the planes of a fused group, whichever of its views is in focus.
   const bool isFusedGroup = inGroup(focus) && !flatLookOf(workspace.view(axialViewId)).overlay.empty();
   const ViewState from = workspace.view(isFusedGroup ? axialViewId : focus);
   const SeriesKey shown = from.series;

@@ -37,7 +37,7 @@ struct ChosenPreset {
   bool operator==(const ChosenPreset&) const = default;
 };
 
-/// Whether two shared values are equal.
+/// Returns whether two shared values are equal.
 template <class T>
 bool sameValue(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b) {
   return a == b || (a && b && *a == *b);
@@ -52,46 +52,46 @@ struct SceneLook {
 
 /// How one flat view shows one series.
 struct FlatLook {
-  glm::dvec2 panMm{0};  ///< where the picture's centre lies from the volume's, along right and down
-  double zoom = 1;      ///< relative to the picture that shows all of the volume
+  glm::dvec2 panMm{0};  ///< offset of the picture's centre from the volume's, along right and down
+  double zoom = 1;      ///< relative to the picture that shows the full volume
   double slabMm = 0;
   SlabMode slabMode = SlabMode::max;
-  PictureTurn turn{};     ///< of what would be seen without
-  bool nearest = false;   ///< voxels as they are, not interpolated
+  PictureTurn turn{};     ///< from the unturned picture
+  bool nearest = false;   ///< voxels without interpolation
   bool inverted = false;  ///< bright where it would be dark; colours stay
-  int frame = 0;          ///< of frames: which, from 0
-  bool layers = true;     ///< of frames: overlays and shutters
-  SeriesKey overlay{};    ///< of slices: a second series over the first; empty: none
+  int frame = 0;          ///< frames: index from 0
+  bool layers = true;     ///< frames: shows overlays and shutters
+  SeriesKey overlay{};    ///< slices: the series over the first; empty: none
   ColourMap overlayColours = ColourMap::hotIron;
   double overlayOpacity = 0.5;
-  DerivedKey presentation{};  ///< of frames: the presentation state that those it names are shown by
-  std::optional<ChosenWindow> windowAlone{};  ///< of this view; none: that of the series (SeriesState)
+  DerivedKey presentation{};                  ///< frames: the presentation state of those it names
+  std::optional<ChosenWindow> windowAlone{};  ///< this view's own; empty: that of the series (SeriesState)
   bool operator==(const FlatLook&) const = default;
 };
 
-/// Of FlatLook::zoom.
+/// Limits of FlatLook::zoom.
 inline constexpr double leastZoom = 0.05, mostZoom = 200;
 
-/// All of it in the view, as it lies, and no slab.
+/// Fits the full picture into the view, unturned and without a slab.
 void makeWhole(FlatLook& look);
 
-/// Turned further, about the middle of the view.
+/// Turns the picture further, about the middle of the view.
 void turnFurther(FlatLook& look, PictureTurn by);
 
-/// Whose window frames of a series are shown by where none was set: by default that of the series, of
-/// pictures that areMadeOneByOne() that of each frame.
+/// Whose window frames of a series use if none was set. The usual one is that of the series, but for pictures
+/// that areMadeOneByOne() that of each frame.
 enum class FrameWindow { usual, ofSeries, ofEach };
 
-/// What holds for a series in every view.
+/// The state of a series in every view.
 struct SeriesState {
   std::shared_ptr<const Series> series;
-  Mask mask;  ///< what was taken away from it
-  /// Of flat views that have none alone: what ChosenWindow says.
+  Mask mask;  ///< removes the table and the parts in lassos
+  /// For flat views without their own window, as in ChosenWindow.
   std::optional<Window> window;
   int namedGrey = 0;
   FrameWindow frameWindow = FrameWindow::usual;
   ColourMap colours = ColourMap::grey;
-  /// What a session knows of a series that was not found again: it is not loaded, `series` only names it.
+  /// The session's entry of a series that was not found. It is not loaded, and `series` only names it.
   std::optional<MissingSeries> missing;
   bool operator==(const SeriesState& o) const {
     return sameValue(series, o.series) && mask == o.mask && window == o.window && namedGrey == o.namedGrey &&
@@ -99,7 +99,7 @@ struct SeriesState {
   }
 };
 
-/// How a picture lies in the patient: orthogonal unit vectors.
+/// The directions of a picture in the patient: orthogonal unit vectors.
 struct PlaneDirections {
   glm::dvec3 right{1, 0, 0}, down{0, 1, 0};
   bool operator==(const PlaneDirections&) const = default;
@@ -107,46 +107,46 @@ struct PlaneDirections {
   glm::dvec3 normal() const { return glm::cross(right, down); }
 };
 
-/// The three planes of a frame of reference: the point where they meet and how each lies; their normals are
+/// The three planes of a frame of reference: their common point and their directions. Their normals are
 /// orthogonal.
 struct Crosshair {
   glm::dvec3 at{0};  ///< patient mm
   PlaneDirections axial{}, coronal{{1, 0, 0}, {0, 0, -1}}, sagittal{{0, 1, 0}, {0, 0, -1}};
-  bool byHand = false;  ///< they lie so for every series; else for each along its slices
+  bool byHand = false;  ///< the same directions for every series; else along the slices of each
   bool operator==(const Crosshair&) const = default;
 
-  /// That of a kind that shows slices.
+  /// Returns the plane of a kind that shows slices.
   const PlaneDirections& plane(ViewKind kind) const { return this->*rowOf(kind).plane->directions; }
-  /// Whether a plane is none of the patient's own.
+  /// Returns whether a plane is not one of the patient's planes.
   bool turned() const {
     const Crosshair own;
     return axial != own.axial || coronal != own.coronal || sagittal != own.sagittal;
   }
 };
 
-/// What a view shows: one series, and what it made of that and of those it showed before.
+/// The content of a view: one series, and its looks of this and of earlier series.
 struct ViewState {
   ViewKind kind = ViewKind::volume;
   SeriesKey series;  ///< empty: none
   SharedMap<SeriesKey, SceneLook> scenes;
   SharedMap<SeriesKey, FlatLook> flats;
   SharedMap<std::string, Crosshair> crosshairs;  ///< its own, by frame of reference, while it scrolls alone
-  std::string wanted;  ///< what a hanging protocol has no series for here: its name; empty: nothing
+  std::string wanted;  ///< name of a series that a hanging protocol wants here but lacks; empty: none
   bool operator==(const ViewState&) const = default;
 };
 
-/// How views share the window.
+/// The arrangement of views in the window.
 struct Layout {
   enum class Kind {
     one,           ///< the view in focus
     planes,        ///< 2 x 2: axial, coronal, sagittal, 3D of one series
     besidePlanes,  ///< a large 3D view beside the three planes
-    grid           ///< series in rows and columns, each in a view to compare
+    grid           ///< series in rows and columns, each in a comparison view
   };
   static constexpr int mostRows = 4, mostColumns = 5;
 
   Kind kind = Kind::one;
-  int rows = 1, columns = 1;  ///< of a grid; else 1
+  int rows = 1, columns = 1;  ///< for a grid; else 1
   bool operator==(const Layout&) const = default;
 
   static const Layout one, planes, besidePlanes, two, four;
@@ -157,46 +157,45 @@ inline constexpr Layout Layout::besidePlanes{Layout::Kind::besidePlanes, 1, 1};
 inline constexpr Layout Layout::two{Layout::Kind::grid, 1, 2};
 inline constexpr Layout Layout::four{Layout::Kind::grid, 2, 2};
 
-/// The views that every workspace has. The first four show one series together; as frames the axial one alone
-/// does. The others are there to compare, the last of them in the second window.
+/// The views that every workspace has. The first four show one series together; for frames only the axial one
+/// does. The others are comparison views, the second half of them in the second window.
 inline constexpr ViewId sceneViewId = 0, axialViewId = 1, coronalViewId = 2, sagittalViewId = 3,
                         firstComparedId = 4,
                         firstSecondId = firstComparedId + Layout::mostRows * Layout::mostColumns,
                         viewCount = firstSecondId + Layout::mostRows * Layout::mostColumns;
 
-/// Whether a view stands in the second window.
+/// Returns whether a view is in the second window.
 constexpr bool isInSecond(ViewId view) { return view >= firstSecondId; }
 
-/// A window beside the main one, with a grid of views of its own.
+/// A window beside the main one, with its own grid of views.
 struct SecondWindow {
   bool shown = false;
-  Layout layout{Layout::Kind::grid, 1, 1};  ///< a grid
-  ViewId mainFocus =
-      sceneViewId;  ///< the view in focus of the main window, while that of the workspace is here
+  Layout layout{Layout::Kind::grid, 1, 1};  ///< must be a grid
+  ViewId mainFocus = sceneViewId;           ///< focus of the main window, while the workspace's focus is here
   bool operator==(const SecondWindow&) const = default;
 };
 
-/// What a view shows where nothing else was chosen.
+/// Returns the kind that a view shows by default.
 ViewKind usualKind(ViewId view);
 
-/// What of a view the views beside it follow.
+/// The properties of a view that other views follow.
 struct Links {
   bool scroll = true;   ///< position and directions, by frame of reference
   bool zoom = false;    ///< mm per pixel
   bool pan = false;     ///< the patient's point in the middle
-  bool window = false;  ///< within one modality and unit; not of views that have one alone
+  bool window = false;  ///< within one modality and unit; not for views with their own window
   bool operator==(const Links&) const = default;
 };
 
-/// Two frames of reference whose positions follow each other.
+/// Two frames of reference with linked positions.
 struct FrameLink {
   std::string from, to;
   Rigid toFromFrom;
-  bool registered = false;  ///< else by hand
+  bool registered = false;  ///< by registration, else by hand
   bool operator==(const FrameLink&) const = default;
 };
 
-/// What was made on a series that was taken off the list, for when it is shown again.
+/// The work on a series that was removed from the list, for when it is shown again.
 struct ClosedSeries {
   std::shared_ptr<const Series> series;
   SharedList<Measurement> measurements;
@@ -209,24 +208,24 @@ struct ClosedSeries {
   bool holdsNothing() const { return measurements.empty() && keyImages.empty() && segmentMaps.empty(); }
 };
 
-/// What of all that was opened is not in the list.
+/// The opened series and objects that are not in the list.
 struct Unlisted {
   std::set<SeriesKey> series;
   std::set<DerivedKey> derived;
   bool operator==(const Unlisted&) const = default;
 };
 
-/// All that the user made: what the window shows and how. A plain value; every change of it is a step that
-/// can be undone. Copies share what none of them changed, so that a step costs what it changes.
+/// All that the user made: what the window shows and how. It is a plain value; every change of it is an undo
+/// step. Copies share what none of them changed, so that a step costs only what it changes.
 struct Workspace {
   Workspace();
 
-  SharedMap<SeriesKey, SeriesState> series;  ///< those that were shown
-  Layout layout = Layout::one;               ///< of the main window
+  SharedMap<SeriesKey, SeriesState> series;  ///< all that were shown
+  Layout layout = Layout::one;               ///< layout of the main window
   SecondWindow second;
   SharedList<ViewState> views;                   ///< viewCount of them
   ViewId focus = sceneViewId;                    ///< the view that the panels work on
-  QualityGoal goal;                              ///< of 3D pictures at rest
+  QualityGoal goal;                              ///< for 3D pictures at rest
   SharedMap<std::string, Crosshair> crosshairs;  ///< by frame of reference
   Links links;
   SharedList<FrameLink> frameLinks;
@@ -234,117 +233,116 @@ struct Workspace {
   bool measurementsShown = true;               ///< in flat views
   int selected = 0;                            ///< the measurement with handles; 0: none
   SharedList<KeyImage> keyImages;              ///< in the order in which they were marked
-  SharedList<SegmentMap> segmentMaps;          ///< of each series first the one worked on; none is empty
+  SharedList<SegmentMap> segmentMaps;          ///< first the current map of each series; no map is empty
   SharedMap<DerivedKey, RegionsLook> regions;  ///< structure sets and segmentations over flat views
-  SharedList<ClosedSeries> closed;             ///< in no session file
-  Shared<Unlisted> unlisted;                   ///< in no session file
+  SharedList<ClosedSeries> closed;             ///< not in session files
+  Shared<Unlisted> unlisted;                   ///< not in session files
   bool operator==(const Workspace&) const = default;
 
   const ViewState& view(ViewId id) const { return views[std::size_t(id)]; }
-  /// To write into; valid until the workspace is copied.
+  /// Returns a view for writing. Valid until the workspace is copied.
   ViewState& editView(ViewId id) { return views.edit(std::size_t(id)); }
 };
 
-/// All that there are, each once.
+/// Returns all layouts, each once.
 const std::vector<Layout>& allLayouts();
-/// Lower-case word for settings and session files: "planes", "two", of other grids rows and columns, "3x4".
+/// Returns a lower-case word for settings and session files: "planes", "two"; for other grids rows and
+/// columns, "3x4".
 const char* layoutName(Layout layout);
 std::optional<Layout> layoutNamed(const std::string& name);
 
-/// The views of the main window, row by row (besidePlanes: the large one first).
+/// Returns the views of the main window, row by row (besidePlanes: the large one first).
 std::vector<ViewId> viewsInMain(const Workspace& workspace);
-/// Those of the second window, row by row; none while it is closed.
+/// Returns the views of the second window, row by row; none while it is closed.
 std::vector<ViewId> viewsInSecond(const Workspace& workspace);
-/// Those of the window in which this view stands.
+/// Returns the views of the window that holds `view`.
 std::vector<ViewId> viewsBeside(const Workspace& workspace, ViewId view);
-/// The views on screen, in both windows, those of the main one first.
+/// Returns the views on screen in both windows, those of the main one first.
 std::vector<ViewId> viewsOnScreen(const Workspace& workspace);
 
-/// The layout of the window in which a view stands.
+/// Returns the layout of the window that holds `view`.
 Layout layoutOf(const Workspace& workspace, ViewId view);
 
-/// The view in focus of the main window: that of the workspace, or that of before the second window had it.
+/// Returns the main window's view in focus: the workspace's, or the last one before the second window got the
+/// focus.
 ViewId mainFocusOf(const Workspace& workspace);
-/// With this view in focus, in whichever window.
+/// Sets the focus to a view in either window.
 Workspace withFocus(Workspace workspace, ViewId view);
-/// With the focus of another workspace.
+/// Takes over the focus of another workspace.
 Workspace withFocusOf(Workspace workspace, const Workspace& other);
 
-/// The 3D view that the panels work on: the one in focus, else the one of the same group.
+/// Returns the 3D view that the panels work on: the one in focus, else that of its group, else one on screen.
 ViewId sceneViewOf(const Workspace& workspace);
 
-/// Whether that shows what is in focus: the same series, another step of it, or what the group shows
-/// together.
+/// Returns whether that view shows what is in focus: the same series, another time point of it, or the series
+/// of the group.
 bool sceneIsOfFocus(const Workspace& workspace);
 
-/// Whether anything but cursors and what was made by hand is different: which views and series there are, and
-/// how they are shown.
+/// Returns whether the views and series, or how they are shown, differ. Cursors and hand-made work do not
+/// count.
 bool showsOther(const Workspace& before, const Workspace& after);
 
-/// The series of a view; null: none.
+/// Returns the series of a view, or null.
 const Series* seriesIn(const Workspace& workspace, ViewId view);
 
-/// How a flat view shows its series; the defaults where it has none.
+/// Returns the look of the series in a flat view; defaults if it has none.
 FlatLook flatLookOf(const ViewState& view);
 
-/// What positions of a series are relative to: views of one frame share the cursor.
+/// Returns the frame of reference of a series. Views with the same one share the cursor.
 std::string frameOfReference(const Series& series);
 
-/// With this series in a view, and in those of its group; by `first` where a 3D view has not shown it yet.
+/// Shows a series in a view and its group. `first` is the look in 3D views that have not shown it yet.
 Workspace withSeries(Workspace workspace, ViewId view, const Series& series, const SceneLook& first);
-/// With a series at hand that was missing.
+/// Returns the workspace after a missing series was found.
 Workspace withFound(Workspace workspace, const Series& series);
-/// The views that show slices of the same series as this one does: of a group all, of views to compare one,
-/// none where it shows 3D.
+/// Returns the flat views that show the same series as `view`: all of a group; of comparison views itself, or
+/// none if it shows 3D.
 std::vector<ViewId> planesOf(const Workspace& workspace, ViewId view);
-/// With this change in each of them.
+/// Applies a change to each of them.
 Workspace withFlatLooks(Workspace workspace, ViewId view, const std::function<void(FlatLook&)>& change);
-/// With a second series over what planesOf() shows; null: with none.
+/// Lays a second series over what planesOf() shows; null removes it.
 Workspace withOverlay(Workspace workspace, ViewId view, const Series* overlay);
-/// With the planes of the group showing `under` and over it the group's series.
+/// Shows `under` in the planes of the group, and over it the group's series.
 Workspace fusedWith(Workspace workspace, const Series& under);
-/// The layout that readers of a modality expect: planes and 3D; one view where there are few slices.
+/// Returns the layout that readers expect: planes and 3D, or one view if there are few slices.
 Layout usualLayout(const Series& series);
-/// In that layout; where it is one view, in that of the slices as acquired.
+/// Applies that layout. If it is one view, shows the acquired slices.
 Workspace withUsualLayout(Workspace workspace, const Series& series);
-/// With the slices as acquired in focus, where they stand beside 3D: keys measure.
+/// Puts the acquired slices in focus if they are beside 3D, because keys start measurements there.
 Workspace withSlicesInFocus(Workspace workspace);
-/// Whether a layout shows several series side by side.
+/// Returns whether a layout compares several series.
 bool comparesSeries(Layout layout);
-/// With the frames of this series in a view, or in the axial one of its group; where the view showed slices
-/// of it, from the one at the cursor on.
+/// Shows the frames of a series in a view, or in the axial view of its group. Begins at the cursor's slice if
+/// the view showed slices of it.
 Workspace withFrames(Workspace workspace, ViewId view, const Series& series);
-/// The view that shows frames where this one is asked to: itself, or the axial one of its group.
+/// Returns the view that shows frames for `view`: itself, or the axial one of its group.
 ViewId framesViewOf(ViewId view);
 bool showsFrames(const Workspace& workspace, ViewId view);
-/// With the main window in another layout; the first view to compare, where it is empty, gets the series of
-/// its focus.
+/// Changes the layout of the main window. If its first view is empty, that gets the series in focus.
 Workspace withLayout(Workspace workspace, Layout layout);
-/// With the second window in another grid; one view where the layout is none.
+/// Changes the grid of the second window; to one view if the layout is no grid.
 Workspace withSecondLayout(Workspace workspace, Layout layout);
-/// With the second window open and its first view in focus; or closed, what its views show kept for when it
-/// is opened again.
+/// Opens the second window and puts its first view in focus, or closes it. Its views are kept for the next
+/// time.
 Workspace withSecondShown(Workspace workspace, bool shown);
-/// With a view to compare showing another plane, or 3D; `first` where it has not shown its series so yet.
-/// Views of the group stay as they are.
+/// Shows another plane or 3D in a comparison view. `first` is the look if it has not shown its series in 3D
+/// yet. Views of the group stay as they are.
 Workspace withKind(Workspace workspace, ViewId view, ViewKind kind, const SceneLook& first);
 bool canChangeKind(ViewId view);
-/// Without this series: views that show it are empty, and what was measured on it comes back with it.
+/// Removes a series. Views that show it become empty, and work on it comes back with it.
 Workspace without(Workspace workspace, const SeriesKey& key);
-/// With these segments in place of those that the map of this number of their series has, and of maps of
-/// other grids; without segments that map is not there. What was changed of their labels without a step is
-/// made by hand (segment_record.h).
+/// Replaces the map with the number of `map`, and removes maps of other grids. Removes a map without
+/// segments. Labels that changed without a step count as made by hand (segment_record.h).
 Workspace withSegmentMap(Workspace workspace, const SegmentMap& map);
-/// The map of a series that is worked on; null: it has no segments.
+/// Returns the current map of a series; null if it has no segments.
 const SegmentMap* segmentMapOf(const Workspace& workspace, const SeriesKey& series);
-/// The one of this number; null: there is none.
+/// Returns the map with this number, or null.
 const SegmentMap* segmentMapOf(const Workspace& workspace, const SeriesKey& series, int number);
-/// All maps of a series, by their numbers.
+/// Returns all maps of a series, by number.
 std::vector<const SegmentMap*> segmentMapsOf(const Workspace& workspace, const SeriesKey& series);
-/// With the closed series that something was made on, in no view.
+/// Brings back the closed series with work on them, in no view.
 Workspace withClosed(Workspace workspace);
-/// Another workspace in place of this one: what was made on series that it does not know comes back with
-/// them.
+/// Replaces the workspace. Work on series that `next` does not know comes back with them.
 Workspace replacedBy(Workspace workspace, Workspace next);
 
 }  // namespace volumen
