@@ -9,7 +9,8 @@
 namespace volumen {
 
 namespace {
-constexpr double usualRate = 10, mostRate = 100;  // steps a second, where the file recommends none; at all
+constexpr double usualRate = 10, mostRate = 100;  // time points per second: default without a recommendation
+                                                  // of the file; limit
 }
 
 PlayedTimePoints::PlayedTimePoints(Session& session, ViewId view, std::function<bool()> isDrawn)
