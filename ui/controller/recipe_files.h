@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-/// The recipe of a file (JSON). The Error names the file.
+/// Reads a recipe file (JSON). The Error names the file.
 Result<Recipe> recipeFromFile(const std::string& path);
 /// The Error names the file.
 Status writeRecipe(const std::string& path, const Recipe& recipe);
