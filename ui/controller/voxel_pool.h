@@ -4,15 +4,15 @@
 
 namespace volumen {
 
-/// What was computed once of volumes, for all that draw them: kept as long as somebody else holds the volume.
-/// For one thread.
+/// Shares the precomputed data of volumes among everything that draws them, as long as something else holds
+/// the volume. For one thread.
 class VoxelPool {
  public:
-  /// Those of this volume, made where there are none yet.
+  /// Returns the data of this volume; makes it if there is none.
   VoxelsPtr voxelsOf(const VolumePtr& volume);
-  /// Forgets those of volumes that nobody else holds.
+  /// Drops the data of volumes that nothing else holds.
   void dropUnheld();
-  /// Whether some are held by nobody else, only their volume.
+  /// Returns whether some data are held by nothing else, even if their volume is.
   bool hasIdle() const;
 
  private:
