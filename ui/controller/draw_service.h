@@ -156,8 +156,7 @@ class DrawService : public QObject {
 
   const MakeDraw makeDraw_;
 
-  int number_ = 0;  // of the last request or call of show(); for the thread of this object, as are the next
-                    // members
+  int number_ = 0;  // of the last request or show(); for the thread of this object, as is `answers_`
   std::deque<Answered> answers_;
 
   mutable std::mutex mutex_;  // guards from here ...

@@ -99,8 +99,7 @@ class EightBricks {
   }
 
  private:
-  std::array<const std::uint8_t*, 8> labels_{};  // of the first eight; if they lie in one brick, only of the
-                                                 // first
+  std::array<const std::uint8_t*, 8> labels_{};  // of the first eight; within one brick, only of the first
   std::array<std::ptrdiff_t, 8> masks_{};        // 0 if the brick has one label
   bool isOneBrick_;
 };
@@ -158,8 +157,7 @@ class LabelReader::Shares {
   const std::array<std::uint8_t, 256>& shownAs_;
   std::size_t count_ = 0;
   Lanes<Eight> eights_{};
-  std::array<Lanes<std::uint16_t>, 3> far_{};  // distances from the nearer voxels along each axis, units of
-                                               // 2^-15
+  std::array<Lanes<std::uint16_t>, 3> far_{};  // distances from the nearer voxels along each axis, 2^-15
   Lanes<std::size_t> places_{};
 };
 

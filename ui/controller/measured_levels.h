@@ -43,8 +43,8 @@ std::optional<PictureLevel> levelFor(const QualityGoal& goal, const std::vector<
 /// Marks the levels without a faster finer level.
 void markFront(std::vector<MeasuredLevel>& levels);
 
-/// Returns the error that is stated of a level: no smaller than that of a finer one, whose promise is closer.
-/// At the few pixels that are measured a coarser level may come out nearer by chance.
+/// Returns the error stated for a level, which is at least that of a finer level with a closer promise.
+/// At the few measured pixels a coarser level may come out better by chance.
 PictureError statedError(const std::vector<MeasuredLevel>& levels, std::size_t level);
 
 /// Returns the measured error of exactly the picture that this plan draws.

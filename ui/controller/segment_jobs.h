@@ -116,8 +116,7 @@ class SegmentJobs : public QObject {
   const SegmentPainter& painter_;
   SegmentNumbers counted_;           // latest counts of each map, valid for unchanged segments
   std::deque<SegmentWork> waiting_;  // while isMaking(), the first is in progress
-  std::function<void()> takeLater_;  // applies the first result after the stroke has ended; null if there is
-                                     // none
+  std::function<void()> takeLater_;  // applies the first result after the stroke; null for none
   JobLane change_, measure_, save_;
 };
 

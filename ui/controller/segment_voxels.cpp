@@ -49,8 +49,7 @@ StepsWanted guardedPart(const Step& connectedStep, const std::string& own, PartU
 
 Result<StepsWanted> stepsOfPart(const PartWanted& wanted, const SegmentMap& map, int number,
                                 const CancelToken& cancel) {
-  constexpr int besideSurface = 2;  // voxels; the point where half of the light is stopped may be outside the
-                                    // range
+  constexpr int besideSurface = 2;  // voxels; the seen point may lie outside the range, at half the light
   const bool isOfRange = wanted.use == PartUse::add;
   const BitMask whole = isOfRange ? keptVoxelsInRange(*wanted.volume, wanted.range, wanted.mask, cancel)
                                   : maskOf(*map.labels, std::uint8_t(number));

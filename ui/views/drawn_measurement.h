@@ -18,8 +18,7 @@ namespace volumen {
 struct DrawnMeasurement {
   int id = 0;
   ShapeKind kind = ShapeKind::length;
-  bool whole = false;  ///< whether all of it lies in the plane of the flat view; otherwise these are
-                       ///< intersections
+  bool whole = false;  ///< whether all of it lies in the flat view's plane, not only intersections
   bool selected = false;
   std::vector<QPolygonF> lines;  ///< a line of one point is a mark
   struct Handle {

@@ -16,8 +16,7 @@ std::string frameOfReferenceOf(const LoadedSeriesPtr& shown) {
   return shown && shown->volume->geometry().calibrated ? shown->series.frameOfReferenceUid : std::string();
 }
 
-constexpr double fillOfSegments = 0.5;  // relative to the segment's opacity, so that the picture shows
-                                        // through
+constexpr double fillOfSegments = 0.5;  // of the segment's opacity, so that the picture shows through
 
 // Returns the layer of a segment map; nothing if no segment is visible.
 std::optional<SegmentLayer> layerOf(const SegmentMap& map, const Rigid& fromPlane) {

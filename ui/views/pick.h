@@ -8,7 +8,7 @@
 
 namespace volumen {
 
-/// What is seen along a line of sight.
+/// The point or value seen along a line of sight.
 struct Pick {
   /// Patient mm; empty if the whole line is shown, as in `average`.
   std::optional<glm::dvec3> pPatient;

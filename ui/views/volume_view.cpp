@@ -17,8 +17,7 @@
 namespace volumen {
 
 namespace {
-constexpr int leastForCube = 280;  // least width and height in pixels; in smaller views the cube would hide
-                                   // the picture
+constexpr int leastForCube = 280;  // pixels of width and height; in less the cube would hide the picture
 
 // Returns "draft 1/4 - 12 ms", "first: steps of 1 voxel - 80 ms", "final: standard - 223 ms". Old pictures
 // have "before: standard - 223 ms".
