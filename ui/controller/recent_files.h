@@ -16,7 +16,7 @@ class RecentFiles : public QObject {
   const QStringList& paths() const { return paths_; }
   /// Returns whether the path was missing at the last check.
   bool isGone(const QString& path) const { return gone_.contains(path); }
-  /// Adds a path, but nothing that is not a file, such as a phantom.
+  /// Adds a path; ignores paths that do not exist, such as phantoms.
   void add(const QString& path);
   void clear();
   /// Checks on its own thread which paths still exist, because network folders may be slow.
