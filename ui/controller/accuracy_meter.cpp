@@ -8,8 +8,9 @@ namespace volumen {
 
 namespace {
 
-constexpr int mostPixels = 3072;  // of the reference: some seconds at most
-constexpr int frames = 3;         // a level; one that has taken this long gets no more:
+constexpr int mostPixels = 3072;  // pixels of the reference; takes some seconds at most
+// Frames drawn for each level; a level that has taken `enoughMs` gets no more.
+constexpr int frames = 3;
 constexpr double enoughMs = 600;
 
 }  // namespace

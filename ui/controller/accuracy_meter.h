@@ -6,34 +6,35 @@
 
 namespace volumen {
 
-/// Measures what each level of the picture on screen takes and how far it is from the reference: the
-/// reference at some pixels on a thread of its own, the levels' pictures by the render thread where that has
-/// nothing else to do. Given up as soon as the scene changes.
+/// Measures the time and the error against the reference of each quality level of the picture on screen. The
+/// reference is computed at some pixels on a thread of its own; idle time of the render thread draws the
+/// levels. A change of the scene cancels the measurement.
 class AccuracyMeter : public QObject {
   Q_OBJECT
  public:
   explicit AccuracyMeter(DrawService& drawService, QObject* parent = nullptr);
 
-  /// The picture at rest now on screen: a complete scene (a plan's). Measured once it is wanted.
+  /// Sets the picture at rest on screen; `complete` is a complete scene (a plan's). The measurement starts
+  /// once it is wanted.
   void show(VolumePtr volume, const Scene& complete, QSize pixels);
-  /// The picture changes: gives up, and forgets what was measured.
+  /// Cancels the measurement and discards its results, because the picture changes.
   void forget();
-  /// Whether anybody looks at the figures.
+  /// Sets whether the figures are on screen.
   void setWatched(bool watched);
-  /// Whether a level is to be picked by them.
+  /// Sets whether a level is to be chosen by the figures.
   void setNeeded(bool needed);
 
   const MeasuredLevels& measured() const { return measured_; }
   bool running() const { return running_; }
 
  Q_SIGNALS:
-  /// Something new in measured(), or it was forgotten.
+  /// measured() has new results, or they were discarded.
   void changed();
-  /// What is being done, while running; share 0..1.
+  /// `what` is in progress while running; `share` is 0 to 1.
   void progressed(const QString& what, double share);
-  /// All is measured.
+  /// Everything is measured.
   void finished();
-  /// Given up before all was measured.
+  /// The measurement was cancelled before everything was measured.
   void cancelled();
 
  private:
@@ -58,8 +59,8 @@ class AccuracyMeter : public QObject {
   std::optional<Shown> shown_;
   MeasuredLevels measured_;
   bool watched_ = false, needed_ = false, running_ = false;
-  std::size_t next_ = 0;          // level
-  std::vector<double> framesMs_;  // of it
+  std::size_t next_ = 0;          // index of the level
+  std::vector<double> framesMs_;  // of that level
   int awaited_ = 0;               // number of the trial
   JobLane lane_;
 };

@@ -14,11 +14,11 @@ namespace volumen {
 
 namespace {
 
-constexpr int keepWithinMs = 1000;  // and the time to write it, on a slow disk
-constexpr int playedRestMs = 5000;  // what is played is kept once it rests
+constexpr int keepWithinMs = 1000;  // plus the time to write it, on a slow disk
+constexpr int playedRestMs = 5000;  // playback is saved once it rests
 constexpr int keepAsideDays = 7;
 const QString asideTime =
-    QStringLiteral("yyyyMMddHHmmss");  // UTC, what the name of a discarded one begins with
+    QStringLiteral("yyyyMMddHHmmss");  // UTC; the name of a discarded file begins with it
 
 QString asideFolder() { return Autosave::folder() + QStringLiteral("/discarded"); }
 
@@ -30,14 +30,14 @@ void makePrivate(const QString& folder) {
 
 QString lockOf(const QString& path) { return path + QStringLiteral(".lock"); }
 
-// With the lock, and with what was being written when the program was killed.
+// Removes a file with its lock and with partial files of a killed program.
 void removeKept(const QString& path) {
   const QFileInfo file(path);
   for (const QString& name : file.dir().entryList({file.fileName() + QStringLiteral("*")}, QDir::Files))
     file.dir().remove(name);
 }
 
-// As the file says; without what it does not.
+// Reads the lost session of a file; data that the file lacks stay empty.
 LostSession lostIn(const QFileInfo& file, std::shared_ptr<LockFile> lock) {
   LostSession lost{file.filePath(), {}, file.lastModified(), std::move(lock)};
   const auto text = sessionText(lost.path.toStdString());
@@ -49,7 +49,7 @@ LostSession lostIn(const QFileInfo& file, std::shared_ptr<LockFile> lock) {
   return lost;
 }
 
-// All of its files or none: the session itself last, without which the others are not found.
+// Moves all files or none. The session itself comes last, because without it the others are not found.
 Status moveAside(const QString& path) {
   if (!QFile::exists(path)) return {};
   makePrivate(asideFolder());
@@ -72,7 +72,7 @@ Status moveAside(const QString& path) {
   return {};
 }
 
-// The latest first; those that are too old go.
+// Returns the discarded files, latest first, and removes those that are too old.
 std::vector<LostSession> discarded() {
   std::vector<LostSession> all;
   const QDir dir(asideFolder());
@@ -89,7 +89,7 @@ std::vector<LostSession> discarded() {
   return all;
 }
 
-// The latest that no running program holds.
+// Returns the latest file that no running program has locked.
 std::optional<LostSession> latestLost() {
   const QDir dir(Autosave::folder());
   for (const QFileInfo& file : dir.entryInfoList({QStringLiteral("*.volumen")}, QDir::Files, QDir::Time))
@@ -98,14 +98,14 @@ std::optional<LostSession> latestLost() {
   return {};
 }
 
-// Shown as `shown` is: all maps of a series are alike in that.
+// Returns `map` displayed like `shown`, because all maps of a series share these settings.
 SegmentMap withLookOf(const SegmentMap& shown, SegmentMap map) {
   map.in3d = shown.in3d;
   map.tissue = shown.tissue;
   return map;
 }
 
-// With segments as they were kept last; those that never were are only named.
+// Returns the workspace with segments as last saved; maps never saved are only named.
 Workspace withSegmentsKept(const Workspace& workspace, const SharedList<SegmentMap>& kept) {
   Workspace made = withLabelsApart(workspace);
   for (const SegmentMap& map : kept)
@@ -117,7 +117,7 @@ Workspace withSegmentsKept(const Workspace& workspace, const SharedList<SegmentM
 
 }  // namespace
 
-// The file of this program, under a name that no other takes.
+// The file of this program, under a unique name.
 class Autosave::File {
  public:
   Status write(const Workspace& workspace, const std::string& savedAs) {
@@ -128,7 +128,7 @@ class Autosave::File {
     const std::string path = path_.toStdString();
     const Workspace wanted = withClosed(workspace);
     const Status whole = keepSession(path, wanted, savedAs);
-    // Where there is no room for the labels of segments the rest is kept all the same.
+    // If there is no room for the labels of segments, the rest is saved anyway.
     if (whole)
       segments_ = wanted.segmentMaps;
     else
@@ -161,7 +161,7 @@ class Autosave::File {
                             .arg(QCoreApplication::applicationPid())
                             .arg(QRandomGenerator::system()->generate64(), 16, 16, QLatin1Char('0'));
   std::optional<LockFile> lock_;
-  SharedList<SegmentMap> segments_;  // as they were kept last
+  SharedList<SegmentMap> segments_;  // as last saved
 };
 
 QString Autosave::folder() {
@@ -195,7 +195,7 @@ Autosave::~Autosave() {
     file_->remove();
     return;
   }
-  // What could not be written, or moved, is offered as it was kept last.
+  // If writing or moving fails, the last saved state is offered.
   const Status kept = file_->write(session_.workspace(), files_.path().toStdString());
   if (kept && atEnd_ == AtEnd::aside) (void)file_->putAside();
 }

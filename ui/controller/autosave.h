@@ -11,50 +11,50 @@
 
 namespace volumen {
 
-/// What another run of the program left unsaved, held for this one to restore or discard.
+/// Unsaved work of another run of the program, locked so that this run can restore or discard it.
 struct LostSession {
-  QString path;     ///< of what was kept on the way
-  QString savedAs;  ///< the session file that it belongs to; empty: none
-  QDateTime at;     ///< when it was kept last
+  QString path;     ///< of the autosave file
+  QString savedAs;  ///< the session file it belongs to; empty if there is none
+  QDateTime at;     ///< time of the last autosave
   std::shared_ptr<LockFile> lock;
-  std::vector<SavedPatient> patients{};  ///< whose pictures it shows
+  std::vector<SavedPatient> patients{};  ///< patients whose pictures it shows
 };
 
-/// What becomes of what is not saved when the program ends in order.
+/// What happens to the autosave file when the program ends normally.
 enum class AtEnd {
-  usual,  ///< it goes; changes of a session file stay
-  keep,   ///< it stays: nobody could be asked
-  aside   ///< it goes aside: nobody wanted it
+  usual,  ///< It is removed unless a session file has unsaved changes.
+  keep,   ///< It stays because nobody could be asked.
+  aside   ///< It is moved aside because the user discarded it.
 };
 
-/// Keeps what is not saved: one file a running program in the user's data folder, written on a worker thread
-/// within 2 s of every change; where something is played, once that rests. It goes when all is saved, and
-/// when the program ends as AtEnd says. What is discarded lies aside for a week.
+/// Saves unsaved work to one file per running program in the user's data folder. A worker thread writes it
+/// within 2 s of every change; during playback it waits until that rests. The file is removed when everything
+/// is saved, and at the end of the program as AtEnd says. Discarded files are kept aside for a week.
 class Autosave : public QObject {
   Q_OBJECT
  public:
   Autosave(const Session& session, const SessionFiles& files, QObject* parent = nullptr);
   ~Autosave() override;
 
-  /// Looks on the worker thread for what other runs left, and for what lies aside; the latest of the first is
-  /// told by found(), all of the second by listed().
+  /// Searches on the worker thread for work of other runs and for discarded files. found() reports the latest
+  /// of the former, listed() all of the latter.
   void look();
-  /// Puts it aside.
+  /// Moves the work aside.
   void discard(const LostSession& lost);
-  /// Deletes it once the workspace is kept instead.
+  /// Deletes the work once the workspace has been saved in its place.
   void replace(const LostSession& lost);
-  /// Waits until the workspace is kept as it is. The Error: why it cannot be.
+  /// Waits until the workspace is saved as it is. The Error says why that failed.
   Status keepNow();
   void setAtEnd(AtEnd atEnd) { atEnd_ = atEnd; }
 
-  /// $XDG_DATA_HOME/volumen/autosave.
+  /// Returns $XDG_DATA_HOME/volumen/autosave.
   static QString folder();
 
  Q_SIGNALS:
   void found(const volumen::LostSession& lost);
-  /// What was discarded within a week, the latest first; nobody holds it.
+  /// The files discarded within a week, latest first. They are not locked.
   void listed(const std::vector<volumen::LostSession>& discarded);
-  /// A sentence; once until it could be written again.
+  /// A sentence, sent once until writing succeeds again.
   void failed(const QString& sentence);
 
  private:
@@ -68,7 +68,7 @@ class Autosave : public QObject {
   const Session& session_;
   const SessionFiles& files_;
   QTimer timer_, played_;
-  std::unique_ptr<File> file_;  // for the lane's thread
+  std::unique_ptr<File> file_;  // used on the lane's thread
   bool writing_ = false, failing_ = false;
   std::optional<LostSession> replaced_;
   AtEnd atEnd_ = AtEnd::usual;

@@ -12,7 +12,8 @@ namespace volumen {
 
 namespace {
 
-// The mean of a region in a step; none: no voxel inside, it has another unit, or it cannot be read.
+// Returns the mean of a region at a time point. Nothing if it contains no voxel, has another unit, or cannot
+// be read.
 std::optional<double> meanIn(const TimeStep& step, const Shape& region, const std::string& unit,
                              const Job& job) {
   const std::optional<double> factor = factorTo(unit, step);
@@ -47,7 +48,7 @@ std::optional<ChartJobs::Ground> ChartJobs::groundOf(const Measurement& measurem
   return frame ? std::optional(Ground{frame->slice, frame}) : std::nullopt;
 }
 
-// As the view in focus shows the series, else one that does.
+// Returns the interpolation of the view in focus if it shows the series, else of another view that does.
 Interpolation ChartJobs::interpolationOf(const SeriesKey& series) const {
   const Workspace& workspace = session_.workspace();
   std::vector<ViewId> views = viewsOnScreen(workspace);

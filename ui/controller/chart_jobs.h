@@ -9,25 +9,25 @@
 
 namespace volumen {
 
-/// The chart of one measurement, made on a worker thread; steps of its series that are not in memory are read
-/// for it, one after the other, as a job that can be cancelled.
+/// Makes the chart of one measurement on a worker thread. Time points that are not in memory are read for it
+/// one after another, as a job that can be cancelled.
 class ChartJobs : public QObject {
   Q_OBJECT
  public:
   ChartJobs(const Session& session, FrameService& frames, Jobs& jobs, QObject* parent = nullptr);
 
-  /// Ends in ready(), unless another one is asked for before. Nothing where it is the one that is there or
-  /// under way, of the same shape, voxels and unit. False: what it was drawn on is not in memory, and no
-  /// chart is wanted any more.
+  /// Requests a chart; ready() delivers it unless another is requested first. Does nothing if a chart of the
+  /// same shape, voxels and unit exists or is in progress. Returns false and drops the chart if the
+  /// measurement's series or frame is not in memory.
   bool request(const Measurement& measurement, ChartKind kind);
-  /// No chart is wanted any more.
+  /// Drops the chart.
   void drop();
 
  Q_SIGNALS:
   void ready(int measurement, const volumen::MeasuredChart& chart);
 
  private:
-  // What a chart is made of; equal ones make equal charts.
+  // Everything a chart depends on; equal values make equal charts.
   struct Wanted {
     int measurement = 0;
     SeriesKey series;
@@ -38,10 +38,10 @@ class ChartJobs : public QObject {
     ValueScale scale;
     bool operator==(const Wanted&) const = default;
   };
-  // On what, in whose space.
+  // The source of the values and the space of the shape.
   struct Ground {
     LoadedSeriesPtr series;
-    LoadedFramePtr frame;  // null: a volume
+    LoadedFramePtr frame;  // null for a volume
   };
   std::optional<Ground> groundOf(const Measurement& measurement) const;
   Interpolation interpolationOf(const SeriesKey& series) const;
@@ -50,8 +50,8 @@ class ChartJobs : public QObject {
 
   const Session& session_;
   FrameService& frames_;
-  std::optional<Wanted> wanted_;        // there, or under way
-  std::weak_ptr<const Volume> volume_;  // whose voxels
+  std::optional<Wanted> wanted_;        // done or in progress
+  std::weak_ptr<const Volume> volume_;  // source of the values
   JobLane lane_;
 };
 

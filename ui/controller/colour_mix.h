@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-/// What a colour makes of those under it, of which it hides a part (0 to 1), channel by channel.
+/// Blends a colour with opacity `part` (0 to 1) over other colours, channel by channel.
 class ColourMix {
  public:
   ColourMix(QRgb over, double part) {

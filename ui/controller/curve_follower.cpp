@@ -17,14 +17,14 @@ namespace volumen {
 
 namespace {
 
-// The segments with the values that they follow, and the steps that give them those voxels.
+// A map with updated ranges of its segments, and the steps that make their voxels.
 struct Following {
   SegmentMap map;
   StepsWanted steps{};
-  std::vector<std::string> names{};  // what the steps call the segments
+  std::vector<std::string> names{};  // names of the segments in the steps
 };
 
-// A name of its own stays.
+// Names chosen by the user stay.
 Following followingOf(const SegmentMap& map, const std::vector<SegmentMap>& all,
                       const TransferFunction& curve, const LoadedSeries& series) {
   Following wanted{map};
@@ -66,7 +66,7 @@ bool followsCurve(const SegmentMap* map) {
 
 CurveFollower::CurveFollower(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent)
     : QObject(parent), session_(session), painter_(painter), lane_(&jobs) {
-  // From the event loop: Esc undoes the steps since the press once the stroke has ended.
+  // From the event loop, because Esc undoes the steps since the press once the stroke has ended.
   connect(
       &painter_, &SegmentPainter::ended, this,
       [this] {
@@ -105,8 +105,8 @@ void CurveFollower::begin(bool overUndone) {
       [this](const Made& made) { take(made); }, [this] { pulledAgain_ = false; });
 }
 
-// In the step of the pull where that is the last one still; made anew where the segments were changed
-// meanwhile; nothing where the curve was, otherwise than by pulling on.
+// Merges the result into the undo step of the drag if that is still the last one. Repeats the job if segments
+// changed meanwhile. Drops the result if the curve changed other than by dragging on.
 void CurveFollower::take(const Made& made) {
   if (painter_.isPainting()) {
     pulledAgain_ = false;

@@ -11,26 +11,26 @@
 
 namespace volumen {
 
-/// Makes segments that are bound to a span of the curve again when the curve is pulled: a job at a time, of
-/// the latest curve, each in the undo step of the pull. Where segments were changed meanwhile, or a stroke is
-/// being drawn, they are made again after that.
+/// Updates segments bound to a span of the curve when the curve is dragged. One job at a time follows the
+/// latest curve, within the undo step of the drag. If segments changed meanwhile or a stroke is being drawn,
+/// the update runs again afterwards.
 class CurveFollower : public QObject {
   Q_OBJECT
  public:
   CurveFollower(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent = nullptr);
 
-  /// The curve of the 3D view in focus was just pulled, as a step or a part of one.
+  /// Reports that the curve of the 3D view in focus was dragged, as an undo step or a part of one.
   void follow();
 
  Q_SIGNALS:
-  /// What segments that followed took from others, a sentence.
+  /// A sentence about the voxels that updated segments took from others.
   void told(const QString& sentence);
-  /// A sentence; not for what was cancelled.
+  /// A sentence; not sent for cancelled work.
   void failed(const QString& sentence);
 
  private:
   void begin(bool overUndone);
-  // What they come to, with what is to be said of it.
+  // The result, with sentences for the user.
   struct Made {
     Result<std::vector<SegmentMap>> maps;
     QStringList said;
@@ -39,14 +39,15 @@ class CurveFollower : public QObject {
 
   Session& session_;
   const SegmentPainter& painter_;
-  int step_ = -1;                    // of the undo stack, which the curve was pulled in
-  std::vector<SegmentMap> base_;     // as they were when that began: what one pull takes it gives back
-  std::vector<SegmentMap> made_;     // what they came to so far
-  std::vector<SegmentMap> started_;  // as they were when the job began
-  TransferFunction curve_;           // that the job follows
-  bool pulledAgain_ = false;         // meanwhile
-  bool waitsForStroke_ = false;      // to follow once that has ended
-  bool overUndone_ = false;          // what can be redone is a stroke that was given up: it may go
+  int step_ = -1;  // undo step in which the curve was dragged
+  // Segments before the drag: voxels taken within one drag are given back.
+  std::vector<SegmentMap> base_;
+  std::vector<SegmentMap> made_;     // the result so far
+  std::vector<SegmentMap> started_;  // segments when the job began
+  TransferFunction curve_;           // the curve the job follows
+  bool pulledAgain_ = false;         // whether the curve changed during the job
+  bool waitsForStroke_ = false;      // whether to update once the stroke has ended
+  bool overUndone_ = false;  // whether the redo steps come from a cancelled stroke and may be discarded
   JobLane lane_;
 };
 

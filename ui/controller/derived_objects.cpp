@@ -24,7 +24,7 @@ Result<LoadedRegions> loadRegions(const std::string& path, DerivedKind kind) {
 }  // namespace
 
 DerivedObjects::DerivedObjects(Jobs& jobs, QObject* parent) : QObject(parent), lane_(&jobs) {
-  lane_.keepToTheEnd();  // views would ask for it again
+  lane_.keepToTheEnd();  // views would request it again
 }
 
 void DerivedObjects::setOpen(std::vector<DerivedObjectPtr> all) {

@@ -15,31 +15,31 @@ namespace volumen {
 
 struct Series;
 
-/// What was read of a structure set or of a segmentation; the other one is null.
+/// The content of a structure set or a segmentation; the other pointer is null.
 struct LoadedRegions {
   std::shared_ptr<const StructureSet> contours;
   std::shared_ptr<const Segmentation> segmentation;
 };
 
-/// The objects that refer to pictures: which there are in what is open, and what was read of them, each a
-/// job. Asking never waits.
+/// The objects that refer to pictures, from all open studies, and their content. Each is read by a job. No
+/// call waits.
 class DerivedObjects : public QObject {
   Q_OBJECT
  public:
   explicit DerivedObjects(Jobs& jobs, QObject* parent = nullptr);
 
-  /// Those of all studies that are open.
+  /// Sets the objects of all open studies.
   void setOpen(std::vector<DerivedObjectPtr> all);
   const std::vector<DerivedObjectPtr>& all() const { return all_; }
-  /// Those of a kind that name picture `index` (from 0) of a series.
+  /// Returns the objects of a kind that refer to picture `index` (from 0) of a series.
   std::vector<DerivedObjectPtr> naming(DerivedKind kind, const Series& series, int index) const;
 
-  /// Null: it is not open, or not read yet and changed() will tell, or it cannot be read and failed() told.
-  /// That holds until tryAgain() or setOpen().
+  /// Returns the regions, or null if the object is not open, not read yet (changed() follows) or unreadable
+  /// (failed() has reported it). A failure holds until tryAgain() or setOpen().
   std::shared_ptr<const LoadedRegions> regions(const DerivedKey& key, DerivedKind kind);
-  /// Reads the regions of this object again where that failed.
+  /// Allows another attempt to read this object after a failure.
   void tryAgain(const DerivedKey& key) { failed_.erase(key); }
-  /// Ends in reportRead() or failed().
+  /// Reads a report; ends in reportRead() or failed().
   void readReport(const DerivedObjectPtr& report);
 
  Q_SIGNALS:

@@ -11,8 +11,8 @@ namespace volumen {
 
 namespace {
 
-// Beyond 7 the means over blocks of 16 x 16 pixels would miss those of `standard` by more than design.md 2
-// allows.
+// Beyond 7 the means over blocks of 16 x 16 pixels would differ from those of `standard` by more than
+// design.md 2 allows.
 constexpr double factors[] = {1, 1.5, 2, 3, 4, 5, 6, 7};
 constexpr int lastStep = int(std::size(factors)) - 1;
 
@@ -20,8 +20,8 @@ QImage::Format formatOf(const Picture& picture) {
   return picture.transparent ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32;
 }
 
-// An image of which fill(begin, end, row) fills the rows [begin, end), on all cores; row(y): where one
-// begins.
+// Makes an image on all cores. fill(begin, end, row) fills the rows [begin, end); row(y) is the start of a
+// row.
 template <class Fill>
 QImage imageOfRows(QSize size, QImage::Format format, const Fill& fill) {
   QImage image(size, format);
@@ -34,11 +34,11 @@ QImage imageOfRows(QSize size, QImage::Format format, const Fill& fill) {
   return image;
 }
 
-// Where the pixels of a stretch of `full` lie among `count` pixels that are `factor` as large, middle on
-// middle.
+// The two source pixels of an enlarged pixel along one axis. `count` source pixels are `factor` times as
+// large, and both rows share their centre.
 struct Neighbours {
   int first, second;
-  float weight;  // of the second
+  float weight;  // of `second`
 };
 
 Neighbours neighboursAt(int n, int full, int count, double factor) {
@@ -94,7 +94,7 @@ QImage enlarged(const Picture& picture, double factor, QSize full) {
   const std::vector<Neighbours> columns = neighboursAlong(full.width(), picture.size.x, factor);
   const std::vector<Neighbours> rows = neighboursAlong(full.height(), picture.size.y, factor);
   return imageOfRows(full, formatOf(picture), [&](int begin, int end, const auto& rowOf) {
-    // Each row of the small picture is stretched once, when the rows between which the result lies reach it.
+    // Each source row is stretched once, when the result first needs it.
     std::vector<float> stretched[2], blended(std::size_t(4) * full.width());
     int held[2] = {-1, -1};
     const auto stretch = [&](int y) -> const float* {

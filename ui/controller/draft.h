@@ -10,14 +10,14 @@
 
 namespace volumen {
 
-/// How coarse a draft is drawn, so that the measured frame time stays within what is asked for. A factor of 4
-/// means: one ray for 4 x 4 pixels of the screen.
+/// Chooses the resolution of drafts so that the measured frame time stays within a budget. A factor of 4
+/// means one ray per 4 x 4 screen pixels.
 class DraftPace {
  public:
   explicit DraftPace(double budgetMs = 40) : budgetMs_(budgetMs) {}
 
   double factor() const;
-  /// A draft of the present factor took so long.
+  /// Records the time of a draft with the current factor.
   void measured(double ms);
   double budgetMs() const { return budgetMs_; }
 
@@ -26,49 +26,50 @@ class DraftPace {
   int step_ = 4;
 };
 
-/// What a first picture by plain steps and the picture at rest are expected to take, by what a draft of the
-/// same scene took and by what those before took beside theirs.
+/// Predicts the time of a first picture by plain steps and of the picture at rest. It uses the time of a
+/// draft of the same scene and earlier ratios of such times.
 class RestCost {
  public:
-  /// A draft took so long.
+  /// Records the time of a draft.
   void draftTook(double ms, double factor) { draftMs_ = ms * factor * factor; }
-  /// The picture at rest, of one ray for edge x edge pixels, that followed took so long.
+  /// Records the time of the picture at rest after that draft, with one ray per edge x edge pixels.
   void restTook(double ms, int edge) {
     if (draftMs_ > 0) timesDraft_ = ms * edge * edge / draftMs_;
   }
-  /// A first picture by plain steps, of one ray for factor x factor pixels, that followed took so long.
+  /// Records the time of the first picture by plain steps after that draft, with one ray per factor x factor
+  /// pixels.
   void firstTook(double ms, double factor) {
     if (draftMs_ > 0) timesFirst_ = ms * factor * factor / draftMs_;
   }
-  /// Of the picture at rest, in ms.
+  /// Returns the expected time of the picture at rest, ms.
   double expected(int edge) const { return timesDraft_ * draftMs_ / (edge * edge); }
-  /// The factor of a first picture: none where the picture at rest comes soon anyway, or where the draft was
-  /// about as fine. The finest that takes at most a third of the picture at rest.
+  /// Returns the factor of a first picture: the finest that takes at most a third of the picture at rest.
+  /// Returns nothing if the picture at rest comes soon anyway or the draft was about as fine.
   std::optional<double> factorOfFirst(double draft, int edge) const;
 
  private:
-  double draftMs_ = 0;  // the last draft, were it as fine as the screen
-  // How much longer a ray takes; at first as measured on chest and head.
+  double draftMs_ = 0;  // time of the last draft, scaled to full resolution
+  // Time per ray relative to a draft; initially as measured on chest and head.
   double timesDraft_ = 2;    // at rest
   double timesFirst_ = 0.5;  // by plain steps
 };
 
-/// A picture of a factor less pixels that shows the same: its size, rounded up, and its camera, which sees as
-/// much more as the rounding adds, so that nothing jumps when the full picture takes its place.
+/// The size and camera of a smaller picture with the same content. The size is rounded up, and the camera
+/// sees more by as much. So nothing jumps when the full picture replaces it.
 struct DraftView {
   QSize size;
   Camera camera;
 };
 DraftView draftView(const Camera& camera, QSize full, double factor);
 
-/// The middle part of a picture, enlarged smoothly (bilinear, on premultiplied colour) by the factor to
-/// `full` pixels.
+/// Returns the central part of a picture, enlarged bilinearly (on premultiplied colour) by `factor` to `full`
+/// pixels.
 QImage enlarged(const Picture& picture, double factor, QSize full);
 
-/// One pixel of the enlarged picture, before it is rounded: RGBA.
+/// Returns one pixel of the enlarged picture before rounding, RGBA.
 glm::vec4 enlargedPixel(const Picture& picture, double factor, QSize full, glm::ivec2 pixel);
 
-/// The picture for the screen: RGB32, or ARGB32_Premultiplied where the background is transparent.
+/// Returns the picture for the screen: RGB32, or ARGB32_Premultiplied for a transparent background.
 QImage toImage(const Picture& picture);
 
 }  // namespace volumen

@@ -8,7 +8,7 @@
 
 namespace volumen {
 
-/// A picture and the plan it was drawn by.
+/// A picture and the plan it was drawn from.
 struct Drawn {
   Picture picture;
   std::vector<float> error;  ///< Rendered::error
@@ -16,29 +16,30 @@ struct Drawn {
   RenderStats stats;
 };
 
-/// A plan that leaves nothing open, and what finding that took (completedPlan).
+/// A complete plan (completedPlan) and the statistics of its completion.
 struct Planned {
   Plan plan;
   RenderStats stats;
 };
 
-/// Draws pictures of one volume; on the render thread only.
+/// Draws pictures of one volume; for the render thread only.
 struct Draw {
   std::function<Result<Planned>(const Scene&, const RenderOptions&, const CancelToken&)> plan;
-  std::function<Result<Drawn>(const Planned&, const CancelToken&)> picture;  ///< its times: of both
-  std::function<std::size_t()> bytes{};  ///< of its own caches; empty: it has none
+  std::function<Result<Drawn>(const Planned&, const CancelToken&)> picture;  ///< times include planning
+  std::function<std::size_t()> bytes{};  ///< of its own caches; empty if it has none
 
-  /// Both at once.
+  /// Plans and draws.
   Result<Drawn> operator()(const Scene& scene, const RenderOptions& options, const CancelToken& cancel) const;
 };
 
-/// A volume as pictures read it; all that draw it share one.
+/// A volume in the form that rendering reads; all views of it share one.
 using VoxelsPtr = std::shared_ptr<StoredVoxels>;
-/// Makes what draws a volume, with caches of its own beside the voxels; called on the render thread.
+/// Makes the functions that draw a volume, with their own caches beside the voxels. Called on the render
+/// thread.
 using MakeDraw = std::function<Draw(const VoxelsPtr&)>;
 
-/// makePlan(), completedPlan() and render() over one set of caches; OpenGL by a context of Qt's, else of
-/// EGL's.
+/// Returns makePlan(), completedPlan() and render() over one set of caches. OpenGL uses a context from Qt,
+/// else from EGL.
 Draw drawWithCaches(const VoxelsPtr& voxels);
 
 }  // namespace volumen

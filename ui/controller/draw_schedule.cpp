@@ -6,7 +6,7 @@
 namespace volumen {
 
 std::optional<Turn> nextTurn(const Waiting& waiting) {
-  // The smaller, the sooner.
+  // The smallest rank is drawn first.
   const auto rank = [&](const WaitingView& v) {
     const bool overdue = v.next == Work::draft && v.waited > longestWait;
     return std::tuple(v.next, !overdue, overdue || v.view != waiting.gestureView, -v.waited, v.view);

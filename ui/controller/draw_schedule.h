@@ -8,10 +8,10 @@
 
 namespace volumen {
 
-/// What the render thread does, the first first.
+/// Tasks of the render thread, in order of priority.
 enum class Work {
-  draft,  ///< what a view shows at once, within the frame time
-  first,  ///< a picture of a view by plain steps, where its picture at rest will take long
+  draft,  ///< the immediate picture of a view, within the frame time
+  first,  ///< a picture of a view by plain steps, if its picture at rest will take long
   rest,   ///< the picture at rest of a view
   saved,
   trial,
@@ -21,11 +21,11 @@ enum class Work {
 /// A view whose picture at rest is not drawn yet.
 struct WaitingView {
   ViewId view = 0;
-  Work next = Work::draft;              ///< or first, or rest
-  std::chrono::milliseconds waited{0};  ///< since its last draft was begun, else since it was asked for
+  Work next = Work::draft;              ///< draft, first or rest
+  std::chrono::milliseconds waited{0};  ///< since the start of its last draft, else since the request
 };
 
-/// All that waits to be drawn.
+/// All waiting tasks.
 struct Waiting {
   std::vector<WaitingView> views;
   std::optional<ViewId> gestureView;  ///< the view of the last gesture
@@ -34,16 +34,16 @@ struct Waiting {
 
 struct Turn {
   Work work;
-  ViewId view = 0;  ///< where it is done for one
+  ViewId view = 0;  ///< for tasks of a view
   bool operator==(const Turn&) const = default;
 };
 
-/// A draft that has waited for longer goes before that of the view of the last gesture, so that views which
-/// follow it are drawn, too.
+/// A draft that has waited longer precedes the draft of the view of the last gesture, so that linked views
+/// are drawn too.
 inline constexpr std::chrono::milliseconds longestWait{250};
 
-/// What is drawn next, in the order of Work; among views that of the last gesture, then the one that has
-/// waited for longest. Nothing where nothing waits.
+/// Returns the next task in the order of Work. Among views, the view of the last gesture comes first, then
+/// the one that has waited longest. Returns nothing if nothing waits.
 std::optional<Turn> nextTurn(const Waiting& waiting);
 
 }  // namespace volumen

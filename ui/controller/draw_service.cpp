@@ -137,7 +137,7 @@ int DrawService::requestThumbnails(const VolumePtr& volume, std::vector<Scene> s
   return thumbnailBatch_;
 }
 
-// From the event loop, so that a number is known before its answer comes.
+// Answers from the event loop, so that the caller has the number before its answer.
 void DrawService::answer(ViewId view, int number, Answer answer) {
   answers_.push_back({view, number, answer});
   QMetaObject::invokeMethod(

@@ -13,79 +13,79 @@
 
 namespace volumen {
 
-/// How a request for the screen ended.
+/// The end of a request for the screen.
 enum class Answer {
-  drawn,      ///< its picture at rest is on screen
-  replaced,   ///< another was made for the view
-  cancelled,  ///< the view is hidden or shows another volume, there are no pixels, or the service closes
-  failed      ///< failed() has told why
+  drawn,     ///< its picture at rest is on screen
+  replaced,  ///< another request was made for the view
+  /// The view is hidden or shows another volume, the picture has no pixels, or the service closes.
+  cancelled,
+  failed  ///< failed() has reported the reason
 };
 
-/// A picture that was drawn to see what it takes.
+/// A picture drawn to measure its time.
 struct Trial {
-  int number = 0;  ///< that requestTrial() gave it
+  int number = 0;  ///< as returned by requestTrial()
   PictureLevel level;
-  QSize pixels;                        ///< of the full picture; `drawn` has fewer where level.edge > 1
-  double ms = 0;                       ///< wall clock, up to the image, without what was made once
-  std::shared_ptr<const Drawn> drawn;  ///< null: it failed
+  QSize pixels;                        ///< of the full picture; `drawn` has fewer if level.edge > 1
+  double ms = 0;                       ///< wall-clock time until the image, without work done once per volume
+  std::shared_ptr<const Drawn> drawn;  ///< null if it failed
   QString failure;
 };
 
-/// Draws the 3D pictures of all views on one thread of its own, in the order of nextTurn(): of what a view
-/// asks for only the latest, first as a draft of fewer pixels within the frame time, then at the level of
-/// pictures at rest once nothing new was asked for a moment, in which that picture is planned. Where that one
-/// is expected to take long, a first picture by plain steps comes before it. Views of one volume share what
-/// was computed of it. Asking never waits. All functions are for the thread of this object; signals come from
-/// its event loop, only the last answers from the destructor.
+/// Draws the 3D pictures of all views on its own thread, in the order of nextTurn(). Each view has only its
+/// latest request. First a draft with fewer pixels is drawn within the frame time. After a short pause
+/// without new requests, in which the picture at rest is planned, that is drawn at its level. If it is
+/// expected to take long, a first picture by plain steps precedes it. Views of one volume share precomputed
+/// data. No call waits. All functions belong to the thread of this object. Signals come from its event loop;
+/// only the last answers come from the destructor.
 class DrawService : public QObject {
   Q_OBJECT
  public:
-  /// `pool`: where it finds and keeps what is computed of volumes.
+  /// `pool` holds what is computed of volumes.
   explicit DrawService(MakeDraw makeDraw, std::shared_ptr<SeriesPool> pool = std::make_shared<SeriesPool>(),
                        QObject* parent = nullptr);
-  /// Gives up what is being drawn and waits for the thread, which checks its token between rows. What has no
-  /// answer yet is answered: cancelled.
+  /// Cancels the current picture and waits for the thread, which checks its token between rows. Open requests
+  /// are answered with `cancelled`.
   ~DrawService() override;
 
-  /// What a view shows from now on; null: it is hidden, and nothing is drawn of it. No picture of the volume
-  /// before is told any more.
+  /// Sets the volume a view shows; null hides the view and draws nothing. Pictures of the volume shown before
+  /// are no longer reported.
   void show(ViewId view, VolumePtr volume);
-  /// Asks for a picture of so many device pixels; a scene without a camera is fitted to the picture. Returns
-  /// the number, larger than all before, by which it is answered exactly once.
+  /// Requests a picture of `pixels` device pixels. A scene without a camera is fitted to the picture. Returns
+  /// a number, larger than all before, that is answered exactly once.
   int request(ViewId view, const Scene& scene, QSize pixels);
-  /// The view of the last gesture, which goes first.
+  /// Sets the view of the last gesture, which takes precedence.
   void setGestureView(ViewId view);
-  /// What resamples the full pictures asked for from now on (drafts are the CPU's). Where OpenGL fails,
-  /// failed() says why and the CPU does it.
+  /// Sets the resampler of full pictures requested from now on; drafts use the CPU. If OpenGL fails, failed()
+  /// says why and the CPU takes over.
   void setResampler(Resampler resampler);
-  /// Whether pictures asked for from now on estimate the error of each pixel, where they can.
+  /// Sets whether pictures requested from now on estimate the error of each pixel where possible.
   void setErrorWanted(bool wanted);
-  /// The level of the full pictures asked for from now on.
+  /// Sets the level of full pictures requested from now on.
   void setLevel(ViewId view, PictureLevel level);
   PictureLevel level(ViewId view) const;
-  /// Asks for a picture to be drawn and timed, as soon as there is nothing else to do; what comes meanwhile
-  /// is drawn first. Ends in trialReady(). A second takes the place of the first.
+  /// Requests a picture to be timed when the thread is idle; other requests come first. Ends in trialReady().
+  /// A second request replaces the first.
   int requestTrial(const VolumePtr& volume, const Scene& scene, QSize pixels, PictureLevel level);
   void dropTrial();
-  /// Asks for a picture of a volume to be saved, whatever is on screen by then; they are drawn in order, when
-  /// the screen has its pictures. Each ends in pictureReady() with the number returned.
+  /// Requests a picture to be saved, independent of the screen. Such pictures are drawn in order, after those
+  /// on screen. Each ends in pictureReady() with the returned number.
   int requestPicture(const VolumePtr& volume, const Scene& scene, const RenderOptions& options);
-  /// Gives up all of them.
+  /// Cancels all pictures to be saved.
   void cancelPictures();
-  /// How much of the picture to be saved is drawn, 0 to 1.
+  /// Returns the finished share of the picture to be saved, 0 to 1.
   double pictureDone() const;
-  /// Asks for small pictures of these scenes, whole, after everything else; returns the number of the batch.
-  /// Each ends in thumbnailReady() or, where it cannot be drawn, in nothing. A second takes the place of the
-  /// first.
+  /// Requests thumbnails of these scenes, with lowest priority. Returns the number of the batch. Each ends in
+  /// thumbnailReady(), or in nothing if it fails. A second batch replaces the first.
   int requestThumbnails(const VolumePtr& volume, std::vector<Scene> scenes, QSize pixels);
 
  Q_SIGNALS:
   void screenPictureReady(const volumen::ScreenPicture& picture);
   void answered(volumen::ViewId view, int number, volumen::Answer answer);
-  /// A sentence; not for what was cancelled.
+  /// A sentence; not sent for cancelled work.
   void failed(volumen::ViewId view, const QString& sentence);
   void trialReady(const volumen::Trial& trial);
-  /// `drawn` null: `failure` says why.
+  /// If `drawn` is null, `failure` says why.
   void pictureReady(int number, const std::shared_ptr<volumen::Drawn>& drawn, const QString& failure);
   void thumbnailReady(int batch, int n, const QImage& image);
 
@@ -96,16 +96,16 @@ class DrawService : public QObject {
     ScreenRequest request;
     Work next = Work::draft;
     double firstFactor = 1;   // of the first picture
-    Clock::time_point since;  // WaitingView::waited
+    Clock::time_point since;  // WaitingView::waited counts from here
   };
   struct View {
-    VolumePtr volume;  // null: hidden
-    int shownAt = 0;   // number_ when that volume was shown: its requests have larger ones
+    VolumePtr volume;  // null if hidden
+    int shownAt = 0;   // number_ when that volume was shown; its requests have larger numbers
     PictureLevel level;
     std::optional<Pending> pending;
     CancelToken cancel;      // of its first drafts
-    CancelToken restCancel;  // of what gives way to drafts
-    int awaited = 0;         // the request without an answer; for the thread of this object
+    CancelToken restCancel;  // of work that is interrupted by drafts
+    int awaited = 0;         // the open request; for the thread of this object
   };
   struct PictureRequest {
     int number;
@@ -159,7 +159,7 @@ class DrawService : public QObject {
   const MakeDraw makeDraw_;
   const std::shared_ptr<SeriesPool> pool_;
 
-  int number_ = 0;  // of the last request, or the last showing; for the thread of this object, as these
+  int number_ = 0;  // of the last request or show(); for the thread of this object, as is `answers_`
   std::deque<Answered> answers_;
 
   mutable std::mutex mutex_;  // guards from here ...
@@ -172,15 +172,15 @@ class DrawService : public QObject {
   int trialNumber_ = 0;
   std::optional<Thumbnails> thumbnails_;
   int thumbnailBatch_ = 0;
-  CancelToken trialCancel_;    // of thumbnails, too
+  CancelToken trialCancel_;    // of trials and thumbnails
   CancelToken pictureCancel_;  // of the picture being drawn
   Resampler resampler_ = Resampler::cpu;
   bool errorWanted_ = false;
   bool closing_ = false;  // ... to here
 
-  // Of the render thread alone.
+  // Used on the render thread only.
   std::map<ViewId, ViewDrawing> drawings_;
-  Clock::time_point quietAt_;  // when nothing new was asked for long enough since the last draft
+  Clock::time_point quietAt_;  // when the pause after the last draft is long enough
 
   std::thread thread_;
 };

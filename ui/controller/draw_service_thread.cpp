@@ -7,9 +7,9 @@ namespace volumen {
 
 namespace {
 
-// How long nothing new must be asked for before the full picture is begun.
+// Pause without new requests before the full picture is begun.
 constexpr std::chrono::milliseconds restTime{25};
-// How often idle voxels are looked at: nothing tells when the last holder of a volume lets it go.
+// Interval of checks for idle voxels, because nothing signals when the last holder of a volume releases it.
 constexpr std::chrono::seconds lookTime{1};
 
 }  // namespace
@@ -38,7 +38,7 @@ void DrawService::run() {
         break;
     }
   }
-  drawings_.clear();  // on this thread, which their OpenGL contexts belong to
+  drawings_.clear();  // on this thread, which owns their OpenGL contexts
   pool_->count(this, 0);
 }
 
@@ -54,8 +54,7 @@ std::optional<Turn> DrawService::waitForTurn(std::unique_lock<std::mutex>& lock)
   }
 }
 
-// Drops what drew views that are hidden or show another volume, and what was computed of volumes that are
-// gone.
+// Drops the drawings of views that are hidden or show another volume, and the data of volumes that are gone.
 void DrawService::dropUnused(std::unique_lock<std::mutex>& lock) {
   std::vector<ViewId> unused;
   for (const auto& [id, drawing] : drawings_)
@@ -91,7 +90,7 @@ void DrawService::drawDraft(ViewId id, std::unique_lock<std::mutex>& lock) {
   ViewDrawing& drawing = drawingOf(id, volume, shownAt);
   const Pass draft = drawing.draftPass(request.level);
   const bool only = draft == restPass(request.level);
-  // Another level of what is on screen needs no draft; that may be finer than any.
+  // Another quality level of the picture on screen needs no draft; that picture may be finer than any draft.
   const bool seen = drawing.isSeen(request) && !only;
   const Outcome outcome = seen ? Outcome::drawn : drawScreen(id, request, draft, only, cancel);
   const auto firstFactor = seen ? std::nullopt : drawing.factorOfFirst(request.level);
@@ -148,7 +147,7 @@ void DrawService::drawSaved(std::unique_lock<std::mutex>& lock) {
   pictureCancel_ = CancelToken();
 }
 
-// Stays asked for where something else interrupts it.
+// The request stays open if another task interrupts it.
 void DrawService::drawTrial(std::unique_lock<std::mutex>& lock) {
   const auto [volume, request] = *trial_;
   const CancelToken cancel = trialCancel_ = CancelToken();
@@ -168,7 +167,7 @@ void DrawService::drawTrial(std::unique_lock<std::mutex>& lock) {
       this, [this, trial] { Q_EMIT trialReady(trial); }, Qt::QueuedConnection);
 }
 
-// One at a time, so that anything else comes in between; drawn again where something interrupts it.
+// Draws one at a time, so that other tasks come in between. An interrupted thumbnail is drawn again.
 void DrawService::drawThumbnail(std::unique_lock<std::mutex>& lock) {
   const VolumePtr volume = thumbnails_->volume;
   const Scene scene = thumbnails_->scenes[thumbnails_->next];
@@ -188,7 +187,7 @@ void DrawService::drawThumbnail(std::unique_lock<std::mutex>& lock) {
       this, [this, batch, n, image] { Q_EMIT thumbnailReady(batch, n, image); }, Qt::QueuedConnection);
 }
 
-// What draws this showing of the volume in a view.
+// Returns the drawing of this volume in a view, for this call of show().
 ViewDrawing& DrawService::drawingOf(ViewId id, const VolumePtr& volume, int shownAt) {
   const auto found = drawings_.find(id);
   if (found != drawings_.end() && found->second.shownAt() == shownAt) return found->second;
@@ -196,7 +195,7 @@ ViewDrawing& DrawService::drawingOf(ViewId id, const VolumePtr& volume, int show
   return drawings_.try_emplace(id, volume, shownAt, makeDraw_(pool_->voxelsOf(volume))).first->second;
 }
 
-// What draws a volume for no view: what does so for one, else something of its own.
+// Returns the draw functions of a volume without a view: those of a view that shows it, else new ones.
 Draw DrawService::drawOf(const VolumePtr& volume) {
   const auto shown = std::find_if(drawings_.begin(), drawings_.end(),
                                   [&](const auto& entry) { return entry.second.volume() == volume; });
@@ -232,7 +231,7 @@ DrawService::Outcome DrawService::drawScreen(ViewId id, const ScreenRequest& req
   return Outcome::drawn;
 }
 
-// Waits until nothing new was asked for long enough; false where something is.
+// Waits for the pause without new requests. Returns false if a request came.
 bool DrawService::staysQuiet(ViewId id, int number, std::unique_lock<std::mutex>& lock) {
   const auto& pending = views_.at(id).pending;
   return !wake_.wait_until(lock, quietAt_, [&] {
@@ -243,7 +242,7 @@ bool DrawService::staysQuiet(ViewId id, int number, std::unique_lock<std::mutex>
   });
 }
 
-// What comes after a picture of a request, unless something else is asked of the view by now.
+// Sets the next task of a view after a picture, unless the view has another request by now.
 void DrawService::follow(ViewId id, int number, Outcome outcome, std::optional<Work> next,
                          double firstFactor) {
   auto& pending = views_.at(id).pending;
@@ -253,7 +252,7 @@ void DrawService::follow(ViewId id, int number, Outcome outcome, std::optional<W
   pending->firstFactor = firstFactor;
 }
 
-// OpenGL has failed: what waits for it does so no longer.
+// OpenGL has failed; pending requests use the CPU.
 void DrawService::useCpu() {
   const std::lock_guard lock(mutex_);
   resampler_ = Resampler::cpu;

@@ -8,15 +8,15 @@
 
 namespace volumen {
 
-/// Reads and writes files of one kind, each a job; the newest that is opened counts.
+/// Reads and writes files of one kind, each as a job. Of several files being opened only the latest counts.
 class FileJobs : public QObject {
   Q_OBJECT
  public:
   explicit FileJobs(Jobs& jobs, QObject* parent = nullptr);
-  /// Waits for what is being written.
+  /// Waits until pending files are written.
   ~FileJobs() override;
 
-  /// Ends in taken(value) of the Result that `read` gives on the job's thread, or in failed().
+  /// Runs `read` on the job's thread. Ends in taken(value) of its Result, or in failed().
   template <class Read, class Taken>
   void open(const QString& doing, Read read, Taken taken) {
     open_.run(
@@ -28,7 +28,7 @@ class FileJobs : public QObject {
             tellFailed(value.message());
         });
   }
-  /// Ends in done(), or in failed(). `write` runs on the job's thread.
+  /// Runs `write` on the job's thread. Ends in done(), or in failed().
   void save(const QString& doing, std::function<Status()> write, std::function<void()> done);
 
  Q_SIGNALS:

@@ -43,7 +43,7 @@ const Series* namesakeOf(const std::vector<Series>& all, const SavedSeries& save
 }
 
 const DerivedObject* findSaved(const Study& study, const SavedObject& saved) {
-  // Behind "#" stands which of several copies it was.
+  // The part after "#" identifies one of several copies.
   const std::string uid = saved.key.id.substr(0, saved.key.id.find('#'));
   const auto found = std::ranges::find_if(study.derived, [&](const DerivedObject& object) {
     return object.kind == saved.kind && (object.sopInstanceUid == uid || object.id == saved.key.id);

@@ -6,18 +6,18 @@ namespace volumen {
 
 struct Study;
 
-/// All that a session may know of a study as it was read, whenever it was saved: its series, the frames of
-/// what is none with its pictures stacked (withPictureStacks()), and as they were before there were stacks.
+/// Returns all series a saved session may refer to: series as read, frames with single pictures stacked
+/// (withPictureStacks()), and the same frames unstacked, for older sessions.
 std::vector<Series> allSeriesOf(const Study& study);
 
-/// The series that is what it was, of one along a curve its source, by its UID or id and what tells that it
-/// is the same; ids may have changed with what lies beside it. Null: none is.
+/// Returns the series that is unchanged, identified by its UID or id and its proof. A series along a curve is
+/// identified by its source. Ids may have changed with neighbouring files. Returns null if there is none.
 const Series* findSaved(const std::vector<Series>& all, const SavedSeries& saved);
 
-/// One of its name, whatever it holds by now; null: there is none.
+/// Returns the series with the saved name, whatever it contains now; null if there is none.
 const Series* namesakeOf(const std::vector<Series>& all, const SavedSeries& saved);
 
-/// The object of this UID; null: there is none.
+/// Returns the object with the saved UID; null if there is none.
 const DerivedObject* findSaved(const Study& study, const SavedObject& saved);
 
 }  // namespace volumen

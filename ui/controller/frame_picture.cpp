@@ -11,7 +11,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// Values 0 .. 255; 0 where there are none.
+// Returns values 0 .. 255 as bytes; NaN becomes 0.
 Bytes rounded(const std::vector<float>& values) {
   Bytes bytes(values.size());
   std::ranges::transform(values, bytes.begin(),
@@ -19,7 +19,7 @@ Bytes rounded(const std::vector<float>& values) {
   return bytes;
 }
 
-// Mixed with `colour` where the mask is 1; the mask may be none.
+// Blends `colour` in where the mask is 1; the mask may be null.
 Status addLayer(const VolumePtr& mask, const SlicePlane& plane, float colour, std::vector<Bytes*> channels) {
   if (!mask) return {};
   const Result<SliceValues> parts = resampleSlice(*mask, plane);

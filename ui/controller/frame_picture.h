@@ -7,9 +7,9 @@
 
 namespace volumen {
 
-/// A frame on a plane through its slice: grey by `grey`, colours as they are; black around it; where
-/// `withLayers`, shutters hide behind their grey and overlays are white. An Error for what checkPlane
-/// refuses.
+/// Returns the picture of a frame on a plane through its slice. Grey values are mapped by `grey`, colours are
+/// unchanged, the surroundings are black. With `withLayers` shutters cover the picture in their grey and
+/// overlays are white. An Error is that of checkPlane.
 Result<QImage> drawFrame(const LoadedFrame& frame, const SlicePlane& plane, const GreyMapping& grey,
                          bool withLayers);
 

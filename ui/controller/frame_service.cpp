@@ -14,13 +14,13 @@ namespace {
 
 constexpr int mostAhead = 32;
 
-// Values that count for a window.
+// Adds the values that count for a window.
 void addValues(const Frame& frame, std::vector<float>& values) {
   const auto counts = [&](float v) { return std::isfinite(v) && !isPadding(frame.padding, v); };
   std::ranges::copy_if(frame.values, std::back_inserter(values), counts);
 }
 
-// The first and the last of them.
+// Returns the first and last frame that share a window.
 std::pair<int, int> framesOfOneWindow(const Series& series, int index) {
   const int count = frameCount(series);
   if (!areMadeOneByOne(series)) return {0, count - 1};
@@ -92,7 +92,7 @@ void FrameService::drop(ViewId view) {
   wanted_.erase(view);
 }
 
-// To the views whose frame is there, or never will be.
+// Reports to views whose frame is ready or has failed.
 void FrameService::tellReady() {
   for (auto& [view, wanted] : wanted_) {
     if (wanted.told || !isKnown(wanted.key(0))) continue;
@@ -113,7 +113,7 @@ void FrameService::tellReady(ViewId view, const LoadedFramePtr& frame) {
       this, [this, view, frame] { Q_EMIT ready(view, frame); }, Qt::QueuedConnection);
 }
 
-// How many frames ahead are read: those of all views take no more than half of the pool.
+// Returns how many frames are read ahead; those of all views use at most half of the pool.
 int FrameService::reach() const {
   const std::size_t room = pool_.budget() / 2 / frameBytes_ / std::max<std::size_t>(1, wanted_.size());
   return int(std::min<std::size_t>(room, mostAhead));
@@ -144,7 +144,7 @@ void FrameService::run() {
       pool_.put(*frame);
       QMetaObject::invokeMethod(
           this, [this, series = reading->key.series] { Q_EMIT held(series); }, Qt::QueuedConnection);
-      // Who goes on faster than frames are read sees at least this one.
+      // A view that moves faster than frames are read sees at least this one.
       if (reading->view && wanted_.contains(*reading->view) && wanted_[*reading->view].key(0) != reading->key)
         tellReady(*reading->view, *frame);
     } else {
@@ -174,7 +174,7 @@ Result<LoadedFramePtr> FrameService::read(const Reading& reading) {
   return shownFrame(*reading.series, reading.key, std::move(shown->frame), std::move(shown->how));
 }
 
-// `warning`: why it is not shown otherwise; empty: it should not be.
+// `warning` says why the frame is not shown otherwise; it is empty if it should not be.
 Result<LoadedFramePtr> FrameService::readAcquired(const Reading& reading, const std::string& warning) {
   Result<Frame> frame = loadFrame(*reading.series, reading.key.index);
   if (!frame) return frame.error();
@@ -186,7 +186,7 @@ Result<LoadedFramePtr> FrameService::readAcquired(const Reading& reading, const 
   return shownFrame(*reading.series, reading.key, std::move(*frame), {}, middleGreys(*reading.series));
 }
 
-// Empty where the middle frame cannot be read, or is colour.
+// Empty if the middle frame cannot be read or is in colour.
 std::vector<NamedGrey> FrameService::middleGreys(const Series& series) {
   const auto known = middleGreys_.find(keyOf(series));
   if (known != middleGreys_.end()) return known->second;

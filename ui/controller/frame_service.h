@@ -15,39 +15,39 @@
 
 namespace volumen {
 
-/// Reads and decodes frames on a thread of its own: of each view the one that is wanted, then those that come
-/// next in the direction in which it goes. Asking never waits.
+/// Reads and decodes frames on its own thread: first the frame each view wants, then the next ones in its
+/// direction. No call waits.
 ///
-/// Where files have no window, all frames of a series share one, of pictures that areMadeOneByOne() all of a
-/// file: P0.1 .. P99.9 of at most `sampledFrames` of them, evenly placed.
+/// Frames of a series whose files have no window share one. Series that areMadeOneByOne() have one per file.
+/// It is P0.1 .. P99.9 of at most `sampledFrames` frames, evenly spaced.
 class FrameService : public QObject {
   Q_OBJECT
  public:
   static constexpr int sampledFrames = 9;
-  /// How long a frame that could not be read is not read again, ms.
+  /// Time before a frame that could not be read is tried again, ms.
   static constexpr int tryAgainMs = 1000;
 
   explicit FrameService(std::size_t budget = defaultBudget(), QObject* parent = nullptr);
   ~FrameService() override;
 
-  /// A frame that is in memory; else null.
+  /// Returns a frame in memory, or null.
   LoadedFramePtr find(const FrameKey& key);
-  /// FramePool::heldOf().
+  /// Returns FramePool::heldOf().
   std::vector<int> heldOf(const SeriesKey& series, const std::string& presentation);
-  /// Ends in ready() or failed(), unless the view asks for another one before it is begun. What failed is
-  /// tried again after a while (tryAgainMs). `step`: 1 or -1,
-  /// where the next ones lie. `presentation`: the file of a presentation state; frames that it does not name,
-  /// or that it cannot be applied to, are shown as acquired.
+  /// Requests a frame. Ends in ready() or failed(), unless the view requests another one before it is begun.
+  /// Failed frames are retried after tryAgainMs. `step` is 1 or -1, the direction of the next frames.
+  /// `presentation` is the file of a presentation state. Frames that it does not refer to, or cannot apply
+  /// to, are shown as acquired.
   void request(ViewId view, std::shared_ptr<const Series> series, int index, int step,
                const std::string& presentation = {});
-  /// Reads nothing ahead for a view any more.
+  /// Stops reading ahead for a view.
   void drop(ViewId view);
 
-  /// 1/16 of the machine's memory, at most 1 GiB.
+  /// Returns 6 % of the memory of the machine, at most 1 GiB.
   static std::size_t defaultBudget();
 
  Q_SIGNALS:
-  /// What a view wants, or wanted when it was begun.
+  /// The frame that a view wants, or wanted when reading began.
   void ready(int view, const volumen::LoadedFramePtr& frame);
   void failed(int view, const volumen::FrameKey& key, const QString& sentence);
   /// Another frame of this series is in memory.
@@ -69,7 +69,7 @@ class FrameService : public QObject {
   struct Reading {
     std::shared_ptr<const Series> series;
     FrameKey key;
-    std::optional<ViewId> view;  // that wants it; none: read ahead
+    std::optional<ViewId> view;  // the view that wants it; empty if it is read ahead
   };
 
   void run();
@@ -84,7 +84,8 @@ class FrameService : public QObject {
   Window windowOf(const Series& series, int index);
   std::vector<NamedGrey> middleGreys(const Series& series);
 
-  // Of frames without one, by the first that share it; of the thread alone, as the next two.
+  // Windows of frames without one, by the first frame that shares it. The next three members are used on the
+  // thread only.
   std::map<std::pair<SeriesKey, int>, Window> windows_;
   std::map<SeriesKey, std::vector<NamedGrey>> middleGreys_;
   std::map<std::string, Presentation> presentations_;  // by file
@@ -93,7 +94,7 @@ class FrameService : public QObject {
   FramePool pool_;
   std::map<ViewId, Wanted> wanted_;
   std::map<FrameKey, Failure> failures_;
-  std::size_t frameBytes_ = 1;  // of the frame read last
+  std::size_t frameBytes_ = 1;  // size of the frame read last
   bool closing_ = false;        // ... to here
   std::thread thread_;
 };

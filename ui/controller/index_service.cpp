@@ -10,9 +10,9 @@ namespace volumen {
 namespace {
 
 constexpr std::size_t mostRecent = 5;
-constexpr int listAgainEveryMs = 1000;  // while something is imported
+constexpr int listAgainEveryMs = 1000;  // during an import
 
-// What a choice of the list is opened from.
+// The files of a choice and the intent to open them.
 struct ChosenFiles {
   std::vector<std::string> files;
   OpenIntent intent;
@@ -38,7 +38,7 @@ Result<ChosenFiles> chosenFiles(Index& index, const IndexedChoice& choice, OpenH
   return chosen;
 }
 
-// The index finds words; whose they are is compared here. None: it cannot be asked.
+// The index searches for words; the patient is compared here. Returns nothing if the query fails.
 std::optional<std::vector<IndexedStudy>> studiesOfPatient(const Index& index, const std::string& id,
                                                           const std::string& name) {
   if (id.empty() && name.empty()) return std::vector<IndexedStudy>();
@@ -50,7 +50,7 @@ std::optional<std::vector<IndexedStudy>> studiesOfPatient(const Index& index, co
   return std::move(*found);
 }
 
-// A series without one is no failure: its files are offline, or hold no picture.
+// A missing thumbnail is no failure: the files are offline or hold no picture.
 Result<QImage> thumbnailImage(Index& index, std::int64_t series) {
   const Result<Thumbnail> png = index.thumbnail(series);
   return png ? QImage::fromData(png->data(), int(png->size()), "PNG") : QImage();
@@ -61,7 +61,7 @@ Result<QImage> thumbnailImage(Index& index, std::int64_t series) {
 IndexService::IndexService(const std::string& folder, Jobs& jobs, QObject* parent)
     : StudySource(parent), folder_(folder), jobs_(jobs) {}
 
-// The index goes on the thread that opened it.
+// The index is destroyed on the thread that opened it.
 IndexService::~IndexService() {
   for (const Job& import : imports_) import.cancel().cancel();
   for (Worker* worker : {&queries_, &thumbnails_, &importer_}) {
@@ -72,7 +72,7 @@ IndexService::~IndexService() {
   }
 }
 
-// Null, with the reason told: it cannot be opened.
+// Returns null and reports the reason if the index cannot be opened.
 Index* IndexService::indexOf(Worker& worker) {
   if (worker.index) return &*worker.index;
   Result<Index> opened = folder_.empty() ? Result<Index>(Error{tr("There is no home folder for the list of "
@@ -90,8 +90,8 @@ Index* IndexService::indexOf(Worker& worker) {
   return &*worker.index;
 }
 
-// `work(index, job)` returns a Result; `done` gets its value, `refuse` the sentence instead, an empty one
-// where that was told already. Returns the job's number.
+// Runs `work(index, job)`, which returns a Result. `done` receives its value, or `refuse` the sentence, which
+// is empty if it was reported already. Returns the number of the job.
 template <class Work, class Done, class Failed>
 int IndexService::start(Worker& worker, Work work, Done done, Failed refuse) {
   using Made = std::invoke_result_t<Work, Index&, const Job&>;
@@ -189,7 +189,7 @@ void IndexService::wantThumbnails(const std::vector<std::int64_t>& series) {
         [this, id](const QImage& image) { Q_EMIT thumbnailMade(id, image); }));
 }
 
-// What was read so far is shown now and then.
+// Shows intermediate results from time to time.
 Progress IndexService::importProgress(const Job& import, const Job& job) {
   auto clock = std::make_shared<QElapsedTimer>();
   clock->start();

@@ -7,14 +7,14 @@
 
 namespace volumen {
 
-/// The index of studies on threads of its own: one that answers in order, one that makes thumbnails, one that
-/// imports; each import is a job of the list.
+/// The index of studies. One thread answers queries in order, one makes thumbnails, one imports. Each import
+/// is a job in the list.
 class IndexService : public StudySource {
   Q_OBJECT
  public:
-  /// `folder`: of the index; it is opened, or made, when it is first needed.
+  /// `folder` holds the index, which is opened or created when first needed.
   IndexService(const std::string& folder, Jobs& jobs, QObject* parent = nullptr);
-  /// Gives up what is under way; what was imported until then is kept.
+  /// Cancels pending work; what has been imported is kept.
   ~IndexService() override;
 
   QString key() const override { return QStringLiteral("index"); }
@@ -24,7 +24,7 @@ class IndexService : public StudySource {
   void series(std::int64_t study) override;
   void studiesOf(const std::string& patientId, const std::string& patientName) override;
   void wantThumbnails(const std::vector<std::int64_t>& series) override;
-  /// Remembers that the study was opened, too, but for what is only looked into.
+  /// Also records that the study was opened, unless it is only looked into.
   void open(const IndexedChoice& choice, OpenHow how) override;
   bool canImport() const override { return true; }
   void import(const QStringList& paths) override;
@@ -33,7 +33,7 @@ class IndexService : public StudySource {
   void undoRemove(const std::vector<std::int64_t>& studies) override;
 
  private:
-  // A thread, and the index as it has it open.
+  // A thread and its connection to the index.
   struct Worker {
     std::optional<Index> index;
     JobLane lane;
@@ -50,9 +50,9 @@ class IndexService : public StudySource {
 
   const std::string folder_;
   Jobs& jobs_;
-  int listing_ = 0;                 // job
-  std::vector<int> thumbnailJobs_;  // in the order in which they were wanted
-  std::vector<Job> imports_;        // in the list; each ends with what was imported until it was cancelled
+  int listing_ = 0;                 // number of the job
+  std::vector<int> thumbnailJobs_;  // in order of the requests
+  std::vector<Job> imports_;        // in the job list; a cancelled import keeps what it has imported
   Worker queries_, thumbnails_{{}, JobLane(nullptr, QThread::LowPriority)},
       importer_{{}, JobLane(nullptr, QThread::LowPriority)};
 };

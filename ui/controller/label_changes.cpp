@@ -9,8 +9,8 @@ namespace volumen {
 
 namespace {
 
-// The head, the base's checksum, then by zlib for each brick: its number (four bytes, the lowest first), and
-// a 0 and its label, or a 1 and its voxels.
+// Format: the header, the checksum of the base, then zlib data. Each brick has its number (four bytes, little
+// endian), then 0 and its label, or 1 and its voxels.
 const QByteArray headOfChanges = QByteArrayLiteral("volumen label changes 1\n");
 constexpr int checksumDigits = 40, fastest = 1;
 constexpr qsizetype numberBytes = 4, voxelBytes = qsizetype(LabelMap::edge) * LabelMap::edge * LabelMap::edge;
@@ -20,7 +20,8 @@ std::size_t brickCount(const LabelMap& map) {
   return std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z);
 }
 
-// What zlib packed, which says before it how long it was: no more than all bricks take. None: it is damaged.
+// Returns the data that zlib packed; the size comes first and is at most that of all bricks. Nothing if it is
+// damaged.
 std::optional<QByteArray> unpacked(const QByteArray& packed, const LabelMap& map) {
   if (packed.size() < numberBytes) return {};
   const auto length = qFromBigEndian<quint32>(packed.constData());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int brickEdge = LabelMap::edge;
 
-// Voxels, by 2^-32: steps along a line add up without an error, whoever takes them.
+// Voxel coordinates in units of 2^-32, so that steps add up exactly however a line is divided.
 using Fixed = glm::vec<3, std::int64_t>;
 
 Fixed fixedOf(glm::dvec3 v) {
@@ -22,17 +22,17 @@ Fixed fixedOf(glm::dvec3 v) {
   return {std::llround(v.x * one), std::llround(v.y * one), std::llround(v.z * one)};
 }
 
-// Where in its brick the voxel that a place is in lies.
+// Returns the index within its brick of the voxel that contains a point.
 unsigned placeInBrick(const Fixed& v) {
   constexpr unsigned edge = brickEdge;
   return unsigned(v.x >> 32) % edge +
          edge * (unsigned(v.y >> 32) % edge + edge * (unsigned(v.z >> 32) % edge));
 }
 
-// The first whole number of steps, each of them larger than 0, that are as far.
+// Returns the least number of positive steps that cover a distance.
 std::int64_t stepsTo(std::int64_t far, std::int64_t step) { return far <= 0 ? 0 : (far + step - 1) / step; }
 
-// The labels of the eight voxels around a place, a byte each, i fastest.
+// The labels of the eight voxels around a point, one byte each, i fastest.
 using Eight = std::uint64_t;
 
 bool areSame(Eight labels) { return labels == (labels >> 8 | labels << 56); }
@@ -43,14 +43,14 @@ const LabelMap::Brick& brickOf(const LabelMap& map, glm::ivec3 voxel) {
                    std::size_t(count.x) * (std::size_t(at.y) + std::size_t(count.y) * std::size_t(at.z)));
 }
 
-// Voxels of which eight, around a place, are in the same bricks each: all of one brick but for the last ones,
-// or those between two bricks.
+// A box of base voxels whose eight neighbours lie in the same bricks: within one brick except its last
+// voxels, or between two bricks.
 class EightBricks {
  public:
-  // Of the eight from this one on.
+  // Starts at the eight voxels from `first` on.
   EightBricks(const LabelMap& map, glm::ivec3 first) {
     const glm::ivec3 last = map.geometry().size - 1, count = map.bricks();
-    // Of the near and of the far voxels along each axis: which brick they are in, and where in it.
+    // For the near and far voxels along each axis: their brick and the position within it.
     std::array<std::array<std::size_t, 2>, 3> bricks, places;
     std::size_t brickOn = 1, placeOn = 1;
     isOneBrick_ = true;
@@ -79,9 +79,9 @@ class EightBricks {
   }
   std::uint8_t firstLabel() const { return *labels_[0]; }
 
-  // Whether they are beside each other.
+  // Returns whether all eight lie in one brick.
   bool areOfOneBrick() const { return isOneBrick_; }
-  // The eight so far from the first ones in their brick.
+  // Returns the eight at offset `far` from the first ones in one brick.
   Eight ofOneBrick(std::ptrdiff_t far) const {
     constexpr std::ptrdiff_t row = brickEdge, slice = brickEdge * brickEdge;
     const auto pair = [from = labels_[0] + far](std::ptrdiff_t n) {
@@ -91,7 +91,7 @@ class EightBricks {
     };
     return pair(0) | pair(row) << 16 | pair(slice) << 32 | pair(slice + row) << 48;
   }
-  // The same where they are of several bricks.
+  // Returns the eight at offset `far` if they lie in several bricks.
   Eight ofBricks(std::ptrdiff_t far) const {
     Eight eight = 0;
     for (std::size_t c = 0; c < 8; ++c) eight |= Eight(labels_[c][far & masks_[c]]) << 8 * c;
@@ -99,19 +99,19 @@ class EightBricks {
   }
 
  private:
-  std::array<const std::uint8_t*, 8> labels_{};  // of the first ones; of one brick only that of the first
-  std::array<std::ptrdiff_t, 8> masks_{};        // 0: the brick has one label
+  std::array<const std::uint8_t*, 8> labels_{};  // of the first eight; within one brick, only of the first
+  std::array<std::ptrdiff_t, 8> masks_{};        // 0 if the brick has one label
   bool isOneBrick_;
 };
 
 }  // namespace
 
-// Places on a straight line.
+// Points on a straight line.
 struct LabelReader::Line {
   Fixed first, step;
 
   Line from(std::int64_t n) const { return {first + n * step, step}; }
-  // Which of the first `count` places lie between two corners of a box, the high one not in it.
+  // Returns the range of the first `count` points within a box; `high` is exclusive.
   std::pair<std::int64_t, std::int64_t> within(glm::ivec3 low, glm::ivec3 high, std::int64_t count) const {
     std::int64_t from = 0, to = count;
     for (int a = 0; a < 3; ++a) {
@@ -127,13 +127,13 @@ struct LabelReader::Line {
   }
 };
 
-// Finds the number with the largest share, of many places at once.
+// Finds the number with the largest share at many points at once.
 class LabelReader::Shares {
  public:
   Shares(std::span<std::uint8_t> numbers, const std::array<std::uint8_t, 256>& shownAs)
       : numbers_(numbers), shownAs_(shownAs) {}
 
-  // Of place `n`; `v` counts from the centres of voxels.
+  // Adds point `n`; `v` is measured from voxel centres.
   void find(std::size_t n, Eight around, const Fixed& v) {
     if (areSame(around)) {
       numbers_[n] = shownAs_[around & 255];
@@ -147,7 +147,7 @@ class LabelReader::Shares {
   void finish();
 
  private:
-  static constexpr std::size_t most = 16;  // two vectors: their loops are unrolled
+  static constexpr std::size_t most = 16;  // two vectors, so that loops are unrolled
   template <class T>
   using Lanes = std::array<T, most>;
 
@@ -157,11 +157,11 @@ class LabelReader::Shares {
   const std::array<std::uint8_t, 256>& shownAs_;
   std::size_t count_ = 0;
   Lanes<Eight> eights_{};
-  std::array<Lanes<std::uint16_t>, 3> far_{};  // along each axis from the nearer voxels, by 2^-15
+  std::array<Lanes<std::uint16_t>, 3> far_{};  // distances from the nearer voxels along each axis, 2^-15
   Lanes<std::size_t> places_{};
 };
 
-// By 2^-13 of a voxel, all eight together.
+// Computes the weights of the eight voxels in units of 2^-13.
 void LabelReader::Shares::weigh(std::array<Lanes<std::uint16_t>, 8>& weights) const {
   constexpr std::uint16_t whole = 1 << 15;
   const auto part = [&](std::size_t far, std::size_t axis, std::size_t n) {
@@ -181,8 +181,8 @@ void LabelReader::Shares::finish() {
   for (std::size_t n = 0; n < most; ++n)
     for (std::size_t c = 0; c < 8; ++c) around[c][n] = shownAs_[eights_[n] >> 8 * c & 255];
   weigh(weights);
-  // Of voxels of the same number, the last one has its share, the ones before parts of it. Values are read
-  // before they are chosen among: such loops become vectors.
+  // Among voxels with the same number the last one gets their full share, those before it a part. Values are
+  // read before the selection, so that the loops are vectorised.
   auto shares = weights;
   Lanes<std::uint16_t> largest{}, first;
   for (std::size_t d = 0; d < 8; ++d) {
@@ -193,7 +193,7 @@ void LabelReader::Shares::finish() {
       }
     for (std::size_t n = 0; n < most; ++n) largest[n] = shares[d][n] > largest[n] ? shares[d][n] : largest[n];
   }
-  constexpr std::uint16_t background = 256;  // behind all others
+  constexpr std::uint16_t background = 256;  // greater than all others
   first.fill(background);
   for (std::size_t d = 0; d < 8; ++d)
     for (std::size_t n = 0; n < most; ++n) {
@@ -232,7 +232,7 @@ glm::dvec2 LabelReader::voxelsPerPixel() const { return {glm::length(right_), gl
 
 std::vector<glm::dvec3> LabelReader::corners() const {
   std::vector<glm::dvec3> corners;
-  const double beyond = nearest_ ? 0.5 : 1;  // the outermost voxels' centres
+  const double beyond = nearest_ ? 0.5 : 1;  // the centres of the outermost voxels
   for (int c = 0; c < 8 && low_.x < high_.x; ++c) {
     const glm::dvec3 low = glm::dvec3(low_) - beyond, high = glm::dvec3(high_ - 1) + beyond;
     const glm::dvec3 corner(c & 1 ? high.x : low.x, c & 2 ? high.y : low.y, c & 4 ? high.z : low.z);
@@ -266,12 +266,12 @@ void LabelReader::readNearest(const Line& line, std::span<std::uint8_t> numbers)
   }
 }
 
-// Along a line through voxels that are in the same bricks; eight voxels are read once while places stay
-// between them. The last voxel of the grid stands for those beyond it.
+// Reads along a line with bricks and the eight voxels reused while points stay between them. Beyond the grid
+// its last voxel counts.
 void LabelReader::readLargest(const Line& line, std::span<std::uint8_t> numbers) const {
   auto [from, to] = line.within(glm::max(low_ - 1, 0), glm::min(high_ + 1, map_.geometry().size),
                                 std::int64_t(numbers.size()));
-  // Rounded to the parts of a voxel that Shares knows.
+  // Rounded to the precision of Shares.
   constexpr std::int64_t toCentres = (1LL << 31) - (1LL << 16);
   Shares shares(numbers, shownAs_);
   while (from < to) {

@@ -11,20 +11,21 @@
 
 namespace volumen {
 
-/// Where the shown labels of a layer lie on a plane. What is shown is told by its number in the layer's list,
-/// from 1; 0: none of them. The layer's map must outlive it.
+/// Reads the visible labels of a layer on a plane. Labels are given as positions in the layer's list, from 1;
+/// 0 is none. The layer's map must outlive the reader.
 class LabelReader {
  public:
   LabelReader(const SegmentLayer& layer, const SlicePlane& plane);
 
-  /// How far it is from a pixel to the one right of it, and to the one below it, in voxels.
+  /// Returns the distance in voxels from a pixel to its right neighbour and to its lower neighbour.
   glm::dvec2 voxelsPerPixel() const;
-  /// Of a box that holds all that is shown, in the plane's patient space; none where the map has nothing.
+  /// Returns the corners of a box around all visible labels, in the plane's patient space; empty if the map
+  /// has none.
   std::vector<glm::dvec3> corners() const;
-  /// Writes what is shown at `pFirst` and at places each `step` right of the one before, in pixels of the
-  /// picture: of the nearest voxel where the plane shows nearest voxels, else what has the largest share of
-  /// the eight voxels around by linear interpolation; of equal shares the first of the list wins, and
-  /// background (and what is hidden) never. Only what is not 0 is written for sure.
+  /// Writes the labels at `pFirst` and at points `step` apart to its right, in pixels of the picture. If the
+  /// plane shows nearest voxels, that voxel counts. Otherwise the label with the largest share of the eight
+  /// surrounding voxels by linear interpolation counts. Of equal shares the first in the list wins;
+  /// background and hidden labels never do. Only numbers other than 0 are certain to be written.
   void read(glm::dvec2 pFirst, double step, std::span<std::uint8_t> numbers) const;
 
  private:
@@ -38,8 +39,8 @@ class LabelReader {
   const LabelMap& map_;
   Rigid toPlane_;
   bool nearest_;
-  glm::dvec3 first_, right_, down_;  // voxels: the picture's corner, and a pixel on
-  glm::ivec3 low_, high_;            // of the box with labels, in voxels, the last ones not among them
+  glm::dvec3 first_, right_, down_;  // voxels: the picture's corner, and the steps of a pixel
+  glm::ivec3 low_, high_;            // of the box with labels, in voxels; `high_` is exclusive
 };
 
 }  // namespace volumen

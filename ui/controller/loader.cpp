@@ -35,13 +35,13 @@ JobName opening(const QString& fileName) {
   return {Loader::tr("Opening"), shownText(fileName.toStdString())};
 }
 
-// As it is shown.
+// Returns the study in the form that is shown.
 Result<std::shared_ptr<const Study>> shared(Result<Study> study) {
   if (!study) return study.error();
   return std::make_shared<const Study>(withPictureStacks(std::move(*study)));
 }
 
-// `source`: of a series along a curve the volume that it is made of, where that is in memory.
+// `source` is the volume of a series along a curve, if it is in memory.
 Result<LoadedSeriesPtr> loadShown(const Series& series, const VolumePtr& source, const MakeScene& makeScene,
                                   const Job& job) {
   Result<Loaded> loaded = series.curved ? loadCurved(series, source, job.progress(), job.cancel())
@@ -82,7 +82,7 @@ void Loader::cancelled() {
   if (const auto given = std::exchange(loading_, {})) Q_EMIT notLoaded(*given);
 }
 
-// What a job comes to, told; or why it came to nothing.
+// Passes the result of a job to `tell`, or reports its failure.
 template <class Tell>
 auto Loader::orFailed(Tell tell) {
   return [this, tell](const auto& made) {
@@ -177,7 +177,7 @@ void Loader::makePreset(const QString& name, const LoadedSeriesPtr& series) {
       tr("Making the preset"),
       [name = name.toStdString(), series, makeScene = makeScene_](const Job&) {
         Result<Scene> scene = makeScene(name, *series->volume);
-        // One of the user's own has the window that it was saved with.
+        // A user's own preset keeps the window it was saved with.
         const bool isOwn = name != "auto" && std::ranges::find(presetNames(), name) == presetNames().end();
         if (scene && !isOwn) *scene = withUptakeWindow(*scene, series->series);
         return scene;

@@ -13,47 +13,47 @@ namespace volumen {
 
 struct Study;
 
-/// The scene of a named preset for a volume ("auto" chooses).
+/// Makes the scene of a named preset for a volume ("auto" chooses).
 using MakeScene = std::function<Result<Scene>(const std::string& preset, const Volume& volume)>;
 
-/// Opens paths and, beside that, loads series and makes presets: jobs, each kind one after the other.
+/// Opens paths, loads series and makes presets, each as a job. Jobs of one kind run one after another.
 class Loader : public QObject {
   Q_OBJECT
  public:
   Loader(Jobs& jobs, MakeScene makeScene, QObject* parent = nullptr);
 
-  /// Where the volume of a series is found that is in memory already; it gives null where it is not.
+  /// Sets the function that returns the volume of a series in memory, or null.
   void useHeld(std::function<VolumePtr(const SeriesKey&)> held) { held_ = std::move(held); }
   void open(const QString& path, const OpenIntent& intent = {});
-  /// The same for files that are not one path: ends in filesOpened() by the name given.
+  /// Opens files that are not one path; ends in filesOpened() with `name`.
   void openFiles(const QString& name, const std::vector<std::string>& files, const OpenIntent& intent = {});
   void openSession(const QString& path);
-  /// Looks for what a workspace misses in a folder.
+  /// Searches a folder for the missing objects of a workspace.
   void locate(const MissingObjects& missing, const QString& folder);
-  /// Gives up a load of another series that is under way. The scene is the one to show it by.
+  /// Loads a series to show it with `scene`. Cancels the load of another series.
   void load(const Series& series, const std::optional<Scene>& scene = {});
-  /// The same for one that is not shown yet, told by loadedAhead().
+  /// Loads a series that is not shown yet; ends in loadedAhead().
   void loadAhead(const Series& series);
   void makePreset(const QString& name, const LoadedSeriesPtr& series);
-  /// Gives up all.
+  /// Cancels everything.
   void cancel();
   bool isBusy() const { return open_.isBusy() || load_.isBusy(); }
-  /// Whether something is being opened, or loaded to be shown.
+  /// Returns whether something is being opened, or loaded to be shown.
   bool isOpening() const { return open_.isBusy() || isLoading(); }
-  /// Whether a series is being loaded to be shown.
+  /// Returns whether a series is being loaded to be shown.
   bool isLoading() const { return loading_ && !isAhead_; }
-  /// Which one; none: none is.
+  /// Returns the series being loaded to be shown, if any.
   std::optional<SeriesKey> loadingToShow() const { return isLoading() ? loading_ : std::nullopt; }
-  /// Gives up the load that is under way alone.
+  /// Cancels only the load in progress.
   void cancelLoad();
 
  Q_SIGNALS:
-  /// Something is being opened in place of what is shown, or where nothing is.
+  /// Something is being opened to replace what is shown, or in an empty window.
   void openBegan();
-  /// Of a series that is to be shown; it ends in seriesLoaded(), notLoaded() or loadGivenUp().
+  /// A series to be shown is being loaded; this ends in seriesLoaded(), notLoaded() or loadGivenUp().
   void loadBegan(const volumen::Series& series);
   void loadGivenUp();
-  /// A study withPictureStacks(), as the next one.
+  /// `study` is the study after withPictureStacks(), here and in filesOpened().
   void studyOpened(const QString& path, const std::shared_ptr<const volumen::Study>& study,
                    const volumen::OpenIntent& intent);
   void filesOpened(const QString& name, const std::shared_ptr<const volumen::Study>& study,
@@ -62,12 +62,12 @@ class Loader : public QObject {
   void located(const volumen::Located& located);
   void seriesLoaded(const volumen::LoadedSeriesPtr& series, const std::optional<volumen::Scene>& scene);
   void loadedAhead(const volumen::LoadedSeriesPtr& series);
-  /// It failed or was cancelled; not for what another series took the place of.
+  /// The load failed or was cancelled; not sent if another series replaced it.
   void notLoaded(const volumen::SeriesKey& series);
   void presetReady(const QString& name, const volumen::Scene& scene, const volumen::VolumePtr& volume);
-  /// A sentence; not for what was cancelled.
+  /// A sentence; not sent for cancelled work.
   void failed(const QString& sentence);
-  /// Nothing is asked for any more.
+  /// No request is left.
   void idle();
 
  private:
@@ -81,8 +81,8 @@ class Loader : public QObject {
   std::function<VolumePtr(const SeriesKey&)> held_ = [](const SeriesKey&) { return VolumePtr(); };
   std::optional<SeriesKey> loading_;
   int loadJob_ = 0;
-  std::optional<Scene> scene_;  // to show what is being loaded by
-  bool isAhead_ = false;        // nobody waits for what is being loaded
+  std::optional<Scene> scene_;  // to show the loading series with
+  bool isAhead_ = false;        // whether the loading series is not to be shown yet
   JobLane open_, load_;
 };
 

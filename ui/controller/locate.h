@@ -14,7 +14,7 @@ namespace volumen {
 
 struct Study;
 
-/// What a workspace shows and that was not found.
+/// Objects of a workspace that were not found.
 struct MissingObjects {
   std::vector<SavedSeries> series;
   std::vector<SavedObject> derived;
@@ -22,23 +22,23 @@ struct MissingObjects {
   bool empty() const { return series.empty() && derived.empty(); }
 };
 
-/// `open`: the objects that refer to pictures and are open.
+/// Returns the missing objects. `open` are the open objects that refer to pictures.
 MissingObjects missingOf(const Workspace& workspace, const std::vector<DerivedObjectPtr>& open);
 
-/// What was found of it in a folder.
+/// The objects found in a folder.
 struct Located {
   std::string folder;
-  std::shared_ptr<const Study> study;  ///< all that it holds
+  std::shared_ptr<const Study> study;  ///< everything in the folder
   std::vector<std::pair<SeriesKey, Series>> series;
   std::vector<std::pair<DerivedKey, DerivedKey>> derived;
-  QStringList problems;  ///< a sentence for each that was not found there
+  QStringList problems;  ///< a sentence for each object not found there
 };
 
-/// Looks for all of it in a folder and below. The Error names the folder.
+/// Searches for the missing objects in a folder and its subfolders. The Error names the folder.
 Result<Located> locate(const MissingObjects& missing, const std::string& folder,
                        const Progress& progress = {}, const CancelToken& cancel = {});
 
-/// With what was found in its place.
+/// Returns the workspace with the found objects in place of the missing ones.
 Workspace withLocated(Workspace workspace, const Located& located);
 
 }  // namespace volumen

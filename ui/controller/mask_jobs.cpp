@@ -11,13 +11,13 @@ namespace volumen {
 
 namespace {
 
-// A volume that lacks a part of what a mask takes away: the table, and so many of its outlines.
+// A volume that lacks part of a mask: the table and the first `outlines` outlines.
 struct CutVolume {
   VolumePtr volume;
   std::size_t outlines = 0;
 };
 
-// The one in memory that lacks most of it; none: only the whole one is.
+// Returns the volume in memory that lacks most of the mask; nothing if only the whole volume is in memory.
 std::optional<CutVolume> beforeLast(const Session& session, const SeriesKey& series, Mask mask) {
   while (!mask.lassos.empty()) {
     mask.lassos.pop_back();
@@ -103,7 +103,7 @@ void MaskJobs::ask(Step step) {
   next();
 }
 
-// Makes the first step for which a volume has to be made first, and all before it that need none.
+// Makes steps that need no new volume, up to the first that needs one, and starts that one.
 void MaskJobs::next() {
   while (!lane_.isBusy() && !isTaking_ && !steps_.empty()) {
     const Step& step = steps_.front();
@@ -140,7 +140,7 @@ void MaskJobs::begin(const Mask& mask, const LoadedSeriesPtr& whole) {
       [this] { drop(); });
 }
 
-// The step is made where the mask is still the one that it was to change; else it is made anew.
+// Makes the step if the mask is still the one it started from; otherwise repeats the work.
 void MaskJobs::take(const Mask& before, const Mask& mask, const Result<LoadedSeriesPtr>& made) {
   isTaking_ = true;
   const Step step = steps_.front();
@@ -159,8 +159,8 @@ void MaskJobs::take(const Mask& before, const Mask& mask, const Result<LoadedSer
   next();
 }
 
-// Nobody wants the step under way any more. The next one waits for the event loop: the workspace may be
-// telling of a change.
+// Drops the step in progress. The next one starts from the event loop, because the workspace may be reporting
+// a change.
 void MaskJobs::drop() {
   lane_.giveUpAll();
   steps_.pop_front();

@@ -9,28 +9,28 @@ class QAction;
 
 namespace volumen {
 
-/// Takes parts of series away and brings them back, each as one undo step: the table, what was cut with the
-/// scissors. The volume without them is made as a job, once, then the step is made; what is asked for
-/// meanwhile waits for its turn. It makes those again, too, that a workspace that was read or undone asks
-/// for.
+/// Masks parts of series and restores them: the table, and cuts with the scissors. Each is one undo step. The
+/// masked volume is made once, as a job; then the step is made. Further requests wait for their turn. Masked
+/// volumes are also made again when a loaded or undone workspace needs them.
 class MaskJobs : public QObject {
   Q_OBJECT
  public:
   MaskJobs(Session& session, Jobs& jobs, QObject* parent = nullptr);
 
-  /// "Remove table" of the series in focus: greyed, with the reason as tooltip, where values are not HU.
+  /// "Remove table" for the series in focus. It is disabled, with the reason as tooltip, if values are not
+  /// HU.
   QAction* tableAction() const { return table_; }
-  /// "Reset scissors" of the series of the view in focus: all that was cut comes back.
+  /// "Reset scissors" for the series in focus restores everything that was cut.
   QAction* resetAction() const { return reset_; }
 
   void cut(const SeriesKey& series, const Lasso& lasso);
 
  Q_SIGNALS:
-  /// A sentence; not for what was cancelled.
+  /// A sentence; not sent for cancelled work.
   void failed(const QString& sentence);
 
  private:
-  // The step to make; without a change the mask is made that the workspace has.
+  // The undo step to make. Without a change, the workspace's own mask is made.
   struct Step {
     SeriesKey series;
     QString text;
@@ -47,8 +47,8 @@ class MaskJobs : public QObject {
 
   Session& session_;
   QAction *table_, *reset_;
-  std::deque<Step> steps_;  // the volume of the first is being made where the lane is busy
-  bool isTaking_ = false;   // what was made: the next step waits
+  std::deque<Step> steps_;  // while the lane is busy, the volume of the first is being made
+  bool isTaking_ = false;   // set while a result is applied; the next step waits
   JobLane lane_;
 };
 

@@ -13,7 +13,8 @@ namespace volumen {
 
 namespace {
 
-// Of a region about one for each edge of its outline and voxel of its box, and one for each pair of edges.
+// Estimates the work of a measurement. Regions take about one step per edge of the outline and voxel of the
+// box, and one per pair of edges.
 double stepsOf(const Shape& shape, const VoxelGeometry& geometry) {
   if (shape.kind == ShapeKind::volume) return std::numeric_limits<double>::infinity();
   constexpr double stepsAPiece = 256;  // of a curve
@@ -26,16 +27,16 @@ double stepsOf(const Shape& shape, const VoxelGeometry& geometry) {
   return edges * (size.x * size.y + edges);
 }
 
-// Of SUV each voxel has a ball of its own, and what it holds of its voxels is found first.
+// In SUV each voxel has a sphere of its own, whose voxels are found first.
 double stepsOn(const Shape& shape, const Volume& volume, const std::string& unit) {
   const double steps = stepsOf(shape, volume.geometry());
   if (!ruleOf(shape.kind).region || !isSuv(unit)) return steps;
   return steps * (1 + 2 * 1000 / volume.geometry().voxelVolume()) + 1e6;
 }
 
-// What of a second series stands beside the numbers of the first.
+// The second series measured beside the first.
 struct Second {
-  VolumePtr volume;  // null: there is none
+  VolumePtr volume;  // null if there is none
   Rigid toFromUnder;
   ValueScale scale;
 };
@@ -67,7 +68,7 @@ MeasureJobs::MeasureJobs(const Session& session, FrameService& frames, QObject* 
   connect(&frames_, &FrameService::held, this, &MeasureJobs::forgetUnread);
 }
 
-// The pool is asked only where something changed: being asked for counts as use there.
+// Queries the pool only after a change, because a query counts as use there.
 MeasuredPtr MeasureJobs::numbersOf(const Measurement& measurement) {
   Known& known = known_[measurement.id];
   if (measurement.shape.frame) {
@@ -94,7 +95,7 @@ MeasuredPtr MeasureJobs::numbersOf(const Measurement& measurement) {
   return known.series == measurement.series ? named(known) : nullptr;
 }
 
-// Both series by the names that they have on screen now: hiding names changes them.
+// Adds the names of both series as shown now; they change when names are hidden.
 MeasuredPtr MeasureJobs::named(Known& known) const {
   const auto& [under, over] = known.both;
   const bool isOfBoth = known.numbers && *known.numbers && (*known.numbers)->other && under && over;
@@ -122,7 +123,7 @@ MeasureJobs::Over MeasureJobs::overOf(const Measurement& measurement) const {
   return over;
 }
 
-// A new shape of a measurement; its last numbers stay where they are of the same kind.
+// Begins a new shape of a measurement. Its last results stay if the kind is the same.
 MeasureJobs::Known& MeasureJobs::begin(const Measurement& measurement) {
   Known& known = known_[measurement.id];
   if (known.series != measurement.series || known.shape.kind != measurement.shape.kind)
@@ -157,7 +158,7 @@ void MeasureJobs::request(const Measurement& measurement, const LoadedSeriesPtr&
   start(measurement.id, run, steps, both);
 }
 
-// A frame that is not in memory is read first, one at a time; then whoever listens asks again.
+// Reads frames that are not in memory, one at a time. Listeners then request the results again.
 void MeasureJobs::requestOnFrame(const Measurement& measurement) {
   const auto& all = session_.workspace().series;
   const auto state = all.find(measurement.series);
@@ -183,7 +184,7 @@ void MeasureJobs::requestOnFrame(const Measurement& measurement) {
   start(measurement.id, run, stepsOf(inSliceSpace(measurement.shape, frame->geometry()), frame->geometry()));
 }
 
-// A frame of the series was read: those that could not be a while ago are tried again.
+// A frame of the series was read, so frames that failed some time ago are retried.
 void MeasureJobs::forgetUnread(const SeriesKey& series) {
   const auto before = std::chrono::steady_clock::now() - std::chrono::milliseconds(FrameService::tryAgainMs);
   const auto forgotten = std::erase_if(

@@ -15,45 +15,45 @@ namespace volumen {
 
 using MeasuredPtr = std::shared_ptr<const Result<Measured>>;
 
-/// What measurements come to. What takes no time is measured at once, the rest on a worker thread: of each
-/// measurement the latest shape, so that a drag never waits. Regions of a series that another one is shown
-/// over have the numbers of both.
+/// Computes the results of measurements. Fast measurements are made at once, others on a worker thread. Only
+/// the latest shape of each measurement is measured, so that drags never wait. Regions have results of the
+/// series and of a series overlaid on it.
 class MeasureJobs : public QObject {
   Q_OBJECT
  public:
   MeasureJobs(const Session& session, FrameService& frames, QObject* parent = nullptr);
 
-  /// The latest numbers of a measurement; null: none yet. Those of its shape are asked for where they are
-  /// missing and its series is in memory; frames are read for it.
+  /// Returns the latest results of a measurement, or null if there are none yet. Requests those of its
+  /// present shape if they are missing and its series is in memory; frames are read for it.
   MeasuredPtr numbersOf(const Measurement& measurement);
-  /// Likewise, but null where they are of another shape.
+  /// Returns the same, but null if the results belong to another shape.
   MeasuredPtr exactNumbersOf(const Measurement& measurement);
 
  Q_SIGNALS:
-  /// Numbers that were asked for are there.
+  /// Requested results are ready.
   void measured();
 
  private:
   using Measure = std::function<Result<Measured>(const CancelToken&)>;
-  // Two series that a region was measured on; null: it was one.
+  // The two series a region was measured on; null if it was one.
   struct Both {
     std::shared_ptr<const Series> under, over;
   };
   struct Known {
     SeriesKey series;
     Shape shape;
-    Mask mask;  // of the series then
+    Mask mask;  // of the series at that time
     PetUnit petUnit = PetUnit::file;
     std::weak_ptr<const Volume> volume;
     std::optional<SeriesOver> over;
     std::weak_ptr<const Volume> overVolume;
-    int asked = 0, shown = 0;  // which of all that were asked for
+    int asked = 0, shown = 0;  // serial numbers of requests
     int job = 0;
     MeasuredPtr numbers;
-    Both both;                 // of `numbers`
-    bool namesHidden = false;  // in `numbers`
+    Both both;                 // series of `numbers`
+    bool namesHidden = false;  // whether names were hidden in `numbers`
   };
-  // What lies over a region's series, as far as it is in memory.
+  // The series overlaid on a region's series, if it is in memory.
   struct Over {
     std::optional<SeriesOver> place;
     LoadedSeriesPtr series;
@@ -70,12 +70,12 @@ class MeasureJobs : public QObject {
 
   const Session& session_;
   FrameService& frames_;
-  // Why a frame cannot be measured on, and when that was found.
+  // Why a frame cannot be measured on, and since when.
   struct Unread {
     std::string why;
     std::chrono::steady_clock::time_point at;
   };
-  std::optional<FrameKey> read_;       // the frame that is being read to be measured on
+  std::optional<FrameKey> read_;       // the frame being read for a measurement
   std::map<FrameKey, Unread> unread_;  // until frames of the series can be read again
   std::map<int, Known> known_;
   int asked_ = 0;

@@ -26,7 +26,7 @@ std::optional<PictureLevel> levelFor(const QualityGoal& goal, const std::vector<
       best = &l;
       if (l.error.percentile99 <= goal.errorOf255) return l.level;
     } else {
-      // The finer ones take longer still.
+      // Finer levels take even longer.
       if (*l.ms > goal.frameMs) return best ? best->level : l.level;
       best = &l;
     }
@@ -35,7 +35,7 @@ std::optional<PictureLevel> levelFor(const QualityGoal& goal, const std::vector<
 }
 
 void markFront(std::vector<MeasuredLevel>& levels) {
-  std::optional<double> fastest;  // of the finer ones
+  std::optional<double> fastest;  // of the finer levels
   for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
     level->front = level->ms && (!fastest || *level->ms <= *fastest);
     if (level->ms) fastest = std::min(*level->ms, fastest.value_or(*level->ms));

@@ -11,43 +11,43 @@
 
 namespace volumen {
 
-/// What a picture at a level takes, and how far it is from the reference.
+/// The time and the error against the reference of a quality level.
 struct MeasuredLevel {
   PictureLevel level;
-  std::optional<double> ms;  ///< median of the frames drawn; none: not measured yet
-  PictureError error;        ///< at the reference's well-conditioned pixels; where ms is there
-  bool front = false;        ///< no finer level is faster
-  Picture pixels;            ///< the reference's pixels as this level draws them
+  std::optional<double> ms;  ///< median of the drawn frames; empty if not measured yet
+  PictureError error;        ///< at the well-conditioned pixels of the reference; valid if `ms` is set
+  bool front = false;        ///< true if no finer level is faster
+  Picture pixels;            ///< the pixels of the reference as this level draws them
   std::shared_ptr<const Plan> plan;
-  std::string failure;  ///< a sentence where it could not be drawn
+  std::string failure;  ///< a sentence if it could not be drawn
 
   bool done() const { return ms || !failure.empty(); }
 };
 
 /// The levels of a scene on screen, as far as they are measured.
 struct MeasuredLevels {
-  std::shared_ptr<const Truth> truth;  ///< null: not computed yet
-  std::vector<MeasuredLevel> levels;   ///< from the coarsest on
+  std::shared_ptr<const Truth> truth;  ///< null if not computed yet
+  std::vector<MeasuredLevel> levels;   ///< coarsest first
 };
 
-/// The levels to choose from, from the coarsest on.
+/// Returns the available levels, coarsest first.
 const std::vector<PictureLevel>& pictureLevels();
 
-/// "standard", "draft 1/4".
+/// Returns a name: "standard", "draft 1/4".
 std::string levelName(PictureLevel level);
 
-/// The level that a goal means; none as long as too little is measured to tell. Where no level is fast (or
-/// accurate) enough, the fastest (most accurate).
+/// Returns the level for a goal, or nothing while too little is measured. If no level is fast (or accurate)
+/// enough, returns the fastest (or most accurate).
 std::optional<PictureLevel> levelFor(const QualityGoal& goal, const std::vector<MeasuredLevel>& levels);
 
-/// Marks the levels of which no finer one is faster.
+/// Marks the levels without a faster finer level.
 void markFront(std::vector<MeasuredLevel>& levels);
 
-/// Returns the error that is stated of a level: no smaller than that of a finer one, whose promise is closer.
-/// At the few pixels that are measured a coarser level may come out nearer by chance.
+/// Returns the error stated for a level, which is at least that of a finer level with a closer promise.
+/// At the few measured pixels a coarser level may come out better by chance.
 PictureError statedError(const std::vector<MeasuredLevel>& levels, std::size_t level);
 
-/// What was measured of exactly the picture that this plan draws.
+/// Returns the measured error of exactly the picture that this plan draws.
 std::optional<MeasuredError> measuredError(const MeasuredLevels& measured, const Plan& plan);
 
 }  // namespace volumen

@@ -15,7 +15,7 @@ namespace {
 using StepPlaces = std::vector<glm::dvec3>;
 using ChosenFields = std::map<std::string, StepValue>;
 
-// Growing has a page of its own.
+// Steps that grow segments have their own page.
 bool isOffered(const StepKind& kind) {
   const std::string_view name = kind.name;
   return name != byHandStep && name != growFromSeedsStep &&
@@ -24,7 +24,7 @@ bool isOffered(const StepKind& kind) {
          });
 }
 
-// Steps that are several.
+// Offers that consist of several steps.
 std::vector<StepKind> severalSteps() {
   using enum StepKind::Use;
   return {{"merge",
@@ -47,14 +47,14 @@ const Segment* otherIn(const SegmentMap& map, const std::string& name) {
   return found == map.segments.end() ? nullptr : &*found;
 }
 
-// The Error: a segment that it names is not there any more.
+// An Error means that a segment the step names no longer exists.
 Status checkOthers(const Step& step, const SegmentMap& map) {
   for (const std::string& name : neededBy(step))
     if (!otherIn(map, name)) return Error{"The other segment is not there any more."};
   return {};
 }
 
-// All segments at once; the names of those that are locked and that are not.
+// Runs a step on all segments at once; it receives the names of locked and unlocked ones.
 StepsWanted jointly(Step step, const SegmentMap& map, int number) {
   std::vector<std::string> with, locked;
   StepsWanted wanted{{}, {number}, true, {}};
@@ -76,12 +76,12 @@ Result<StepsWanted> offeredStepsOf(const StepKind& kind, const ChosenFields& fie
   if (Status s = checkOthers(step, map); !s) return s.error();
   if (kind.runAll) return jointly(std::move(step), map, number);
   StepsWanted wanted{{step}, {number}, false, {}};
-  // What is of another segment is of no values.
+  // A step that uses another segment does not segment by values.
   const bool isOfValues = makesAnew(step) && neededBy(step).empty();
   return isOfValues ? keptIn(std::move(wanted), {step.segment}, volume, mask, cancel) : wanted;
 }
 
-// The Error: it was removed or locked since it was chosen.
+// An Error means that the segment was removed or locked since it was chosen.
 Status checkFree(const SegmentMap& map, int number) {
   const Segment* segment = findSegment(map, number);
   if (!segment) return Error{"The segment is not there any more."};

@@ -9,19 +9,20 @@
 
 namespace volumen {
 
-/// The kinds of steps that are offered on the current segment, in the order of a list: those of recipes but
-/// for what is clicked, painted or grown from seeds, those that change it first; and two that are several
-/// steps: "split" makes its parts segments, "merge" takes another segment in, which goes.
+/// Returns the steps offered for the current segment, in the order of a list; those that change it come
+/// first. They are the recipe steps except those that need clicks, painting or seeds. Two more consist of
+/// several steps: "split" turns parts into segments, "merge" adds another segment and removes it.
 std::span<const StepKind> offeredSteps();
-/// One of these by its name, which it must be.
+/// Returns the offered step with this name, which must exist.
 const StepKind& offeredStep(const std::string& name);
 
-/// The fields of a step that are chosen by people; others are filled as it is done: places, lists of
-/// segments.
+/// Returns whether the user chooses a field of a step. Other fields, such as points and lists of segments,
+/// are filled in when the step runs.
 bool isChosen(const StepField& field);
 
-/// The work that does such a step to the current segment, what the mask takes away being in none that is made
-/// of values. Fields name segments as steps do (segment_record.h); those left out are as their row says.
+/// Returns the work that applies such a step to the current segment. Steps that segment by values leave out
+/// masked voxels. Fields name segments as steps do (segment_record.h); missing fields have the defaults of
+/// their rows.
 SegmentWork workOf(const StepKind& kind, const std::map<std::string, StepValue>& fields,
                    const Session& session);
 

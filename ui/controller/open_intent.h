@@ -9,19 +9,19 @@
 
 namespace volumen {
 
-/// Where a study of the index is shown: in the view in focus, there and in place of other patients, in the
-/// view beside, or nowhere: whoever asked for it looks into it, and lists it where it is what was looked for.
+/// Where a study of the index is shown: in the view in focus, there in place of other patients, in the view
+/// beside it, or nowhere. A study that is only looked into is listed by the requester if it matches.
 enum class OpenHow { here, instead, beside, lookedInto };
 
-/// What something is opened for. It travels with the request and comes back with the answer: others may be
-/// asked for meanwhile.
+/// The purpose of opening something. It travels with the request and returns with the answer, because other
+/// requests may come in between.
 struct OpenIntent {
   OpenHow how = OpenHow::here;
-  std::string seriesUid{};       ///< the series to show; empty: the largest, or the first pictures
-  std::optional<Scene> scene{};  ///< to show it by
+  std::string seriesUid{};       ///< the series to show; empty for the largest, or the first pictures
+  std::optional<Scene> scene{};  ///< scene to show it with
   std::shared_ptr<bool>
-      isShown{};         ///< of what is opened together: whether any of it was shown; null: nothing is
-  bool isAlone = false;  ///< it is all that was asked for
+      isShown{};                 ///< for items opened together: whether any was shown; null for a single item
+  bool isAlone = false;          ///< whether it is the whole request
   std::optional<ViewId> onto{};  ///< the view with a series that it was dropped on
 };
 

@@ -26,7 +26,7 @@ std::string folderOf(const std::string& path) {
   return QFileInfo(QString::fromStdString(path)).absolutePath().toStdString();
 }
 
-// Looks for series and objects that refer to pictures, opening each path once.
+// Searches for series and objects that refer to pictures, and opens each path once.
 class Search {
  public:
   Search(std::string folder, const std::vector<SavedSeries>& all, const Progress& progress,
@@ -53,7 +53,7 @@ class Search {
 
   std::optional<DerivedKey> findObject(const SavedObject& saved) {
     const std::vector<std::string> paths = placesOf(saved.relativePath, saved.key.path);
-    // It may lie in a folder that is open already.
+    // The object may lie in a folder that is open already.
     for (const std::string& path : paths)
       for (const auto& [opened, place] : places_)
         if (const DerivedObject* found = place.study ? findSaved(*place.study, saved) : nullptr)
@@ -81,7 +81,7 @@ class Search {
     std::vector<Series> series;
   };
 
-  // What of a path is searched: all that is below it, or files directly in folders.
+  // The scope of the search in a path: everything below it, or files directly in folders.
   struct Wanted {
     bool whole = false;
     std::set<std::string> folders;
@@ -95,7 +95,7 @@ class Search {
     return places;
   }
 
-  // Nothing in it: nothing is there.
+  // The place is empty if nothing is there.
   const Place& placeAt(const std::string& path) {
     const auto [at, isNew] = places_.try_emplace(path);
     Place& place = at->second;
@@ -114,7 +114,7 @@ class Search {
     return openFolders(path, {folders.begin(), folders.end()}, progress_, cancel_);
   }
 
-  // The volumes of one series would be told once each.
+  // Each sentence is kept once, because volumes of one series would repeat it.
   void tell(const QString& problem) {
     if (!problems.contains(problem)) problems << problem;
   }
@@ -153,7 +153,7 @@ QString problemOf(const UnreadSteps& unread, const Workspace& workspace) {
       .arg(isOneOfSeveral ? tr("%1 (%2)").arg(series, mapName(unread.map)) : series, shownText(unread.why));
 }
 
-// What a session file holds, of series that were found already.
+// Returns the workspace of a session file, restricted to series that were found already.
 std::optional<Workspace> workspaceIn(const std::string& path, const Workspace& found, Search& search) {
   const auto text = path.empty() ? Result<std::string>(Error{}) : sessionText(path);
   if (!text) return {};
@@ -206,7 +206,7 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
                                   const CancelToken& cancel) {
   const auto text = sessionText(path);
   if (!text) return text.error();
-  // Nothing is looked for before all of it is known to be right.
+  // The file is checked completely before the search begins.
   std::vector<SavedSeries> all;
   const auto list = [&](const SavedSeries& saved) {
     all.push_back(saved);

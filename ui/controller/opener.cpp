@@ -17,7 +17,7 @@ namespace volumen {
 
 namespace {
 
-// Where the layout that was chosen for a modality is kept.
+// Returns the settings key of the layout chosen for a modality.
 QString layoutKey(const Series& series) {
   const QString modality = QString::fromStdString(series.modality);
   return QStringLiteral("layouts/") + (modality.isEmpty() ? QStringLiteral("other") : modality);
@@ -49,7 +49,7 @@ void Opener::show(const Series& series) {
     return session_.change(tr("Time point"), withTimePoint(workspace, workspace.focus, keyOf(series)));
   }
   const Session::Arrange arrange = arrangedFor(series);
-  // What is on its way would come into its place.
+  // A series that is still loading would replace it.
   if (session_.pool().find({keyOf(series), {}})) loader_.cancelLoad();
   if (!session_.showAgain(series, session_.workspace().focus, arrange)) loader_.load(series);
 }
@@ -83,7 +83,7 @@ void Opener::showFused(const Study& study) {
   const auto first = std::ranges::find_if(open, [&](const Series* s) { return keyOf(*s) == key; });
   if (first == open.end()) return;
   if (const Series& pet = petOver(**first, study); &pet != *first) return loader_.load(pet);
-  // A PET that is still being loaded comes over it by itself.
+  // A PET that is still loading will be fused when it arrives.
   const Series* ct = (*first)->modality == "PT" && isShown && !loading ? ctUnder(**first) : nullptr;
   const auto isCt = [&](const Series& s) { return keyOf(s) == keyOf(*ct); };
   if (!ct || std::ranges::none_of(study.volumes, isCt)) return;
@@ -95,7 +95,7 @@ void Opener::chooseLayout(Layout layout) {
   const Workspace& workspace = session_.workspace();
   if (isInSecond(workspace.focus)) return session_.change(tr("Layout"), withSecondLayout(workspace, layout));
   if (loader_.isOpening()) layoutOfNext_ = layout;
-  // Of fused views that of the series on top, by which both are opened.
+  // Fused views count as the series on top, which is the one opened.
   const SeriesKey over = flatLookOf(workspace.view(workspace.focus)).overlay;
   const Series* shown = seriesIn(workspace, workspace.focus);
   if (const auto top = workspace.series.find(over); !over.empty() && top != workspace.series.end())
@@ -105,7 +105,7 @@ void Opener::chooseLayout(Layout layout) {
   session_.change(tr("Layout"), withLikelySecond(withLayout(workspace, layout), open_.pictures()));
 }
 
-// The CT that a PET is read over: of its study and frame of reference, the one with most voxels.
+// Returns the CT for a PET: of its study and frame of reference, the one with most voxels.
 const Series* Opener::ctUnder(const Series& pet) const {
   const auto voxels = [](const Series& s) {
     return std::int64_t(s.acquired.size.x) * s.acquired.size.y * s.acquired.size.z;
@@ -133,7 +133,7 @@ std::optional<Layout> Opener::layoutChosenFor(const Series& series) const {
   return layoutNamed(QSettings().value(layoutKey(series)).toString().toStdString());
 }
 
-// A grid with what is in focus first, beside it what is likely wanted with it.
+// Returns a grid with the series in focus first and the most likely companions beside it.
 Workspace Opener::compared(Workspace workspace, Layout layout) const {
   Workspace grid = workspace;
   grid.layout = layout;
@@ -141,7 +141,7 @@ Workspace Opener::compared(Workspace workspace, Layout layout) const {
   return withLikelySecond(withLayout(std::move(workspace), layout), open_.pictures());
 }
 
-// `mayBeEmpty`: views to compare, too.
+// With `mayBeEmpty` comparison views may stay empty.
 Workspace Opener::inLayoutOf(Workspace workspace, const Series& series, bool mayBeEmpty) const {
   if (isInSecond(workspace.focus)) return workspace;
   const std::optional<Layout> layout = layoutChosenFor(series);
@@ -155,7 +155,7 @@ Workspace Opener::inLayoutOf(Workspace workspace, const Series& series, bool may
 }
 
 Workspace Opener::arranged(Workspace workspace, const Series& series, bool isNew, bool isLayoutWanted) const {
-  // First the fusion, which a grid then shows, too.
+  // Fuses first, so that a grid shows the fusion too.
   const Series* ct =
       isNew && series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
   if (ct) workspace = fusedWith(std::move(workspace), *ct);

@@ -9,40 +9,40 @@
 
 namespace volumen {
 
-/// Puts what is open into views: a series in the layout of its modality with what belongs to it, or its
+/// Puts open studies into views: a series with what belongs to it in the layout of its modality, or its
 /// frames.
 class Opener : public QObject {
   Q_OBJECT
  public:
   Opener(Session& session, Loader& loader, OpenStudies& open);
 
-  /// Puts a study into the list; what was taken off it stands there again.
+  /// Adds a study to the list, also one removed before.
   void list(const QString& path, const std::shared_ptr<const Study>& study);
-  /// Shows a series in the view in focus: its volume, or its frames where that is how it is read.
+  /// Shows a series in the view in focus: its volume, or its frames if it is read that way.
   void show(const Series& series);
-  /// Shows its frames there.
+  /// Shows the frames of a series in the view in focus.
   void showFrames(const Series& series);
-  /// Shows the largest volume of a study by this scene, without one a PET whose CT that is over it, or a
-  /// largerStack(); where there is no volume, its first pictures.
+  /// Shows the largest volume of a study with this scene. Without a scene it may be a PET over that CT, or a
+  /// largerStack(). If there is no volume, shows the first pictures.
   void showFirst(const Study& study, const std::optional<Scene>& scene);
-  /// Of a study that is opened together with the one that is shown first: a PET over the CT of that, or the
-  /// CT under its PET.
+  /// Shows a study opened together with the one shown first: a PET over its CT, or the CT under its PET.
   void showFused(const Study& study);
 
-  /// What a series brings with it: the layout of its modality, unless series are being compared; where it was
-  /// never shown before its time points, and the CT under a PET.
-  /// A layout that was chosen while the series was on its way is from now on that of its modality.
+  /// Returns the arrangement for a series: the layout of its modality, unless series are being compared. A
+  /// series shown for the first time also gets its time points, and a PET its CT. A layout chosen while the
+  /// series was loading becomes the layout of its modality.
   Session::Arrange arrangedFor(const Series& series);
-  /// The main window in the layout that was chosen last for the modality of the series, else, or where views
-  /// to compare would stay empty, in the usual one; as it is where the series comes into the second window.
+  /// Returns the main window in the layout last chosen for the modality. If there is none, or comparison
+  /// views would stay empty, uses the usual layout. If the series comes into the second window, the main
+  /// window stays unchanged.
   Workspace inLayoutOf(Workspace workspace, const Series& series) const {
     return inLayoutOf(std::move(workspace), series, false);
   }
-  /// Shares the window in focus so from now on; the main one with all of the modality in focus, or of what is
-  /// being opened, and of views to compare the first empty one shows what is most likely wanted there
+  /// Divides the window in focus by `layout` from now on. In the main window this applies to the modality in
+  /// focus or being opened. The first empty comparison view shows the most likely series
   /// (withLikelySecond()).
   void chooseLayout(Layout layout);
-  /// Keeps the layouts that were chosen for the next start.
+  /// Stores the chosen layouts for the next start.
   void keepLayouts() const;
 
  private:
@@ -57,7 +57,7 @@ class Opener : public QObject {
   Loader& loader_;
   OpenStudies& open_;
   std::map<QString, Layout> layoutsChosen_;  // by modality, since the program began
-  std::optional<Layout> layoutOfNext_;       // chosen while a series is on its way
+  std::optional<Layout> layoutOfNext_;       // chosen while a series is loading
 };
 
 }  // namespace volumen

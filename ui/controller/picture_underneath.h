@@ -8,13 +8,11 @@
 
 namespace volumen {
 
-/// What a request shows without tinted layers and segments, drawn anew. The Error is that of sliceImage() or
-/// drawFrame().
+/// Draws a request without tinted layers and segments. The Error is that of sliceImage() or drawFrame().
 Result<QImage> drawUnderneath(const SliceRequest& request);
 
-/// The same of layers, drawn anew only where something else of the request differs from the last one: a
-/// stroke of the brush changes segments alone, and what is dragged on the axis of the curve a tint. It keeps
-/// no volume in memory.
+/// Caches drawUnderneath() for layers and redraws only if the rest of the request changes. A brush stroke
+/// changes only segments, and a drag on the axis of the curve only a tint. It keeps no volume in memory.
 class PictureUnderneath {
  public:
   Result<QImage> of(const SliceRequest& request);
@@ -24,7 +22,7 @@ class PictureUnderneath {
 
   SliceRequest request_;  // without tints, segments and volumes
   std::vector<std::weak_ptr<const Volume>> volumes_;
-  QImage picture_;  // null: none was drawn
+  QImage picture_;  // null before the first picture
 };
 
 }  // namespace volumen

@@ -7,15 +7,16 @@
 
 namespace volumen {
 
-/// A small picture of the open volume for each preset: their scenes are made on a thread of its own, drawn by
-/// the render thread where that has nothing else to do.
+/// Makes a thumbnail of the open volume for each preset. Scenes are made on its own thread and drawn in idle
+/// time of the render thread.
 class PresetThumbnails : public QObject {
   Q_OBJECT
  public:
   PresetThumbnails(DrawService& drawService, MakeScene makeScene, QObject* parent = nullptr);
   ~PresetThumbnails() override;
 
-  /// Makes those of the volume, in this order, so many device pixels wide and high. Gives up the ones before.
+  /// Makes the thumbnails of a volume in the order of `presets`, `edge` device pixels wide and high. Cancels
+  /// those before.
   void start(VolumePtr volume, const std::vector<std::string>& presets, int edge);
   void stop();
 
@@ -30,7 +31,7 @@ class PresetThumbnails : public QObject {
 
   DrawService& drawService_;
   const MakeScene makeScene_;
-  std::vector<QString> names_;  // of the batch being drawn
+  std::vector<QString> names_;  // of the current batch
   int batch_ = 0;
   JobLane lane_{nullptr, QThread::LowPriority};
 };

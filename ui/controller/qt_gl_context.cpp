@@ -17,7 +17,7 @@ QSurfaceFormat core33() {
   return format;
 }
 
-// Made and destroyed on the UI thread (the application owns it); other threads only make contexts current on
+// Made and destroyed on the UI thread, owned by the application. Other threads only make contexts current on
 // it.
 std::atomic<QOffscreenSurface*> surface{nullptr};
 

@@ -4,13 +4,13 @@
 
 namespace volumen {
 
-/// Makes, on the UI thread, the surface without a window that Qt's contexts of other threads draw to. False
-/// where the platform has no OpenGL; nothing else depends on it. Later calls answer at once.
+/// Makes the offscreen surface for Qt's contexts on other threads. Call it on the UI thread. Returns false if
+/// the platform has no OpenGL, which affects nothing else. Later calls return at once.
 bool makeOffscreenGlSurface();
 
-/// A context of Qt's for the thread that calls it, on the surface above: the platform's own OpenGL, so on a
-/// machine with a GPU the GPU's. An Error where makeOffscreenGlSurface() has not succeeded or no context
-/// of 3.3 core can be made.
+/// Returns a context from Qt for the calling thread on that surface. It uses the platform's OpenGL, so the
+/// GPU if there is one. An Error means that makeOffscreenGlSurface() has not succeeded or no 3.3 core context
+/// can be made.
 Result<std::unique_ptr<GlContext>> makeQtGlContext();
 
 }  // namespace volumen

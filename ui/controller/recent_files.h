@@ -7,19 +7,19 @@
 
 namespace volumen {
 
-/// The files and folders opened last, the latest first; kept in the settings.
+/// The files and folders opened last, latest first, stored in the settings.
 class RecentFiles : public QObject {
   Q_OBJECT
  public:
   explicit RecentFiles(QObject* parent = nullptr);
 
   const QStringList& paths() const { return paths_; }
-  /// Whether it was not there when it was last looked for.
+  /// Returns whether the path was missing at the last check.
   bool isGone(const QString& path) const { return gone_.contains(path); }
-  /// Not what exists nowhere, such as phantoms.
+  /// Adds a path; ignores paths that do not exist, such as phantoms.
   void add(const QString& path);
   void clear();
-  /// Looks which are still there, on a thread of its own: a folder of the network may take its time.
+  /// Checks on its own thread which paths still exist, because network folders may be slow.
   void look();
 
  Q_SIGNALS:

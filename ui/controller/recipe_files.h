@@ -7,9 +7,9 @@
 
 namespace volumen {
 
-/// The recipe of a file (JSON). The Error names the file.
+/// Reads a recipe file (JSON). The Error names the file.
 Result<Recipe> recipeFromFile(const std::string& path);
-/// The Error names the file.
+/// Writes a recipe file. The Error names the file.
 Status writeRecipe(const std::string& path, const Recipe& recipe);
 
 }  // namespace volumen

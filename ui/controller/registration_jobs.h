@@ -10,28 +10,28 @@
 
 namespace volumen {
 
-/// A volume and the frame of reference that it lies in.
+/// A volume and its frame of reference.
 struct PlacedVolume {
   std::string frame;
   VolumePtr volume;
 };
 
-/// Registers volumes, one pair at a time, each a job.
+/// Registers volumes, one pair at a time, each as a job.
 class RegistrationJobs : public QObject {
   Q_OBJECT
  public:
   explicit RegistrationJobs(Jobs& jobs, QObject* parent = nullptr);
 
-  /// Gives up another pair that is under way.
+  /// Registers a pair. Cancels another pair in progress.
   void start(const PlacedVolume& fixed, const PlacedVolume& moving);
   void cancel();
-  /// The frames of reference of the pair under way; none: nothing is.
+  /// Returns the frames of reference of the pair in progress, if any.
   const std::optional<std::pair<std::string, std::string>>& pair() const { return pair_; }
 
  Q_SIGNALS:
-  /// From the one frame of reference to the other.
+  /// `toFromFrom` maps the frame of reference `from` to `to`.
   void found(const std::string& from, const std::string& to, const volumen::Rigid& toFromFrom);
-  /// A sentence; not for what was cancelled.
+  /// A sentence; not sent for cancelled work.
   void failed(const QString& sentence);
 
  private:

@@ -7,9 +7,9 @@
 
 namespace volumen {
 
-/// The scene of a scene file, or of a picture of ours (PNG or JPEG). The Error names the file.
+/// Reads the scene of a scene file, or of a picture by volumen (PNG or JPEG). The Error names the file.
 Result<Scene> sceneFromFile(const std::string& path);
-/// The Error names the file.
+/// Writes a scene file. The Error names the file.
 Status writeScene(const std::string& path, const Scene& scene);
 
 }  // namespace volumen

@@ -10,10 +10,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What a pass draws.
+// The scene and options of a pass.
 struct PassView {
   Scene shown;  // with its camera
-  Scene scene;  // of the draft's pixels
+  Scene scene;  // at the resolution of the pass
   RenderOptions options;
 };
 
@@ -28,7 +28,7 @@ PassView viewOf(const ScreenRequest& request, Pass pass, const VoxelGeometry& ge
   view.options.size = {draft.size.width(), draft.size.height()};
   view.options.quality = pass.quality;
   view.options.step = pass.step;
-  // A tolerance keeps plain steps out, which know of no error; this one is the level's own.
+  // A tolerance excludes plain steps, which have no error estimate; this is the tolerance of the level.
   const bool canTell = request.scene.mode == Mode::composite && request.resampler == Resampler::cpu;
   if (request.withError && canTell && pass.factor == 1 && !pass.step)
     view.options.tolerance = levelOf(pass.quality).rayBudget / 255;

@@ -11,14 +11,15 @@
 
 namespace volumen {
 
-/// A picture of so many device pixels that a view asks for.
+/// A request of a view for a picture of `pixels` device pixels.
 struct ScreenRequest {
   int number = 0;
-  Scene scene;  ///< without a camera: fitted to the picture
+  Scene scene;  ///< fitted to the picture if it has no camera
   QSize pixels;
-  Resampler resampler = Resampler::cpu;  ///< of all but drafts; those show no segments where it shows none
-  PictureLevel level;                    ///< at rest
-  bool withError = false;                ///< drawn cell by cell where it can be, which estimates its error
+  /// For all but drafts. Drafts leave out segments that the resampler cannot show.
+  Resampler resampler = Resampler::cpu;
+  PictureLevel level;      ///< at rest
+  bool withError = false;  ///< drawn cell by cell where possible, which estimates the error
 };
 
 /// A picture for the screen.
@@ -26,26 +27,27 @@ struct ScreenPicture {
   ViewId view = 0;
   VolumePtr volume;
   int number = 0;  ///< of the request
-  QImage image;    ///< as many pixels as were asked for
+  QImage image;    ///< with the requested number of pixels
   Quality quality = Quality::standard;
-  double factor = 1;             ///< one ray for factor x factor pixels (DraftPace, PictureLevel)
-  std::optional<double> step{};  ///< of a first picture: its plain steps, voxels
-  bool atRest = false;           ///< no finer picture follows
-  double ms = 0;  ///< wall clock up to the image, from the request taken or, at rest, from the moment that
-                  ///< nothing new had been asked for long enough and drafts were done
-  Scene scene;    ///< as drawn: with its camera
+  double factor = 1;             ///< one ray per factor x factor pixels (DraftPace, PictureLevel)
+  std::optional<double> step{};  ///< plain steps of a first picture, voxels
+  bool atRest = false;           ///< true if no finer picture follows
+  /// Wall-clock time until the image. It counts from the start of the request or, at rest, from the end of
+  /// the pause and of drafts.
+  double ms = 0;
+  Scene scene;  ///< as drawn, with its camera
   std::shared_ptr<const Plan> plan;
   RenderStats stats;
-  /// How far each pixel may be off (Rendered::error), and what that comes to; nothing where that is not
-  /// known, as where the picture was enlarged.
+  /// The error bound of each pixel (Rendered::error) and its summary. Null or empty if unknown, as for
+  /// enlarged pictures.
   std::shared_ptr<const std::vector<float>> error;
   std::optional<PictureError> estimated;
 
   bool draft() const { return !atRest; }
 };
 
-/// One drawing of what is asked for, by one ray for factor x factor pixels: at a level, or where `step` is
-/// given by plain steps of so many voxels.
+/// One drawing of a request, with one ray per factor x factor pixels. It uses a quality level, or plain steps
+/// of `step` voxels if given.
 struct Pass {
   Quality quality;
   double factor;
@@ -53,28 +55,28 @@ struct Pass {
   bool operator==(const Pass&) const = default;
 };
 
-/// That of the picture at rest.
+/// Returns the pass of the picture at rest.
 inline Pass restPass(PictureLevel level) { return {level.quality, double(level.edge)}; }
-/// That of a first picture, where the one at rest takes long: the steps that most programs take.
+/// Returns the pass of a first picture for slow pictures at rest, with the steps that most programs use.
 inline Pass firstPicturePass(PictureLevel level, double factor) { return {level.quality, factor, 1.0}; }
 
-/// A pass that was planned before it is to be drawn.
+/// A pass that was planned before it is drawn.
 struct PlannedPass {
   Result<Planned> planned;
-  std::chrono::steady_clock::time_point from;  ///< from when on its time counts
+  std::chrono::steady_clock::time_point from;  ///< its time counts from here
 };
 
-/// Plans a pass that begins at `from`, or now where that is over.
+/// Plans a pass that begins at `from`, or now if that is past.
 PlannedPass planPass(const Draw& draw, const Volume& volume, const ScreenRequest& request, Pass pass,
                      std::chrono::steady_clock::time_point from, const CancelToken& cancel);
 
-/// A pass's picture as it was drawn, and as the screen shows it (without view and volume).
+/// The picture of a pass as drawn, and as the screen shows it (without view and volume).
 struct DrawnPass {
   Drawn drawn;
   ScreenPicture shown;
 };
 
-/// Draws a pass, which may have been planned before.
+/// Draws a pass, which may have been planned ahead.
 Result<DrawnPass> drawPass(const Draw& draw, const Volume& volume, const ScreenRequest& request, Pass pass,
                            const CancelToken& cancel, const PlannedPass* ahead = nullptr);
 

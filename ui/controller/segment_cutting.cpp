@@ -12,7 +12,7 @@ namespace volumen {
 
 namespace {
 
-// The segment may have been locked or removed since the cut was asked for.
+// The segment may have been locked or removed since the request.
 Result<SegmentMap> withCut(const SegmentMap& map, int number, const Lasso& lasso, double withinMm,
                            const Volume& volume, const CancelToken& cancel) {
   const Segment* segment = findSegment(map, number);

@@ -5,10 +5,10 @@
 
 namespace volumen {
 
-/// Why a cut cannot be made, a sentence; empty: it can.
+/// Returns a sentence why a cut cannot be made; empty if it can.
 QString whyNotCut(const Session& session, const SegmentCut& cut);
-/// The work that makes it: of the current segment, recorded as the step "scissors". In a slice voxels within
-/// so many mm of its plane are cut. It fails where that takes nothing away. Only without whyNotCut().
+/// Returns the work that cuts the current segment, recorded as the step "scissors". In a slice it cuts voxels
+/// within `withinMm` of the plane. It fails if nothing is removed. Requires whyNotCut() to be empty.
 SegmentWork workOf(const SegmentCut& cut, double withinMm, const Session& session);
 
 }  // namespace volumen

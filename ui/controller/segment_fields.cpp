@@ -19,7 +19,7 @@ QString megabytes(std::size_t bytes) {
   return tr("%1 MB").arg(QLocale().toString(mb, 'f', mb < 10 ? 1 : 0));
 }
 
-// The Error: it would take more than so many bytes.
+// An Error means that the field would exceed `mostBytes`.
 Result<std::shared_ptr<const OccupancyField>> fieldOf(const MadeSurface& made, const MadeSurface* before,
                                                       const BitMask* kept, std::size_t mostBytes,
                                                       const CancelToken& cancel) {

@@ -8,25 +8,25 @@
 
 namespace volumen {
 
-// What segments are drawn by in 3D.
+// Fields that draw segments in 3D.
 
-/// What the fields of all surfaces may take in memory together: a quarter of the machine's.
+/// Returns the memory limit for the fields of all surfaces: a quarter of the machine's memory.
 std::size_t mostSurfaceBytes();
-/// What the field of a surface takes.
+/// Returns the memory used by the field of a surface.
 std::size_t bytesOf(const MadeSurface& surface);
 
-// What follows takes its time: for other threads.
+// The following functions are slow and meant for other threads.
 
-/// Makes the fields of surfaces in their order, of the voxels that are in `kept` (null: of all); one for
-/// which the others leave no room of so many bytes gets none, and says why not. `before`: of each, or empty,
-/// the last one, whose mask left the same; its field is taken where no voxel of the segment has changed
-/// since. Cancelled, some are half done, or not at all.
+/// Makes the fields of surfaces in order, from voxels in `kept` (null for all). A field that would exceed
+/// `mostBytes` is left out with its reason. `before` is empty or has the last version of each surface under
+/// the same mask. Its field is reused if no voxel of the segment has changed. After a cancellation some are
+/// unfinished or missing.
 void makeFields(std::vector<MadeSurface>& surfaces, const std::vector<MadeSurface>& before,
                 const BitMask* kept, std::size_t mostBytes, const CancelToken& cancel = {});
 
-/// The segments of the maps of a series as 3D views of it show them, on the grid of its volume, in so many
-/// bytes; none of a map that lies on another grid or has no labels. `whole`: the volume without what the mask
-/// takes away of it.
+/// Returns the segments of a series' maps as 3D views show them, on the grid of its volume, within
+/// `mostBytes`. Maps without labels or on another grid have none. `whole` is the unmasked volume; `mask` is
+/// applied.
 std::vector<MadeSurface> surfacesOf(std::span<const SegmentMap> maps, const Volume& whole, const Mask& mask,
                                     std::size_t mostBytes, const CancelToken& cancel = {});
 

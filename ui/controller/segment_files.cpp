@@ -30,7 +30,7 @@ std::string fileOf(const std::string& session, const std::string& checksum,
   return session + "." + checksum + ending;
 }
 
-// The files that this process wrote, or read whole, as they were then: their names say what they hold.
+// The state of files this process wrote or read completely. Their names identify their content.
 class KnownFiles {
  public:
   void add(const std::string& path) {
@@ -53,8 +53,8 @@ KnownFiles& knownFiles() {
   return known;
 }
 
-// The maps that files of changes beside a session are changes of: of each map of a series what was written
-// whole last.
+// The base maps of the files of changes beside a session: the last version of each map that was written
+// completely.
 class BaseMaps {
  public:
   struct Base {
@@ -66,14 +66,14 @@ class BaseMaps {
     const std::lock_guard lock(mutex_);
     bases_[{session, map.series, map.number}] = {checksum, map.labels};
   }
-  // Null labels: there is none, or its file is not what it was.
+  // Labels are null if there is no base or its file has changed.
   Base of(const std::string& session, const SegmentMap& map) {
     const std::lock_guard lock(mutex_);
     const auto found = bases_.find({session, map.series, map.number});
     if (found == bases_.end() || found->second.labels->geometry() != map.labels->geometry()) return {};
     return knownFiles().contains(fileOf(session, found->second.checksum)) ? found->second : Base{};
   }
-  // Those of a session that are of maps for which `isGone`; their checksums.
+  // Releases the bases of a session for which `isGone` holds. Returns their checksums.
   template <class IsGone>
   std::vector<std::string> release(const std::string& session, const IsGone& isGone) {
     const std::lock_guard lock(mutex_);
@@ -103,7 +103,7 @@ BaseMaps& baseMaps() {
   return bases;
 }
 
-// The session may have another name by now, or it is a copy.
+// Returns the file under this or another session name, because the session may be renamed or copied.
 QString fileBeside(const std::string& session, const std::string& checksum,
                    const std::string& ending = wholeEnding) {
   const QFileInfo file(QString::fromStdString(fileOf(session, checksum, ending)));
@@ -113,7 +113,7 @@ QString fileBeside(const std::string& session, const std::string& checksum,
   return names.isEmpty() ? QString() : file.dir().filePath(names.front());
 }
 
-// Null: they are not what was saved, or too large for the memory.
+// Returns null if the labels are not what was saved, or too large for the memory.
 std::shared_ptr<const LabelMap> labelsIn(const std::string& path, const SavedLabels& saved,
                                          const Progress& progress, const CancelToken& cancel) try {
   const auto study = openPath(path, progress, cancel);
@@ -131,7 +131,7 @@ std::shared_ptr<const LabelMap> labelsIn(const std::string& path, const SavedLab
   return nullptr;
 }
 
-// Of a file of changes and of the one whose changes it holds; null as above.
+// Returns the labels from a file of changes and its base; null as above.
 std::shared_ptr<const LabelMap> changedLabels(const std::string& session, const SavedLabels& saved,
                                               const Progress& progress, const CancelToken& cancel) {
   const QString path = fileBeside(session, saved.checksum, changesEnding);
@@ -146,7 +146,7 @@ std::shared_ptr<const LabelMap> changedLabels(const std::string& session, const 
   return map && checksumOf(*map) == saved.checksum ? map : nullptr;
 }
 
-// Null: they are not there, or not what was saved.
+// Returns null if the labels are missing or not what was saved.
 std::shared_ptr<const LabelMap> labelsBeside(const std::string& session, const SavedLabels& saved,
                                              const Progress& progress, const CancelToken& cancel) {
   const QString whole = fileBeside(session, saved.checksum);
@@ -165,7 +165,7 @@ QString namesOf(const SegmentMap& map) {
   return names.join(QStringLiteral(", "));
 }
 
-// A copy, or what the session was called before.
+// Returns whether another session, such as a copy or an earlier name, refers to the map.
 bool otherSessionNames(const std::string& session, const std::string& checksum) {
   const QFileInfo file(QString::fromStdString(session));
   for (const QFileInfo& other :
@@ -219,7 +219,7 @@ Workspace withLabelsApart(Workspace workspace) {
 
 Workspace withSegmentMaps(Workspace workspace, const std::string& session, QStringList& problems,
                           const Progress& progress, const CancelToken& cancel) {
-  std::map<std::string, std::shared_ptr<const LabelMap>> read;  // each once
+  std::map<std::string, std::shared_ptr<const LabelMap>> read;  // each is read once
   workspace.segmentMaps.editIf(
       [](const SegmentMap& map) { return map.missing.has_value(); },
       [&](SegmentMap& map) {

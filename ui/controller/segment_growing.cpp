@@ -12,10 +12,10 @@ namespace volumen {
 
 namespace {
 
-// Without the name of the step, which nobody chose.
+// Removes the name of the step, which the user did not choose.
 std::string withoutStepName(const std::string& why) { return why.substr(why.find(": ") + 2); }
 
-// Seeds are named in the order of their numbers, which decides between paths of one cost.
+// Seeds are ordered by number, which decides between paths of equal cost.
 Result<SegmentMap> grownIn(SegmentMap map, const Volume& volume, const Mask& mask, GrowthRegion region,
                            const CancelToken& cancel) {
   StepsWanted wanted{{}, {}, true, {}};
@@ -41,7 +41,7 @@ Result<SegmentMap> grownIn(SegmentMap map, const Volume& volume, const Mask& mas
   return Error{"Nothing was grown: " + withoutStepName(made.message())};
 }
 
-// "Lesion 1", "Lesion 2".
+// Returns a free name: "Lesion 1", "Lesion 2".
 std::string lesionName(std::vector<SegmentMap> maps, const SegmentMap& map) {
   maps.push_back(map);
   for (int n = 1;; ++n) {
@@ -57,7 +57,7 @@ Result<SegmentMap> withLesion(SegmentMap map, const LesionWanted& wanted, const 
   lesion.number = *number;
   lesion.label = lesionName(wanted.beside, map);
   lesion.description = wanted.said.toStdString();
-  constexpr double mostMm = 1000;  // that the step takes: more than a patient
+  constexpr double mostMm = 1000;  // limit of the step; larger than a patient
   const std::string sphere = "Sphere", own = stepNameOf(*number);
   const auto& [amount, isShare] = wanted.threshold;
   const double radiusMm = std::min(wanted.radiusMm, mostMm);

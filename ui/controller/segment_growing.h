@@ -6,30 +6,30 @@
 
 namespace volumen {
 
-/// Where is grown from seeds: in the box about them and some more on all sides, or everywhere.
+/// The region to grow in: the box of the seeds with a margin, or everything.
 enum class GrowthRegion { aboutSeeds, everywhere };
 
-/// Whether a segment is one of the seeds: it is shown and not locked.
+/// Returns whether a segment is a seed: it is visible and not locked.
 bool isSeed(const Segment& segment);
 
-/// The work that gives all voxels of a region to the seeds (grow_from_seeds.h), by the step "growFromSeeds":
-/// segments that are hidden or locked and what the mask takes away stay as they are. About the seeds is
-/// marginAboutSeeds().
+/// Returns the work that assigns all voxels of a region to the seeds (grow_from_seeds.h), with the step
+/// "growFromSeeds". Hidden and locked segments and masked voxels stay unchanged. The margin of `aboutSeeds`
+/// is marginAboutSeeds().
 SegmentWork growthOf(const SeriesKey& series, VolumePtr volume, const Mask& mask, GrowthRegion region);
 
-/// A ball of the patient in which a lesion is looked for.
+/// A sphere in the patient in which a lesion is searched.
 struct LesionWanted {
-  VolumePtr volume;  ///< all of it
-  Mask mask;         ///< what it takes away is not in the ball
+  VolumePtr volume;  ///< the whole volume
+  Mask mask;         ///< masked voxels are not in the sphere
   glm::dvec3 pPatient;
   double radiusMm;
   LesionThreshold threshold;
-  QString said{};                    ///< of the segment, its description
-  std::vector<SegmentMap> beside{};  ///< of the series: what their segments are called it is not
+  QString said{};                    ///< description of the segment
+  std::vector<SegmentMap> beside{};  ///< other maps of the series; their segments' names are taken
 };
 
-/// The work that adds a segment, "Lesion 1", or with the next number that is free in the series, for the
-/// lesion in a ball (lesion.h).
+/// Returns the work that adds a segment for the lesion in a sphere (lesion.h). Its name is "Lesion 1", or has
+/// the next free number of the series.
 SegmentWork lesionOf(const SeriesKey& series, const LesionWanted& wanted);
 
 }  // namespace volumen

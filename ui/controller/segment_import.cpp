@@ -13,7 +13,7 @@ namespace volumen {
 
 namespace {
 
-// "Tumour, Edema".
+// Returns "Tumour, Edema".
 QString namesText(const QStringList& names) {
   constexpr int most = 5;
   QStringList told = names.mid(0, most);
@@ -21,7 +21,7 @@ QString namesText(const QStringList& names) {
   return told.join(QStringLiteral(", "));
 }
 
-// A sentence for each map that got some but the one that is worked on.
+// Returns a sentence for each map other than the current one that received segments.
 QStringList furtherText(const AddedSegments& added) {
   std::map<std::size_t, QStringList> names;
   for (const SegmentPlace& place : added.places)
@@ -33,7 +33,7 @@ QStringList furtherText(const AddedSegments& added) {
   return sentences;
 }
 
-// With all segments of a file; the first that was added is current, its map worked on.
+// Returns the maps with all segments of a file. The first one added becomes current, as does its map.
 std::vector<SegmentMap> withSegmentsOf(const SegmentsFile& file, const QString& name,
                                        std::vector<SegmentMap> maps, QStringList& told) {
   AddedSegments all = withSegmentsAdded(std::move(maps), file.maps);

@@ -15,7 +15,7 @@ namespace volumen {
 
 namespace {
 
-// With the work done to the segment of this number, on the job's thread.
+// Returns the map after the work on segment `number`; runs on the job's thread.
 Result<SegmentMap> workDone(const SegmentWork& work, const SegmentMap& map, int number,
                             const CancelToken& cancel) {
   if (work.makeAll) {
@@ -32,14 +32,14 @@ Result<SegmentMap> workDone(const SegmentWork& work, const SegmentMap& map, int 
   return withHandMade(map, withMask(map, number, *mask));
 }
 
-// What it is made of.
+// Returns the maps that the work starts from.
 std::vector<SegmentMap> basesOf(const Workspace& workspace, const SegmentWork& work) {
   const VoxelGeometry& grid = work.volume->geometry();
   if (work.makeMaps) return segmentMapsOn(workspace, work.series, grid);
   return {segmentMapOn(workspace, work.series, grid, work.map)};
 }
 
-// What those come to.
+// Returns the maps after the work.
 Result<std::vector<SegmentMap>> mapsMade(const SegmentWork& work, const std::vector<SegmentMap>& bases,
                                          int number, const CancelToken& cancel) try {
   if (work.makeMaps) return work.makeMaps(bases, cancel);
@@ -87,7 +87,7 @@ SegmentJobs::SegmentJobs(Session& session, const SegmentPainter& painter, Jobs& 
   connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
     if (isMaking() && !after.series.contains(waiting_.front().series)) drop();
   });
-  // From the event loop: Esc undoes the steps since the press once the stroke has ended.
+  // From the event loop, because Esc undoes the steps since the press once the stroke has ended.
   connect(
       &painter_, &SegmentPainter::ended, this,
       [this] {
@@ -126,7 +126,7 @@ void SegmentJobs::next() {
       else if (segment || work.number == 0)
         return begin(work, bases);
     }
-    waiting_.pop_front();  // before it is told: whoever hears it may ask for another change
+    waiting_.pop_front();  // before reporting, because a listener may request another change
     if (!why.isEmpty()) refuse(work, why);
   }
   if (waiting_.empty()) Q_EMIT ended();
@@ -136,7 +136,7 @@ void SegmentJobs::begin(const SegmentWork& work, const std::vector<SegmentMap>& 
   Workspace with = session_.workspace();
   int number = work.number;
   if (work.makeAll || work.makeMaps) {
-    // Whatever it makes is in its own maps.
+    // The work chooses its segments itself.
   } else if (number == 0) {
     Segment made;
     if (work.change) work.change(made);
@@ -150,14 +150,14 @@ void SegmentJobs::begin(const SegmentWork& work, const std::vector<SegmentMap>& 
       JobName(work.doing),
       [work, number, maps = basesOf(with, work)](const Job& job) {
         Made made{mapsMade(work, maps, number, job.cancel()), {}};
-        // Those that make several maps say themselves what they take.
+        // Work on several maps reports itself what it took.
         if (made.maps && !work.makeMaps) made.said = changeText(maps.front(), made.maps->front());
         return made;
       },
       [this, bases](const Made& made) { take(bases, made); }, [this] { drop(); });
 }
 
-// One step where the segments are still what it was made of; else it is made anew.
+// Makes one undo step if the segments are unchanged since the start; otherwise repeats the work.
 void SegmentJobs::take(const std::vector<SegmentMap>& bases, const Made& made) {
   if (painter_.isPainting()) {
     takeLater_ = [this, bases, made] { take(bases, made); };
@@ -184,8 +184,8 @@ void SegmentJobs::refuse(const SegmentWork& work, const QString& why) {
   Q_EMIT failed(why);
 }
 
-// Nobody wants what is under way any more. The next one waits for the event loop: the workspace may be
-// telling of a change.
+// Drops the work in progress. The next one starts from the event loop, because the workspace may be reporting
+// a change.
 void SegmentJobs::drop() {
   change_.giveUpAll();
   takeLater_ = nullptr;

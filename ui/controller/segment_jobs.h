@@ -16,83 +16,84 @@
 
 namespace volumen {
 
-/// What changes the voxels of a segment.
+/// A change of the voxels of a segment.
 struct SegmentWork {
   SeriesKey series;
-  VolumePtr volume;  ///< all of it: its grid is that of the labels
-  int number = 0;    ///< of the segment; 0: a new one
-  QString text;      ///< of the step to undo
-  QString doing;     ///< of the job
-  /// What else becomes of the segment; a new one gets name and colour where it has none.
+  VolumePtr volume;  ///< unmasked; its grid is that of the labels
+  int number = 0;    ///< of the segment; 0 for a new one
+  QString text;      ///< of the undo step
+  QString doing;     ///< name of the job
+  /// Other changes of the segment. A new one gets a missing name and colour.
   std::function<void(Segment&)> change{};
-  /// Its voxels, on the job's thread, of the map as it is then. Null: the segment goes.
+  /// Returns its voxels from the current map, on the job's thread. If null, the segment is removed.
   std::function<Result<BitMask>(const SegmentMap& map, int number, const CancelToken& cancel)> make{};
-  /// In place of that, and recorded: the steps that make them; what they are called on is that map.
+  /// Replaces `make` and is recorded: returns the steps to run on that map.
   std::function<Result<StepsWanted>(const SegmentMap& map, int number, const CancelToken& cancel)> steps{};
-  /// In place of all that: the map after it, on the job's thread.
+  /// Replaces `make` and `steps`: returns the changed map, on the job's thread.
   std::function<Result<SegmentMap>(const SegmentMap& map, const CancelToken& cancel)> makeAll{};
-  /// In place of all that: the maps of the series after it, the first worked on. They are given so, too, the
-  /// others by their numbers.
+  /// Replaces all of the above: returns the changed maps of the series. As in the argument, the current map
+  /// comes first, the others in order of their numbers.
   std::function<Result<std::vector<SegmentMap>>(const std::vector<SegmentMap>& maps,
                                                 const CancelToken& cancel)>
       makeMaps{};
-  std::function<void()> done{};  ///< called once it is a step
-  /// Called with a sentence where it is none, which is told all the same; not for what was cancelled.
+  std::function<void()> done{};  ///< called once it is an undo step
+  /// Called with a sentence if it fails, which is reported anyway. Not called for cancelled work.
   std::function<void(const QString& why)> refused{};
-  std::optional<int> map{};  ///< that it works on; none: the one that is worked on as it is asked for
+  std::optional<int> map{};  ///< the map to change; empty for the current one at the time of the request
 };
 
-/// How many voxels the segments of a map have.
+/// The number of voxels of each segment of a map.
 struct MapVoxels {
   std::shared_ptr<const LabelMap> labels;
   std::array<std::int64_t, 256> voxels{};  ///< by number
 };
 
-/// What the segments of a series hold.
+/// The voxel counts and values of the segments of a series.
 struct SegmentNumbers {
-  std::vector<MapVoxels> maps;  ///< the first is the one that is worked on
+  std::vector<MapVoxels> maps;  ///< the current map comes first
   VolumePtr volume;
-  int number = 0;  ///< of the segment of the first map that `values` is of; 0: none
+  int number = 0;  ///< segment of the first map that `values` belongs to; 0 for none
   SegmentValues values{};
 
-  /// Whether both are of the same.
+  /// Returns whether both describe the same segments.
   bool areOf(const SegmentNumbers& other) const;
-  /// Those of a map; null: it was not counted.
+  /// Returns the counts of a map; null if it was not counted.
   const MapVoxels* of(const std::shared_ptr<const LabelMap>& labels) const;
 };
 
-/// Changes segments, measures and exports them; each a job, each change one undo step. Changes that are asked
-/// for while one is made wait for their turn, and work on what that came to. None becomes a step in the
-/// middle of a stroke: it comes after it.
+/// Changes, measures and exports segments, each as a job. Each change is one undo step. Later changes wait
+/// for their turn and work on the result. No change becomes an undo step during a stroke; it follows the
+/// stroke.
 class SegmentJobs : public QObject {
   Q_OBJECT
  public:
   SegmentJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent = nullptr);
-  /// Waits for what is being written.
+  /// Waits until pending files are written.
   ~SegmentJobs() override;
 
-  /// Ends in a step and ended(), or in failed() and ended(); nothing is done where the series was closed, or
-  /// the segment removed, meanwhile.
+  /// Requests a change. Ends in an undo step and ended(), or in failed() and ended(). Does nothing if the
+  /// series was closed or the segment removed meanwhile.
   void change(const SegmentWork& work);
-  /// Gives up what was to be measured before. Ends in measured(). `wanted` says what of: all are of one grid.
+  /// Requests the measurement of `wanted`, whose maps share one grid, and cancels the one before. Ends in
+  /// measured().
   void measure(const SegmentNumbers& wanted);
-  /// Writes the segments of a series as the ending of `path` says. Ends in saved() or failed(). The maps have
-  /// labels, and there is one at least.
+  /// Writes the segments of a series in the format of the extension of `path`. Ends in saved() or failed().
+  /// The maps have labels, and there is at least one.
   void save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path);
-  /// The same of surfaces that were made, to the files that exportSurfaces() takes; saved() names no maps.
+  /// Writes finished surfaces to the files of exportSurfaces(). saved() then names no maps.
   void saveSurfaces(const std::shared_ptr<const std::vector<SurfaceToWrite>>& surfaces, const Series& series,
                     const std::vector<std::string>& files);
 
  Q_SIGNALS:
-  /// Nothing is being changed any more.
+  /// No change is in progress any more.
   void ended();
-  /// A change has become a step. `said`: changeText() of it.
+  /// A change became an undo step. `said` is its changeText().
   void changed(const QString& said);
   void measured(const volumen::SegmentNumbers& numbers);
-  /// With the sentences that are to be known of it.
+  /// Files were written; `notes` are sentences about them.
   void saved(const QStringList& files, const QStringList& notes,
              const std::vector<volumen::SegmentMap>& maps);
-  /// A sentence; not for what was cancelled.
+  /// A sentence; not sent for cancelled work.
   void failed(const QString& sentence);
 
  private:
@@ -101,7 +102,7 @@ class SegmentJobs : public QObject {
   void write(const Writing& writing, const std::vector<SegmentMap>& maps);
   void next();
   void begin(const SegmentWork& work, const std::vector<SegmentMap>& bases);
-  // What the first change comes to, with what is to be said of it.
+  // The result of the first change, with a sentence about it.
   struct Made {
     Result<std::vector<SegmentMap>> maps;
     QString said;
@@ -113,9 +114,9 @@ class SegmentJobs : public QObject {
 
   Session& session_;
   const SegmentPainter& painter_;
-  SegmentNumbers counted_;           // the last of each map: of what did not change they hold
-  std::deque<SegmentWork> waiting_;  // the first is being made where isMaking()
-  std::function<void()> takeLater_;  // what the first came to, once the stroke has ended; null: nothing
+  SegmentNumbers counted_;           // latest counts of each map, valid for unchanged segments
+  std::deque<SegmentWork> waiting_;  // while isMaking(), the first is in progress
+  std::function<void()> takeLater_;  // applies the first result after the stroke; null for none
   JobLane change_, measure_, save_;
 };
 

@@ -12,12 +12,12 @@ namespace volumen {
 
 namespace {
 
-// How many places of the pixels of a tile, and of those beside them, are in a segment.
+// The number of sample points in a segment, for the pixels of a tile and their neighbours.
 struct TileCounts {
   std::array<std::uint16_t, SegmentSamples::tileWidth + 2> own{}, above{},
-      below{};  // from the pixel left of it
+      below{};  // starts at the pixel left of the tile
 
-  // Beyond the picture all goes on; beyond the area, there is nothing.
+  // Beyond the picture the edge pixels repeat; beyond the area there is nothing.
   void read(const SegmentSamples& samples, int row, int tile, std::size_t number) {
     const QRect& area = samples.area();
     const int from = tile * SegmentSamples::tileWidth,
@@ -31,13 +31,13 @@ struct TileCounts {
   }
 };
 
-// What is mixed into the pixels of a tile. All in places: how many are covered, how many are hidden, and with
-// what colours.
+// The tint of the pixels of a tile, in sample points: how many are covered, how many are hidden, and their
+// colours.
 class TileTint {
  public:
   explicit TileTint(int places) : places_(float(places)), half_((places + 1) / 2) {}
 
-  // Without branches: a loop of vectors.
+  // Without branches, so that the loop is vectorised.
   void add(const TileCounts& counts, QRgb colour, double opacity) {
     const float inside = float(opacity), outline = float(std::min(1.0, 2 * opacity));
     const float red = float(qRed(colour)), green = float(qGreen(colour)), blue = float(qBlue(colour));
@@ -47,7 +47,7 @@ class TileTint {
                 above = counts.above[x + 1], below = counts.below[x + 1];
       const int inner = std::min(std::min(std::min(left, right), std::min(above, below)), here);
       const int most = std::max(std::max(left, right), std::max(above, below));
-      const int least = (here > 0) & (most <= here) ? half : 0;  // too thin for more
+      const int least = (here > 0) & (most <= here) ? half : 0;  // for thin segments
       const int seen = std::max(here, least);
       const float hides = float(inner) * inside + float(seen - inner) * outline;
       covered_[x] += float(seen);
@@ -77,12 +77,12 @@ class TileTint {
 
  private:
   using Row = std::array<float, SegmentSamples::tileWidth>;
-  float places_;  // of a pixel
+  float places_;  // per pixel
   int half_;
   Row covered_{}, hidden_{}, red_{}, green_{}, blue_{};
 };
 
-// The one number that is met in a tile and in all those beside it; none where there are others.
+// Returns the only number in a tile and its neighbours; nothing if there are several.
 std::optional<std::size_t> onlyNumber(const SegmentSamples& samples, int row, int tile,
                                       std::size_t shownCount) {
   const SegmentSamples::Numbers& met = samples.numbersIn(row, tile);

@@ -8,11 +8,12 @@
 
 namespace volumen {
 
-/// The voxelReports() of all segments of maps, map after map.
+/// Returns the voxelReports() of all segments, map after map.
 Result<std::vector<SegmentReport>> voxelReportsOf(const std::vector<SegmentMap>& maps, const Volume& volume,
                                                   const CancelToken& cancel);
 
-/// The same with what takes surfaces (addSurfaces()); the job tells which segment is measured.
+/// Returns the reports with surface measures added (addSurfaces()). The job reports which segment is
+/// measured.
 Result<std::vector<SegmentReport>> withSurfaces(std::vector<SegmentReport> all,
                                                 const std::vector<SegmentMap>& maps, const Volume& volume,
                                                 bool withPeaks, const Job& job);

@@ -15,7 +15,7 @@ SegmentWork moveOf(const Session& session, std::optional<int> map,
   const SegmentMap& from = *segmentsShown(session);
   const Segment& segment = *segmentShown(session);
   const QString name = shownText(segment.label), where = map ? mapName(*map) : tr("a new map");
-  const auto taken = std::make_shared<std::int64_t>(0);  // known once it is done, on another thread
+  const auto taken = std::make_shared<std::int64_t>(0);  // set on another thread when the work is done
   SegmentWork work;
   work.series = from.series;
   work.volume = wholeVolume(session);

@@ -7,9 +7,9 @@
 
 namespace volumen {
 
-/// The work that moves the segment that is worked on, which there must be, into the map of a number of its
-/// series; none: into a new one. It takes its voxels from the segments there: `told` gets the sentence that
-/// says how many, once it is a step, where it took any.
+/// Returns the work that moves the current segment, which must exist, into map number `map` of its series, or
+/// into a new one. It takes voxels from the segments there. If so, `told` receives a sentence with their
+/// number once it is an undo step.
 SegmentWork moveOf(const Session& session, std::optional<int> map,
                    std::function<void(const QString& sentence)> told);
 

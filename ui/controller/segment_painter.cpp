@@ -15,7 +15,7 @@ PaintRules rulesOf(const SegmentMap& map, int number, bool erases, const PaintLi
                    const VolumePtr& volume) {
   using enum PaintLimits::Beside;
   PaintRules rules{.label = std::uint8_t(number), .erases = erases, .range = limits.range, .volume = volume};
-  if (erases) return rules;  // what is the segment's is no other one's
+  if (erases) return rules;  // erased voxels belong to the segment and to no other
   rules.kept = lockedNumbers(map);
   const auto other = std::uint8_t(limits.other);
   if (limits.beside == outside) rules.kept.push_back(other);
@@ -43,7 +43,7 @@ void SegmentPainter::paint(const SegmentStroke& stroke, const PaintLimits& limit
   using enum SegmentStroke::Phase;
   if (stroke.phase == ends) return end();
   if (stroke.phase == begins) {
-    end();  // of one whose end nobody told
+    end();  // in case the end of the last stroke was not reported
     const QString why = whyNot(stroke);
     if (!why.isEmpty()) return Q_EMIT failed(why);
     const Segment* segment = segmentShown(session_);

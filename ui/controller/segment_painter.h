@@ -8,39 +8,39 @@
 
 namespace volumen {
 
-/// Where strokes paint.
+/// Restrictions of strokes.
 struct PaintLimits {
   enum class Beside { anywhere, inside, outside };
-  std::optional<ValueRange> range{};  ///< only values of this range, erased ones too; none: all
-  Beside beside = Beside::anywhere;   ///< what is painted, with another segment
-  int other = 0;                      ///< its number
+  std::optional<ValueRange> range{};  ///< paints and erases only values of this range; empty for all
+  Beside beside = Beside::anywhere;   ///< position of painted voxels relative to another segment
+  int other = 0;                      ///< number of that segment
 };
 
-/// Paints the current segment, or erases from it, while a stroke is drawn: one undo step each. Where there is
-/// no segment, the first stroke makes one. Locked ones stay as they are.
+/// Paints or erases the current segment during a stroke; each stroke is one undo step. The first stroke
+/// creates a segment if there is none. Locked segments stay unchanged.
 class SegmentPainter : public QObject {
   Q_OBJECT
  public:
   explicit SegmentPainter(Session& session, QObject* parent = nullptr) : QObject(parent), session_(session) {}
 
-  /// The next part of a stroke, limited as it began. Nothing more is painted where it could not begin, the
-  /// segment is gone or locked, or the series closed meanwhile.
+  /// Paints the next part of a stroke, with the limits of its start. Nothing is painted if the stroke could
+  /// not begin, the segment is gone or locked, or the series was closed.
   void paint(const SegmentStroke& stroke, const PaintLimits& limits);
-  /// Whether a stroke is being drawn.
+  /// Returns whether a stroke is being drawn.
   bool isPainting() const { return target_.has_value(); }
 
  Q_SIGNALS:
-  /// `said`: what the stroke took from other segments, a sentence; empty: nothing.
+  /// `said` is a sentence about voxels taken from other segments; empty if there are none.
   void ended(const QString& said);
-  /// Why a stroke paints nothing, a sentence.
+  /// A sentence why a stroke paints nothing.
   void failed(const QString& sentence);
 
  private:
-  // What a stroke that began works on.
+  // The target of a stroke that has begun.
   struct Target {
     VolumePtr volume;
     int map;
-    int number;  // of the segment in it; 0: it is made once something is painted
+    int number;  // of the segment in `map`; 0 if painting will create it
     PaintLimits limits;
     SegmentMap before;
   };

@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// What stays as it is can be seen already.
+// Hides unchanged segments, which are visible already.
 SegmentMap changedSegments(const SegmentMap& base, SegmentMap made) {
   for (Segment& segment : made.segments) {
     const auto label = std::uint8_t(segment.number);

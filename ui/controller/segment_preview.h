@@ -4,36 +4,36 @@
 
 namespace volumen {
 
-/// Makes what some work would come to, to be looked at before it is a step: the latest that was asked for.
+/// Previews the result of some work before it becomes an undo step; only the latest request counts.
 class SegmentPreview : public QObject {
   Q_OBJECT
  public:
   SegmentPreview(Session& session, Jobs& jobs, QObject* parent = nullptr);
 
-  /// Makes it of the segments as they are, in place of what was asked for before, which stays on screen until
-  /// then. The work makes all. Ends in changed() or failed().
+  /// Makes a preview from the current segments, which replaces the one before when it is ready. The work must
+  /// have makeAll. Ends in changed() or failed().
   void show(const SegmentWork& work);
-  /// Nothing is looked at any more.
+  /// Ends the preview.
   void clear();
-  /// The same work; what is looked at need not be made again where the segments are still those that it was
-  /// made of. It must come of that work.
+  /// Returns `work` such that it reuses the preview if the segments have not changed since. The preview must
+  /// come from that work.
   SegmentWork withMade(SegmentWork work) const;
 
  Q_SIGNALS:
-  /// What there would be, of which those are visible that are others then; none: nothing is looked at.
+  /// The previewed segments, of which only those that differ are visible; nothing if there is no preview.
   void changed(const std::optional<volumen::SegmentMap>& segments);
-  /// A sentence; empty where the user cancelled it. Nothing is looked at.
+  /// A sentence, or empty if the user cancelled. There is no preview then.
   void failed(const QString& sentence);
 
  private:
   struct Made {
-    SegmentMap base, made, shown;  // of what it was made, what it is, and what of it is to be seen
+    SegmentMap base, made, shown;  // the source, the result, and the visible part of it
   };
   void fail(const QString& sentence);
 
   Session& session_;
-  std::optional<Made> made_;  // what is looked at
-  bool isLate_ = false;       // something else was asked for since
+  std::optional<Made> made_;  // the preview shown
+  bool isLate_ = false;       // whether something else was requested since
   JobLane lane_;
 };
 

@@ -16,7 +16,7 @@ namespace volumen {
 
 namespace {
 
-// Which segment of the map a recipe's comes to.
+// Returns the number of the map's segment for a recipe's segment.
 Result<int> numberFor(const Segment& segment, const Recipe& recipe, SegmentMap& map, RecipeUse use) {
   if (use == RecipeUse::again)
     for (const auto& [number, name] : namesInRecipe(map)) {
@@ -33,8 +33,8 @@ Result<int> numberFor(const Segment& segment, const Recipe& recipe, SegmentMap& 
   return *free;
 }
 
-// The steps of a recipe on this map, which gets the segments that it has not. What a recipe begins to change
-// is empty at first, whatever the map has by that name.
+// Returns the steps of a recipe on this map, which gets the missing segments. A segment that the recipe
+// changes first starts empty, even if the map has one of its name.
 Result<StepsWanted> recipeStepsOf(const Recipe& recipe, SegmentMap& map, RecipeUse use) {
   StepsWanted wanted;
   std::map<std::string, std::string> names;

@@ -8,20 +8,20 @@
 
 namespace volumen {
 
-/// The built-in recipes that are offered for a modality ("CT"), in the order of a menu; for none, and for
-/// those that have none of their own, none.
+/// Returns the built-in recipes for a modality ("CT"), in the order of a menu. Empty without a modality or if
+/// it has no recipes.
 std::vector<const Recipe*> recipesFor(const std::string& modality);
 
-/// What is to be said where a recipe is followed on a series: that it is for another modality, or for series
-/// with contrast agent, of which the header names none. Sentences.
+/// Returns sentences to show before a recipe runs on a series. They say that it is for another modality, or
+/// needs a contrast agent that the header does not name.
 std::vector<std::string> notesOf(const Recipe& recipe, const Series& series);
 
-/// What becomes of a recipe's segments: others beside those of the series; or, where the recipe was recorded
-/// of these (segment_record.h), the voxels of those of the same name.
+/// Use of a recipe's segments: `add` makes new ones beside those of the series. `again` replaces the voxels
+/// of segments with the same name, if the recipe was recorded from them (segment_record.h).
 enum class RecipeUse { add, again };
 
-/// The work that does that, one step: what the mask takes away is in none of them, nor voxels of locked
-/// segments.
+/// Returns the work that runs a recipe, as one undo step. Its segments get no masked voxels and no voxels of
+/// locked segments.
 SegmentWork workOf(const Recipe& recipe, const SeriesKey& series, VolumePtr volume, const Mask& mask,
                    RecipeUse use = RecipeUse::add);
 

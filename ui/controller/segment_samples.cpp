@@ -14,14 +14,14 @@ namespace volumen {
 
 namespace {
 
-// The border of a single voxel holds a disc of 0.41 voxels. The places of a pixel, together with those of all
-// others, leave none of 0.316 pixels free.
+// The border of a single voxel contains a disc of 0.41 voxels. The sample points of all pixels leave no free
+// disc of 0.316 pixels.
 glm::ivec2 partsPerPixel(glm::dvec2 voxelsPerPixel) {
   constexpr double enough = 1.3, most = 16;
   return glm::ivec2(glm::clamp(glm::ceil(voxelsPerPixel / enough - 1e-6), 1.0, most));
 }
 
-// The pixels in which a box can be met, and those beside them; empty where the plane does not meet it.
+// Returns the pixels that may see a box, with a margin of one pixel; empty if the plane does not meet it.
 QRect pixelsAbout(std::span<const glm::dvec3> corners, const SlicePlane& plane) {
   glm::dvec2 low(1e9), high(-1e9);
   double before = 1e9, behind = -1e9;
@@ -104,7 +104,7 @@ void SegmentSamples::noteNumbers(int row) {
       const auto part =
           all.subspan(std::size_t(tile) * length, std::min(length, all.size() - std::size_t(tile) * length));
       isMet[part.front()] = true;
-      if (std::memcmp(part.data(), part.data() + 1, part.size() - 1) == 0) continue;  // all the same
+      if (std::memcmp(part.data(), part.data() + 1, part.size() - 1) == 0) continue;  // all equal
       for (const std::uint8_t number : part) isMet[number] = true;
     }
     Numbers& met = met_[std::size_t(row) * std::size_t(tiles()) + std::size_t(tile)];
@@ -115,13 +115,13 @@ void SegmentSamples::noteNumbers(int row) {
 void SegmentSamples::count(int row, std::size_t number, int from, int to, std::uint16_t* counts) const {
   const auto parts = std::size_t(parts_.x), pixels = std::size_t(to - from);
   std::fill_n(counts, pixels, std::uint16_t(0));
-  const auto wanted = std::uint8_t(number);  // of the places' own width: sixteen are compared at once
+  const auto wanted = std::uint8_t(number);  // of the width of samples, so that sixteen are compared at once
   const auto add = [&](std::size_t x, std::uint8_t met) {
     counts[x] = std::uint16_t(counts[x] + (met == wanted));
   };
   for (std::size_t n = 0; n < linesOfRow(); ++n) {
     const std::uint8_t* place = line(row, n).data() + std::size_t(from) * parts;
-    if (parts == 1)  // the usual case, that of a compiler's vectors
+    if (parts == 1)  // the usual case, which compilers vectorise
       for (std::size_t x = 0; x < pixels; ++x) add(x, place[x]);
     else
       for (std::size_t x = 0; x < pixels; ++x)

@@ -32,7 +32,7 @@ SegmentSurfaceJobs::SegmentSurfaceJobs(Session& session, const SegmentPainter& p
   next();
 }
 
-// Of one map it may leave room for the surfaces of another.
+// A change of one map may free memory for the surfaces of another.
 void SegmentSurfaceJobs::noteChanges(const Workspace& before, const Workspace& after) {
   const auto areOne = [](const SegmentMap* a, const SegmentMap* b) { return a == b || *a == *b; };
   for (const SegmentMap& map : after.segmentMaps)
@@ -58,7 +58,8 @@ void SegmentSurfaceJobs::next() {
   }
 }
 
-// A stroke that was given up, say: its map is as it was, and has its surfaces.
+// Returns whether the job is obsolete because its map is as before and has its surfaces. A cancelled stroke
+// does that.
 bool SegmentSurfaceJobs::isInVain() const {
   const SegmentMap* map = segmentMapOf(session_.workspace(), underWay_.series, underWay_.map);
   return map && map->labels && map->labels != underWay_.labels && wantedOf(*map).surfaces.empty();
@@ -80,7 +81,7 @@ SegmentSurfaceJobs::Wanted SegmentSurfaceJobs::wantedOf(const SegmentMap& map) c
   }
   wanted.mostBytes = mostBytes_ - std::min(mostBytes_, bytesBeside(wanted.surfaces));
   if (mask.empty()) return wanted;
-  // A series that was closed may have been opened again with other slices.
+  // A series may have been closed and opened again with other slices.
   const bool isKnown = kept_ && kept_->series == map.series && kept_->mask == mask &&
                        kept_->voxels->geometry() == map.labels->geometry();
   wanted.kept = isKnown ? *kept_ : Kept{map.series, mask, nullptr};
@@ -88,7 +89,7 @@ SegmentSurfaceJobs::Wanted SegmentSurfaceJobs::wantedOf(const SegmentMap& map) c
   return wanted;
 }
 
-// Of the surfaces that stay as they are.
+// Returns the memory of the surfaces that stay unchanged.
 std::size_t SegmentSurfaceJobs::bytesBeside(const std::vector<MadeSurface>& wanted) const {
   std::size_t bytes = 0;
   for (const MadeSurface& made : session_.surfaces()) {
@@ -129,7 +130,7 @@ void SegmentSurfaceJobs::tryAgain(const Wanted& wanted) {
   next();
 }
 
-// What would take too much memory; once, while that stays so.
+// Reports surfaces that would take too much memory, once while that lasts.
 void SegmentSurfaceJobs::tellRefused(const Wanted& wanted, const std::vector<MadeSurface>& made) {
   const SegmentMap* map = segmentMapOf(session_.workspace(), made.front().series, made.front().map);
   std::vector<SegmentNotDrawn> refused;
@@ -141,7 +142,7 @@ void SegmentSurfaceJobs::tellRefused(const Wanted& wanted, const std::vector<Mad
   if (!refused.empty()) Q_EMIT failed(notDrawnText(refused));
 }
 
-// What was changed while they were made is no reason to try again.
+// Changes made during the job are no reason to retry.
 void SegmentSurfaceJobs::giveUp(std::vector<MadeSurface> surfaces, const QString& why) {
   again_.erase({surfaces.front().series, surfaces.front().map});
   for (MadeSurface& surface : surfaces) surface.whyNot = why;

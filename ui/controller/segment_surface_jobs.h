@@ -12,40 +12,40 @@
 
 namespace volumen {
 
-/// Makes what segments are drawn by in 3D, of the series in 3D views on screen, whenever their voxels, or
-/// what is taken away of the series, changed: a map at a time, as a job; of a stroke once it ends, and none
-/// of one that is given up. Until then the session keeps what was there before. What could not be made, or
-/// was cancelled, is tried again once anything of the segments of its series changes. All of them together
-/// take at most a share of the machine's memory: what would go beyond is not drawn. Those of hidden segments
-/// are kept while there is room.
+/// Makes the surfaces of segments for series in 3D views on screen, when their voxels or the mask of the
+/// series have changed. Each job makes the surfaces of one map. A stroke is included once it ends, and not at
+/// all if it is cancelled. Until then the session keeps the old surfaces. Failed or cancelled surfaces are
+/// retried when segments of the series change. All surfaces together use a limited share of memory; those
+/// beyond it are not drawn. Surfaces of hidden segments are kept while there is room.
 class SegmentSurfaceJobs : public QObject {
   Q_OBJECT
  public:
-  /// `mostBytes`: of the fields of all surfaces.
+  /// `mostBytes` limits the fields of all surfaces.
   SegmentSurfaceJobs(Session& session, const SegmentPainter& painter, Jobs& jobs,
                      std::size_t mostBytes = mostSurfaceBytes(), QObject* parent = nullptr);
 
  Q_SIGNALS:
-  /// A sentence; not for what was cancelled.
+  /// A sentence; not sent for cancelled work.
   void failed(const QString& sentence);
-  /// The user did: a sentence.
+  /// A sentence: the user cancelled.
   void cancelled(const QString& sentence);
 
  private:
-  // What is left of a series by a mask.
+  // The voxels of a series left by a mask.
   struct Kept {
     SeriesKey series;
     Mask mask;
     std::shared_ptr<const BitMask> voxels;
   };
-  // The surfaces of a map that are to be made, as yet without their fields.
+  // The surfaces of a map to be made, without fields yet.
   struct Wanted {
     std::vector<MadeSurface> surfaces;
     std::vector<MadeSurface>
-        before;                 // of each the last one with the same mask; without a field: there is none
-    std::optional<Kept> kept;   // where there is a mask; without voxels: they are to be found
-    VolumePtr whole;            // to find them in
-    std::size_t mostBytes = 0;  // beside other surfaces
+        // Last version of each with the same mask; without a field if there is none.
+        before;
+    std::optional<Kept> kept;   // set if there is a mask; its voxels are null until found
+    VolumePtr whole;            // the volume to find them in
+    std::size_t mostBytes = 0;  // left beside other surfaces
   };
   struct Made {
     std::vector<MadeSurface> surfaces;
@@ -67,9 +67,9 @@ class SegmentSurfaceJobs : public QObject {
   const SegmentPainter& painter_;
   const std::size_t mostBytes_;
   std::optional<Kept> kept_;  // of the last series with a mask
-  // Maps, by their numbers, of whose series something was changed since surfaces of them were given up.
+  // Maps, by number, of series whose segments have changed since surfaces were given up.
   std::set<std::pair<SeriesKey, int>> again_;
-  MadeSurface underWay_;  // the first that the last job was to make
+  MadeSurface underWay_;  // the first surface of the last job
   JobLane lane_;
 };
 

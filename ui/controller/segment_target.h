@@ -6,23 +6,24 @@
 
 namespace volumen {
 
-// What the panel of segments, its actions and the tool work on: the series of the 3D view in focus.
+// The target of the Segments panel, its actions and its tool: the series of the 3D view in focus.
 
-/// Why it can have no segments, a sentence; empty: it can.
+/// Returns a sentence why the series cannot have segments; empty if it can.
 QString whyNoSegments(const Session& session);
-/// Its map of segments that is worked on, on the grid of its volume; null: none, or whyNoSegments().
+/// Returns its current map of segments on the grid of its volume. Null if there is none or whyNoSegments()
+/// applies.
 const SegmentMap* segmentsShown(const Session& session);
-/// All its maps on that grid, by their numbers; none where segmentsShown() is null. They are those of the
-/// workspace as it is: what outlives it is copied.
+/// Returns all its maps on that grid, by number; empty if segmentsShown() is null. They point into the
+/// present workspace; copy what must outlive it.
 std::vector<const SegmentMap*> allSegmentsShown(const Session& session);
 std::vector<SegmentMap> copiesOf(const std::vector<const SegmentMap*>& maps);
-/// The one of segmentsShown() that is worked on; null: there is none.
+/// Returns the current segment of segmentsShown(), or null.
 const Segment* segmentShown(const Session& session);
-/// That there is no other segment to work with, a sentence; of several maps which one has none.
+/// Returns a sentence that there is no other segment to work with. With several maps it names the map.
 QString noOtherSegment(const Session& session);
-/// Why that cannot be changed, a sentence; empty: it can.
+/// Returns a sentence why the current segment cannot be changed; empty if it can.
 QString whyNotChanged(const Session& session);
-/// All of its volume, what was cut away included, where that is in memory. Only without whyNoSegments().
+/// Returns the unmasked volume if it is in memory. Requires whyNoSegments() to be empty.
 VolumePtr wholeVolume(const Session& session);
 
 }  // namespace volumen

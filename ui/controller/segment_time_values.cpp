@@ -6,7 +6,7 @@ namespace volumen {
 
 namespace {
 
-// Null or of another size: the step has none.
+// Returns nothing if the volume is null or of another size.
 std::optional<StepValues> valuesOfStep(const VolumePtr& volume, const BitMask& mask, double factor) {
   if (!volume || volume->size() != mask.size()) return {};
   const SegmentValues values = valuesIn(mask, *volume);

@@ -9,8 +9,8 @@
 
 namespace volumen {
 
-/// The values of all segments, map after map, in each step of their series; `unit`: what the factors of the
-/// steps lead to. Takes its time; a cancelled one is half done.
+/// Returns the values of all segments at each time point of their series, map after map. `unit` is the unit
+/// of the values. Slow; a cancelled result is incomplete.
 SegmentsOverTime segmentsIn(const TimeSteps& steps, const std::vector<SegmentMap>& maps,
                             const std::string& unit, const Progress& progress = {},
                             const CancelToken& cancel = {});

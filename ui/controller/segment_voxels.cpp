@@ -16,7 +16,7 @@ bool isInGrid(glm::ivec3 voxel, glm::ivec3 size) {
          voxel.z < size.z;
 }
 
-// The voxel of the mask that is nearest to a place; none within so many voxels.
+// Returns the voxel of the mask nearest to a point; nothing if there is none within `within` voxels.
 std::optional<glm::ivec3> nearestIn(const BitMask& mask, glm::dvec3 pPatient, int within) {
   const VoxelGeometry& grid = mask.geometry();
   const glm::ivec3 middle(glm::floor(grid.voxelFromPatient(pPatient) + 0.5));
@@ -35,7 +35,7 @@ std::optional<glm::ivec3> nearestIn(const BitMask& mask, glm::dvec3 pPatient, in
 
 constexpr const char* partName = "Part";
 
-// The part of a segment with a leak guard stays alone, or goes.
+// Keeps or removes the component of a segment with a leak guard.
 StepsWanted guardedPart(const Step& connectedStep, const std::string& own, PartUse use, int number) {
   Step step = connectedStep;
   if (use == PartUse::keep) {
@@ -49,7 +49,7 @@ StepsWanted guardedPart(const Step& connectedStep, const std::string& own, PartU
 
 Result<StepsWanted> stepsOfPart(const PartWanted& wanted, const SegmentMap& map, int number,
                                 const CancelToken& cancel) {
-  constexpr int besideSurface = 2;  // voxels: where half of the light is stopped may be outside the range
+  constexpr int besideSurface = 2;  // voxels; the seen point may lie outside the range, at half the light
   const bool isOfRange = wanted.use == PartUse::add;
   const BitMask whole = isOfRange ? keptVoxelsInRange(*wanted.volume, wanted.range, wanted.mask, cancel)
                                   : maskOf(*map.labels, std::uint8_t(number));
@@ -64,7 +64,7 @@ Result<StepsWanted> stepsOfPart(const PartWanted& wanted, const SegmentMap& map,
   Step connectedStep{"connected", part, {{"at", at}, {"neighbours", wanted.neighbours}}};
   if (wanted.leakGuardMm > 0) {
     connectedStep.fields["leakGuardMm"] = wanted.leakGuardMm;
-    // Whether there is one does not depend on which voxels touch.
+    // Its existence does not depend on which voxels touch.
     if (connectedBeyond(whole, std::span(&*seed, 1), Neighbours::faces, wanted.leakGuardMm, cancel).empty())
       return Error{"What was clicked is thinner than twice the leak guard: make that smaller."};
     if (!isOfRange) return guardedPart(connectedStep, own, wanted.use, number);

@@ -9,23 +9,23 @@
 
 namespace volumen {
 
-/// What becomes of a connected part: a part of the range is added to the segment, a part of the segment is
-/// all that stays of it, or goes.
+/// Use of a connected component: one of the range is added to the segment; one of the segment is kept alone
+/// or removed.
 enum class PartUse { add, keep, remove };
 
-/// A place that was clicked, and what is done with the part there.
+/// A clicked point, and the use of the component there.
 struct PartWanted {
   VolumePtr volume;
   Mask mask;
   ValueRange range;
   glm::dvec3 pPatient;  ///< mm
-  bool onSurface;       ///< the nearest voxel within two of it counts
+  bool onSurface;       ///< whether the nearest voxel within two voxels counts
   PartUse use;
-  double leakGuardMm = 0;            ///< nothing goes through what is thinner than twice that
+  double leakGuardMm = 0;            ///< connections thinner than twice this are cut
   std::string neighbours = "faces";  ///< which voxels touch, a word of the step "connected"
 };
 
-/// The steps that do that to the segment of a number. The Error says why there is no part.
+/// Returns the steps for segment `number`. The Error says why there is no component.
 Result<StepsWanted> stepsOfPart(const PartWanted& wanted, const SegmentMap& map, int number,
                                 const CancelToken& cancel);
 

@@ -12,7 +12,7 @@ namespace volumen {
 
 namespace {
 
-// What steps make of a segment again; null where that is not what the map has.
+// Returns the segment made by the repeated steps; null if it differs from the map's.
 const Segment* madeAgain(const Segmented& made, const std::string& name, const BitMask& mask) {
   const auto found = std::ranges::find(made.segments, name, &Segment::label);
   if (found == made.segments.end()) return nullptr;

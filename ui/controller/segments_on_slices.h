@@ -11,11 +11,11 @@ namespace volumen {
 
 struct Series;
 
-/// As they are written. The maps have labels.
+/// Returns the maps in the form that is written. They have labels.
 std::vector<Segmented> segmentedOf(const std::vector<SegmentMap>& maps);
 
-/// The same with labels on the slices of the series as acquired, where some of these are not drawn: the steps
-/// that made a segment are done again there. An Error names a file that cannot be read.
+/// Returns the same with labels on the slices as acquired, if some of these are not drawn. The recorded steps
+/// of a segment run again there. An Error names a file that cannot be read.
 Result<std::vector<Segmented>> segmentedOnSlices(const std::vector<SegmentMap>& maps, const Series& series,
                                                  const CancelToken& cancel);
 

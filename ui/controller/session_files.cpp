@@ -51,14 +51,14 @@ void SessionFiles::tellModified() {
   Q_EMIT changed();
 }
 
-// Before the step that opened it the workspace was another one, which must not be written over it.
+// Before the step that opened it the workspace was another one, which must not overwrite the file.
 void SessionFiles::followUndo(int step) {
   if (closed_ && step <= closed_->step) {
     const Closed closed = *std::exchange(closed_, {});
     if (step == closed.step) become(closed.path, closed.written);
   }
   if (step >= openedAt_) return;
-  // A step that cancelled itself is gone without having been undone.
+  // A step that cancelled itself was removed without an undo.
   const bool isUndone = session_.undoStack().canRedo();
   openedAt_ = isUndone ? 0 : step;
   if (isUndone) become({}, {});

@@ -8,36 +8,36 @@
 
 namespace volumen {
 
-/// Which session file the workspace is in, and whether it holds something else by now; writes it as a job.
+/// Tracks the session file of the workspace and whether they differ, and writes the file as a job.
 class SessionFiles : public QObject {
   Q_OBJECT
  public:
   SessionFiles(Session& session, Jobs& jobs, QObject* parent = nullptr);
-  /// Waits for what is being written.
+  /// Waits until pending files are written.
   ~SessionFiles() override;
 
-  /// Empty: it is in none.
+  /// Returns the path, or an empty string if the workspace is in no file.
   const QString& path() const { return path_; }
-  /// Whether the workspace is not, or not as it is, in a file. The focus and what is closed count for
-  /// nothing.
+  /// Returns whether the workspace differs from its file or has none. The focus and closed series do not
+  /// count.
   bool modified() const;
-  /// What was made by hand, on closed series, too, and is in no file that was written or read.
+  /// Returns manual work, on closed series too, that is in no file written or read.
   HandWork unsavedWork() const { return without(workIn(session_.workspace()), saved_); }
 
-  /// This was written into a file of its own.
+  /// Reports that this work was written to a file of its own.
   void savedApart(const HandWork& work);
 
-  /// Ends in saved() or failed().
+  /// Saves the session; ends in saved() or failed().
   void save(const QString& path);
-  /// The workspace was read from this file just now.
+  /// Reports that the workspace was just read from this file.
   void opened(const QString& path);
-  /// It was restored; the file, if any, holds `saved` as yet.
+  /// Reports that the workspace was restored; the file, if any, still holds `saved`.
   void restored(const QString& path, const std::optional<Workspace>& saved);
 
  Q_SIGNALS:
   void saved(const QString& path);
   void failed(const QString& sentence);
-  /// Of path() or modified().
+  /// path() or modified() changed.
   void changed();
 
  private:
@@ -48,17 +48,17 @@ class SessionFiles : public QObject {
 
   Session& session_;
   QString path_;
-  std::optional<Workspace> written_;  // what the file holds
-  HandWork saved_;                    // what any file of this run holds
-  // The file whose workspace was closed by the step from this one on: undo brings it back.
+  std::optional<Workspace> written_;  // content of the file
+  HandWork saved_;                    // manual work in any file of this run
+  // The file of a workspace that was closed at undo step `step`; undo restores it.
   struct Closed {
     int step;
     QString path;
     std::optional<Workspace> written;
   };
   std::optional<Closed> closed_;
-  int openedAt_ = 0;  // the undo step from which on it is that file's
-  int became_ = 0;    // how often it became another file's, but by saving
+  int openedAt_ = 0;  // undo step from which on the workspace is that file's
+  int became_ = 0;    // number of changes of the file other than by saving
   bool modifiedTold_ = false;
   JobLane lane_;
 };

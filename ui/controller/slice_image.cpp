@@ -19,7 +19,7 @@ QImage greyImage(const SliceValues& slice, const GreyMapping& grey) {
   return image;
 }
 
-// Of 32 bits a pixel, so that rows follow each other without a gap.
+// The image has 32 bits per pixel, so that rows follow each other without a gap.
 std::span<std::uint32_t> pixelsOf(QImage& image) {
   return {reinterpret_cast<std::uint32_t*>(image.bits()),
           std::size_t(image.width()) * std::size_t(image.height())};
@@ -46,7 +46,7 @@ SlicePlane planeMovedBy(SlicePlane plane, const Rigid& rigid) {
 
 }  // namespace
 
-// The voxels of the range on the plane itself, whatever is shown under them.
+// Tints the voxels of the range on the plane itself, without slab or interpolation.
 Result<QImage> withTint(QImage picture, const SliceLayer& layer, SlicePlane plane) {
   plane.slabMm = 0;
   plane.interpolation = Interpolation::nearest;
@@ -58,7 +58,7 @@ Result<QImage> withTint(QImage picture, const SliceLayer& layer, SlicePlane plan
   const ValueRange range = layer.tinted->range;
   const std::span<std::uint32_t> pixels = pixelsOf(picture);
   for (std::size_t n = 0; n < pixels.size(); ++n)
-    if (holds(range, double(slice->values[n]))) pixels[n] = mixed(pixels[n]);  // NaN is in no range
+    if (holds(range, double(slice->values[n]))) pixels[n] = mixed(pixels[n]);  // no range contains NaN
   return picture;
 }
 

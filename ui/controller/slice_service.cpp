@@ -12,7 +12,7 @@ namespace volumen {
 
 namespace {
 
-// Over what lies underneath.
+// Adds tints and segments to the picture underneath.
 Result<QImage> withTintsAndSegments(Result<QImage> picture, const SliceRequest& request) {
   for (const SliceLayer& layer : request.layers)
     if (layer.tinted && picture) picture = withTint(std::move(*picture), layer, request.plane);
@@ -23,7 +23,7 @@ Result<QImage> withTintsAndSegments(Result<QImage> picture, const SliceRequest& 
 }
 
 struct SlicePictureOrNot {
-  std::optional<SliceRequest> request;  // none: it was dropped
+  std::optional<SliceRequest> request;  // empty if it was dropped
   Result<QImage> image = QImage();
 };
 
@@ -33,15 +33,15 @@ Result<QImage> drawSlice(const SliceRequest& request) {
   return withTintsAndSegments(drawUnderneath(request), request);
 }
 
-// What is asked for and not begun; for both threads.
+// Requests that are not begun; used by both threads.
 class SliceService::Queue {
  public:
   struct Turn {
     SliceRequest request;
-    std::shared_ptr<PictureUnderneath> underneath;  // of the lane's thread
+    std::shared_ptr<PictureUnderneath> underneath;  // for the lane's thread
   };
 
-  // False where it takes the place of one that waited.
+  // Returns false if it replaces a waiting request.
   bool ask(SliceRequest latest, bool isInFocus) {
     const std::lock_guard lock(mutex_);
     const auto before = std::ranges::find(waiting_, pictureOf(latest), &Waiting::picture);
@@ -74,7 +74,7 @@ class SliceService::Queue {
   }
 
  private:
-  using Picture = std::pair<ViewId, bool>;  // of a view, or of its lens
+  using Picture = std::pair<ViewId, bool>;  // a view, and whether it is its lens
   static Picture pictureOf(const SliceRequest& request) { return {request.view, request.ofLens}; }
   struct Waiting {
     SliceRequest request;
@@ -83,7 +83,7 @@ class SliceService::Queue {
   };
 
   std::mutex mutex_;
-  std::vector<Waiting> waiting_;  // in the order in which they were asked for
+  std::vector<Waiting> waiting_;  // in the order of the requests
   std::optional<Picture> last_;
   std::map<Picture, std::shared_ptr<PictureUnderneath>> underneath_;
 };

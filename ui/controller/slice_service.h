@@ -12,42 +12,42 @@
 
 namespace volumen {
 
-/// What a flat view shows.
+/// The content of a flat view.
 struct SliceRequest {
   ViewId view = 0;
-  std::vector<SliceLayer> layers;  ///< the first at the bottom
+  std::vector<SliceLayer> layers;  ///< first at the bottom
   SlicePlane plane;
-  LoadedFramePtr frame;    ///< drawn in place of the layers; null: none
-  bool withLayers = true;  ///< of a frame: overlays and shutters
+  LoadedFramePtr frame;    ///< drawn instead of the layers; null for none
+  bool withLayers = true;  ///< overlays and shutters of a frame
   std::vector<SegmentLayer> segments{};
-  bool ofLens = false;  ///< a part of the view, enlarged
+  bool ofLens = false;  ///< whether it is for the lens, a magnified part of the view
   bool operator==(const SliceRequest&) const = default;
 };
 
-/// A flat picture for the screen, whole.
+/// A complete flat picture for the screen.
 struct SlicePicture {
   SliceRequest request;
   QImage image;
 };
 
-/// The picture of a request, whole. The Error is that of sliceImage() or drawFrame().
+/// Returns the complete picture of a request. The Error is that of sliceImage() or drawFrame().
 Result<QImage> drawSlice(const SliceRequest& request);
 
-/// Draws flat pictures on a thread of its own, so that they never wait for a 3D one: of each view, and of its
-/// lens, the latest request, in the order in which they were asked for. Asking never waits.
+/// Draws flat pictures on its own thread, so that they never wait for 3D pictures. Of each view and of its
+/// lens only the latest request counts, in the order of the requests. No call waits.
 class SliceService : public QObject {
   Q_OBJECT
  public:
   explicit SliceService(QObject* parent = nullptr);
 
-  /// `isInFocus`: what the hand works in comes before others that wait, but not twice running before them.
+  /// Requests a picture. With `isInFocus` it precedes other waiting requests, but not twice in a row.
   void request(SliceRequest latest, bool isInFocus = false);
-  /// Gives up what is asked for of a view and of its lens.
+  /// Cancels the requests of a view and its lens.
   void drop(ViewId view);
 
  Q_SIGNALS:
   void ready(const volumen::SlicePicture& picture);
-  /// A sentence; not for what was replaced or dropped.
+  /// A sentence; not sent for replaced or dropped requests.
   void failed(int view, const QString& sentence);
 
  private:

@@ -17,7 +17,7 @@ namespace volumen {
 namespace {
 
 constexpr int tellEveryMs = 200;
-constexpr double leastPart = 0.02;  // below, no estimate is made
+constexpr double leastPart = 0.02;  // no estimate is made below this share
 
 QString leftText(double seconds) {
   if (seconds < 60) return Snapshot::tr("%1 s left").arg(std::ceil(seconds));
@@ -31,7 +31,7 @@ Scene sceneOf(const SnapshotRequest& request, int picture) {
   return shown;
 }
 
-// The path of a turntable none of whose pictures takes the place of a file: "CT Head (2).png".
+// Returns a path for a turntable that overwrites no file: "CT Head (2).png".
 QString freePath(const QString& path, int pictures) {
   const qsizetype dot = path.lastIndexOf(QLatin1Char('.'));
   const auto pathOf = [&](const std::string& name) { return QString::fromStdString(name) + path.mid(dot); };
@@ -73,14 +73,14 @@ void Snapshot::take(const SnapshotRequest& request) {
   if (shots_.size() == 1) begin();
 }
 
-// One that waits goes at once; the one under way ends as the render thread gives it up.
+// Removes a waiting snapshot at once. The one in progress ends when the render thread cancels it.
 void Snapshot::cancel(int job) {
   if (shots_.front().job.id() == job) return drawService_.cancelPictures();
   std::erase_if(shots_, [&](const Shot& shot) { return shot.job.id() == job; });
   Q_EMIT failed(tr("Cancelled."));
 }
 
-// The names of a turntable are chosen once those before it are written.
+// Chooses the file names of a turntable after the snapshots before it are written.
 void Snapshot::begin() {
   SnapshotRequest& request = shots_.front().request;
   if (request.pictures > 1) request.path = freePath(request.path, request.pictures);

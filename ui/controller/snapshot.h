@@ -11,23 +11,23 @@
 
 namespace volumen {
 
-/// Takes snapshots, one after the other, each a job: drawn by the render thread, written by another. Each
-/// that is asked for ends in saved(), copied() or failed().
+/// Takes snapshots one after another, each as a job. The render thread draws them, another thread writes
+/// them. Each request ends in saved(), copied() or failed().
 class Snapshot : public QObject {
   Q_OBJECT
  public:
   Snapshot(DrawService& drawService, Jobs& jobs, QObject* parent = nullptr);
   ~Snapshot() override;
 
-  /// Where to ask what was measured of exactly the picture that a plan draws: written with it.
+  /// Sets the source of the measured error of exactly the picture of a plan; it is written with the picture.
   void setMeasured(std::function<std::optional<MeasuredError>(const Plan&)> measured) {
     measured_ = std::move(measured);
   }
-  /// Of what was seen then, whatever is on show when it is drawn.
+  /// Takes a snapshot of the requested content, whatever is on screen when it is drawn.
   void take(const SnapshotRequest& request);
 
  Q_SIGNALS:
-  /// Of several pictures: the last one's path.
+  /// `path` is the last one if there are several pictures.
   void saved(const QString& path, int pictures);
   void copied();
   void failed(const QString& sentence);
@@ -36,8 +36,8 @@ class Snapshot : public QObject {
   struct Shot {
     SnapshotRequest request;
     Job job;
-    int drawn = 0;    // pictures of it
-    double part = 0;  // told last
+    int drawn = 0;    // number of its pictures drawn
+    double part = 0;  // reported last
     QElapsedTimer clock;
   };
 
@@ -51,14 +51,14 @@ class Snapshot : public QObject {
 
   DrawService& drawService_;
   Jobs& jobs_;
-  std::deque<Shot> shots_;  // the first is under way
-  int number_ = 0;          // of the picture asked for
+  std::deque<Shot> shots_;  // the first is in progress
+  int number_ = 0;          // of the requested picture
   QTimer tick_;
   std::function<std::optional<MeasuredError>(const Plan&)> measured_;
   JobLane writing_;
 };
 
-/// "head.png" and 7 -> "head-007.png".
+/// Returns "head-007.png" for "head.png" and 7.
 QString numberedPath(const QString& path, int number);
 
 }  // namespace volumen

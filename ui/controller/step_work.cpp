@@ -20,7 +20,7 @@ const Segment* segmentCalled(const SegmentMap& map, const std::string& name) {
   return found == map.segments.end() ? nullptr : &*found;
 }
 
-// What people call the segments that it calls by numbers.
+// Replaces numbers of segments in a sentence by their names.
 std::string namedIn(std::string sentence, const SegmentMap& map) {
   for (const Segment& segment : map.segments) {
     const std::string quoted = '"' + stepNameOf(segment.number) + '"';
@@ -32,7 +32,7 @@ std::string namedIn(std::string sentence, const SegmentMap& map) {
   return sentence;
 }
 
-// The masks of all that steps begin with; those of segments are in the map.
+// Returns the masks of all segments that the steps start from.
 NamedMasks masksFor(const StepsWanted& wanted, const SegmentMap& map) {
   NamedMasks masks = wanted.given;
   for (const Step& step : wanted.steps)
@@ -42,8 +42,9 @@ NamedMasks masksFor(const StepsWanted& wanted, const SegmentMap& map) {
   return masks;
 }
 
-// What a segment with this mask takes from others, and what locked ones keep of it: all that steps with other
-// numbers might make overlap, and of what is made by hand all that does.
+// The steps by which a segment takes voxels from others and leaves those of locked ones. They cover all
+// segments that might overlap if the steps ran with other numbers. For manual work they cover actual overlaps
+// only.
 class Taking {
  public:
   Taking(const std::vector<Step>& steps) : byHand_(madeByHand(steps)) {
@@ -51,7 +52,7 @@ class Taking {
       for (std::string& name : changedBy(step)) changed_.insert(std::move(name));
   }
 
-  /// `later` come to their voxels behind it, and take them from it.
+  /// `later` are segments that get their voxels afterwards and take them from it.
   std::vector<Step> steps(const SegmentMap& map, int number, const BitMask& mask,
                           std::span<const int> later) const {
     const std::string own = stepNameOf(number);
@@ -136,7 +137,7 @@ StepsWanted keptIn(StepsWanted wanted, const std::vector<std::string>& names, co
   return wanted;
 }
 
-// After each part the next one is the second in size.
+// After each step the next largest part is the second in size.
 Result<StepsWanted> stepsOfSplit(SegmentMap& map, int number, double leastMl, const CancelToken& cancel) {
   const Segment whole = *findSegment(map, number);
   const std::string own = stepNameOf(number);

@@ -8,31 +8,30 @@
 
 namespace volumen {
 
-/// Steps that are to be done on the segments of a map.
+/// Steps to run on the segments of a map.
 struct StepsWanted {
-  std::vector<Step> steps;   ///< segments are called as their map's record does (segment_record.h)
-  std::vector<int> numbers;  ///< the segments that they come to: each takes its voxels from those before it
-  bool areApart = false;     ///< these share no voxel with each other, or with any that no step changes
-  NamedMasks given{};        ///< what steps "byHand" of helpers are
+  std::vector<Step> steps;   ///< segments are named as in their map's record (segment_record.h)
+  std::vector<int> numbers;  ///< resulting segments; each takes its voxels from those before it
+  bool areApart = false;     ///< whether they share no voxel with each other or with any unchanged segment
+  NamedMasks given{};        ///< masks of the "byHand" steps of helpers
 };
 
-/// With these steps done, which take voxels from all segments but those of them that are locked, and recorded
-/// with what that takes. None of `numbers` may be locked. The Error is that of a step, or "Cancelled.".
+/// Returns the map with these steps run and recorded. They take voxels from all other segments except locked
+/// ones; this is recorded too. None of `numbers` may be locked. The Error is that of a step, or "Cancelled.".
 Result<SegmentMap> withStepsDone(SegmentMap map, const StepsWanted& wanted, const Volume& volume,
                                  const CancelToken& cancel);
 
-/// What to call, in steps behind these, the voxels that the mask leaves: what makes them is added. Empty
-/// where it takes nothing away.
+/// Adds the steps that make the voxels the mask leaves. Returns their name for later steps, or an empty
+/// string if the mask removes nothing.
 std::string keptName(StepsWanted& wanted, const Volume& volume, const Mask& mask, const CancelToken& cancel);
 
-/// With steps behind them that take from a segment what the mask takes from the volume; from several the
-/// same.
+/// Returns the steps followed by steps that remove masked voxels from the named segments.
 StepsWanted keptIn(StepsWanted wanted, const std::vector<std::string>& names, const Volume& volume,
                    const Mask& mask, const CancelToken& cancel);
 
-/// The steps that make of a segment its parts of at least so many ml, each a segment: the largest part, and
-/// all that is smaller, stays. `map` gets the new ones. The Error: it has no second such part, or there are
-/// more than numbers for them.
+/// Returns the steps that turn the parts of a segment of at least `leastMl` into segments. The largest part
+/// and all smaller ones stay. `map` gets the new segments. The Error: there is no second such part, or there
+/// are more parts than free numbers.
 Result<StepsWanted> stepsOfSplit(SegmentMap& map, int number, double leastMl, const CancelToken& cancel);
 
 }  // namespace volumen

@@ -13,48 +13,49 @@
 
 namespace volumen {
 
-/// What the study browser wants to list.
+/// A query of the study browser.
 struct StudyListRequest {
-  std::string words;  ///< as typed; empty: all studies, and those opened last
+  std::string words;  ///< as typed; empty for all studies and those opened last
   StudySort sort;
   bool operator==(const StudyListRequest&) const = default;
 };
 
-/// Where studies are listed and opened from: the index of this machine, an archive. Asking never waits: what
-/// is asked ends in a signal. What takes its time is a job of the list, and ends in none where it is
-/// cancelled there. Numbers of studies and series are the source's own.
+/// A source of studies: the index of this machine, or an archive. No call waits; each ends in a signal. Slow
+/// work is a job in the list, and sends no signal if it is cancelled there. Numbers of studies and series are
+/// local to the source.
 class StudySource : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
 
-  /// What tells it from other sources, and the studies opened from it from theirs: "index".
+  /// Returns the identifier of the source and of studies opened from it: "index".
   virtual QString key() const = 0;
-  /// For people.
+  /// Returns the name shown to the user.
   virtual QString name() const = 0;
-  /// Under which a study of it stands among what is open.
+  /// Returns the path under which a study of this source is listed among open studies.
   QString placeOf(std::int64_t study) const { return QStringLiteral("%1:%2").arg(key()).arg(study); }
 
-  /// Ends in listed(), or in unavailable() where there is nothing to ask. Of what is asked meanwhile the
-  /// newest alone need be answered.
+  /// Lists studies. Ends in listed(), or in unavailable() if the source cannot be queried. Of several pending
+  /// requests only the latest needs an answer.
   virtual void list(const StudyListRequest& request) = 0;
-  /// Ends in seriesListed().
+  /// Lists the series of a study; ends in seriesListed().
   virtual void series(std::int64_t study) = 0;
-  /// Ends in patientListed(): all studies of a patient of this ID and name, in no order. Here: there are
-  /// none.
+  /// Lists all studies of a patient with this ID and name, unordered. Ends in patientListed(). The base class
+  /// returns none.
   virtual void studiesOf(const std::string& patientId, const std::string& patientName);
-  /// Ends in thumbnailMade() for each; those wanted before and not begun are given up. Here: there are none.
+  /// Makes thumbnails; ends in thumbnailMade() for each. Earlier requests not begun are cancelled. The base
+  /// class makes none.
   virtual void wantThumbnails(const std::vector<std::int64_t>& series);
-  /// Ends in filesFound(), once the files of the study are on this machine, or in notOpened().
+  /// Opens a choice. Ends in filesFound() once the files of the study are on this machine, or in notOpened().
   virtual void open(const IndexedChoice& choice, OpenHow how) = 0;
 
-  /// Whether import() does anything; here it does not.
+  /// Returns whether import() is supported; false in the base class.
   virtual bool canImport() const { return false; }
-  /// Reads all below these paths into it, after what is being imported already. Ends in importEnded().
+  /// Imports everything below these paths, after pending imports. Ends in importEnded().
   virtual void import(const QStringList&) {}
-  /// Whether studies can be taken out of it; here they cannot.
+  /// Returns whether studies can be removed; false in the base class.
   virtual bool canRemove() const { return false; }
-  /// Takes studies out of it, and back into it; never deletes files. Ends in changed().
+  /// Removes studies from the source, and restores them; never deletes files. Ends in changed().
   virtual void remove(const std::vector<std::int64_t>&) {}
   virtual void undoRemove(const std::vector<std::int64_t>&) {}
 
@@ -62,25 +63,25 @@ class StudySource : public QObject {
   /// The answer to this request.
   void listed(const volumen::StudyListRequest& request, const volumen::StudyListPtr& list);
   void seriesListed(qint64 study, const volumen::SeriesListPtr& series);
-  /// None: they could not be asked for.
+  /// `studies` is empty if the source could not be queried.
   void patientListed(const std::string& patientId, const std::string& patientName,
                      const std::optional<std::vector<volumen::IndexedStudy>>& studies);
-  /// Null: there is none.
+  /// `thumbnail` is null if there is none.
   void thumbnailMade(qint64 series, const QImage& thumbnail);
-  /// The files of the study of a choice, and what was asked for, with the series of the choice.
+  /// The files of a chosen study, and the intent with the chosen series.
   void filesFound(const volumen::IndexedChoice& choice, const std::vector<std::string>& files,
                   const volumen::OpenIntent& intent);
-  /// Why a choice is not opened: a sentence.
+  /// A sentence why a choice is not opened.
   void notOpened(const volumen::IndexedChoice& choice, const QString& sentence);
-  /// It holds something else now.
+  /// The content of the source changed.
   void changed();
   void importBegun();
   void importEnded(const volumen::ImportReport& report);
-  /// A sentence on what was asked last, but for notOpened().
+  /// A sentence about the last call, other than notOpened().
   void failed(const QString& sentence);
-  /// Why nothing can be asked.
+  /// A sentence why the source cannot be queried.
   void unavailable(const QString& sentence);
-  /// What is to be known of it, told once: a damaged index was put aside.
+  /// A notice about the source, sent once: a damaged index was put aside.
   void noticed(const QString& sentence);
 };
 

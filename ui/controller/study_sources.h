@@ -9,29 +9,30 @@
 namespace volumen {
 
 using StudySourceList = std::vector<std::unique_ptr<StudySource>>;
-/// Makes the sources that there are, in the order in which they are offered; `indexFolder`: of the index.
+/// Makes the available sources in the order in which they are offered. `indexFolder` is the folder of the
+/// index.
 using MakeStudySources = std::function<StudySourceList(const std::string& indexFolder, Jobs& jobs)>;
 
-/// All that this program knows.
+/// Makes all sources of this program.
 StudySourceList makeStudySources(const std::string& indexFolder, Jobs& jobs);
 
-/// The sources of studies, one of which is listed.
+/// The sources of studies; one of them is listed.
 class StudySources : public QObject {
   Q_OBJECT
  public:
-  /// At least one; the first is listed.
+  /// `all` has at least one source; the first is listed.
   explicit StudySources(StudySourceList all) : all_(std::move(all)) {}
 
   const StudySourceList& all() const { return all_; }
-  /// The one that is listed.
+  /// Returns the listed source.
   StudySource& current() const { return *all_[current_]; }
-  /// The first that studies can be imported into; null: there is none.
+  /// Returns the first source that supports imports, or null.
   StudySource* importer() const;
-  /// Lists this one of all().
+  /// Lists source `n` of all().
   void choose(std::size_t n);
 
  Q_SIGNALS:
-  /// Another one is listed.
+  /// Another source is listed.
   void chosen();
 
  private:

@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// A file of more voxels is not read for a thumbnail.
+// Files with more voxels are not read for a thumbnail.
 constexpr std::int64_t mostVoxels = 1 << 24;
 
 bool canBeRead(const Series& series) {
@@ -36,7 +36,7 @@ void Thumbnails::request(const Series& series) {
         return image;
       },
       [this, series](const Result<QImage>& image) {
-        // Where the series itself cannot be read, a click on it says why.
+        // If the series cannot be read, a click on it says why.
         if (image) Q_EMIT made(series, *image);
       });
 }

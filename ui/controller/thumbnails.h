@@ -7,19 +7,19 @@
 
 namespace volumen {
 
-/// In the middle of a square of `edge` pixels, transparent where the thumbnail does not fill it.
+/// Returns a thumbnail centred in a transparent square of `edge` pixels.
 QImage squareThumbnail(const QImage& thumbnail, int edge);
 
-/// Makes square thumbnails of series on a thread of its own, one after the other.
+/// Makes square thumbnails of series on its own thread, one after another.
 class Thumbnails : public QObject {
   Q_OBJECT
  public:
   explicit Thumbnails(int edge, QObject* parent = nullptr);
 
-  /// Ends in made(), but where the series cannot be read or is one large file that would have to be read
-  /// whole.
+  /// Requests a thumbnail; ends in made(). There is none if the series cannot be read or is one large file
+  /// that would have to be read whole.
   void request(const Series& series);
-  /// Forgets all requests.
+  /// Cancels all requests.
   void cancel() { lane_.giveUpAll(); }
 
  Q_SIGNALS:

@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// The one behind it goes first; a clip goes on with the first after the last.
+// Requests the next time point first; clips wrap around to the first one.
 std::vector<SeriesKey> neighboursOf(const Workspace& workspace, const SeriesKey& series) {
   const std::vector<const Series*> steps = timePointsOf(workspace, series);
   const auto at = std::ranges::find(steps, series, [](const Series* s) { return keyOf(*s); });
@@ -23,7 +23,7 @@ std::vector<SeriesKey> neighboursOf(const Workspace& workspace, const SeriesKey&
 
 TimePointsAhead::TimePointsAhead(Session& session, Loader& loader, QObject* parent)
     : QObject(parent), session_(session), loader_(loader) {
-  // Afterwards: a change may ask for another series.
+  // Runs later, because a change may request another series.
   connect(&session_, &Session::workspaceChanged, this,
           [this] { QMetaObject::invokeMethod(this, &TimePointsAhead::look, Qt::QueuedConnection); });
   connect(&loader_, &Loader::loadedAhead, &session_, &Session::keep);
@@ -38,7 +38,7 @@ void TimePointsAhead::look() {
   if (seen_.lock() != shown) {
     seen_ = shown;
     wanted_ = neighboursOf(workspace, view.series);
-    // The steps of a series are of one grid and size.
+    // The time points of a series have one grid and size.
     while (!wanted_.empty() && !session_.pool().hasRoomFor(wanted_.size() * shown->volume->bytes()))
       wanted_.pop_back();
   }

@@ -9,8 +9,8 @@ namespace volumen {
 
 class Loader;
 
-/// Has the time points next to the one of the view in focus loaded before they are asked for, on both sides,
-/// where the memory for series has room for them beside what is on screen.
+/// Loads the time points before and after the one in focus ahead of time, if memory for series has room
+/// beside what is on screen.
 class TimePointsAhead : public QObject {
   Q_OBJECT
  public:
@@ -22,8 +22,8 @@ class TimePointsAhead : public QObject {
 
   Session& session_;
   Loader& loader_;
-  std::weak_ptr<const LoadedSeries> seen_;  // the one that `wanted_` lie next to
-  std::vector<SeriesKey> wanted_;           // those not looked for yet
+  std::weak_ptr<const LoadedSeries> seen_;  // series whose neighbours are in `wanted_`
+  std::vector<SeriesKey> wanted_;           // neighbours not requested yet
 };
 
 }  // namespace volumen

@@ -12,28 +12,28 @@
 
 namespace volumen {
 
-/// A step of a series, and its voxels where they are in memory.
+/// A time point of a series, and its voxels if they are in memory.
 struct TimeStep {
   Series series;
   VolumePtr volume{};
   ValueScale scale{};
 };
 
-/// The steps of a series, itself included, and where each stands.
+/// The time points of a series including itself, and their positions on the axis.
 struct TimeSteps {
   std::vector<TimeStep> all;
   StepAxis axis;
 };
-/// Of these, which are in order; none is in memory. Their scales: in `unit` of PET.
+/// Returns these time points, which are in order; none is in memory. Their scales are in `unit` for PET.
 TimeSteps timeStepsOf(const std::vector<const Series*>& steps, PetUnit unit);
-/// Of a series that the workspace knows, in the unit that is shown.
+/// Returns the time points of a series in the workspace, in the unit shown.
 TimeSteps timeStepsOf(const Session& session, const SeriesKey& series);
 
-/// What values of a step are times that to be in a unit; none: they are in another one, such as those of a
-/// PET that lacks what its SUV takes.
+/// Returns the factor from stored values of a time point to `unit`. Returns nothing if they have another
+/// unit, such as a PET without the data for SUV.
 std::optional<double> factorTo(const std::string& unit, const TimeStep& step);
 
-/// The volume of a step, read where it is not in memory; null: it cannot be read. Takes its time.
+/// Returns the volume of a time point and reads it if needed; null if it cannot be read. Slow.
 VolumePtr volumeOf(const TimeStep& step, const Progress& progress, const CancelToken& cancel);
 
 }  // namespace volumen

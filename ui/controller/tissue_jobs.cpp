@@ -12,7 +12,7 @@ namespace volumen {
 
 namespace {
 
-// What is left of the voxels that were there before is that of before.
+// Reuses the part of the old result whose voxels are unchanged.
 Result<MadeTissue> withTissueLeft(MadeTissue wanted, const std::optional<MadeTissue>& before,
                                   const CancelToken& cancel) try {
   const Volume& volume = *wanted.of->volume;
@@ -53,7 +53,7 @@ TissueJobs::TissueJobs(Session& session, const SegmentPainter& painter, Jobs& jo
     : QObject(parent), session_(session), painter_(painter), lane_(&jobs) {
   connect(&session_, &Session::workspaceChanged, this, &TissueJobs::next);
   connect(&session_, &Session::preferencesChanged, this, &TissueJobs::next);
-  // From the event loop: Esc undoes the steps since the press once the stroke has ended.
+  // From the event loop, because Esc undoes the steps since the press once the stroke has ended.
   connect(&painter_, &SegmentPainter::ended, this, &TissueJobs::next, Qt::QueuedConnection);
   next();
 }
@@ -62,7 +62,7 @@ void TissueJobs::drew(const SeriesKey& series) {
   if (drawn_.insert(series).second) next();
 }
 
-// Of what was drawn, where there is memory for a second volume beside it.
+// Applies to series already drawn, if memory has room for a second volume.
 bool TissueJobs::leavesTableOut(const LoadedSeriesPtr& series) const {
   if (!series || series->series.modality != "CT" || series->series.curved) return false;
   const SeriesKey key = keyOf(series->series);
@@ -85,7 +85,7 @@ void TissueJobs::next() {
   if (wanted) begin(*wanted);
 }
 
-// Of the series in 3D views on screen the first for which it is not made.
+// Returns the first series in 3D views on screen whose volume is missing.
 std::optional<MadeTissue> TissueJobs::firstWanted() const {
   const Workspace& workspace = session_.workspace();
   for (const ViewId id : viewsOnScreen(workspace)) {
@@ -101,7 +101,7 @@ std::optional<MadeTissue> TissueJobs::firstWanted() const {
   return {};
 }
 
-// Where there is no table nothing is left out, which is not looked for again.
+// If there is no table, nothing is removed and the search is not repeated.
 void TissueJobs::take(MadeTissue made) {
   if (made.withoutTable && made.left && !made.patient) {
     withoutTable_[keyOf(made.of->series)] = made.of;
@@ -111,7 +111,7 @@ void TissueJobs::take(MadeTissue made) {
   next();
 }
 
-// What could not be made, or was cancelled, is not begun again until something of it changes.
+// Failed or cancelled volumes are retried only after a change.
 void TissueJobs::begin(const MadeTissue& wanted) {
   std::optional<MadeTissue> before;
   for (const MadeTissue& made : session_.tissues())

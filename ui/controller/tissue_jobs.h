@@ -10,21 +10,20 @@
 
 namespace volumen {
 
-/// Makes what 3D views on screen draw of series whose tissue is not shown everywhere, and of CT without the
-/// table, whenever their segments or what is taken away of them changed: a series at a time, as a job; of a
-/// stroke once it ends. What is wanted no longer is given up. Until it is made the session keeps what was
-/// there before.
+/// Makes the volumes that 3D views on screen draw for series with hidden tissue, and for CT without the
+/// table. It does so when their segments or mask have changed: one series at a time, as a job, and a stroke
+/// once it ends. Obsolete jobs are cancelled. Until a volume is ready the session keeps the old one.
 class TissueJobs : public QObject {
   Q_OBJECT
  public:
   TissueJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent = nullptr);
 
-  /// A series was drawn as it is: only then is the table of a CT left out, so that the first picture does not
-  /// wait.
+  /// Reports that a series was drawn unchanged. Only then is the table of a CT removed, so that the first
+  /// picture does not wait.
   void drew(const SeriesKey& series);
 
  Q_SIGNALS:
-  /// A sentence; not for what was cancelled.
+  /// A sentence; not sent for cancelled work.
   void failed(const QString& sentence);
 
  private:
@@ -36,9 +35,9 @@ class TissueJobs : public QObject {
 
   Session& session_;
   const SegmentPainter& painter_;
-  std::optional<MadeTissue> underWay_;  // the last that was begun
+  std::optional<MadeTissue> underWay_;  // the last one begun
   std::set<SeriesKey> drawn_;
-  std::map<SeriesKey, std::weak_ptr<const LoadedSeries>> withoutTable_;  // in which no table was found
+  std::map<SeriesKey, std::weak_ptr<const LoadedSeries>> withoutTable_;  // CT in which no table was found
   JobLane lane_;
 };
 

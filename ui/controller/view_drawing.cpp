@@ -11,7 +11,7 @@ Pass ViewDrawing::draftPass(PictureLevel rest) const {
 }
 
 void ViewDrawing::drew(const ScreenPicture& picture, const ScreenRequest& request) {
-  // What is made once for the volume says nothing about the next picture, and a full picture at rest nothing
+  // Work done once per volume says nothing about the next picture, and full pictures at rest say nothing
   // about drafts.
   const double ms = std::max(0.0, picture.ms - picture.stats.gradientsMs);
   const Pass pass{picture.quality, picture.factor, picture.step};

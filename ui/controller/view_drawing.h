@@ -4,10 +4,10 @@
 
 namespace volumen {
 
-/// One view of one volume: what draws it, with its caches, and what that takes. On the render thread only.
+/// Draws one volume for one view, with caches and time measurements. For the render thread only.
 class ViewDrawing {
  public:
-  /// `shownAt`: a number of the showing of this volume in the view.
+  /// `shownAt` is the number of the call that showed this volume in the view.
   ViewDrawing(VolumePtr volume, int shownAt, Draw draw)
       : volume_(std::move(volume)), shownAt_(shownAt), draw_(std::move(draw)) {}
 
@@ -15,17 +15,17 @@ class ViewDrawing {
   int shownAt() const { return shownAt_; }
   const Draw& draw() const { return draw_; }
 
-  /// A draft, but never finer than the picture at rest.
+  /// Returns the pass of a draft, never finer than the picture at rest.
   Pass draftPass(PictureLevel rest) const;
-  /// The factor of a first picture between that draft and the picture at rest, where that takes long.
+  /// Returns the factor of a first picture between the draft and a slow picture at rest.
   std::optional<double> factorOfFirst(PictureLevel rest) const {
     return cost_.factorOfFirst(drafted_, rest.edge);
   }
-  /// Whether the same scene is on screen in as many pixels, if only as a draft.
+  /// Returns whether the same scene is on screen at the same size, at least as a draft.
   bool isSeen(const ScreenRequest& request) const {
     return seen_ && seen_->scene == request.scene && seen_->pixels == request.pixels;
   }
-  /// A picture of the request was drawn: learns from its time.
+  /// Records the time of a picture of the request.
   void drew(const ScreenPicture& picture, const ScreenRequest& request);
 
  private:

@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// Up shifts the curve to lower values, right widens it.
+// Dragging up shifts the curve to lower values, dragging right widens it.
 class CurveDrag : public SceneDrag {
  public:
   explicit CurveDrag(const ScenePress& press) : press_(press) {}
@@ -30,7 +30,7 @@ class CurveDrag : public SceneDrag {
   const ScenePress press_;
 };
 
-// Up makes all of it more opaque.
+// Dragging up makes everything more opaque.
 class OpacityDrag : public SceneDrag {
  public:
   explicit OpacityDrag(const ScenePress& press) : press_(press) {}
@@ -48,7 +48,7 @@ class OpacityDrag : public SceneDrag {
   const ScenePress press_;
 };
 
-// Of projections, as in slices.
+// Changes the window of projections, as in slices.
 class SceneWindowDrag : public SceneDrag {
  public:
   explicit SceneWindowDrag(const ScenePress& press)

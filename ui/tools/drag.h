@@ -12,54 +12,54 @@ struct Measurement;
 struct SeriesKey;
 struct SlicePlane;
 
-/// What is seen through a lens.
+/// The lens of the magnifier.
 struct Enlarged {
-  QPointF at;         ///< its middle, where the picture is enlarged about
-  double factor = 1;  ///< how much larger than in the view
+  QPointF at;         ///< centre of the lens; the image is enlarged about it
+  double factor = 1;  ///< magnification relative to the view
 };
 
-/// What the mouse does in a view between a press and its release, or of several presses: edits of one
-/// gesture. Places are in the view's logical pixels.
+/// A mouse gesture in a view, over one or several presses. Its edits are one gesture, so one undo step.
+/// Positions are in logical pixels of the view.
 class Drag {
  public:
   virtual ~Drag() = default;
-  /// The pointer, and the keys held; between two presses too.
+  /// Follows the pointer and the held keys, also between two presses.
   virtual void moveTo(QPointF p, Qt::KeyboardModifiers keys) = 0;
-  /// Another press, of a drag that goes on.
+  /// Handles a further press of a gesture that lasts over several presses.
   virtual void press(QPointF) {}
-  /// The button was released; whether that ends it.
+  /// Handles the release of the button. Returns true if it ends the gesture.
   virtual bool release(QPointF, Qt::KeyboardModifiers) { return true; }
-  /// Enter or a double-click; whether that ends it.
+  /// Handles Enter or a double-click. Returns true if it ends the gesture.
   virtual bool finish() { return true; }
-  /// A key was pressed; whether it is taken: nothing else hears of it.
+  /// Handles a key press. Returns true if the key is consumed.
   virtual bool takesKey(int /*key*/) { return false; }
-  /// What it draws that is no part of the workspace yet; null: nothing.
+  /// Returns the measurement being drawn, which is not yet in the workspace, or null.
   virtual const Measurement* drawing() const { return nullptr; }
-  /// Whether that has numbers.
+  /// Returns whether drawing() has numbers to show.
   virtual bool isMeasured() const { return true; }
-  /// Whether it draws over the picture what is no part of the workspace yet, and draws that over a picture of
-  /// `size` logical pixels.
+  /// Returns whether paint() draws something over the image that is not yet in the workspace. `size` is the
+  /// size of the image in logical pixels.
   virtual bool drawsOver() const { return false; }
   virtual void paint(QPainter&, QSizeF /*size*/) const {}
-  /// It ends before it is done, where a view says so.
+  /// Cancels the gesture. A view calls it.
   virtual void giveUp() {}
-  /// The lens that it holds; none: it holds none.
+  /// Returns the lens, or nothing if the gesture has none.
   virtual std::optional<Enlarged> enlarged() const { return {}; }
-  /// Whether the view may be scrolled under it: what it draws reaches across slices.
+  /// Returns whether the view may scroll during the gesture, because the drawing spans several slices.
   virtual bool scrolls() const { return false; }
-  /// Of one that scrolls: the plane that the view shows now, in device pixels.
+  /// Receives the plane now shown, in device pixels, if scrolls() is true.
   virtual void planeChanged(const SlicePlane&) {}
-  /// So many notches of the wheel, up is positive; whether they mean something to it.
+  /// Handles `notches` of the wheel, positive upwards. Returns true if the gesture uses them.
   virtual bool wheel(double /*notches*/) { return false; }
 };
 
-/// The same in a 3D view. What is drawn over it is given up where the view is resized, or its camera moved by
-/// something else: it would lie over another place.
+/// A mouse gesture in a 3D view. Drawings over the view are cancelled if the view is resized or its camera is
+/// moved otherwise, because they would lie elsewhere.
 class SceneDrag : public Drag {
  public:
-  /// Whether it goes on where the view shows this series by now, another step in time too.
+  /// Returns whether the gesture continues if the view now shows this series, such as another time point.
   virtual bool goesOnIn(const SeriesKey&) const { return true; }
-  /// Whether a press that did not move points at a place.
+  /// Returns whether a press without a movement selects a position.
   virtual bool pointsWhereStill() const { return false; }
 };
 

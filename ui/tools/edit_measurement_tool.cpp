@@ -7,7 +7,7 @@ namespace volumen {
 
 namespace {
 
-// Moves a part of a measurement by as much as the pointer, from where it was at the press.
+// Moves a part of a measurement by the movement of the pointer since the press.
 class MeasurementDrag : public Drag {
  public:
   MeasurementDrag(const SlicePress& press, const MeasurementHit& hit)
@@ -23,13 +23,13 @@ class MeasurementDrag : public Drag {
         m.shape = withHandleAt(m.shape, hit_.handle, handlesOf(m.shape)[hit_.handle] + way, unit());
       else
         m.shape = movedBy(m.shape, way);
-      // It no longer lies where it was picked in 3D.
+      // The shape no longer lies where it was picked in 3D.
       if (m.shape.points != atPress_.shape.points) m.shape.softMm.reset();
     });
   }
 
  private:
-  // Points of frames count pixels.
+  // Points on frames are in pixels.
   glm::dvec3 unit() const {
     return press_.frame ? press_.series->volume->geometry().spacing() : glm::dvec3(1);
   }

@@ -10,10 +10,10 @@ namespace volumen {
 
 namespace {
 
-constexpr double leastBallPixels = 3;  // logical; a smaller ball is a click
+constexpr double leastBallPixels = 3;  // logical; a smaller sphere is a click
 const QColor ballColour(0xff, 0xd5, 0x4f);
 
-// The ball goes through the pointer, in whichever slice that is.
+// The surface of the sphere passes through the pointer, in any slice.
 class LesionDrag : public Drag {
  public:
   explicit LesionDrag(const SlicePress& press)
@@ -47,7 +47,7 @@ class LesionDrag : public Drag {
   }
 
   const SlicePress press_;
-  SlicePlane plane_;  // that is shown, device pixels
+  SlicePlane plane_;  // the plane shown, in device pixels
   const glm::dvec3 pMiddle_;
   double radiusMm_ = 0;
 };

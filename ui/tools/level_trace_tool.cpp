@@ -11,14 +11,14 @@ namespace {
 
 const QColor traceColour(0x80, 0xde, 0xea);
 
-// The values of the slice that was traced last: the pointer moves over one slice for a while.
+// Caches the values of the last traced slice, because the pointer stays on one slice for a while.
 struct TracedSlice {
   std::weak_ptr<const Volume> volume;
   SlicePlane plane;
   SliceValues values;
 };
 
-// Device pixels; empty outside the volume.
+// Returns the contour in device pixels; empty outside the volume.
 std::vector<glm::dvec2> traceAt(const SlicePress& pointer) {
   static TracedSlice last;
   const VolumePtr& volume = pointer.series->volume;
@@ -46,7 +46,7 @@ void paintLevelTrace(QPainter& painter, const SlicePress& shown) {
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
-// A click is all of it. Ctrl: what is inside is erased.
+// The click does it all. With Ctrl the inside is erased.
 std::unique_ptr<Drag> beginLevelTrace(const SlicePress& pressed) {
   if (!pressed.paint) return nullptr;
   const SlicePress press = ofPainted(pressed);

@@ -7,7 +7,7 @@ namespace volumen {
 
 namespace {
 
-// A lens about the pointer; the workspace stays as it is.
+// Shows a lens at the pointer without changing the workspace.
 class MagnifierDrag : public Drag {
  public:
   explicit MagnifierDrag(const SlicePress& press) : seen_{press.at, 2} {}

@@ -12,16 +12,16 @@ namespace volumen {
 
 namespace {
 
-constexpr double clickPixels = 3;     // logical; a shorter way is a click and no drag
-constexpr double freehandPixels = 3;  // logical, from one point of an outline to the next
+constexpr double clickPixels = 3;     // logical; shorter movements are clicks, not drags
+constexpr double freehandPixels = 3;  // logical, between two points of an outline
 
-// Draws a shape point by point. The last point follows the pointer until it is released away from the one
-// before, so that a line is made by a drag as by two clicks. Of two lines the second one begins with a press
-// of its own.
+// Draws a shape point by point. The last point follows the pointer until it is released away from the point
+// before, so one drag or two clicks make a line. In shapes of two lines, the second line starts with its own
+// press.
 class ShapeDrag : public Drag {
  public:
   ShapeDrag(const SlicePress& press, ShapeKind kind) : press_(press), rule_(ruleOf(kind)) {
-    drawn_.id = -1 - press.view;  // none of the workspace's
+    drawn_.id = -1 - press.view;  // not an id of the workspace
     drawn_.series = keyOf(press.series->series);
     drawn_.shape.kind = kind;
     drawn_.shape.frame = press.frame;
@@ -65,7 +65,7 @@ class ShapeDrag : public Drag {
  private:
   std::vector<glm::dvec3>& points() { return drawn_.shape.points; }
 
-  // Both its ends, the second one to follow the pointer.
+  // Adds both ends of a line; the second follows the pointer.
   void beginLine(QPointF p) {
     addPoint(p);
     if (rule_.most > 1) addPoint(p);
@@ -83,7 +83,8 @@ class ShapeDrag : public Drag {
     places_.back() = p;
   }
 
-  // Where the last point may lie: a short axis at right angles to the long one, widths of a chest level.
+  // Constrains the last point: a short axis is perpendicular to the long one, widths of a chest are
+  // horizontal.
   QPointF constrained(QPointF p) const {
     if (rule_.kind == ShapeKind::cardiothoracic) return {p.x(), places_[places_.size() - 2].y()};
     if (rule_.kind != ShapeKind::bidirectional || places_.size() < 4) return p;
@@ -91,7 +92,7 @@ class ShapeDrag : public Drag {
     return from + across * (QPointF::dotProduct(p - from, across) / QPointF::dotProduct(across, across));
   }
 
-  // Logical pixels from the last point but one to the last; from slice to slice as many as it is far.
+  // Returns the length of the last segment in logical pixels; across slices it is the distance in space.
   double lastSegment() const {
     const std::vector<glm::dvec3>& p = drawn_.shape.points;
     if (scrolls())
@@ -109,8 +110,8 @@ class ShapeDrag : public Drag {
   SlicePress press_;
   const ShapeRule& rule_;
   Measurement drawn_;
-  std::vector<QPointF> places_;  // of its points
-  bool following_ = false;       // the last point follows the pointer
+  std::vector<QPointF> places_;  // positions of the points in the view
+  bool following_ = false;       // whether the last point follows the pointer
 };
 
 template <ShapeKind kind>

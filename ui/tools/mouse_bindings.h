@@ -9,12 +9,12 @@
 
 namespace volumen {
 
-/// Kinds of views in which the mouse means different things: slices and frames, and 3D.
+/// Kinds of views with their own bindings: `flat` for slices and frames, `scene` for 3D.
 enum class MousePlace { flat, scene };
-/// What a hand does with the mouse; `move`: the pointer goes over the view, no button held.
+/// Inputs of the mouse. `move` is a movement over the view with no button held.
 enum class MouseInput { left, middle, right, wheel, move };
 
-/// What something can be bound to: an input with Shift, Ctrl, Alt or none of them held.
+/// An input together with Shift, Ctrl, Alt or none of them.
 struct MouseSlot {
   MousePlace place;
   MouseInput input;
@@ -22,50 +22,49 @@ struct MouseSlot {
   bool operator==(const MouseSlot&) const = default;
 };
 
-/// The key of these that counts: the first of Shift, Ctrl, Alt.
+/// Returns the modifier that counts: the first of Shift, Ctrl, Alt.
 Qt::KeyboardModifier heldOf(Qt::KeyboardModifiers keys);
-/// Of a button that is pressed.
+/// Returns the slot of a pressed button.
 MouseSlot slotOf(MousePlace place, Qt::MouseButton button, Qt::KeyboardModifiers keys);
 
-/// All that can be bound. The left button alone is not among them: it is the chosen tool's; nor is the
-/// pointer without a key held, which only points.
+/// Returns all slots that can be bound. The left button without a modifier is missing because it belongs to
+/// the chosen tool. A movement without a modifier is missing because it only points.
 const std::vector<MouseSlot>& mouseSlots();
-/// As preferences keep it: "flat.right", "scene.Ctrl+wheel".
+/// Returns the name of a slot in the preferences: "flat.right", "scene.Ctrl+wheel".
 std::string wordOf(const MouseSlot& slot);
 
-/// What can be bound to a slot: a tool by its name, "chosen", "none", or of the wheel "scroll", "fast",
-/// "zoom", "slab", "pan".
+/// An action for a slot: the name of a tool, "chosen" or "none". For the wheel also "scroll", "fast", "zoom",
+/// "slab", "pan".
 struct MouseAction {
   std::string word;
-  QString text;  ///< for people
+  QString text;  ///< shown to the user
 };
 const std::vector<MouseAction>& mouseActions(const MouseSlot& slot);
 
-/// What all slots are bound to under one name. A modifier without a row of its own changes nothing; a left
-/// button without one is the chosen tool's, anything else does nothing.
+/// A named set of bindings for all slots. A slot with a modifier but without a row acts as without the
+/// modifier. A left button without a row is the chosen tool's; other slots without a row do nothing.
 ///
-/// - "volumen": what most viewers do: middle pans, right zooms, the wheel scrolls, Ctrl+wheel zooms.
-/// - "weasis": MouseActions.java of Weasis 4: middle pans, right opens the menu, the wheel scrolls; Alt+wheel
-/// is
-///   its thickness of the slab.
-/// - "slicer": Docs/user_guide/user_interface.md of 3D Slicer, "Slice views" and "3D views".
-/// - "radiant": from memory, no manual of RadiAnt could be read: right changes the window, middle pans,
+/// - "volumen" is what most viewers do: middle pans, right zooms, the wheel scrolls, Ctrl+wheel zooms.
+/// - "weasis" follows MouseActions.java of Weasis 4: middle pans, right opens the menu, the wheel scrolls,
+///   Alt+wheel sets the slab thickness.
+/// - "slicer" follows Docs/user_guide/user_interface.md of 3D Slicer, "Slice views" and "3D views".
+/// - "radiant" is from memory, as no manual of RadiAnt could be read: right changes the window, middle pans,
 ///   Shift+move is its 3D cursor.
-/// - "oneButton", "trackpad": our own: the left button with a key pans, zooms and scrolls; two fingers pan.
+/// - "oneButton" and "trackpad" are our own: the left button with a modifier pans, zooms and scrolls. On a
+///   trackpad two fingers pan.
 struct MousePreset {
   std::string name;
   QString text;
-  std::map<std::string, std::string> rows;  ///< word of a slot -> word of an action
+  std::map<std::string, std::string> rows;  ///< name of a slot -> name of an action
 };
-/// The first is the one at first.
+/// Returns all presets; the first is the default.
 const std::vector<MousePreset>& mousePresets();
 
-/// The word of the action that a slot is bound to; what a person's preferences name that does not exist is
-/// passed over.
+/// Returns the name of the action bound to a slot. Unknown actions in the preferences are ignored.
 std::string boundTo(const Preferences& preferences, const MouseSlot& slot);
-/// With another action there.
+/// Returns the preferences with `action` bound to `slot`.
 Preferences withBound(Preferences preferences, const MouseSlot& slot, const std::string& action);
-/// With all of a preset, and nothing else.
+/// Returns the preferences with a preset and without own bindings.
 Preferences withMousePreset(Preferences preferences, const std::string& name);
 
 }  // namespace volumen

@@ -7,17 +7,17 @@ namespace volumen {
 
 namespace {
 
-constexpr double outlinePixels = 3;  // logical, from one point of a drag to the next
+constexpr double outlinePixels = 3;  // logical, between two points of a drag
 constexpr std::size_t fewestCorners = 3;
 
 using OutlinePoints = std::vector<glm::dvec3>;
 
-// Draws an outline by one drag, or point by point with the last one at the pointer.
+// Draws an outline by one drag, or point by point with the last point at the pointer.
 class OutlineDrag : public Drag {
  public:
   OutlineDrag(const SlicePress& press, std::function<void(const OutlinePoints&)> done)
       : press_(press), done_(std::move(done)) {
-    drawn_.id = -1 - press.view;  // none of the workspace's
+    drawn_.id = -1 - press.view;  // not an id of the workspace
     drawn_.series = keyOf(press.series->series);
     drawn_.shape.kind = ShapeKind::freehand;
     drawn_.shape.frame = press.frame;
@@ -52,7 +52,7 @@ class OutlineDrag : public Drag {
     return true;
   }
 
-  // The plane stays; Backspace takes the last point back.
+  // All other keys are consumed so that the plane stays. Backspace removes the last point.
   bool takesKey(int key) override {
     if (key == Qt::Key_Backspace && !isDrag_ && points().size() > 2) {
       points().erase(points().end() - 2);
@@ -80,11 +80,11 @@ class OutlineDrag : public Drag {
   const SlicePress press_;
   const std::function<void(const OutlinePoints&)> done_;
   Measurement drawn_;
-  std::vector<QPointF> places_;  // of its points
-  bool isDrag_ = true;           // the button of the first press is held
+  std::vector<QPointF> places_;  // positions of the points in the view
+  bool isDrag_ = true;           // whether the button of the first press is held
 };
 
-// Ctrl as it began: erases.
+// Ctrl at the start of the outline erases.
 void paintInside(const SlicePress& drawnIn, OutlinePoints points) {
   const SlicePress press = ofPainted(drawnIn);
   SegmentStroke stroke;

@@ -14,8 +14,8 @@ namespace {
 constexpr double brushStep = 1.2;
 constexpr double smartDeviations = 2.5;
 
-// Paints where the brush goes; Ctrl as it begins: erases. A smart one paints what is joined to the pointer of
-// values as were under it when it was pressed.
+// Paints along the path of the brush; Ctrl at the press erases. The smart brush paints voxels connected to
+// the pointer with values like those under the brush at the press.
 class PaintDrag : public Drag {
  public:
   PaintDrag(const SlicePress& press, bool isSmart)
@@ -34,7 +34,7 @@ class PaintDrag : public Drag {
   }
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override { goTo(p); }
-  // The plane stays.
+  // All other keys are consumed so that the plane stays.
   bool takesKey(int key) override { return key != Qt::Key_Escape; }
 
  private:
@@ -49,7 +49,7 @@ class PaintDrag : public Drag {
     last_ = at;
     press_.paint(stroke_);
   }
-  // What the brush covers from the last place to another.
+  // Returns the voxels the brush covers on the way from the last position to `at`.
   VoxelSpans under(glm::dvec3 at) const {
     const Brush& brush = press_.session.preferences().brush;
     const VoxelGeometry& grid = press_.series->volume->geometry();
@@ -60,7 +60,7 @@ class PaintDrag : public Drag {
 
   const SlicePress press_;
   const bool isSmart_;
-  std::optional<ValueRange> range_;  // that a smart one paints; none: nothing
+  std::optional<ValueRange> range_;  // values the smart brush paints; empty if it paints nothing
   glm::dvec3 last_;                  // mm
   SegmentStroke stroke_;
 };

@@ -21,7 +21,7 @@ class SlicePanDrag : public Drag {
   const FlatLook atPress_;
 };
 
-// What was pressed follows the pointer.
+// The pressed point follows the pointer.
 class ScenePanDrag : public SceneDrag {
  public:
   explicit ScenePanDrag(const ScenePress& press) : press_(press) {}

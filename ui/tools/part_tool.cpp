@@ -2,7 +2,7 @@
 
 namespace volumen {
 
-// A click is all of it: what becomes of the part is the panel's.
+// The click does it all; the panel decides what happens to the component.
 
 std::unique_ptr<Drag> beginPart(const SlicePress& pressed) {
   const SlicePress press = ofPainted(pressed);

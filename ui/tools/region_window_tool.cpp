@@ -13,9 +13,9 @@ namespace volumen {
 namespace {
 
 constexpr double leastPixels = 4;    // logical; a smaller box is a click
-constexpr double mostSamples = 3e5;  // some milliseconds of one core
+constexpr double mostSamples = 3e5;  // takes some milliseconds on one core
 
-// What is seen in a box, without padding; of a large box as many places as are quickly read.
+// Returns the values seen in a box, without padding. Large boxes are sampled at most `mostSamples` times.
 std::vector<float> valuesIn(const SlicePress& press, const QRectF& box) {
   const Volume& volume = *press.series->volume;
   SlicePlane plane = press.plane;
@@ -32,11 +32,11 @@ std::vector<float> valuesIn(const SlicePress& press, const QRectF& box) {
   return std::move(seen->values);
 }
 
-// A box is drawn, and what is seen in it gets the whole range of grey.
+// Draws a box and sets the window to the values seen in it.
 class RegionWindowDrag : public Drag {
  public:
   explicit RegionWindowDrag(const SlicePress& press) : press_(press), to_(press.at) {
-    box_.id = -1 - press.view;  // none of the workspace's
+    box_.id = -1 - press.view;  // not an id of the workspace
     box_.series = keyOf(press.series->series);
     box_.shape.kind = ShapeKind::rectangle;
     box_.shape.frame = press.frame;

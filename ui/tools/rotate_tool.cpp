@@ -10,7 +10,7 @@ namespace {
 
 constexpr double turnPerPixel = 0.008;  // rad
 
-// Turns about what was pressed.
+// Rotates the camera about the pressed point.
 class OrbitDrag : public SceneDrag {
  public:
   explicit OrbitDrag(const ScenePress& press) : press_(press) {}
@@ -25,7 +25,7 @@ class OrbitDrag : public SceneDrag {
   const ScenePress press_;
 };
 
-// Turns the picture about its middle.
+// Rotates the image about its centre.
 class RollDrag : public SceneDrag {
  public:
   explicit RollDrag(const ScenePress& press) : press_(press) {}

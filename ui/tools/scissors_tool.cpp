@@ -21,7 +21,7 @@ QPainterPath pathOf(const std::vector<glm::dvec2>& outline) {
   return path;
 }
 
-// Cuts away what is drawn around; Ctrl: what is not.
+// Cuts away the inside of the outline; with Ctrl the outside.
 class ScissorsDrag : public SceneDrag {
  public:
   ScissorsDrag(const ScenePress& press, std::function<void(const Lasso&)> done)
@@ -44,7 +44,7 @@ class ScissorsDrag : public SceneDrag {
 
   bool drawsOver() const override { return true; }
 
-  // What is to go is shaded.
+  // The part to be cut away is shaded.
   void paint(QPainter& painter, QSizeF size) const override {
     const QPainterPath drawn = pathOf(outline_);
     QPainterPath all;

@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// The whole stack over the height of the view, but at least two pixels a slice.
+// The height of the view scrolls through the whole stack, at two pixels or more per slice.
 class ScrollDrag : public Drag {
  public:
   explicit ScrollDrag(const SlicePress& press)

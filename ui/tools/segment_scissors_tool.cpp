@@ -6,7 +6,7 @@ namespace volumen {
 
 namespace {
 
-// Along the normal of the slice. Ctrl as it began: all else goes.
+// Cuts along the normal of the slice. Ctrl at the start of the outline removes the outside.
 SegmentCut cutInSlice(const SlicePress& drawnIn, const std::vector<glm::dvec3>& outline) {
   const SlicePress press = ofPainted(drawnIn);
   SegmentCut cut{keyOf(press.series->series)};

@@ -9,14 +9,14 @@ namespace volumen {
 
 namespace {
 
-constexpr double clickOnSurface = 3;  // logical pixels; a shorter way is a click and no drag
+constexpr double clickOnSurface = 3;  // logical pixels; shorter movements are clicks, not drags
 
-// Draws a shape point by point on what is seen. The last point follows the pointer, and stays where it was
-// while nothing is seen there, until it is released away from the one before: by a drag as by two clicks.
+// Draws a shape point by point on the surface seen. The last point follows the pointer and waits where no
+// surface is seen. Released away from the point before, it stays, so one drag or two clicks make a line.
 class SurfaceShapeDrag : public SceneDrag {
  public:
   SurfaceShapeDrag(const ScenePress& press, ShapeKind kind) : press_(press), rule_(ruleOf(kind)) {
-    drawn_.id = -1 - press.view;  // none of the workspace's
+    drawn_.id = -1 - press.view;  // not an id of the workspace
     drawn_.series = keyOf(press.series->series);
     drawn_.shape.kind = kind;
     points_ = {*press.surfaceAt(press.at), *press.surfaceAt(press.at)};
@@ -66,10 +66,11 @@ class SurfaceShapeDrag : public SceneDrag {
   const ShapeRule& rule_;
   Measurement drawn_;
   std::vector<SurfacePoint> points_;
-  QPointF placed_;  // where the last point but one was put
+  QPointF placed_;  // position of the last but one point
 };
 
-// Moves a point of a measurement over what is seen, by as much as the pointer; a click moves nothing.
+// Moves a point of a measurement over the surface seen, by the movement of the pointer. A click moves
+// nothing.
 class SurfacePointDrag : public SceneDrag {
  public:
   SurfacePointDrag(const ScenePress& press, int measurement, std::size_t point, QPointF seenAt)

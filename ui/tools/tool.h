@@ -16,43 +16,43 @@
 
 namespace volumen {
 
-/// A place that was clicked to take the connected part there.
+/// A click that selects a connected component.
 struct PartClick {
   SeriesKey series;
   glm::dvec3 pPatient;     ///< mm
-  bool onSurface = false;  ///< of a surface seen in 3D, which lies between voxels
+  bool onSurface = false;  ///< on a surface in a 3D view, which lies between voxels
   Qt::KeyboardModifiers keys{};
-  bool onFrame = false;  ///< a picture that is no slice of a volume
+  bool onFrame = false;  ///< on a frame that is not a slice of a volume
 };
 
-/// A ball that is drawn about a place of a slice.
+/// A sphere drawn about a point of a slice.
 struct DrawnBall {
   enum class State { drawing, done, givenUp };
   SeriesKey series;
-  glm::dvec3 pPatient;  ///< its middle, mm
+  glm::dvec3 pPatient;  ///< centre, mm
   double radiusMm = 0;
   State state = State::drawing;
-  bool onFrame = false;  ///< of a picture that is no slice of a volume
+  bool onFrame = false;  ///< on a frame that is not a slice of a volume
 };
 
-/// A view of slices or frames when the mouse was pressed, as far as tools know it.
+/// The state of a view of slices or frames at the press of a button, as tools need it.
 struct SlicePress {
   Session& session;
   ViewId view;
   LoadedSeriesPtr series;
   SlicePlane plane;                   ///< in device pixels
-  double pixelRatio;                  ///< device pixels a logical one
+  double pixelRatio;                  ///< device pixels per logical pixel
   QPointF at;                         ///< logical pixels
-  Window window{};                    ///< in use
-  std::optional<ShapeFrame> frame{};  ///< of frames: which; shapes are drawn on it
+  Window window{};                    ///< the one in use
+  std::optional<ShapeFrame> frame{};  ///< the frame shapes are drawn on, if the view shows frames
   Qt::KeyboardModifiers keys{};
-  /// Takes the connected part of a place; none where it is no press of the mouse.
+  /// Selects the connected component at a point; empty if no mouse button was pressed.
   std::function<void(const PartClick& click)> takePart{};
-  /// Paints a part of a stroke into the current segment; none where it is no press of the mouse.
+  /// Paints a part of a stroke into the current segment; empty if no mouse button was pressed.
   std::function<void(const SegmentStroke& stroke)> paint{};
-  /// Hears of a ball as it is drawn; none likewise.
+  /// Receives the sphere while it is drawn; empty if no mouse button was pressed.
   std::function<void(const DrawnBall& ball)> takeBall{};
-  /// Cuts the current segment; none likewise.
+  /// Cuts the current segment; empty if no mouse button was pressed.
   std::function<void(const SegmentCut& cut)> cutSegment{};
 
   glm::dvec3 patientAt(QPointF p) const {
@@ -62,7 +62,7 @@ struct SlicePress {
     const glm::dvec2 p = plane.pixelFromPatient(pPatient) / pixelRatio;
     return {p.x, p.y};
   }
-  /// Where shapes have a point: in the patient, or in pixels of the frame.
+  /// Returns the point `p` in the coordinates of shapes: patient mm, or pixels of the frame.
   glm::dvec3 shapePointAt(QPointF p) const {
     if (!frame) return patientAt(p);
     const glm::dvec3 pixel = series->volume->geometry().voxelFromPatient(patientAt(p));
@@ -70,61 +70,66 @@ struct SlicePress {
   }
 };
 
-/// A place of a surface that is seen in 3D.
+/// A point on a surface seen in a 3D view.
 struct SurfacePoint {
   glm::dvec3 pPatient;  ///< mm
   double softMm;        ///< Shape::softMm
 };
 
-/// A 3D view when the mouse was pressed, as far as tools know it.
+/// The state of a 3D view at the press of a button, as tools need it.
 struct ScenePress {
   Session& session;
   ViewId view;
   LoadedSeriesPtr series;
-  Scene scene;  ///< its camera is the one in use
-  QPointF at;   ///< logical pixels, as are
+  Scene scene;  ///< with the camera in use
+  QPointF at;   ///< logical pixels, as is `size`
   glm::dvec2 size;
   Qt::KeyboardModifiers keys;
-  std::optional<glm::dvec3> seen;  ///< patient mm: what is seen there; none: nothing
-  /// Makes this the camera of the view; steps of one name in a gesture are one.
+  std::optional<glm::dvec3> seen;  ///< the point seen there, patient mm; empty if nothing is seen
+  /// Sets the camera of the view. Changes with the same `text` within a gesture are one undo step.
   std::function<void(const QString& text, const Camera& camera)> moveCamera;
-  /// Takes away what was drawn around.
+  /// Removes the material inside or outside an outline.
   std::function<void(const Lasso& lasso)> cut;
-  /// The surface that is seen at a place of the view, whatever moved its camera since; none: nothing, or a
-  /// projection.
+  /// Returns the surface seen at a point of the view, with the camera as it is now. Returns nothing if no
+  /// surface is seen or the view is a projection.
   std::function<std::optional<SurfacePoint>(QPointF p)> surfaceAt{};
-  /// Says that nothing is seen there that could be measured on.
+  /// Reports that there is nothing to measure on at this point.
   std::function<void(QPointF p)> missed{};
-  /// Takes the connected part of a place.
+  /// Selects the connected component at a point.
   std::function<void(const PartClick& click)> takePart{};
   /// Cuts the current segment.
   std::function<void(const SegmentCut& cut)> cutSegment{};
 
   const Camera& camera() const { return *scene.camera; }
-  /// What turns and moves go about.
+  /// Returns the point that rotations and pans refer to.
   glm::dvec3 pivot() const { return seen.value_or(*camera().target); }
 };
 
-/// What a drag does: in slices and frames, in 3D, or in both.
+/// A tool for the mouse in slices and frames, in 3D, or in both.
 struct Tool {
   const char* name;
   QString text;
   Qt::CursorShape cursor;
-  /// Null: nothing there. A drag that is null: the press was all of it.
+  /// Starts the gesture in slices or frames. A null function means that the tool does nothing there; a null
+  /// result means that the press was all of it.
   std::unique_ptr<Drag> (*inSlices)(const SlicePress& press) = nullptr;
-  std::unique_ptr<SceneDrag> (*inScene)(const ScenePress& press) = nullptr;  ///< the same
-  int key = 0;             ///< chooses it in a view in which it does something; 0: none
+  std::unique_ptr<SceneDrag> (*inScene)(const ScenePress& press) = nullptr;  ///< the same in 3D
+  /// Key that selects the tool in a view where it works; 0 if there is none.
+  int key = 0;
   bool measuring = false;  ///< draws a measurement; its icon is "measure-NAME"
-  bool stays = false;      ///< of what is drawn: in hand after one, until Esc
-  bool looking = false;    ///< changes nothing, whatever lies under the press
-  bool box = false;     ///< a box or an outline is drawn, of which something is made that is no measurement
-  bool clicks = false;  ///< each press acts on what is there, however soon it follows; in hand until Esc
+  bool stays = false;      ///< stays selected after one drawing, until Esc
+  bool looking = false;    ///< changes nothing, whatever is under the pointer
+  /// Draws a box or an outline for something other than a measurement.
+  bool box = false;
+  /// Each press acts at its position, also in quick succession; the tool stays selected until Esc.
+  bool clicks = false;
   void (*paintAt)(QPainter& painter,
-                  const SlicePress& pointer) = nullptr;   ///< drawn in slices at the pointer
-  bool (*takesKey)(Session& session, int key) = nullptr;  ///< a key in slices; whether it is taken
+                  const SlicePress& pointer) = nullptr;  ///< drawn in slices at the pointer
+  /// Handles a key in slices. Returns true if the key is consumed.
+  bool (*takesKey)(Session& session, int key) = nullptr;
 
-  /// Whether it has the left button in all views where it does something, after which, or after Esc, the
-  /// tool before is in hand again.
+  /// Returns whether the tool takes the left button in all views where it works. When it ends, or after Esc,
+  /// the tool selected before is active again.
   bool draws() const { return measuring || box || clicks; }
 };
 
@@ -133,28 +138,29 @@ enum class MeasurementPart { handle, line, text };
 struct MeasurementHit {
   int id = 0;
   MeasurementPart part = MeasurementPart::line;
-  std::size_t handle = 0;    ///< which of handlesOf()
-  glm::dvec3 textOffset{0};  ///< of where its text stands now (Measurement::textOffset)
-  bool movable = true;       ///< false: the plane only cuts it
+  std::size_t handle = 0;    ///< index in handlesOf()
+  glm::dvec3 textOffset{0};  ///< Measurement::textOffset of the text as shown
+  bool movable = true;       ///< false if the plane only cuts it
 };
 
-/// All of them; each is a file of this folder, those that measure are one.
+/// Returns all tools. Each has a file in this folder; measuring tools share one.
 const std::vector<Tool>& tools();
-/// The tool of this name; there must be one.
+/// Returns the tool with this name, which must exist.
 const Tool& toolNamed(std::string_view name);
-/// The tool of a key in slices; null: it is none's.
+/// Returns the slice tool with this key, or null.
 const Tool* sliceToolOfKey(int key);
-/// Those of 3D that have a key and draw nothing: they are chosen for the left button.
+/// Returns the 3D tools that have a key and draw nothing, which can be bound to the left button.
 std::vector<const Tool*> chosenSceneTools();
 
 std::unique_ptr<SceneDrag> beginRotate(const ScenePress& press);
 std::unique_ptr<SceneDrag> beginCurve(const ScenePress& press);
 std::unique_ptr<SceneDrag> beginScissors(const ScenePress& press);
-/// Draws around something; `done` hears of it at its end, Ctrl then meaning all else.
+/// Draws a lasso. `done` receives it at the end; with Ctrl held it selects the outside.
 std::unique_ptr<SceneDrag> drawLasso(const ScenePress& press, std::function<void(const Lasso& lasso)> done);
-/// Draws a measurement on what is seen; null, and missed(), where nothing is.
+/// Draws a measurement on the surface seen. Calls missed() and returns null if there is none.
 std::unique_ptr<SceneDrag> beginSurfaceShape(const ScenePress& press, ShapeKind kind);
-/// Moves a point of a measurement, seen there, over what is seen; a way shorter than a drag's moves nothing.
+/// Moves a point of a measurement, seen at `seenAt`, over the surface seen. Movements too short for a drag
+/// change nothing.
 std::unique_ptr<SceneDrag> beginSurfacePoint(const ScenePress& press, int measurement, std::size_t point,
                                              QPointF seenAt);
 std::unique_ptr<SceneDrag> beginScenePan(const ScenePress& press);
@@ -164,70 +170,72 @@ std::unique_ptr<Drag> beginSlicePan(const SlicePress& press);
 std::unique_ptr<Drag> beginSliceZoom(const SlicePress& press);
 std::unique_ptr<Drag> beginScroll(const SlicePress& press);
 std::unique_ptr<Drag> beginRegionWindow(const SlicePress& press);
-/// Takes the connected part of a voxel, or of the surface that is seen.
+/// Selects the connected component at a voxel, or at the surface seen in 3D.
 std::unique_ptr<Drag> beginPart(const SlicePress& press);
 std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press);
-/// A press as tools that change segments have it: where the panel Segments is about the series that lies over
-/// the one shown, of that series and with the plane in its space.
+/// Returns the press for tools that edit segments. If the Segments panel belongs to the overlaid series, the
+/// result has that series and the plane in its patient space.
 SlicePress ofPainted(SlicePress press);
-/// Paints the current segment by a brush, or erases: a disc in the slice, or a ball.
+/// Paints or erases in the current segment with a brush: a disc in the slice, or a sphere.
 std::unique_ptr<Drag> beginPaint(const SlicePress& press);
-/// The same, but only what is joined to the pointer and alike to what was under the brush as it was pressed.
+/// Paints with the brush only voxels that are connected to the pointer and similar to those under the brush
+/// at the press.
 std::unique_ptr<Drag> beginSmartBrush(const SlicePress& press);
-/// Draws the brush, as large as it is in the patient.
+/// Draws the outline of the brush at its size in the patient.
 void paintBrushAt(QPainter& painter, const SlicePress& pointer);
-/// + and - change the brush by 20 %.
+/// Changes the brush diameter by 20 % on + and -.
 bool resizeBrush(Session& session, int key);
-/// Paints or erases what is drawn around.
+/// Paints or erases the inside of an outline.
 std::unique_ptr<Drag> beginOutline(const SlicePress& press);
-/// Draws an outline by one drag, or point by point; `done` hears of its points once it is closed.
+/// Draws an outline by one drag, or point by point. `done` receives its points once it is closed.
 std::unique_ptr<Drag> drawOutline(const SlicePress& press,
                                   std::function<void(const std::vector<glm::dvec3>& points)> done);
-/// Takes from the current segment what is drawn around, or all else: through all of it, or as deep as is
-/// chosen.
+/// Removes the inside or the outside of an outline from the current segment, through the whole segment or to
+/// the chosen depth.
 std::unique_ptr<Drag> beginSegmentScissors(const SlicePress& press);
-/// The same along the lines of sight, through all of it.
+/// Does the same along the lines of sight, through the whole segment.
 std::unique_ptr<SceneDrag> beginSceneSegmentScissors(const ScenePress& press);
-/// Draws a ball about the place that was pressed, in which a lesion is looked for.
+/// Draws a sphere about the pressed point in which a lesion is searched.
 std::unique_ptr<Drag> beginLesion(const SlicePress& press);
-/// Paints or erases what the closed line at the value that was pressed goes around.
+/// Paints or erases the inside of the closed contour at the pressed value.
 std::unique_ptr<Drag> beginLevelTrace(const SlicePress& press);
-/// Draws the line that a press would take.
+/// Draws the contour that a press would fill.
 void paintLevelTrace(QPainter& painter, const SlicePress& pointer);
 std::unique_ptr<Drag> beginCrosshair(const SlicePress& press);
 std::unique_ptr<Drag> beginMagnifier(const SlicePress& press);
-/// Of Enlarged::factor.
+/// Limits of Enlarged::factor.
 inline constexpr double leastEnlarged = 1.5, mostEnlarged = 8;
 
-/// Turns the other planes about the crosshair as the pointer goes around it.
+/// Rotates the other planes about the crosshair as the pointer circles it.
 std::unique_ptr<Drag> beginTurn(const SlicePress& press);
-/// Moves a plane across its line; `across`: a unit vector, logical pixels.
+/// Moves a plane perpendicular to its line. `across` is a unit vector in logical pixels.
 std::unique_ptr<Drag> beginMovePlane(const SlicePress& press, QPointF across);
-/// Those that draw a measurement, one a kind that is drawn.
+/// Returns the measuring tools, one for each shape that can be drawn.
 std::vector<Tool> measuringTools();
-/// Moves the part of a measurement that was pressed.
+/// Moves the pressed part of a measurement.
 std::unique_ptr<Drag> beginMeasurementEdit(const SlicePress& press, const MeasurementHit& hit);
 
-/// Paints where a slice cuts a ball about a place of its patient space, mm, and the radius of the ball.
+/// Paints the intersection of a slice with a sphere, and its radius. `pMiddle` is in mm of the slice's
+/// patient space.
 void paintBall(QPainter& painter, const SlicePlane& plane, double pixelRatio, glm::dvec3 pMiddle,
                double radiusMm);
 
-/// How much faster than the pointer a window follows it: Shift: fine, Ctrl: fast.
+/// Returns the speed of window drags relative to the pointer: Shift is fine, Ctrl fast.
 double windowDragSpeed(Qt::KeyboardModifiers keys);
-/// How the view shows its series.
+/// Returns how the view shows its series.
 FlatLook lookOf(const SlicePress& press);
-/// Changes how a flat view shows its series; steps of one name in a gesture are one.
+/// Changes how a flat view shows its series. Changes with the same `text` within a gesture are one undo step.
 void editFlat(Session& session, ViewId view, const QString& text,
               const std::function<void(FlatLook&)>& change);
-/// Shows another frame of a view that shows frames; as many as there are.
+/// Shows another frame in a view of frames; `frame` is clamped to those that exist.
 void showFrame(Session& session, ViewId view, int frame);
-/// Moves the crosshair of a view's series, and turns it.
+/// Moves and rotates the crosshair of a view's series.
 void setCrosshair(Session& session, ViewId view, const LoadedSeries& series, const QString& text,
                   const Crosshair& after);
-/// Moves it alone.
+/// Moves the crosshair without rotating it.
 void moveCrosshair(Session& session, ViewId view, const LoadedSeries& series, const QString& text,
                    glm::dvec3 pPatient);
-/// Enlarges a flat view about a point, which stays where it is. `plane` shows `from`.
+/// Zooms a flat view about `fixed`, which stays in place. `plane` is the plane of `from`.
 void zoomFlat(Session& session, ViewId view, const FlatLook& from, const SlicePlane& plane, glm::dvec3 fixed,
               double factor);
 

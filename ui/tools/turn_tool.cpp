@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Turns the other planes of the frame of reference about the crosshair, in the plane of the view.
+// Rotates the other planes of the frame of reference about the crosshair, in the plane of the view.
 class TurnDrag : public Drag {
  public:
   explicit TurnDrag(const SlicePress& press)
@@ -32,7 +32,7 @@ class TurnDrag : public Drag {
   const Crosshair atPress_;
 };
 
-// Moves the crosshair across a line: the plane that the line stands for.
+// Moves the plane of a line by moving the crosshair perpendicular to the line.
 class MovePlaneDrag : public Drag {
  public:
   MovePlaneDrag(const SlicePress& press, QPointF across)

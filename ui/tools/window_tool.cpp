@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Right widens, up brightens; a step is a share of the width at the press.
+// Dragging right widens, up brightens. The speed is proportional to the width at the press.
 class WindowDrag : public Drag {
  public:
   explicit WindowDrag(const SlicePress& press) : press_(press) {}

@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// Up enlarges about the point pressed.
+// Dragging up enlarges about the pressed point.
 double zoomFactor(const Session& session, double down) {
   return std::exp((session.preferences().zoomDragInverted ? -0.008 : 0.008) * down);
 }
@@ -38,7 +38,7 @@ class SceneZoomDrag : public SceneDrag {
   }
 
  private:
-  // Where nothing is seen, the place at the target's depth.
+  // Returns the point at the target's depth if nothing is seen.
   static glm::dvec3 fixedPlace(const ScenePress& press) {
     if (press.seen || press.camera().projection != Projection::parallel) return press.pivot();
     return sightLine(press.camera(), press.size, {press.at.x(), press.at.y()}).origin;

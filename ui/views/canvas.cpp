@@ -43,7 +43,7 @@ class GlCanvas : public QOpenGLWidget {
     if (error == GL_OUT_OF_MEMORY || !context()->isValid()) giveUp();
   }
 
-  // An invalid context is never painted with; seen only once the widget is shown.
+  // An invalid context never paints, which shows only once the widget is visible.
   void showEvent(QShowEvent* event) override {
     QOpenGLWidget::showEvent(event);
     QTimer::singleShot(500, this, [this] {
@@ -60,8 +60,8 @@ class GlCanvas : public QOpenGLWidget {
   std::function<void()> broken_;
 };
 
-// QOpenGLWidget shows nothing at all, or the program ends, where no context can be made: tried out first.
-// Where the screen has fewer than 24 bits a pixel, it is black, and nothing tells.
+// Tries a context first, because without one QOpenGLWidget shows nothing or the program ends. On screens with
+// fewer than 24 bits per pixel it is black without an error.
 bool openGlWorks() {
   const QScreen* screen = QGuiApplication::primaryScreen();
   if (!screen || screen->depth() < 24) return false;

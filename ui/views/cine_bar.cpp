@@ -14,13 +14,13 @@ namespace volumen {
 
 namespace {
 
-constexpr int restMs = 300;  // of the pointer at the edge
+constexpr int restMs = 300;  // time the pointer rests at the edge
 constexpr double usualRates[] = {1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100};
 
-// The least width in which a control is there, logical pixels.
+// Least width for each group of controls, logical pixels.
 constexpr int widthForNumber = 190, widthForWays = 250, widthForRate = 340, widthForRange = 490;
 
-// The number of the first place on the way to another that has one; 0: none has.
+// Returns the first number between two positions; 0 if there is none.
 int numberOnTheWay(const Playable& what, int from, int to) {
   const int step = from <= to ? 1 : -1;
   for (int place = from; place != to; place += step)
@@ -38,7 +38,7 @@ CineBar::CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, Q
   setObjectName(QStringLiteral("cineBar%1").arg(view));
   setAccessibleName(tr("Cine"));
   setAttribute(Qt::WA_StyledBackground);
-  // The same on both themes: it lies on the picture.
+  // The colours are the same in both themes because the bar lies on the picture.
   setStyleSheet(
       QStringLiteral("#%1 { background: rgba(27,30,34,210); }"
                      "#%1 QToolButton, #%1 QLineEdit { color: #d7dce2; background: transparent; border: 1px "
@@ -72,7 +72,7 @@ CineBar::CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, Q
   look();
 }
 
-// Fields lose their focus after it is gone.
+// Fields lose their focus after the bar is destroyed.
 CineBar::~CineBar() { disconnect(qApp, nullptr, this, nullptr); }
 
 void CineBar::add(std::unique_ptr<Playable> what, bool before) {
@@ -80,7 +80,7 @@ void CineBar::add(std::unique_ptr<Playable> what, bool before) {
   look();
 }
 
-// Clips before what can be gone through, too. Null: nothing can be played.
+// Returns what is played: the user's choice, else clips first. Null if nothing can be played.
 Playable* CineBar::current() const {
   if (chosen_ && chosen_->count() > 1) return chosen_;
   Playable* first = nullptr;
@@ -116,7 +116,7 @@ void CineBar::togglePlay() {
   look();
 }
 
-// One step to undo, however long it was played.
+// Playback is one undo step, however long it lasted.
 void CineBar::stop() {
   if (!player_) return;
   endPlayer();
@@ -125,22 +125,22 @@ void CineBar::stop() {
   look();
 }
 
-// The view comes into focus with its field, which then has the keys that the view was given.
+// The view takes the focus with its field. The keys given to the view go back to the field.
 void CineBar::takeFocus(QWidget* field) {
   if (session_.workspace().focus == view_) return;
   session_.setFocus(view_);
   field->setFocus(Qt::TabFocusReason);
 }
 
-// Where it is stays, and what overtook it goes on in its gesture.
+// The position stays, and the change that interrupted playback continues in its gesture.
 void CineBar::giveUp() {
   if (!player_) return;
   endPlayer();
   played_->giveUp();
 }
 
-// Whether something else than the player went to another place or plane of what is played; whatever else is
-// changed lets it go on. A clip writes where it ends alone.
+// Returns whether something other than the player changed the position or the plane that is played. Other
+// changes do not stop it. A clip writes its position only at its end.
 bool CineBar::isOvertaken(const Workspace& before, const Workspace& after) const {
   if (!player_ || player_->isGoing()) return false;
   if (played_->keepsTime())
@@ -148,8 +148,8 @@ bool CineBar::isOvertaken(const Workspace& before, const Workspace& after) const
   return before.view(view_).kind != after.view(view_).kind || !player_->isWhereItWent();
 }
 
-// Undoing ends it: as it went on, what was undone could not be done again. A step that cancelled itself is
-// gone without having been undone.
+// Undo ends playback, because further playback would discard the redo steps. A step that cancelled itself was
+// removed without an undo.
 void CineBar::seeSteps(int steps) {
   const bool isUndone = std::exchange(steps_, steps) > steps && session_.undoStack().canRedo();
   if (!isUndone || !player_ || player_->isGoing() || played_->keepsTime()) return;
@@ -172,7 +172,7 @@ bool CineBar::stepTime(int steps) {
 bool CineBar::stepRate(int up) {
   if (isHidden() || !current()) return false;
   CineRound round = round_;
-  std::optional<double> next;  // the closest one on that side
+  std::optional<double> next;  // the nearest on that side
   for (const double rate : usualRates)
     if (up > 0 ? !next && rate > round.rate * 1.001 : rate < round.rate * 0.999) next = rate;
   round.rate = next.value_or(round.rate);
@@ -259,7 +259,7 @@ void CineBar::resizeEvent(QResizeEvent* event) {
   makeRoom();
 }
 
-// For what makes sense, the most important first.
+// Hides the least important controls first.
 void CineBar::makeRoom() {
   number_->setVisible(width() >= widthForNumber);
   for (QToolButton* way : {back_, loop_}) way->setVisible(width() >= widthForWays);
@@ -269,7 +269,7 @@ void CineBar::makeRoom() {
     range->setVisible(width() >= widthForRange);
 }
 
-// What is under it is not meant.
+// Presses do not reach the view under the bar.
 void CineBar::mousePressEvent(QMouseEvent* event) { event->accept(); }
 
 }  // namespace volumen

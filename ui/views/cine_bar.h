@@ -13,21 +13,21 @@
 
 namespace volumen {
 
-/// A slim bar at the bottom of a view that goes through what can be played there, and plays it: place,
-/// number, speed, range, back and forth, again and again. It is there for clips and steps in time, while
-/// anything is played, and where the pointer rests at the bottom of the view. In narrow views its fields make
-/// room, its place and its button stay.
+/// A slim bar at the bottom of a view that plays frames, slices or time points: position, number, speed,
+/// range, forwards and backwards, loop. It appears for clips and time points, while something is played, and
+/// under a pointer at the bottom of the view. In narrow views fields are hidden; the slider and the play
+/// button stay.
 class CineBar : public QWidget {
   Q_OBJECT
  public:
   static constexpr int barHeight = 20;
-  static constexpr double leastRate = 0.1, mostRate = 100;  // places a second
+  static constexpr double leastRate = 0.1, mostRate = 100;  // positions per second
 
-  /// Steps in time can be played. `isDrawn`: whether the view shows what the workspace says.
+  /// Offers time points to play. `isDrawn` returns whether the view shows the current state of the workspace.
   CineBar(Session& session, ViewId view, std::function<bool()> isDrawn, QWidget* parent);
   ~CineBar() override;
 
-  /// Something else can be played; `before`: rather than steps in time, where both are clips.
+  /// Offers something else to play. If both are clips, it comes before time points with `before`.
   void add(std::unique_ptr<Playable> what, bool before);
   const CineRound& round() const { return round_; }
 
@@ -35,22 +35,22 @@ class CineBar : public QWidget {
   bool isBackwards() const { return player_ && player_->isBackwards(); }
   void togglePlay();
   void stop();
-  /// A place came on screen.
+  /// Reports that a position is now on screen.
   void tellShown(int place);
-  /// What is played really, places a second; 0: not yet known, or nothing is.
+  /// Returns the measured rate in positions per second; 0 if it is not known yet or nothing is played.
   double rate() const { return player_ ? player_->rate() : 0; }
   bool isLate() const { return player_ && player_->isLate(); }
-  /// So many steps on in time; stays within them. False: there are none.
+  /// Moves by `steps` time points, within the range. Returns false if there are none.
   bool stepTime(int steps);
-  /// To the next usual speed, up or down, where there is one; false: there is nothing to play.
+  /// Changes to the next usual speed, up or down, if there is one. Returns false if there is nothing to play.
   bool stepRate(int up);
-  /// What can be played, or which place is shown, may be another.
+  /// Updates the bar after a change of what can be played or of the position shown.
   void look();
-  /// Whether the pointer is at the bottom of the view.
+  /// Tells the bar whether the pointer is at the bottom of the view.
   void pointAtEdge(bool isThere);
 
  Q_SIGNALS:
-  /// It is there now, or no longer.
+  /// The bar was shown or hidden.
   void shownChanged();
 
  protected:
@@ -81,14 +81,14 @@ class CineBar : public QWidget {
 
   Session& session_;
   const ViewId view_;
-  int steps_;                                   // to undo, by now
-  std::vector<std::unique_ptr<Playable>> all_;  // what is preferred first
+  int steps_;                                   // index of the undo stack
+  std::vector<std::unique_ptr<Playable>> all_;  // in order of preference
   PlayedTimePoints* time_;
-  Playable* chosen_ = nullptr;  // by hand
+  Playable* chosen_ = nullptr;  // by the user
   CineRound round_;
-  std::pair<SeriesKey, int> roundOf_{{}, 0};  // source and count
-  Playable* played_ = nullptr;                // by the player
-  CinePlayer* player_ = nullptr;              // a child; null: nothing is played
+  std::pair<SeriesKey, int> roundOf_{{}, 0};  // source and count of round_
+  Playable* played_ = nullptr;                // what the player plays
+  CinePlayer* player_ = nullptr;              // a child; null if nothing is played
   bool isPointedAt_ = false;
   QTimer pointedSoon_;
   QToolButton *play_, *what_, *back_, *loop_;

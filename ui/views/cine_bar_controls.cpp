@@ -39,7 +39,7 @@ QLabel* CineBar::addWord(const QString& word) {
 
 void CineBar::makeControls() {
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(4, 1, 12, 1);  // beside the bar of the stack
+  row->setContentsMargins(4, 1, 12, 1);  // leaves room for the stack bar
   row->setSpacing(3);
   row->setSizeConstraint(QLayout::SetNoConstraint);
   play_ = addButton("cinePlay", QStringLiteral("\u25b6"), tr("Play or stop (C)"), false);
@@ -63,7 +63,7 @@ void CineBar::makeControls() {
 
 void CineBar::connectControls() {
   connect(play_, &QToolButton::clicked, this, [this] {
-    session_.setFocus(view_);  // what is played is loaded ahead there
+    session_.setFocus(view_);  // focus makes the view load ahead
     togglePlay();
   });
   connect(what_, &QToolButton::clicked, this, [this] {
@@ -100,7 +100,7 @@ void CineBar::connectControls() {
   connect(loop_, &QToolButton::toggled, this, change([](CineRound& r, bool on) { r.loops = on; }));
 }
 
-// The place of a number; none where it has none, which is told at the field, and what stood there comes back.
+// Returns the position of a number. If it has none, reports that at the field and restores its content.
 std::optional<int> CineBar::placeTyped(const TypedNumber& field, int number) {
   const Playable* what = current();
   const std::optional<int> place = what ? what->placeOf(number) : std::nullopt;

@@ -32,8 +32,8 @@ CinePlayer::CinePlayer(Playable& what, const CineRound& round, std::function<dou
 void CinePlayer::setRound(const CineRound& round) {
   track_ = CineTrack(what_.cine(), round, track_.place(), track_.isBackwards());
   round_ = round;
-  shownAt_.clear();  // they came at another rate
-  // Often enough that no place is late by more than a quarter of its time.
+  shownAt_.clear();  // the old times belong to another rate
+  // The timer is fast enough that no position is late by more than a quarter of its duration.
   timer_.start(std::clamp(int(250 / wantedRate()), 1, 50));
   show();
 }
@@ -69,7 +69,7 @@ void CinePlayer::tick() {
 void CinePlayer::tellShown(int place) {
   if (std::exchange(shown_, place) == place) return;
   shownAt_.push_back(clock_());
-  // Those of a second, and at least some.
+  // Keeps one second, and at least five times.
   const auto most = std::size_t(std::max(4.0, std::ceil(wantedRate()))) + 1;
   while (shownAt_.size() > most) shownAt_.pop_front();
 }

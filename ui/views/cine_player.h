@@ -10,34 +10,34 @@
 
 namespace volumen {
 
-/// Plays by the clock, and knows how fast places really come. It never asks for a place before the one before
-/// is on screen, but of what keeps time, where the latest alone counts.
+/// Plays by the clock and measures how fast positions come on screen. It waits until a position is on screen
+/// before it requests the next. Clips that keep time are the exception: there only the latest counts.
 class CinePlayer : public QObject {
   Q_OBJECT
  public:
-  /// `clock`: ms since anything; null: those of the machine.
+  /// `clock` returns ms from any origin; null is the clock of the machine.
   CinePlayer(Playable& what, const CineRound& round, std::function<double()> clock = {});
 
-  /// Goes on from where it is, in another way.
+  /// Continues from the current position with other settings.
   void setRound(const CineRound& round);
   bool isBackwards() const { return track_.isBackwards(); }
-  /// Whether it is going to a place right now.
+  /// Returns whether the player is changing the position right now.
   bool isGoing() const { return isGoing_; }
-  /// Whether what is shown is where it went last: nothing else went to another place.
+  /// Returns whether the position is still the one requested last, so nothing else changed it.
   bool isWhereItWent() const { return what_.place() == asked_; }
-  /// Looks no more, and is deleted later: it may be looking.
+  /// Stops the timer and deletes the player later, because this may be called from its tick.
   void end();
-  /// Looks at the clock, as its timer does.
+  /// Reads the clock and moves on, as the timer does.
   void tick();
-  /// A place came on screen.
+  /// Reports that a position is now on screen.
   void tellShown(int place);
-  /// Different places a second, over the last one; 0 until that is over.
+  /// Returns the distinct positions per second over the last second; 0 until one second has passed.
   double rate() const;
-  /// Whether that is 5 % off what is wanted.
+  /// Returns whether the rate is 5 % off the wanted one.
   bool isLate() const;
 
  Q_SIGNALS:
-  /// It is at its end, or something else went to another place.
+  /// The player reached its end, or something else changed the position.
   void over();
 
  private:
@@ -49,11 +49,11 @@ class CinePlayer : public QObject {
   const std::function<double()> clock_;
   CineTrack track_;
   bool isGoing_ = false;
-  int asked_;    // the place it went to last
-  double seen_;  // what the clock said last
+  int asked_;    // the position requested last
+  double seen_;  // time of the last reading of the clock
   QTimer timer_;
   int shown_ = -1;
-  std::deque<double> shownAt_;  // ms, the newest last
+  std::deque<double> shownAt_;  // ms, newest last
 };
 
 }  // namespace volumen

@@ -10,9 +10,9 @@ namespace volumen {
 
 namespace {
 
-constexpr double clipReach = 4;  // logical pixels, for a press
+constexpr double clipReach = 4;  // logical pixels from the press
 
-// The scene of the 3D view in focus where it is of this series; null: it is not.
+// Returns the scene of the 3D view in focus, or null if it shows another series.
 const Scene* sceneOf(const SlicePress& press) {
   const Workspace& workspace = press.session.workspace();
   const ViewState& view = workspace.view(sceneViewOf(workspace));
@@ -35,7 +35,7 @@ const ClipLine* clipLineAt(const std::vector<ClipLine>& lines, QPointF p) {
   return nearest != lines.end() && distanceFrom(nearest->line, p) <= clipReach ? &*nearest : nullptr;
 }
 
-// Moves a face of the box to where the pointer has dragged its edge.
+// Moves a face of the clip box with its edge.
 class ClipDrag : public Drag {
  public:
   ClipDrag(const SlicePress& press, const ClipLine& line)

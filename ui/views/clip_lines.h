@@ -8,19 +8,19 @@
 
 namespace volumen {
 
-/// An edge of the clip box of the 3D scene in a flat view of the same series, logical pixels.
+/// An edge of the clip box of the 3D scene in a flat view of the same series, in logical pixels.
 struct ClipLine {
   int axis = 0;
   bool high = false;
   QLineF line;
 };
 
-/// Those that are seen: none where the box is the whole volume, unless it is asked for (`whole`).
+/// Returns the visible edges. If the box is the whole volume, there are none unless `whole` is true.
 std::vector<ClipLine> clipLines(const SlicePress& press, bool whole);
 
 void paintClipLines(QPainter& painter, const std::vector<ClipLine>& lines);
 
-/// Moves the edge that is under the press; null: none is.
+/// Starts a drag of the edge under the press; null if there is none.
 std::unique_ptr<Drag> beginOnClip(const SlicePress& press, bool whole);
 bool isOnClip(const SlicePress& press, bool whole);
 

@@ -35,7 +35,7 @@ class BarEndDrag : public Drag {
     const double up = windowDragSpeed(keys) * (at_.y() - p.y()) / height_;
     const double least = std::copysign(narrowestWindow(*bar_.series), bar_.window.width);
     WindowEnds ends = endsOf(bar_.window);
-    // Not through the other end.
+    // An end cannot move past the other end.
     const auto width = [&](double wanted) { return wanted / least < 1 ? least : wanted; };
     if (end_ == BarEnd::bright)
       ends.bright = ends.dark + width(bar_.window.width * (1 + up));

@@ -10,30 +10,31 @@
 
 namespace volumen {
 
-/// What a bar of colours stands for: a series over another, or one that is shown in colours itself.
+/// The content of a colour bar: an overlaid series, or a series that is itself shown in colours.
 struct ColourBar {
-  ViewId view = 0;  ///< where it stands
+  ViewId view = 0;  ///< the view that shows the bar
   LoadedSeriesPtr series;
   ColourMap map = ColourMap::grey;
-  Window window;  ///< in use, stored values; inverted: the lowest value is on top
+  Window window;  ///< in use, stored values; if inverted, the lowest value is on top
   bool over = false;
 };
 
-/// Where it stands, upright at the left edge of an area, logical pixels; empty where there is no room for it.
+/// Returns the rectangle of the bar, upright at the left edge of `area`, in logical pixels. It is empty if
+/// there is no room.
 QRectF colourBarRect(const QRectF& area);
-/// With the values of its ends beside them.
+/// Draws the bar with the values of its ends.
 void paintColourBar(QPainter& painter, const QRectF& area, const ColourBar& bar);
-/// What its ends are dragged by.
+/// Draws the handles of its ends.
 void paintBarHandles(QPainter& painter, const QRectF& area);
 
-/// Whether a place is on the bar or on its numbers.
+/// Returns whether `p` is on the bar or on its numbers.
 bool isOnColourBar(const QRectF& area, QPointF p);
-/// Whether it is at one of its ends.
+/// Returns whether `p` is at an end of the bar.
 bool isOnBarEnd(const QRectF& area, QPointF p);
-/// Drags the end of the bar that is there, as a scale: so many heights of the bar are so many times its
-/// window; Shift: fine, Ctrl: fast. The other end stays. Null: there is none.
+/// Drags the end of the bar at `at`; the other end stays. A drag of N bar heights changes the window by N
+/// times its width; Shift is fine, Ctrl fast. Returns null if there is no end.
 std::unique_ptr<Drag> beginBarEnd(Session& session, const QRectF& area, const ColourBar& bar, QPointF at);
-/// Gives what it stands for a window; edits in a gesture are one step.
+/// Sets the window of the bar's series. Edits within a gesture are one undo step.
 void setBarWindow(Session& session, const ColourBar& bar, const Window& window);
 
 }  // namespace volumen

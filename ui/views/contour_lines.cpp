@@ -16,7 +16,7 @@ bool isClosed(const Contour& contour) {
   return contour.type == Contour::Type::closedPlanar || contour.type == Contour::Type::closedPlanarXor;
 }
 
-// Of the plane that a closed contour lies in (Newell); 0 where it has no area.
+// Returns the normal of the plane of a closed contour (Newell); 0 if it has no area.
 glm::dvec3 areaNormal(const std::vector<glm::dvec3>& points) {
   glm::dvec3 sum(0);
   for (std::size_t n = 0; n < points.size(); ++n)
@@ -25,7 +25,7 @@ glm::dvec3 areaNormal(const std::vector<glm::dvec3>& points) {
   return length > 0 ? sum / length : glm::dvec3(0);
 }
 
-/// Puts the contours of one region onto a plane.
+/// Projects the contours of one region onto a plane.
 class Cutter {
  public:
   Cutter(const SlicePlane& plane, double reachMm, ContourLines& out)
@@ -71,7 +71,7 @@ class Cutter {
     out_.lines.push_back(std::move(line));
   }
 
-  // Where its line goes through the plane; of a closed one what lies inside between two such places.
+  // Adds the intersections of a line with the plane; for closed contours the chords inside.
   void cut(const Contour& contour) {
     const std::vector<glm::dvec3>& p = contour.points;
     const std::vector<double> away = awayOf(p);

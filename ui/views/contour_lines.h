@@ -11,17 +11,17 @@
 
 namespace volumen {
 
-/// What a plane shows of the contours of one region: whole those that lie in it, of others where it cuts
-/// them. Pixels of the plane.
+/// The contours of one region on a plane, in pixels of the plane. Contours in the plane are shown whole,
+/// others where the plane cuts them.
 struct ContourLines {
   QColor colour;
-  std::vector<QPolygonF> lines;  ///< closed ones end where they begin
-  std::vector<QLineF> cuts;      ///< through the inside of closed ones
-  std::vector<QPointF> points;   ///< point contours, and where lines are cut
+  std::vector<QPolygonF> lines;  ///< closed lines end at their first point
+  std::vector<QLineF> cuts;      ///< chords through the inside of closed contours
+  std::vector<QPointF> points;   ///< point contours, and intersections with open contours
 };
 
-/// Of the regions that are shown and lie in this frame of reference. `reachMm`: how far from the plane a
-/// contour parallel to it may lie.
+/// Returns the contours of the visible regions in this frame of reference. `reachMm` is the largest distance
+/// from the plane of a contour parallel to it.
 std::vector<ContourLines> contourLines(const StructureSet& contours, const RegionsLook& look,
                                        const std::string& frameOfReferenceUid, const SlicePlane& plane,
                                        double reachMm);

@@ -10,12 +10,12 @@ namespace volumen {
 namespace {
 
 // Logical pixels.
-constexpr int middleGap = 20;         // left free about the crosshair's point
-constexpr int freeAround = 24;        // of that point, where no line is taken hold of
+constexpr int middleGap = 20;         // gap about the crosshair's point
+constexpr int freeAround = 24;        // distance from that point in which lines do not react
 constexpr double handleRadius = 4;    // as drawn
-constexpr double turnReach = 9;       // for a press
-constexpr double moveReach = 4;       // likewise
-constexpr double handleShare = 0.32;  // of the view's shorter side, from the crosshair's point
+constexpr double turnReach = 9;       // from a press
+constexpr double moveReach = 4;       // from a press
+constexpr double handleShare = 0.32;  // of the view's shorter side, measured from the crosshair's point
 
 QPointF middleOf(const SlicePress& press) {
   return press.pixelAt(crosshairOf(press.session.workspace(), press.view, *press.series).at);
@@ -27,7 +27,7 @@ QSizeF pictureSizeOf(const SlicePress& press) {
 
 double distance(QPointF a, QPointF b) { return QLineF(a, b).length(); }
 
-// Of a point from a line that goes on without end.
+// Returns the distance of a point from an infinite line.
 double distanceFromLine(const CrossLine& line, QPointF p) {
   const QPointF along = line.to - line.from, from = p - line.from;
   return std::abs(along.x() * from.y() - along.y() * from.x()) / distance(line.from, line.to);

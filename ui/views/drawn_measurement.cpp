@@ -14,8 +14,8 @@ namespace {
 
 // Logical pixels.
 constexpr double handleReach = 7, lineReach = 5, markReach = 8;
-constexpr double textGaps[] = {8, 40, 90, 150};  // between a shape and its text, the nearest that is free
-constexpr double textFrame = 2;                  // about a text's letters
+constexpr double textGaps[] = {8, 40, 90, 150};  // distances of a text from its shape, tried in order
+constexpr double textFrame = 2;                  // margin about the letters
 constexpr double anyDistance = 1e9;              // mm
 
 double squared(QPointF p) { return QPointF::dotProduct(p, p); }
@@ -32,7 +32,7 @@ double distanceTo(const QPolygonF& line, QPointF p) {
   return least;
 }
 
-// Whether a line runs through a rectangle or lies in it.
+// Returns whether a line crosses or lies in a rectangle.
 bool touches(const QPolygonF& line, const QRectF& rect) {
   if (rect.contains(line.front())) return true;
   const QPointF corners[] = {rect.topLeft(), rect.topRight(), rect.bottomRight(), rect.bottomLeft()};
@@ -56,15 +56,16 @@ QRectF boxOf(const DrawnMeasurement& drawn) {
   return box;
 }
 
-// `box`: that of the shape. What lies inside a region is covered as well.
+// Returns whether a text would cover the shape, including the inside of regions. `box` is the box of the
+// shape.
 bool coversShape(const DrawnMeasurement& drawn, const QRectF& box, const QRectF& text) {
   if (!box.intersects(text)) return false;
   return (drawn.whole && ruleOf(drawn.kind).region) ||
          std::ranges::any_of(drawn.lines, [&](const QPolygonF& line) { return touches(line, text); });
 }
 
-// Middles of places beside a box: right, left, below, above; each in the middle, then along one of its ends;
-// then the corners.
+// Returns centres of positions beside a box: right, left, below, above. Each side has its middle, then its
+// ends, then the corners.
 std::vector<QPointF> middlesBeside(const QRectF& box, QSizeF size, double gap) {
   const double dx = box.width() / 2 + gap + size.width() / 2,
                dy = box.height() / 2 + gap / 2 + size.height() / 2;
@@ -89,8 +90,8 @@ QRectF movedInto(QRectF rect, const QRectF& area) {
   return rect;
 }
 
-// Places for a text inside the area, best first: of lines beside their ends, the last one first; of all
-// beside the box of what is in the view. None where nothing of the shape is.
+// Returns positions for a text inside `area`, best first. Lines have them at their last end, then at their
+// first end; all shapes have them beside their visible box. Empty if nothing of the shape is visible.
 std::vector<QRectF> placesFor(const DrawnMeasurement& drawn, const QRectF& box, QSizeF size,
                               const QRectF& area) {
   std::vector<QRectF> boxes;
@@ -114,12 +115,12 @@ QSizeF sizeOf(const QStringList& text, const QFontMetricsF& metrics) {
   return {std::ceil(width) + 2 * textFrame, double(text.size()) * metrics.height() + 2 * textFrame};
 }
 
-// What stands at the shape.
+// Returns the text drawn at the shape: the letter if there is a legend.
 QStringList besideShape(const DrawnMeasurement& drawn) {
   return drawn.letter.isEmpty() ? drawn.text : QStringList(drawn.letter);
 }
 
-// Places all over the area, the nearest to a point first.
+// Returns positions all over the area, those nearest to `middle` first.
 std::vector<QRectF> placesAllOver(QPointF middle, QSizeF size, const QRectF& area) {
   constexpr double across = 16, down = 8;
   std::vector<QRectF> places;
@@ -130,14 +131,14 @@ std::vector<QRectF> placesAllOver(QPointF middle, QSizeF size, const QRectF& are
   return places;
 }
 
-// A, B ... Z, AA, AB ...
+// Returns A, B ... Z, AA, AB ...
 QString letterOf(int n) {
   QString letters;
   for (++n; n > 0; n = (n - 1) / 26) letters.prepend(QChar(u'A' + (n - 1) % 26));
   return letters;
 }
 
-// At the left edge, else at the right one, as low as can be.
+// Returns the lowest free position at the left edge, else at the right edge.
 std::optional<QRectF> roomAtEdge(QSizeF size, const QRectF& area, const std::vector<QRectF>& taken) {
   constexpr double step = 4;
   for (const double x : {area.left(), area.right() - size.width()})
@@ -149,7 +150,7 @@ std::optional<QRectF> roomAtEdge(QSizeF size, const QRectF& area, const std::vec
   return {};
 }
 
-// One of a frame in the space of the slice that shows it.
+// Moves a measurement of a frame into the space of the slice that shows it.
 Measurement inSlice(Measurement m, const VoxelGeometry& slice) {
   m.shape = inSliceSpace(m.shape, slice);
   if (m.textOffset) m.textOffset = slice.patientFromVoxelStep * *m.textOffset;
@@ -172,7 +173,7 @@ DrawnMeasurement drawnMeasurement(const Measurement& ofDocument, const SlicePlan
   };
   const bool isAcross = ruleOf(shape.kind).acrossSlices;
   const double half = seenWithin(plane, geometry);
-  // While it is drawn all of it is seen from any slice.
+  // A measurement being drawn is visible from all slices.
   const ShapeCut cut = cutOf(shape, plane, isAcross && measurement.id < 0 ? anyDistance : half);
   drawn.whole = cut.whole;
   for (const std::vector<glm::dvec3>& line : cut.lines) {

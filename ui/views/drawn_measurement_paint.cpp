@@ -14,7 +14,7 @@ const QColor lineColour(0xff, 0xbf, 0x69), accent(0x4a, 0xa3, 0xff), shadow(0, 0
 constexpr double lineWidth = 1.3, shadowWidth = 3.4;  // logical pixels
 constexpr double crossArm = 7, crossGap = 2.5, head = 11,
                  corner = 4;       // of a probe's cross, an arrow, a handle
-constexpr double longestGap = 18;  // from a shape to its text without a leader
+constexpr double longestGap = 18;  // between a shape and its text without a leader line
 
 QColor colourOf(const DrawnMeasurement& d) { return d.selected ? accent : lineColour; }
 
@@ -34,7 +34,7 @@ void addArrowHead(QPainterPath& path, QPointF tip, QPointF end) {
   path.lineTo(tip + back - side);
 }
 
-// What belongs together says so by a small arc at the vertex.
+// A small arc at the vertex shows which lines belong together.
 void addArc(QPainterPath& path, const QPolygonF& arms) {
   const QLineF first(arms[1], arms[0]), second(arms[1], arms[2]);
   const double radius = std::min({18.0, first.length() / 2, second.length() / 2});
@@ -74,7 +74,8 @@ void strokeDashes(QPainter& painter, const QPainterPath& path, const QColor& col
   painter.strokePath(path, pen);
 }
 
-// From a text that stands apart to the nearest point of its shape; between the lines of a Cobb angle.
+// Paints leader lines from distant texts to the nearest point of the shape, and between the lines of a Cobb
+// angle.
 void paintLeaders(QPainter& painter, const DrawnMeasurement& d) {
   QPainterPath path;
   if (d.kind == ShapeKind::cobb && d.whole && d.lines.size() == 2) {

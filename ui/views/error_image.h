@@ -6,14 +6,14 @@
 
 namespace volumen {
 
-/// How far the pixels of a picture may be off, as a picture in grey, and what its greys mean.
+/// The estimated error of each pixel of a picture as a grey image, and the meaning of its greys.
 struct ErrorImage {
-  QImage image;  ///< null where nothing is known
+  QImage image;  ///< null if the error is not known
   QString legend;
 };
 
-/// `map`: in 1/255, one entry a pixel, first row on top (Rendered::error). 0 is black; white is the largest,
-/// or 8/255 (what a hundredth of the pixels may be off by at `standard`) where that is less.
+/// Returns the image of `map`, which has the error in 1/255 per pixel, top row first (Rendered::error). Black
+/// is 0. White is the largest error, but at least 8/255, which 1 % of the pixels may reach at `standard`.
 ErrorImage errorImage(const std::vector<float>& map, QSize size);
 
 }  // namespace volumen

@@ -69,11 +69,11 @@ void FirstImage::askForPicture() {
   slices_.request({firstImageId, {layer}, plane, frame_});
 }
 
-// With the window that the volume will have.
+// Returns the state with the window the volume will have.
 SeriesState FirstImage::shownState() const {
   SeriesState state = state_;
   const std::vector<NamedGrey>& greys = frame_->seriesGreys.empty() ? frame_->greys : frame_->seriesGreys;
-  // Where the frame has other values than the volume, its own way is the best there is.
+  // If the values of the frame differ from the volume's, the frame's own mapping is the best choice.
   if (state.window || greys.empty() || frame_->slice->series.unit != series_->unit) return state;
   const NamedGrey& first = greys.front();
   const bool isWindow = !first.ofValues && first.mapping.table.grey.empty();

@@ -13,23 +13,23 @@ namespace volumen {
 
 class FrameService;
 
-/// A slice of a series while the rest of it is being loaded, as acquired; the middle one at first, the wheel
-/// scrolls. It lies over the views and takes no part in the document.
+/// Shows single slices as acquired while the rest of a series is loaded. It begins with the middle slice; the
+/// wheel scrolls. It lies over the views and is not part of the document.
 class FirstImage : public QWidget {
   Q_OBJECT
  public:
   FirstImage(FrameService& frames, SliceService& slices, QWidget* parent);
 
-  /// Shows a slice of the series of a state as its volume will be seen, as far as that is known by then; once
-  /// it is read, unless that comes after end().
+  /// Reads a slice of the series and shows it as its volume will look, as far as that is known. Does nothing
+  /// more after end().
   void begin(const SeriesState& state);
   void end();
-  /// Of what is on screen, from 0.
+  /// Returns the index of the slice on screen, from 0.
   int index() const { return frame_ ? frame_->key.index : 0; }
   const QImage& picture() const { return picture_; }
 
  Q_SIGNALS:
-  /// A slice was read, and this is to lie over the views.
+  /// A slice was read; the widget is to be shown over the views.
   void appears();
 
  protected:
@@ -47,9 +47,9 @@ class FirstImage : public QWidget {
   FrameService& frames_;
   SliceService& slices_;
   SeriesState state_;
-  std::shared_ptr<const Series> series_;  // of it; null: it has ended
+  std::shared_ptr<const Series> series_;  // series of state_; null after end()
   int wanted_ = 0;
-  double wheelRest_ = 0;  // notches not yet scrolled
+  double wheelRest_ = 0;  // fraction of a notch not yet scrolled
   LoadedFramePtr frame_;
   QImage picture_;
 };

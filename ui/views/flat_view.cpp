@@ -149,7 +149,7 @@ void FlatView::workspaceChanged(const Workspace&) {
   const std::pair now(state().series, state().kind);
   const auto last = std::exchange(showed_, now);
   if (last != now) {
-    giveUpDrag();  // it is about what was shown
+    giveUpDrag();  // it belongs to the series shown before
     if (last.second != now.second || !keepsPictureOf(last.first)) forget();
   }
   if (last != now || !shown()) closeFields();
@@ -159,7 +159,7 @@ void FlatView::workspaceChanged(const Workspace&) {
 }
 
 void FlatView::placeBadge() {
-  if (badge_->isHidden()) return;  // nothing to warn of
+  if (badge_->isHidden()) return;  // there is no warning
   const auto lines = shown() ? overlays().topLeft.size() : 0;
   badge_->move(8, 12 + int(lines) * (fontMetrics().height() + 1) + 4);
 }
@@ -180,14 +180,13 @@ void FlatView::resetView() {
   session_.endGesture();
 }
 
-// What is being drawn belongs to the plane as it was pressed; nothing else lies otherwise while a button is
-// held.
+// A drawing belongs to the plane at the press. Nothing else changes the plane while a button is held.
 bool FlatView::letGo() {
   if (isDrawing()) giveUpDrag();
   return !drag_;
 }
 
-// Whether something is drawn that is no part of the workspace yet.
+// Returns whether something is drawn that is not yet in the workspace.
 bool FlatView::isDrawing() const { return drag_ && (drag_->drawing() || drag_->drawsOver()); }
 
 void FlatView::giveUpDrag() {

@@ -26,190 +26,191 @@ class WarningBadge;
 struct DrawnMeasurement;
 struct ReferenceLine;
 
-/// A picture in a plane, whole at every step: the left button as the tool says, the others and the wheel
-/// as they are bound (ui/tools/mouse_bindings), a pinch zooms, a right click opens a menu. What it is a
-/// picture of, and what scrolling and windows mean there, say the classes made of it.
+/// A view of a planar picture that is always drawn completely, without drafts. The left button acts as the
+/// tool, the other buttons and the wheel as bound (ui/tools/mouse_bindings). A pinch zooms, a right click
+/// opens a menu. Derived classes define the picture, scrolling and windows.
 class FlatView : public View {
   Q_OBJECT
  public:
   ~FlatView() override;
 
   const QImage& picture() const { return picture_; }
-  /// The plane on screen, device pixels; none without a series.
+  /// Returns the plane on screen in device pixels; nothing without a series.
   std::optional<SlicePlane> plane() const;
-  /// What is drawn for a picture of so many pixels that is as wide as the view; none without a series.
+  /// Returns the request for a picture of `pixels` with the width of the view; nothing without a series.
   std::optional<SliceRequest> requestFor(QSize pixels) const;
-  /// The size of all of the picture, a pixel for each of its own; empty without a series.
+  /// Returns the size of the whole picture at its own resolution; empty without a series.
   QSize ownPixels() const;
-  /// What is drawn for a picture of that size; the view's own picture is whole. None without a series.
+  /// Returns the request for the whole picture at ownPixels(); nothing without a series.
   std::optional<SliceRequest> requestForOwnPixels() const;
   QImage capture() const override;
-  /// The same in as many pixels as this picture has, which takes the place of the one on screen: written over
-  /// where nobody else has it, so that large ones take no longer than small ones.
+  /// Returns the capture drawn over `picture`, which replaces the picture on screen. It is drawn in place if
+  /// the image is not shared, so large pictures cost no copy.
   QImage captureWith(QImage picture) const;
-  /// Whether the numbers of all that is measured in it are there; those that are not are asked for.
+  /// Returns whether the results of all measurements in it are ready. Requests those that are missing.
   bool isMeasured() const;
   void setTool(const Tool& tool);
-  /// Shows what would be segments of a series under those that are; none: nothing more.
+  /// Shows proposed segments of a series below its own segments; nothing hides them.
   void showPreview(const std::optional<SegmentMap>& segments);
-  /// A ball that is being drawn in some view: slices show where they cut it. None: there is none.
+  /// Shows the intersection with a sphere that is being drawn in some view; nothing hides it.
   void showBall(const std::optional<DrawnBall>& ball);
-  /// So many steps down.
+  /// Scrolls down by `steps`.
   virtual void scroll(int steps) = 0;
-  /// To a place of the stack, from 0; a clip ends there.
+  /// Scrolls to a position of the stack, from 0. A clip stops playing.
   virtual void goTo(int place) = 0;
-  /// The bar of the stack; none where there is one place or nothing is shown.
+  /// Returns the stack bar; nothing if there is one position or nothing is shown.
   std::optional<StackBar> stackBar() const;
-  /// Opens a field for the number to go to, where it stands; nothing where there is one picture.
+  /// Opens a field for a slice or frame number at the number's position. Does nothing for a single picture.
   void typeNumber();
-  /// Whole again, and thin.
+  /// Resets zoom, pan and slab thickness.
   void resetView();
-  /// What is on screen, as a series: frames as one of one slice; null: nothing is in memory yet, or the
-  /// workspace has something else in this view's place.
+  /// Returns the series on screen; a frame is a series of one slice. Returns null if nothing is in memory yet
+  /// or the workspace has something else in this view.
   virtual LoadedSeriesPtr shown() const = 0;
-  /// Why what is wanted cannot be shown; empty: it can.
+  /// Returns why the picture cannot be shown; empty if it can.
   virtual QString failure() const { return {}; }
-  /// Plays what the view goes through, or stops at what is on screen.
+  /// Plays the view's frames, slices or time points, or stops at the current position.
   void togglePlay();
   bool isPlaying() const;
-  /// What is written over the picture. Only where shown() is something.
+  /// Returns the texts over the picture. Valid only if shown() is not null.
   virtual Overlays overlays() const = 0;
   void invert();
-  /// A window to choose by name.
+  /// A window offered by name.
   struct WindowChoice {
     QString name;
     bool isChosen;
     WindowKey key{};
   };
-  /// First the automatic one, then those of the file, of tissues, and the user's own; empty: there is none to
-  /// choose.
+  /// Returns the windows on offer: automatic, those of the file, of tissues, and the user's own. Empty if
+  /// there is no choice.
   virtual std::vector<WindowChoice> windows() const = 0;
   virtual void chooseWindow(int number) = 0;
-  /// The window in use, in the values of shown(); none: colours, or nothing is in memory.
+  /// Returns the window in use, in the values of shown(). Nothing for colours or if nothing is in memory.
   std::optional<Window> windowShown() const;
-  /// Turned further than it is.
+  /// Turns the picture by `by` in addition to its present orientation.
   void turnPicture(const QString& text, PictureTurn by);
-  /// So many mm a device pixel, about the middle.
+  /// Zooms to `mmPerPixel` (device pixels) about the centre.
   void zoomTo(double mmPerPixel);
-  /// mm of a pixel of what is shown, the smaller edge. Only where shown() is something.
+  /// Returns the shorter edge in mm of a pixel of the source. Valid only if shown() is not null.
   double ownPixelMm() const;
-  /// What is true of its mm: "at detector"; empty: they are the patient's, or there are none.
+  /// Returns what the mm refer to, such as "at detector". Empty if they are the patient's or there are none.
   virtual QString lengthsWord() const { return {}; }
-  /// The picture as acquired that is seen.
+  /// Returns the acquired slice or frame that is seen.
   virtual PictureSeen pictureSeen() const = 0;
-  /// Where the wheel is, and of how many places.
+  /// Returns the position in the stack and the number of positions.
   virtual StackPlace place() const = 0;
-  /// Of how many the number of the picture is one; its places in the order of their numbers.
+  /// Returns how many numbers there are. numberedPlaces() has their stack positions in numeric order.
   int numberCount() const { return numbers().count; }
   std::vector<NumberedPlace> numberedPlaces() const;
-  /// The measurements that are seen, the one that is being drawn last.
+  /// Returns the visible measurements; the one being drawn is last.
   std::vector<DrawnMeasurement> drawnMeasurements() const;
-  /// A plane of the stack that is scrolled through: the one on screen, or one at an end.
+  /// Planes of the stack: the one on screen and those at its ends.
   enum class StackPart { current, first, last };
   struct StackPlane {
     StackPart part;
     SlicePlane plane;
   };
-  /// Those that other views show as lines, the one on screen first; none where it has no place in the
-  /// patient. `ends`: with the first and the last one, where they are known.
+  /// Returns the planes that other views show as lines, the one on screen first. Empty without a position in
+  /// the patient. With `ends` includes the first and the last plane if known.
   std::vector<StackPlane> stackPlanes(bool ends) const { return stackPlanesIn(session_.workspace(), ends); }
-  /// The same as another workspace has them; none where that shows something else in this view's place.
+  /// Returns the same for another workspace; empty if that has something else in this view.
   virtual std::vector<StackPlane> stackPlanesIn(const Workspace& workspace, bool ends) const;
-  /// Where the planes of other views on screen cut this one, as the preferences say: those in the same frame
-  /// of reference or one linked to it, but for those that have a line of the crosshair.
+  /// Returns the intersections with planes of other views on screen, as the preferences say. Those views
+  /// share the frame of reference or are linked to it, and have no line of the crosshair.
   std::vector<ReferenceLine> referenceLines() const;
-  /// Who finds the view of an id; null: it is none of these.
+  /// Sets the function that finds a flat view by its id, or returns null.
   void setFinder(std::function<const FlatView*(ViewId)> find) { find_ = std::move(find); }
 
  Q_SIGNALS:
-  /// The picture of what the workspace says is on screen.
+  /// The picture on screen now corresponds to the workspace.
   void settled();
   /// The key of a tool was pressed.
   void toolWanted(const volumen::Tool& tool);
-  /// A measurement was drawn, and no other is wanted.
+  /// A measurement was drawn and no further one is expected.
   void toolDone();
 
  protected:
-  /// What the badge says: a few words, and whole sentences behind them.
+  /// Text of the badge: short words, and whole sentences for details.
   struct Warnings {
     QStringList words, sentences;
   };
 
   FlatView(const ViewParts& parts, ViewId id, QWidget* parent);
 
-  /// This plane as what is shown has it.
+  /// Returns this plane in the space of the series shown.
   virtual SlicePlane planeShown(const SlicePlane& plane) const { return plane; }
-  /// What its picture is made of.
+  /// Returns the request for the picture of a plane.
   virtual SliceRequest requestOf(const SlicePlane& plane) const = 0;
-  /// Whether a picture may be shown in place of the one asked for last, until that comes.
+  /// Returns whether a picture may be shown until the one requested last arrives.
   virtual bool mayShow(const SliceRequest& request) const;
-  /// Whether it is the one of what the workspace says.
+  /// Returns whether the picture corresponds to the workspace.
   virtual bool isWanted(const SliceRequest& request) const;
-  /// Whether the picture of the series shown before stays until there is one of this series.
+  /// Returns whether the picture of series `before` stays until the first one of this series.
   virtual bool keepsPictureOf(const SeriesKey& before) const = 0;
-  /// Something else is shown: nothing of what was stays.
+  /// Discards everything of the series shown before.
   virtual void forget();
-  /// For what the workspace says.
+  /// Requests the picture of the current workspace.
   virtual void ask() { askForPicture(); }
   void askForPicture();
-  /// False: it is of something else, or none was asked for.
+  /// Returns false if the picture is of something else or none was requested.
   virtual bool showPicture(const SlicePicture& picture);
 
-  /// The window in use.
+  /// Returns the window in use.
   virtual Window greyWindow() const = 0;
-  /// False of colours.
+  /// Returns false for colour pictures.
   virtual bool hasWindow() const { return true; }
-  /// Whether its places are those of the patient.
+  /// Returns whether its points lie in the patient.
   virtual bool hasCursor() const { return true; }
   virtual void makeThicker(int /*steps*/) {}
-  /// What is played ends where it is.
+  /// Stops playing at the current position.
   void stop();
-  /// Whether the picture of what the workspace says is on screen, and no drag is under way.
+  /// Returns whether the picture corresponds to the workspace and no drag is in progress.
   bool isAtRest() const;
-  /// What is counted: the number of the picture shown, 0 where it has none, and of how many.
+  /// The number of the picture shown (0 if it has none) and the total.
   struct Numbers {
     QString noun;
     int now = 0, count = 0;
   };
   virtual Numbers numbers() const = 0;
-  /// The line of the corner that says it.
+  /// Returns the corner text with the number.
   virtual QString numberLine() const = 0;
-  /// Where the wheel is at the picture of a number; none: it has no place.
+  /// Returns the stack position of a number, if it has one.
   virtual std::optional<int> placeOf(int number) const = 0;
-  /// Shows the picture of a number; why it cannot, empty: it does.
+  /// Shows the picture of a number. Returns why it cannot, or an empty string.
   virtual QString goToNumber(int number) = 0;
-  /// Places of the stack that are key images.
+  /// Returns the stack positions that are key images.
   virtual std::vector<int> keyImagePlaces() const = 0;
-  /// Runs of places that are in memory.
+  /// Returns the runs of positions in memory.
   virtual std::vector<std::pair<int, int>> heldPlaces() const = 0;
-  /// With its planes as they lie where nobody turned them.
+  /// Returns the workspace with this view's planes in their original orientation.
   virtual Workspace unturned(Workspace workspace) const { return workspace; }
   virtual Warnings warnings() const = 0;
   virtual QString hoverText(QPointF position) const = 0;
   virtual std::vector<const Measurement*> measurements() const = 0;
-  /// What shapes that are drawn now belong to; none: to the patient.
+  /// Returns the frame that new shapes belong to; nothing if they belong to the patient.
   virtual std::optional<ShapeFrame> shapeFrame() const { return {}; }
-  /// A drag by one of the lines over the picture; null: none is under the press.
+  /// Starts a drag of a line over the picture; null if none is under the press.
   virtual std::unique_ptr<Drag> pressLine(const SlicePress& /*press*/) const { return nullptr; }
-  /// Whether there is one.
+  /// Returns whether a line is under the press.
   virtual bool isOnLine(const SlicePress& /*press*/) const { return false; }
-  /// Under measurements and texts.
+  /// Paints lines below measurements and texts.
   virtual void paintLines(QPainter& painter) const;
-  /// Over all.
+  /// Paints above everything else.
   virtual void paintColours(QPainter& /*painter*/) const {}
-  /// What is there to be dragged, on screen alone.
+  /// Paints handles, which are on screen only.
   virtual void paintHandles(QPainter& /*painter*/) const {}
 
-  /// What holds for its series in this view (ui/workspace/view_window).
+  /// Returns the state of its series in this view (ui/workspace/view_window).
   SeriesState seriesState() const;
-  /// These words about the window, and that it is of this view alone where it is.
+  /// Returns `words` about the window, marked if the window is of this view alone.
   QString windowLine(const QString& words) const;
   std::optional<SlicePress> pressAt(QPointF p) const;
-  /// Of the segments over the picture: of its series, of the one over that, of segmentation objects.
+  /// Returns the segment layers over the picture: of its series, of the overlaid series, and of segmentation
+  /// objects.
   std::vector<SegmentLayer> segmentLayers() const;
-  /// "Key image" with its star, where it is one.
+  /// Returns "Key image" with its star if the picture is one.
   QString keyImageText() const;
-  /// The lines of the corners, as many as there is room for, and what else is in their way.
+  /// Returns the corner texts that fit, and the areas they have to avoid.
   Overlays cornersOf(const CornerTexts& texts) const;
   QRectF overlayArea() const;
   void tellWarnings();
@@ -233,7 +234,7 @@ class FlatView : public View {
   bool event(QEvent*) override;
   void leaveEvent(QEvent*) override;
   bool hasMenu() const override { return shown() != nullptr; }
-  /// What the left button does.
+  /// Returns the tool of the left button.
   const Tool& tool() const { return *tool_; }
   void hideEvent(QHideEvent*) override;
 
@@ -289,20 +290,21 @@ class FlatView : public View {
   WarningBadge* badge_;
   const Tool* tool_;
   QImage picture_;
-  std::optional<SliceRequest> asked_;  // the last
-  std::optional<SliceRequest> drawn_;  // that of picture_
+  std::optional<SliceRequest> asked_;  // the last request
+  std::optional<SliceRequest> drawn_;  // the request of picture_
   std::unique_ptr<Drag> drag_;
   std::optional<DrawnBall> ball_;
-  std::optional<SegmentMap> preview_;      // under those of its series
-  std::optional<SliceRequest> lensAsked_;  // the last of drag_
+  std::optional<SegmentMap> preview_;      // below the segments of its series
+  std::optional<SliceRequest> lensAsked_;  // the last lens request of drag_
   std::optional<SlicePicture> lens_;
   bool isBarThick_ = false;
-  int stepsAtPress_ = 0;  // of the undo stack
+  int stepsAtPress_ = 0;  // index of the undo stack
   QPointF pressedAt_;
-  Qt::MouseButton dragButton_ = Qt::NoButton;  // began drag_
-  std::optional<QPointF> heldAt_;  // the pointer as the key of the crosshair went down; none: it went on
+  Qt::MouseButton dragButton_ = Qt::NoButton;  // button that began drag_
+  // Pointer position when the crosshair key went down; empty once the pointer has moved on.
+  std::optional<QPointF> heldAt_;
   QTimer wheelEnd_;
-  double wheelRest_ = 0;  // notches not yet scrolled
+  double wheelRest_ = 0;  // fraction of a notch not yet scrolled
 };
 
 }  // namespace volumen

@@ -11,14 +11,14 @@ namespace volumen {
 
 namespace {
 
-// Empty: its places are comparable with nothing else.
+// Returns the frame of reference; empty if points are not comparable with other series.
 std::string frameOfReferenceOf(const LoadedSeriesPtr& shown) {
   return shown && shown->volume->geometry().calibrated ? shown->series.frameOfReferenceUid : std::string();
 }
 
-constexpr double fillOfSegments = 0.5;  // of an opaque segment: the picture is seen through it
+constexpr double fillOfSegments = 0.5;  // of the segment's opacity, so that the picture shows through
 
-// None: there is none that is seen.
+// Returns the layer of a segment map; nothing if no segment is visible.
 std::optional<SegmentLayer> layerOf(const SegmentMap& map, const Rigid& fromPlane) {
   if (!map.labels) return {};
   SegmentLayer layer{nullptr, {}, fillOfSegments, map.labels, fromPlane};
@@ -32,7 +32,7 @@ std::optional<SegmentLayer> layerOf(const SegmentMap& map, const Rigid& fromPlan
 void paintContours(QPainter& painter, const ContourLines& contours, double pixelRatio) {
   constexpr double arm = 3;  // of a cross, logical pixels
   painter.setBrush(Qt::NoBrush);
-  // A dark rim keeps them apart from bone.
+  // A dark rim separates contours from bone.
   for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 150), 3.0), {contours.colour, 1.5}}) {
     painter.setPen(QPen(colour, width * pixelRatio));
     for (const QPolygonF& line : contours.lines) painter.drawPolyline(line);
@@ -67,7 +67,7 @@ std::vector<SegmentLayer> FlatView::segmentLayers() const {
   return layers;
 }
 
-// What would be segments of a series lies under those that are, and these under those that are worked on.
+// Proposed segments lie below the existing ones, and these below those being edited.
 void FlatView::addSegmentsOf(const SeriesKey& series, const Rigid& fromPlane,
                              std::vector<SegmentLayer>& layers) const {
   const SegmentMap* worked = segmentMapOf(session_.workspace(), series);
@@ -83,7 +83,8 @@ void FlatView::showPreview(const std::optional<SegmentMap>& segments) {
   askForPicture();
 }
 
-// Those of the series, and of the one over it. A frame without a place in the patient is on no grid.
+// Adds the segments of the series and of the overlaid series. A frame without a position in the patient has
+// no grid.
 void FlatView::addSegmentMaps(std::vector<SegmentLayer>& layers) const {
   const LoadedSeriesPtr shown = this->shown();
   if (!shown || (shapeFrame() && !shown->volume->geometry().calibrated)) return;
@@ -96,7 +97,7 @@ void FlatView::addSegmentMaps(std::vector<SegmentLayer>& layers) const {
   if (relation) addSegmentsOf(over->first, relation->toFromFrom, layers);
 }
 
-// Contours.
+// Paints contours.
 void FlatView::paintLines(QPainter& painter) const {
   const double ratio = devicePixelRatioF();
   const SlicePlane now = *plane();

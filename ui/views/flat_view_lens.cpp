@@ -11,7 +11,7 @@ namespace {
 constexpr int lensEdge = 240;  // logical pixels
 const QColor lensRing(0xf2, 0xf4, 0xf6);
 
-// As many pixels as the lens has on screen, each as small as the plane shows them through it.
+// Returns the plane of the lens with its size on screen and its magnification.
 SlicePlane planeOfLens(SlicePlane plane, const Enlarged& lens, double ratio) {
   plane.centre = plane.patientFromPixel({lens.at.x() * ratio, lens.at.y() * ratio});
   plane.mmPerPixel /= lens.factor;
@@ -21,7 +21,7 @@ SlicePlane planeOfLens(SlicePlane plane, const Enlarged& lens, double ratio) {
 
 }  // namespace
 
-// That of the drag, or none.
+// Requests the picture of the drag's lens, if it has one.
 void FlatView::askForLens() {
   const std::optional<Enlarged> wanted = drag_ ? drag_->enlarged() : std::nullopt;
   const std::optional<SlicePlane> now = wanted ? plane() : std::nullopt;
@@ -38,8 +38,8 @@ void FlatView::askForLens() {
   service_.request(std::move(request));
 }
 
-// Over the picture and what is drawn in it, under what is written. It stands where its picture belongs, which
-// may be a moment behind the pointer.
+// Paints the lens above the picture and its lines, below texts. The lens stays where its picture belongs,
+// which may lag behind the pointer.
 void FlatView::paintLens(QPainter& painter) const {
   if (!lens_ || !shown() || !drag_ || !drag_->enlarged()) return;
   const double ratio = devicePixelRatioF();

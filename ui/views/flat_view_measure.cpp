@@ -20,8 +20,8 @@ namespace {
 
 constexpr int nameFieldWidth = 180;
 
-// Of its whole, and of arrows also what they say. Values of another series than `shown` name it, unless they
-// are those of two series, which do.
+// Returns the name and the results of a measurement. Values of another series than `shown` name that series;
+// results of two series already do.
 QStringList textOf(const Measurement& m, MeasureJobs& measurer, const Workspace& workspace,
                    const SeriesKey& shown) {
   QStringList text;
@@ -106,7 +106,7 @@ void FlatView::endDrag(Qt::KeyboardModifiers keys) {
   if (!(keys & Qt::ShiftModifier) && !tool_->stays && !tool_->clicks) Q_EMIT toolDone();
 }
 
-// A field where the text stands; what is typed becomes the name on Enter or when it is left.
+// Opens a field at the text. Its content becomes the name on Enter or when the field loses focus.
 void FlatView::askForName(int id) {
   const Measurement* m = findMeasurement(session_.workspace(), id);
   if (!m) return;
@@ -121,7 +121,7 @@ void FlatView::askForName(int id) {
   field->move(std::clamp(int(at.x()), 0, std::max(0, width() - field->width())),
               std::clamp(int(at.y()), 0, std::max(0, height() - field->height())));
   connect(field, &QLineEdit::editingFinished, this, [this, field, id] {
-    if (field->isHidden()) return;  // told a second time: the focus went with it
+    if (field->isHidden()) return;  // sent again as the focus leaves the hidden field
     field->hide();
     renameMeasurement(session_, id, field->text());
     field->deleteLater();
@@ -152,7 +152,7 @@ void FlatView::showCursorAt(QPointF p) {
   setCursor(press && isOnLine(*press) ? Qt::PointingHandCursor : tool_->cursor);
 }
 
-// The keys of the tools, of deleting and of ending a line; false: the key means nothing here.
+// Handles the keys of tools, of deletion and of ending a line. Returns false for other keys.
 bool FlatView::pressMeasuringKey(const QKeyEvent& event) {
   if (event.key() == Qt::Key_Delete && session_.workspace().selected > 0) {
     deleteMeasurement(session_, session_.workspace().selected);
@@ -179,7 +179,7 @@ bool FlatView::pressMeasuringKey(const QKeyEvent& event) {
   return tool != nullptr;
 }
 
-// Letters that stand for tools here, and I for inverting, mean views elsewhere in the window.
+// Letters of tools, and I for inversion, select views elsewhere in the window.
 bool FlatView::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto& key = static_cast<QKeyEvent&>(*event);
@@ -198,7 +198,7 @@ bool FlatView::event(QEvent* event) {
 
 void FlatView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (tool_->clicks) return mousePressEvent(event);  // another one, however soon it follows
+  if (tool_->clicks) return mousePressEvent(event);  // a further click, however soon
   if (!drag_ && isOnStackBar(event->position())) return mousePressEvent(event);
   if (drag_) {
     if (drag_->finish()) endDrag(event->modifiers());

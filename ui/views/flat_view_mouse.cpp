@@ -15,7 +15,7 @@
 namespace volumen {
 
 namespace {
-constexpr double fastScroll = 10;  // times
+constexpr double fastScroll = 10;  // factor of "fast"
 }
 
 const Tool* FlatView::toolFor(const QMouseEvent& event) const {
@@ -24,7 +24,7 @@ const Tool* FlatView::toolFor(const QMouseEvent& event) const {
   if (isLeft && tool_->draws()) return tool_;
   std::string bound =
       boundTo(session_.preferences(), slotOf(MousePlace::flat, event.button(), event.modifiers()));
-  // What has no place in the patient has no crosshair.
+  // Series without a position in the patient have no crosshair.
   if (bound == "crosshair" && !hasCursor()) bound = isLeft ? "chosen" : "none";
   if (bound == "none") return nullptr;
   if (bound != "chosen") return &toolNamed(bound);
@@ -76,7 +76,7 @@ void FlatView::mouseMoveEvent(QMouseEvent* event) {
   pointAt(event->position());
 }
 
-// What goes on across slices sees the one that is shown.
+// Tells drags across slices which slice is shown.
 void FlatView::seeDrag() {
   if (const auto now = drag_ && drag_->scrolls() ? plane() : std::nullopt) drag_->planeChanged(*now);
 }
@@ -86,7 +86,8 @@ bool FlatView::movesCrosshair(Qt::KeyboardModifiers keys) const {
   return slot.held && !tool_->draws() && hasCursor() && boundTo(session_.preferences(), slot) == "crosshair";
 }
 
-// Whether the pointer is meant to take it along: a hand that holds the key for the wheel is not quite still.
+// Returns whether the pointer moves the crosshair. A hand that holds the key for the wheel is not quite
+// still.
 bool FlatView::takesCrosshair(const QMouseEvent& event) {
   if (!movesCrosshair(event.modifiers())) {
     heldAt_ = event.position();
@@ -128,7 +129,7 @@ void FlatView::wheelEvent(QWheelEvent* event) {
   wheelEnd_.start();
   if (bound == "none") return;
   if (bound == "zoom") return zoomBy(*press, std::pow(0.85, -wheelSign() * notches));
-  // A wheel has no pixels to pan by.
+  // A wheel reports no pixels to pan by.
   if (bound == "pan" && !event->pixelDelta().isNull()) {
     beginSlicePan(*press)->moveTo(press->at + event->pixelDelta(), {});
     return;
@@ -150,7 +151,7 @@ void FlatView::zoomBy(const SlicePress& press, double factor) {
   zoomFlat(session_, id(), flatLookOf(state()), press.plane, press.patientAt(press.at), factor);
 }
 
-// Two fingers that go apart enlarge about the place between them.
+// Two fingers moving apart zoom in about the point between them.
 bool FlatView::pinch(const QNativeGestureEvent& event) {
   const auto press = pressAt(event.position());
   if (event.gestureType() != Qt::ZoomNativeGesture || !press || drag_) return false;
@@ -159,7 +160,7 @@ bool FlatView::pinch(const QNativeGestureEvent& event) {
   return true;
 }
 
-// The keys of the tool in hand and of what is being drawn.
+// Handles the keys of the selected tool and of the current drag.
 bool FlatView::pressToolKey(const QKeyEvent& event) {
   const int key = latinKey(event);
   const bool isTaken = (tool_->takesKey && tool_->takesKey(session_, key)) || (drag_ && drag_->takesKey(key));
@@ -167,7 +168,7 @@ bool FlatView::pressToolKey(const QKeyEvent& event) {
   return isTaken;
 }
 
-// A digit chooses a window, with Ctrl one of the file's.
+// Digits select windows; with Ctrl they select windows of the file.
 bool FlatView::pressWindowKey(const QKeyEvent& event) {
   const int digit = event.key() - Qt::Key_0;
   const bool isCtrl = event.modifiers() == Qt::ControlModifier;

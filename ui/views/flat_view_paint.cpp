@@ -19,7 +19,7 @@ Overlays FlatView::cornersOf(const CornerTexts& texts) const {
   return o;
 }
 
-// At the bottom; what is written stands above it.
+// The bar is at the bottom; texts stand above it.
 void FlatView::placeCineBar() {
   cine_->setGeometry(0, height() - CineBar::barHeight, width(), CineBar::barHeight);
 }
@@ -34,7 +34,7 @@ std::vector<QWidget*> FlatView::badges() const {
   return all;
 }
 
-// Beside a picture that is turned otherwise no letter and no measurement would be right.
+// Letters and measurements would be wrong over a picture in another orientation.
 bool FlatView::liesAsDrawn() const {
   const std::optional<SlicePlane> now = plane();
   if (!now || !drawn_) return true;
@@ -65,7 +65,7 @@ void FlatView::showBall(const std::optional<DrawnBall>& ball) {
   update();
 }
 
-// One of another frame of reference where the registration has it.
+// A sphere of another frame of reference is drawn where the registration puts it.
 void FlatView::paintDrawnBall(QPainter& painter) const {
   if (!ball_ || shapeFrame()) return;
   const Workspace& workspace = session_.workspace();
@@ -77,7 +77,7 @@ void FlatView::paintDrawnBall(QPainter& painter) const {
   paintBall(painter, *plane(), devicePixelRatioF(), relation->toFromFrom(ball_->pPatient), ball_->radiusMm);
 }
 
-// What lies over the picture.
+// Paints everything that lies over the picture.
 void FlatView::paintOver(QPainter& painter) const {
   paintLines(painter);
   paintReferenceLines(painter, referenceLines(), rect());
@@ -88,7 +88,7 @@ void FlatView::paintOver(QPainter& painter) const {
   paintColours(painter);
 }
 
-// Over all, at the pointer.
+// The tool is painted above everything, at the pointer.
 void FlatView::paintTool(QPainter& painter) const {
   if (!tool_->paintAt || !pointedAt()) return;
   if (const auto press = pressAt(*pointedAt())) tool_->paintAt(painter, *press);

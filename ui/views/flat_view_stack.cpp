@@ -9,9 +9,9 @@ namespace volumen {
 
 namespace {
 
-constexpr int bottomEdge = 6;  // below all that is written; there the pointer asks for the cine bar
+constexpr int bottomEdge = 6;  // height below all texts where the pointer shows the cine bar
 
-// The place under the pointer is shown.
+// Shows the position under the pointer.
 class StackBarDrag : public Drag {
  public:
   explicit StackBarDrag(FlatView& view) : view_(view) {}
@@ -36,7 +36,7 @@ std::optional<StackBar> FlatView::stackBar() const {
   return StackBar{stackArea(), place(), keyImagePlaces(), heldPlaces(), isBarThick_};
 }
 
-// What is drawn or was drawn there comes first.
+// Drawing tools and measurements under the pointer come first.
 bool FlatView::isOnStackBar(QPointF p) const {
   return stackArea().contains(p) && shown() && place().count > 1 && !tool_->draws() && !measurementAt(p);
 }
@@ -48,7 +48,7 @@ std::unique_ptr<Drag> FlatView::pressStackBar(QPointF p) {
   return drag;
 }
 
-// The bars that the pointer may want.
+// Shows the bars near the pointer.
 void FlatView::tellEdges(QPointF p) {
   const bool isThick = isOnStackBar(p);
   if (std::exchange(isBarThick_, isThick) != isThick) update(stackArea().toAlignedRect());
@@ -62,7 +62,7 @@ bool FlatView::isPlaying() const { return cine_->isPlaying(); }
 
 void FlatView::stop() { cine_->stop(); }
 
-// Where a line of the corners stands; empty: nowhere.
+// Returns the rectangle of a corner text; empty if it is not shown.
 QRectF FlatView::cornerRect(const QString& line) const {
   const PlacedOverlays placed = placeOverlays(overlays(), overlayArea(), font());
   const auto text = std::ranges::find(placed.texts, line, &PlacedText::text);
@@ -80,7 +80,7 @@ QRectF FlatView::numberRect() const {
   return shown() && numbers().count > 1 ? cornerRect(numberLine()) : QRectF();
 }
 
-// Whether numbers were pressed that can be typed.
+// Opens a field if editable numbers were pressed. Returns whether they were.
 bool FlatView::pressCorner(QPointF p) {
   if (tool_->draws() || tool_->looking) return false;
   const bool isWindow = windowRect().contains(p);

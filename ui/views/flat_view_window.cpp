@@ -20,12 +20,12 @@ QString FlatView::windowLine(const QString& words) const {
   return isAlone ? tr("%1 (this view)").arg(words) : words;
 }
 
-// Where the numbers of the window stand; empty: nowhere, there are none.
+// Returns the rectangle of the window's numbers; empty if there are none.
 QRectF FlatView::windowRect() const {
   return shown() && hasWindow() ? cornerRect(overlays().bottomRight) : QRectF();
 }
 
-// Two fields where the numbers stand: one step where they are set.
+// Opens two fields at the numbers. Setting them is one undo step.
 void FlatView::typeWindow() {
   const LoadedSeriesPtr shown = this->shown();
   const Window now = shownWindow(greyWindow(), shown->series);
@@ -47,7 +47,7 @@ void FlatView::typeWindow() {
   field->selectAll();
 }
 
-// They are about what was shown.
+// The fields belong to what was shown before.
 void FlatView::closeFields() {
   for (NumberEdit* edit : findChildren<NumberEdit*>()) edit->leave();
   for (WindowEdit* edit : findChildren<WindowEdit*>()) edit->leave();

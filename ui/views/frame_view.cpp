@@ -25,7 +25,7 @@ QString letters(glm::dvec3 direction) { return QString::fromStdString(sideLetter
 
 }  // namespace
 
-// Frames are left out where they come faster than they are read; what is played is no step before it stops.
+// Skips frames that come faster than they are read. Playback is no undo step until it stops.
 class FrameView::Clip : public Playable {
  public:
   explicit Clip(FrameView& view) : view_(view) {}
@@ -47,7 +47,7 @@ class FrameView::Clip : public Playable {
   }
   bool isReady(int) const override { return true; }
   bool keepsTime() const override { return true; }
-  // At the frame on screen.
+  // Stops at the frame on screen.
   void stop() override {
     if (!view_.played_) return;
     const int frame = view_.frame_ ? view_.frame_->key.index : *view_.played_;
@@ -63,7 +63,7 @@ class FrameView::Clip : public Playable {
   }
 
  private:
-  // Null: the view shows no frames.
+  // Null if the view shows no frames.
   const Series* series() const {
     return view_.isCurrent() ? seriesIn(view_.session_.workspace(), view_.id()) : nullptr;
   }
@@ -107,7 +107,7 @@ void FrameView::ask() {
 
 void FrameView::askForFrame() {
   if (!isCurrent() || state().series.empty() || !isVisible()) return;
-  if (frameCount(*seriesState().series) == 0) return;  // of a session whose files are not here
+  if (frameCount(*seriesState().series) == 0) return;  // the session's files are missing
   const FrameKey key = frameKey();
   if (frame_ && frame_->key == key) return;
   const bool isBackwards = isPlaying() ? cine_->isBackwards() : frame_ && frame_->key.index > key.index;
@@ -128,7 +128,7 @@ void FrameView::takeFrame(int view, const LoadedFramePtr& frame) {
 }
 
 void FrameView::tellFailure(int view, const FrameKey& key, const QString& sentence) {
-  // A clip goes on with the next one.
+  // A clip continues with the next frame.
   if (view != id() || !isCurrent() || isPlaying() || key != frameKey()) return;
   forget();
   failure_ = shownText(sentence.toStdString());
@@ -137,7 +137,7 @@ void FrameView::tellFailure(int view, const FrameKey& key, const QString& senten
 }
 
 bool FrameView::mayShow(const SliceRequest& request) const {
-  // Of frames that come faster than they are drawn any is better than none.
+  // If frames come faster than they are drawn, any frame is better than none.
   const bool isOfClip = request.frame && request.frame->key.series == state().series;
   return isOfClip || FlatView::mayShow(request);
 }
@@ -234,12 +234,12 @@ PictureSeen FrameView::pictureSeen() const {
   return {frame_ ? std::optional(frame_->key.index) : std::nullopt, false};
 }
 
-// The ends only where the frames are the slices of a volume: of others only those that were read have a
-// place.
+// Adds the ends only if the frames are slices of a volume. Otherwise the position of a frame is known only
+// once it is read.
 std::vector<FlatView::StackPlane> FrameView::stackPlanesIn(const Workspace& workspace, bool ends) const {
   std::vector<StackPlane> planes = FlatView::stackPlanesIn(workspace, ends);
   if (planes.empty()) return planes;
-  // The frame on screen alone was read.
+  // Only the frame on screen was read.
   const bool isOther = &workspace != &session_.workspace();
   if (isOther && flatLookOf(workspace.view(id())).frame != frame_->key.index) return {};
   if (!ends) return planes;
@@ -317,7 +317,7 @@ QString FrameView::presentationText() const {
   return label.isEmpty() ? tr("Presentation state") : tr("Presentation %1").arg(label);
 }
 
-// What a presentation state draws.
+// Paints the graphics of a presentation state.
 void FrameView::paintLines(QPainter& painter) const {
   FlatView::paintLines(painter);
   if (!frame_->how || !flatLookOf(state()).layers) return;

@@ -6,17 +6,17 @@
 
 namespace volumen {
 
-/// The frames of a series as acquired, one at a time: the wheel goes from one to the next, and they are
-/// played as a clip.
+/// Shows the frames of a series as acquired, one at a time. The wheel changes the frame, and the frames can
+/// be played as a clip.
 class FrameView : public FlatView {
   Q_OBJECT
  public:
   FrameView(const ViewParts& parts, ViewId id, QWidget* parent);
   ~FrameView() override;
 
-  /// The frame on screen; null: none is read yet.
+  /// Returns the frame on screen; null until one is read.
   const LoadedFramePtr& frame() const { return frame_; }
-  /// One of greyChoices().
+  /// Applies one of greyChoices().
   void chooseGrey(const GreyChoice& choice);
   void scroll(int steps) override;
   void goTo(int place) override;
@@ -61,7 +61,7 @@ class FrameView : public FlatView {
  private:
   class Clip;
 
-  /// Whether the workspace has frames in this view's place.
+  /// Returns whether the workspace has frames in this view.
   bool isCurrent() const { return showsFrames(state().kind); }
   FrameKey frameKey() const;
   void askForFrame();
@@ -71,8 +71,9 @@ class FrameView : public FlatView {
 
   FrameService& frames_;
   LoadedFramePtr frame_;
-  QString failure_;            // of the frame that is wanted
-  std::optional<int> played_;  // the frame that is due while a clip is played, in place of the workspace's
+  QString failure_;  // of the wanted frame
+  // Frame that is due while a clip plays; it replaces the workspace's frame.
+  std::optional<int> played_;
 };
 
 }  // namespace volumen

@@ -6,7 +6,7 @@ namespace volumen {
 
 namespace {
 
-// Three rows of a keyboard, from the scan code on that X11 and Wayland (evdev's and 8) give the first one.
+// The three letter rows of a keyboard, from the first scan code on X11 and Wayland (evdev code + 8).
 struct KeyRow {
   quint32 first;
   QLatin1String keys;

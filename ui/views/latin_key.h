@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// The key of an event; where its letter is none of the Latin script (Cyrillic, Greek), the one that lies at
-/// its place on a US keyboard. Of X11 and Wayland; elsewhere the key as it is.
+/// Returns the key of an event. For letters of other scripts (Cyrillic, Greek) returns the key at the same
+/// position of a US keyboard. This works on X11 and Wayland; other systems return the key unchanged.
 int latinKey(const QKeyEvent& event);
 
 }  // namespace volumen

@@ -12,7 +12,6 @@ namespace volumen {
 
 namespace {
 
-/// Paints one layer after the other.
 class LayerPainter {
  public:
   LayerPainter(QPainter& painter, const FramePresentation& how, const AnnotationPlaces& places,
@@ -51,7 +50,7 @@ class LayerPainter {
     painter_.drawLine(p - QPointF(0, arm), p + QPointF(0, arm));
   }
 
-  // Below all that it would touch.
+  // Moves a text down below everything it would touch.
   QRectF freePlace(QRectF place, int flags, const QString& words) {
     constexpr double gap = 4;
     QRectF lines = painter_.boundingRect(place, flags, words);

@@ -17,7 +17,7 @@ namespace volumen {
 
 namespace {
 
-// The part of the line inside box, clip box and clip planes, in mm along it (picture.md 6). Empty: first >=
+// The part of the line inside box, clip box and clip planes, in mm along it (picture.md 6). Empty if first >=
 // last.
 struct Stretch {
   double first, last;
@@ -34,7 +34,7 @@ struct Stretch {
   }
 };
 
-// `beyond`: voxels, how far it goes on where the sides of the volume, not the clip box, end it.
+// Extends the part by `beyond` voxels where the volume ends it and not the clip box.
 Stretch visibleStretch(const Scene& scene, const VoxelGeometry& g, const SightLine& line, bool parallel,
                        double beyond = 0) {
   constexpr double far = 1e9;
@@ -53,7 +53,7 @@ Stretch visibleStretch(const Scene& scene, const VoxelGeometry& g, const SightLi
   return s;
 }
 
-// Trilinear between the eight nearest voxels, of at(i, j, k).
+// Interpolates at(i, j, k) trilinearly between the eight nearest voxels.
 template <class At>
 auto interpolated(glm::ivec3 size, glm::dvec3 pVoxel, const At& at) {
   const glm::dvec3 x = glm::clamp(pVoxel, glm::dvec3(0), glm::dvec3(size - 1));
@@ -65,14 +65,15 @@ auto interpolated(glm::ivec3 size, glm::dvec3 pVoxel, const At& at) {
   return between(slice(a.z), slice(b.z), f.z);
 }
 
-// |g_p| of picture.md 3, value per mm.
+// Returns |g_p| of picture.md 3, value per mm.
 double gradientLength(const Volume& volume, glm::dvec3 pVoxel) {
   const glm::dvec3 g =
       interpolated(volume.size(), pVoxel, [&](int i, int j, int k) { return sobelAt(volume, i, j, k); });
   return glm::length(volume.geometry().patientFromVoxelGradient() * g);
 }
 
-// The factor of picture.md 4, linear between points, the last of equal ones holding at their gradient.
+// Returns the factor of picture.md 4, linear between points. Of points with equal gradients the last one
+// holds.
 double gradientFactor(const std::vector<GradientOpacityPoint>& points, double gradient) {
   const auto above = std::upper_bound(points.begin(), points.end(), gradient,
                                       [](double g, const auto& p) { return g < p.gradient; });
@@ -83,7 +84,7 @@ double gradientFactor(const std::vector<GradientOpacityPoint>& points, double gr
   return below.factor + share * (above->factor - below.factor);
 }
 
-// f of picture.md 10.
+// Returns f of picture.md 10.
 double occupancyAt(const OccupancyField& field, glm::dvec3 pVoxel) {
   const glm::dvec3 x = pVoxel - glm::dvec3(field.box.low);
   const glm::i64vec3 size = field.size();
@@ -94,7 +95,7 @@ double occupancyAt(const OccupancyField& field, glm::dvec3 pVoxel) {
   });
 }
 
-// A line of sight through the scene; t in mm along it.
+// A line of sight through the scene; t is in mm along it.
 class Sight {
  public:
   Sight(const Scene& scene, const Volume& volume, const SightLine& line, bool parallel)
@@ -116,17 +117,17 @@ class Sight {
   std::optional<Pick> wholeLine() const;
 
  private:
-  // Four, so that a curve's narrow band is met within the edge that it lies on; finer where it is found.
+  // Four samples catch a narrow band of the curve within the edge it lies on; the hit is refined.
   static constexpr double stepsPerVoxel = 4, finer = 64;
-  static constexpr double beyondVolume = 1;  // voxels: no surface of a segment is farther out
+  static constexpr double beyondVolume = 1;  // voxels; no surface of a segment is farther out
 
-  using Occupancies = std::vector<double>;  // of the scene's segments at a place
-  // How much is stopped by surfaces on a step, as an optical depth; the segment that is met first.
+  using Occupancies = std::vector<double>;  // of the scene's segments at a point
+  // The optical depth of surfaces in one sampling step, and the first segment hit.
   struct Met {
     double depth = 0;
     std::optional<std::size_t> segment{};
   };
-  // Where so much opacity is reached, and on which segment; none: in the volume.
+  // The point where an opacity is reached, and its segment; no segment if it lies in the volume.
   struct Place {
     double t;
     std::optional<std::size_t> segment{};
@@ -146,7 +147,7 @@ class Sight {
   const Volume& volume_;
   const SightLine& line_;
   const Stretch seen_;
-  Stretch withSegments_;  // of the volume and of surfaces
+  Stretch withSegments_;  // covers the volume and segment surfaces
   const double step_;
   bool anyFactor_ = false;
 };
@@ -168,10 +169,10 @@ Sight::Occupancies Sight::occupanciesAt(double t) const {
   return held;
 }
 
-// From the step before, where `held` was, which is told what it is at t. Which of several comes first is
-// asked of fine steps.
+// Returns what is hit between the previous sampling step, with occupancies `held`, and t. Updates `held`.
+// Only fine steps can tell which of several segments comes first.
 Sight::Met Sight::metUpTo(double t, Occupancies& held) const {
-  constexpr double mostOpaque = 1 - 1e-6, fineSteps = stepsPerVoxel * finer;    // a voxel
+  constexpr double mostOpaque = 1 - 1e-6, fineSteps = stepsPerVoxel * finer;    // per voxel
   constexpr double leftLater = 1e-3 * fineSteps, nextLater = 1e-6 * fineSteps;  // picture.md 10
   Met met;
   if (scene_.segments.empty()) return met;
@@ -191,8 +192,8 @@ Sight::Met Sight::metUpTo(double t, Occupancies& held) const {
 }
 
 std::optional<Pick> Sight::surface() const {
-  constexpr double opaque = 20;  // optical depth behind which nothing is seen
-  std::vector<double> depths;    // optical, of each step
+  constexpr double opaque = 20;  // optical depth that hides everything behind
+  std::vector<double> depths;    // optical depth of each sampling step
   double whole = 0;
   Occupancies held = occupanciesAt(withSegments_.first);
   const double last = withSegments_.last;
@@ -210,13 +211,13 @@ std::optional<Pick> Sight::surface() const {
   return found;
 }
 
-// By the optical depths of the steps.
+// Finds the point from the optical depths of the sampling steps.
 Sight::Place Sight::placeOf(double opacity, const std::vector<double>& depths) const {
   const Stretch line = withSegments_;
   double left = -std::log1p(-opacity);
   std::size_t n = 0;
   while (n + 1 < depths.size() && depths[n] < left) left -= depths[n++];
-  // Again in fine steps, from the step before, which may begin to be visible behind its middle.
+  // Refines with fine steps from the previous step, which may become visible behind its middle.
   Place place{line.first + (double(n) + 0.5) * step_};
   if (n > 0) left += depths[n - 1];
   const double from = std::max(line.first, place.t - 1.5 * step_),

@@ -8,21 +8,22 @@
 
 namespace volumen {
 
-/// What is seen along a line of sight.
+/// The point or value seen along a line of sight.
 struct Pick {
-  std::optional<glm::dvec3> pPatient;  ///< where, mm; none where the whole line is shown, as in `average`
-  double value = 0;                    ///< there, real units; else what is made of the line
-  std::optional<double>
-      softMm{}; /**< of the line from a quarter of its final opacity to three quarters; none
-                   but of a composite scene: projections do not show how deep a place lies */
-  std::optional<std::size_t> segment{};  ///< whose surface it is, of the scene's; none: the volume is seen
+  /// Patient mm; empty if the whole line is shown, as in `average`.
+  std::optional<glm::dvec3> pPatient;
+  double value = 0;  ///< at `pPatient`, else the value of the projection; real units
+  /// Length of the line from a quarter of its final opacity to three quarters, mm. Only in composite scenes,
+  /// because projections do not show depth.
+  std::optional<double> softMm{};
+  std::optional<std::size_t> segment{};  ///< index of the scene's segment; empty if the volume is seen
 };
 
-/// Looks along the line through box, clip and curve, gradient opacity included, and surfaces of segments, as
-/// the picture does. Of a composite scene: the place at which half of the line's final opacity is reached,
-/// whose value the curve shows, or on a segment; none where less than a twentieth of the light is stopped.
-/// `mip`, `minip`: where the largest or
-/// smallest value lies. A few steps a voxel, on the calling thread.
+/// Returns what the picture shows along a line: box, clip, transfer function, gradient opacity and segment
+/// surfaces all count. In a composite scene it is the point where half of the line's final opacity is
+/// reached, with a value that the curve shows, or on a segment. It returns nothing if less than 5 % of the
+/// light is stopped. In `mip` and `minip` it is the point of the largest or smallest value. Takes a few steps
+/// per voxel on the calling thread.
 std::optional<Pick> pick(const Scene& scene, const Volume& volume, const SightLine& line, bool parallel);
 
 /// v(x) of picture.md 2 at a voxel position, real units.

@@ -17,12 +17,12 @@ namespace volumen {
 
 namespace {
 
-constexpr int waitMs = 20;             // for numbers of measurements
-constexpr double textEdge = 640;       // logical pixels that texts over a whole picture are made for
-constexpr double textsPerMm = 3.7795;  // logical pixels of a screen of 96 an inch
-constexpr double dotsPerMm = 11.811;   // of paper: 300 an inch
+constexpr int waitMs = 20;             // interval for results of measurements
+constexpr double textEdge = 640;       // logical pixels of a whole picture for which texts are sized
+constexpr double textsPerMm = 3.7795;  // logical pixels of a 96 dpi screen
+constexpr double dotsPerMm = 11.811;   // 300 dpi on paper
 
-// Of all of the picture, or of what is seen; nothing has handles.
+// Shows the whole picture or the visible part; nothing is selected.
 Workspace workspaceOf(const PictureStop& stop, PictureLook::Size size) {
   Workspace workspace = stop.workspace;
   workspace.selected = 0;
@@ -34,7 +34,7 @@ Workspace workspaceOf(const PictureStop& stop, PictureLook::Size size) {
   return workspace;
 }
 
-// What it shows, and what is measured over it.
+// Returns the series the stop shows and those measured over it.
 std::set<SeriesKey> seriesSeen(const PictureStop& stop) {
   const ViewState& view = stop.workspace.view(stop.view);
   std::set<SeriesKey> seen{view.series, flatLookOf(view).overlay};
@@ -45,7 +45,7 @@ std::set<SeriesKey> seriesSeen(const PictureStop& stop) {
   return seen;
 }
 
-// PictureStop::held of what a session has in memory.
+// Returns PictureStop::held from the series in a session's memory.
 std::map<SeriesKey, LoadedSeriesPtr> seriesHeld(const PictureStop& stop, const Session& session) {
   std::map<SeriesKey, LoadedSeriesPtr> held;
   for (const SeriesKey& key : seriesSeen(stop)) {
@@ -56,7 +56,7 @@ std::map<SeriesKey, LoadedSeriesPtr> seriesHeld(const PictureStop& stop, const S
   return held;
 }
 
-// What the view of a stop needs of the series in memory.
+// Returns a session with what the view of a stop needs.
 std::unique_ptr<Session> sessionOf(const PictureStop& stop, PictureLook::Size size, const Session& session) {
   auto copy = std::make_unique<Session>();
   copy->prefer(stop.preferences.value_or(session.preferences()));
@@ -88,7 +88,7 @@ PictureRun::PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs,
   numbersSoon_.setSingleShot(true);
   numbersSoon_.setInterval(waitMs);
   connect(&numbersSoon_, &QTimer::timeout, this, &PictureRun::waitForNumbers);
-  // After the view has heard of it, too.
+  // Runs after the view has received the frame as well.
   connect(&frames_, &FrameService::ready, this,
           [this] { QTimer::singleShot(0, this, &PictureRun::prepare); });
   connect(&frames_, &FrameService::failed, this, [this](int view, const FrameKey&, const QString& sentence) {
@@ -144,11 +144,11 @@ void PictureRun::showStop() {
                   look.presentation.path);
 }
 
-// Its size, once it is known what it shows.
+// Sets the size of the picture once its content is known.
 void PictureRun::prepare() {
   if (hasEnded_ || isPrepared_) return;
   if (!view_->shown()) {
-    if (showsFrames(view_->state().kind)) return;  // until its frame is read
+    if (showsFrames(view_->state().kind)) return;  // waits for the frame
     return end(tr("The series is still being loaded: try again once it is shown."));
   }
   isPrepared_ = true;
@@ -163,7 +163,7 @@ void PictureRun::prepare() {
   waitForNumbers();
 }
 
-// A hidden widget hears of its size only as it is shown.
+// A hidden widget learns its size only when it is shown.
 void PictureRun::resizeView(QSize logical) {
   const QSize before = view_->size();
   view_->resize(logical);
@@ -171,13 +171,13 @@ void PictureRun::resizeView(QSize logical) {
   QCoreApplication::sendEvent(view_.get(), &event);
 }
 
-// With texts as large as those of a screen.
+// Sizes texts as on a screen.
 void PictureRun::layOutForPaper() {
   resizeView((look_.mm * textsPerMm).toSize().expandedTo({1, 1}));
   view_->zoomTo(look_.mm.width() / view_->pixels().width());
 }
 
-// As long as they take: the user may cancel.
+// Waits without a limit; the user may cancel.
 void PictureRun::waitForNumbers() {
   if (hasEnded_) return;
   if (look_.withTexts && !view_->isMeasured()) return numbersSoon_.start();
@@ -186,7 +186,7 @@ void PictureRun::waitForNumbers() {
 
 QSize PictureRun::pixelsWanted() const {
   if (look_.size == Size::asSeen) return view_->pixels();
-  if (look_.size == Size::paper)  // no higher than that
+  if (look_.size == Size::paper)  // no higher resolution than that
     return QSize(int(look_.mm.width() * dotsPerMm), int(look_.mm.height() * dotsPerMm)).expandedTo({1, 1});
   const QSizeF from = look_.size == Size::wide ? QSizeF(view_->pixels()) : QSizeF(view_->ownPixels());
   const double edge = look_.size == Size::wide ? from.width() : std::max(from.width(), from.height());
@@ -238,7 +238,7 @@ void PictureRun::end(const QString& failure) {
   jobs_.remove(job_);
   Q_EMIT ended(failure);
   lane_.run(
-      {}, [](const Job&) {}, [this] { deleteLater(); });  // once what is being drawn is
+      {}, [](const Job&) {}, [this] { deleteLater(); });  // after the current drawing
 }
 
 }  // namespace volumen

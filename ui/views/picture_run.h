@@ -18,40 +18,40 @@ namespace volumen {
 
 class MeasureJobs;
 
-/// A picture of a flat view that was made.
+/// A finished picture of a flat view.
 struct MadePicture {
   QImage image;                      ///< RGB32, device pixel ratio 1
-  Overlays overlays;                 ///< what the view says, over the picture or not
-  QStringList warnings;              ///< what is not as it seems in it, whole sentences
-  std::optional<double> mmPerPixel;  ///< of the image; none: it is not calibrated
-  QString lengthsWord;               ///< what is true of its mm, where they are not the patient's
+  Overlays overlays;                 ///< texts of the view, drawn over the picture or not
+  QStringList warnings;              ///< warnings about the picture, whole sentences
+  std::optional<double> mmPerPixel;  ///< of the image; empty if it is not calibrated
+  QString lengthsWord;               ///< what the mm refer to if not to the patient
 };
 
-/// Has a stop hold what a session has now: the series in memory, and the preferences.
+/// Stores in a stop what a session has now: its series in memory and its preferences.
 PictureStop heldNow(PictureStop stop, const Session& session);
 
-/// Makes pictures of flat views one after the other, each of a workspace of its own, whatever is on screen
-/// meanwhile: a job with progress. Frames are read and pictures drawn on other threads.
+/// Makes pictures of flat views one after another, as a job with progress. Each has its own workspace,
+/// independent of what is on screen. Frames are read and pictures drawn on other threads.
 class PictureRun : public QObject {
   Q_OBJECT
  public:
-  /// What becomes of picture `n`, on another thread. An Error ends the run.
+  /// Stores picture `n`, on another thread. An Error ends the run.
   using Keep = std::function<Status(std::size_t n, const MadePicture& picture)>;
-  /// After the last one, there too; the user cannot cancel it.
+  /// Runs after the last picture, on another thread. The user cannot cancel it.
   using Finish = std::function<Status()>;
 
-  /// Slices are those that the stops hold, or that `session` has in memory once it is their turn.
+  /// Slices come from the series that the stops hold, or that `session` has in memory at their turn.
   PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs, const QString& doing,
              std::vector<PictureStop> stops, const PictureLook& look, QObject* parent = nullptr);
   ~PictureRun() override;
 
-  /// Ends in ended(), once. What was not finished by then is the business of what `keep` and `finish` hold:
-  /// both are gone when the run is.
+  /// Starts the run, which emits ended() once. `keep` and `finish` are destroyed with the run, so what they
+  /// hold must clean up unfinished output.
   void start(Keep keep, Finish finish = {});
   bool hasEnded() const { return hasEnded_; }
 
  Q_SIGNALS:
-  /// Empty: all pictures were made and kept. The run deletes itself.
+  /// The run is over and deletes itself. `failure` is empty if all pictures were made and stored.
   void ended(const QString& failure);
 
  private:
@@ -81,11 +81,11 @@ class PictureRun : public QObject {
   Finish finish_;
   std::size_t at_ = 0;
   FrameService frames_;
-  std::unique_ptr<Session> copy_;  // as the stop has it
+  std::unique_ptr<Session> copy_;  // with the workspace of the stop
   std::unique_ptr<MeasureJobs> measurer_;
-  std::unique_ptr<FlatView> view_;  // over both
+  std::unique_ptr<FlatView> view_;  // over copy_ and measurer_
   QTimer numbersSoon_;
-  bool isPrepared_ = false;  // what the stop shows is known
+  bool isPrepared_ = false;  // whether the content of the stop is known
   bool hasEnded_ = false;
   JobLane lane_;
 };

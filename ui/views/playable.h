@@ -8,47 +8,46 @@
 
 namespace volumen {
 
-/// Places that are shown one after the other: frames of a clip, slices of a stack, steps in time. Places
-/// count from 0.
+/// A sequence to play: frames of a clip, slices of a stack, time points. Positions count from 0.
 class Playable {
  public:
   virtual ~Playable() = default;
 
-  /// What one of them is called: "Frame".
+  /// Returns the name of one element: "Frame".
   virtual QString noun() const = 0;
-  /// Of all of them, for a tool tip; empty: nothing.
+  /// Returns a name of the sequence for a tool tip; empty if there is none.
   virtual QString axis() const { return {}; }
-  /// 0: nothing is shown.
+  /// Returns the number of positions; 0 if nothing is shown.
   virtual int count() const = 0;
-  /// Which one is shown, or was asked for last.
+  /// Returns the position shown or requested last.
   virtual int place() const = 0;
-  /// How many numbers there are. Of slices they are those of the file: places between them have none, and
-  /// some may have no place.
+  /// Returns how many numbers there are. Slices have the numbers of the file: positions between them have
+  /// none, and some numbers may have no position.
   virtual int numberCount() const { return count(); }
-  /// The number of a place, from 1; 0: it has none.
+  /// Returns the number of a position, from 1; 0 if it has none.
   virtual int numberOf(int place) const { return place + 1; }
-  /// That of what is shown, likewise.
+  /// Returns the number of what is shown; 0 if it has none.
   virtual int number() const { return numberOf(place()); }
-  /// The place of a number; none: it has no place.
+  /// Returns the position of a number, if it has one.
   virtual std::optional<int> placeOf(int number) const { return number - 1; }
-  /// What it is made of: how it is played holds until that is another one.
+  /// Returns the source of the sequence. Playback settings hold until it changes.
   virtual SeriesKey source() const = 0;
   virtual Cine cine() const = 0;
-  /// Whether it was taken to be played.
+  /// Returns whether it was acquired to be played.
   virtual bool isClip() const { return false; }
-  /// Goes there by hand; in a gesture that is one step to undo.
+  /// Goes to a position for the user. Within a gesture this is one undo step.
   virtual void goTo(int place) = 0;
-  /// It begins to be played, after so many steps to undo.
+  /// Starts playback; `steps` is the index of the undo stack.
   virtual void begin(int /*steps*/) {}
-  /// Goes there as it is played.
+  /// Goes to a position during playback.
   virtual void play(int place) { goTo(place); }
-  /// Whether the place before is on screen, and this one can be.
+  /// Returns whether the previous position is on screen and this one can be shown.
   virtual bool isReady(int place) const = 0;
-  /// Where places come faster than they are shown: whether some are left out, and not time.
+  /// Returns whether positions are skipped, rather than delayed, if they come faster than they are shown.
   virtual bool keepsTime() const { return false; }
-  /// It is played no longer: stays where it is.
+  /// Ends playback at the current position.
   virtual void stop() {}
-  /// It is played no longer: goes where the workspace says.
+  /// Ends playback and goes to the position of the workspace.
   virtual void giveUp() {}
 };
 

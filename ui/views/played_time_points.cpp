@@ -9,8 +9,9 @@
 namespace volumen {
 
 namespace {
-constexpr double usualRate = 10, mostRate = 100;  // steps a second, where the file recommends none; at all
-}
+// Time points per second: the default if the file recommends none, and the limit.
+constexpr double usualRate = 10, mostRate = 100;
+}  // namespace
 
 PlayedTimePoints::PlayedTimePoints(Session& session, ViewId view, std::function<bool()> isDrawn)
     : session_(session), view_(view), isDrawn_(std::move(isDrawn)) {

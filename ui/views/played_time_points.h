@@ -8,14 +8,14 @@
 
 namespace volumen {
 
-/// The steps in time, echo, diffusion weight or direction of what a view shows. Each is shown, however long
-/// it takes to be loaded: that is done ahead.
+/// The time points of a view's series, or its echoes, diffusion weights or directions. Each is shown, however
+/// long it takes to load; time points are loaded ahead.
 class PlayedTimePoints : public Playable {
  public:
-  /// `isDrawn`: whether the view shows what the workspace says.
+  /// `isDrawn` returns whether the view shows the current state of the workspace.
   PlayedTimePoints(Session& session, ViewId view, std::function<bool()> isDrawn);
 
-  /// Looks again which steps there are.
+  /// Updates the list of time points.
   void look();
 
   QString noun() const override;
@@ -36,7 +36,7 @@ class PlayedTimePoints : public Playable {
   const std::function<bool()> isDrawn_;
   std::vector<SeriesKey> steps_;
   QString axis_;
-  int stepsBefore_ = 0;  // to undo, as it began to be played
+  int stepsBefore_ = 0;  // index of the undo stack when playback began
 };
 
 }  // namespace volumen

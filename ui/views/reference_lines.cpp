@@ -13,9 +13,9 @@ namespace volumen {
 namespace {
 
 constexpr double nameGap = 4;          // between a name and its line, logical pixels
-constexpr double roomBesideName = 40;  // of a line that has one
+constexpr double roomBesideName = 40;  // least length of a line with a name
 
-// How positions in what another view shows are found in this one's; none: they are not.
+// Returns the transform from the space of the other view into this one's, if there is one.
 std::optional<Rigid> wayTo(const Workspace& workspace, ViewId view, ViewId other) {
   const Series *own = seriesIn(workspace, view), *its = seriesIn(workspace, other);
   if (!own || !its) return {};
@@ -36,7 +36,7 @@ QRgb lineColourOf(ViewKind kind, const SlicePlane& plane) {
   return closest->lineColour;
 }
 
-// At the end of the line that lies further down, on the side that is inside the view.
+// Places the name at the lower end of the line, on the side inside the view.
 QRectF placeOfName(const ReferenceLine& line, QSizeF size, QRectF view) {
   const QPointF end = line.line.p1().y() > line.line.p2().y() ? line.line.p1() : line.line.p2();
   QRectF place(end + QPointF(nameGap, -nameGap - size.height()), size);

@@ -8,16 +8,17 @@
 
 namespace volumen {
 
-/// A plane of another view on screen in a flat view.
+/// The intersection of a flat view with the plane of another view on screen.
 struct ReferenceLine {
   ViewId other;
   FlatView::StackPart part;
-  QLineF line;     ///< as far as it is seen, logical pixels
-  QRgb colour;     ///< of the other plane; of frames that of the patient's plane they are closest to
+  QLineF line;  ///< visible part, logical pixels
+  /// Colour of the other plane. Frames have the colour of the closest standard plane of the patient.
+  QRgb colour;
   QString name{};  ///< "Axial"
 };
 
-/// Thin and dashed, first and last slices dotted, each with its name where there is room for it.
+/// Paints thin dashed lines, first and last slices dotted. Each has its name where there is room.
 void paintReferenceLines(QPainter& painter, const std::vector<ReferenceLine>& lines, QRect view);
 
 }  // namespace volumen

@@ -26,8 +26,8 @@ namespace {
 constexpr double segmentOpacity = 0.5;
 constexpr int beyondAnyEnd = 1 << 24;  // steps
 
-// The value of the voxel at a point, with its unit; empty outside the volume. What is laid out along a curve
-// reaches beyond its source.
+// Returns the value of the voxel at a point, with its unit; empty outside the volume. A layout along a curve
+// extends beyond its source.
 QString valueAt(const LoadedSeries& shown, glm::dvec3 p) {
   const Volume& volume = *shown.volume;
   const glm::ivec3 voxel(glm::floor(volume.geometry().voxelFromPatient(p) + 0.5));
@@ -41,7 +41,7 @@ QString valueAt(const LoadedSeries& shown, glm::dvec3 p) {
 
 }  // namespace
 
-// Each slice is shown, however long it takes to be drawn.
+// Shows every slice, however long it takes to draw.
 class SliceView::Stack : public Playable {
  public:
   explicit Stack(SliceView& view) : view_(view) {}
@@ -69,9 +69,9 @@ class SliceView::Stack : public Playable {
   bool isReady(int) const override { return view_.isAtRest(); }
 
  private:
-  // Whether slices lie unevenly or are missing, so that those that are drawn are not those of the file.
+  // Returns whether slices are uneven or missing, so that drawn slices differ from those of the file.
   bool isOfFile() const { return view_.isAlongSlices() && view_.shown()->series.regular; }
-  // The file may count its slices against the wheel.
+  // The file may number its slices against the wheel direction.
   bool countsDown() const {
     Crosshair first = crosshairOf(view_.session_.workspace(), view_.id(), *view_.shown());
     first.at = view_.pointOn(0);
@@ -79,7 +79,7 @@ class SliceView::Stack : public Playable {
   }
 
   SliceView& view_;
-  int stepsBefore_ = 0;  // to undo, as it began to be played
+  int stepsBefore_ = 0;  // index of the undo stack when playback began
 };
 
 SliceView::SliceView(const ViewParts& parts, ViewId id, QWidget* parent) : FlatView(parts, id, parent) {
@@ -110,7 +110,7 @@ SliceRequest SliceView::requestOf(const SlicePlane& plane) const {
 
 Window SliceView::greyWindow() const { return flatWindow(seriesState(), *shown()); }
 
-// Of another time point: until the new one is drawn.
+// Kept on screen until the slice of the new time point is drawn.
 bool SliceView::keepsPictureOf(const SeriesKey& before) const {
   const auto& all = session_.workspace().series;
   const auto from = all.find(before), to = all.find(state().series);
@@ -167,12 +167,12 @@ StackPlace SliceView::place() const {
   return stackPlace(shown->volume->geometry(), state().kind, crosshairOf(session_.workspace(), id(), *shown));
 }
 
-// Of a plane that is not, there are no slices as acquired to go to.
+// An oblique plane has no acquired slices to go to.
 bool SliceView::isAlongSlices() const {
   return shown() && onSlice(*plane(), shown()->volume->geometry(), 0).has_value();
 }
 
-// The crosshair's point moved onto a slice of the grid that is drawn.
+// Returns the crosshair's point moved onto a slice of the drawn grid.
 glm::dvec3 SliceView::pointOn(int slice) const {
   const LoadedSeriesPtr shown = this->shown();
   const VoxelGeometry& geometry = shown->volume->geometry();
@@ -181,7 +181,7 @@ glm::dvec3 SliceView::pointOn(int slice) const {
   return geometry.patientFromVoxel(pVoxel);
 }
 
-// Of slices as acquired those of the file, which may count against the wheel.
+// Acquired slices have the numbers of the file, which may run against the wheel direction.
 FlatView::Numbers SliceView::numbers() const {
   if (!isAlongSlices()) return {tr("Slice"), place().index + 1, place().count};
   SlicePlane thin = *plane();
@@ -341,7 +341,7 @@ std::vector<FlatView::StackPlane> SliceView::stackPlanesIn(const Workspace& work
   return planes;
 }
 
-// Those of the clip box and of the other planes.
+// Paints the lines of the clip box and of the other planes.
 void SliceView::paintLines(QPainter& painter) const {
   FlatView::paintLines(painter);
   const SlicePress here = *pressAt({});

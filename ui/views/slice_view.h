@@ -5,16 +5,16 @@
 
 namespace volumen {
 
-/// A plane through the volume of a series: the wheel moves it along its normal, Alt+wheel makes it thicker,
-/// and the lines of the other planes move and turn these.
+/// Shows a plane through the volume of a series. The wheel moves it along its normal, Alt+wheel changes the
+/// slab thickness, and lines move and rotate the other planes.
 class SliceView : public FlatView {
   Q_OBJECT
  public:
   SliceView(const ViewParts& parts, ViewId id, QWidget* parent);
 
-  /// Tints a segment in slices of its volume; null: none.
+  /// Tints a segment in the slices; null for none.
   void showSegment(const std::optional<VolumeRange>& segment);
-  /// Whether the clip box of the 3D scene is seen where it is the whole volume, too.
+  /// Sets whether the clip box of the 3D scene is shown even if it is the whole volume.
   void setClipShown(bool shown);
   void scroll(int steps) override;
   void goTo(int place) override;
@@ -60,7 +60,7 @@ class SliceView : public FlatView {
   void typeBar(const ColourBar& bar);
 
   bool clipShown_ = false;
-  std::optional<VolumeRange> segment_;  // that is looked at alone
+  std::optional<VolumeRange> segment_;  // the segment that is highlighted
 };
 
 }  // namespace volumen

@@ -10,7 +10,7 @@
 
 namespace volumen {
 
-// Of what is shown in colours: the overlay, else the series.
+// Returns the bar of what is coloured: the overlay, else the series.
 std::optional<ColourBar> SliceView::colourBar() const {
   if (!shown()) return {};
   const FlatLook look = flatLookOf(state());
@@ -36,7 +36,7 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
   FlatView::mouseDoubleClickEvent(event);
 }
 
-// Two fields beside the bar: one step where they are set.
+// Opens two fields beside the bar. Setting them is one undo step.
 void SliceView::typeBar(const ColourBar& bar) {
   const Series& series = bar.series->series;
   const Window now = shownWindow(bar.window, series);

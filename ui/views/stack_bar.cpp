@@ -8,8 +8,8 @@ namespace volumen {
 
 namespace {
 
-constexpr double barGap = 2, thinBar = 3, thickBar = 7;  // from the edge of the view, and wide
-constexpr double leastMark = 3;                          // of where one is
+constexpr double barGap = 2, thinBar = 3, thickBar = 7;  // distance from the view's edge, and widths
+constexpr double leastMark = 3;                          // least height of the position mark
 const QColor trackColour(255, 255, 255, 40), heldColour(255, 255, 255, 70), placeColour(255, 255, 255, 150),
     keyColour(0xff, 0xc8, 0x5a);
 
@@ -25,7 +25,7 @@ QRectF StackBar::partOf(int first, int last) const {
   return {area.left(), area.top() + first * part, area.width(), (last - first + 1) * part};
 }
 
-// A line is the stack; what is in memory is as wide as the bar, key images stand out to its left.
+// A line is the stack. What is in memory is as wide as the bar; key images stand out to its left.
 void StackBar::paint(QPainter& painter) const {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);

@@ -10,25 +10,25 @@ class QPainter;
 
 namespace volumen {
 
-/// The bar at the right of a stack, from its first place at the top to its last: where one is, the key
+/// The bar at the right of a stack, with its first position at the top. It shows the current position, key
 /// images, and what is in memory. Logical pixels.
 struct StackBar {
-  static constexpr int edge = 10;  ///< how wide it can be pressed
+  static constexpr int edge = 10;  ///< width that reacts to presses
 
   QRectF area;
   StackPlace place;
-  std::vector<int> keyImages{};             ///< places
-  std::vector<std::pair<int, int>> held{};  ///< from the first to the last place of each run in memory
-  bool isThick = false;                     ///< the pointer is on it
+  std::vector<int> keyImages{};             ///< positions
+  std::vector<std::pair<int, int>> held{};  ///< first and last position of each run in memory
+  bool isThick = false;                     ///< whether the pointer is on the bar
 
-  /// Which place is at a height; the nearest one beyond the ends.
+  /// Returns the position at a height; outside the bar the nearest one.
   int placeAt(double y) const;
-  /// What of the height is a place's.
+  /// Returns the part of the bar for positions `first` to `last`.
   QRectF partOf(int first, int last) const;
   void paint(QPainter& painter) const;
 };
 
-/// Runs of numbers that follow each other; `numbers`: ascending.
+/// Returns runs of consecutive numbers. `numbers` is ascending.
 std::vector<std::pair<int, int>> runsOf(const std::vector<int>& numbers);
 
 }  // namespace volumen

@@ -19,13 +19,13 @@ namespace volumen {
 
 namespace {
 
-constexpr int momentMs = 300;  // of waiting without a word
+constexpr int momentMs = 300;  // delay before the loading mark
 
 QLabel* makeLoadingMark(QWidget* parent) {
   auto* mark = plainLabel(View::tr("Loading"));
   mark->setParent(parent);
   mark->setObjectName(QStringLiteral("loadingMark"));
-  // The same on both themes: it lies on the picture.
+  // The colours are the same in both themes because the mark lies on the picture.
   mark->setStyleSheet(
       QStringLiteral("#loadingMark { color: #f2f4f6; background: rgba(27,30,34,210); border-radius: 3px; "
                      "padding: 2px 8px; }"));
@@ -77,7 +77,7 @@ View::View(Session& session, ViewId id, QWidget* parent)
   showWaiting();
 }
 
-// Whether it is the series of before, or another step of it.
+// Returns whether the series is the same as before or another time point of it.
 bool View::followSeries() {
   const std::shared_ptr<const Series> now = knownSeries(session_.workspace(), state().series);
   const std::shared_ptr<const Series> last = std::exchange(shownLast_, now);
@@ -176,7 +176,7 @@ void View::showDropMark(bool on) {
   dropMark_->raise();
 }
 
-// Files are the window's.
+// Files are dropped on the window.
 void View::dragEnterEvent(QDragEnterEvent* event) {
   if (!event->mimeData()->hasFormat(draggedSeriesType)) return event->ignore();
   event->acceptProposedAction();
@@ -202,7 +202,7 @@ void View::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) Q_EMIT maximiseRequested();
 }
 
-// The key itself: what systems make of it, a context menu event, comes beside it on some of them only.
+// Handles the key itself, because only some systems send a context menu event with it.
 void View::keyPressEvent(QKeyEvent* event) {
   const bool isMenuKey = event->key() == Qt::Key_Menu ||
                          (event->key() == Qt::Key_F10 && event->modifiers() == Qt::ShiftModifier);
@@ -211,8 +211,8 @@ void View::keyPressEvent(QKeyEvent* event) {
   Q_EMIT menuRequested(mapToGlobal(rect().center()));
 }
 
-// Tab came here from a panel. A window that becomes active takes no focus: it may be so by a press on a
-// panel, which is about the view in focus.
+// Tab came here from a panel. An activated window takes no focus: a press on a panel may have activated it,
+// and panels refer to the view in focus.
 void View::focusInEvent(QFocusEvent* event) {
   QWidget::focusInEvent(event);
   if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
@@ -244,7 +244,7 @@ void View::resizeEvent(QResizeEvent*) {
   followPixels();
 }
 
-// It came to a screen that may have another number of pixels for the same size.
+// Another screen may have another pixel ratio.
 bool View::event(QEvent* event) {
   if (event->type() == QEvent::ScreenChangeInternal) followPixels();
   return QWidget::event(event);

@@ -16,8 +16,7 @@ namespace volumen {
 
 class DropMark;
 
-/// One view of the workspace: shows what its ViewState says, at device pixels, and is in focus once it is
-/// pressed.
+/// One view of the workspace. It shows its ViewState at device pixels and takes the focus when pressed.
 class View : public QWidget {
   Q_OBJECT
  public:
@@ -26,72 +25,73 @@ class View : public QWidget {
   ViewId id() const { return id_; }
   Session& session() const { return session_; }
   const ViewState& state() const { return session_.workspace().view(id_); }
-  /// Null: none, or it is not in memory yet.
+  /// Returns null if there is no series or it is not in memory yet.
   LoadedSeriesPtr series() const { return session_.seriesOf(id_); }
-  /// How many device pixels the picture should have.
+  /// Returns the size of the picture in device pixels.
   QSize pixels() const;
-  /// Whether its volume is being read or cut. The last picture of the series, or of another step of it, stays
-  /// until then, with a mark where that takes longer than a moment.
+  /// Returns whether its volume is being read or masked. Until then the last picture of the series, or of
+  /// another time point, stays. It is marked after a moment.
   bool isWaiting() const;
-  /// Whether its picture is of what the workspace says: else what is written over it is of another one.
+  /// Returns whether the picture corresponds to the workspace. Otherwise the texts over it belong to another
+  /// picture.
   virtual bool hasItsPicture() const { return !isWaiting(); }
-  /// What is seen of it now, at its pixels(), but for what is there to be used: bars, the frame of the focus.
+  /// Returns the view as seen, at pixels(), without controls such as bars and the focus frame.
   virtual QImage capture() const;
-  /// What is not as it seems in it, whole sentences.
+  /// Returns warnings about the picture, whole sentences.
   virtual QStringList warningsShown() const { return {}; }
-  /// What is being read of this series will not come.
+  /// Stops waiting for this series because it will not be loaded.
   void giveUpWaiting(const SeriesKey& series);
 
  Q_SIGNALS:
   void pixelsChanged();
   void maximiseRequested();
-  /// A right click, the Menu key or Shift+F10: a menu is to be opened here.
+  /// A right click, the Menu key or Shift+F10 asks for a menu at this position.
   void menuRequested(QPoint global);
   /// A series was dropped.
   void dropped(const QMimeData& data);
-  /// The connected part of a place is to be taken.
+  /// The connected component at a point is to be selected.
   void partClicked(const volumen::PartClick& click);
   /// A part of a stroke is to be painted.
   void strokePainted(const volumen::SegmentStroke& stroke);
-  /// A ball is being drawn, was drawn, or is none any more.
+  /// A sphere is being drawn, was finished or was cancelled.
   void ballDrawn(const volumen::DrawnBall& ball);
   /// The current segment is to be cut.
   void segmentCut(const volumen::SegmentCut& cut);
-  /// What is under the cursor, empty where nothing is.
+  /// Text about the point under the cursor; empty if there is nothing.
   void hovered(const QString& text);
 
  protected:
-  /// The series that is shown was exchanged, or what is known of it. `another`: it is not the one of before,
-  /// nor another step of it.
+  /// The series shown, or its metadata, was replaced. `another` is false for the same series and for another
+  /// time point of it.
   virtual void seriesExchanged(bool another) = 0;
-  /// Something of the workspace changed.
+  /// The workspace changed.
   virtual void workspaceChanged(const Workspace& before) = 0;
 
-  /// All that capture() holds, but for badges(), in logical pixels.
+  /// Paints the content of capture() without badges(), in logical pixels.
   virtual void paintShown(QPainter& painter) const = 0;
-  /// The same in so many pixels, as wide as the view, where `paint` takes the place of paintShown().
+  /// Returns a capture of `pixels` with the width of the view, painted by `paint` instead of paintShown().
   QImage captureBy(QSize pixels, const std::function<void(QPainter&)>& paint) const;
-  /// The same over what an image as large as that shows, which is not copied where nobody else has it.
+  /// Paints a capture onto `image`, which sets the size. The image is not copied if it is not shared.
   void captureOver(QImage& image, const std::function<void(QPainter&)>& paint) const;
-  /// Widgets of its own that say something of the picture.
+  /// Returns its widgets that belong to the picture.
   virtual std::vector<QWidget*> badges() const { return {loading_}; }
-  /// What is to be said of a place of the view, logical pixels; empty: nothing.
+  /// Returns the text about a point in logical pixels; empty if there is none.
   virtual QString textAt(QPointF position) const = 0;
-  /// Whether there is something that a menu could be about.
+  /// Returns whether a menu can be opened.
   virtual bool hasMenu() const { return false; }
-  /// The cursor is here: hovered() tells what is under it, now and whenever that changes beneath it.
+  /// Sets the cursor position. hovered() reports what is under it, now and whenever that changes.
   void pointAt(QPointF position);
-  /// Where it is; none: not over the view.
+  /// Returns the cursor position; nothing if it is outside the view.
   std::optional<QPointF> pointedAt() const { return pointedAt_; }
-  /// What is under the cursor may be something else now.
+  /// Reports what is under the cursor, because it may have changed.
   void tellPointed();
 
-  /// What is written over the last picture while isWaiting(): whose, and which step is awaited.
+  /// Returns the texts over the last picture while isWaiting(): its series and the awaited time point.
   Overlays waitingOverlays() const;
-  /// A thin frame where this is the view in focus of several; in a view to compare that shows nothing what
-  /// may be dropped there.
+  /// Paints a thin frame if several views are on screen and this one has the focus. An empty view for
+  /// comparison gets an invitation to drop a series.
   void paintFocus(QPainter& painter) const;
-  /// The date of its study, where views on screen show several; else empty.
+  /// Returns the date of its study if views on screen show several studies; otherwise empty.
   QString dateBeside() const;
 
   bool event(QEvent*) override;
@@ -119,10 +119,10 @@ class View : public QWidget {
   const ViewId id_;
   LoadedSeriesPtr seen_;
   std::shared_ptr<const Series> shownLast_;
-  SeriesKey givenUp_;                 // will not come
-  std::optional<QPointF> pointedAt_;  // while the cursor is over the view
+  SeriesKey givenUp_;                 // series that will not be loaded
+  std::optional<QPointF> pointedAt_;  // set while the cursor is over the view
   QLabel* loading_;
-  DropMark* dropMark_;  // while a series is dragged over the view
+  DropMark* dropMark_;  // shown while a series is dragged over the view
   QTimer loadingSoon_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int viewGap = 2;  // logical pixels between views
 
-// Where the views of a layout lie in an area.
+// Returns the rectangles of the views of a layout.
 std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
   const auto part = [](int whole, int n, int of) { return QPair(whole * n / of, whole * (n + 1) / of); };
   const auto cell = [&](int column, int columns, int row, int rows, QRect in) {
@@ -97,7 +97,7 @@ void ViewGrid::connectFlat(FlatView* flat, ViewFamily family) {
   flat->setFinder([this](ViewId id) { return viewAs<FlatView>(id); });
   connect(flat, &FlatView::toolWanted, this, &ViewGrid::setTool);
   connect(flat, &FlatView::toolDone, this, &ViewGrid::restoreTool);
-  // Where a frame lies is known once it is read.
+  // The position of a frame is known once it is read.
   if (family == ViewFamily::frames)
     connect(flat, &FlatView::settled, this, [this, flat, last = std::optional<SlicePlane>()]() mutable {
       const std::vector<FlatView::StackPlane> planes = flat->stackPlanes(false);
@@ -173,7 +173,7 @@ void ViewGrid::connectView(View* view) {
   view->installEventFilter(this);
 }
 
-// Keys are for the view in focus, whichever window is active. Tab brings the focus to the one that is.
+// Keys go to the view in focus, whichever window is active. Tab moves the focus to the active window.
 bool ViewGrid::eventFilter(QObject* view, QEvent* event) {
   const QEvent::Type type = event->type();
   if (type != QEvent::ShortcutOverride && type != QEvent::KeyPress && type != QEvent::KeyRelease)
@@ -184,7 +184,7 @@ bool ViewGrid::eventFilter(QObject* view, QEvent* event) {
   if (static_cast<QWidget*>(view)->window() == itsWindow || !shown->isVisible() || itsWindow->isMinimized() ||
       key == Qt::Key_Tab || key == Qt::Key_Backtab)
     return QWidget::eventFilter(view, event);
-  // What a dialog stands over takes no keys.
+  // A window below a dialog takes no keys.
   if (const QWidget* modal = QApplication::activeModalWidget();
       modal && modal->parentWidget() && modal->parentWidget()->window() == itsWindow)
     return true;
@@ -192,7 +192,7 @@ bool ViewGrid::eventFilter(QObject* view, QEvent* event) {
   return QCoreApplication::sendEvent(shown->isAncestorOf(field) ? field : shown, event);
 }
 
-// Whether it is the window in which the view in focus does not stand.
+// Returns whether the active window is not the one with the view in focus.
 bool ViewGrid::isOtherActive() const {
   return (isInSecond(viewShown()->id()) ? window() : second_.get())->isActiveWindow();
 }
@@ -205,7 +205,7 @@ bool ViewGrid::hasKeys() const {
 void ViewGrid::takeKeys() {
   View* view = viewShown();
   if (isOtherActive()) {
-    // What is hidden there while it has the keys would give them to whatever comes next.
+    // A widget that is hidden while it has the keys passes them to the next one.
     View* left = viewShownIn(!isInSecond(view->id()));
     if (left->isVisible()) left->setFocus();
     view->window()->activateWindow();
@@ -305,7 +305,7 @@ void ViewGrid::arrange() {
   Q_EMIT arranged();
 }
 
-// The view in focus, or the one that was in focus last in its window, where it is on screen.
+// Returns the view in focus, or the window's last view in focus, if it is on screen.
 ViewId ViewGrid::idForKeys(bool second, const std::vector<ViewId>& ids) const {
   const Workspace& workspace = session_.workspace();
   const bool isLeft = second && secondKeys_ && !isInSecond(workspace.focus);
@@ -313,7 +313,7 @@ ViewId ViewGrid::idForKeys(bool second, const std::vector<ViewId>& ids) const {
   return std::ranges::find(ids, wanted) == ids.end() ? ids.front() : wanted;
 }
 
-// The views of one window, on what they lie on.
+// Arranges the views of one window on their parent.
 void ViewGrid::arrange(QWidget& area, const std::vector<ViewId>& ids, Layout layout) {
   const std::vector<QRect> places = placesOf(layout, ids.size(), area.size());
   for (std::size_t n = 0; n < ids.size(); ++n) {
@@ -330,12 +330,12 @@ void ViewGrid::arrange(QWidget& area, const std::vector<ViewId>& ids, Layout lay
   const QWidget* now = area.window()->focusWidget();
   const bool hasKeys = now ? area.isAncestorOf(now) : isSecond;
   if (hasKeys && now != keys) keys->setFocus();
-  // Last: a view that is hidden gives its keys to whatever comes next in the window.
+  // Hides views last: a hidden view passes its keys to the next widget in the window.
   for (const auto& [place, view] : views_)
     if (view->parentWidget() == &area &&
         (std::ranges::find(ids, place.first) == ids.end() || place.second != familyOf(place.first)))
       view->hide();
-  // One that is hidden while a field in it is open takes them back first.
+  // A view hidden with an open field takes the keys back first.
   if (hasKeys && area.window()->focusWidget() != keys) keys->setFocus();
 }
 

@@ -13,76 +13,76 @@
 
 namespace volumen {
 
-/// The views of the workspace, as its layouts place them, those of the second window there; made when they
-/// are first shown.
+/// Arranges the views of the workspace by its layouts, including those of the second window. Views are made
+/// when they are first shown.
 class ViewGrid : public QWidget {
   Q_OBJECT
  public:
   ViewGrid(Session& session, DrawService& drawService, SliceService& slices, FrameService& frames,
            MeasureJobs& measurer, DerivedObjects& derived, QWidget* parent = nullptr);
 
-  /// The 3D view of this id; where the workspace shows something else in it, it is hidden.
+  /// Returns the 3D view of this id. It is hidden if the workspace shows something else there.
   VolumeView* volumeView(ViewId id);
-  /// The view of this id that is shown.
+  /// Returns the view of this id that is shown.
   View* viewOf(ViewId id) { return viewOf(id, familyOf(id)); }
-  /// The same where it is one of class V; null: it is another, or was not on screen yet.
+  /// Returns the view if it is of class V; null if it is another, or was not on screen yet.
   template <class V>
   V* viewAs(ViewId id) const {
     const auto view = views_.find({id, familyOf(id)});
     return view == views_.end() ? nullptr : qobject_cast<V*>(view->second);
   }
-  /// The view in focus, or the one that takes all of the place in its window.
+  /// Returns the view in focus, or the one that fills its window.
   View* viewShown() const { return viewShownIn(isInSecond(session_.workspace().focus)); }
-  /// The one of the second window, where that is open, or of the main one that keys are for while it is
-  /// active.
+  /// Returns the view that has the keys in the main window or, if `second` and that is open, in the second
+  /// window.
   View* viewShownIn(bool second) const {
     return second && secondKeys_ ? secondKeys_ : static_cast<View*>(focusProxy());
   }
-  /// The second window, whether it is shown or not.
+  /// Returns the second window, which may be hidden.
   WindowBeside& secondWindow() const { return *second_; }
-  /// Whether the view in focus has the keys, or a control on it.
+  /// Returns whether the view in focus, or a control on it, has the keys.
   bool hasKeys() const;
-  /// Gives them to it, in whichever window it stands.
+  /// Gives the keys to the view in focus, in either window.
   void takeKeys();
-  /// What is seen of all views of the window in focus (View::capture), as they lie beside each other.
+  /// Returns the captures of all views in the window in focus, arranged as on screen (View::capture).
   QImage capture() const;
-  /// The views in the window of the view in focus that are on screen.
+  /// Returns the views on screen in the window that has the view in focus.
   std::vector<View*> viewsSeen() const;
-  /// What flat views show that is no part of the workspace.
+  /// What flat views show that is not part of the workspace.
   struct Shown {
-    bool clip = false;                     ///< the clip box where it is the whole volume, too
-    std::optional<VolumeRange> segment{};  ///< tinted
+    bool clip = false;                     ///< whether a clip box of the whole volume is shown
+    std::optional<VolumeRange> segment{};  ///< the tinted segment
   };
   const Shown& shown() const { return shown_; }
-  /// A hidden view of this id over another session, whose numbers `measurer` has, with what the views here
-  /// share, or shared as `shown` was taken; null of 3D.
+  /// Makes a hidden view of this id over another session, with results from `measurer`. It shares what the
+  /// views here share, or shared when `shown` was stored. Returns null for 3D.
   std::unique_ptr<FlatView> unseenView(Session& session, FrameService& frames, MeasureJobs& measurer,
                                        ViewId id, const Shown& shown) const;
-  /// What is not as it seems in any of them, each sentence once.
+  /// Returns the warnings about all pictures, each sentence once.
   QStringList warningsShown() const;
-  /// Shows this view alone in its window, or all of the window's layout again.
+  /// Shows this view alone in its window, or the window's layout again.
   void setAlone(ViewId view, bool alone);
-  /// Whether one view is shown alone in the window in which this one stands.
+  /// Returns whether one view is shown alone in the window of this view.
   bool isAlone(ViewId view) const;
-  /// Has the 3D views on screen drawn again, as the draw service does by now.
+  /// Requests new pictures for the 3D views on screen with the current settings of the draw service.
   void requestPictures();
-  /// What the left button does in 3D views.
+  /// Sets the tool of the left button in 3D views.
   void setSceneTool(const Tool& tool);
   void setErrorShown(bool shown);
-  /// What the left button does in flat views, and in 3D where it draws there, too.
+  /// Sets the tool of the left button in flat views; tools that draw also apply in 3D.
   void setTool(const Tool& tool);
   const Tool& tool() const { return *tool_; }
-  /// Whether flat views show the clip box of the 3D scene where it is the whole volume, too.
+  /// Sets whether flat views show the clip box of the 3D scene even if it is the whole volume.
   void setClipShown(bool shown);
-  /// Tints a segment in slices of its volume; null: none.
+  /// Tints a segment in slices of its volume; null for none.
   void showSegment(const std::optional<VolumeRange>& segment);
-  /// Shows in 3D only these values; none: what the scenes show.
+  /// Restricts 3D to the values of `range`; nothing shows the scenes unchanged.
   void showOnly(const std::optional<VolumeRange>& range);
-  /// Shows in flat views what would be segments of a series under those that are; none: nothing more.
+  /// Shows proposed segments of a series below its own segments; nothing hides them.
   void showPreview(const std::optional<SegmentMap>& segments);
-  /// A series that views wait for will not come.
+  /// Stops views from waiting for a series that will not be loaded.
   void giveUpWaiting(const SeriesKey& series);
-  /// The one before the last that measures.
+  /// Selects the tool used before the last drawing tool.
   void restoreTool() { setTool(*toolBefore_); }
 
  Q_SIGNALS:
@@ -91,23 +91,23 @@ class ViewGrid : public QWidget {
   void dropped(const QMimeData& data);
   void menuRequested(volumen::View* view, QPoint global);
   void toolChanged();
-  /// The connected part of a place is to be taken.
+  /// The connected component at a point is to be selected.
   void partClicked(const volumen::PartClick& click);
   void strokePainted(const volumen::SegmentStroke& stroke);
   void ballDrawn(const volumen::DrawnBall& ball);
   void segmentCut(const volumen::SegmentCut& cut);
   /// Views were placed, shown or hidden.
   void arranged();
-  /// A 3D view was made: it wants to be drawn.
+  /// A 3D view was made and needs a picture.
   void volumeViewMade(volumen::VolumeView* view);
 
  protected:
   void resizeEvent(QResizeEvent*) override;
-  /// Keys for a view of the window in which the view in focus does not stand go to that.
+  /// Forwards keys to the view in focus if it is in the other window.
   bool eventFilter(QObject* view, QEvent* event) override;
-  /// Tab and Shift+Tab go from the view that has the keys to the next one on screen, which comes into focus;
-  /// F6 leaves the views (ui/features/focus_keys). In the window without the focus they bring it there. From
-  /// a control on a view, and where there is one view alone, they go on as everywhere else.
+  /// Tab and Shift+Tab move keys and focus to the next view on screen. F6 leaves the views
+  /// (ui/features/focus_keys). In the window without the focus they bring the focus there. From a control on
+  /// a view, or with a single view, they act as usual.
   bool focusNextPrevChild(bool next) override;
 
  private:
@@ -121,7 +121,7 @@ class ViewGrid : public QWidget {
   bool isOtherActive() const;
   ViewId idForKeys(bool second, const std::vector<ViewId>& ids) const;
   ViewFamily familyOf(ViewId id) const { return rowOf(session_.workspace().view(id).kind).family; }
-  /// Calls it with all views of class V that were made.
+  /// Calls `call` with all existing views of class V.
   template <class V, class Call>
   void each(const Call& call) const {
     for (const auto& [place, view] : views_)
@@ -136,9 +136,9 @@ class ViewGrid : public QWidget {
   std::map<std::pair<ViewId, ViewFamily>, View*> views_;
   Shown shown_;
   std::optional<SegmentMap> preview_;
-  std::set<ViewId> alone_;  // one a window
+  std::set<ViewId> alone_;  // at most one per window
   View* secondKeys_ = nullptr;
-  std::unique_ptr<WindowBeside> second_;  // and the views in it
+  std::unique_ptr<WindowBeside> second_;  // with its views
 };
 
 }  // namespace volumen

@@ -12,7 +12,7 @@ class DerivedObjects;
 class SliceService;
 class View;
 
-/// What views show and work with.
+/// The services that views use.
 struct ViewParts {
   Session& session;
   DrawService& drawService;
@@ -22,7 +22,7 @@ struct ViewParts {
   DerivedObjects& derived;
 };
 
-/// A hidden view of this id for the kinds of a family. The class for each is a row of one table.
+/// Makes a hidden view of this id for the kinds of a family. A table maps families to classes.
 View* makeView(ViewFamily family, const ViewParts& parts, ViewId id, QWidget* parent);
 
 }  // namespace volumen

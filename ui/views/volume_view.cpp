@@ -17,10 +17,10 @@
 namespace volumen {
 
 namespace {
-constexpr int leastForCube = 280;  // pixels of width and height: in less it would hide the picture
+constexpr int leastForCube = 280;  // pixels of width and height; in less the cube would hide the picture
 
-// "draft 1/4 - 12 ms", "first: steps of 1 voxel - 80 ms", "final: standard - 223 ms"; once another picture
-// was asked for "before: standard - 223 ms".
+// Returns "draft 1/4 - 12 ms", "first: steps of 1 voxel - 80 ms", "final: standard - 223 ms". Old pictures
+// have "before: standard - 223 ms".
 QString captionOf(const ScreenPicture& drawn, bool isOld = false) {
   QString level =
       drawn.step ? VolumeView::tr("first: steps of %1").arg(QString::fromStdString(inVoxels(*drawn.step)))
@@ -68,7 +68,7 @@ VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QW
   });
   connect(showTable_, &QToolButton::clicked, this,
           [this] { session_.prefer([](Preferences& p) { p.tableIn3d = true; }); });
-  // Which zoom is written depends on them.
+  // The zoom that is written depends on the undo steps.
   connect(&session_.undoStack(), &QUndoStack::indexChanged, this, [this] { placed_.reset(); });
   connect(cine_, &CineBar::shownChanged, this, [this] {
     placeChildren();
@@ -108,7 +108,7 @@ void VolumeView::workspaceChanged(const Workspace& before) {
   followDrawn(isNew);
 }
 
-// Asks for a picture where the session has another volume to draw, or another scene of it.
+// Requests a picture if the session has another volume or scene to draw.
 void VolumeView::followDrawn(bool isOtherLook) {
   const LoadedSeriesPtr drawn = session_.drawnSeries(id());
   const VolumePtr volume = drawn ? drawn->volume : nullptr;
@@ -156,7 +156,7 @@ void VolumeView::placeChildren() {
   canvas_->setGeometry(rect());
   cine_->setGeometry(0, height() - CineBar::barHeight, width(), CineBar::barHeight);
   cube_->move(8, int(overlayArea().bottom()) - cube_->height() - 8);
-  // Under the lines about patient and series.
+  // The badge stands below the lines about patient and series.
   const auto lines = series() ? overlays().topLeft.size() : 0;
   badge_->move(8, 12 + int(lines) * (fontMetrics().height() + 1) + 4);
   showTable_->move(8, badge_->y() + (badge_->isHidden() ? 0 : badge_->height() + 4));
@@ -189,7 +189,7 @@ void VolumeView::requestPicture() {
   numberAsked_ = drawService_.request(id(), drawnScene_, pixels());
 }
 
-// What is on show stays until the next picture, and does not count as final.
+// The picture stays until the next one but no longer counts as final.
 void VolumeView::showOld() {
   if (captionIfOld_.isEmpty() || caption_ == captionIfOld_) return;
   caption_ = captionIfOld_;

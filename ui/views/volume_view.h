@@ -21,69 +21,69 @@ class CineBar;
 class OrientationCube;
 class WarningBadge;
 
-/// The picture of the session's scene at device pixels, and what the mouse does with it: left-drag as the
-/// tool says, the other drags and the wheel as they are bound (ui/tools/mouse_bindings), a pinch zooms,
-/// arrows turn, double-click asks to be alone.
+/// Shows the rendering of a scene at device pixels and handles the mouse. Drags with the left button act as
+/// the tool; other drags and the wheel act as bound (ui/tools/mouse_bindings). A pinch zooms, arrow keys
+/// rotate, a double-click shows the view alone.
 class VolumeView : public View {
   Q_OBJECT
  public:
   VolumeView(Session& session, DrawService& drawService, ViewId id = sceneViewId, QWidget* parent = nullptr);
 
-  /// Asks for the picture again, as the service draws by now; while it is hidden, for none.
+  /// Requests the picture again with the current settings of the service; cancels the request if hidden.
   void requestPicture();
 
-  /// The picture drawn last, its name for the corner ("final: standard - 95 ms"), and how far its pixels may
-  /// be off, null where that is not known.
+  /// Shows a picture with its caption for the corner ("final: standard - 95 ms"). `error` is the error
+  /// estimate per pixel, or null if unknown.
   void setPicture(const QImage& image, const QString& caption,
                   std::shared_ptr<const std::vector<float>> error = {});
   const QImage& picture() const { return picture_; }
-  /// Shows how far the picture's pixels may be off in its place, where that is known.
+  /// Shows the error estimate in place of the picture, if known.
   void setErrorShown(bool shown);
-  /// What is on show: the picture, or its error.
+  /// Returns the picture on screen, or its error image.
   const QImage& shown() const;
-  /// Draws of a volume only the values of this range that the curve shows, whatever the scene says; none: the
-  /// scene.
+  /// Draws only values of this range that the curve shows, in place of the scene's own range. Nothing
+  /// restores the scene.
   void showOnly(const std::optional<VolumeRange>& range);
   void setTool(const Tool& tool);
   const Tool& tool() const { return *tool_; }
-  /// The tool in hand in flat views: where it draws in 3D as well, the left button does that first.
+  /// Sets the tool of flat views. If it draws in 3D too, the left button uses it first.
   void setFlatTool(const Tool& tool);
-  /// Whether the key of a tool that draws in 3D chooses it here: it does not where the window means something
-  /// else by it.
+  /// Returns whether the key of a tool that draws in 3D selects it here. It does not if the window uses the
+  /// key otherwise.
   bool hasKey(const Tool& tool) const;
-  /// The measurements that are seen, the one that is being drawn last. Points have handles where they were
-  /// picked in 3D and are not hidden: others belong to their slices.
+  /// Returns the visible measurements; the one being drawn is last. Points picked in 3D have handles unless
+  /// hidden; other points belong to their slices.
   std::vector<DrawnMeasurement> drawnMeasurements() const;
 
-  /// The camera in use: the scene's, or the one fitted to this view.
+  /// Returns the camera in use: the scene's, or the one fitted to this view.
   Camera camera() const;
   bool hasItsPicture() const override {
     return View::hasItsPicture() && (!drawn_ || numberDrawn_ == numberAsked_);
   }
-  /// What is under a position; none without a series or where nothing is seen.
+  /// Returns what is under a position; nothing without a series or if nothing is seen.
   std::optional<Pick> pickAt(QPointF position) const;
-  /// How much larger than when it was fitted last the object is shown: 1 after a standard view or a reset,
-  /// whatever turns the camera or resizes the view since.
+  /// Returns the magnification since the camera was last fitted. It is 1 after a standard view or a reset;
+  /// rotations and resizes do not change it.
   double zoom() const;
-  /// A standard view, whole; the projection stays.
+  /// Shows the whole object in a standard view; the projection stays.
   void showView(const QString& name);
   void resetView();
-  /// Plays the steps in time, or stops.
+  /// Plays the time points, or stops.
   void togglePlay();
   const QWidget* canvas() const { return canvas_; }
-  /// What is said of the picture: its level, and how long it took.
+  /// Returns the text about the picture: its quality level and duration.
   const QString& caption() const { return caption_; }
 
  Q_SIGNALS:
-  /// This picture is on show.
+  /// This picture is now on screen.
   void drawn(const volumen::ScreenPicture& picture);
-  /// Something was drawn around with the scissors.
+  /// An outline was drawn with the scissors.
   void lassoDrawn(const volumen::SeriesKey& series, const volumen::Lasso& lasso);
-  /// The key of a tool that draws was pressed.
+  /// The key of a drawing tool was pressed.
   void toolWanted(const volumen::Tool& tool);
-  /// A measurement was drawn, and no other is wanted.
+  /// A measurement was drawn and no further one is expected.
   void toolDone();
-  /// Why nothing can be measured where the pointer is, a sentence.
+  /// A sentence why nothing can be measured under the pointer.
   void missed(const QString& sentence);
 
  protected:
@@ -114,9 +114,9 @@ class VolumeView : public View {
   bool pressMeasuringKey(const QKeyEvent& event);
   void showCursorAt(QPointF position);
   QString measurementText(QPointF position) const;
-  /// Ends a drag, and what is being drawn; what was done to the workspace stays.
+  /// Ends a drag and a measurement being drawn. Changes of the workspace stay.
   void letGo();
-  /// Ends a drag as if it had not been; without one, what is being drawn.
+  /// Cancels a drag and undoes its changes; without a drag, cancels the measurement being drawn.
   void giveUp();
   void editCamera(const QString& what, const Camera& camera);
   void rememberFit(const Camera& fitted);
@@ -129,15 +129,15 @@ class VolumeView : public View {
   void paintShown(QPainter& painter) const override;
   std::vector<QWidget*> badges() const override;
   QStringList warningsShown() const override;
-  void paintEvent(QPaintEvent*) override {}  // its canvas is over all of it
+  void paintEvent(QPaintEvent*) override {}  // fully covered by the canvas
   void paintCanvas(QPainter& painter) const;
-  /// Something of what is seen changed: measurements are placed anew.
+  /// Places measurements anew and repaints, because the view has changed.
   void redraw();
   std::vector<DrawnMeasurement> placedMeasurements() const;
   void paintCrosshair(QPainter& painter) const;
-  /// Where a place is seen; none: behind the eye.
+  /// Returns where a point is seen; nothing if it is behind the eye.
   std::optional<QPointF> seenAtPlace(const Camera& camera, glm::dvec3 pPatient) const;
-  /// Of the same frame of reference.
+  /// Returns whether flat views of its frame of reference are on screen.
   bool planesOnScreen() const;
   void makeErrorImage();
   void replaceCanvas();
@@ -152,35 +152,36 @@ class VolumeView : public View {
   QWidget* canvas_;
   OrientationCube* cube_;
   WarningBadge* badge_;
-  QToolButton* showTable_;  // where the table is left out
+  QToolButton* showTable_;  // shown if the table is left out
   CineBar* cine_;
-  int numberAsked_ = 0, numberDrawn_ = 0;  // of the requests of pictures
-  VolumePtr drawn_;                        // the one that a picture was asked for
-  Scene drawnScene_;                       // and of what
+  int numberAsked_ = 0, numberDrawn_ = 0;  // of picture requests
+  VolumePtr drawn_;                        // volume of the last request
+  Scene drawnScene_;                       // scene of the last request
   std::optional<VolumeRange> only_;
-  bool isDrawn_ = false;  // since there has been one
+  bool isDrawn_ = false;  // whether a picture of drawn_ was shown
   QImage picture_;
   QString caption_, captionIfOld_;
   std::shared_ptr<const std::vector<float>> error_;
-  ErrorImage errorImage_;  // of it, where errorShown_
+  ErrorImage errorImage_;  // of error_, if errorShown_
   bool errorShown_ = false;
   const Tool* tool_ = &toolNamed("rotate");
-  mutable std::optional<std::vector<DrawnMeasurement>> placed_;  // until what is seen changes
-  const Tool* drawing_ = nullptr;                                // what setFlatTool() gave it to draw
+  mutable std::optional<std::vector<DrawnMeasurement>> placed_;  // empty after the view changed
+  const Tool* drawing_ = nullptr;                                // the tool from setFlatTool() if it draws
   QTimer wheelEnd_;
-  std::map<int, double> fitMm_;  // height of fitted cameras, by the number of undo steps when they came
+  std::map<int, double> fitMm_;  // height of fitted cameras by the undo index at which they came
 
-  // Of the gesture under way.
+  // State of the current gesture.
   std::unique_ptr<SceneDrag> drag_;
-  bool shapePressed_ = false;         // for a point of it
-  std::unique_ptr<SceneDrag> shape_;  // draws a measurement, by several presses; others may move the camera
+  bool shapePressed_ = false;  // whether a point of shape_ is being pressed
+  // Draws a measurement with several presses; other drags may move the camera meanwhile.
+  std::unique_ptr<SceneDrag> shape_;
   Qt::MouseButton dragButton_ = Qt::NoButton;
   QPointF pressedAt_;
-  bool pressedShape_ = false;            // a measurement, not what lies behind it
-  bool pressedFree_ = false;             // no measurement, where one could have been selected
-  int stepsAtPress_ = 0;                 // of the undo stack
-  bool isChosenByPress_ = false;         // it came into focus
-  std::optional<Workspace> beforePick_;  // of the last click, where that moved the crosshair
+  bool pressedShape_ = false;     // whether a measurement was pressed rather than what lies behind it
+  bool pressedFree_ = false;      // whether no measurement was pressed although one could have been selected
+  int stepsAtPress_ = 0;          // index of the undo stack
+  bool isChosenByPress_ = false;  // whether the press gave the view the focus
+  std::optional<Workspace> beforePick_;  // workspace before the last click if that moved the crosshair
 };
 
 }  // namespace volumen

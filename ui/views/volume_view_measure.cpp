@@ -16,8 +16,9 @@ namespace volumen {
 
 namespace {
 
-// By its own series, which another one may be shown in place of: without numbers while that is not in memory.
-// Of one that is still being drawn once it has all its points. Those that are seen in 3D take no time.
+// Returns the texts of a measurement. Results come from its own series and are missing while that is not in
+// memory. A measurement being drawn has them once it has all its points. Shapes in 3D take no time to
+// measure.
 QStringList textInScene(const Measurement& m, const LoadedSeriesPtr& series) {
   QStringList text;
   if (!m.shape.name.empty()) text << nameText(m);
@@ -75,7 +76,7 @@ std::vector<DrawnMeasurement> VolumeView::placedMeasurements() const {
   return drawn;
 }
 
-// Whether a point that was picked in 3D is what is seen where it is drawn: not hidden, and of a surface.
+// Returns whether a point picked in 3D is visible where it is drawn, on a surface and not hidden.
 bool VolumeView::isSeenAt(QPointF position, const Shape& shape, std::size_t point) const {
   const std::optional<Pick> hit = shape.softMm ? pickAt(position) : std::nullopt;
   if (!hit || !hit->pPatient || !hit->softMm) return false;
@@ -91,8 +92,8 @@ void VolumeView::tellMissed(QPointF position) {
           : tr("Nothing is seen there: click on a visible surface to measure in 3D."));
 }
 
-// Selects what is under the press; its points can be moved. Elsewhere the selection stays until it is known
-// whether this is a click.
+// Selects the measurement under the press, whose points can be moved. Elsewhere the selection stays until the
+// press proves to be a click.
 std::unique_ptr<SceneDrag> VolumeView::pressMeasurement(const ScenePress& press) {
   const std::vector<DrawnMeasurement> drawn = drawnMeasurements();
   const auto hit = hitAt(drawn, press.at);
@@ -114,14 +115,14 @@ void VolumeView::releaseShape(const QMouseEvent& event) {
   if (isDone && !(event.modifiers() & Qt::ShiftModifier)) Q_EMIT toolDone();
 }
 
-// A click is the next point however soon it follows.
+// A click adds the next point, however soon it follows.
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && drawing_) return mousePressEvent(event);
   takePickBack();
   View::mouseDoubleClickEvent(event);
 }
 
-// The keys of tools that draw, of putting them away and of deleting; false: the key means nothing here.
+// Handles the keys of drawing tools, of Esc and of deletion. Returns false for other keys.
 bool VolumeView::pressMeasuringKey(const QKeyEvent& event) {
   if (event.key() == Qt::Key_Delete) {
     const bool isSeen = std::ranges::any_of(drawnMeasurements(), &DrawnMeasurement::selected);

@@ -23,7 +23,7 @@ const Tool* VolumeView::toolFor(const QMouseEvent& event) const {
   const bool isLeft = event.button() == Qt::LeftButton;
   if (!isLeft && event.button() != Qt::MiddleButton && event.button() != Qt::RightButton) return nullptr;
   if (isLeft && drawing_) return drawing_;
-  // In projections Shift makes the window fine.
+  // In projections Shift makes window drags fine.
   if (isLeft && tool_ == &toolNamed("curve") && scene().mode != Mode::composite) return tool_;
   const std::string bound =
       boundTo(session_.preferences(), slotOf(MousePlace::scene, event.button(), event.modifiers()));
@@ -64,7 +64,7 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
     shapePressed_ = true;
     return redraw();
   }
-  // While a point of it is dragged the camera stays.
+  // The camera stays while a point of the shape is dragged.
   if (shape_ && (event->buttons() & Qt::LeftButton)) return;
   pressedAt_ = event->position();
   pressedShape_ = pressedFree_ = false;
@@ -75,7 +75,7 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();
   const ScenePress press = pressAt(event->position(), event->modifiers());
-  // What is drawn around may begin on a measurement.
+  // An outline may begin on a measurement.
   const bool isHand = event->button() == Qt::LeftButton && tool == tool_ && tool != &toolNamed("scissors");
   if (isHand) drag_ = pressMeasurement(press);
   if (!drag_) {
@@ -108,7 +108,7 @@ void VolumeView::letGo() {
 }
 
 void VolumeView::giveUp() {
-  // What is being drawn is no step yet: those since its first point are of the camera, and stay.
+  // A shape being drawn is no undo step yet. Undo steps since its first point are of the camera and stay.
   if (!drag_) return letGo();
   drag_.reset();
   session_.endGesture();
@@ -125,7 +125,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   const bool clickedFree = drag_ && isStill && pressedFree_;
   const bool wantsMenu =
       event->button() == Qt::RightButton && isStill && !shape_ && (drag_ || (series() && !toolFor(*event)));
-  // What is cut may exchange the volume, which gives up drags.
+  // A cut may replace the volume, which ends drags.
   if (const auto drag = std::move(drag_)) {
     drag->release(event->position(), event->modifiers());
     session_.endGesture();
@@ -142,7 +142,7 @@ void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (session_.workspace() != before) beforePick_ = before;
 }
 
-// The first click of a double-click moved the crosshair, which was not meant: that step is gone again.
+// The first click of a double-click moved the crosshair unintentionally; its undo step is removed.
 void VolumeView::takePickBack() {
   const auto before = std::exchange(beforePick_, {});
   const int steps = session_.undoStack().index();
@@ -157,7 +157,7 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
   const std::string bound = boundTo(session_.preferences(), slot);
   if (bound == "none") return;
   wheelEnd_.start();
-  // A wheel has no pixels to pan by.
+  // A wheel reports no pixels to pan by.
   if (bound == "pan" && !event->pixelDelta().isNull()) {
     const ScenePress press = pressAt(event->position(), {});
     return beginScenePan(press)->moveTo(press.at + event->pixelDelta(), {});
@@ -168,7 +168,7 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
   zoomAt(event->position(), std::pow(0.85, session_.preferences().wheelInverted ? -notches : notches));
 }
 
-// What is seen there stays where it is; `factor` is that of the height that is seen.
+// Zooms about the point seen there. `factor` scales the visible height.
 void VolumeView::zoomAt(QPointF position, double factor) {
   const Camera now = camera();
   const std::optional<Pick> hit = pickAt(position);
@@ -180,7 +180,7 @@ void VolumeView::zoomAt(QPointF position, double factor) {
   editCamera(tr("Zoom"), zoomedAt(now, fixed, factor));
 }
 
-// Two fingers that go apart enlarge.
+// Two fingers moving apart zoom in.
 bool VolumeView::event(QEvent* event) {
   if (event->type() != QEvent::NativeGesture) return View::event(event);
   const auto& gesture = static_cast<QNativeGestureEvent&>(*event);

@@ -33,7 +33,7 @@ QString VolumeView::textAt(QPointF position) const {
   return text + tr(" at %1").arg(placeText(shown->series, *hit->pPatient));
 }
 
-// What is written stands above the bar of the steps in time.
+// Texts stand above the bar of time points.
 QRectF VolumeView::overlayArea() const {
   return QRectF(rect()).adjusted(0, 0, 0, cine_->isHidden() ? 0 : -CineBar::barHeight);
 }
@@ -81,7 +81,7 @@ std::optional<QPointF> VolumeView::seenAtPlace(const Camera& camera, glm::dvec3 
   return QPointF(p.x, p.y);
 }
 
-// Where the planes on screen meet.
+// Paints where the planes on screen meet.
 void VolumeView::paintCrosshair(QPainter& painter) const {
   if (!planesOnScreen()) return;
   constexpr double gap = 4, arm = 11;  // logical pixels
@@ -106,7 +106,7 @@ std::vector<QWidget*> VolumeView::badges() const {
 }
 
 void VolumeView::paintCanvas(QPainter& painter) const {
-  painter.setFont(font());  // which no style sheet hands on to the canvas
+  painter.setFont(font());  // style sheets do not pass it on to the canvas
   paintShown(painter);
   if (series() || isWaiting()) paintFocus(painter);
 }
@@ -119,7 +119,7 @@ void VolumeView::paintShown(QPainter& painter) const {
     if (picture.size() == pixels()) {
       painter.drawImage(QPointF(0, 0), picture);
     } else {
-      // While the window is being resized: the last picture, until the next one is there.
+      // During a resize of the window the last picture stays until the next one arrives.
       const double scale = height() / shown.height();
       const QSizeF fitted = shown * scale;
       painter.setRenderHint(QPainter::SmoothPixmapTransform);

@@ -5,17 +5,17 @@
 
 namespace volumen {
 
-/// A window beside the main one for views that ViewGrid places; whoever has one shows and hides it.
+/// A second window for views arranged by ViewGrid. Its owner shows and hides it.
 class WindowBeside : public QWidget {
   Q_OBJECT
  public:
-  /// Calls `step` for Tab (true) and Shift+Tab from one of its views; where that goes nowhere (false), they
-  /// go on as everywhere else.
+  /// Calls `step` for Tab (true) and Shift+Tab (false) from one of its views. If `step` returns false, the
+  /// keys act as usual.
   explicit WindowBeside(const std::function<bool(bool next)>& step);
 
  Q_SIGNALS:
   void resized();
-  /// It was closed by hand.
+  /// The user closed the window.
   void closed();
 
  protected:
