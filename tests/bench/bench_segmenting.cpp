@@ -1,5 +1,5 @@
 // Prints times in the window for the goals of segmentation: pointer to picture while painting, range on the
-// curve's axis to slices and 3D, undo, and the memory of maps. Asserts only that each picture comes.
+// curve's axis to slices and 3D, undo, and the size of label maps. Asserts only that each picture comes.
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QTimer>
