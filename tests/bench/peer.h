@@ -26,8 +26,8 @@ class Peer {
 using MakePeers = std::vector<std::unique_ptr<Peer>> (*)(const Volume& volume, const Scene& scene);
 
 /// Compares the peers with us on an 8-view orbit (the scene's camera rotated about its up axis in steps of 45
-/// degrees) at 512 x 512, one sample per unit distance. In each round each view is drawn by each peer, by us,
-/// and by us with rays that end where that peer's do.
+/// degrees) at 512 x 512. Takes one sample per unit distance. In each round each view is drawn by each peer,
+/// by us, and by us with rays that end where that peer's do.
 /// Arguments: PATH SCENE.json... [--rounds N] [--threads N] [--pictures FOLDER]. The folder gets the first
 /// views, to check that all draw the same. Prints a Markdown table of median (minimum) ms and ratios, and
 /// returns the exit status.

@@ -74,7 +74,7 @@ class DockLayout : public Feature {
   QMainWindow& window_;
   QMenu* menu_;
   QByteArray before_;                              // layout before the view was maximised
-  std::optional<Workbench::About> kind_;           // of the view in focus
+  std::optional<Workbench::About> kind_;           // kind of the view in focus
   std::map<Workbench::About, QStringList> front_;  // names of front panels by kind of view
   bool isKept_ = false;                            // true if an earlier start left a layout
 };

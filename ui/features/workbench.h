@@ -176,7 +176,7 @@ class Workbench : public QObject, public WindowParts {
   void openRequested(const QStringList& paths, const std::optional<volumen::Scene>& scene = {});
   /// Requests to import segments of these files into the series of the Segments panel.
   void segmentsRequested(const QStringList& paths);
-  /// The view in focus shows another series than before, or shows it in another way.
+  /// The view in focus shows another series, or shows its series in another way.
   void otherShown();
   /// view() has a new picture.
   void drawn(const volumen::ScreenPicture& picture);

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// Returns the flat view that the menus work on: the one in focus, else the first of its group. Returns a 3D
-/// view itself if it stands alone, as it has no flat view.
+/// Returns the flat view that the menus work on: the one in focus, else the first of its group. A comparison
+/// view that shows 3D has no flat view and is returned itself.
 ViewId flatViewInFocus(const Workspace& workspace);
 
 /// Returns the name of a colour map, such as "Hot iron".

@@ -49,7 +49,7 @@ SegmentStepsPage::SegmentStepsPage(Session& session, QWidget* parent)
   connect(kinds_, &QComboBox::currentIndexChanged, this, &SegmentStepsPage::showSegments);
   connect(apply_, &QPushButton::clicked, this, [this] { apply(chosen()); });
   connect(fields_, &StepFields::changed, this, &SegmentStepsPage::showWhatCanBeDone);
-  connect(&session_, &Session::preferencesChanged, this, &SegmentStepsPage::showSegments);  // units
+  connect(&session_, &Session::preferencesChanged, this, &SegmentStepsPage::showSegments);  // to update units
   showSegments();
 }
 

@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// Data of an item of the list of studies: the key of a patient or study, the opened path, and the number in
-/// it of a series (the time point that a click shows) or of a derived object.
+/// Data of an item of the list of studies: the key of a patient or study, the opened path, and the number of
+/// a series or derived object in it. A row of several time points holds the series that a click shows.
 enum StudyItemRole { keyRole = Qt::UserRole, pathRole, stepRole, derivedRole };
 
 }  // namespace volumen

@@ -85,7 +85,7 @@ class StudyModel : public QAbstractItemModel {
 
   StudyListPtr list_ = std::make_shared<const StudyList>();
   StudySort sort_;
-  std::map<std::int64_t, SeriesListPtr> series_;  // by study
+  std::map<std::int64_t, SeriesListPtr> series_;  // series by study
   std::set<std::int64_t> wanted_;                 // studies whose series were requested
 };
 

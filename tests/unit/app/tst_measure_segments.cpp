@@ -1,6 +1,6 @@
-// Guards segment.md, "Numbers": `volumen measure --segments` reports the same numbers for the segments of a
-// file as `volumen segment`, over time too and in the requested unit of PET. It names segments that it cannot
-// measure.
+// Guards segment.md, "Numbers": `volumen measure --segments` and `volumen segment` report the same numbers
+// for the segments of a file, over time too and in the requested unit of PET. Segments that cannot be
+// measured are named.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 

@@ -81,8 +81,8 @@ void TestSegmentFiles::filesAreConverted() {
   QCOMPARE(b.readAll(), a.readAll());
 }
 
-// The phantom is centred on the origin, so a plane of 8 x 8 voxels in the middle corresponds to 8 x 8 of the
-// 16 x 16.
+// The phantom is centred on the origin. A plane of 8 x 8 voxels in the middle corresponds to 8 x 8 of the 16
+// x 16.
 void TestSegmentFiles::aFileOfAnotherGridIsBroughtToThisOne() {
   const QTemporaryDir folder;
   const QString large = folder.filePath(QStringLiteral("large.seg.nrrd")),
