@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Qt comes without a British translation: its few American words are replaced.
+// Qt has no British translation, so its few American words are replaced here.
 class British : public QTranslator {
  public:
   using QTranslator::QTranslator;

@@ -4,7 +4,7 @@ class QCoreApplication;
 
 namespace volumen {
 
-/// British spelling and numbers, in Qt's own dialogs too.
+/// Sets British spelling and numbers, also in Qt's own dialogs.
 void speakBritish(QCoreApplication& app);
 
 }  // namespace volumen

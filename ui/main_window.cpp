@@ -28,7 +28,7 @@ MainWindow::MainWindow(const Services& services, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  // Panels and views refer to the document, and features' jobs stand in its list: they go first.
+  // Panels, views and features refer to the document, so they are deleted before it.
   for (const auto& [name, dock] : bench_->docks) delete dock.widget;
   delete takeCentralWidget();
   features_.clear();

@@ -6,10 +6,10 @@
 
 namespace volumen {
 
-/// The real ones: render() and presetScene().
+/// Returns the services of the program: render() and presetScene().
 Services realServices();
 
-/// Stacks the views and the features around one document, which they open, save and close; holds no state of
+/// Stacks the views and the features around one document, which they open, save and close. Holds no state of
 /// its own.
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -17,13 +17,13 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const Services& services, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Opens files, folders, phantoms or sessions; the largest series of the first that holds any is shown, by
-  /// the scene where one is given, else a PET over its CT where both are among them.
+  /// Opens files, folders, phantoms or sessions and shows the largest series of the first study that has any.
+  /// Draws it by `scene` if given, else fuses a PET with its CT if both are among them.
   void open(const QStringList& paths, const std::optional<Scene>& scene = {});
-  /// Closes the window without asking; what is not saved is offered at the next start.
+  /// Closes the window without asking. The next start offers to restore unsaved work.
   void end();
   Session& session() { return document_.session; }
-  /// The 3D view that the panels work on.
+  /// Returns the 3D view that the panels work on.
   VolumeView* view() const { return bench_->view(); }
   ViewGrid* views() const { return &bench_->grid; }
   Document& document() { return document_; }
@@ -32,7 +32,7 @@ class MainWindow : public QMainWindow {
   const AccuracyMeter& meter() const { return document_.meter; }
 
  Q_SIGNALS:
-  /// The picture at rest of the session's scene is on screen.
+  /// Emitted when the final picture of the session's scene is on screen.
   void settled();
 
  protected:

@@ -1,4 +1,4 @@
-// An addition: the same format, written.
+// An addition that writes the format of format.cpp.
 #include "io/files/output_file.h"
 #include "io/files/volume_writers.h"
 

@@ -1,4 +1,4 @@
-// An addition: a feature with an action of its own.
+// An addition: a feature with its own action.
 #include "ui/features/feature.h"
 
 namespace volumen {

@@ -1,4 +1,4 @@
-// An addition: a format that is read, "cube N" on a line and N x N x N bytes behind it.
+// An addition that reads a format: a line "cube N" followed by N x N x N bytes.
 #include "io/files/binary_header.h"
 #include "io/files/formats.h"
 

@@ -1,4 +1,4 @@
-// An addition: a panel that shows how many steps can be undone.
+// An addition: a panel that shows the number of steps that can be undone.
 #include <QUndoStack>
 
 #include "ui/widgets/plain_text.h"

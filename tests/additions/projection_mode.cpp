@@ -1,4 +1,4 @@
-// An addition: how much the values along a ray differ, as their standard deviation.
+// An addition: a projection that shows the standard deviation of the values along a ray.
 #include <algorithm>
 #include <cmath>
 

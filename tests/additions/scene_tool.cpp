@@ -1,4 +1,4 @@
-// An addition: a tool of 3D; a drag turns about the upright axis alone.
+// An addition: a 3D tool whose drags rotate only about the vertical axis.
 #include "ui/tools/tool.h"
 #include "ui/workspace/camera_moves.h"
 

@@ -1,4 +1,4 @@
-// An addition: a tool of slices; a drag upwards moves the window to higher values.
+// An addition: a slice tool whose upward drags move the window to higher values.
 #include "ui/tools/tool.h"
 
 namespace volumen {

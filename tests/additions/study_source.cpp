@@ -1,4 +1,4 @@
-// An addition: a source of studies, with one that cannot be opened.
+// An addition: a study source that lists one study, which cannot be opened.
 #include "ui/controller/study_sources.h"
 
 namespace volumen {

@@ -1,5 +1,5 @@
-// Guards that what a newcomer adds to the program is one file and one row: the files of this folder, by real
-// events through the window, or through the room's function.
+// Guards that each kind of addition takes one file and one table row. Uses the files of this folder through
+// the window by real events, or through the room's function.
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
@@ -132,7 +132,7 @@ void TestAdditions::aSourceOfStudiesIsListed() {
   QTRY_VERIFY_WITH_TIMEOUT(w.child<QLabel>("bannerText")->text().contains(QStringLiteral("locked")), longest);
 }
 
-// Values rise by 10 a voxel along the view, 11 of them, and stay as they are in the half voxels at both ends.
+// The 11 values along the view rise by 10 per voxel and stay constant in the half voxels at both ends.
 void TestAdditions::aProjectionModeIsDrawnRight() {
   RenderCaches caches(
       volumeOf<std::int16_t>({3, 11, 3}, glm::dmat3(1), [](glm::dvec3 p) { return 10 * p.y; }));

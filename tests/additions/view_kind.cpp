@@ -1,4 +1,4 @@
-// An addition: a kind of view, of a family of its own; it says what the series is called.
+// An addition: a kind of view with its own family that shows the name of the series.
 #include <QPainter>
 
 #include "ui/views/view.h"

@@ -1,7 +1,7 @@
-// Whether the planner chooses what is fastest: usage bench_choices [PATH] [ROUNDS]. Draws a matrix of scenes
-// of the volume (default phantom:ct-head:128) with each alternative of shader, method and resampler in turn,
-// interleaved, ROUNDS times (default 5) and once before, and holds the predicted ratios of frames against the
-// medians. A Markdown table on stdout, and how many choices were the faster one or within 10 % of it.
+// Checks whether the planner chooses the fastest way. usage: bench_choices [PATH] [ROUNDS]. Draws a matrix of
+// scenes of the volume (default phantom:ct-head:128) with each alternative of shader, method and resampler in
+// turn. These frames are interleaved, ROUNDS times (default 5) after one warm-up. Prints a Markdown table of
+// predicted ratios and ratios of medians, and how many choices were the faster one or within 10 % of it.
 #include <algorithm>
 #include <cstdio>
 
@@ -24,7 +24,7 @@ struct NamedQuestion {
   std::string chosenName, otherName;
 };
 
-// Opaque bone, or everything from soft tissue on, faintly; unlit where there are no lights.
+// Returns a scene of opaque bone, or of everything from soft tissue up, faint. It is unlit without lights.
 Scene sceneOf(bool opaque, int lights, double shininess) {
   Scene scene;
   if (!opaque) scene.transferFunction.points = {{-200, {0.8, 0.5, 0.4}, 0}, {400, {1, 1, 0.9}, 0.02}};
@@ -39,7 +39,7 @@ std::string nameOf(int edge, bool opaque, int lights, double shininess) {
   return text("%d x %d, %s, %s", edge, edge, opaque ? "opaque" : "translucent", light.c_str());
 }
 
-// Map or direct: what is not chosen is asked for.
+// Adds the question about the shader, map or direct: requests the one that was not chosen.
 void askOfShader(std::vector<NamedQuestion>& out, const VolumeFacts& facts, const NamedQuestion& q) {
   const bool map = makePlan(q.scene, facts, q.chosen)->shader == Shader::map;
   NamedQuestion shader = q;
@@ -85,7 +85,7 @@ double frameMs(const Plan& plan, RenderCaches& caches) {
 }
 
 struct Answer {
-  double predicted = 0, measured = 0;  ///< the chosen over the other
+  double predicted = 0, measured = 0;  ///< ratios of the chosen way to the other
 };
 
 Answer answer(const NamedQuestion& q, RenderCaches& caches, int rounds) {
@@ -97,7 +97,7 @@ Answer answer(const NamedQuestion& q, RenderCaches& caches, int rounds) {
   std::vector<double> ms[2];
   for (int round = 0; round <= rounds; ++round)
     for (int n = 0; n < 2; ++n) {
-      if (plans[n].shader == Shader::map) caches.impl().map.reset();  // its making belongs to the frame
+      if (plans[n].shader == Shader::map) caches.impl().map.reset();  // making the map belongs to the frame
       const double once = frameMs(plans[n], caches);
       if (round > 0) ms[n].push_back(once);
     }

@@ -1,4 +1,4 @@
-// How errors fall with step, grid and pixel size on fields of closed form: CSV on stdout, one row a
+// Measures how errors fall with step, grid and pixel size on analytic fields. Prints CSV, a row per
 // measurement. usage: bench_convergence. tst_convergence asserts the slopes.
 #include <cstdio>
 

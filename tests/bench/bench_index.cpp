@@ -1,5 +1,5 @@
-// Times the index: opening, listing and searching 100,000 instances, and importing 20,000 small DICOM files
-// (bench_index [FOLDER]; the files are made there, or in a temporary folder).
+// Times the index: opening, listing and searching 100,000 instances, and importing 20,000 small DICOM files.
+// usage: bench_index [FOLDER]. Makes the files there or in a temporary folder.
 #include <QCoreApplication>
 #include <QTemporaryDir>
 #include <algorithm>
@@ -23,7 +23,7 @@ double milliseconds(const std::function<void()>& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The median of several runs.
+/// Prints the median of several runs.
 void print(const char* what, const std::function<void()>& work, int runs = 9) {
   std::vector<double> times;
   for (int n = 0; n < runs; ++n) times.push_back(milliseconds(work));

@@ -1,6 +1,7 @@
-// What accuracy costs: usage bench_levels PATH SCENE.json [EDGE]. For plain steps and levels of a 512 x 512
-// picture, the error against the reference (design.md 2, /255, the well-conditioned of EDGE x EDGE of its
-// pixels, default 192) and the time of a frame: medians of 7 interleaved runs. A Markdown table on stdout.
+// Measures the cost of accuracy. usage: bench_levels PATH SCENE.json [EDGE]. Prints a Markdown table of
+// errors and frame times for plain steps and quality levels of a 512 x 512 picture. Errors (/255) are against
+// the reference (design.md 2) at the well-conditioned ones of EDGE x EDGE of its pixels (default 192). Times
+// are medians of 7 interleaved runs.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -36,7 +37,7 @@ RenderOptions optionsOf(const Row& row) {
   return o;
 }
 
-// Of the levels, but for the draft, whose time is as asked.
+// Returns the time goal of a level. Empty for the draft, whose time is as requested.
 std::string goalOf(const Row& row) {
   const double goal = row.step ? 0 : levelOf(row.quality).timeGoal;
   return goal > 0 ? inDigits(goal) + " x" : "";

@@ -1,7 +1,6 @@
-// Measures and prints, for the reading room's goals in the window: from the wheel to the picture in one view
-// and in three linked ones, layouts and series that are switched, and the first image of what is opened.
-// Times are no test: what is held is that each picture comes. The UI thread's longest events are printed at
-// the end, by the application.
+// Prints times in the window for the goals of the reading room. Times wheel to picture in one view and in
+// three linked views, switches of layout and series, and first images of opened data. Asserts only that each
+// picture comes. The application prints the longest events of the UI thread at the end.
 #include <QElapsedTimer>
 #include <algorithm>
 
@@ -30,7 +29,7 @@ struct Chest : Journey {
   ~Chest() { openAlone(); }
   Session& session() { return window.session(); }
   FlatView* view(ViewId id) { return window.views()->viewAs<FlatView>(id); }
-  // ms from an act until each of these views has drawn what is wanted and has painted it.
+  // Returns the ms from an act until each of these views has drawn and painted its picture.
   double until(const std::vector<ViewId>& ids, const std::function<void()>& act) {
     std::vector<std::unique_ptr<QSignalSpy>> drawn;
     for (const ViewId id : ids) drawn.push_back(std::make_unique<QSignalSpy>(view(id), &FlatView::settled));

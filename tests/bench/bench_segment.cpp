@@ -1,6 +1,6 @@
-// How long the steps of segmentation take on 512 x 512 x 300 voxels of a made-up CT: medians of real time
-// (and of all cores' work), on all cores. Goals: threshold and largest part together 250 ms, connected 150 ms
-// (5 million voxels), by balls of 3 mm 300 ms each; grown from seeds 5 s, in 192^3 voxels 1 s.
+// Times segmentation steps on 512 x 512 x 300 voxels of a synthetic CT. Prints medians of real time (and of
+// the work of all cores), on all cores. Goals: threshold and largest part together 250 ms; connected 150 ms
+// (5 million voxels); steps with balls of 3 mm 300 ms each; growth from seeds 5 s, in 192^3 voxels 1 s.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -23,7 +23,8 @@ using namespace volumen;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// HU without noise: a trunk with two lungs, a spine and ribs 12 voxels thick in its wall, a table below.
+// Returns HU without noise: a trunk with two lungs, a spine, ribs 12 voxels thick in its wall, and a table
+// below.
 double trunk(glm::dvec3 x) {
   const auto within = [&](double cx, double cy, double rx, double ry) {
     return std::pow((x.x - cx) / rx, 2) + std::pow((x.y - cy) / ry, 2);
@@ -37,7 +38,8 @@ double trunk(glm::dvec3 x) {
   return 50;
 }
 
-// With noise of 40 HU: some ten thousand parts that are no bone. 0.7 x 0.7 x 1 mm.
+// Returns the CT with noise of 40 HU, which makes some ten thousand components that are no bone. Voxels are
+// 0.7 x 0.7 x 1 mm.
 const Volume& ct() {
   static const VolumePtr volume = [] {
     VolumeParts parts;
@@ -124,7 +126,7 @@ void patient(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(patientMask(ct()));
 }
 
-// Strokes in lungs, spine, body and air: everywhere, or in their box of 192^3 voxels.
+// Grows strokes in lungs, spine, body and air: everywhere, or in their box of 192^3 voxels.
 void fromSeeds(benchmark::State& state) {
   LabelEdit edit{LabelMap(ct().geometry())};
   const std::pair<glm::ivec3, int> strokes[] = {
@@ -141,7 +143,7 @@ void labels(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(maskOf(withLabel(none, 1, bone()), 1));
 }
 
-// A step of the pointer by 6 mm, with a brush of so many mm across.
+// Paints a pointer movement of 6 mm with a brush whose diameter in mm is the argument.
 void paintedByBall(benchmark::State& state) {
   const LabelMap none(ct().geometry());
   const glm::dvec3 from(180, 180, 150), to(184, 184, 152);

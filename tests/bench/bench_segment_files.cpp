@@ -1,6 +1,6 @@
-// How long the segments of the chest CT (512 x 512 x 138) take to and from their files: medians of real time.
-// Goals: a DICOM segmentation of two segments written in 600 ms, read in 500 ms; the surface of all above 226
-// HU, smoothed and written as STL, in 3 s and 600 MiB.
+// Times writing and reading segments of the chest CT (512 x 512 x 138). Prints medians of real time. Goals: a
+// DICOM segmentation of two segments written in 600 ms and read in 500 ms; the surface of all above 226 HU,
+// smoothed and written as STL, in 3 s and 600 MiB.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -22,7 +22,7 @@ struct Chest {
   std::vector<Segmented> boneAndRest, bone;
 };
 
-// Bone, and what else is no air.
+// Segments: bone, and all else except air.
 const Chest& chest() {
   static const Chest made = [] {
     const Result<Study> study = openStudy(tests::dataPath("ct-chest-lidc0314-138"));

@@ -1,6 +1,5 @@
-// Measures and prints, for the goals of segmentation in the window: from the pointer to the picture while a
-// stroke is painted, from the end of a range on the curve's axis to slices and 3D, steps undone, and what
-// maps take. Times are no test: what is held is that each picture comes.
+// Prints times in the window for the goals of segmentation: pointer to picture while painting, range on the
+// curve's axis to slices and 3D, undo, and the size of label maps. Asserts only that each picture comes.
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QTimer>
@@ -29,10 +28,10 @@ struct ChestSegments : SegmentWindow {
     child<QAction>("layoutPlanes")->trigger();
     child<QDockWidget>("segmentDock")->raise();
     settle();
-    QTest::qWait(5000);  // until what is drawn ahead, such as pictures of presets, is done
+    QTest::qWait(5000);  // waits for pictures drawn in advance, such as preset thumbnails
   }
-  // ms from an act until each of these views has drawn what is wanted and has painted it, and 3D something
-  // new where that is waited for, too.
+  // Returns the ms from an act until each of these views has drawn and painted its picture. If `in3d`, also
+  // waits for a new 3D picture.
   double until(const std::vector<ViewId>& ids, bool in3d, const std::function<void()>& act) {
     QEventLoop loop;
     std::set<QObject*> awaited;
@@ -104,9 +103,9 @@ void BenchSegmenting::theEndOfARange() {
   const QPoint from = curve->rangeHandle(0).center().toPoint();
   std::vector<double> slices, all;
   QTest::mousePress(curve, Qt::LeftButton, {}, from);
-  QTest::mouseEvent(QTest::MouseMove, curve, Qt::LeftButton, {}, from - QPoint(20, 0));  // now it is a drag
+  QTest::mouseEvent(QTest::MouseMove, curve, Qt::LeftButton, {}, from - QPoint(20, 0));  // starts the drag
   QVERIFY(w.settle());
-  const auto isSnappedTo = [&](QPoint at) {  // to where it was: nothing is drawn
+  const auto isSnappedTo = [&](QPoint at) {  // the end did not move, so nothing is drawn
     const double low = curve->range()->low;
     QTest::mouseEvent(QTest::MouseMove, curve, Qt::LeftButton, {}, at);
     return curve->range()->low == low;

@@ -1,7 +1,7 @@
-// How fast everything is that needs no other program to compare with: usage bench_speed PATH SCENE.json...
-// [--rounds N] [--threads N]. PATH should be a chest CT; the first scene is the one whose effects are taken
-// apart. Markdown tables on stdout: goals, what effects cost, instruction sets. Times of frames are medians
-// over an 8-view orbit, each view at its fastest of so many interleaved rounds; nothing is asserted.
+// Measures all speeds that need no other program for comparison. usage: bench_speed PATH SCENE.json...
+// [--rounds N] [--threads N]. PATH should be a chest CT. Effects are measured one by one on the first scene.
+// Prints Markdown tables of goals, costs of effects and instruction sets. Frame times are medians over an
+// 8-view orbit, each view at its fastest of N interleaved rounds. Asserts nothing.
 #include <cstdio>
 #include <ctime>
 

@@ -1,6 +1,6 @@
-// How fast VolPack, Lacroute's shear-warp, draws the same scenes on one thread: classified beforehand, and
-// from the raw volume with its octree (curve edits then cost nothing). 8-bit densities, one material a scene,
-// parallel projection only.
+// Times VolPack, Lacroute's shear-warp, on the same scenes with one thread: classified beforehand, and from
+// the raw volume with its octree (curve edits then cost nothing). VolPack has 8-bit densities, one material
+// per scene and parallel projection only.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -88,11 +88,12 @@ class ShearWarp : public bench::Peer {
           context_);
   }
 
-  // HU -1024 .. 3056 in steps of 16.
+  // Maps HU -1024 .. 3056 to bytes in steps of 16.
   static int eightBits(double value) { return std::clamp(int(std::lround((value + 1024) / 16)), 0, 255); }
 
   void setCurve() {
-    // VolPack's opacity is that of a sample a voxel along the slices: here 1 voxel is about a unit distance.
+    // VolPack's opacity is that of one sample per voxel along the slices. Here 1 voxel is about a unit
+    // distance.
     opacity_.resize(256);
     const auto& points = scene_.transferFunction.points;
     for (int n = 0; n < 256; ++n) {
@@ -139,8 +140,8 @@ class ShearWarp : public bench::Peer {
     check(vpCreateMinMaxOctree(context_, 0, 4), context_);
   }
 
-  // Object space of VolPack: voxels around the origin, the longest edge 1. Its lights are not scaled back, so
-  // all is counted in units of that edge, not in mm. It looks along its +z.
+  // VolPack's object space has voxels around the origin and a longest edge of 1, and looks along +z. Its
+  // lights are not scaled back, so all lengths are in units of that edge, not in mm.
   void setCamera(const Camera& camera) {
     const CameraAxes axes = cameraAxes(camera);
     const VoxelGeometry& g = volume_.geometry();

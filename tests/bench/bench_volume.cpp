@@ -1,5 +1,5 @@
-// How many voxels a second the passes over a volume take: Sobel gradients, range of values, block ranges,
-// slopes, percentiles.
+// Times the passes over a volume, in voxels a second: Sobel gradients, range of values, block ranges, slopes
+// and percentiles.
 #include <benchmark/benchmark.h>
 
 #include <random>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace volumen;
 
-// 16-bit noise in the range of a CT.
+// Returns a cube of 16-bit noise in the range of a CT.
 VolumePtr noise(int edge) {
   std::minstd_rand random(1);
   VolumeParts parts;

@@ -1,5 +1,5 @@
-// How fast VTK's volume mappers draw the same scenes: the fixed-point ray caster on the CPU (2 threads, or
-// --threads) and the GPU ray caster on whatever OpenGL there is (llvmpipe without a GPU). Needs a display:
+// Times VTK's volume mappers on the same scenes: the fixed-point ray caster on the CPU (2 threads, or
+// --threads) and the GPU ray caster on the available OpenGL (llvmpipe without a GPU). Needs a display:
 // xvfb-run bench_vtk PATH SCENE.json...
 #include <vtkAutoInit.h>
 #include <vtkCamera.h>
@@ -44,7 +44,7 @@ vtkSmartPointer<vtkImageData> imageOf(const Volume& volume) {
   return image;
 }
 
-// Where the image's own axes, in mm, lie in patient space.
+// Returns the transform from the image's own axes, in mm, to patient space.
 vtkSmartPointer<vtkMatrix4x4> patientFromImage(const VoxelGeometry& g) {
   const auto m = vtkSmartPointer<vtkMatrix4x4>::New();
   const glm::dvec3 spacing = g.spacing();
@@ -122,7 +122,7 @@ class VtkPeer : public bench::Peer {
     vtkNew<vtkUnsignedCharArray> pixels;
     window_->GetPixelData(0, 0, 511, 511, 1, pixels);
     std::vector<std::uint8_t> out;
-    for (int y = 511; y >= 0; --y)  // its first row is at the bottom
+    for (int y = 511; y >= 0; --y)  // the first row is at the bottom
       for (int x = 0; x < 3 * 512; ++x) out.push_back(pixels->GetValue(y * 3 * 512 + x));
     return out;
   }

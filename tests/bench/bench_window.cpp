@@ -1,6 +1,5 @@
-// Measures and prints, for design.md 2's time goals in the window: the interaction frame and the full picture
-// of a chest CT in a window of 1440 x 900. Times are no test: what is held is that a drag is followed by
-// drafts and ends in a full picture.
+// Prints times in the window for the goals of design.md 2: the interaction frame and the full picture of a
+// chest CT in a window of 1440 x 900. Asserts only that a drag gives drafts and ends in a full picture.
 #include <algorithm>
 
 #include "tests/fixtures/fixtures.h"
@@ -31,7 +30,7 @@ void BenchWindow::aDragAcrossTheChest() {
                    });
   w.window.open({QString::fromStdString(path)});
   QVERIFY(w.settle());
-  // The pace of drafts is found while dragging: that of the second drag is the one people see.
+  // The first drag finds the pace of drafts, so the second one shows what users see.
   VolumeView* view = w.window.view();
   for (int drag = 0; drag < 2; ++drag) {
     draftsMs.clear(), fullMs.clear(), factors.clear();

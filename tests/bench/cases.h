@@ -13,25 +13,25 @@ struct Case {
   Scene scene;
   RenderOptions options;
   RenderCaches* caches = nullptr;
-  std::vector<double> viewsMs{};  ///< the fastest frame of each view
-  Plan plan{};                    ///< of the first view
-  RenderStats stats{};            ///< of the last frame
+  std::vector<double> viewsMs{};  ///< fastest frame of each view
+  Plan plan{};                    ///< plan of the first view
+  RenderStats stats{};            ///< statistics of the last frame
 };
 
-/// Draws an 8-view orbit of every case, its first view once before; called once a round, so that noise hits
-/// all alike.
+/// Draws an 8-view orbit of every case, its first view once before. Called once a round, so that noise
+/// affects all cases alike.
 Status drawRound(std::vector<Case>& cases);
 
-/// The median over the views, each at its fastest.
+/// Returns the median over the views of their fastest frames, ms.
 double msOf(const Case& c);
 
-/// The plain step of one voxel at 512 x 512.
+/// Returns options for plain steps of one voxel. The pictures have 512 x 512 pixels.
 RenderOptions plainSteps(int threads);
 
-/// So many white lights around the viewer, as bright as one together.
+/// Returns `count` white lights around the viewer, together as bright as one.
 std::vector<Light> ringOfLights(int count);
 
-/// A printf into a string.
+/// Formats like printf and returns the text (up to 399 bytes).
 [[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...);
 
 }  // namespace volumen::bench

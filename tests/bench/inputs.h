@@ -8,27 +8,27 @@
 
 namespace volumen::bench {
 
-/// What a benchmark is asked: PATH SCENE.json... [--rounds N] [--threads N] [--pictures FOLDER].
+/// Arguments of a benchmark: PATH SCENE.json... [--rounds N] [--threads N] [--pictures FOLDER].
 struct Arguments {
   std::string path;
   std::vector<std::string> scenes;  ///< at least one
-  std::string pictures;             ///< empty: none
+  std::string pictures;             ///< folder for pictures, empty for none
   int rounds = 3;
-  int threads = 0;  ///< 0: all allowed
+  int threads = 0;  ///< 0: all available threads
 };
 
-/// An Error: how it is used.
+/// Returns the arguments, or an Error with the usage.
 Result<Arguments> readArguments(int argc, char** argv, bool mayWritePictures);
 
-/// The largest volume of what lies at `path`, as it is drawn.
+/// Returns the largest volume at `path`, as it is drawn.
 Result<VolumePtr> readVolume(const std::string& path);
 
 struct NamedScene {
-  std::string name;  ///< of its file, without ".json"
+  std::string name;  ///< name of the file without ".json"
   Scene scene;
 };
 
-/// An Error names the file.
+/// Reads a scene. An Error names the file.
 Result<NamedScene> readScene(const std::string& path);
 
 }  // namespace volumen::bench

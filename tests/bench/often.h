@@ -4,7 +4,7 @@
 
 namespace volumen {
 
-/// Nine times, by real time, in ms: medians and how far times are apart; all cores' work beside it.
+/// Measures nine times by real time, in ms, and reports median and spread, with the work of all cores.
 inline void often(benchmark::internal::Benchmark* bench) {
   bench->MeasureProcessCPUTime()
       ->UseRealTime()

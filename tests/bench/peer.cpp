@@ -15,7 +15,7 @@ namespace {
 
 constexpr int views = 8;
 
-// The plain step of one unit distance along the view, as the peers take it.
+// Returns options for plain steps of one unit distance along the view, as the peers take them.
 RenderOptions oursFor(const Scene& scene, const Volume& volume, int threads, std::optional<double> stopAt) {
   RenderOptions o;
   o.threads = threads;
@@ -31,8 +31,8 @@ std::string inMs(const std::vector<double>& ms) {
   return text;
 }
 
-// What one renderer took, a frame each: wall clock, and of all processors together, which noise from others
-// on the machine does not touch.
+// Times of one renderer per frame: wall clock, and CPU time of all processors, which other programs on the
+// machine do not affect.
 struct Took {
   std::vector<double> wall, processors;
 
@@ -57,13 +57,13 @@ class Comparison {
         firstMs_(peers_.size()) {}
 
   Status run(const Arguments& a) {
-    for (int round = -1; round < a.rounds; ++round)  // the first warms up
+    for (int round = -1; round < a.rounds; ++round)  // the first round warms up
       for (int view = 0; view < views; ++view)
         if (Status s = drawView(view, round >= 0, a.threads); !s) return s;
     return {};
   }
 
-  // The first view again, by everyone.
+  // Writes the first view as drawn by every renderer.
   Status writePictures(const std::string& folder, const std::string& scene) {
     const auto plan = makePlan(scene_, caches_.facts(), oursFor(scene_, *caches_.volume(), 0, {}));
     const auto ours = plan ? render(*plan, caches_) : Result<Rendered>(plan.error());
@@ -106,7 +106,7 @@ class Comparison {
       const auto stopped = [&] {
         return drawOurs(scene, counts, threads, peers_[n]->stopsAt(), oursStoppedTook_[n]);
       };
-      // Each of ours comes before the peer as often as behind it, when the peer's data fill the caches.
+      // Ours runs before and after the peer equally often, as after it the peer's data fill the caches.
       const bool first = (view + n) % 2 == 0;
       if (Status s = first ? whole() : stopped(); !s) return s;
       const double ms = peersTook_[n].time(counts, [&] { peers_[n]->draw(*scene.camera); });

@@ -8,28 +8,29 @@
 
 namespace volumen::bench {
 
-/// Another volume renderer, or one of its ways, on the volume and scene of ours.
+/// Another volume renderer, or one of its methods, with our volume and scene.
 class Peer {
  public:
   virtual ~Peer() = default;
   virtual std::string name() const = 0;
-  /// The transmittance below which it follows a ray no further.
+  /// Returns the transmittance below which it ends rays.
   virtual double stopsAt() const = 0;
   /// Draws the scene from this (complete) camera.
   virtual void draw(const Camera& camera) = 0;
-  /// What it drew last: 512 x 512 RGB bytes, first row on top.
+  /// Returns the last picture: 512 x 512 RGB bytes, top row first.
   virtual std::vector<std::uint8_t> rgb() const = 0;
 };
 
-/// Makes the peers for a scene; called once a scene, not timed. What they make when they draw for the first
-/// time is told apart.
+/// Makes the peers for a scene. Called once per scene and not timed. Work of the peers at their first drawing
+/// is reported separately.
 using MakePeers = std::vector<std::unique_ptr<Peer>> (*)(const Volume& volume, const Scene& scene);
 
-/// The 8-view orbit (the camera of the scene turned about its up axis by 45 degrees each) at 512 x 512, one
-/// sample every unit distance, all in one run: in every round each view is drawn by each peer, by us, and by
-/// us with rays that end where that peer's do.
-/// Arguments: PATH SCENE.json... [--rounds N] [--threads N] [--pictures FOLDER]: the first views, to see that
-/// all draw the same. A Markdown table of median (minimum) ms and ratios on stdout; returns the exit status.
+/// Compares the peers with us on an 8-view orbit (the scene's camera rotated about its up axis in steps of 45
+/// degrees) at 512 x 512. Takes one sample per unit distance. In each round each view is drawn by each peer,
+/// by us, and by us with rays that end where that peer's do.
+/// Arguments: PATH SCENE.json... [--rounds N] [--threads N] [--pictures FOLDER]. The folder gets the first
+/// views, to check that all draw the same. Prints a Markdown table of median (minimum) ms and ratios, and
+/// returns the exit status.
 int comparePeers(int argc, char** argv, MakePeers makePeers);
 
 }  // namespace volumen::bench

@@ -8,7 +8,7 @@
 
 namespace volumen::bench {
 
-/// A line on what was measured so often.
+/// Prints the median and the largest of the measured times.
 inline void printTimes(const char* what, const std::vector<double>& ms) {
   qInfo("%s: median %.1f ms, largest %.1f ms of %d", what, median(ms), *std::ranges::max_element(ms),
         int(ms.size()));

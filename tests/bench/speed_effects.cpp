@@ -8,7 +8,7 @@ namespace volumen::bench {
 
 namespace {
 
-// How a scene or its options are changed, and the rule that says what comes of it.
+// A change of a scene or its options, and the rule that decides its effect.
 struct Change {
   const char *name, *rule;
   void (*see)(Scene&);
@@ -17,7 +17,7 @@ struct Change {
 
 void seePerspective(Scene& s) {
   s.camera->projection = Projection::perspective;
-  // As large at the target as in parallel.
+  // Keeps the size at the target that parallel projection gives.
   s.camera->distance = s.camera->height / 2 / std::tan(glm::radians(s.camera->fov) / 2);
 }
 
@@ -30,7 +30,7 @@ void cutByThreePlanes(Scene& s) {
   }
 }
 
-// Nothing below half of the steepest point's opacity, all above.
+// Makes all values from 200 up opaque and all below transparent.
 void makeOpaque(Scene& s) {
   const CurvePoint most = s.transferFunction.points.back();
   s.transferFunction.points = {{200, most.colour, 0}, {200, most.colour, 1}};
@@ -62,7 +62,7 @@ const std::vector<Change>& changes() {
   return all;
 }
 
-// The rule's line of --explain, up to its first colon or comma.
+// Returns the rule's line of --explain up to its first colon, semicolon or comma.
 std::string reasonOf(const Plan& plan, const std::string& rule) {
   for (const Effect& e : plan.effects)
     if (e.name == rule)

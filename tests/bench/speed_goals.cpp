@@ -19,8 +19,8 @@ Status drawRounds(std::vector<Case>& cases, int rounds) {
   return {};
 }
 
-// The paper's own scene, the sphere as ever more voxels of 1 mm, a hundred samples across the volume. Opacity
-// is measured by the volume's width, so that a sample is as opaque in each.
+// The paper's own scene: a sphere of ever more voxels of 1 mm, with a hundred samples across the volume.
+// Opacity is relative to the volume's width, so that a sample is equally opaque in each.
 Result<Goal> opaqueSpheres(const SpeedInputs& in) {
   const Scene paper = paperPhantoms().back().scene;
   std::vector<std::unique_ptr<RenderCaches>> caches;
@@ -63,7 +63,7 @@ Result<std::vector<Goal>> oneAndTwoThreads(const SpeedInputs& in, RenderCaches& 
   return goals;
 }
 
-// The table of a map of the default size, made anew.
+// Times making the table of a reflectance map of the default size.
 Goal lightEdit(const Plan& whole, int lights) {
   Scene lit = whole.scene;
   lit.lights = ringOfLights(lights);
@@ -111,7 +111,7 @@ Result<Goal> litAndUnlit(const SpeedInputs& in, RenderCaches& caches) {
               ratio >= 1.8};
 }
 
-// What is above 226 HU in the right half of the volume, opaque.
+// Returns the opaque surface of everything above 226 HU in the right half of the volume.
 SegmentSurface halfTheBone(const Volume& volume) {
   BitMask bone = voxelsInRange(volume, {226, 1e30});
   for (int k = 0; k < bone.size().z; ++k)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int slices = 300;
 
-// The head phantom, its slices interpolated to so many.
+// Returns the head phantom interpolated to `slices` slices.
 Result<VolumePtr> largeHead() {
   VolumeParts parts = headPhantom(512);
   const auto& from = std::get<std::vector<std::int16_t>>(parts.values);
@@ -36,7 +36,7 @@ Result<VolumePtr> largeHead() {
 
 struct FirstPicture {
   std::vector<double> wholeMs, blocksMs, gradientsMs;
-  RenderStats stats;  ///< of the last
+  RenderStats stats;  ///< statistics of the last picture
 };
 
 Result<FirstPicture> firstPictures(const SpeedInputs& in, const VolumePtr& volume, const Scene& scene) {
@@ -72,11 +72,11 @@ Goal memoryGoal(const char* what, const RenderStats& s, std::int64_t voxels) {
           "< 3 %", rest / kept < 0.03};
 }
 
-// From a changed curve to the first sample: plan, curve table, blocks, all but the pass over the rays.
+// Times a curve edit up to the first sample: plan, curve table and blocks, without the pass over the rays.
 Result<Goal> opacityEdit(const SpeedInputs& in, RenderCaches& caches, Scene scene) {
   std::vector<double> planMs, restMs, allMs;
   for (int n = 0; n <= 4 * in.rounds; ++n) {
-    // The last point but one wanders, and with it what is visible.
+    // The second last point moves, and with it what is visible.
     CurvePoint& point = scene.transferFunction.points[scene.transferFunction.points.size() - 2];
     point.value += float(n % 2 ? 10 : -10);
     const double begin = wallMs();
@@ -85,7 +85,7 @@ Result<Goal> opacityEdit(const SpeedInputs& in, RenderCaches& caches, Scene scen
     const double planned = wallMs() - begin;
     const auto done = render(*plan, caches);
     if (!done) return done.error();
-    if (n == 0) continue;  // warms up
+    if (n == 0) continue;  // warm-up
     planMs.push_back(planned);
     restMs.push_back(done->stats.totalMs - done->stats.resampleMs - done->stats.shadeMs);
     allMs.push_back(planned + restMs.back());

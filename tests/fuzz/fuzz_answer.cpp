@@ -1,5 +1,5 @@
-// Anything as what a worker that a file has taken over says of three files: what passes the checks of the
-// program becomes series, images and objects, and these are loaded as far as that goes without their pixels.
+// Fuzzes answers of a hijacked worker about three files. Answers that pass the program's checks become
+// series, images and objects, which are loaded as far as possible without their pixels.
 #include "io/dicom/import.h"
 #include "io/dicom/inspect_files.h"
 #include "io/load.h"

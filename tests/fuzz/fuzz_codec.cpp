@@ -1,4 +1,4 @@
-// Anything as the coded bytes of one frame, of a picture that the first bytes describe.
+// Fuzzes the coded bytes of one frame. The end of the input describes the picture.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include "io/dicom/decode.h"

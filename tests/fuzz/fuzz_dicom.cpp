@@ -1,4 +1,4 @@
-// Anything as a DICOM file: headers, volumes, frames, objects that refer to pictures, lists of attributes.
+// Fuzzes DICOM files: headers, volumes, frames, objects that refer to pictures, and lists of attributes.
 #include "io/contours.h"
 #include "io/dicom/attribute_list.h"
 #include "io/frames.h"

@@ -1,4 +1,4 @@
-// Anything as an image file; the first byte names its format.
+// Fuzzes image files. The first byte selects the format.
 #include <array>
 
 #include "io/load.h"

@@ -1,4 +1,4 @@
-// Anything as a scene, a preset or a list of shapes; what is taken for a scene is written as it was read.
+// Fuzzes scenes, presets and lists of shapes. A valid scene must be the same after it was written and read.
 #include <cstdlib>
 
 #include "viewer/measure/shape_json.h"

@@ -1,4 +1,4 @@
-// Anything as a session; what is taken for one is written as it was read.
+// Fuzzes sessions. A valid session must be readable after it was written.
 #include <cstdlib>
 
 #include "ui/workspace/session_json.h"

@@ -9,7 +9,7 @@
 
 namespace volumen::fuzz {
 
-/// A file in memory that holds one input after the other, under a name that tells its format.
+/// A file in memory that holds one input after another, under a name with the extension of its format.
 class InputFile {
  public:
   explicit InputFile(const std::string& ending)

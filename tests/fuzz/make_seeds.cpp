@@ -1,4 +1,4 @@
-// Writes the seeds of the fuzz drivers: make_seeds FOLDER.
+// Writes the seeds of the fuzz drivers. usage: make_seeds FOLDER.
 #include <QCoreApplication>
 #include <algorithm>
 #include <array>
@@ -43,9 +43,9 @@ void dicomFiles(const std::string& folder) {
     });
 }
 
-// The coded frame of a picture of 24 x 24 pixels, behind it what fuzz_codec.cpp reads from the end: the place
-// of the transfer syntax, MONOCHROME2, columns and rows less 1 of two bytes each, 16 bits allocated, stored
-// less 1.
+// Writes the coded frame of a picture of 24 x 24 pixels, followed by the settings that fuzz_codec.cpp reads
+// from the end: index of the transfer syntax, MONOCHROME2, columns and rows less 1 of two bytes each, 16 bits
+// allocated, stored less 1.
 void codedFrame(const std::vector<std::uint8_t>& file, std::uint8_t syntax, const std::string& path) {
   constexpr std::array<std::uint8_t, 4> item{0xfe, 0xff, 0x00, 0xe0};
   const auto table = std::search(file.begin(), file.end(), item.begin(), item.end());
@@ -63,7 +63,7 @@ void codedFrames(const std::string& from, const std::string& folder) {
     codedFrame(readAll(from + "/" + syntax), std::uint8_t(place), folder + "/" + syntax);
 }
 
-// What a worker says of three slices of a stack, and of three pictures with other transfer syntaxes.
+// Writes worker answers about three slices of a stack and about three pictures with other transfer syntaxes.
 void answers(const std::string& from, const std::string& folder) {
   const auto write = [&](const std::string& name, const std::array<std::string, 3>& files) {
     worker::MemoryWriter writer;
@@ -90,7 +90,7 @@ void answers(const std::string& from, const std::string& folder) {
         {from + "/1.2.840.10008.1.2.5", from + "/1.2.840.10008.1.2.4.70", from + "/1.2.840.10008.1.2.4.80"});
 }
 
-// The first byte is the place of the ending in fuzz_image_file.cpp.
+// Writes an image file of each format. The first byte is the index of the extension in fuzz_image_file.cpp.
 void imageFiles(const std::string& folder) {
   const Result<VolumePtr> volume = makePhantom("cube:8");
   if (!volume) return;

@@ -11,7 +11,7 @@ namespace volumen {
 
 namespace {
 
-// How right the picture is, how long it takes, what it is made of, and at what level it is drawn.
+// Shows the accuracy, time and effects of 3D pictures and chooses their quality.
 class Accuracy : public Feature {
  public:
   explicit Accuracy(Workbench& bench);
@@ -26,7 +26,7 @@ class Accuracy : public Feature {
   AccuracyMeter& meter_;
   AccuracyPanel* panel_;
   EffectsPanel* effects_;
-  bool isEstimated_ = false;  // the error of the picture on screen
+  bool isEstimated_ = false;  // true if the error of the picture on screen is estimated
 };
 
 Accuracy::Accuracy(Workbench& bench)
@@ -69,7 +69,7 @@ Accuracy::Accuracy(Workbench& bench)
   connectMeter();
 }
 
-// The levels by name, as the panel's slider chooses them.
+// Adds the quality levels that the panel's slider offers, by name.
 void Accuracy::addCommands(QMenu* more) {
   if (!session_.series()) return;
   QMenu* menu = more->addMenu(tr("Quality of 3D pictures"));
@@ -111,7 +111,7 @@ void Accuracy::applyLevel() {
 }
 
 void Accuracy::setResampler(Resampler resampler) {
-  // Where Qt has no OpenGL without a window, EGL is tried when the picture is drawn.
+  // If Qt has no OpenGL without a window, EGL is tried when the picture is drawn.
   if (resampler == Resampler::gl) makeOffscreenGlSurface();
   drawService_.setResampler(resampler);
   meter_.forget();

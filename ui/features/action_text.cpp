@@ -7,7 +7,7 @@ namespace volumen {
 
 QString textOf(const QAction& action) {
   QString text = action.text().section(QLatin1Char('\t'), 0, 0);
-  text.replace(QStringLiteral("&&"), QStringLiteral("\t"));  // an ampersand that is meant
+  text.replace(QStringLiteral("&&"), QStringLiteral("\t"));  // protects a literal ampersand
   return text.remove(QLatin1Char('&')).replace(QLatin1Char('\t'), QLatin1Char('&'));
 }
 

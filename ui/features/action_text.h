@@ -6,12 +6,12 @@ class QAction;
 
 namespace volumen {
 
-/// The text of an action, without the marks of menus: "Reset view".
+/// Returns the text of an action without menu markup, such as "Reset view".
 QString textOf(const QAction& action);
-/// Its keys as they are written on the keyboard, "Ctrl+Z, F2"; empty: it has none. Also of one whose key a
-/// view hears itself, which stands in its text behind a tabulator.
+/// Returns the shortcuts of an action as written on the keyboard, such as "Ctrl+Z, F2". Includes a key that a
+/// view handles itself, which follows a tab in the text. Empty if it has none.
 QString keysOf(const QAction& action);
-/// What its tool tip says, which names its keys: "Reset view (F)"; plain text.
+/// Returns the tool tip of an action with its keys as plain text, such as "Reset view (F)".
 QString tipOf(const QAction& action);
 
 }  // namespace volumen

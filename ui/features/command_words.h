@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// Returns words under which other programs know a command, by which it is found, too; empty where there are
-/// none. `name` is the object name of an action, or of a panel ("accuracyDock").
+/// Returns words by which other programs call a command, so that a search for these finds it too. Empty if
+/// there are none. `name` is the object name of an action or a panel ("accuracyDock").
 QString otherWordsFor(const QString& name);
 
 }  // namespace volumen

@@ -17,15 +17,16 @@ namespace volumen {
 
 namespace {
 
-// Something that can be searched for: an action, or a key that is none's.
+// A searchable entry: an action, or a key that belongs to no action.
 struct Command {
   QPointer<QAction> action;
   CommandList::Row row;
-  std::string folded{};  // what its words are looked for in, first without and then with other words for it
+  // Search texts, case-folded: its own words, then these with other programs' words.
+  std::string folded{};
   std::string withOthers{};
 };
 
-// All commands of the window by name, with where they stand in the menus and their keys.
+// Lists all commands of the window by name, with their menu paths and keys.
 class Commands : public Feature {
  public:
   explicit Commands(Workbench& bench);
@@ -40,13 +41,13 @@ class Commands : public Feature {
   void noteUse(QAction* action);
 
   CommandList* list_;
-  QMenu more_;                // what stands in no menu of the window
-  std::vector<Command> all_;  // while the list is open
-  // Actions that features own, by name; they are in the list where they are grey, too.
+  QMenu more_;                // commands that no menu of the window has
+  std::vector<Command> all_;  // valid while the list is open
+  // Actions of features, by name. The list includes them even if disabled.
   std::map<const QAction*, QString> own_;
-  std::set<const QAction*> taken_;  // those that are in it
+  std::set<const QAction*> taken_;  // actions already in the list
   std::vector<Command> shown_;
-  std::vector<const QAction*> used_;  // the last one first
+  std::vector<const QAction*> used_;  // most recent first
 };
 
 Commands::Commands(Workbench& bench) : Feature(bench), list_(new CommandList(&bench.window)) {
@@ -76,7 +77,7 @@ void Commands::open() {
   list_->openIn(bench_.dialogParent());
 }
 
-// In the order of the menus, then what stands in none of them, then the keys.
+// Collects the menus in order, then commands outside the menus, then keys.
 void Commands::collect() {
   all_.clear();
   own_.clear();
@@ -104,7 +105,7 @@ void Commands::collect() {
   }
 }
 
-// Of what menus fill themselves with, only what can be done: the rest says why there is nothing.
+// Skips disabled entries that menus generate, as they only explain an empty menu.
 void Commands::add(QAction* action, const QString& path) {
   const bool isOwn = own_.contains(action);
   if (action->menu() || action->isSeparator() || (!isOwn && !action->isEnabled())) return;
@@ -113,7 +114,7 @@ void Commands::add(QAction* action, const QString& path) {
 }
 
 void Commands::addMenu(QMenu& menu, const QString& path) {
-  Q_EMIT menu.aboutToShow();  // which fills it
+  Q_EMIT menu.aboutToShow();  // fills the menu
   for (QAction* action : menu.actions())
     if (action->menu())
       addMenu(*action->menu(), path + QStringLiteral(" > ") + textOf(*action));
@@ -121,7 +122,7 @@ void Commands::addMenu(QMenu& menu, const QString& path) {
       add(action, path);
 }
 
-// A menu that was filled again since has another action of the same name.
+// If the menu has been refilled meanwhile, triggers its new action with the same name.
 void Commands::run(const Command& chosen) {
   if (chosen.action) return chosen.action->trigger();
   collect();
@@ -130,8 +131,8 @@ void Commands::run(const Command& chosen) {
       return command.action->trigger();
 }
 
-// Those in which every word is found, first those that are called so themselves; what was used last comes
-// first where nothing is typed.
+// Shows commands that contain every word, those that match by their own name first. Without words, recently
+// used commands come first.
 void Commands::show(const QString& typed) {
   const std::vector<std::string> words = foldedWords(typed.toStdString());
   const auto isIn = [&](const std::string& text) {

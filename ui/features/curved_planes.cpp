@@ -10,8 +10,7 @@ namespace {
 
 constexpr double usualWidth = 50;  // mm
 
-// A curve that was drawn, laid out flat: beside its slices the straightened and the stretched plane and the
-// cross-sections.
+// Shows the straightened plane, the stretched plane and cross-sections of a drawn curve beside its slices.
 class CurvedPlanes : public Feature {
  public:
   explicit CurvedPlanes(Workbench& bench);
@@ -21,7 +20,7 @@ class CurvedPlanes : public Feature {
   glm::dvec3 towards(const Measurement& curve) const;
   void giveUpUndone(const Workspace& now);
 
-  std::optional<SeriesKey> loading_;  // of those along curves
+  std::optional<SeriesKey> loading_;  // the series being loaded to be shown along a curve
 };
 
 CurvedPlanes::CurvedPlanes(Workbench& bench) : Feature(bench) {
@@ -38,7 +37,7 @@ CurvedPlanes::CurvedPlanes(Workbench& bench) : Feature(bench) {
   connect(&bench_.document.loader, &Loader::loadBegan, this, [this](const Series& series) {
     loading_ = series.curved ? std::optional(keyOf(series)) : std::nullopt;
   });
-  // The next one may have begun by then.
+  // The next load may have begun already.
   const auto ended = [this](const SeriesKey& series) {
     if (loading_ == series) loading_.reset();
   };
@@ -62,7 +61,7 @@ void CurvedPlanes::show(double halfWidth) {
   session_.endGesture();
 }
 
-// The normal of the slices that keys are for, where these are of the curve's series.
+// Returns the normal of the focused slice view if it shows the curve's series, else a default.
 glm::dvec3 CurvedPlanes::towards(const Measurement& curve) const {
   const FlatView* view = bench_.flatViewInFocus();
   const bool isOfIt = view && view->shown() && keyOf(view->shown()->series) == curve.series;
@@ -70,7 +69,7 @@ glm::dvec3 CurvedPlanes::towards(const Measurement& curve) const {
   return plane ? plane->normal() : usualTowards(session_.workspace(), curve);
 }
 
-// What is loaded for a step that was undone would be shown all the same.
+// Cancels the load for an undone step, which would be shown all the same.
 void CurvedPlanes::giveUpUndone(const Workspace& now) {
   if (!loading_ || now.series.contains(*loading_)) return;
   loading_.reset();

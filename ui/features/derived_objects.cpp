@@ -20,7 +20,8 @@ namespace volumen {
 
 namespace {
 
-// What refers to pictures: presentation states, key objects, reports, contours and segmentations.
+// Shows objects that refer to pictures: presentation states, key objects, reports, contours and
+// segmentations.
 class DerivedObjectFiles : public Feature {
  public:
   explicit DerivedObjectFiles(Workbench& bench);
@@ -58,7 +59,7 @@ DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
           [this](const QString& sentence) { warnUntilDone(shownText(sentence.toStdString())); });
   connect(&derived, &DerivedObjects::reportRead, this, &DerivedObjectFiles::showReport);
   connect(&bench_, &Workbench::objectChosen, this, &DerivedObjectFiles::showDerivedObject);
-  // Once it stands in the list.
+  // Waits until the study is in the list.
   connect(&bench_.document.loader, &Loader::studyOpened, this,
           [this](const QString&, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
             if (intent.isAlone && study->volumes.empty() && study->images.empty())
@@ -67,8 +68,8 @@ DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
   connect(&bench_, &Workbench::sliceMenuOpens, this, &DerivedObjectFiles::fillPresentations);
 }
 
-// A file of objects without pictures: what it does, or what it is and what is missing. A segmentation that
-// was dropped on a view is for its segments.
+// Shows the object of a file without pictures, or says what it is and which pictures are missing. A
+// segmentation dropped on a view becomes its segments.
 void DerivedObjectFiles::showAlone(const Study& study, std::optional<ViewId> onto) {
   if (study.derived.empty()) return;
   if (study.derived.size() > 1)
@@ -130,7 +131,7 @@ void DerivedObjectFiles::showPresentation(const DerivedObjectPtr& object) {
   warn(without.isEmpty() ? sentence : sentence + QLatin1Char(' ') + without.join(QLatin1Char(' ')));
 }
 
-// Over the views of its frame of reference; where there is none, over a series that is opened for it.
+// Shows regions over views of their frame of reference, or opens a series for them if there is none.
 void DerivedObjectFiles::showRegions(const DerivedObjectPtr& object) {
   QDockWidget* dock = bench_.dock("regions");
   dock->show();
@@ -176,7 +177,7 @@ void DerivedObjectFiles::showPlace(const std::string& frameOfReferenceUid, glm::
   tell(tr("No slices of its frame of reference are on screen."));
 }
 
-// Those that are for the frame on screen, and none.
+// Lists the presentation states of the frame on screen, and "none".
 void DerivedObjectFiles::fillPresentations(QMenu* menu, FlatView* view) {
   const Series* series = seriesIn(session_.workspace(), view->id());
   const auto* frames = qobject_cast<FrameView*>(view);

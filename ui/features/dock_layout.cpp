@@ -18,14 +18,14 @@ namespace volumen {
 
 namespace {
 
-constexpr int layoutVersion = 5;  // a layout kept under another one knows other panels: not restored
+// Layouts saved under another version have other panels and are not restored.
+constexpr int layoutVersion = 5;
 
 FoldTitle* titleOf(const Workbench::Dock& dock) {
   return static_cast<FoldTitle*>(dock.widget->titleBarWidget());
 }
 
-// Pixels that a dock needs with its title, its tabs and the bars of the window, by the height of a line of
-// text.
+// Height in pixels of a dock with its title, tabs and the window's bars. `lines` counts text lines.
 struct DockHeight {
   int fixed, lines;
   int at(int line) const { return fixed + lines * line; }
@@ -33,22 +33,21 @@ struct DockHeight {
 constexpr DockHeight curveHeight{255, 8}, segmentsHeight{273, 14};
 constexpr int lowestCurve = 230;
 
-// Tabs of one another, by their order.
+// Docks stacked as tabs, in order.
 using Tabs = std::vector<Workbench::Dock>;
 
-// Tabs behind the one in front lie outside the window.
+// Qt places docks behind the front tab outside the window.
 bool isInFront(const Workbench::Dock& dock) {
   return dock.widget->isVisible() && dock.widget->geometry().right() >= 0;
 }
 
-// Where the front of a kind of view is kept.
+// Returns the settings key for the front panels of a kind of view.
 QString frontKey(Workbench::About kind) {
   return kind == Workbench::About::flat ? QStringLiteral("window/front/flat")
                                         : QStringLiteral("window/front/scene");
 }
 
-// Where the panels stand, which are in front, over the whole window or not, and what of it is kept for the
-// next start.
+// Arranges the panels, maximises views, and keeps the layout for the next start.
 class DockLayout : public Feature {
  public:
   explicit DockLayout(Workbench& bench);
@@ -74,10 +73,10 @@ class DockLayout : public Feature {
 
   QMainWindow& window_;
   QMenu* menu_;
-  QByteArray before_;                              // while the view is alone
-  std::optional<Workbench::About> kind_;           // of the view in focus
-  std::map<Workbench::About, QStringList> front_;  // panels that were in front with such a view in focus
-  bool isKept_ = false;                            // from an earlier start
+  QByteArray before_;                              // layout before the view was maximised
+  std::optional<Workbench::About> kind_;           // kind of the view in focus
+  std::map<Workbench::About, QStringList> front_;  // names of front panels by kind of view
+  bool isKept_ = false;                            // true if an earlier start left a layout
 };
 
 DockLayout::DockLayout(Workbench& bench) : Feature(bench), window_(bench.window) {
@@ -127,11 +126,11 @@ void DockLayout::makeActions() {
   bench_.action("leaveMaximised")->setEnabled(false);
 }
 
-// In its own window. That of the panels is all for it, but for tools and the status line.
+// Maximises the view in its own window. In the main window this hides all docks.
 void DockLayout::setMaximised(bool alone) {
   const ViewId focus = session_.workspace().focus;
   bench_.action("leaveMaximised")->setEnabled(alone);
-  if (grid_.isAlone(focus) == alone) return;  // the focus went to the other window
+  if (grid_.isAlone(focus) == alone) return;  // the focus moved to the other window
   if (alone && !isInSecond(focus)) before_ = window_.saveState();
   grid_.setAlone(focus, alone);
   if (!isInSecond(focus)) setDocksHidden(alone);
@@ -143,7 +142,7 @@ void DockLayout::setDocksHidden(bool hidden) {
   if (!hidden) window_.restoreState(before_);
 }
 
-// What the actions say of the window in focus.
+// Updates the check marks of actions for the window in focus.
 void DockLayout::showStates() {
   bench_.action("maximise")->setChecked(grid_.isAlone(session_.workspace().focus));
   bench_.action("fullScreen")->setChecked(windowInFocus().isFullScreen());
@@ -199,8 +198,8 @@ void DockLayout::rememberFront() {
       if (isInFront(dock)) names << dock.widget->objectName();
 }
 
-// Of each place what was in front with this kind in focus, else the first that is about it. A panel that is
-// about both stays: whoever chose it works on in the other view.
+// Raises in each stack of tabs the panel last in front for this kind, else the first one about it. A panel
+// about both kinds stays in front.
 void DockLayout::bringForward() {
   for (const Tabs& tabs : tabsSeen()) {
     const auto front = std::ranges::find_if(tabs, isInFront);
@@ -238,14 +237,14 @@ void DockLayout::reset() {
 }
 
 void DockLayout::shareRoom() {
-  // The picture is the largest thing in a small window too; in a large one panels need no more than this.
+  // Keeps the picture the largest part even in a small window. In a large one panels need no
+  // more than this.
   const int width = window_.width(), height = window_.height();
   const int right = std::clamp(width / 4, 240, 380);
   const int fitting = window_.findChild<StudiesPanel*>()->fittingWidth();
   const int studies =
       std::min(std::max(std::clamp(width * 16 / 100, 150, 260), fitting), std::max(150, (width - 400) / 4));
-  // In a low window the curve scrolls rather than the segments: their list and the page below are seen
-  // together.
+  // In a low window the curve scrolls, so that segment list and page stay visible together.
   const int line = window_.fontMetrics().height();
   const int wholeCurve = std::max(height * 2 / 5, curveHeight.at(line));
   const int curve = std::min(wholeCurve, std::max(height - segmentsHeight.at(line), lowestCurve));
@@ -258,7 +257,7 @@ void DockLayout::restore() {
   const QSettings settings;
   const QRect screen = QApplication::primaryScreen()->availableGeometry();
   reset();
-  // As docks stood under each other while they were made, the window would be too tall for any screen.
+  // Without this the window would be too tall, as docks stood under each other while they were made.
   window_.layout()->activate();
   window_.resize(std::min(1440, screen.width()), std::min(900, screen.height()));
   const bool isPlaced =
@@ -289,11 +288,11 @@ void DockLayout::keep() {
   for (const auto& [kind, names] : front_) settings.setValue(frontKey(kind), names);
 }
 
-// Where nothing was kept: only when the window is shown is its size known.
+// Lays out the docks at the first show if no layout was kept, as the window's size is unknown before.
 bool DockLayout::eventFilter(QObject* window, QEvent* event) {
   if (event->type() == QEvent::Show && !std::exchange(isKept_, true)) {
     shareRoom();
-    window_.layout()->activate();  // at once, whatever else waits to be laid out
+    window_.layout()->activate();  // at once, before other pending layouts
   }
   return Feature::eventFilter(window, event);
 }

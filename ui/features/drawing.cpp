@@ -5,7 +5,7 @@ namespace volumen {
 
 namespace {
 
-// What is drawn: told to the features where it is of the view that the panels work on; and what could not be.
+// Tells features about pictures of the panels' 3D view, and reports failed drawings.
 class Drawing : public Feature {
  public:
   explicit Drawing(Workbench& bench);
@@ -25,7 +25,7 @@ Drawing::Drawing(Workbench& bench) : Feature(bench) {
           [this](const Workspace& before, const Workspace& after) {
             if (before.focus == after.focus) return;
             bench_.document.drawService.setGestureView(after.focus);
-            // The panels want to know of it.
+            // Requests a picture because the panels need its data.
             if (sceneViewOf(before) != sceneViewOf(after)) bench_.view()->requestPicture();
           });
 }
@@ -37,7 +37,7 @@ void Drawing::tellDrawn(const ScreenPicture& drawn) {
   Scene now = session_.drawnScene(drawn.view);
   if (!now.camera) now.camera = drawn.scene.camera;
   if (now != drawn.scene) return;
-  // The plan's camera sees a little more where a ray stands for several pixels.
+  // The plan's camera sees slightly more if one ray covers several pixels.
   Scene complete = drawn.plan->scene;
   const auto target = complete.camera->target;
   complete.camera = drawn.scene.camera;

@@ -17,7 +17,7 @@ bool wantsFrames(const HangingProtocol& protocol) {
          });
 }
 
-// Of a look what moving the picture changes.
+// Resets what does not move the picture, so that looks compare equal by position and size.
 FlatLook placed(FlatLook look) {
   look.inverted = look.nearest = false;
   look.layers = true;
@@ -34,11 +34,11 @@ FacingViews::FacingViews(Session& session, ViewGrid& grid, const FrameService& f
     soon();
   });
   connect(&grid_, &ViewGrid::arranged, this, &FacingViews::soon);
-  // What undo brings back may be of another size.
+  // Undo may restore looks made for another view size.
   connect(&session_.undoStack(), &QUndoStack::indexChanged, this, &FacingViews::soon);
 }
 
-// After the views have taken the frame, or have their places.
+// Runs after the views have taken their frames and sizes.
 void FacingViews::soon() {
   if (waiting_) QMetaObject::invokeMethod(this, &FacingViews::face, Qt::QueuedConnection);
   if (!faced_.empty()) QMetaObject::invokeMethod(this, &FacingViews::faceAgain, Qt::QueuedConnection);
@@ -56,7 +56,7 @@ void FacingViews::begin(const HangingProtocol& protocol) {
   soon();
 }
 
-// None: not all that can be read are there.
+// Returns the hung frames, or nothing until all readable frames are loaded.
 std::optional<FacingViews::HungFrames> FacingViews::framesOf(const HangingProtocol& protocol) const {
   const Workspace& workspace = session_.workspace();
   const std::vector<ViewId> views = viewsInMain(workspace);
@@ -85,7 +85,7 @@ bool FacingViews::liesAsLeft(const FacedViews& faced, ViewId view) const {
              left->second.end();
 }
 
-// What lies otherwise than facing left it stays, but for `all`.
+// Skips views that the user has moved since they were faced, unless `all`.
 Workspace FacingViews::facedNow(FacedViews& faced, const HungFrames& hung, bool all) {
   const std::vector<FlatLook> looks = facingLooks(hung.frames, faced.protocol.sameScale);
   Workspace after = session_.workspace();
@@ -107,8 +107,8 @@ FacingViews::FacedViews& FacingViews::facedBy(const HangingProtocol& protocol) {
   return known == faced_.end() ? faced_.emplace_back(FacedViews{protocol, {}}) : *known;
 }
 
-// Mammograms face each other, and sizes are the same, once all frames are there; unless views were changed
-// meanwhile.
+// Turns mammograms to face each other and equalises sizes once all frames are loaded, unless views were
+// changed meanwhile.
 void FacingViews::face() {
   if (!waiting_) return;
   if (session_.workspace().views != hungViews_) return waiting_.reset();
@@ -120,9 +120,9 @@ void FacingViews::face() {
                   facedKey);
 }
 
-// Where views are larger or smaller by now: no step.
+// Repeats facing after views were resized, without an undo step.
 void FacingViews::faceAgain() {
-  if (waiting_) return;  // they are to be hung first
+  if (waiting_) return;  // hanging comes first
   const auto isOnScreen = [this](const FacedViews& faced) {
     return faced.protocol.layout == session_.workspace().layout &&
            std::ranges::any_of(faced.looks, [&](const auto& left) { return liesAsLeft(faced, left.first); });

@@ -14,26 +14,25 @@ namespace volumen {
 
 class ViewGrid;
 
-/// Turns, moves and enlarges the frames that a protocol hung as it says: once they are there, in the step of
-/// their hanging, and again, without a step, where views have another size.
+/// Turns, moves and scales frames as their hanging protocol says: once they are loaded, in the undo step of
+/// the hanging, and again without a step after views are resized.
 class FacingViews : public QObject {
   Q_OBJECT
  public:
   FacingViews(Session& session, ViewGrid& grid, const FrameService& frames, QObject* parent);
 
-  /// The views are no longer those of a protocol.
+  /// Forgets the protocol, as the views no longer belong to one.
   void forget();
-  /// This one was hung now.
+  /// Begins with a protocol that has just been hung.
   void begin(const HangingProtocol& protocol);
 
  private:
-  // The frames of cells, and the views that show them.
+  // Frames of the protocol's cells, and the views that show them.
   struct HungFrames {
     std::vector<FacingFrame> frames;
     std::vector<ViewId> ids;
   };
-  // How the views of a protocol were left whenever it was hung and at each size: undo brings back any of
-  // these.
+  // The looks that facing left at each hanging and view size. Undo may restore any of them.
   struct FacedViews {
     HangingProtocol protocol;
     std::map<ViewId, std::vector<std::pair<SeriesKey, FlatLook>>> looks;
@@ -49,11 +48,11 @@ class FacingViews : public QObject {
 
   Session& session_;
   ViewGrid& grid_;
-  // What waits for its frames: the protocol, and the views as it hung them.
+  // The protocol that waits for its frames, and the views as it hung them.
   std::optional<HangingProtocol> waiting_;
   SharedList<ViewState> hungViews_;
-  std::set<FrameKey> unreadable_;  // since it was hung
-  std::vector<FacedViews> faced_;  // one a protocol
+  std::set<FrameKey> unreadable_;  // frames that failed since the hanging
+  std::vector<FacedViews> faced_;  // one entry per protocol
 };
 
 }  // namespace volumen

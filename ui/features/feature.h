@@ -7,32 +7,32 @@
 
 namespace volumen {
 
-/// Something that the window can do: it owns its actions, docks and connections, and adds them to the window
-/// as it is made.
+/// A function of the window. Owns its actions, docks and connections and adds them to the window when
+/// created.
 class Feature : public QObject {
   Q_OBJECT
  public:
   explicit Feature(Workbench& bench);
 
-  /// What closing the window would lose of it, in words; empty: nothing.
+  /// Describes the work that closing the window would lose. Empty if there is none.
   virtual QString unsavedText() const { return {}; }
-  /// Whether the window may close now, which would lose this (empty: nothing); false: it asks, and closes the
-  /// window where that is wanted.
+  /// Returns whether the window may close now and lose `lost` (empty: nothing). If false, the feature asks
+  /// the user and closes the window on consent.
   virtual bool mayClose(const QString& lost);
-  /// The window is about to close without being asked for; what is not saved is offered at the next start.
+  /// Called before the window closes without asking. The next start offers to restore unsaved work.
   virtual void closeUnasked() {}
-  /// The window closes: keeps what the next start is to find.
+  /// Saves settings for the next start as the window closes.
   virtual void keep() {}
 
  protected:
-  /// Tells of success in the status line, and says no more over the views what it said before.
+  /// Reports success in the status line and removes the feature's message above the views.
   void tell(const QString& sentence);
-  /// Says over the views why something cannot be done as things stand: until the feature succeeds, other
-  /// series are open or another view is in focus.
+  /// Shows above the views why something cannot be done now. The message remains until the feature succeeds,
+  /// other series are open or another view is in focus.
   void warn(const QString& sentence, const QStringList& details = {});
-  /// Says over the views what came of something, until the feature succeeds.
+  /// Shows a result above the views until the feature succeeds.
   void warnUntilDone(const QString& sentence, const QStringList& details = {});
-  /// What it said over the views holds no more.
+  /// Removes the feature's message above the views.
   void takeBack();
 
   Workbench& bench_;
@@ -46,7 +46,7 @@ struct FeatureEntry {
   std::unique_ptr<Feature> (*make)(Workbench& bench);
 };
 
-/// All of them, each a file of this folder, in the order in which they are made.
+/// Returns all features, one per file of this folder, in order of creation.
 const std::vector<FeatureEntry>& features();
 
 std::unique_ptr<Feature> makeAccuracy(Workbench& bench);

@@ -13,10 +13,9 @@ namespace volumen {
 
 namespace {
 
-constexpr int momentMs = 100;  // what is loaded within it is shown at once
+constexpr int momentMs = 100;  // a series loaded within this time is shown without a first image
 
-// Something to look at while a series is being loaded: one of its slices, over the view that waits for it, or
-// over what it will take.
+// Shows one slice of a series while it is being loaded, over the view that waits for it or will take it.
 class FirstImages : public Feature {
  public:
   explicit FirstImages(Workbench& bench);
@@ -35,7 +34,7 @@ class FirstImages : public Feature {
   bool hasNothing(const View& view) const;
 
   FirstImage* image_;
-  std::shared_ptr<const Series> series_;  // null: none is being loaded, or it is seen
+  std::shared_ptr<const Series> series_;  // null if no series is being loaded or it is already visible
   bool isInView_ = false, isLoaded_ = false;
   QTimer moment_, soon_;
 };
@@ -93,12 +92,12 @@ void FirstImages::endOf(const SeriesKey& series) {
   if (series_ && keyOf(*series_) == series) end();
 }
 
-// Once all views have heard of it.
+// Waits until all views have handled the change.
 void FirstImages::lookSoon() {
   if (series_) soon_.start();
 }
 
-// What is known of how it will be seen.
+// Returns how the series will be shown, as far as known.
 SeriesState FirstImages::stateOfIt() const {
   const Workspace& workspace = session_.workspace();
   const View* view = viewOfIt();
@@ -112,7 +111,7 @@ SeriesState FirstImages::stateOfIt() const {
   return state;
 }
 
-// The view that has the series in its place, the one in focus before others; null: none has.
+// Returns the view that holds the series, preferring the one in focus, or null.
 View* FirstImages::viewOfIt() const {
   View* found = nullptr;
   for (const ViewId id : viewsOnScreen(session_.workspace())) {
@@ -124,8 +123,8 @@ View* FirstImages::viewOfIt() const {
   return found;
 }
 
-// What will show the series, which no view has yet: the view in focus, or all where nothing is shown. Null:
-// it lies over another series, or is another step of what is shown, which stays until then.
+// Returns the widget that will show the series if no view holds it yet: the view in focus, or the start page.
+// Null if it is an overlay or another time point of a series that stays on screen meanwhile.
 const QWidget* FirstImages::takenByIt() const {
   const Workspace& workspace = session_.workspace();
   for (const ViewId id : viewsOnScreen(workspace))
@@ -137,7 +136,7 @@ const QWidget* FirstImages::takenByIt() const {
   return shown && areTimePoints(*shown, *series_) ? nullptr : view;
 }
 
-// Whether there is nothing to look at in it yet.
+// Returns whether the view has no picture yet.
 bool FirstImages::hasNothing(const View& view) const {
   if (const auto* flat = qobject_cast<const FlatView*>(&view)) return flat->picture().isNull();
   return !isLoaded_ && static_cast<const VolumeView&>(view).picture().isNull();

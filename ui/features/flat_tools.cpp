@@ -6,7 +6,7 @@ namespace volumen {
 
 namespace {
 
-// Letters that mean nothing in 3D, so that shortcuts can have them: W, which does, views hear themselves.
+// Returns letters that mean nothing in 3D and can be shortcuts. W has a meaning there, so views handle it.
 QList<QKeySequence> keysOfTool(std::string_view name) {
   if (name == "pan") return {QObject::tr("M")};
   if (name == "zoom") return {QObject::tr("Z")};
@@ -16,14 +16,14 @@ QList<QKeySequence> keysOfTool(std::string_view name) {
   return {};
 }
 
-// Tools that are used once at a time have no button. All of these but one change segments.
+// One-shot tools have no button. All of these except one change segments.
 std::vector<Place> placesOf(const Tool& tool) {
   if (!tool.draws()) return {{"toolsMenu", 15}, {"toolBar", 25}};
   if (tool.name == std::string_view("regionWindow")) return {{"toolsMenu", 15}};
   return {{"segmentsMenu", 10}};
 }
 
-// Tools for the left button in slices and frames, but for those that measure.
+// Tools for the left button in slices and frames, except measuring tools.
 class FlatTools : public Feature {
  public:
   explicit FlatTools(Workbench& bench);
@@ -39,7 +39,7 @@ FlatTools::FlatTools(Workbench& bench) : Feature(bench) {
     const auto show = [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); };
     connect(action, &QAction::triggered, this, [this, &tool, show] {
       grid_.setTool(tool);
-      show();  // a click on the one that is chosen leaves it so
+      show();  // keeps the mark after a click on the chosen tool
     });
     connect(&grid_, &ViewGrid::toolChanged, action, show);
     show();

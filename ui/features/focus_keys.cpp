@@ -14,7 +14,7 @@ bool takesKeys(const QWidget* widget) {
   return widget->isVisible() && widget->isEnabled() && widget->focusPolicy() & Qt::TabFocus;
 }
 
-// What of a part of the window takes the keys: what had them last, else its first field; null: nothing there.
+// Returns the field in `part` that takes the keys: the last one that had them, else the first. Null if none.
 QWidget* fieldIn(QWidget* part) {
   QWidget* last = part->focusWidget();
   if (last && last != part && part->isAncestorOf(last) && takesKeys(last)) return last;
@@ -23,8 +23,7 @@ QWidget* fieldIn(QWidget* part) {
   return nullptr;
 }
 
-// F6 and Shift+F6: from the views to the list of studies, to each panel that is seen, to the views of the
-// second window, and around.
+// F6 and Shift+F6 cycle through the views, study list, visible panels and views of the second window.
 class FocusKeys : public Feature {
  public:
   explicit FocusKeys(Workbench& bench);

@@ -17,7 +17,7 @@ namespace volumen {
 
 namespace {
 
-// Series as frames, what is over them, their windows, clips; and the menu over slices and frames.
+// Actions of frames (overlays, windows, clips) and the context menu of slices and frames.
 class FrameActions : public Feature {
  public:
   explicit FrameActions(Workbench& bench);
@@ -37,7 +37,7 @@ FrameActions::FrameActions(Workbench& bench) : Feature(bench) {
 }
 
 void FrameActions::makeActions() {
-  // They follow what is shown: only a click does something.
+  // These actions follow what is shown, so only a click triggers them.
   const auto add = [this](const char* name, const QString& text) {
     return bench_.addAction({name, text, {}, "", true, {}, {{"viewMenu", 30}}});
   };
@@ -106,7 +106,7 @@ void FrameActions::setShowAsFrames(bool asFrames) {
   if (!session_.showAgain(series, focus)) bench_.document.loader.load(series);
 }
 
-// What the actions say of the view in focus.
+// Updates the actions for the view in focus.
 void FrameActions::showFrameActions() {
   const Workspace& workspace = session_.workspace();
   const Series* series = seriesIn(workspace, workspace.focus);

@@ -11,7 +11,7 @@ namespace volumen {
 
 namespace {
 
-// The flat view on screen that shows slices of a series; none: there is none.
+// Returns a flat view on screen that shows slices of a series, or nothing.
 std::optional<ViewId> slicesViewOf(const Workspace& workspace, const SeriesKey& series) {
   for (const ViewId id : viewsOnScreen(workspace)) {
     const ViewState& view = workspace.view(id);

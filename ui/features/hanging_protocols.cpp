@@ -15,8 +15,8 @@ namespace volumen {
 
 namespace {
 
-// Studies hung by rules: those that fit what is open, by a menu and by keys; mammograms and pairs of X-ray
-// pictures as they are opened; and what is on screen kept as a rule.
+// Hangs studies by the protocols that fit them, by menu and keys. Hangs mammograms and pairs of X-ray
+// pictures when they are opened. Saves the views on screen as a protocol.
 class HangingProtocols : public Feature {
  public:
   explicit HangingProtocols(Workbench& bench);
@@ -39,15 +39,15 @@ class HangingProtocols : public Feature {
   void tellProblems();
 
   QMenu* menu_;
-  QList<QAction*> listed_;  // of the menu: the protocols that fit
+  QList<QAction*> listed_;  // menu actions of the fitting protocols
   KnownProtocols known_ = knownProtocols();
-  std::string last_;                                   // the name of the one that was hung last
-  std::string lastStudy_;                              // the UID of the study that it was hung for
-  std::set<std::string> hungByItself_;                 // UIDs of studies that are open
-  std::vector<std::shared_ptr<const Study>> awaited_;  // opened, to be hung as they are shown
-  std::shared_ptr<bool> openedTogether_;               // of the one that was opened last
+  std::string last_;                                   // name of the last protocol used
+  std::string lastStudy_;                              // UID of the study it was used for
+  std::set<std::string> hungByItself_;                 // UIDs of open studies hung automatically
+  std::vector<std::shared_ptr<const Study>> awaited_;  // opened studies to be hung once shown
+  std::shared_ptr<bool> openedTogether_;               // OpenIntent::isShown of the last opened study
   FacingViews facing_;
-  std::optional<Layout> gridByItself_;  // what one was hung in by itself, last of all
+  std::optional<Layout> gridByItself_;  // layout of the last automatic hanging
 };
 
 HangingProtocols::HangingProtocols(Workbench& bench)
@@ -62,7 +62,7 @@ HangingProtocols::HangingProtocols(Workbench& bench)
             [this](const QString&, const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
               await(study, intent);
             });
-  // Once it is on screen.
+  // Waits until the study is on screen.
   connect(&session_, &Session::workspaceChanged, this, [this] {
     if (!awaited_.empty())
       QMetaObject::invokeMethod(this, &HangingProtocols::hangAwaited, Qt::QueuedConnection);
@@ -100,7 +100,7 @@ void HangingProtocols::makeActions() {
                     {{"protocolMenu", 30}}});
 }
 
-// Around the series in focus, else around the first one on screen; none: nothing is shown.
+// Returns the studies of the patient in focus, or of the first series on screen. Empty if nothing is shown.
 std::optional<PatientStudies> HangingProtocols::studies() const {
   const Workspace& workspace = session_.workspace();
   const Series* series = seriesIn(workspace, workspace.focus);
@@ -117,13 +117,13 @@ std::vector<const HangingProtocol*> HangingProtocols::offered() const {
   return all;
 }
 
-// Its UID.
+// Returns the UID of the current study.
 std::string HangingProtocols::currentStudy() const {
   const auto around = studies();
   return around && !around->current.empty() ? around->current.front()->studyUid : std::string();
 }
 
-// In another study the protocols are gone through from the first.
+// Restarts the cycle of protocols if the study has changed.
 void HangingProtocols::forgetLast() {
   if (currentStudy() != lastStudy_) last_.clear();
 }
@@ -179,8 +179,8 @@ void HangingProtocols::hang(const HangingProtocol& protocol) {
   facing_.begin(protocol);
 }
 
-// What readers want at once: where the study was opened as such, and only the first time. Of several that are
-// opened together one is shown.
+// Schedules automatic hanging of a study that was opened as a whole for the first time. Of several studies
+// opened together only one is hung.
 void HangingProtocols::await(const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
   if (intent.scene || !intent.seriesUid.empty()) return;
   if (intent.how == OpenHow::beside || intent.how == OpenHow::lookedInto) return;
@@ -208,7 +208,7 @@ void HangingProtocols::hangAwaited() {
     }
 }
 
-// Not into a grid that was chosen for this patient, nor where it was opened in the second window.
+// Returns false if the layout was chosen for this patient or the study was opened in the second window.
 bool HangingProtocols::mayHang(const Series& opened) const {
   const Workspace& workspace = session_.workspace();
   if (isInSecond(workspace.focus)) return false;
@@ -217,7 +217,7 @@ bool HangingProtocols::mayHang(const Series& opened) const {
                              [&](const Series* other) { return !areOfOnePatient(*other, opened); });
 }
 
-// What is opened again after it was closed is hung again.
+// Forgets closed studies, so that they are hung again when reopened.
 void HangingProtocols::forgetClosed() {
   std::set<std::string> open;
   for (const Series* series : open_.pictures()) open.insert(series->studyUid);

@@ -16,7 +16,7 @@ namespace volumen {
 
 namespace {
 
-// Keys, documents, and what this program is.
+// Shows keys, documents and information about the program.
 class Help : public Feature {
  public:
   explicit Help(Workbench& bench);

@@ -18,13 +18,13 @@ namespace volumen {
 
 namespace {
 
-constexpr int pageEdge = 1400;   // pixels of a picture on paper, its longer edge
-constexpr double marginMm = 12;  // of a PDF
+constexpr int pageEdge = 1400;   // longer edge of a picture on a page, pixels
+constexpr double marginMm = 12;  // page margin of a PDF
 
-// A picture of a page until that is painted: as many as there are take little memory so.
+// A picture compressed until its page is painted, which saves memory.
 struct KeptPicture {
   QByteArray png;
-  PagePicture rest;  // without its image
+  PagePicture rest;  // all except the image
 };
 
 struct KeptPage {
@@ -32,17 +32,17 @@ struct KeptPage {
   std::vector<KeptPicture> pictures;
 };
 
-// A key image as it is pictured.
+// A key image with the state that draws it.
 struct MarkedImage {
   ListedKeyImage image;
-  QString document;  // that it is marked in; empty: here
+  QString document;  // the document that marks it; empty if marked in this session
   PictureStop stop;
 };
 
-// Those of each study.
+// Key images grouped by study.
 using Studies = std::vector<std::vector<MarkedImage>>;
 
-// All key images on pages, each of one study, as a PDF or on paper.
+// Puts all key images on pages, one study a page, as PDF or on paper.
 class KeyImagePages : public Feature {
  public:
   explicit KeyImagePages(Workbench& bench);
@@ -50,13 +50,13 @@ class KeyImagePages : public Feature {
   QString unsavedText() const override;
 
  private:
-  // What was chosen, and the key images then.
+  // The chosen options and the key images at that moment.
   struct Wanted {
     PageLook look;
     bool namesHidden;
-    std::vector<KeptPage> pages;      // without their pictures as yet
-    std::vector<std::size_t> pageOf;  // of each picture
-    QStringList captions;             // likewise
+    std::vector<KeptPage> pages;      // pages, still without pictures
+    std::vector<std::size_t> pageOf;  // page of each picture
+    QStringList captions;             // caption of each picture
     std::vector<PictureStop> stops;
   };
   using WantedPtr = std::shared_ptr<Wanted>;
@@ -70,7 +70,7 @@ class KeyImagePages : public Feature {
   void make(const WantedPtr& wanted, const Paint& paint, const QString& done);
 };
 
-// Whether two series stand under one head.
+// Returns whether two series belong to one study and share a page head.
 bool areOneStudy(const Series& a, const Series& b) {
   return a.patientId == b.patientId && a.patientName == b.patientName && a.studyUid == b.studyUid;
 }
@@ -123,7 +123,7 @@ QString KeyImagePages::unsavedText() const {
   return any ? tr("pages that are being made") : QString();
 }
 
-// The key images of the moment in which this is asked for.
+// Asks for options for the present key images.
 void KeyImagePages::ask() {
   const auto studies = std::make_shared<const Studies>(this->studies());
   std::size_t pictures = 0;
@@ -137,7 +137,7 @@ void KeyImagePages::ask() {
   dialog->open();
 }
 
-// Those of a study stand together, in the order of the list.
+// Groups the key images by study, in the order of the list.
 Studies KeyImagePages::studies() const {
   const Workspace& workspace = session_.workspace();
   Studies studies;
@@ -199,7 +199,7 @@ void KeyImagePages::askForPrinter(const WantedPtr& wanted) {
         [printer](const auto& pages, const PageLook& look) { return paintPages(*printer, pages, look); },
         tr("Printed"));
   });
-  connect(dialog, &QObject::destroyed, this, [printer] {});  // which it uses until then
+  connect(dialog, &QObject::destroyed, this, [printer] {});  // the dialog uses the printer until then
   dialog->open();
 }
 

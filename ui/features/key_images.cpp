@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// Pictures that are marked: by a key, in a list, from one to the next.
+// Marks key images by a key, lists them and steps through them.
 class KeyImages : public Feature {
  public:
   explicit KeyImages(Workbench& bench);
@@ -48,7 +48,7 @@ QAction* KeyImages::add(const char* name, const QString& text, const QString& wo
                                       false,
                                       [run = std::move(run)](bool) { run(); },
                                       {{"toolsMenu", 40}}});
-  action->setIconText(word);  // of its button
+  action->setIconText(word);  // text of the action's button
   return action;
 }
 

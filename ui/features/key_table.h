@@ -5,13 +5,13 @@
 
 namespace volumen {
 
-/// What the mouse, or a key that is none of an action, does.
+/// What the mouse does, or a key that belongs to no action.
 struct KeyRow {
   QString keys;
   QString text;
 };
 
-/// All of them, in the order in which they are read: the keys of actions are told by these (action_text).
+/// Returns all rows in reading order. Actions name their own keys (action_text).
 std::vector<KeyRow> keyRows();
 
 }  // namespace volumen

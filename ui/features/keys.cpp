@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Keys that no shortcut hears: letters of other scripts by their places, and the keypad.
+// Handles keys that shortcuts miss: letters of other scripts by position, and the keypad.
 class Keys : public Feature {
  public:
   explicit Keys(Workbench& bench) : Feature(bench) {
@@ -31,8 +31,8 @@ bool Keys::eventFilter(QObject* window, QEvent* event) {
   return !isTyping && (triggerByPlace(key) || triggerByKeypad(key));
 }
 
-// The action whose key lies where a letter of another script was pressed: Qt itself finds those that a
-// second, Latin layout of the keyboard has. True: there is one.
+// Triggers the action whose key is at the position of a letter of another script. Qt itself handles keyboards
+// that have a second, Latin layout. Returns false if there is no such action.
 bool Keys::triggerByPlace(const QKeyEvent& event) {
   const int key = latinKey(event);
   if (key == event.key()) return false;
@@ -45,8 +45,8 @@ bool Keys::triggerByPlace(const QKeyEvent& event) {
   return false;
 }
 
-// The keypad's keys as they come with and without NumLock. Under X11 no shortcut can tell them from the keys
-// of the other blocks, and with NumLock on none fires at all.
+// Handles keypad keys with and without NumLock. Under X11 shortcuts cannot distinguish them from other keys,
+// and fire not at all with NumLock on.
 bool Keys::triggerByKeypad(const QKeyEvent& event) {
   static const std::map<int, std::pair<const char*, const char*>> views{
       {Qt::Key_1, {"viewAnterior", "viewPosterior"}}, {Qt::Key_End, {"viewAnterior", "viewPosterior"}},

@@ -14,7 +14,7 @@ namespace volumen {
 
 namespace {
 
-// Windows that are chosen by a digit while a series is on its way hold once it is there.
+// Remembers a window chosen by a digit key while a series is being loaded and applies it afterwards.
 class KeysAhead : public Feature {
  public:
   explicit KeysAhead(Workbench& bench);
@@ -27,9 +27,9 @@ class KeysAhead : public Feature {
   bool isAwaited() const;
   void give();
 
-  std::shared_ptr<const Series> series_;       // the one being loaded; null: none is yet
-  std::optional<Qt::KeyboardModifiers> ctrl_;  // of the digit
-  int digit_ = 0;                              // pressed last; where ctrl_ is
+  std::shared_ptr<const Series> series_;       // the series being loaded, or null
+  std::optional<Qt::KeyboardModifiers> ctrl_;  // modifiers of the digit; empty if none was pressed
+  int digit_ = 0;                              // the last digit pressed, valid if ctrl_ is set
   bool isListening_ = false;
 };
 
@@ -43,10 +43,10 @@ KeysAhead::KeysAhead(Workbench& bench) : Feature(bench) {
   for (const auto ended : {&Loader::idle, &Loader::loadGivenUp})
     connect(&loader, ended, this, &KeysAhead::end, Qt::QueuedConnection);
   connect(&session_, &Session::workspaceChanged, this, &KeysAhead::give, Qt::QueuedConnection);
-  bench_.window.setFocus();  // or the window would begin in the first field that there is
+  bench_.window.setFocus();  // otherwise the first input field would get the focus
 }
 
-// What is typed from now on is meant for what is coming, not for a search in the list of studies.
+// Moves the keyboard focus from the studies panel to the views, as digits are meant for the coming series.
 void KeysAhead::begin() {
   QWidget* keys = bench_.window.focusWidget();
   if (keys && bench_.dock("studies")->isAncestorOf(keys)) {
@@ -68,8 +68,8 @@ void KeysAhead::end() {
   give();
 }
 
-// Whether something comes into the place of what is in focus: no series that lies over it, and no other step
-// of it.
+// Returns whether the series being loaded will replace the one in focus. Overlays and other time points do
+// not.
 bool KeysAhead::isAwaited() const {
   const Workspace& workspace = session_.workspace();
   const std::vector<ViewId> views = viewsOnScreen(workspace);
@@ -81,7 +81,7 @@ bool KeysAhead::isAwaited() const {
   return std::ranges::none_of(views, isOver) && !(shown && areTimePoints(*shown, *series_));
 }
 
-// A widget alone: its window hears each key before it does.
+// Ignores windows, as they receive each key before their widgets do.
 bool KeysAhead::eventFilter(QObject* object, QEvent* event) {
   const auto* widget = event->type() == QEvent::KeyPress ? qobject_cast<QWidget*>(object) : nullptr;
   if (!widget || widget->testAttribute(Qt::WA_InputMethodEnabled)) return false;

@@ -7,7 +7,7 @@ namespace volumen {
 
 namespace {
 
-// What the loader has read goes into the list and into the views; what it could not read is told.
+// Puts loaded studies into the list and the views, and reports failures.
 class Loading : public Feature {
  public:
   explicit Loading(Workbench& bench);
@@ -31,7 +31,7 @@ Loading::Loading(Workbench& bench) : Feature(bench) {
     session_.setLoading(keyOf(series));
     session_.pool().makeRoomFor(std::size_t(series.acquired.voxelCount()) * sizeof(float));
   });
-  // Later: what gave it up may be about to load another, or to close all.
+  // Queued, because the caller that cancelled may be about to load another series or to close all.
   const auto askSoon = [this] {
     QMetaObject::invokeMethod(&session_, &Session::askForMissing, Qt::QueuedConnection);
   };
@@ -54,7 +54,7 @@ void Loading::showStudy(const QString& path, const std::shared_ptr<const Study>&
   for (const Other& other : study->other)
     details << pathText(other.path) + QStringLiteral(": ") + shownText(other.kind);
   const bool hasPictures = !study->volumes.empty() || !study->images.empty();
-  if (!hasPictures && !study->derived.empty()) return;  // they stand in the list
+  if (!hasPictures && !study->derived.empty()) return;  // the list shows them
   if (!hasPictures)
     return bench_.banner.add(tr("No images found in %1.").arg(pathText(path.toStdString())), details);
   if (!study->refused.empty()) bench_.banner.add(unreadText(*study), details);

@@ -7,7 +7,7 @@ namespace volumen {
 
 namespace {
 
-// Charts of the values under what was measured.
+// Shows charts of the values under measurements.
 class MeasurementCharts : public Feature {
  public:
   explicit MeasurementCharts(Workbench& bench);

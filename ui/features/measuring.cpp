@@ -17,7 +17,7 @@ namespace volumen {
 
 namespace {
 
-// The flat view that shows a series, else the one in focus, else the first; none on screen: none.
+// Returns the flat view that shows a series, else the one in focus, else the first one, if any is on screen.
 std::optional<ViewId> flatViewFor(const Workspace& workspace, const SeriesKey& series) {
   std::optional<ViewId> best;
   for (const ViewId id : viewsOnScreen(workspace)) {
@@ -28,7 +28,7 @@ std::optional<ViewId> flatViewFor(const Workspace& workspace, const SeriesKey& s
   return best;
 }
 
-// Tools that measure, their menu, and the list of what was measured.
+// Offers measuring tools in a menu, and the list of measurements.
 class Measuring : public Feature {
  public:
   explicit Measuring(Workbench& bench);
@@ -54,7 +54,7 @@ Measuring::Measuring(Workbench& bench) : Feature(bench) {
           [this](const QString& sentence) { warnUntilDone(sentence); });
 }
 
-// Most of their keys mean views in 3D: views hear them themselves, the menu only tells them.
+// Most of these keys choose directions in 3D. Views handle them, and the menu only shows them.
 void Measuring::makeActions() {
   QMenu* measures = bench_.addMenu("measureMenu", tr("Measure"), {});
   auto* group = new QActionGroup(&bench_.window);
@@ -91,7 +91,7 @@ void Measuring::makeActions() {
   button->setDefaultAction(menu);
 }
 
-// In a view that shows frames of its series, else in the one in focus.
+// Shows the frame in a view that has frames of its series, else in the view in focus.
 void Measuring::showOnFrame(const Measurement& m) {
   const Workspace& now = session_.workspace();
   const auto series = now.series.at(m.series).series;
@@ -111,7 +111,7 @@ void Measuring::showOnFrame(const Measurement& m) {
   session_.change(tr("Go to measurement"), after);
 }
 
-// In the flat view that shows its series, else in the one in focus.
+// Shows the measurement in a flat view of its series, else in the view in focus.
 void Measuring::showMeasurement(int id) {
   const Measurement* found = findMeasurement(session_.workspace(), id);
   if (!found || found->shape.points.empty()) return;

@@ -11,32 +11,32 @@ class QToolBar;
 
 namespace volumen {
 
-/// Where something stands in the menus or the tool bar: in groups, which lines separate, and in its group by
-/// `order`; what has one order as it was added.
+/// The place of an entry in the menus or the tool bar. Lines separate the groups. Within a group entries are
+/// sorted by `order`, then by time of addition.
 struct Place {
-  const char*
-      bar;  ///< a menu of the menu bar ("fileMenu", "toolsMenu"), one that a feature adds, or "toolBar"
+  const char* bar;  ///< a menu of the menu bar ("fileMenu"), a menu of a feature, or "toolBar"
   int group = 0;
   int order = 0;
 };
 
-/// In the last group of the tool bar: what stands at its right end has a higher order.
+/// Order of the gap in the tool bar's last group. Entries with a higher order stand at its right end.
 constexpr int toolBarGap = 100;
 
-/// The menus and the tool bar of the window. All that is added says where it stands; fill() puts it there.
+/// The menus and the tool bar of the window. Entries are collected with their places, and fill() inserts
+/// them.
 class Menus {
  public:
   explicit Menus(QMainWindow& window);
 
   void add(QAction* action, const std::vector<Place>& places);
   void addWidget(QWidget* widget, const Place& place);
-  /// A menu that others may add to by its object name.
+  /// Adds a menu that others may extend by its object name.
   void addMenu(QMenu* menu, const std::vector<Place>& places);
-  /// Once all of it is known. Throws std::out_of_range where a place names no bar.
+  /// Inserts all entries. Throws std::out_of_range if a place names an unknown bar.
   void fill();
 
  private:
-  // One of the two.
+  // Holds either an action or a widget.
   struct Entry {
     Place place;
     QAction* action = nullptr;
@@ -46,7 +46,7 @@ class Menus {
 
   QToolBar* toolBar_;
   std::map<std::string, QWidget*> bars_;
-  std::map<std::string, std::vector<Entry>> entries_;  // by bar
+  std::map<std::string, std::vector<Entry>> entries_;  // by name of the bar
 };
 
 }  // namespace volumen

@@ -10,9 +10,8 @@ namespace volumen {
 class Session;
 class View;
 
-/// Calls `take` once all these views have the pictures of the workspace as it is now (View::hasItsPicture),
-/// at once where they have; `changed` where the workspace is another before that. Neither once `context` is
-/// gone.
+/// Calls `take` as soon as all `views` show the present workspace (View::hasItsPicture). Calls `changed`
+/// instead if the workspace changes first. Calls neither after `context` is deleted.
 void onceDrawn(const std::vector<View*>& views, const Session& session, QObject* context,
                const std::function<void()>& take, const std::function<void()>& changed);
 

@@ -15,7 +15,7 @@ namespace volumen {
 
 namespace {
 
-// Files and folders: asked for, dropped, or opened before.
+// Opens files and folders by dialog, drop and the list of recent files.
 class Opening : public Feature {
  public:
   explicit Opening(Workbench& bench);
@@ -84,7 +84,7 @@ void Opening::openFor(const QStringList& paths, OpenIntent intent) {
   intent.isShown = std::make_shared<bool>(false);
   intent.isAlone = paths.size() == 1;
   for (const QString& given : paths) {
-    const bool isFile = QFileInfo::exists(given);  // a phantom is none
+    const bool isFile = QFileInfo::exists(given);  // a phantom is no file
     const QString path = isFile ? QDir::cleanPath(QFileInfo(given).absoluteFilePath()) : given;
     if (isSessionFile(path.toStdString()))
       bench_.document.loader.openSession(path);
@@ -115,7 +115,8 @@ void Opening::showRecent() {
   connect(clear, &QAction::triggered, &recent, &RecentFiles::clear, Qt::QueuedConnection);
 }
 
-// What says by its name that it holds segments is for the series of the view under it; all else opens.
+// Imports files whose name marks them as segments into the series of the view under the pointer. Opens all
+// others.
 void Opening::takeDropped(const QStringList& paths, const QWidget* under) {
   while (under && !qobject_cast<const View*>(under)) under = under->parentWidget();
   const auto* view = qobject_cast<const View*>(under);
@@ -130,7 +131,7 @@ void Opening::takeDropped(const QStringList& paths, const QWidget* under) {
   Q_EMIT bench_.segmentsRequested(segments);
 }
 
-// Here, in the window that it is dropped on.
+// Opens files in the window that they are dropped on.
 bool Opening::eventFilter(QObject* window, QEvent* event) {
   if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
     return Feature::eventFilter(window, event);

@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// The views where any of them shows something, else the start page.
+// Shows the views if any of them has content, else the start page.
 class Pages : public Feature {
  public:
   explicit Pages(Workbench& bench);
@@ -50,7 +50,7 @@ void Pages::choose() {
                                          [&](ViewId id) { return !workspace.view(id).series.empty(); });
   const bool appears = isAny && bench_.pages.currentWidget() != &grid_;
   bench_.pages.setCurrentWidget(isAny ? static_cast<QWidget*>(&grid_) : start_);
-  // A page that appears gives the keys to its first child, whatever view has the focus.
+  // A page that appears would give the keyboard focus to its first child.
   if (appears) grid_.setFocus();
 }
 

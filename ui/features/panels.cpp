@@ -27,7 +27,7 @@ QWidget* stacked(QWidget* above, QWidget* below) {
   return both;
 }
 
-// The panels of the scene, and that of slices and frames: each reads the session and writes edits.
+// Creates the panels of the scene and of slices and frames. Each reads the session and writes edits.
 class Panels : public Feature {
  public:
   explicit Panels(Workbench& bench);
@@ -48,7 +48,7 @@ Panels::Panels(Workbench& bench) : Feature(bench) {
   connect(&bench_, &Workbench::rangeShown, transfer->editor(), &CurveEditor::setRange);
   connect(transfer->editor(), &CurveEditor::rangeDragged, &bench_, &Workbench::rangeDragged);
   connect(transfer, &TransferPanel::curvePulled, &bench_, &Workbench::curvePulled);
-  constexpr int leastCurve = 183;  // of its panel: the mode and the curve itself
+  constexpr int leastCurve = 183;  // lowest height for the mode and the curve
   const Workbench::DockEntry table[] = {
       {"transfer",
        tr("Opacity and colour"),
@@ -95,7 +95,7 @@ QWidget* Panels::flatPanel() {
   const auto follow = [this, explained] {
     FlatView* view = bench_.flatViewInFocus();
     explained->explain(view ? QString() : tr("Click a slice or a frame to set how it is shown."));
-    // A frame comes when it is read.
+    // Refreshes when the frame has been read.
     if (view) connect(view, &FlatView::settled, flat_, &FlatPanel::refresh, Qt::UniqueConnection);
   };
   connect(&session_, &Session::workspaceChanged, explained,

@@ -20,7 +20,7 @@ namespace volumen {
 
 namespace {
 
-// Pictures of the slice or frame in focus for files: of any size, of all of its stack, as a contact sheet.
+// Exports pictures of the slice or frame in focus: one of any size, its whole stack, or a contact sheet.
 class PictureFiles : public Feature {
  public:
   explicit PictureFiles(Workbench& bench);
@@ -28,7 +28,7 @@ class PictureFiles : public Feature {
   QString unsavedText() const override;
 
  private:
-  // What was chosen, and what was seen then.
+  // The chosen options and the views at that moment.
   struct Wanted {
     PicturesOf of;
     PictureLook look;
@@ -56,28 +56,28 @@ Status writeMade(const MadePicture& made, const QImage& image, const QString& pa
   return writeImage(image.convertToFormat(QImage::Format_RGB888), path.toStdString(), text);
 }
 
-// Without an end.
+// Returns a file name without extension.
 QString fileName(const Series& series, bool namesHidden) {
   constexpr int longest = 80;
   const HidingNames hiding(namesHidden);
   return seriesText(series).replace(QLatin1Char('/'), QLatin1Char('_')).left(longest);
 }
 
-// Whether all pictures of a view have the window of the first one.
+// Returns whether all pictures of the view share one window.
 bool sharesWindow(const PictureStop& stop) {
   const ViewState& view = stop.workspace.view(stop.view);
   const SeriesState state = seriesStateIn(stop.workspace, stop.view);
   return !showsFrames(view.kind) || state.window || !hasOwnWindows(state, *state.series);
 }
 
-// "12 / 31", "Frame 3 / 10": which one of the stack it is.
+// Returns the position in the stack, such as "12 / 31" or "Frame 3 / 10".
 QString numberText(const MadePicture& made) {
   for (const QString& line : made.overlays.topRight)
     if (line.contains(QStringLiteral(" / "))) return line;
   return {};
 }
 
-// Of a folder that is not there yet.
+// Returns the path of a folder that does not exist yet.
 QString freeFolder(const QString& parent, const QString& name) {
   const auto pathOf = [&](const std::string& one) {
     return parent + QLatin1Char('/') + QString::fromStdString(one);
@@ -109,7 +109,7 @@ void PictureFiles::ask(PicturesOf of) {
     return warn(tr("Click a slice or a frame first. 3D pictures of any size: File > Save 3D snapshot."));
   auto* dialog =
       new PictureDialog(of, flat->numberedPlaces(), flat->numberCount(), flat->size(), bench_.dialogParent());
-  // As it is seen now, whatever becomes of it while the dialog is open.
+  // Uses the view as it is now, whatever happens while the dialog is open.
   const LoadedSeriesPtr shown = flat->shown();
   const PictureStop now = heldNow({session_.workspace(), flat->id()}, session_);
   const auto accept = [this, of, dialog, shown, now] {
@@ -187,8 +187,8 @@ void PictureFiles::writeOne(const Wanted& wanted, const QString& path) {
       [path] { return tr("Saved %1").arg(path); });
 }
 
-// Aside at first, so that a folder that is there is whole; in a folder of its own there, which has the usual
-// permissions.
+// Writes to a temporary folder first, so that an existing folder is always complete. Its subfolder has the
+// usual permissions.
 void PictureFiles::writeStack(const Wanted& wanted, const QString& folder) {
   const auto aside = std::make_shared<QTemporaryDir>(folder + QStringLiteral("/.volumen-XXXXXX"));
   const QString pictures = aside->filePath(QStringLiteral("pictures"));

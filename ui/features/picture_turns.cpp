@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// How the picture of the slice or frame in focus lies in its view: turned, mirrored, and at which size.
+// Rotates, flips and sizes the picture of the slice or frame in focus.
 class PictureTurns : public Feature {
  public:
   explicit PictureTurns(Workbench& bench);

@@ -4,7 +4,7 @@ namespace volumen {
 
 namespace {
 
-// Which lines of other planes flat views show: choices of the preferences.
+// Preferences for the lines of other planes in flat views.
 class PlaneLines : public Feature {
  public:
   explicit PlaneLines(Workbench& bench);

@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// What the user prefers: kept, shown in its dialog and in the actions that switch some of it, and the theme.
+// Saves the preferences, shows them in a dialog and as actions, and applies the theme.
 class PreferencesFeature : public Feature {
  public:
   explicit PreferencesFeature(Workbench& bench);

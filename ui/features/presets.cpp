@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// Looks by name, in a bar, each with a small picture of the volume in focus.
+// Bar of presets, each with a thumbnail of the volume in focus.
 class Presets : public Feature {
  public:
   explicit Presets(Workbench& bench);
@@ -69,7 +69,7 @@ void Presets::connectThumbnails() {
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series) forgetThumbnails();
   });
-  // Once the first picture of a series is there.
+  // Starts once the first picture of a series is drawn.
   connect(&bench_, &Workbench::drawnAtRest, bar_, [this] { drawThumbnails(); });
 }
 

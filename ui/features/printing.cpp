@@ -16,25 +16,25 @@ namespace volumen {
 
 namespace {
 
-constexpr int factor = 3;  // pixels of a slice on paper for each on screen
+constexpr int factor = 3;  // pixels of a slice on paper per screen pixel
 
 using PrinterPtr = std::shared_ptr<QPrinter>;
 
-// What is to be printed, as it was seen when it was asked for.
+// The view to print, as it was at the time of the request.
 struct Seen {
   QStringList head;
   QString caption;
   bool namesHidden = false;
-  std::shared_ptr<QImage> picture;    // of a 3D view; null pixels: it was never drawn as it was asked for
-  std::optional<PictureStop> stop{};  // of slices and frames
-  QSize size{};                       // of the view, logical pixels
+  std::shared_ptr<QImage> picture;    // of a 3D view; a null image until drawn as requested
+  std::optional<PictureStop> stop{};  // set for slices and frames
+  QSize size{};                       // of the view, in logical pixels
   QSize pixels{};
-  std::optional<QSizeF> mm{};  // of what is seen, where that is calibrated
+  std::optional<QSizeF> mm{};  // size of the visible part, if calibrated
   QString lengthsWord{};
 };
 
-// The view in focus on a page of its own, under lines of patient and study: slices and frames finer than on
-// screen, and in true size where wanted.
+// Prints the view in focus on one page below patient and study. Slices and frames are finer than on screen
+// and can be in true size.
 class Printing : public Feature {
  public:
   explicit Printing(Workbench& bench);
@@ -116,7 +116,7 @@ void Printing::ask() {
   askHow(seenIn(*grid_.viewShown()));
 }
 
-// The choice of true size stands beside the printer, not among the options that are folded away.
+// Places the true size option beside the printer, not in the collapsed options.
 void Printing::askHow(const Seen& seen) {
   const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
   auto* trueSize = new QCheckBox(seen.lengthsWord.isEmpty()
@@ -130,7 +130,7 @@ void Printing::askHow(const Seen& seen) {
   qobject_cast<QBoxLayout*>(dialog->layout())->insertWidget(1, trueSize);
   connect(dialog, &QDialog::accepted, this,
           [this, printer, seen, trueSize] { print(printer, seen, trueSize->isChecked()); });
-  connect(dialog, &QObject::destroyed, this, [printer] {});  // which it uses until then
+  connect(dialog, &QObject::destroyed, this, [printer] {});  // the dialog uses the printer until then
   dialog->open();
 }
 
@@ -166,7 +166,7 @@ void Printing::askBeforeCropping(const PrinterPtr& printer, const Seen& seen, QS
   box->open();
 }
 
-// Laid out for the page: letters, texts and scale stand inside of what is printed.
+// Lays the picture out for the page, so that letters, texts and scale are inside the printed part.
 void Printing::printInTrueSize(const PrinterPtr& printer, Seen seen, QSizeF mm) {
   if (mm != *seen.mm)
     seen.caption = tr("%1, the middle: %2 of %3").arg(seen.caption, sizeText(mm), sizeText(*seen.mm));

@@ -16,10 +16,10 @@ namespace volumen {
 
 namespace {
 
-constexpr int mostOpened = 3;  // one after the other, by themselves
+constexpr int mostOpened = 3;  // opened automatically, one after the other
 
-// The series in focus beside the same one of an earlier day: of a study that is open, else of one that a
-// source of studies lists, which is opened for it.
+// Compares the series in focus with the same one of an earlier day. Takes it from an open study, or opens a
+// study that a source lists.
 class Priors : public Feature {
  public:
   explicit Priors(Workbench& bench);
@@ -30,19 +30,19 @@ class Priors : public Feature {
     IndexedStudy study;
     bool soundsLike;
   };
-  // A picture whose prior is looked for.
+  // A picture whose prior is wanted.
   struct Wanted {
     SeriesKey series;
     int frame = -1;
-    std::string after{};           // day of the prior that is open; empty: none is
-    bool mayOpen = true;           // else it is only told that there is a later one
-    int answers = 0;               // of sources, still to come
-    std::deque<Listed> studies{};  // that may hold it, those that sound like it and the latest first
+    std::string after{};           // day of the open prior, empty if none
+    bool mayOpen = true;           // if false, only reports that a later prior exists
+    int answers = 0;               // pending answers of sources
+    std::deque<Listed> studies{};  // candidates: similar descriptions first, then latest first
     bool isUnread = false;         // a source could not be asked
-    bool isAway = false;           // files of one of them are not there, or are others by now
-    int opened = 0;                // of them, so far
-    QString place{};               // of the one that is being opened; empty: none was yet
-    bool isRead = false;           // from its files, which are here
+    bool isAway = false;           // files of a candidate are missing or have changed
+    int opened = 0;                // number of candidates opened
+    QString place{};               // place of the candidate being opened, empty before the first
+    bool isRead = false;           // its files were found and are being read
   };
 
   void compare();
@@ -82,7 +82,7 @@ Priors::Priors(Workbench& bench) : Feature(bench) {
             [this, source](const IndexedChoice& choice, const std::vector<std::string>&,
                            const OpenIntent& intent) {
               if (!wanted_ || wanted_->place != source->placeOf(choice.study)) return;
-              if (intent.how != OpenHow::lookedInto) return wanted_.reset();  // it was opened by hand
+              if (intent.how != OpenHow::lookedInto) return wanted_.reset();  // the user opened it
               wanted_->isRead = true;
             });
     connect(source, &StudySource::notOpened, this, [this, source](const IndexedChoice& choice) {
@@ -92,14 +92,13 @@ Priors::Priors(Workbench& bench) : Feature(bench) {
     });
   }
   connect(&bench_.document.loader, &Loader::filesOpened, this, &Priors::lookInto);
-  // Cancelled, or it could not be read.
+  // The load was cancelled or failed.
   connect(&bench_.document.loader, &Loader::idle, this, [this] {
     if (wanted_ && wanted_->isRead) wanted_.reset();
   });
 }
 
-// What is open is shown at once; a later one that is listed is opened where the open one stands there
-// already.
+// Shows an open prior at once. If that is already shown, opens a later one from the lists.
 void Priors::compare() {
   const Workspace& workspace = session_.workspace();
   const SeriesPicture shown = pictureIn(workspace, workspace.focus);
@@ -140,7 +139,7 @@ void Priors::askSources(const Series& series) {
   for (const auto& source : sources) source->studiesOf(series.patientId, series.patientName);
 }
 
-// One that was asked for something else meanwhile answers that, too: whose the studies are is compared.
+// Answers may belong to another request, so the patient is compared.
 void Priors::take(StudySource& source, const std::string& patientId, const std::string& patientName,
                   const std::optional<std::vector<IndexedStudy>>& studies) {
   const SeriesPicture now = current();
@@ -175,13 +174,13 @@ void Priors::openNext() {
   tellNone(*std::exchange(wanted_, {}));
 }
 
-// The files may be others than the list says, even another patient's.
+// Checks the files, as they may differ from the list and even belong to another patient.
 void Priors::lookInto(const QString& place, const std::shared_ptr<const Study>& study,
                       const OpenIntent& intent) {
   if (!wanted_ || intent.how != OpenHow::lookedInto || wanted_->place != place) return;
   const SeriesPicture now = current();
   if (!now) return wanted_.reset();
-  const Series series = *now.series;  // of the workspace, which changes
+  const Series series = *now.series;  // a copy, as the workspace changes
   const std::vector<Series> frames = frameSeries(*study);
   std::vector<const Series*> pictures;
   for (const std::vector<Series>* all : {&study->volumes, &frames})
@@ -202,7 +201,7 @@ void Priors::list(const QString& place, const std::shared_ptr<const Study>& stud
   if (!study->refused.empty()) bench_.banner.add(unreadText(*study), refusedTexts(study->refused));
 }
 
-// What is wanted a prior of; none: it is not on screen any more.
+// Returns the picture whose prior is wanted, or nothing if it is no longer on screen.
 SeriesPicture Priors::current() const {
   if (!wanted_) return {};
   const Workspace& workspace = session_.workspace();
@@ -244,7 +243,7 @@ void Priors::tellLater(const Wanted& wanted) {
                            .arg(dateText(wanted.studies.front().study.date)));
 }
 
-// What sounds like it came first.
+// Similar descriptions came first, so a later study may have been skipped.
 void Priors::tellPassedOver(const Wanted& wanted, const std::string& shownDay) {
   if (std::ranges::any_of(wanted.studies, [&](const Listed& each) { return each.study.date > shownDay; }))
     warn(
@@ -252,7 +251,7 @@ void Priors::tellPassedOver(const Wanted& wanted, const std::string& shownDay) {
            "can be opened from the list of studies (Ctrl+B)."));
 }
 
-// Positions of two days are comparable only where they are in one frame of reference.
+// Positions of two days are comparable only in one frame of reference.
 void Priors::offerRegistration(const Series& current, const Series& prior) {
   const Workspace& workspace = session_.workspace();
   const bool areSlices = current.acquired.calibrated && prior.acquired.calibrated &&

@@ -12,13 +12,13 @@ namespace volumen {
 
 namespace {
 
-// Whether a series of this frame of reference is open.
+// Returns whether a series in this frame of reference is open.
 bool holdsFrame(const Workspace& workspace, const std::string& frame) {
   return std::ranges::any_of(workspace.series,
                              [&](const auto& s) { return frameOfReference(*s.second.series) == frame; });
 }
 
-// Which views follow each other, and how frames of reference lie to each other.
+// Links views and registers frames of reference to each other.
 class Registration : public Feature {
  public:
   explicit Registration(Workbench& bench);
@@ -38,7 +38,7 @@ Registration::Registration(Workbench& bench) : Feature(bench), registrar_(bench.
     if (!action->isSeparator()) bench_.addAction(action, {});
   QToolButton* button = bench_.addMenuButton("linkButton", 30);
   button->setDefaultAction(menu->menuAction());
-  button->setPopupMode(QToolButton::InstantPopup);  // the action made it one that opens by its arrow alone
+  button->setPopupMode(QToolButton::InstantPopup);  // the action had set a menu that opens by its arrow only
   connect(&registrar_, &RegistrationJobs::failed, this,
           [this](const QString& sentence) { warnUntilDone(sentence); });
   connect(&registrar_, &RegistrationJobs::found, this,
@@ -52,7 +52,7 @@ Registration::Registration(Workbench& bench) : Feature(bench), registrar_(bench.
   });
 }
 
-// The view in focus and the first one beside it that lies elsewhere.
+// Registers the view in focus with the first one in another frame of reference.
 void Registration::registerViews() {
   const std::vector<ViewId> others = viewsOfOtherFrames(session_.workspace());
   if (others.empty()) return;

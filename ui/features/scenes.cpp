@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-// Scene files: what the 3D view draws a series by, for other series and for the command line.
+// Opens and saves scene files, for use with other series and on the command line.
 class Scenes : public Feature {
  public:
   explicit Scenes(Workbench& bench);

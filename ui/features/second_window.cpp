@@ -15,8 +15,7 @@ namespace volumen {
 
 namespace {
 
-// A window beside the main one, for a second screen: whether it is open is of the workspace, where it stands
-// is kept for the next start.
+// A window for a second screen. The workspace stores whether it is open, settings store its position.
 class SecondWindowFeature : public Feature {
  public:
   explicit SecondWindowFeature(Workbench& bench);
@@ -58,7 +57,8 @@ SecondWindowFeature::SecondWindowFeature(Workbench& bench)
   bench_.window.installEventFilter(this);
 }
 
-// Keys do there what they do in the main window, and open its menus. The focus stays in that.
+// Lets keys of the main window work here and open its menus. The keyboard focus moves to the main window for
+// menus.
 void SecondWindowFeature::begin() {
   window_.addActions(bench_.window.actions());
   for (const auto& [name, action] : bench_.actions) window_.addAction(action);
@@ -93,8 +93,8 @@ void SecondWindowFeature::follow() {
   grid_.viewShown()->activateWindow();
 }
 
-// Where it stood, if that is still on a screen; else on another one than the main window, all of that, or
-// over half of it.
+// Restores the last position if it is still on a screen. Otherwise maximises the window on another screen, or
+// covers the right half of the only one.
 void SecondWindowFeature::place() {
   if (std::exchange(isPlaced_, true)) return putOnScreen(window_);
   if (window_.restoreGeometry(QSettings().value(QStringLiteral("secondWindow/geometry")).toByteArray()))
@@ -108,7 +108,7 @@ void SecondWindowFeature::place() {
   if (other != all.end()) window_.setWindowState(Qt::WindowMaximized);
 }
 
-// It goes with the main window.
+// Closes with the main window.
 void SecondWindowFeature::keep() {
   QSettings settings;
   settings.setValue(QStringLiteral("secondWindow/open"), session_.workspace().second.shown);

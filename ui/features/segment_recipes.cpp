@@ -14,8 +14,8 @@ namespace volumen {
 
 namespace {
 
-// Recipes of segments: followed, also those of a file; what was done as one: saved, changed and run again.
-// The actions stand in the menu of the panel Segments.
+// Runs segment recipes, also from files. Saves recorded steps as a recipe, edits them and runs them again.
+// The actions are in the menu of the Segments panel.
 class SegmentRecipes : public Feature {
  public:
   explicit SegmentRecipes(Workbench& bench);
@@ -45,7 +45,7 @@ SegmentRecipes::SegmentRecipes(Workbench& bench) : Feature(bench), files_(bench.
   connect(&bench_, &Workbench::recipeWanted, this, &SegmentRecipes::run);
 }
 
-// Its segments become more segments of the series that the panel shows.
+// Adds the recipe's segments to the series that the panel shows.
 void SegmentRecipes::run(const Recipe& recipe) {
   const QString why = whyNoSegments(session_);
   if (!why.isEmpty()) return warn(why);
@@ -57,7 +57,7 @@ void SegmentRecipes::run(const Recipe& recipe) {
   Q_EMIT bench_.segmentWorkWanted(work);
 }
 
-// The steps of a record say themselves what they leave out. Another map may be worked on by now.
+// Recorded steps state themselves what they omit. The panel may show another map by now.
 void SegmentRecipes::runAgain(const Recipe& recipe, int map, StepsDialog* dialog) {
   const QString why = whyNoSegments(session_);
   if (!why.isEmpty()) return dialog->showRefused(why);
@@ -90,7 +90,7 @@ void SegmentRecipes::runFile(const QString& path) {
       [this](const Recipe& recipe) { run(recipe); });
 }
 
-// The segments with a record of them; null: none, which is told.
+// Returns the shown segments that have recorded steps, or null after reporting why there are none.
 const SegmentMap* SegmentRecipes::recorded() {
   const QString why = whyNoSegments(session_);
   const SegmentMap* map = segmentsShown(session_);
@@ -103,7 +103,7 @@ const SegmentMap* SegmentRecipes::recorded() {
   return nullptr;
 }
 
-// The steps as they are now, whatever is done while a place is chosen.
+// Saves the steps as they are now, whatever happens while the file dialog is open.
 void SegmentRecipes::askWhereToSave() {
   const SegmentMap* map = recorded();
   if (!map) return;

@@ -28,11 +28,11 @@ bool areCutAlike(const Workspace& a, const Workspace& b) {
   return std::ranges::equal(a.series, b.series, {}, maskOfEntry, maskOfEntry);
 }
 
-// Segments of a volume, and what is taken away from it: its table, what the scissors cut.
+// Segments of a volume, and its masking by table removal and scissors.
 class Segmenting : public Feature {
  public:
   explicit Segmenting(Workbench& bench);
-  ~Segmenting() override { delete numbers_; }  // it knows the painter
+  ~Segmenting() override { delete numbers_; }  // refers to the painter
 
  private:
   void makeExport();
@@ -52,7 +52,7 @@ class Segmenting : public Feature {
   SegmentPainter painter_;
   SegmentJobs segmenter_;
   CurveFollower follower_;
-  std::function<void()> measureLater_;  // what a stroke that is being drawn came to
+  std::function<void()> measureLater_;  // measures the result of the stroke being drawn
   SegmentPreview preview_;
   MaskJobs masker_;
   SegmentSurfaceJobs surfaces_;
@@ -151,7 +151,7 @@ void Segmenting::connectSegmenter() {
   connect(&segmenter_, &SegmentJobs::saved, this, &Segmenting::tellSaved);
   connect(&segmenter_, &SegmentJobs::failed, this,
           [this](const QString& sentence) { warnUntilDone(sentence); });
-  // What was said of the segments, or of what is cut away, as they were.
+  // Messages about segments or cuts no longer hold once these have changed.
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
             if (before.segmentMaps != after.segmentMaps || !areCutAlike(before, after)) takeBack();
@@ -163,8 +163,7 @@ void Segmenting::tellIfAny(const QString& sentence) {
   if (!sentence.isEmpty()) tell(sentence);
 }
 
-// The ends of the range on the axis of the curve. While one is dragged, 3D shows what of the curve is
-// between.
+// Shows the range's ends on the axis of the curve. While one is dragged, 3D shows only values in the range.
 void Segmenting::connectAxis() {
   SegmentRange* page = &panel_->rangePage();
   connect(page, &SegmentRange::rangeShown, this, [this](const std::optional<ValueRange>& range) {
@@ -205,7 +204,7 @@ void Segmenting::cutSegment(const SegmentCut& cut) {
   segmenter_.change(workOf(cut, panel_->painting().cutWithinMm(), session_));
 }
 
-// Of a segment that a stroke changes once that ends: numbers take longer than a picture.
+// Measures a segment after the current stroke has ended, as numbers take longer than a picture.
 void Segmenting::measure(const SegmentNumbers& wanted) {
   measureLater_ = nullptr;
   if (painter_.isPainting())
@@ -235,7 +234,7 @@ void Segmenting::showNumbers() {
   numbers_->activateWindow();
 }
 
-// Of the series that the panel shows; a first part makes a segment.
+// Takes a part of the series that the panel shows. The first part creates a segment.
 void Segmenting::takePart(const PartClick& click) {
   if (click.onFrame) return warn(tr("Frames have no connected parts: show the series as slices."));
   const QString why = whyNoSegments(session_);
@@ -271,7 +270,7 @@ void Segmenting::takePart(const PartClick& click) {
   segmenter_.change(work);
 }
 
-// A surface is no segment any more: what was made by hand is not saved by it.
+// A surface is no segment, so saving it does not count as saving manual work.
 void Segmenting::tellSaved(const QStringList& files, const QStringList& notes,
                            const std::vector<SegmentMap>& maps) {
   tell((QStringList(tr("Saved %1").arg(files.join(QStringLiteral(", ")))) + notes).join(QLatin1Char(' ')));

@@ -5,8 +5,8 @@
 
 namespace volumen {
 
-/// Segments of files become segments of the series that the panel is about: asked for in the menu, dropped on
-/// the panel, or requested of the workbench.
+/// Imports segments from files into the series that the Segments panel shows: by menu, by a drop on the
+/// panel, or on request of the workbench.
 class SegmentsFromFiles : public Feature {
  public:
   SegmentsFromFiles(Workbench& bench, SegmentJobs& segmenter, QWidget& panel);

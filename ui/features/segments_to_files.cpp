@@ -16,7 +16,7 @@ namespace volumen {
 
 namespace {
 
-// "Segmentations of 3D Slicer (*.seg.nrrd)", a row a format.
+// Returns one file filter per format, such as "Segmentations of 3D Slicer (*.seg.nrrd)".
 QString exportFilters() {
   QStringList filters;
   for (const SegmentFormat& format : segmentFormats())
@@ -24,7 +24,7 @@ QString exportFilters() {
   return filters.join(QStringLiteral(";;"));
 }
 
-// Those that are there already, but for the one that was typed: the file dialog asked about that.
+// Returns files that exist already, except the typed one, about which the file dialog has asked.
 QStringList replacedBeside(const QString& typed, const std::vector<std::string>& files) {
   QStringList replaced;
   for (const std::string& file : files) {
@@ -34,7 +34,7 @@ QStringList replacedBeside(const QString& typed, const std::vector<std::string>&
   return replaced;
 }
 
-// The first ten, and how many more.
+// Returns the first ten names and the number of others.
 QString namesText(const QStringList& files) {
   constexpr qsizetype most = 10;
   QStringList names;
@@ -50,7 +50,7 @@ QString namesText(const QStringList& files) {
 SegmentsToFiles::SegmentsToFiles(Workbench& bench, SegmentJobs& segmenter)
     : Feature(bench), segmenter_(segmenter) {}
 
-// As they are now, whatever becomes of them while something is asked.
+// Exports the segments as they are now, whatever happens while dialogs are open.
 void SegmentsToFiles::ask() {
   const std::vector<SegmentMap> maps = copiesOf(allSegmentsShown(session_));
   if (maps.empty()) return;

@@ -8,20 +8,19 @@
 
 namespace volumen {
 
-/// Segments of the series that the panel is about are written to files: asks where, how
-/// surfaces are written, and before it replaces files that the file dialog did not ask about.
+/// Exports segments of the series that the panel shows. Asks for the file, the options of surfaces, and
+/// before replacing files that the file dialog did not ask about.
 class SegmentsToFiles : public Feature {
  public:
   SegmentsToFiles(Workbench& bench, SegmentJobs& segmenter);
 
-  /// There is a segment.
+  /// Requires at least one segment.
   void ask();
 
  private:
   void save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path);
   void chooseSurfaces(const std::vector<SegmentMap>& maps, const Series& series, const QString& path);
-  /// Calls `write` with the files that are written; where others than `path` are replaced only once that is
-  /// meant.
+  /// Calls `write` with the files to be written. If it replaces files other than `path`, asks first.
   void writeTo(const QString& path, const Result<std::vector<std::string>>& files,
                const std::function<void(const std::vector<std::string>& files)>& write);
   void askBeforeReplacing(const QStringList& files, const std::function<void()>& replace);

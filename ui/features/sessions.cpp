@@ -23,7 +23,7 @@ QString filter() { return QObject::tr("Sessions (*.volumen)"); }
 
 QString timeOf(const LostSession& lost) { return lost.at.toString(QStringLiteral("yyyy-MM-dd HH:mm")); }
 
-// "Doe, Jane (12345); Roe, Richard (7)".
+// Returns the patients, such as "Doe, Jane (12345); Roe, Richard (7)".
 QString patientsOf(const LostSession& lost) {
   QStringList names;
   for (const SavedPatient& patient : lost.patients) {
@@ -44,15 +44,15 @@ QString lostText(const LostSession& lost) {
   return patients.isEmpty() ? text : tr("%1 Patient: %2.").arg(text, patients);
 }
 
-// Sessions are of both windows.
+// Blocks both windows, as sessions belong to both.
 void openOverBoth(QDialog* dialog) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowModality(Qt::ApplicationModal);
   dialog->show();
 }
 
-// Session files, and work that was not saved: restored after the program was ended, asked for before the
-// window closes. The title of the window names both.
+// Opens and saves sessions. Restores unsaved work at the start, asks before the window closes, and names
+// session and series in the title.
 class Sessions : public Feature {
  public:
   explicit Sessions(Workbench& bench);
@@ -85,11 +85,11 @@ class Sessions : public Feature {
   Autosave autosave_;
   OfferBar* offer_;
   QMenu* earlierMenu_;
-  std::optional<LostSession> lost_;   // offered, or being restored
+  std::optional<LostSession> lost_;   // session offered or being restored
   std::vector<LostSession> earlier_;  // discarded within a week
-  bool closesWhenSaved_ = false;      // the window, once the session is
+  bool closesWhenSaved_ = false;      // set if the window closes after saving
   bool closesUnasked_ = false;
-  QString whyNotKept_;  // what closing without saving would lose
+  QString whyNotKept_;  // why autosave cannot keep what closing would lose
   QPointer<QMessageBox> closeBox_;
 };
 
@@ -167,7 +167,7 @@ void Sessions::closeUnasked() {
   closesUnasked_ = true;
 }
 
-// The patient and the series in focus, and the session file.
+// Shows the patient and series in focus and the session file in the title.
 void Sessions::showTitle() {
   QMainWindow& window = bench_.window;
   const Series* series = seriesIn(session_.workspace(), session_.workspace().focus);
@@ -182,7 +182,7 @@ void Sessions::showTitle() {
   window.setWindowModified(named && files_.modified());
 }
 
-// What was discarded; a menu of dates, patients and names of session files.
+// Fills the menu of discarded sessions: dates, patients and session file names.
 void Sessions::showEarlier(const std::vector<LostSession>& discarded) {
   earlier_ = discarded;
   earlierMenu_->clear();
@@ -210,7 +210,7 @@ void Sessions::showSession(const QString& path, const OpenedSession& opened) {
   offerToLocate();
   if (restores) {
     files_.restored(QString::fromStdString(opened.savedAs), opened.saved);
-    // What could not be read of it may be readable another day.
+    // Keeps a session with unreadable parts, as they may be readable later.
     if (opened.segmentsAreWhole)
       autosave_.replace(isLost ? *std::exchange(lost_, {}) : *earlier);
     else if (isLost)
@@ -221,7 +221,7 @@ void Sessions::showSession(const QString& path, const OpenedSession& opened) {
   bench_.document.recent.add(path);
 }
 
-// Where the workspace misses something.
+// Offers to locate missing files.
 void Sessions::offerToLocate() {
   if (!missingOf(session_.workspace(), open_.derived()).empty() && !bench_.banner.isHidden())
     bench_.banner.offer(tr("Locate..."));
@@ -255,7 +255,7 @@ void Sessions::offerLost(const LostSession& lost) {
   offer_->offer(lostText(lost), tr("Restore"), tr("Discard"));
 }
 
-// The offer comes back where it was not meant.
+// Asks first and shows the offer again on cancel.
 void Sessions::askBeforeDiscarding() {
   auto* box = new QMessageBox(QMessageBox::Question, QStringLiteral("volumen"),
                               tr("Discard what was not saved? %1").arg(lostText(*lost_)), QMessageBox::Cancel,
@@ -273,7 +273,7 @@ void Sessions::askBeforeDiscarding() {
   openOverBoth(box);
 }
 
-// Once, where something that was made by hand would be lost.
+// Asks once if manual work would be lost.
 void Sessions::askBeforeClosing(const QString& lost) {
   auto* box = new QMessageBox(QMessageBox::Question, QStringLiteral("volumen"),
                               tr("Not saved: %1.").arg(lost), QMessageBox::Cancel, bench_.dialogParent());
@@ -294,7 +294,7 @@ void Sessions::askBeforeClosing(const QString& lost) {
   openOverBoth(box);
 }
 
-// Asks again where what was promised to be kept for a week cannot be.
+// Asks again if the work cannot be kept for a week as promised.
 void Sessions::closeWithoutSaving(const QString& lost) {
   if (const Status kept = autosave_.keepNow(); !kept && whyNotKept_.isEmpty()) {
     whyNotKept_ = shownText(kept.message());

@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Pictures of the 3D view at any size and quality: to files, to the clipboard.
+// Saves or copies pictures of the 3D view at any size and quality.
 class Snapshots : public Feature {
  public:
   explicit Snapshots(Workbench& bench);
@@ -55,7 +55,7 @@ Snapshots::Snapshots(Workbench& bench)
   connectViews();
 }
 
-// What the panel offers: the size of the view.
+// Offers the size of the view in the panel.
 void Snapshots::connectViews() {
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &View::pixelsChanged, panel_, [this] { tellSize(); }); });

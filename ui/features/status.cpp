@@ -7,7 +7,7 @@ namespace volumen {
 
 namespace {
 
-// What the status line tells: the place under the pointer, and what is to be known of the series in focus.
+// Shows the position under the pointer and warnings about the series in focus in the status line.
 class StatusTexts : public Feature {
  public:
   explicit StatusTexts(Workbench& bench);
@@ -21,7 +21,7 @@ StatusTexts::StatusTexts(Workbench& bench) : Feature(bench) {
   connect(&session_, &Session::workspaceChanged, this, &StatusTexts::showWarnings);
 }
 
-// Of frames and of what is still being read, by its headers.
+// For frames and series being read, the warnings come from the headers.
 void StatusTexts::showWarnings() {
   const Workspace& workspace = session_.workspace();
   const Series* series = seriesIn(workspace, workspace.focus);

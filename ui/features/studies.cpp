@@ -13,8 +13,7 @@ namespace volumen {
 
 namespace {
 
-// The list of what is open: chosen there or dragged from there into a view, laid over what a view shows, and
-// taken off the list.
+// The panel of open studies: shows, drags, overlays and closes series.
 class Studies : public Feature {
  public:
   explicit Studies(Workbench& bench);
@@ -77,7 +76,7 @@ void Studies::markShown() {
   panel_->markShown(*series, inMemory ? inMemory->volume : nullptr);
 }
 
-// The series that are open, by name.
+// Adds commands that show open series, by name.
 void Studies::addCommands(QMenu* more) {
   QMenu* menu = more->addMenu(tr("Show series"));
   for (const Series* series : open_.pictures()) {

@@ -25,7 +25,7 @@ bool showsAnything(const Workspace& workspace) {
                              [&](ViewId id) { return !workspace.view(id).series.empty(); });
 }
 
-// "Doe, Jane (1) and Roe, Rick (2)"
+// Joins names, such as "Doe, Jane (1) and Roe, Rick (2)".
 QString joined(const QStringList& names) {
   if (names.size() < 2) return names.join(QString());
   return QObject::tr("%1 and %2")
@@ -44,8 +44,8 @@ std::int64_t voxels(const Series& s) {
   return std::int64_t(s.acquired.size.x) * s.acquired.size.y * s.acquired.size.z;
 }
 
-// The studies of the sources: they stand above the views, and in place of them while nothing is open; and a
-// line above all where the views show different patients.
+// Shows the study browser above the views, or in their place while nothing is open. A line at the top warns
+// if views show different patients.
 class StudyListing : public Feature {
  public:
   explicit StudyListing(Workbench& bench);
@@ -74,17 +74,17 @@ class StudyListing : public Feature {
   StudySources& sources_ = bench_.document.sources;
   StudyBrowser* browser_;
   QLabel* patients_;
-  // What was opened while the series of another was being loaded.
+  // A study opened while another series was loading.
   struct Waiting {
     QString place;
     std::shared_ptr<const Study> study;
     OpenIntent intent;
   };
   std::deque<Waiting> waiting_;
-  bool listedOnce_ = false;                              // since the program began
-  bool gaveWay_ = false;                                 // to what is being loaded
-  std::map<QString, std::vector<std::string>> filesOf_;  // what studies that are open were made of
-  std::map<QString, std::vector<std::string>> asked_;    // what they are being read from
+  bool listedOnce_ = false;                              // since the start of the program
+  bool gaveWay_ = false;                                 // true while hidden for a load
+  std::map<QString, std::vector<std::string>> filesOf_;  // files of the open studies
+  std::map<QString, std::vector<std::string>> asked_;    // files of the studies being read
 };
 
 StudyListing::StudyListing(Workbench& bench)
@@ -98,7 +98,7 @@ StudyListing::StudyListing(Workbench& bench)
   for (const auto& source : sources_.all()) connectSource(*source);
   const Loader* loader = &bench_.document.loader;
   connect(loader, &Loader::filesOpened, this, &StudyListing::showFound);
-  // After the session has taken what was loaded.
+  // Queued, so that the session takes the loaded series first.
   connect(loader, &Loader::idle, this, &StudyListing::showNext, Qt::QueuedConnection);
   connect(loader, &Loader::seriesLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
   connect(loader, &Loader::notLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
@@ -156,7 +156,7 @@ void StudyListing::connectBrowser() {
         tr("The files of this study are not there now: connect the disk or network folder that "
            "holds them, or import the folder from where they are."));
   });
-  // The first list says whether there is anything to choose from.
+  // Shows the browser at the start if its first list is not empty.
   connect(browser_, &StudyBrowser::listChanged, this, [this] {
     if (std::exchange(listedOnce_, true) || browser_->isEmpty()) return;
     if (!bench_.document.loader.isBusy() && !showsAnything(session_.workspace())) showBrowser(true);
@@ -249,14 +249,14 @@ void StudyListing::showImport(const ImportReport& report) {
                 refusedTexts(lost));
 }
 
-// The keys stay where they are while pictures are looked at.
+// Leaves the keyboard focus where it is while pictures are shown.
 void StudyListing::showImported() {
   if (!showsAnything(session_.workspace())) return showBrowser(true);
   bench_.actions.at(QStringLiteral("showBrowser"))->setChecked(true);
   arrangeBrowser();
 }
 
-// Where it is open already, it is not read again. What is looked into is: it goes to who asked for it.
+// Shows a study that is already open without reading it again, unless a feature wants to look into its files.
 void StudyListing::openFound(const QString& place, const std::vector<std::string>& files,
                              const OpenIntent& intent) {
   const std::shared_ptr<const Study> open = open_.studyOf(place);
@@ -278,8 +278,8 @@ void StudyListing::showFound(const QString& place, const std::shared_ptr<const S
   showNext();
 }
 
-// One after the other: the next load would take the place of the one under way, and nothing be shown of that.
-// What was closed meanwhile is not shown.
+// Shows waiting studies one by one, as the next load would replace the running one. Skips studies closed
+// meanwhile.
 void StudyListing::showNext() {
   while (!waiting_.empty() && !bench_.document.loader.isLoading()) {
     const Waiting next = std::move(waiting_.front());
@@ -288,7 +288,7 @@ void StudyListing::showNext() {
   }
 }
 
-// The series that was chosen, else the largest volume, or pictures that are more; else the first pictures.
+// Shows the chosen series, else the largest volume, a larger stack of pictures, or the first pictures.
 void StudyListing::showChosen(const Study& study, const OpenIntent& intent) {
   const std::string& uid = intent.seriesUid;
   const auto isChosen = [&](const SeriesIdentity& s) { return uid.empty() || s.seriesUid == uid; };
@@ -307,7 +307,7 @@ void StudyListing::showChosen(const Study& study, const OpenIntent& intent) {
   bench_.banner.add(tr("There is nothing to show in this study."));
 }
 
-// In place of other patients, beside what is shown, or in the view in focus.
+// Shows a series in place of other patients, beside the others, or in the view in focus.
 void StudyListing::showOpened(const Series& series, OpenHow how) {
   if (how == OpenHow::beside) focusNextView();
   const auto isOther = [&](const Series* other) { return !areOfOnePatient(*other, series); };
@@ -323,7 +323,7 @@ void StudyListing::showOpened(const Series& series, OpenHow how) {
   if (how == OpenHow::instead || !showsAnything(session_.workspace())) giveWay();
 }
 
-// What is typed is meant for what is being opened, not for the search.
+// Moves the keyboard focus from the search field, as keys are meant for the study being opened.
 void StudyListing::leaveKeys() {
   const QWidget* keys = bench_.window.focusWidget();
   if (!keys || !browser_->isAncestorOf(keys)) return;
@@ -334,7 +334,7 @@ void StudyListing::leaveKeys() {
     grid_.takeKeys();
 }
 
-// To what is shown, or to the first image of what is being loaded.
+// Hides the browser for the shown series or the first image of the one being loaded.
 void StudyListing::giveWay() {
   const bool any = showsAnything(session_.workspace());
   if (!any && !bench_.document.loader.isLoading()) return;
@@ -343,13 +343,13 @@ void StudyListing::giveWay() {
   if (!any) bench_.window.setFocus();
 }
 
-// Where that came to nothing.
+// Shows the browser again if the load failed.
 void StudyListing::comeBack() {
   if (bench_.document.loader.isLoading() || !std::exchange(gaveWay_, false)) return;
   if (!showsAnything(session_.workspace())) showBrowser(true);
 }
 
-// The next view to compare: the first empty one, else the one behind the focus.
+// Moves the focus to the next view to compare: the first empty one, else the one after the focus.
 void StudyListing::focusNextView() {
   const Workspace& workspace = session_.workspace();
   if (!showsAnything(workspace)) return;

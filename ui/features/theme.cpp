@@ -72,11 +72,11 @@ QString sheetOf(const Colours& c, Theme theme) {
              " border-radius: 2px; padding: 1px; }"
              "QCheckBox::indicator, QAbstractItemView::indicator { width: 14px; height: 14px;"
              " border: 1px solid %6; border-radius: 3px; background: %7; }"
-             // Over the style's own box, which the padding of items leaves where it was.
+             // Covers the style's own box, which ignores the padding of items.
              "QAbstractItemView::indicator { left: -2px; }"
              "QCheckBox::indicator:checked { border-color: %5; background: %5; image: "
              "url(:/icons/check-%8.svg); }"
-             // On a selected row the accent would not be seen.
+             // The accent colour would be invisible on a selected row.
              "QAbstractItemView::indicator:checked { image: url(:/icons/check-%9.svg); }"
              "QCheckBox::indicator:focus { border-color: %5; }"
              "QAbstractItemView::indicator:disabled { border-color: %3; }"

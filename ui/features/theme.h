@@ -8,10 +8,10 @@ class QApplication;
 
 namespace volumen {
 
-/// Colours, controls and text size (in percent of the system's) of the whole program.
+/// Sets colours, controls and text size (`textPercent` of the system's size) of the whole program.
 void applyTheme(QApplication& app, Theme theme, int textPercent);
 
-/// An icon of resources/icons in the text colour of the theme applied last.
+/// Returns an icon of resources/icons in the text colour of the last applied theme.
 QIcon icon(const QString& name);
 
 }  // namespace volumen

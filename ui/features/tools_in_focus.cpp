@@ -11,8 +11,8 @@ namespace volumen {
 
 namespace {
 
-// The actions of tools can be used while they act on the view in focus; what a letter chose, which means
-// different things in flat views and in 3D, is told.
+// Enables the tools that work in the view in focus. Names the tool chosen by a letter, as letters differ
+// between flat views and 3D.
 class ToolsInFocus : public Feature {
  public:
   explicit ToolsInFocus(Workbench& bench);
@@ -21,7 +21,7 @@ class ToolsInFocus : public Feature {
   void show();
 };
 
-// Where a tool would do something.
+// Says in which views a tool works.
 QString whyNot(const Tool& tool, bool isOf3D) {
   if (!isOf3D) return tr("It works in slices: click a view of slices first.");
   return tool.inSlices ? tr("Click a view of slices or a 3D view first.")

@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// Undo and redo, which name what was done.
+// Undo and redo, named after their step.
 class Undo : public Feature {
  public:
   explicit Undo(Workbench& bench);
@@ -27,7 +27,7 @@ void Undo::add(const char* name, QAction* action, QKeySequence::StandardKey key)
   action->setObjectName(QLatin1String(name));
   action->setShortcuts(key);
   action->setProperty("iconName", QLatin1String(name));
-  // Its text, which else is its tool tip, names what was done to what.
+  // The tool tip, which defaults to the text, names the step.
   connect(action, &QAction::changed, action, [action] {
     if (action->toolTip() != toolTipOf(tipOf(*action))) action->setToolTip(toolTipOf(tipOf(*action)));
   });

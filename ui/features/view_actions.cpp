@@ -15,15 +15,14 @@ namespace volumen {
 
 namespace {
 
-// That of the window in focus, as it is chosen.
+// Returns the layout of the window in focus as the menu offers it.
 Layout layoutInFocus(const Workspace& workspace) {
   const Layout layout = layoutOf(workspace, workspace.focus);
   const bool isOne = isInSecond(workspace.focus) && layout == SecondWindow().layout;
   return isOne ? Layout::one : layout;
 }
 
-// How views share the window, what each shows and from where, and what a drag does in 3D; and the menu over
-// 3D.
+// Actions for layouts, kinds of views, directions and 3D tools, and the context menu of 3D.
 class ViewActions : public Feature {
  public:
   explicit ViewActions(Workbench& bench);
@@ -105,14 +104,14 @@ void ViewActions::makeLayouts() {
     connect(&session_, &Session::workspaceChanged, action,
             [action, layout = layout](const Workspace&, const Workspace& after) {
               action->setChecked(layoutInFocus(after) == layout);
-              // The second window holds no group.
+              // Layouts of planes are not available in the second window.
               action->setEnabled(!isInSecond(after.focus) || layout == Layout::one || comparesSeries(layout));
             });
   }
   makeGridChooser(menu, button);
 }
 
-// Any grid of series, by a field in the menu.
+// Adds a chooser for any grid of series to the menu.
 void ViewActions::makeGridChooser(QMenu* menu, QToolButton* button) {
   auto* chooser = new GridChooser(Layout::mostRows, Layout::mostColumns, [](int rows, int columns) {
     return gridText({Layout::Kind::grid, rows, columns});
@@ -124,7 +123,7 @@ void ViewActions::makeGridChooser(QMenu* menu, QToolButton* button) {
   field->setDefaultWidget(chooser);
   bench_.window.addAction(field);
   bench_.addAction(field, {{"layoutMenu", 10, 10}});
-  // Later: a menu closes once one of its own actions was triggered, by a key too.
+  // Queued, because a menu closes after one of its own actions is triggered, even by a key.
   const auto openMenu = [this, menu, button, chooser] {
     const QWidget* window = grid_.viewShown()->window();
     menu->popup(window == &bench_.window ? button->mapToGlobal(button->rect().bottomLeft())
@@ -173,7 +172,7 @@ void ViewActions::resetView() {
     bench_.view()->resetView();
 }
 
-// What a view to compare shows.
+// Adds actions for what a comparison view shows.
 void ViewActions::makeKinds() {
   bench_.addMenu("kindMenu", tr("Show in this view"), {{"viewMenu", 60, 60}});
   for (const KindRow& row : viewKinds()) {
@@ -201,7 +200,7 @@ void ViewActions::addKinds(QMenu* menu) const {
   if (kinds_->isEnabled()) menu->addActions(kinds_->actions());
 }
 
-// In 3D a letter may mean a view: there the tool is shown without it.
+// If the letter means a direction in 3D, shows the tool without its key.
 void ViewActions::addTool(QMenu* menu, const Tool& tool) const {
   QAction* action = bench_.actionOf(tool);
   if (bench_.view()->hasKey(tool)) return menu->addAction(action);

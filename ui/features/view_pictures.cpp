@@ -16,7 +16,7 @@ namespace volumen {
 
 namespace {
 
-// What is seen, as it is seen: the view in focus or all views, to the clipboard or to a file.
+// Copies or saves the view in focus or all views as they appear on screen.
 class ViewPictures : public Feature {
  public:
   explicit ViewPictures(Workbench& bench);
@@ -68,7 +68,7 @@ ViewPictures::ViewPictures(Workbench& bench) : Feature(bench) {
       [this] { take(grid_.viewsSeen(), [this] { copy(grid_.capture()); }); }, {{"fileMenu", 50, 10}});
 }
 
-// Texts and pictures of one moment: what is still being drawn is waited for.
+// Waits until all views are drawn, so that texts and pictures match.
 void ViewPictures::take(const std::vector<View*>& views, const std::function<void()>& picture) {
   onceDrawn(views, session_, this, picture,
             [this] { warn(tr("The view changed before it was drawn: ask for its picture again.")); });
@@ -84,8 +84,7 @@ QString ViewPictures::nameOffered() const {
   return series ? seriesText(*series).replace(QLatin1Char('/'), QLatin1Char('_')) : QStringLiteral("volumen");
 }
 
-// As it was when it was asked for, whatever is scrolled to while a place is chosen: written once it is drawn
-// and has a place.
+// Saves the picture as it was at the request, once it is drawn and has a file name.
 void ViewPictures::save(const std::vector<View*>& views, const QString& title,
                         const std::function<Seen()>& see) {
   struct Asked {

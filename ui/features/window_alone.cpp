@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// The slice or frame in focus with a window of its own, so that one series stands beside itself by two.
+// Gives the slice or frame in focus its own window, so that one series can be shown twice with two windows.
 class WindowAlone : public Feature {
  public:
   explicit WindowAlone(Workbench& bench);
@@ -35,7 +35,7 @@ WindowAlone::WindowAlone(Workbench& bench)
 
 void WindowAlone::setAlone(bool alone) {
   const FlatView* view = bench_.flatViewInFocus();
-  follow();  // a click has changed its mark
+  follow();  // restores the check mark after a click
   if (!view || !view->windowShown()) return warn(tr("Click a slice or a frame first."));
   session_.endGesture();
   session_.change(action_->text(), withWindowAlone(session_.workspace(), view->id(), alone));
@@ -49,7 +49,7 @@ void WindowAlone::follow() {
   const bool isShown = isFlat(view.kind) && seriesIn(workspace, id);
   const FlatView* seen = bench_.flatViewInFocus();
   const bool isColour = seen && seen->shown() && !seen->windowShown();
-  // Whether a frame has colours is known once it is read.
+  // Only a read frame tells whether it has colours.
   if (seen) connect(seen, &FlatView::settled, this, &WindowAlone::follow, Qt::UniqueConnection);
   action_->setEnabled(isShown && !isColour);
   action_->setChecked(isShown && flatLookOf(view).windowAlone);

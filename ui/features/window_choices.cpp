@@ -15,8 +15,8 @@ namespace volumen {
 
 namespace {
 
-// The windows of the slice or frame in focus by name, with the digits that choose them: in the View menu, in
-// the tool bar, at a right click; and the dialog that edits those of the user's own.
+// Lists the windows of the slice or frame in focus with their keys: in the View menu, the tool bar and the
+// context menu. Edits the user's own windows in a dialog.
 class WindowChoices : public Feature {
  public:
   explicit WindowChoices(Workbench& bench);
@@ -57,7 +57,7 @@ QList<QAction*> WindowChoices::choicesOf(QMenu* menu, FlatView* view) const {
   QList<QAction*> all;
   if (!view) return all;
   const std::vector<FlatView::WindowChoice> windows = view->windows();
-  // Several may be the same: of frames the automatic window is the first of the file.
+  // Several may be equal: the automatic window of frames can be the first of the file.
   const auto chosen = std::ranges::find_if(windows, &FlatView::WindowChoice::isChosen);
   for (int n = 0; n < int(windows.size()); ++n) {
     const QString key = windows[std::size_t(n)].key.text();
@@ -66,7 +66,7 @@ QList<QAction*> WindowChoices::choicesOf(QMenu* menu, FlatView* view) const {
     auto* action = new QAction(key.isEmpty() ? name : name + QLatin1Char('\t') + key, menu);
     action->setCheckable(true);
     action->setChecked(n == chosen - windows.begin());
-    // A clip may play on, and have other windows by then.
+    // A playing clip may have other windows by then.
     connect(action, &QAction::triggered, view, [view, n, chosen = windows[std::size_t(n)].name] {
       const std::vector<FlatView::WindowChoice> now = view->windows();
       if (n < int(now.size()) && now[std::size_t(n)].name == chosen) view->chooseWindow(n);

@@ -33,7 +33,7 @@ class Scrolling : public QScrollArea {
   }
 
  protected:
-  // A scroll area tells nobody that what it holds has grown.
+  // A scroll area does not report growth of its content.
   bool eventFilter(QObject* object, QEvent* event) override {
     if (object == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
     return QScrollArea::eventFilter(object, event);
@@ -43,7 +43,7 @@ class Scrolling : public QScrollArea {
   int leastHeight_;
 };
 
-// Whether both have the same series open.
+// Returns whether both have the same series open.
 bool areSeriesOf(const Workspace& a, const Workspace& b) {
   return std::ranges::equal(
       a.series, b.series, {}, [](const auto& entry) { return entry.first; },
@@ -146,7 +146,7 @@ QWidget* Workbench::ofScene(QWidget* panel) {
   return explained;
 }
 
-// Nothing of another patient stays beside what is in focus.
+// Hides the scene unless it belongs to the view in focus, so that no other patient's data stay on screen.
 QString Workbench::whyNoScene() const {
   const Workspace& workspace = document.session.workspace();
   const std::vector<ViewId> onScreen = viewsOnScreen(workspace);

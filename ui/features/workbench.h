@@ -40,16 +40,17 @@ struct Tool;
 class ViewGrid;
 class VolumeView;
 
-/// What the window has done by others: how volumes are drawn, how presets are made, and which there are.
+/// Services that the window takes from outside: drawing, scenes of presets, the list of presets and study
+/// sources.
 struct Services {
   MakeDraw makeDraw;
   MakeScene makeScene;
   std::function<std::vector<PresetEntry>()> presets;
-  std::string indexFolder = userIndexFolder();  ///< of the list of studies
+  std::string indexFolder = userIndexFolder();  ///< folder of the study list
   MakeStudySources makeSources = makeStudySources;
 };
 
-/// The document, and what reads it and draws it.
+/// The document with the services that read and draw it.
 struct Document {
   explicit Document(const Services& services);
 
@@ -69,19 +70,18 @@ struct Document {
   RecentFiles recent;
 };
 
-/// The places of the window that features add to.
+/// The parts of the window that features extend.
 struct WindowParts {
   QMainWindow& window;
   ViewGrid& grid;
   Banner& banner;
   StatusLine& status;
-  QStackedWidget& pages;  ///< the views, or the start page
-  QSplitter& split;       ///< holds them
-  QVBoxLayout& column;    ///< and that, last
+  QStackedWidget& pages;  ///< the views or the start page
+  QSplitter& split;       ///< contains `pages`
+  QVBoxLayout& column;    ///< contains `split` as its last item
 };
 
-/// What the features of the window share: the document, its views, and the frame that they add actions and
-/// docks to.
+/// Shared by all features: the document, its views, and the frame for actions and docks.
 class Workbench : public QObject, public WindowParts {
   Q_OBJECT
  public:
@@ -92,7 +92,7 @@ class Workbench : public QObject, public WindowParts {
   std::map<QString, QAction*> actions;
   Menus menus;
 
-  /// One line of a table of actions.
+  /// A row of a table of actions.
   struct ActionEntry {
     const char* name;
     QString text;
@@ -103,20 +103,21 @@ class Workbench : public QObject, public WindowParts {
     std::vector<Place> places = {};
   };
   QAction* addAction(const ActionEntry& entry);
-  /// One that was made elsewhere, under its object name.
+  /// Adds an action created elsewhere under its object name.
   void addAction(QAction* action, const std::vector<Place>& places);
   QAction* action(const char* name) const { return actions.at(QLatin1String(name)); }
-  /// The one that chooses a tool.
+  /// Returns the action that chooses a tool.
   QAction* actionOf(const Tool& tool) const;
-  /// An empty menu that others may add to by this object name.
+  /// Adds an empty menu that others may extend by its object name.
   QMenu* addMenu(const char* name, const QString& title, const std::vector<Place>& places);
-  /// A button of the tool bar, for a menu that opens at once.
+  /// Adds a button to the tool bar for a menu that opens at once.
   QToolButton* addMenuButton(const char* name, int order);
 
-  /// What a panel is about. With the one kind of view in focus, tabs of the other one give way.
+  /// The kind of view a panel is about. A view in focus of one kind brings its panels before those of the
+  /// other.
   enum class About { any, scene, flat };
-  /// Where a panel stands while nobody has moved it: at the left, or at the right, where those before
-  /// `firstBelow` are tabs above and the others tabs below them; and whether it is open.
+  /// Default place of a panel: left, or right with tabs above for orders below `firstBelow` and tabs below
+  /// for others. `isOpen` is its default visibility.
   struct DockPlace {
     Qt::DockWidgetArea area;
     int order;
@@ -124,7 +125,7 @@ class Workbench : public QObject, public WindowParts {
     About about = About::any;
   };
   static constexpr int firstBelow = 10;
-  /// One line of a table of panels.
+  /// A row of a table of panels.
   struct DockEntry {
     const char* name;
     QString title;
@@ -136,65 +137,65 @@ class Workbench : public QObject, public WindowParts {
     DockPlace place;
   };
   std::map<QString, Dock> docks;
-  /// In the window as NAMEDock, with a title that folds it; the panel is called NAMEPanel. One about the
-  /// scene is ofScene().
+  /// Adds the dock NAMEDock with a title that folds it; the panel is called NAMEPanel. Wraps a panel about
+  /// the scene by ofScene().
   QDockWidget* addDock(const DockEntry& entry);
   QDockWidget* dock(const char* name) const { return docks.at(QLatin1String(name)).widget; }
-  /// A panel that may be given less height than it has, `leastHeight` at the least, so that the window fits a
-  /// small screen; never less width.
+  /// Makes a panel scroll vertically down to `leastHeight` pixels, so that the window fits small screens.
+  /// Never reduces its width.
   static QWidget* scrolling(QWidget* panel, int leastHeight = 60);
-  /// A panel that works on the scene of view(): seen while that shows what is in focus, else a sentence
-  /// stands in its place.
+  /// Shows a panel that works on the scene of view(), or a sentence while view() does not show what is in
+  /// focus.
   QWidget* ofScene(QWidget* panel);
 
-  /// The window that a dialog stands over: the one in use, which is active or has a dialog that is; where
-  /// there is none, that of the view in focus.
+  /// Returns the window for a dialog: the active one or the one with an active dialog, else that of the view
+  /// in focus.
   QWidget* dialogParent() const;
-  /// Between what is told and the views.
+  /// Adds a widget between the messages and the views.
   void addAboveViews(QWidget* widget);
 
-  /// The 3D view that the panels work on.
+  /// Returns the 3D view that the panels work on.
   VolumeView* view() const;
-  /// The session's scene as it is drawn and seen there, whatever size the view has.
+  /// Returns the session's scene as that view draws it, independent of the view's size.
   Scene sceneInView() const;
-  /// The view of slices or frames that keys are for; null: there is none, or it is not seen.
+  /// Returns the slice or frame view that receives keys, or null if there is none or it is hidden.
   FlatView* flatViewInFocus() const;
-  /// The view of frames that keys and menus are for; null: there is none.
+  /// Returns the frame view that receives keys and menus, or null.
   FrameView* framesInFocus() const;
-  /// Calls it with each 3D view, also with those that are made later.
+  /// Calls `call` with each 3D view, including those created later.
   void forEachVolumeView(const std::function<void(VolumeView*)>& call);
 
  private:
   QString whyNoScene() const;
 
  Q_SIGNALS:
-  /// All features are made, and the menus are filled.
+  /// All features are created and the menus filled.
   void made();
-  /// Files, folders, phantoms or sessions are to be opened; the largest series of the first that holds any is
-  /// shown, by the scene where one is given.
+  /// Requests to open files, folders, phantoms or sessions. Shows the largest series of the first study that
+  /// has any, drawn by `scene` if given.
   void openRequested(const QStringList& paths, const std::optional<volumen::Scene>& scene = {});
-  /// Segments of these files are to become segments of the series that the panel of segments is about.
+  /// Requests to import segments of these files into the series of the Segments panel.
   void segmentsRequested(const QStringList& paths);
-  /// The view in focus shows another series than before, or shows it in another way.
+  /// The view in focus shows another series, or shows its series in another way.
   void otherShown();
-  /// A picture of view().
+  /// view() has a new picture.
   void drawn(const volumen::ScreenPicture& picture);
-  /// That picture is the one at rest of the session's scene; `complete`: with the camera in use.
+  /// The picture is the final one of the session's scene. `complete` is that scene with the camera in use.
   void drawnAtRest(const volumen::ScreenPicture& picture, const volumen::Scene& complete);
-  /// An object of the list was chosen.
+  /// The user chose an object of the list.
   void objectChosen(const volumen::DerivedObjectPtr& object);
-  /// A menu over slices or frames is about to open: features add what they have for it.
+  /// A context menu of slices or frames is about to open. Features add their entries.
   void sliceMenuOpens(QMenu* menu, volumen::FlatView* view);
-  /// The list of commands opens: features add a menu of what they have that stands in no menu.
+  /// The command list opens. Features add menus of commands that no other menu has.
   void commandsOpen(QMenu* more);
-  /// The axis of the curve is to show this range, or none; an end of it is dragged there.
+  /// Requests to show a range, or none, on the axis of the curve. rangeDragged reports drags of its ends.
   void rangeShown(const std::optional<volumen::ValueRange>& range);
   void rangeDragged(const volumen::ValueRange& range, bool ended);
-  /// The curve of the 3D view in focus was just pulled.
+  /// The user dragged the curve of the 3D view in focus.
   void curvePulled();
-  /// Segments are to be changed.
+  /// Requests a change of segments.
   void segmentWorkWanted(const volumen::SegmentWork& work);
-  /// A recipe is to be followed on the series that the panel Segments shows.
+  /// Requests to run a recipe on the series of the Segments panel.
   void recipeWanted(const volumen::Recipe& recipe);
 };
 

@@ -34,7 +34,7 @@ QString msText(double ms) {
 
 QString errorText(double of255) { return AccuracyPanel::tr("%1/255").arg(inDigits(of255)); }
 
-// What is not estimated is told in a sentence.
+// Returns the estimate as text, or a sentence why there is none.
 QString estimateOf(const ScreenPicture& frame) {
   if (frame.factor > 1) return AccuracyPanel::tr("Enlarged from fewer pixels: no error estimate.");
   if (!frame.estimated) return QString::fromStdString(whyNoEstimate(*frame.plan));
@@ -50,7 +50,7 @@ QString estimateOf(const ScreenPicture& frame) {
              : AccuracyPanel::tr("%1; not counting %2").arg(text, QString::fromStdString(without));
 }
 
-// A power of two that makes 99 % of the differences visible without cutting them off.
+// Returns a power of two that makes 99 % of the differences visible without clipping them.
 double magnificationOf(const PictureError& error) {
   const double most = 255 / std::max(error.percentile99, 1e-3);
   return std::clamp(std::exp2(std::floor(std::log2(most))), 1.0, 4096.0);
@@ -96,7 +96,7 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
   showError_->setObjectName(QStringLiteral("showErrorBox"));
   showError_->setToolTip(tr("Show the estimated error of each pixel instead of the picture (black: none)"));
   connect(showError_, &QCheckBox::toggled, this, &AccuracyPanel::errorWanted);
-  // Two lines always, so that nothing below jumps from picture to picture.
+  // Always two lines, so that nothing below moves from picture to picture.
   estimate_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   estimate_->setMinimumHeight(2 * estimate_->fontMetrics().lineSpacing());
   auto* column = new QVBoxLayout(this);
@@ -288,7 +288,7 @@ void AccuracyPanel::showDifference() {
 
 void AccuracyPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  // All rows, without a scroll bar.
+  // Shows all rows without a scroll bar.
   const int rows = table_->sizeHintForRow(0) * table_->topLevelItemCount();
   table_->setFixedHeight(rows + table_->header()->sizeHint().height() + 2 * table_->frameWidth());
   showDifference();

@@ -14,21 +14,21 @@ class QGridLayout;
 
 namespace volumen {
 
-/// What accuracy costs in time, for the scene on screen: the levels with their measured times and errors, one
-/// of them chosen, or a time or an error asked for that chooses it.
+/// The cost of accuracy for the scene on screen: the quality levels with measured times and errors. The user
+/// chooses a level, or a time or error that selects one.
 class AccuracyPanel : public QWidget {
   Q_OBJECT
  public:
   explicit AccuracyPanel(Session& session, QWidget* parent = nullptr);
 
   void showMeasured(const MeasuredLevels& measured);
-  /// The level that pictures at rest are drawn at.
+  /// Shows the quality level of final pictures.
   void showLevel(PictureLevel level);
-  /// What is being measured, share 0..1.
+  /// Shows what is being measured. `share` is 0..1.
   void showProgress(const QString& what, double share);
-  /// How far the picture on show may be off, as it says itself, or why that is not known.
+  /// Shows the estimated error of the picture on screen, or why there is no estimate.
   void showEstimate(const ScreenPicture& frame);
-  /// Whether the view shows that in place of the picture.
+  /// Sets whether the view shows the error instead of the picture.
   void setErrorWanted(bool wanted);
 
  Q_SIGNALS:

@@ -24,7 +24,7 @@ namespace volumen {
 
 namespace {
 
-// While names are hidden, numbers and codes alone are shown: text, dates and identifiers may name the
+// While names are hidden, only numbers and codes are shown, as text, dates and identifiers may name the
 // patient.
 QString valueText(const dicom::AttributeLine& line) {
   static const std::set<std::string> kept{"US", "SS", "UL", "SL", "UV", "SV", "FL", "FD", "DS",
@@ -49,7 +49,7 @@ void fill(QTreeWidget* tree, const std::vector<dicom::AttributeLine>& lines) {
   tree->expandAll();
 }
 
-// Its columns with tabs between them; a ">" for each sequence that it stands in.
+// Returns the columns separated by tabs, with a ">" for each enclosing sequence.
 QString rowText(const QTreeWidgetItem& item) {
   QStringList cells;
   for (int column = 0; column < item.columnCount(); ++column) cells << item.text(column);
@@ -58,7 +58,7 @@ QString rowText(const QTreeWidgetItem& item) {
   return cells.join(QLatin1Char('\t'));
 }
 
-// From the leaves up: a line is shown with any of those below it, and all of those below one that is found.
+// Shows matching lines with all lines above and below them. Works from the leaves up.
 bool showFound(QTreeWidgetItem* item, const QString& text, bool all) {
   bool found = all;
   for (int column = 0; column < item->columnCount(); ++column)
@@ -150,7 +150,7 @@ void AttributesDialog::makeCopying() {
   tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-// The picture in focus, where it has attributes.
+// Shows the picture in focus if it has attributes.
 void AttributesDialog::follow() {
   const Workspace& workspace = session_.workspace();
   const Series* series = seriesIn(workspace, workspace.focus);
@@ -172,7 +172,7 @@ void AttributesDialog::showPicture(const Series& series, int index) {
 
 void AttributesDialog::showTitle() { setWindowTitle(tr("DICOM attributes - %1").arg(seriesText(series_))); }
 
-// Nothing that names somebody stays until it is read again.
+// Clears the tree at once, so that no name stays until the file is read again.
 void AttributesDialog::showNamesOrNot() {
   showTitle();
   tree_->clear();
@@ -194,7 +194,7 @@ void AttributesDialog::read() {
       });
 }
 
-// What was looked at in the picture before stays where it was.
+// Keeps the scroll position of the picture before.
 void AttributesDialog::showLines(const std::vector<dicom::AttributeLine>& lines) {
   const int scrolled = tree_->verticalScrollBar()->value();
   fill(tree_, lines);
@@ -202,7 +202,7 @@ void AttributesDialog::showLines(const std::vector<dicom::AttributeLine>& lines)
   tree_->verticalScrollBar()->setValue(scrolled);
 }
 
-// Those that are shown, in their order.
+// Copies the visible lines in order.
 void AttributesDialog::copy(bool onlyChosen) const {
   QStringList rows;
   for (QTreeWidgetItemIterator it(tree_, QTreeWidgetItemIterator::NotHidden); *it; ++it)

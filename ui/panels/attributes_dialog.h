@@ -14,12 +14,12 @@
 
 namespace volumen {
 
-/// All DICOM attributes of a picture of a series, read on a worker thread; searched by tag, name and value,
-/// and copied. Follows the view in focus until another picture is chosen here.
+/// Shows all DICOM attributes of a picture, read on a worker thread. Lines can be copied and searched by tag,
+/// name and value. Follows the view in focus until the user chooses another picture.
 class AttributesDialog : public QDialog {
   Q_OBJECT
  public:
-  /// Begins with the picture in focus where that is of this series, else with its first.
+  /// Shows the picture in focus if it belongs to `series`, else its first one.
   AttributesDialog(Session& session, const Series& series, QWidget* parent = nullptr);
 
  private:
@@ -36,7 +36,7 @@ class AttributesDialog : public QDialog {
 
   Session& session_;
   Series series_;
-  std::string path_;  // that is shown
+  std::string path_;  // file of the shown picture
   QSpinBox* slice_;
   QCheckBox* follow_;
   QLineEdit* search_;

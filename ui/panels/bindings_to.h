@@ -5,7 +5,7 @@
 
 namespace volumen {
 
-/// Bindings whose edits are steps of this session.
+/// Returns bindings that edit the session in undo steps.
 inline Bindings bindingsTo(Session& session) {
   return Bindings([&session](const QString& what,
                              const std::function<void(Scene&)>& change) { session.edit(what, change, what); },

@@ -44,7 +44,7 @@ CameraPanel::CameraPanel(Session& session, std::function<Camera()> cameraInUse, 
   });
   connect(fov_, &NumberRow::valueEdited, this, [this](double degrees) {
     edit(tr("Field of view"), [degrees](Camera& camera) {
-      // Through parallel and back: what is at the target stays as large.
+      // Converts via parallel projection, so that the size at the target stays the same.
       Camera parallel = withProjection(camera, Projection::parallel);
       parallel.fov = degrees;
       camera = withProjection(parallel, Projection::perspective);

@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-/// The projection and the standard views. Asks the view for the camera in use, which may be a fitted one.
+/// The projection and the standard views. `cameraInUse` returns the view's camera, which may be fitted.
 class CameraPanel : public QWidget {
   Q_OBJECT
  public:

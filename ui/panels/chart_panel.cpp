@@ -15,7 +15,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int restMs = 300;  // after a step of a drag
+constexpr int restMs = 300;  // delay after the last change of a drag
 
 }  // namespace
 
@@ -85,7 +85,7 @@ void ChartPanel::setWatched(bool watched) {
   if (jobs_) jobs_->drop();
 }
 
-// All steps of a series are not read again at each step of a drag.
+// Returns whether to wait, so that a drag does not read all time points at each of its changes.
 bool ChartPanel::isToRest(const Measurement& measurement, ChartKind kind) {
   if (kind != ChartKind::overTime) {
     overTime_.reset();
@@ -100,7 +100,7 @@ bool ChartPanel::isToRest(const Measurement& measurement, ChartKind kind) {
   return atRest_.isActive();
 }
 
-// Nothing is worked out while nobody sees it.
+// Computes nothing while hidden.
 void ChartPanel::showSelected() {
   if (!jobs_) return;
   const Measurement* m = findMeasurement(session_.workspace(), session_.workspace().selected);

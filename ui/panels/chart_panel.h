@@ -12,15 +12,15 @@
 
 namespace volumen {
 
-/// The values under the measurement that is selected: along a line, of a region how often and over time.
+/// Charts the values under the selected measurement: along a line, or as histogram of a region or over time.
 class ChartPanel : public QWidget {
   Q_OBJECT
  public:
   ChartPanel(Session& session, ChartJobs& jobs, QWidget* parent = nullptr);
 
-  /// What is there may have come into memory.
+  /// Called when voxels of the selected measurement may have been loaded.
   void showSelected();
-  /// Whether it is seen: behind another tab nothing is worked out for it.
+  /// Sets whether the panel is visible. Behind another tab it computes nothing.
   void setWatched(bool watched);
 
  protected:
@@ -35,15 +35,15 @@ class ChartPanel : public QWidget {
   void say(const QString& sentence);
 
   Session& session_;
-  QPointer<ChartJobs> jobs_;  // it may be gone before the window hides
+  QPointer<ChartJobs> jobs_;  // may be deleted before the window hides
   QLabel* said_;
   QComboBox* kind_;
   QToolButton* copy_;
   ChartView* view_;
-  ChartKind preferred_ = ChartKind::histogram;  // of regions: the one chosen last
+  ChartKind preferred_ = ChartKind::histogram;  // kind last chosen for a region
   bool isWatched_ = false;
-  std::optional<Measurement> overTime_;  // the last that was to be drawn over time
-  QTimer atRest_;                        // once it was not changed for a while
+  std::optional<Measurement> overTime_;  // the last measurement requested over time
+  QTimer atRest_;                        // fires once it has been unchanged for a while
 };
 
 }  // namespace volumen

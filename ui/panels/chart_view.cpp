@@ -18,14 +18,14 @@ QColor paler(QColor colour, double alpha) {
   return colour;
 }
 
-// Never of no length: an axis has two ends.
+// Widens an empty range, as an axis needs two ends.
 void widen(double& low, double& high) {
   if (high > low) return;
   const double room = low == 0 ? 1 : std::abs(low) / 10;
   low -= room, high += room;
 }
 
-// From one SD below each mean to one above it.
+// Adds bars from one SD below each mean to one above it.
 void addBars(Chart& chart, const MeasuredChart& measured) {
   for (std::size_t n = 0; n < measured.sds.size(); ++n)
     for (std::size_t k = 0; k < measured.sds[n].size(); ++k) {
@@ -37,7 +37,7 @@ void addBars(Chart& chart, const MeasuredChart& measured) {
     }
 }
 
-// Names are elided so that the legend leaves the chart room.
+// Elides names, so that the legend leaves room for the chart.
 Chart drawnOf(const MeasuredChart& measured, const QPalette& palette, const QFontMetrics& metrics,
               int nameWidth) {
   Chart chart;

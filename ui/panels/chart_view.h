@@ -6,7 +6,7 @@
 
 namespace volumen {
 
-/// A chart of values under a measurement or of segments, in the colours of the window. Knows no session.
+/// A chart of values under a measurement or of segments, in the window's colours. Independent of sessions.
 class ChartView : public QWidget {
   Q_OBJECT
  public:
@@ -23,8 +23,8 @@ class ChartView : public QWidget {
   MeasuredChart chart_;
 };
 
-/// The span of both axes over all points and their SD, with room where there is none: of counts and other
-/// values that are none of them below 0 from 0 on.
+/// Returns the range of both axes over all points and their SD. An empty range is widened. The y axis begins
+/// at 0 if no value is negative.
 QRectF spanOf(const MeasuredChart& chart);
 
 }  // namespace volumen

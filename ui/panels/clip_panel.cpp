@@ -10,12 +10,12 @@ namespace volumen {
 
 namespace {
 
-// Of a volume whose directions are not known: the first and the last along its axis.
+// Names the ends of a volume axis whose direction is unknown.
 QString edgeName(const QString& axis, bool last) {
   return (last ? ClipPanel::tr("%1 end") : ClipPanel::tr("%1 start")).arg(axis);
 }
 
-// "Right edge": the patient's side that a direction points to most.
+// Returns the patient's side that is nearest to a direction, such as "Right edge".
 QString sideName(glm::dvec3 direction) {
   const QString words = QString::fromStdString(sideWords(direction)).section(QLatin1Char('-'), 0, 0);
   return ClipPanel::tr("%1 edge").arg(words.left(1).toUpper() + words.mid(1));
@@ -72,7 +72,7 @@ void ClipPanel::showClip() {
   }
 }
 
-// The sides of the volume's box by the patient's: "Right edge", "Left edge".
+// Names the sides of the volume's box by the patient's sides.
 void ClipPanel::nameSides() {
   const bool directions = session_.series() && session_.series()->volume->geometry().calibrated;
   for (int axis = 0; axis < 3; ++axis) {

@@ -5,7 +5,7 @@
 
 namespace volumen {
 
-/// The clip box: how much of the volume is cut away from each of its six sides.
+/// The clip box: how much each of its six sides cuts from the volume.
 class ClipPanel : public QWidget {
   Q_OBJECT
  public:

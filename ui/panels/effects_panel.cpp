@@ -11,7 +11,7 @@ namespace {
 
 QString escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
-// Not broken between number and unit.
+// Prevents a line break between number and unit.
 QString bracketed(const std::string& cost) {
   return QStringLiteral(" <b>(%1)</b>")
       .arg(escaped(cost).replace(QLatin1Char(' '), QStringLiteral("&nbsp;")));

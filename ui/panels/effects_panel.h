@@ -7,14 +7,14 @@
 
 namespace volumen {
 
-/// What the plan of the picture on screen switches on and off, why, and what each cost; above it, what of the
-/// scene was asked for and is not in the picture.
+/// Lists the effects that the plan of the picture switches on or off, with reasons and cost. Above it, lists
+/// parts of the scene that are missing from the picture.
 class EffectsPanel : public QTextBrowser {
   Q_OBJECT
  public:
   explicit EffectsPanel(QWidget* parent = nullptr);
   void showPlan(const Plan& plan, const RenderStats& stats);
-  /// Lines; empty: all is.
+  /// Shows one missing part per line of `text`. Empty if nothing is missing.
   void showNotDrawn(const QString& text);
 
  private:

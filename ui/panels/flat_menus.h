@@ -6,17 +6,18 @@
 
 namespace volumen {
 
-/// The flat view that the menus work on: the one in focus, else the first of its group; a view to compare
-/// that shows 3D has none and is returned itself.
+/// Returns the flat view that the menus work on: the one in focus, else the first of its group. A comparison
+/// view that shows 3D has no flat view and is returned itself.
 ViewId flatViewInFocus(const Workspace& workspace);
 
-/// "Hot iron": what a colour map is called.
+/// Returns the name of a colour map, such as "Hot iron".
 QString colourMapText(ColourMap map);
 
-/// Colours of the series that the flat view in focus shows.
+/// Makes the menu for the colours of the series in the focused flat view.
 QMenu* makeColourMenu(Session& session, QWidget* parent);
 
-/// The second series of the flat views in focus, its colours and its opacity. `series` lists what is open.
+/// Makes the menu for the overlay of the focused flat views, its colours and opacity. `series` returns the
+/// open series.
 QMenu* makeOverlayMenu(Session& session, std::function<std::vector<const Series*>()> series, QWidget* parent);
 
 }  // namespace volumen

@@ -18,7 +18,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int overlayNameWidth = 150;  // logical pixels; the whole name is in the tool tip
+constexpr int overlayNameWidth = 150;  // logical pixels; the tool tip has the whole name
 
 QVBoxLayout* columnOf(QWidget* part) {
   auto* column = new QVBoxLayout(part);
@@ -27,7 +27,7 @@ QVBoxLayout* columnOf(QWidget* part) {
   return column;
 }
 
-// A part of the panel under its title.
+// Makes a part of the panel with a title.
 QWidget* partOf(const QString& title) {
   auto* part = new QWidget;
   auto* heading = plainLabel(title);
@@ -228,7 +228,7 @@ void FlatPanel::setWatched(bool watched) {
 }
 
 void FlatPanel::refresh() {
-  if (!isWatched_ || !isVisible()) return;  // a clip may play
+  if (!isWatched_ || !isVisible()) return;  // skips work while a clip plays unseen
   shown_ = focus_.shown();
   setEnabled(shown_ && shown_->series);
   if (!shown_ || !shown_->series) return;
@@ -272,7 +272,7 @@ void FlatPanel::showOverlay(const FlatShown& shown) {
                             .replace(QLatin1Char('&'), QStringLiteral("&&")));
   overlayName_->setToolTip(toolTipOf(name));
   overlayParts_->setVisible(any);
-  // Above the others where there is one: all of its controls are seen without scrolling.
+  // An existing overlay comes first, so that all its controls are visible without scrolling.
   auto* column = static_cast<QVBoxLayout*>(layout());
   if (const int place = any ? 0 : 2; column->indexOf(overlay_) != place) {
     column->removeWidget(overlay_);

@@ -14,33 +14,33 @@ class QVBoxLayout;
 
 namespace volumen {
 
-/// What slices or frames show, as their view knows it: it is there that frames are read.
+/// The state of a view of slices or frames. Only the view knows it, as it reads the frames.
 struct FlatShown {
   ViewId view = 0;
-  LoadedSeriesPtr series;        ///< frames as one of one slice; null: nothing is in memory
-  std::optional<Window> window;  ///< in use, a negative width is inverted; none: colours
-  QStringList windows;           ///< to choose by name
-  int chosen = -1;               ///< of them; -1: none
+  LoadedSeriesPtr series;        ///< frames appear as a series of one slice; null if not loaded
+  std::optional<Window> window;  ///< in use, with negative width if inverted; empty for colours
+  QStringList windows;           ///< windows to choose by name
+  int chosen = -1;               ///< index of the one in use, -1 if none
 };
 
-/// The view that a panel of flat views works on.
+/// Access to the view that a panel of flat views works on.
 struct FlatInFocus {
-  std::function<std::optional<FlatShown>()> shown;  ///< none: no slices and no frames are in focus
-  std::function<void(int)> chooseWindow;            ///< of FlatShown::windows
+  std::function<std::optional<FlatShown>()> shown;  ///< returns nothing unless slices or frames are in focus
+  std::function<void(int)> chooseWindow;            ///< index into FlatShown::windows
   std::function<void()> invert;
 };
 
-/// How slices or frames in focus are shown: window, colours, what lies over them, slab, interpolation; and
-/// what is known of their series. Parts that mean nothing there are hidden.
+/// Sets how the slices or frames in focus are shown: window, colours, overlay, slab, interpolation. Also
+/// lists facts about their series. Parts that do not apply are hidden.
 class FlatPanel : public QWidget {
   Q_OBJECT
  public:
-  /// `overlays`: the menu that chooses a series to lie over the slices in focus.
+  /// `overlays` is the menu that chooses the overlay of the slices in focus.
   FlatPanel(Session& session, FlatInFocus focus, QMenu* overlays, QWidget* parent = nullptr);
 
-  /// Shows what is in focus now.
+  /// Updates the panel for the view in focus.
   void refresh();
-  /// Whether it is seen: behind another tab nothing is worked out for it.
+  /// Sets whether the panel is visible. Behind another tab it computes nothing.
   void setWatched(bool watched);
 
  protected:
@@ -57,14 +57,14 @@ class FlatPanel : public QWidget {
   void showSlab(const FlatShown& shown);
   void setWindow(WindowEnds ends);
   void setOverlayWindow(WindowEnds ends);
-  /// Of all planes that show the same.
+  /// Changes the looks of all planes that show the same series.
   void editLooks(const QString& text, const std::function<void(FlatLook&)>& change,
                  const QString& mergeKey = {});
 
   Session& session_;
   const FlatInFocus focus_;
   bool isWatched_ = false;
-  std::optional<FlatShown> shown_;  // last
+  std::optional<FlatShown> shown_;  // as last shown
   QWidget *window_, *colours_, *overlay_, *slab_;
   QComboBox *choice_, *colourMap_, *overlayColours_, *slabMode_;
   ValueFields *values_, *overlayValues_;

@@ -12,20 +12,19 @@ class QAction;
 
 namespace volumen {
 
-/// Where the pictures of all that is open are: StudiesPanel::allPictures().
+/// Returns the pictures of all open studies: StudiesPanel::allPictures().
 using OpenPictures = std::function<std::vector<const Series*>()>;
 
-/// The key images: those that the user marked and those of the key object documents that are open. A click
-/// goes to one.
+/// The key images of the user and of open key object documents. A click shows one.
 class KeyImagesPanel : public QWidget {
   Q_OBJECT
  public:
-  /// `actions` become its buttons.
+  /// `actions` become buttons of the panel.
   KeyImagesPanel(Session& session, DerivedObjects& derived, OpenPictures pictures,
                  const QList<QAction*>& actions, QWidget* parent = nullptr);
 
-  /// The one after a picture (step 1) or before it (-1) in the list, from its other end on; the first, or the
-  /// last, where it is none of them. None: there are none.
+  /// Returns the key image after (`step` 1) or before (-1) a picture in the list, wrapping around. Returns
+  /// the first or last if the picture is no key image, and nothing if the list is empty.
   std::optional<PicturePlace> next(const SeriesKey& series, int index, int step) const;
 
  Q_SIGNALS:

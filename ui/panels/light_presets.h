@@ -12,7 +12,7 @@ struct LightPreset {
   std::vector<Light> lights;
 };
 
-/// Headlight, over the shoulder, three-point, rim.
+/// Returns headlight, over the shoulder, three-point and rim.
 const std::vector<LightPreset>& lightPresets();
 
 }  // namespace volumen

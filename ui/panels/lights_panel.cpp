@@ -14,10 +14,10 @@ namespace volumen {
 
 namespace {
 
-constexpr int mostLights = 64;  // picture.md 8
-constexpr int tallest = 220;    // pixels, of ball and list
+constexpr int mostLights = 64;  // limit of picture.md 8
+constexpr int tallest = 220;    // height of ball and list, pixels
 
-// Between camera space (picture.md 7: right, up, towards the viewer) and patient space.
+// Convert between camera space (picture.md 7: right, up, towards the viewer) and patient space.
 glm::dvec3 toPatient(const CameraAxes& axes, glm::dvec3 d) {
   return d.x * axes.right + d.y * axes.up - d.z * axes.direction;
 }
@@ -118,7 +118,7 @@ QWidget* LightsPanel::makeFields() {
     changeSelected(tr("Light attached to"), [&](Light& light) {
       const Space space = n == 0 ? Space::camera : Space::patient;
       if (light.space == space) return;
-      light.space = space;  // it stays where it is
+      light.space = space;  // the light stays where it is
       light.direction = n == 0 ? toCamera(axes(), light.direction) : toPatient(axes(), light.direction);
     });
     session_.endGesture();

@@ -12,8 +12,8 @@ class QComboBox;
 
 namespace volumen {
 
-/// The lights: their directions on a ball, a list to switch them, and the selected one's colour, intensity,
-/// space.
+/// Edits the lights: directions on a ball, a list to switch them, and colour, intensity and space of the
+/// selected one.
 class LightsPanel : public QWidget {
   Q_OBJECT
  public:

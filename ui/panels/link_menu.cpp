@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-// `show` where what is linked, or could be, may be different.
+// Calls `show` when links, or series that could be linked, may have changed.
 void connectLinks(Session& session, QAction* action, const std::function<void()>& show) {
   QObject::connect(
       &session, &Session::workspaceChanged, action, [show](const Workspace& before, const Workspace& after) {

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// What of the views on screen follows what, and how frames of reference are linked; its tooltip says why
-/// views are not linked. `registerThem` registers what the views on screen show.
+/// Makes the menu that links views and frames of reference. Its tooltip says why views are not linked.
+/// `registerThem` registers the series on screen.
 QMenu* makeLinkMenu(Session& session, std::function<void()> registerThem, QWidget* parent);
 
 }  // namespace volumen

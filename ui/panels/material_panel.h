@@ -5,7 +5,7 @@
 
 namespace volumen {
 
-/// How surfaces answer the lights; greyed where the scene is unlit.
+/// The reflection of surfaces. Disabled if the scene is unlit.
 class MaterialPanel : public QWidget {
   Q_OBJECT
  public:

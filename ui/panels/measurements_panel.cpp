@@ -24,7 +24,7 @@ namespace volumen {
 namespace {
 
 enum { nameColumn, numberColumn, seriesColumn, placeColumn, timeColumn, dateColumn, patientColumn };
-constexpr qint64 mostBytes = 16 << 20;  // of a file of shapes, as `volumen measure` takes them
+constexpr qint64 mostBytes = 16 << 20;  // limit for a file of shapes, as in `volumen measure`
 
 QToolButton* button(const char* name, const QString& text) {
   auto* made = new QToolButton;
@@ -52,7 +52,7 @@ MeasurementsPanel::MeasurementsPanel(Session& session, MeasureJobs& measurer, QW
   fillMenus();
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
-            // Where nothing is different a series came into memory, and can be measured.
+            // Equal workspaces mean that a series was loaded and can be measured.
             if (showsOther(before, after) || before.measurements != after.measurements ||
                 before.selected != after.selected || before.measurementsShown != after.measurementsShown ||
                 before == after)
@@ -139,7 +139,7 @@ void MeasurementsPanel::fillMenus() {
       [this] { askWhere(tr("Save shapes"), QStringLiteral("json"), [this] { return shapesText(); }); });
 }
 
-// Rows stay the items they are, so that a name that is being typed stays in its field.
+// Reuses row items, so that a name being typed stays in its field.
 void MeasurementsPanel::showAll() {
   const Workspace& workspace = session_.workspace();
   const QSignalBlocker quiet(list_);
@@ -208,7 +208,7 @@ std::vector<MeasuredRow> MeasurementsPanel::rows() {
   return rows;
 }
 
-// What stands there by itself is no name.
+// Does not store the default name as the user's.
 void MeasurementsPanel::rename(QTreeWidgetItem* item) {
   const int id = item->data(nameColumn, Qt::UserRole).toInt();
   const Measurement* m = findMeasurement(session_.workspace(), id);

@@ -10,14 +10,14 @@
 
 namespace volumen {
 
-/// All measurements with name, numbers and series: to go to, rename, delete, copy, save and open.
+/// Lists all measurements with name, numbers and series, to show, rename, delete, copy, save and open them.
 class MeasurementsPanel : public QWidget {
   Q_OBJECT
  public:
   MeasurementsPanel(Session& session, MeasureJobs& measurer, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// A measurement is to be seen.
+  /// Requests to show a measurement.
   void jumpRequested(int measurement);
   void saved(const QString& path);
   void failed(const QString& sentence);
@@ -44,7 +44,7 @@ class MeasurementsPanel : public QWidget {
   QTreeWidget* list_;
   QCheckBox* shown_;
   QToolButton *rename_, *delete_, *deleteAll_, *copy_, *save_, *open_;
-  std::vector<MeasuredPtr> held_;  // what rows() refers to
+  std::vector<MeasuredPtr> held_;  // keeps what rows() refers to
 };
 
 }  // namespace volumen

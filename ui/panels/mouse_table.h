@@ -9,8 +9,8 @@ class QGridLayout;
 
 namespace volumen {
 
-/// What each button and the wheel do with each key held, in slices and in 3D: a box each, of which the
-/// preferences keep what differs from the preset. A box is called as its slot (wordOf()).
+/// Assigns actions to mouse buttons and the wheel with modifier keys, in slices and in 3D. Preferences store
+/// only differences from the preset. Each box has the name of its slot (wordOf()).
 class MouseTable : public QTabWidget {
   Q_OBJECT
  public:

@@ -6,7 +6,7 @@
 
 namespace volumen {
 
-/// Asks how key images are put on pages, and whether these are saved or printed: the dialog is closed then.
+/// Asks how key images are laid out on pages, and whether to save or print them. Closes before its signals.
 class PagesDialog : public QDialog {
   Q_OBJECT
  public:

@@ -5,11 +5,12 @@
 
 namespace volumen {
 
-/// A field for the leak guard of connected parts (PartWanted::leakGuardMm), mm, within what the step
-/// "connected" allows; 0: off.
+/// Makes a field for the leak guard of connected components (PartWanted::leakGuardMm), mm; 0 is off. The
+/// range is that of the recipe step "connected".
 QDoubleSpinBox* leakGuardField();
 
-/// A list of which voxels touch in connected parts (PartWanted::neighbours), in the words of that step.
+/// Makes a list of neighbourhoods of connected components (PartWanted::neighbours), in the words of that
+/// recipe step.
 QComboBox* partNeighboursField();
 
 }  // namespace volumen

@@ -6,7 +6,7 @@
 
 namespace volumen {
 
-/// What PET is shown in, everywhere; entries say what the series in focus lacks for it.
+/// Makes the menu for the unit of all PET values. Entries say what the series in focus lacks for a unit.
 QMenu* makePetUnitMenu(Session& session, QWidget* parent);
 
 }  // namespace volumen

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int widestPicture = 8192, widestOfSheet = 800, mostRows = 12;
 
-// In the order of the box.
+// Sizes in the order of the box.
 constexpr PictureLook::Size sizeChoices[] = {PictureLook::Size::asSeen, PictureLook::Size::own,
                                              PictureLook::Size::wide};
 
@@ -134,7 +134,7 @@ PictureLook PictureDialog::look() const {
   return look;
 }
 
-// On a sheet as few are left out as there is room for.
+// Returns every how many positions are used. A sheet skips as few as its room allows.
 int PictureDialog::every() const {
   if (of_ != PicturesOf::sheet) return every_->value();
   const int count = std::abs(last_->value() - first_->value()) + 1, room = rows_->value() * columns_->value();

@@ -15,27 +15,27 @@ class QPushButton;
 
 namespace volumen {
 
-/// What pictures of a flat view are made.
+/// The kinds of pictures made of a flat view.
 enum class PicturesOf {
-  view,   ///< one, as it is
-  stack,  ///< a file for each place
-  sheet   ///< one, in rows and columns
+  view,   ///< the view as it is
+  stack,  ///< one file for each position of the stack
+  sheet   ///< a contact sheet of rows and columns
 };
 
-/// Asks how pictures of a flat view are made: how large, of which places, with which texts.
+/// Asks for size, positions and texts of pictures of a flat view.
 class PictureDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `stack`: the places of the view, in the order of their numbers, of which there are 1 to `count`; `seen`:
-  /// its size, logical pixels.
+  /// `stack` holds the positions of the view in order of their numbers, which go from 1 to `count`. `seen` is
+  /// the view's size in logical pixels.
   PictureDialog(PicturesOf of, std::vector<NumberedPlace> stack, int count, QSize seen,
                 QWidget* parent = nullptr);
 
   PictureLook look() const;
-  /// Which places of the stack.
+  /// Returns the chosen positions of the stack.
   std::vector<NumberedPlace> places() const;
   int columns() const { return columns_->value(); }
-  /// Whether anything may be written over or beside pictures.
+  /// Returns whether texts may be drawn over or beside pictures.
   bool withTexts() const { return texts_->isChecked(); }
 
  private:

@@ -41,12 +41,12 @@ PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent)
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   QPushButton *restore = buttons->button(QDialogButtonBox::RestoreDefaults),
               *close = buttons->button(QDialogButtonBox::Close);
-  restore->setAutoDefault(false);  // else Enter means it
+  restore->setAutoDefault(false);  // otherwise Enter would trigger it
   close->setDefault(true);
   connect(restore, &QPushButton::clicked, this, &PreferencesDialog::askToRestore);
 }
 
-// What differs from the one before goes: a preset is chosen whole.
+// Choosing a preset drops all differences from the one before.
 void PreferencesDialog::addMousePresets() {
   auto* box = new QComboBox;
   box->setObjectName(QStringLiteral("mousePreset"));

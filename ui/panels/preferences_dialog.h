@@ -9,7 +9,7 @@ class QFormLayout;
 
 namespace volumen {
 
-/// Edit > Preferences: every choice takes effect at once.
+/// Edit > Preferences. Every choice takes effect at once.
 class PreferencesDialog : public QDialog {
   Q_OBJECT
  public:

@@ -17,16 +17,16 @@ namespace volumen {
 namespace {
 
 const QString automatic = QStringLiteral("auto");
-constexpr int widestRow = 340;  // of the list, pixels
+constexpr int widestRow = 340;  // width of the list, pixels
 
-// Until there is a thumbnail, and for what has none.
+// Stands for a missing thumbnail.
 QIcon neutralIcon(const QPalette& palette) {
   QPixmap plain(PresetBar::thumbnailEdge, PresetBar::thumbnailEdge);
   plain.fill(palette.color(QPalette::Button));
   return plain;
 }
 
-// The list's rows, with larger icons than the closed box; the line between them.
+// Draws the list's rows with larger icons than the closed box, and the line between them.
 class ThumbnailDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -64,14 +64,14 @@ PresetBar::PresetBar(Session& session, Entries entries, QWidget* parent)
   box_->setIconSize({20, 20});
   box_->setItemDelegate(new ThumbnailDelegate(box_));
   box_->view()->setMinimumWidth(widestRow);
-  // A list below the box, which scrolls, in place of a menu over it.
+  // Opens a scrolling list below the box instead of a menu over it.
   box_->setStyleSheet(QStringLiteral("combobox-popup: 0;"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(box_);
   makeMenu();
   connect(box_, &QComboBox::activated, this, [this](int n) {
-    showChosen();  // until the preset is there
+    showChosen();  // keeps the old choice until the preset is made
     if (session_.series()) Q_EMIT presetChosen(box_->itemData(n).toString());
   });
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {

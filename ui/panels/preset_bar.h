@@ -10,22 +10,22 @@
 
 namespace volumen {
 
-/// The list of presets, those of the series' modality first, with a thumbnail each; and what keeps the look
-/// on screen as one of the user's own, or deletes it.
+/// Lists presets with thumbnails, those of the series' modality first. Saves the look on screen as a preset
+/// of the user, or deletes one.
 class PresetBar : public QWidget {
   Q_OBJECT
  public:
   using Entries = std::function<std::vector<PresetEntry>()>;
   PresetBar(Session& session, Entries entries, QWidget* parent = nullptr);
 
-  /// The names in the list, in its order.
+  /// Returns the names in the order of the list.
   std::vector<std::string> names() const;
   void showThumbnail(const QString& name, const QImage& image);
   static constexpr int thumbnailEdge = 56;  ///< logical pixels
 
  Q_SIGNALS:
   void presetChosen(const QString& name);
-  /// Other presets are in the list.
+  /// The list has other presets.
   void listChanged();
   void failed(const QString& sentence);
 

@@ -37,7 +37,7 @@ glm::dvec3 meanOf(const std::vector<glm::dvec3>& points) {
   return sum / double(points.size());
 }
 
-// Of its middle contour, or of the middle plane of a segment.
+// Returns the middle of a region's middle contour or of a segment's middle plane.
 std::optional<glm::dvec3> middleOfRegion(const LoadedRegions& regions, int number) {
   if (regions.contours) {
     for (const RegionOfInterest& region : regions.contours->regions)
@@ -179,7 +179,7 @@ void RegionsPanel::toggle(QTreeWidgetItem* item) {
     for (const DerivedObjectPtr& object : derived_.all())
       if (keyOf(*object) == key) w.regions.editOrAdd(key) = firstLook(*object);
   };
-  // Afterwards: the list, which is in the middle of telling, is filled anew.
+  // Queued, because the change refills the list that is emitting this signal.
   QMetaObject::invokeMethod(
       this,
       [this, edit, text = on ? tr("Show %1").arg(item->text(0)) : tr("Hide %1").arg(item->text(0))] {
@@ -203,7 +203,7 @@ void RegionsPanel::choose(QTreeWidgetItem* item) {
   if (const auto middle = middleOfRegion(*regions, number.toInt())) Q_EMIT placeChosen(frame, *middle);
 }
 
-// Of a segmentation and of each of its rows.
+// Opens a menu for a segmentation and its rows.
 void RegionsPanel::showMenu(QPoint position) {
   const QTreeWidgetItem* item = list_->itemAt(position);
   if (!item) return;

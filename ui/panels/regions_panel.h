@@ -9,16 +9,16 @@
 
 namespace volumen {
 
-/// Structure sets and segmentations, each with its regions: which of them flat views show.
+/// Lists structure sets and segmentations with their regions, and chooses which ones flat views show.
 class RegionsPanel : public QWidget {
   Q_OBJECT
  public:
   RegionsPanel(Session& session, DerivedObjects& derived, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// The middle of a region is to be seen.
+  /// Requests to show the middle of a region, a point in patient space (mm).
   void placeChosen(const std::string& frameOfReferenceUid, glm::dvec3 pPatient);
-  /// Segments of these objects are to be edited.
+  /// Requests to edit the segments of these objects.
   void segmentsRequested(const QStringList& paths);
 
  private:
@@ -39,7 +39,7 @@ class RegionsPanel : public QWidget {
   QSlider* opacity_;
 };
 
-/// How a structure set or a segmentation is shown at first.
+/// Returns the default look of a structure set or a segmentation.
 RegionsLook firstLook(const DerivedObject& object);
 
 }  // namespace volumen

@@ -11,12 +11,12 @@ namespace volumen {
 
 struct Series;
 
-/// A report to read, with links to its pictures that are open. Its title names the patient; where the view in
-/// focus shows another one, it says so.
+/// Shows a report with links to its open pictures. The title names the patient. A warning appears if the view
+/// in focus shows another patient.
 class ReportDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `open`: all pictures that are open.
+  /// `open` holds all open pictures.
   ReportDialog(const Session& session, const DerivedObjectPtr& object, const Report& report,
                const std::vector<const Series*>& open, QWidget* parent = nullptr);
 

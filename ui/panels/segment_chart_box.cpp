@@ -17,7 +17,8 @@ namespace volumen {
 
 namespace {
 
-constexpr std::size_t mostUnchosen = 6;  // more lines than that cannot be told apart
+constexpr std::size_t mostUnchosen = 6;  // most segments drawn without a selection, as more lines are hard to
+                                         // distinguish
 
 }  // namespace
 
@@ -33,7 +34,7 @@ SegmentChartBox::SegmentChartBox(const Session& session, Jobs& jobs, QWidget* pa
   connect(copy_, &QToolButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(chartAsCsv(view_->chart())); });
   connect(kind_, &QComboBox::activated, this, [this] {
-    if (!overTime_ && !lane_.isBusy()) wanted_.reset();  // cancelled: once more
+    if (!overTime_ && !lane_.isBusy()) wanted_.reset();  // repeats reading that was cancelled
     showChosen();
   });
   setMeasured({}, {}, {});
@@ -76,7 +77,7 @@ void SegmentChartBox::setMeasured(const std::vector<SegmentMap>& maps,
   showChosen();
 }
 
-// Over time where the series has several time points.
+// Offers values over time if the series has several time points.
 void SegmentChartBox::offerKinds() {
   const bool isOverTime =
       session_.series() && hasTimePoints(session_.workspace(), keyOf(session_.series()->series));
@@ -111,7 +112,7 @@ SegmentChartBox::Wanted SegmentChartBox::wantedNow() const {
   return wanted;
 }
 
-// Of whole volumes, as all numbers of segments.
+// Reads whole volumes, as the other numbers of segments do.
 void SegmentChartBox::read(const Wanted& wanted) {
   wanted_ = wanted;
   const Series& series = session_.series()->series;

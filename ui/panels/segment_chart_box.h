@@ -14,24 +14,24 @@
 
 namespace volumen {
 
-/// The segments that are chosen in the table of numbers: how often they have which values, or their mean at
-/// each time point. All time points are read, as a job, once that is asked for.
+/// Charts the segments selected in the table of numbers: histograms, or means over time. A job reads all time
+/// points when the user asks for that chart.
 class SegmentChartBox : public QWidget {
   Q_OBJECT
  public:
   SegmentChartBox(const Session& session, Jobs& jobs, QWidget* parent = nullptr);
 
-  /// The segments of these maps were measured, map after map; none: nothing was. Those that are chosen are
-  /// drawn, or, where none is, all if they are few.
+  /// Sets the measured segments, map after map; empty if nothing was measured. Draws the segments in
+  /// `chosen`. If that is empty, draws all segments if they are few.
   void setMeasured(const std::vector<SegmentMap>& maps, const std::vector<SegmentReport>& reports,
                    const std::vector<std::size_t>& chosen);
-  /// What was measured of them over time; null: that was not asked for, or is under way.
+  /// Returns the values over time, or null if they were not requested or are being computed.
   const SegmentsOverTime* overTime() const { return overTime_ ? &*overTime_ : nullptr; }
 
  private:
-  /// What values over time are made of; equal ones make equal values.
+  /// The input of values over time. Equal inputs give equal values.
   struct Wanted {
-    std::vector<std::pair<std::shared_ptr<const LabelMap>, int>> segments;  // with their number
+    std::vector<std::pair<std::shared_ptr<const LabelMap>, int>> segments;  // label maps with segment numbers
     std::vector<SeriesKey> steps;
     ValueScale scale;
     bool operator==(const Wanted&) const = default;
@@ -53,7 +53,7 @@ class SegmentChartBox : public QWidget {
   std::vector<SegmentMap> maps_;
   std::vector<SegmentReport> reports_;
   std::vector<std::size_t> chosen_;
-  std::optional<Wanted> wanted_;  // read, under way, or cancelled
+  std::optional<Wanted> wanted_;  // read, being read or cancelled
   std::optional<SegmentsOverTime> overTime_;
   JobLane lane_;
 };

@@ -19,7 +19,7 @@ namespace volumen {
 
 namespace {
 
-// In the order of the list: shares of the largest value, and SUVbw.
+// Thresholds in the order of the list: shares of the maximum, then SUVbw.
 constexpr std::array<LesionThreshold, 4> lesionThresholds{
     {{0.41, true}, {0.5, true}, {2.5, false}, {4.0, false}}};
 
@@ -28,7 +28,7 @@ QString thresholdText(const LesionThreshold& threshold) {
                            : SegmentGrowPage::tr("SUV %1").arg(threshold.amount, 0, 'f', 1);
 }
 
-// Names of units are no wider than they must be: the panel stays narrow.
+// Keeps boxes as narrow as possible, so that the panel stays narrow.
 QComboBox* narrowBox(const char* name, const QString& label, const QStringList& items) {
   auto* box = new QComboBox;
   box->setObjectName(QLatin1String(name));
@@ -136,7 +136,7 @@ void SegmentGrowPage::showSegments() {
   if (std::exchange(isHeld_, false) || isChanged) showGrowth();
 }
 
-// What would be grown, where that is looked at.
+// Previews the growth if the user wants to see it.
 void SegmentGrowPage::showGrowth() {
   seeds_.reset();
   const SegmentMap* map = segmentsShown(session_);
@@ -146,7 +146,7 @@ void SegmentGrowPage::showGrowth() {
 }
 
 void SegmentGrowPage::previewFailed(const QString& sentence) {
-  if (!seeds_) return;  // a sphere's is told once it is drawn
+  if (!seeds_) return;  // an error of a sphere is reported once it has been drawn
   seeds_.reset();
   const QSignalBlocker quiet(preview_);
   preview_->setChecked(false);
@@ -159,7 +159,7 @@ SegmentWork SegmentGrowPage::growthWork() const {
                   GrowthRegion(region_->currentIndex()));
 }
 
-// What is previewed stays until it is a step, or none.
+// Keeps the preview until growth becomes a step or fails.
 void SegmentGrowPage::grow() {
   isHeld_ = true;
   seeds_.reset();
@@ -168,7 +168,7 @@ void SegmentGrowPage::grow() {
   Q_EMIT growthWanted(growthWork());
 }
 
-// A view of another series of that frame, such as the CT under a PET, shows the same places.
+// Another series in this frame of reference, such as the CT under a PET, shows the same places.
 bool SegmentGrowPage::isInFrameOf(const SeriesKey& shown, const Series& series) const {
   const auto found = session_.workspace().series.find(shown);
   return found != session_.workspace().series.end() &&

@@ -11,29 +11,29 @@
 
 namespace volumen {
 
-/// What makes segments of little: of a sphere about a lesion, of the level under the pointer, of seeds in
-/// several segments.
+/// Makes segments from small input: a sphere around a lesion, a contour at the level under the pointer, or
+/// seeds in several segments.
 class SegmentGrowPage : public QWidget {
   Q_OBJECT
  public:
   explicit SegmentGrowPage(Session& session, QWidget* parent = nullptr);
 
-  /// Shows what the segments allow; they, or the series, may be others.
+  /// Updates the page for the present segments and series.
   void showSegments();
-  /// The tool that draws spheres, the one that traces levels, the smart brush.
+  /// Sets the tools that draw spheres, trace levels and paint with the smart brush.
   void setToolActions(QAction* lesion, QAction* trace, QAction* smart);
-  /// A sphere that is drawn: the lesion in it is previewed, and a segment once it is done.
+  /// Takes a sphere. Previews its lesion while it is being drawn, and makes a segment at the end.
   void takeBall(const DrawnBall& ball);
-  /// What previewWanted() came to instead: a sentence, empty where the user cancelled it.
+  /// Reports that a requested preview failed. `sentence` is empty if the user cancelled it.
   void previewFailed(const QString& sentence);
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
-  /// The same; the preview may be of it.
+  /// Requests growth like workWanted(). The preview may already hold the result.
   void growthWanted(const volumen::SegmentWork& work);
   void previewWanted(const volumen::SegmentWork& work);
   void previewEnded();
-  /// A sentence.
+  /// `sentence` is the reason.
   void refused(const QString& sentence);
 
  private:
@@ -51,8 +51,8 @@ class SegmentGrowPage : public QWidget {
   QComboBox *threshold_, *region_;
   QPushButton* grow_;
   QCheckBox* preview_;
-  std::optional<SegmentMap> seeds_;  // of which growth is previewed
-  bool isHeld_ = false;              // what is previewed stays until the segments are others
+  std::optional<SegmentMap> seeds_;  // seeds whose growth is being previewed
+  bool isHeld_ = false;              // keeps the preview until the segments change
 };
 
 }  // namespace volumen

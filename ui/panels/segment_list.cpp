@@ -32,7 +32,7 @@ enum ListColumn { shownColumn, lockColumn, amountColumn, mapColumn };
 constexpr int numberRole = Qt::UserRole, mapRole = Qt::UserRole + 1;
 constexpr int leastRows = 4, mostRows = 8;
 
-// A column whose texts nobody types.
+// Makes a column read-only.
 class NotTyped : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -57,7 +57,7 @@ QIcon swatchOf(const QColor& colour) {
   return untintedIcon(square);
 }
 
-// "Tissue, Bone, Left".
+// Joins the meanings of codes, such as "Tissue, Bone, Left".
 QString codesText(const Segment& segment) {
   QStringList codes;
   for (const Code* code : {&segment.category, &segment.type, &segment.modifier})
@@ -99,7 +99,7 @@ void SegmentList::makeLayout() {
   list_->setUniformRowHeights(true);
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
-  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // what is cut off stands in the tool tip
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // the tool tip has the whole text
   for (const int column : {lockColumn, amountColumn, mapColumn})
     list_->setItemDelegateForColumn(column, new NotTyped(list_));
   list_->header()->setStretchLastSection(false);
@@ -149,7 +149,7 @@ void SegmentList::connectButtons() {
   connect(opacity_, &QSlider::sliderReleased, &session_, &Session::endGesture);
 }
 
-// Rows stay the items they are, so that a name that is being typed stays in its field.
+// Reuses row items, so that a name being typed stays in its field.
 void SegmentList::showSegments() {
   const QSignalBlocker quietList(list_), quietSlider(opacity_);
   const std::vector<const SegmentMap*> maps = allSegmentsShown(session_);
@@ -183,7 +183,7 @@ void SegmentList::showMaps(bool areSeveral) {
                          .arg(mapName(segmentsShown(session_)->number)));
 }
 
-// As high as its rows where there is room, so that the pages below are seen; of more it scrolls.
+// Makes the list as high as its rows within limits, so that the pages below stay visible.
 void SegmentList::showRoom() {
   const int row = std::max(list_->sizeHintForRow(0), list_->fontMetrics().height() + 4);
   const int least = list_->header()->sizeHint().height() + leastRows * row + 2 * list_->frameWidth();
@@ -251,7 +251,7 @@ void SegmentList::showMeasured(const SegmentNumbers& numbers) {
   showSegments();
 }
 
-// An empty name is none. The map of what is changed is worked on, but for what is shown or hidden.
+// Ignores an empty name. Makes the edited map current, except for changes of visibility.
 void SegmentList::itemChanged(QTreeWidgetItem* item, int column) {
   if (!segmentsShown(session_)) return;
   const int map = mapNumberOf(item), number = segmentNumberOf(item);
@@ -326,7 +326,7 @@ void SegmentList::duplicate() {
   Q_EMIT workWanted(work);
 }
 
-// What the buttons do with the segment of a row, and into which other maps it can go.
+// Opens a menu with the buttons' actions and the maps that can take the segment.
 void SegmentList::showMenu(QPoint at) {
   QTreeWidgetItem* item = list_->itemAt(at);
   if (!item) return;

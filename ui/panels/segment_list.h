@@ -11,9 +11,9 @@
 
 namespace volumen {
 
-/// The segments of the series in view: whether each is shown and locked, colour, name, ml, and which map it
-/// is in where there are several. They are added, copied, moved and removed here; the current row is the
-/// segment that is worked on, its map the one that tools and steps change.
+/// The segments of the series in view, with visibility, lock, colour, name, volume in ml, and map if there
+/// are several. Adds, copies, moves and removes them. Tools and steps change the segment of the current row,
+/// in its map.
 class SegmentList : public QWidget {
   Q_OBJECT
  public:
@@ -24,7 +24,7 @@ class SegmentList : public QWidget {
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
-  /// A sentence on what work came to.
+  /// Reports the result of work in a sentence.
   void told(const QString& sentence);
 
  protected:
@@ -50,7 +50,7 @@ class SegmentList : public QWidget {
 
   Session& session_;
   QTreeWidget* list_;
-  QLabel* worked_;  // which map is, where there are several
+  QLabel* worked_;  // names the current map if there are several
   QToolButton *add_, *duplicate_, *remove_;
   ColourButton* colour_;
   QSlider* opacity_;

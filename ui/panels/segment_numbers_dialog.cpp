@@ -31,7 +31,7 @@ namespace {
 
 constexpr int sortRole = Qt::UserRole, reportRole = Qt::UserRole + 1;
 
-// Numbers are in order of their size, those that there are none of first.
+// Sorts numbers by size, missing ones first.
 class NumberItem : public QTableWidgetItem {
  public:
   using QTableWidgetItem::QTableWidgetItem;
@@ -47,7 +47,7 @@ QTableWidgetItem* nameItem(const Segment& segment, int report) {
   return item;
 }
 
-// `isLater`: what there is none of may still be measured.
+// Makes a cell. If `isLater`, missing numbers may still be measured.
 QTableWidgetItem* numberItem(const SegmentColumn& column, const SegmentReport& report, double factor,
                              bool isLater) {
   const std::vector<double> numbers = segmentNumbers(column, report, factor);
@@ -58,7 +58,7 @@ QTableWidgetItem* numberItem(const SegmentColumn& column, const SegmentReport& r
   return item;
 }
 
-// "Dice 0.8505, volume difference 0.2 ml, ...": what there is.
+// Returns the available results, such as "Dice 0.8505, volume difference 0.2 ml, ...".
 QString likenessText(const SegmentLikeness& alike) {
   const auto text = [](double number) { return digitsText(number, 4); };
   QStringList parts;
@@ -79,7 +79,7 @@ QPushButton* dialogButton(QDialogButtonBox* box, const char* name, const QString
   return button;
 }
 
-// Whether the numbers of both are the same.
+// Returns whether both maps have the same voxels and segments, so that their numbers are equal.
 bool holdTheSame(const SegmentMap& a, const SegmentMap& b) {
   return a.labels == b.labels &&
          std::ranges::equal(a.segments, b.segments, {}, &Segment::number, &Segment::number);
@@ -104,7 +104,7 @@ SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const S
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SegmentNumbersDialog::showChoice);
   connect(&session_, &Session::changed, this, &SegmentNumbersDialog::follow);
   connect(&session_, &Session::workspaceChanged, this, &SegmentNumbersDialog::follow);
-  // From the event loop: Esc undoes the steps since the press once the stroke has ended.
+  // Queued, because after the stroke Esc still undoes the changes made since the press.
   connect(&painter_, &SegmentPainter::ended, this, &SegmentNumbersDialog::follow, Qt::QueuedConnection);
   connect(&session_, &Session::preferencesChanged, this,
           [this](const Preferences& before, const Preferences& after) {
@@ -115,7 +115,7 @@ SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const S
   follow();
 }
 
-// Closed, it is deleted only from the event loop.
+// Stops now, as a closed dialog is deleted only later by the event loop.
 void SegmentNumbersDialog::giveUp() {
   session_.disconnect(this);
   painter_.disconnect(this);
@@ -134,7 +134,7 @@ void SegmentNumbersDialog::makeLayout() {
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setAlternatingRowColors(true);
   table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);  // as in the list at first
+  table_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);  // sorted as in the list at first
   said_->setObjectName(QStringLiteral("segmentNumbersSaid"));
   said_->setWordWrap(true);
   said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -157,7 +157,7 @@ void SegmentNumbersDialog::makeLayout() {
   connect(action, &QAction::triggered, this, &SegmentNumbersDialog::copy);
   table_->addAction(action);
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  (new FrozenColumn(table_))->setObjectName(QStringLiteral("segmentNames"));  // whose the numbers are
+  (new FrozenColumn(table_))->setObjectName(QStringLiteral("segmentNames"));  // keeps names visible
   auto* column = new QVBoxLayout(this);
   column->addWidget(table_, 1);
   column->addWidget(charts_, 1);
@@ -165,7 +165,7 @@ void SegmentNumbersDialog::makeLayout() {
   column->addWidget(buttons);
 }
 
-// What a name or a colour changes is not measured again.
+// Measures again unless only names or colours have changed.
 void SegmentNumbersDialog::follow() {
   const std::vector<const SegmentMap*> shown = allSegmentsShown(session_);
   if (shown.empty()) {
@@ -193,7 +193,7 @@ void SegmentNumbersDialog::follow() {
   fillTable();
 }
 
-// What voxels tell is there at once; surfaces take their time.
+// Measures voxels first, as surfaces take longer.
 void SegmentNumbersDialog::measure() {
   lane_.giveUpAll();
   fillTable();
@@ -241,7 +241,7 @@ void SegmentNumbersDialog::showMeasured() {
 
 void SegmentNumbersDialog::fillTable() {
   const ValueScale shown = scale();
-  table_->setSortingEnabled(false);  // rows would move while they are filled
+  table_->setSortingEnabled(false);  // otherwise rows would move while being filled
   table_->clear();
   QStringList heads{tr("Name")};
   for (const SegmentColumn& column : segmentColumns())
@@ -292,14 +292,14 @@ void SegmentNumbersDialog::compare() {
       [this] { said_->setText(tr("Cancelled: nothing was compared.")); });
 }
 
-// What names the series in view.
+// Returns the fields that identify the series in view.
 QStringList SegmentNumbersDialog::ofSeries() const {
   if (!session_.series()) return {};
   const Series& series = session_.series()->series;
   return seriesFields(series, stepText(session_.workspace(), keyOf(series)));
 }
 
-// With the heads, in the order of the rows, and behind them what names the series; the chosen ones, else all.
+// Copies heads and the selected rows, or all, in table order, followed by the fields of the series.
 void SegmentNumbersDialog::copy() const {
   const QItemSelectionModel* chosen = table_->selectionModel();
   QStringList lines;

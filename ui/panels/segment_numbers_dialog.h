@@ -15,26 +15,26 @@
 
 namespace volumen {
 
-/// The numbers of all segments of the series that the panel Segments shows, a row each: sorted by a click on
-/// a head, copied, saved as CSV and JSON; those that are chosen are drawn as charts, two are compared.
-/// They follow the segments; strokes once they end.
+/// The numbers of all segments of the series in the Segments panel, a row each. A click on a head sorts them.
+/// Copies them and saves CSV or JSON. Draws charts of selected segments and compares two. Follows changes of
+/// segments, and strokes at their end.
 class SegmentNumbersDialog : public QDialog {
   Q_OBJECT
  public:
-  /// The painter outlives it.
+  /// `painter` must outlive the dialog.
   SegmentNumbersDialog(Session& session, Jobs& jobs, const SegmentPainter& painter,
                        QWidget* parent = nullptr);
 
  private:
-  /// What was measured of what.
+  /// Measured segments and their numbers.
   struct Measured {
-    std::vector<SegmentMap> maps;  // by their numbers
+    std::vector<SegmentMap> maps;  // numbered as in the session
     VolumePtr volume;
     std::vector<SegmentReport> reports{};  // map after map
     bool isDone = false;
   };
 
-  /// The voxels of a segment.
+  /// The voxels of one segment.
   struct Part {
     std::shared_ptr<const LabelMap> labels{};
     int number = 0;
@@ -47,7 +47,7 @@ class SegmentNumbersDialog : public QDialog {
   void forget();
   void measure();
   void measureSurfaces();
-  /// False, with the reason told: they are none.
+  /// Returns false and reports the reason if measuring failed.
   bool take(const Result<std::vector<SegmentReport>>& reports);
   void showMeasured();
   void fillTable();

@@ -144,7 +144,7 @@ void SegmentPaintPage::setToolActions(QAction* brush, QAction* outline, QAction*
   }
 }
 
-// What is shown is rounded, what is used is not.
+// Shows a rounded diameter, while painting uses the exact one.
 void SegmentPaintPage::showBrush() {
   const QSignalBlocker quiet(mm_);
   const Brush& brush = session_.preferences().brush;
@@ -160,7 +160,7 @@ void SegmentPaintPage::showSegments() {
       toolTipOf(QStringList{tr("Fills the slices between painted ones, by signed distances."), why}));
 }
 
-// The one that was chosen stays.
+// Keeps the choice.
 void SegmentPaintPage::showOthers() {
   const QSignalBlocker quiet(other_);
   const int chosen = other_->currentData().toInt();

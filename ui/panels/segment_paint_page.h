@@ -12,22 +12,22 @@
 
 namespace volumen {
 
-/// What paints the current segment in slices: the tools, their brush, where they may paint; what cuts it, and
-/// what fills the slices between painted ones.
+/// Paints the current segment in slices: tools, brush and limits. Also cuts it and fills slices between
+/// painted ones.
 class SegmentPaintPage : public QWidget {
   Q_OBJECT
  public:
   explicit SegmentPaintPage(Session& session, QWidget* parent = nullptr);
 
-  /// Shows what the current segment allows.
+  /// Updates the page for the current segment.
   void showSegments();
-  /// The tools that paint, and the one that cuts.
+  /// Sets the painting tools and the cutting tool.
   void setToolActions(QAction* brush, QAction* outline, QAction* cut);
-  /// How far on either side of a slice is cut, mm; all slices: infinity.
+  /// Returns how far the cut reaches on either side of a slice, mm; infinity for all slices.
   double cutWithinMm() const;
-  /// Whether strokes erase without Ctrl.
+  /// Returns whether strokes erase without Ctrl.
   bool erases() const { return erases_->isChecked(); }
-  /// What is chosen; `range`: the one of the page "From the curve".
+  /// Returns the chosen limits. `range` is the one of the page "From the curve".
   PaintLimits limits(const ValueRange& range) const;
 
  Q_SIGNALS:

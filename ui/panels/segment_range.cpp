@@ -30,13 +30,13 @@ QDoubleSpinBox* valueField(const char* name, const QString& label) {
   field->setAccessibleName(label);
   field->setRange(-1e9, 1e9);
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  field->setMinimumWidth(80);  // its own would leave room for numbers that nobody types
+  field->setMinimumWidth(80);  // the default would leave room for huge numbers
   return field;
 }
 
 QString endText(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
-// "Visible: above -454 HU".
+// Returns the text of a span, such as "Visible: above -454 HU".
 QString spanText(const ValueRange& span, int decimals, const QString& unit) {
   const auto end = [&](double value) { return endText(value, decimals) + unit; };
   if (std::isinf(span.low) && std::isinf(span.high)) return SegmentRange::tr("Visible: all values");
@@ -124,7 +124,7 @@ void SegmentRange::makeLayout() {
 void SegmentRange::connectFields() {
   connect(spans_, &QComboBox::activated, this, [this](int n) {
     takeSpan(n);
-    low_->setFocus();  // the tint goes with it
+    low_->setFocus();  // the tint lasts while a field has the focus
     setPreviewing(true);
   });
   for (QDoubleSpinBox* field : {low_, high_}) {
@@ -132,7 +132,7 @@ void SegmentRange::connectFields() {
       if (field->hasFocus()) setPreviewing(true);
       showOnAxis();
     });
-    // Which of both has the focus then is known once it has moved.
+    // Waits until the focus has moved, to know whether the other field has it.
     connect(field, &QDoubleSpinBox::editingFinished, this, [this] {
       QTimer::singleShot(0, this, [this] {
         if (!low_->hasFocus() && !high_->hasFocus()) setPreviewing(false);
@@ -146,7 +146,7 @@ void SegmentRange::connectFields() {
   connect(replace_, &QPushButton::clicked, this, &SegmentRange::replace);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series) setPreviewing(false), tellPreview();
-    // Typed numbers stay where only the table goes.
+    // Keeps typed numbers if only the table removal changed.
     if (areOneSeries(before.series, after.series) &&
         before.scene.transferFunction == after.scene.transferFunction)
       return;
@@ -160,7 +160,7 @@ void SegmentRange::connectFields() {
           });
 }
 
-// What was typed stays what it is.
+// Keeps typed values in another unit.
 void SegmentRange::showInOtherUnit() {
   const ValueRange typed = range();
   showSpans();
@@ -176,7 +176,7 @@ void SegmentRange::takeDragged(const ValueRange& dragged) {
     field->setValue(value * factor_);
     if (field->value() == before) continue;
     moved = true;
-    field->setFocus();  // the tint goes with it
+    field->setFocus();  // the tint lasts while a field has the focus
   }
   if (!moved) return;
   setPreviewing(true);
@@ -247,7 +247,7 @@ void SegmentRange::make() {
 
 void SegmentRange::replace() { replaceBy(tr("Replace segment"), {}); }
 
-// Bound to the chosen span, it is of its values at once.
+// Binds the segment to the selected span and gives it the span's values at once.
 void SegmentRange::bind(bool on) {
   if (on) {
     const int number = spans_->currentIndex();
@@ -261,7 +261,7 @@ void SegmentRange::bind(bool on) {
   session_.endGesture();
 }
 
-// A name of its own stays.
+// Keeps a name that the user gave.
 void SegmentRange::replaceBy(const QString& text, const std::optional<CurveSpan>& span) {
   setPreviewing(false);
   const Segment* segment = segmentShown(session_);
@@ -290,7 +290,7 @@ void SegmentRange::showSpans() {
   for (const ValueRange& span : visibleSpans(session_.scene().transferFunction))
     spans_->addItem(spanText({span.low * factor_, span.high * factor_}, valueDecimals(*series) - 1, unit));
   if (spans_->count() == 0) spans_->addItem(tr("Nothing is visible"));
-  // Numbers that were typed for the series stay; where there are none yet, the first span is offered.
+  // Keeps numbers typed for the series. Otherwise offers the first span.
   const bool isAnother = std::exchange(offeredFor_, keyOf(series->series)) != keyOf(series->series);
   if (isAnother || (!segmentsShown(session_) && !low_->hasFocus() && !high_->hasFocus())) takeSpan(0);
 }
@@ -302,7 +302,7 @@ void SegmentRange::takeSpan(int n) {
   high_->setValue(range->high * factor_);
 }
 
-// The current segment where it is one of values; null: it is not.
+// Returns the current segment if it was made from a value range, else null.
 const Segment* SegmentRange::ranged() const {
   const Segment* segment = segmentShown(session_);
   return segment && segment->range ? segment : nullptr;

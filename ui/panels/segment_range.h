@@ -14,37 +14,37 @@
 
 namespace volumen {
 
-/// Makes segments of what is visible: the value range of a span of the curve, one that is typed, or whose
-/// ends are dragged on the axis of the curve. Slices tint it meanwhile.
+/// Makes segments from a value range: a visible span of the curve, typed numbers, or ends dragged on the axis
+/// of the curve. Slices tint the range meanwhile.
 class SegmentRange : public QWidget {
   Q_OBJECT
  public:
   explicit SegmentRange(Session& session, QWidget* parent = nullptr);
 
-  /// Shows what the current segment allows.
+  /// Updates the page for the current segment.
   void showSegments();
-  /// Puts a switchable action on top.
+  /// Adds a checkable action at the top.
   void setTableAction(QAction* action);
-  /// The tool that takes connected parts.
+  /// Sets the tool that takes connected components.
   void setPartAction(QAction* action);
-  /// An end of the range was dragged on the axis of the curve: the fields follow.
+  /// Puts a range dragged on the axis of the curve into the fields.
   void takeDragged(const ValueRange& dragged);
-  /// As it is typed.
+  /// Returns the range in the fields, in stored values.
   ValueRange range() const;
-  /// What becomes of a connected part: what is chosen, but with Ctrl held it is kept alone, with Alt removed.
+  /// Returns the use of a connected component: as chosen, but Ctrl keeps only it and Alt removes it.
   PartUse partUse(Qt::KeyboardModifiers keys) const;
-  /// Of connected parts, mm (PartWanted).
+  /// Returns the leak guard of connected components, mm (PartWanted).
   double leakGuardMm() const { return guard_->value(); }
-  /// Likewise, which of their voxels touch.
+  /// Returns the neighbourhood of connected components (PartWanted).
   std::string partNeighbours() const { return neighbours_->currentText().toStdString(); }
-  /// A segment of these values, called by them.
+  /// Returns a segment of these values, named after them.
   Segment segmentOf(const ValueRange& range) const;
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
-  /// What of which volume is looked at; none: nothing.
+  /// The previewed range of a volume changed; empty ends the preview.
   void previewChanged(const std::optional<volumen::VolumeRange>& range);
-  /// What the axis of the curve is to show; none: nothing, the page is not seen or there is no series.
+  /// The axis of the curve is to show this range; empty if the page is hidden or there is no series.
   void rangeShown(const std::optional<volumen::ValueRange>& range);
 
  protected:
@@ -78,11 +78,11 @@ class SegmentRange : public QWidget {
   QComboBox* use_;
   QDoubleSpinBox* guard_;
   QComboBox* neighbours_;
-  SeriesKey offeredFor_;             // the series that the fields are of
-  double factor_ = 1;                // from values to the numbers in the fields
-  bool isPreviewing_ = false;        // the range that is being typed
-  ValueRange aloneRange_;            // what "show only" shows
-  TransferFunction before_, alone_;  // the curve without and with it
+  SeriesKey offeredFor_;             // the series of the fields
+  double factor_ = 1;                // from values to numbers in the fields
+  bool isPreviewing_ = false;        // true while the typed range is previewed
+  ValueRange aloneRange_;            // the range of "show only"
+  TransferFunction before_, alone_;  // the curve without and with "show only"
 };
 
 }  // namespace volumen

@@ -12,11 +12,11 @@ namespace volumen {
 
 namespace {
 
-// Those that are a click, three in a row.
+// Steps with a button, three in a row.
 constexpr const char* usualSteps[] = {"fill",     "invert", "largest", "grow",   "shrink",
                                       "gaussian", "close",  "open",    "islands"};
 
-// "Grow 3 mm": with its length, where it has one.
+// Returns the button text with the step's length, if any, such as "Grow 3 mm".
 QString usualText(const StepKind& kind, const std::map<std::string, StepValue>& values) {
   const QString title = SegmentStepsPage::tr(kind.title);
   for (const StepField& field : kind.fields)
@@ -49,11 +49,11 @@ SegmentStepsPage::SegmentStepsPage(Session& session, QWidget* parent)
   connect(kinds_, &QComboBox::currentIndexChanged, this, &SegmentStepsPage::showSegments);
   connect(apply_, &QPushButton::clicked, this, [this] { apply(chosen()); });
   connect(fields_, &StepFields::changed, this, &SegmentStepsPage::showWhatCanBeDone);
-  connect(&session_, &Session::preferencesChanged, this, &SegmentStepsPage::showSegments);  // units
+  connect(&session_, &Session::preferencesChanged, this, &SegmentStepsPage::showSegments);  // to update units
   showSegments();
 }
 
-// Those that make it anew come last.
+// Lists steps that make a segment anew last.
 void SegmentStepsPage::fillKinds() {
   bool isMaking = false;
   for (const StepKind& kind : offeredSteps()) {
@@ -107,7 +107,7 @@ void SegmentStepsPage::showWhatCanBeDone() {
   }
 }
 
-// Its fields are shown, as they were taken.
+// Selects the kind, so that the fields show the values used.
 void SegmentStepsPage::apply(const StepKind& kind) {
   kinds_->setCurrentIndex(kinds_->findData(QLatin1String(kind.name)));
   Q_EMIT workWanted(workOf(kind, fields_->valuesFor(kind), session_));

@@ -8,14 +8,14 @@
 
 namespace volumen {
 
-/// The steps that change the current segment: a list with the fields of the one chosen, and the usual ones as
+/// The steps that change the current segment: a list with the fields of the chosen one, and common ones as
 /// buttons.
 class SegmentStepsPage : public QWidget {
   Q_OBJECT
  public:
   explicit SegmentStepsPage(Session& session, QWidget* parent = nullptr);
 
-  /// Shows what the current segment allows.
+  /// Updates the page for the current segment.
   void showSegments();
 
  Q_SIGNALS:

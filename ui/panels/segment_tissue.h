@@ -7,13 +7,13 @@
 
 namespace volumen {
 
-/// Where 3D views show the volume itself: all of it, or by the segments that are shown, with a margin.
+/// Chooses the tissue that 3D views show: all of it, or tissue at visible segments with a margin.
 class SegmentTissue : public QWidget {
   Q_OBJECT
  public:
   explicit SegmentTissue(Session& session, QWidget* parent = nullptr);
 
-  /// Shows what holds for the series in view.
+  /// Updates the fields for the series in view.
   void showSegments();
 
  private:

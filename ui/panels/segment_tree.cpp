@@ -6,7 +6,7 @@
 
 namespace volumen {
 
-// The row whose box is there; none: nothing or something else is.
+// Returns the row whose check box is under the pointer, or an invalid index.
 QModelIndex SegmentTree::boxAt(const QMouseEvent& event) const {
   const QModelIndex index = indexAt(event.position().toPoint());
   if (event.button() != Qt::LeftButton || !index.isValid() || index.column() != 0) return {};

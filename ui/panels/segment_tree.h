@@ -4,8 +4,8 @@
 
 namespace volumen {
 
-/// The tree of the list of segments. It asks for no more height than it must have, and a click on the box in
-/// the first column of a row ticks it without choosing the row.
+/// The tree of the segment list. Takes no more height than it needs. A click on the check box of a row
+/// toggles it without selecting the row.
 class SegmentTree : public QTreeWidget {
   Q_OBJECT
  public:
@@ -20,7 +20,7 @@ class SegmentTree : public QTreeWidget {
  private:
   QModelIndex boxAt(const QMouseEvent& event) const;
 
-  QPersistentModelIndex pressed_;  // whose box was pressed
+  QPersistentModelIndex pressed_;  // the row whose check box is pressed
 };
 
 }  // namespace volumen

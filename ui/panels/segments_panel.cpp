@@ -81,14 +81,15 @@ QToolButton* SegmentsPanel::pageButton(const char* name, const QString& text, QW
   button->setObjectName(QLatin1String(name));
   button->setText(text);
   button->setCheckable(true);
-  button->setAutoRaise(true);  // as in a tool bar: the one that is chosen has a frame
+  button->setAutoRaise(true);  // as in a tool bar, only the chosen one has a frame
   page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   pages_->addWidget(page);
   connect(button, &QToolButton::clicked, this, [this, page] { showPage(page); });
   return button;
 }
 
-// It alone says how high the panel is; all say how wide, so that nothing moves sideways.
+// Only the shown page determines the panel's height. All pages determine its width, so that nothing moves
+// sideways.
 void SegmentsPanel::showPage(QWidget* page) {
   pages_->currentWidget()->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
@@ -126,7 +127,7 @@ void SegmentsPanel::makeLayout() {
   column->addWidget(tissue_);
 }
 
-// Those for the series in view, each a click.
+// Lists one-click recipes for the series in view.
 void SegmentsPanel::fillRecipes() {
   const std::string modality = session_.series() ? session_.series()->series.modality : std::string();
   const std::vector<const Recipe*> offered = recipesFor(modality);
@@ -188,7 +189,7 @@ void SegmentsPanel::showIn3d() {
                                   : tr("There is no segment yet.")));
 }
 
-// What was cut away since a segment was made belongs to it still: it is measured in the whole volume.
+// Measures in the whole volume, as tissue cut away later still belongs to the segment.
 void SegmentsPanel::askForNumbers() {
   const SegmentMap* map = segmentsShown(session_);
   if (!map) {

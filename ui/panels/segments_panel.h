@@ -16,26 +16,25 @@
 
 namespace volumen {
 
-/// The segments of the series in view: their list, the numbers of the current one, and below pages: what
-/// makes segments of the curve, what paints the current one in slices, what grows, what changes it. All that
-/// takes time is asked for.
+/// The segments of the series in view: the list and the numbers of the current one. Pages below make segments
+/// from the curve, paint, grow and change them. Requests everything that takes time.
 class SegmentsPanel : public QWidget {
   Q_OBJECT
  public:
   explicit SegmentsPanel(Session& session, QWidget* parent = nullptr);
 
-  /// Shows the segments that the series in view has, and asks for their numbers.
+  /// Shows the segments of the series in view and requests their numbers.
   void showSegments();
-  /// What measureRequested() came to.
+  /// Shows the result of measureRequested().
   void showMeasured(const SegmentNumbers& numbers);
-  /// Its actions: the one that removes the table, the tool of connected parts, those that paint, the export.
+  /// Set actions of the panel: table removal, connected components, painting and export.
   void setTableAction(QAction* action) { range_->setTableAction(action); }
   void setPartAction(QAction* action) { range_->setPartAction(action); }
   void setPaintActions(QAction* brush, QAction* outline, QAction* cut) {
     paint_->setToolActions(brush, outline, cut);
   }
   void setExportAction(QAction* action);
-  /// Those behind the built-in recipes.
+  /// Sets the actions listed after the built-in recipes.
   void setRecipeActions(const QList<QAction*>& actions);
   const SegmentRange& range() const { return *range_; }
   SegmentRange& rangePage() { return *range_; }
@@ -44,13 +43,13 @@ class SegmentsPanel : public QWidget {
 
  Q_SIGNALS:
   void workWanted(const volumen::SegmentWork& work);
-  /// A sentence on what work came to.
+  /// Reports the result of work in a sentence.
   void told(const QString& sentence);
   void numbersWanted();
   void recipeChosen(const volumen::Recipe& recipe);
-  /// What of, without the numbers.
+  /// Requests numbers. `wanted` names the segment only.
   void measureRequested(const volumen::SegmentNumbers& wanted);
-  /// What of which volume is looked at; none: nothing.
+  /// The previewed range of a volume changed; empty ends the preview.
   void previewChanged(const std::optional<volumen::VolumeRange>& range);
 
  private:
@@ -76,8 +75,8 @@ class SegmentsPanel : public QWidget {
   SegmentStepsPage* steps_;
   SegmentGrowPage* growth_;
   QStackedWidget* pages_;
-  std::optional<SegmentNumbers> asked_;    // the last: what of
-  std::optional<SegmentNumbers> numbers_;  // of what is shown
+  std::optional<SegmentNumbers> asked_;    // the last request
+  std::optional<SegmentNumbers> numbers_;  // numbers on screen
 };
 
 }  // namespace volumen

@@ -61,7 +61,7 @@ void SeriesStrip::showStudy(std::int64_t study, const SeriesListPtr& series) {
   series_ = shown;
   made_.clear();
   clear();
-  QPixmap none(stripIconEdge, stripIconEdge);  // so that nothing moves when the thumbnail comes
+  QPixmap none(stripIconEdge, stripIconEdge);  // keeps the layout when the thumbnail arrives
   none.fill(Qt::transparent);
   for (const IndexedSeries& s : *series_) {
     auto* added = new QListWidgetItem(QIcon(none), captionOf(s), this);
@@ -73,7 +73,7 @@ void SeriesStrip::showStudy(std::int64_t study, const SeriesListPtr& series) {
       made_.insert(s.id);
     }
   }
-  // Where the items lie is known once they are laid out.
+  // Positions of items are known only after layout.
   QTimer::singleShot(0, this, &SeriesStrip::wantVisible);
 }
 

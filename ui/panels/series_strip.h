@@ -7,27 +7,27 @@
 
 namespace volumen {
 
-/// The series of one study as thumbnails with what they are below; "!" where there is a warning, its sentence
-/// in the tooltip; those whose files are not there are grey. Thumbnails are wanted for what is visible alone.
+/// The series of one study as thumbnails with captions. "!" marks a warning, told by the tooltip. Grey series
+/// are offline. Requests thumbnails of visible items only.
 class SeriesStrip : public QListWidget {
   Q_OBJECT
  public:
   explicit SeriesStrip(QWidget* parent = nullptr);
 
-  /// 0 and null: of no study.
+  /// Shows the series of a study. 0 and null show nothing.
   void showStudy(std::int64_t study, const SeriesListPtr& series);
   std::int64_t study() const { return study_; }
-  /// Null: there is none.
+  /// Sets a thumbnail; null if the series has none.
   void setThumbnail(std::int64_t series, const QImage& thumbnail);
-  /// Writes all again, after names were hidden or shown.
+  /// Rewrites all texts after names were hidden or shown.
   void showNames();
-  /// What an item stands for.
+  /// Returns the study and series of an item.
   IndexedChoice choiceOf(const QListWidgetItem* item) const;
-  /// Null: it is not of this study.
+  /// Returns null if the item is not of this study.
   const IndexedSeries* seriesOf(const QListWidgetItem* item) const;
 
  Q_SIGNALS:
-  /// Of these alone, the first one first.
+  /// Requests only these thumbnails, in this order.
   void thumbnailsWanted(const std::vector<std::int64_t>& series);
 
  protected:
@@ -41,7 +41,7 @@ class SeriesStrip : public QListWidget {
 
   std::int64_t study_ = 0;
   SeriesListPtr series_ = std::make_shared<const std::vector<IndexedSeries>>();
-  std::set<std::int64_t> made_;  // series that have their thumbnail, or have none
+  std::set<std::int64_t> made_;  // series whose thumbnail is set or does not exist
 };
 
 }  // namespace volumen

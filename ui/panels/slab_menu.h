@@ -6,27 +6,27 @@
 
 namespace volumen {
 
-/// A mode of slabs, as menus name it.
+/// A slab mode as menus name it.
 struct SlabModeRow {
   SlabMode mode;
-  const char* name;  ///< of its action
+  const char* name;  ///< object name of its action
   QString text;
 };
-/// All of them.
+/// Returns all slab modes.
 std::vector<SlabModeRow> slabModes();
-/// The thickest slab, mm.
+/// Largest slab thickness, mm.
 inline constexpr double thickestMm = 500;
-/// Chosen where there is no slab yet, a mode makes one. One step.
+/// Sets the slab mode in one undo step. Makes a slab of default thickness if there is none.
 void chooseSlabMode(Session& session, ViewId view, SlabMode mode);
-/// Of the flat view in focus, of a group all its planes. One step.
+/// Sets interpolation of the focused flat view, in a group of all its planes. Makes one undo step.
 void setInterpolated(Session& session, bool on);
 
-/// How the flat view in focus makes a pixel of voxels: thickness and mode of its slab.
+/// Makes the menu for slab thickness and mode of the focused flat view.
 QMenu* makeSlabMenu(Session& session, QWidget* parent);
 
-/// What that is called: of frames between pixels, of slices between voxels.
+/// Returns the name of interpolation: between pixels of frames or voxels of slices.
 QString interpolationText(ViewKind kind);
-/// Whether the flat view in focus interpolates between voxels, of a group all its planes.
+/// Makes the action that switches interpolation of the focused flat view, in a group of all its planes.
 QAction* makeInterpolationAction(Session& session, QObject* parent);
 
 }  // namespace volumen

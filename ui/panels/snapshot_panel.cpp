@@ -172,7 +172,7 @@ std::optional<Background> SnapshotPanel::background() const {
   }
 }
 
-// The file name offered first, without its suffix.
+// Returns the default file name without extension.
 QString SnapshotPanel::name(const SnapshotSeen& seen) const {
   return seriesText(seen.series->series).replace(QLatin1Char('/'), QLatin1Char('_'));
 }
@@ -194,7 +194,7 @@ void SnapshotPanel::copy() {
   if (const auto seen = seen_()) Q_EMIT requested(chosen(*seen, {}));
 }
 
-// What is seen and chosen as it is asked for holds, whatever becomes of it while a place is chosen.
+// Uses the view and options at this moment, whatever happens while the file dialog is open.
 void SnapshotPanel::askWhere() {
   const auto seen = seen_();
   if (!seen) return;

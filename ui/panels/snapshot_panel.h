@@ -14,19 +14,20 @@ namespace volumen {
 
 class ColourButton;
 
-/// A picture of the view at any size: to a file, to the clipboard, or all around.
+/// Pictures of the 3D view at any size: to a file, to the clipboard, or a series all around.
 class SnapshotPanel : public QWidget {
   Q_OBJECT
  public:
   explicit SnapshotPanel(QWidget* parent = nullptr);
 
-  /// The size that "Match view size" gives.
+  /// Sets the size for "Match view size".
   void setViewSize(QSize pixels);
-  /// Who says what is seen; null: nothing, which is told there.
+  /// Sets the function that returns the visible scene. It returns nothing, after reporting why, if there is
+  /// none.
   void setSeen(std::function<std::optional<SnapshotSeen>()> seen) { seen_ = std::move(seen); }
-  /// Asks where to save; then tells requested().
+  /// Asks for a file, then emits requested().
   void askWhere();
-  /// The snapshot as chosen, for the clipboard.
+  /// Requests the snapshot as chosen for the clipboard.
   void copy();
 
  Q_SIGNALS:

@@ -43,14 +43,15 @@ void StepFields::showKind(const StepKind& kind) {
     QWidget* made = fieldFor(field);
     made->setObjectName(QStringLiteral("stepField-") + QLatin1String(field.name));
     made->setAccessibleName(tr(field.title));
-    // Two beside each other; the last has the rest of its row.
+    // Two fields a row. The last one takes the rest of its row.
     const int row = n / 2, column = n % 2 * 2, columns = ++n == chosen && column == 0 ? 3 : 1;
     grid_->addWidget(plainLabel(tr(field.title)), row, column);
     grid_->addWidget(made, row, column + 1, 1, columns);
   }
 }
 
-// All that its fields depend on: they stay as they are, and what is being typed in them, while that does.
+// Returns everything that the fields depend on. While it is the same, the fields and text being typed are
+// kept.
 QStringList StepFields::shownBy(const StepKind& kind) const {
   QStringList all{QLatin1String(kind.name)};
   if (!session_.series()) return all;
@@ -131,7 +132,8 @@ void StepFields::take(const StepField& field, const StepValue& value) {
   Q_EMIT changed();
 }
 
-// The one that was chosen where it is another one still, else the first; empty: there is none.
+// Returns the chosen segment unless it has become the current one. Otherwise returns the first other segment
+// if the field needs one, else empty text.
 std::string StepFields::segmentOf(const StepField& field) const {
   const SegmentMap* map = segmentsShown(session_);
   const Segment* current = segmentShown(session_);
@@ -158,7 +160,7 @@ StepValue StepFields::valueOf(const StepField& field) const {
     return word && std::ranges::find(field.words, *word) == field.words.end() ? field.byDefault
                                                                               : given->second;
   }
-  // No end of the values is the end of those that there are.
+  // An infinite limit becomes the limit of the series' values.
   if (const auto* number = std::get_if<double>(&field.byDefault);
       number && std::isinf(*number) && session_.series()) {
     const Histogram& histogram = session_.series()->histogram;
@@ -182,7 +184,7 @@ QString StepFields::whyNot(const StepKind& kind) const {
     if (!namesSegment(field)) continue;
     const std::string name = segmentOf(field);
     if (name.empty() && field.need == StepField::Need::yes) return noOtherSegment(session_);
-    // What takes its voxels needs them free.
+    // These steps take voxels of the other segment, so it must be unlocked.
     const std::string_view step(kind.name);
     if (step != "add" && step != "merge" && step != "copy") continue;
     for (const Segment& segment : segmentsShown(session_)->segments)

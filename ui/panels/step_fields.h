@@ -9,18 +9,18 @@
 
 namespace volumen {
 
-/// The fields of a kind of step, by name and unit. A number that was typed stays for all kinds that have a
-/// field of that name; values stay for the series.
+/// The fields of a kind of step, with names and units. Typed numbers are kept for all kinds with a field of
+/// that name. Voxel values are kept for the series only.
 class StepFields : public QWidget {
   Q_OBJECT
  public:
   explicit StepFields(Session& session, QWidget* parent = nullptr);
 
-  /// Shows the fields of another kind, with the segments that there are now.
+  /// Shows the fields of another kind with the present segments.
   void showKind(const StepKind& kind);
-  /// What is to be taken for a kind: what was typed, else as its row says.
+  /// Returns the values for a kind: as typed, else its defaults.
   std::map<std::string, StepValue> valuesFor(const StepKind& kind) const;
-  /// Why that kind cannot be done with these, a sentence; empty: it can.
+  /// Returns a sentence why the kind cannot run with these values, empty if it can.
   QString whyNot(const StepKind& kind) const;
 
  Q_SIGNALS:
@@ -39,8 +39,8 @@ class StepFields : public QWidget {
 
   Session& session_;
   QGridLayout* grid_;
-  std::map<std::string, StepValue> typed_;   // by name of field, but for
-  std::map<std::string, StepValue> values_;  // values of the series, not as shown
+  std::map<std::string, StepValue> typed_;   // by field name, except values_
+  std::map<std::string, StepValue> values_;  // voxel values, stored and not as shown
   LoadedSeriesPtr series_;
   QStringList shown_;
 };

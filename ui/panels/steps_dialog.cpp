@@ -88,7 +88,7 @@ void StepsDialog::run() {
   Q_EMIT runWanted(*recipe, map_);
 }
 
-// What was typed meanwhile stays.
+// Keeps text typed in the meantime.
 void StepsDialog::showDone() {
   if (text_->toPlainText() == ran_) showSteps();
 }

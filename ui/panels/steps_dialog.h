@@ -10,20 +10,20 @@
 
 namespace volumen {
 
-/// The steps that made the segments of the series in view, as the text of a recipe, to be changed and run
-/// again. It follows what is done until a text is typed, which stays until it has been run or is discarded.
-/// Not modal; deletes itself when closed.
+/// Shows the steps that made the segments in view as text of a recipe, to be edited and run again. Follows
+/// the segments until a text is typed. Typed text stays until it is run or discarded. Not modal; deletes
+/// itself when closed.
 class StepsDialog : public QDialog {
   Q_OBJECT
  public:
   explicit StepsDialog(Session& session, QWidget* parent = nullptr);
 
-  /// What runWanted() came to: it was done, or why not.
+  /// Show the result of runWanted(): success, or the reason of failure.
   void showDone();
   void showRefused(const QString& why);
 
  Q_SIGNALS:
-  /// A recipe for the segments of these names, in the map of this number, whose steps it was.
+  /// Requests to run a recipe that replaces the segments of these names in map number `map`.
   void runWanted(const volumen::Recipe& recipe, int map);
 
  private:
@@ -35,8 +35,8 @@ class StepsDialog : public QDialog {
   QPlainTextEdit* text_;
   QLabel* note_;
   QPushButton *run_, *reset_;
-  int map_ = 0;  // whose steps are shown
-  QString ran_;  // the text that was run last
+  int map_ = 0;  // number of the map whose steps are shown
+  QString ran_;  // the text last run
 };
 
 }  // namespace volumen

@@ -29,7 +29,7 @@ namespace volumen {
 namespace {
 
 constexpr int thumbnailEdge = 44;
-constexpr int leastWidth = 150;  // after a narrow window, too
+constexpr int leastWidth = 150;  // also after the window was narrow
 
 QStringList linesOf(const Series& series, const std::vector<const Series*>& steps) {
   QStringList several{stepsText(steps), timeAxisText(steps)};
@@ -37,7 +37,7 @@ QStringList linesOf(const Series& series, const std::vector<const Series*>& step
   return everythingOf(series) + several;
 }
 
-// Others of a study with the same name.
+// Returns other series of the study with the same name.
 std::vector<const Series*> namesakes(const Study& study, const Series& series) {
   std::vector<const Series*> found;
   for (const Series& other : study.volumes)
@@ -45,15 +45,15 @@ std::vector<const Series*> namesakes(const Study& study, const Series& series) {
   return found;
 }
 
-// Whether a row that stands for one series stands for another one, too.
+// Returns whether the row of one series also stands for another one.
 bool standsFor(const Series& listed, const Series& series) {
   return keyOf(listed) == keyOf(series) || (!opensAsFrames(listed) && areTimePoints(listed, series));
 }
 
-// A tree whose series can be dragged: by the path that was opened and their number in it.
+// A tree with draggable series. Drag data holds the opened path and the series' number in it.
 class StudyTree : public QTreeWidget {
  protected:
-  // Its first click has chosen; to choose again would put a PET alone in place of its fusion.
+  // The first click has already chosen. A second choice would replace a fused view by the PET alone.
   void mouseDoubleClickEvent(QMouseEvent* event) override {
     const QSignalBlocker quiet(this);
     QTreeWidget::mouseDoubleClickEvent(event);
@@ -68,7 +68,7 @@ class StudyTree : public QTreeWidget {
   }
 };
 
-// With the parents that hold nothing else.
+// Removes an item with all parents that become empty.
 void removeItem(QTreeWidgetItem* item) {
   while (item) {
     QTreeWidgetItem* parent = item->parent();
@@ -118,7 +118,7 @@ StudiesPanel::StudiesPanel(OpenStudies& studies, QWidget* parent)
 
 int StudiesPanel::fittingWidth() const {
   constexpr int levels = 3;   // patient, study, series
-  constexpr int around = 24;  // the gaps beside picture and text, the frame
+  constexpr int around = 24;  // gaps beside picture and text, and the frame
   QFont bold = tree_->font();
   bold.setBold(true);
   const int text =
@@ -127,19 +127,19 @@ int StudiesPanel::fittingWidth() const {
   return margins.left() + margins.right() + levels * tree_->indentation() + thumbnailEdge + around + text;
 }
 
-// Null for what was not opened.
+// Returns null for items that were not opened.
 const OpenStudy* StudiesPanel::openedOf(const QTreeWidgetItem* item) const {
   return studies_.find(item->data(0, pathRole).toString());
 }
 
-// Null for patients, studies and what could not be read.
+// Returns null for patients, studies and unreadable files.
 const Series* StudiesPanel::seriesOf(const QTreeWidgetItem* item) const {
   const QVariant step = item->data(0, stepRole);
   const OpenStudy* opened = step.isValid() ? openedOf(item) : nullptr;
   return opened ? opened->seriesAt(step.toULongLong()) : nullptr;
 }
 
-// All that a row stands for.
+// Returns all series that a row stands for.
 std::vector<const Series*> StudiesPanel::stepsOf(const QTreeWidgetItem* item) const {
   const Series* shown = seriesOf(item);
   if (!shown) return {};
@@ -175,7 +175,7 @@ QTreeWidgetItem* StudiesPanel::childNamed(QTreeWidgetItem* parent, const QString
   return item;
 }
 
-// The study of a series, made where there is none yet.
+// Returns the study item of a series, creating it if necessary.
 QTreeWidgetItem* StudiesPanel::studyItem(const Series& series) {
   QTreeWidgetItem* root = tree_->invisibleRootItem();
   if (series.format != "DICOM")
@@ -196,14 +196,14 @@ void StudiesPanel::addSeries(const OpenStudy& opened, std::vector<std::size_t> r
   QStringList details{stepsText(steps), slicesText(series)};
   details.removeAll(QString());
   details << tellingApart(series, namesakes(*opened.study, *steps.front()));
-  // What is said of one slice as a volume does not hold of it as a frame.
+  // Warnings about a single slice as a volume do not apply to it as a frame.
   const QString mark = series.warnings.empty() || opensAsFrames(series) ? QString() : QStringLiteral("! ");
   auto* item = new QTreeWidgetItem(
       parent, {mark + seriesText(series) + QLatin1Char('\n') + details.join(QStringLiteral(", "))});
   item->setToolTip(0, toolTipOf(linesOf(series, steps)));
   item->setData(0, pathRole, opened.path);
   item->setData(0, stepRole, qulonglong(row.front()));
-  QPixmap none(thumbnailEdge, thumbnailEdge);  // so that nothing moves when the thumbnail comes
+  QPixmap none(thumbnailEdge, thumbnailEdge);  // keeps the layout when the thumbnail arrives
   none.fill(Qt::transparent);
   item->setIcon(0, none);
   thumbnails_.request(*steps.front());
@@ -221,7 +221,7 @@ void StudiesPanel::showMenu(QPoint position) {
   menu->setObjectName(QStringLiteral("studyMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   const Series* series = item ? seriesOf(item) : nullptr;
-  // The item may go while the menu is open.
+  // The item may be deleted while the menu is open.
   const QPersistentModelIndex index(tree_->indexAt(position));
   if (item)
     menu->addAction(tr("Remove from list"), this, [this, index] {
@@ -247,7 +247,7 @@ void StudiesPanel::showMenu(QPoint position) {
   menu->popup(tree_->viewport()->mapToGlobal(position));
 }
 
-// With all below it, and what holds nothing else.
+// Removes an item with its children and empty parents.
 void StudiesPanel::remove(QTreeWidgetItem* item) {
   std::vector<SeriesKey> series;
   std::vector<DerivedKey> derived;
@@ -257,7 +257,7 @@ void StudiesPanel::remove(QTreeWidgetItem* item) {
     for (int n = 0; n < from->childCount(); ++n) collect(from->child(n));
   };
   collect(item);
-  if (series.empty() && derived.empty()) return removeItem(item);  // of what could not be read
+  if (series.empty() && derived.empty()) return removeItem(item);  // an unreadable file
   Q_EMIT removeRequested(series, derived);
 }
 
@@ -334,7 +334,7 @@ void StudiesPanel::markShown(const Series& shown, const VolumePtr& volume) {
 }
 
 void StudiesPanel::filter(const QString& text) {
-  // From the leaves up: a parent is shown with any of its children.
+  // Works from the leaves up: a parent is visible with any of its children.
   const std::function<bool(QTreeWidgetItem*, bool)> show = [&](QTreeWidgetItem* item, bool all) {
     const bool found = all || item->text(0).contains(text, Qt::CaseInsensitive);
     bool any = found;

@@ -13,38 +13,37 @@ class QMimeData;
 
 namespace volumen {
 
-/// What was opened: patients, studies, series of slices or frames with a thumbnail, the steps of one series
-/// (in time, by direction) in one row; "!" where there is a warning, all that is known in the tooltip. Below
-/// them the objects that refer to pictures, with how many of these are not in the list. A click asks for a
-/// series or an object, a right click for what else can be done with it. What could not be read is named
-/// below with its reason.
+/// The open studies: patients, studies and series with thumbnails. Time points or directions of a series
+/// share a row. "!" marks a warning, and tooltips tell all details. Objects that refer to pictures follow,
+/// with the number of pictures missing from the list. A click requests a series or object, a right click
+/// opens a menu. Unreadable files are listed below with the reason.
 class StudiesPanel : public QWidget {
   Q_OBJECT
  public:
   explicit StudiesPanel(OpenStudies& studies, QWidget* parent = nullptr);
 
-  /// Wide enough for how many slices a series has, and in which plane.
+  /// Returns the width that shows the number of slices of a series and their plane, pixels.
   int fittingWidth() const;
-  /// Writes all again, after names were hidden or shown.
+  /// Rewrites all texts after names were hidden or shown.
   void showNames();
-  /// Marks the series on screen; its volume, where it is in memory, has the thumbnail at once.
+  /// Marks the series on screen. Draws its thumbnail at once if its volume is loaded.
   void markShown(const Series& shown, const VolumePtr& volume);
-  /// Those that rows stand for: of the steps of a series the one that a click shows.
+  /// Returns one series per row: of several time points the one that a click shows.
   std::vector<const Series*> listedSeries() const;
   QTreeWidget* tree() const { return tree_; }
-  /// The series that is dragged; null where it is not in the list.
+  /// Returns the dragged series, or null if it is not in the list.
   const Series* seriesOf(const QMimeData& dragged) const;
 
  Q_SIGNALS:
   void seriesChosen(const volumen::Series& series);
   void objectChosen(const volumen::DerivedObjectPtr& object);
   void attributesRequested(const volumen::Series& series);
-  /// Segments of these objects are to be edited.
+  /// Requests to edit the segments of these objects.
   void segmentsRequested(const QStringList& paths);
-  /// They are to be taken off the list.
+  /// Requests to remove these from the list.
   void removeRequested(const std::vector<volumen::SeriesKey>& series,
                        const std::vector<volumen::DerivedKey>& derived);
-  /// All that is listed is to be closed.
+  /// Requests to close all listed studies.
   void closeAllRequested(const volumen::Unlisted& listed);
 
  private:

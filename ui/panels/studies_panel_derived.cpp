@@ -11,7 +11,7 @@
 
 namespace volumen {
 
-// Null for all other items.
+// Returns null for all other items.
 DerivedObjectPtr StudiesPanel::derivedObjectOf(const QTreeWidgetItem* item) const {
   const QVariant index = item->data(0, derivedRole);
   const OpenStudy* opened = index.isValid() ? openedOf(item) : nullptr;
@@ -29,7 +29,7 @@ void StudiesPanel::addDerivedObject(const OpenStudy& opened, std::size_t n) {
   item->setData(0, derivedRole, qulonglong(n));
 }
 
-// Again whenever there is more in the list that they may refer to.
+// Repeated whenever the list has new pictures that objects may refer to.
 void StudiesPanel::showDerivedObjects() {
   std::unordered_set<std::string_view> here;
   for (const Series* series : studies_.pictures())

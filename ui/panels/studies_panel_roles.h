@@ -4,9 +4,8 @@
 
 namespace volumen {
 
-/// What an item of the list of studies knows: the key of a patient or study, the path that was opened, the
-/// number of its series there (of steps of one series: of the one that a click shows), or of its object that
-/// refers to pictures.
+/// Data of an item of the list of studies: the key of a patient or study, the opened path, and the number of
+/// a series or derived object in it. A row of several time points holds the series that a click shows.
 enum StudyItemRole { keyRole = Qt::UserRole, pathRole, stepRole, derivedRole };
 
 }  // namespace volumen

@@ -20,8 +20,8 @@ namespace volumen {
 
 namespace {
 
-constexpr int askAfterMs = 60;          // the last key
-constexpr std::size_t shortList = 100;  // patients whose studies are shown without a click
+constexpr int askAfterMs = 60;          // delay after the last key
+constexpr std::size_t shortList = 100;  // most patients whose studies are shown without a click
 
 bool isReturn(const QKeyEvent& event) {
   return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
@@ -73,7 +73,7 @@ StudyBrowser::StudyBrowser(StudySources& sources, QWidget* parent)
   setTabOrder(tree_, strip_);
 }
 
-// What another source still says is not listened to.
+// Listens to the current source only.
 void StudyBrowser::listen() {
   listening_ = std::make_unique<QObject>();
   StudySource* source = &sources_.current();
@@ -94,7 +94,7 @@ void StudyBrowser::listen() {
   import_->setVisible(source->canImport());
 }
 
-// Nothing stays of the one that was listed before.
+// Clears everything that belongs to the previous source.
 void StudyBrowser::showSource() {
   listen();
   model_->setList(std::make_shared<const StudyList>(), sort_);
@@ -113,8 +113,7 @@ void StudyBrowser::ask() {
   sources_.current().list(asked_);
 }
 
-// What was chosen and open stays so; the studies of a short list are shown. What answers an older request
-// than the last is dropped.
+// Restores selection and expanded rows, and expands a short list. Ignores answers to outdated requests.
 void StudyBrowser::showList(const StudyListRequest& request, const StudyListPtr& list) {
   if (request != asked_) return;
   setUsable(true);
@@ -172,7 +171,7 @@ void StudyBrowser::restore(const TreeState& state) {
   QItemSelectionModel* selection = tree_->selectionModel();
   QModelIndex current = model_->indexOf(state.current);
   if (!current.isValid()) current = model_->firstPatient();
-  tree_->setAutoScroll(false);  // the list stays where it was
+  tree_->setAutoScroll(false);  // keeps the scroll position
   selection->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
   tree_->setAutoScroll(true);
   const auto select = [&](const QModelIndex& index) {
@@ -180,11 +179,11 @@ void StudyBrowser::restore(const TreeState& state) {
   };
   for (const StudyRowKey& key : state.selected) select(model_->indexOf(key));
   if (!selection->hasSelection()) select(current);
-  tree_->visualRect(current);  // lays the rows out, so that there is something to scroll
+  tree_->visualRect(current);  // lays out the rows, so that scrolling works
   tree_->verticalScrollBar()->setValue(state.scrolled);
 }
 
-// Of a patient those of the latest study; of the group of those opened last those of the first.
+// Shows the series of a patient's latest study, or of the first study of the recent group.
 void StudyBrowser::showSeriesOf(const QModelIndex& index) {
   const IndexedStudy* study = model_->studyAt(model_->latestOf(index));
   if (!study && index.isValid()) study = model_->studyAt(model_->index(0, 0, index.siblingAtColumn(0)));
@@ -211,7 +210,7 @@ void StudyBrowser::startSearch() {
 
 void StudyBrowser::clearSearch() { search_->clear(); }
 
-// A group is opened in the tree alone.
+// A group can only be expanded and collapsed.
 void StudyBrowser::activate(const QModelIndex& index) {
   if (model_->isRecentGroup(index)) return tree_->setExpanded(index, !tree_->isExpanded(index));
   openBest(index, false);
@@ -225,7 +224,7 @@ void StudyBrowser::open(const IndexedChoice& choice, bool isOffline, bool beside
 
 void StudyBrowser::openCurrent(bool beside) { openBest(tree_->currentIndex(), beside); }
 
-// Of a patient the latest study, of the group of those opened last the first.
+// Opens the latest study of a patient, or the first of the recent group.
 void StudyBrowser::openBest(const QModelIndex& row, bool beside) {
   QModelIndex index = model_->latestOf(row.siblingAtColumn(0));
   if (!model_->studyAt(index) && index.isValid()) index = model_->index(0, 0, index);
@@ -296,7 +295,8 @@ bool StudyBrowser::searchKey(QKeyEvent* event) {
   return true;
 }
 
-// What is typed in a list is searched for; as a shortcut of the window it means nothing there.
+// Handles keys pressed in a list and moves typed text to the search. Returns true for keys that must not
+// trigger shortcuts of the window.
 bool StudyBrowser::listKey(QObject* watched, QKeyEvent* event, bool isPress) {
   const bool hasModifier = event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
   const bool isTyped = !hasModifier && !event->text().isEmpty() && event->text().front().isPrint() &&
@@ -321,7 +321,7 @@ bool StudyBrowser::listKey(QObject* watched, QKeyEvent* event, bool isPress) {
   return true;
 }
 
-// What is dropped on the list is imported; anywhere else it is opened.
+// Imports files dropped on the list. Files dropped elsewhere are opened.
 void StudyBrowser::dragEnterEvent(QDragEnterEvent* event) {
   const bool canImport = sources_.current().canImport();
   if (canImport && !localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();

@@ -20,32 +20,31 @@ namespace volumen {
 class SeriesStrip;
 class StudyColumns;
 
-/// The studies of a source: patients, studies and series in a tree that is searched as one types and sorted
-/// by its columns, and the series of the chosen study as thumbnails. Asks the source for everything; what it
-/// knows is the last answer. Where there are several sources, one is chosen above.
+/// The studies of a source: a tree of patients, studies and series with search and sorting, and thumbnails of
+/// the chosen study. Shows the last answer of the source. With several sources, a box above chooses one.
 class StudyBrowser : public QWidget {
   Q_OBJECT
  public:
   explicit StudyBrowser(StudySources& sources, QWidget* parent = nullptr);
 
-  /// Reads the list again: other programs may have changed it.
+  /// Reads the list again, as other programs may have changed it.
   void refresh();
-  /// Writes all again, after names were hidden or shown.
+  /// Rewrites all texts after names were hidden or shown.
   void showNames();
-  /// Puts the cursor into the search field.
+  /// Moves the keyboard focus to the search field.
   void startSearch();
-  /// Lists all again.
+  /// Clears the search.
   void clearSearch();
   bool isEmpty() const { return model_->list().patients.empty() && shown_.words.empty(); }
 
  Q_SIGNALS:
-  /// `beside`: what is on screen stays.
+  /// If `beside`, the series on screen stay.
   void openRequested(const volumen::IndexedChoice& choice, bool beside);
-  /// A study or series that cannot be opened, as its files are not there.
+  /// The user chose a study or series whose files are offline.
   void offlineRequested();
   void importRequested();
   void hideRequested();
-  /// The list was read.
+  /// A list has been read.
   void listChanged();
 
  protected:
@@ -54,7 +53,7 @@ class StudyBrowser : public QWidget {
   void dropEvent(QDropEvent*) override;
 
  private:
-  // What of the tree stays when the list is read again.
+  // The state of the tree kept when the list is read again.
   struct TreeState {
     std::set<StudyRowKey> expanded, collapsed, selected;
     StudyRowKey current;
@@ -99,8 +98,8 @@ class StudyBrowser : public QWidget {
   QTimer ask_;
   StudySort sort_;
   StudyListRequest asked_, shown_;
-  std::unique_ptr<QObject> listening_;  // of what the source that is listed says
-  std::vector<std::int64_t> removed_;   // by the last step
+  std::unique_ptr<QObject> listening_;  // receiver of the listed source's signals
+  std::vector<std::int64_t> removed_;   // studies removed by the last step
 };
 
 }  // namespace volumen

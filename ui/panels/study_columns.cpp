@@ -12,8 +12,8 @@ namespace {
 
 struct ColumnRow {
   StudyColumn column;
-  const char* word;    // in settings
-  const char* widest;  // what is to have room; null: it takes what is left
+  const char* word;    // used in settings
+  const char* widest;  // text that must fit; null takes the remaining width
   bool isUsual;
 };
 
@@ -28,7 +28,7 @@ constexpr ColumnRow columnTable[] = {{StudyColumn::name, "name", "Somebody, Anyo
                                      {StudyColumn::accession, "accession", "Accession number", false},
                                      {StudyColumn::institution, "institution", "University Hospital", false}};
 
-// Whose study it is stands in every row.
+// The patient's name stays in every row.
 bool canBeHidden(const ColumnRow& row) { return row.column != StudyColumn::name; }
 
 QString settingOf(const ColumnRow& row) { return QStringLiteral("studyColumns/") + QLatin1String(row.word); }

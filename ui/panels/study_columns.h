@@ -7,15 +7,14 @@ class QMenu;
 
 namespace volumen {
 
-/// Which columns of the study list are shown: chosen by a right click on their heads, and kept from one start
-/// to the next.
+/// Hides and shows columns of the study list by a context menu of its heads. Settings keep the choice.
 class StudyColumns : public QObject {
   Q_OBJECT
  public:
-  /// Of the list that this is the head of; its sections are those of StudyColumn.
+  /// `header` belongs to the study list. Its sections are those of StudyColumn.
   explicit StudyColumns(QHeaderView* header);
 
-  /// An entry for each that can be hidden.
+  /// Adds an entry for each column that can be hidden.
   void addTo(QMenu* menu);
 
  private:

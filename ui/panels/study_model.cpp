@@ -16,7 +16,7 @@ namespace volumen {
 
 namespace {
 
-// Where a row stands: of a group or patient `top`, of a study `study` below it. In the 64 bits of an index.
+// Packs the position of a row into the 64 bits of an index: group or patient `top`, `study` below it.
 enum class RowKind : quintptr { top, study, series };
 
 quintptr packed(RowKind kind, int top = 0, int study = 0) {
@@ -120,7 +120,7 @@ void StudyModel::setSeries(std::int64_t study, const SeriesListPtr& series) {
   auto sorted = std::make_shared<const std::vector<IndexedSeries>>(sortedSeries(*series, sort_));
   SeriesListPtr& known = series_[study];
   if (known && *known == *sorted) return;
-  // Of the study where it stands below its patient, and among those opened last.
+  // Updates the study below its patient and in the recent group.
   Q_EMIT layoutAboutToBeChanged();
   known = std::move(sorted);
   for (const QModelIndex& index : persistentIndexList()) {

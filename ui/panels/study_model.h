@@ -12,48 +12,49 @@ class QMimeData;
 
 namespace volumen {
 
-/// Of choices of the index that are dragged, under the mime type of any series that is.
+/// Makes the drag data of a choice of the index, under the mime type of all dragged series.
 QMimeData* draggedChoice(const IndexedChoice& choice);
-/// Null: something else is dragged.
+/// Returns the dragged choice, or nothing if something else is dragged.
 std::optional<IndexedChoice> choiceIn(const QMimeData& dragged);
 
-/// Names a row of the study browser, wherever it stands: the same in the next list. Default: none.
+/// Identifies a row of the study browser, also in a new list. A default key identifies no row.
 struct StudyRowKey {
-  bool recent = false;  ///< in the group of what was opened last; alone: the group
+  bool recent = false;  ///< in the group of recently opened studies; without other members, the group itself
   std::string patientId = {}, patientName = {};
   std::int64_t study = 0, series = 0;
   auto operator<=>(const StudyRowKey&) const = default;
 };
 
-/// The rows of the study browser: what was opened last in a group of its own, then patients; below them
-/// studies; below these their series, which are asked for when they are first wanted.
+/// The rows of the study browser: the group of recently opened studies, then patients. Their children are
+/// studies, and series below them, which are requested on first use.
 class StudyModel : public QAbstractItemModel {
   Q_OBJECT
  public:
   explicit StudyModel(QObject* parent = nullptr);
 
-  /// Shows another list; series that are known already stay, and are asked for again.
+  /// Shows another list. Keeps known series but requests them again.
   void setList(const StudyListPtr& list, const StudySort& sort);
   const StudyList& list() const { return *list_; }
-  /// Takes the series of a study that were wanted.
+  /// Takes the requested series of a study.
   void setSeries(std::int64_t study, const SeriesListPtr& series);
-  /// Writes all again, after names were hidden or shown.
+  /// Rewrites all texts after names were hidden or shown.
   void showNames();
 
-  /// What a row stands for; null: no such thing. A patient with one study stands for that, too.
+  /// Return the study or series of a row, or null. The row of a patient with one study also stands for that
+  /// study.
   const IndexedStudy* studyAt(const QModelIndex& index) const;
   const IndexedSeries* seriesAt(const QModelIndex& index) const;
-  /// The study, or the series; {0, 0} for groups and patients of several studies.
+  /// Returns the study or series; {0, 0} for groups and for patients with several studies.
   IndexedChoice choiceAt(const QModelIndex& index) const;
-  /// Of a patient of several studies the row of the latest; else the row itself.
+  /// Returns the row of the latest study of a patient with several studies, else the row itself.
   QModelIndex latestOf(const QModelIndex& index) const;
-  /// All studies of a patient; else the one of the row. None of a series.
+  /// Returns all studies of a patient, or the one of the row. Empty for a series.
   std::vector<std::int64_t> studiesOf(const QModelIndex& index) const;
   bool isRecentGroup(const QModelIndex& index) const;
-  /// The first one below the group of those opened last.
+  /// Returns the first patient below the group of recent studies.
   QModelIndex firstPatient() const;
   StudyRowKey keyOf(const QModelIndex& index) const;
-  /// Invalid: it is not in the list.
+  /// Returns an invalid index if the row is not in the list.
   QModelIndex indexOf(const StudyRowKey& key) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -70,7 +71,7 @@ class StudyModel : public QAbstractItemModel {
   QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
  Q_SIGNALS:
-  /// setSeries() is wanted.
+  /// Requests setSeries().
   void seriesWanted(qint64 study);
 
  private:
@@ -84,8 +85,8 @@ class StudyModel : public QAbstractItemModel {
 
   StudyListPtr list_ = std::make_shared<const StudyList>();
   StudySort sort_;
-  std::map<std::int64_t, SeriesListPtr> series_;  // by study
-  std::set<std::int64_t> wanted_;                 // studies whose series were asked for
+  std::map<std::int64_t, SeriesListPtr> series_;  // series by study
+  std::set<std::int64_t> wanted_;                 // studies whose series were requested
 };
 
 }  // namespace volumen

@@ -30,7 +30,7 @@ QStringList surfaceHeads(bool isReduced) {
   return heads << SurfaceDialog::tr("Closed shells");
 }
 
-// In the order of the heads.
+// Returns cells in the order of the heads.
 QStringList surfaceCells(const SurfaceToWrite& of) {
   const auto text = [](double number) { return digitsText(number, 4); };
   QStringList cells{shownText(of.name), QString::number(qulonglong(of.surface.triangles.size())),
@@ -91,10 +91,10 @@ void SurfaceDialog::addChoices(QFormLayout& form) {
   byMm_->setValue(usualMm);
   byMm_->setSingleStep(usualMm);
   byMm_->setSuffix(tr(" mm"));
-  byMm_->setKeyboardTracking(false);  // each number is made anew
+  byMm_->setKeyboardTracking(false);  // avoids making surfaces for each typed digit
   byMm_->setEnabled(false);
   largest_->setObjectName(QStringLiteral("surfaceLargest"));
-  largest_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // no wider than what can be clicked
+  largest_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // no wider than its clickable area
   largest_->setToolTip(
       toolTipOf(tr("Leaves out what no faces of voxels join to it: loose parts of a print")));
   form.addRow(tr("Files"), files_);

@@ -18,19 +18,19 @@ class QTableWidget;
 
 namespace volumen {
 
-/// Surfaces as they are to be written.
+/// Surfaces ready to be written.
 using SurfacesToWrite = std::shared_ptr<const std::vector<SurfaceToWrite>>;
 
-/// Asks how the surfaces of segments are written, makes them, and tells their triangles, volumes and areas
-/// before they are saved.
+/// Makes the surfaces of segments with chosen options, and shows their triangles, volumes and areas before
+/// they are saved.
 class SurfaceDialog : public QDialog {
   Q_OBJECT
  public:
-  /// The maps have labels.
+  /// Requires maps with labels.
   SurfaceDialog(std::vector<SegmentMap> maps, Jobs& jobs, QWidget* parent = nullptr);
 
   SurfaceWriting writing() const;
-  /// As they were made for that; there are some once the dialog was accepted.
+  /// Returns the surfaces made by these options. Not null after the dialog was accepted.
   const SurfacesToWrite& surfaces() const { return surfaces_; }
 
  private:
@@ -47,7 +47,7 @@ class SurfaceDialog : public QDialog {
   QTableWidget* table_;
   QLabel* said_;
   QPushButton* save_;
-  SurfacesToWrite surfaces_;  // null: they are being made
+  SurfacesToWrite surfaces_;  // null while they are being made
   JobLane lane_;
 };
 

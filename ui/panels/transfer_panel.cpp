@@ -18,7 +18,7 @@ namespace volumen {
 
 namespace {
 const double ln2 = std::log(2.0);
-constexpr double longestHalving = 1e5, shortestHalving = 0.05;  // mm, of the field
+constexpr double longestHalving = 1e5, shortestHalving = 0.05;  // limits of the field, mm
 }  // namespace
 
 TransferPanel::TransferPanel(Session& session, QWidget* parent)
@@ -57,7 +57,7 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
   showCurve();
 }
 
-// Of one height, so that nothing around them moves with the mode.
+// Gives both pages one height, so that nothing moves when the mode changes.
 void TransferPanel::makePages() {
   auto* curve = new QWidget;
   auto* column = new QVBoxLayout(curve);
@@ -103,7 +103,7 @@ void TransferPanel::showCurve() {
     editor_->setCurve(scene.transferFunction);
     return showPoint();
   }
-  // The window as a curve from black to white.
+  // Draws the window as a curve from black to white.
   const WindowEnds ends = endsOf(windowInUse(scene, *session_.series()));
   const CurvePoint dark{float(ends.dark), glm::dvec3(0), 0}, bright{float(ends.bright), glm::dvec3(1), 1};
   TransferFunction curve;
@@ -112,7 +112,7 @@ void TransferPanel::showCurve() {
 }
 
 void TransferPanel::editWindow(const TransferFunction& curve, const QString& what) {
-  // Without its series, as after undoing its removal, there is no window to edit.
+  // Without a series, as after undoing its removal, there is no window to edit.
   if (!session_.series()) return showCurve();
   const CurvePoint &first = curve.points.front(), &last = curve.points.back();
   WindowEnds ends{first.value, last.value};
@@ -222,7 +222,7 @@ void TransferPanel::showPoint() {
   const double extinction = extinctionPerMm(point.opacity, curve.unitDistance);
   value_->setValue(point.value);
   opacity_->setValue(opacityFromExtinction(extinction, 1));
-  // At both ends there is no number: the field stands at its smallest value, under another name.
+  // Both extremes have no number, so the field shows its minimum under another name.
   const bool none = extinction == 0, all = point.opacity >= 1;
   halving_->setSpecialValueText(none ? tr("none") : all ? tr("< 0.01 mm") : QString());
   halving_->setValue(none || all ? shortestHalving : ln2 / extinction);
@@ -238,7 +238,7 @@ void TransferPanel::changePoint(const std::function<void(CurvePoint&)>& change, 
         auto& points = s.transferFunction.points;
         CurvePoint& point = points[n];
         change(point);
-        // Not past the neighbours: values must not decrease.
+        // Stops at the neighbours, as values must not decrease.
         if (n > 0) point.value = std::max(point.value, points[n - 1].value);
         if (n + 1 < int(points.size())) point.value = std::min(point.value, points[n + 1].value);
       },

@@ -11,8 +11,8 @@ class QStackedWidget;
 
 namespace volumen {
 
-/// What is drawn along each line of sight, and how values are shown: the curve of opacity and colour with its
-/// selected point in numbers, or the window of a projection.
+/// The rendering mode and how values are shown: the curve of opacity and colour with the numbers of its
+/// selected point, or the window of a projection.
 class TransferPanel : public QWidget {
   Q_OBJECT
  public:
@@ -20,7 +20,7 @@ class TransferPanel : public QWidget {
   CurveEditor* editor() const { return editor_; }
 
  Q_SIGNALS:
-  /// The curve of the scene was just changed here, as a step or a part of one.
+  /// The user changed the curve of the scene here, by a step or a drag.
   void curvePulled();
 
  private:
@@ -40,7 +40,7 @@ class TransferPanel : public QWidget {
   Session& session_;
   CurveEditor* editor_;
   QWidget* fields_;
-  QStackedWidget* pages_;  // numbers of the curve, of the window
+  QStackedWidget* pages_;  // numbers of the curve, or of the window
   QComboBox *mode_, *scale_;
   QDoubleSpinBox *value_, *opacity_, *halving_;
   ColourButton* colour_;

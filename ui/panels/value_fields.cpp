@@ -14,7 +14,7 @@ namespace {
 
 constexpr double largestValue = 1e9;
 
-// As many as four digits of the width need, and at least one.
+// Returns the decimals for four digits of the width, at least one.
 int decimalsOf(double width) {
   return width > 0 ? std::clamp(3 - int(std::floor(std::log10(width))), 1, 6) : 1;
 }
@@ -30,7 +30,7 @@ ValueFields::ValueFields(const QString& name, bool all, QWidget* parent) : QWidg
   if (all) {
     centre_ = addField(name + QStringLiteral("Centre"), tr("Centre"));
     width_ = addField(name + QStringLiteral("Width"), tr("Width"));
-    width_->setMinimum(0);  // which typed() does not take
+    width_->setMinimum(0);  // typed() rejects zero
   }
   low_ = addField(name + QStringLiteral("Low"), tr("Lowest"));
   high_ = addField(name + QStringLiteral("High"), tr("Highest"));
@@ -72,19 +72,19 @@ void ValueFields::setWindow(const Window& window, const Series& series) {
   }
 }
 
-// What was not typed stays as exact as it was.
+// Keeps the exact values of fields that were not typed.
 void ValueFields::typed(QDoubleSpinBox* field) {
   if (!window_) return;
   const double sign = window_->width < 0 ? -1 : 1, value = field->value();
   const double width = std::abs(window_->width);
-  if (field == width_ && value <= 0) {  // no window is as narrow
+  if (field == width_ && value <= 0) {  // rejects an empty window
     const QSignalBlocker quiet(field);
     return field->setValue(width);
   }
   double low = window_->centre - width / 2, high = low + width;
   if (field == centre_) low = value - width / 2, high = value + width / 2;
   if (field == width_) low = window_->centre - value / 2, high = window_->centre + value / 2;
-  // An end that is typed beyond the other one takes it along.
+  // An end typed beyond the other one moves that along.
   if (field == low_) low = value, high = low < high ? high : low + width;
   if (field == high_) high = value, low = low < high ? low : high - width;
   low *= toStored_, high *= toStored_;

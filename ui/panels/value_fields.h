@@ -7,19 +7,19 @@
 
 namespace volumen {
 
-/// A window in four fields, with the unit of a series: centre and width, or its lowest and highest value.
+/// A window in four fields, in the unit of a series: centre and width, lowest and highest value.
 class ValueFields : public QWidget {
   Q_OBJECT
  public:
-  /// `name` begins the object names of the fields ("flat": "flatCentre" ...). Not `all`: the
-  /// lowest and the highest value alone.
+  /// `name` is the prefix of the fields' object names ("flat": "flatCentre" ...). Without `all` there are
+  /// only the lowest and highest value.
   ValueFields(const QString& name, bool all, QWidget* parent = nullptr);
 
-  /// Shows a window of a series, in stored values, telling nobody.
+  /// Shows a window of a series in stored values, without a signal.
   void setWindow(const Window& window, const Series& series);
 
  Q_SIGNALS:
-  /// Its ends, in stored values; `dark` is above `bright` where it is inverted.
+  /// The edited window, in stored values. `dark` is above `bright` if it is inverted.
   void edited(volumen::WindowEnds ends);
   void gestureFinished();
 
@@ -28,7 +28,7 @@ class ValueFields : public QWidget {
   void typed(QDoubleSpinBox* field);
 
   std::optional<Window> window_;  // in the numbers on screen
-  double toStored_ = 1;           // from these numbers
+  double toStored_ = 1;           // factor from these numbers to stored values
   QDoubleSpinBox *centre_ = nullptr, *width_ = nullptr, *low_, *high_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace volumen {
 
-/// The window of a projection in numbers: chosen by name, typed, inverted.
+/// The window of a projection in numbers, chosen by name, typed or inverted.
 class WindowFields : public QWidget {
   Q_OBJECT
  public:

@@ -16,16 +16,16 @@ namespace {
 
 enum OwnColumn { ownName, ownWidth, ownCentre, ownFor, ownColumns };
 
-constexpr double largestNumber = 1e30;  // as volumes hold it
+constexpr double largestNumber = 1e30;  // limit of values in volumes
 
-// A number as people write it, with a point or a comma.
+// Parses a number with a decimal point or comma.
 std::optional<double> typedNumber(QString text) {
   bool isNumber = false;
   const double number = text.trimmed().replace(u',', u'.').toDouble(&isNumber);
   return isNumber && std::abs(number) <= largestNumber ? std::optional(number) : std::nullopt;
 }
 
-// "CT, HU"
+// Returns modality and unit, such as "CT, HU".
 QString forText(const OwnWindow& own) {
   QStringList parts{shownText(own.modality), shownText(own.unit)};
   parts.removeAll(QString());
@@ -73,7 +73,7 @@ QWidget* WindowsDialog::makeButtons() {
   QPushButton* removed = buttons->addButton(tr("Remove"), QDialogButtonBox::ActionRole);
   added->setObjectName(QStringLiteral("addWindow"));
   removed->setObjectName(QStringLiteral("removeWindow"));
-  for (QPushButton* button : {added, removed}) button->setAutoDefault(false);  // Enter ends a cell
+  for (QPushButton* button : {added, removed}) button->setAutoDefault(false);  // Enter ends editing a cell
   connect(added, &QPushButton::clicked, this, &WindowsDialog::add);
   connect(removed, &QPushButton::clicked, this, &WindowsDialog::remove);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
@@ -89,7 +89,7 @@ void WindowsDialog::showWindows() {
     const auto [width, centre] = windowNumbers(own.window);
     const QString texts[] = {own.name, width, centre, forText(own)};
     for (int column = 0; column < ownColumns; ++column) {
-      // One that was just edited is still in use.
+      // Reuses items, as one being edited is still in use.
       if (!table_->item(row, column)) table_->setItem(row, column, new QTableWidgetItem);
       QTableWidgetItem* cell = table_->item(row, column);
       cell->setText(texts[column]);
@@ -98,7 +98,7 @@ void WindowsDialog::showWindows() {
   }
 }
 
-// Its name is typed next.
+// Adds the window in use and edits its name next.
 void WindowsDialog::add() {
   std::optional<OwnWindow> own = inUse_();
   if (!own)
@@ -115,7 +115,7 @@ void WindowsDialog::remove() {
   session_.prefer([row](Preferences& p) { p.windows.erase(p.windows.begin() + row); });
 }
 
-// What is no name or no number leaves the cell as it was.
+// Restores the cell if the text is no valid name or number.
 void WindowsDialog::edit(int row, int column) {
   OwnWindows windows = session_.preferences().windows;
   OwnWindow& own = windows[std::size_t(row)];

@@ -8,11 +8,11 @@
 
 namespace volumen {
 
-/// The user's own windows: named, numbered and taken off the list here; each change is kept at once.
+/// Edits the list of the user's own windows: names, numbers and removal. Each change is saved at once.
 class WindowsDialog : public QDialog {
   Q_OBJECT
  public:
-  /// The window in use of the slice or frame in focus, without a name; none: there is none.
+  /// Returns the window of the slice or frame in focus, without a name, or nothing.
   using InUse = std::function<std::optional<OwnWindow>()>;
   WindowsDialog(Session& session, InUse inUse, QWidget* parent);
 

@@ -8,10 +8,10 @@
 
 namespace volumen::tests {
 
-/// Runs `volumen measure PATH --roi shapes.json OPTIONS`, whose shapes are this JSON.
+/// Runs `volumen measure PATH --roi shapes.json OPTIONS` with `shapes` (JSON) in that file.
 Outcome measuredShapes(const QString& path, const QByteArray& shapes, const QStringList& options = {});
 
-/// The numbers of the only shape.
+/// Returns the numbers of the only shape.
 QJsonObject measuredShape(const QString& path, const QByteArray& shapes);
 
 }  // namespace volumen::tests

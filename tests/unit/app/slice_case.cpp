@@ -23,7 +23,7 @@ namespace {
 QString text(double x) { return QString::number(x, 'g', 17); }
 QString text(glm::dvec3 v) { return QStringLiteral("%1,%2,%3").arg(text(v.x), text(v.y), text(v.z)); }
 
-/// Attached NRRD, raw float32, sizes W H.
+/// Reads an attached NRRD of raw float32 with sizes W H.
 SliceFile readFloats(const QByteArray& file) {
   const qsizetype end = file.indexOf("\n\n");
   const QList<QByteArray> lines = file.left(end).split('\n');
@@ -45,7 +45,7 @@ SliceFile readFloats(const QByteArray& file) {
   return slice;
 }
 
-/// 1e-4 of the range, and four units in the last place of the largest value: files hold float32.
+/// Returns 1e-4 of the range plus four units in the last place of the largest value, as files hold float32.
 double toleranceOf(const Volume& volume) {
   double low = volume.valueAt(0), high = low;
   for (std::int64_t n = 0; n < volume.geometry().voxelCount(); ++n) {
@@ -59,7 +59,7 @@ bool same(double a, double b, double tolerance) {
   return std::isnan(a) || std::isnan(b) ? std::isnan(a) == std::isnan(b) : std::abs(a - b) <= tolerance;
 }
 
-/// Whether --print-plane told the plane.
+/// Returns whether --print-plane reported this plane.
 bool isToldAs(const QByteArray& json, const TwinPlane& plane) {
   const QJsonObject told = QJsonDocument::fromJson(json).object();
   const auto near = [&](const char* name, glm::dvec3 wanted) {
@@ -75,7 +75,7 @@ bool isToldAs(const QByteArray& json, const TwinPlane& plane) {
          told[QStringLiteral("average")].toBool() == plane.average;
 }
 
-/// Whether some shift of all samples makes the twin's pixel what the program's is.
+/// Returns whether the twin gives this pixel value after some shift of all samples.
 bool sameWhenShifted(float value, const Volume& volume, const TwinPlane& plane, glm::ivec2 pixel,
                      double tolerance) {
   for (int n = 0; n < 27; ++n) {

@@ -8,34 +8,33 @@
 
 namespace volumen::tests {
 
-/// What a run of `volumen slice PATH -o x.nrrd OPTIONS` gave.
+/// Result of `volumen slice PATH -o x.nrrd OPTIONS`.
 struct SliceFile {
-  QString failure;  ///< why there are no values; empty where there are
+  QString failure;  ///< why there are no values, else empty
   glm::ivec2 size{0};
   std::vector<float> values;  ///< row by row from the top, NaN outside
-  QByteArray plane;           ///< what --print-plane wrote
+  QByteArray plane;           ///< output of --print-plane
 };
 
-/// Runs it in a folder of its own.
+/// Runs the command in a temporary folder.
 SliceFile runSlice(const QString& path, const QStringList& options);
 
-/// The options of `volumen slice` that ask for slab, interpolation and averaging of `plane`.
+/// Returns the options of `volumen slice` for slab, interpolation and averaging of `plane`.
 QStringList samplingOptions(const TwinPlane& plane);
-/// The options that ask for all of `plane`, in numbers.
+/// Returns all options for `plane`, in numbers.
 QStringList planeOptions(const TwinPlane& plane);
 
-/// Where the plane that was told or the values are not the twin's: pixels without a value where the twin has
-/// one (or the reverse), and values further off than 1e-4 of the volume's range (and what float32 rounds
-/// off). A pixel passes if the twin gives it with all samples moved by 1e-6 voxel: what hangs on less hangs
-/// on rounding. Empty: none.
+/// Describes where the reported plane or the values differ from the twin's, empty if they agree. Compares
+/// which pixels have a value, and values within 1e-4 of the volume's range and float32 rounding. A pixel also
+/// passes if the twin gives its value with all samples moved by 1e-6 voxel, as smaller effects are rounding.
 QString faultsOf(const SliceFile& slice, const Volume& volume, const TwinPlane& plane);
 
-/// The volume that a flat view shows of the path, chosen as the program chooses without --series; null where
+/// Returns the volume that a flat view shows of `path`, chosen as the program does without --series. Null if
 /// `path` is empty.
 VolumePtr volumeAt(const std::string& path);
 
-/// The pixel of a PNG on which the grey differs from the twin's of the values, in words; empty where none
-/// does. Values whose grey lies within 1e-3 of a boundary between two bytes may have either.
+/// Describes the pixel of a PNG whose grey differs from the twin's, empty if none does. Values whose grey is
+/// within 1e-3 of a boundary between two bytes may have either.
 QString greyFaults(const QString& png, const SliceFile& slice, Window window, bool linearExact);
 
 }  // namespace volumen::tests

@@ -1,4 +1,4 @@
-// Guards design.md 4 and 6 (accuracy: CSV, JSON and pictures of the study, without a display).
+// Guards design.md 4 and 6: `accuracy` writes CSV, JSON and pictures of the study without a display.
 #include <QDir>
 #include <QImage>
 #include <QJsonArray>
@@ -46,14 +46,14 @@ void TestAccuracyCommand::writesTheStudy() {
   QCOMPARE(contentsOf(written.filePath(QStringLiteral("study.csv"))).count('\n'), rows.size() + 1);
   QVERIFY(all[QStringLiteral("reference")].toObject()[QStringLiteral("text")].toString().startsWith(
       QStringLiteral("300 of 1200 pixels, one of each cell of a 20 x 15 grid")));
-  // exact is nearer the truth than draft.
+  // Level exact has a smaller error than draft.
   QCOMPARE(rows[1].toObject()[QStringLiteral("value")].toString(), QStringLiteral("draft"));
   QVERIFY(rows[4].toObject()[QStringLiteral("rmse")].toDouble() <
           rows[1].toObject()[QStringLiteral("rmse")].toDouble());
   for (const char* name : {"error-time.png", "knobs.png", "differences.png"}) {
     const QImage picture(written.filePath(QString::fromLatin1(name)));
     QVERIFY2(picture.width() > 600 && picture.height() > 200, name);
-    // Something is drawn on the white.
+    // The picture is not all white.
     int coloured = 0;
     for (int y = 0; y < picture.height(); y += 2)
       for (int x = 0; x < picture.width(); x += 2) coloured += qGray(picture.pixel(x, y)) < 200;

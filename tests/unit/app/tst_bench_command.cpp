@@ -50,7 +50,7 @@ void TestBenchCommand::aTableForPeople() {
   QVERIFY(done.err.isEmpty());
 }
 
-// The cube seen from its front and, nearly, from above an edge: other paths through it.
+// Views the cube from its front and from nearly above an edge, which gives other paths through it.
 void TestBenchCommand::elevationRaisesTheCamera() {
   const auto samples = [](const char* line) {
     return viewsOf(line)[0].toObject()[QStringLiteral("resampled")].toDouble();

@@ -1,4 +1,5 @@
-// Guards design.md 4 and 7: the command line as a user or a script meets it: exit statuses, sentences, files.
+// Guards design.md 4 and 7: exit statuses, sentences and files of the command line as users and scripts meet
+// it.
 #include <QFile>
 #include <QImage>
 #include <QJsonArray>
@@ -110,7 +111,7 @@ void TestCommands::whatFailsIsASentenceAndStatus1() {
   QVERIFY2((a.err + a.out).contains(named.toUtf8()), a.err);
 }
 
-// Preshaded holds 16 bytes for each of 46 million voxels, more than the program may have.
+// Method preshaded needs 16 bytes for each of 46 million voxels, more than the program may use.
 void TestCommands::tooLittleMemoryIsASentence() {
   if (volumen::worker::sanitized) QSKIP("sanitizers reserve more than any limit");
   const QString png = at("none.png");
@@ -145,7 +146,7 @@ void TestCommands::renderWritesAPictureThatSaysHowItWasMade() {
   QCOMPARE(image.size(), QSize(64, 48));
   QCOMPARE(image.text(QStringLiteral("volumen-level")), QStringLiteral("standard"));
   QVERIFY(image.text(QStringLiteral("volumen-scene")).contains(QStringLiteral("transferFunction")));
-  // The head stands in the middle, black around it.
+  // The head is in the middle on black.
   QVERIFY(qGray(image.pixel(32, 24)) > 20);
   QCOMPARE(qGray(image.pixel(0, 0)), 0);
 }
@@ -167,8 +168,8 @@ void TestCommands::statsHoldTheStages() {
 
 void TestCommands::aPictureSaysHowFarItMayBeOff_data() {
   QTest::addColumn<QString>("options");
-  QTest::addColumn<QString>("text");     // of the PNG, a regular expression
-  QTest::addColumn<QString>("unknown");  // the sentence where nothing is estimated
+  QTest::addColumn<QString>("text");     // text of the PNG, a regular expression
+  QTest::addColumn<QString>("unknown");  // sentence if there is no estimate
   const auto row = [](const char* name, const char* options, const char* text, const char* unknown) {
     QTest::newRow(name) << QString::fromLatin1(options) << QString::fromLatin1(text)
                         << QString::fromLatin1(unknown);
@@ -202,7 +203,7 @@ void TestCommands::aPictureSaysHowFarItMayBeOff() {
   if (error.isNull()) return;
   const auto number = [&](const char* key) { return error[QLatin1String(key)].toDouble(-1); };
   QVERIFY(number("percentile99") >= 0 && number("percentile99") <= number("maximum"));
-  // Of an error of 0 there is none.
+  // An error of 0 has no PSNR.
   QCOMPARE(error[QStringLiteral("psnrDb")].isNull(), number("maximum") == 0);
 }
 

@@ -1,5 +1,5 @@
-// Guards segment.md, "Numbers": segments of two files are compared by name, on the grid of the first, and the
-// numbers of `segment --csv` are those of its JSON.
+// Guards segment.md, "Numbers": segments of two files are compared by name on the grid of the first. The
+// numbers of `segment --csv` equal those of its JSON.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -42,7 +42,7 @@ QStringList wordsOf(const QString& text) { return text.split(QLatin1Char(' ')); 
 
 }  // namespace
 
-// The phantom `ramp` has the value i: ranges are slabs of 8 x 8 voxels of 1 mm.
+// The phantom `ramp` has the value i, so ranges are slabs of 8 x 8 voxels of 1 mm.
 void TestCompareCommand::initTestCase() {
   for (const auto& [name, range] :
        {std::pair("a.seg.nrrd", "2:5"), {"b.seg.nrrd", "4:7"}, {"b.nii.gz", "4:7"}, {"b.mha", "4:7"}})
@@ -118,8 +118,8 @@ void TestCompareCommand::anotherFrameOfReferenceIsRefused_data() {
   QTest::newRow("none") << QByteArray() << false << 0;
 }
 
-// A DICOM segmentation on the slices of the ramp, and the same of another frame of reference, or other
-// pictures.
+// Compares a DICOM segmentation on the slices of the ramp with the same in another frame of reference or on
+// other pictures.
 void TestCompareCommand::anotherFrameOfReferenceIsRefused() {
   QFETCH(QByteArray, frame);
   QFETCH(bool, ofItsPictures);
@@ -154,7 +154,7 @@ void TestCompareCommand::anotherFrameOfReferenceIsRefused() {
   }
 }
 
-// 8 voxels of 16 along each axis.
+// The small grid has 8 of 16 voxels along each axis.
 void TestCompareCommand::anotherGridIsToldByTheNamesOfTheFiles() {
   const QString large = at(QStringLiteral("large.seg.nrrd")), small = at(QStringLiteral("a.seg.nrrd"));
   QCOMPARE(runProgram(wordsOf(QStringLiteral("segment phantom:ramp:16 --range 6:7 -o")) << large).status, 0);

@@ -1,5 +1,5 @@
-// Guards import.md, "Written as DICOM", through the command line: a copy says whose it is, where it lies and
-// how it was acquired, as its source does; what is derived is said; values stay.
+// Guards import.md, "Written as DICOM", through the command line. A copy keeps patient, position and
+// acquisition of its source. Derived data are marked, and values stay the same.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -39,7 +39,7 @@ class TestConvertDicom : public QObject {
  private:
   static void series();
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
-  /// The copy of a series of real data, made once; empty where that failed.
+  /// Returns the copy of a series of real data, made once. Empty if that failed.
   QString copyOf(const QString& name);
   QTemporaryDir folder_;
   std::map<QString, QString> copies_;
@@ -60,7 +60,7 @@ std::string textOf(DcmItem& item, const DcmTagKey& tag) {
   return std::string(text.c_str(), text.size());
 }
 
-// Numbers may be written another way.
+// Compares values of elements. Numbers may be written differently.
 bool sayTheSame(const std::string& a, const std::string& b) {
   if (a == b) return true;
   const QStringList left = QString::fromStdString(a).split(QLatin1Char('\\')),
@@ -101,7 +101,7 @@ std::string sourceOf(DcmItem& copy) {
   return item ? textOf(*item, DCM_ReferencedSOPInstanceUID) : std::string();
 }
 
-// Removes files from a copy of a folder.
+// Copies a folder without some of its files.
 void copyWithout(const QString& from, const QString& to, const std::set<int>& left) {
   QVERIFY(QDir().mkpath(to));
   const QStringList files = filesIn(from);
@@ -225,7 +225,7 @@ void TestConvertDicom::valuesStay() {
   QCOMPARE(is->volumes[0].unit, was->volumes[0].unit);
 }
 
-// dciodvfy finds nothing that it does not find in the source.
+// dciodvfy finds no problem that the source does not have.
 void TestConvertDicom::isValid() {
   QFETCH(QString, name);
   NEED_DATA(dataPath(name.toStdString()));
@@ -263,7 +263,8 @@ void TestConvertDicom::enhancedPicturesKeepWhatTheirFramesSay() {
   QVERIFY(!textOf(*item, DCM_ReferencedFrameNumber).empty());
 }
 
-// One slice is missing: 46 of 47 are written and the one between, which says so; one count is told.
+// One of 93 slices is missing. The copy has 93, of which the interpolated one is marked as such. stderr gives
+// no second count.
 void TestConvertDicom::interpolatedSlicesSaySo() {
   const std::string from = dataPath("dicom-geometry/ct-head-slicer-93");
   NEED_DATA(from);
@@ -295,7 +296,7 @@ void TestConvertDicom::interpolatedSlicesSaySo() {
   QCOMPARE(interpolated, 1);
 }
 
-// Slices of a PET have a rescale each: one that is interpolated has none, and is rounded.
+// Each slice of a PET has its own rescale. An interpolated slice has none, so its values are rounded.
 void TestConvertDicom::roundedValuesAreTold() {
   const std::string from = dataPath("pet-ct/sts019-pet");
   NEED_DATA(from);

@@ -1,4 +1,4 @@
-// Guards design.md 4: what a UID of several volumes means, by every command; 4-D NIfTI.
+// Guards design.md 4: the meaning of a UID of several volumes in every command, and 4-D NIfTI.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <sys/inotify.h>
@@ -124,7 +124,7 @@ void TestConvertVolumes::oneOfThemIsWrittenAlone() {
   QCOMPARE(copy->volumes.size(), std::size_t(1));
 }
 
-// Five slices each of b 0, 500 and 1000, the gradient along x and along z.
+// Five slices each of b 0, 500 and 1000, with gradients along x and z.
 void TestConvertVolumes::diffusionWeightsStandBeside() {
   QVERIFY(QDir().mkpath(at("dwi")));
   QCOMPARE(runProgram({QStringLiteral("convert"), QStringLiteral("phantom:sphere:8"), QStringLiteral("-o"),
@@ -153,11 +153,11 @@ void TestConvertVolumes::diffusionWeightsStandBeside() {
       run(QStringLiteral("convert"), at("dwi").toStdString(), study->volumes[0].seriesUid, at("dwi.nii.gz"));
   QVERIFY2(a.status == 0, a.err);
   QCOMPARE(contentsOf(at("dwi.bval")), QByteArray("0 500 1000\n"));
-  // Left in DICOM is right in NIfTI; FSL turns the first axis round again where the axes are right-handed.
+  // Left in DICOM is right in NIfTI. FSL flips the first axis again if the axes are right-handed.
   QCOMPARE(contentsOf(at("dwi.bvec")), QByteArray("0 -1 0\n0 0 0\n0 0 1\n"));
 }
 
-// They stand in private elements, in the patient; the grid is turned by 20 degrees about z.
+// Philips stores directions in private elements in patient space. The grid is rotated by 20 degrees about z.
 void TestConvertVolumes::directionsOfPhilipsAreKnown() {
   const std::string from = dataPath("field-cases-2/di02b-philips-directions/mr");
   NEED_DATA(from);
@@ -166,7 +166,7 @@ void TestConvertVolumes::directionsOfPhilipsAreKnown() {
   const Outcome a = run(QStringLiteral("convert"), from, study->volumes[0].seriesUid, at("philips.nii.gz"));
   QVERIFY2(a.status == 0, a.err);
   const QList<QByteArray> weights = contentsOf(at("philips.bval")).trimmed().split(' ');
-  QList<QList<QByteArray>> along;  // of the voxel axes i, turned round, j and k
+  QList<QList<QByteArray>> along;  // along voxel axes i (flipped), j and k
   for (const QByteArray& line : contentsOf(at("philips.bvec")).trimmed().split('\n'))
     along << line.split(' ');
   QVERIFY(weights.size() == 6 && along.size() == 3);
@@ -187,7 +187,7 @@ void TestConvertVolumes::directionsOfPhilipsAreKnown() {
 
 namespace {
 
-// Counts how often a file is opened, by any program.
+// Counts how often any program opens a file.
 class OpenCount {
  public:
   explicit OpenCount(const QString& path) {
@@ -208,7 +208,7 @@ class OpenCount {
   const int events_ = inotify_init1(IN_NONBLOCK);
 };
 
-// Frames of two places at each of `count` time points.
+// Writes frames of two positions at each of `count` time points.
 void writeTimePoints(const QString& path, int count) {
   DicomPicture picture{.orientation = "", .spacing = ""};
   picture.edit = [count](DcmDataset& data) {
@@ -229,8 +229,8 @@ void writeTimePoints(const QString& path, int count) {
 
 }  // namespace
 
-// A further volume opens the file once, for its pixels. The file was just written, so that no header of it is
-// kept otherwise.
+// Another volume opens the file once more, for its pixels. The program keeps no header otherwise, as the file
+// has just been written.
 void TestConvertVolumes::oneFileIsReadOnceForAllItsVolumes() {
   int opens[2];
   for (const int more : {0, 1}) {

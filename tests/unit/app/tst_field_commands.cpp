@@ -1,5 +1,5 @@
-// Guards import.md and slices.md on ../shared/data/field-cases as a user asks: units beside numbers, padding
-// that is no tissue, lengths of tomosynthesis, a tilt that is kept in what is written.
+// Guards import.md and slices.md on ../shared/data/field-cases: units beside numbers, padding that is no
+// tissue, lengths in tomosynthesis, and a tilt that written files keep.
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -51,7 +51,7 @@ QString caseAt(const char* name) {
 void TestFieldCommands::measurements_data() {
   QTest::addColumn<QString>("folder");
   QTest::addColumn<QByteArray>("shape");
-  QTest::addColumn<QByteArray>("numbers");  // JSON; what is left out is not asked for
+  QTest::addColumn<QByteArray>("numbers");  // JSON; other numbers are not checked
   const auto row = [](const char* name, const char* folder, const char* shape, const char* numbers) {
     QTest::newRow(name) << QString::fromLatin1(folder) << QByteArray(shape) << QByteArray(numbers);
   };
@@ -83,7 +83,7 @@ void TestFieldCommands::measurements() {
   }
 }
 
-// c03b: as in the volume, and nothing said of a detector.
+// Case c03b: frames give the same lengths as the volume and do not mention a detector.
 void TestFieldCommands::lengthsOnFrames() {
   NEED_DATA(dataPath());
   const auto study = openStudy(dataPath("field-cases/c03b-tomosynthesis"));

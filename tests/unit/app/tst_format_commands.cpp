@@ -1,6 +1,6 @@
-// Guards import.md through the command line: every format beside DICOM, NRRD, NIfTI and MetaImage is listed,
-// drawn, shown in slices and converted, alone and in a folder; cut short, it is refused with its name and the
-// numbers. Pairs of files are opened by either name.
+// Guards import.md through the command line. Each format other than DICOM, NRRD, NIfTI and MetaImage is
+// listed, drawn, shown in slices and converted, alone and in a folder. Truncated files are refused with their
+// name and the numbers. Either name opens a pair of files.
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -38,7 +38,7 @@ class TestFormatCommands : public QObject {
 
 namespace {
 
-// The only volume at a path, as `info` lists it.
+// Returns the only volume at a path, as `info` lists it.
 QJsonObject volumeAt(const QString& path) {
   const Outcome info = runProgram(QStringLiteral("info %1 --json --values").arg(path));
   const QJsonArray all = QJsonDocument::fromJson(info.out).object()[QStringLiteral("volumes")].toArray();
@@ -63,7 +63,7 @@ void TestFormatCommands::rows() {
   row("a.mrc", mrc(), "MRC");
 }
 
-// Of Analyze the .img, too; `cut`: bytes that its data lack.
+// Writes a file, for Analyze also the .img. `cut` is the number of bytes missing from its data.
 void TestFormatCommands::write(const QString& name, const QByteArray& content, int cut) const {
   const bool isPair = name.endsWith(QLatin1String(".hdr"));
   writeFile(name, isPair ? content : content.chopped(cut));

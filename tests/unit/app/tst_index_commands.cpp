@@ -1,4 +1,4 @@
-// Guards design.md 4 and import.md: the commands of the index, as a user types them.
+// Guards design.md 4 and import.md: the commands of the index as users type them.
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -40,7 +40,7 @@ class TestIndexCommands : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-// A study of DICOM files in scans/, and a volume of another format.
+// Makes a study of DICOM files in scans/ and a volume of another format.
 void TestIndexCommands::init() {
   folder_ = std::make_unique<QTemporaryDir>();
   QCOMPARE(runProgram({QStringLiteral("convert"), QStringLiteral("phantom:sphere:8"), QStringLiteral("-o"),
@@ -133,7 +133,7 @@ void TestIndexCommands::forgetAndUndo() {
     if (const QString uid = study[QStringLiteral("studyUid")].toString(); !uid.isEmpty())
       QCOMPARE(run(qPrintable(QStringLiteral("forget ") + uid)).status, 0);
   QCOMPARE(run("list").out.count('\n'), 2);
-  QVERIFY(QDir(at("scans")).count() > 8);  // no file went
+  QVERIFY(QDir(at("scans")).count() > 8);  // no file was deleted
 }
 
 void TestIndexCommands::copiesAreManaged() {
@@ -144,7 +144,7 @@ void TestIndexCommands::copiesAreManaged() {
   QCOMPARE(all[QStringLiteral("studies")].toArray().size(), 2);
   for (const QJsonValue& study : all[QStringLiteral("studies")].toArray())
     QCOMPARE(study[QStringLiteral("offline")].toBool(true), false);
-  // What is there is not copied again.
+  // Existing copies are not copied again.
   QVERIFY(run("import IN/ball.nrrd --copy").out.contains(" 0 new, 0 changed, 1 unchanged"));
   const Outcome info = runProgram({QStringLiteral("info"), at("index/studies"), QStringLiteral("--json")});
   QCOMPARE(QJsonDocument::fromJson(info.out).object()[QStringLiteral("volumes")].toArray().size(), 2);
@@ -166,7 +166,7 @@ void TestIndexCommands::copiesOfTwoFilesAreRefused() {
   QVERIFY(run("import IN/two.nhdr").out.contains(" 1 new"));
 }
 
-// index:STUDY[/SERIES], in the index of the user, by UIDs and numbers.
+// Opens index:STUDY[/SERIES] from the user's index, by UIDs and numbers.
 void TestIndexCommands::studiesAreOpenedByTheirNames() {
   qputenv("XDG_DATA_HOME", folder_->path().toUtf8());
   const QStringList index{QStringLiteral("--index"), at("volumen")};

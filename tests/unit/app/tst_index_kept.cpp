@@ -1,5 +1,5 @@
-// Guards import.md: an import that finds nothing or a damaged index says so, what it counts adds up, and an
-// index is asked without a change to it.
+// Guards import.md. An import that finds nothing or a damaged index says so. Its counts add up. Queries do
+// not change the index.
 #include <sys/mount.h>
 #include <sys/stat.h>
 
@@ -102,7 +102,7 @@ void TestIndexKept::damagedIndexIsToldAndMendedByImport() {
   QCOMPARE(run("import IN/scans").status, 0);
 }
 
-// As from a disk that is handed round, or of another user.
+// The index may be on a read-only disk or belong to another user.
 void TestIndexKept::readOnlyIndexIsListed() {
   QVERIFY(QDir().mkdir(at("index")));
   const QByteArray folder = at("index").toUtf8();
@@ -146,7 +146,7 @@ void TestIndexKept::importThatFindsNothingSaysSo() {
   QVERIFY2(a.err.startsWith("volumen: ") && a.err.contains(says.toUtf8()), a.err);
 }
 
-// Each file that was found is told once, in the words of `info`; again where nothing has changed.
+// Each found file is reported once, in the words of `info`, and again if nothing has changed.
 void TestIndexKept::countsAddUp_data() {
   QTest::addColumn<QString>("options");
   QTest::newRow("by reference") << QString();
@@ -184,7 +184,7 @@ void TestIndexKept::countsAddUp() {
   }
 }
 
-// An index beside what it is of, as where a whole home folder is imported each night.
+// The index is in the imported folder, as if a whole home folder were imported each night.
 void TestIndexKept::ownFilesArePassedOver() {
   const QStringList line{QStringLiteral("import"), at("scans"), QStringLiteral("--index"), at("scans")};
   for (int times = 0; times < 2; ++times) {
@@ -211,7 +211,7 @@ void TestIndexKept::copiesAreTheOwnersAlone() {
   QVERIFY(folders >= 5);
 }
 
-// XDG Base Directory Specification: such a path is invalid and ignored.
+// The XDG Base Directory Specification says that relative paths are invalid and ignored.
 void TestIndexKept::relativeFoldersAreIgnored() {
   QVERIFY(QDir().mkdir(at("home")));
   const QByteArray home = qgetenv("HOME");

@@ -1,5 +1,5 @@
-// Guards design.md 7: pictures that are no volumes are listed by `info`, and a picture in 3D that they cannot
-// give is refused with their reason.
+// Guards design.md 7: `info` lists pictures that are no volumes. A 3D picture of them is refused with the
+// reason.
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>

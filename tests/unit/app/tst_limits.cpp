@@ -1,5 +1,5 @@
-// Guards import.md and design.md 4: where the system lets the program do too little, nothing passes for
-// whole, and what is said names the limit.
+// Guards import.md and design.md 4: with limits of the system set too low, no partial result passes for
+// complete, and messages name the limit.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -32,7 +32,7 @@ class TestLimits : public QObject {
   QTemporaryDir folder_;
 };
 
-// Of more slices than one request holds.
+// Writes more slices than one request holds.
 void TestLimits::initTestCase() {
   QCOMPARE(runProgram(words(QStringLiteral("convert phantom:ct-head:150 -o IN/scans/"))).status, 0);
 }
@@ -59,7 +59,7 @@ void TestLimits::limitsAreTold_data() {
   QTest::addRow("no growing files") << int(RLIMIT_FSIZE) << 1024 << QByteArray("ulimit -f");
 }
 
-// A picture with most slices missing is none: all are there, or none is written and the limit is named.
+// Output is complete, or nothing is written and the message names the limit.
 void TestLimits::limitsAreTold() {
   QFETCH(int, resource);
   QFETCH(int, most);

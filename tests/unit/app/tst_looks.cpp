@@ -1,5 +1,5 @@
-// Guards design.md 4 and 10 and picture.md 6: looks by the command line: presets of the user's own, inverted
-// windows.
+// Guards design.md 4 and 10 and picture.md 6: looks on the command line, from the user's own presets to
+// inverted windows.
 #include <QDir>
 #include <QFile>
 #include <QImage>

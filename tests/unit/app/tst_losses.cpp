@@ -1,6 +1,5 @@
-// Guards import.md: what of a series could not be read is named by every command that works on it, in words,
-// in the picture's text and in JSON; it is not called missing, and the exit status says that there are
-// losses.
+// Guards import.md: every command names unreadable parts of its series in words, in the picture's text and in
+// JSON. It does not call them missing, and its exit status reports the loss.
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -80,7 +79,7 @@ void TestLosses::init() {
 
 void TestLosses::everyCommandNamesThem_data() {
   QTest::addColumn<QString>("line");
-  QTest::addColumn<QString>("written");  // nothing of it is there with --strict
+  QTest::addColumn<QString>("written");  // this output does not exist with --strict
   const auto row = [](const char* line, const char* written = "") {
     QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(written);
   };
@@ -156,7 +155,7 @@ void TestLosses::pictureAndJsonHoldThem() {
   QCOMPARE(volume()[QLatin1String("warningKinds")].toArray(), QJsonArray{QStringLiteral("unread")});
 }
 
-// Two slices are not there, one of them for a file that is damaged.
+// Two slices are missing, one of them because its file is damaged.
 void TestLosses::whatIsMissingIsStillMissing() {
   cut(12, 1100);
   QVERIFY(QFile::remove(at(QStringLiteral("scans/") + sliceName(6))));
@@ -174,7 +173,7 @@ void TestLosses::oneCount() {
   QVERIFY2(a.err.contains("was interpolated") && a.err.contains("1 of them interpolated"), a.err);
 }
 
-// A damaged slice of a series in the same folder is that series' loss.
+// A damaged slice of another series in the same folder is a loss of that series.
 void TestLosses::othersLossesAreNotTold() {
   QCOMPARE(runProgram(words("convert phantom:sphere:8 -o IN/others/")).status, 0);
   for (const QFileInfo& file : QDir(at(QStringLiteral("others"))).entryInfoList(QDir::Files))
@@ -183,7 +182,7 @@ void TestLosses::othersLossesAreNotTold() {
   QVERIFY(other.resize(other.size() - 40));
   const Outcome a = runProgram(words("convert IN/scans -o IN/a.nrrd"));
   QVERIFY2(a.status == 0 && !a.err.contains("could not be read"), a.err);
-  QVERIFY(other.resize(200));  // now it could be of either
+  QVERIFY(other.resize(200));  // now it could belong to either
   const Outcome b = runProgram(words("convert IN/scans -o IN/a.nrrd"));
   QVERIFY2(b.status == 3 && b.err.contains("beside the files of this series"), b.err);
 }

@@ -1,5 +1,5 @@
-// Guards import.md and design.md 4: what the machine cannot do (open, fork, write) is told as such, is not
-// remembered as the fault of a file, and no half of an output passes for all of it.
+// Guards import.md and design.md 4: failures of the machine (open, fork, write) are reported as such and not
+// remembered as faults of files. No partial output passes for complete.
 #include <fcntl.h>
 #include <grp.h>
 #include <signal.h>
@@ -34,7 +34,7 @@ namespace {
 
 using Before = std::function<void()>;
 
-/// Stops or kills every worker of a program as soon as it is there, until it ends.
+/// Stops or kills every worker of a program as soon as it starts, until the program ends.
 class Disturber {
  public:
   Disturber(const QProcess& program, int signal)
@@ -117,7 +117,7 @@ void TestMachine::importReadsAllTheSame_data() {
       [] {
         for (int fd = 0; fd <= 2; ++fd) ::close(fd);
       },
-      1);  // it could not say what it did
+      1);  // it could not report its result
   row("24 descriptors", [] {
     const rlimit few{24, 24};
     ::setrlimit(RLIMIT_NOFILE, &few);
@@ -143,7 +143,7 @@ void TestMachine::disturbedWorkersAreNoGuilt_data() {
   QTest::newRow("killed") << SIGKILL;
 }
 
-// Every worker, those that are made in its place, too: nothing can be read, and the next import reads it.
+// Disturbs every worker and its replacements, so that nothing can be read. The next import reads everything.
 void TestMachine::disturbedWorkersAreNoGuilt() {
   QFETCH(int, signal);
   QProcess program;
@@ -162,10 +162,10 @@ void TestMachine::disturbedWorkersAreNoGuilt() {
   QVERIFY2(third.out.contains(" 44 unchanged"), third.out);
 }
 
-// One worker is killed, again and again while headers are read: each time its files are read by another.
+// Kills one worker repeatedly while headers are read. Each time another one reads its files.
 void TestMachine::aKilledWorkerCostsNoSlice() {
   pid_t killed = 0;
-  // On a busy machine it may be done before its workers are found.
+  // On a busy machine the program may end before its workers are found.
   for (int attempt = 0; !killed && attempt < 50; ++attempt) {
     QProcess program;
     program.start(QStringLiteral(VOLUMEN_PROGRAM), words("convert IN/scans --strict -o IN/a.nrrd"));
@@ -256,7 +256,7 @@ void TestMachine::killedConvertIsSwept() {
                 {QStringLiteral("convert"), QStringLiteral("phantom:ct-head:256"), QStringLiteral("-o"),
                  folder_->filePath(output)});
   QVERIFY(program.waitForStarted());
-  // The first file aside is the check that something can be written there.
+  // The first temporary file only tests whether the folder is writable.
   const auto content = [&] {
     std::error_code gone;
     for (fs::recursive_directory_iterator it(at("out").toStdString(), gone), end; !gone && it != end;
@@ -295,7 +295,7 @@ void TestMachine::hangUpEndsLikeInterrupt() {
   QVERIFY(!aside() && !QFile::exists(at("copy")));
 }
 
-// As another user, for root may have as many processes as it likes.
+// Runs as another user, as root has no limit of processes.
 void TestMachine::fewProcessesEndWithASentence() {
   if (::geteuid() != 0) QSKIP("only root can become a user without processes");
   ::chmod(folder_->path().toUtf8().constData(), 0755);

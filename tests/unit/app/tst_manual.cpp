@@ -1,5 +1,4 @@
-// Guards design.md 4: the manual page and each --help say what the program really has, and their examples
-// run.
+// Guards design.md 4: the manual page and each --help describe the real options, and their examples run.
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -19,7 +18,7 @@ namespace {
 const char* const commands[] = {"open",    "render",  "slice",   "info",    "import",   "list", "forget",
                                 "convert", "segment", "compare", "measure", "accuracy", "bench"};
 
-/// The manual page without its markup.
+/// Returns the manual page without markup.
 QString manual() {
   QString text = QString::fromUtf8(contentsOf(QStringLiteral(VOLUMEN_SOURCE_DIR "/resources/man/volumen.1")));
   text.remove(QRegularExpression(QStringLiteral("\\\\f[BIR]")));
@@ -30,10 +29,10 @@ QString helpOf(const QString& command) {
   return QString::fromUtf8(runProgram(QStringList{command, QStringLiteral("--help")}).out);
 }
 
-/// "-o,--output FILE", "--view anterior|posterior|...", ...: the options of a help text, with their values.
+/// Returns the options of a help text with their values: "-o,--output FILE", "--view anterior|posterior|...".
 QStringList optionsIn(const QString& help) {
   QStringList options;
-  // The text stands two blanks or a line behind its option.
+  // The description follows the option after two spaces or a line break.
   const QRegularExpression option(QStringLiteral("^  (-\\S+( \\S+)*)(  |$)"),
                                   QRegularExpression::MultilineOption);
   for (auto it = option.globalMatch(help); it.hasNext();) options << it.next().captured(1);
@@ -76,9 +75,9 @@ class TestManual : public QObject {
   QTemporaryDir folder_;
 };
 
-/// What the examples speak of: a study in scans/, scene.json, shapes.json, bone.png, a picture that holds a
-/// scene, segments in first.seg.nrrd and second.seg.nrrd, and an index of two studies, the second of which is
-/// forgotten.
+/// Makes the files that examples name: a study in scans/, scene.json, shapes.json, bone.png (a picture that
+/// holds a scene), segments in first.seg.nrrd and second.seg.nrrd, and an index of two studies, the second of
+/// which is forgotten.
 void TestManual::initTestCase() {
   const auto made = [&](const char* line) {
     return runProgram(QString::fromLatin1(line).replace(QLatin1String("IN"), folder_.path())).status;
@@ -115,7 +114,7 @@ void TestManual::manualHasEveryOption() {
 }
 
 void TestManual::manualHasNoOtherOption() {
-  // That one is for whoever looks for a fault in the program; no help shows it.
+  // --in-process is for debugging, so no help shows it.
   QString helps =
       QStringLiteral("--in-process") + QString::fromUtf8(runProgram(QStringLiteral("--help")).out);
   for (const char* command : commands) {
@@ -157,7 +156,8 @@ void TestManual::examplesRun_data() {
   for (const QString& line : all) QTest::newRow(qPrintable(line)) << line;
 }
 
-// In a folder that has what they name, at sizes that draw at once; what opens the window has no display here.
+// Runs examples in a folder with their files, at sizes that draw at once. There is no display for those that
+// open the window.
 void TestManual::examplesRun() {
   QFETCH(QString, line);
   QStringList words = QProcess::splitCommand(line);

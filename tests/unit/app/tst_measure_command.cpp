@@ -1,5 +1,5 @@
-// Guards slices.md 4 and 5: `volumen measure` prints every shape's numbers as JSON and names what it refuses;
-// resources/docs/measure.md lists every kind and field.
+// Guards slices.md 4 and 5: `volumen measure` prints the numbers of every shape as JSON and names shapes that
+// it refuses. resources/docs/measure.md lists every kind and field.
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -30,7 +30,7 @@ class TestMeasureCommand : public QObject {
 
 namespace {
 
-// The value i on 16 x 16 x 16 voxels of 1 mm; x in mm is i - 7.5.
+// The value is i on 16 x 16 x 16 voxels of 1 mm. x in mm is i - 7.5.
 const QString ramp = QStringLiteral("phantom:ramp:16");
 
 constexpr const char* onZero = R"("plane": {"centre": [0, 0, 0.5], "right": [1, 0, 0], "down": [0, 1, 0]}})";
@@ -39,7 +39,7 @@ constexpr const char* onZero = R"("plane": {"centre": [0, 0, 0.5], "right": [1, 
 
 void TestMeasureCommand::numbersOfEveryKind_data() {
   QTest::addColumn<QByteArray>("shape");
-  QTest::addColumn<QByteArray>("numbers");  // JSON; what is left out is not asked for
+  QTest::addColumn<QByteArray>("numbers");  // JSON; other numbers are not checked
   const auto row = [](const char* name, const QByteArray& shape, const char* numbers) {
     QTest::newRow(name) << shape << QByteArray(numbers);
   };
@@ -132,7 +132,7 @@ void TestMeasureCommand::unitsAreTheStudys() {
 
 void TestMeasureCommand::petIsSuv_data() {
   QTest::addColumn<QString>("path");
-  QTest::addColumn<QString>("option");  // of --unit; empty: none
+  QTest::addColumn<QString>("option");  // value of --unit, empty for none
   QTest::addColumn<QString>("unit");
   QTest::addColumn<double>("mean");
   const auto row = [](const char* path, const char* option, const char* unit, double mean) {
@@ -169,7 +169,7 @@ void TestMeasureCommand::petIsSuv() {
   QCOMPARE(all[0][QStringLiteral("valueUnit")].toString(), unit);
   QVERIFY(near(all[1][QStringLiteral("number")], mean));
   QCOMPARE(all[1][QStringLiteral("unit")].toString(), unit);
-  // Ranges are given in the unit of the file and told in the other numbers' unit.
+  // Ranges are given in the unit of the file and reported in the unit of the other numbers.
   QCOMPARE(all[2][QStringLiteral("valueUnit")].toString(), unit);
   QVERIFY(near(all[2][QStringLiteral("range")][0], mean / 2));
 }
@@ -198,7 +198,7 @@ void TestMeasureCommand::whyThereIsNoSuvIsTold() {
   QVERIFY2(done.err.contains(why.toUtf8() + "."), done.err.constData());
 }
 
-// By voxels and as drawn, a study's bone agrees within what its surface is rough by.
+// Counted and drawn volumes of bone agree within the roughness of its surface.
 void TestMeasureCommand::drawnVolumeOfBone() {
   const QJsonObject bone =
       measuredShape(QStringLiteral("phantom:ct-head:64"), R"([{"kind": "volume", "range": [300, null]}])");
@@ -271,7 +271,7 @@ void TestMeasureCommand::refused() {
 
 void TestMeasureCommand::documentHasEveryKindAndField() {
   const QByteArray page = contentsOf(QStringLiteral(VOLUMEN_SOURCE_DIR "/resources/docs/measure.md"));
-  // The sentence that refuses a kind lists all of them.
+  // The message that refuses a kind lists all kinds.
   const QByteArray refusal = measuredShapes(ramp, R"([{"kind": "?"}])").err;
   const QList<QByteArray> quoted = refusal.left(refusal.indexOf(", not")).split('"');
   QVERIFY(quoted.size() > 17);

@@ -1,4 +1,4 @@
-// Guards slices.md 4: what `volumen measure` says of shapes on pictures as acquired.
+// Guards slices.md 4: the numbers of `volumen measure` for shapes on pictures as acquired.
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <cmath>
@@ -38,7 +38,7 @@ void TestMeasureFrames::framesAsAcquired_data() {
   const auto row = [](const char* name, const char* file, const char* shape, const char* numbers) {
     QTest::newRow(name) << QString::fromLatin1(file) << QByteArray(shape) << QByteArray(numbers);
   };
-  // 2 (2 s^2 / 12)^(1/2) of the pixel's extent s along the line.
+  // 2 (2 s^2 / 12)^(1/2) with the pixel's extent s along the line.
   row("at the detector", "cr-chest-mono1-jpeg8.dcm", R"("length", "points": [[100, 900], [1100, 900]])",
       R"({"number": 175, "unit": "mm", "calibration": "at detector", "plusMinus": 0.14288690166})");
   row("magnification corrected", "mg-ermf-overlay-shutter.dcm",
@@ -89,7 +89,7 @@ void TestMeasureFrames::framesAsAcquired_data() {
       R"({"problem": "The point lies outside the picture."})");
 }
 
-// The figures of the data's README.
+// Compares with the numbers in the data's README.
 void TestMeasureFrames::framesAsAcquired() {
   NEED_DATA(dataPath("dicom-2d"));
   QFETCH(QString, file);

@@ -1,6 +1,6 @@
-// Guards segment.md, "Numbers": `volumen measure --segments` says of the segments of a file what `volumen
-// segment` says of them, over time too, in the unit of PET that is asked for; what it cannot measure it
-// names.
+// Guards segment.md, "Numbers": `volumen measure --segments` and `volumen segment` report the same numbers
+// for the segments of a file, over time too and in the requested unit of PET. Segments that cannot be
+// measured are named.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -40,12 +40,12 @@ class TestMeasureSegments : public QObject {
 
  private:
   QString at(const QString& name) const { return folder_->filePath(name); }
-  /// Of a command line in the folder.
+  /// Runs a command line in the folder.
   Outcome told(const QString& commandLine) const {
     return runProgramIn(folder_->path(), commandLine.split(QLatin1Char(' ')));
   }
   void write(const char* name, const QByteArray& bytes) const { writeBytes(at(QLatin1String(name)), bytes); }
-  /// 8 x 7 x 6 voxels of 2 x 2 x 2 mm: volumes of int16, or labels.
+  /// Writes 8 x 7 x 6 voxels of 2 x 2 x 2 mm: volumes of int16, or labels.
   void writeNrrd(const char* name, const std::vector<std::vector<std::int16_t>>& volumes) const;
   void writePetOfTwoTimes(bool isWeighedTwice) const;
 
@@ -92,7 +92,7 @@ void TestMeasureSegments::writeNrrd(const char* name,
 }
 
 void TestMeasureSegments::numbersAreThoseOfSegment_data() {
-  QTest::addColumn<QString>("data");  // empty: volumes by chance
+  QTest::addColumn<QString>("data");  // empty for random volumes
   QTest::addColumn<int>("volumes");
   QTest::addColumn<QString>("range");
   const auto row = [](const char* name, const char* data, int volumes, const char* range) {
@@ -128,7 +128,7 @@ void TestMeasureSegments::numbersAreThoseOfSegment() {
   QVERIFY2(measure.status == 0, measure.err.constData());
   QJsonObject wanted = jsonIn(segment);
   for (const char* own : {"recipe", "recipeUnit", "files"}) wanted.remove(QLatin1String(own));
-  QJsonArray warnings;  // but for the one about values that are given, which a recipe alone has
+  QJsonArray warnings;  // except the one about given values, which only a recipe has
   for (const QJsonValue& warning : wanted[QStringLiteral("warnings")].toArray())
     if (!warning.toString().startsWith(QLatin1String("Values that were given"))) warnings << warning;
   wanted[QStringLiteral("warnings")] = warnings;
@@ -187,17 +187,17 @@ void TestMeasureSegments::everyKindOfFileIsMeasured() {
   QVERIFY(isAbout(segment[QStringLiteral("max")], 5));
 }
 
-// The phantom is about the origin: planes of 8 x 8 voxels of the middle ones lie in the smaller one.
+// The phantom is centred on the origin, so planes of 8 x 8 voxels in the middle are inside the smaller one.
 void TestMeasureSegments::anotherGridIsBroughtToThisOne() {
   QCOMPARE(told(QStringLiteral("segment phantom:ramp:16 --range 6:7 -o a.seg.nrrd")).status, 0);
   const Outcome done = told(QStringLiteral("measure phantom:ramp:8 --segments a.seg.nrrd"));
   QVERIFY2(done.status == 0 && done.err.contains("0.512 ml became 0.128 ml"), done.err.constData());
   QCOMPARE(segmentIn(done)[QStringLiteral("voxels")].toInt(), 2 * 8 * 8);
-  QCOMPARE(segmentIn(done)[QStringLiteral("mean")].toDouble(), 2.5);  // 6 and 7 of the larger one
+  QCOMPARE(segmentIn(done)[QStringLiteral("mean")].toDouble(), 2.5);  // values 6 and 7 of the larger one
 }
 
-// The PET of one time point again 19 s later, with values twice as large; without the patient's weight there
-// is no SUV of them.
+// Writes the PET of one time point and again 19 s later with values twice as large. Without the patient's
+// weight the second has no SUV.
 void TestMeasureSegments::writePetOfTwoTimes(bool isWeighedTwice) const {
   const QDir source(QString::fromStdString(dataPath("field-cases/c28-suv-bqml")));
   QVERIFY(QDir(folder_->path()).mkdir(QStringLiteral("pet")));
@@ -277,7 +277,7 @@ void TestMeasureSegments::shapesAreMeasuredBesides() {
   QCOMPARE(segmentIn(done)[QStringLiteral("voxels")].toInt(), 128);
 }
 
-// Of a segment without voxels values, of a series without a size of voxels lengths.
+// A segment without voxels has no values, and a series without voxel size no lengths.
 void TestMeasureSegments::whatThereIsNoneOfIsSaid() {
   QCOMPARE(told(QStringLiteral("segment phantom:ramp:8 --range 100:200 -o a.seg.nrrd")).status, 0);
   const Outcome empty = told(QStringLiteral("measure phantom:ramp:8 --segments a.seg.nrrd"));

@@ -1,5 +1,5 @@
-// Guards import.md, "Safety": whatever becomes of a file, the program says what it holds or why not, and
-// lives. By chance, from a seed: VOLUMEN_RANDOM_CASES=10000 VOLUMEN_RANDOM_SEED=7.
+// Guards import.md, "Safety": the program reports the content of any mutated file, or why it cannot, and does
+// not crash. Cases are random from a seed: VOLUMEN_RANDOM_CASES=10000 VOLUMEN_RANDOM_SEED=7.
 #include <QDir>
 #include <QDirIterator>
 #include <QFileInfo>
@@ -22,7 +22,7 @@ namespace {
 constexpr int filesARun = 250;
 constexpr double mostMebibytes = 512;
 
-// Real files of every kind that are small, in an order that is always the same.
+// Returns small real files of every kind in a fixed order.
 QStringList seeds() {
   QStringList files;
   QDirIterator below(QString::fromStdString(dataPath()), QDir::Files, QDirIterator::Subdirectories);
@@ -36,7 +36,7 @@ QStringList seeds() {
 
 int below(Chance& chance, qsizetype n) { return chance.below(std::max(1, int(n))); }
 
-// Bytes changed, cut off, repeated, taken out, or the end of another file.
+// Changes, cuts off, repeats or removes bytes, or appends the end of another file.
 QByteArray mutated(QByteArray bytes, const QByteArray& other, Chance& chance) {
   constexpr char telling[] = {0, 1, 0x7f, char(0x80), char(0xff), '\\'};
   const int at = below(chance, bytes.size());

@@ -1,4 +1,4 @@
-// Guards import.md and design.md 4: what a path may be, on the way in and on the way out.
+// Guards import.md and design.md 4: the paths that commands accept as input and output.
 #include <sys/stat.h>
 
 #include <QDir>
@@ -50,7 +50,7 @@ void TestPaths::init() {
            0);
 }
 
-// QTemporaryDir cannot remove names that are no UTF-8.
+// QTemporaryDir cannot remove names that are not UTF-8.
 void TestPaths::cleanup() {
   for (const auto& entry : fs::directory_iterator(at(""))) fs::remove_all(entry.path());
 }
@@ -91,7 +91,7 @@ void TestPaths::linksOutAreToldNotFollowed() {
   QCOMPARE(runProgram(QStringLiteral("convert %1/scans -o %1/a.nrrd").arg(folder_->path())).status, 0);
 }
 
-// To a file anywhere, to a folder below what is opened, and to what is opened itself.
+// Follows links to a file anywhere, to a folder below the opened one, and to the opened one itself.
 void TestPaths::linksInsideAreFollowed() {
   fs::create_directories(at("linked"));
   fs::rename(at("scans"), at("linked/scans"));
@@ -137,13 +137,13 @@ void TestPaths::anyBytesNameAnOutput_data() {
   row("segment phantom:sphere:8 --range 0:9 -o", ".seg.nrrd");
 }
 
-// Two names that would be the same with every byte that is no UTF-8 replaced.
+// The two names would be equal if every byte that is not UTF-8 were replaced.
 void TestPaths::anyBytesNameAnOutput() {
   QFETCH(QString, line);
   QFETCH(QString, ending);
   for (const char* name : {"M\xfcller", "M\xe4ller"}) {
     const std::string path = at(name) + ending.toStdString();
-    // QProcess gives names as UTF-8: the shell makes the bytes.
+    // QProcess passes names as UTF-8, so the shell makes the bytes.
     std::string escaped;
     for (const unsigned char c : path) {
       char text[8];
@@ -228,14 +228,14 @@ void TestPaths::linksInACircleAreRefused() {
 
 void TestPaths::pathsInJsonCanBeUsedAgain_data() {
   QTest::addColumn<QString>("line");
-  QTest::addColumn<QString>("list");  // in the JSON
+  QTest::addColumn<QString>("list");  // array in the JSON
   QTest::newRow("info") << QStringLiteral("info IN --json") << QStringLiteral("volumes");
   QTest::newRow("refused") << QStringLiteral("info IN --json") << QStringLiteral("refused");
   QTest::newRow("import") << QStringLiteral("import IN --index IN --json") << QStringLiteral("refused");
   QTest::newRow("list") << QStringLiteral("list --series --json --index IN") << QStringLiteral("studies");
 }
 
-// A name in Latin-1, a percent sign and a space in it.
+// The name has a Latin-1 byte, a percent sign and a space.
 void TestPaths::pathsInJsonCanBeUsedAgain() {
   QFETCH(QString, line);
   QFETCH(QString, list);
@@ -278,7 +278,7 @@ void TestPaths::planesOutsideAreRefused_data() {
   row("--plane coronal --at 99999", false);
   row("--centre 0,0,99999", false);
   row("--at 99999 --slab 250000", true);
-  row("--centre 99999,0,0 --size 8x8", true);  // beside it in its plane
+  row("--centre 99999,0,0 --size 8x8", true);  // beside the volume in its plane
   row("--at 0", true);
 }
 

@@ -1,5 +1,6 @@
-// Guards import.md: what lies beside the files of a series and may be of it is a loss, whatever it has
-// become; what is no slice by its name and its kind is none; the index knows of losses as the folder does.
+// Guards import.md: a file beside the files of a series that may belong to it is a loss, whatever it
+// contains. A file that is no slice by its name and kind is none. The index reports the same losses as the
+// folder.
 #include <sys/stat.h>
 
 #include <QDir>
@@ -21,7 +22,7 @@ using namespace volumen::tests;
 
 namespace {
 
-/// Does something to the file of a slice.
+/// Changes the file of a slice.
 using Change = std::function<void(const QString& path)>;
 
 void overwrite(const QString& path, const QByteArray& bytes) {

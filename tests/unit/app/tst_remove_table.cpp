@@ -79,7 +79,7 @@ void TestRemoveTable::segmentsAreOfThePatientAlone() {
   };
   QCOMPARE(voxels(""), CtWithTable::size.x * 3 * CtWithTable::size.z);
   QCOMPARE(voxels("--remove-table"), 0);
-  // What is removed is shown as air, and is none.
+  // Removed voxels are shown as air but do not count as air.
   QVERIFY(voxels("--remove-table", "-1100:-900") < voxels("", "-1100:-900"));
 }
 
@@ -99,7 +99,7 @@ void TestRemoveTable::otherValuesAreRefused() {
   QVERIFY(QDir(dir.path()).isEmpty());
 }
 
-// Of a real chest the table goes, whose shell has some hundred HU; compact bone stays.
+// Removes the table of a real chest, whose shell has some hundred HU. Compact bone remains.
 void TestRemoveTable::theChestLosesItsTable() {
   const std::string chest = dataPath("ct-chest-lidc0314-138");
   NEED_DATA(chest);

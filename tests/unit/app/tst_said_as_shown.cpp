@@ -1,5 +1,5 @@
-// Guards import.md: `info` says of a picture what the window shows: millimetres at the detector, where a
-// Modality LUT is applied, which component a volume of a file is.
+// Guards import.md: `info` reports what the window shows of a picture: millimetres at the detector, an
+// applied Modality LUT, and the component of a file that a volume holds.
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"

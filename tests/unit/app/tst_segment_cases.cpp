@@ -1,5 +1,5 @@
-// Guards segment.md on ../shared/data/segment-cases (its CASES.tsv says what must come out): files of
-// segments through the command line.
+// Guards segment.md on ../shared/data/segment-cases: files of segments through the command line. CASES.tsv
+// there lists the expected results.
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -41,7 +41,7 @@ QString caseAt(const char* name) {
 
 QString tinyCt() { return QString::fromStdString(dataPath("dicom-geometry/ct-tiny-23x38x3/image")); }
 
-/// How many pixels of a segment are set, by the place of their frame along z, mm.
+/// Returns the number of set pixels of a segment for each frame position along z, mm.
 QString pixelsByPlace(const QString& path, std::size_t segment = 0) {
   const Result<Segmentation> s = loadSegmentation(path.toStdString());
   if (!s) return QString::fromStdString(s.message());
@@ -59,7 +59,7 @@ Segment firstSegmentOf(const QString& path) {
   return s && !s->segments.empty() ? s->segments[0] : Segment{};
 }
 
-/// What `volumen segment` says of each segment, its name and voxels.
+/// Returns name and voxel count of each segment as `volumen segment` reports them.
 QStringList voxelsTold(const Outcome& done) {
   QStringList texts;
   for (const QJsonValue& segment :
@@ -116,7 +116,7 @@ void TestSegmentCases::unevenSlicesAreMarkedByTheirOwnValues_data() {
       QStringLiteral("0: 400, 4: 400, 8: 400, 9: 400, 16: 400, 23: 400, 30: 400"));
 }
 
-// Of thirty mm in slices 4, 4, 1, 7, 7 and 7 mm apart, every other one is of 300, the others of 100 HU.
+// Of 30 mm of slices 4, 4, 1, 7, 7 and 7 mm apart, every other one has 300 and the others 100 HU.
 void TestSegmentCases::unevenSlicesAreMarkedByTheirOwnValues() {
   NEED_DATA(dataPath("segment-cases"));
   QFETCH(QByteArray, steps);
@@ -131,7 +131,7 @@ void TestSegmentCases::unevenSlicesAreMarkedByTheirOwnValues() {
   QCOMPARE(pixelsByPlace(seg), places);
 }
 
-// Its 28 slices lie 1.1 to 7.4 mm apart, and are tilted.
+// Its 28 tilted slices are 1.1 to 7.4 mm apart.
 void TestSegmentCases::aHeadInThinAndThickSlicesIsMarkedByItsValues() {
   NEED_DATA(dataPath("dicom-geometry"));
   const std::string ct = dataPath("dicom-geometry/ct-ge-tilt-varspacing-28");
@@ -169,7 +169,7 @@ void TestSegmentCases::unevenSlicesComeBackAsTheyWent() {
   QCOMPARE(pixelsByPlace(second), pixelsByPlace(first));
 }
 
-// What is decided about a voxel by those around it is decided in the evenly spaced grid.
+// Steps that consider neighbouring voxels work in the evenly spaced grid.
 void TestSegmentCases::slicesWithoutVoxelsAreNamed() {
   NEED_DATA(dataPath("segment-cases"));
   const QTemporaryDir folder;
@@ -211,7 +211,7 @@ void TestSegmentCases::whatASegmentIsOfStays() {
   QCOMPARE(after.trackingId, std::string("Lesion1"));
   QCOMPARE(after.trackingUid, std::string("1.2.3"));
   QCOMPARE(after.region.value, std::string("39607008"));
-  before.colour = after.colour;  // it has none
+  before.colour = after.colour;  // the written segment has no colour
   QVERIFY(after == before);
 }
 

@@ -33,7 +33,7 @@ class TestSegmentCommand : public QObject {
 };
 
 void TestSegmentCommand::labelsAndMeasuresARange_data() {
-  // The phantom `ramp` has the value i, 1 mm voxels: a plane of N x N voxels for each value.
+  // The phantom `ramp` has the value i and voxels of 1 mm, so each value fills a plane of N x N voxels.
   QTest::addColumn<QString>("range");
   QTest::addColumn<int>("first");
   QTest::addColumn<int>("last");

@@ -1,5 +1,5 @@
-// Guards design.md 8 (segment): the files that it reads and writes: segments of other formats and grids,
-// which files it never writes over, and surfaces.
+// Guards design.md 8 (segment): files read and written, segments of other formats and grids, files that are
+// never overwritten, and surfaces.
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -40,7 +40,7 @@ class TestSegmentFiles : public QObject {
 
 namespace {
 
-// Two segments of the ramp.
+// Returns a recipe for two segments of the ramp.
 QByteArray twoSegments(const QByteArray& second) {
   return R"({"volumenRecipe": 1, "segments": [{"name": "x/A"}, {"name": ")" + second +
          R"("}], "steps": [{"step": "range", "segment": "x/A", "high": 3}, {"step": "range", "segment": ")" +
@@ -55,7 +55,7 @@ void TestSegmentFiles::filesAreConverted_data() {
     QTest::newRow(ending) << QString::fromLatin1(ending);
 }
 
-// There and back: the voxels, the name and the colour are the same, and so is the file.
+// A round trip keeps voxels, name, colour and the file itself.
 void TestSegmentFiles::filesAreConverted() {
   QFETCH(QString, ending);
   const QTemporaryDir folder;
@@ -81,7 +81,8 @@ void TestSegmentFiles::filesAreConverted() {
   QCOMPARE(b.readAll(), a.readAll());
 }
 
-// The phantom is about the origin: a plane of 8 x 8 voxels of the middle ones is 8 of those of 16.
+// The phantom is centred on the origin. A plane of 8 x 8 voxels in the middle corresponds to 8 x 8 of the 16
+// x 16.
 void TestSegmentFiles::aFileOfAnotherGridIsBroughtToThisOne() {
   const QTemporaryDir folder;
   const QString large = folder.filePath(QStringLiteral("large.seg.nrrd")),
@@ -97,7 +98,7 @@ void TestSegmentFiles::aFileOfAnotherGridIsBroughtToThisOne() {
            done.err.constData());
 }
 
-// Two layers that hold the same voxels.
+// Two layers hold the same voxels.
 void TestSegmentFiles::overlapsStayOverlaps() {
   const QTemporaryDir folder;
   const auto path = [&](const char* name) { return folder.filePath(QLatin1String(name)); };
@@ -226,7 +227,7 @@ void TestSegmentFiles::segmentsWithoutAColourGetTheNextOfTheTen_data() {
   QTest::newRow("labels without a table") << QStringLiteral("--from lab.nii.gz");
 }
 
-// Two segments: 60, 180, 75 and 255, 225, 25 of 255.
+// The two segments have the colours 60, 180, 75 and 255, 225, 25 of 255.
 void TestSegmentFiles::segmentsWithoutAColourGetTheNextOfTheTen() {
   QFETCH(QString, how);
   const QTemporaryDir folder;
@@ -244,7 +245,7 @@ void TestSegmentFiles::segmentsWithoutAColourGetTheNextOfTheTen() {
   QVERIFY(read->maps[0].segments[1].colour == glm::u8vec3(255, 225, 25));
 }
 
-// A binary STL has 84 bytes, and 50 a triangle.
+// A binary STL has 84 bytes plus 50 per triangle.
 void TestSegmentFiles::surfacesAreReducedOnRequest() {
   const QTemporaryDir folder;
   const QString all = folder.filePath(QStringLiteral("all.stl")),

@@ -1,5 +1,5 @@
-// Guards design.md 8 (segment): what it tells of a series beside its segments: values of the same voxels in
-// each time point, and that a recipe is for other series.
+// Guards design.md 8 (segment): reports about a series besides its segments. These are values of the same
+// voxels at each time point, and a warning if the recipe is for other series.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -48,12 +48,12 @@ class TestSegmentTold : public QObject {
 
 namespace {
 
-// Of one range, for CT with contrast agent.
+// A recipe of one range for CT with contrast agent.
 constexpr const char* brightRecipe =
     R"({"volumenRecipe": 1, "name": "Bright", "modalities": ["CT"], "contrast": true,
         "segments": [{"name": "A"}], "steps": [{"step": "range", "segment": "A", "low": 0}]})";
 
-// The numbers of the one segment that there is.
+// Returns the numbers of the only segment.
 QJsonObject numbersIn(const Outcome& done) {
   return QJsonDocument::fromJson(done.out)[QStringLiteral("segments")].toArray().at(0).toObject();
 }
@@ -64,7 +64,7 @@ QString timeAxisIn(const Outcome& done) {
 
 }  // namespace
 
-// 8 x 8 x 8 voxels: in the n-th a voxel has n (x + 2 y) + z.
+// Writes volumes of 8 x 8 x 8 voxels. In the n-th one a voxel has the value n (x + 2 y) + z.
 std::string TestSegmentTold::fourVolumes() const {
   const std::string path = at("four.nrrd").toStdString();
   std::ofstream file(path, std::ios::binary);
@@ -87,7 +87,7 @@ void TestSegmentTold::valuesOverTimeAreThoseOfEachVolume_data() {
   QTest::newRow("echoes") << QStringLiteral("field-cases/c66h-echo-time") << QStringLiteral("Echo time (ms)");
 }
 
-// As each volume alone says of the same voxels, whichever was segmented.
+// Values over time equal those that each volume alone gives for the same voxels, whichever was segmented.
 void TestSegmentTold::valuesOverTimeAreThoseOfEachVolume() {
   QFETCH(QString, data);
   QFETCH(QString, axis);
@@ -125,7 +125,7 @@ void TestSegmentTold::oneVolumeHasNoneOverTime() {
   QVERIFY(!done.out.contains("timeAxis") && !done.out.contains("timePoints"));
 }
 
-// One of 8 x 8 pixels, "a.dcm", as the program writes it, changed.
+// Writes "a.dcm", a slice of 8 x 8 pixels as the program writes it, with a change.
 void TestSegmentTold::writeSlice(const std::function<void(DcmDataset&)>& change) const {
   const QTemporaryDir folder;
   const QString slices = folder.filePath(QStringLiteral("slices/"));
@@ -161,7 +161,7 @@ void TestSegmentTold::contrastThatIsNotNamedIsSaid_data() {
   QTest::newRow("the description says so") << none << none << QByteArray("Chest with contrast") << false;
 }
 
-// By a recipe that is for series with contrast agent, and by no other.
+// Only a recipe for series with contrast agent reports its absence.
 void TestSegmentTold::contrastThatIsNotNamedIsSaid() {
   QFETCH(QByteArray, agent);
   QFETCH(QByteArray, code);
@@ -185,7 +185,7 @@ void TestSegmentTold::contrastThatIsNotNamedIsSaid() {
            contrast.err.constData());
 }
 
-// What is no DICOM has no header that names modality or agent: nothing is said.
+// A file other than DICOM has no header with modality or agent, so there is no warning.
 void TestSegmentTold::recipesForOtherModalitiesAreSaid() {
   writeSlice([](DcmDataset& data) { data.putAndInsertString(DCM_Modality, "MR"); });
   writeRecipe("contrast.json", brightRecipe);
@@ -196,7 +196,7 @@ void TestSegmentTold::recipesForOtherModalitiesAreSaid() {
   QVERIFY2(none.status == 0 && !none.err.contains("Bright"), none.err.constData());
 }
 
-// What is said on stderr, and the unit of each segment's values.
+// The JSON holds the messages of stderr and the unit of each segment's values.
 void TestSegmentTold::notesAndUnitsAreInTheJson() {
   const std::string path = fourVolumes();
   for (const QString& how : {QStringLiteral("5000:"), QStringLiteral("1:5")}) {

@@ -1,5 +1,4 @@
-// Guards slices.md 5: `volumen slice`: planes by their options, values and grey that it writes, what it says
-// of them.
+// Guards slices.md 5 (`volumen slice`): planes by options, written values and grey, and messages about them.
 #include <QFile>
 #include <QImage>
 #include <QJsonArray>
@@ -40,7 +39,7 @@ namespace {
 
 Outcome runSlice(const QString& line) { return runProgram(QStringLiteral("slice ") + line); }
 
-// The values of a .nrrd of W x H floats.
+// Returns the values of a .nrrd of W x H floats.
 std::vector<float> floatsOf(const QString& path) {
   const QByteArray all = contentsOf(path);
   const qsizetype begin = all.indexOf("\n\n") + 2;
@@ -51,7 +50,8 @@ std::vector<float> floatsOf(const QString& path) {
 
 }  // namespace
 
-// A volume of 4 x 3 x 2 bytes 0 to 23, voxels 2 x 1 x 5 mm, i to the left, j to the back, k to the head.
+// Writes a volume of 4 x 3 x 2 bytes 0 to 23 with voxels of 2 x 1 x 5 mm. i points to the left, j to the
+// back, k to the head.
 void TestSliceCommand::initTestCase() {
   QFile file(at("small.nrrd"));
   QVERIFY(file.open(QIODevice::WriteOnly));
@@ -109,11 +109,11 @@ void TestSliceCommand::writesTheValues() {
   QVERIFY2(a.status == 0, a.err);
   QCOMPARE(a.out, file.toUtf8() + '\n');
   QVERIFY(contentsOf(file).contains("\nsizes: 6 2\n"));
-  // Its place in the patient: the centre of the first pixel, the steps to the next ones.
+  // Position in the patient: the centre of the first pixel and the steps to the next ones.
   QVERIFY(contentsOf(file).contains("\nspace: left-posterior-superior\n"));
   QVERIFY(contentsOf(file).contains("\nspace directions: (2,0,0) (0,2,0)\n"));
   QVERIFY(contentsOf(file).contains("\nspace origin: (98,200,305)\n"));
-  // Two pixels of six lie outside; rows at j = 0 and j = 2.
+  // Two pixels of six lie outside. The rows are at j = 0 and j = 2.
   const std::vector<float> values = floatsOf(file);
   QCOMPARE(values.size(), std::size_t(12));
   for (int y = 0; y < 2; ++y)
@@ -128,7 +128,7 @@ void TestSliceCommand::writesTheValues() {
 
 void TestSliceCommand::writesGrey_data() {
   QTest::addColumn<QString>("window");
-  QTest::addColumn<QList<int>>("greys");  // of the values 0, 1, 2, 3
+  QTest::addColumn<QList<int>>("greys");  // greys of the values 0, 1, 2, 3
   QTest::newRow("from 1 to 3: exact, for no DICOM") << QStringLiteral("2,2") << QList<int>{0, 0, 128, 255};
   QTest::newRow("narrow") << QStringLiteral("1.5,0.01") << QList<int>{0, 0, 255, 255};
   QTest::newRow("below 0") << QStringLiteral("-1,10") << QList<int>{153, 179, 204, 230};
@@ -162,7 +162,7 @@ void TestSliceCommand::thePictureSaysWhatItShows() {
   QVERIFY(image.text(QStringLiteral("volumen-warnings")).isEmpty());
 }
 
-// The window that convert writes into DICOM; its integers by LINEAR.
+// Uses the window that convert writes into DICOM. Integers from it use LINEAR.
 void TestSliceCommand::theFilesWindowCounts() {
   QCOMPARE(runProgram(QStringLiteral("convert phantom:ct-head:32 -o %1/").arg(at("dicom"))).status, 0);
   QVERIFY(runSlice(QStringLiteral("%1 -o %2").arg(at("dicom"), at("first.png"))).status == 0);
@@ -220,7 +220,7 @@ void TestSliceCommand::wrongUsageIsRefused_data() {
   row("-o a.png --mm-per-pixel 0", "--mm-per-pixel");
 }
 
-// At once, before the volume, which is not there, is looked for.
+// Refuses at once, before it looks for the volume, which does not exist.
 void TestSliceCommand::wrongUsageIsRefused() {
   QFETCH(QString, options);
   QFETCH(QString, sentence);

@@ -1,4 +1,5 @@
-// Guards slices.md 2 and 5: `volumen slice --plane frame` writes pictures as acquired: values, colours, grey.
+// Guards slices.md 2 and 5: `volumen slice --plane frame` writes values, colours and grey of pictures as
+// acquired.
 #include <QImage>
 #include <QTemporaryDir>
 #include <cstring>
@@ -28,7 +29,7 @@ class TestSliceFrame : public QObject {
 
 namespace {
 
-// What the io room gives for the only picture of a file.
+// Returns a frame of a file's only picture as `io` loads it.
 Result<Frame> frameOf(const std::string& path, int index) {
   const Result<Study> study = openStudy(path);
   if (!study) return study.error();

@@ -1,5 +1,5 @@
-// Guards slices.md 5: `volumen slice --plane frame --presentation` shows the frame that a presentation state
-// refers to as it says; `volumen info` lists what refers to pictures.
+// Guards slices.md 5: `volumen slice --plane frame --presentation` shows the frame of a presentation state as
+// the state says. `volumen info` lists objects that refer to pictures.
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -59,7 +59,7 @@ QJsonObject infoOf(const QString& path) {
 
 }  // namespace
 
-// A study of the picture, its state, its key object and a report.
+// Makes a study of the picture, its state, its key object and a report.
 void TestSlicePresentation::init() {
   NEED_DATA(dataPath());
   folder_ = std::make_unique<QTemporaryDir>();
@@ -70,7 +70,7 @@ void TestSlicePresentation::init() {
 }
 
 void TestSlicePresentation::picturesAreShownAsTheStateSays_data() {
-  QTest::addColumn<int>("x");  // of the picture as acquired; it is drawn at y, x
+  QTest::addColumn<int>("x");  // in the picture as acquired; it is drawn at y, x
   QTest::addColumn<int>("y");
   QTest::addColumn<int>("grey");
   QTest::newRow("soft tissue, 70 HU") << 51 << 51 << 157;
@@ -93,7 +93,7 @@ void TestSlicePresentation::graphicsAreDrawnWhereTheyBelong() {
   QCOMPARE(slice(madeState(), "with.png").status, 0);
   QCOMPARE(slice(madeState() << QStringLiteral("--no-graphics"), "without.png").status, 0);
   const QImage with(at("with.png")), without(at("without.png"));
-  const auto differs = [&](int x, int y) {  // within a pixel of a place of the picture as acquired
+  const auto differs = [&](int x, int y) {  // within a pixel of a position in the picture as acquired
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx)
         if (with.pixel(y + dy, x + dx) != without.pixel(y + dy, x + dx)) return true;
@@ -151,7 +151,7 @@ void TestSlicePresentation::aNumberMeansTheListOfInfo() {
 }
 
 void TestSlicePresentation::whatCannotBeMeantIsRefused_data() {
-  QTest::addColumn<QString>("path");  // of the pictures
+  QTest::addColumn<QString>("path");  // path of the pictures
   QTest::addColumn<QString>("options");
   QTest::addColumn<int>("status");
   QTest::addColumn<QString>("says");

@@ -1,5 +1,5 @@
-// Guards slices.md 1: `volumen slice` gives the twin's values on planes and small volumes drawn by chance.
-// VOLUMEN_RANDOM_CASES=N: so many seeds, from VOLUMEN_RANDOM_SEED on.
+// Guards slices.md 1: `volumen slice` gives the twin's values on random planes and small random volumes.
+// VOLUMEN_RANDOM_CASES=N runs N seeds from VOLUMEN_RANDOM_SEED on.
 #include <QTemporaryDir>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -26,7 +26,7 @@ dvec3 direction(Chance& chance) {
   }
 }
 
-/// Two orthogonal unit vectors: one in three a patient axis each.
+/// Returns two orthogonal unit vectors, in one of three cases along patient axes.
 std::pair<dvec3, dvec3> axes(Chance& chance) {
   if (chance.oneIn(3)) {
     const int a = chance.below(3);
@@ -41,7 +41,7 @@ std::pair<dvec3, dvec3> axes(Chance& chance) {
   return {right, glm::normalize(down - glm::dot(down, right) * right)};
 }
 
-/// Straight, oblique, sheared and left-handed; cells of 0.3 to 3 mm.
+/// Returns straight, oblique, sheared and left-handed grids with cells of 0.3 to 3 mm.
 dmat3 grid(Chance& chance) {
   for (;;) {
     dmat3 step;

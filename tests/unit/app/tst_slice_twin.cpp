@@ -1,5 +1,5 @@
-// Guards slices.md 1, 3 and 5: the values and the grey of `volumen slice` are those of a twin that was
-// written from SLICE alone, on real studies and on small grids of every shape.
+// Guards slices.md 1, 3 and 5: values and grey of `volumen slice` equal those of a twin written from SLICE
+// alone. Uses real studies and small grids of every shape.
 #include <QHash>
 #include <QTemporaryDir>
 #include <algorithm>
@@ -21,17 +21,17 @@ using glm::dvec3;
 namespace {
 
 constexpr const char* chest = "ct-chest-lidc0314-138";
-constexpr const char* obliqueHead = "mr-head-ge-mprage-130";  // oblique
+constexpr const char* obliqueHead = "mr-head-ge-mprage-130";
 constexpr const char* tilted = "dicom-geometry/ct-ge-tilt-varspacing-28";
 constexpr const char* sheared = "nifti-meta/niivue/shear.nii.gz";
 constexpr const char* leftHanded = "nifti-meta/nibabel/anatomical.nii";
 
-/// What a command line asks of a named plane.
+/// Options of a command line for a named plane.
 struct Asked {
   const char* plane = "axial";
-  std::optional<double> fromCentre = {};  ///< --at, counted from the volume's centre, mm
-  double mmPerPixel = 0;                  ///< 0: left out
-  glm::ivec2 size{0};                     ///< 0: left out
+  std::optional<double> fromCentre = {};  ///< --at relative to the volume's centre, mm
+  double mmPerPixel = 0;                  ///< 0: not given
+  glm::ivec2 size{0};                     ///< 0: not given
   double slabMm = 0;
   TwinSlab slab = TwinSlab::max;
   TwinInterpolation interpolation = TwinInterpolation::linear;
@@ -78,7 +78,7 @@ QStringList optionsOf(const Asked& asked, const TwinPlane& plane) {
   return options;
 }
 
-/// Each real volume is read once.
+/// Reads each real volume once.
 VolumePtr realOne(const QString& name) {
   static QHash<QString, VolumePtr> known;
   if (!known.contains(name)) known[name] = volumeAt(dataPath(name.toStdString()));
@@ -230,7 +230,7 @@ void TestSliceTwin::everySamplingOfEveryGrid() {
   QCOMPARE(faultsOf(runSlice(gridPath(grid), planeOptions(plane)), *volume, plane), QString());
 }
 
-// slices.md 1: where the plane is parallel to the acquired slices, they are shown as they are.
+// slices.md 1: a plane parallel to the acquired slices shows them unchanged.
 void TestSliceTwin::acquiredSlicesAreShownAsTheyAre() {
   const VolumePtr volume = realOne(QString::fromLatin1(chest));
   NEED_VOLUME(volume);
@@ -248,7 +248,7 @@ void TestSliceTwin::acquiredSlicesAreShownAsTheyAre() {
 }
 
 void TestSliceTwin::grey_data() {
-  QTest::addColumn<QString>("file");  // empty: a grid, whose values are no stored integers of DICOM
+  QTest::addColumn<QString>("file");  // empty for a grid, whose values are no stored integers of DICOM
   QTest::addColumn<double>("centre");
   QTest::addColumn<double>("width");
   QTest::newRow("CT, soft tissue") << QString::fromLatin1(chest) << 40.0 << 400.0;

@@ -1,5 +1,5 @@
-// Guards design.md 4: whatever names, tags and arguments hold, no command writes what steers a terminal, and
-// no name makes a line of its own.
+// Guards design.md 4: whatever names, tags and arguments contain, no command writes terminal control codes,
+// and no name starts a line of its own.
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A title for the window, a bell, a return, a C1 control, a change of direction and a line.
+// A window title, a bell, a return, a C1 control, a change of direction and a line.
 const std::string hostileName =
     "a\x1b]0;own\x07\r\xc2\x9b"
     "31m\xe2\x80\xae\nFORGED";
@@ -62,8 +62,8 @@ class TestTerminal : public QObject {
   QTemporaryDir folder_;
 };
 
-// A series with hostile tags, and beside it a volume, segments, a zip archive, a recipe, a scene and shapes
-// with hostile names.
+// Makes a series with hostile tags, and a volume, segments, a zip archive, a recipe, a scene and shapes with
+// hostile names.
 void TestTerminal::initTestCase() {
   fs::create_directory(at("in"));
   QVERIFY(runProgram(QStringLiteral("convert phantom:sphere:8 -o %1/in/scans/").arg(folder_.path())).status ==
@@ -102,7 +102,7 @@ void TestTerminal::initTestCase() {
   write(at("bytes\xff\x9b.nrrd"), bytesOf(at("in/" + hostileName + ".nrrd")));
 }
 
-// QTemporaryDir cannot remove names that are no UTF-8.
+// QTemporaryDir cannot remove names that are not UTF-8.
 void TestTerminal::cleanupTestCase() {
   for (const auto& entry : fs::directory_iterator(at(""))) fs::remove_all(entry.path());
 }

@@ -1,5 +1,5 @@
-// Guards design.md 4: what a new user mistypes is told at once, in one clear sentence, before anything is
-// loaded.
+// Guards design.md 4: a new user's typing errors are reported at once, in one clear sentence, before anything
+// is loaded.
 #include <signal.h>
 
 #include <QElapsedTimer>
@@ -57,7 +57,7 @@ void TestUsage::whatIsMistypedIsToldAtOnce_data() {
       "Unknown command \"rendre\". Did you mean render? Commands: open, render, slice, info, import, list, "
       "forget, convert, segment, compare, measure, accuracy, bench (plain `volumen` opens the window).");
   row("draw", 2, "Unknown command \"draw\". Commands: open");
-  // There is no PATH /nowhere: what is complained about was looked at before it.
+  // PATH /nowhere does not exist, so these options must be checked before it.
   row("render /nowhere --preset CT-bone -o a.png", 2,
       "Unknown preset \"CT-bone\". Did you mean CT-Bone? (`volumen --list-presets` shows all)");
   row("render /nowhere --preset quite-another -o a.png", 2, "Unknown preset \"quite-another\". (`volumen");
@@ -121,7 +121,7 @@ void TestUsage::plainPathsOpenTheWindow_data() {
     QTest::newRow(line) << QString::fromLatin1(line);
 }
 
-// There is no display here, which is said, and the status is that of `open`.
+// Without a display the message says so, and the status is that of `open`.
 void TestUsage::plainPathsOpenTheWindow() {
   QFETCH(QString, line);
   write("here.nrrd", "");
@@ -130,7 +130,7 @@ void TestUsage::plainPathsOpenTheWindow() {
   QVERIFY2(a.err.startsWith("volumen: No display can be reached") && a.err.count('\n') == 1, a.err);
 }
 
-// As a script hands it on whose variable was not set.
+// A script passes an empty path if its variable is not set.
 void TestUsage::anEmptyPathIsNoPath() {
   const Outcome a = runProgram(QStringList{QStringLiteral("info"), QString()});
   QCOMPARE(a.status, 2);
@@ -142,7 +142,7 @@ void TestUsage::anEmptyPathIsNoPath() {
   QVERIFY2(b.err.startsWith("volumen: --series: \"\" is not a series"), b.err);
 }
 
-// Where there is a display the window stays until it is closed, as SIGINT does.
+// With a display the window stays open until it is closed, here by SIGINT.
 void TestUsage::plainPathRunsTheWindow() {
   QProcess process;
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -230,7 +230,7 @@ void TestUsage::aPictureIsAScene() {
   QCOMPARE(QString::fromUtf8(b.err), QStringLiteral("volumen: %1 holds no scene.\n").arg(plain));
 }
 
-// No library that decodes pictures says a word.
+// No decoding library may print anything.
 void TestUsage::aDamagedPictureIsNoScene() {
   const QString damaged = at("damaged.png");
   QVERIFY(QImage(400, 400, QImage::Format_RGB32).save(damaged));
@@ -264,7 +264,7 @@ void TestUsage::infoCountsWhatIsNotShown() {
   const QString line = QStringLiteral("info ") + at("mixed");
   const Outcome few = runProgram(line), all = runProgram(line + QStringLiteral(" --verbose"));
   QVERIFY2(few.out.contains("\n1 file could not be read; 9 others are not images.\n  "), few.out);
-  // The path once.
+  // The path appears once.
   QVERIFY2(few.out.contains("mixed/b.nrrd: does not say the byte order"), few.out);
   QVERIFY2(few.out.contains("... and 4 more (--verbose lists all)") && !few.out.contains("8.txt"), few.out);
   QVERIFY2(all.out.contains("8.txt: not an image") && !all.out.contains("more (--verbose"), all.out);
@@ -280,7 +280,7 @@ void TestUsage::interruptedCommandsEndBySignal_data() {
   QTest::newRow("bench") << "bench phantom:ct-head:64 --views 3600 --rounds 10000" << SIGINT;
 }
 
-// A shell ends its loop where a command was ended by SIGINT itself.
+// A shell ends its loop only if the command itself was ended by SIGINT.
 void TestUsage::interruptedCommandsEndBySignal() {
   QFETCH(QString, line);
   QFETCH(int, signal);
@@ -289,7 +289,7 @@ void TestUsage::interruptedCommandsEndBySignal() {
   process.setWorkingDirectory(folder.path());
   process.start(QStringLiteral(VOLUMEN_PROGRAM), QProcess::splitCommand(line));
   QVERIFY(process.waitForStarted());
-  // The program handles the signal from early on, which /proc tells.
+  // /proc tells when the program handles the signal.
   const QString status = QStringLiteral("/proc/%1/status").arg(process.processId());
   const auto handles = [&] {
     const QByteArray text = contentsOf(status);

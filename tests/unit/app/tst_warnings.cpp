@@ -1,4 +1,4 @@
-// Guards design.md 7: what is not as it seems stands in every picture, and scripts can tell what it is.
+// Guards design.md 7: every picture holds its warnings, and scripts can tell their kinds.
 #include <QFile>
 #include <QImage>
 #include <QJsonArray>
@@ -25,7 +25,7 @@ class TestWarnings : public QObject {
 
  private:
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
-  // Renders the volume without spacing; the options end in -o and the path.
+  // Renders the volume without spacing. The options end in -o and the path.
   QByteArray rendered(const char* options, const char* name) const {
     const Outcome a = runProgram(QStringLiteral("render %1 --size 300x200 %2 -o %3")
                                      .arg(at("bare.nrrd"), QLatin1String(options), at(name)));

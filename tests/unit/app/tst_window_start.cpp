@@ -1,5 +1,5 @@
-// Guards design.md 4: how the window starts: on a display that nobody else uses, with settings that are its
-// owner's alone; and how the scripts that start it and the tests are asked for their usage.
+// Guards design.md 4: the window starts on a private display with settings that only the owner can read. Also
+// guards the usage texts of the scripts that start the window and the tests.
 #include <signal.h>
 #include <sys/stat.h>
 
@@ -47,7 +47,7 @@ void TestWindowStart::settingsAreTheOwnersAlone_data() {
   QTest::newRow("those of an older program") << true;
 }
 
-// They name the paths that were opened last.
+// Settings contain the recently opened paths.
 void TestWindowStart::settingsAreTheOwnersAlone() {
   QFETCH(bool, old);
   const QTemporaryDir home;
@@ -73,7 +73,7 @@ void TestWindowStart::settingsAreTheOwnersAlone() {
   QCOMPARE(int(status.st_mode & 0777), 0600);
 }
 
-// Xvfb -terminate ends with its last client, where others start anew and turn away who comes meanwhile.
+// Xvfb -terminate ends with its last client. Other servers restart then and reject clients meanwhile.
 void TestWindowStart::aDisplayWithoutOthersIsNotLeft() {
   QProcess server;
   server.start(QStringLiteral("Xvfb"),
@@ -108,7 +108,7 @@ void TestWindowStart::scriptsTellTheirUsage_data() {
     QTest::newRow(script) << QString::fromLatin1(script);
 }
 
-// Nothing is installed or built for that.
+// Usage texts need no installation or build.
 void TestWindowStart::scriptsTellTheirUsage() {
   QFETCH(QString, script);
   for (const char* word : {"--help", "-h", "--nonsense"}) {

@@ -1,5 +1,5 @@
-// Guards import.md, "Safety", through the command line: a file that takes too much costs itself alone, is
-// named, and takes no memory of the program's.
+// Guards import.md, "Safety", through the command line: a file that needs too much costs only itself, is
+// named, and uses no memory of the program.
 #include <sys/wait.h>
 
 #include <QDir>
@@ -27,7 +27,7 @@ void write(const std::string& path, const Buffer& bytes) {
       .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
 }
 
-/// Two elements of 250 MiB in front of a picture; the file has hardly any blocks on disk.
+/// Writes two elements of 250 MiB before a picture. The file is sparse on disk.
 void writeLongHeader(const std::string& path) {
   constexpr std::uint32_t length = 250u << 20;
   std::ofstream out(path, std::ios::binary);
@@ -43,7 +43,7 @@ void writeLongHeader(const std::string& path) {
   out.write(reinterpret_cast<const char*>(whole.data() + head), std::streamsize(whole.size() - head));
 }
 
-/// A picture of 16,500 x 16,500 pixels, 272 million; the file has hardly any blocks on disk.
+/// Writes a picture of 16,500 x 16,500 pixels (272 million). The file is sparse on disk.
 void writeLargeFrame(const std::string& path) {
   constexpr unsigned edge = 16500;
   constexpr std::uint32_t length = edge * edge * 2;
@@ -57,7 +57,7 @@ void writeLargeFrame(const std::string& path) {
   std::filesystem::resize_file(path, bytes.size() + length);
 }
 
-/// The first worker of a program that is at work; 0: it ended without one.
+/// Returns the first working worker of a program, or 0 if the program ended without one.
 pid_t workerOf(const QProcess& program) {
   while (program.state() == QProcess::Running && activityOf(pid_t(program.processId())).state != 'Z')
     for (const pid_t zygote : childrenOf(pid_t(program.processId())))
@@ -85,7 +85,7 @@ void TestWorkers::costsItselfAlone() {
   writeLongHeader(study + "/long");
   const MeasuredOutcome run = runMeasured({"info", study, "--json", "--values"});
   QCOMPARE(run.status, 0);
-#ifndef __SANITIZE_ADDRESS__  // which keeps what was freed
+#ifndef __SANITIZE_ADDRESS__  // AddressSanitizer keeps freed memory
   QVERIFY2(run.peakMebibytes < 512, qPrintable(QString::number(run.peakMebibytes)));
 #endif
   const QJsonObject found = QJsonDocument::fromJson(run.out).object();
@@ -105,7 +105,7 @@ void TestWorkers::stoppedFromOutsideItCostsNothing_data() {
   QTest::newRow("is killed while it is stopped") << true;
 }
 
-// A worker is stopped while it reads one of many headers: another reads them.
+// Stops a worker while it reads one of many headers. Another worker reads them.
 void TestWorkers::stoppedFromOutsideItCostsNothing() {
   QFETCH(bool, killed);
   constexpr int count = 4000;
