@@ -53,7 +53,9 @@ class VolumeView : public View {
   bool hasKey(const Tool& tool) const;
   /// The measurements that are seen, the one that is being drawn last. Points have handles where they were
   /// picked in 3D and are not hidden: others belong to their slices.
-  std::vector<DrawnMeasurement> drawnMeasurements() const;
+  std::vector<DrawnMeasurement> drawnMeasurements() const { return *placedMeasurements(); }
+  /// The same list until something changes that it follows from.
+  std::shared_ptr<const std::vector<DrawnMeasurement>> placedMeasurements() const;
 
   /// The camera in use: the scene's, or the one fitted to this view.
   Camera camera() const;
@@ -133,7 +135,8 @@ class VolumeView : public View {
   void paintCanvas(QPainter& painter) const;
   /// Something of what is seen changed: measurements are placed anew.
   void redraw();
-  std::vector<DrawnMeasurement> placedMeasurements() const;
+  std::vector<DrawnMeasurement> placeMeasurements() const;
+  void paintMeasured(QPainter& painter) const;
   void paintCrosshair(QPainter& painter) const;
   /// Where a place is seen; none: behind the eye.
   std::optional<QPointF> seenAtPlace(const Camera& camera, glm::dvec3 pPatient) const;
@@ -165,8 +168,10 @@ class VolumeView : public View {
   ErrorImage errorImage_;  // of it, where errorShown_
   bool errorShown_ = false;
   const Tool* tool_ = &toolNamed("rotate");
-  mutable std::optional<std::vector<DrawnMeasurement>> placed_;  // until what is seen changes
-  const Tool* drawing_ = nullptr;                                // what setFlatTool() gave it to draw
+  mutable std::shared_ptr<const std::vector<DrawnMeasurement>> placed_;  // until what is seen changes
+  mutable double placedZoom_ = 1;                                        // written beside them
+  mutable QImage painted_;         // `placed_`, where they are many; null: not painted yet
+  const Tool* drawing_ = nullptr;  // what setFlatTool() gave it to draw
   QTimer wheelEnd_;
   std::map<int, double> fitMm_;  // height of fitted cameras, by the number of undo steps when they came
 
