@@ -7,6 +7,7 @@
 #include "tests/unit/suite.h"
 #include "ui/overlays/picture_font.h"
 #include "ui/views/drawn_measurement.h"
+#include "ui/views/rect_index.h"
 
 using namespace volumen;
 using tests::Chance;
@@ -44,6 +45,8 @@ class TestDrawnMeasurements : public QObject {
   void whatFillsTheViewKeepsItsText();
   void textsByChanceKeepApart_data();
   void textsByChanceKeepApart();
+  void whatIsInTheWayIsFound_data();
+  void whatIsInTheWayIsFound();
   void aFullAreaHasNoSecondPlace();
   void aSmallViewHasALegend();
   void whatIsLargeOrAloneHasNone_data();
@@ -172,6 +175,35 @@ void TestDrawnMeasurements::textsByChanceKeepApart() {
 }
 
 // A number that lies over another is better than none.
+void TestDrawnMeasurements::whatIsInTheWayIsFound_data() {
+  QTest::addColumn<double>("largest");
+  QTest::newRow("small ones") << 30.0;
+  QTest::newRow("as large as the area") << 400.0;
+  QTest::newRow("far beyond it") << 1e7;
+}
+
+// Inside and outside of the area an index says what each rectangle by itself does.
+void TestDrawnMeasurements::whatIsInTheWayIsFound() {
+  QFETCH(double, largest);
+  Chance chance(11);
+  const auto rect = [&] {
+    const QPointF at(chance.between(-largest, 400 + largest), chance.between(-largest, 300 + largest));
+    return QRectF(at, QSizeF(chance.between(0, largest), chance.between(0, largest)));
+  };
+  RectIndex index(area);
+  std::vector<QRectF> all;
+  for (int n = 0; n < 60; ++n) {
+    all.push_back(rect());
+    index.add(all.back(), std::size_t(n));
+  }
+  for (int n = 0; n < 500; ++n) {
+    const QRectF place = rect();
+    const auto isInTheWay = [&](const QRectF& other) { return other.intersects(place); };
+    QCOMPARE(index.any(place), std::ranges::any_of(all, isInTheWay));
+    QCOMPARE(index.any(place, [](std::size_t item) { return item == 7; }), isInTheWay(all[7]));
+  }
+}
+
 void TestDrawnMeasurements::aFullAreaHasNoSecondPlace() {
   const QFontMetricsF metrics{pictureFont()};
   const QRectF narrow(0, 0, metrics.horizontalAdvance(QStringLiteral("23.4 mm")) + 8, metrics.height() + 8);

@@ -27,6 +27,7 @@ class TestSurfaceMeasurements : public QObject {
   void theSliceThroughBothEndsShowsIt();
   void itSaysHowDeepItMayLie();
   void theSessionKeepsIt();
+  void theWheelPlacesNoneAnew();
 };
 
 void TestSurfaceMeasurements::aLengthLiesOnTheSurface_data() {
@@ -299,6 +300,34 @@ void TestSurfaceMeasurements::theSessionKeepsIt() {
   QVERIFY2(again.ok(), again.ok() ? "" : again.message().c_str());
   QVERIFY(again->workspace.measurements == now.measurements);
   QVERIFY(again->workspace.measurements[0].shape.softMm == w.last().shape.softMm);
+}
+
+// What 3D shows of hundreds of lengths stays as it is while the wheel turns in a slice; it does not when one
+// of them, or the camera, changes.
+void TestSurfaceMeasurements::theWheelPlacesNoneAnew() {
+  SurfaceWindow w;
+  w.child<QAction>("layoutPlanes")->trigger();
+  QCoreApplication::processEvents();
+  std::vector<Shape> lengths(300);
+  for (int n = 0; n < 300; ++n) lengths[std::size_t(n)].points = {{-8, -8 + n / 20, n % 20 - 10}, {8, 0, 0}};
+  addMeasurements(w.session(), w.all().empty() ? keyOf(w.session().series()->series) : w.all()[0].series,
+                  lengths);
+  w.scene()->repaint();
+  const auto placed = w.scene()->placedMeasurements();
+  QCOMPARE(placed->size(), std::size_t(300));
+  const glm::dvec3 before = w.view(axialViewId)->plane()->centre;
+  for (int n = 0; n < 3; ++n) {
+    wheel(w.view(axialViewId), 1);
+    QCoreApplication::processEvents();
+    w.window.repaint();
+  }
+  QVERIFY(w.view(axialViewId)->plane()->centre != before);
+  QVERIFY2(w.scene()->placedMeasurements() == placed, "the wheel");
+  renameMeasurement(w.session(), placed->front().id, QStringLiteral("first"));
+  const auto renamed = w.scene()->placedMeasurements();
+  QVERIFY2(renamed != placed && renamed->front().text.value(0) == QStringLiteral("first"), "a name");
+  w.scene()->showView(QStringLiteral("left"));
+  QVERIFY2(w.scene()->placedMeasurements() != renamed, "the camera");
 }
 
 VOLUMEN_TEST(TestSurfaceMeasurements);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ui/views/rect_index.h"
 #include "ui/workspace/measurements.h"
 #include "viewer/measure/shape_cut.h"
 
@@ -120,16 +121,78 @@ QStringList besideShape(const DrawnMeasurement& drawn) {
   return drawn.letter.isEmpty() ? drawn.text : QStringList(drawn.letter);
 }
 
-// Returns positions all over the area, those nearest to `middle` first.
-std::vector<QRectF> placesAllOver(QPointF middle, QSizeF size, const QRectF& area) {
+// Returns positions all over the area, row by row.
+std::vector<QRectF> placesAllOver(QSizeF size, const QRectF& area) {
   constexpr double across = 16, down = 8;
   std::vector<QRectF> places;
   for (double y = area.top(); y + size.height() <= area.bottom(); y += down)
     for (double x = area.left(); x + size.width() <= area.right(); x += across)
       places.emplace_back(QPointF(x, y), size);
-  std::ranges::stable_sort(places, {}, [&](const QRectF& p) { return squared(p.center() - middle); });
   return places;
 }
+
+// Finds room beside shapes for their texts.
+class TextRoom {
+ public:
+  TextRoom(const std::vector<DrawnMeasurement>& drawn, const QRectF& area, const std::vector<QRectF>& taken)
+      : drawn_(drawn), area_(area), texts_(area), shapes_(area) {
+    for (const QRectF& rect : taken) take(rect);
+    for (std::size_t n = 0; n < drawn.size(); ++n) {
+      if (!drawn[n].legendRect.isEmpty()) take(drawn[n].legendRect);
+      boxes_.push_back(boxOf(drawn[n]));
+      shapes_.add(boxes_[n], n);
+    }
+  }
+
+  void take(const QRectF& text) { texts_.add(text, 0); }
+
+  // Returns the best place for a text of shape `n`; none if nothing of the shape is in the area.
+  std::optional<QRectF> placeOf(std::size_t n, QSizeF size) {
+    const std::vector<QRectF> places = placesFor(drawn_[n], boxes_[n], size, area_);
+    if (places.empty()) return {};
+    const auto leavesIt = [&](const QRectF& place) { return !coversShape(drawn_[n], boxes_[n], place); };
+    const auto leavesTexts = [&](const QRectF& place) { return !texts_.any(place) && leavesIt(place); };
+    auto found = std::ranges::find_if(
+        places, [&](const QRectF& p) { return leavesTexts(p) && leavesShapes(p, true); });
+    if (found == places.end())
+      found = std::ranges::find_if(places,
+                                   [&](const QRectF& p) { return leavesTexts(p) && leavesShapes(p, false); });
+    if (found == places.end()) found = std::ranges::find_if(places, leavesTexts);
+    if (found == places.end())
+      if (const auto anywhere = placeAnywhere(drawn_[n].middle, size, leavesIt)) return anywhere;
+    if (found == places.end()) found = std::ranges::find_if(places, leavesIt);
+    return found == places.end() ? places.front() : *found;
+  }
+
+ private:
+  bool leavesShapes(const QRectF& place, bool cutsToo) const {
+    return !shapes_.any(place, [&](std::size_t m) {
+      return (cutsToo || drawn_[m].whole) && coversShape(drawn_[m], boxes_[m], place);
+    });
+  }
+
+  // Returns the nearest free place to a point. Texts are only added, so if a smaller one found no room, this
+  // one finds none.
+  template <class LeavesIt>
+  std::optional<QRectF> placeAnywhere(QPointF middle, QSizeF size, const LeavesIt& leavesIt) {
+    const bool isFull = std::ranges::any_of(tooLarge_, [&](QSizeF least) {
+      return least.width() <= size.width() && least.height() <= size.height();
+    });
+    if (isFull) return {};
+    std::vector<QRectF> places = placesAllOver(size, area_);
+    std::erase_if(places, [&](const QRectF& place) { return texts_.any(place); });
+    if (places.empty()) tooLarge_.push_back(size);
+    std::ranges::stable_sort(places, {}, [&](const QRectF& p) { return squared(p.center() - middle); });
+    const auto free = std::ranges::find_if(places, leavesIt);
+    return free == places.end() ? std::nullopt : std::optional(*free);
+  }
+
+  const std::vector<DrawnMeasurement>& drawn_;
+  const QRectF area_;
+  RectIndex texts_, shapes_;
+  std::vector<QRectF> boxes_;     // of the shapes
+  std::vector<QSizeF> tooLarge_;  // for which there is no room
+};
 
 // Returns A, B ... Z, AA, AB ...
 QString letterOf(int n) {
@@ -247,44 +310,19 @@ void placeLegend(std::vector<DrawnMeasurement>& drawn, const QRectF& area, const
 
 void placeTexts(std::vector<DrawnMeasurement>& drawn, const QRectF& area, const std::vector<QRectF>& taken,
                 const QFontMetricsF& metrics) {
-  std::vector<QRectF> full = taken, boxes;
-  for (const DrawnMeasurement& d : drawn)
-    if (!d.legendRect.isEmpty()) full.push_back(d.legendRect);
+  TextRoom room(drawn, area, taken);
   for (DrawnMeasurement& d : drawn) {
-    boxes.push_back(boxOf(d));
     if (d.text.isEmpty() || !d.textMiddle) continue;
     d.textRect = around(*d.textMiddle, sizeOf(besideShape(d), metrics));
-    full.push_back(d.textRect);
+    room.take(d.textRect);
   }
   for (std::size_t n = 0; n < drawn.size(); ++n) {
     DrawnMeasurement& d = drawn[n];
     if (d.text.isEmpty() || d.textMiddle) continue;
-    const QSizeF size = sizeOf(besideShape(d), metrics);
-    std::vector<QRectF> places = placesFor(d, boxes[n], size, area);
-    if (places.empty()) continue;
-    const auto leavesIt = [&](const QRectF& place) { return !coversShape(d, boxes[n], place); };
-    const auto leavesTexts = [&](const QRectF& place) {
-      return leavesIt(place) &&
-             std::ranges::none_of(full, [&](const QRectF& other) { return other.intersects(place); });
-    };
-    const auto leavesShapes = [&](const QRectF& place, bool cutsToo) {
-      if (!leavesTexts(place)) return false;
-      for (std::size_t m = 0; m < drawn.size(); ++m)
-        if ((cutsToo || drawn[m].whole) && coversShape(drawn[m], boxes[m], place)) return false;
-      return true;
-    };
-    auto found = std::ranges::find_if(places, [&](const QRectF& p) { return leavesShapes(p, true); });
-    if (found == places.end())
-      found = std::ranges::find_if(places, [&](const QRectF& p) { return leavesShapes(p, false); });
-    if (found == places.end()) found = std::ranges::find_if(places, leavesTexts);
-    if (found == places.end()) {
-      const std::vector<QRectF> allOver = placesAllOver(d.middle, size, area);
-      const auto free = std::ranges::find_if(allOver, leavesTexts);
-      if (free != allOver.end()) found = places.insert(places.end(), *free);
+    if (const auto place = room.placeOf(n, sizeOf(besideShape(d), metrics))) {
+      d.textRect = *place;
+      room.take(*place);
     }
-    if (found == places.end()) found = std::ranges::find_if(places, leavesIt);
-    d.textRect = found == places.end() ? places.front() : *found;
-    full.push_back(d.textRect);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "ui/widgets/orientation_cube.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/warning_badge.h"
+#include "ui/workspace/moved_cursors.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "viewer/plan/rule_lines.h"
@@ -69,7 +70,9 @@ VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QW
   connect(showTable_, &QToolButton::clicked, this,
           [this] { session_.prefer([](Preferences& p) { p.tableIn3d = true; }); });
   // The zoom that is written depends on the undo steps.
-  connect(&session_.undoStack(), &QUndoStack::indexChanged, this, [this] { placed_.reset(); });
+  connect(&session_.undoStack(), &QUndoStack::indexChanged, this, [this] {
+    if (series() && zoom() != placedZoom_) placed_.reset();
+  });
   connect(cine_, &CineBar::shownChanged, this, [this] {
     placeChildren();
     redraw();
@@ -90,14 +93,14 @@ void VolumeView::seriesExchanged(bool another) {
 }
 
 void VolumeView::workspaceChanged(const Workspace& before) {
-  placed_.reset();
   const Workspace& now = session_.workspace();
+  if (!movesCursorsAlone(before, now)) placed_.reset();
   const auto isOver = [&](const auto& drag) { return drag && !drag->goesOnIn(state().series); };
   if (isOver(drag_) || isOver(shape_)) letGo();
   if (before.focus != now.focus || before.crosshairs != now.crosshairs || before.layout != now.layout ||
       before.second != now.second || before.measurements != now.measurements ||
       before.selected != now.selected || before.measurementsShown != now.measurementsShown)
-    redraw();
+    canvas_->update();
   const ViewState& then = before.view(id());
   const auto look = then.scenes.find(state().series);
   const bool isNew = look == then.scenes.end();

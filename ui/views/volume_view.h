@@ -53,7 +53,9 @@ class VolumeView : public View {
   bool hasKey(const Tool& tool) const;
   /// Returns the visible measurements; the one being drawn is last. Points picked in 3D have handles unless
   /// hidden; other points belong to their slices.
-  std::vector<DrawnMeasurement> drawnMeasurements() const;
+  std::vector<DrawnMeasurement> drawnMeasurements() const { return *placedMeasurements(); }
+  /// Returns the same list until something changes that it depends on.
+  std::shared_ptr<const std::vector<DrawnMeasurement>> placedMeasurements() const;
 
   /// Returns the camera in use: the scene's, or the one fitted to this view.
   Camera camera() const;
@@ -133,7 +135,8 @@ class VolumeView : public View {
   void paintCanvas(QPainter& painter) const;
   /// Places measurements anew and repaints, because the view has changed.
   void redraw();
-  std::vector<DrawnMeasurement> placedMeasurements() const;
+  std::vector<DrawnMeasurement> placeMeasurements() const;
+  void paintMeasured(QPainter& painter) const;
   void paintCrosshair(QPainter& painter) const;
   /// Returns where a point is seen; nothing if it is behind the eye.
   std::optional<QPointF> seenAtPlace(const Camera& camera, glm::dvec3 pPatient) const;
@@ -165,8 +168,10 @@ class VolumeView : public View {
   ErrorImage errorImage_;  // of error_, if errorShown_
   bool errorShown_ = false;
   const Tool* tool_ = &toolNamed("rotate");
-  mutable std::optional<std::vector<DrawnMeasurement>> placed_;  // empty after the view changed
-  const Tool* drawing_ = nullptr;                                // the tool from setFlatTool() if it draws
+  mutable std::shared_ptr<const std::vector<DrawnMeasurement>> placed_;  // empty after the view changed
+  mutable double placedZoom_ = 1;                                        // at `placed_`
+  mutable QImage painted_;         // `placed_` if they are many; null if not painted yet
+  const Tool* drawing_ = nullptr;  // the tool from setFlatTool() if it draws
   QTimer wheelEnd_;
   std::map<int, double> fitMm_;  // height of fitted cameras by the undo index at which they came
 

@@ -47,12 +47,15 @@ void VolumeView::redraw() {
   canvas_->update();
 }
 
-std::vector<DrawnMeasurement> VolumeView::drawnMeasurements() const {
-  if (!placed_) placed_ = placedMeasurements();
-  return *placed_;
+std::shared_ptr<const std::vector<DrawnMeasurement>> VolumeView::placedMeasurements() const {
+  if (placed_) return placed_;
+  placed_ = std::make_shared<const std::vector<DrawnMeasurement>>(placeMeasurements());
+  placedZoom_ = zoom();
+  painted_ = {};
+  return placed_;
 }
 
-std::vector<DrawnMeasurement> VolumeView::placedMeasurements() const {
+std::vector<DrawnMeasurement> VolumeView::placeMeasurements() const {
   std::vector<DrawnMeasurement> drawn;
   const LoadedSeriesPtr shown = series();
   if (!shown) return drawn;

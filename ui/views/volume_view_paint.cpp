@@ -97,6 +97,27 @@ void VolumeView::paintCrosshair(QPainter& painter) const {
   }
 }
 
+// Many of them are painted once and kept as a picture: cursors move below them at every step of a wheel.
+void VolumeView::paintMeasured(QPainter& painter) const {
+  constexpr std::size_t few = 16;
+  const auto placed = placedMeasurements();
+  painter.save();
+  if (placed->size() <= few) {
+    paintMeasurements(painter, *placed);
+  } else {
+    if (painted_.size() != pixels() || painted_.devicePixelRatio() != devicePixelRatioF()) {
+      painted_ = QImage(pixels(), QImage::Format_ARGB32_Premultiplied);
+      painted_.setDevicePixelRatio(devicePixelRatioF());
+      painted_.fill(Qt::transparent);
+      QPainter over(&painted_);
+      over.setFont(painter.font());
+      paintMeasurements(over, *placed);
+    }
+    painter.drawImage(QPointF(0, 0), painted_);
+  }
+  painter.restore();
+}
+
 std::vector<QWidget*> VolumeView::badges() const {
   std::vector<QWidget*> all = View::badges();
   all.push_back(cube_);
@@ -132,9 +153,7 @@ void VolumeView::paintShown(QPainter& painter) const {
   Overlays over = overlays();
   if (errorShown_) over.topRight << errorImage_.legend;
   paintCrosshair(painter);
-  painter.save();
-  paintMeasurements(painter, drawnMeasurements());
-  painter.restore();
+  paintMeasured(painter);
   if (drag_ && drag_->drawsOver()) drag_->paint(painter, QWidget::size());
   paintOverlays(painter, over, overlayArea());
 }

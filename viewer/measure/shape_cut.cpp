@@ -71,12 +71,24 @@ ShapeCut cutOfLines(const Shape& shape, const Layer& layer) {
   return cut;
 }
 
+// Returns whether the box around a region lies on one side of the plane.
+bool liesBeside(const Shape& region, const Layer& layer) {
+  const Outline outline = outlineOf(region);
+  int before = 0, behind = 0;
+  for (const glm::dvec2 corner :
+       {outline.low, outline.high, {outline.low.x, outline.high.y}, {outline.high.x, outline.low.y}}) {
+    const double mm = layer.at(onRegion(*region.plane, corner));
+    before += mm<-samePlace, behind += mm> samePlace;
+  }
+  return before == 4 || behind == 4;
+}
+
 // Finds where the edge crosses the plane, in order along the line in which the planes meet. Every second
 // piece between crossings is inside.
 ShapeCut cutOfRegion(const Shape& region, const Layer& layer) {
   ShapeCut cut;
   const dvec3 along = glm::cross(region.plane->normal(), layer.normal);
-  if (glm::length(along) < 1e-6) return cut;
+  if (glm::length(along) < 1e-6 || liesBeside(region, layer)) return cut;
   const std::vector<dvec3> edge = edgeOf(region);
   std::vector<dvec3> crossings;
   for (std::size_t n = 0, last = edge.size() - 1; n < edge.size(); last = n++) {
