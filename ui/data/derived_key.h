@@ -8,7 +8,7 @@
 
 namespace volumen {
 
-/// Names an object that refers to pictures: its file and what it is called there.
+/// Identifies an object that refers to pictures: its file, and its id there.
 struct DerivedKey {
   std::string path, id;
   auto operator<=>(const DerivedKey&) const = default;

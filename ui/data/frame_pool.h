@@ -7,14 +7,14 @@
 
 namespace volumen {
 
-/// Frames in memory; beyond a budget of bytes those that were used longest ago go first.
+/// Frames in memory. Beyond a budget of bytes, those used longest ago are dropped first.
 class FramePool {
  public:
   explicit FramePool(std::size_t budget) : budget_(budget) {}
 
-  /// Null where it is not in memory. Counts as use.
+  /// Returns null if the frame is not in memory. Counts as use.
   LoadedFramePtr find(const FrameKey& key);
-  /// Which frames of a series, shown by this presentation, it holds: ascending.
+  /// Returns the indices of the frames that it holds of a series in this presentation, ascending.
   std::vector<int> heldOf(const SeriesKey& series, const std::string& presentation) const;
   bool contains(const FrameKey& key) const { return held_.contains(key); }
   /// Keeps a frame, whatever its size.

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 using Pictures = std::vector<const Image*>;
 
-// The folder that holds two places, or folders that hold them.
+// Returns the innermost folder that holds both paths.
 std::string folderOfBoth(const fs::path& a, const fs::path& b) {
   const auto [inA, inB] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
   fs::path both;
@@ -30,7 +30,7 @@ std::string folderOfBoth(const fs::path& a, const fs::path& b) {
 Series seriesOf(const Image& image) {
   Series series;
   static_cast<SeriesIdentity&>(series) = image;
-  // A volume may be called by the series alone.
+  // The id of a volume may be the series UID alone.
   series.id = (image.seriesUid.empty() ? image.id : image.seriesUid) + "#frames";
   series.path = image.path;
   series.format = "DICOM";
@@ -43,7 +43,7 @@ Series seriesOf(const Image& image) {
 
 void addFrames(Series& series, const Image& image) {
   if (!series.files.empty()) series.path = folderOfBoth(series.path, fs::path(image.path).parent_path());
-  // How one clip is played says nothing of several.
+  // The frame times of one clip do not hold for several.
   if (!series.files.empty()) series.cine.frameTimesMs.clear();
   if (!series.lossyRatio) series.lossyRatio = image.lossyRatio;
   for (int frame = 0; frame < image.frames; ++frame) {
@@ -55,7 +55,7 @@ void addFrames(Series& series, const Image& image) {
   series.acquired.size.z = int(series.files.size());
 }
 
-// Those of each series, in the order of the study; files without a series each for itself.
+// Returns the pictures of each series, in study order. Each file without a series stands alone.
 std::vector<Pictures> picturesOfEach(const Study& study) {
   std::vector<Pictures> all;
   std::map<std::pair<std::string_view, std::string_view>, std::size_t> known;
@@ -71,7 +71,7 @@ std::vector<Pictures> picturesOfEach(const Study& study) {
   return all;
 }
 
-// Not empty.
+// `pictures` is not empty.
 Series stackOf(const Pictures& pictures) {
   Series series = seriesOf(*pictures.front());
   for (const Image* image : pictures) addFrames(series, *image);
@@ -79,7 +79,7 @@ Series stackOf(const Pictures& pictures) {
   return series;
 }
 
-// None: they were volumes.
+// Returns nothing if all of them were volumes.
 std::optional<Series> stackOfPaths(Pictures pictures) {
   std::erase_if(pictures, [](const Image* image) { return image->isOfStack; });
   return pictures.empty() ? std::nullopt : std::optional(stackOf(pictures));
@@ -95,7 +95,7 @@ Series stackInOrder(Pictures pictures) {
     series.acquired.size.x = std::max(series.acquired.size.x, image->columns);
     series.acquired.size.y = std::max(series.acquired.size.y, image->rows);
   }
-  // A name stands for the same frames in every session.
+  // One id must name the same frames in every session.
   if (series != ofPaths) series.id = pictures.front()->seriesUid + "#pictures";
   return series;
 }
@@ -124,7 +124,7 @@ bool opensAsFrames(const Series& series) {
 
 bool isUsefulVolume(const Series& series) {
   constexpr int fewest = 4;
-  constexpr double mostThicknesses = 2, mostMm = 10, mostPixels = 2;  // from slice to slice
+  constexpr double mostThicknesses = 2, mostMm = 10, mostPixels = 2;  // limits of the distance between slices
   if (!series.notVolume.empty() || series.acquired.size.z < fewest) return false;
   if (!series.acquired.calibrated) return true;
   const glm::dmat3& L = series.acquired.patientFromVoxelStep;

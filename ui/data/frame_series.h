@@ -8,38 +8,38 @@ namespace volumen {
 
 struct Study;
 
-/// The pictures of a study that are no volumes, as series of frames alone (Series::notVolume): one for each
-/// series of a study, the frames of all its files by PictureOrder, then by SOPInstanceUID; files without a
-/// series each for itself. Its size is that of its largest columns and rows.
+/// Returns the pictures of a study that are no volumes as series of frames (Series::notVolume), one for each
+/// of its series. Frames of all files are in PictureOrder, then by SOPInstanceUID. Files without a series
+/// make one each. The size of a series is that of its largest columns and rows.
 std::vector<Series> frameSeries(const Study& study);
 
-/// The same as older session files have them: in order of paths, without pictures of stacks, as large as the
-/// first. Where nothing differs it is the same series; else its id is another.
+/// Returns the same as older session files have them: ordered by path, without pictures of stacks, as large
+/// as the first. The id differs only if the series does.
 std::vector<Series> frameSeriesOfPaths(const Study& study);
 
-/// How many frames can be shown as acquired; 0 where the format has none.
+/// Returns how many frames can be shown as acquired; 0 if the format has none.
 int frameCount(const Series& series);
 
-/// Whether it has no other view than its frames: it is no volume, or one slice without a place.
+/// Returns whether frames are its only view: it is no volume, or one slice without a position.
 bool opensAsFrames(const Series& series);
 
-/// Whether planes across the slices and 3D pictures show something of it: four slices or more that fill the
-/// space between them. Of localizers and single slices they do not.
+/// Returns whether planes across the slices and 3D pictures of it are useful: four or more slices fill the
+/// space between them. Those of localizers and single slices are not.
 bool isUsefulVolume(const Series& series);
 
-/// Whether it holds several X-ray pictures without a place: of several files, or sides, or views.
+/// Returns whether it holds several X-ray pictures without a position: of several files, sides or views.
 bool isOfProjections(const Series& series);
 
-/// Whether its pictures are made one by one, each with a window of its own: X-ray pictures, ultrasound and
-/// others that have no place as slices have (of tomosynthesis, or of rotating C-arms).
+/// Returns whether its pictures are made one by one, each with a window of its own. These are X-ray pictures,
+/// ultrasound and others without a position. Slices of tomosynthesis and rotating C-arms have one.
 bool areMadeOneByOne(const Series& series);
 
-/// Whether the first view of it is its frames: opensAsFrames(), or it has frames and is no useful volume, or
-/// isOfProjections(), or areMadeOneByOne().
+/// Returns whether its first view is frames: opensAsFrames(), or it has frames and is no useful volume,
+/// isOfProjections() or areMadeOneByOne().
 bool opensAsPictures(const Series& series);
 
-/// The first of some series of frames that holds more pictures than one that opensAsPictures(); null: none
-/// does, or it opens as a volume.
+/// Returns the first of `frames` with more pictures than a series that opensAsPictures(). Null if there is
+/// none, or the series opens as a volume.
 const Series* largerStack(const Series& series, const std::vector<Series>& frames);
 
 }  // namespace volumen

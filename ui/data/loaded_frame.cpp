@@ -12,7 +12,7 @@ VoxelGeometry geometryOf(const Frame& frame) {
   const glm::dvec2 mm = frame.pixel.mm;
   const FramePlace place = frame.place.value_or(FramePlace{});
   const glm::dvec3 normal = glm::normalize(glm::cross(place.row, place.column));
-  // As thick as its pixels are wide: the smallest spacing is that of the pixels.
+  // As thick as its pixels are wide, so that the smallest spacing is that of the pixels.
   geometry.patientFromVoxelStep = {mm.x * place.row, mm.y * place.column, std::min(mm.x, mm.y) * normal};
   geometry.origin = place.origin;
   return geometry;
@@ -41,7 +41,7 @@ std::vector<std::uint8_t> allOverlays(const Frame& frame) {
   return mask;
 }
 
-// What tools and texts ask of a series.
+// Returns the slice with the properties of the series that tools and texts need.
 LoadedSeriesPtr sliceOf(const Series& series, int index, const Frame& frame, VolumePtr volume) {
   auto slice = std::make_shared<LoadedSeries>();
   static_cast<SeriesIdentity&>(slice->series) = series;
@@ -51,7 +51,7 @@ LoadedSeriesPtr sliceOf(const Series& series, int index, const Frame& frame, Vol
   slice->series.format = series.format;
   slice->series.acquired.calibrated = series.acquired.calibrated;
   slice->series.unit = frame.unit;
-  if (frame.unit == series.unit) slice->series.suv = series.suv;  // else a presentation made other values
+  if (frame.unit == series.unit) slice->series.suv = series.suv;  // else a presentation changed values
   slice->volume = std::move(volume);
   if (frame.colour()) return slice;
   const std::vector<float> ends = percentiles(*slice->volume, {1, 999});

@@ -8,20 +8,20 @@ namespace volumen {
 struct ReferencedPicture;
 struct Series;
 
-/// A picture of a series that is open: its number there, from 0.
+/// A picture of an open series, by its index there from 0.
 struct PicturePlace {
   const Series* series = nullptr;
   int index = 0;
 };
 
-/// Which picture of these series is meant, of several frames the first; none where none of them holds it.
+/// Returns the referenced picture in these series, the first of several frames; empty if none holds it.
 std::optional<PicturePlace> findPicture(const std::vector<const Series*>& all,
                                         const ReferencedPicture& picture);
 
-/// Whether these name picture `index` of a series.
+/// Returns whether one of `pictures` refers to picture `index` of a series.
 bool namesPicture(const std::vector<ReferencedPicture>& pictures, const Series& series, int index);
 
-/// The pictures of a series that are named, from 0 on.
+/// Returns the indices (from 0) of the pictures of a series that are referred to.
 std::vector<int> picturesNamed(const std::vector<ReferencedPicture>& pictures, const Series& series);
 
 }  // namespace volumen

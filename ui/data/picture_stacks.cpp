@@ -18,7 +18,7 @@ using SeriesName = std::pair<std::string, std::string>;  // UIDs of study and se
 
 SeriesName nameOf(const SeriesIdentity& s) { return {s.studyUid, s.seriesUid}; }
 
-// Whether each of its slices is a file of its own.
+// Returns whether each of its slices is a file of its own.
 bool isOfSingleFrames(const Series& series) {
   const std::set<std::string> files(series.files.begin(), series.files.end());
   return files.size() == series.files.size() &&
@@ -36,9 +36,9 @@ bool haveOnePatient(const SeriesIdentity& a, const SeriesIdentity& b) {
          a.patientSex == b.patientSex;
 }
 
-// Whether their slices have one direction and one size.
+// Returns whether slices have the same direction and size.
 bool areAlike(const VoxelGeometry& a, const VoxelGeometry& b) {
-  constexpr double nearEnough = 2e-3;  // of a step: directions are given with six digits or so
+  constexpr double nearEnough = 2e-3;  // relative to a step: directions are given with about six digits
   const auto isNear = [&](int axis) {
     const glm::dvec3 step = a.patientFromVoxelStep[axis];
     return glm::length(b.patientFromVoxelStep[axis] - step) <= nearEnough * glm::length(step);
@@ -51,8 +51,8 @@ struct Parts {
   const SeriesIdentity* first;
   int count = 0;
   bool mayBeStacked = true, areInOneFrame = true;
-  const Series* placed = nullptr;  // the first volume that has a place
-  bool differ = false;             // in direction or size, those that have a place
+  const Series* placed = nullptr;  // the first volume with a position
+  bool differ = false;             // true if volumes with a position differ in direction or size
   std::set<std::string_view> instances = {};
 
   void add(const SeriesIdentity& part) {
@@ -60,7 +60,7 @@ struct Parts {
     mayBeStacked = mayBeStacked && haveOnePatient(*first, part);
     areInOneFrame = areInOneFrame && part.frameOfReferenceUid == first->frameOfReferenceUid;
   }
-  // Measurements know the pictures of a stack by their UIDs.
+  // Measurements identify the pictures of a stack by their UIDs.
   void addInstance(const std::string& uid) {
     mayBeStacked = mayBeStacked && !uid.empty() && instances.insert(uid).second;
   }
@@ -68,8 +68,7 @@ struct Parts {
     if (!placed) placed = &volume;
     differ = differ || !areAlike(placed->acquired, volume.acquired);
   }
-  // A stack says one frame of reference of all of its pictures, and slices that only a gap parts are no
-  // localizers.
+  // A stack has one frame of reference for all pictures. Slices separated by a gap alone are no localizers.
   bool areStack() const { return count > 1 && mayBeStacked && (!placed || (differ && areInOneFrame)); }
 };
 
@@ -115,7 +114,7 @@ Image imageOf(const Series& series, int slice) {
   return image;
 }
 
-// What a stack cannot say: files of it that were left out, but for those told already.
+// Adds files left out of a series to the study, because a stack cannot report them, unless they are there.
 void tellUnread(const Series& series, Study& study) {
   for (const Unread& unread : series.unread) {
     const auto isIt = [&](const auto& told) { return told.path == unread.path; };

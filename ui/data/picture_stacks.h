@@ -4,13 +4,13 @@
 
 namespace volumen {
 
-/// The same study with its single pictures stacked: where a series holds several volumes, or volumes and
-/// images, and each of them opens as pictures and is told from the others by size, direction or place alone
-/// (radiographs of several sizes, localizers in three planes), its pictures are images in place of volumes,
-/// so that they are one series of frames (frameSeries). Series told apart by what they show (echoes, time
-/// points, kernels), PET, files of several frames, files without a series, of several patients, without
-/// SOPInstanceUIDs of their own, or with places in several frames of reference, and slices that a gap alone
-/// parts stay as they are. Nothing changes where that was done before.
+/// Stacks the single pictures of a study. Its series with several volumes, or volumes and images, become one
+/// series of frames (frameSeries): their pictures are images in place of volumes. All of them must open as
+/// pictures and differ in size, direction or position alone. Examples are radiographs of several sizes and
+/// localizers in three planes. Series separated by content (echoes, time points, kernels), PET, multi-frame
+/// files and files without a series stay as they are. So do those of several patients, without
+/// SOPInstanceUIDs of their own, with several frames of reference, or with slices separated by a gap alone. A
+/// second call changes nothing.
 Study withPictureStacks(Study study);
 
 }  // namespace volumen

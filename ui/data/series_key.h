@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-/// Names a series: where it was found and what it is called there.
+/// Identifies a series: where it was found, and its id there.
 struct SeriesKey {
   std::string path, id;
   auto operator<=>(const SeriesKey&) const = default;

@@ -18,7 +18,7 @@ std::size_t SeriesPool::partOfMemory(int percent) {
 
 std::uint64_t SeriesPool::availableNow() { return processMemory().available; }
 
-// Of what is held here alone.
+// Counts only what the pool itself holds.
 std::size_t SeriesPool::Held::bytes() const {
   return (series ? volumeBytes : 0) + (computed ? computed->bytes() : 0);
 }
@@ -43,7 +43,7 @@ LoadedSeriesPtr SeriesPool::peek(const PoolKey& key) const {
   return found == held_.end() ? nullptr : found->series;
 }
 
-// Makes the first of those that `fits` the first of all, or a new one.
+// Moves the first entry of this volume that `fits` to the front, or adds a new one there.
 SeriesPool::Held& SeriesPool::firstOf(const VolumePtr& volume, const std::function<bool(const Held&)>& fits) {
   std::erase_if(held_, [](const Held& h) { return !h.series && !h.computed && h.volume.expired(); });
   const auto known =
@@ -122,7 +122,7 @@ void SeriesPool::clear() {
   letGoIf([](const Held&) { return true; });
 }
 
-// With what was computed of them, where that is not in use.
+// Drops these series, and what was computed of them unless it is in use.
 void SeriesPool::letGoIf(const std::function<bool(const Held&)>& isGone) {
   Garbage garbage;
   const std::lock_guard lock(mutex_);

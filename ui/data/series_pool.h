@@ -15,16 +15,16 @@ namespace volumen {
 
 class StoredVoxels;
 
-/// Which volume of a series: as it is, or without what a mask takes away.
+/// A volume of a series: with a mask applied, or complete if that is empty.
 struct PoolKey {
   SeriesKey series;
   Mask mask;
   bool operator==(const PoolKey&) const = default;
 };
 
-/// The series in memory and what was computed of their volumes. Both can be had again. Beyond the budget what
-/// is off screen goes: first what was computed, then series, of each those that were needed longest ago. For
-/// all threads.
+/// The series in memory, and what was computed of their volumes. Both can be made again. Beyond the budget,
+/// what is off screen is dropped: first computed data, then series, each by the longest time since the last
+/// need. Thread-safe.
 class SeriesPool {
  public:
   /// Returns how many bytes this process can still take.
@@ -47,7 +47,7 @@ class SeriesPool {
   /// Sets what is on screen from now on, and how many bytes are held elsewhere for it. Lets go of what is
   /// beyond the budget.
   void setOnScreen(std::vector<PoolKey> keys, std::size_t elsewhere = 0);
-  /// Counts what a holder keeps beside that; 0: nothing any more.
+  /// Counts the bytes that a holder keeps elsewhere; 0: nothing any more.
   void count(const void* holder, std::size_t bytes);
   void setBudget(std::size_t bytes);
   /// Lets go of what is in the way of so many bytes more; returns false if the machine has no room for them
@@ -60,14 +60,14 @@ class SeriesPool {
   /// Forgets what was computed of volumes that nobody else holds.
   void dropUnheld();
 
-  /// Returns true if a volume of so many bytes has room beside what is on screen.
+  /// Returns true if a volume of `bytes` has room beside what is on screen.
   bool hasRoomFor(std::size_t bytes) const;
   /// Returns the bytes of the series held and of what was computed.
   std::size_t bytes() const;
-  /// Returns all bytes that the budget is for: those, what is counted elsewhere, and volumes that were let go
-  /// of here while others hold them.
+  /// Returns all bytes in the budget: those of bytes(), those counted elsewhere, and volumes dropped here
+  /// that others still hold.
   std::size_t counted() const;
-  /// Returns so many percent of the memory that this process could take.
+  /// Returns `percent` of the memory that this process could take.
   static std::size_t partOfMemory(int percent);
 
  private:
@@ -80,9 +80,9 @@ class SeriesPool {
     std::shared_ptr<StoredVoxels> computed{};
 
     std::size_t bytes() const;
-    bool isInUse() const;  // what was computed
+    bool isInUse() const;  // whether others hold `computed`
   };
-  using Garbage = std::vector<std::shared_ptr<const void>>;  // goes after the lock
+  using Garbage = std::vector<std::shared_ptr<const void>>;  // destroyed after the lock is released
 
   static std::uint64_t availableNow();
   std::list<Held>::const_iterator withKey(const PoolKey& key) const;

@@ -9,11 +9,11 @@ namespace volumen {
 
 struct Series;
 
-/// What tells whether a series is the one it was.
+/// The facts that show whether a series is still the same.
 struct SeriesProof {
-  VoxelGeometry geometry;  ///< of the slices as acquired
+  VoxelGeometry geometry;  ///< of the acquired slices
   std::string valueType;
-  int files = 0;  ///< how many it is made of
+  int files = 0;  ///< number of its files
   std::string
       instances;  ///< SHA-256 of their SOP Instance UIDs, in hexadecimal digits; empty: they have none
   bool operator==(const SeriesProof&) const = default;
@@ -21,24 +21,24 @@ struct SeriesProof {
 
 SeriesProof proofOf(const Series& series);
 
-/// A folder, named from the path of a series; "." is that path.
+/// A folder relative to the path of a series; "." is that path.
 struct SavedFolder {
   std::string path;
   bool operator==(const SavedFolder&) const = default;
 };
 
-/// The folders of a series' files. None where these lie directly in its path, or where there are more than
-/// 1000 of them: then all that is below its path is searched.
+/// Returns the folders of a series' files. Empty if these lie directly in its path, or in more than 1000
+/// folders: then everything below its path is searched.
 std::vector<SavedFolder> foldersOf(const Series& series);
 
-/// What is known of a series that was not found again.
+/// The known facts of a series that was not found.
 struct MissingSeries {
   SeriesProof proof;
-  std::vector<SavedFolder> folders;  ///< as foldersOf() gave them
+  std::vector<SavedFolder> folders;  ///< from foldersOf()
   bool operator==(const MissingSeries&) const = default;
 };
 
-/// What is different, for a sentence: "it has 120 slices instead of 118"; empty where nothing is.
+/// Returns the difference for a sentence: "it has 120 slices instead of 118"; empty if there is none.
 std::string changeText(const SeriesProof& before, const SeriesProof& now);
 
 }  // namespace volumen

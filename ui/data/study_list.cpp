@@ -11,7 +11,7 @@ namespace volumen {
 
 namespace {
 
-// How one row compares by a column: by the number, then by the text.
+// The sort key of a row: compared by the number, then by the text.
 struct SortKey {
   std::int64_t number = 0;
   QCollatorSortKey text;
@@ -31,7 +31,7 @@ bool isBefore(const SortKey& a, const SortKey& b) {
   return a.number != b.number ? a.number < b.number : a.text.compare(b.text) < 0;
 }
 
-// Sorts by the key that `keyOf` makes of each row; those of equal keys stay in their order.
+// Sorts by the key that `keyOf` makes of each row. Rows with equal keys keep their order.
 template <class Row, class KeyOf>
 void sortRows(std::vector<Row>& rows, bool ascending, const KeyOf& keyOf) {
   std::vector<std::pair<SortKey, std::size_t>> order;

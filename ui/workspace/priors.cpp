@@ -265,7 +265,7 @@ Workspace withLikelySecond(Workspace workspace, const std::vector<const Series*>
 
 Workspace comparedWithPrior(Workspace workspace, const SeriesPicture& current, const SeriesPicture& prior) {
   const Series left = *current.series,
-               right = *prior.series;  // copies, because they may belong to the workspace
+               right = *prior.series;  // copies: the workspace may own them
   workspace = withScrollLinked(std::move(workspace), true);
   workspace.layout = Layout::two;
   workspace.focus = firstComparedId;

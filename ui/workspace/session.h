@@ -158,7 +158,7 @@ class Session : public QObject {
   void prefer(const std::function<void(Preferences&)>& change);
 
   SeriesPool& pool() { return *pool_; }
-  /// The same, for those that live longer or on other threads.
+  /// Returns the same for holders that live longer or on other threads.
   const std::shared_ptr<SeriesPool>& sharedPool() const { return pool_; }
 
   /// Ends a gesture, as on a mouse release or when a field is left: the next edit is a step of its own.
