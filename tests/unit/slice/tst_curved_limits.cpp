@@ -121,7 +121,7 @@ void TestCurvedLimits::largeOnesBecomeCoarser() {
       QVERIFY(std::abs(g.spacing().x / g.spacing().z - 1) < 0.01);
       if (spacing == 1) QVERIFY(std::abs(g.spacing().x - 1) < 1e-9);
     }
-  // This includes thin ones. A long curve has a limited number of cross-sections.
+  // The number of cross-sections of a long curve is limited, also in thin volumes.
   const CurvedGrid thin =
       gridOf(recipeOf(CurvedKind::straightened, {{0, 0, 0}, {5000, 0, 0}}, 0.001), boxOf(0.001));
   QVERIFY(double(thin.sections().size()) < CurvedGrid::mostSections + 2);
