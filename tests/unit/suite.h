@@ -8,7 +8,7 @@
 
 namespace volumen::tests {
 
-/// All test classes of one executable; each registers itself with VOLUMEN_TEST.
+/// Returns factories of all test classes of this executable. VOLUMEN_TEST registers a class here.
 inline std::vector<std::function<std::unique_ptr<QObject>()>>& suite() {
   static std::vector<std::function<std::unique_ptr<QObject>()>> classes;
   return classes;
@@ -21,8 +21,9 @@ struct Registered {
   }
 };
 
-/// Runs every registered class, or those that VOLUMEN_ONLY names (A,B), with the arguments of the command
-/// line, and `before` ahead of each; returns how many test functions failed, and 1 where a name is none.
+/// Runs every registered class, or those listed in VOLUMEN_ONLY (A,B), with the command line's arguments.
+/// `before` is called ahead of each class. Returns the number of failed test functions, plus 1 if a listed
+/// name is unknown.
 inline int runSuite(int argc, char** argv, const std::function<void()>& before = {}) {
   QByteArrayList wanted = qgetenv("VOLUMEN_ONLY").split(',');
   wanted.removeAll({});
@@ -40,5 +41,5 @@ inline int runSuite(int argc, char** argv, const std::function<void()>& before =
 
 }  // namespace volumen::tests
 
-/// In a tst_*.cpp, after the class: makes it part of its executable.
+/// Adds a class to its executable. Stands after the class in a tst_*.cpp.
 #define VOLUMEN_TEST(Class) static const volumen::tests::Registered<Class> registered##Class

@@ -1,5 +1,5 @@
-// Guards design.md 8: what takes its time is a job, listed with its progress, cancelled for itself, and ended
-// once.
+// Guards design.md 8: lengthy work is a job. Jobs are listed with their progress, cancelled one by one, and
+// end exactly once.
 #include <map>
 #include <semaphore>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int longest = 20000;
 
-// Work that goes on until it is let go.
+// Work that blocks until the gate is opened.
 struct Gate {
   std::shared_ptr<std::counting_semaphore<>> open = std::make_shared<std::counting_semaphore<>>(0);
 
@@ -194,7 +194,7 @@ void TestJobs::whatWaitsIsNeverBegun() {
   jobs.cancel(jobs.rows().at(1).id);
   lane.giveUpWaiting(waiting);
   QTest::qWait(50);
-  lane.giveUpWaiting(running);  // it does not wait
+  lane.giveUpWaiting(running);  // no effect: the job already runs
   QCOMPARE(texts(jobs), QStringList(QStringLiteral("runs")));
   gate.letGo();
   QTRY_COMPARE_WITH_TIMEOUT(ended, 1, longest);
@@ -237,7 +237,7 @@ void TestJobs::whatIsGivenUpSaysNothing() {
   const int last = lane.run(
       {}, [](const Job&) { return 3; }, [&](int result) { after = result; });
   QTRY_COMPARE_WITH_TIMEOUT(after, 3, longest);
-  lane.giveUp(last);  // it has ended
+  lane.giveUp(last);  // no effect: the job has ended
 }
 
 void TestJobs::aLaneThatGoesWaitsAndSaysNothing() {
@@ -294,7 +294,7 @@ void TestJobs::eachEndsOnce_data() {
     QTest::addRow("seed %d", seed) << seed;
 }
 
-// Jobs asked for, cancelled and given up by chance on three lanes: each ends in one way alone, in order.
+// Starts, cancels and abandons random jobs on three lanes. Each ends in exactly one way, in order.
 void TestJobs::eachEndsOnce() {
   QFETCH(int, seed);
   tests::Chance chance{std::uint64_t(seed)};
@@ -303,8 +303,8 @@ void TestJobs::eachEndsOnce() {
     int lane = 0, ended = 0, cancelled = 0;
     bool isGivenUp = false;
   };
-  std::map<int, Fate> fates;   // by the number that work returns
-  std::map<int, int> numbers;  // of jobs
+  std::map<int, Fate> fates;   // keyed by the number that the work returns
+  std::map<int, int> numbers;  // the same numbers, keyed by job
   std::vector<int> order[3];
   {
     JobLane lanes[3] = {JobLane(&jobs), JobLane(&jobs), JobLane(&jobs)};

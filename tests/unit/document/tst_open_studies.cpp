@@ -1,4 +1,4 @@
-// Guards design.md 8: what is open is one list, whoever shows it.
+// Guards design.md 8: there is one list of open studies, shared by all that show it.
 #include <QSignalSpy>
 
 #include "tests/unit/suite.h"
@@ -79,7 +79,7 @@ void TestOpenStudies::whatIsTakenOffComesBack() {
   QVERIFY(studies.studyOf(a) && !studies.studyOf(b));
   gone = studies.everything();
   studies.setUnlisted(gone);
-  studies.setUnlisted(gone);  // nothing new
+  studies.setUnlisted(gone);  // a repeated call has no effect
   QVERIFY(studies.volumes().empty() && studies.derived().empty());
   QVERIFY(!studies.studyOf(a));
   gone.derived.clear();

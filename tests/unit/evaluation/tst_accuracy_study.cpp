@@ -1,5 +1,5 @@
 // Guards design.md 2 and 6: errors against the reference on a stratified subset, times, the Pareto front, CSV
-// and JSON, cancel.
+// and JSON output, and cancelling.
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -76,7 +76,7 @@ void TestStudy::oneChosenPixelOfEachCell() {
   choosePixels(truth, {width, height}, most);
   QCOMPARE(truth.pixels.size(), std::size_t(truth.grid.x) * truth.grid.y);
   QVERIFY(int(truth.pixels.size()) <= most);
-  // The grid has the picture's proportions: no more is lost than the rounding of its edges.
+  // The grid has the picture's aspect ratio. Only rounding its edges may lose pixels.
   QVERIFY((truth.grid.x + 1) * (truth.grid.y + 1) > std::min(most, width * height) * 0.99);
   std::set<std::pair<int, int>> places;
   for (std::size_t n = 0; n < truth.pixels.size(); ++n) {
@@ -86,7 +86,7 @@ void TestStudy::oneChosenPixelOfEachCell() {
     QVERIFY(p.y >= cy * height / truth.grid.y && p.y < (cy + 1) * height / truth.grid.y);
     places.insert({p.x * truth.grid.x % width, p.y * truth.grid.y % height});
   }
-  // Where cells hold many pixels, not always the same one is taken.
+  // The chosen pixel must differ between cells that hold many pixels.
   if (truth.pixels.size() > 100 && width * height > 4 * most) QVERIFY(places.size() > 4);
 }
 
@@ -115,8 +115,8 @@ void TestStudy::aSmallerPictureIsReadAtItsPlaces_data() {
   QTest::newRow("the same") << 64 << 48;
 }
 
-// A picture whose colour is the place in the picture's plane (picture.md 7: b and a over the height):
-// enlarged, every pixel still says its own place.
+// The colour of each pixel is its position in the image plane (picture.md 7: a and b over the height). After
+// enlargement every pixel must still hold its own position.
 void TestStudy::aSmallerPictureIsReadAtItsPlaces() {
   QFETCH(int, width);
   QFETCH(int, height);
@@ -135,7 +135,7 @@ void TestStudy::aSmallerPictureIsReadAtItsPlaces() {
   const Picture read = atPixelsOf(truth, small);
   for (std::size_t n = 0; n < truth.pixels.size(); ++n) {
     const glm::ivec2 pixel = truth.pixels[n];
-    if (pixel.x < 3 || pixel.x > 60 || pixel.y < 3 || pixel.y > 44) continue;  // a border repeats itself
+    if (pixel.x < 3 || pixel.x > 60 || pixel.y < 3 || pixel.y > 44) continue;  // borders are clamped
     const glm::vec2 expected = place(pixel, truth.size);
     QVERIFY(std::abs(read.rgba[4 * n] - expected.x) < 1e-5);
     QVERIFY(std::abs(read.rgba[4 * n + 1] - expected.y) < 1e-5);
@@ -143,10 +143,10 @@ void TestStudy::aSmallerPictureIsReadAtItsPlaces() {
 }
 
 void TestStudy::errorsOfMadeUpPictures_data() {
-  QTest::addColumn<int>("off");       // pixels of 200 that are off ...
-  QTest::addColumn<double>("by");     // ... by so many /255 in one component
-  QTest::addColumn<double>("p99");    // rank 198 of 200
-  QTest::addColumn<double>("share");  // above 2/255
+  QTest::addColumn<int>("off");       // number of differing pixels of 200
+  QTest::addColumn<double>("by");     // their difference in one component, in /255
+  QTest::addColumn<double>("p99");    // value of rank 198 of 200
+  QTest::addColumn<double>("share");  // share of pixels above 2/255
   QTest::newRow("none") << 0 << 0. << 0. << 0.;
   QTest::newRow("two of 200 are not the 99th percentile") << 2 << 10. << 0. << 0.01;
   QTest::newRow("three are") << 3 << 10. << 10. << 0.015;
@@ -218,7 +218,7 @@ void TestStudy::smallerStepsAreNearerTheTruth() {
     QVERIFY(row.bytes > 0 && row.resampled > row.shaded && row.shaded > 0);
   }
   QVERIFY(study.rows[0].resampled < study.rows[1].resampled);
-  QVERIFY(study.rows[2].front);  // nothing is as near
+  QVERIFY(study.rows[2].front);  // no other row is as accurate
 }
 
 void TestStudy::whatCannotBeDrawnIsNamed() {

@@ -1,4 +1,4 @@
-// Guards design.md 4 (bench: N views, the camera turned by 360/N each; median, minimum, samples).
+// Guards design.md 4 (bench: N views, the camera turned by 360/N between views; median, minimum, samples).
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -69,7 +69,7 @@ void TestOrbit::everyViewIsDrawnOnceARound() {
   QVERIFY(orbit.firstFrameMs >= orbit.gradientsMs);
 }
 
-// A long box seen along its axis and from its side: other rays, other samples.
+// Views along and across the axis of a long box have different rays and samples.
 void TestOrbit::aTurnedViewTakesItsOwnSamples() {
   const VolumePtr sphere = *makePhantom("sphere:16");
   VolumeParts parts;

@@ -6,10 +6,10 @@
 
 namespace volumen::tests {
 
-/// What rows of levelsKeepTheirPromises hold blend and OpenGL to where the promise of a level is out of their
-/// reach: they take plain steps, halved where the curve is sharp, and pass over peaks, jumps and plates that
-/// are narrower. As measured (OpenGL by llvmpipe), and 5 % more. The CPU's planes integrate instead, and keep
-/// the promise in every row.
+/// Bounds of levelsKeepTheirPromises for blend and OpenGL in rows where they cannot keep a level's promise.
+/// Both take plain steps, halved where the curve is sharp, and miss narrower peaks, jumps and plates. Values
+/// are measured errors (OpenGL by llvmpipe) plus 5 %. The CPU's planes integrate instead and keep the promise
+/// in every row.
 struct BoundOfSteps {
   const char* row;
   Promise bound;
@@ -97,7 +97,7 @@ inline constexpr BoundOfSteps boundsOfSteps[] = {
     {"unsigned 16-bit full range, curve with steps", {"high", Quality::high, 56.9, 3.02, 3.16}},
 };
 
-/// What `row` holds plain steps to: its own bound, or the promise.
+/// Returns the bound of `row` for plain steps, or `promise` if the row has none.
 inline const Promise& boundOfSteps(const std::string& row, const Promise& promise) {
   for (const BoundOfSteps& b : boundsOfSteps)
     if (row == b.row && promise.quality == b.bound.quality) return b.bound;

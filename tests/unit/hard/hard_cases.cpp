@@ -46,7 +46,7 @@ double lengthOfRay(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2
   const dvec3 q = *camera.target + a * axes[0] + b * axes[1];
   const dvec3 toQ = camera.distance * axes[2] + a * axes[0] + b * axes[1];
   const dvec3 direction = perspective ? glm::normalize(toQ) : axes[2];
-  // t is counted from q on; the eye lies before it.
+  // t is measured from q. The eye lies at negative t.
   double t0 = perspective ? -glm::length(toQ) : -std::numeric_limits<double>::infinity();
   double t1 = std::numeric_limits<double>::infinity();
   const auto keepBelow = [&](double at, double slope, double bound) {  // at + slope t <= bound

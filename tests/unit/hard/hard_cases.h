@@ -10,28 +10,30 @@
 
 namespace volumen::tests {
 
-/// A scene at the edge of what numbers bear. Pictures are tiny, so that every method can be tried on each.
+/// A scene at the limits of numerical range and precision. Pictures are tiny, so that every method can draw
+/// each case.
 struct HardCase {
-  std::string name = {};  ///< what is hard about it
+  std::string name = {};  ///< what is hard about the case
   VolumePtr volume = {};
   Scene scene = {};
   glm::ivec2 size{12, 12};
-  /// Where the picture has a closed form: the pixel (premultiplied, 0..1) of a ray of that length in mm
-  /// inside the box and the clip; not called where that is empty.
+  /// Closed form of a pixel (premultiplied, 0..1), if there is one. Its argument is the length in mm of the
+  /// ray inside box and clip. It is not called for empty rays.
   std::function<glm::dvec4(double lengthMm)> closedForm = {};
-  /// The closed form holds at every length of step (matter is the same everywhere), not in the limit alone.
+  /// True if matter is the same everywhere. The closed form then holds for every step length, not only in the
+  /// limit.
   bool uniform = false;
-  /// Why no level's error is promised here, where none is.
+  /// Why no level's error is promised here; null if one is.
   const char* finiteOnly = nullptr;
-  /// Compared on every CPU target by default (the others only where VOLUMEN_ALL_TARGETS is set).
+  /// Compared on every CPU target by default. Other cases need VOLUMEN_ALL_TARGETS for that.
   bool delicate = false;
 };
 
-/// The list that a part of the cases is added to.
+/// The list to which each part of the cases is added.
 class HardCases {
  public:
   HardCase& add(HardCase hardCase) { return all_.emplace_back(std::move(hardCase)); }
-  /// The case, whose camera is parallel, and its twin in perspective.
+  /// Adds the case, whose camera is parallel, and its perspective twin.
   void addBoth(const HardCase& hardCase);
   const std::vector<HardCase>& all() const { return all_; }
 
@@ -45,25 +47,27 @@ void addCurveCases(HardCases& cases);
 void addLightCases(HardCases& cases);
 void addViewCases(HardCases& cases);
 
-/// All of them.
+/// Returns all hard cases.
 const std::vector<HardCase>& hardCases();
 
-/// The length in mm of the ray through a pixel inside box, clip box and planes and in front of the eye
-/// (picture.md 6, 7); 0 where it is empty. Shares no code with the viewer's rooms.
+/// Returns the length in mm of the part of a pixel's ray inside box, clip box and planes and in front of the
+/// eye (picture.md 6, 7); 0 if there is none. Shares no code with the viewer's rooms.
 double lengthOfRay(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, int px, int py);
 
-/// A scene seen from `direction` in parallel, the whole box in view, lit by the headlight.
+/// Returns a scene in parallel projection along `direction`, lit by the headlight, with the whole box in
+/// view.
 Scene sceneOf(const Volume& volume, std::vector<CurvePoint> points, glm::dvec3 direction = {-0.5, 0.7, -0.4});
-/// Translucent below, denser and denser above; opacities per voxel, values as shares of low .. high.
+/// Returns a curve that is translucent at low values and gets denser upwards. Opacities are per voxel, values
+/// are shares of low .. high.
 std::vector<CurvePoint> softCurve(double low, double high);
-/// The same with two steps, for surfaces.
+/// Returns the same curve with two steps, for surfaces.
 std::vector<CurvePoint> steppedCurve(double low, double high);
 
-/// Soft blobs, their grain too fine for any symmetry: 0 .. 1.
+/// Returns a field of soft blobs in 0 .. 1, too fine to have any symmetry.
 double waves(glm::dvec3 x);
-/// 1000 waves on a grid of 20 x 18 x 16 voxels of 0.8 x 1 x 1.25 mm, as floats.
+/// Returns 1000 waves as floats on a grid of 20 x 18 x 16 voxels of 0.8 x 1 x 1.25 mm.
 VolumePtr wavesVolume();
-/// 100 y on 20^3 voxels of 1 mm: seen along y its normal looks at the viewer.
+/// Returns 100 y on 20^3 voxels of 1 mm. Seen along y, its normal faces the viewer.
 VolumePtr rampVolume();
 
 }  // namespace volumen::tests

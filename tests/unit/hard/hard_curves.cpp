@@ -1,4 +1,4 @@
-// Hard curves: coincident points, peaks between samples, surfaces, the ends of floats.
+// Hard curves: coincident points, peaks between samples, surfaces, the limits of floats.
 #include <cmath>
 
 #include "tests/unit/hard/hard_cases.h"
@@ -9,7 +9,8 @@ namespace {
 using glm::dvec3;
 using glm::dvec4;
 
-/// A curve over the ramp of 100 a mm along y, seen along it, and over waves of 0 .. 1000, seen askew.
+/// Adds a curve over two volumes: a ramp of 100 a mm along y, seen along y, and waves of 0 .. 1000, seen
+/// obliquely.
 void addOverBoth(HardCases& cases, const std::string& name, const std::vector<CurvePoint>& points) {
   const VolumePtr ramp = rampVolume(), wavy = wavesVolume();
   cases.addBoth({.name = name + ", over a ramp",
@@ -19,12 +20,13 @@ void addOverBoth(HardCases& cases, const std::string& name, const std::vector<Cu
   cases.addBoth({.name = name + ", over waves", .volume = wavy, .scene = sceneOf(*wavy, points)});
 }
 
-/// A triangle of height `opacity` and foot 10 wide in steps of 100 a voxel.
+/// Returns a triangular peak of height `opacity` and base width 10. Voxels differ by 100.
 std::vector<CurvePoint> peak(double opacity) {
   return {{545, {1, 0.6, 0.3}, 0}, {550, {1, 0.6, 0.3}, opacity}, {555, {1, 0.6, 0.3}, 0}};
 }
 
-/// Passing a peak in a straight line: mu integrated over the triangle, both sides 5 / 100 mm long.
+/// Closed form of crossing a peak in a straight line: mu integrated over the triangle, with sides 5 / 100 mm
+/// long.
 HardCase peakWithClosedForm(double opacity) {
   const VolumePtr ramp = rampVolume();
   HardCase c{

@@ -8,7 +8,7 @@ namespace {
 
 using glm::dvec3;
 
-/// A change of the light over the ramp, whose normal looks at the viewer, and over waves.
+/// Adds a change of the light over two volumes: the ramp, whose normal faces the viewer, and waves.
 void addOverBoth(HardCases& cases, const std::string& name, void (*change)(Scene&)) {
   const VolumePtr ramp = rampVolume(), wavy = wavesVolume();
   HardCase onRamp{.name = name + ", on a ramp",
@@ -18,7 +18,7 @@ void addOverBoth(HardCases& cases, const std::string& name, void (*change)(Scene
   HardCase onWaves{.name = name + ", on waves", .volume = wavy, .scene = sceneOf(*wavy, softCurve(0, 1000))};
   for (HardCase* c : {&onRamp, &onWaves}) {
     change(c->scene);
-    if (c->scene.lights.size() > 9) c->size = {6, 6};  // the reference takes its time
+    if (c->scene.lights.size() > 9) c->size = {6, 6};  // the reference is slow
     cases.addBoth(*c);
   }
 }

@@ -1,4 +1,5 @@
-// Hard matter: nothing to shade, opacities at both ends of what there is, plates thinner than the gradient.
+// Hard matter: no gradient to shade by, opacities at both ends of their range, plates thinner than the
+// gradient.
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
@@ -19,7 +20,7 @@ VolumePtr constantVolume(ivec3 size = ivec3(20), double mm = 1) {
   return volumeOf(size, dmat3(mm), [](dvec3) { return 40; });
 }
 
-/// The same matter everywhere, on a transparent background.
+/// Returns a case with the same matter everywhere, on a transparent background.
 HardCase uniform(const char* name, VolumePtr volume, double opacity, double brightness = 1) {
   HardCase c{.name = name, .volume = volume, .scene = sceneOf(*volume, {{0, colour, opacity}})};
   c.scene.transferFunction.unitDistance = 1;
@@ -39,7 +40,7 @@ HardCase uniform(const char* name, VolumePtr volume, double opacity, double brig
 void addUniform(HardCases& cases) {
   cases.addBoth(uniform("homogeneous cube, opacity 0.03", constantVolume(), 0.03));
   cases.addBoth(uniform("homogeneous cube, opacity 0.002", constantVolume(ivec3(40)), 0.002));
-  // No gradient anywhere: picture.md 5's q is 0, and D'' = ambient + diffuse / 2.
+  // There is no gradient anywhere. picture.md 5's q is 0, and D'' = ambient + diffuse / 2.
   cases.addBoth(uniform("constant volume, lit", constantVolume(), 0.05, 0.2 + 0.7 / 2));
   HardCase c = uniform("constant volume, lit, gradient floor 1e-30", constantVolume(), 0.05, 0.2 + 0.7 / 2);
   c.scene.shading.gradientFloor = 1e-30;
@@ -63,7 +64,8 @@ void addUniform(HardCases& cases) {
   soft.scene.transferFunction.unitDistance = 1e-39;
   cases.addBoth(soft);
 
-  // Along the whole of 10^4 voxels. Of 100 mm: one in ten of the light is absorbed, one in 10^5 a sample.
+  // Rays pass all 10^4 voxels. With voxels of 100 mm a ray absorbs one tenth of the light, and a sample
+  // 10^-5.
   for (const auto& [name, mm] : {std::pair{"opacity 1e-7 per mm, 10^4 samples of 1 mm", 1.0},
                                  {"opacity 1e-7 per mm, 10^4 samples of 100 mm", 100.0}}) {
     c = uniform(name, constantVolume({2, 2, 10000}, mm), 1e-7);
@@ -75,7 +77,7 @@ void addUniform(HardCases& cases) {
   }
 }
 
-/// The curve has a step exactly at the value that everything has: the last point of that value holds.
+/// Adds curves with a step exactly at the value of all voxels. The last point at that value applies.
 void addStepAtTheValue(HardCases& cases) {
   HardCase c = uniform("step exactly on the stored value of everything", constantVolume(), 0.1);
   std::vector<CurvePoint>& points = c.scene.transferFunction.points;
@@ -94,8 +96,9 @@ void addStepAtTheValue(HardCases& cases) {
   cases.addBoth(c);
 }
 
-/// A ramp of half a unit a voxel beside a few spikes of the full 16-bit range, whose Sobel gradients are some
-/// 30 000 a voxel: integers of that range cannot tell the ramp's gradient from none.
+/// Returns a ramp of half a unit a voxel beside a few spikes of the full 16-bit range. Sobel gradients of the
+/// spikes are about 30 000 a voxel. 16-bit integers of that range cannot distinguish the ramp's gradient from
+/// zero.
 VolumePtr gentleRampWithSpikes() {
   VolumeParts parts;
   parts.geometry.size = ivec3(30);
@@ -142,7 +145,8 @@ void addGradients(HardCases& cases) {
   cases.addBoth(c);
 }
 
-/// A plate across y, thick voxels thick, turned by `degrees`: the normal turns over within it.
+/// Returns a plate across y, `thick` voxels thick, seen at `degrees` to its normal. The gradient reverses
+/// within the plate.
 HardCase plate(const std::string& name, int thick, double degrees) {
   const VolumePtr volume =
       volumeOf({20, 20, 20}, dmat3(1), [=](dvec3 x) { return x.y >= 9 && x.y < 9 + thick ? 1000 : 0; });

@@ -1,4 +1,5 @@
-// Hard views: eyes and rays exactly on planes of the grid, fields of view, clips down to nothing, pictures.
+// Hard views: eyes and rays exactly on planes of the grid, fields of view, clips down to nothing, picture
+// sizes.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -19,7 +20,7 @@ HardCase overWaves(const std::string& name) {
   return {.name = name, .volume = volume, .scene = sceneOf(*volume, softCurve(0, 1000)), .delicate = true};
 }
 
-/// A cube of 8 voxels of 1 mm in which every millimetre absorbs a tenth.
+/// Returns a case over a cube of 8 voxels of 1 mm that absorbs one tenth per mm.
 HardCase overCube(const std::string& name, dvec3 direction) {
   static const VolumePtr volume = volumeOf(ivec3(8), dmat3(1), [](dvec3) { return 40; });
   HardCase c{.name = name,

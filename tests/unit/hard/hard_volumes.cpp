@@ -14,8 +14,8 @@ using glm::dmat3;
 using glm::dvec3;
 using glm::ivec3;
 
-/// Stored values low .. high (waves over most of that range) in a type and with a rescale of one's
-/// own.
+/// Returns a volume of type T with stored values low .. high (waves over most of that range) and the given
+/// rescale.
 template <class T>
 VolumePtr stored(double low, double high, double slope, double intercept, ivec3 size = {17, 15, 14}) {
   VolumeParts parts;
@@ -32,7 +32,8 @@ VolumePtr stored(double low, double high, double slope, double intercept, ivec3 
   return *Volume::make(std::move(parts), warnings);
 }
 
-/// What a file may hold: NaN, infinities and 1e30 among ordinary values; one of them at (7, infinityAtJ, 11).
+/// Returns waves with values that a file may hold among ordinary ones: NaN, infinities and 1e30. One infinity
+/// is at (7, infinityAtJ, 11).
 VolumePtr spoiltFloats(int infinityAtJ) {
   VolumeParts parts;
   parts.geometry.size = ivec3(21, 20, 22);
@@ -41,7 +42,7 @@ VolumePtr spoiltFloats(int infinityAtJ) {
     for (int j = 0; j < 20; ++j)
       for (int i = 0; i < 21; ++i) values.push_back(float(1000 * waves(dvec3(i, j, k))));
   const float infinity = std::numeric_limits<float>::infinity();
-  // Few enough for the percentiles of picture.md 5 not to see them.
+  // These are too few to change the percentiles of picture.md 5.
   values[4321] = values[4322] = std::numeric_limits<float>::quiet_NaN();
   values[std::size_t(11 * 20 + infinityAtJ) * 21 + 7] = infinity;
   values[2777] = -infinity;
@@ -71,7 +72,7 @@ constexpr const char* spoilt = "floats with NaN, infinities and 1e30";
 struct Named {
   const char* name;
   VolumePtr volume;
-  ValueRange range;  ///< that curves are laid over
+  ValueRange range;  ///< over which curves are laid
   bool delicate = false;
 };
 
@@ -114,7 +115,8 @@ VolumePtr between(double low, double high) {
   return volumeOf({12, 13, 11}, dmat3(1), [=](dvec3 x) { return low + (high - low) * tests::waves(x); });
 }
 
-/// Floats that are hard to count in: next to nothing, next to no range, and near the largest that there are.
+/// Adds float ranges that are hard to calculate with: tiny values, tiny differences, and near the largest
+/// float.
 void addRanges(HardCases& cases) {
   const std::pair<const char*, ValueRange> ranges[] = {{"floats of 1e-36", {0, 1e-36}},
                                                        {"denormal floats, 1e-42", {0, 1e-42}},
@@ -143,8 +145,8 @@ void addRanges(HardCases& cases) {
 constexpr const char* decidedByNothing =
     "a ray that passes 1e30 for a hair's breadth has its extreme and its mean there: no sampling sees that";
 
-/// Beside the border, where a sample lies exactly on the last voxel: a + f (b - a) with f = 1 and a = 1e30
-/// has lost b in float32.
+/// Adds 1e30 beside the border, where a sample lies exactly on the last voxel. a + f (b - a) with f = 1 and a
+/// = 1e30 loses b in float32.
 void addSpoiltBorder(HardCases& cases) {
   const VolumePtr volume = spoiltFloats(18);
   cases.addBoth({.name = "1e30 beside the border",
@@ -154,7 +156,7 @@ void addSpoiltBorder(HardCases& cases) {
                  .delicate = true});
 }
 
-/// Rays along and across the longest axis, close enough to see it.
+/// Adds rays along and across the longest axis, close enough to see it.
 void addLongVolumes(HardCases& cases, const Named& v) {
   const bool alongX = v.volume->size().x > v.volume->size().z;
   const int length = std::max(v.volume->size().x, v.volume->size().z);

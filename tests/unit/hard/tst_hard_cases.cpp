@@ -1,6 +1,6 @@
-// Guards design.md 2 (finite, levels, determinism) and picture.md 2 to 9 where numbers are hard: every method
-// on every case. With VOLUMEN_ALL_TARGETS set, every case and OpenGL too are compared on every CPU target;
-// with VOLUMEN_ALL_METHODS, every method takes every case at every level.
+// Guards design.md 2 (finite, levels, determinism) and picture.md 2 to 9 in numerically hard cases: every
+// method on every case. With VOLUMEN_ALL_TARGETS set, every case, also by OpenGL, is compared on every CPU
+// target. With VOLUMEN_ALL_METHODS set, every method draws every case at every level.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -59,22 +59,23 @@ namespace {
 
 bool allMethodsWanted() { return qEnvironmentVariableIsSet("VOLUMEN_ALL_METHODS"); }
 
-/// Levels above standard: not where nothing is promised, and by OpenGL on delicate cases alone.
+/// Returns whether levels above standard are drawn. They are not without a promise, and with OpenGL only for
+/// delicate cases.
 bool isWorthFineSteps(const DrawWay& way, const HardCase& c) {
   return way.promised && (!way.usesOpenGl() || c.delicate || allMethodsWanted());
 }
 
-/// Whose levels integrate the curve between samples; the others take plain small steps.
+/// Returns whether levels integrate the curve between samples. Other ways take small plain steps.
 bool integrates(const DrawWay& way) { return way.options.method == Method::planes && !way.usesOpenGl(); }
 
-/// Slow ways take every hundredth case.
+/// Slow ways draw every hundredth case.
 bool isTried(const DrawWay& way, const HardCase& c, int index) {
   if (way.mayRefuse(c.scene, *c.volume)) return false;
   return !way.slow || index % 100 == 0 || allMethodsWanted();
 }
 
-/// The largest of |picture - closed form| / allowed: at most 1 where it is kept to. Allowed is `bound255` /
-/// 255, and where little is there to be seen 1 % of it.
+/// Returns the largest |picture - closed form| / allowed, which is at most 1 if the bound is kept. Allowed is
+/// `bound255` / 255, but at most 1 % of the expected opacity.
 double overTheBound(const HardCase& c, const Picture& picture, double bound255) {
   double worst = 0;
   for (int y = 0; y < c.size.y; ++y)
@@ -104,7 +105,7 @@ RenderCaches& TestHardCases::cachesOf(const VolumePtr& volume) {
   QFETCH(int, index); \
   const HardCase& c = hardCases()[std::size_t(index)]
 
-// What validation refuses would prove nothing of a renderer.
+// A renderer need not handle scenes that validation refuses.
 void TestHardCases::scenesAreValid() {
   FETCH_CASE();
   const Status valid = validateScene(c.scene);
@@ -149,7 +150,7 @@ void TestHardCases::levelsKeepTheirPromises() {
       QVERIFY2(!kept, "plain steps keep the promise of a level here: its line in bounds_of_steps.h can go");
 }
 
-// Where matter is the same everywhere, no length of step makes an error: 0.5/255 is for rounding.
+// In homogeneous matter no step length causes an error. The bound of 0.5/255 is for rounding.
 void TestHardCases::stepsKeepToTheClosedForm() {
   FETCH_CASE();
   Truth truth(cachesOf(c.volume), c.scene, c.size);
@@ -168,8 +169,8 @@ void TestHardCases::stepsKeepToTheClosedForm() {
     }
 }
 
-// Against the closed form 0.05/255 as promised; else against the brute force, which has an error of its own
-// (0.07/255, tst_brute_force) that finer steps decide about.
+// Compares with the closed form to the promised 0.05/255. Without one it compares with brute force, whose own
+// error (0.07/255, tst_brute_force) may require finer steps.
 void TestHardCases::referenceIsTheLimit() {
   FETCH_CASE();
   Truth truth(cachesOf(c.volume), c.scene, c.size);
@@ -197,7 +198,7 @@ void TestHardCases::everyCpuTargetGivesTheSameBytes() {
     std::optional<Picture> first;
     QStringList others;
     const auto targets = onEveryCpuTarget([&] {
-      RenderCaches caches(c.volume);  // the Sobel pass has kernels of its own
+      RenderCaches caches(c.volume);  // fresh caches, as the Sobel pass has kernels of its own
       const Picture picture = Truth(caches, c.scene, c.size).drawn(options);
       if (!first) first = picture;
       if (picture != *first)
@@ -209,7 +210,7 @@ void TestHardCases::everyCpuTargetGivesTheSameBytes() {
   }
 }
 
-// Skipped where no case was drawn with OpenGL.
+// Skipped if no case was drawn with OpenGL.
 void TestHardCases::openGlIsHere() { NEED_GL(); }
 
 VOLUMEN_TEST(TestHardCases);

@@ -1,5 +1,5 @@
-// Guards design.md 2 (`exact`) where integers have few values: gradients and their floor are then a few of
-// the smallest steps that 16 bits hold.
+// Guards design.md 2 (`exact`) for integers with few values. Gradients and their floor are then only a few of
+// the smallest steps of 16 bits.
 #include <cstdio>
 
 #include "tests/fixtures/small_volumes.h"

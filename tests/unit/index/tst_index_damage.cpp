@@ -1,5 +1,5 @@
-// Guards import.md: whatever becomes of the bytes of an index, it says that it is damaged or works, asking it
-// changes nothing, and an import mends it.
+// Guards import.md: an index with any damaged bytes either works or reports the damage. Queries change
+// nothing, and an import repairs it.
 #include <filesystem>
 
 #include "tests/fixtures/chance.h"
@@ -16,7 +16,8 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// A few bytes, a block of them or the end; half of the time where the tables are described.
+// Damages a few bytes, a block or the end. Half of the damage hits the first page, which describes the
+// tables.
 Bytes damaged(Bytes bytes, Chance& chance) {
   const int head = 4096, size = int(bytes.size());
   const auto place = [&] { return chance.below(chance.oneIn(2) ? head : size); };
@@ -37,7 +38,7 @@ bool saysDamage(const std::string& sentence) {
   return sentence.find("`volumen import PATH` makes") != std::string::npos;
 }
 
-// Everything that can be asked of an index.
+// Runs every query of an index. Returns the message of the first error.
 std::string ask(const Index& index) {
   const auto studies = index.studies();
   if (!studies) return studies.message();
@@ -60,7 +61,7 @@ class TestIndexDamage : public QObject {
 
  private:
   std::string database() const { return folder_->index() + "/index.sqlite"; }
-  // Also what was set aside.
+  // Replaces the database and removes files that were set aside.
   void replaceBy(const Bytes& bytes) const {
     fs::remove_all(folder_->index());
     fs::create_directories(folder_->index());
@@ -113,7 +114,7 @@ void TestIndexDamage::byChanceIsToldAndMended() {
   if (qEnvironmentVariableIsSet("VOLUMEN_FIGURES")) qInfo("%d of %d damages were told", told, seeds.count);
 }
 
-// Opening does not find an SQLite index that disagrees with its table; writing finds it.
+// Opening does not notice an SQLite index that disagrees with its table. Writing does.
 void TestIndexDamage::whatAQuickLookLeavesOutIsMended() {
   const Bytes whole = readAll(database());
   const std::string text(whole.begin(), whole.end());

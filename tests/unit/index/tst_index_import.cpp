@@ -1,5 +1,5 @@
-// Guards the index (import.md): what it says of a folder is what `info` says, and every change of files is
-// noticed.
+// Guards the index (import.md): it lists the same contents of a folder as `info`, and every change of files
+// is noticed.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@ namespace {
 
 using Change = std::function<void(const IndexFolder&)>;
 
-/// Two studies, the first of two series in folders of their own.
+/// Makes two studies. The first has two series in separate folders.
 void makeStudies(const IndexFolder& folder) {
   for (int n = 0; n < 4; ++n) {
     folder.add({"a/s1/i" + std::to_string(n), "Müller^Jörg", "1.1", "1.1.1", n});
@@ -30,7 +30,7 @@ void makeStudies(const IndexFolder& folder) {
   }
 }
 
-/// The images of each series by UID, added up: what is listed.
+/// Returns the number of listed images by series UID.
 std::map<std::string, int> imagesBySeries(const Index& index) {
   std::map<std::string, int> images;
   for (const IndexedStudy& study : studiesIn(index))
@@ -74,7 +74,7 @@ void TestIndexImport::saysWhatInfoSays_data() {
     QTest::newRow(name) << QString::fromLatin1(name);
 }
 
-// Of every series as many volumes, images and warnings, the same files, whatever batches it was read in.
+// Volumes, images, warnings and files of every series are the same, whatever batches it was read in.
 void TestIndexImport::saysWhatInfoSays() {
   QFETCH(QString, name);
   const std::string path = dataPath(name.toStdString());
@@ -85,7 +85,7 @@ void TestIndexImport::saysWhatInfoSays() {
   QVERIFY2(report.ok(), report.ok() ? "" : report.message().c_str());
   const Result<Study> study = openStudy(fs::canonical(path).string());
   QVERIFY(study.ok());
-  std::set<std::string> refused, others;  // also pictures that series had to leave out
+  std::set<std::string> refused, others;  // includes pictures left out of series
   for (const Refused& file : study->refused) refused.insert(file.path);
   for (const Other& file : study->other) others.insert(file.path);
   for (const Series& volume : study->volumes)
@@ -116,7 +116,7 @@ void TestIndexImport::saysWhatInfoSays() {
 void TestIndexImport::changesAreNoticed_data() {
   QTest::addColumn<Change>("change");
   QTest::addColumn<QList<int>>("counts");  // new, changed, unchanged, gone
-  QTest::addColumn<QList<int>>("images");  // of 1.1.1, 1.1.2, 1.2.1
+  QTest::addColumn<QList<int>>("images");  // of series 1.1.1, 1.1.2, 1.2.1
   const auto row = [](const char* name, Change change, QList<int> counts, QList<int> images) {
     QTest::newRow(name) << change << counts << images;
   };
@@ -177,7 +177,7 @@ void TestIndexImport::changesAreNoticed() {
   const Index index = folder.open();
   std::map<std::string, int> found = imagesBySeries(index);
   QCOMPARE((QList<int>{found["1.1.1"], found["1.1.2"], found["1.2.1"]}), images);
-  // It is the same as what a new index finds.
+  // A new index of the folder has the same contents.
   Result<Index> another = Index::open(folder.index() + "2");
   QVERIFY(another.ok() && another->import({folder.data()}).ok());
   QCOMPARE(contentsOf(index), contentsOf(*another));
@@ -197,7 +197,7 @@ void TestIndexImport::nothingChangedReadsNothing() {
 }
 
 void TestIndexImport::movedFilesKeepTheirStudy_data() {
-  QTest::addColumn<bool>("copied");  // to another place, as between disks: other inodes
+  QTest::addColumn<bool>("copied");  // copied as between disks, so that inodes change
   QTest::addColumn<bool>("importedBetween");
   QTest::newRow("renamed") << false << false;
   QTest::newRow("copied and deleted") << true << false;
@@ -323,10 +323,10 @@ void TestIndexImport::namesThatAreNoText() {
   const Index index = folder.open();
   QCOMPARE(filesIn(index, studiesIn(index).at(0).id).at(0), odd);
   QVERIFY(openFiles(filesIn(index, studiesIn(index).at(0).id))->volumes.size() == 1);
-  fs::remove(odd);  // QTemporaryDir cannot
+  fs::remove(odd);  // QTemporaryDir cannot remove it
 }
 
-// Stopped at every progress report in turn, each import goes on where the last one ended.
+// Stops at every progress report in turn. Each import resumes where the last one ended.
 void TestIndexImport::cancelledAndResumed() {
   const IndexFolder folder;
   for (int n = 0; n < 700; ++n)

@@ -1,5 +1,5 @@
-// Guards the institutions of the index (import.md): an index of before them reads them later, one file a
-// study, of those files alone that are as they were indexed.
+// Guards the institutions of the index (import.md). An older index without them reads them later, from one
+// file of each study, and only from files that have not changed since they were indexed.
 #include <filesystem>
 #include <functional>
 
@@ -15,7 +15,7 @@ namespace {
 
 using SpoilFile = std::function<void(const std::string& path)>;
 
-// As an index of before institutions has it.
+// Turns the index into one of the version without institutions.
 void forgetInstitutions(const IndexFolder& folder) {
   const auto db = Database::open(folder.index() + "/index.sqlite");
   (*db)->run("ALTER TABLE study DROP COLUMN institution");
@@ -25,9 +25,9 @@ void forgetInstitutions(const IndexFolder& folder) {
   QVERIFY((*db)->takeStatus().ok());
 }
 
-// Of the studies by their patients, in their order; "?" where it is not known.
+// Returns the institutions of all studies, sorted by patient name; "?" if unknown.
 QString institutionsIn(const IndexFolder& folder) {
-  folder.open();  // which brings the schema up to date
+  folder.open();  // updates the schema
   const auto db = Database::open(folder.index() + "/index.sqlite");
   QStringList all;
   for (Rows rows = (*db)->run("SELECT IFNULL(institution, '?') FROM study ORDER BY patient_name");
@@ -47,8 +47,8 @@ class TestIndexInstitutions : public QObject {
   void areNoReasonToBeCancelled();
 };
 
-// An index of before institutions: it keeps all that it knows, and the next import of anything reads one file
-// a study, where that is there.
+// Opens an index of the version without institutions. Its contents stay. The next import of any folder reads
+// one file of each study, if that file is present.
 void TestIndexInstitutions::areReadLater() {
   const IndexFolder folder;
   folder.add({"a/1", "A", "1.1", "1.1.1", 0});
@@ -78,7 +78,7 @@ void TestIndexInstitutions::areReadLater() {
 }
 
 void TestIndexInstitutions::areOfTheFilesIndexed_data() {
-  QTest::addColumn<SpoilFile>("spoil");  // of a file
+  QTest::addColumn<SpoilFile>("spoil");  // changes the file at a path
   QTest::addColumn<QString>("made");
   const auto row = [](const char* name, SpoilFile spoil, const char* made) {
     QTest::newRow(name) << spoil << QString::fromLatin1(made);
@@ -106,7 +106,7 @@ void TestIndexInstitutions::areOfTheFilesIndexed_data() {
       [](const std::string& path) {
         const auto before = fs::last_write_time(path);
         fs::copy_file(path, path + ".copy");
-        fs::rename(path, path + ".kept");  // so that its inode is not given again
+        fs::rename(path, path + ".kept");  // keeps the file, so that its inode is not reused
         fs::rename(path + ".copy", path);
         fs::last_write_time(path, before);
       },
@@ -115,7 +115,7 @@ void TestIndexInstitutions::areOfTheFilesIndexed_data() {
       "one that is gone", [](const std::string& path) { fs::remove(path); }, "?");
 }
 
-// One file of the study, spoilt before it is read for it.
+// Spoils one file of the study before its institution is read.
 void TestIndexInstitutions::areOfTheFilesIndexed() {
   QFETCH(SpoilFile, spoil);
   QFETCH(QString, made);
@@ -123,7 +123,7 @@ void TestIndexInstitutions::areOfTheFilesIndexed() {
   MadeFile file{"a/1", "A", "1.1", "1.1.1", 0};
   file.institution = "North";
   folder.add(file);
-  // Of two series one names it.
+  // Only one of the two series names its institution.
   MadeFile silent{"b/1", "B", "1.2", "1.2.1", 0}, named{"b/2", "B", "1.2", "1.2.2", 1};
   silent.institution = "", named.institution = "South";
   folder.add(silent);
@@ -140,7 +140,7 @@ void TestIndexInstitutions::areOfTheFilesIndexed() {
   QCOMPARE(institutionsIn(folder), made + QStringLiteral(";South;;Hôpital Saint-Louis"));
 }
 
-// It is told as something of its own, and goes on with the next import.
+// Reading institutions reports its own progress. If cancelled, it resumes with the next import.
 void TestIndexInstitutions::areNoReasonToBeCancelled() {
   const IndexFolder folder;
   for (int n = 0; n < 5; ++n) {

@@ -1,5 +1,5 @@
-// Guards the index (import.md): studies are found in any script, sorted, forgotten and brought back; a series
-// has a picture.
+// Guards the index (import.md): studies are found in any script, sorted, forgotten and restored. A series has
+// a thumbnail.
 #include <QImage>
 #include <QRandomGenerator>
 #include <filesystem>
@@ -138,7 +138,7 @@ void TestIndexQueries::studiesAreSorted_data() {
     QTest::newRow(qPrintable(QString::number(order))) << order;
 }
 
-// Against a plain sort, both ways, with and without a limit.
+// Compares with a plain sort, in both directions, with and without a limit.
 void TestIndexQueries::studiesAreSorted() {
   QFETCH(int, order);
   const IndexFolder folder;
@@ -207,7 +207,7 @@ void TestIndexQueries::forgottenComesBack() {
   QVERIFY(index.forget({all[0].id, all[2].id}).ok());
   QCOMPARE(studiesIn(index).size(), std::size_t(1));
   QCOMPARE(index.lastForgotten()->size(), std::size_t(2));
-  QTest::qWait(2);  // another time in ms
+  QTest::qWait(2);  // gives the second call a later time stamp in ms
   QVERIFY(index.forget({all[1].id}).ok());
   QCOMPARE(studiesIn(index).size(), std::size_t(0));
   QCOMPARE(*index.lastForgotten(), std::vector<std::int64_t>{all[1].id});
@@ -250,7 +250,7 @@ void TestIndexQueries::forgottenGoesForGood() {
   QCOMPARE(studiesIn(index).size(), std::size_t(1));
 }
 
-// A volume of 2 x 1 voxels of 0.7 x 0.5 mm a slice, black on the left and white on the right.
+// Each slice has 2 x 1 voxels of 0.7 x 0.5 mm, black on the left and white on the right.
 void TestIndexQueries::thumbnailShowsTheMiddle() {
   const DicomFolder files;
   for (int n = 0; n < 3; ++n) {
@@ -282,18 +282,18 @@ void TestIndexQueries::thumbnailIsKeptAndRemade() {
   const std::int64_t series = seriesIn(index, studiesIn(index).at(0).id).at(0).id;
   const Thumbnail first = *index.thumbnail(series);
   QVERIFY(!imageOf(first).isNull());
-  // Kept: it is there while the files are not.
+  // The cached thumbnail is available while the files are absent.
   fs::rename(folder.data("a"), folder.index() + "-away");
   QCOMPARE(*index.thumbnail(series), first);
   fs::rename(folder.index() + "-away", folder.data("a"));
-  // Another file, another picture; and the cache may go at any time.
+  // A changed series gets a new thumbnail, and the cache may be deleted at any time.
   folder.add({"a/i3", "A", "1.1", "1.1.1", 3});
   folder.import();
   QVERIFY(!imageOf(*index.thumbnail(series)).isNull());
   Index another = folder.open();
   for (const char* part : {"", "-wal", "-shm"}) fs::remove(folder.index() + "/thumbnails.sqlite" + part);
   QVERIFY(!imageOf(*another.thumbnail(series)).isNull());
-  // A damaged one is made anew in silence.
+  // A damaged cache is silently rebuilt.
   for (const char* part : {"-wal", "-shm"}) fs::remove(folder.index() + "/thumbnails.sqlite" + part);
   writeAll(folder.index() + "/thumbnails.sqlite", std::vector<std::uint8_t>(5000, 'x'));
   Index third = folder.open();
@@ -306,8 +306,8 @@ void TestIndexQueries::thumbnailOfWhatHasNone() {
   QVERIFY(fillIndex(folder.index(), {.patients = 1, .studies = 1, .series = 1}).ok());
   Index index = folder.open();
   const std::int64_t series = seriesIn(index, studiesIn(index).at(0).id).at(0).id;
-  QVERIFY(index.thumbnail(series)->empty());      // its files are not there
-  QVERIFY(index.thumbnail(series + 1)->empty());  // there is no such series
+  QVERIFY(index.thumbnail(series)->empty());      // its files do not exist
+  QVERIFY(index.thumbnail(series + 1)->empty());  // no such series exists
 }
 
 void TestIndexQueries::opensWhatIsListed() {
@@ -325,7 +325,7 @@ void TestIndexQueries::opensWhatIsListed() {
     const Result<Study> one = openFiles(filesIn(index, study.id, series.id));
     QCOMPARE(one->volumes.size(), std::size_t(1));
     QCOMPARE(one->volumes[0].seriesUid, series.seriesUid);
-    QCOMPARE(one->volumes[0].files, filesIn(index, study.id, series.id));  // in the order of slices
+    QCOMPARE(one->volumes[0].files, filesIn(index, study.id, series.id));  // in slice order
   }
 }
 

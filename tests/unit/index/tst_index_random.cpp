@@ -1,5 +1,5 @@
-// Guards the index (import.md): after any changes of files an import leaves in it what is in the folder. By
-// chance, from a seed: VOLUMEN_RANDOM_CASES operations (300), VOLUMEN_RANDOM_SEED.
+// Guards the index (import.md): after any changes of files, an import makes it match the folder. Runs
+// VOLUMEN_RANDOM_CASES random operations (300) from VOLUMEN_RANDOM_SEED.
 #include <filesystem>
 
 #include "tests/fixtures/chance.h"
@@ -13,10 +13,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of a study its files; the patient is part of the study.
+/// Files by study. The study's name includes the patient.
 using Listing = std::map<std::string, std::set<std::string>>;
 
-/// The folder as a plain table, and what is done to both.
+/// Models the folder as a plain table and applies each operation to both.
 class Model {
  public:
   explicit Model(std::uint64_t seed) : chance_(seed) {
@@ -39,7 +39,7 @@ class Model {
   }
 
   ImportReport import() {
-    forgotten_.clear();  // they come back
+    forgotten_.clear();  // an import restores them
     return folder_.import();
   }
 
@@ -99,7 +99,7 @@ class Model {
   IndexFolder folder_;
   Chance chance_;
   std::optional<Index> index_;
-  std::map<std::string, std::string> files_;  // path, study
+  std::map<std::string, std::string> files_;  // study by path
   std::set<std::string> forgotten_;
   int next_ = 0;
 };

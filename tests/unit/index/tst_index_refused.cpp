@@ -1,4 +1,4 @@
-// Guards what the index says of files that could not be read, and when it reads them again.
+// Guards what the index reports about files that could not be read, and when it reads them again.
 #include <filesystem>
 
 #include "io/index/database.h"
@@ -44,7 +44,7 @@ void TestIndexRefused::refusedFileIsReadOnce() {
   QCOMPARE(studiesIn(index).at(0).warnings, 0);
 }
 
-// A refused file is told with the series that it is of.
+// A refused file gives a warning of the series it belongs to.
 void TestIndexRefused::refusedFileIsTold() {
   const IndexFolder folder;
   for (int n = 0; n < 3; ++n) folder.add({"a/i" + std::to_string(n), "A", "1.1", "1.1.1", n});
@@ -61,7 +61,7 @@ void TestIndexRefused::refusedFileIsTold() {
   QCOMPARE(studiesIn(folder.open()).at(0).warnings, 0);
 }
 
-// One that comes later, one that goes on being refused, and one that is repaired.
+// Covers a refused file that is added later, that stays refused, and that is repaired.
 void TestIndexRefused::whatIsToldFollowsTheFiles() {
   const IndexFolder folder;
   for (int n = 0; n < 3; ++n) folder.add({"a/i" + std::to_string(n), "A", "1.1", "1.1.1", n});
@@ -82,7 +82,7 @@ void TestIndexRefused::whatIsToldFollowsTheFiles() {
   QCOMPARE(studiesIn(folder.open()).at(0).images, 5);
 }
 
-// As an index has it in which the machine's failure was taken for the file's.
+// Imitates an index that mistook a failure of the machine for one of the file.
 void TestIndexRefused::whatWasRefusedIsReadAgainWhereAsked() {
   const IndexFolder folder;
   for (int n = 0; n < 3; ++n) folder.add({"a/i" + std::to_string(n), "A", "1.1", "1.1.1", n});

@@ -1,5 +1,5 @@
-// Guards the index (import.md): whatever happens to its database, to the program or to the disk, it stays
-// usable, and the next import ends where an undisturbed one does.
+// Guards the index (import.md): after any failure of database, program or disk it stays usable. The next
+// import gives the same result as an undisturbed one.
 #include <sys/mount.h>
 #include <unistd.h>
 
@@ -37,7 +37,7 @@ int numberFrom(const char* variable, int otherwise) {
   return given > 0 ? given : otherwise;
 }
 
-/// What an import that nobody disturbs finds.
+/// Returns the contents after an undisturbed import.
 std::string undisturbed(const IndexFolder& folder) {
   Result<Index> index = Index::open(folder.index() + "-undisturbed");
   if (!index || !index->import({folder.data()})) return "failed";
@@ -115,7 +115,7 @@ void TestIndexSafety::damagedIsSetAside() {
   makeStudies(folder, 40);
   folder.import();
   const std::string database = folder.index() + "/index.sqlite";
-  QVERIFY(!fs::exists(database + "-wal"));  // it was closed in order
+  QVERIFY(!fs::exists(database + "-wal"));  // it was closed properly
   spoil(database);
   {
     Index index = folder.open();
@@ -183,7 +183,7 @@ void TestIndexSafety::olderSchemaIsUpdated() {
   QCOMPARE((*db)->number("SELECT COUNT(*) FROM series_folder"), std::int64_t(1));
 }
 
-// The program is killed again and again, each time a little later; VOLUMEN_KILLS sets how often.
+// Kills the program repeatedly, each time a little later. VOLUMEN_KILLS sets the number of times.
 void TestIndexSafety::killedImportGoesOn() {
   const IndexFolder folder;
   makeStudies(folder, 1500);
@@ -192,7 +192,7 @@ void TestIndexSafety::killedImportGoesOn() {
   Chance chance(11);
   int killed = 0;
   for (int n = 0; n < kills; ++n) {
-    if (chance.oneIn(4)) fs::remove_all(folder.index());  // most go on where the last one was killed
+    if (chance.oneIn(4)) fs::remove_all(folder.index());  // most imports resume after the last kill
     QProcess program;
     program.start(QStringLiteral(VOLUMEN_PROGRAM),
                   {QStringLiteral("import"), QString::fromStdString(folder.data()), QStringLiteral("--index"),
@@ -302,7 +302,7 @@ void TestIndexSafety::folderThatCannotBeWritten() {
   QVERIFY2(readOnly.message().find("Cannot write") != std::string::npos, readOnly.message().c_str());
 }
 
-// Also where the folder was there before, open to all.
+// Permissions are also restricted if the folder existed before and was open to all.
 void TestIndexSafety::othersCannotRead() {
   const IndexFolder folder;
   fs::create_directories(folder.index());

@@ -1,5 +1,5 @@
-// Guards the mechanical axis of a leg: how far it is from straight, and to which side it is bent where that
-// is known, in the patient and on frames.
+// Guards the mechanical axis of a leg: its deviation from straight and, if the side is known, varus or
+// valgus. Covers measurements in patient space and on frames.
 #include <cmath>
 
 #include "tests/fixtures/chance.h"
@@ -22,7 +22,8 @@ class TestLegAxis : public QObject {
   void pointsInOnePlaceAreRefused();
 };
 
-// A knee so far off the line from hip to ankle, by its own closed form: the angles at both ends of that line.
+// The expected angle is a closed form of the knee's offset from the line between hip and ankle. It is the sum
+// of the angles at both ends of that line.
 void TestLegAxis::legsByChance() {
   Chance chance(5);
   for (int n = 0; n < 500; ++n) {
@@ -43,7 +44,7 @@ void TestLegAxis::legsByChance() {
 }
 
 void TestLegAxis::theSideNamesTheBend_data() {
-  QTest::addColumn<double>("knee");  // columns to the right of hip and ankle
+  QTest::addColumn<double>("knee");  // column offset from hip and ankle, to the right
   QTest::addColumn<int>("outwards");
   QTest::addColumn<int>("bend");
   using enum LegAxis::Bend;
@@ -70,7 +71,7 @@ void TestLegAxis::theSideNamesTheBend() {
   QCOMPARE(found->unit, std::string("degrees"));
 }
 
-// Twice as wide as high: 45 degrees of the picture as it is shown.
+// Pixels are twice as wide as high. The angle is 45 degrees in the displayed picture.
 void TestLegAxis::pixelsThatAreNoSquares() {
   FramePixels frame;
   frame.values = volumeOf<float>({200, 400, 1}, glm::dmat3(1), [](dvec3) { return 0; });

@@ -1,4 +1,4 @@
-// Guards slices.md 4: lengths with what they may be off, angles, Cobb's angle.
+// Guards slices.md 4: lengths with their uncertainty, angles, and the Cobb angle.
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -55,10 +55,10 @@ void TestLengths::sumsItsSegments() {
   QVERIFY(std::isfinite(length.plusMinus));
 }
 
-// u^2 = (s1^2 + s2^2)/12, by hand for voxels of 0.5 x 0.8 x 2.5 mm.
+// u^2 = (s1^2 + s2^2)/12, calculated by hand for voxels of 0.5 x 0.8 x 2.5 mm.
 void TestLengths::isOffByTheVoxelsAlongIt_data() {
   QTest::addColumn<std::vector<dvec3>>("points");
-  QTest::addColumn<double>("squares");  // of the extents at all ends
+  QTest::addColumn<double>("squares");  // sum of the squared voxel extents at all ends
   QTest::newRow("along i") << std::vector<dvec3>{{0, 0, 0}, {9, 0, 0}} << 2 * 0.5 * 0.5;
   QTest::newRow("along k, backwards") << std::vector<dvec3>{{0, 0, 9}, {0, 0, 1}} << 2 * 2.5 * 2.5;
   QTest::newRow("across") << std::vector<dvec3>{{0, 0, 0}, {6, 8, 0}}
@@ -84,7 +84,8 @@ void TestLengths::aSoftSurfaceAddsToBothEnds_data() {
   QTest::newRow("fog") << 8.0;
 }
 
-// The middle half of an even stretch of 2 d mm is d mm; its variance is d^2 / 3, here by adding it up.
+// `softMm` d is the middle half of a uniform distribution of width 2 d. Its variance d^2 / 3 is summed
+// numerically here.
 void TestLengths::aSoftSurfaceAddsToBothEnds() {
   QFETCH(double, softMm);
   constexpr int parts = 10000;
@@ -114,9 +115,9 @@ void TestLengths::holdsOnEveryGrid_data() {
   }
 }
 
-// Phantoms of two places, of which each is shown by the middle of its voxel: the true distance lies within +-
-// of what is measured between those in 95 % of them, and hardly more. Sums of even spreads have 95.4 % (many
-// of them) to 96.6 % (two) within 2 u.
+// Both ends of a known distance are rounded to voxel centres. The true distance must lie within the stated +-
+// in 95 % of cases and hardly more. Sums of uniform errors have 95.4 % (many of them) to 96.6 % (two) within
+// 2 u.
 void TestLengths::holdsOnEveryGrid() {
   QFETCH(glm::dmat3, step);
   const VoxelGeometry geometry = grid(step);

@@ -1,4 +1,4 @@
-// Guards slices.md 4: each shape's numbers with their units, and what is no shape.
+// Guards slices.md 4: the numbers of each shape with their units, and the refusal of invalid shapes.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -40,7 +40,7 @@ Shape shapeOf(ShapeKind kind, std::vector<dvec3> points) {
   return shape;
 }
 
-/// The value i on 11 x 11 x 11 voxels about the patient's origin; x in mm is i - 5.
+/// Returns 11 x 11 x 11 voxels with value i, centred on the patient's origin. x in mm is i - 5.
 VolumePtr ramp(bool calibrated = true) {
   VolumeParts parts;
   parts.geometry.size = {11, 11, 11};
@@ -96,7 +96,8 @@ void TestMeasure::numbersAndUnits() {
   QCOMPARE(found->voxel.has_value(), unit == QLatin1String("HU"));
 }
 
-// Longer than the line through its corners, and a quarter of a circle of 10 mm to a thousandth.
+// A curve is longer than the polyline through its points. A quarter of a circle of 10 mm radius has its
+// length to within 0.1 %.
 void TestMeasure::curvesAreAsLongAsTheyAreSmooth() {
   std::vector<dvec3> quarter;
   for (int n = 0; n <= 6; ++n)
@@ -151,7 +152,7 @@ void TestMeasure::probeSaysPadding() {
 void TestMeasure::millilitresOnEveryGrid_data() {
   QTest::addColumn<glm::dmat3>("step");
   QTest::addColumn<double>("mm3");
-  // Volumes of the cells, by hand.
+  // Volumes of one voxel of each grid, in mm^3, calculated by hand.
   const double cells[] = {1, 0.5 * 0.8 * 2.5, 2, 0.7 * 0.7 * 2, 1.1 * 0.9 * 1.5};
   for (int n = 0; n < 5; ++n) QTest::newRow(grids[n].name) << grids[n].patientFromVoxelStep << cells[n];
 }

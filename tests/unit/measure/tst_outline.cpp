@@ -1,4 +1,4 @@
-// Guards slices.md 4: what lies inside a region, and its area.
+// Guards slices.md 4: the inside of a region, and its area.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -44,7 +44,7 @@ std::vector<dvec2> star(int points, int step) {
   return corners;
 }
 
-/// Corners on a grid, so that edges run in parallel, on top of each other and through corners.
+/// Returns corners on a grid. Edges may be parallel, coincide and pass through corners.
 std::vector<dvec2> scribble(Chance& chance) {
   std::vector<dvec2> corners(std::size_t(3 + chance.below(9)));
   const bool onGrid = chance.oneIn(2);
@@ -78,7 +78,7 @@ void TestOutline::areas_data() {
   row("bow tie: both halves", freehand, {{0, 0}, {2, 2}, {2, 0}, {0, 2}}, 2);
   row("twice around: nothing", freehand, {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 2}, {0, 2}}, 0);
   row("a corner twice", freehand, {{0, 0}, {4, 0}, {4, 0}, {1, 3}}, 6);
-  // A pentagram's points without the pentagon inside, which is gone around twice.
+  // Area of a pentagram's points without the inner pentagon, which the outline encloses twice.
   const double inner = std::cos(2 * pi / 5) / std::cos(pi / 5);
   const double points = 5 * std::sin(pi / 5) * inner, pentagon = 2.5 * inner * inner * std::sin(2 * pi / 5);
   row("pentagram: its points alone", freehand, star(5, 2), points - pentagon);
@@ -98,8 +98,9 @@ void TestOutline::areaIsThatOfWhatIsInside_data() {
   for (quint64 seed = 1; seed <= 40; ++seed) QTest::addRow("seed %llu", seed) << seed;
 }
 
-// Of 640 x 640 places those along the edges are misjudged, about as many on either side: 0.019 mm^2 of 64 at
-// most, as seen, and twice that is let pass. A loop judged by another rule would be off by whole mm^2.
+// Only places along the edges of the 640 x 640 grid are misjudged, about equally often on both sides. The
+// largest observed error is 0.019 mm^2 of 64, and twice that is allowed. A loop under another fill rule would
+// be off by whole mm^2.
 void TestOutline::areaIsThatOfWhatIsInside() {
   QFETCH(quint64, seed);
   Chance chance(seed);
@@ -126,8 +127,8 @@ void TestOutline::edgesBelongToOneSide() {
   QVERIFY(!contains(disc, {2, 0}) && !contains(disc, {1.5, 1.5}));
 }
 
-// A polygon is cut from corner to corner, at slopes of every kind, and both parts are asked for the places on
-// a grid, many of which lie on the cut: together they hold what the whole holds, and no place twice.
+// Cuts polygons from corner to corner at all slopes. Many test points lie on the cut. Both parts together
+// must hold every point of the whole exactly once.
 void TestOutline::partsOfAPolygonShareNoPoint() {
   Chance chance(3);
   int onCut = 0;
@@ -142,7 +143,7 @@ void TestOutline::partsOfAPolygonShareNoPoint() {
       for (int x = 0; x < 36; ++x) {
         const dvec2 p = dvec2(x, y) / 4.0, cut = a[3] - a[0], to = p - a[0];
         onCut += cut.x * to.y == cut.y * to.x;
-        // By even-odd, parts that overlap leave out what both hold.
+        // Under the even-odd rule, overlapping parts exclude their intersection.
         QCOMPARE(contains(one, p) != contains(other, p), contains(whole, p));
       }
   }

@@ -1,5 +1,5 @@
-// Guards FIELD's SUVpeak: the largest mean over balls of 1 ml about the voxels of a region, each voxel by its
-// share inside the ball, against closed forms and a brute-force twin.
+// Guards SUVpeak (FIELD): the largest mean over balls of 1 ml about the voxels of a region. Voxels count by
+// their share inside the ball. Compares with closed forms and brute force.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,7 +45,7 @@ Shape squareAbout(dvec3 centre, double half) {
   return shape;
 }
 
-// How much of a voxel lies in a ball about the centre of another, by points of the voxel.
+// Returns the share of a voxel inside a ball about another voxel's centre, counted on 20^3 points.
 double countedShare(dvec3 step, const glm::dmat3& grid, double radius) {
   constexpr int n = 20;
   int inside = 0;
@@ -60,7 +60,8 @@ double countedShare(dvec3 step, const glm::dmat3& grid, double radius) {
 
 using BallShares = std::map<std::array<int, 3>, double>;
 
-// Of all voxels that a ball of 1 ml can reach: none is further than its radius and a voxel's diagonal.
+// Returns the shares of all voxels within reach of a ball of 1 ml. None is farther away than the radius plus
+// the sum of a voxel's edges.
 BallShares countedShares(const glm::dmat3& grid) {
   double diagonal = 0;
   for (int a = 0; a < 3; ++a) diagonal += glm::length(grid[a]);
@@ -76,7 +77,7 @@ BallShares countedShares(const glm::dmat3& grid) {
   return shares;
 }
 
-const double tripled = 3;  // of the fixtures' grids: voxels as PET has them
+const double tripled = 3;  // factor from the fixtures' grids to voxel sizes of PET
 
 }  // namespace
 
@@ -88,7 +89,8 @@ void TestPeak::theBallHoldsAMillilitre_data() {
   QTest::newRow("one voxel holds it") << glm::dmat3(30);
 }
 
-// 1000 mm^3 to a thousandth; each share to what counting points of a voxel tells: one of its 20 layers.
+// The shares must add up to 1000 mm^3 to within 0.1 %. Each share may differ from the counted one by one of
+// the voxel's 20 layers.
 void TestPeak::theBallHoldsAMillilitre() {
   QFETCH(glm::dmat3, grid);
   QVERIFY(std::abs(peakRadius - 6.2035) < 1e-4);
@@ -104,12 +106,12 @@ void TestPeak::theBallHoldsAMillilitre() {
 }
 
 void TestPeak::closedForms_data() {
-  QTest::addColumn<double>("sigma");  // of a blob exp(-r^2 / 2 s^2); 0: the cone 1 - r/20
+  QTest::addColumn<double>("sigma");  // of a Gaussian exp(-r^2 / 2 s^2); 0 for the cone 1 - r/20
   QTest::addColumn<double>("spacing");
   QTest::addColumn<double>("peak");
   QTest::addColumn<double>("within");
-  // A voxel of h mm has one value: the mean of r^2 in it is h^2/4 more than at its centre, of which a blob of
-  // sigma s feels 1/(2 s^2): at most 0.005 at 1 mm and 0.045 at 3 mm, times its own height, 0.64.
+  // A voxel of h mm has one value. The mean of r^2 in it exceeds that at its centre by h^2/4. For a Gaussian
+  // that is an error of h^2/4 / (2 s^2), at most 0.005 at 1 mm and 0.045 at 3 mm, times its height of 0.64.
   for (const auto& [sigma, peak] :
        {std::pair(5.0, 0.64333), {8.0, 0.83756}, {10.0, 0.89210}, {15.0, 0.95022}, {0.0, 0.76737}}) {
     QTest::addRow("sigma %g, 1 mm", sigma) << sigma << 1.0 << peak << 0.005;
@@ -134,12 +136,12 @@ void TestPeak::closedForms() {
   QVERIFY(glm::length(found->centre) < 1e-9);
 }
 
-// A ball about a voxel is the same on both its sides: the mean of a ramp is the value in the middle.
+// A ball is symmetric about its voxel, so that the mean of a ramp is the centre's value.
 void TestPeak::aRampIsItsCentre() {
   const VolumePtr volume =
       volumeOf<float>({25, 25, 25}, glm::dmat3(2, 0, 0, 0, 2, 0, 0, 0, 3), [](dvec3 x) { return 10 + x.x; });
   const auto found = regionPeak(squareAbout({0, 0, 0}, 6.5), *volume);
-  QVERIFY(std::abs(found->mean - 25) < 1e-9);  // x of 6 mm is the voxel 15
+  QVERIFY(std::abs(found->mean - 25) < 1e-9);  // x = 6 mm is voxel 15
   QVERIFY(std::abs(found->centre.x - 6) < 1e-9);
 }
 
@@ -151,12 +153,12 @@ void TestPeak::isTheDefinition_data() {
       QTest::addRow("%s, seed %llu", g.name, seed) << tripled * g.patientFromVoxelStep << seed;
 }
 
-// Each ball asked for itself, shares counted. Values lie between 0 and 1: what counting shares leaves open
-// moves no mean by 0.01.
+// Evaluates each ball separately with counted shares. As values are between 0 and 1, errors of counting
+// change no mean by 0.01.
 void TestPeak::isTheDefinition() {
   QFETCH(glm::dmat3, grid);
   QFETCH(quint64, seed);
-  static std::map<double, BallShares> known;  // by the grid's first number: they differ in it
+  static std::map<double, BallShares> known;  // keyed by two elements in which the grids differ
   BallShares& shares = known[grid[0][0] + 100 * grid[1][1]];
   if (shares.empty()) shares = countedShares(grid);
   Chance chance(seed);
@@ -185,8 +187,8 @@ void TestPeak::isTheDefinition() {
            qPrintable(QStringLiteral("%1, not %2").arg(found->mean).arg(best)));
 }
 
-// Those of a region are the same as the region; of a few alone the largest of their own balls, the first
-// where several are as large.
+// All voxels of a region give the region's result. A few voxels give the largest of their own balls, and the
+// first of equal ones.
 void TestPeak::aboutVoxelsOfAnyShape() {
   Chance chance(12);
   const VolumePtr volume = volumeOf<float>({14, 12, 9}, glm::dmat3(3), [&](dvec3) { return chance.share(); });
@@ -217,7 +219,7 @@ void TestPeak::outsideAndPaddingDoNotCount() {
   parts.values = std::move(values);
   parts.attributes.padding = ValueRange{-1000, -1000};
   const VolumePtr volume = volumeFrom(std::move(parts));
-  // In the last corner, and beside the padding: every ball is of fives alone.
+  // Covers the last corner and the border of the padding. Every ball must contain only fives.
   for (const dvec3 at : {dvec3(16, 16, 16), dvec3(0, 0, 0)})
     QVERIFY(std::abs(regionPeak(squareAbout(at, 3), *volume)->mean - 5) < 1e-12);
   QVERIFY(!regionPeak(squareAbout({-12, 0, 0}, 3), *volume));
@@ -234,7 +236,7 @@ void TestPeak::onlyOfSuv() {
   const Result<Measured> suv = scaled(measure(square, *volume, "SUVbw"), 0.5);
   QVERIFY(std::abs(suv->peak->mean - 1.5) < 1e-12);
   QCOMPARE(suv->values->max, 1.5);
-  // Millimetres that nobody knows make no ball of 1 ml.
+  // Without a known pixel size in mm there is no ball of 1 ml.
   VolumeParts parts;
   parts.geometry.size = {20, 20, 20};
   parts.geometry.calibrated = false;
@@ -250,7 +252,7 @@ void TestPeak::anotherSeriesInTheSameRegion_data() {
       QTest::addRow("%s%s", g.name, moved ? ", moved" : "") << tripled * g.patientFromVoxelStep << moved;
 }
 
-// As if the region had been drawn on it, in its own patient space.
+// The result equals that of the region drawn on the other series, in its own patient space.
 void TestPeak::anotherSeriesInTheSameRegion() {
   QFETCH(glm::dmat3, grid);
   QFETCH(bool, moved);
@@ -276,7 +278,7 @@ void TestPeak::anotherSeriesInTheSameRegion() {
   scaleOther(both, 2);
   QCOMPARE(both.other->values->sd, 2 * alone.values->sd);
   QCOMPARE(both.other->peak->mean, 2 * alone.peak->mean);
-  // What is drawn on it is still of the first alone.
+  // The region's own values are still those of the first series alone.
   QCOMPARE(both.values->mean, measure(region, *first, "HU")->values->mean);
 }
 

@@ -1,4 +1,5 @@
-// Guards the values along a line and how often values occur in a region, against closed forms and twins.
+// Guards the values along a line and the histogram of a region. Compares with closed forms and independent
+// implementations.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -31,7 +32,7 @@ class TestProfile : public QObject {
 
 namespace {
 
-// slices.md 1, for one point; none outside the box of the voxels.
+// Returns the value at one point by slices.md 1; empty outside the box of the voxels.
 std::optional<double> valueByHand(const Volume& volume, dvec3 p, bool nearest) {
   const VoxelGeometry& g = volume.geometry();
   const dvec3 x = g.voxelFromPatient(p), last = dvec3(g.size - 1);
@@ -73,8 +74,9 @@ void TestProfile::isTheDefinition_data() {
       QTest::addRow("%s, %s", g.name, nearest ? "nearest" : "linear") << g.patientFromVoxelStep << nearest;
 }
 
-// Lines by chance, in and out of the box. Positions are rounded to 2^-24 voxels: values of 0 to 1000 differ
-// by less than 1e-3; of `nearest` a point within 1e-6 of the middle between two may be either's.
+// Random lines run in and out of the box. Positions are rounded to 2^-24 voxels, so that values of 0 to 1000
+// differ by less than 1e-3. With `nearest`, a point within 1e-6 of the midpoint between two voxels may get
+// either value.
 void TestProfile::isTheDefinition() {
   QFETCH(glm::dmat3, step);
   QFETCH(bool, nearest);
@@ -122,7 +124,7 @@ void TestProfile::aRampRises() {
   const VolumePtr volume = volumeOf<float>({21, 5, 5}, glm::dmat3(2), [](dvec3 x) { return 10 * x.x; });
   const std::vector<dvec3> line{{-20, 0, 0}, {20, 0, 0}};  // from the first voxel to the last
   const auto profile = profileAlong(line, *volume, Interpolation::linear);
-  QCOMPARE(profile.size(), std::size_t(81));  // 20 voxels, four to each
+  QCOMPARE(profile.size(), std::size_t(81));  // 20 steps between voxels, four samples each
   for (const ProfilePoint& point : profile) QVERIFY(std::abs(point.value - 200 * point.share) < 1e-4);
   const auto steps = profileAlong(line, *volume, Interpolation::nearest);
   for (std::size_t n = 0; n < steps.size(); ++n)
@@ -153,7 +155,7 @@ void TestProfile::countsAreThoseOfTheRegion_data() {
           << g.patientFromVoxelStep << whole;
 }
 
-// All of its voxels, each in the bin whose limits hold it.
+// Counts every voxel of the region in the bin whose limits enclose its value.
 void TestProfile::countsAreThoseOfTheRegion() {
   QFETCH(glm::dmat3, step);
   QFETCH(bool, whole);
@@ -178,7 +180,7 @@ void TestProfile::countsAreThoseOfTheRegion() {
           break;
         }
       }
-    // Limits that rounding moves hold one value more or less.
+    // Rounded limits may move a value into the next bin.
     std::int64_t sum = 0, off = 0;
     for (std::size_t bin = 0; bin < wanted.size(); ++bin) {
       sum += counts.counts[bin];

@@ -1,4 +1,4 @@
-// Guards slices.md 4: the volume of a range of values, by voxels and as drawn to 0.1 %.
+// Guards slices.md 4: the volume of a range of values, by voxels and, to 0.1 %, as drawn.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -41,7 +41,7 @@ RangeVolume volumeOfRange(const Volume& volume, double low, double high) {
   return *rangeVolume(volume, {low, high});
 }
 
-/// slices.md 4's own bound.
+/// Returns whether the error is within the bound of slices.md 4.
 bool toATenthPerCent(double found, double exact) { return std::abs(found - exact) <= 1e-3 * exact; }
 
 }  // namespace
@@ -79,8 +79,8 @@ void TestRangeVolume::ramps() {
 void TestRangeVolume::spheres_data() {
   QTest::addColumn<double>("radius");
   QTest::addColumn<double>("bound");
-  // Between voxels the distance to the centre is taken as trilinear; that is the smaller, the larger the
-  // sphere: its relative error falls with the square of the radius.
+  // Between voxels the distance to the centre is interpolated trilinearly. The relative error of the volume
+  // falls with the square of the radius.
   QTest::newRow("20 voxels") << 20.0 << 0.01;
   QTest::newRow("20.37 voxels") << 20.37 << 0.01;
   QTest::newRow("6 voxels") << 6.0 << 0.05;
@@ -103,7 +103,7 @@ void TestRangeVolume::peaksOfOneVoxel_data() {
   for (double threshold : {0.01, 0.3, 0.9, 0.99, 0.999}) QTest::addRow("%g", threshold) << threshold;
 }
 
-// (1 - |x|)(1 - |y|)(1 - |z|) >= t holds in 8 (1 - t (1 - ln t + (ln t)^2 / 2)).
+// (1 - |x|)(1 - |y|)(1 - |z|) >= t holds in a volume of 8 (1 - t (1 - ln t + (ln t)^2 / 2)).
 void TestRangeVolume::peaksOfOneVoxel() {
   QFETCH(double, threshold);
   const VolumePtr volume =
@@ -124,7 +124,8 @@ void TestRangeVolume::thinSheets_data() {
   }
 }
 
-// The range of a linear value is a sheet between two planes; in one cell, against 1000 x 1000 lines along z.
+// The range of a linear value is a sheet between two planes. One cell is compared with 1000 x 1000 lines
+// along z.
 void TestRangeVolume::thinSheets() {
   QFETCH(dvec3, normal);
   QFETCH(double, thickness);
@@ -155,8 +156,8 @@ void TestRangeVolume::cellsByChance_data() {
   for (quint64 seed = 1; seed <= 60; ++seed) QTest::addRow("seed %llu", seed) << seed;
 }
 
-// Against 160^3 places a cell; those misjudge up to three layers of places on each of the range's two faces,
-// and in fact far fewer: 1e-3 of the cell is beyond all that is seen.
+// Compares with 160^3 points of a cell. They misjudge at most three layers of points on each face of the
+// range, and in practice far fewer. No observed error reaches 1e-3 of the cell.
 void TestRangeVolume::cellsByChance() {
   QFETCH(quint64, seed);
   Chance chance(seed);
@@ -184,7 +185,7 @@ void TestRangeVolume::cellsByChance() {
   QVERIFY(part.error <= 1e-3);
 }
 
-// Ranges that abut share out the box.
+// Adjacent ranges partition the box.
 void TestRangeVolume::partsAddUp() {
   const VolumePtr volume = randomVolume<float>({13, 9, 7}, -100, 100);
   const double ends[] = {-infinity, -60, -3, 0.5, 44, infinity};
@@ -217,7 +218,8 @@ void TestRangeVolume::emptyAndWhole() {
   QCOMPARE(none.drawnVoxels, 0.0);
 }
 
-// Half of the slices are padding, far below: no range that leaves tissue out holds anything between them.
+// Half of the slices are padding, far below other values. No range without padding may have volume between
+// padding and tissue.
 void TestRangeVolume::paddingHasNoVolume() {
   VolumeParts parts;
   parts.geometry.size = {4, 4, 4};
@@ -234,7 +236,7 @@ void TestRangeVolume::paddingHasNoVolume() {
   QCOMPARE(all.drawnVoxels, 32.0);
 }
 
-// 0.7, 0.3 and others are no float32.
+// Ends such as 0.7 and 0.3 are not exact in float32.
 void TestRangeVolume::endsWithDecimalsAreIncluded() {
   VolumeParts parts;
   parts.geometry.size = {100, 1, 1};

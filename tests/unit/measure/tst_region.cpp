@@ -1,4 +1,4 @@
-// Guards slices.md 4: which voxels a region holds, and their statistics.
+// Guards slices.md 4: the voxels of a region, and their statistics.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -43,12 +43,12 @@ Shape regionOn(const ShapePlane& plane, ShapeKind kind, const std::vector<dvec2>
   return shape;
 }
 
-/// Every voxel has a value of its own.
+/// Returns a volume in which every voxel has its own value.
 VolumePtr numbered(glm::ivec3 size, glm::dmat3 step) {
   return volumeOf<float>(size, step, [&](dvec3 p) { return (p.z * size.y + p.y) * size.x + p.x; });
 }
 
-/// A plane that no voxel centre is near the limits of.
+/// Returns a plane with no voxel centre near its limits.
 ShapePlane somePlane(Chance& chance) {
   ShapePlane plane;
   plane.centre = 1.5 * chance.vector();
@@ -66,8 +66,8 @@ void TestRegion::discOfKnownMean_data() {
   QTest::newRow("0.3 mm, negative") << 0.3 << -55.5;
 }
 
-// A disc of one value in another: an ellipse a voxel's diagonal smaller holds it alone, and its number of
-// voxels is its area to the share of voxels on its edge.
+// A disc of one value lies in another value. A slightly smaller ellipse holds only the disc. Its number of
+// voxels equals its area up to voxels on its edge.
 void TestRegion::discOfKnownMean() {
   QFETCH(double, mmPerVoxel);
   QFETCH(double, inside);
@@ -88,7 +88,7 @@ void TestRegion::discOfKnownMean() {
 }
 
 void TestRegion::statisticsByHand() {
-  const double values[] = {2, 4, 4, 4, 5, 5, 7, 9};  // mean 5, deviation 2
+  const double values[] = {2, 4, 4, 4, 5, 5, 7, 9};  // mean 5, standard deviation 2
   const VolumePtr volume =
       volumeOf<std::int16_t>({8, 1, 1}, glm::dmat3(1), [&](dvec3 p) { return values[int(p.x)]; });
   const auto s = regionValues(regionOn({}, ShapeKind::rectangle, {{-4, -1}, {4, 1}}), *volume);
@@ -115,7 +115,7 @@ void TestRegion::isTheDefinition_data() {
       QTest::addRow("%s, seed %llu", g.name, seed) << g.patientFromVoxelStep << seed;
 }
 
-// Each voxel asked for itself, as slices.md 4 says it.
+// Tests each voxel separately by the definition in slices.md 4.
 void TestRegion::isTheDefinition() {
   QFETCH(glm::dmat3, step);
   QFETCH(quint64, seed);
@@ -171,16 +171,16 @@ void TestRegion::stackedPlanesHoldEveryVoxelOnce() {
     sum += s->mean * double(s->n);
   }
   QCOMPARE(voxels, std::int64_t(336));
-  QVERIFY(std::abs(sum - 336 * 335 / 2.0) < 1e-6);  // each number once
+  QVERIFY(std::abs(sum - 336 * 335 / 2.0) < 1e-6);  // every number exactly once
 }
 
 void TestRegion::shapesThatAbutShareNone() {
-  // Edges lie on voxel centres: -2, 0 and 2 mm of voxels at -4.5, -4 ... 4.5.
+  // Edges lie on voxel centres: -2, 0 and 2 mm with voxels at -4.5, -4 ... 4.5.
   const VolumePtr volume = numbered({19, 19, 1}, glm::dmat3(0.5));
   std::int64_t parts = 0;
   for (dvec2 corner : {dvec2(-2, -2), dvec2(0, -2), dvec2(-2, 0), dvec2(0, 0)}) {
     Shape part = regionOn({}, ShapeKind::rectangle, {corner, corner + 2.0});
-    part.plane->centre = dvec3(0.3 * corner, 0);  // the same plane, whose centre is elsewhere
+    part.plane->centre = dvec3(0.3 * corner, 0);  // the same plane with another centre
     const auto s = regionValues(part, *volume);
     QCOMPARE(s->n, std::int64_t(16));
     parts += s->n;
@@ -192,7 +192,7 @@ void TestRegion::shapesThatAbutShareNone() {
   QCOMPARE(left->n + right->n, whole->n);
 }
 
-// Rounding may put it on either side of the limit: never both slices, never none.
+// Rounding may choose either slice, but never both or neither.
 void TestRegion::planeHalfwayBetweenSlicesHoldsOneOfThem() {
   for (double mm : {0.1, 0.3, 0.7, 1.1, 2.3, 3.3}) {
     const VolumePtr volume = numbered({4, 4, 6}, {mm, 0, 0, 0, mm, 0, 0, 0, mm});

@@ -1,4 +1,4 @@
-// Guards what of a shape a flat view shows: all of it on its own slice, its cut in every other plane.
+// Guards the drawing of shapes in flat views: whole on their own slice, as a cut in every other plane.
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -48,7 +48,7 @@ void TestShapeCut::seenOnItsSlice_data() {
   QTest::newRow("on the next slice") << 6.0 << false;
 }
 
-// Slices 2 mm apart; each kind at z = 4.
+// Slices are 2 mm apart. Each kind lies at z = 4.
 void TestShapeCut::seenOnItsSlice() {
   QFETCH(double, z);
   QFETCH(bool, seen);
@@ -71,7 +71,7 @@ void TestShapeCut::goesAsFarAsItIsDrawn_data() {
       QTest::addRow("%s, %zu of %zu", rule.name, n, rule.fewest) << int(rule.kind) << int(n);
 }
 
-// While the hand draws a shape, it has fewer points than its rule asks for.
+// While a shape is being drawn, it has fewer points than its rule requires.
 void TestShapeCut::goesAsFarAsItIsDrawn() {
   QFETCH(int, kind);
   QFETCH(int, count);
@@ -88,7 +88,7 @@ void TestShapeCut::goesAsFarAsItIsDrawn() {
 
 void TestShapeCut::cutByAnotherPlane_data() {
   QTest::addColumn<Shape>("shape");
-  QTest::addColumn<std::vector<dvec3>>("ends");  // of the lines, each beside the other
+  QTest::addColumn<std::vector<dvec3>>("ends");  // both ends of each line
   using enum ShapeKind;
   const auto row = [](const char* name, const Shape& shape, std::vector<dvec3> ends) {
     QTest::newRow(name) << shape << ends;
@@ -110,15 +110,15 @@ void TestShapeCut::cutByAnotherPlane_data() {
   row("probe beside it", shapeOf(probe, {{0, 0, 4}}), {});
 }
 
-// The plane x = 0.5, half a millimetre thick.
+// Cuts at the plane x = 0.5 with half a millimetre of thickness.
 void TestShapeCut::cutByAnotherPlane() {
   QFETCH(Shape, shape);
   QFETCH(std::vector<dvec3>, ends);
   const ShapeCut cut = cutOf(shape, sagittalAt(0.5), 0.25);
   QVERIFY(!cut.whole);
   QCOMPARE(cut.lines.size(), ends.size() / 2);
-  // The ellipse's corners lie on it, so that its chords end inside by 1 - cos(1 degree) at most; the slab by
-  // its rounding.
+  // Chords between the ellipse's corners end inside it by 1 - cos(1 degree) at most. Lines of the slab are
+  // exact up to rounding.
   const double within = shape.kind == ShapeKind::ellipse ? 4e-4 : 1e-6;
   for (std::size_t n = 0; n < cut.lines.size(); ++n) {
     const dvec3 a = cut.lines[n].front(), b = cut.lines[n].back();
@@ -153,8 +153,7 @@ void TestShapeCut::aThickSlabShowsMore() {
   QCOMPARE(seenWithin(sagittalAt(0), geometry), 0.5);
 }
 
-// In its own plane all of it, in parts; where a plane cuts it one line for each crossing, which joins its
-// parts.
+// In its own plane the curve is drawn whole and finely divided. In another plane each crossing is one line.
 void TestShapeCut::aCurveIsSmoothInEveryPlane() {
   const Shape flat = shapeOf(ShapeKind::openCurve, {{0, 0, 4}, {5, 5, 4}, {10, 0, 4}});
   const ShapeCut whole = cutOf(flat, axialAt(4), 1);
@@ -163,7 +162,7 @@ void TestShapeCut::aCurveIsSmoothInEveryPlane() {
   QVERIFY(whole.lines[0].size() > 20);
   QVERIFY(whole.lines[0].front() == flat.points.front());
   QVERIFY(glm::distance(whole.lines[0].back(), flat.points.back()) < 1e-9);
-  // Up through the plane and down again, 8 mm apart.
+  // The arch passes up through the plane and down again, 8 mm apart.
   const Shape arch =
       shapeOf(ShapeKind::openCurve, {{-6, 0, -12}, {-4, 0, 0}, {0, 0, 9}, {4, 0, 0}, {6, 0, -12}});
   const ShapeCut cut = cutOf(arch, axialAt(0), 1);

@@ -1,5 +1,4 @@
-// Guards measure.md: what is written of a shape is what is read again, to the bit, and an arrow has no
-// number.
+// Guards measure.md: a written shape is read back bit for bit, and an arrow has no number.
 #include <limits>
 
 #include "tests/unit/suite.h"

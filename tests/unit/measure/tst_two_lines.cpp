@@ -1,5 +1,5 @@
-// Guards the numbers of two lines: long and short axis (RECIST 1.1, WHO) and the cardiothoracic ratio, in the
-// patient and on frames.
+// Guards the numbers of two lines: long and short axis (RECIST 1.1, WHO) and the cardiothoracic ratio. Covers
+// measurements in patient space and on frames.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -50,7 +50,7 @@ void TestTwoLines::axesByChance_data() {
   for (const Grid& g : grids) QTest::newRow(g.name) << g.patientFromVoxelStep;
 }
 
-// Whatever the grid: positions are patient mm.
+// Positions are in patient mm, so that the grid has no influence.
 void TestTwoLines::axesByChance() {
   QFETCH(glm::dmat3, step);
   const VolumePtr volume = emptyOn(step);
@@ -63,7 +63,7 @@ void TestTwoLines::axesByChance() {
     const auto found =
         measure(pairOfLines(ShapeKind::bidirectional, {a, a + length * u, c, c + width * v}), *volume, "HU");
     QVERIFY2(found.ok(), found.ok() ? "" : found.message().c_str());
-    // The line drawn last is the longer one in some of them.
+    // The line drawn last is sometimes the longer one.
     const double longer = std::max(length, width), shorter = std::min(length, width);
     QVERIFY(std::abs(found->number - longer) < 1e-9);
     QVERIFY(std::abs(found->lines->first - longer) < 1e-9 && std::abs(found->lines->second - shorter) < 1e-9);
@@ -139,7 +139,7 @@ void TestTwoLines::onFrames() {
   const auto inMmRatio = measureOnFrame(ratio, frame, "");
   QCOMPARE(inMmRatio->number, 4.0 / 6);
   QCOMPARE(inMmRatio->frame->calibration, std::string(pixelSizeWord(PixelSizeKind::atDetector)));
-  // At right angles as they are seen, not as pixels count.
+  // The lines are perpendicular in mm, not in pixels.
   axes.points = {{0, 0, 0}, {8, 2, 0}, {0, 0, 0}, {8, -2, 0}};  // (4, 4) mm and (4, -4) mm
   QVERIFY(measureOnFrame(axes, frame, "").ok());
   axes.points[3] = {2, -8, 0};

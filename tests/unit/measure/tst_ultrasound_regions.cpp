@@ -37,7 +37,7 @@ UltrasoundRegion region(glm::ivec2 from, glm::ivec2 to, double delta, int unitX 
 void TestUltrasoundRegions::lengthsHaveTheScaleOfTheirRegion_data() {
   QTest::addColumn<dvec3>("from");
   QTest::addColumn<dvec3>("to");
-  QTest::addColumn<bool>("backwards");  // the order of the regions in the file
+  QTest::addColumn<bool>("backwards");  // reverses the order of the regions in the file
   QTest::addColumn<double>("number");
   QTest::addColumn<QString>("unit");
   const auto row = [](const char* name, dvec3 from, dvec3 to, double number, const char* unit) {

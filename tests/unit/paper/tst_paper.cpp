@@ -1,4 +1,4 @@
-// Guards the paper's Tables 1 and 2 as `bench --paper` compares with them, and its reports.
+// Guards the paper's Tables 1 and 2 as used by `bench --paper`, and its reports.
 #include "tests/unit/suite.h"
 #include "viewer/paper/paper.h"
 #include "viewer/phantoms/phantoms.h"
@@ -77,7 +77,8 @@ void TestPaper::thePhantomsAreThePapers() {
 void TestPaper::speedUpIsAgainstThePapersCell() {
   const QString tables = QString::fromStdString(paperTablesCsv(madeUp()));
   QCOMPARE(tables.count(QLatin1Char('\n')), 1 + 2 * 4 * 5);
-  // 11.96 s against 10 ms; the head stands in for the paper's CT head, 4.68 s by Blend.
+  // 11.96 s in the paper against 10 ms. The head stands in for the paper's CT head, which takes 4.68 s by
+  // Blend.
   QVERIFY2(tables.contains(QStringLiteral(
                "planes,512,depth,\"phantom:solid:64\",translucent solid,10.0000,9.0000,11.96,1196.0\n")),
            qPrintable(tables));
@@ -94,8 +95,8 @@ void TestPaper::standInsAreNamed() {
   QVERIFY(text.contains(QStringLiteral("a machine")) && text.contains(QStringLiteral("today")));
 }
 
-// The same sphere; in its middle, away from the rim, direct light changes softly from pixel to pixel, the
-// table's in bands, from one to the next by far more.
+// Both pictures show the same sphere. In its middle, direct light changes smoothly from pixel to pixel. Light
+// from the table has bands, with much larger changes between them.
 void TestPaper::figure3Bands() {
   constexpr int edge = 240;
   const PaperFigure3 figure = *drawFigure3(edge);

@@ -25,7 +25,7 @@ namespace {
 
 std::string text(int size) { return std::string("ct-head:").append(std::to_string(size)); }
 
-// Made once a size: it takes a while.
+// Each size is made only once, as that is slow.
 VolumePtr head(int size) {
   static std::map<int, VolumePtr> made;
   VolumePtr& volume = made[size];
@@ -50,7 +50,7 @@ void TestPhantomHead::geometryKeepsTheHeadsSize() {
   QVERIFY(glm::length(g.centre()) < 1e-9);
   QCOMPARE(g.spacing().x * size, 240.0);
   QCOMPARE(g.spacing().y * size, 240.0);
-  // The whole 260 mm, at most one slice more.
+  // Slices cover the whole 260 mm, with at most one slice more.
   QVERIFY(g.spacing().z * g.size.z >= 260 && g.spacing().z * (g.size.z - 1) < 260);
   QVERIFY(g.spacing().z <= std::max(1.25, g.spacing().x) + 1e-9);
   QCOMPARE(header->valueType, std::string("int16"));
@@ -74,7 +74,7 @@ void TestPhantomHead::tissuesHaveTheirValues() {
 
 void TestPhantomHead::noiseHasTheStatedSize() {
   const VolumePtr volume = head(128);
-  // A corner of the volume holds nothing but air.
+  // A corner of the volume holds only air.
   double sum = 0, squares = 0;
   const int edge = 20;
   for (int k = 0; k < edge; ++k)
@@ -85,7 +85,8 @@ void TestPhantomHead::noiseHasTheStatedSize() {
         squares += v * v;
       }
   const double n = edge * edge * edge, mean = sum / n, deviation = std::sqrt(squares / n - mean * mean);
-  // 8000 correlated samples: the deviation is known to about 2 %; -1024 cuts off the lowest 0.4 %.
+  // From 8000 correlated samples, the deviation is known to about 2 %. Clipping at -1024 cuts off the lowest
+  // 0.4 %.
   QVERIFY2(std::abs(mean + 1000) < 1, qPrintable(QString::number(mean)));
   QVERIFY2(deviation > 8 && deviation < 10, qPrintable(QString::number(deviation)));
 }

@@ -1,4 +1,4 @@
-// Guards design.md 10 (phantoms): values against the closed forms written again here, geometry, names and
+// Guards design.md 10 (phantoms): values against independently written closed forms, geometry, names and
 // sizes.
 #include <cmath>
 #include <functional>
@@ -75,7 +75,7 @@ void TestPhantoms::headersSayWhatIsMade() {
 
 namespace {
 
-// What design.md 10 says voxel x of `text` holds; x in voxels.
+// Returns the value of voxel x of phantom `text` by design.md 10; x in voxels.
 double closedForm(const QString& text, glm::dvec3 x, int edge) {
   const double r = glm::length(x - 0.5 * (edge - 1));
   if (text == QLatin1String("solid")) return 1;
@@ -116,7 +116,7 @@ void TestPhantoms::valuesAreTheClosedForm() {
         largest = std::max(largest, std::abs(expected));
         difference = std::max(difference, std::abs(value - expected));
       }
-  // Two roundings apart: the values are float32, both formulas double.
+  // Values are float32 and both formulas double, so that they may differ by two roundings.
   QVERIFY2(difference <= 1e-7 * largest, qPrintable(QString::number(difference)));
 }
 

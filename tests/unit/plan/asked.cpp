@@ -8,7 +8,7 @@
 namespace volumen::tests {
 namespace {
 
-// A number or fraction, with its unit.
+// Matches a number or fraction with its unit.
 const QRegularExpression figure(QStringLiteral("\\d+(\\.\\d+)?(/\\d+)?( (%|dB|voxels?|bits)(?![a-z]))?"));
 
 QStringList figuresIn(const QString& text) {
@@ -17,7 +17,7 @@ QStringList figuresIn(const QString& text) {
   return figures;
 }
 
-// Whether the words stand in the text in that order, and those behind a "!" nowhere.
+// Returns whether the text holds the words in that order, and nowhere those after a "!".
 bool holdsWords(const QString& text, const QStringList& words) {
   qsizetype from = 0;
   for (const QString& word : words) {
@@ -30,7 +30,8 @@ bool holdsWords(const QString& text, const QStringList& words) {
   return true;
 }
 
-// Whether the plan does what the effect says, of effects that a field of the plan holds alone.
+// Returns whether the plan does what the effect says. Handles effects that a single field of the plan
+// decides.
 bool isDone(const Plan& plan, const Effect& e) {
   const std::pair<const char*, bool> done[] = {{"lighting", plan.lit},
                                                {"specular", plan.specular},
@@ -49,7 +50,7 @@ bool isDone(const Plan& plan, const Effect& e) {
   return found == std::end(done) || found->second == e.on;
 }
 
-// The figure that the plan draws by, of effects that have one; with its unit.
+// Returns the figure with unit that the plan uses for an effect; empty if it has none.
 QString figureOf(const Plan& plan, const std::string& effect) {
   if (effect == "precision") return QString::number(plan.bits) + QStringLiteral(" bits");
   if (effect != "integration") return {};

@@ -9,7 +9,7 @@
 
 namespace volumen::tests {
 
-/// A volume of two blocks, air and bone, that needs no voxels.
+/// Returns facts of a volume of two blocks, air and bone, without any voxels.
 inline VolumeFacts inventedFacts() {
   VolumeFacts f;
   f.geometry.size = {16, 8, 8};
@@ -20,7 +20,7 @@ inline VolumeFacts inventedFacts() {
   return f;
 }
 
-/// What a row of a table changes before it is planned.
+/// The input of a planner test, which a table row changes before it is planned.
 struct Asked {
   Scene scene;
   VolumeFacts facts = inventedFacts();
@@ -35,7 +35,7 @@ Q_DECLARE_METATYPE(volumen::tests::Change)
 
 namespace volumen::tests {
 
-/// The columns of such rows, and one of them. `states`: as in doesNotState.
+/// addRuleColumns adds the columns of such rows and addRule a row. `states` is as in doesNotState.
 inline void addRuleColumns() {
   QTest::addColumn<Change>("change");
   QTest::addColumn<QString>("effect");
@@ -45,12 +45,12 @@ inline void addRuleRow(const char* name, const char* effect, const char* states,
   QTest::newRow(name) << change << QString::fromLatin1(effect) << QString::fromLatin1(states);
 }
 
-/// What is wrong with what a plan says of an effect; empty where nothing is. `states` is "on" or "off", then
-/// all figures of the reason in their order ("16 bits", "1/255", "0.25 voxel"), then words that it holds in
-/// that order, or, behind a "!", does not hold. How it is worded else is free.
+/// Returns what is wrong with a plan's statement of an effect; empty if nothing is. `states` is "on" or
+/// "off", then all figures of the reason in order ("16 bits", "1/255", "0.25 voxel"). Words follow that the
+/// reason contains in that order or, after a "!", does not contain. The rest of the wording is free.
 QString doesNotState(const Plan& plan, const QString& effect, const QString& states);
 
-/// A row of "change", "effect" and "states": what the plan says once the change is made.
+/// Applies the change of a row of "change", "effect" and "states" and compares the plan's statement.
 void compareEffect();
 
 }  // namespace volumen::tests

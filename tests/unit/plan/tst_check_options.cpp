@@ -1,4 +1,4 @@
-// Guards design.md 5: options that cannot be are refused by name.
+// Guards design.md 5: impossible options are refused by name.
 #include <limits>
 
 #include "tests/unit/plan/asked.h"

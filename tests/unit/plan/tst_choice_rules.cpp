@@ -1,5 +1,4 @@
-// Guards design.md 5: the choices of method, resampler and shader, by the cost model where they are left
-// open.
+// Guards design.md 5: the choices of method, resampler and shader. Open choices are made by the cost model.
 #include "tests/unit/plan/asked.h"
 #include "tests/unit/suite.h"
 
@@ -108,7 +107,7 @@ void TestChoiceRules::fullChoosesAlike_data() {
   QTest::addColumn<Change>("change");
   QTest::newRow("direct") << Change([](Asked&) {});
   QTest::newRow("map") << Change([](Asked& a) { a.scene.lights.resize(40); });
-  // Full lights them with highlights of strength 0.
+  // --full lights them too, with highlights of strength 0.
   QTest::newRow("direct, no highlights") << Change([](Asked& a) {
     a.scene.lights.resize(40);
     a.scene.shading.specular = 0;

@@ -1,5 +1,5 @@
-// Guards the planner's cost model (design.md 5): what it predicts grows with what it predicts from, and
-// planes come out as the cheapest way to draw where much is hidden or steps are alike.
+// Guards the planner's cost model (design.md 5): predictions grow with their inputs. Planes are the cheapest
+// method if much is hidden or steps are alike.
 #include "tests/unit/plan/asked.h"
 #include "tests/unit/suite.h"
 #include "viewer/plan/cost_model.h"
@@ -52,7 +52,7 @@ void TestCostModel::moreOfItCostsMore_data() {
 void TestCostModel::moreOfItCostsMore() {
   QFETCH(Change, more);
   QFETCH(bool, ofLight);
-  // Faint, so that nothing hides what else there is.
+  // The matter is faint, so that it hides nothing.
   Asked asked;
   asked.scene.transferFunction.points = {{150, {}, 0}, {400, {}, 0.01}};
   const PredictedCost before = costOf(asked, Shader::phong);
@@ -66,14 +66,14 @@ void TestCostModel::moreOfItCostsMore() {
 void TestCostModel::samplesAreTheBoxOverPixelAndStep_data() {
   QTest::addColumn<Change>("change");
   QTest::addColumn<double>("samples");
-  // 16 x 8 x 8 mm in pixels of 0.1 mm and steps of 2 mm, from whichever side.
+  // 16 x 8 x 8 mm in pixels of 0.1 mm and steps of 2 mm, from any side.
   QTest::newRow("from the front") << Change([](Asked&) {}) << 16 * 8 * 8 / 0.01 / 2;
   QTest::newRow("from the left") << Change([](Asked& a) {
     a.scene.camera->direction = {1, 0, 0};
   }) << 16 * 8 * 8 / 0.01 / 2;
   QTest::newRow("half of it clipped")
       << Change([](Asked& a) { a.scene.clip.boxHigh.z = 0.5; }) << 16 * 8 * 8 / 0.01 / 2 / 2;
-  // 8 mm deep wherever a pixel looks.
+  // The box is 8 mm deep at every pixel.
   QTest::newRow("nearer than all of it")
       << Change([](Asked& a) { a.scene.camera->height = 4; }) << 200 * 200 * 8 / 2.0;
   QTest::newRow("nothing left") << Change([](Asked& a) { a.scene.clip.boxHigh = a.scene.clip.boxLow; })
@@ -93,7 +93,7 @@ void TestCostModel::samplesAreTheBoxOverPixelAndStep() {
   QVERIFY2(std::abs(predicted - samples) <= 1e-9 * samples, qPrintable(QString::number(predicted)));
 }
 
-// Its nodes alone look at every light; a large picture has more samples than a map has nodes.
+// Only the map's nodes evaluate every light. A large picture has more samples than a map has nodes.
 void TestCostModel::aMapCostsAlmostTheSameForAnyLights() {
   Asked asked;
   asked.options.size = {1024, 1024};
@@ -106,7 +106,7 @@ void TestCostModel::aMapCostsAlmostTheSameForAnyLights() {
 
 void TestCostModel::planesAreTheCheapest_data() {
   QTest::addColumn<Change>("change");
-  // Where nothing is hidden, going cell by cell takes longer than the steps of slices, which promise nothing.
+  // If nothing is hidden, integrating cell by cell is slower than the steps of slices, which promise nothing.
   QTest::newRow("unlit, opaque") << Change([](Asked& a) {
     a.scene.shading.lit = false;
     a.scene.transferFunction.points[1].opacity = 1;
@@ -122,7 +122,7 @@ void TestCostModel::planesAreTheCheapest() {
   const Plan planes = planOf(asked);
   const double ns = predictedCost(planes, asked.facts).ns();
   asked.options.method = Method::blend;
-  // Plain steps of what hides nothing cost the same either way.
+  // If nothing is hidden, plain steps cost the same with either method.
   QVERIFY(ns <= predictedCost(planOf(asked), asked.facts).ns());
   asked.options.method = Method::planes;
   asked.options.resampler = Resampler::gl;
@@ -136,7 +136,7 @@ void TestCostModel::whatHidesSavesLight() {
   const double faint = costOf(asked, Shader::phong).lightNs;
   asked.scene.transferFunction.points[1].opacity = 1;
   QVERIFY(costOf(asked, Shader::phong).lightNs < faint / 2);
-  // A ray that never stops sees all.
+  // A ray that never stops samples all of the matter.
   asked.options.stopAt = 0;
   QCOMPARE(costOf(asked, Shader::phong).lightNs, faint);
 }

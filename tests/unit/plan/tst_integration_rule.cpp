@@ -1,4 +1,4 @@
-// Guards design.md 5, how rays are integrated: plain steps where matter changes little, else cell by cell.
+// Guards design.md 5, how rays are integrated: in plain steps if matter changes little, else cell by cell.
 #include "tests/unit/plan/asked.h"
 #include "tests/unit/suite.h"
 #include "viewer/plan/rule_lines.h"
@@ -8,14 +8,14 @@ using namespace volumen::tests;
 
 namespace {
 
-// A faint rise of the opacity over all values, which rise by 900 a voxel: its extinction by 0.0045. Light is
-// at most 1.1 as bright as white.
+// Sets a faint rise of opacity over all values, which rise by 900 a voxel, and extinction by 0.0045. Light is
+// at most 1.1 times as bright as white.
 void evenMatter(Asked& a) {
   a.scene.transferFunction.points = {{-1000, {}, 0}, {1000, {}, 0.01}};
   a.facts.gradientBounds.assign(256, 900);
 }
 
-// What a level that goes cell by cell states: the budget of its rays, then what else.
+// Returns the statement of a level that integrates cell by cell: its ray budget, `figures` and `words`.
 std::string cellByCell(Quality quality, const std::string& figures = "", const std::string& words = "") {
   return "on " + inDigits(levelOf(quality).rayBudget) + "/255 " + figures + " cell " + words;
 }

@@ -1,5 +1,5 @@
-// Guards design.md 5: which kernel a plan names, and what --explain says that follows from it: the cells that
-// are asked, and how gradients are fetched.
+// Guards design.md 5: the kernel that a plan names. Also guards what --explain derives from it: the cells
+// that are asked, and how gradients are fetched.
 #include "tests/unit/plan/asked.h"
 #include "tests/unit/suite.h"
 

@@ -1,5 +1,4 @@
-// Guards design.md 2: its table of levels is the one that the program reads, and what other documents quote
-// of it is right.
+// Guards design.md 2: its table of levels equals the program's, and other documents quote it correctly.
 #include <QFile>
 
 #include "tests/unit/suite.h"
@@ -10,7 +9,7 @@ using namespace volumen;
 
 namespace {
 
-// A document of the source tree in one line.
+// Returns a document of the source tree as one line.
 QString textOf(const char* path) {
   QFile file(QStringLiteral(VOLUMEN_SOURCE_DIR "/") + QLatin1String(path));
   return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()).simplified() : QString();
@@ -22,7 +21,7 @@ std::string goalOf(const QualityLevel& level) {
   return inDigits(level.timeGoal) + " x" + most;
 }
 
-// But for what the level is meant for.
+// Returns the level's row of the table without the level's purpose.
 QString rowOf(Quality quality) {
   const QualityLevel& level = levelOf(quality);
   return QString::fromStdString(std::string("| ") + level.name + " | " + promiseText(quality) + " | " +
@@ -59,7 +58,7 @@ void TestLevelTable::theDocumentShowsNoOtherLevel() {
   QVERIFY(begin >= 0);
   const QString table =
       text.mid(begin, text.lastIndexOf(QStringLiteral(" |"), text.indexOf(QStringLiteral("## 3"))) - begin);
-  // Heads, the line below them and a row for each level, of six cells each.
+  // The heading, the line below it and one row for each level have six cells each.
   QCOMPARE(int(table.count(QLatin1Char('|'))) + 1, 7 * (2 + int(std::size(qualityLevels))));
 }
 
@@ -74,8 +73,8 @@ void TestLevelTable::theReadmeQuotesIt() {
 
 void TestLevelTable::budgetsKeepThePromises() {
   for (const QualityLevel& level : qualityLevels) {
+    // The budget may not exceed the percentile, so that all rays with that error keep it.
     QVERIFY2(level.rayBudget <= std::min(level.promise.most99, level.promise.mostMaximum), level.name);
-    // No larger than the percentile allows: rays of that error would all be within it.
     QVERIFY(level.stepVoxels > 0 && level.timeGoal >= 0);
   }
 }

@@ -1,4 +1,5 @@
-// Guards design.md 3 and 10: a picture says how it was made, and what error is promised or why none is.
+// Guards design.md 3 and 10: a picture states how it was made, and the promised error or why none is
+// promised.
 #include <algorithm>
 
 #include "tests/unit/suite.h"
@@ -100,7 +101,7 @@ void TestPictureText::promisesOnlyWhatThePathKeeps_data() {
   row("preshaded", false, [](RenderOptions& o) { o.method = Method::preshaded; });
 }
 
-// design.md 2: a picture states only what the path that drew it keeps, in its text and in --explain.
+// design.md 2: a picture and --explain promise only what the path that drew it keeps.
 void TestPictureText::promisesOnlyWhatThePathKeeps() {
   QFETCH(Change, change);
   QFETCH(bool, promised);

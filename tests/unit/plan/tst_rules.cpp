@@ -1,4 +1,4 @@
-// Guards design.md 5: each rule of the planner alone, the negative case beside the positive.
+// Guards design.md 5: each rule of the planner alone, with positive and negative cases.
 #include "tests/unit/plan/asked.h"
 #include "tests/unit/suite.h"
 #include "viewer/plan/rules.h"
@@ -8,7 +8,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// Of unsigned samples, whose density 0 is far from this rise.
+// Values are unsigned, and the stored value of density 0 is far from the rise.
 void narrowRise(Asked& a) {
   a.facts.densityZero = 32768;
   a.scene.transferFunction.points = {{100, {}, 0}, {101, {}, 0.5}};
@@ -259,7 +259,7 @@ void TestRules::fullSwitchesEverySoundRuleOffAndKeepsTheChoices() {
   QCOMPARE(full.stepVoxels, lean.stepVoxels);
   QCOMPARE(full.stopTransmittance, lean.stopTransmittance);
   QCOMPARE(full.bits, lean.bits);
-  // Of plain steps: levels ask cells in full, too.
+  // This applies to plain steps only. Levels ask cells with --full too.
   asked.options.step = 1;
   asked.scene.transferFunction.points = {{600, {1, 1, 1}, 0}, {1000, {1, 1, 1}, 1}};
   QVERIFY(!makePlan(asked.scene, asked.facts, asked.options)->skipCells);

@@ -1,4 +1,4 @@
-// Guards design.md 5, "curve smooth: plain steps": how much the curve makes of what changes from voxel to
+// Guards design.md 5, "curve smooth: plain steps": how strongly the curve amplifies changes from voxel to
 // voxel.
 #include <cmath>
 #include <limits>
@@ -13,7 +13,7 @@ using namespace volumen;
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-// Values 0 .. 256 that rise by 2 a voxel, but above 128 by 10.
+// Values are 0 .. 256. They rise by 2 a voxel up to 128 and by 10 above.
 VolumeFacts someFacts() {
   VolumeFacts facts;
   facts.range = {0, 256};
@@ -46,7 +46,7 @@ void TestSmoothness::aCurveIsAsSteepAs_data() {
   const double half = std::log(2.0), tenth = -std::log(0.9);
   row("nothing to see", {{0, white, 0}, {100, white, 0}}, 0, 0);
   row("the same everywhere", {{0, white, 0.5}}, half, 0);
-  // d(-ln(1 - a))/da is 1 / (1 - a), at most 2 here; over 64 values that rise by 2 a voxel.
+  // d(-ln(1 - a))/da is 1 / (1 - a), at most 2 here. The curve spans 64 values that rise by 2 a voxel.
   row("rises where values rise slowly", {{0, white, 0}, {64, white, 0.5}}, half, 0.5 * 2 / 64 * 2);
   row("rises where they rise fast", {{160, white, 0}, {224, white, 0.5}}, half, 0.5 * 2 / 64 * 10);
   row("the steepest part counts", {{0, white, 0}, {64, white, 0.1}, {65, white, 0}}, tenth,

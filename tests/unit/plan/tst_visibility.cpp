@@ -1,4 +1,5 @@
-// Guards design.md 5, empty blocks: what counts as visible, and that views of one curve count it once.
+// Guards design.md 5, empty blocks: which blocks count as visible, and that views with the same curve count
+// them once.
 #include <algorithm>
 
 #include "tests/unit/suite.h"
@@ -8,7 +9,7 @@ namespace {
 
 using namespace volumen;
 
-// Opacity from `foot` upwards.
+// Returns a curve whose opacity rises from `foot`.
 TransferFunction risingFrom(float foot) {
   TransferFunction curve;
   curve.points = {{foot, {1, 1, 1}, 0}, {foot + 100, {1, 1, 1}, 0.5}};
@@ -59,7 +60,7 @@ void TestVisibility::aBlockIsVisible() {
   QCOMPARE(flags, std::vector<std::uint8_t>{visible});
 }
 
-// More than are looked at together, and no whole number of such parts.
+// The number of blocks exceeds one batch and is no multiple of it.
 void TestVisibility::ofManyBlocksEachCounts() {
   std::vector<float> low, high;
   std::vector<std::uint8_t> expected;
@@ -75,8 +76,7 @@ void TestVisibility::ofManyBlocksEachCounts() {
            std::count(expected.begin(), expected.end(), 1));
 }
 
-// Among bounds of any size: those that reach into one of two spans of visible values, and no others but
-// what levels add.
+// Of bounds of all sizes, exactly those that overlap one of the two spans of visible values are visible.
 void TestVisibility::spansAreMetFromBothSides() {
   TransferFunction curve;
   curve.points = {{100, {}, 0}, {150, {}, 1}, {200, {}, 0}, {300, {}, 0}, {350, {}, 1}, {400, {}, 0}};

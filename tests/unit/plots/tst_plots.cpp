@@ -96,7 +96,7 @@ void TestPlots::aSpanHoldsEveryPoint() {
   const QRectF span = spanOf(chart);
   for (const ChartPoint& p : chart.series[0].points) QVERIFY(span.contains(p.x, p.y));
   QVERIFY(logarithmic ? span.left() > 0 && span.top() > 0 : span.topLeft() == QPointF(0, 0));
-  chart.series[0].points.resize(1);  // a point alone still has some room around it
+  chart.series[0].points.resize(1);  // a single point still has some space around it
   QVERIFY(spanOf(chart).width() > 0 && spanOf(chart).height() > 0);
 }
 

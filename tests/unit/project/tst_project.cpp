@@ -1,6 +1,6 @@
-// Guards design.md 1: the rooms include only what the table allows; and that the sections of resources/docs
-// that comments cite are there; and that texts of strangers are shown by what shows them as they are alone
-// (ui/widgets/plain_text.h). Prints the longest files and functions, for a reader to judge.
+// Guards design.md 1: rooms include only what the table allows. Also guards that the sections of
+// resources/docs cited in comments exist. Texts from files must be shown only as plain text
+// (ui/widgets/plain_text.h). Prints the longest files and functions for a reader to judge.
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
@@ -46,7 +46,7 @@ QVector<Room> rooms() {
 
 bool inside(const QString& path, const QString& folder) { return path.startsWith(folder + QLatin1Char('/')); }
 
-// The room a file belongs to: the longest name that its path starts with.
+// Returns the room of a file: the room with the longest name that its path starts with.
 Room roomOf(const QString& path) {
   Room best;
   for (const Room& r : rooms())
@@ -54,7 +54,7 @@ Room roomOf(const QString& path) {
   return best;
 }
 
-// The rooms that each room includes, but itself.
+// The rooms that each room includes, without itself.
 using Includes = QMap<QString, QStringList>;
 
 Includes includesOfRooms() {
@@ -71,8 +71,8 @@ Includes includesOfRooms() {
   return all;
 }
 
-// The first one that is found, "a -> b -> a"; empty: there is none. `way`: rooms gone through; `clear`: those
-// from which no way leads round.
+// Returns the first cycle found, as "a -> b -> a"; empty if there is none. `way` holds the rooms on the
+// current path, `clear` those from which no path leads into a cycle.
 QString circleIn(const Includes& includes, const QStringList& way, QStringList& clear) {
   for (const QString& next : includes[way.back()]) {
     const qsizetype seen = way.indexOf(next);
@@ -99,7 +99,7 @@ bool mayInclude(const Room& room, const QString& included) {
          });
 }
 
-// The last argument of each call of a function, its closing bracket left out.
+// Returns the last argument of each call of a function, without the closing bracket.
 QStringList lastArguments(const QString& text, const QString& function) {
   QStringList out;
   for (qsizetype at = text.indexOf(function + QLatin1Char('(')); at >= 0;
@@ -118,7 +118,7 @@ QStringList lastArguments(const QString& text, const QString& function) {
   return out;
 }
 
-// What of a source file would show a text as Qt likes to; empty: nothing.
+// Returns code of a source file that might let Qt show a text as rich text; empty if there is none.
 QString richTextIn(const QString& text) {
   static const QRegularExpression safeTip(
       QStringLiteral("^(tr\\((\"[^\"]*\" ?)+\\)|toolTipOf\\(.*\\)|\\w+->toolTip\\(\\))$"));
@@ -191,7 +191,7 @@ void TestProject::theTableForbidsWhatItShould() {
   QFETCH(QString, from);
   QFETCH(QString, to);
   QFETCH(bool, allowed);
-  // A room inside a room (ui/widgets in ui) may include what the table says of it alone.
+  // A room inside a room (ui/widgets in ui) may include only what its own row of the table allows.
   QCOMPARE(mayInclude(roomOf(from), to), allowed);
 }
 
@@ -263,7 +263,7 @@ void TestProject::textsOfStrangersAreNoRichText_data() {
 
 void TestProject::textsOfStrangersAreNoRichText() {
   QFETCH(QString, path);
-  if (path == QLatin1String("ui/features/help.cpp")) return;  // rich text of the program's own words
+  if (path == QLatin1String("ui/features/help.cpp")) return;  // shows rich text of the program's own words
   const QString found = richTextIn(textOf(path));
   QVERIFY2(found.isEmpty(), qPrintable(found + QStringLiteral(": see ui/widgets/plain_text.h")));
 }
@@ -295,8 +295,8 @@ void TestProject::theRulesOfTextsForbidWhatTheyShould() {
 
 void TestProject::longestFilesAndFunctions() {
   QVector<Length> files, functions;
-  // With our layout a function's body starts after a line that ends in "{" at the margin (or inside a class)
-  // and ends in "}" there.
+  // In our layout a function's body starts after a line at the margin (or inside a class) that ends in "{",
+  // and it ends with "}" there.
   static const QRegularExpression head(QStringLiteral(
       "^( *)(?!namespace|class|struct|enum|if|for|while|switch|else|case|using|//)\\S.*\\).*\\{$"));
   for (const QString& path : sources()) {
@@ -304,7 +304,7 @@ void TestProject::longestFilesAndFunctions() {
     files.push_back({lines.size(), path});
     for (int n = 0; n < lines.size(); ++n) {
       const auto match = head.match(lines[n]);
-      // A lambda's head looks like a function's, but ends otherwise.
+      // A lambda's head looks like a function's, but its body ends otherwise.
       if (!match.hasMatch() || match.captured(1).size() > 2 || lines[n].contains(QLatin1String("](")) ||
           lines[n].contains(QLatin1String("[&]")))
         continue;

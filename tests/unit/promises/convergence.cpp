@@ -31,7 +31,7 @@ double marschnerLobb(dvec3 p) {
 
 double ramp(dvec3 p) { return p.x + edgeMm / 2; }
 
-/// By central differences, value per mm.
+/// Returns the gradient by central differences, in value per mm.
 dvec3 gradientOf(const Field& field, dvec3 pMm) {
   constexpr double differenceMm = 1e-4;
   dvec3 gradient;
@@ -52,7 +52,7 @@ Picture drawn(RenderCaches& caches, const Scene& scene, RenderOptions options, g
   return rendered->picture;
 }
 
-/// `coarse` at the pixel centres of a picture `size` pixels wide and high.
+/// Interpolates `coarse` bilinearly at the pixel centres of a picture `size` pixels wide and high.
 Picture bilinear(const Picture& coarse, int size) {
   Picture out{glm::ivec2(size), coarse.transparent, std::vector<float>(std::size_t(4) * size * size)};
   const int n = coarse.size.x;
@@ -189,7 +189,7 @@ std::vector<ErrorAt> errorOverPixel(const Field& field, bool lit, const RenderOp
   RenderOptions truth;
   truth.method = Method::reference;
   const Picture reference = drawn(caches, scene, truth, glm::ivec2(finest));
-  // Beyond the outermost pixel centres of the coarsest picture there is nothing to interpolate between.
+  // Bilinear interpolation is undefined beyond the outermost pixel centres of the coarsest picture.
   std::vector<std::uint8_t> inside(std::size_t(finest) * finest);
   const int border = finest / coarsest / 2;
   for (int y = border; y < finest - border; ++y)

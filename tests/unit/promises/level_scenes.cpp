@@ -15,7 +15,7 @@ namespace {
 
 using glm::dvec3;
 
-/// P2 .. P99.8.
+/// Returns the percentiles P2 .. P99.8.
 ValueRange usual(const Volume& volume) {
   const std::vector<float> ends = percentiles(volume, {20, 998});
   return {ends[0], ends[1]};
@@ -26,7 +26,7 @@ float valueOf(const Volume& volume, double share) {
   return float(range.low + share * (range.high - range.low));
 }
 
-/// A preset made for CT keeps its HU on CT; on anything else its curve up to 1500 HU is laid over the
+/// On CT, a preset made for CT keeps its HU. On other volumes its curve up to 1500 HU is stretched over the
 /// volume's usual values.
 Scene preset(const char* name, const Volume& volume) {
   Scene scene = *presetScene(name, volume);
@@ -51,8 +51,8 @@ double radiusOf(const Volume& volume) {
   return glm::length(g.patientFromVoxelStep * dvec3(g.size)) / 2;
 }
 
-/// Looks along `direction` at a point near the centre (which no symmetry helps); `share` of the whole box is
-/// in view.
+/// Sets a camera along `direction` at a point near the centre, chosen without symmetry. `share` of the whole
+/// box is in view.
 Scene seen(Scene scene, const Volume& volume, dvec3 direction, double share,
            Projection projection = Projection::parallel) {
   Camera camera;
@@ -67,7 +67,7 @@ Scene seen(Scene scene, const Volume& volume, dvec3 direction, double share,
   return scene;
 }
 
-/// The eye a fifth of the radius behind the centre.
+/// Places the eye inside the volume, a fifth of its radius from the target.
 Scene fromInside(Scene scene, const Volume& volume, dvec3 direction) {
   scene = seen(std::move(scene), volume, direction, 1, Projection::perspective);
   scene.camera->distance = 0.2 * radiusOf(volume);
@@ -96,7 +96,7 @@ Scene narrowPeaks(const Volume& v) {
   std::vector<CurvePoint> points;
   const dvec3 colours[] = {{0.9, 0.3, 0.2}, {0.2, 0.8, 0.4}, {0.3, 0.4, 1}, {1, 0.9, 0.3}, {0.9, 0.9, 0.9}};
   for (int n = 0; n < 5; ++n) {
-    const double centre = 0.22 + 0.17 * n;  // each peak half a per cent of the range to either side
+    const double centre = 0.22 + 0.17 * n;  // each peak is half a per cent of the range wide on each side
     points.push_back({float(centre - 0.005), colours[n], 0});
     points.push_back({float(centre), colours[n], 0.5});
     points.push_back({float(centre + 0.005), colours[n], 0});

@@ -10,7 +10,7 @@
 
 namespace volumen::tests {
 
-/// What a level promises on well-conditioned pixels (design.md 2), in 1/255.
+/// A level's promise on well-conditioned pixels (design.md 2), in 1/255.
 struct Promise {
   const char* name;
   Quality quality;
@@ -38,41 +38,41 @@ inline RenderOptions atStep(double stepVoxels) {
   return options;
 }
 
-/// Whether to print what each row measured.
+/// Returns whether each row prints its measured figures.
 inline bool figuresWanted() { return qEnvironmentVariableIsSet("VOLUMEN_FIGURES"); }
 
-/// A way to draw. Not every one keeps the levels' promises: what voxels are shaded before they are
-/// interpolated (preshaded) is another picture, which only agrees where matter is the same everywhere.
+/// A way to draw. Not every way keeps the levels' promises. Shading voxels before interpolation (preshaded)
+/// gives another picture, which only agrees where matter is homogeneous.
 struct DrawWay {
   const char* name;
   RenderOptions options;
   bool promised;
-  bool slow = false;  ///< where OpenGL is a processor: by seconds a picture
+  bool slow = false;  ///< true if OpenGL runs on a processor and takes seconds a picture
 
   bool usesOpenGl() const;
-  /// Whether it may refuse what others draw: OpenGL's textures have a largest edge (on no machine below
-  /// 2048), shaded voxels no value left to project.
+  /// Returns whether this way may refuse a scene that others draw. OpenGL's textures have a largest edge
+  /// (never below 2048). Shaded voxels have no value left to project.
   bool mayRefuse(const Scene& scene, const Volume& volume) const;
 };
-/// All of them; those that need OpenGL only where it can be had.
+/// Returns all ways. Those with OpenGL are included only if it is available.
 std::vector<DrawWay> drawWays();
-/// Those that keep the promises and are quick.
+/// Returns the quick ways that keep the promises.
 std::vector<DrawWay> promisedWays();
 
-/// A scene and the truth about it, each part found when it is first asked for.
+/// A scene and its true picture, each part computed on first use.
 class Truth {
  public:
-  /// `caches` must outlive it.
+  /// `caches` must outlive this object.
   Truth(RenderCaches& caches, Scene scene, glm::ivec2 size);
 
-  /// Draws it; throws where the plan or the renderer refuses.
+  /// Draws the scene. Throws if the plan or the renderer refuses it.
   Rendered rendered(RenderOptions options);
   Picture drawn(RenderOptions options) { return rendered(options).picture; }
-  /// The error on every pixel where that keeps `promise` (it then needs no knowing which are the few
-  /// ill-conditioned ones), else on the well-conditioned ones.
+  /// Returns the error over all pixels if that keeps `promise`, which avoids finding the few ill-conditioned
+  /// pixels. Else returns the error over well-conditioned pixels.
   PictureError errorOf(const Picture& picture, const Promise& promise);
   PictureError errorOf(const Picture& picture);  ///< on the well-conditioned pixels
-  /// The error of every pixel (the largest over RGBA, /255), 0 at ill-conditioned ones.
+  /// Returns the error of every pixel (the largest over RGBA, in /255); 0 at ill-conditioned ones.
   std::vector<double> errorOfPixels(const Picture& picture);
   double illConditionedShare();
   const Picture& reference();

@@ -1,4 +1,4 @@
-// The family "attack": kinds of scenes that an analyst broke levels with, or tried to. Each is one function.
+// The family "attack": kinds of scenes chosen to break the levels. Each kind is one function.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -30,7 +30,7 @@ dmat3 spacing(dvec3 mm) {
   return steps;
 }
 
-/// 0 .. 1: a ball's edge over about two voxels.
+/// Returns a ball in 0 .. 1 whose edge is about two voxels wide.
 ValueAt ball(ivec3 size, double share = 0.3) {
   return [=](dvec3 x) {
     const dvec3 from = (x - dvec3(size - 1) * 0.48) / dvec3(size);
@@ -43,7 +43,7 @@ ValueAt noise(Chance& chance) {
   return [random](dvec3) { return random->share(); };
 }
 
-/// A curve of 2 to 6 points over the values of a volume, of which at least one shows something.
+/// Returns a curve of 2 to 6 points over the values of a volume, with at least one visible point.
 std::vector<CurvePoint> anyCurve(Chance& chance, ValueRange range) {
   std::vector<CurvePoint> points;
   for (double share : randomShares(chance, 2 + chance.below(5)))
@@ -52,13 +52,13 @@ std::vector<CurvePoint> anyCurve(Chance& chance, ValueRange range) {
   return points;
 }
 
-/// From nothing to `opacity`, from `start` over `wide` (shares of the range).
+/// Returns a ramp from 0 to `opacity` that begins at `start` and is `wide` wide (shares of the range).
 std::vector<CurvePoint> ramp(Chance& chance, ValueRange range, double start, double wide, double opacity) {
   return {{valueIn(range, start), chance.colour(), 0},
           {valueIn(range, start + wide), chance.colour(), opacity}};
 }
 
-/// Something of a range of values, as narrow as a share of it.
+/// Returns a triangular band about `middle`, `wide` to each side (shares of the range).
 std::vector<CurvePoint> band(Chance& chance, ValueRange range, double middle, double wide, double opacity) {
   const dvec3 colour = chance.colour();
   return {{valueIn(range, middle - wide), colour, 0},
@@ -66,7 +66,7 @@ std::vector<CurvePoint> band(Chance& chance, ValueRange range, double middle, do
           {valueIn(range, middle + wide), colour, 0}};
 }
 
-/// The scene that every kind starts from: what it sets afterwards is what it is about.
+/// Sets up the scene that all kinds start from and then modify.
 void around(Chance& chance, RandomCase& c, VolumePtr volume) {
   c.volume = std::move(volume);
   const ValueRange range = valueRange(*c.volume);
@@ -214,7 +214,7 @@ void unitDistanceOfAnyPower(Chance& chance, RandomCase& c) {
   c.scene.transferFunction.unitDistance = chance.oneIn(2) ? chance.power(-40, 38) : chance.power(25, 38);
 }
 
-// Light and opacity at their ends.
+// Light and opacity at their limits.
 
 void opaque(Chance& chance, RandomCase& c) {
   chance.oneIn(2) ? aroundBall(chance, c, dmat3(1), 1000) : aroundNoise(chance, c);
@@ -242,7 +242,7 @@ void sharpHighlight(Chance& chance, RandomCase& c) {
   for (Light& light : c.scene.lights) light.intensity = chance.between(1, 20);
 }
 
-/// 8 to 32 lights, around in a ring or close to each other.
+/// Sets 8 to 32 lights, in a ring around or close together.
 void manyLights(Chance& chance, RandomCase& c) {
   chance.oneIn(2) ? aroundBall(chance, c, dmat3(1), 1000) : aroundNoise(chance, c);
   c.scene.shading.lit = true;
@@ -271,7 +271,7 @@ void lowGradientFloor(Chance& chance, RandomCase& c) {
   c.scene.transferFunction.unitDistance = chance.power(-3, 0);
 }
 
-// Where the camera stands.
+// Positions of the camera.
 
 void eyeInside(Chance& chance, RandomCase& c) {
   chance.oneIn(2) ? aroundBall(chance, c, dmat3(1), 1000) : aroundNoise(chance, c);

@@ -1,4 +1,4 @@
-// The family "hard": tiny volumes at the edge of what numbers bear.
+// The family "hard": tiny volumes at the limits of numerical range.
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -16,7 +16,7 @@ using glm::ivec3;
 
 constexpr const char* patterns[] = {"ball", "noise", "plates", "stripes", "zigzag", "ramp", "constant"};
 
-/// 0 .. 1.
+/// Returns the pattern's value at x, 0 .. 1.
 double patternAt(Chance& chance, const std::string& pattern, int period, dvec3 x, ivec3 size) {
   if (pattern == "ball") {
     const double radius = 0.3 * std::max({size.x, size.y, size.z});
@@ -33,7 +33,7 @@ double patternAt(Chance& chance, const std::string& pattern, int period, dvec3 x
 dmat3 randomGrid(Chance& chance) {
   dmat3 steps(1);
   const int kind = chance.below(6);
-  const double wide = kind == 3 ? 1.5 : 0.5;  // tens of the ratio of spacings
+  const double wide = kind == 3 ? 1.5 : 0.5;  // decimal exponent of the spacings
   if (kind >= 2 && kind < 5)
     for (int a = 0; a < 3; ++a) steps[a][a] = chance.power(-wide, wide);
   if (kind == 4) steps[0][0] *= -1;
@@ -45,7 +45,7 @@ dmat3 randomGrid(Chance& chance) {
   return chance.oneIn(4) ? chance.power(-3, 4) * steps : steps;
 }
 
-/// `low` .. `high` of the numbers that T stores, as values from `offset` on over `range`.
+/// Returns a volume whose stored numbers `low` .. `high` mean values from `offset` on over `range`.
 template <class T>
 VolumePtr storedAs(ivec3 size, const dmat3& grid, double low, double high, double range, double offset,
                    const std::function<double(dvec3)>& shareAt) {
@@ -93,7 +93,7 @@ double randomOpacity(Chance& chance) {
   }
 }
 
-/// Up to 256 points; a third of them stand on values of voxels, where plateaus are.
+/// Returns up to 256 points. A third of them lie on values of voxels, where plateaus are.
 std::vector<CurvePoint> randomCurve(Chance& chance, const Volume& volume, ValueRange range) {
   std::vector<CurvePoint> points(chance.oneIn(4) ? std::size_t(1) << (3 + chance.below(6))
                                                  : std::size_t(1 + chance.below(7)));

@@ -1,4 +1,5 @@
-// Lattices seen along directions of small whole numbers: plain steps could meet their cells in few places.
+// Lattices seen along directions of small integers. Plain steps could repeatedly meet their cells at the same
+// few places.
 #include <functional>
 #include <glm/geometric.hpp>
 
@@ -12,7 +13,7 @@ using glm::dmat3;
 using glm::dvec3;
 using glm::ivec3;
 
-/// 0 .. 1, with periods of 2 to 4 voxels.
+/// Returns a lattice in 0 .. 1 with periods of 2 to 4 voxels.
 std::function<double(dvec3 pVoxel)> anyLattice(Chance& chance) {
   ivec3 period, phase, along;
   for (int a = 0; a < 3; ++a)
@@ -20,7 +21,7 @@ std::function<double(dvec3 pVoxel)> anyLattice(Chance& chance) {
   switch (chance.below(6)) {
     case 0:  // points
       return [=](dvec3 x) { return (ivec3(x) + phase) % period == ivec3(0); };
-    case 1:  // oblique layers that rise
+    case 1:  // oblique layers with rising values
       return [=](dvec3 x) { return (int(x.x) + int(x.y) + int(x.z)) % period.x / double(period.x - 1); };
     case 3:
     case 4:
@@ -28,7 +29,7 @@ std::function<double(dvec3 pVoxel)> anyLattice(Chance& chance) {
       return [=](dvec3 x) {
         return glm::dot(x, dvec3(along)) - period.x * std::floor(glm::dot(x, dvec3(along)) / period.x) == 0;
       };
-    case 2:  // checkers
+    case 2:  // checkerboard
       return [=](dvec3 x) {
         return (int(x.x) / (period.x - 1) + int(x.y) / (period.y - 1) + int(x.z) / (period.z - 1)) % 2;
       };
@@ -61,7 +62,8 @@ RandomCase randomLattice(Chance& chance) {
   const auto share = anyLattice(chance);
   c.volume = volumeOf<std::int16_t>(ivec3(edge), steps, [&](dvec3 x) { return 1000 * share(x); });
 
-  // About as steep as plain steps are taken for: what a voxel may change, and the unit distance to that.
+  // The curve is about as steep as the limit for plain steps. `change` sets the change per voxel, and the
+  // unit distance follows from it.
   TransferFunction& curve = c.scene.transferFunction;
   const bool whole = chance.oneIn(2);
   const double low = whole ? 0 : -1000 * chance.share(), high = whole ? 1000 : 1000 + 1000 * chance.share();

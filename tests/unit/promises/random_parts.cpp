@@ -70,7 +70,7 @@ Camera randomCamera(Chance& chance, const VoxelGeometry& geometry) {
   const double share = chance.between(0.25, 1.1);
   camera.height *= share;
   camera.fov *= share;
-  if (perspective && chance.oneIn(4)) {  // the eye within, or close by
+  if (perspective && chance.oneIn(4)) {  // places the eye inside or close by
     camera.distance = radiusOf(geometry) * chance.power(-1, 0);
     camera.fov = chance.between(30, 100);
   }

@@ -1,4 +1,4 @@
-// The family "pieces": boxes out of the real test data under scenes that people make.
+// The family "pieces": boxes of the real test data in typical scenes.
 #include <algorithm>
 #include <map>
 
@@ -13,7 +13,7 @@ namespace {
 using glm::dvec3;
 using glm::ivec3;
 
-/// The studies that most pieces are cut out of, and the others.
+/// Studies that most pieces are cut from, and the other ones.
 constexpr const char* studies[] = {"ct-chest-lidc0314-138", "mr-head-siemens-gap-175",
                                    "mr-head-ge-mprage-130", "pet-ct/sts019-ct", "pet-ct/sts019-pet"};
 constexpr const char* others[] = {"volumes-classic/fuel.mha",
@@ -37,7 +37,7 @@ ValueRange rangeOfStudy(const std::string& name) {
   return entry->second;
 }
 
-/// Every stride-th voxel from `low` on, in its place.
+/// Returns every stride-th voxel from `low` on, at its position in patient space.
 VolumePtr pieceOf(const Volume& whole, ivec3 low, ivec3 size, ivec3 stride) {
   VolumeParts parts;
   parts.geometry = whole.geometry();
@@ -74,7 +74,7 @@ VolumePtr anyPieceOf(Chance& chance, const Volume& whole) {
   return pieceOf(whole, low, size, stride);
 }
 
-/// Most people do not look at air: up to ten pieces are tried until one's values differ.
+/// Tries up to ten pieces until one has differing values, as air alone is rarely drawn.
 VolumePtr pieceWithSomethingIn(Chance& chance, const std::string& name) {
   const Volume& whole = *levelVolume(name);
   VolumePtr piece;
@@ -90,7 +90,7 @@ double randomOpacity(Chance& chance) {
   return chance.oneIn(3) ? 0 : std::pow(chance.share(), 2);
 }
 
-/// Somewhere in the range, or where most values are.
+/// Returns a value anywhere in the range, or of a random voxel.
 float randomValue(Chance& chance, const Volume& volume, ValueRange range) {
   return chance.oneIn(2) ? valueIn(range, chance.share()) : valueOfAnyVoxel(chance, volume);
 }
@@ -104,7 +104,7 @@ std::vector<CurvePoint> ordinaryCurve(Chance& chance, const Volume& volume, Valu
   return points;
 }
 
-/// From nothing to a surface over 0.3 to 10 % of the values.
+/// Returns a ramp from transparent to a surface over 0.3 to 10 % of the range.
 std::vector<CurvePoint> sharpRamp(Chance& chance, const Volume& volume, ValueRange range) {
   const double start = randomValue(chance, volume, range), wide = spread(range) * chance.power(-2.5, -1);
   const double opacity = chance.oneIn(2) ? 1 : chance.between(0.1, 1);
@@ -112,7 +112,7 @@ std::vector<CurvePoint> sharpRamp(Chance& chance, const Volume& volume, ValueRan
   return {{float(start), colour, 0}, {float(start + wide), colour, opacity}};
 }
 
-/// A sharp ramp from colour to colour, and a third behind it.
+/// Returns a sharp ramp between two colours and a third colour above it.
 std::vector<CurvePoint> colouredRamp(Chance& chance, const Volume& volume, ValueRange range) {
   std::vector<CurvePoint> points = sharpRamp(chance, volume, range);
   const double wide = double(points[1].value) - double(points[0].value);

@@ -43,7 +43,7 @@ void RandomReport::addPicture(Family family, const Picture& picture, double illC
 
 void RandomReport::addEstimate(const std::string& name, const std::vector<float>& told,
                                const std::vector<double>& off) {
-  constexpr double roundingOf255 = 1e-3;  // of pixels in floats, the background's among them
+  constexpr double roundingOf255 = 1e-3;  // rounding of float pixels, including the background
   int beyond = 0;
   for (std::size_t n = 0; n < off.size(); ++n) beyond += off[n] > double(told[n]) + roundingOf255;
   estimated_ += std::int64_t(off.size());

@@ -11,35 +11,35 @@
 
 namespace volumen::tests {
 
-/// What came of one level of one random case.
+/// The result of one level of one random case.
 struct LevelResult {
   Family family;
   std::uint64_t seed;
   Mode mode;
   const Promise* promise;
   PictureError error;
-  bool failed;      ///< in any way: error, bytes, numbers
-  std::string why;  ///< the failures in words
+  bool failed;      ///< by error, bytes or non-finite numbers
+  std::string why;  ///< description of the failures
 };
 
-/// "composite" and so on.
+/// Returns "composite" and so on.
 const char* nameOf(Mode mode);
 
-/// By how many times an error is beyond its promise, the worst of its measures; at most 1 where it is kept.
+/// Returns the largest ratio of an error's measures to the promise; at most 1 if it is kept.
 double timesThePromise(const PictureError& error, const Promise& promise);
 
-/// Counts of what random cases showed.
+/// Collects statistics of random cases.
 class RandomReport {
  public:
   void add(const LevelResult& result);
-  /// Of the reference of a case.
+  /// Adds the reference picture of a case.
   void addPicture(Family family, const Picture& picture, double illConditionedShare);
-  /// Counts pixels that are farther off than their picture says (both /255).
+  /// Counts pixels whose error `off` exceeds the estimate `told` of their picture (both in /255).
   void addEstimate(const std::string& name, const std::vector<float>& told, const std::vector<double>& off);
-  /// The share of pixels that are farther off than was told, of all that addEstimate was given.
+  /// Returns the share of pixels passed to addEstimate whose error exceeds the estimate.
   double shareBeyondEstimate() const { return estimated_ == 0 ? 0 : double(beyond_) / double(estimated_); }
-  /// Failures by family, mode and level, the share of ill-conditioned pixels, the worst cases, and how to
-  /// draw one again; on stderr.
+  /// Prints to stderr: failures by family, mode and level, the share of ill-conditioned pixels, and the worst
+  /// cases. Also prints how to draw a case again.
   void print() const;
 
  private:
@@ -47,9 +47,9 @@ class RandomReport {
     int cases = 0, failed = 0;
   };
   struct Pictures {
-    int all = 0, blank = 0;  ///< blank: of one colour
+    int all = 0, blank = 0;  ///< blank pictures have a single colour
     double pixels = 0, illConditioned = 0;
-    double mostShare = 0;  ///< of ill-conditioned pixels in a picture
+    double mostShare = 0;  ///< largest share of ill-conditioned pixels in a picture
   };
   void printCounts() const;
   void printPictures() const;
@@ -60,7 +60,7 @@ class RandomReport {
   std::map<Family, Pictures> pictures_;
   std::vector<LevelResult> failures_;
   std::int64_t estimated_ = 0, beyond_ = 0;           ///< pixels
-  std::vector<std::pair<int, std::string>> mistold_;  ///< pictures with such pixels, and how many
+  std::vector<std::pair<int, std::string>> mistold_;  ///< pictures with such pixels, and their number
 };
 
 }  // namespace volumen::tests

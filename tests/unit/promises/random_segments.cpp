@@ -12,7 +12,7 @@ namespace {
 
 using Holds = std::function<bool(glm::ivec3)>;
 
-// In shares of the grid, -1 .. 1 from its middle.
+// Returns the position as a share of the grid, -1 .. 1 about its middle.
 glm::dvec3 placeIn(glm::ivec3 voxel, glm::ivec3 size) {
   return (2.0 * glm::dvec3(voxel) + 1.0) / glm::dvec3(size) - 1.0;
 }
@@ -42,7 +42,7 @@ std::shared_ptr<const OccupancyField> fieldOf(const VoxelGeometry& geometry, con
   return std::make_shared<const OccupancyField>(occupancyOf(mask, surfaceSigma));
 }
 
-// The volume's, or a finer one that reaches beyond it.
+// Returns the volume's grid or, one time in four, a shifted one with voxels of 0.7 to 1.2 times the size.
 VoxelGeometry anyGrid(Chance& chance, const VoxelGeometry& geometry) {
   if (!chance.oneIn(4)) return geometry;
   VoxelGeometry other = geometry;
@@ -59,7 +59,7 @@ std::vector<SegmentSurface> randomSegments(Chance& chance, const VoxelGeometry& 
   Holds before = [](glm::ivec3) { return false; };
   for (SegmentSurface& s : segments) {
     Holds holds = randomShape(chance, geometry.size);
-    // What another one holds is left to that, so that they touch.
+    // Leaves out voxels of the previous segment, so that both touch.
     if (!chance.oneIn(3)) holds = [holds, before](glm::ivec3 v) { return holds(v) && !before(v); };
     const double opacity = chance.oneIn(8) ? 0 : chance.oneIn(2) ? 1 : chance.between(0.05, 0.95);
     s = {fieldOf(anyGrid(chance, geometry), holds), chance.colour(), opacity};

@@ -5,9 +5,9 @@
 
 namespace volumen::tests {
 
-/// 1 to 4 segments in a volume, on its grid or another: balls, boxes, plates and crumbs, apart, within one
-/// another, touching or cut off by the grid's border; of any colour, half of them opaque, one in eight
-/// invisible.
+/// Returns 1 to 4 segments in a volume, on its grid or another. They are balls, boxes, plates and crumbs,
+/// which may be apart, nested, touching or cut off by the grid's border. Colours are random, about half are
+/// opaque, and one in eight is invisible.
 std::vector<SegmentSurface> randomSegments(Chance& chance, const VoxelGeometry& geometry);
 
 }  // namespace volumen::tests

@@ -1,5 +1,5 @@
-// Guards design.md 2 and picture.md 3, 6, 9: every approximation converges to the picture at the order that
-// theory gives it, on fields of closed form; gradients point where the field's do.
+// Guards design.md 2 and picture.md 3, 6, 9: on closed-form fields, every approximation converges to the
+// picture at its theoretical order. Gradients have the direction of the field's.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -47,7 +47,7 @@ void print(const QString& words) {
                  qPrintable(words));
 }
 
-/// Trilinear interpolation of stored gradients at a place inside the grid.
+/// Interpolates stored gradients trilinearly at a position inside the grid.
 dvec3 interpolated(const Gradients32& g, glm::ivec3 size, dvec3 pVoxel) {
   const dvec3 low = glm::floor(pVoxel), f = pVoxel - low;
   dvec3 sum(0);
@@ -80,7 +80,7 @@ void TestConvergence::addFields(bool everyWay) {
   QFETCH(int, way);   \
   const Field& f = closedFormFields()[std::size_t(field)]
 
-// The midpoint rule.
+// Steps use the midpoint rule.
 void TestConvergence::stepsAreOfSecondOrder() {
   FETCH_FIELD();
   const auto errors = errorOverStep(f, lit, promisedWays()[std::size_t(way)].options);
@@ -88,7 +88,7 @@ void TestConvergence::stepsAreOfSecondOrder() {
   QVERIFY2(slopeOf(errors) >= 1.9, qPrintable(inWords(errors)));
 }
 
-// Trilinear interpolation and Sobel gradients, over voxels of 1/2 .. 1/8 mm. A ramp has no such error.
+// Covers trilinear interpolation and Sobel gradients over voxels of 1/2 .. 1/8 mm. A ramp has no such error.
 void TestConvergence::gridsAreOfSecondOrder() {
   FETCH_FIELD();
   Q_UNUSED(way);
@@ -101,9 +101,9 @@ void TestConvergence::gridsAreOfSecondOrder() {
   QVERIFY2(slopeOf(errors) >= 1.9, qPrintable(inWords(errors)));
 }
 
-// Bilinear interpolation between pixels, from 6 x 6 to 48 x 48 of them (the same for every method). Where a
-// light's or a side's clamp sets in, a lit picture has a crease: an error of first order on as many pixels as
-// a line has, which leaves an order of 1.5 of the whole.
+// Covers bilinear interpolation between 6 x 6 to 48 x 48 pixels, which is the same for every method. Clamping
+// of lights or sides creases lit pictures. Such a line of pixels has errors of first order, which reduces the
+// order of the whole to 1.5.
 void TestConvergence::pixelsAreOfSecondOrder() {
   FETCH_FIELD();
   Q_UNUSED(way);
@@ -120,8 +120,8 @@ void TestConvergence::gradientsPointOutwards_data() {
   QTest::newRow("0.7 x 0.7 x 2.5 mm") << dvec3(0.7, 0.7, 2.5) << 1.1 << 90.0;
 }
 
-// Interpolated Sobel gradients of the phantom soft-sphere, its voxels taken as cubes of 1 mm or stretched, at
-// places of chance on its edge, against the true normal in patient space; degrees.
+// Compares interpolated Sobel gradients of the phantom soft-sphere with the true normal in patient space.
+// Positions on its edge are random. Voxels are cubes of 1 mm or stretched, and angles are in degrees.
 void TestConvergence::gradientsPointOutwards() {
   QFETCH(dvec3, spacing);
   QFETCH(double, mostMean);
@@ -130,7 +130,7 @@ void TestConvergence::gradientsPointOutwards() {
   const VoxelGeometry grid{
       .size = sphere->size(),
       .patientFromVoxelStep = glm::dmat3({spacing.x, 0, 0}, {0, spacing.y, 0}, {0, 0, spacing.z})};
-  const Gradients32 g = sobel32(*sphere);  // per voxel: the spacing does not matter yet
+  const Gradients32 g = sobel32(*sphere);  // per voxel and so independent of the spacing
   std::mt19937 bits(11);
   const auto chance = [&] { return std::ldexp(double(bits()), -32); };
   double mean = 0, largest = 0;

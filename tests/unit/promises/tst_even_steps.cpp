@@ -1,5 +1,5 @@
-// Guards design.md 2 and 5: where the planner takes plain steps in place of going cell by cell, the levels
-// keep their promises, on the volumes that leave the most between two samples.
+// Guards design.md 2 and 5: if the planner replaces integration cell by cell by plain steps, levels keep
+// their promises. Covers the volumes that change most between two samples.
 #include <cstdio>
 #include <random>
 
@@ -32,7 +32,7 @@ VolumePtr binaryNoise() {
 
 enum class Lit { not_, softly, strongly, byMap };
 
-// Opacity rises over all values; `phase`: where the first sample stands, in eighths of a voxel.
+// Opacity rises over all values. `phase` is the position of the first sample in eighths of a voxel.
 Scene sceneOf(double opacity, Lit lit, glm::dvec3 direction, int phase, int depth) {
   Scene scene;
   scene.transferFunction.points = {{0, {1, 1, 1}, 0}, {1000, {1, 1, 1}, opacity}};
@@ -123,7 +123,7 @@ void TestEvenSteps::theyKeepTheLevelsPromises() {
   QVERIFY2(even >= 8, "hardly any scene takes plain steps: this row proves nothing");
 }
 
-// Lattices along directions of small whole numbers; VOLUMEN_RANDOM_CASES=N of them.
+// Views VOLUMEN_RANDOM_CASES=N lattices along directions of small integers.
 void TestEvenSteps::noDirectionResonates() {
   const Seeds seeds = seedsOf(50, 150);
   QStringList broken;

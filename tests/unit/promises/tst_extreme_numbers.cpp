@@ -1,7 +1,6 @@
-// Guards design.md 2 (finite): no number that is none leaves a picture, an error map or a text, whatever
-// numbers a valid scene holds. Random scenes of which some numbers are replaced by extreme ones;
-// VOLUMEN_RANDOM_CASES=N of them, from VOLUMEN_RANDOM_SEED on; with VOLUMEN_FIGURES set
-// the scenes that fail are printed.
+// Guards design.md 2 (finite): pictures, error maps and texts never hold NaN or infinity, whatever numbers a
+// valid scene holds. Draws VOLUMEN_RANDOM_CASES=N random scenes from VOLUMEN_RANDOM_SEED on, with some
+// numbers replaced by extreme ones. With VOLUMEN_FIGURES set, failing scenes are printed.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,7 +18,7 @@ using namespace volumen::tests;
 
 namespace {
 
-/// Replaces one number in a few of those it is given, where the scene stays valid.
+/// Replaces some of the numbers it is called for by extreme ones, if the scene stays valid.
 class Extremes {
  public:
   Extremes(Chance& chance, Scene& scene) : chance_(chance), scene_(scene), oneIn_(2 + chance.below(20)) {}
@@ -76,7 +75,7 @@ QString whereNoNumber(const std::string& text) {
   return {};
 }
 
-/// What is wrong with a picture and what is told of it.
+/// Returns what is wrong with a picture or its texts; empty if nothing is.
 QString faultOf(const Rendered& rendered) {
   if (const QString spoilt = whereNotFinite(rendered.picture); !spoilt.isEmpty()) return spoilt;
   for (float told : rendered.error)
@@ -100,8 +99,7 @@ void TestExtremeNumbers::allThatIsDrawnAndSaidIsANumber() {
   const Seeds seeds = seedsOf(70, 200);
   QStringList faults;
   int drawn = 0;
-  std::vector<int> all{1009, 1252,
-                       1553};  // once gave numbers that are none: opacities that floats barely hold
+  std::vector<int> all{1009, 1252, 1553};  // regressions: opacities near the limits of floats
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) all.push_back(seed);
   for (int seed : all) {
     const RandomCase c = extremeCase(std::uint64_t(seed));
@@ -113,7 +111,7 @@ void TestExtremeNumbers::allThatIsDrawnAndSaidIsANumber() {
     for (RenderOptions& o : options) {
       o.size = {12, 10};
       const auto plan = makePlan(c.scene, caches.facts(), o);
-      if (!plan) continue;  // a sentence came first
+      if (!plan) continue;  // refused with a sentence
       const auto rendered = render(*plan, caches);
       ++drawn;
       const QString fault = rendered ? faultOf(*rendered) : QString::fromStdString(rendered.message());

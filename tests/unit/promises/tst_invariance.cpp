@@ -1,4 +1,4 @@
-// Guards design.md 2 (invariance): what must not change the picture does not, for every method at every
+// Guards design.md 2 (invariance): irrelevant changes do not change the picture, for every method at every
 // level.
 #include <cmath>
 #include <cstdio>
@@ -40,8 +40,8 @@ namespace {
 
 const glm::ivec2 pictureSize(24, 24);
 
-/// Soft blobs over patient space, mm. Along no axis is their second derivative above 30 a mm^2, so that
-/// linear interpolation between voxels of 1 mm is off by 4 at most: a hundredth of what the curve
+/// Returns soft blobs over patient space (mm). Their second derivative along any axis is at most 30 a mm^2.
+/// Linear interpolation between voxels of 1 mm is thus off by at most 4, one hundredth of what the curve
 /// distinguishes.
 double blobs(dvec3 p) {
   const dvec3 aside = p - dvec3(4, 2, -3);
@@ -102,7 +102,7 @@ void TestInvariance::addRows(bool everyLevel) {
   QFETCH(int, level); \
   const RenderOptions options = asked(way, level)
 
-// Grids of 1 mm and 0.5 mm of one smooth object.
+// Draws one smooth object on grids of 1 mm and 0.5 mm.
 void TestInvariance::opacityIsPerMm() {
   FETCH_ASKED();
   const VolumePtr coarse = blobsOn(ivec3(24), dmat3(1)), fine = blobsOn(ivec3(48), dmat3(0.5));
@@ -112,14 +112,14 @@ void TestInvariance::opacityIsPerMm() {
   keepWithin(compare(drawn(coarse, scene, options), drawn(fine, scene, options)), 2);
 }
 
-// The picture in k lights is the sum of those in one, less (k - 1) times the one in none.
+// The picture under k lights is the sum of those under one light, minus (k - 1) times the one without light.
 void TestInvariance::lightsAddUp() {
   FETCH_ASKED();
   const VolumePtr volume = blobsOn(ivec3(24), dmat3(1));
   Scene scene = blobScene();
   scene.lights.push_back({{0.2, 0.1, -1}, Space::camera, {0.2, 1, 0.3}, 0.3, true});
   scene.lights.push_back({{0, -1, 1}, Space::patient, {1, 0.2, 0.2}, 0.3, true});
-  for (Light& light : scene.lights) light.intensity /= 2;  // so that nothing clamps
+  for (Light& light : scene.lights) light.intensity /= 2;  // prevents clamping
   const Picture all = drawn(volume, scene, options);
   Scene single = scene;
   single.lights.clear();
@@ -147,7 +147,8 @@ void TestInvariance::earlyTerminationCostsLittle_data() {
               << int(way) << level << intensity;
 }
 
-// Something dark, dense and getting denser before something bright: what is hidden is as much as can be.
+// Dark, increasingly dense matter lies in front of bright matter, so that early termination hides as much as
+// possible.
 void TestInvariance::earlyTerminationCostsLittle() {
   FETCH_ASKED();
   QFETCH(double, intensity);
@@ -187,7 +188,7 @@ void TestInvariance::turningVolumeAndCameraChangesNothing() {
   }
 }
 
-// The same voxels at the same places, but another axis running fastest, or backwards.
+// The same voxels are stored with another axis first, or backwards.
 void TestInvariance::theOrderOfVoxelsChangesNothing() {
   FETCH_ASKED();
   const Scene scene = blobScene();
@@ -211,8 +212,8 @@ void TestInvariance::aTiltedAcquisitionOfASphereIsASphere_data() {
       QTest::addRow("%s, %s", promisedWays()[way].name, name) << int(way) << direction;
 }
 
-// Slices tilted by 25 degrees, 1.5 mm apart along the patient: the sphere's silhouette is a disc. Its axes
-// are those of its second moments.
+// Slices are tilted by 25 degrees and 1.5 mm apart along the patient's axis. The sphere's silhouette must be
+// a disc. Its axes are those of its second moments.
 void TestInvariance::aTiltedAcquisitionOfASphereIsASphere() {
   QFETCH(int, way);
   QFETCH(dvec3, direction);

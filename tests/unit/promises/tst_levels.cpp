@@ -1,5 +1,5 @@
-// Guards design.md 2 (levels): their errors on scenes and volumes that they were not tuned on. With
-// VOLUMEN_FIGURES set it prints what each row measured.
+// Guards design.md 2 (levels): errors on scenes and volumes that levels were not tuned on. With
+// VOLUMEN_FIGURES set, prints the figures of each row.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -15,7 +15,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// The shaders that a level may take by itself, in a picture of more pixels or lights at least.
+// Returns the shaders that a level may choose itself, at least for more pixels or lights.
 std::vector<Shader> shadersOf(const Scene& scene, Quality quality) {
   const Shading& s = scene.shading;
   if (scene.mode != Mode::composite || !s.lit) return {Shader::automatic};
@@ -60,7 +60,7 @@ RenderCaches& TestLevels::cachesOf(const std::string& volume) {
   RenderCaches& caches = cachesOf(volume.toStdString()); \
   const Scene made = levelScenes()[std::size_t(scene)].make(*v)
 
-// 20 x 20 rays spread evenly over the picture: the 99th percentile leaves out the worst four.
+// Traces 20 x 20 rays spread evenly over the picture. The 99th percentile excludes the worst four.
 void TestLevels::errorsKeepThePromise() {
   FETCH_SCENE();
   Truth truth(caches, made, {20, 20});
@@ -81,14 +81,14 @@ void TestLevels::errorsKeepThePromise() {
   QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QStringLiteral("; "))));
 }
 
-// Whole blocks alone: the picture is four of them wide.
+// The picture is four blocks wide, so that all blocks are whole.
 void TestLevels::aDraftIsStandardSeenFromAfar() {
   FETCH_SCENE();
   constexpr int block = draftPromise.blockEdge, edge = 4 * block;
   Truth truth(caches, made, glm::ivec2(edge));
   const Picture draft = truth.drawn(atLevel(Quality::draft)),
                 standard = truth.drawn(atLevel(Quality::standard));
-  std::map<int, double> means;  // of the difference, over block and component
+  std::map<int, double> means;  // mean difference by block and component
   glm::dvec4 mean(0);
   for (int y = 0; y < edge; ++y)
     for (int x = 0; x < edge; ++x)

@@ -1,5 +1,5 @@
-// Guards design.md 2 and 5: plain steps that a pilot finds good enough keep the level's promise on the whole
-// picture, and what it finds depends on the picture alone.
+// Guards design.md 2 and 5: plain steps accepted by a pilot keep the level's promise on the whole picture.
+// The pilot's result depends only on the picture.
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <random>
@@ -17,10 +17,10 @@ using namespace volumen::tests;
 constexpr glm::ivec2 size(400, 384);
 constexpr int edge = 64;
 
-// What stands in a ball whose values fall from its middle to its surface.
+// Contents of a ball whose values fall from centre to surface.
 enum class Within { nothing, rods, stripes, noise };
 
-// `count` pieces of 6 voxels, at places of chance.
+// Returns a ball with `count` pieces of 6 voxels at random positions.
 VolumePtr ball(Within within, int count) {
   std::mt19937 random(11);
   std::vector<glm::ivec3> pieces;
@@ -38,7 +38,7 @@ VolumePtr ball(Within within, int count) {
   return volumeOf<std::int16_t>({edge, edge, edge}, glm::dmat3(1), valueAt);
 }
 
-// In floats.
+// Returns plates with float values.
 VolumePtr plates(int apart) {
   return volumeOf({edge, edge, edge}, glm::dmat3(1),
                   [=](glm::dvec3 p) { return int(p.z) % apart == 1 ? 1000.0 : 0.0; });
@@ -49,7 +49,7 @@ VolumePtr noise() {
   return volumeOf({edge, edge, edge}, glm::dmat3(1), [&](glm::dvec3) { return double(random() % 1001); });
 }
 
-// Opacity rises over all values; few blocks are empty, so that plain steps are worth a try.
+// Opacity rises over all values. Few blocks are empty, so that plain steps are worth trying.
 Scene sceneOf(double opacity) {
   Scene scene;
   scene.transferFunction.points = {{40, {1, 0.8, 0.6}, 0}, {1000, {1, 1, 1}, opacity}};
@@ -79,7 +79,7 @@ RenderOptions optionsOf(Quality quality) {
   return options;
 }
 
-// At one pixel of each 12 x 12, by the reference; ill-conditioned ones are not counted.
+// Returns the error against the reference at one pixel of every 12 x 12, without ill-conditioned pixels.
 PictureError trueError(const Picture& picture, const Scene& complete, const Volume& volume) {
   std::vector<glm::ivec2> pixels;
   for (int y = 3; y < size.y; y += 12)
@@ -116,7 +116,8 @@ class TestPilot : public QObject {
 void TestPilot::thePictureKeepsThePromise_data() {
   QTest::addColumn<VolumePtr>("volume");
   QTest::addColumn<Change>("change");
-  QTest::addColumn<QString>("taken");  // faint: by standard, high; dense: likewise. 0: none, -: not tried
+  // by standard and high for faint, then dense curves; 0: none, -: not tried
+  QTest::addColumn<QString>("taken");
   const auto row = [](const char* name, const VolumePtr& volume, const char* taken, Change change) {
     QTest::newRow(name) << volume << change << QString::fromLatin1(taken);
   };
@@ -142,7 +143,7 @@ void TestPilot::thePictureKeepsThePromise_data() {
   row("noise", noise(), "0.5607 0.2764 0.5607 -", [](Scene&) {});
   row("noise, a steep curve", noise(), "0.382 0.2282 0.3593 -", steep);
   row("plates eight voxels apart, a steep curve", plates(8), "0.5607 0.178 0.178 -", steep);
-  // Of dense ones the law of squares asks for steps too short to save time.
+  // For dense curves the quadratic error law requires steps too short to save time.
   row("the same, across them", plates(8), "0.2764 0.1315 0.2764 -", [](Scene& s) {
     steep(s);
     s.camera->direction = {0, 0, 1};
@@ -182,7 +183,7 @@ void TestPilot::thePictureKeepsThePromise() {
   QCOMPARE(steps.join(QLatin1Char(' ')), taken);
 }
 
-// A step of a whole voxel, or of one half, would meet each stripe in the same phase.
+// A step of 1, 1/2 or 1/3 voxel would meet each stripe in the same phases.
 void TestPilot::itMeetsNoCellsInTheSamePlaces() {
   RenderCaches caches(ball(Within::stripes, 3));
   for (const glm::dvec3 direction :
@@ -202,7 +203,8 @@ void TestPilot::itMeetsNoCellsInTheSamePlaces() {
     }
 }
 
-// Never better than the picture, and where errors are much the same everywhere not much worse.
+// The stated error is never better than the picture's. If errors are similar everywhere, it is not much
+// worse.
 void TestPilot::itSaysTheWorstThatThePictureMayHave() {
   RenderCaches caches(ball(Within::rods, 40));
   for (double opacity : {0.02, 0.06, 0.2}) {
@@ -261,7 +263,7 @@ void TestPilot::whatIsNotKeptChangesNothing() {
   Scene scene = sceneOf(0.2);
   steep(scene);
   Plan plan = *makePlan(scene, caches.facts(), optionsOf(Quality::standard));
-  plan.pilotSteps->shortest = plan.pilotSteps->first;  // it may try no shorter ones
+  plan.pilotSteps->shortest = plan.pilotSteps->first;  // no shorter steps may be tried
   const Rendered done = *render(plan, caches);
   QVERIFY(done.plan.pilot && !done.plan.pilot->kept);
   plan.pilotSteps.reset();

@@ -1,4 +1,4 @@
-// Guards design.md 2 and 5: a pilot does not overlook what is small in a large picture.
+// Guards design.md 2 and 5: a pilot does not overlook small things in a large picture.
 #include <cstdio>
 #include <random>
 
@@ -13,11 +13,11 @@ using namespace volumen::tests;
 
 constexpr int edge = 64;
 
-// What stands at a place of chance in even matter, seen along the stripes' changes and finely: the rest of
-// the picture has no error at all.
+// Things at random positions in homogeneous matter. They are seen along the stripes' changes, in fine pixels.
+// The rest of the picture has no error.
 enum class Small { column, slantedColumn, plates, details, columnInNoise };
 
-// Light takes longer.
+// Pictures with light take longer.
 glm::ivec2 largeSize(Quality quality) { return glm::ivec2(quality == Quality::high ? 512 : 1024); }
 
 VolumePtr rarely(Small what, unsigned seed) {
@@ -37,10 +37,9 @@ VolumePtr rarely(Small what, unsigned seed) {
   });
 }
 
-// Faint and even where nothing stands; what stands there is seen only where values are near 190.
+// The curve is faint and even outside the things. Inside, only values near 190 are visible.
 Scene sceneOfLittle(Small what, Quality quality) {
-  // `high` sends a pilot only where less can be missed, and where going cell by cell takes longer, with
-  // light.
+  // `high` uses a pilot only if less can be missed and integrating cell by cell takes longer, as with light.
   const double opacity = quality == Quality::high ? 0.07 : 0.2;
   Scene scene;
   scene.transferFunction.points = {{20, {0.2, 0.3, 0.6}, 0},

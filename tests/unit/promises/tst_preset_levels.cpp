@@ -1,6 +1,5 @@
-// Guards design.md 2 (levels): that what people draw first, every preset on every kind of study, keeps the
-// levels' promises, seen from sides that differ from row to row. With VOLUMEN_FIGURES set it prints what each
-// row measured.
+// Guards design.md 2 (levels): every preset on every kind of study keeps the levels' promises. Rows look from
+// different sides. With VOLUMEN_FIGURES set, prints the figures of each row.
 #include <array>
 #include <cstdio>
 #include <map>
@@ -36,7 +35,7 @@ void TestPresetLevels::errorsKeepThePromise_data() {
           << QString::fromLatin1(volume) << QString::fromStdString(preset) << side++;
 }
 
-// 32 x 32 rays spread evenly over the picture.
+// Traces 32 x 32 rays spread evenly over the picture.
 void TestPresetLevels::errorsKeepThePromise() {
   QFETCH(QString, volume);
   QFETCH(QString, preset);

@@ -1,7 +1,7 @@
 // Guards design.md 2 (levels): the promises on scenes in which a level missed one on 23 November 2026
-// (../shared/data/promise-cases), on the other scenes and volumes of that folder, and where one missed it, or
-// a number was not finite, on 26 November (level-cases). With VOLUMEN_FIGURES set it prints what each row
-// measured.
+// (../shared/data/promise-cases), and on the other scenes and volumes of that folder. Also covers scenes that
+// missed one or gave a non-finite number on 26 November (level-cases). With VOLUMEN_FIGURES set, prints the
+// figures of each row.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,13 +21,13 @@ using namespace volumen::tests;
 
 namespace {
 
-/// Of cases.tsv. `exact`: that level's promise counts too.
+/// One row of cases.tsv. With `exact`, that level's promise is checked too.
 struct PromiseCase {
   std::string name = {}, folder = {}, volume = {}, scene = {};
   glm::ivec2 size{96, 96};
   bool exact = true;
 
-  /// Of a file in the folder.
+  /// Returns the path of a file in the case's folder.
   std::string pathOf(const std::string& file) const { return folder + '/' + file; }
 };
 
@@ -44,7 +44,7 @@ std::vector<QByteArrayList> rowsOf(const std::string& table, int columns) {
   return rows;
 }
 
-/// What promise-cases/cases.tsv says; none where it is not here.
+/// Returns the cases of promise-cases/cases.tsv; none if it is absent.
 std::vector<PromiseCase> listedCases() {
   std::vector<PromiseCase> cases;
   for (const QByteArrayList& fields : rowsOf("promise-cases/cases.tsv", 9))
@@ -53,7 +53,7 @@ std::vector<PromiseCase> listedCases() {
   return cases;
 }
 
-/// What level-cases/cases.tsv says: each volume and scene is called as its case.
+/// Returns the cases of level-cases/cases.tsv. Each volume and scene is named like its case.
 std::vector<PromiseCase> levelCases() {
   std::vector<PromiseCase> cases;
   for (const QByteArrayList& fields : rowsOf("level-cases/cases.tsv", 5)) {
@@ -63,7 +63,7 @@ std::vector<PromiseCase> levelCases() {
   return cases;
 }
 
-/// Scenes and volumes of promise-cases that its list does not name.
+/// Returns cases of scenes and volumes in promise-cases that its list does not name.
 std::vector<PromiseCase> furtherCases() {
   std::vector<PromiseCase> cases;
   const auto add = [&](const char* name, const char* volume, const char* scene) {
@@ -81,11 +81,11 @@ std::vector<PromiseCase> furtherCases() {
   return cases;
 }
 
-/// In these pixels of pilot-stripes.json's picture, 55 x 55, the values of its stripes are seen.
+/// Pixels of pilot-stripes.json's picture, 55 x 55, that show the values of its stripes.
 constexpr glm::ivec2 firstStriped(741, 741), lastStriped(795, 795);
 
-/// The error of a picture too large for the whole reference: at every striped pixel, and at 4000 of the
-/// others, each of which stands for as many as there are.
+/// Returns the error of a picture too large for a whole reference. It is measured at every striped pixel and
+/// at 4000 others, which are weighted by the number of pixels they stand for.
 PictureError sampledError(const Rendered& rendered, const Volume& volume) {
   const glm::ivec2 size = rendered.picture.size;
   std::vector<glm::ivec2> pixels;

@@ -1,7 +1,7 @@
 // Guards design.md 2 on pictures large enough for a pilot: plain steps that one takes keep the level's
-// promise, and what it says. Boxes out of real studies, as in tst_random_scenes, against `exact`; where they
-// differ by more than a level's 99th percentile, against the reference, and not at ill-conditioned pixels.
-// VOLUMEN_RANDOM_CASES=N: so many seeds, from VOLUMEN_RANDOM_SEED on.
+// promise and the stated error. Boxes of real studies, as in tst_random_scenes, are compared with `exact`.
+// Pixels that differ by more than a level's 99th percentile are compared with the reference, except for
+// ill-conditioned ones. VOLUMEN_RANDOM_CASES=N draws N seeds from VOLUMEN_RANDOM_SEED on.
 #include <algorithm>
 #include <cstdio>
 
@@ -17,8 +17,8 @@ using namespace volumen::tests;
 
 namespace {
 
-/// The error of `picture`. `truth`: by `exact`; set to the reference at pixels that differ by more than
-/// `most`.
+/// Returns the error of `picture`. `truth` is the picture by `exact`. Where both differ by more than `most`,
+/// it is set to the reference.
 PictureError errorOf(const Picture& picture, Picture& truth, double most, const Plan& plan,
                      const Volume& volume) {
   std::vector<glm::ivec2> pixels;

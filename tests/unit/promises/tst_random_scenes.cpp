@@ -1,8 +1,10 @@
-// Guards design.md 2 (levels, finite, determinism, --full) on scenes drawn by chance: boxes out of real
-// studies, tiny hard volumes, and kinds of attacks. VOLUMEN_RANDOM_CASES=N: N of the first and half as many
-// of the others, of the seeds from VOLUMEN_RANDOM_SEED on; VOLUMEN_RANDOM_FAMILY=NAME: N of that one alone.
-// VOLUMEN_RANDOM_SAVE=DIR: the cases that fail are written there. With VOLUMEN_RANDOM_BRUTE set, what the
-// brute force says of the reference of those is printed; with VOLUMEN_FIGURES each row's figures.
+// Guards design.md 2 (levels, finite, determinism, --full) on random scenes: boxes of real studies, tiny hard
+// volumes, and kinds of attacks.
+// VOLUMEN_RANDOM_CASES=N: N seeds of the first and half as many of the others, from VOLUMEN_RANDOM_SEED on.
+// VOLUMEN_RANDOM_FAMILY=NAME: N seeds of that family alone.
+// VOLUMEN_RANDOM_SAVE=DIR: writes failing cases there.
+// VOLUMEN_RANDOM_BRUTE: prints the error of their references against brute force.
+// VOLUMEN_FIGURES: prints each row's figures.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -22,7 +24,7 @@ using namespace volumen::tests;
 
 namespace {
 
-/// As `DIR/pieces-17.nrrd` and `.json`; tells how to draw them.
+/// Writes `DIR/pieces-17.nrrd` and `.json`, and prints how to draw them.
 void save(const RandomCase& c, Family family, std::uint64_t seed, const std::string& folder) {
   const std::string path = folder + "/" + nameOf(family) + "-" + std::to_string(seed);
   const Status volume = writeVolume(*c.volume, path + ".nrrd");
@@ -34,7 +36,7 @@ void save(const RandomCase& c, Family family, std::uint64_t seed, const std::str
                path.c_str(), path.c_str(), c.size.x, c.size.y, path.c_str());
 }
 
-/// The options of which every one must give the same bytes.
+/// Returns variants of the options that must all give the same bytes.
 std::vector<std::pair<const char*, RenderOptions>> twinsOf(const RenderOptions& options) {
   std::vector<std::pair<const char*, RenderOptions>> twins{
       {"one thread", options}, {"three threads", options}, {"--full", options}};
@@ -44,16 +46,16 @@ std::vector<std::pair<const char*, RenderOptions>> twinsOf(const RenderOptions& 
   return twins;
 }
 
-/// Hard scenes that once broke: points of the curve on a plateau of the volume or within ulps of it, and a
-/// unit distance that makes rounding opaque.
+/// Hard scenes that once failed. Points of their curves are on a plateau of the volume or within ulps of it,
+/// and the unit distance makes rounding opaque.
 constexpr int foundHard[] = {300195, 400312, 400375, 400710, 400923};
 
-/// Of floats, so that NaN is like itself.
+/// Compares float bytes, so that NaN equals itself.
 bool sameBytes(const Picture& a, const Picture& b) {
   return a.size == b.size && std::memcmp(a.rgba.data(), b.rgba.data(), a.rgba.size() * sizeof(float)) == 0;
 }
 
-/// All that is wrong with a picture but its error.
+/// Returns all faults of a picture except its error.
 QStringList faultsOf(Truth& truth, const Picture& picture, const RenderOptions& options) {
   QStringList faults;
   const QString spoilt = whereNotFinite(picture);
@@ -64,7 +66,7 @@ QStringList faultsOf(Truth& truth, const Picture& picture, const RenderOptions& 
   return faults;
 }
 
-/// The error in words, and where it is largest.
+/// Returns the error and its largest position as text.
 QString errorInWords(Truth& truth, const Picture& picture, const PictureError& e) {
   const std::vector<double> errors = truth.errorOfPixels(picture);
   const auto worst = int(std::max_element(errors.begin(), errors.end()) - errors.begin());
@@ -74,7 +76,7 @@ QString errorInWords(Truth& truth, const Picture& picture, const PictureError& e
       .arg(worst / picture.size.x);
 }
 
-/// How far the brute force is from the reference: to see whether to trust that.
+/// Prints the error of brute force against the reference, to judge whether to trust the reference.
 void printBruteForce(Truth& truth, const RandomCase& c) {
   const Picture brute = bruteForceLimit(c.scene, *c.volume, c.size, 1.0 / 256);
   std::fprintf(stderr, "%s: the brute force against the reference: %s\n", QTest::currentDataTag(),
@@ -148,7 +150,7 @@ void TestRandomScenes::everyLevelKeepsItsPromise() {
   QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QStringLiteral("; "))));
 }
 
-// Of all pixels drawn above: what a picture says of its error covers it.
+// Covers all pixels drawn above: a picture's stated error bounds its true error.
 void TestRandomScenes::errorsAreAsTold() { QVERIFY(report_.shareBeyondEstimate() <= 0.001); }
 
 VOLUMEN_TEST(TestRandomScenes);

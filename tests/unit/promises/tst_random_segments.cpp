@@ -1,5 +1,5 @@
-// Guards picture.md 10 and design.md 2 (levels, determinism, --full, errors as told) on scenes drawn by
-// chance with 1 to 4 segments. VOLUMEN_RANDOM_CASES=N: N of them, of the seeds from VOLUMEN_RANDOM_SEED on.
+// Guards picture.md 10 and design.md 2 (levels, determinism, --full, stated errors) on random scenes with 1
+// to 4 segments. VOLUMEN_RANDOM_CASES=N draws N of them from VOLUMEN_RANDOM_SEED on.
 #include <algorithm>
 #include <cstring>
 
@@ -19,13 +19,13 @@ RandomCase segmentCase(std::uint64_t seed) {
   RandomCase c = randomCase(Family::attack, seed);
   Chance chance(seed);
   c.scene.mode = Mode::composite;
-  // Alone one time in four.
+  // One time in four only segments are visible.
   if (chance.oneIn(4)) c.scene.transferFunction.points = {{0, glm::dvec3(1), 0}};
   c.scene.segments = randomSegments(chance, c.volume->geometry());
   return c;
 }
 
-/// Each of another way to the same bytes.
+/// Returns variants of the options that must all give the same bytes.
 std::vector<std::pair<QString, RenderOptions>> waysToTheSame(const RenderOptions& options) {
   std::vector<std::pair<QString, RenderOptions>> ways{{QStringLiteral("one thread"), options},
                                                       {QStringLiteral("three threads"), options},
@@ -80,7 +80,7 @@ void TestRandomSegments::everyLevelKeepsItsPromise() {
       if (!areSame(truth.drawn(way), rendered.picture))
         broken << level + name + QStringLiteral(": other bytes");
     if (rendered.error.empty()) continue;
-    constexpr double roundingOf255 = 1e-3;  // of pixels in floats, the background's among them
+    constexpr double roundingOf255 = 1e-3;  // rounding of float pixels, including the background
     const std::vector<double> off = truth.errorOfPixels(rendered.picture);
     told_ += std::int64_t(off.size());
     for (std::size_t n = 0; n < off.size(); ++n)
@@ -89,7 +89,7 @@ void TestRandomSegments::everyLevelKeepsItsPromise() {
   QVERIFY2(broken.isEmpty(), qPrintable(broken.join(QStringLiteral("; "))));
 }
 
-// Of all pixels drawn above: what a picture says of its error covers it.
+// Covers all pixels drawn above: a picture's stated error bounds its true error.
 void TestRandomSegments::errorsAreAsTold() {
   QVERIFY2(double(beyond_) <= 0.001 * double(told_),
            qPrintable(QStringLiteral("%1 of %2").arg(beyond_).arg(told_)));
@@ -102,7 +102,7 @@ void TestRandomSegments::whatDoesNotShowChangesNoByte_data() {
     QTest::addRow("seed %d", seed) << quint64(seed);
 }
 
-// Neither segments of opacity 0, nor those of no voxels, nor those that lie beyond a clip plane.
+// Segments that are transparent, have no voxels or lie beyond a clip plane must not change any byte.
 void TestRandomSegments::whatDoesNotShowChangesNoByte() {
   QFETCH(quint64, seed);
   RandomCase c = segmentCase(seed);

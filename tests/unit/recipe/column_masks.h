@@ -7,11 +7,11 @@
 
 namespace volumen::tests {
 
-/// 16 x 2 x 2 voxels of 1 mm whose value is their column.
+/// Returns 16 x 2 x 2 voxels of 1 mm whose value is their column.
 inline VolumePtr sixteen() {
   return volumeOf<std::int16_t>({16, 2, 2}, glm::dmat3(1), [](glm::dvec3 p) { return p.x; });
 }
-/// Some of its columns.
+/// Returns a mask of the given columns.
 inline BitMask columnsOf(const Volume& volume, std::initializer_list<int> columns) {
   BitMask mask(volume.geometry());
   for (const int i : columns)

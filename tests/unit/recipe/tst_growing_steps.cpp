@@ -1,5 +1,5 @@
-// Guards the step of recipes that grows segments from seeds: as the kernel does it, with the margin, limits
-// and locked segments of the step.
+// Guards the recipe step that grows segments from seeds: same result as the kernel, with the step's margin,
+// limits and locked segments.
 #include <algorithm>
 #include <glm/common.hpp>
 #include <limits>
@@ -25,8 +25,8 @@ class TestGrowingSteps : public QObject {
   void growingNeedsTwoSeeds();
 };
 
-// Against grown_from_seeds.h with a margin reckoned here, of segments in any order that share no voxel; what
-// is read again of the step's JSON makes the same.
+// Compares with grown_from_seeds.h, with a separately calculated margin. Segments come in any order and share
+// no voxel. The step read back from its JSON must give the same result.
 void TestGrowingSteps::seedsGrowAsTheKernelSays() {
   const Seeds cases = seedsOf(60, 2000);
   int cut = 0;

@@ -1,5 +1,5 @@
-// Guards segment.md, "Use a built-in recipe": what the built-in recipes find in people and what they refuse,
-// by bounds that each have a reason, and lesions of a PET against numbers that numpy found in its files.
+// Guards segment.md, "Use a built-in recipe": findings and refusals of the built-in recipes in real patients.
+// Each bound has a stated reason. Lesions of a PET are compared with numbers that numpy found in its files.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -42,7 +42,7 @@ constexpr const char chestCt[] = "ct-chest-lidc0314-138",
                      bareCt[] = "dicom-geometry/ct-head-slicer-93", headMr[] = "mr-head-siemens-gap-175",
                      gridMr[] = "mr-head-ge-mprage-130", handPet[] = "pet-ct/sts019-pet";
 
-// Series are loaded once. Null: the data are absent.
+// Loads each series once. Returns null if the data are absent.
 VolumePtr seriesAt(const std::string& path) {
   static std::map<std::string, VolumePtr> all;
   const auto [found, isNew] = all.try_emplace(path);
@@ -54,7 +54,7 @@ const Recipe& builtIn(const std::string& name) {
   return *std::ranges::find(builtInRecipes(), name, &Recipe::name);
 }
 
-// Recipes are followed once.
+// Runs each recipe once per series.
 const Result<Segmented>& followed(const std::string& path, const std::string& recipe) {
   static std::map<std::pair<std::string, std::string>, Result<Segmented>> all;
   const std::pair key(path, recipe);
@@ -71,7 +71,7 @@ BitMask segmentOf(const std::string& path, const std::string& recipe, const std:
 
 double mlOf(const BitMask& mask) { return double(mask.count()) * mask.geometry().voxelVolume() / 1000; }
 
-// The part of a mask that lies in another one.
+// Returns the share of a mask inside another mask.
 double shareIn(const BitMask& mask, const BitMask& other) {
   return double(intersected(mask, other).count()) / double(mask.count());
 }
@@ -91,26 +91,26 @@ void TestRealRecipes::findsSoMuch_data() {
     QTest::newRow(name) << QString::fromLatin1(series) << QString::fromLatin1(recipe)
                         << QString::fromLatin1(segment) << least << most;
   };
-  // Of a trunk of 276 mm from shoulders to liver.
+  // The trunk is 276 mm long, from shoulders to liver.
   row("a trunk", chestCt, "Body", "Body", 12000, 25000);
-  // 3,700 cm^2 of surface, the cut ends among them, 2 mm deep.
+  // The surface is 3,700 cm^2, cut ends included, and 2 mm deep.
   row("its skin", chestCt, "Skin", "Skin", 300, 800);
-  // Ribs, shoulders and 14 vertebrae.
+  // Bones are ribs, shoulders and 14 vertebrae.
   row("its bones", chestCt, "Bone", "Bone", 600, 3000);
-  // From a collapsed lobe in a small woman to the largest total capacity.
+  // From a collapsed lobe in a small woman to the largest total lung capacity.
   row("its lungs", chestCt, "Lungs and airways", "Lungs", 1500, 8000);
-  // Trachea and main bronchi are 30 to 40 ml; what leaks into a lung has hundreds.
+  // Trachea and main bronchi have 30 to 40 ml. A leak into a lung adds hundreds.
   row("its airways", chestCt, "Airways", "Airways", 15, 80);
-  // From the base of the skull on upwards.
+  // The series starts at the base of the skull.
   row("a head", headCt, "Body", "Body", 2500, 5000);
-  // A skull without its lower jaw; with the brain it would be above 2000.
+  // The skull lacks its lower jaw. With the brain it would be above 2000.
   row("its skull", headCt, "Bone", "Bone", 400, 1000);
   row("its skin", headCt, "Skin", "Skin", 80, 400);
   row("a hand and a forearm", handCt, "Body", "Body", 500, 1000);
   row("their bones", handCt, "Bone", "Bone", 60, 200);
-  // From the crown to the chin: a head is about 3 to 5 l.
+  // The series covers crown to chin. A head has about 3 to 5 l.
   row("a head by MR", headMr, "Head surface (MR)", "Head", 3000, 5000);
-  // Lines of less than 4 mm: it is told that no voxel is in it.
+  // Lines of less than 4 mm leave no voxel, which is reported.
   row("a grid that is no head", gridMr, "Head surface (MR)", "Head", 0, 0);
 }
 
@@ -159,7 +159,7 @@ void TestRealRecipes::isRefused() {
   QVERIFY2(QString::fromStdString(made.message()).contains(says), made.message().c_str());
 }
 
-// The air along the skin is no lung: it was once, in place of the smaller one.
+// The air along the skin is no lung. It must not replace the smaller lung.
 void TestRealRecipes::bothLungsAreInsideTheBody() {
   const VolumePtr volume = seriesAt(chestCt);
   NEED_VOLUME(volume);
@@ -185,7 +185,7 @@ void TestRealRecipes::airwaysAreInsideTheBody() {
   QVERIFY2(shareIn(airways, body) > 0.999, number(shareIn(airways, body)));
   const SegmentForm tree = formOf(airways)->value();
   QVERIFY2(valuesIn(airways, *volume).mean < -900, number(valuesIn(airways, *volume).mean));
-  // From the neck past the fork: longer than a trachea, which is 12 cm at most.
+  // From the neck past the carina: longer than a trachea, which has at most 12 cm.
   QVERIFY2(tree.longestMm > 120 && tree.longestMm < 300, number(tree.longestMm));
 }
 
@@ -224,8 +224,8 @@ void TestRealRecipes::printsHaveNoCrumbs_data() {
       QTest::addRow("%s of %s", recipe, name) << QString::fromLatin1(series) << QString::fromLatin1(recipe);
 }
 
-// Surfaces join voxels by faces: no shell of a print is below 1 ml, the limit of the recipes, and bones have
-// no cavities.
+// Surfaces join voxels by faces. No part of a print may be below 1 ml, the limit of the recipes, and bones
+// may have no cavities.
 void TestRealRecipes::printsHaveNoCrumbs() {
   QFETCH(QString, series);
   QFETCH(QString, recipe);
@@ -238,7 +238,8 @@ void TestRealRecipes::printsHaveNoCrumbs() {
   if (name == "Bone") QVERIFY(holesFilled(mask) == mask);
 }
 
-// 3 mm about a line down the canal of the lower chest, which is closed in slices across the patient alone.
+// Covers 3 mm about a line along the canal in the lower chest. Bone encloses the canal only in transverse
+// slices.
 void TestRealRecipes::theSpinalCanalIsNoBone() {
   const VolumePtr volume = seriesAt(chestCt);
   NEED_VOLUME(volume);
@@ -255,14 +256,15 @@ void TestRealRecipes::lesionsAreThoseOfNumpy_data() {
   QTest::addColumn<int>("voxels");
   QTest::addColumn<double>("mean");
   QTest::addColumn<double>("glycolysis");
-  // SUVmax and SUVpeak are those of the same voxel and ball for all.
+  // SUVmax and SUVpeak are those of the same voxel and ball in all rows.
   QTest::newRow("41 % of the maximum") << "share" << 0.41 << 307 << 9.70702 << 214.1186;
   QTest::newRow("50 % of the maximum") << "share" << 0.5 << 206 << 10.81655 << 160.0981;
   QTest::newRow("from SUV 2.5 on") << "value" << 2.5 << 654 << 6.75118 << 317.2397;
   QTest::newRow("from SUV 4 on") << "value" << 4.0 << 464 << 8.24616 << 274.9161;
 }
 
-// In 6 cm about the largest value; numpy: a flood by faces, and peaks of 12^3 samples a voxel.
+// Searches 6 cm about the largest value. In numpy: a flood fill by faces, and peaks from 12^3 samples a
+// voxel.
 void TestRealRecipes::lesionsAreThoseOfNumpy() {
   QFETCH(QString, by);
   QFETCH(double, from);

@@ -1,5 +1,5 @@
-// Guards recipes: their JSON both ways, what is refused by name, that those built in can be read, and that
-// steps work on the segments that they name.
+// Guards recipes: their JSON in both directions, refusals by name, and that built-in ones can be read. Steps
+// work on the segments that they name.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,7 +47,7 @@ VolumePtr ramp() {
   return volumeOf<std::int16_t>({16, 3, 2}, glm::dmat3(1), [](glm::dvec3 p) { return p.x; });
 }
 
-// The columns of a row of the ramp that a label has.
+// Returns a row of the ramp as text, with "#" for columns of the label.
 QString columns(const LabelMap& labels, int label) {
   QString text;
   for (int i = 0; i < labels.geometry().size.x; ++i)
@@ -233,7 +233,7 @@ void TestRecipe::wrongOnesAreRefusedByName() {
   QVERIFY2(QString::fromStdString(read.message()).contains(says), read.message().c_str());
 }
 
-// Files may hold codes in parts, and a recipe of their segments is read again.
+// Files may hold incomplete codes. A recipe of their segments must still be readable.
 void TestRecipe::onlyAWholeCodeIsWritten() {
   Recipe recipe;
   recipe.segments = {named("A", 1)};
@@ -257,7 +257,7 @@ void TestRecipe::stepsMakeSegments() {
                   {"subtract", "Low", {{"other", std::string("Last")}}}};
   const auto made = follow(recipe, *ramp());
   QVERIFY2(made, made ? "" : made.message().c_str());
-  // Columns lie at -7.5 .. 7.5 mm: a ball about 5.5 mm paints column 13 and its neighbours.
+  // Columns lie at -7.5 .. 7.5 mm. A ball about 5.5 mm paints column 13 and its neighbours.
   QCOMPARE(columns(made->labels, 1), QStringLiteral("######......###."));
   QCOMPARE(columns(made->labels, 2), QStringLiteral("......######...."));
   QCOMPARE(made->segments.size(), std::size_t(2));
@@ -281,7 +281,7 @@ void TestRecipe::helpIsLetGo_data() {
   QTest::newRow("one more") << 510 << true << false;
 }
 
-// Each takes an eighth of a byte a voxel: thousands of a large series would be more than any memory.
+// A helper segment takes an eighth of a byte a voxel. Thousands for a large series would exceed any memory.
 void TestRecipe::helpIsLetGo() {
   QFETCH(int, names);
   QFETCH(bool, atOnce);

@@ -1,5 +1,5 @@
-// Guards the steps of recipes that find something: balls and strokes against distances, Otsu's threshold,
-// lesions, scissors, and the air tree of a phantom that leaks.
+// Guards the recipe steps that find something: balls and strokes against distances, Otsu's threshold,
+// lesions, scissors, and the airway tree of a phantom that leaks.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -50,7 +50,7 @@ BitMask done(const Step& step, const Volume& volume, NamedMasks masks = {}) {
   return masks.at(step.segment);
 }
 
-// By golden sections: the distance to a point of a line has one minimum.
+// Returns the distance to a line segment by golden-section search, as it has a single minimum.
 double fromLine(dvec3 p, dvec3 a, dvec3 b) {
   double low = 0, high = 1;
   for (int n = 0; n < 60; ++n) {
@@ -65,8 +65,8 @@ double fromLine(dvec3 p, dvec3 a, dvec3 b) {
 
 constexpr double lungHu = -860, airHu = -1000, wallHu = -100;
 
-// A chest: a body, two lungs, and a trachea of 9 mm radius that forks into two tubes, which leak into the
-// lungs above -870 HU. mm from the middle; z upwards.
+// A chest: a body, two lungs, and a trachea of 9 mm radius that forks into two tubes. The tubes leak into the
+// lungs above -870 HU. Coordinates are in mm from the middle, z upwards.
 double fromTube(dvec3 p) {
   if (p.z > 20) return glm::length(dvec3(p.x, p.y, 0)) - 9;
   return fromLine(p, {0, 0, 20}, {p.x < 0 ? -45 : 45, 0, -20}) - 5;
@@ -90,7 +90,7 @@ VolumePtr chest(dvec3 mm, glm::ivec3 size, bool isUpsideDown) {
 
 }  // namespace
 
-// Of places that lie on the border within 1e-6 mm nothing is asked.
+// Points within 1e-6 mm of the border are not compared.
 void TestRecipeSteps::strokesAreWhatABallCovers() {
   const Seeds seeds = seedsOf(60, 2000);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
@@ -127,8 +127,8 @@ void TestRecipeSteps::lesionsAreTheirShareOfTheLargestValue_data() {
   QTest::newRow("50 %") << 0.5;
 }
 
-// A cone of 20 mm: the share s of its top is a ball of 20 (1 - s) mm. A second, smaller one in the sphere is
-// another part.
+// In a cone of 20 mm, the share s of the maximum is a ball of 20 (1 - s) mm. A second, smaller cone in the
+// sphere is another component.
 void TestRecipeSteps::lesionsAreTheirShareOfTheLargestValue() {
   QFETCH(double, share);
   const auto cone = [](dvec3 p) { return std::max(0.0, 1 - glm::length(p) / 20); };
@@ -171,7 +171,7 @@ void TestRecipeSteps::partsAreTakenBySize() {
   QVERIFY(part(4).empty());
 }
 
-// A body of 4 voxels, a crumb at its corner, and four voxels in a line of corners, of which none is a body.
+// A body of 4 voxels, a crumb at its corner, and a diagonal line of four voxels joined only by corners.
 void TestRecipeSteps::islandsLeaveNoCrumbs() {
   const VolumePtr volume = volumeOf<std::int16_t>({12, 12, 1}, glm::dmat3(10), [](dvec3) { return 0; });
   BitMask body(volume->geometry()), line(volume->geometry()), crumb(volume->geometry());
@@ -196,7 +196,7 @@ void TestRecipeSteps::marginsReachSoFar() {
   QVERIFY(near("intersect", 1) == columnsOf(*volume, {4, 5, 6}));
 }
 
-// A column of B in A becomes A's; nothing of the locked one changes.
+// A column of B inside A becomes A's. The locked segment does not change.
 void TestRecipeSteps::allAreSmoothedAtOnce() {
   const VolumePtr volume = sixteen();
   NamedMasks masks{{"A", columnsOf(*volume, {0, 1, 2, 4, 5, 6})},
@@ -215,8 +215,8 @@ void TestRecipeSteps::allAreSmoothedAtOnce() {
   QVERIFY(masks.at("C") == locked);
 }
 
-// The step holds places in the patient, and its JSON their decimal texts: no voxel of these cases lies so
-// near to an outline that rounding would take it to the other side.
+// The step stores positions in patient space, and its JSON holds their decimal text. No voxel of these cases
+// is so near an outline that rounding would move it to the other side.
 void TestRecipeSteps::scissorsCutAsTheirLassoDoes() {
   const Seeds seeds = seedsOf(100, 3000);
   int cut = 0;
@@ -282,7 +282,7 @@ void TestRecipeSteps::theAirTreeStopsBeforeItLeaks_data() {
   QTest::newRow("thick slices from above") << dvec3(1, 1, 3) << true;
 }
 
-// The lung is of -860 HU: the tree ends below it, and is the tubes and no more.
+// The lung has -860 HU. The threshold of the tree stays below it, and the result is the tubes alone.
 void TestRecipeSteps::theAirTreeStopsBeforeItLeaks() {
   QFETCH(dvec3, mm);
   QFETCH(bool, upsideDown);

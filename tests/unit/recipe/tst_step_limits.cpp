@@ -1,6 +1,5 @@
-// Guards the steps of recipes at their limits: volumes of one voxel, one row, one slice, of NaN, of one value
-// and of padding alone, segments of no voxel and of all; and a cancel at any moment, after which the segments
-// are as they were.
+// Guards the recipe steps at their limits: volumes of one voxel, one row or one slice, of NaN, of one value
+// and of padding alone. Segments are empty or full. After a cancel at any moment the segments are unchanged.
 #include <tbb/global_control.h>
 
 #include <QElapsedTimer>
@@ -24,7 +23,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// The size of a volume and what it holds.
+// Size and contents of a volume.
 struct LimitVolume {
   glm::ivec3 size{1};
   float (*value)(Chance& chance) = nullptr;
@@ -62,7 +61,7 @@ VolumePtr limitVolume(const LimitVolume& kind, Chance& chance) {
   return volumeFrom(std::move(parts));
 }
 
-// Places of the volume, beside it, and farther away than voxels can be counted.
+// Returns positions inside the volume, beside it, and farther away than voxel indices can count.
 std::vector<glm::dvec3> anyPlaces(const VoxelGeometry& grid, Chance& chance) {
   std::vector<glm::dvec3> places(std::size_t(2 + chance.below(4)));
   for (glm::dvec3& p : places)
@@ -71,9 +70,9 @@ std::vector<glm::dvec3> anyPlaces(const VoxelGeometry& grid, Chance& chance) {
   return places;
 }
 
-// A step of a kind on the segments "A" and "B", each field by chance.
+// Returns a step of a kind on the segments "A" and "B" with random fields.
 Step anyStepOf(const StepKind& kind, const VoxelGeometry& grid, Chance& chance) {
-  constexpr double farthest = 12;  // mm: beyond, all of a small volume is in reach
+  constexpr double farthest = 12;  // mm; larger distances reach all of a small volume
   Step step{kind.name, "A"};
   for (const StepField& field : kind.fields) {
     if (field.need == StepField::Need::no && chance.oneIn(2)) continue;
@@ -115,7 +114,7 @@ bool areOfTheGrid(const NamedMasks& masks, const VoxelGeometry& grid) {
   });
 }
 
-// Empty, or what is wrong with what a step says that it cannot be done.
+// Returns what is wrong with a step's refusal; empty if nothing is.
 QString wrongRefusal(const Step& step, const Status& status) {
   const QString said = QString::fromStdString(status.message());
   const bool isGood = said.startsWith(QString::fromStdString(step.kind) + QStringLiteral(": ")) &&
@@ -123,7 +122,7 @@ QString wrongRefusal(const Step& step, const Status& status) {
   return isGood ? QString() : said;
 }
 
-// Empty, or what is wrong with a step on these segments.
+// Returns what is wrong with the result of a step on these segments; empty if nothing is.
 QString wrongStep(const StepKind& kind, const Step& step, const Volume& volume, const NamedMasks& before) {
   NamedMasks made = before, again = before;
   const Status done = runStep(step, volume, made);
@@ -188,7 +187,7 @@ void TestStepLimits::cancelledAtAnyMoment_data() {
   for (const StepKind& kind : stepKinds()) QTest::newRow(kind.name) << QString::fromLatin1(kind.name);
 }
 
-// All of it is done, or nothing.
+// A cancelled step is done completely or not at all.
 void TestStepLimits::cancelledAtAnyMoment() {
   QFETCH(QString, name);
   const StepKind& kind = *stepKind(name.toStdString());

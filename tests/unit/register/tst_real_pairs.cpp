@@ -1,5 +1,5 @@
-// Guards the rigid registration on real pictures: two that belong together, one of them moved by a known
-// motion, are brought together again. What is reached is printed. The data hold no CT and MR of one patient.
+// Guards the rigid registration on real pictures: a matching pair, one of them moved by a known motion, is
+// aligned again. The result is printed. The data hold no CT and MR of one patient.
 #include <algorithm>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -32,7 +32,7 @@ VolumePtr loaded(const std::string& path) {
   return volume ? volume->drawn : nullptr;
 }
 
-// The same, lying elsewhere in the patient.
+// Returns the same volume at another position in patient space.
 VolumePtr movedBy(const Volume& volume, const Rigid& motion) {
   VolumeParts parts{volume.geometry(), volume.stored(), volume.slope(), volume.intercept(),
                     volume.attributes()};
@@ -47,7 +47,7 @@ VolumePtr movedBy(const Volume& volume, const Rigid& motion) {
 void TestRealPairs::theyAreBroughtTogether_data() {
   QTest::addColumn<QString>("fixed");
   QTest::addColumn<QString>("moving");
-  QTest::addColumn<double>("within");  // mm, of the points below
+  QTest::addColumn<double>("within");  // mm, at the points below
   const auto row = [](const char* name, const char* fixed, const char* moving, double within) {
     QTest::newRow(name) << QString::fromLatin1(fixed) << QString::fromLatin1(moving) << within;
   };
@@ -64,7 +64,7 @@ void TestRealPairs::theyAreBroughtTogether() {
   const VolumePtr still = loaded(dataPath(fixed.toStdString())),
                   other = loaded(dataPath(moving.toStdString()));
   QVERIFY(still && other);
-  // About the middle of what stays, so that they overlap.
+  // Rotates about the centre of the fixed volume, so that both overlap.
   const glm::dvec3 middle = still->geometry().centre();
   const glm::dmat3 turn(
       glm::rotate(glm::dmat4(1), glm::radians(5.0), glm::normalize(glm::dvec3(1, 2, -1.5))));

@@ -1,5 +1,5 @@
-// Guards the rigid registration: a head that was moved is found again, other contrast or not; what cannot be
-// registered is a sentence.
+// Guards the rigid registration: the motion of a moved head is found, also with another contrast. Volumes
+// that cannot be registered give a sentence.
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
@@ -20,7 +20,7 @@ VolumePtr made(VolumeParts parts) {
   return *volume;
 }
 
-// Three balls of different size and value in a larger one: nothing about it is symmetric.
+// Three balls of different size and value lie in a larger one, so that nothing is symmetric.
 double headAt(glm::dvec3 p) {
   const auto within = [&](glm::dvec3 centre, glm::dvec3 radius) {
     return std::clamp(3 * (1 - glm::length((p - centre) / radius)) + 0.5, 0.0, 1.0);
@@ -30,7 +30,7 @@ double headAt(glm::dvec3 p) {
          500 * within({5, -35, 30}, {10, 9, 16});
 }
 
-// What another kind of scanner would show of the same head.
+// Returns the value that another modality would show at the same place.
 double otherContrast(double value) { return 800 * std::abs(std::sin(value / 260)) + value / 9; }
 
 constexpr int n = 72;
@@ -107,7 +107,7 @@ void TestRigidRegistration::findsAKnownMotion() {
   if (mm < 100) {
     moved = head(truth.inverse(), other, {step, step, thick});
   } else {
-    // Its file says that it lies there.
+    // Large translations are in the origin of the moved volume.
     VolumeParts parts;
     const VolumePtr turned = head(Rigid{truth.rotation, {0, 0, 0}}.inverse(), other);
     parts.geometry = turned->geometry();

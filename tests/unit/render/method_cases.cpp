@@ -39,7 +39,7 @@ void change(Scene& s, const std::string& what) {
   if (what == "sharp curve") points = {{600, {0.8, 0.3, 0.2}, 0}, {600, {0.9, 0.5, 0.2}, 0.6}};
   if (what != "many lights") return;
   s.lights.clear();
-  // Together no brighter than 1, so that a frame buffer of bytes cuts nothing off.
+  // Their sum is at most 1, so that an 8-bit frame buffer clips nothing.
   for (int n = 0; n < 12; ++n)
     s.lights.push_back(
         {{std::cos(0.7 * n), std::sin(0.9 * n), 0.8}, Space::camera, {1, 0.9, 0.8}, 0.06, true});

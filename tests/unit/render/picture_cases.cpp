@@ -15,7 +15,7 @@ namespace {
 using glm::dmat3;
 using glm::dvec3;
 
-/// Soft blobs of 0 .. 1000 and a grain of 40 that no symmetry helps.
+/// Returns soft blobs of 0 .. 1000 plus an asymmetric grain of 40.
 double bumpy(dvec3 x) {
   const double blobs = std::sin(0.61 * x.x + 0.3) + std::sin(0.53 * x.y + 1.1) * std::sin(0.47 * x.z) +
                        std::cos(0.4 * (x.x - x.z));
@@ -33,7 +33,7 @@ VolumePtr made(const std::string& name) {
   if (name == "bumpy left-handed")
     return volumeOf(size, turned * dmat3({-1, 0, 0}, {0, 1.5, 0}, {0, 0, 1}), bumpy);
   if (name == "bumpy, rows apart") return volumeOf<std::int16_t>({256, 18, 15}, dmat3(1), bumpy);
-  if (name == "plateaus")  // large constant parts, exactly at curve points
+  if (name == "plateaus")  // makes large constant parts with values exactly at curve points
     return volumeOf(size, dmat3(1), [](dvec3 x) { return 100 * std::floor(bumpy(x / 2.0) / 100); });
   return nullptr;
 }
@@ -46,7 +46,7 @@ double percentile(const Volume& volume, double share) {
   return *at;
 }
 
-/// The parts that cases are put together from, in the measures of one volume.
+/// Building blocks of cases, scaled to one volume.
 class Parts {
  public:
   explicit Parts(const Volume& volume)
@@ -90,7 +90,7 @@ class Parts {
     camera.distance = 2.6 * radius_;
     return camera;
   }
-  /// The eye a quarter radius behind the centre.
+  /// Places the eye inside the volume, a quarter of the radius from the target.
   Camera inside(dvec3 direction = {0.8, -0.5, 0.29}) const {
     Camera camera = perspective(direction);
     camera.distance = 0.25 * radius_;
@@ -116,7 +116,7 @@ Scene sceneOf(TransferFunction transferFunction, Camera camera, std::vector<Ligh
   return scene;
 }
 
-/// Adds the scene make(parts of the volume); an empty one where the volume is absent.
+/// Adds the scene make(parts of the volume), or an empty one if the volume is absent.
 template <class Make>
 void add(std::vector<PictureCase>& cases, const char* name, const char* volume, Make make) {
   const VolumePtr v = caseVolume(volume);
@@ -223,7 +223,7 @@ void addEffects(std::vector<PictureCase>& cases) {
   });
 }
 
-/// The scenes of bench-scenes: HU.
+/// Returns a scene of bench-scenes, in HU.
 Scene benchScene(const Parts& p, const char* name) {
   Scene scene = sceneOf(p.soft(), p.parallel({-0.951251243, -0.167731259, -0.258819045}));
   scene.camera->height = 400;

@@ -7,15 +7,16 @@
 
 namespace volumen::tests {
 
-/// A tiny volume, a scene and a picture size, all drawn by chance from a seed.
+/// A tiny volume, a scene and a picture size, drawn at random from a seed.
 struct RandomScene {
   VolumePtr volume;
   Scene scene;
   glm::ivec2 size;
 };
 
-/// The same on every machine. Grids of 1 to 9 voxels an edge of any affine kind; noise, waves, ramps and
-/// plateaus; curves with steps and coinciding points; every mode, camera, clip and light.
+/// Returns the same scene on every machine. Grids have 1 to 9 voxels an edge and any affine shape. Values are
+/// noise, waves, ramps and plateaus. Curves have steps and coinciding points. All modes, cameras, clips and
+/// lights occur.
 RandomScene randomScene(std::uint64_t seed);
 
 }  // namespace volumen::tests

@@ -10,18 +10,18 @@
 
 namespace volumen::tests {
 
-/// 0.01/255: five times tighter than the reference promises. What it leaves is its tolerance (1e-5 of a
-/// pixel) and the float picture's rounding (6e-8).
+/// 0.01/255: five times tighter than the reference's promise. It allows for the reference's tolerance (1e-5
+/// of a pixel) and for rounding of the float picture (6e-8).
 constexpr double referenceBound = 0.01 / 255;
 
-/// A grid with the steps `L` (mm), its centre at the origin of patient space.
+/// Returns a grid with the steps `L` (mm), centred on the origin of patient space.
 inline VoxelGeometry gridAround(glm::ivec3 size, const glm::dmat3& L = glm::dmat3(1)) {
   VoxelGeometry geometry{.size = size, .patientFromVoxelStep = L};
   geometry.origin = -geometry.centre();
   return geometry;
 }
 
-/// A volume of float32 samples valueAt(i, j, k).
+/// Returns a volume of float32 samples valueAt(i, j, k).
 template <class Function>
 VolumePtr volumeOf(const VoxelGeometry& geometry, Function valueAt) {
   std::vector<float> values;
@@ -38,8 +38,8 @@ inline VolumePtr homogeneous(const VoxelGeometry& geometry, double value = 1) {
   return volumeOf(geometry, [=](int, int, int) { return value; });
 }
 
-/// Unlit, transparent background, one colour and opacity everywhere, looking along `direction` through the
-/// origin; 1 mm a picture.
+/// Returns an unlit scene of one colour and opacity on a transparent background. It looks along `direction`
+/// through the origin, and the picture is 1 mm high.
 inline Scene plainScene(double opacity, glm::dvec3 direction = {1, 0, 0}) {
   Scene scene;
   scene.transferFunction.points = {{0, {1, 0.5, 0.25}, opacity}};
@@ -60,21 +60,21 @@ inline Picture drawn(const Scene& scene, const Volume& volume, glm::ivec2 size =
   return *renderReference(scene, volume, size, threads);
 }
 
-/// The pixel of a picture of one pixel: the ray through the camera's target.
+/// Returns the pixel of a picture of one pixel: the ray through the camera's target.
 inline glm::dvec4 onePixel(const Scene& scene, const Volume& volume) {
   const Picture picture = drawn(scene, volume);
   return {picture.rgba[0], picture.rgba[1], picture.rgba[2], picture.rgba[3]};
 }
 
-/// Extinction per mm of an opacity per mm.
+/// Returns the extinction per mm of an opacity per mm.
 inline double extinction(double opacity) { return -std::log1p(-opacity); }
 
-/// Clips what the clamped neighbours at the border touch: the outermost full cell and the half voxel on each
+/// Clips the parts affected by clamping at the border: the outermost full cell and the half voxel on each
 /// side.
 inline Clip insideOf(glm::ivec3 size) { return {1.5 / glm::dvec3(size), 1.0 - 1.5 / glm::dvec3(size), {}}; }
 
-/// A volume of i^2 / 2, of which Sobel's central difference is exact, seen along x = -4 .. 4 (mm, from the
-/// vertex of the parabola) against the viewer's eye: |g| = |x| on the ray. White matter, light of no
+/// A volume of i^2 / 2, for which Sobel's central difference is exact, seen along x = -4 .. 4 (mm from the
+/// parabola's vertex). On the ray |g| = |x|. Matter is white, and light comes from the viewer without
 /// highlight.
 struct Parabola {
   VolumePtr volume;
@@ -92,7 +92,7 @@ inline Parabola parabola(double opacity, int sides, double floorPerMm) {
   return p;
 }
 
-/// Integral of (a + b x) mu exp(-mu x) over 0 .. length.
+/// Returns the integral of (a + b x) mu exp(-mu x) over 0 .. length.
 inline double attenuatedLine(double a, double b, double mu, double length) {
   const double e = std::exp(-mu * length);
   return a * (1 - e) + b * (1 / mu - e * (length + 1 / mu));
@@ -100,7 +100,7 @@ inline double attenuatedLine(double a, double b, double mu, double length) {
 
 }  // namespace volumen::tests
 
-/// Fails where two numbers differ by more than `bound`, and says both.
+/// Fails if two numbers differ by more than `bound`, and prints both.
 #define COMPARE_WITHIN(actual, expected, bound)                                                          \
   do {                                                                                                   \
     const double got = (actual), wanted = (expected);                                                    \

@@ -1,5 +1,4 @@
-// Guards picture.md 2 to 8 and design.md 2 (the reference): two renderers written apart from each other
-// agree.
+// Guards picture.md 2 to 8 and design.md 2 (the reference): two independently written renderers agree.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -38,8 +37,8 @@ class TestBruteForce : public QObject {
   void wellConditionedIsWhatMovesLittle();
 };
 
-// The error falls with the square of the step, so that of the step used below (1/64 voxel) is a third of what
-// is bounded here: RMSE 0.007/255, maximum 0.07/255.
+// The error falls with the square of the step. Errors at the step used below (1/64 voxel) are a third of
+// these bounds: RMSE 0.007/255, maximum 0.07/255.
 void TestBruteForce::halfTheStepChangesLittle() {
   QFETCH(int, index);
   const PictureCase& c = pictureCases()[index];
@@ -51,7 +50,7 @@ void TestBruteForce::halfTheStepChangesLittle() {
   QVERIFY2(e.rmse <= 0.02 && e.maximum <= 0.2, qPrintable(inWords(e)));
 }
 
-// The reference is promised within 0.05/255 (design.md 2), the brute force within 0.07/255 (above).
+// The reference promises 0.05/255 (design.md 2), and brute force is within 0.07/255 (above).
 void TestBruteForce::referenceAgrees() {
   QFETCH(int, index);
   const PictureCase& c = pictureCases()[index];
@@ -63,14 +62,14 @@ void TestBruteForce::referenceAgrees() {
   QVERIFY2(reference.ok(), reference.ok() ? "" : reference.message().c_str());
   const Result<std::vector<std::uint8_t>> use = wellConditioned(scene, *volume, size);
   QVERIFY(use.ok());
-  // A mask that leaves out much would prove nothing.
+  // The mask may exclude only few pixels, else the comparison proves nothing.
   QVERIFY(std::count(use->begin(), use->end(), 1) >= 0.97 * size.x * size.y);
   const PictureError e = compare(*reference, bruteForceLimit(scene, *volume, size), *use);
   QVERIFY2(e.rmse <= 0.01 && e.maximum <= 0.12, qPrintable(inWords(e)));
 }
 
-// In tiny pictures of wild scenes the brute force's own error counts for more: fine steps, and finer ones
-// where the first show a difference.
+// In tiny pictures of extreme scenes brute force has larger errors of its own. It takes fine steps, and finer
+// ones after a difference.
 void TestBruteForce::referenceAgreesOnScenesOfChance() {
   const Seeds seeds = seedsOf(500, 1500);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
@@ -93,7 +92,7 @@ void TestBruteForce::wellConditionedIsWhatMovesLittle_data() {
       if (pictureCases()[i].name == std::string(name)) QTest::newRow(name) << int(i);
 }
 
-// Moving the camera's target moves every ray: by 1e-4 voxel in the picture's four directions.
+// Moving the camera's target moves every ray, here by 1e-4 voxel in the picture's four directions.
 void TestBruteForce::wellConditionedIsWhatMovesLittle() {
   QFETCH(int, index);
   const PictureCase& c = pictureCases()[index];

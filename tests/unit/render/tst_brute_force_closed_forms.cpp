@@ -1,5 +1,5 @@
-// Guards the renderer that the reference is tested against: picture.md 2, 4
-// and 6 to 9 in cases with a closed form.
+// Guards the brute-force renderer that the reference is tested against: picture.md 2, 4 and 6 to 9 in cases
+// with a closed form.
 #include "tests/unit/render/brute_force_fixture.h"
 #include "tests/unit/suite.h"
 
@@ -73,7 +73,7 @@ void TestBruteForceClosedForms::opacityIsPerMillimetre() {
 void TestBruteForceClosedForms::everyRayOfAPerspectiveHasItsLength() {
   const VolumePtr volume = volumeOf(ivec3(10), unitSteps, [](dvec3) { return 0; });
   Scene scene = plainScene({1, 1, 1}, 0.1);
-  // The eye is the centre of the volume; all rays leave by the face 5 mm in front of it, or by the plane.
+  // The eye is the centre of the volume. All rays leave by the face 5 mm in front of it, or by the plane.
   scene.camera->projection = Projection::perspective;
   scene.camera->fov = 60;
   scene.camera->distance = 8;
@@ -92,7 +92,7 @@ void TestBruteForceClosedForms::everyRayOfAPerspectiveHasItsLength() {
 }
 
 void TestBruteForceClosedForms::pixelsLieWhereTheCameraSays() {
-  // v = 100 i + 10 k: from the front (along +y, up +z) x runs to the left of the patient, +x.
+  // v = 100 i + 10 k. Seen from the front (along +y, up +z), picture x runs towards the patient's left, +x.
   const VolumePtr volume = volumeOf(ivec3(4), unitSteps, [](dvec3 x) { return 100 * x.x + 10 * x.z; });
   Scene scene;
   scene.mode = Mode::mip;
@@ -105,7 +105,7 @@ void TestBruteForceClosedForms::pixelsLieWhereTheCameraSays() {
 }
 
 void TestBruteForceClosedForms::aRampHasItsIntegral() {
-  // v = i on 0..9, opacity v/10: mu = -ln(1 - v/10); constant on the outer half voxels.
+  // v = i on 0..9 with opacity v/10, so that mu = -ln(1 - v/10). It is constant on the outer half voxels.
   const VolumePtr volume = volumeOf({10, 3, 3}, unitSteps, [](dvec3 x) { return x.x; });
   Scene scene = plainScene({1, 1, 1}, 0);
   scene.transferFunction.points = {{0, {1, 1, 1}, 0}, {10, {1, 1, 1}, 1}};
@@ -118,7 +118,7 @@ void TestBruteForceClosedForms::aRampHasItsIntegral() {
 }
 
 void TestBruteForceClosedForms::aStepLiesExactlyAtItsValue() {
-  // Red below 3.3, blue from there on; the ray passes 3.3 after 3.3 + 1/2 voxels.
+  // Values are red below 3.3 and blue above. The ray passes 3.3 after 3.3 + 1/2 voxels.
   const VolumePtr volume = volumeOf({10, 3, 3}, unitSteps, [](dvec3 x) { return x.x; });
   Scene scene = plainScene({1, 1, 1}, 0);
   scene.transferFunction.points = {
@@ -128,7 +128,7 @@ void TestBruteForceClosedForms::aStepLiesExactlyAtItsValue() {
   const double behind = std::pow(0.8, double(3.3f) + 0.5);
   QVERIFY(near(p[0], 1 - behind, 1e-6));
   QVERIFY(near(p[2], behind * (1 - std::pow(0.5, 9.5 - double(3.3f))), 1e-6));
-  // Where everything has the very value of the step, the last point holds.
+  // If all values equal that of the step, the last point applies.
   const VolumePtr constant = volumeOf(ivec3(3), unitSteps, [](dvec3) { return 3.3f; });
   QVERIFY(near(onePixel(bruteForceLimit(scene, *constant, {1, 1}))[2], 1 - 0.125, 1e-6));
 }
@@ -154,7 +154,7 @@ void TestBruteForceClosedForms::projectionsOfARamp() {
 }
 
 void TestBruteForceClosedForms::theMidpointRuleSamplesTheMiddles() {
-  // Ten voxels of 2 mm in steps of 3 voxels: middles 1, 4, 7, 9 (the last interval is 1 voxel long).
+  // Ten voxels of 2 mm in steps of 3 voxels have middles at 1, 4, 7, 9. The last interval is 1 voxel long.
   const VolumePtr volume = volumeOf({10, 3, 3}, dmat3(2), [](dvec3 x) { return x.x * x.x; });
   Scene scene = plainScene({1, 1, 1}, 0);
   scene.mode = Mode::average;
@@ -175,7 +175,7 @@ void TestBruteForceClosedForms::backgroundIsBehind() {
   const VolumePtr volume = volumeOf(ivec3(4), unitSteps, [](dvec3) { return 0; });
   Scene scene = plainScene({1, 0, 0}, 0.5);
   scene.background = {false, {0.25, 0.5, 1}};
-  scene.camera->height = 12;  // three pixels: the volume fills the middle one
+  scene.camera->height = 12;  // three pixels, of which the volume fills the middle one
   const Picture picture = bruteForceLimit(scene, *volume, {3, 3});
   for (int c = 0; c < 3; ++c) {
     QVERIFY(near(pixel(picture, 0, 1, c), scene.background.colour[c], 1e-7));
@@ -191,7 +191,8 @@ void TestBruteForceClosedForms::backgroundIsBehind() {
 }
 
 void TestBruteForceClosedForms::defaultsComeFromTheVolume() {
-  // 2000 voxels 0 .. 1999: ranks 2 and 1998. A box of 20 x 20 x 5 voxels of 2 x 1 x 8 mm.
+  // 2000 voxels have values 0 .. 1999, so that the ranks are 2 and 1998. The box has 20 x 20 x 5 voxels of 2
+  // x 1 x 8 mm.
   const VolumePtr volume = volumeOf({20, 20, 5}, dmat3({2, 0, 0}, {0, 1, 0}, {0, 0, 8}),
                                     [](dvec3 x) { return x.x + 20 * x.y + 400 * x.z; });
   const Scene scene = completed(Scene{}, *volume, {200, 100});
@@ -201,7 +202,7 @@ void TestBruteForceClosedForms::defaultsComeFromTheVolume() {
   QCOMPARE(scene.camera->height, 40.0);
   QVERIFY(glm::length(*scene.camera->target) < 1e-12);
   QCOMPARE(completed(Scene{}, *volume, {50, 100}).camera->height, 80.0);
-  // 27 voxels 0 .. 26: ranks ceil(0.027) and ceil(26.973).
+  // 27 voxels have values 0 .. 26, so that the ranks are ceil(0.027) and ceil(26.973).
   const VolumePtr small = volumeOf(ivec3(3), unitSteps, [](dvec3 x) { return x.x + 3 * x.y + 9 * x.z; });
   QCOMPARE(*completed(Scene{}, *small, {9, 9}).shading.gradientFloor, 26.0 / 32);
 }

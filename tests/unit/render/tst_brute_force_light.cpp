@@ -1,5 +1,5 @@
-// Guards the renderer that the reference is tested against: picture.md 3 to 5 (gradients, gradient opacity,
-// light) in cases with a closed form.
+// Guards the brute-force renderer that the reference is tested against: picture.md 3 to 5 (gradients,
+// gradient opacity, light) in cases with a closed form.
 #include "tests/unit/render/brute_force_fixture.h"
 #include "tests/unit/suite.h"
 
@@ -30,7 +30,7 @@ void TestBruteForceLight::lightIsThatOfTheFormulas_data() {
   QTest::addColumn<double>("diffuse");   // D''
   QTest::addColumn<double>("specular");  // S''
   const dvec3 headlight(0, 0, 1), j(0, 1, 0);
-  // Looking along +y; ambient 0.2, diffuse 0.7, specular 0.2, shininess 20.
+  // Views along +y with ambient 0.2, diffuse 0.7, specular 0.2, shininess 20.
   QTest::newRow("slope towards the viewer") << unitSteps << j << 2 << 0.1 << headlight << 0.9 << 0.2;
   QTest::newRow("its back, two sides") << unitSteps << -j << 2 << 0.1 << headlight << 0.9 << 0.2;
   QTest::newRow("its back, one side") << unitSteps << -j << 1 << 0.1 << headlight << 0.2 << 0.0;
@@ -91,7 +91,7 @@ void TestBruteForceLight::aLocalViewerSeesItsOwnHighlight() {
   scene.camera->fov = 90;
   scene.camera->distance = 9;
   scene.camera->target = dvec3(0, 0, 0);
-  // The left pixel's ray is (-2, 0, 1)/sqrt 5 in camera space; n is the backward axis.
+  // The left pixel's ray is (-2, 0, 1)/sqrt 5 in camera space. n is the backward axis.
   QVERIFY(near(pixel(bruteForceLimit(scene, *volume, {3, 1}), 0, 0, 0) /
                    pixel(bruteForceLimit(scene, *volume, {3, 1}), 0, 0, 3),
                0.2, 1e-6));
@@ -102,7 +102,7 @@ void TestBruteForceLight::aLocalViewerSeesItsOwnHighlight() {
 }
 
 void TestBruteForceLight::gradientOpacityIsAFactor() {
-  // |g_p| = 3 per 2 mm: 1.5, between (1, 0.2) and (2, 1).
+  // |g_p| = 3 per 2 mm = 1.5, between the points (1, 0.2) and (2, 1).
   const VolumePtr volume =
       volumeOf(ivec3(9), dmat3({2, 0, 0}, {0, 1, 0}, {0, 0, 1}), [](dvec3 x) { return 3 * x.x; });
   Scene scene = plainScene({1, 1, 1}, 0.5);
@@ -112,7 +112,7 @@ void TestBruteForceLight::gradientOpacityIsAFactor() {
 }
 
 void TestBruteForceLight::theGradientIsSobels_data() {
-  QTest::addColumn<ivec3>("bright");  // the only voxel that is not 0: it has 8
+  QTest::addColumn<ivec3>("bright");  // the only voxel that is not 0; its value is 8
   QTest::addColumn<ivec3>("voxel");
   QTest::addColumn<double>("gradient");  // |g_p| at voxel
   QTest::newRow("beside it") << ivec3(2) << ivec3(1, 2, 2) << 1.0;

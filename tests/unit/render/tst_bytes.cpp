@@ -1,6 +1,6 @@
-// Guards design.md 3 (stored precision of 8 bits), design.md 2 (determinism) and design.md 5 (full) for it.
-// What is drawn is the volume rounded to bytes: a brute-force rendering of that volume in double precision
-// says so.
+// Guards design.md 3 (stored precision of 8 bits), and for it design.md 2 (determinism) and design.md 5
+// (full). The picture must be that of the volume rounded to bytes, as drawn by brute force in double
+// precision.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -82,7 +82,8 @@ RenderOptions inBytes(double step, Method method = Method::planes) {
   return options;
 }
 
-/// Opacity that rises over all values of a volume, one colour, light without highlights from all around.
+/// Returns a scene whose opacity rises over all values of a volume. It has one colour, and light without
+/// highlights from all sides.
 Scene translucentScene(const Volume& volume, double opacity, bool lit) {
   const ValueRange range = valueRange(volume);
   Scene scene;
@@ -106,7 +107,7 @@ void TestBytes::theRoundedVolumeIsDrawn_data() {
   QTest::addColumn<int>("wide");
   QTest::addColumn<int>("scene");
   QTest::addColumn<int>("method");
-  // Rows of 512 voxels lie apart.
+  // Rows of 512 voxels are far apart in memory.
   for (int wide : {26, 512})
     for (Method method : {Method::planes, Method::blend})
       for (std::size_t n = 0; n < methodScenes().size(); ++n)
@@ -115,10 +116,10 @@ void TestBytes::theRoundedVolumeIsDrawn_data() {
             << wide << int(n) << int(method);
 }
 
-// Weights are whole 1/32768, which moves an interpolated value by 7/2 of them times the range at most, 1e-4
-// of it: a twentieth of what rounding to bytes may do. Where the curve rises from 0.1 to 0.8 over 600 of 1400
-// values that is an opacity of 1.3e-4 in half a voxel, 0.03/255, where all eight weights are at their worst;
-// of both signs, so that a ray's samples do not add up. The picture of 16 bits is farther off by far.
+// Interpolation weights are multiples of 1/32768. They move a value by at most 7/2 of that times the range,
+// which is 1e-4 of the range and a twentieth of rounding to bytes. The curve rises from 0.1 to 0.8 over 600
+// of 1400 values. The worst case of all eight weights is thus an opacity of 1.3e-4 in half a voxel, 0.03/255.
+// Errors have both signs, so that a ray's samples do not add up. The picture of 16 bits differs far more.
 void TestBytes::theRoundedVolumeIsDrawn() {
   QFETCH(int, wide);
   QFETCH(int, scene);
@@ -152,11 +153,11 @@ void TestBytes::thePictureIsOffByWhatRoundingExplains_data() {
       QTest::addRow("%s, %s", volume, lit ? "lit" : "unlit") << QString::fromLatin1(volume) << lit;
 }
 
-// Half a unit of density on every voxel moves the opacity per mm by at most half a byte's share of its rise,
-// and the alpha of a ray by at most its length times the change of extinction, twice that its colour where
-// the light changes along it. Half a unit in each component of the gradient moves g by sqrt(3)/2 units; D''
-// changes by at most 2 diffuse a gradientFloor: (D' - E) / 2 of it through q, at most 1/2 diffuse, and 3/2
-// diffuse through n, two sides included.
+// Rounding a density by half a unit changes the opacity per mm by at most half a byte's share of its rise.
+// The alpha of a ray changes by at most its length times the change of extinction. Its colour may change
+// twice as much if light varies along it. Rounding each gradient component by half a unit moves g by
+// sqrt(3)/2 units. D'' then changes by at most 2 diffuse per gradientFloor: at most 1/2 diffuse through q as
+// (D' - E) / 2, and 3/2 diffuse through n, two sides included.
 void TestBytes::thePictureIsOffByWhatRoundingExplains() {
   QFETCH(QString, volume);
   QFETCH(bool, lit);
@@ -192,7 +193,7 @@ void TestBytes::aVolumeOf256ValuesLosesNothing() {
   QVERIFY(drawn(scene, caches, inBytes(1)).picture == drawn(scene, caches, in16).picture);
 }
 
-// All but two corners hold one value; away from these a ray meets it alone.
+// All voxels but two corners have one value, so that rays away from these meet only that value.
 void TestBytes::constantRegionsStayConstant() {
   VolumeParts parts;
   parts.geometry.size = {20, 20, 20};
@@ -260,7 +261,7 @@ void TestBytes::scenesOfChanceAreFiniteAndTheSameEveryWay() {
   }
 }
 
-// In units of 2 the value 101 becomes 102: behind the step, where that of its blocks is before it.
+// In units of 2 the value 101 becomes 102, above the step. The blocks' value of 101 is below it.
 void TestBytes::blocksAreJudgedByWhatIsDrawn() {
   VolumeParts parts;
   parts.geometry.size = {24, 24, 24};

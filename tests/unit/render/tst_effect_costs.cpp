@@ -10,7 +10,7 @@ using namespace volumen;
 
 namespace {
 
-// A frame of 100 ms resampling and 60 ms shading; 40 ms went into gradients before.
+// The frame took 100 ms to resample and 60 ms to shade, after 40 ms for gradients.
 const RenderStats stats{.gradientsMs = 40,
                         .resampleMs = 100,
                         .shadeMs = 60,
@@ -58,7 +58,7 @@ class TestEffectCosts : public QObject {
 void TestEffectCosts::anEffectHasACost_data() {
   QTest::addColumn<Change>("change");
   QTest::addColumn<QString>("effect");
-  QTest::addColumn<QString>("text");  // empty: none of its own
+  QTest::addColumn<QString>("text");  // empty if the effect states no cost
   const auto row = [](const char* name, const char* effect, const char* text, Change change) {
     QTest::newRow(name) << change << QString::fromLatin1(effect) << QString::fromLatin1(text);
   };
@@ -66,7 +66,7 @@ void TestEffectCosts::anEffectHasACost_data() {
   const Change unlit = [](Scene& s, RenderOptions&) { s.shading.lit = false; };
   row("the whole picture, without what is made once", "method", "162 ms", lit);
   row("resampling is measured", "integration", "100 ms", lit);
-  // Of 1 (colour) + 3 (gradient) + 2 (diffuse and ambient of one light) + 1 (its specular) parts.
+  // Shading has 1 (colour) + 3 (gradient) + 2 (diffuse and ambient of one light) + 1 (its specular) parts.
   row("three of seven parts of the shading", "gradients", "about 26 ms, once 40 ms", lit);
   row("two of seven parts", "lighting", "about 17 ms", lit);
   row("one of seven parts", "specular", "about 8.6 ms", lit);
@@ -74,7 +74,7 @@ void TestEffectCosts::anEffectHasACost_data() {
   row("no gradients", "gradients", "0 ms", unlit);
   row("a map's light has its specular in it", "specular", "about 0 ms",
       [](Scene&, RenderOptions& o) { o.shader = Shader::map; });
-  // 3 x 1000 components beside 3000 densities.
+  // 3 x 1000 components are fetched beside 3000 densities.
   row("gradients fetched before opacity is known", "gradient opacity", "about 50 ms",
       [](Scene& s, RenderOptions&) {
         s.transferFunction.gradientOpacity = {{0, 0}, {1, 1}};
@@ -86,7 +86,7 @@ void TestEffectCosts::anEffectHasACost_data() {
       [](Scene&, RenderOptions& o) { o.method = Method::preshaded; });
   row("OpenGL's own time", "resampler", "90 ms",
       [](Scene&, RenderOptions& o) { o.resampler = Resampler::gl; });
-  // Of 1 (colour) + 2 (diffuse and ambient) + 1 (specular) parts: OpenGL fetches the gradients.
+  // Shading has 1 (colour) + 2 (diffuse and ambient) + 1 (specular) parts, as OpenGL fetches the gradients.
   row("light by the CPU after OpenGL", "lighting", "about 30 ms",
       [](Scene&, RenderOptions& o) { o.resampler = Resampler::gl; });
   row("all in one shader", "lighting", "", [](Scene&, RenderOptions& o) { o.method = Method::gpu; });
@@ -129,7 +129,7 @@ void TestEffectCosts::sharesAddUpToTheStages() {
 
 void TestEffectCosts::gradientsThatAreThereCostNothingMore() {
   RenderStats later = stats;
-  later.gradientsMs = 0.02;  // looked for, and found
+  later.gradientsMs = 0.02;  // looked up in the cache
   const Plan plan = planOf([](Scene&, RenderOptions&) {});
   for (const auto& cost : effectCosts(plan, later)) QVERIFY(!cost || cost->onceMs == 0);
 }

@@ -1,5 +1,5 @@
-// Guards design.md 5, empty blocks: whatever the size of blocks, which depends on the volume's, nothing that
-// shows is passed over.
+// Guards design.md 5, empty blocks: nothing visible is skipped, whatever the block size, which depends on the
+// volume's size.
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -14,7 +14,7 @@ using namespace volumen::tests;
 
 namespace {
 
-/// Specks and a ball in faint noise, of which the curve shows the rarest values alone.
+/// Returns specks and a ball in faint noise. The curve shows only the rarest values.
 VolumePtr specks(glm::ivec3 size) {
   std::minstd_rand random(11);
   const glm::dvec3 middle = glm::dvec3(size) * 0.4;
@@ -59,7 +59,7 @@ void TestEmptyBlocks::fullIsTheSamePicture() {
   const glm::dvec3 directions[] = {{0, 1, 0}, {1, 0, 0}, {0.6, 0.7, -0.4}, {-0.2, -0.9, 0.5}};
   bool skips = false;
   for (const glm::dvec3& direction : directions)
-    // The rays of a packet stand far apart, some voxels, a part of a voxel.
+    // Rays of a packet are far apart, some voxels apart, or a part of a voxel apart.
     for (double heightMm : {900.0, 120.0, 9.0})
       for (std::optional<double> step : {std::optional<double>(), {0.2}, {0.4}, {1.0}, {5.0}}) {
         RenderOptions options;

@@ -1,5 +1,5 @@
-// Guards design.md 5, empty cells: plain steps that take samples in visible cells alone draw the same bytes
-// as those that take all, whatever a sample is lit by, on every CPU target and any number of threads.
+// Guards design.md 5, empty cells: plain steps with samples only in visible cells give the same bytes as with
+// all samples. Covers all shaders, every CPU target and any number of threads.
 #include "tests/fixtures/cpu_targets.h"
 #include "tests/unit/suite.h"
 #include "viewer/phantoms/phantoms.h"
@@ -26,7 +26,7 @@ struct Case {
 };
 using Change = void (*)(Case&);
 
-// Bone in a head: from below to above, so that cells hold all of what shows, a part, and nothing.
+// Returns bone in a head as seen from below. Cells are fully, partly or not visible.
 Case bone() {
   Case c;
   c.scene.transferFunction.points = {{200, {1, 0.9, 0.8}, 0}, {700, {1, 1, 0.9}, 0.4}};
@@ -35,7 +35,7 @@ Case bone() {
   return c;
 }
 
-// As planned but for whether cells are asked, which is left to no rule.
+// Draws the plan, but `skipCells` decides instead of the rules whether cells are asked.
 Rendered drawn(const Case& c, RenderCaches& caches, bool skipCells) {
   Plan plan = *makePlan(c.scene, caches.facts(), c.options);
   if (!plan.skipBlocks || plan.cellByCell) qFatal("the case asks no cells");
@@ -135,7 +135,7 @@ void TestEmptyCells::fewerSamples() {
            qPrintable(QStringLiteral("%1 of %2").arg(some.resampled).arg(all.resampled)));
 }
 
-// Bytes of density lie among those of the gradients, which are made anew.
+// Density bytes are interleaved with those of the gradients, which are rebuilt.
 void TestEmptyCells::anotherGradientOperatorAsksTheSameCells() {
   Case c = bone();
   c.options.precision = 8;

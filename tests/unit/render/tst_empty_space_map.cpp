@@ -1,5 +1,4 @@
-// Guards design.md 5, empty blocks: a packet of rays is passed over only where nothing in its reach is
-// visible.
+// Guards design.md 5, empty blocks: a packet of rays is skipped only if nothing within its reach is visible.
 #include <random>
 
 #include "tests/unit/suite.h"
@@ -16,7 +15,8 @@ std::vector<std::uint8_t> someVisible(glm::ivec3 count, int oneOf) {
   return visible;
 }
 
-// Whether any block up to so many farther along each axis is visible, one by one: of each block `bit` or 0.
+// Returns for each block `bit` if any block up to `farther` along each axis is visible, else 0. Tests the
+// blocks one by one.
 std::vector<std::uint8_t> near(glm::ivec3 count, const std::vector<std::uint8_t>& visible, glm::ivec3 farther,
                                std::uint8_t bit) {
   std::vector<std::uint8_t> out;
@@ -63,7 +63,7 @@ void TestEmptySpaceMap::nearBlocksAreThoseInReach() {
   QFETCH(int, reach);
   const glm::ivec3 count(x, y, z);
   const auto visible = someVisible(count, 40), before = someVisible(count, 2);
-  // Made in the memory of another map.
+  // The map reuses the memory of another map.
   const EmptySpaceMap map =
       makeEmptySpaceMap(2, count, visible, reach, makeEmptySpaceMap(4, count, before, 1));
   QCOMPARE(map.reach, reach);

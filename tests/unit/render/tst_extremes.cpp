@@ -1,5 +1,5 @@
-// Guards the passes over rows of stored values: on every CPU target the numbers of the plain loops, also
-// where a row ends within a vector, and nothing behind it touched. It stands here because this room names the
+// Guards the passes over rows of stored values: on every CPU target they give the numbers of plain loops.
+// Rows may end within a vector, and nothing after the row is changed. Stands here because this room names the
 // targets.
 #include <algorithm>
 #include <limits>
@@ -21,7 +21,8 @@ class TestExtremes : public QObject {
 
 namespace {
 
-// Values of the whole range of a type, its ends among them: distances that its signed numbers do not hold.
+// Returns values over the whole range of a type, including its limits. Their distances exceed the signed
+// type.
 template <class T>
 std::vector<T> chance(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
@@ -46,7 +47,7 @@ bool rangeIsRight(std::size_t count) {
                    *std::max_element(values.begin(), values.end()));
 }
 
-// One more than is asked for stands behind.
+// One more element follows the row, which must not change.
 template <class T>
 bool rangesAreRight(std::size_t count) {
   const std::vector<T> values = chance<T>(count + 1, 5), before = chance<T>(count + 1, 6);

@@ -18,7 +18,7 @@ using namespace volumen::tests;
 
 namespace {
 
-/// Waves in -200 .. 1200 on an oblique, sheared, anisotropic grid, as integers of any kind.
+/// Returns waves in -200 .. 1200 on an oblique, sheared, anisotropic grid, as integers of type T.
 template <class T>
 VolumePtr integers(glm::ivec3 size, double slope, double intercept) {
   VolumeParts parts;
@@ -174,16 +174,16 @@ RenderCaches& TestGl::cachesOf(const std::string& name) {
   return caches_.try_emplace(name, caches_.count(name) ? nullptr : volumeNamed(name)).first->second;
 }
 
-// In 32 bits the shader does what the CPU does, operation for operation; a compiler without `precise` may
-// fuse a multiply and an add, which moves positions and densities by a few units in the last place.
-// In 16 bits the hardware filters. llvmpipe does so in floats, from coordinates scaled to 0..1 and back, so
-// from places a few 1e-5 voxel off, and the CPU's weights are whole 1/32768: where the curve has a step, a
-// sample within that of it may fall on either side, in one pixel of thousands. GPUs may keep 8 bits of the
-// place between two voxels, which is up to 1/512 of the neighbours' difference on each axis. Drawn with such
-// places: ct-head and chest CT, presets of bone, muscle and skin, RMSE 0.02 .. 0.07 and 1.4 at most; thin
-// bright shells (preset CT-Lung) RMSE 1.3.
+// In 32 bits the shader performs the CPU's operations one by one. A compiler without `precise` may fuse a
+// multiply and an add, which moves positions and densities by a few units in the last place.
+// In 16 bits the hardware filters. llvmpipe filters in floats. Its coordinates are scaled to 0..1 and back,
+// which moves positions by a few 1e-5 voxel, and the CPU's weights are multiples of 1/32768. At a step of the
+// curve a sample that close may fall on either side, in one pixel of thousands.
+// GPUs may keep 8 bits of the position between two voxels. The error is up to 1/512 of the neighbours'
+// difference on each axis. With such positions, ct-head and chest CT with presets of bone, muscle and skin
+// have RMSE 0.02 .. 0.07 and a maximum of 1.4. Thin bright shells (preset CT-Lung) have RMSE 1.3.
 void TestGl::compareResamplers(RenderCaches& caches, const Scene& scene, RenderOptions options) {
-  options.step = 0.25;  // a level would be integrated by the CPU
+  options.step = 0.25;  // the CPU would integrate a level
   options.resampler = Resampler::cpu;
   const auto cpu = planAndDraw(caches, scene, options);
   options.resampler = Resampler::gl;
@@ -253,7 +253,7 @@ void TestGl::longRaysOfOneShaderAgreeWithCpu_data() {
   row("average of 100,000 steps", 1.0 / 1024, [](Scene& s) { s.mode = Mode::average; });
 }
 
-// llvmpipe ends a shader after 65,536 turns of its loops: what shows lies behind them.
+// llvmpipe ends a shader after 65,536 loop iterations. The visible matter lies beyond them.
 void TestGl::longRaysOfOneShaderAgreeWithCpu() {
   NEED_GL();
   QFETCH(Change, change);

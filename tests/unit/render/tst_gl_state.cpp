@@ -1,5 +1,5 @@
-// Guards design.md 3 (the GL resampler: what is kept between pictures, where there is none) and design.md 2
-// (determinism).
+// Guards design.md 3 (the GL resampler: what is kept between pictures, behaviour without OpenGL) and
+// design.md 2 (determinism).
 #include <chrono>
 #include <thread>
 
@@ -54,7 +54,7 @@ void TestGlState::secondPictureIsTheSame() {
   QVERIFY(first->stats.densityBytes > 0 && first->stats.gradientBytes > 0);
 }
 
-// Textures, programs and targets are kept between pictures: none may be left from the picture before.
+// Textures, programs and targets are kept between pictures. None may be used for the wrong picture.
 void TestGlState::picturesMayAlternate() {
   NEED_GL();
   RenderCaches caches(wavyVolume());
@@ -91,7 +91,7 @@ void TestGlState::methodsMayAlternate() {
   for (int n = 0; n < 4; ++n) QVERIFY(pictures[n] == pictures[n + 4]);
 }
 
-// The kernels pass over empty blocks, in planes too.
+// The kernels skip empty blocks, in planes too.
 void TestGlState::fullIsTheSame() {
   NEED_GL();
   RenderOptions options;
@@ -106,8 +106,8 @@ void TestGlState::fullIsTheSame() {
   QVERIFY(lean->picture == full->picture);
 }
 
-// Filters of 8 bits were seen to cost 0.7/255 RMSE at standard's steps: standard has room for that, high and
-// exact have not.
+// Filters of 8 bits cost 0.7/255 RMSE at standard's steps as measured. Standard can afford that, high and
+// exact cannot.
 void TestGlState::levelsChooseWhereItIsFiltered_data() {
   QTest::addColumn<int>("quality");
   QTest::addColumn<bool>("steps");
@@ -176,7 +176,7 @@ void TestGlState::cancelledIsSaid() {
   QVERIFY(drawGl(caches, softScene(), options).ok());
 }
 
-// Its frame buffer blends; what is drawn next must not.
+// The frame buffer's blending must not affect the next picture.
 void TestGlState::aCancelledBlendLeavesNothing() {
   NEED_GL();
   RenderCaches caches(wavyVolume());
@@ -184,7 +184,7 @@ void TestGlState::aCancelledBlendLeavesNothing() {
   planes.size = blend.size = {64, 64};
   const auto before = drawGl(caches, softScene(), planes);
   blend.method = Method::blend;
-  blend.step = 1.0 / 512;  // for seconds
+  blend.step = 1.0 / 512;  // takes seconds
   CancelToken cancel;
   std::thread impatient([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));

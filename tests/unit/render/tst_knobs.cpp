@@ -1,4 +1,4 @@
-// Guards the knobs of design.md 6 as the methods obey them: thresholds, curve table, gradient operator.
+// Guards that methods obey the options of design.md 6: thresholds, curve table, gradient operator.
 #include <limits>
 
 #include "tests/fixtures/brute_force.h"
@@ -51,7 +51,7 @@ void TestKnobs::aChangedCurveIsDrawnAsTheScenesOwn_data() {
   QTest::newRow("both") << 65 << 0.03;
 }
 
-// The brute-force renderer, given the changed curve as the scene's, draws the same picture.
+// The brute-force renderer draws the same picture if the changed curve is the scene's.
 void TestKnobs::aChangedCurveIsDrawnAsTheScenesOwn() {
   QFETCH(int, entries);
   QFETCH(double, threshold);
@@ -95,7 +95,7 @@ void TestKnobs::aSmallerToleranceTakesMorePartsAndErrsLess() {
   options.method = Method::planes;
   std::int64_t before = 0;
   double errorBefore = std::numeric_limits<double>::infinity();
-  // Below, the rounding of floats and the reference itself are off by more than the rules.
+  // At smaller tolerances, float rounding and the reference have larger errors than the integration rules.
   for (const double tolerance : {1.0, 0.1, 0.01}) {
     options.tolerance = tolerance;
     const Rendered r = drawn(c.scene, caches, options);
@@ -120,7 +120,7 @@ void TestKnobs::aRayEndsWhereAsked() {
   QVERIFY(ended.stats.composited < whole.stats.composited);
   for (std::size_t n = 3; n < whole.picture.rgba.size(); n += 4) {
     const float full = whole.picture.rgba[n], part = ended.picture.rgba[n];
-    // What is left out lies behind a transmittance of 1/4.
+    // Left-out samples lie behind a transmittance of 1/4.
     QVERIFY(part == full || (part >= 0.75f && part < full));
   }
 }
@@ -142,7 +142,7 @@ void TestKnobs::gradientOperatorsAgreeOnARamp() {
   for (const auto by : {GradientOperator::central, GradientOperator::zuckerHummel}) {
     options.gradient = by;
     QVERIFY(compare(drawn(caseNamed("unlit").scene, onBumps, options).picture, sobelOnBumps).maximum == 0);
-    // Of a rough volume they find other directions, and the picture is another one.
+    // In a rough volume operators find other directions, and the picture differs.
     QVERIFY(compare(drawn(scene, onBumps, options).picture, sobelOnLitBumps).rmse > 0.1);
     Scene onRampScene = scene;
     onRampScene.transferFunction.points[1].value = 300;

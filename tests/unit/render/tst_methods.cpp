@@ -19,10 +19,10 @@ namespace {
 constexpr glm::ivec2 size{36, 30};
 constexpr double step = 0.5;
 
-/// What a scene is compared with.
+/// References for a scene.
 struct Truth {
   Picture reference;
-  PictureError rule;  ///< of the midpoint rule in double precision
+  PictureError rule;  ///< error of the midpoint rule in double precision
 };
 
 const Truth& truthOf(int scene) {
@@ -48,12 +48,12 @@ Result<Rendered> draw(const Scene& scene, RenderOptions options) {
   return drawAsAsked(scene, options);
 }
 
-/// No ray through the volume has more samples: its diagonal is shorter than 39 voxels.
+/// Largest number of samples on a ray, as the volume's diagonal is shorter than 39 voxels.
 constexpr int mostSlices = int(39 / step) + 1;
 
-/// What a method adds to the midpoint rule (/255). A frame buffer: half a level a slice at most; where it is
-/// OpenGL's, which may round the slice and its product with the rest too, three times that. Filters of
-/// texture hardware: what tst_gl.cpp says of them.
+/// Returns the error that a method adds to the midpoint rule (/255). A frame buffer adds at most half a level
+/// a slice. OpenGL may also round the slice and its product with the rest, which triples that. For filters of
+/// texture hardware see tst_gl.cpp.
 double ownErrorOf(const RenderOptions& o, const std::string& kernel) {
   const double rounding = 0.5 * mostSlices * (o.resampler == Resampler::gl ? 3 : 1);
   if (o.blending == Blending::bits8) return rounding;
@@ -88,7 +88,7 @@ class TestMethods : public QObject {
   static void addRows(bool preshaded);
 };
 
-// Preshaded pictures are another thing than the reference: tst_preshaded.cpp.
+// Preshaded pictures differ from the reference: see tst_preshaded.cpp.
 void TestMethods::addRows(bool preshaded) {
   QTest::addColumn<int>("method");
   QTest::addColumn<int>("scene");
@@ -105,9 +105,9 @@ void TestMethods::addRows(bool preshaded) {
   const MethodCase& c = methodCases()[method]; \
   if (c.needsGl) NEED_GL()
 
-// design.md 2: errors at most those of the midpoint rule in double precision, plus what the stored precision
-// explains: 5 % (the same samples, rounded), and what lies behind the transmittance at which rays end; and
-// plus what the method says of itself.
+// design.md 2: errors are at most those of the midpoint rule in double precision plus three terms. Stored
+// precision adds 5 % (the same samples, rounded). Ended rays add what lies behind the final transmittance.
+// The method adds its own error.
 void TestMethods::keepsItsError() {
   NEED_METHOD(c);
   QFETCH(int, scene);
@@ -120,7 +120,7 @@ void TestMethods::keepsItsError() {
            qPrintable(inWords(e) + QStringLiteral("; the rule: ") + inWords(rule)));
 }
 
-// design.md 2, of every method that rounds nothing off by choice.
+// design.md 2, for every method that does not round deliberately.
 void TestMethods::keepsThePromiseOfItsLevel() {
   NEED_METHOD(c);
   QFETCH(int, scene);
@@ -146,8 +146,8 @@ void TestMethods::projectsAsPlanesDo_data() {
     }
 }
 
-// Extremes and means of the same samples: 0.01/255 for sums in another order, and half a level of the frame
-// buffer. What a method cannot project it refuses in a sentence that names it.
+// Extremes and means use the same samples. Sums in another order may differ by 0.01/255, and the frame buffer
+// by half a level. A method refuses an impossible projection in a sentence that names it.
 void TestMethods::projectsAsPlanesDo() {
   NEED_METHOD(c);
   QFETCH(int, mode);
@@ -169,7 +169,7 @@ void TestMethods::projectsAsPlanesDo() {
 void TestMethods::threadsAndFullChangeNoByte() {
   NEED_METHOD(c);
   QFETCH(int, scene);
-  // OpenGL takes long, and threads and rules do the same in perspective.
+  // OpenGL is slow, and perspective changes nothing about threads and rules.
   if (c.needsGl && methodScenes()[scene].scene.camera->projection == Projection::perspective) return;
   RenderOptions options = c.options;
   options.threads = 1;
@@ -232,8 +232,8 @@ void TestMethods::gpuShadesAsTheCpuDoes_data() {
   row("transparent background", [](Scene& s, RenderOptions&) { s.background.transparent = true; });
 }
 
-// In floats: the same operations but for the drivers' own exp, log and pow, and samples at the edges of
-// patches that fall into the next one.
+// With floats the operations are the same, except for the driver's exp, log and pow. Samples at the edges of
+// patches may fall into the next patch.
 void TestMethods::gpuShadesAsTheCpuDoes() {
   NEED_GL();
   QFETCH(Change, change);
@@ -248,7 +248,7 @@ void TestMethods::gpuShadesAsTheCpuDoes() {
   QVERIFY2(e.rmse <= 0.02 && e.percentile99 <= 0.1, qPrintable(inWords(e)));
 }
 
-// More pixels than are drawn in one go.
+// The picture has more pixels than are drawn at once.
 void TestMethods::largePicturesComeInBands() {
   NEED_GL();
   RenderCaches caches(wavyVolume());
@@ -271,12 +271,12 @@ void TestMethods::scenesOfChanceAreFiniteAndTheSameEveryWay() {
     const RandomScene chance = randomScene(seed);
     RenderCaches caches(chance.volume);
     for (const MethodCase& c : methodCases()) {
-      // A context and its programs for each volume take long.
+      // Creating a context and programs for each volume is slow.
       if (c.needsGl && (!whyNoGl().isEmpty() || seed % 20 != 0)) continue;
       RenderOptions options = c.options;
       options.size = chance.size;
       const auto plan = makePlan(chance.scene, caches.facts(), options);
-      if (!plan.ok()) continue;  // what does not go together: projectsAsPlanesDo
+      if (!plan.ok()) continue;  // impossible combinations: see projectsAsPlanesDo
       const Picture picture = render(*plan, caches)->picture;
       const QString where = QStringLiteral("seed %1, %2").arg(seed).arg(QString::fromStdString(c.name));
       for (float component : picture.rgba) QVERIFY2(component >= 0 && component <= 1, qPrintable(where));

@@ -1,4 +1,4 @@
-// Guards picture.md 4, 9: the opacity of an interval by a short series is the closed form's.
+// Guards picture.md 4, 9: the opacity of an interval by a short series equals the closed form.
 #include <cmath>
 
 #include "tests/unit/suite.h"
@@ -43,7 +43,7 @@ void TestOpacityCorrection::isThePower() {
     float sum = 0;
     for (int k = s.terms - 1; k >= 0; --k) sum = sum * x + s.c[k];
     const double power = -std::expm1(double(unitDistances) * std::log1p(-double(x)));
-    // The series to 3e-8, and some roundings of floats (6e-8 each) of terms up to three times the sum.
+    // The series is exact to 3e-8. Float rounding (6e-8 each) affects terms up to three times the sum.
     QVERIFY2(std::abs(double(sum * x) / power - 1) < 6e-7, qPrintable(QString::number(double(x))));
   }
 }

@@ -24,8 +24,8 @@ constexpr double step = 0.5;
 /// Colour times opacity, and opacity per unit distance.
 using Rgba = glm::dvec4;
 
-/// The method in double precision, by the plain definitions: rays from the viewer's own set-up, which other
-/// tests guard.
+/// The method by its plain definition in double precision. Rays come from the viewer's own set-up, which
+/// other tests guard.
 class Definition {
  public:
   Definition(const Scene& scene, VolumePtr volume)
@@ -136,7 +136,8 @@ void TestPreshaded::isItsDefinition_data() {
   QTest::addRow("local viewer, gradient opacity, 16 bits") << -1 << 16;
 }
 
-// 0.02/255: sums of floats, and the transmittance of 1/16384 at which rays end (255/16384 = 0.016).
+// The bound of 0.02/255 covers float sums and the transmittance of 1/16384 at which rays end (255/16384 =
+// 0.016).
 void TestPreshaded::isItsDefinition() {
   QFETCH(int, index);
   QFETCH(int, bits);
@@ -150,8 +151,8 @@ void TestPreshaded::isItsDefinition() {
   QVERIFY2(e.maximum <= 0.02, qPrintable(inWords(e)));
 }
 
-// Of one colour, unlit, opacity a straight line over all values: to interpolate opacities is to interpolate
-// values.
+// Colour is constant and unlit, and opacity is linear over all values. Interpolating opacities thus equals
+// interpolating values.
 void TestPreshaded::aStraightCurveUnlitIsTheRule() {
   const VolumePtr ramp =
       volumeOf({20, 16, 12}, glm::dmat3(1), [](glm::dvec3 x) { return 5 * x.x + x.y * x.z; });
@@ -163,7 +164,7 @@ void TestPreshaded::aStraightCurveUnlitIsTheRule() {
   QVERIFY2(e.maximum <= 0.02, qPrintable(inWords(e)));
 }
 
-// Where the curve is sharp, colours that are interpolated are far from colours of interpolated values.
+// If the curve is sharp, interpolated colours differ strongly from colours of interpolated values.
 void TestPreshaded::theOrderOfOperationsCosts() {
   for (const MethodScene& s : methodScenes()) {
     if (s.name.find("sharp") == std::string::npos) continue;

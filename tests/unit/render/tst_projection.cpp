@@ -1,5 +1,5 @@
-// Guards design.md 5, empty blocks, of projections: what is passed over because it cannot change a maximum or
-// a minimum changes no byte; and design.md 2: projections are exact at every level.
+// Guards design.md 5, empty blocks, for projections: skipping what cannot change a maximum or minimum changes
+// no byte. Also guards design.md 2: projections are exact at every level.
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/render/random_scenes.h"
 #include "tests/unit/suite.h"
@@ -22,14 +22,14 @@ VolumePtr stored(const ValueAt& valueAt, double slope = 1, double intercept = 0,
 
 double ball(glm::dvec3 p) { return std::max(0.0, 500 - 30 * glm::distance(p, glm::dvec3(20, 18, 14))); }
 
-// So much of it, with up to a fifth of its largest value added by chance.
+// Returns `share` of the ball plus random noise of up to a fifth of its largest value.
 ValueAt noisyBall(double share) {
   return [share, random = std::mt19937(5)](glm::dvec3 p) mutable {
     return share * (ball(p) + double(random() % 4096) / 40.96);
   };
 }
 
-// One voxel in eight is as low as any.
+// One voxel in eight has the lowest value.
 ValueAt ofManyLowest() {
   return [value = noisyBall(1), random = std::mt19937(3)](glm::dvec3 p) mutable {
     return random() % 8 == 0 ? 0 : value(p);
@@ -85,7 +85,7 @@ constexpr View views[] = {
      }},
 };
 
-// `part` of the values, about the extreme that is looked for, is told apart.
+// The window resolves `part` of the values, about the extreme that the mode searches for.
 Scene sceneOf(Mode mode, const ValueRange& range, double part) {
   Scene scene;
   scene.mode = mode;
@@ -112,9 +112,9 @@ class TestProjection : public QObject {
 
 void TestProjection::sameBytesAsOfAllSamples_data() {
   QTest::addColumn<VolumePtr>("volume");
-  QTest::addColumn<int>("bits");     // 0: as planned
-  QTest::addColumn<double>("most");  // share of samples that a maximum seen askew takes at most
-  QTest::addColumn<double>("part");  // of the values that the window shows
+  QTest::addColumn<int>("bits");     // 0 for the planned precision
+  QTest::addColumn<double>("most");  // largest share of samples that an oblique maximum takes
+  QTest::addColumn<double>("part");  // share of the values that the window shows
   const auto row = [](const char* name, const VolumePtr& volume, int bits, double most, double part = 1) {
     QTest::newRow(name) << volume << bits << most << part;
   };
@@ -184,7 +184,7 @@ void TestProjection::levelsAreExact_data() {
   row("all alike", stored<std::int16_t>([](glm::dvec3) { return 7.0; }));
 }
 
-// As exact as would be seen in a window of an eighth of the values.
+// The bound is that of a window an eighth as wide.
 void TestProjection::levelsAreExact() {
   QFETCH(VolumePtr, volume);
   RenderCaches caches(volume);
@@ -192,7 +192,7 @@ void TestProjection::levelsAreExact() {
     for (const View& view : views) {
       Scene scene = sceneOf(mode, caches.facts().range, 1);
       const ValueRange range = caches.facts().range;
-      // Floats of a hundredth of the values' size can be told apart as finely.
+      // Floats resolve a range of one hundredth of the values' size equally well.
       const double size = std::max(std::abs(range.low), std::abs(range.high));
       scene.window = Window{(range.low + range.high) / 2, std::max(range.high - range.low, 1e-2 * size)};
       view.set(scene);

@@ -1,5 +1,5 @@
-// Guards picture.md 6, 7, 9 for the rays of the kernels: each begins, steps and ends where the reference's
-// does, and has the same bytes on every CPU target.
+// Guards picture.md 6, 7, 9 for the rays of the kernels: each begins, steps and ends like the reference's.
+// The bytes are the same on every CPU target.
 #include <cstring>
 
 #include "tests/fixtures/cpu_targets.h"
@@ -21,7 +21,7 @@ class TestRays : public QObject {
 
 namespace {
 
-constexpr glm::ivec2 size(23, 17);  // tiles at the right and lower edges reach beyond
+constexpr glm::ivec2 size(23, 17);  // tiles extend beyond the right and lower edges
 constexpr double stepVoxels = 0.7;
 
 struct Case {
@@ -43,7 +43,7 @@ void lookFrom(Case& c, double distance, double fov) {
   c.scene.camera->fov = fov;
 }
 
-// In a row that has held more rays before.
+// Makes rays in a row that held more rays before.
 RayRow raysOf(const Case& c) {
   RayRow rays;
   const Case other;
@@ -57,7 +57,7 @@ glm::dvec3 of(const std::vector<float>& x, const std::vector<float>& y, const st
   return {x[n], y[n], z[n]};
 }
 
-// Positions are floats: of voxels up to 40, and of steps that add up to as much.
+// Positions are floats of up to 40 voxels, and steps add up to as much.
 constexpr double positionBound = 2e-5;
 
 }  // namespace
@@ -141,7 +141,7 @@ void TestRays::everyRayIsTheReferences() {
     first = std::min(first, aheads[n]);
   }
   for (std::uint8_t times : seen) QCOMPARE(int(times), 1);
-  // Whole steps, so that each stands at most half of one from where it would come by with the others.
+  // `ahead` counts whole steps. Each ray is thus within half a step of a common depth.
   for (std::size_t n = 0; n < rays.pixel.size(); ++n)
     if (rays.steps[n] > 0) QVERIFY(std::abs(first + rays.ahead[n] - aheads[n]) < 0.5 + 1e-3);
 }

@@ -18,7 +18,7 @@ class TestReferenceGradient : public QObject {
 
 void TestReferenceGradient::gradientOpacityScalesTheOpacity_data() {
   QTest::addColumn<QList<double>>("points");  // gradient, factor, ...
-  QTest::addColumn<double>("depthPerMu");     // of 8 mm with |g| = |x|, -4 .. 4, at small opacity
+  QTest::addColumn<double>("depthPerMu");     // over 8 mm with |g| = |x|, -4 .. 4, at small opacity
   QTest::newRow("constant") << QList<double>{0, 0.25} << 2.0;
   QTest::newRow("linear") << QList<double>{0, 0, 4, 1} << 4.0;
   QTest::newRow("kink") << QList<double>{1.3, 0, 2.3, 1} << 2 * (0.5 + 1.7);
@@ -29,7 +29,7 @@ void TestReferenceGradient::gradientOpacityScalesTheOpacity_data() {
 void TestReferenceGradient::gradientOpacityScalesTheOpacity() {
   QFETCH(QList<double>, points);
   QFETCH(double, depthPerMu);
-  // So small that -ln(1 - opacity x factor) is opacity x factor to a relative 1e-4 ...
+  // The opacity is so small that -ln(1 - opacity x factor) is opacity x factor to a relative 1e-4.
   Parabola p = parabola(1e-4, 1, 0);
   for (int n = 0; n < points.size(); n += 2)
     p.scene.transferFunction.gradientOpacity.push_back({points[n], points[n + 1]});
@@ -37,7 +37,7 @@ void TestReferenceGradient::gradientOpacityScalesTheOpacity() {
     p.scene.shading.lit = lit;
     COMPARE_WITHIN(onePixel(p.scene, *p.volume).a, -std::expm1(-1e-4 * depthPerMu), 1e-7);
   }
-  // ... and where the factor is constant the closed form holds for any opacity.
+  // If the factor is constant, the closed form holds for any opacity.
   if (points.size() == 2) {
     p.scene.transferFunction.points[0].opacity = 0.9;
     COMPARE_WITHIN(onePixel(p.scene, *p.volume).a, 1 - std::pow(1 - 0.9 * 0.25, 8), 2e-7);
@@ -51,7 +51,8 @@ void TestReferenceGradient::sobelSmoothsAcrossItsAxis_data() {
 
 void TestReferenceGradient::sobelSmoothsAcrossItsAxis() {
   QFETCH(int, axis);
-  // A ramp along one axis in every second voxel of a chequerboard across it: half the ramp after smoothing.
+  // A ramp along one axis is present only in every second voxel of a chequerboard across it. Smoothing halves
+  // the ramp.
   const VoxelGeometry geometry = gridAround({7, 7, 7});
   const auto chequered = volumeOf(geometry, [&](int i, int j, int k) {
     const int place[3] = {i, j, k};
@@ -65,11 +66,12 @@ void TestReferenceGradient::sobelSmoothsAcrossItsAxis() {
 }
 
 void TestReferenceGradient::sobelClampsAtTheBorder() {
-  // The end voxels of a ramp see half of its slope, and the half-voxel border takes that of the end voxels.
+  // The end voxels of a ramp have half of its slope, and so does the half-voxel border.
   const auto ramp = volumeOf(gridAround({9, 3, 3}), [](int i, int, int) { return i; });
   Scene scene = plainScene(1e-4);
   scene.transferFunction.gradientOpacity = {{0, 0}, {0.8, 0.8}, {0.8, 1}};
-  // Borders 0.5; then from 0.5 to 1 over a voxel (0.6 of it up to 0.8, mean 0.65; the rest 1); 6 voxels of 1.
+  // Borders have 0.5. Over the next voxel the gradient rises from 0.5 to 1: 0.6 of the voxel is below 0.8
+  // with mean 0.65, and the rest counts 1. The inner 6 voxels have 1.
   const double depthPerMu = 2 * (0.5 * 0.5 + 0.6 * 0.65 + 0.4) + 6;
   COMPARE_WITHIN(onePixel(scene, *ramp).a, -std::expm1(-1e-4 * depthPerMu), 1e-7);
 }

@@ -1,5 +1,5 @@
 // Guards picture.md 2, 4, 6 (integral, classification, projections, background) and design.md 2 (reference,
-// finite, determinism) for the reference renderer, in closed forms.
+// finite, determinism) for the reference renderer, by closed forms.
 #include "tests/unit/render/reference_fixture.h"
 #include "tests/unit/suite.h"
 
@@ -45,7 +45,7 @@ void TestReferenceIntegral::homogeneousCubeHasClosedForm() {
   const double lengthMm = 10 * glm::length(glm::dvec3(1, 2, 0.5)) / 2;  // the ray leaves through the j faces
   const double alpha = -std::expm1(-extinction(std::min(opacity, 1 - std::exp2(-20))) / unitMm * lengthMm);
   const glm::dvec4 pixel = onePixel(scene, *cube);
-  // Relative, so that tiny opacities are not lost; the reference stops at a transmittance of 1e-6.
+  // The bound is relative, so that tiny opacities count. The reference stops at a transmittance of 1e-6.
   const double bound = 1.1e-6 * alpha;
   COMPARE_WITHIN(pixel.a, alpha, bound);
   COMPARE_WITHIN(pixel.r, alpha, bound);
@@ -66,7 +66,7 @@ void TestReferenceIntegral::linearOpacityOverARamp() {
   Scene scene = plainScene(0);
   scene.transferFunction.points = {{0, glm::dvec3(1), 0}, {8, glm::dvec3(1), top}};
   scene.transferFunction.unitDistance = unitMm;
-  // -ln(1 - k x) has the integral (1 - k x) ln(1 - k x) / k + x; the last half voxel is constant.
+  // -ln(1 - k x) has the integral (1 - k x) ln(1 - k x) / k + x. The last half voxel is constant.
   const double k = top / 8;
   const double depth = ((1 - top) * std::log1p(-top) / k + 8 - 0.5 * std::log1p(-top)) / unitMm;
   COMPARE_WITHIN(onePixel(scene, *ramp).a, -std::expm1(-depth), referenceBound / 10);
@@ -109,7 +109,7 @@ void TestReferenceIntegral::stepLiesExactlyAtItsValue() {
   const float at = float(step);
   scene.transferFunction.points = {{at, glm::dvec3(1), 0}, {at, glm::dvec3(1), 0.5}};
   const double lengthMm = (8.5 - double(at)) * glm::length(direction) / std::abs(direction.x);
-  // float32 of the picture: 6e-8.
+  // The picture's float32 rounds by 6e-8.
   COMPARE_WITHIN(onePixel(scene, *ramp).a, 1 - std::pow(0.5, lengthMm), 2e-7);
 }
 

@@ -51,7 +51,7 @@ Clip box(glm::dvec3 low, glm::dvec3 high) { return {low, high, {}}; }
 Clip planes(std::vector<ClipPlane> all) { return {glm::dvec3(0), glm::dvec3(1), std::move(all)}; }
 
 const VoxelGeometry cube = gridAround(glm::ivec3(10));
-// k runs aslant: 0.5 mm along x and 2 mm along z a voxel.
+// k is oblique: 0.5 mm along x and 2 mm along z a voxel.
 const VoxelGeometry sheared = gridAround({20, 8, 4}, {{1, 0, 0}, {0, 1, 0}, {0.5, 0, 2}});
 const VoxelGeometry leftHanded = gridAround({10, 6, 4}, {{-0.7, 0, 0}, {0, 1.5, 0}, {0, 0, 2}});
 
@@ -126,7 +126,7 @@ void TestReferenceRays::lengthOfTheRayInTheVolume() {
 }
 
 void TestReferenceRays::perspectivePictureHasTheLengthsOfItsRays() {
-  // A slab across the view: a ray at the angle theta has the length thickness / cos(theta).
+  // In a slab across the view, a ray at angle theta has length thickness / cos(theta).
   const auto slab = homogeneous(gridAround({100, 4, 100}));
   Scene scene = plainScene(0.1, {0, 1, 0});
   scene.camera->projection = Projection::perspective;
@@ -144,7 +144,8 @@ void TestReferenceRays::perspectivePictureHasTheLengthsOfItsRays() {
 }
 
 void TestReferenceRays::parallelPictureLiesWhereTheCameraSays() {
-  // One voxel of the grid is dense; seen from the front, patient left (+x) is on the right, +z on top.
+  // One voxel of the grid is dense. Seen from the front, the patient's left (+x) is on the right and +z on
+  // top.
   const auto dot = volumeOf(gridAround({5, 1, 3}), [](int i, int, int k) { return i == 3 && k == 2; });
   Scene scene = plainScene(0, {0, 1, 0});
   scene.mode = Mode::mip;
@@ -278,7 +279,7 @@ void TestReferenceRays::extremeScenesStayFinite() {
 }
 
 void TestReferenceRays::raysThatTouchAStepAreIllConditioned() {
-  // The face of the opaque half lies at x = 3.5 voxels (0 mm), which the middle one of three columns hits.
+  // The opaque half begins at x = 3.5 voxels (0 mm), where the middle one of three columns hits it.
   const auto halves = volumeOf(gridAround({8, 2, 2}), [](int i, int, int) { return i < 4 ? 0 : 100; });
   Scene scene = plainScene(0, {0, 1, 0});
   scene.transferFunction.points = {{50, glm::dvec3(1), 0}, {50, glm::dvec3(1), 1}};

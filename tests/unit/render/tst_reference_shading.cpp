@@ -1,4 +1,4 @@
-// Guards picture.md 5 (light) for the reference renderer, by hand-made numbers and closed forms.
+// Guards picture.md 5 (light) for the reference renderer, by numbers calculated by hand and closed forms.
 #include <functional>
 
 #include "tests/unit/render/reference_fixture.h"
@@ -136,7 +136,7 @@ void TestReferenceShading::planeOfKnownNormal() {
   QFETCH(int, grid);
   const ShadingCase& c = shadingCases()[row];
   const VoxelGeometry geometry = gridAround({8, 7, 9}, grids[grid]);
-  // Looking along +y: right is +x, up is +z, towards the viewer is -y.
+  // The view is along +y: right is +x, up is +z, and -y points to the viewer.
   const glm::dvec3 normal(c.normal.x, -c.normal.z, c.normal.y);
   const double perMm = 10;
   const auto plane = volumeOf(geometry, [&](int i, int j, int k) {
@@ -150,7 +150,7 @@ void TestReferenceShading::planeOfKnownNormal() {
   const glm::dvec4 pixel = onePixel(scene, *plane);
   QVERIFY(pixel.a > 0.3);
   const glm::dvec3 colour = scene.transferFunction.points[0].colour;
-  // The float32 samples of the plane turn its normal by about 1e-6.
+  // Float32 samples of the plane turn its normal by about 1e-6.
   for (int n = 0; n < 3; ++n)
     COMPARE_WITHIN(pixel[n], std::min(1.0, pixel.a * (colour[n] * c.d + c.s)), 1e-5);
 }
@@ -167,7 +167,7 @@ void TestReferenceShading::localViewerLooksAlongTheRay() {
   for (bool local : {false, true}) {
     scene.shading.localViewer = local;
     const Picture picture = drawn(scene, *plane, {3, 1});
-    // The outer pixels' rays have the slope 2: the height is 20 mm, a pixel too.
+    // The outer pixels' rays have slope 2, as the picture and each pixel are 20 mm high.
     const double cosine = 1 / std::sqrt(5.0), halfway2 = local ? (1 + cosine) / 2 : 1;
     const double alpha = picture.rgba[3];
     COMPARE_WITHIN(alpha, 1 - std::pow(0.8, 5 / cosine), 1e-6);
@@ -201,7 +201,7 @@ void TestReferenceShading::lightsAddUp() {
 }
 
 namespace {
-// The integral over pieces (length, D at its start, D at its end), front to back.
+// Returns the integral over pieces (length, D at start, D at end), front to back.
 double overPieces(double mu, std::initializer_list<glm::dvec3> pieces) {
   double sum = 0, before = 0;
   for (const glm::dvec3& p : pieces) {
@@ -219,7 +219,8 @@ void TestReferenceShading::floorIsCrossedExactly_data() {
 
 void TestReferenceShading::floorIsCrossedExactly() {
   QFETCH(double, floorPerMm);
-  // Behind a plane at x = 0.9 the gradient rises through the floor; D = 0.55 where there is none, else 0.9.
+  // Behind a plane at x = 0.9 the gradient rises through the floor. D is 0.55 without gradient and 0.9 above
+  // the floor.
   for (double opacity : {0.05, 0.99}) {
     Parabola p = parabola(opacity, 2, floorPerMm);
     p.scene.clip.planes = {{{-1, 0, 0}, -0.9}};
@@ -232,7 +233,7 @@ void TestReferenceShading::floorIsCrossedExactly() {
 void TestReferenceShading::normalThatTurnsOverIsDampedByTheFloor() {
   for (double floorPerMm : {1.3, 1e-4, 1e-12}) {
     const Parabola p = parabola(0.2, 1, floorPerMm);
-    // One side: D = 0.2 where the value falls along the ray, 0.9 where it rises.
+    // With one side, D is 0.2 where values fall along the ray and 0.9 where they rise.
     const double f = floorPerMm;
     const double expected = overPieces(p.mu, {{4 - f, 0.2, 0.2}, {2 * f, 0.2, 0.9}, {4 - f, 0.9, 0.9}});
     COMPARE_WITHIN(onePixel(p.scene, *p.volume).r, expected, referenceBound);
@@ -254,8 +255,8 @@ void TestReferenceShading::narrowHighlightIsNotMissed() {
   QFETCH(double, shininess);
   QFETCH(double, slope);
   QFETCH(double, vertex);
-  // g = (x, slope, 0): the normal turns from one side to the other, past the half-way vector, within about
-  // `slope` voxels round the vertex. The expected integral is a sum over dense steps.
+  // g = (x, slope, 0). Within about `slope` voxels of the vertex, the normal turns from one side to the
+  // other, past the half-way vector. The expected integral is summed over fine steps.
   const VoxelGeometry geometry = gridAround({11, 5, 5});
   const auto volume = volumeOf(
       geometry, [&](int i, int j, int) { return (i - 5 - vertex) * (i - 5 - vertex) / 2.0 + slope * j; });

@@ -1,6 +1,6 @@
-// Guards the reflectance map (paper 2.2): its nodes against picture.md 5 in double precision, the same bytes
-// on every CPU target, and (design.md 1, 5) that an edit makes it anew where it depends on what changed, and
-// else not.
+// Guards the reflectance map (paper 2.2): its nodes against picture.md 5 in double precision, and the same
+// bytes on every CPU target. Also guards that an edit rebuilds it exactly if it depends on what changed
+// (design.md 1, 5).
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -16,7 +16,7 @@ using namespace volumen::tests;
 
 namespace {
 
-/// Lights from all around, fixed to the patient, and a shininess that is no whole number.
+/// Returns a scene with lights on all sides, fixed to the patient, and a non-integer shininess.
 Scene litScene(int lights) {
   Scene scene;
   scene.camera = Camera{};
@@ -61,8 +61,9 @@ void TestReflectanceMap::nodesAreShadesOfTheirDirections_data() {
   QTest::newRow("grey light, middles of patches") << 19 << 3 << 1 << true << false;
 }
 
-// Single precision: a dozen roundings of 6e-8 in a cosine, which the highlight multiplies by its power of
-// 20.5 and the slopes at the edges of its light (10) and of the two sides (5): below 2e-5 of at most 1.
+// Single precision has a dozen roundings of 6e-8 in a cosine. The highlight multiplies them by its power of
+// 20.5 and the slopes at the edges of its light (10) and of the two sides (5). The sum is below 2e-5 of at
+// most 1.
 void TestReflectanceMap::nodesAreShadesOfTheirDirections() {
   QFETCH(int, n);
   QFETCH(int, lights);
@@ -146,7 +147,7 @@ void TestReflectanceMap::anEditMakesItAnewOnlyWhereItMust() {
   };
   const float* first = mapOf(before);
   QVERIFY(first);
-  // A new one is made while the old one is there, so that its memory is another.
+  // A new map is built while the old one exists, so that its memory differs.
   QCOMPARE(mapOf(after) != first, anew);
 }
 

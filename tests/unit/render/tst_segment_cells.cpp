@@ -1,5 +1,5 @@
-// Guards the search for surfaces (picture.md 10): the cells and distances that rays go by are those that
-// looking at every voxel finds; no crossing is lost or made between cells.
+// Guards the search for surfaces (picture.md 10): its cells and distances equal those found by visiting every
+// voxel. No crossing is lost or duplicated between cells.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -26,7 +26,7 @@ class TestSegmentCells : public QObject {
 
 namespace {
 
-/// Of 2 to 60 voxels an edge; 0 at its border. A few spots, waves, or noise.
+/// Returns a field of 2 to 60 voxels an edge with few spots, waves or noise; 0 at its border.
 std::shared_ptr<const OccupancyField> randomField(Chance& chance) {
   OccupancyField field;
   const glm::ivec3 size(2 + chance.below(60), 2 + chance.below(40), 2 + chance.below(30));
@@ -67,7 +67,7 @@ void forEachIn(glm::ivec3 count, const Visit& visit) {
       for (int i = 0; i < count.x; ++i) visit(glm::ivec3(i, j, k));
 }
 
-/// The field at a place within its box, by interpolation alone.
+/// Returns the field at a position within its box by interpolation.
 double occupancyBetween(const OccupancyField& field, glm::dvec3 place) {
   const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(place)), glm::ivec3(0), field.size() - 2);
   const glm::dvec3 f = place - glm::dvec3(cell);
@@ -119,8 +119,8 @@ void TestSegmentCells::cellsAndDistancesAreThoseOfEveryVoxel() {
   });
 }
 
-// Along lines by chance, one in three along an axis: between two crossings the field lies on one side of 1/2,
-// as they say, and at each it is 1/2.
+// Lines are random, one in three along an axis. At each crossing the field is 1/2. Between two crossings it
+// lies on the stated side of 1/2.
 void TestSegmentCells::crossingsPartInsideFromOutside() {
   QFETCH(quint64, seed);
   Chance chance(seed);
@@ -156,7 +156,7 @@ void TestSegmentCells::crossingsPartInsideFromOutside() {
   }
 }
 
-// A scene's target may be 1e30 mm away: along such lines a float of t may be longer than the field.
+// A scene's target may be 1e30 mm away. Along such lines the spacing of floats t may exceed the field's size.
 void TestSegmentCells::linesFromVeryFarAwayEnd() {
   OccupancyField field;
   field.geometry.size = glm::ivec3(64);

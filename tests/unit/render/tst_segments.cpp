@@ -1,5 +1,5 @@
-// Guards picture.md 10 in closed forms: the surface lies where the field is 1/2, is lit as the volume is, and
-// covers what is behind it; by the reference and by planes.
+// Guards picture.md 10 by closed forms: the surface lies where the field is 1/2, is lit like the volume, and
+// covers what is behind it. Covers the reference and planes.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -45,7 +45,7 @@ class TestSegments : public QObject {
 
 namespace {
 
-// Of the fast way beside closed forms: what `exact` promises, with half to spare.
+// Bound of the fast path against closed forms: half of what `exact` promises.
 constexpr double exactBound = 0.5 / 255;
 double boundOf(bool byReference) { return byReference ? referenceBound : exactBound; }
 
@@ -62,7 +62,7 @@ glm::dvec4 pixelBy(bool byReference, const Scene& scene, const VolumePtr& volume
   return {picture.rgba[0], picture.rgba[1], picture.rgba[2], picture.rgba[3]};
 }
 
-/// A field that is a profile along i alone, `values` from voxel `first` on.
+/// Returns a field that is a profile along i, with `values` from voxel `first` on.
 std::shared_ptr<const OccupancyField> profileAlongI(const VoxelGeometry& geometry, int first,
                                                     const std::vector<float>& values) {
   const int last = first + int(values.size()) - 1;
@@ -91,7 +91,7 @@ const glm::dvec3 redPaint(0.9, 0.2, 0.1), greenPaint(0.1, 0.8, 0.3);
 
 }  // namespace
 
-// Matter of one colour and density from -5 to 5 mm; the plate's surfaces at -1 and 1 mm.
+// Homogeneous matter lies from -5 to 5 mm. The plate's surfaces are at -1 and 1 mm.
 void TestSegments::aTranslucentPlateCutsTheRay() {
   QFETCH(bool, byReference);
   const auto matter = homogeneous(gridAround({10, 5, 5}));
@@ -154,7 +154,7 @@ void TestSegments::aBallIsAsLargeAndLitAsTold() {
   scene.camera->fov = 2 * glm::degrees(std::atan(15.0 / 50));
   const int n = 64;
   const Picture picture = pictureBy(byReference, scene, air, {n, n});
-  // A ball seen from its distance covers the sine, not the tangent, of its cone.
+  // In perspective a ball covers the sine of its cone, not the tangent.
   const double seenRadius = perspective ? 50 * std::tan(std::asin(radius / 50)) : radius;
   double area = 0, light = 0;
   for (int pixel = 0; pixel < n * n; ++pixel) {
@@ -164,7 +164,8 @@ void TestSegments::aBallIsAsLargeAndLitAsTold() {
   const double mm2 = 30.0 / n * 30.0 / n;
   COMPARE_WITHIN(area * mm2, glm::pi<double>() * seenRadius * seenRadius, 0.03 * area * mm2);
   if (perspective) return;
-  // Lambert's ball under a headlight: diffuse times 2/3 of its disc, and the ambient light.
+  // A Lambertian ball under a headlight reflects 2/3 of the diffuse light of its disc, plus the ambient
+  // light.
   COMPARE_WITHIN(light / area, 0.1 + 0.7 * 2 / 3, 0.01);
 }
 
@@ -199,14 +200,14 @@ void TestSegments::aTiltedPlaneIsLitByItsNormal() {
   const glm::dvec3 viewer = -glm::normalize(along), light = glm::normalize(scene.lights[0].direction);
   const glm::dvec3 halfway = glm::normalize(viewer + light), normal = fromBehind ? -outwards : outwards;
   const double nl = std::max(0.0, glm::dot(normal, light)), nh = std::max(0.0, glm::dot(normal, halfway));
-  QVERIFY(glm::dot(normal, viewer) > 0.1);  // one side alone
+  QVERIFY(glm::dot(normal, viewer) > 0.1);  // far enough from edge-on that only one side counts
   const glm::dvec3 radiance = 0.7 * scene.lights[0].colour;
   const glm::dvec3 colour =
       redPaint * (0.2 + 0.6 * radiance * nl) + 0.5 * radiance * std::min(1.0, 10 * nl) * std::pow(nh, 9.0);
   COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(colour, 1), boundOf(byReference));
 }
 
-// The clip plane lies within the plate: its far surface alone is seen, from inside.
+// The clip plane lies within the plate. Only its far surface is visible, from inside.
 void TestSegments::whatIsCutOpenShowsItsInside() {
   QFETCH(bool, byReference);
   const auto air = homogeneous(gridAround({10, 5, 5}));
@@ -222,7 +223,7 @@ void TestSegments::whatIsCutOpenShowsItsInside() {
   }
 }
 
-// All voxels are inside: the surface lies about half a voxel beyond them, also where that is beyond the box.
+// All voxels are inside. The surface lies about half a voxel beyond them, even outside the box.
 void TestSegments::theBorderOfTheVolumeClosesIt() {
   QFETCH(bool, byReference);
   const auto air = homogeneous(gridAround({6, 5, 7}));
@@ -231,14 +232,14 @@ void TestSegments::theBorderOfTheVolumeClosesIt() {
     Scene scene = plainScene(0, along);
     scene.segments = {{all, redPaint, 0.5}};
     COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(0.75 * redPaint, 0.75), boundOf(byReference));
-    scene.camera->target = along * 1e-9;  // the eye within
+    scene.camera->target = along * 1e-9;  // places the eye inside
     scene.camera->projection = Projection::perspective;
     scene.camera->distance = 1;
     COMPARE_PIXEL(pixelBy(byReference, scene, air), glm::dvec4(0.5 * redPaint, 0.5), boundOf(byReference));
   }
 }
 
-// Both surfaces lie at 0 mm: that of the opaque one hides the back of the other.
+// Both surfaces lie at 0 mm. The opaque one hides the back of the other.
 void TestSegments::whereTwoTouchTheEnteredComesFirst() {
   QFETCH(bool, byReference);
   const auto air = homogeneous(gridAround({10, 5, 5}));
@@ -290,7 +291,7 @@ void TestSegments::otherMethodsAndProjectionsShowNone() {
   QVERIFY(drawn() == without);
 }
 
-// A field is a value that never changes: pictures of the same one look into it once.
+// A field never changes, so that pictures of the same field search it only once.
 void TestSegments::onlyNewFieldsAreLookedInto() {
   const auto air = homogeneous(gridAround({6, 5, 7}));
   const auto all = fieldWhere(air->geometry(), [](glm::dvec3) { return true; });
@@ -305,7 +306,7 @@ void TestSegments::onlyNewFieldsAreLookedInto() {
   scene.segments[0].colour = greenPaint;
   QVERIFY(draw());
   QCOMPARE(all.use_count(), users);
-  // What is not drawn any more is let go.
+  // The cache of a field is released when it is no longer drawn.
   scene.segments[0].opacity = 0;
   QVERIFY(draw());
   QCOMPARE(all.use_count(), 2);

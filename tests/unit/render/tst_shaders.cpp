@@ -1,5 +1,5 @@
 // Guards design.md 3 (shading by reflectance map and by the paper's 5-bit table) with the paper's figure 3: a
-// sphere, lit each way.
+// sphere, lit by each.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -25,8 +25,8 @@ const VolumePtr& sphere() {
   return volume;
 }
 
-/// Opaque from the level on, of one colour, one light at the viewer, one side: what is seen changes smoothly
-/// with the normal alone, and nothing is brighter than 1.
+/// The surface is opaque from `level` on, with one colour, one side and one light at the viewer. The picture
+/// depends smoothly on the normal alone and is nowhere brighter than 1.
 Scene sphereScene() {
   Scene scene;
   scene.transferFunction = {1, {{level, {0.9, 0.7, 0.5}, 0}, {level, {0.9, 0.7, 0.5}, 1}}, {}};
@@ -68,8 +68,8 @@ const Picture& phong() {
   return picture;
 }
 
-/// The smallest gradient (per mm) among samples that count: a sample's opacity is 1 - 2^-5, so what lies
-/// deeper than half a voxel behind the surface counts less than 2^-10.
+/// Returns the smallest gradient (per mm) among samples that count. A sample's opacity is 1 - 2^-5, so that
+/// samples deeper than half a voxel count less than 2^-10.
 double smallestGradient() {
   const Scene scene = completed(sphereScene(), *sphere(), size);
   const BruteMatter matter(scene, *sphere());
@@ -87,9 +87,9 @@ double smallestGradient() {
   return smallest;
 }
 
-/// How much a pixel can change (in /255) where normals are off by `angle`: n.l changes by at most the angle,
-/// cos^p by at most its steepest slope times it; half a step of 8 bits where `bytes`; and 1/1024 of all light
-/// for samples that are deeper.
+/// Returns the largest change of a pixel (in /255) for normals off by `angle`. n.l changes by at most the
+/// angle, and cos^p by its steepest slope times the angle. `bytes` adds half a step of 8 bits. Deeper samples
+/// add 1/1024 of all light.
 double boundOf(double angle, bool bytes) {
   const Scene scene = sphereScene();
   const double p = scene.shading.shininess, steepest = std::sqrt(p) * std::pow((p - 1) / p, (p - 1) / 2);
@@ -97,8 +97,8 @@ double boundOf(double angle, bool bytes) {
          255.0 / 1024;
 }
 
-/// The largest difference, in /255, between neighbours of a row in the middle of the picture, where the
-/// sphere is turned towards the viewer.
+/// Returns the largest difference, in /255, between neighbours of a row in the middle of the picture. There
+/// the sphere faces the viewer.
 double largestJump(const Picture& picture) {
   float jump = 0;
   for (int y = size.y / 3; y < 2 * size.y / 3; ++y)
@@ -129,8 +129,8 @@ class TestShaders : public QObject {
   void whiteLightComputedOnceIsTheSame();
 };
 
-// A component of the gradient is rounded to limit / 15, the limit being half the range of values (1000) a
-// voxel of 1 mm: off by limit / 30 each, sqrt(3) times that in all.
+// Gradient components are rounded to limit / 15. The limit is half the range of values (1000) a voxel of 1
+// mm. The error is limit / 30 each and sqrt(3) times that in all.
 void TestShaders::theTableIsOffByItsRoundedGradients() {
   const double off = std::sqrt(3.0) * 500 / 30, smallest = smallestGradient();
   QVERIFY2(smallest > 250, qPrintable(QString::number(smallest)));
@@ -139,7 +139,7 @@ void TestShaders::theTableIsOffByItsRoundedGradients() {
   QVERIFY2(e.maximum <= bound, qPrintable(inWords(e, bound)));
 }
 
-// Figure 3: this is why the paper rejects it.
+// Figure 3: the paper rejects the table for these bands.
 void TestShaders::theTableShowsBands() {
   const Picture table = drawn(Shader::table);
   const PictureError e = compare(table, phong());
@@ -154,7 +154,7 @@ void TestShaders::theNearestMapIsOffByItsPatches_data() {
   for (int n : {4, 16, 64, 256}) QTest::addRow("%d x %d", n, n) << n;
 }
 
-// A patch's corner is sqrt(2) / n from its middle, one away from the middle of the cube.
+// A patch's corner is sqrt(2) / n from its middle, at distance 1 from the cube's middle.
 void TestShaders::theNearestMapIsOffByItsPatches() {
   QFETCH(int, n);
   const double bound = boundOf(std::atan(std::sqrt(2.0) / n), false);
@@ -163,8 +163,9 @@ void TestShaders::theNearestMapIsOffByItsPatches() {
   QVERIFY2(e.maximum > bound / 20, qPrintable(inWords(e, bound)));
 }
 
-// Between nodes of distance d the error of interpolation is d^2/8 times the second derivative along each of
-// two axes: for D at most 1, for cos^p at most p (both on the sphere; the cube stretches by at most 1).
+// Between nodes at distance d, the interpolation error is d^2/8 times the second derivative along each of two
+// axes. That is at most 1 for D and at most p for cos^p (both on the sphere; the cube stretches by at most
+// 1).
 void TestShaders::theBilinearMapIsCloser() {
   const Scene scene = sphereScene();
   for (int n : {16, 64}) {
@@ -201,7 +202,7 @@ void TestShaders::whiteLightComputedOnceIsTheSame_data() {
   row("preshaded", [](Scene&, RenderOptions& o) { o.method = Method::preshaded; });
 }
 
-// design.md 5: white lights -> fewer components. With every sound rule off they are all computed.
+// design.md 5: white lights -> fewer components. With every sound rule off all components are computed.
 void TestShaders::whiteLightComputedOnceIsTheSame() {
   QFETCH(Change, change);
   Scene scene = sphereScene();

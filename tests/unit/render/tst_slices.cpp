@@ -1,4 +1,4 @@
-// Guards design.md 3 and 5: slices that leave out what is hidden draw the picture of all slices.
+// Guards design.md 3 and 5: slices without hidden parts draw the same picture as whole slices.
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -15,7 +15,7 @@ using namespace volumen::tests;
 
 constexpr int edge = 40;
 
-// Behind a wall with a hole in it stands matter of all values.
+// Returns matter of all values behind a wall with a hole.
 VolumePtr wall() {
   std::mt19937 random(3);
   return volumeOf<std::int16_t>({edge, edge, edge}, {{1, 0, 0}, {0.1, 1, 0}, {0, 0.2, 1}}, [&](glm::dvec3 p) {

@@ -22,7 +22,7 @@ using namespace volumen::tests;
 
 namespace {
 
-/// All samples of the translucent chest count: a smaller picture keeps the test short.
+/// In the translucent chest all samples count, so that its picture is smaller to keep the test short.
 glm::ivec2 sizeOf(const PictureCase& c) {
   return std::string(c.name).ends_with("gel") ? glm::ivec2(32) : glm::ivec2(64);
 }
@@ -37,7 +37,7 @@ const Picture& referenceOf(const PictureCase& c) {
   return entry->second;
 }
 
-/// The picture of a case; gradients and tables of its volume are made once.
+/// Draws a case. Gradients and tables of its volume are made once.
 Picture drawn(const PictureCase& c, RenderOptions options) {
   static std::map<std::string, RenderCaches> caches;
   RenderCaches& cache = caches.try_emplace(c.volume, caseVolume(c.volume)).first->second;
@@ -101,8 +101,8 @@ void TestSteps::plansCompleteTheScene() {
   QCOMPARE(*scene.shading.gradientFloor, *expected.shading.gradientFloor);
 }
 
-// design.md 2: errors at most those of the midpoint rule in double precision, plus what the stored precision
-// explains: 5 % (the same samples, rounded), and what lies behind a transmittance of 1/4096: 0.06/255.
+// design.md 2: errors are at most those of the midpoint rule in double precision, plus two terms. Stored
+// precision adds 5 % (the same samples, rounded). Samples behind a transmittance of 1/4096 add 0.06/255.
 void TestSteps::aStepIsAsGoodAsTheMidpointRule() {
   NEED_CASE(c);
   for (double step : {1.0, 0.5}) {
@@ -160,7 +160,7 @@ void TestSteps::fullIsTheSamePicture() {
   QVERIFY(drawn(c, options) == drawn(c, plain));
 }
 
-// Rays askew through noise at the edge of the curve: where they begin to walk must change no passage.
+// Rays are oblique and pass noise at the edge of the curve. Where they begin to step must not matter.
 void TestSteps::fullIsTheSamePictureOfThinNoise_data() {
   QTest::addColumn<Camera>("camera");
   const auto row = [](const char* name, glm::dvec3 direction, Projection projection) {
@@ -175,8 +175,7 @@ void TestSteps::fullIsTheSamePictureOfThinNoise_data() {
   row("perspective", {-0.4, 0.9, 0.3}, Projection::perspective);
 }
 
-// Which thin and faint cells are walked depends on what is skipped and on which rays a vector holds; what
-// they add must not.
+// Which thin and faint cells are visited depends on skipping and on the rays of a vector. The sum must not.
 void TestSteps::fullIsTheSamePictureOfThinNoise() {
   const VolumePtr chest = caseVolume("ct-chest-lidc0314-138");
   NEED_VOLUME(chest);

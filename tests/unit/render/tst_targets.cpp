@@ -28,7 +28,7 @@ using Change = void (*)(Case&);
 
 VolumePtr smallHead() { return *makePhantom("ct-head:40"); }
 
-// Its soft tissue, which goes around its bone.
+// Adds soft tissue and the bone that it encloses.
 void addSegments(Scene& scene, double softOpacity, double boneOpacity) {
   const VolumePtr head = smallHead();
   const auto fieldOf = [&](ValueRange range) {
@@ -154,7 +154,7 @@ void TestTargets::everyCpuTargetGivesTheSameBytes() {
   std::optional<Picture> first;
   QStringList others;
   const auto seen = onEveryCpuTarget([&] {
-    RenderCaches caches(head);  // the Sobel pass has kernels of its own
+    RenderCaches caches(head);  // fresh caches, as the Sobel pass has kernels of its own
     const Picture picture = render(*makePlan(c.scene, caches.facts(), c.options), caches)->picture;
     if (!first) first = picture;
     if (picture != *first) others << QString::fromLatin1(kernelTarget());

@@ -1,5 +1,5 @@
-// Guards design.md 5, empty blocks, cell by cell: a cell is passed over exactly where no density between its
-// eight voxels has opacity.
+// Guards design.md 5, empty blocks, cell by cell: a cell is skipped exactly if no density between its eight
+// voxels has opacity.
 #include <algorithm>
 #include <random>
 
@@ -23,7 +23,7 @@ struct Grid {
   }
 };
 
-// Waves of -60 .. 60 with some noise, and a corner that is constant.
+// Returns waves of -60 .. 60 with some noise, and a constant corner.
 Grid wavy(glm::ivec3 size, std::uint16_t flip) {
   Grid g{size, {}, flip};
   std::minstd_rand random(3);
@@ -37,7 +37,7 @@ Grid wavy(glm::ivec3 size, std::uint16_t flip) {
   return g;
 }
 
-// The grid's values as bytes that mean 70 less, the last of each so many.
+// Returns the values plus 70 as bytes. Each is the last of `stride` bytes.
 std::vector<std::uint8_t> bytesOf(const Grid& g, int stride) {
   std::vector<std::uint8_t> bytes(stride * g.stored.size());
   for (std::size_t n = 0; n < g.stored.size(); ++n)
@@ -52,7 +52,7 @@ TransferFunction curveOf(const std::vector<std::pair<float, double>>& points) {
   return curve;
 }
 
-// Whether any density from `low` to `high` has opacity: whole ones and those in thirds between them.
+// Returns whether any density from `low` to `high` has opacity, tested in steps of one third.
 bool anyVisible(const TransferFunction& curve, int low, int high) {
   const auto& points = curve.points;
   for (int n = 3 * low; n <= 3 * high; ++n) {
@@ -92,7 +92,7 @@ void TestVisibleCells::cellsAreThoseThatHoldOpacity_data() {
   QTest::addColumn<Points>("points");
   QTest::addColumn<int>("x");
   QTest::addColumn<bool>("isUnsigned");
-  QTest::addColumn<int>("bytes");  // 0: 16 bits
+  QTest::addColumn<int>("bytes");  // 0 for 16 bits
   const std::pair<const char*, Points> curves[] = {
       {"a ramp that begins at the background", {{0, 0}, {30, 0.5}}},
       {"a ramp downwards", {{-20, 0.5}, {0, 0}}},

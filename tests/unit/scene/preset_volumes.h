@@ -6,7 +6,7 @@
 
 namespace volumen::tests {
 
-/// A row of these values, of a modality.
+/// Returns a row of these values with a modality.
 template <class T>
 VolumePtr rowOf(std::vector<T> values, const char* modality) {
   VolumeParts parts;
@@ -16,7 +16,7 @@ VolumePtr rowOf(std::vector<T> values, const char* modality) {
   return volumeFrom(std::move(parts));
 }
 
-/// 0 .. 999, one voxel each: P1 is 9 and P99.5 is 994 (ranks 10 and 995).
+/// Returns one voxel each of 0 .. 999. P1 is 9 and P99.5 is 994 (ranks 10 and 995).
 inline VolumePtr countingVolume(const char* modality = "MR") {
   std::vector<std::int16_t> values(1000);
   std::iota(values.begin(), values.end(), std::int16_t(0));

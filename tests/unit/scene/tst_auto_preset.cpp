@@ -1,4 +1,4 @@
-// Guards design.md 10 (the preset that is chosen by itself, defaults of render).
+// Guards design.md 10 (the preset that is chosen automatically, defaults of render).
 #include <algorithm>
 #include <random>
 
@@ -28,7 +28,7 @@ struct Tissue {
   int voxels;
 };
 
-// A volume with the histogram of these tissues.
+// Returns a volume with the histogram of these tissues.
 VolumePtr patient(const std::vector<Tissue>& tissues, const char* modality) {
   std::mt19937 bits(1);
   std::vector<std::int16_t> values;
@@ -85,7 +85,7 @@ void TestAutoPreset::autoChoosesByModalityAndHistogram() {
   QVERIFY(automatic == chosen);
 }
 
-// Of 100,000 voxels 60 are not 0: P1 and P99.5 are both 0.
+// Of 100,000 voxels only 60 are not 0, so that P1 and P99.5 are both 0.
 void TestAutoPreset::aSmallThingInALargeBackgroundIsSeen() {
   std::vector<std::int16_t> values(100000, 0);
   for (int n = 0; n < 60; ++n) values[500 + n] = std::int16_t(1 + n % 9);
@@ -95,8 +95,8 @@ void TestAutoPreset::aSmallThingInALargeBackgroundIsSeen() {
   QVERIFY(opacityAt(curve, 9) > 0.3);
 }
 
-// Raised by 1024, a head is shown by each preset of CT as before, 1024 higher; one of MR has values of its
-// own.
+// If a CT head is raised by 1024, presets of CT that need no anchor show it unchanged, with values 1024
+// higher.
 void TestAutoPreset::presetsOfCtLieWhereWaterIs() {
   const auto head = [](double by) {
     return patient(

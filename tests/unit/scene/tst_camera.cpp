@@ -26,7 +26,8 @@ class TestCamera : public QObject {
 };
 
 void TestCamera::viewsLookFromTheNamedSide_data() {
-  // In LPS: left is +x, posterior +y, superior +z; the camera stands on the named side and looks back.
+  // Coordinates are LPS: left is +x, posterior +y, superior +z. The camera is on the named side and looks
+  // back.
   QTest::addColumn<QString>("name");
   QTest::addColumn<int>("axis");
   QTest::addColumn<double>("direction");
@@ -79,8 +80,8 @@ VoxelGeometry obliqueGrid() {
           .origin = {-12, 200, 37}};
 }
 
-// The largest |a| / (width / 2) or |b| / (height / 2) that a corner of the box has in the picture (picture.md
-// 7): 1 where the box just fits; infinity where a corner is not in front of the eye.
+// Returns the largest |a| / (width / 2) or |b| / (height / 2) of a corner of the box in the picture
+// (picture.md 7). It is 1 if the box just fits, and infinite if a corner is not in front of the eye.
 double fill(const Camera& camera, const VoxelGeometry& geometry, double aspect) {
   const CameraAxes axes = cameraAxes(camera);
   const bool perspective = camera.projection == Projection::perspective;
@@ -145,7 +146,7 @@ void TestCamera::turningIsAnticlockwiseFromTheTipOfUp_data() {
   QTest::addColumn<double>("degrees");
   QTest::addColumn<double>("x");
   QTest::addColumn<double>("y");
-  // Seen from +z with x to the right and y upwards, (0, 1) goes to (-1, 0) by a quarter turn.
+  // Seen from +z with x to the right and y upwards, a quarter turn moves (0, 1) to (-1, 0).
   QTest::newRow("none") << 0. << 0. << 1.;
   QTest::newRow("quarter") << 90. << -1. << 0.;
   QTest::newRow("half") << 180. << 0. << -1.;
@@ -170,7 +171,7 @@ void TestCamera::elevationIsTheAngleAboveThePlaneOfTheTurn_data() {
   for (const double degrees : {-80., 0., 15., 60.}) QTest::addRow("%g", degrees) << degrees;
 }
 
-// Whatever the camera's elevation was: the eye stands where it is asked to, on the side where it was.
+// The new elevation does not depend on the camera's former one. The eye stays on its side.
 void TestCamera::elevationIsTheAngleAboveThePlaneOfTheTurn() {
   QFETCH(double, degrees);
   Camera camera;

@@ -1,4 +1,4 @@
-// Guards the knobs of design.md 6 that change the curve: table size and low-opacity threshold.
+// Guards the options of design.md 6 that change the curve: table size and low-opacity threshold.
 #include <cmath>
 
 #include "tests/unit/suite.h"
@@ -18,7 +18,7 @@ class TestCurveChanges : public QObject {
 
 namespace {
 
-// picture.md 4 to the letter.
+// Evaluates the curve exactly by picture.md 4.
 CurvePoint at(const TransferFunction& curve, double value) {
   const auto& p = curve.points;
   CurvePoint out = p.front();
@@ -50,7 +50,7 @@ void TestCurveChanges::aTableHoldsItsNearestEntry() {
   const double width = 200.0 / (entries - 1);
   for (double value = -99.83; value < 100; value += 1.37) {
     const double entry = std::round((value + 100) / width);
-    // Within float rounding of a border half way, either neighbour is right.
+    // Within float rounding of the border between two entries, either is right.
     if (std::abs(std::abs((value + 100) / width - entry) - 0.5) < 1e-5) continue;
     const CurvePoint expected = at(curve, float(-100 + entry * width)), found = at(table, value);
     QVERIFY(std::abs(found.opacity - expected.opacity) < 1e-9);
@@ -68,7 +68,7 @@ void TestCurveChanges::aTableOfEqualEntriesIsShort() {
 void TestCurveChanges::faintIsCutWhereTheCurveCrosses_data() {
   QTest::addColumn<double>("value");
   QTest::addColumn<double>("opacity");
-  // Rises from 0 to 0.4 over 0 .. 40, falls to 0 at 80, jumps to 0.05 at 100 and to 0.5 at 120.
+  // The curve rises from 0 to 0.4 over 0 .. 40, falls to 0 at 80, jumps to 0.05 at 100 and to 0.5 at 120.
   QTest::newRow("below the crossing") << 9.9 << 0.;
   QTest::newRow("above the crossing, as it was") << 10.5 << 0.105;
   QTest::newRow("at the top") << 40. << 0.4;

@@ -1,4 +1,4 @@
-// Guards picture.md 8 (without a camera): what is thin is not seen edge-on.
+// Guards picture.md 8 (without a camera): thin volumes are not seen edge-on.
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 

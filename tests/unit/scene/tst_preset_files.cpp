@@ -1,4 +1,4 @@
-// Guards design.md 10 (presets): the file of a preset, read and written.
+// Guards design.md 10 (presets): reading and writing a preset's file.
 #include "tests/unit/scene/preset_volumes.h"
 #include "tests/unit/suite.h"
 #include "viewer/scene/presets.h"

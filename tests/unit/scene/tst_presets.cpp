@@ -1,5 +1,4 @@
-// Guards design.md 10 (presets, padding) and the published opacities that the presets
-// repeat.
+// Guards design.md 10 (presets, padding) and the published opacities that the presets reproduce.
 #include "tests/unit/scene/preset_volumes.h"
 #include "tests/unit/suite.h"
 #include "viewer/scene/presets.h"
@@ -36,10 +35,10 @@ struct Published {
   double material[4];  // ambient, diffuse, specular, power
   bool lit;
   std::vector<Point> gradient;
-  double anchorHigh;  // the published value that falls on P99.5, 0: values in HU stay
+  double anchorHigh;  // the published value that is mapped to P99.5; 0 if values stay in HU
 };
 
-// The tables of 3D Slicer, CS3D and VolView as they are published (figures only).
+// Returns the published tables of 3D Slicer, CS3D and VolView (figures only).
 const std::vector<Published>& published() {
   static const std::vector<Published> table{
       {"CT-AAA",
@@ -147,7 +146,7 @@ const std::vector<Published>& published() {
   return table;
 }
 
-// Linear between the table's points, constant outside.
+// Interpolates linearly between the table's points, constant outside.
 double tableAt(const std::vector<Point>& points, double value) {
   if (value <= points.front().value) return points.front().opacity;
   for (std::size_t n = 1; n < points.size(); ++n)
@@ -186,7 +185,7 @@ void TestPresets::opacitiesAreThePublishedOnes() {
     });
     QVERIFY2(found != points.end(), qPrintable(QString::number(want.value)));
   }
-  // Points beyond the table's are there for their colour only.
+  // Points beyond the table's serve only their colour.
   for (const CurvePoint& have : points)
     QVERIFY(std::abs(have.opacity - tableAt(p.points, (double(have.value) - shift) / scale)) < 1e-3);
   const Shading& s = scene.shading;
@@ -283,9 +282,11 @@ void TestPresets::techniqueOfMaximumPresets() {
     QCOMPARE(scene.window.has_value(), maximum);
   }
   const Window ct = *presetScene("CT-MIP", *countingVolume())->window;
-  QVERIFY(ct.centre - ct.width / 2 > -1000 && ct.centre + ct.width / 2 > 700);  // air black, ribs not white
+  // air is black, ribs are not white
+  QVERIFY(ct.centre - ct.width / 2 > -1000 && ct.centre + ct.width / 2 > 700);
   const Window mr = *presetScene("MR-MIP", *countingVolume())->window;
-  QVERIFY(mr.centre - mr.width / 2 > 9 && mr.centre + mr.width / 2 > 994);  // the brightest below white
+  // the brightest value is below white
+  QVERIFY(mr.centre - mr.width / 2 > 9 && mr.centre + mr.width / 2 > 994);
   const Scene pet = *presetScene("PET-MIP", *countingVolume("PT"));
   QVERIFY2(pet.window->width < 0, "much tracer is dark");
   QVERIFY2(pet.background.colour == glm::dvec3(1), "as bright as no tracer");

@@ -39,7 +39,7 @@ void TestSceneJson::missingFieldsHaveTheirDefaults() {
   QVERIFY((s.clip.planes == std::vector<ClipPlane>{{{0, 0, 1}, 50}}));
 }
 
-// The one of resources/docs/picture.md 8, with all its defaults.
+// Loads the scene of resources/docs/picture.md 8, with all its defaults.
 void TestSceneJson::theSceneOfThePageLoads() {
   const QString page =
       QString::fromUtf8(contentsOf(QStringLiteral(VOLUMEN_SOURCE_DIR "/resources/docs/picture.md")));
@@ -100,7 +100,7 @@ void TestSceneJson::hugeDirectionsKeepTheirDirection() {
 
 namespace {
 
-// Numbers of all sizes with all their digits.
+// Makes scenes with numbers of all magnitudes and full precision.
 class RandomScene {
  public:
   explicit RandomScene(unsigned seed) : bits_(seed) {}

@@ -1,5 +1,4 @@
-// Guards picture.md 4 (order of points) and picture.md 8 (what a scene file is refused for, and what it may
-// hold).
+// Guards picture.md 4 (order of points) and picture.md 8 (why a scene file is refused, and what it may hold).
 #include <functional>
 #include <limits>
 
@@ -22,7 +21,7 @@ class TestSceneRefusals : public QObject {
 
 namespace {
 
-// What a text is refused with; empty where it is accepted.
+// Returns the message of a refusal; empty if the text is accepted.
 QString refusal(const QByteArray& json) {
   const auto scene = sceneFromJson(json.toStdString());
   return scene.ok() ? QString() : QString::fromStdString(scene.message());

@@ -1,4 +1,4 @@
-// Guards "did you mean": the name that a mistyped word was probably meant to be, and none for another word.
+// Guards "did you mean": the probable name for a mistyped word, and none for a different word.
 #include <QTest>
 
 #include "tests/unit/suite.h"
@@ -15,7 +15,7 @@ class TestSimilarName : public QObject {
 
 void TestSimilarName::nameThatWasMeant_data() {
   QTest::addColumn<QString>("word");
-  QTest::addColumn<QString>("name");  // empty: none
+  QTest::addColumn<QString>("name");  // empty if none is similar
   const auto row = [](const char* what, const char* word, const char* name) {
     QTest::newRow(what) << QString::fromLatin1(word) << QString::fromLatin1(name);
   };

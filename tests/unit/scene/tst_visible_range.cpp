@@ -1,5 +1,5 @@
-// Guards picture.md 4 (points of one value) for restricting a curve to a range, design.md 8 (segment what is
-// seen).
+// Guards picture.md 4 (points of one value) for restricting a curve to a range, and design.md 8 (segmenting
+// the visible range).
 #include <cmath>
 #include <limits>
 #include <random>
@@ -26,7 +26,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr float largest = std::numeric_limits<float>::max();
 
-// picture.md 4 word by word: linear between neighbours, constant outside, the last of equal points holds.
+// Evaluates picture.md 4 literally: linear between neighbours, constant outside, last of equal points.
 double opacityAt(const TransferFunction& curve, double value) {
   const auto& p = curve.points;
   if (value < double(p.front().value)) return p.front().opacity;
@@ -51,7 +51,7 @@ const TransferFunction flat = curveOf({{7, 0.3}});
 TransferFunction randomCurve(std::mt19937& bits) {
   std::vector<std::pair<float, double>> points(1 + bits() % 8);
   for (auto& [value, opacity] : points) {
-    value = float(int(bits() % 12)) - 5.5f;  // not 0: next to it are values that double cannot tell apart
+    value = float(int(bits() % 12)) - 5.5f;  // avoids 0, beside which doubles cannot resolve values
     opacity = bits() % 2 ? 0 : double(bits() % 1000) / 1000;
   }
   std::sort(points.begin(), points.end(), [](auto a, auto b) { return a.first < b.first; });
@@ -59,7 +59,7 @@ TransferFunction randomCurve(std::mt19937& bits) {
   return curveOf(points);
 }
 
-// Values where something may change: around every point, and between.
+// Returns values around every point and between them, where something may change.
 std::vector<float> interestingValues(const TransferFunction& curve, std::vector<float> more = {}) {
   for (const CurvePoint& p : curve.points) more.push_back(p.value);
   std::vector<float> values{-largest, -1e6f, -0.0f, 0.5f, 1e6f, largest};

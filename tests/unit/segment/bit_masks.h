@@ -11,9 +11,8 @@
 
 namespace volumen::tests {
 
-/// A small grid by chance of one of the shapes that there are, thick slices too (grids.h): up to `most`
-/// voxels along each axis, now and then a single one, so that rows end within a word, at its end and behind
-/// it.
+/// Returns a random small grid of any shape in grids.h, including thick slices. It has up to `most` voxels
+/// along each axis, sometimes a single one. Rows end within a word, at its end and beyond it.
 inline VoxelGeometry anyGrid(std::mt19937& random, glm::ivec3 most = {70, 9, 7}) {
   VoxelGeometry grid;
   for (int axis = 0; axis < 3; ++axis)
@@ -26,7 +25,7 @@ inline VoxelGeometry anyGrid(std::mt19937& random, glm::ivec3 most = {70, 9, 7})
   return grid;
 }
 
-/// Voxels by chance, of any density: none, all, and blocks among them.
+/// Returns random voxels of any density, including none and all, sometimes in blocks.
 inline BitMask anyMask(std::mt19937& random, const VoxelGeometry& grid) {
   BitMask mask(grid);
   const unsigned ofHundred = unsigned(std::vector{0, 3, 20, 35, 50, 70, 90, 100}[random() % 8]);
@@ -44,7 +43,7 @@ inline BitMask anyMask(std::mt19937& random, const VoxelGeometry& grid) {
   return mask;
 }
 
-/// All voxels of a grid in order of memory.
+/// Returns all voxels of a grid in memory order.
 inline std::vector<glm::ivec3> voxelsOf(const VoxelGeometry& grid) {
   std::vector<glm::ivec3> all;
   for (int k = 0; k < grid.size.z; ++k)
@@ -57,7 +56,7 @@ inline bool isInGrid(glm::ivec3 v, glm::ivec3 size) {
   return v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x < size.x && v.y < size.y && v.z < size.z;
 }
 
-/// What of a mask a flood from voxel to voxel reaches.
+/// Returns the part of a mask that a flood fill reaches from the voxels `open` by `steps`.
 inline BitMask reachedFrom(std::vector<glm::ivec3> open, const BitMask& mask,
                            const std::vector<glm::ivec3>& steps) {
   BitMask reached(mask.geometry());
@@ -75,7 +74,7 @@ inline BitMask reachedFrom(std::vector<glm::ivec3> open, const BitMask& mask,
   return reached;
 }
 
-/// To both sides along the axes but one (-1: along all).
+/// Returns steps in both directions along all axes but `axis` (-1: along all axes).
 inline std::vector<glm::ivec3> stepsAcross(int axis) {
   std::vector<glm::ivec3> steps;
   for (int a = 0; a < 3; ++a) {
@@ -86,7 +85,8 @@ inline std::vector<glm::ivec3> stepsAcross(int axis) {
   return steps;
 }
 
-/// With what no flood reaches from the border: in slices across an axis, in space (-1).
+/// Returns the mask with its holes, which a flood fill from the border does not reach. Holes are in slices
+/// across `axis`, or in space (-1).
 inline BitMask filledSlowly(const BitMask& mask, int axis) {
   std::vector<glm::ivec3> border;
   for (const glm::ivec3 v : voxelsOf(mask.geometry()))
@@ -95,7 +95,7 @@ inline BitMask filledSlowly(const BitMask& mask, int axis) {
   return inverted(reachedFrom(border, inverted(mask), stepsAcross(axis)));
 }
 
-/// Whether a mask holds exactly the voxels for which holds(voxel), and no bits beyond the grid.
+/// Returns whether a mask holds exactly the voxels for which holds(voxel), and no bits beyond the grid.
 template <class Holds>
 bool isExactly(const BitMask& mask, const Holds& holds) {
   BitMask twin(mask.geometry());
@@ -103,7 +103,7 @@ bool isExactly(const BitMask& mask, const Holds& holds) {
   return twin == mask;
 }
 
-/// What a failure is told by.
+/// Returns the description of a failed case.
 inline std::string caseOf(int seed, const BitMask& mask) {
   const glm::ivec3 size = mask.size();
   return "seed " + std::to_string(seed) + ": " + std::to_string(size.x) + " x " + std::to_string(size.y) +

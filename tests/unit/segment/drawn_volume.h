@@ -8,8 +8,8 @@
 
 namespace volumen::tests {
 
-/// The part of a cell in which the trilinear field is at least 1/2, by counting points of a lattice that lies
-/// elsewhere in each cell: else all cells of a flat face would be off by the same.
+/// Returns the part of a cell in which the trilinear field is at least 1/2, by counting lattice points. The
+/// lattice is shifted at random in each cell, as else all cells of a flat face would have the same error.
 inline double partInside(const OccupancyField& field, glm::ivec3 cell, Chance& chance) {
   const glm::i64vec3 size = field.size();
   std::array<double, 8> v{};
@@ -34,7 +34,7 @@ inline double partInside(const OccupancyField& field, glm::ivec3 cell, Chance& c
   return inside / double(n * n * n);
 }
 
-/// The volume of all of that, mm^3: what pictures draw of a segment (picture.md 10).
+/// Returns the volume in mm^3 that pictures draw of a segment (picture.md 10).
 inline double drawnVolume(const OccupancyField& field) {
   Chance chance(1);
   double cells = 0;

@@ -26,7 +26,8 @@ BitMask maskWhere(const VoxelGeometry& geometry, const Inside& isIn) {
   return mask;
 }
 
-/// A small grid of any shape: one of `grids`, sizes from 1 on, now and then longer than a word of bits.
+/// Returns a random small grid of any shape in `grids`, with at least one voxel an edge. Its rows are
+/// sometimes longer than a word of bits.
 inline VoxelGeometry anyGrid(Chance& chance, int largest) {
   VoxelGeometry grid;
   for (int a = 0; a < 3; ++a) grid.size[a] = 1 + chance.below(largest);
@@ -35,7 +36,7 @@ inline VoxelGeometry anyGrid(Chance& chance, int largest) {
   return grid;
 }
 
-/// Noise of any density, or boxes in it, or their inverse.
+/// Returns random noise of any density, in which up to three boxes are filled or cleared.
 inline BitMask anyMask(Chance& chance, const VoxelGeometry& grid) {
   const double density = chance.oneIn(3) ? 0 : chance.between(0, 1);
   BitMask mask = maskWhere(grid, [&](glm::ivec3) { return chance.share() < density; });

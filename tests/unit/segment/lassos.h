@@ -10,7 +10,7 @@
 
 namespace volumen::tests {
 
-/// A freehand outline: a ragged ring, crossing itself now and then.
+/// Returns a freehand outline: a ragged ring that may cross itself.
 inline Lasso anyLasso(std::mt19937& random, bool perspective, bool inside) {
   std::uniform_real_distribution<double> one(-1, 1);
   Lasso lasso;
@@ -29,7 +29,7 @@ inline Lasso anyLasso(std::mt19937& random, bool perspective, bool inside) {
   return lasso;
 }
 
-/// How often the outline goes around a point, by the angles that its corners are seen under.
+/// Returns the winding number of the outline about a point, from the angles between its corners.
 inline int windingByAngles(const std::vector<glm::dvec2>& points, glm::dvec2 p) {
   double sum = 0;
   for (std::size_t n = 0; n < points.size(); ++n) {
@@ -39,7 +39,7 @@ inline int windingByAngles(const std::vector<glm::dvec2>& points, glm::dvec2 p) 
   return int(std::lround(sum / (2 * std::numbers::pi)));
 }
 
-/// Whether a lasso cuts away a place in the patient, by brute force.
+/// Returns by brute force whether a lasso cuts away a point in patient space.
 inline bool isCutBy(const Lasso& lasso, glm::dvec3 p) {
   const glm::dvec3 d = p - lasso.origin, forward = glm::cross(lasso.right, lasso.down);
   glm::dvec2 seen(glm::dot(d, lasso.right), glm::dot(d, lasso.down));

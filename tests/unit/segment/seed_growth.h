@@ -8,10 +8,10 @@
 
 namespace volumen::tests {
 
-/// A margin in mm that no grid reaches.
+/// A margin in mm that reaches beyond any grid.
 inline constexpr double everywhere = std::numeric_limits<double>::infinity();
 
-/// 1 mm voxels of these values.
+/// Returns voxels of 1 mm with these values.
 inline VolumePtr valuesBy(glm::ivec3 size, const std::function<double(glm::dvec3)>& valueAt) {
   return volumeOf<std::int16_t>(size, glm::dmat3(1), valueAt);
 }

@@ -19,7 +19,7 @@
 
 namespace volumen::tests {
 
-/// Whether a point of patient space is inside a shape.
+/// Returns whether a point in patient space is inside a shape.
 using Shape3 = std::function<bool(glm::dvec3)>;
 
 inline Shape3 ellipsoid(glm::dvec3 halfAxes, glm::dvec3 centre = glm::dvec3(0)) {
@@ -35,8 +35,8 @@ inline Shape3 cylinder(double radius, double height, glm::dvec3 along) {
   };
 }
 
-/// A grid about the origin of patient space that a ball of `reach` mm fits in; its middle lies off the
-/// voxels' centres.
+/// Returns a grid around the origin of patient space that holds a ball of `reach` mm. The origin lies off the
+/// voxel centres.
 inline VoxelGeometry gridAbout(const glm::dmat3& step, double reach) {
   VoxelGeometry grid;
   grid.patientFromVoxelStep = step;
@@ -46,7 +46,7 @@ inline VoxelGeometry gridAbout(const glm::dmat3& step, double reach) {
   return grid;
 }
 
-/// The voxels whose centres are inside.
+/// Returns the voxels whose centres are inside.
 inline BitMask maskOfShape(const VoxelGeometry& grid, const Shape3& isIn) {
   BitMask mask(grid);
   for (int k = 0; k < grid.size.z; ++k)
@@ -56,8 +56,8 @@ inline BitMask maskOfShape(const VoxelGeometry& grid, const Shape3& isIn) {
   return mask;
 }
 
-/// The digital phantom of the Image Biomarker Standardisation Initiative: 5 x 4 x 4 voxels of 2 mm, of which
-/// six are not in its region.
+/// Returns the digital phantom of the Image Biomarker Standardisation Initiative: 5 x 4 x 4 voxels of 2 mm,
+/// six of them outside its region.
 inline BitMask ibsiPhantom() {
   BitMask mask({.size = {5, 4, 4}, .patientFromVoxelStep = glm::dmat3(2)});
   const std::set<std::array<int, 3>> out{{0, 2, 1}, {3, 0, 2}, {4, 0, 2}, {2, 2, 2}, {3, 0, 3}, {4, 0, 3}};
@@ -67,13 +67,13 @@ inline BitMask ibsiPhantom() {
   return mask;
 }
 
-/// Values by chance at the points of a small box, 0 on its border: a set of points inside of any density,
-/// with values of 1 and 0, or by chance on either side of 1/2.
+/// Returns random values at the points of a small box, and 0 on its border. Points inside have any density.
+/// Values are 1 and 0, or random on either side of 1/2.
 inline OccupancyField anyField(std::uint64_t seed) {
   Chance chance(seed);
   OccupancyField field;
   field.geometry.size = {1 + chance.below(9), 1 + chance.below(9), 1 + chance.below(9)};
-  if (chance.oneIn(20)) field.geometry.size.x = 60 + chance.below(10);  // rows of more than a word
+  if (chance.oneIn(20)) field.geometry.size.x = 60 + chance.below(10);  // rows longer than a word
   field.geometry.patientFromVoxelStep = grids[chance.below(int(std::size(grids)))].patientFromVoxelStep;
   field.geometry.origin = 300.0 * chance.vector();
   field.box = {glm::ivec3(-1), field.geometry.size};
@@ -92,7 +92,7 @@ inline OccupancyField anyField(std::uint64_t seed) {
   return field;
 }
 
-/// Where a distance to a shape crosses 0 the field crosses 1/2, nearly linearly.
+/// Returns a field that crosses 1/2 nearly linearly where the distance `inwards` from a shape crosses 0.
 inline OccupancyField fieldOf(const VoxelGeometry& grid, const std::function<double(glm::dvec3)>& inwards) {
   OccupancyField field{grid, {glm::ivec3(-1), grid.size}, {}};
   const double steep = 0.4 / std::max({grid.spacing().x, grid.spacing().y, grid.spacing().z});
@@ -104,17 +104,18 @@ inline OccupancyField fieldOf(const VoxelGeometry& grid, const std::function<dou
   return field;
 }
 
-/// The surface of such a field of a ball.
+/// Returns the surface of such a field of a ball.
 inline Surface ballSurface(double radius, const glm::dmat3& step, glm::dvec3 centre = glm::dvec3(0)) {
   return *surfaceOf(fieldOf(gridAbout(step, radius + glm::length(centre) + 1),
                             [&](glm::dvec3 p) { return radius - glm::distance(p, centre); }));
 }
 
-/// What is wrong with a surface that should be closed; empty: nothing. Every edge is in two triangles, once
-/// in each direction; the triangles about each point form one ring; all points are used, and no two are at
-/// one place; so Euler's number of each part is even.
+/// Returns why a surface is not closed; empty if it is. Every edge is in two triangles, once in each
+/// direction. The triangles about each point form one ring. All points are used, and no two coincide.
+/// Therefore the Euler characteristic of each component is even.
 inline std::string notClosed(const Surface& surface) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> opposite;  // of the edge a b, corner c
+  // corner c opposite to the edge a b
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> opposite;
   std::map<std::uint32_t, int> degrees;
   for (const auto& t : surface.triangles)
     for (std::size_t n = 0; n < 3; ++n) {

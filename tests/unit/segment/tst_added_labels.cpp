@@ -1,5 +1,4 @@
-// Guards added_labels.h against a twin that goes from voxel to voxel; bricks in which nothing was added stay
-// shared.
+// Guards added_labels.h against a voxel-by-voxel implementation. Bricks without added voxels stay shared.
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"

@@ -1,4 +1,4 @@
-// Guards between_slices.h: signed distances by brute force, and parts that become one another.
+// Guards between_slices.h: signed distances against brute force, and components that change into one another.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -43,7 +43,8 @@ bool discAt(glm::ivec3 v, glm::dvec2 middle, double radius) {
   return glm::length(glm::dvec2(v.x, v.y) - middle) <= radius;
 }
 
-// Of a slice: signed distance to the outline from a voxel of it, by all its voxels.
+// Returns the signed distance (mm) in a slice from a voxel to the outline, by testing all voxels of the
+// slice.
 double signedDistance(const BitMask& mask, int axis, int slice, glm::ivec3 from) {
   from[axis] = slice;
   const bool in = mask.at(from);
@@ -60,7 +61,7 @@ double signedDistance(const BitMask& mask, int axis, int slice, glm::ivec3 from)
   return in ? -nearest : nearest;
 }
 
-// What of a slice hangs together with a voxel of it (through corners, too).
+// Keeps in a slice only the component of a voxel, connected also through corners.
 void keepPartOf(BitMask& mask, int axis, glm::ivec3 from) {
   std::vector<glm::ivec3> reached = {from};
   BitMask part(mask.geometry());
@@ -79,8 +80,8 @@ void keepPartOf(BitMask& mask, int axis, glm::ivec3 from) {
   });
 }
 
-// In painted slices anything, all others empty. Of two that follow each other one is of one part, and both
-// hold the middle: no part of it is apart, and nothing moves.
+// Returns random painted slices, all others empty. All painted slices hold the middle voxel, and every second
+// one has a single component. Thus no component is unmatched, and none moves.
 BitMask slicesThatStay(Chance& chance, const VoxelGeometry& grid, int axis, const std::vector<int>& painted) {
   const BitMask any = anyMask(chance, grid);
   BitMask mask(grid);
@@ -160,7 +161,7 @@ void TestBetweenSlices::discsBecomeCones() {
     int wrong = 0;
     forVoxels({60, 60, 1}, [&](glm::ivec3 v) {
       const double mm = glm::length(glm::dvec2(v.x - 30, (v.y - 30) * spacing));
-      // Outlines of voxels are off by up to one of them.
+      // Outlines of voxels are off by up to one voxel.
       const double off = first == second ? 1e-9 : spacing;
       wrong += std::abs(mm - radius) > off && filled.at({v.x, v.y, k}) != (mm < radius);
     });
@@ -175,7 +176,7 @@ void TestBetweenSlices::apartOnesMove_data() {
 
 void TestBetweenSlices::apartOnesMove() {
   QFETCH(int, axis);
-  const glm::ivec2 turned[] = {{2, 1}, {0, 2}, {0, 1}};  // where x and y go
+  const glm::ivec2 turned[] = {{2, 1}, {0, 2}, {0, 1}};  // axes that hold x and y
   const glm::ivec2 to = turned[axis];
   const auto voxel = [&](int x, int y, int slice) {
     glm::ivec3 v;
@@ -200,7 +201,7 @@ void TestBetweenSlices::apartOnesMove() {
 }
 
 void TestBetweenSlices::eachMovesToTheNearest() {
-  // Two vessels side by side, a third that overlaps itself, and one that ends.
+  // Two vessels move side by side, a third stays in place, and one ends.
   const VoxelGeometry grid = gapGrid({90, 90, 7});
   const BitMask mask = maskWhere(grid, [](glm::ivec3 v) {
     if (v.z == 0)
@@ -246,7 +247,7 @@ void TestBetweenSlices::fullSlicesFillAll() {
 }
 
 void TestBetweenSlices::whatLeavesTheGridIsLost() {
-  // A corner of the first slice becomes a large disc that would reach beyond the grid on the way.
+  // A corner of the first slice becomes a large disc that would extend beyond the grid on the way.
   const VoxelGeometry grid = gapGrid({40, 40, 5});
   const BitMask mask = maskWhere(grid, [](glm::ivec3 v) {
     return (v.z == 0 && v.x < 2 && v.y < 2) || (v.z == 4 && discAt(v, {26, 26}, 12));
@@ -271,7 +272,7 @@ void TestBetweenSlices::theAxisIsThatOfPaintedSlices_data() {
   for (int axis = 0; axis < 3; ++axis) QTest::addRow("axis %d", axis) << axis;
 }
 
-// Two parts in each of two slices, farther from each other than the slices are.
+// Each of two slices has two components, which are farther from each other than the slices are.
 void TestBetweenSlices::theAxisIsThatOfPaintedSlices() {
   QFETCH(int, axis);
   const VoxelGeometry grid = gapGrid(glm::ivec3(90));

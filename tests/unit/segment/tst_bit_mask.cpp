@@ -1,4 +1,4 @@
-// Guards masks of bits: voxel by voxel the same as sets of voxels, on rows of any length, and into label maps
+// Guards bit masks: the same voxels as sets of voxels, on rows of any length, and conversion into label maps
 // and back.
 #include <tbb/global_control.h>
 
@@ -36,7 +36,7 @@ LabelMap anyLabels(std::mt19937& random, const VoxelGeometry& grid) {
   return LabelMap(dense);
 }
 
-// From 1 to 100 voxels along x and up to 40 along the others, so that there are several bricks.
+// Returns a grid of up to 100 x 40 x 40 voxels, so that there are several bricks.
 VoxelGeometry gridOfBricks(std::mt19937& random) { return anyGrid(random, {100, 40, 40}); }
 
 }  // namespace
@@ -117,7 +117,8 @@ void TestBitMask::aLabelComesBack() {
   }
 }
 
-// Against the definition, the same bricks as of the labels in one piece, and what is locked left alone.
+// Compares with the definition. The bricks must equal those of a dense map, and locked labels must not
+// change.
 void TestBitMask::onlyTheLabelsVoxelsChange() {
   const Seeds seeds = seedsOf(100, 4000);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
@@ -161,7 +162,7 @@ void TestBitMask::bricksThatStayAreShared() {
 void TestBitMask::lockedLabelsStay_data() {
   QTest::addColumn<std::vector<std::uint8_t>>("locked");
   QTest::addColumn<std::vector<std::uint8_t>>(
-      "expected");  // of voxels 0 1 2 2 0 1 2, the mask the first three
+      "expected");  // for voxels 0 1 2 2 0 1 2, of which the mask holds the first three
   using Labels = std::vector<std::uint8_t>;
   QTest::newRow("none") << Labels{} << Labels{2, 2, 2, 0, 0, 1, 0};
   QTest::newRow("another label") << Labels{1} << Labels{2, 1, 2, 0, 0, 1, 0};

@@ -1,5 +1,6 @@
-// Guards brush.h: strokes and outlines against twins that look at every voxel, in planes of any direction
-// through grids of any shape; that a slice shows no hole under the brush, and nothing that it did not touch.
+// Guards brush.h: strokes and outlines against voxel-by-voxel implementations, in planes of any direction
+// through grids of any shape. A slice shows no hole under the brush, and nothing that the brush did not
+// touch.
 #include <array>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -36,7 +37,8 @@ struct BrushCase {
   double radius = 1, finest = 1;
 };
 
-// A stroke in a plane, which an axis of the grid is the normal of now and then, about and beyond the grid.
+// Returns a random stroke in a plane, in and around the grid. Half of the planes are perpendicular to an axis
+// of the grid.
 BrushCase anyStroke(Chance& chance) {
   BrushCase c;
   c.grid = anyGrid(chance, 14);
@@ -53,7 +55,7 @@ BrushCase anyStroke(Chance& chance) {
   return c;
 }
 
-// The voxels of spans; each once, in the order of memory, apart.
+// Returns the voxels of spans. Checks that spans are in memory order and neither overlap nor touch.
 BitMask maskOfSpans(const VoxelGeometry& grid, const VoxelSpans& spans) {
   for (std::size_t n = 0; n < spans.size(); ++n) {
     const RowSpan& s = spans[n];
@@ -79,7 +81,7 @@ double distanceToPath(glm::dvec3 p, glm::dvec3 from, glm::dvec3 to) {
   return glm::length(glm::cross(p - from, along / length));
 }
 
-// How far on both sides of a plane the corners of a voxel reach, mm.
+// Returns how far the corners of a voxel extend on both sides of a plane, in mm.
 std::pair<double, double> sidesOf(const VoxelGeometry& grid, glm::ivec3 v, glm::dvec3 at, glm::dvec3 normal) {
   double least = 1e300, most = -1e300;
   for (int corner = 0; corner < 8; ++corner) {
@@ -92,7 +94,7 @@ std::pair<double, double> sidesOf(const VoxelGeometry& grid, glm::ivec3 v, glm::
 
 enum class Expected { in, out, either };
 
-// Where rounding decides, either is right.
+// If rounding decides, both results are right.
 Expected byMargin(double insideBy, double scale) {
   return insideBy > 1e-7 * scale ? Expected::in : insideBy < -1e-7 * scale ? Expected::out : Expected::either;
 }
@@ -117,7 +119,7 @@ bool isAsExpected(const BitMask& mask, const ExpectedAt& expectedAt) {
   return good;
 }
 
-// The disc whose middle is nearest to the core of a voxel, by all discs of the stroke.
+// Returns the smallest distance of a voxel's core from the centres of all discs of the stroke, in the plane.
 double reachOfDiscs(const BrushCase& c, glm::ivec3 v) {
   const glm::dvec3 edges = c.grid.spacing();
   const int steps = int(std::ceil(glm::distance(c.from, c.to) / (c.finest / 2)));
@@ -135,7 +137,7 @@ double reachOfDiscs(const BrushCase& c, glm::ivec3 v) {
   return nearest;
 }
 
-// By the angle that an outline goes around a place.
+// Returns the winding number of an outline about a point, by angles.
 int windingAbout(const std::vector<glm::dvec2>& outline, glm::dvec2 p) {
   double angle = 0;
   for (std::size_t n = 0; n < outline.size(); ++n) {
@@ -186,7 +188,7 @@ void TestBrush::discsAreThoseOfATwin() {
   QVERIFY(covered > seeds.count / 4);
 }
 
-// What a slice shows half a cell's diagonal and more inside the brush is painted.
+// Points of a slice at least half a cell's diagonal inside the brush are painted.
 void TestBrush::discsHaveNoHoles() {
   const Seeds seeds = seedsOf(300, 5000);
   int looked = 0;
@@ -226,7 +228,8 @@ void TestBrush::discsOfCubesAreCircles() {
   }
 }
 
-// Voxels of 0.7 x 0.7 x 5 mm in a coronal plane: a disc of 1 mm at the border of two slices paints both.
+// Voxels have 0.7 x 0.7 x 5 mm, and the plane is coronal. A disc of 1 mm at the border of two slices paints
+// both.
 void TestBrush::discsReachIntoThickSlices() {
   VoxelGeometry grid;
   grid.size = {40, 40, 10};
@@ -242,7 +245,7 @@ void TestBrush::discsReachIntoThickSlices() {
   QCOMPARE(slicesAt(20.0), std::pair(4, 4));
 }
 
-// The one that a slice shows there.
+// The painted slice is the displayed one.
 void TestBrush::aPlaneBetweenSlicesPaintsOne() {
   const VoxelGeometry grid = cubes(20);
   for (const double normal : {1.0, -1.0}) {
@@ -283,7 +286,7 @@ void TestBrush::outlinesAreThoseOfATwin() {
   QVERIFY(covered > seeds.count / 4);
 }
 
-// A star of five points drawn in one go; one that is no area.
+// Covers a five-pointed star drawn in one stroke, and an outline without area.
 void TestBrush::whatAnOutlineGoesAroundIsInside() {
   const VoxelGeometry grid = cubes(41);
   std::vector<glm::dvec3> star;
@@ -305,9 +308,9 @@ void TestBrush::beyondTheGridIsNothing() {
   QVERIFY(discStroke(grid, far, far, n, 5).empty());
   QVERIFY(
       insideOutline(grid, std::array{far, far + glm::dvec3(5, 0, 0), far + glm::dvec3(0, 5, 0)}, n).empty());
-  // Through all of it in one go.
+  // The stroke passes all of the grid at once.
   QCOMPARE(maskOfSpans(grid, ballStroke(grid, {-50, 3, 3}, {50, 3, 3}, 20)).count(), std::int64_t(512));
-  // More voxels away than can be counted.
+  // The distance in voxels exceeds integers.
   for (const glm::dvec3 at : {glm::dvec3(1e12, 3, 3), glm::dvec3(-1e12, 3, 3)}) {
     QVERIFY(ballStroke(grid, at, at, 5).empty());
     QVERIFY(discStroke(grid, at, at, n, 5).empty());
@@ -324,7 +327,7 @@ void TestBrush::rulesSayWhatIsPainted() {
   const VolumePtr volume = volumeFrom(std::move(parts));
   const VoxelGeometry& grid = volume->geometry();
   LabelEdit edit{LabelMap(grid)};
-  forVoxels(grid.size, [&](glm::ivec3 v) { edit.set(v, std::uint8_t(v.y / 3)); });  // 0 to 3, in bands
+  forVoxels(grid.size, [&](glm::ivec3 v) { edit.set(v, std::uint8_t(v.y / 3)); });  // bands of labels 0 to 3
   const LabelMap map = edit.done();
   const VoxelSpans spans = ballStroke(grid, {5, 5, 5}, {5, 5, 5}, 4);
   const BitMask ball = maskOfSpans(grid, spans);

@@ -1,5 +1,5 @@
-// Guards grow_from_seeds.h: where borders between seeds lie, how far growing reaches, what is refused, and
-// that it can be cancelled.
+// Guards grow_from_seeds.h: the position of borders between seeds, the reach of growing, refusals, and
+// cancelling.
 #include <QElapsedTimer>
 #include <chrono>
 #include <glm/common.hpp>
@@ -42,7 +42,7 @@ LabelMap seedsAt(const VoxelGeometry& grid, const std::vector<std::pair<glm::ive
 }  // namespace
 
 void TestGrowFromSeeds::evenValuesShareByDistance() {
-  // City blocks, in mm by the spacing; of as near ones the smaller label.
+  // Expects city-block distances in mm. At equal distances the smaller label wins.
   VoxelGeometry grid;
   grid.size = {40, 35, 20};
   grid.patientFromVoxelStep = {0.5, 0, 0, 0, 1, 0, 0, 0, 2};
@@ -50,7 +50,7 @@ void TestGrowFromSeeds::evenValuesShareByDistance() {
       volumeFrom({grid, std::vector<std::int16_t>(std::size_t(grid.voxelCount()), 70), 1, 0, {}});
   const std::vector<std::pair<glm::ivec3, int>> seeds = {
       {{3, 3, 3}, 9}, {{30, 3, 10}, 4}, {{20, 30, 3}, 200}};
-  const auto labels = grownFromSeeds(*volume, seedsAt(grid, seeds), {0.125, everywhere});  // whole costs
+  const auto labels = grownFromSeeds(*volume, seedsAt(grid, seeds), {0.125, everywhere});  // integer costs
   QVERIFY(labels.ok());
   int wrong = 0;
   forVoxels(grid.size, [&](glm::ivec3 v) {
@@ -73,7 +73,7 @@ void TestGrowFromSeeds::aStepBetweenValuesIsTheBorder_data() {
 
 void TestGrowFromSeeds::aStepBetweenValuesIsTheBorder() {
   QFETCH(double, locality);
-  // A ball far off the middle between the seeds, noise over all: up to 12 of 100.
+  // The ball is far off the middle between the seeds. Noise has up to 12 of 100.
   const auto isIn = [](glm::dvec3 v) { return glm::length(v - glm::dvec3(30, 24, 24)) < 17; };
   Chance chance(5);
   const VolumePtr volume =
@@ -88,7 +88,8 @@ void TestGrowFromSeeds::aStepBetweenValuesIsTheBorder() {
 }
 
 void TestGrowFromSeeds::localityKeepsFromWanderingFar() {
-  // A ring of one value; one seed across it, behind a step of a tenth of the range, and one far along it.
+  // The ring has one value. One seed lies across it, behind a step of a tenth of the range, and one far along
+  // it.
   const VolumePtr volume = valuesBy({120, 9, 1}, [](glm::dvec3 v) {
     return v.x < 1 ? 1000 : v.y == 4 ? 0 : 100;
   });
@@ -96,8 +97,8 @@ void TestGrowFromSeeds::localityKeepsFromWanderingFar() {
   const auto byValues = grownFromSeeds(*volume, seeds, {0, everywhere});
   const auto byLength = grownFromSeeds(*volume, seeds, {0.01, everywhere});
   QVERIFY(byValues.ok() && byLength.ok());
-  QCOMPARE(int(byValues->at({10, 4, 0})), 1);  // 100 steps of nearly nothing
-  QCOMPARE(int(byLength->at({10, 4, 0})), 2);  // 100 mm cost as much as all of the range
+  QCOMPARE(int(byValues->at({10, 4, 0})), 1);  // 100 steps at almost no cost
+  QCOMPARE(int(byLength->at({10, 4, 0})), 2);  // 100 mm cost as much as the whole range
 }
 
 void TestGrowFromSeeds::isToldHowFarItIs() {
@@ -139,7 +140,7 @@ void TestGrowFromSeeds::grownOnlyWithinTheMargin() {
 }
 
 void TestGrowFromSeeds::valuesFarOutsideTheRangeCountAsThatFar() {
-  // One voxel of 1e30 among values of 0 and 10 takes no difference from those.
+  // One voxel of 1e30 must not hide the differences between values of 0 and 10.
   const VolumePtr volume = volumeOf<float>({30, 20, 10}, glm::dmat3(1), [](glm::dvec3 v) {
     return v == glm::dvec3(0) ? 1e30 : v.x < 21 ? 0 : 10;
   });
@@ -187,7 +188,7 @@ void TestGrowFromSeeds::cancelledWithinAFifthOfASecond() {
   const auto grown = grownFromSeeds(*volume, seeds, {0.002, everywhere}, cancel);
   const qint64 tookMs = since.isValid() ? since.elapsed() : 0;
   canceller.join();
-  QVERIFY(grown.ok() || tookMs < 1000);  // 200 where no other program wants the cores
+  QVERIFY(grown.ok() || tookMs < 1000);  // about 200 ms on an idle machine
 }
 
 VOLUMEN_TEST(TestGrowFromSeeds);

@@ -1,4 +1,5 @@
-// Guards grow_from_seeds.h: the cheapest paths, as by a plain queue over the whole grid, tile borders or not.
+// Guards grow_from_seeds.h: the cheapest paths, compared with a plain queue over the whole grid, with and
+// without tile borders.
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ class TestGrowthTwin : public QObject {
 
 namespace {
 
-// The costs of grow_from_seeds.h and a queue of all voxels, in order of cost, then label.
+// Grows by the costs of grow_from_seeds.h with one queue of all voxels, in order of cost, then label.
 std::vector<std::uint8_t> grownByQueue(const Volume& volume, const LabelMap& seeds,
                                        const SeedGrowth& growth) {
   const glm::ivec3 size = volume.size();
@@ -133,7 +134,7 @@ void TestGrowthTwin::pathsAreThoseOfBruteForce() {
     const SeedGrowth growth{chance.oneIn(3) ? 0 : chance.power(-4, 0),
                             chance.oneIn(2) ? everywhere : chance.between(0, 5)};
     const auto labels = grownFromSeeds(*volume, seeds, growth);
-    if (!labels) continue;  // all fell onto one voxel
+    if (!labels) continue;  // all seeds are in one voxel
     ++grown;
     QVERIFY2(allOf(*labels) == grownByQueue(*volume, seeds, growth),
              qPrintable(QStringLiteral("seed %1").arg(seed)));
@@ -142,7 +143,7 @@ void TestGrowthTwin::pathsAreThoseOfBruteForce() {
 }
 
 void TestGrowthTwin::pathsCrossTiles() {
-  // Several tiles of 32 along each axis, that of the last ones a part, and paths that wind through them.
+  // The grid has several tiles of 32 along each axis, the last ones partial. Paths wind through them.
   const Seeds cases = seedsOf(3, 60);
   for (int seed = cases.first; seed < cases.behindLast(); ++seed) {
     Chance chance{std::uint64_t(seed)};
@@ -160,7 +161,7 @@ void TestGrowthTwin::pathsCrossTiles() {
   }
 }
 
-// Labels outside keep their voxels, are no seeds, and let nothing through.
+// Labels outside stay, are no seeds, and block growing.
 void TestGrowthTwin::onlyTheGivenVoxelsAreReached() {
   const Seeds cases = seedsOf(500, 10000);
   int grown = 0;
@@ -173,13 +174,13 @@ void TestGrowthTwin::onlyTheGivenVoxelsAreReached() {
     const SeedGrowth growth{chance.oneIn(3) ? 0 : chance.power(-4, 0),
                             chance.oneIn(2) ? everywhere : chance.between(0, 5), &within};
     const auto labels = grownFromSeeds(*volume, seeds, growth);
-    if (!labels) continue;  // fewer than two are left
+    if (!labels) continue;  // fewer than two labels are left
     ++grown;
     QVERIFY2(allOf(*labels) == grownByQueue(*volume, seeds, growth),
              qPrintable(QStringLiteral("seed %1").arg(seed)));
   }
   QVERIFY(cases.count < 100 || grown > cases.count / 2);
-  // A brick of one label that is no seed.
+  // A brick has one label that is no seed.
   const VolumePtr volume = valuesBy({40, 34, 33}, [](glm::dvec3 v) { return v.x; });
   const LabelMap all = withLabel(LabelMap(volume->geometry()), 3, inverted(BitMask(volume->geometry())));
   const BitMask none(volume->geometry());

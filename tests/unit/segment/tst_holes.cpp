@@ -1,4 +1,4 @@
-// Guards holes: what a flood from the border does not reach, in space and slice by slice.
+// Guards holes: voxels that a flood fill from the border does not reach, in space and slice by slice.
 #include <tbb/global_control.h>
 
 #include "tests/fixtures/seeds.h"
@@ -35,7 +35,7 @@ void TestHoles::whatAFloodDoesNotReachIsFilled() {
 }
 
 void TestHoles::aHoleThatOpensAtACornerIsOne() {
-  // A ring whose corners are missing: inside and outside touch at edges alone.
+  // A ring lacks its corners, so that inside and outside touch only at edges.
   BitMask mask({.size = {70, 5, 1}});
   for (int n = -1; n <= 1; ++n)
     for (const glm::ivec3 v : {glm::ivec3(64 + n, 0, 0), {64 + n, 4, 0}, {62, 2 + n, 0}, {66, 2 + n, 0}})

@@ -1,5 +1,5 @@
-// Guards in_plane.h: the diameters of a segment in one slice, against a twin that tries all lines, and closed
-// forms on every grid.
+// Guards in_plane.h: the diameters of a segment in one slice, against an implementation that tries all lines,
+// and closed forms on every grid.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -30,7 +30,8 @@ namespace {
 
 using Line = InPlaneDiameters::Line;
 
-// The border between pixels inside and outside of a slice, in voxels: the pieces in each cell of four pixels.
+// Returns the border between inside and outside pixels of a slice in voxels: the line pieces in each cell of
+// four pixels.
 std::vector<std::array<dvec3, 2>> outlineOf(const BitMask& mask, int k) {
   const auto isIn = [&](int i, int j) {
     return i >= 0 && j >= 0 && i < mask.size().x && j < mask.size().y && mask.at({i, j, k});
@@ -38,7 +39,7 @@ std::vector<std::array<dvec3, 2>> outlineOf(const BitMask& mask, int k) {
   std::vector<std::array<dvec3, 2>> pieces;
   for (int j = -1; j < mask.size().y; ++j)
     for (int i = -1; i < mask.size().x; ++i) {
-      // Round the cell: a piece around each run of corners inside.
+      // Each run of inside corners around the cell gives one piece.
       const std::array corners{ivec3(i, j, k), ivec3(i + 1, j, k), ivec3(i + 1, j + 1, k),
                                ivec3(i, j + 1, k)};
       const auto inside = [&](std::size_t n) { return isIn(corners[n % 4].x, corners[n % 4].y); };
@@ -62,8 +63,8 @@ double longestOf(const BitMask& mask, int k) {
   return longest;
 }
 
-// The longest line across a direction (mm) in the slice: at each corner of the outline, between the pieces
-// that the line meets.
+// Returns the longest line in direction `across` in the slice (mm). At each corner of the outline it spans
+// all pieces that the line meets.
 double longestAcross(const BitMask& mask, int k, dvec3 along, dvec3 across) {
   const glm::dmat3 step = mask.geometry().patientFromVoxelStep;
   double longest = 0;
@@ -100,7 +101,8 @@ void TestInPlane::rectangles_data() {
   QTest::addColumn<ivec3>("size");
   QTest::addColumn<double>("mm");
   QTest::addColumn<double>("across");
-  // Of n x m pixels of 1 x 2 mm whose corners are cut halfway: from (-1/2, 0) to (n - 1/2, m - 1).
+  // Outlines of n x m pixels of 1 x 2 mm are cut halfway at the corners, such as from (-1/2, 0) to (n - 1/2,
+  // m - 1).
   QTest::newRow("one pixel: 2 mm high, 1 mm wide") << ivec3(1, 1, 1) << 2.0 << 1.0;
   QTest::newRow("a row of five") << ivec3(5, 1, 1) << 5.0 << 2.0;
   QTest::newRow("three rows of one: the same in each slice") << ivec3(1, 3, 4) << 6.0 << 1.0;
@@ -127,7 +129,7 @@ void TestInPlane::ellipsoids_data() {
   for (const Grid& g : thickGrids) QTest::newRow(g.name) << g.patientFromVoxelStep;
 }
 
-// A ball of 20 mm has the diameter of its largest slice both ways; pixels are 1.1 mm at most.
+// A ball of 20 mm radius has the diameter of its largest slice in both directions. Pixels are at most 1.1 mm.
 void TestInPlane::ellipsoids() {
   QFETCH(glm::dmat3, step);
   const BitMask mask = maskOfShape(gridAbout(step, 24), ball(20));

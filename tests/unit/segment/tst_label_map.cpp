@@ -1,5 +1,4 @@
-// Guards LabelMap: bricks that are shared say what the labels in one piece say, whatever was written in
-// between.
+// Guards LabelMap: after any edits, shared bricks equal dense labels.
 #include <random>
 
 #include "tests/fixtures/seeds.h"
@@ -23,7 +22,7 @@ class TestLabelMap : public QObject {
 
 namespace {
 
-// Blobs and noise: bricks of one label, of two and of many.
+// Returns blobs and noise: bricks of one label, of two and of many.
 DenseLabels randomLabels(glm::ivec3 size, std::mt19937& bits) {
   DenseLabels all{{.size = size}, std::vector<std::uint8_t>(std::size_t(size.x) * size.y * size.z)};
   const int from = int(bits() % unsigned(size.x)) / 2;
@@ -72,7 +71,7 @@ void TestLabelMap::denseLabelsComeBack() {
     }
 }
 
-// Random strokes on random maps; a map that was made before stays what it was.
+// Applies random strokes to random maps. Older copies of a map must not change.
 void TestLabelMap::editsAreThoseOfATwin() {
   const Seeds seeds = seedsOf(60, 2000);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
@@ -133,7 +132,7 @@ void TestLabelMap::bricksOfOneLabelHoldNothing() {
   QCOMPARE(one.done().bytes(), sizeof(LabelMap::Voxels));
 }
 
-// Of maps that share their bricks, that hold others of the same voxels, and that differ in one voxel.
+// Compares maps that share bricks, that have separate bricks with equal voxels, and that differ in one voxel.
 void TestLabelMap::whatHoldsTheSameIsThatOfEveryVoxel() {
   QFETCH(int, x);
   QFETCH(int, y);

@@ -1,4 +1,4 @@
-// Guards labels_on.h against a twin that goes through all pairs of voxels, and segmentedOf().
+// Guards labels_on.h, against an implementation that tests all pairs of voxels, and segmentedOf().
 #include <algorithm>
 
 #include "tests/fixtures/chance.h"
@@ -36,7 +36,7 @@ VoxelGeometry randomGrid(Chance& chance) {
   return grid;
 }
 
-/// One pixel of a picture of 8 x 1 for each segment that holds it, all in one plane.
+/// Returns one frame of 8 x 1 pixels for each segment with its pixels, all in one plane.
 Segmentation inOnePlane(const std::vector<std::vector<int>>& pixels) {
   Segmentation s;
   s.size = {8, 1};
@@ -65,7 +65,7 @@ void TestLabelsOn::eachVoxelHasWhatTheOneThatHoldsItHas() {
     for (int n = 0; n < grid.size.x * grid.size.y * grid.size.z; ++n) {
       const glm::ivec3 v(n % grid.size.x, n / grid.size.x % grid.size.y, n / grid.size.x / grid.size.y);
       const glm::dvec3 p = from.geometry().voxelFromPatient(grid.patientFromVoxel(glm::dvec3(v)));
-      // On the face between two voxels either may be meant.
+      // On the face between two voxels either is right.
       const glm::dvec3 inCell = p + 0.5 - glm::floor(p + 0.5);
       if (std::min({inCell.x, inCell.y, inCell.z}) < 1e-9 ||
           std::max({inCell.x, inCell.y, inCell.z}) > 1 - 1e-9)

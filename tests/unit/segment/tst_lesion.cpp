@@ -1,5 +1,5 @@
-// Guards lesion.h: the part about the largest value of a region, as by a flood from voxel to voxel; spheres
-// in closed form; leaks and regions without a value are refused.
+// Guards lesion.h: the component about the largest value of a region, against a flood fill, and spheres in
+// closed form. Leaks and regions without a value are refused.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -28,7 +28,7 @@ namespace {
 
 constexpr glm::ivec3 coneMiddle(15);
 
-// A cone of 10 at the middle of 31^3 voxels, 0 from 12 mm on.
+// Returns a cone of 10 in the middle of 31^3 voxels that reaches 0 at 12 mm.
 VolumePtr coneVolume() {
   return volumeOf<float>({31, 31, 31}, glm::dmat3(1), [](glm::dvec3 v) {
     return 10 * std::max(0.0, 1 - glm::distance(v, glm::dvec3(coneMiddle)) / 12);
@@ -41,7 +41,7 @@ BitMask voxelBall(const VoxelGeometry& grid, glm::dvec3 at, double radius) {
   return ball;
 }
 
-// The same, voxel by voxel; none: it is refused.
+// Finds the lesion voxel by voxel; empty if it is refused.
 std::optional<BitMask> lesionSlowly(const BitMask& region, const Volume& volume, LesionThreshold threshold) {
   double most = -std::numeric_limits<double>::infinity();
   std::optional<glm::ivec3> at;
@@ -126,7 +126,7 @@ void TestLesion::refusedInOneSentence() {
   QVERIFY2(QString::fromStdString(made.message()).contains(says), made.message().c_str());
 }
 
-// Beyond it there is nothing that it could leak into.
+// The end of the grid is not a leak, as there is no tissue beyond.
 void TestLesion::theEndOfTheGridIsNoLeak() {
   const VolumePtr volume = volumeOf<std::int16_t>({5, 5, 3}, glm::dmat3(1), [](glm::dvec3) { return 7; });
   const auto made = lesionIn(inverted(BitMask(volume->geometry())), *volume, {0.41, true});

@@ -1,4 +1,4 @@
-// Guards likeness() of numbers.h: Dice, and distances between surfaces, against closed forms of balls.
+// Guards likeness() of numbers.h: Dice coefficient and surface distances against closed forms of balls.
 #include <tbb/global_control.h>
 
 #include <cmath>
@@ -31,8 +31,8 @@ void TestLikeness::balls_data() {
   QTest::addColumn<double>("largest");
   QTest::addColumn<double>("p95");
   QTest::addColumn<double>("mean");
-  // Moved by t along any direction a ball's surface is |t cos| off, evenly from 0 to t: mean t/2, 95 % below
-  // .95 t. (FIELD-segment.md 3)
+  // If a ball is moved by t, its surface is off by |t cos|, uniformly distributed from 0 to t. The mean is
+  // t/2, and 95 % are below .95 t. (FIELD-segment.md 3)
   for (const Grid& g : grids) {
     const dmat3& step = g.patientFromVoxelStep;
     QTest::addRow("moved by 2, %s", g.name) << step << 10.0 << dvec3(2, 0, 0) << 0.8505 << 2.0 << 1.9 << 1.0;
@@ -42,8 +42,8 @@ void TestLikeness::balls_data() {
   }
 }
 
-// The first ball has 10 mm. A surface of voxels crosses an edge of the grid at most half of it from where the
-// ball does, mostly much nearer; both add up.
+// The first ball has 10 mm. A voxel surface crosses an edge of the grid at most half an edge from the ball,
+// and mostly much nearer. The errors of both surfaces add up.
 void TestLikeness::balls() {
   QFETCH(dmat3, step);
   QFETCH(double, radius);
@@ -76,7 +76,7 @@ void TestLikeness::aSegmentIsLikeItself_data() {
       QTest::addRow("%s, %g mm from the origin", g.name, mm) << g.patientFromVoxelStep << dvec3(mm, -mm, mm);
 }
 
-// Not only to the digits of doubles, which QCOMPARE takes for 0: people read 5.8e-14 as a difference.
+// Requires exact zeros, as users would read 5.8e-14 as a difference, whereas QCOMPARE takes it for 0.
 void TestLikeness::aSegmentIsLikeItself() {
   QFETCH(dmat3, step);
   QFETCH(dvec3, moved);

@@ -1,5 +1,5 @@
-// Guards what scissors cut away: the same voxels as by angles and windings one by one, along the lines of
-// sight of any camera, whatever the grid.
+// Guards the scissors: the same voxels as by angles and winding numbers one by one, along the lines of sight
+// of any camera, on any grid.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -38,7 +38,7 @@ class TestMask : public QObject {
 
 namespace {
 
-// A sheared, oblique grid of unequal steps.
+// Returns a sheared, oblique grid of unequal steps.
 VoxelGeometry obliqueGrid() {
   VoxelGeometry grid;
   grid.size = {19, 14, 11};
@@ -102,7 +102,7 @@ void TestMask::theVoxelsAreThoseOfBruteForce() {
   QVERIFY2(someCut > 30, "or the rounds show little");
 }
 
-// By chance, on any grid, by any lasso, with any depth or none.
+// Covers random masks, grids and lassos, with limited or unlimited depth.
 void TestMask::setsOfVoxelsAreCutLikewise() {
   const Seeds seeds = seedsOf(200, 5000);
   int someCut = 0, someBeyond = 0;
@@ -135,7 +135,7 @@ void TestMask::whatAnOutlineCrossesItselfAroundIsInside() {
   VoxelGeometry grid;
   grid.size = {9, 9, 1};
   grid.origin = {-4, -4, 0};
-  // Twice around: by the even-odd rule its middle would stay.
+  // The outline goes around twice. By the even-odd rule its middle would stay.
   Lasso twice = square(2.5);
   const std::vector<glm::dvec2> once = twice.points;
   twice.points.insert(twice.points.end(), once.begin(), once.end());
@@ -145,7 +145,7 @@ void TestMask::whatAnOutlineCrossesItselfAroundIsInside() {
 void TestMask::whatIsBehindTheEyeIsNotInside_data() {
   QTest::addColumn<bool>("inside");
   QTest::addColumn<int>("kept");
-  // Of 21 voxels along z the eye is in the 11th: ten are in front of it.
+  // The eye is in the 11th of 21 voxels along z, with ten in front of it.
   QTest::newRow("inside") << true << 11;
   QTest::newRow("outside") << false << 10;
 }
@@ -236,7 +236,7 @@ void TestMask::cuttingFurtherIsTheSameAsAnew_data() {
     }
 }
 
-// By chance, a first part of up to three outlines and a second of one or two.
+// The first part has up to three random outlines, the second one or two.
 void TestMask::cuttingFurtherIsTheSameAsAnew() {
   QFETCH(bool, table);
   QFETCH(double, low);

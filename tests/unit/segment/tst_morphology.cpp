@@ -1,5 +1,5 @@
-// Guards shapes by balls in mm: on grids of every kind the voxels are those whose centres lie within the
-// radius, one by one.
+// Guards morphology with balls in mm: on grids of every kind, voxels whose centres lie within the radius are
+// found, one by one.
 #include <tbb/global_control.h>
 
 #include <QElapsedTimer>
@@ -38,7 +38,7 @@ bool isNear(const VoxelGeometry& grid, glm::ivec3 a, glm::ivec3 b, double radius
   return glm::length(grid.patientFromVoxelStep * glm::dvec3(b - a)) <= radius * (1 + 1e-9);
 }
 
-// By the distances from every voxel to every other.
+// Grows by the distances from every voxel to every other.
 BitMask grownSlowly(const BitMask& mask, double radius) {
   BitMask made(mask.geometry());
   const auto voxels = voxelsOf(mask.geometry());
@@ -59,7 +59,7 @@ BitMask shrunkSlowly(const BitMask& mask, double radius) {
   return made;
 }
 
-// Now and then a whole number of steps.
+// Returns a random radius, sometimes a whole number of steps.
 double anyRadius(std::mt19937& random, const VoxelGeometry& grid) {
   const double step = grid.spacing()[int(random() % 3)];
   return random() % 3 == 0 ? step * int(random() % 5) : double(random() % 5000) / 1000;
@@ -83,7 +83,7 @@ void TestMorphology::theVoxelsAreThoseOfTheDistances() {
   }
 }
 
-// A voxel is closed where all that a ball about it holds, beyond the grid too, is near the mask.
+// A voxel belongs to the closing if the whole ball about it is near the mask, even beyond the grid.
 void TestMorphology::closingGoesOnBeyondTheGrid() {
   const Seeds seeds = seedsOf(150, 8000);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
@@ -113,7 +113,7 @@ void TestMorphology::closingGoesOnBeyondTheGrid() {
 void TestMorphology::aBallOfWholeStepsHoldsItsEnds_data() {
   QTest::addColumn<double>("step");
   QTest::addColumn<int>("steps");
-  // None of these products is what it is in decimals.
+  // None of these products is exact in doubles.
   for (const double step : {0.1, 0.3, 0.7, 1.1, 1.0 / 3})
     for (const int steps : {1, 3, 6, 7}) QTest::addRow("%d steps of %.3g mm", steps, step) << step << steps;
 }
@@ -140,7 +140,7 @@ void TestMorphology::aBallHasItsVolume_data() {
   for (int n = 0; n < int(std::size(grids)); ++n) QTest::newRow(grids[n].name) << n;
 }
 
-// 4/3 pi r^3 at 9 mm to 3 %: as many centres as the volume holds but for some of the surface's voxels.
+// Expects 4/3 pi r^3 at 9 mm to 3 %, as only voxels of the surface may differ.
 void TestMorphology::aBallHasItsVolume() {
   QFETCH(int, grid);
   BitMask mask({.size = glm::ivec3(75), .patientFromVoxelStep = grids[grid].patientFromVoxelStep});
@@ -156,7 +156,8 @@ void TestMorphology::theBorderTakesNothing() {
   QVERIFY(opened(all, 3) == all);
   QVERIFY(closed(all, 3) == all);
   QVERIFY(shell(all, 3).empty());
-  // A wall two voxels from the border is not filled up to it; a gap as wide between two walls is.
+  // The space between a wall and the border two voxels away is not closed. An equally wide gap between two
+  // walls is.
   const VoxelGeometry grid{.size = {70, 8, 6}};
   BitMask walls(grid);
   for (const glm::ivec3 v : voxelsOf(grid)) walls.set(v, v.x == 2 || v.x == 5);
@@ -208,7 +209,7 @@ void TestMorphology::radiiOfNoSize() {
     }
     QVERIFY(shell(mask, radius).empty());
   }
-  // And one that is larger than the grid.
+  // The radius may exceed the grid.
   for (const double large : {1000.0, std::numeric_limits<double>::infinity()}) {
     BitMask one({.size = {9, 4, 3}});
     QVERIFY(grown(one, large).empty());
@@ -242,7 +243,7 @@ void TestMorphology::cancelledEndsEarly() {
   QElapsedTimer timer;
   timer.start();
   QVERIFY(grown(mask, 150, cancel) != grown(mask, 1));
-  // Not cancelled it takes a minute.
+  // Without cancelling this takes a minute.
   QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
 }
 

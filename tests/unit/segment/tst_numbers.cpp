@@ -1,4 +1,4 @@
-// Guards numbers.h: values and histograms of a segment against twins that look at each voxel.
+// Guards numbers.h: values and histograms of a segment against voxel-by-voxel implementations.
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -145,7 +145,7 @@ void TestNumbers::nothingHasNoValues() {
   QVERIFY(found.histogram.counts.empty());
 }
 
-// A million and a little: a sum of squares would have lost it.
+// Values are slightly above a million, where a sum of squares would lose the deviation.
 void TestNumbers::digitsFarFromZeroAreKept() {
   const VoxelGeometry grid{.size = {100, 100, 20}};
   const BitMask all = inverted(BitMask(grid));
@@ -161,7 +161,7 @@ void TestNumbers::digitsFarFromZeroAreKept() {
 
 void TestNumbers::histogramsCountEachVoxelOnce_data() { addTypes(); }
 
-// Up to the end of each bin there are as many values as below it; ends between fractions are rounded.
+// The counts up to the end of each bin equal the number of smaller values. Fractional ends are rounded.
 void TestNumbers::histogramsCountEachVoxelOnce() {
   QFETCH(QString, type);
   const Seeds seeds = seedsOf(60, 2000);

@@ -1,5 +1,5 @@
-// Guards occupancy.h: the field by its definition, voxel by voxel; what it makes of bodies, and that it keeps
-// thin ones.
+// Guards occupancy.h: the field by its definition, voxel by voxel. Also guards its effect on bodies, and that
+// thin ones survive.
 #include <tbb/global_control.h>
 
 #include <QElapsedTimer>
@@ -44,7 +44,7 @@ VoxelGeometry gridOf(glm::ivec3 size) {
   return grid;
 }
 
-// A field on a box larger than any that it is asked of, from the definition.
+// The field by its definition, on a box larger than any that is asked for.
 class FieldTwin {
  public:
   FieldTwin(const BitMask& mask, double sigma) : mask_(mask), size_(mask.size() + 2 * rim) {
@@ -89,7 +89,7 @@ class FieldTwin {
     return glm::all(glm::greaterThanEqual(v, glm::ivec3(0))) && glm::all(glm::lessThan(v, mask_.size())) &&
            mask_.at(v);
   }
-  // Whether a box of the mask of that size holds a voxel.
+  // Returns whether a box of that size inside the mask holds the voxel.
   bool covered(glm::ivec3 v, glm::ivec3 box) const {
     bool found = false;
     forVoxels(box, [&](glm::ivec3 from) {
@@ -134,8 +134,8 @@ float valueIn(const OccupancyField& field, glm::ivec3 v) {
   return field.values[(std::size_t(v.z) * size.y + v.y) * std::size_t(size.x) + v.x];
 }
 
-// What the surface encloses, its area (voxels), and in how many pieces it is: by `steps` samples of the
-// trilinear field along each edge of a cell.
+// The volume enclosed by the surface, its area (voxels), and its number of components. They are found by
+// `steps` samples of the trilinear field along each edge of a cell.
 struct Body {
   double volume = 0, area = 0;
   int pieces = 0;
@@ -198,7 +198,7 @@ Body bodyOf(const OccupancyField& field, int steps) {
   return body;
 }
 
-// Voxels of a line of 17, one a step along its longest axis.
+// Returns a line of 17 voxels, with one step along its longest axis each.
 BitMask lineAlong(glm::dvec3 direction) {
   direction /= std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
   BitMask mask(gridOf(glm::ivec3(23)));
@@ -253,11 +253,11 @@ void TestOccupancy::closedAroundWhatTouchesTheBorder() {
 
 void TestOccupancy::bodiesKeepVolumeAndArea_data() {
   QTest::addColumn<double>("radius");
-  QTest::addColumn<double>("height");  // 0: a ball
+  QTest::addColumn<double>("height");  // 0 for a ball
   QTest::addColumn<double>("sigma");
   QTest::newRow("ball r 10") << 10.0 << 0.0 << 0.7;
   QTest::newRow("ball r 20") << 20.0 << 0.0 << 0.7;
-  // (Of r 10 four ridges of one voxel would be kept as thin.)
+  // (At r 10, four ridges of one voxel would be kept as thin.)
   QTest::newRow("cylinder r 10.2 h 40") << 10.2 << 40.0 << 0.7;
   QTest::newRow("ball r 10, sigma 1") << 10.0 << 0.0 << 1.0;
   QTest::newRow("cylinder r 10.2 h 40, sigma 1") << 10.2 << 40.0 << 1.0;
@@ -274,8 +274,8 @@ void TestOccupancy::bodiesKeepVolumeAndArea() {
     return glm::length(glm::dvec2(p.x, p.y)) <= radius && std::abs(p.z) <= height / 2;
   });
   const Body body = bodyOf(occupancyOf(mask, sigma), 6);
-  // A Gaussian takes sigma^2 / r from a ball's radius and half of it from a cylinder's; of a right angle 0.9
-  // sigma^2.
+  // A Gaussian reduces a ball's radius by sigma^2 / r, a cylinder's by half of that, and the area at a right
+  // angle by 0.9 sigma^2.
   const double shrinking = sigma * sigma / (radius * radius);
   const double volumeOff =
       -100 * (height > 0 ? shrinking + 3.6 * sigma * sigma / (radius * height) : 3 * shrinking);
@@ -284,7 +284,7 @@ void TestOccupancy::bodiesKeepVolumeAndArea() {
                areaIs = 100 * (body.area / area - 1);
   const QString found = QStringLiteral("volume %1 %, area %2 %").arg(volumeIs).arg(areaIs);
   QVERIFY2(std::abs(volumeIs - volumeOff) < 0.4, qPrintable(found));
-  // The stairs of voxels that are left make a ball's area up to 3 % larger.
+  // Remaining voxel steps make a ball's area up to 3 % larger.
   const double stairs = areaIs + 200 * shrinking;
   QVERIFY2(height > 0 || (stairs > -0.5 && stairs < 3), qPrintable(found));
   QCOMPARE(body.pieces, 1);

@@ -1,5 +1,5 @@
-// Guards packed_bits.h: bits go in and come out in their order, wherever they begin and however many they
-// are (PS3.5 8.1.1).
+// Guards packed_bits.h: bits are packed and unpacked in order, from any position and in any number (PS3.5
+// 8.1.1).
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
@@ -25,7 +25,7 @@ void TestPackedBits::theLowestBitOfAByteIsFirst() {
   QVERIFY(bitAt(expected, 0) && !bitAt(expected, 1) && bitAt(expected, 10) && !bitAt(expected, 11));
 }
 
-// Rows of any length one behind the other, against a bit at a time.
+// Packs consecutive rows of any length and compares with packing bit by bit.
 void TestPackedBits::rowsComeBack() {
   const Seeds seeds = seedsOf(500, 5000);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {

@@ -1,5 +1,5 @@
-// Guards connected parts: those that a flood from voxel to voxel finds, by faces, edges and corners, in the
-// order of size; and what a click reaches, with and without thin bridges.
+// Guards connected components: those of a flood fill by faces, edges and corners, in order of size. Also
+// guards what a click reaches, with and without thin bridges.
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -33,7 +33,8 @@ namespace {
 
 constexpr Neighbours kinds[] = {Neighbours::faces, Neighbours::edges, Neighbours::corners};
 
-// Which voxel differences touch: up to one step along each axis, along one, two or three axes at once.
+// Returns the offsets of touching voxels: up to one step along each axis, along one, two or three axes at
+// once.
 std::vector<glm::ivec3> touching(Neighbours neighbours) {
   const int axes = neighbours == Neighbours::faces ? 1 : neighbours == Neighbours::edges ? 2 : 3;
   std::vector<glm::ivec3> all;
@@ -45,7 +46,7 @@ std::vector<glm::ivec3> touching(Neighbours neighbours) {
   return all;
 }
 
-// The parts by going from voxel to voxel, by their first voxels.
+// Returns the components by flood fill, ordered by their first voxels.
 std::vector<std::vector<glm::ivec3>> byFlood(const BitMask& mask, Neighbours neighbours) {
   const std::vector<glm::ivec3> steps = touching(neighbours);
   BitMask seen(mask.geometry());
@@ -131,7 +132,7 @@ void TestParts::whatTouches_data() {
   }
 }
 
-// Two voxels on both sides of a word's end are one part, or two.
+// Two voxels on both sides of a word's end form one component or two.
 void TestParts::whatTouches() {
   QFETCH(int, di);
   QFETCH(int, dj);
@@ -180,14 +181,15 @@ void TestParts::placesBeyondTheGridHoldNothing() {
 }
 
 void TestParts::aThinBridgeLetsNothingThrough_data() {
-  QTest::addColumn<int>("bridge");  // voxels across, of 1 mm
+  QTest::addColumn<int>("bridge");  // width in voxels of 1 mm
   QTest::addColumn<bool>("through");
   QTest::newRow("1 voxel") << 1 << false;
   QTest::newRow("3 voxels") << 3 << false;
   QTest::newRow("5 voxels: a ball of 2 mm passes") << 5 << true;
 }
 
-// Two blocks of 11 voxels and a bridge between their middles; clicked at a corner, where no ball fits.
+// Two blocks of 11 voxels are joined by a bridge between their middles. The click is at a corner, where no
+// ball fits.
 void TestParts::aThinBridgeLetsNothingThrough() {
   QFETCH(int, bridge);
   QFETCH(bool, through);

@@ -82,7 +82,8 @@ void TestRange::findsExactlyTheClosedRange() {
   }));
 }
 
-// Every kind of samples, slopes up and down, ends at values, beside them and beyond all, with padding or not.
+// Covers all sample types and slopes of both signs, with and without padding. Ends are at values, beside them
+// and beyond all.
 void TestRange::anyRangeOfAnyVolume() {
   const Seeds seeds = seedsOf(1500, 60000);
   int some = 0;
@@ -141,7 +142,7 @@ void TestRange::anyRangeOfAnyVolume() {
   QVERIFY2(some > seeds.count / 5, "most ranges hold nothing");
 }
 
-// 0.0, 0.1 ... 99.9, of which float32 holds but some exactly.
+// Values are 0.0, 0.1 ... 99.9, of which float32 holds only some exactly.
 void TestRange::endsWithDecimalsAreIncluded_data() {
   QTest::addColumn<VolumePtr>("volume");
   std::vector<std::uint16_t> stored(1000);

@@ -1,4 +1,4 @@
-// Guards numbers.h: the form of a segment against twins that look at each voxel, closed forms, and the
+// Guards numbers.h: the form of a segment against voxel-by-voxel implementations, closed forms, and the
 // digital phantom of the IBSI.
 #include <QElapsedTimer>
 #include <algorithm>
@@ -51,8 +51,8 @@ void TestSegmentForm::formOfBodies_data() {
   for (const Grid& g : grids) QTest::newRow(g.name) << g.patientFromVoxelStep;
 }
 
-// An ellipsoid's axis by moments is 4 a / sqrt(5), a cylinder's 2 r and 4 h / sqrt(12). Voxels are up to 2.5
-// mm here and bodies 20 to 40 mm across: ends may be half a voxel off.
+// By moments an ellipsoid's axis is 4 a / sqrt(5), and a cylinder's are 2 r and 4 h / sqrt(12). Voxels are up
+// to 2.5 mm and bodies 20 to 40 mm across, so that ends may be half a voxel off.
 void TestSegmentForm::formOfBodies() {
   QFETCH(dmat3, step);
   const dvec3 centre(1.5, -2, 0.75);
@@ -76,7 +76,7 @@ void TestSegmentForm::formOfBodies() {
   QVERIFY(glm::dot(tilted.axes[0], glm::normalize(dvec3(1, 2, 3))) > 0.999);
 }
 
-// Axes and centre of masks by chance, down to one voxel: the covariance is turned into its own diagonal.
+// Axes and centroid of random masks, down to one voxel. The axes must be eigenvectors of the covariance.
 void TestSegmentForm::formOfAnyMask() {
   std::mt19937 random(8);
   for (int n = 0; n < 300; ++n) {
@@ -116,7 +116,8 @@ void TestSegmentForm::formOfAnyMask() {
   }
 }
 
-// pyradiomics, which divides by n: 11.33, 9.24 and 8.48 mm; by n - 1, as the IBSI does, 11.4, 9.31 and 8.54.
+// pyradiomics, which divides by n, has 11.33, 9.24 and 8.48 mm. The IBSI divides by n - 1 and has 11.4, 9.31
+// and 8.54.
 void TestSegmentForm::formOfThePhantom() {
   const SegmentForm form = **formOf(ibsiPhantom());
   QCOMPARE(form.voxelMl, 0.592);
@@ -124,7 +125,7 @@ void TestSegmentForm::formOfThePhantom() {
           std::abs(form.axisMm.z - 8.48) < 5e-3);
 }
 
-// All of it is found, or nothing.
+// The form is found completely or not at all.
 void TestSegmentForm::formCancelledAtAnyMoment() {
   const BitMask mask = inverted(BitMask({.size = {90, 60, 40}}));
   QElapsedTimer timer;

@@ -1,5 +1,5 @@
-// Guards smart_brush.h: mean and deviations under a brush, and what of it is joined to a voxel, as by a
-// flood.
+// Guards smart_brush.h: mean and standard deviation under a brush, and the part of it connected to a voxel,
+// against a flood fill.
 #include <cmath>
 
 #include "tests/fixtures/seeds.h"
@@ -44,7 +44,7 @@ void TestSmartBrush::theRangeIsMeanAndDeviations() {
   QVERIFY(range && std::abs(range->low) < 1e-12 && std::abs(range->high - 10) < 1e-12);
   QVERIFY(valuesUnder({{1, 4, 0, 0}}, *volume, 2.5) == (ValueRange{4, 4}));
   QVERIFY(!valuesUnder({}, *volume, 2.5));
-  // Of equal values that no fraction of two is, the range is that value.
+  // Equal values that are no binary fraction give a range of exactly that value.
   const VolumePtr tenths = volumeOf<float>({8, 1, 1}, glm::dmat3(1), [](glm::dvec3) { return 0.1; });
   QVERIFY(valuesUnder({{0, 7, 0, 0}}, *tenths, 2.5) == (ValueRange{double(0.1f), double(0.1f)}));
 }
@@ -72,7 +72,7 @@ void TestSmartBrush::connectedAsByAFlood() {
     const ValueRange range{double(random() % 3), double(2 + random() % 4)};
     const auto any = [&](int size) {
       return int(random() % unsigned(size + 2)) - 1;
-    };  // beyond the grid, too
+    };  // includes voxels beyond the grid
     const glm::ivec3 voxel(any(grid.size.x), any(grid.size.y), any(grid.size.z));
     BitMask there(volume->geometry());
     for (const glm::ivec3 v : voxelsOf(grid))

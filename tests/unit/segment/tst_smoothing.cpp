@@ -1,4 +1,4 @@
-// Guards smoothing.h: the same voxels as by sums over all voxels of the kernel, one by one, on every grid.
+// Guards smoothing.h: the same voxels as by sums over all voxels of the kernel, on every grid.
 #include <tbb/global_control.h>
 
 #include <QElapsedTimer>
@@ -53,12 +53,12 @@ struct KernelVoxel {
   double weight;
 };
 
-// All voxels of the Gaussian, cut at 4 standard deviations: along each axis where they are orthogonal, else
-// of the distance.
+// Returns all voxels of the Gaussian, cut at 4 standard deviations. The limit is along each axis if axes are
+// orthogonal, else by distance.
 std::vector<KernelVoxel> kernelOf(const VoxelGeometry& grid, double sigma) {
   const glm::dmat3 step = grid.patientFromVoxelStep;
   const bool isBox = axesAreOrthogonal(step);
-  const int far = int(std::ceil(12 * sigma));  // no step of `grids` is that oblique
+  const int far = int(std::ceil(12 * sigma));  // no step of `grids` is oblique enough to need more
   std::vector<KernelVoxel> kernel;
   double sum = 0;
   for (int z = -far; z <= far; ++z)
@@ -128,7 +128,7 @@ void TestSmoothing::gaussianIsThatOfBruteForce() {
     const double sigma = chance.between(0.2, 1.1);
     const BitMask smoothed = gaussianSmoothed(mask, sigma);
     const auto kernel = kernelOf(mask.geometry(), sigma);
-    // Of long grids every seventh voxel: what lies about ends of words is met all the same.
+    // Tests every seventh voxel of long grids, which still covers the ends of words.
     int n = 0;
     bool same = true;
     forVoxels(mask.size(), [&](glm::ivec3 v) {
@@ -136,7 +136,7 @@ void TestSmoothing::gaussianIsThatOfBruteForce() {
       const double sum = occupancyAt(kernel, v, mask.size(), [&](glm::ivec3 at) { return mask.at(at); });
       changed += smoothed.at(v) != mask.at(v);
       if (std::abs(sum - 0.5) < 1e-5)
-        ++open;  // closer than floats tell
+        ++open;  // closer than floats resolve
       else
         same = same && smoothed.at(v) == (sum > 0.5);
     });
@@ -211,7 +211,8 @@ void TestSmoothing::slabsLiveByTheirThicknessInMm_data() {
   QTest::addColumn<double>("spacing");
   QTest::addColumn<double>("sigma");
   QTest::addColumn<bool>("lives");
-  // The middle of a slab is at least 1/2 where half its thickness is 0.6745 sigma. Here it is 5 voxels.
+  // The middle of a slab is at least 1/2 if half its thickness is at least 0.6745 sigma. The slab has 5
+  // voxels.
   for (int axis : {0, 1, 2})
     for (double spacing : {0.5, 1.0, 3.0}) {
       QTest::addRow("axis %d, %g mm, just thick enough", axis, spacing)
@@ -235,7 +236,8 @@ void TestSmoothing::slabsLiveByTheirThicknessInMm() {
 }
 
 void TestSmoothing::ballsShrinkByTheSquareOfSigma() {
-  // By sigma^2 / r, on every grid: 10 mm to 9.1 (a third term takes little more), in volume to 0.74.
+  // Balls shrink by sigma^2 / r on every grid: 10 mm to 9.1 (a third term adds little), and in volume to
+  // 0.74.
   for (const Grid& shape : grids) {
     VoxelGeometry grid = cube(1, shape.patientFromVoxelStep);
     const glm::dmat3 back = glm::transpose(grid.voxelFromPatientStep());
@@ -263,7 +265,8 @@ void TestSmoothing::labelsLeaveNoGap() {
 
 void TestSmoothing::ofTwoLabelsAlikeTheSmallerWins() {
   VoxelGeometry grid = cube(21);
-  // About the middle the halves are the same; it is alone, and as such the least.
+  // About the middle both halves have equal shares. The middle's own label has one plane alone, and thus the
+  // least.
   const auto halves = [&](int left, int right) {
     return labelsOf(grid, [=](glm::ivec3 v) { return v.x < 10 ? left : v.x > 10 ? right : 9; });
   };
@@ -273,7 +276,7 @@ void TestSmoothing::ofTwoLabelsAlikeTheSmallerWins() {
     QCOMPARE(int(smoothed.at({9, 10, 10})), left);
     QCOMPARE(int(smoothed.at({11, 10, 10})), right);
   }
-  // A voxel's own stays where another has as much: planes of two labels in turn.
+  // A voxel keeps its label if another has an equal share, as in alternating planes of two labels.
   const LabelMap turns = labelsOf(grid, [](glm::ivec3 v) { return v.y / 4 % 2 ? 5 : 3; });
   QVERIFY(jointSmoothed(turns, 0.6) == turns);
 }
@@ -291,7 +294,7 @@ void TestSmoothing::lockedLabelsNeitherGainNorLose() {
 void TestSmoothing::bricksThatStayAreShared() {
   VoxelGeometry grid = cube(32);
   grid.size.x = 128;
-  // A ragged label in the first brick, a slab that stays in the last.
+  // A ragged label is in the first brick, and an unchanged slab in the last.
   const LabelMap map = labelsOf(grid, [](glm::ivec3 v) {
     return v.x > 80 ? int(v.y < 16) : v.x > 5 && v.x < 20 ? (v.x + v.y + v.z) % 2 : 0;
   });
@@ -323,7 +326,7 @@ void TestSmoothing::cancelledEndsSoon() {
   timer.start();
   medianSmoothed(mask, 6, cancel);
   gaussianSmoothed(mask, 6, cancel);
-  QVERIFY(timer.elapsed() < 1000);  // undisturbed they take tens of seconds
+  QVERIFY(timer.elapsed() < 1000);  // they take tens of seconds if not cancelled
 }
 
 VOLUMEN_TEST(TestSmoothing);

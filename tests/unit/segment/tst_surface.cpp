@@ -1,6 +1,6 @@
 // Guards surface.h: surfaces of segments are closed on every grid, lie where the field is 1/2, and stay
-// closed where they get fewer triangles; distances between them are exact. Random cases:
-// VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S.
+// closed when triangles are reduced. Distances between them are exact. Random cases: VOLUMEN_RANDOM_CASES=N,
+// VOLUMEN_RANDOM_SEED=S.
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -80,8 +80,8 @@ void TestSurface::isClosed() {
   }
 }
 
-// Noise is the worst: where corners inside are opposite on a face the surface parts them, and the field may
-// join them. So it encloses less, by all cells together at most a tenth.
+// Noise is the worst case. If inside corners are opposite on a face, the surface separates them, whereas the
+// field may join them. The surface thus encloses less, by at most a tenth over all cells.
 void TestSurface::liesNearTheFieldsOwnVolume() {
   double all = 0, twin = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
@@ -92,7 +92,7 @@ void TestSurface::liesNearTheFieldsOwnVolume() {
     QVERIFY2(std::abs(volume - inside) < 1 + 0.05 * cells,
              seedText(seed, std::to_string(volume) + ", not " + std::to_string(inside)));
     all += volume, twin += inside;
-    // Of the twin's 10 x 10 x 10 points in a cell and its 5 x 5 lines neither is exact.
+    // Neither the 10 x 10 x 10 points in a cell nor the 5 x 5 lines are exact.
     const double lines = volumeOf(field) / voxel;
     QVERIFY2(std::abs(lines - inside) < 0.01 + 0.003 * cells,
              seedText(seed, std::to_string(lines) + ", not " + std::to_string(inside)));
@@ -105,8 +105,8 @@ void TestSurface::closedForms_data() {
   for (const Grid& g : grids) QTest::newRow(g.name) << g.patientFromVoxelStep;
 }
 
-// Flat triangles of h mm inside a ball of r mm lack about h^2 / 8 r of its radius: with h of 2.5 mm and r of
-// 15 mm 0.05 mm, 1 % of the volume.
+// Flat triangles of h mm inside a ball of r mm lack about h^2 / 8 r of its radius. For h = 2.5 mm and r = 15
+// mm that is 0.05 mm, 1 % of the volume.
 void TestSurface::closedForms() {
   QFETCH(glm::dmat3, step);
   const double r = 15;
@@ -120,8 +120,8 @@ void TestSurface::closedForms() {
     QVERIFY(std::abs(glm::distance(dvec3(p), dvec3(1, -2, 0.5)) - r) < 0.15);
 }
 
-// Its reference values, 556 mm^3, 388 mm^2 and 13.1 mm (IBSI 11.0, volume, surface area, maximum 3D
-// diameter), of the mask as it is.
+// Reference values of the unsmoothed mask are 556 mm^3, 388 mm^2 and 13.1 mm (IBSI 11.0, volume, surface
+// area, maximum 3D diameter).
 void TestSurface::phantomOfIbsi() {
   const BitMask mask = ibsiPhantom();
   QCOMPARE(mask.count(), std::int64_t(74));
@@ -133,7 +133,7 @@ void TestSurface::phantomOfIbsi() {
   QVERIFY(std::abs(double(glm::distance(ends[0], ends[1])) - 13.115) < 1e-3);
 }
 
-// A ball of 6 mm with a cavity of 3 mm, and one of 4 mm that touches it by corners alone at most.
+// A ball of 6 mm has a cavity of 3 mm. A ball of 4 mm touches it at most by corners.
 void TestSurface::shellsAreTold() {
   const Shape3 outer = ball(6, {-5, 0, 0}), cavity = ball(3, {-5, 0, 0}), other = ball(4, {6, 0, 0});
   const BitMask mask = maskOfShape(gridAbout(glm::dmat3(0.5), 14),
@@ -160,7 +160,7 @@ void TestSurface::nothingHasNoTriangles() {
   QCOMPARE(deviation(*surface, *surface).largest, 0.0);
 }
 
-// A value of exactly 1/2, and ones a hair off it: six crossings about one point are six points.
+// The value is exactly 1/2 or slightly above. Six crossings about one point must stay six points.
 void TestSurface::crossingsKeepApart() {
   for (const float value : {0.5f, 0.5f + 1e-7f, 0.5f + 1e-4f}) {
     OccupancyField field{
@@ -203,12 +203,12 @@ void TestSurface::whatIsCancelled() {
   QCOMPARE(notClosed(reduced(ball, 1, cancel)), std::string());
 }
 
-// Its bones: closed, and inside them nearly what their voxels are.
+// The surface of real bones must be closed and enclose nearly the volume of their voxels.
 void TestSurface::bonesOfARealCt() {
   const VolumePtr ct = realVolume("ct-chest-lidc0314-138");
   NEED_VOLUME(ct);
   BitMask bones = voxelsInRange(*ct, {226, 3000});
-  for (int k = 60; k < bones.size().z; ++k)  // a part: to look at each edge takes its time
+  for (int k = 60; k < bones.size().z; ++k)  // only some slices, as testing each edge is slow
     for (int j = 0; j < bones.size().y; ++j) std::ranges::fill(bones.row(j, k), 0);
   for (int k = 0; k < 45; ++k)
     for (int j = 0; j < bones.size().y; ++j) std::ranges::fill(bones.row(j, k), 0);

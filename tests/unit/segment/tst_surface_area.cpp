@@ -1,5 +1,5 @@
-// Guards surface_area.h: the area of a mask's boundary against closed forms on every grid, the bricks whose
-// faces it adds up, and a twin that smooths voxel by voxel.
+// Guards surface_area.h: the area of a mask's boundary against closed forms on every grid. Also guards the
+// brick faces that it sums, and compares with a voxel-by-voxel smoothing.
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -78,7 +78,7 @@ class SmoothedTwin {
     }
   }
 
-  // Of the slopes at two voxels, summed.
+  // Returns the sum of the gradients at two voxels.
   dvec3 gradient(ivec3 a, ivec3 b) { return patientFromVoxel_ * (slopes(a) + slopes(b)); }
 
  private:
@@ -106,7 +106,7 @@ class SmoothedTwin {
   }
 
   dvec3 sigma_;
-  std::array<std::vector<double>, 3> weights_;  // of so many voxels away
+  std::array<std::vector<double>, 3> weights_;  // by distance in voxels
   dmat3 patientFromVoxel_;
   std::vector<ivec3> voxels_;
   std::map<std::array<int, 3>, double> values_;
@@ -183,7 +183,7 @@ void TestSurfaceArea::edges_data() {
   QTest::newRow("0.7 x 0.7 x 5") << thickSlices << 0.065 << 0.12;
 }
 
-// Cylinders of 10 x 40 mm and boxes of 20 x 28 x 36 mm, whichever way they run.
+// Covers cylinders of 10 x 40 mm and boxes of 20 x 28 x 36 mm in all directions.
 void TestSurfaceArea::edges() {
   QFETCH(dmat3, step);
   QFETCH(double, cylinders);
@@ -198,7 +198,7 @@ void TestSurfaceArea::edges() {
   }
 }
 
-// A plate and a line of one voxel, which lose at their ends alone, and a shell of 3 mm.
+// Covers a plate and a line of one voxel, which lose area only at their ends, and a shell of 3 mm.
 void TestSurfaceArea::thinParts() {
   BitMask plate({.size = {40, 40, 3}}), line({.size = {50, 3, 3}});
   for (int j = 5; j < 35; ++j)
@@ -216,7 +216,7 @@ void TestSurfaceArea::thinParts() {
   }
 }
 
-// Faces are as large as bricks that touch there overlap, and cover them.
+// Each face is as large as the overlap of the bricks that touch there. All faces together cover the bricks.
 void TestSurfaceArea::bricksTouch() {
   for (const Grid& g : allGrids()) {
     const dmat3& step = g.patientFromVoxelStep;
@@ -243,7 +243,7 @@ void TestSurfaceArea::bricksTouch() {
   }
 }
 
-// Rows of more than a word, steps to both sides.
+// Rows are longer than a word, with steps in both directions.
 void TestSurfaceArea::isTheDefinition() {
   std::mt19937 random(3);
   for (const Grid& g : allGrids()) {

@@ -1,6 +1,5 @@
-// Guards surface.h and farthest_points.h: surfaces stay closed where they get fewer triangles, and distances
-// are exact, against twins that ask all triangles. Random cases: VOLUMEN_RANDOM_CASES=N,
-// VOLUMEN_RANDOM_SEED=S.
+// Guards surface.h and farthest_points.h: surfaces stay closed when triangles are reduced, and distances are
+// exact, compared with testing all triangles. Random cases: VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S.
 #include <algorithm>
 
 #include "tests/fixtures/seeds.h"
@@ -37,7 +36,7 @@ void TestSurfaceDistance::fewerTrianglesStayClosed_data() {
   for (const double tolerance : {0.0, 0.05, 0.3, 2.0, 100.0}) QTest::addRow("%g mm", tolerance) << tolerance;
 }
 
-// Masks by chance, with handles, holes and parts that have four points left; and a ball.
+// Covers a ball and random masks with handles, holes and components reduced to four points.
 void TestSurfaceDistance::fewerTrianglesStayClosed() {
   QFETCH(double, tolerance);
   const Seeds seeds = seedsOf(150, 1500);
@@ -47,7 +46,7 @@ void TestSurfaceDistance::fewerTrianglesStayClosed() {
     const std::string wrong = notClosed(fewer);
     QVERIFY2(wrong.empty() || wrong == "two points are at one place", toldBySeed(std::uint64_t(seed), wrong));
     QVERIFY(fewer.triangles.size() <= all.triangles.size());
-    // Handles and parts stay: Euler's number, from triangles and points.
+    // Handles and components remain, as the Euler characteristic from triangles and points shows.
     QCOMPARE(2 * int(fewer.points.size()) - int(fewer.triangles.size()),
              2 * int(all.points.size()) - int(all.triangles.size()));
   }
@@ -56,15 +55,15 @@ void TestSurfaceDistance::fewerTrianglesStayClosed() {
   QCOMPARE(notClosed(fewer), std::string());
   if (tolerance > 0 && tolerance < 1) {
     QVERIFY(fewer.triangles.size() < ball.triangles.size() * (tolerance < 0.1 ? 0.9 : 0.5));
-    // Nothing is farther from planes than the tolerance; where planes meet at an angle a little farther from
-    // their triangles.
+    // Points are within the tolerance of the planes. If planes meet at an angle, points may be slightly
+    // farther from the triangles.
     QVERIFY2(deviation(fewer, ball).largest < 2 * tolerance,
              qPrintable(QString::number(deviation(fewer, ball).largest)));
     QVERIFY(std::abs(volumeOf(fewer) / volumeOf(ball) - 1) < 0.02);
   }
 }
 
-// A block of the mask as it is: six faces with bevelled edges need no more than a few triangles each.
+// The unsmoothed block has six faces with bevelled edges, which need only a few triangles each.
 void TestSurfaceDistance::flatFacesAreTwoTriangles() {
   BitMask mask({.size = {12, 9, 7}});
   for (int k = 0; k < 7; ++k)
@@ -73,7 +72,7 @@ void TestSurfaceDistance::flatFacesAreTwoTriangles() {
   const Surface all = *surfaceOf(occupancyOf(mask, 0));
   const Surface fewer = reduced(all, 1e-4);
   QVERIFY(all.triangles.size() > 1000);
-  // 24 corners of the faces, which are flat: 2 * 24 - 4 triangles.
+  // The flat faces have 24 corners, which gives 2 * 24 - 4 triangles.
   QVERIFY2(fewer.triangles.size() <= 60, qPrintable(QString::number(fewer.triangles.size())));
   QVERIFY(std::abs(volumeOf(fewer) / volumeOf(all) - 1) < 1e-5);
   QVERIFY(deviation(all, fewer).largest < 2e-4);
@@ -81,8 +80,8 @@ void TestSurfaceDistance::flatFacesAreTwoTriangles() {
 
 namespace {
 
-// From a point to a triangle, by other means than the program: the foot on the plane where it is inside, else
-// the nearest of the edges.
+// Returns the distance from a point to a triangle, independently of the program. It is to the foot on the
+// plane if that is inside, else to the nearest edge.
 double distanceToTriangle(dvec3 p, const std::array<dvec3, 3>& t) {
   const dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
   double nearest = 1e300;

@@ -1,4 +1,4 @@
-// Guards the patient without the table: what is taken away, what stays, in any grid and storage.
+// Guards table removal: what is removed and what stays, on any grid and in any storage type.
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
@@ -31,7 +31,7 @@ namespace {
 
 using Make = VolumePtr (*)(bool table);
 
-// By the definition, from voxel to voxel; axis: along the patient.
+// Returns the patient by the definition, voxel by voxel. `axis` runs along the patient.
 BitMask patientSlowly(const Volume& volume, int axis) {
   const VoxelGeometry& grid = volume.geometry();
   BitMask notAir(grid), left(grid), largest(grid);
@@ -95,7 +95,7 @@ void TestTable::theTableBecomesAir_data() {
       [](bool t) { return CtWithTable::volume<std::int16_t>(t, 1, 0, true); });
 }
 
-// Lungs, which are open above and below, and all else of the patient stay as they are, byte for byte.
+// Lungs, which are open above and below, and the rest of the patient stay unchanged byte for byte.
 void TestTable::theTableBecomesAir() {
   QFETCH(Make, make);
   const VolumePtr with = make(true), alone = make(false);
@@ -108,7 +108,7 @@ void TestTable::theTableBecomesAir() {
 }
 
 void TestTable::theSkinKeepsItsEdge() {
-  // A soft edge: -700 and -900 HU in the two voxels before the skin's.
+  // The skin has a soft edge: -700 and -900 HU in the two voxels before it.
   const auto value = [](glm::dvec3 x) {
     if (x.x >= 20) return 40.0;
     return x.x >= 19 ? -700.0 : x.x >= 18 ? -900.0 : x.x < 4 ? 0.0 : -1000.0;
@@ -122,7 +122,7 @@ void TestTable::theSkinKeepsItsEdge() {
 }
 
 void TestTable::onlyWhatTheFileHoldsIsWritten() {
-  // No air in it: the nearest there is.
+  // The file holds no air, so that its lowest value is used.
   const auto value = [](glm::dvec3 x) { return x.x < 5 ? 200.0 : x.x < 12 ? -400.0 : 40.0; };
   const VolumePtr volume = volumeOf<std::int16_t>({40, 10, 10}, glm::dmat3(1), value);
   const Result<VolumePtr> removed = masked(*volume, {true, {}});
@@ -143,7 +143,7 @@ void TestTable::cancelledIsToldSo() {
           std::string::npos);
 }
 
-// Two legs that do not touch, and a table of a twentieth of one.
+// Two legs do not touch, and the table has a twentieth of a leg's size.
 void TestTable::picturesLeaveOutNoPatient() {
   const auto made = [](bool secondLeg, bool table) {
     return volumeOf<std::int16_t>({40, 40, 10}, glm::dmat3(2), [=](glm::dvec3 x) {

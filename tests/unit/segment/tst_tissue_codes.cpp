@@ -1,5 +1,5 @@
-// Guards tissue_codes.h: each code is one of SNOMED CT (its last digit is right), each name and code is there
-// once, and both find their row.
+// Guards tissue_codes.h: each code is a valid SNOMED CT code by its check digit. Each name and code occurs
+// once and finds its row.
 #include <set>
 
 #include "tests/unit/suite.h"
@@ -17,7 +17,8 @@ class TestTissueCodes : public QObject {
 
 namespace {
 
-/// Verhoeff's check, which ends every SNOMED CT identifier: a multiplication in the dihedral group of 10.
+/// Verifies Verhoeff's check digit, which ends every SNOMED CT identifier: a multiplication in the dihedral
+/// group of order 10.
 bool hasCheckDigit(const std::string& digits) {
   const auto times = [](int a, int b) {
     const int rotated = a < 5   ? (b < 5 ? (a + b) % 5 : 5 + (a + b) % 5)

@@ -1,5 +1,5 @@
-// Guards where tissue is shown by segments: the voxels are those whose distance to a segment is within the
-// margin, one by one, on grids of every kind; what is left of a volume has its values, all else air.
+// Guards masking by segments: the voxels are those whose distance to a segment is within the margin, on grids
+// of every kind. Shown voxels of a volume keep their values, all others are air.
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -32,7 +32,7 @@ LabelMap anySegments(std::mt19937& random, const VoxelGeometry& grid) {
   return labels;
 }
 
-// By the distances from a voxel to every other.
+// Tests the distances from a voxel to every other.
 bool isNearSegments(const LabelMap& labels, const std::vector<int>& segments, double marginMm, glm::ivec3 a) {
   const VoxelGeometry& grid = labels.geometry();
   return std::ranges::any_of(voxelsOf(grid), [&](glm::ivec3 b) {

@@ -1,6 +1,6 @@
-// Guards segment.md, "Surfaces", of phantoms and of real segments, on every kind of grid: what is written
-// is closed, lies nowhere farther than half a voxel from the border of the voxels, and encloses what pictures
-// draw. Random masks: VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S.
+// Guards segment.md, "Surfaces", for phantoms and real segments on every kind of grid. Written surfaces are
+// closed, lie at most half a voxel from the border of the voxels, and enclose what pictures draw. Random
+// masks: VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S.
 #include <cmath>
 
 #include "tests/fixtures/grids.h"
@@ -32,12 +32,12 @@ namespace {
 
 using glm::dmat3, glm::dvec3, glm::ivec3;
 
-constexpr double halfAVoxel = 0.5, roundedPoints = 1e-3;  // floats of mm, in voxels
-// How much more or less than what is drawn is enclosed. The twin's points are random: of a few hundred cells
-// they count about 0.3 % more or less.
+constexpr double halfAVoxel = 0.5, roundedPoints = 1e-3;  // allows for floats of mm, in voxels
+// Bounds of the enclosed volume relative to the drawn one. The drawn volume is counted at random points,
+// which is off by about 0.3 % for a few hundred cells.
 constexpr double ofSmallBodies = 0.01, ofRealSegments = 0.005;
 
-// From a place, in voxels, to the border of the voxels, as far as that lies in the cell of the place.
+// Returns the distance (voxels) from a point to the border of the voxels inside the point's cell.
 double fromBorder(const BitMask& mask, dvec3 p) {
   const auto isIn = [&](ivec3 v) {
     for (int a = 0; a < 3; ++a)
@@ -53,7 +53,7 @@ double fromBorder(const BitMask& mask, dvec3 p) {
       ivec3 next = v;
       next[axis] += 1;
       if (isIn(v) == isIn(next)) continue;
-      // The face between both is a square of 1 about the middle.
+      // The face between both is a square of edge 1 about the midpoint.
       const dvec3 away = glm::abs(p - dvec3(v + next) / 2.0);
       dvec3 beyond = glm::max(away - 0.5, 0.0);
       beyond[axis] = away[axis];
@@ -62,7 +62,7 @@ double fromBorder(const BitMask& mask, dvec3 p) {
   return nearest;
 }
 
-// The farthest of corners, edges and insides of all triangles, in voxels.
+// Returns the largest distance of corners, edges and insides of all triangles, in voxels.
 double farthestFromBorder(const Surface& surface, const BitMask& mask) {
   constexpr int parts = 3;
   double farthest = 0;
@@ -77,7 +77,8 @@ double farthestFromBorder(const Surface& surface, const BitMask& mask) {
   return farthest;
 }
 
-// Empty, or what is wrong; `off`: how much more or less than what is drawn it may enclose, a part of that.
+// Returns what is wrong with the surface; empty if nothing is. `off` bounds the relative difference of the
+// enclosed from the drawn volume.
 QString wrongSurface(const BitMask& mask, double off) {
   const OccupancyField field = occupancyOf(mask, surfaceSigma);
   const Surface surface = mended(*volumePreservingSurface(field), field);
@@ -89,7 +90,7 @@ QString wrongSurface(const BitMask& mask, double off) {
   return std::abs(ratio - 1) <= off ? QString() : QStringLiteral("%1 of what is drawn").arg(ratio);
 }
 
-// Of the quality of triangles.
+// Returns the first percentile of triangle quality.
 double firstPercentile(const Surface& surface) {
   std::vector<double> qualities;
   for (const auto& [a, b, c] : surface.triangles) {
@@ -126,7 +127,7 @@ void TestWhereSurfacesLie::phantoms_data() {
   for (const Grid& grid : thickGrids) rows(grid);  // bodies of two to six slices
 }
 
-// The grid ends in the middle of the body, or around it.
+// The grid ends in the middle of the body, or encloses it.
 void TestWhereSurfacesLie::phantoms() {
   QFETCH(dmat3, step);
   QFETCH(Shape3, shape);
@@ -139,7 +140,7 @@ void TestWhereSurfacesLie::phantoms() {
   QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
 }
 
-// Of noise the surface parts what the field joins across faces: no volume is asked of it.
+// In noise the surface separates what the field joins across faces, so that the volume is not checked.
 void TestWhereSurfacesLie::anyMask() {
   const Seeds seeds = seedsOf(100, 2000);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
@@ -168,7 +169,7 @@ void TestWhereSurfacesLie::realSegments_data() {
   row("a head by MR", "mr-head-siemens-gap-175", 200, 1e9);
 }
 
-// Seven slices of each: to look at every edge takes its time.
+// Only seven slices each, as testing every edge is slow.
 void TestWhereSurfacesLie::realSegments() {
   QFETCH(QString, series);
   QFETCH(double, low);
@@ -191,8 +192,8 @@ void TestWhereSurfacesLie::fewTrianglesAreThin_data() {
   QTest::newRow("ellipsoid, oblique") << grids[2].patientFromVoxelStep << ellipsoid({20, 14, 12});
 }
 
-// Quality: 4 sqrt(3) area / sum of squared edges, 1 of equal edges. As crossings of cells 1 % have 0.2 or
-// less.
+// Quality is 4 sqrt(3) area / sum of squared edges, which is 1 for equal edges. Before mending, 1 % of the
+// triangles have 0.2 or less.
 void TestWhereSurfacesLie::fewTrianglesAreThin() {
   QFETCH(dmat3, step);
   QFETCH(Shape3, shape);

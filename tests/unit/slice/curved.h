@@ -7,12 +7,12 @@
 
 namespace volumen::tests {
 
-/// What is seen along z.
+/// Returns a recipe viewed along z.
 inline CurvedRecipe recipeOf(CurvedKind kind, const std::vector<glm::dvec3>& points, double halfWidth = 6) {
   return {kind, points, {0, 0, 1}, halfWidth};
 }
 
-/// Both throw where the curve cannot be laid out.
+/// Both throw if the curve cannot be laid out.
 inline CurvedGrid gridOf(const CurvedRecipe& recipe, const VoxelGeometry& source) {
   const auto grid = CurvedGrid::make(recipe, source);
   if (!grid) throw std::runtime_error(grid.message());
@@ -25,7 +25,7 @@ inline VolumePtr laidOut(const Volume& source, const CurvedRecipe& recipe) {
   return *volume;
 }
 
-/// A cube of `size` voxels along each axis about the patient's origin.
+/// Returns a cube of `size` voxels along each axis, centred on the patient's origin.
 inline VoxelGeometry boxOf(double spacing = 1, int size = 64) {
   VoxelGeometry geometry;
   geometry.size = glm::ivec3(size);

@@ -17,7 +17,7 @@ double clampedVoxel(const Volume& v, int i, int j, int k) {
   return v.value(std::clamp(i, 0, last.x), std::clamp(j, 0, last.y), std::clamp(k, 0, last.z));
 }
 
-// The weight of the voxel `distance` from a point, along an axis.
+// Returns the weight of the voxel at `distance` from a point along an axis.
 double weightOf(Interpolation how, double distance) {
   const double d = std::abs(distance);
   if (how == Interpolation::linear) return std::max(0.0, 1 - d);

@@ -6,9 +6,8 @@
 
 namespace volumen::tests {
 
-/// slices.md 1 in double precision, pixel by pixel, to the letter. A pixel of which a sample lies within 1e-6
-/// voxels of a face of the box, or with `nearest` of the middle between two voxels, is `doubtful`: rounding
-/// decides.
+/// A slice by slices.md 1 in double precision, pixel by pixel. Pixels are `doubtful` if rounding decides: a
+/// sample is within 1e-6 voxels of a face of the box or, with `nearest`, of the midpoint between two voxels.
 struct SlowSlice {
   std::vector<double> values;
   std::vector<bool> doubtful;

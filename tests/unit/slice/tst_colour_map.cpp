@@ -1,4 +1,4 @@
-// Guards colour maps and layers over each other.
+// Guards colour maps and overlaid layers.
 #include <cmath>
 #include <limits>
 
@@ -72,7 +72,7 @@ void TestColourMap::layersAreMixed_data() {
   QTest::addColumn<float>("value");
   QTest::addColumn<double>("opacity");
   QTest::addColumn<quint32>("mixed");
-  // Over mid grey; the window 0..255 makes each value its own byte.
+  // The layer is over mid grey. The window 0..255 maps each value to its own byte.
   QTest::newRow("nothing where there is no value")
       << std::numeric_limits<float>::quiet_NaN() << 1.0 << rgb(128, 128, 128);
   QTest::newRow("nothing at the lower end") << 0.0f << 1.0 << rgb(128, 128, 128);
@@ -90,7 +90,7 @@ void TestColourMap::layersAreMixed() {
   GreyMapping grey;
   grey.window = {127.5, 255};
   layOver({&pixel, 1}, {&value, 1}, grey, ColourMap::hotIron, opacity);
-  const auto near = [](int a, int b) { return std::abs(a - b) <= 1; };  // of rounding
+  const auto near = [](int a, int b) { return std::abs(a - b) <= 1; };  // allows for rounding
   QVERIFY2(near(red(pixel), red(mixed)) && near(green(pixel), green(mixed)) && near(blue(pixel), blue(mixed)),
            qPrintable(QString::number(pixel, 16)));
 }

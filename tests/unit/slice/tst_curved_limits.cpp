@@ -1,5 +1,5 @@
-// Guards what bounds curved volumes: padding is told and not interpolated, long curves become coarser, and
-// what cannot be laid out is refused.
+// Guards the limits of curved volumes: padding is marked and not interpolated, long curves get coarser, and
+// impossible layouts are refused.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
@@ -44,8 +44,8 @@ void TestCurvedLimits::outsideIsPadding() {
   QCOMPARE(padded->value(0, 0, 0), -2000.f);
 }
 
-// A row of voxels of padding beside some of 100 to 200, seen along a line between voxels: what padding has a
-// part in is padding, whatever else is what interpolation gives of the voxels around.
+// A row of padding lies beside voxels of 100 to 200, seen along a line between voxels. Values with a share of
+// padding are padding. All others equal the interpolation of the surrounding voxels.
 void TestCurvedLimits::paddingIsNotInterpolated_data() {
   QTest::addColumn<double>("low");
   QTest::newRow("whole numbers") << -2000.0;
@@ -95,7 +95,7 @@ void TestCurvedLimits::paddingIsNotInterpolated() {
   QVERIFY(blank > 100 && seen > 100);
 }
 
-// As a file may say it in doubles: what is written of it is told to be padding, too.
+// A file may state padding as doubles. The value written for it must be marked as padding too.
 void TestCurvedLimits::paddingBeyondFloat32IsTold() {
   const VolumePtr plain = randomVolume<std::int16_t>({12, 12, 12}, 100, 200);
   for (const double low : {-2000.3, -2000.1}) {
@@ -121,7 +121,7 @@ void TestCurvedLimits::largeOnesBecomeCoarser() {
       QVERIFY(std::abs(g.spacing().x / g.spacing().z - 1) < 0.01);
       if (spacing == 1) QVERIFY(std::abs(g.spacing().x - 1) < 1e-9);
     }
-  // Thin ones, too: of a long curve there are no more cross-sections than can be held.
+  // The number of cross-sections of a long curve is limited, also in thin volumes.
   const CurvedGrid thin =
       gridOf(recipeOf(CurvedKind::straightened, {{0, 0, 0}, {5000, 0, 0}}, 0.001), boxOf(0.001));
   QVERIFY(double(thin.sections().size()) < CurvedGrid::mostSections + 2);

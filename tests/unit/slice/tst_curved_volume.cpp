@@ -1,4 +1,4 @@
-// Guards curved volumes: values are those of the patient points that the grid names, frames do not turn about
+// Guards curved volumes: values are those at the patient points that the grid names. Frames do not turn about
 // the curve, and closed forms of lines, helices and arcs hold.
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ std::vector<dvec3> helixPoints() {
   return points;
 }
 
-// How far a point lies from the helix, by its nearest angle, which lies close to that of its height.
+// Returns the distance of a point from the helix. The nearest angle is searched near that of the same height.
 double fromHelix(dvec3 p) {
   const auto squared = [&](double angle) {
     const dvec3 way = p - onHelix(angle);
@@ -65,7 +65,7 @@ double fromHelix(dvec3 p) {
   return std::sqrt(squared(best));
 }
 
-// Bends of up to about 40 degrees every 10 to 20 mm.
+// Returns points with bends of up to about 40 degrees every 10 to 20 mm.
 std::vector<dvec3> randomWalk(Chance& chance) {
   std::vector<dvec3> points{{0, 0, 0}};
   dvec3 way = glm::normalize(chance.vector() + dvec3(0, 0, 2));
@@ -76,7 +76,7 @@ std::vector<dvec3> randomWalk(Chance& chance) {
   return points;
 }
 
-// The smallest turn that takes one unit vector to another.
+// Applies to `v` the smallest rotation from one unit vector to another.
 dvec3 turned(dvec3 v, dvec3 from, dvec3 to) {
   const dvec3 axis = glm::cross(from, to);
   const double sine = glm::length(axis), cosine = glm::dot(from, to);
@@ -93,8 +93,8 @@ void TestCurvedVolume::aLineThroughVoxelsShowsThem_data() {
   QTest::newRow("towards the feet") << false;
 }
 
-// The same picture as of the slices themselves, whichever way the curve runs. Positions are rounded to 2^-24
-// voxels, and neighbours differ by up to 2000.
+// The picture must equal the slices themselves in either direction of the curve. Positions are rounded to
+// 2^-24 voxels, and neighbours differ by up to 2000.
 void TestCurvedVolume::aLineThroughVoxelsShowsThem() {
   QFETCH(bool, up);
   const VolumePtr source = randomVolume<std::int16_t>({21, 19, 17}, -1000, 1000);
@@ -113,8 +113,8 @@ void TestCurvedVolume::aLineThroughVoxelsShowsThem() {
       }
 }
 
-// The bound: 0.1 mm for trilinear interpolation of a distance (1/8 mm^2 of a curvature of 1/2 per mm, twice),
-// 0.02 mm for the curve through the points.
+// The bound is 0.1 mm for trilinear interpolation of a distance (1/8 mm^2 of a curvature of 1/2 per mm,
+// twice) plus 0.02 mm for the curve through the points.
 void TestCurvedVolume::aHelicalTubeBecomesStraight() {
   const glm::ivec3 size(61, 61, 61);
   const VolumePtr source = volumeOf(size, glm::dmat3(1), [&](dvec3 x) {
@@ -138,7 +138,7 @@ void TestCurvedVolume::aHelicalTubeBecomesStraight() {
   QVERIFY2(worst < 0.15, qPrintable(QString::number(worst)));
 }
 
-// Against the normal of Frenet's frame a frame that does not turn goes back by torsion times length.
+// Relative to the Frenet normal, a frame that does not turn rotates back by torsion times length.
 void TestCurvedVolume::theFrameOfAHelixTurnsBackByItsTorsion() {
   const CurvedGrid grid = gridOf(recipeOf(CurvedKind::straightened, helixPoints()), boxOf());
   const double squared = helixRadius * helixRadius + helixRise * helixRise;
@@ -154,7 +154,7 @@ void TestCurvedVolume::theFrameOfAHelixTurnsBackByItsTorsion() {
   QVERIFY2(std::abs(turn - truth) < 0.01, qPrintable(QString::number(turn - truth)));
 }
 
-// Against a twin that carries the first frame along by small turns, a fiftieth of a voxel each.
+// Compares with a first frame carried along by small rotations, one for each fiftieth of a section.
 void TestCurvedVolume::framesDoNotTurn() {
   const Seeds seeds = seedsOf(25, 300);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
@@ -189,7 +189,7 @@ void TestCurvedVolume::aRampIsThatOfThePatient_data() {
           << n << int(kind);
 }
 
-// Trilinear interpolation of a ramp is the ramp: what is left is float32 and 2^-24 voxels.
+// Trilinear interpolation reproduces a ramp up to float32 and 2^-24 voxels.
 void TestCurvedVolume::aRampIsThatOfThePatient() {
   QFETCH(int, grid);
   QFETCH(int, kind);
@@ -216,8 +216,7 @@ void TestCurvedVolume::aRampIsThatOfThePatient() {
   QVERIFY2(seen > 1000, qPrintable(QString::number(seen)));
 }
 
-// Half a circle of radius 20 mm in an axial plane: the arc becomes a line of its length, its centre lies
-// 20 mm across.
+// Half a circle of radius 20 mm in an axial plane becomes a line of its length. Its centre lies 20 mm across.
 void TestCurvedVolume::anArcIsUnrolled() {
   std::vector<dvec3> points;
   for (int n = 0; n <= 12; ++n)
@@ -227,25 +226,25 @@ void TestCurvedVolume::anArcIsUnrolled() {
   QVERIFY(glm::distance(recipe.ruled, dvec3(0, 0, 1)) < 1e-9);
   const CurvedGrid grid = gridOf(recipe, boxOf());
   QVERIFY(std::abs(grid.length() / (20 * pi) - 1) < 2e-4);
-  // From the patient's right to the left in front: across is backwards, to the centre.
+  // The arc runs in front, from the patient's right to the left. Across is backwards, to the centre.
   for (int n = 0; n <= 20; ++n) {
     const double s = grid.length() * n / 20, angle = pi * n / 20;
     const dvec3 onArc(-20 * std::cos(angle), -20 * std::sin(angle), 3);
     QVERIFY(glm::distance(grid.patientFromCurved({s, 0, 0}), onArc) < 0.05);
-    // Between two sections a place goes straight on from the nearer one: by half of their 1 mm at most, which
-    // is 5/20 too far where the arc is 5 mm further out; and 0.02 mm of the arc's own.
+    // Between two sections a position continues straight from the nearer one, by at most half of their 1 mm.
+    // At 5 mm further out that is 5/20 too far. The arc itself is off by 0.02 mm.
     QVERIFY(glm::distance(grid.patientFromCurved({s, 5, 4}),
                           0.75 * dvec3(onArc.x, onArc.y, 0) + dvec3(0, 0, 7)) < 0.5 * 5 / 20 + 0.02);
   }
-  // As high as the volume: its box ends 32 mm above and below its middle.
+  // The surface is as high as the volume, whose box ends 32 mm above and below its middle.
   const VoxelGeometry& g = grid.geometry();
   QVERIFY(g.patientFromVoxel({0, 0, 0}).z >= -35 && g.patientFromVoxel({0, 0, 0}).z < -34 + 1e-6);
   QVERIFY(g.patientFromVoxel({0, g.size.y - 1, 0}).z <= 29 &&
           g.patientFromVoxel({0, g.size.y - 1, 0}).z > 28 - 1e-6);
 }
 
-// Of curves that leave their plane, too: every place of the curve lies on the line that the surface is ruled
-// by at its arc length, and that length is told.
+// Curves may leave their plane. Each point of the curve lies on the ruling line at its arc length, and that
+// length is returned.
 void TestCurvedVolume::theFootOfTheCurveIsOnTheSurface() {
   const Seeds seeds = seedsOf(40, 400);
   int steep = 0;
@@ -266,7 +265,7 @@ void TestCurvedVolume::theFootOfTheCurveIsOnTheSurface() {
     QVERIFY2(furthest < 1e-9, qPrintable(QString::number(seed)));
     QCOMPARE(grid.sections().front().mm, 0.0);
     QVERIFY(std::abs(before - curve.length()) < 1e-9);
-    // Its own arc length is what x counts.
+    // x counts the arc length of the curve's projection along the ruling direction.
     double feet = 0;
     const int parts = 4000;
     const auto footAt = [&](int n) {
@@ -283,8 +282,8 @@ void TestCurvedVolume::theFootOfTheCurveIsOnTheSurface() {
   if (seeds.count >= 40) QVERIFY2(steep > 3, "some of them leave their plane");
 }
 
-// Near the curve. Between two cross-sections, which lean to each other by up to 0.19 mm there, it may be told
-// by either.
+// Positions are near the curve. Neighbouring cross-sections lean to each other by up to 0.19 mm there, so
+// that either may be used.
 void TestCurvedVolume::placesComeBack() {
   const CurvedGrid grid = gridOf(recipeOf(CurvedKind::straightened, helixPoints()), boxOf());
   const double sign = grid.geometry().patientFromVoxelStep[2].z < 0 ? -1 : 1;
@@ -314,7 +313,8 @@ void TestCurvedVolume::theBestPlaneGivesTheDirection_data() {
       << QList<QList<double>>{{0, 0, 0}, {0, 3, 4}, {0, 6, 8}} << QList<double>{0, 0, 0};
 }
 
-// Of lines: as close to (0, 0.6, 0.8) as can be; where they run along it, at right angles.
+// For lines, the direction is as close to (0, 0.6, 0.8) as possible. If they run along it, any perpendicular
+// direction is right.
 void TestCurvedVolume::theBestPlaneGivesTheDirection() {
   QFETCH(QList<QList<double>>, points);
   QFETCH(QList<double>, direction);

@@ -1,4 +1,4 @@
-// Guards slices.md 2 and 3: the window that a view begins with, and which of DICOM's functions it is.
+// Guards slices.md 2 and 3: the initial window of a view, and its DICOM function.
 #include <cmath>
 
 #include "tests/fixtures/small_volumes.h"
@@ -21,7 +21,7 @@ class TestFirstWindow : public QObject {
 
 namespace {
 
-// 8000 values: 2000 of -2000, then 0 to 5999.
+// Returns 8000 values: 2000 of -2000, then 0 to 5999.
 template <class T>
 VolumePtr volumeOf8000(VolumeAttributes attributes, double slope = 1) {
   VolumeParts parts;
@@ -44,9 +44,9 @@ void TestFirstWindow::theFilesFirstElseNearlyAllValues_data() {
                                     << 400.;
   QTest::newRow("the first that is one")
       << std::vector<Window>{{40, 0}, {300, 1500}} << false << QStringLiteral("HU") << 300. << 1500.;
-  // Ranks 8 and 7992 of 8000: -2000 and 5991.
+  // Ranks 8 and 7992 of 8000 are -2000 and 5991.
   QTest::newRow("none: nearly all") << std::vector<Window>{} << false << QString() << 1995.5 << 7991.;
-  // Ranks 6 and 5994 of 6000.
+  // Padding leaves 6000 values, with ranks 6 and 5994.
   QTest::newRow("none: nearly all but padding")
       << std::vector<Window>{} << true << QStringLiteral("SUV") << 2999. << 5988.;
   QTest::newRow("none, of HU: soft tissue")

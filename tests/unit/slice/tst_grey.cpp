@@ -1,4 +1,4 @@
-// Guards slices.md 3 (PS3.3 C.11.2): from values to grey, with the edges where windows begin and end.
+// Guards slices.md 3 (PS3.3 C.11.2): from values to grey, with the edges of windows.
 #include <cmath>
 #include <limits>
 
@@ -54,7 +54,7 @@ void TestGrey::greyOfValues_data() {
   const auto row = [](const char* name, const GreyMapping& mapping, double value, double grey) {
     QTest::newRow(name) << mapping << value << grey;
   };
-  // C.11.2.1.2.1's examples: 2048, 4096 takes 0 .. 4095 to all greys; 2048, 1 is a step at 2047.5.
+  // Examples of C.11.2.1.2.1: 2048, 4096 maps 0 .. 4095 to all greys; 2048, 1 is a step at 2047.5.
   row("LINEAR 2048, 4096 at 0", linear(2048, 4096), 0, 0);
   row("LINEAR 2048, 4096 at 1", linear(2048, 4096), 1, 1 / 4095.);
   row("LINEAR 2048, 4096 at 4094", linear(2048, 4096), 4094, 4094 / 4095.);
@@ -101,13 +101,13 @@ void TestGrey::greyOfValues() {
 void TestGrey::wholeValuesHaveTheByteOfTheDefinition_data() {
   QTest::addColumn<int>("width");
   QTest::addColumn<bool>("inverted");
-  // At 256 and 511 greys of whole values are whole bytes or lie in the middle of two.
+  // At 256 and 511, greys of integer values are whole bytes or midpoints between two.
   for (const int width : {1, 2, 3, 256, 257, 400, 511, 1021, 4096, 65536})
     for (const bool upsideDown : {false, true})
       QTest::addRow("%d, %d", width, upsideDown) << width << upsideDown;
 }
 
-// In whole numbers: floor(255 y + 1/2) with y = (2 v - 2 c + 1) / (2 (w - 1)) + 1/2.
+// Uses integers: floor(255 y + 1/2) with y = (2 v - 2 c + 1) / (2 (w - 1)) + 1/2.
 void TestGrey::wholeValuesHaveTheByteOfTheDefinition() {
   QFETCH(int, width);
   QFETCH(bool, inverted);
@@ -140,7 +140,7 @@ void TestGrey::bytesAreThoseOfTheGrey_data() {
   QTest::newRow("table") << table();
 }
 
-// For any count of values, so that the last ones are seen too; values by chance lie on no byte's edge.
+// Covers any count of values, so that the last ones are checked too. Random values lie on no byte's edge.
 void TestGrey::bytesAreThoseOfTheGrey() {
   QFETCH(GreyMapping, mapping);
   Chance chance(7);

@@ -1,5 +1,6 @@
-// Guards level_trace.h: the closed line at the value under a place, by closed forms and by what any such line
-// is: crossings of pixels within and not, one after the other in a cell, the nearest one among them.
+// Guards level_trace.h: the closed line at the value of a position, by closed forms and by properties of any
+// such line. It consists of crossings between inside and outside pixels, each sharing a cell with the next
+// one. The nearest crossing is among them.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -35,7 +36,7 @@ namespace {
 using TracePoints = std::vector<glm::dvec2>;
 constexpr float noValue = std::numeric_limits<float>::quiet_NaN();
 
-// Of the values at the centres of pixels.
+// Returns a slice of `value` at pixel centres.
 template <class Value>
 SliceValues tracedSlice(glm::ivec2 size, const Value& value) {
   SliceValues slice{size, {}};
@@ -85,7 +86,8 @@ void TestLevelTrace::aConeIsTracedByACircle() {
   }
 }
 
-// To the right of the place all is brighter: a rectangle, half a pixel from the last centres.
+// All pixels to the right are brighter. The line is a rectangle that ends half a pixel beyond the outermost
+// centres.
 void TestLevelTrace::aRampIsClosedByTheEdges() {
   const SliceValues slice = tracedSlice({20, 10}, [](glm::dvec2 p) { return 3 * p.x + 100; });
   const TracePoints line = levelTrace(slice, {7.3, 4.1});
@@ -98,7 +100,7 @@ void TestLevelTrace::aRampIsClosedByTheEdges() {
   QVERIFY(std::abs(std::abs(signedArea(line)) - (20 - 7.3) * 10) < 1);  // its corners are cut
 }
 
-// Of a value that all of them have: their centres are within, those beside them not.
+// All pixels of the flat area have one value. Their centres are inside, neighbouring ones are not.
 void TestLevelTrace::aFlatAreaIsTracedAroundItsPixels() {
   const auto isFlat = [](glm::dvec2 p) { return p.x > 5 && p.x < 9 && p.y > 3 && p.y < 6; };
   const SliceValues slice = tracedSlice({16, 12}, [&](glm::dvec2 p) { return isFlat(p) ? 1000 : 0; });
@@ -108,7 +110,7 @@ void TestLevelTrace::aFlatAreaIsTracedAroundItsPixels() {
       const glm::dvec2 p(x + 0.5, y + 0.5);
       QCOMPARE(isInside(line, p), isFlat(p));
     }
-  // All of a picture of one value is within.
+  // A picture of one value lies completely inside.
   const TracePoints all = levelTrace(tracedSlice({4, 3}, [](glm::dvec2) { return 5; }), {1.5, 1.5});
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 4; ++x) QVERIFY(isInside(all, {x + 0.5, y + 0.5}));
@@ -142,7 +144,7 @@ void TestLevelTrace::nothingWhereThereIsNoValue() {
   QVERIFY(!levelTrace(slice, {2.5, 1.5}).empty());
 }
 
-// Two discs of one value: the pointer is beside one of them.
+// Two discs have the same value, and the pointer is beside one of them.
 void TestLevelTrace::theNearerOfTwoIsTaken() {
   const glm::dvec2 first(10, 10), second(30, 10);
   const SliceValues slice = tracedSlice({40, 20}, [&](glm::dvec2 p) {
@@ -152,7 +154,7 @@ void TestLevelTrace::theNearerOfTwoIsTaken() {
   QVERIFY(isInside(levelTrace(slice, {26, 10}), second) && !isInside(levelTrace(slice, {26, 10}), first));
 }
 
-// Of a cell with two corners within: whether one gets from one to the other inside, in small steps.
+// Two diagonal corners of a cell are inside. They are connected exactly if the saddle is above the level.
 void TestLevelTrace::aSaddleIsPartedAsItsFunctionIs() {
   Chance chance(5);
   int joined = 0, parted = 0;
@@ -164,7 +166,7 @@ void TestLevelTrace::aSaddleIsPartedAsItsFunctionIs() {
     };
     const double saddle = value((a - c) / (a + d - b - c), (a - b) / (a + d - b - c));
     if (std::abs(saddle - level) < 0.01) continue;
-    // The place on the upper edge at which the level is.
+    // Position on the upper edge at the level.
     const double x = (a - level) / (a - b);
     SliceValues slice{{2, 2}, {float(a), float(b), float(c), float(d)}};
     const TracePoints line = levelTrace(slice, {0.5 + x, 0.5});
@@ -185,7 +187,7 @@ void TestLevelTrace::anyLineIsClosedAndAtItsValue() {
     const SliceValues slice = tracedSlice(size, [&](glm::dvec2) {
       return hasGaps && chance.oneIn(5) ? double(noValue) : double(chance.below(kinds));
     });
-    // The centre of a pixel: its value is the level.
+    // The level is the value at a pixel's centre.
     const glm::ivec2 pixel(chance.below(size.x), chance.below(size.y));
     const auto valueAt = [&](glm::ivec2 p) {
       const bool isThere = p.x >= 0 && p.y >= 0 && p.x < size.x && p.y < size.y;
@@ -210,7 +212,7 @@ void TestLevelTrace::anyLineIsClosedAndAtItsValue() {
       const double expected =
           std::isnan(a) || std::isnan(b) ? 0.5 : std::clamp((double(level) - a) / (b - a), 0.02, 0.98);
       QVERIFY2(std::abs(way - expected) < 1e-9, qPrintable(QString::number(seed)));
-      // The next one is in a cell of both.
+      // The next crossing lies in the same cell.
       const glm::dvec2 cell = glm::floor((on + next) / 2.0);
       for (const glm::dvec2 q : {on, next})
         QVERIFY2(q.x >= cell.x && q.x <= cell.x + 1 && q.y >= cell.y && q.y <= cell.y + 1, "one cell");

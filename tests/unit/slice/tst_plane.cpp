@@ -1,4 +1,4 @@
-// Guards slices.md 1: named planes as radiologists see them, their defaults, steps of the wheel.
+// Guards slices.md 1: named planes in radiological orientation, their defaults, and steps of the mouse wheel.
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -35,7 +35,7 @@ VoxelGeometry geometryOf(glm::ivec3 size, glm::dmat3 L) {
   return g;
 }
 
-// 0.7 mm pixels, slices 2 mm apart.
+// Returns pixels of 0.7 mm and slices 2 mm apart.
 VoxelGeometry axialScan() { return geometryOf({512, 400, 100}, {{0.7, 0, 0}, {0, 0.7, 0}, {0, 0, 2}}); }
 
 const glm::dvec3 oblique = glm::normalize(glm::dvec3(1, 2, 2));
@@ -123,7 +123,7 @@ void TestPlane::samplesOfSlabsAndPixels_data() {
   QTest::addColumn<bool>("average");
   QTest::addColumn<qint64>("deep");
   QTest::addColumn<qint64>("perPixel");
-  // Axial: slices 2 mm apart, so a sample a mm; the smallest voxel is 0.7 mm.
+  // Axial slices are 2 mm apart, with one sample a mm. The smallest voxel edge is 0.7 mm.
   QTest::newRow("no slab") << 0. << 0.7 << true << qint64(1) << qint64(1);
   QTest::newRow("thin slab") << 0.1 << 0.7 << true << qint64(1) << qint64(1);
   QTest::newRow("a slice") << 2. << 1.4 << true << qint64(2) << qint64(2);

@@ -1,5 +1,5 @@
-// Guards slices.md 2: turned and cut pictures show each pixel where PS3.3 C.10.4 and C.10.6 put it;
-// annotations go with them.
+// Guards slices.md 2: rotated and cropped pictures show each pixel where PS3.3 C.10.4 and C.10.6 put it, with
+// annotations in place.
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -69,7 +69,7 @@ void TestPresentationGrid::annotationsGoWithTheirPixels() {
       const glm::dvec2 centre = glm::dvec2(grid.pixelAt({x, y})) + 0.5;
       QCOMPARE(grid.displayed(centre, AnnotationUnits::pixel), glm::dvec2(x, y) + 0.5);
     }
-  // Parts of what is displayed count after the turn.
+  // Fractions of the displayed area apply after the rotation.
   QCOMPARE(grid.displayed({1, 0}, AnnotationUnits::display), glm::dvec2(grid.size().x, 0));
 }
 

@@ -1,6 +1,6 @@
-// Guards slices.md 1 on planes by chance through volumes by chance: every stored type, geometry,
-// interpolation and slab, against a simple loop in double precision. VOLUMEN_RANDOM_CASES=N: so many, of the
-// seeds from VOLUMEN_RANDOM_SEED on.
+// Guards slices.md 1 on random planes through random volumes, against a simple loop in double precision.
+// Covers every stored type, geometry, interpolation and slab. VOLUMEN_RANDOM_CASES=N draws N seeds from
+// VOLUMEN_RANDOM_SEED on.
 #include <hwy/targets.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ glm::dmat3 rotation(Chance& chance) {
   return {x, y, glm::cross(x, y)};
 }
 
-// Anisotropic; oblique, sheared or left-handed by chance.
+// Returns anisotropic steps that may be oblique, sheared or left-handed.
 glm::dmat3 steps(Chance& chance) {
   glm::dmat3 L = chance.oneIn(3) ? glm::dmat3(1) : rotation(chance);
   for (int a = 0; a < 3; ++a) L[a] *= chance.power(-0.5, 0.7);
@@ -103,8 +103,8 @@ void TestRandomPlanes::agreeWithASimpleLoop_data() {
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
-// Within 1e-6 of the largest value: floats hold 6e-8 of it, of which a slice loses some, and positions of
-// 2^-24 voxels another 3e-8 of a step.
+// The bound is 1e-6 of the largest value. Floats resolve 6e-8 of it, of which a slice loses some, and
+// positions of 2^-24 voxels add 3e-8 of a step.
 void TestRandomPlanes::agreeWithASimpleLoop() {
   QFETCH(int, seed);
   Chance chance{std::uint64_t(seed)};

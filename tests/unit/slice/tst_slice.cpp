@@ -1,4 +1,4 @@
-// Guards slices.md 1: what closed forms say of planes through a volume, and what is refused.
+// Guards slices.md 1: closed forms of planes through a volume, and refusals.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -37,7 +37,7 @@ class TestSlice : public QObject {
 
 namespace {
 
-// 0.7 mm and 1/3 mm: decimals that doubles do not hold.
+// 0.7 mm and 1/3 mm are not exact in doubles.
 const glm::dmat3 decimals{{0.7, 0, 0}, {0, 0, -0.7}, {0, 1. / 3, 0}};
 
 template <class T>
@@ -66,7 +66,7 @@ SliceValues sliceOf(const Volume& volume, const SlicePlane& plane) {
   return *slice;
 }
 
-// A plane along the voxel axes i and j, through slice k, pixel by voxel.
+// Returns a plane along the voxel axes i and j through slice k, with one pixel per voxel.
 SlicePlane alongSlice(const Volume& volume, double k) {
   const VoxelGeometry& g = volume.geometry();
   SlicePlane plane =
@@ -86,7 +86,7 @@ void TestSlice::acquiredValuesStayThemselves_data() {
       QTest::newRow(qPrintable(QStringLiteral("%1, %2").arg(type).arg(how))) << type << how;
 }
 
-// To the last bit, on every slice, at the edges too; and between them where pixels are a third of a voxel.
+// Values are exact on every slice, also at the edges and with pixels of a third of a voxel.
 void TestSlice::acquiredValuesStayThemselves() {
   QFETCH(QString, type);
   QFETCH(int, how);
@@ -115,7 +115,7 @@ void TestSlice::polynomialsAreReproduced_data() {
   QTest::newRow("cubic, quadratic") << int(Interpolation::cubic) << 2;
 }
 
-// Inside, where no neighbour is clamped; values of -2000 to 2000 within 1e-6 of that.
+// Covers the inside, where no neighbour is clamped. Values of -2000 to 2000 are within 1e-6 of that.
 void TestSlice::polynomialsAreReproduced() {
   QFETCH(int, how);
   QFETCH(int, degree);
@@ -144,7 +144,7 @@ void TestSlice::polynomialsAreReproduced() {
   QVERIFY2(tested > 3000, qPrintable(QString::number(tested)));
 }
 
-// 5000 pixels along a ramp of 1 a voxel: the last is as exact as the first.
+// 5000 pixels lie along a ramp of 1 a voxel. The last one must be as exact as the first.
 void TestSlice::aWidePlaneDoesNotDrift() {
   const VolumePtr volume =
       volumeOf<std::int16_t>({1000, 3, 3}, glm::dmat3(0.7), [](glm::dvec3 x) { return x.x; });
@@ -192,7 +192,7 @@ void TestSlice::constantsStayConstant() {
 void TestSlice::onlyTheBoxHasValues_data() {
   QTest::addColumn<double>("z");
   QTest::addColumn<bool>("inside");
-  // Slices at 0 and 1 mm: the box is -0.5 to 1.5 mm, its faces included.
+  // Slices are at 0 and 1 mm. The box is -0.5 to 1.5 mm, faces included.
   QTest::newRow("below") << -0.5001 << false;
   QTest::newRow("lower face") << -0.5 << true;
   QTest::newRow("middle") << 0.7 << true;
@@ -208,7 +208,7 @@ void TestSlice::onlyTheBoxHasValues() {
   parts.values = std::vector<std::uint8_t>(24, 7);
   const VolumePtr volume = volumeFrom(std::move(parts));
   SlicePlane plane = namedPlane(volume->geometry(), NamedPlane::axial);
-  plane.size = {8, 5};  // two more pixels on the left and on the right, one above and one below
+  plane.size = {8, 5};  // two extra pixels at the left and at the right, one above and one below
   plane.centre.z = z;
   const SliceValues slice = sliceOf(*volume, plane);
   for (int y = 0; y < 5; ++y)
@@ -219,7 +219,7 @@ void TestSlice::onlyTheBoxHasValues() {
     }
 }
 
-// The plane through the centre of two slices: rounding does not dot the picture with both.
+// The plane lies midway between two slices. Rounding must not mix both in the picture.
 void TestSlice::theMiddleOfTwoVoxelsIsOneOfThem() {
   const glm::dmat3 turned{{0.6 * 0.7, 0.8 * 0.7, 0}, {-0.8 * 0.7, 0.6 * 0.7, 0}, {0, 0, 1.3}};
   const VolumePtr volume = volumeOf<std::int16_t>({64, 64, 2}, turned, [](glm::dvec3 x) { return x.z; });
@@ -232,7 +232,7 @@ void TestSlice::slabsOfARamp_data() {
   QTest::addColumn<int>("mode");
   QTest::addColumn<double>("slope");
   QTest::addColumn<double>("value");
-  // The value is z in mm, samples at -1.75, -1.25 .. 1.75 mm from the plane at z = 5 mm.
+  // The value is z in mm. Samples are at -1.75, -1.25 .. 1.75 mm from the plane at z = 5 mm.
   QTest::newRow("max") << int(SlabMode::max) << 1.0 << 6.75;
   QTest::newRow("min") << int(SlabMode::min) << 1.0 << 3.25;
   QTest::newRow("mean") << int(SlabMode::mean) << 1.0 << 5.0;
@@ -253,7 +253,7 @@ void TestSlice::slabsOfARamp() {
   SlicePlane plane = namedPlane(volume->geometry(), NamedPlane::axial);
   plane.slabMm = 4, plane.slabMode = SlabMode(mode);
   for (float v : sliceOf(*volume, plane).values) QCOMPARE(v, float(value));
-  // Half of the slab lies beyond the last slice: those samples do not count.
+  // Half of the slab lies beyond the last slice. Those samples do not count.
   plane.centre.z = 10.5;
   const double last = mode == int(SlabMode::max)   ? 10
                       : mode == int(SlabMode::min) ? 8.75
@@ -261,7 +261,8 @@ void TestSlice::slabsOfARamp() {
   for (float v : sliceOf(*volume, plane).values) QCOMPARE(v, float(last));
 }
 
-// Lines one voxel wide, four apart, seen at four voxels a pixel: every pixel holds a quarter, none flickers.
+// Lines are one voxel wide, four apart, at four voxels a pixel. Every pixel holds a quarter, without
+// aliasing.
 void TestSlice::averagesHoldTheShareOfThinLines() {
   const VolumePtr volume = volumeOf<std::uint8_t>({64, 64, 1}, glm::dmat3(0.5),
                                                   [](glm::dvec3 x) { return int(x.x) % 4 == 1 ? 200 : 0; });
@@ -273,7 +274,7 @@ void TestSlice::averagesHoldTheShareOfThinLines() {
   for (float v : sliceOf(*volume, plane).values) QVERIFY(v == 100 || v == 0);
 }
 
-// What lies outside the box costs nothing.
+// Samples outside the box cost no time.
 void TestSlice::hugeSlabsAndPixelsEnd() {
   const VolumePtr volume =
       volumeOf<std::int16_t>({20, 20, 20}, glm::dmat3(1), [](glm::dvec3 x) { return x.z; });

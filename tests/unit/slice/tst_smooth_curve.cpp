@@ -1,5 +1,5 @@
-// Guards SmoothCurve: it runs through its points, its length is that of closed forms, and what is no curve is
-// refused.
+// Guards SmoothCurve: it passes through its points, has the length of closed forms, and refuses invalid
+// input.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -32,7 +32,7 @@ namespace {
 
 SmoothCurve curveOf(const std::vector<dvec3>& points) { return *SmoothCurve::through(points); }
 
-// A helix about z of radius `a`, rising by b a radian, a point every `degrees`.
+// Returns a helix about z of radius `a`, rising by `b` a radian, with a point every `degrees`.
 std::vector<dvec3> helix(double a, double b, int degrees, int count) {
   std::vector<dvec3> points;
   for (int n = 0; n < count; ++n) {
@@ -59,8 +59,8 @@ void TestSmoothCurve::twoPointsAreALine() {
   QVERIFY(glm::distance(curve.at(99), dvec3(1, 5, 7)) < 1e-12);
 }
 
-// Cubic pieces follow a circle of radius R to about R angle^4 / 43 where points are `angle` apart: the bounds
-// are twice what that comes to.
+// Cubic pieces deviate from a circle of radius R by about R angle^4 / 43 if points are `angle` apart. The
+// bounds are twice that.
 void TestSmoothCurve::circlesAndHelicesHaveTheirLength_data() {
   QTest::addColumn<double>("rise");
   QTest::addColumn<int>("degrees");
@@ -106,7 +106,7 @@ void TestSmoothCurve::randomCurvesRunThroughTheirPoints() {
       if (n > 0) chords += glm::distance(points[n - 1], points[n]);
     }
     QVERIFY(curve.length() > chords * (1 - 1e-9));
-    // By arc length: equal steps along it are equally long, but where its pieces slow down at sharp turns.
+    // Equal steps of arc length are equally long, except where pieces slow down at sharp turns.
     const double step = curve.length() / 4000;
     for (int n = 1; n <= 4000; ++n)
       QVERIFY(glm::distance(curve.at((n - 1) * step), curve.at(n * step)) < step * 1.03);

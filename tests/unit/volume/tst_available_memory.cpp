@@ -1,5 +1,4 @@
-// Guards what the program believes to have: the least of what the noLimits, control groups and `ulimit`
-// leave.
+// Guards the available memory: the least of what the machine, control groups and `ulimit` leave.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -17,7 +16,7 @@ using namespace volumen;
 
 namespace {
 
-using Files = std::map<std::string, std::string>;  // texts by name
+using Files = std::map<std::string, std::string>;  // texts by file name
 constexpr std::uint64_t mebi = 1 << 20;
 
 Files with(Files files, const Files& others) {
@@ -25,8 +24,8 @@ Files with(Files files, const Files& others) {
   return files;
 }
 
-// 8,000 MiB, of which 5,000 are available; no group, no limits; the process takes 300 of address space and
-// 100 of data.
+// A machine of 8,000 MiB with 5,000 available, without groups and limits. The process uses 300 MiB of address
+// space and 100 MiB of data.
 const Files noLimits = {
     {"proc/meminfo",
      "MemTotal:  8192000 kB\nMemFree: 1024000 kB\nMemAvailable: 5120000 kB\nCached: 2048000 kB\n"},
@@ -42,7 +41,7 @@ std::string limitLine(const char* name, std::uint64_t bytes) {
 
 std::string inBytes(std::uint64_t mebibytes) { return std::to_string(mebibytes * mebi) + "\n"; }
 
-// A group of version 1 or 2: its limit, what is used of it, and how much of that is page cache.
+// Returns the files of a control group of version 1 or 2 with its limit, usage and page cache, in MiB.
 Files group(const std::string& path, bool version2, std::uint64_t limit, std::uint64_t used,
             std::uint64_t cached) {
   const std::string half = inBytes(cached / 2);
@@ -56,7 +55,7 @@ Files group(const std::string& path, bool version2, std::uint64_t limit, std::ui
       {path + "/memory.stat", "inactive_file 1\ntotal_inactive_file " + half + "total_active_file " + half}};
 }
 
-// Where the tree is mounted, which group is its root there, and the group of the process.
+// Returns the files that name the mount point, the group at its root, and the group of the process.
 Files tree(bool version2, const std::string& rootGroup, const std::string& ownGroup) {
   const std::string mounted = version2
                                   ? " /sys/fs/cgroup rw - cgroup2 cgroup2 rw"

@@ -1,4 +1,4 @@
-// Guards design.md 5, empty blocks: their bounds hold every value, in levels that lie close by.
+// Guards design.md 5, empty blocks: a block's bounds enclose all its values and are close to them.
 #include <algorithm>
 #include <random>
 
@@ -13,7 +13,7 @@ namespace {
 
 using Values = std::vector<float>;
 
-/// So many values by chance, by the law of `value`, of a number in 0..1.
+/// Returns `count` random values, `value` of a uniform number in 0..1.
 Values chance(int count, unsigned seed, float (*value)(float)) {
   std::minstd_rand random(seed);
   std::uniform_real_distribution<float> share(0, 1);
@@ -22,7 +22,7 @@ Values chance(int count, unsigned seed, float (*value)(float)) {
   return values;
 }
 
-/// Whether `level` is the next one to `value` below it (up: above it).
+/// Returns whether `level` is the nearest one at or below `value` (`up`: at or above).
 bool isNext(const Values& levels, float level, float value, bool up) {
   const auto at = up ? std::lower_bound(levels.begin(), levels.end(), value)
                      : std::upper_bound(levels.begin(), levels.end(), value) - 1;
@@ -126,8 +126,8 @@ void TestBlockRanges::levelsLieNextToValues() {
   if (b.levels.front() < 0 && b.levels.back() > 0)
     QVERIFY(std::binary_search(b.levels.begin(), b.levels.end(), 0.0f));
   for (Values* v : {&low, &high, &lows, &highs}) std::sort(v->begin(), v->end());
-  // Blocks that reach up, or down, to a value: by levels a tenth more at most, and a thousandth of all, as
-  // levels are chosen by some of the blocks.
+  // Bounds rounded to levels may raise the number of blocks that reach a value by one tenth, plus a
+  // thousandth of all blocks. The latter is needed as levels are chosen from a sample of blocks.
   const double most = 0.001 * double(low.size());
   for (std::size_t n = 0; n < low.size(); n += 1 + low.size() / 500) {
     const auto from = [&](const Values& v, float value) {

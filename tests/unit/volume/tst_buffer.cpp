@@ -1,5 +1,5 @@
-// Guards the memory that volumes and what is made of them lie in: as long as asked for, zeros where promised,
-// and the same with huge pages as without.
+// Guards the memory of volumes and derived data: its length, its promised zeros, and equal behaviour with and
+// without huge pages.
 #include <algorithm>
 #include <cstdint>
 
@@ -36,7 +36,7 @@ void TestBuffer::sizes() {
 void TestBuffer::zerosAreAllThere() {
   QFETCH(qulonglong, bytes);
   {
-    std::vector<std::uint8_t> before(bytes, 0xa5);  // what the memory may hold when it is given out again
+    std::vector<std::uint8_t> before(bytes, 0xa5);  // dirties memory that may be handed out again
     QCOMPARE(before.size(), std::size_t(bytes));
   }
   const auto values = zeros<std::uint8_t>(bytes);

@@ -24,7 +24,7 @@ class TestBytes : public QObject {
 
 namespace {
 
-constexpr glm::ivec3 small{17, 6, 5}, wide{512, 2, 3};  // rows of 2048 bytes: words lie apart
+constexpr glm::ivec3 small{17, 6, 5}, wide{512, 2, 3};  // rows of 2048 bytes, so that words are far apart
 
 VolumePtr made(VoxelValues values, double slope, double intercept, glm::ivec3 size = small) {
   VolumeParts parts;
@@ -70,7 +70,7 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-// Of voxel n, counted without what lies between rows.
+// Returns the word of voxel n, not counting the padding between rows.
 std::uint32_t wordOf(const Voxels8& v, const Volume& volume, std::size_t n) {
   const std::size_t row = std::size_t(volume.size().x);
   return v.row(n / row)[n % row];
@@ -90,7 +90,7 @@ void TestBytes::valuesAreOffByHalfAUnitAtMost() {
   const ValueRange range = valueRange(volume);
   const ByteScale scale = byteScale(volume, range);
   QCOMPARE(scale.exact, c.exact);
-  // A value is rounded to a float before it is compared.
+  // Values are rounded to floats before they are compared.
   const double ulp = 1.2e-7 * std::max(std::abs(range.low), std::abs(range.high));
   if (!c.exact && range.high > range.low)
     QVERIFY(std::abs(scale.unit - (range.high - range.low) / 255) <= ulp);
@@ -123,7 +123,7 @@ void TestBytes::gradientsAreOffByHalfAUnitAtMost() {
     for (int a = 0; a < 3; ++a) {
       const int byte = std::int8_t(wordOf(v, volume, n) >> 8 * a & 255);
       largest = std::max(largest, std::abs(byte));
-      // 1e-6: products of doubles, rounded.
+      // 1e-6 allows for rounded products of doubles.
       QVERIFY(std::abs(v.gradientUnit * byte - g.scale * g.xyz0[4 * n + a]) <= (0.5 + 1e-6) * v.gradientUnit);
       if (g.xyz0[4 * n + a] == 0) QCOMPARE(byte, 0);
     }

@@ -1,4 +1,4 @@
-// Guards design.md 2 (finite) where floats leave what single precision bears: values and gradients in units.
+// Guards design.md 2 (finite) beyond single precision: values and gradients in units.
 #include <cmath>
 
 #include "tests/fixtures/small_volumes.h"
@@ -34,7 +34,7 @@ void TestFloatUnits::addRanges() {
   QTest::newRow("enormous") << -1e30 << 1e30;
 }
 
-// Exactly, so that a curve's step on a value is a step on its number.
+// Values must be exact, so that a curve's step at a value is a step at its number.
 void TestFloatUnits::keepValuesAndTheirOrder() {
   QFETCH(double, low);
   QFETCH(double, high);
@@ -68,7 +68,7 @@ void TestFloatUnits::leaveOrdinaryValuesAlone() {
     QVERIFY(floatUnits(range) == FloatUnits());
 }
 
-// Whatever is summed up of one value alone, nothing is rounded.
+// A range of a single value is represented without rounding.
 void TestFloatUnits::oneValueIsCountedFromItself() {
   QCOMPARE(inUnits(0.3f, floatUnits({0.3f, 0.3f})), 0.0f);
 }

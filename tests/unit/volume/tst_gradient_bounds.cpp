@@ -1,5 +1,4 @@
-// Guards what the planner knows of how steeply values rise: a bound in every cell, and no more than a
-// block's.
+// Guards the planner's bounds on gradients: they hold in every cell and do not exceed those of a block.
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +16,7 @@ std::vector<float> gradientBoundsOf(const Volume& v) {
   return volumen::gradientBoundsOf(v, blockRanges(v), valueRange(v));
 }
 
-// What a cell's corners, x fastest, are told of: lowest and highest value, and a bound on the gradient
-// between them.
+// Facts of a cell's corners, x fastest: lowest and highest value, and a bound on the gradient between them.
 struct CellFacts {
   double low, high, slope;
 };
@@ -92,9 +90,9 @@ void TestGradientBounds::aRampRisesByItsSlopeEverywhere() {
 }
 
 void TestGradientBounds::oneStepIsSteepWhereItsBlockHasValues() {
-  // Rises by 1 a voxel, and between the voxels 21 and 22 by 100.
+  // Values rise by 1 a voxel, and by 100 between voxels 21 and 22.
   const auto at = [](glm::dvec3 p) { return p.x + (p.x > 21 ? 99.0 : 0.0); };
-  // Blocks of one cell, and of four: from 20 to 24.
+  // Blocks have one cell, or four: from 20 to 24.
   for (const glm::ivec3 size : {glm::ivec3(40, 5, 5), glm::ivec3(40, 90, 90)}) {
     const VolumePtr step = madeOf(size, at);
     const ValueRange range = valueRange(*step);

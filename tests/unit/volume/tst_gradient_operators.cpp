@@ -1,4 +1,4 @@
-// Guards the knob "gradient operator" of design.md 6: central differences, Sobel, Zucker-Hummel.
+// Guards the option "gradient operator" of design.md 6: central differences, Sobel, Zucker-Hummel.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +19,8 @@ class TestGradientOperators : public QObject {
 
 namespace {
 
-// The sum over the 26 neighbours of value * direction / distance^power, over that of a ramp of slope 1.
+// Returns the sum over the 26 neighbours of value * direction / distance^power, divided by that of a ramp of
+// slope 1.
 glm::dvec3 defined(const Volume& v, GradientOperator by, glm::ivec3 at) {
   glm::dvec3 sum(0);
   double ramp = 0;
@@ -69,7 +70,7 @@ void TestGradientOperators::equalTheirDefinition() {
       for (int i = 0; i < size.x; ++i, n += 4) {
         const glm::dvec3 g = defined(*v, op, {i, j, k});
         for (int a = 0; a < 3; ++a) {
-          // Float sums of 27 values of the range's size.
+          // The bound allows for float sums of 27 values of the range's size.
           QVERIFY(std::abs(g32.scale * g32.xyz0[n + a] - g[a]) <= 1e-5 * (range.high - range.low));
           if (!floats)
             QVERIFY(std::abs(g16.scale * g16.row(k * size.y + j)[4 * i + a] - g[a]) <= 0.51 * g16.scale);

@@ -1,4 +1,4 @@
-// Guards picture.md 3 (Sobel, clamped), picture.md 5 (percentile ranks) and what histograms count.
+// Guards picture.md 3 (Sobel, clamped), picture.md 5 (percentile ranks) and the counts of histograms.
 #include <glm/geometric.hpp>
 #include <numeric>
 
@@ -63,12 +63,12 @@ void TestGradients::fastSobelEqualsTheDefinition() {
         const std::size_t n = std::size_t(4) * ((k * ny + j) * nx + i);
         const glm::dvec3 g = sobelAt(*v, i, j, k);
         const glm::dvec3 fast = g32.scale * glm::dvec3(g32.xyz0[n], g32.xyz0[n + 1], g32.xyz0[n + 2]);
-        // 27 float additions of values of the range's size.
+        // The bound allows for 27 float additions of values of the range's size.
         QVERIFY(glm::length(fast - g) <= 1e-5 * (range.high - range.low));
         if (!integers) continue;
         const std::int16_t* const xyzd = g16.row(std::size_t(k) * ny + j) + 4 * i;
         const glm::dvec3 packed = g16.scale * glm::dvec3(xyzd[0], xyzd[1], xyzd[2]);
-        // Rounded to the nearest integer of `scale`; exactly so where the range is small.
+        // Components are rounded to the nearest integer of `scale`, and are exact if the range is small.
         const double bound = range.high - range.low < 2047 ? 1e-9 : 0.5 * std::abs(g16.scale) * 1.0001;
         for (int a = 0; a < 3; ++a) QVERIFY(std::abs(packed[a] - g[a]) <= bound);
         const double unsignedShift = type.startsWith(QLatin1String("uint16")) ? 32768 : 0;

@@ -1,5 +1,5 @@
-// Guards what all rooms share out their work by: each part is done once, calls do not wait for each other,
-// and a session of hours keeps nothing.
+// Guards parallel work in all rooms: each part is done once, calls do not wait for each other, and long
+// sessions accumulate nothing.
 #include <unistd.h>
 #include <atomic>
 #include <fstream>
@@ -45,7 +45,7 @@ void TestParallel::eachPartIsDoneOnce() {
   QFETCH(int, threads);
   std::vector<std::atomic<int>> done(count);
   parallelFor(count, threads, [&](std::int64_t begin, std::int64_t end) {
-    // One call inside another.
+    // Nests one call inside another.
     parallelFor(end - begin, threads, [&](std::int64_t first, std::int64_t last) {
       for (auto n = begin + first; n < begin + last; ++n) ++done[std::size_t(n)];
     });
@@ -53,7 +53,7 @@ void TestParallel::eachPartIsDoneOnce() {
   QVERIFY(std::all_of(done.begin(), done.end(), [](int times) { return times == 1; }));
 }
 
-// A thread that waits for its parts must not take up a call that asks for the lock it holds.
+// A thread that waits for its parts must not start a call that needs the lock it holds.
 void TestParallel::callsHoldTheirLocksAlone() {
   std::mutex mutex;
   std::atomic<int> sum = 0;

@@ -1,4 +1,4 @@
-// Guards picture.md 6: how a picture's floats become the bytes that are written and shown.
+// Guards picture.md 6: how a picture's floats become written and displayed bytes.
 #include <cmath>
 #include <random>
 
@@ -9,7 +9,7 @@ using namespace volumen;
 
 namespace {
 
-// Components between two bytes, most of them next to where rounding turns over, and a few out of range.
+// Returns components between two bytes, most of them close to where rounding changes, and a few out of range.
 std::vector<float> pixels(int count) {
   std::mt19937 random(count);
   std::uniform_int_distribution<int> byte(0, 255), towards(0, 2);
@@ -34,7 +34,7 @@ class TestPicture : public QObject {
   void aFileHoldsStraightColour();
 };
 
-// Each count leaves another rest of what a vector takes.
+// Each count leaves a different remainder of a vector.
 void TestPicture::aPixelOfTheScreenIsRoundedAndNotAboveItsAlpha() {
   for (int count = 0; count <= 67; ++count) {
     const std::vector<float> rgba = pixels(count);

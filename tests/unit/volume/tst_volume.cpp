@@ -90,7 +90,7 @@ void TestVolume::valuesTooSmallBesideTheLargestAreZero() {
   QVERIFY(v.ok());
   QCOMPARE(std::get<std::vector<float>>((*v)->stored()), (std::vector<float>{-1e29f, 0, 1e-3f, 0}));
   QCOMPARE(warnings.size(), std::size_t(1));
-  // Among their like they stay.
+  // Small values remain if all values are small.
   parts.values = std::vector<float>{1e-39f, 0, 2e-39f, 1e-44f};
   QCOMPARE(std::get<std::vector<float>>((*Volume::make(parts, warnings))->stored())[3], 1e-44f);
 }

@@ -10,7 +10,7 @@
 
 namespace volumen::tests {
 
-/// The processes that a process has forked, also those that ended and that nobody asked for.
+/// Returns the children of a process, including zombies.
 inline std::vector<pid_t> childrenOf(pid_t pid) {
   std::vector<pid_t> children;
   const std::string of = std::to_string(pid);
@@ -19,7 +19,7 @@ inline std::vector<pid_t> childrenOf(pid_t pid) {
   return children;
 }
 
-/// The workers of this process.
+/// Returns the workers of this process.
 inline std::vector<pid_t> workers() {
   std::vector<pid_t> all;
   for (const pid_t zygote : childrenOf(getpid()))
@@ -27,7 +27,7 @@ inline std::vector<pid_t> workers() {
   return all;
 }
 
-/// A process's state as ps shows it, and how long it has computed, in ticks.
+/// A process's state as shown by ps, and its CPU time in ticks.
 struct Activity {
   char state = 0;
   long ticks = 0;
@@ -43,12 +43,12 @@ inline Activity activityOf(pid_t pid) {
   return now;
 }
 
-/// How many descriptors this process has open.
+/// Returns the number of descriptors that this process has open.
 inline std::size_t openDescriptors() {
   return std::size_t(std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {}));
 }
 
-/// The most memory that this process has had at once, in MiB.
+/// Returns the peak memory of this process in MiB.
 inline double peakMebibytes() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)

@@ -1,4 +1,5 @@
-// Guards import.md, "Safety": what of a file cost a worker is not tried again until the file changes.
+// Guards import.md, "Safety": an operation that cost a worker is not tried again on that file until it
+// changes.
 #include <sys/mman.h>
 
 #include <QTemporaryDir>
@@ -15,7 +16,7 @@ using namespace volumen::worker;
 
 namespace {
 
-/// How often a worker was asked for a file, in memory that workers share with the test.
+/// Returns how often a worker read a file, in memory that workers share with the test.
 std::atomic<int>& timesRead() {
   static void* const shared =
       mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -23,7 +24,7 @@ std::atomic<int>& timesRead() {
 }
 const bool isShared = timesRead() == 0;  // before there is a zygote
 
-/// What files hold; "crash" and "loop" are done.
+/// Returns the contents of files. The contents "crash" and "loop" are carried out.
 std::vector<std::string> contents(const std::vector<std::string>& paths) {
   std::vector<std::string> all;
   for (const std::string& path : paths) {
@@ -61,8 +62,8 @@ void TestCostlyFiles::isNotTriedAgain_data() {
   QTest::newRow("computes for ever") << QByteArray("loop") << QString::fromLatin1(reasonOf(Failure::slow));
 }
 
-// Two of five files cost a worker each, once: then they are refused for the same reason without being read,
-// until they change; and what else is asked of them is done.
+// Two of five files cost a worker each, once. Until they change they are then refused unread, for the same
+// reason. Other requests are still answered.
 void TestCostlyFiles::isNotTriedAgain() {
   QVERIFY(isShared);
   QFETCH(QByteArray, does);

@@ -1,5 +1,5 @@
-// Guards import.md, "Safety": whatever a file does to the process that reads it, it costs that file, is told,
-// and the next file goes on. What files cannot be made to do here is done by operations of this test.
+// Guards import.md, "Safety": whatever a file does to the process that reads it, only that file fails, with a
+// report, and the next file is read. Operations of this test do what files cannot be made to do here.
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
@@ -24,11 +24,11 @@ using namespace volumen::worker;
 
 namespace {
 
-/// What a well-behaved file does.
+/// Imitates a well-behaved file.
 std::string reversed(const std::string& text) { return {text.rbegin(), text.rend()}; }
 
 bool crash(int) { std::abort(); }
-/// Deeper than any stack.
+/// Recurses deeper than any stack.
 int depth(int levels) {
   volatile char frame[1 << 12];
   frame[0] = char(levels);
@@ -37,7 +37,7 @@ int depth(int levels) {
 bool loop(int) {
   for (std::atomic<unsigned> n = 0;;) n.fetch_add(1);
 }
-/// Waits for what never comes.
+/// Waits for a message that never arrives.
 bool sleep(int) {
   char byte = 0;
   iovec part{&byte, 1};
@@ -59,7 +59,7 @@ bool bloat(int) {
 }
 bool readsAnother(const std::string& path) { return RegularFile::open(path).ok(); }
 
-/// An answer that goes on for ever.
+/// Streams an endless answer.
 void flood(Wire& answer, int) {
   const std::vector<char> bytes(1 << 16);
   while (answer.ok()) answer.bytes(const_cast<char*>(bytes.data()), bytes.size());
@@ -67,7 +67,7 @@ void flood(Wire& answer, int) {
 void endlessQuestions(Wire&, const std::string& path) {
   while (true) (void)RegularFile::open(path);
 }
-/// Vectors that claim 2^60 elements.
+/// Claims a vector of 2^60 elements.
 void claim(Wire& answer, int) { answer.write(Outcome::value, std::uint64_t(1) << 60, std::uint64_t(7)); }
 void endEarly(Wire& answer, int) { answer.write(Outcome::value, std::uint64_t(1000), std::uint8_t(1)); }
 void goOn(Wire& answer, int) { answer.write(Outcome::value, std::string("all of it"), std::uint64_t(0)); }
@@ -135,14 +135,14 @@ long callSystem(Syscall which) {
 }
 bool callsSystem(int which) { return callSystem(Syscall(which)) >= 0; }
 
-/// How many descriptors can be written to, of those that are open.
+/// Returns the number of open descriptors that can be written to.
 int writable(int) {
   int count = 0;
   for (int fd = 0; fd < 128; ++fd) count += ::write(fd, "x", 1) == 1;
   return count;
 }
 
-/// The worker that computes for ever, once it does.
+/// Waits for a worker that computes endlessly and returns it.
 pid_t busyWorker() {
   constexpr long started = 5;  // more than any other request takes
   std::map<pid_t, long> before;
@@ -161,7 +161,7 @@ Failure outcomeOf(const Argument& argument, Request request = {.files = {}}) {
   return failure;
 }
 
-/// Of an answer that is read as a vector of numbers, as which nothing of it is kept.
+/// Reads an answer as a vector of numbers, of which nothing may be kept.
 template <auto function>
 Failure lieOf(std::size_t& kept) {
   Request request{.files = {}};
@@ -198,7 +198,7 @@ class TestWorker : public QObject {
 
 namespace {
 
-/// An operation, told by its number: rows hold plain values.
+/// Operations by their number, as rows hold plain values.
 using Try = Failure (*)();
 constexpr std::pair<const char*, std::pair<Try, Failure>> trials[] = {
     {"answers", {[] { return outcomeOf<reversed>(std::string("abc")); }, Failure::none}},
@@ -226,7 +226,7 @@ constexpr std::pair<const char*, Try> lies[] = {
 
 void TestWorker::init() { QVERIFY(isolating() && !inside()); }
 
-// Whatever was before, the next request is answered.
+// After any failure the next request must be answered.
 void TestWorker::cleanup() {
   Request request{.files = {}};
   Failure failure{};
@@ -270,7 +270,7 @@ void TestWorker::opensOnlyWhatItIsGiven() {
   QCOMPARE(outcomeOf<readsAnother>(mine, {.files = {mine}}), Failure::none);
   QCOMPARE(outcomeOf<readsAnother>(std::string("/etc/passwd"), {.files = {other}}), Failure::wrong);
   QCOMPARE(outcomeOf<readsAnother>(third + "/../third", {.files = {third}}), Failure::wrong);
-  Request request{.files = std::vector<std::string>(40, mine)};  // too many to come with the request
+  Request request{.files = std::vector<std::string>(40, mine)};  // too many to send with the request
   Call call(request, &streamWith<endlessQuestions>, Signature<decltype(&endlessQuestions)>::written(mine));
   Outcome outcome{};
   call(outcome);
@@ -321,14 +321,14 @@ void TestWorker::disturbedFromOutside_data() {
   const auto row = [](const char* name, int signal, int times, Failure failure) {
     QTest::newRow(name) << signal << times << int(failure);
   };
-  row("killed", SIGKILL, 1, Failure::slow);  // by what it does, in the second worker
+  row("killed", SIGKILL, 1, Failure::slow);  // the second worker fails by itself
   row("killed twice", SIGKILL, 2, Failure::killed);
   row("ended by another signal", SIGUSR1, 2, Failure::killed);
   row("stopped", SIGSTOP, 1, Failure::slow);
   row("stopped twice", SIGSTOP, 2, Failure::stopped);
 }
 
-// What it was at is tried once more in a new one.
+// The request is tried once more in a new worker.
 void TestWorker::disturbedFromOutside() {
   QFETCH(int, signal);
   QFETCH(int, times);
@@ -373,7 +373,7 @@ void TestWorker::leavesNothingBehind() {
     if (n % 50 == 0) QCOMPARE(outcomeOf<crash>(0), Failure::ended);
     QCOMPARE(outcomeOf<readsAnother>(path, {.files = {path}}), Failure::none);
   }
-  QVERIFY(openDescriptors() <= before + 1);  // the socket of the one worker that waits
+  QVERIFY(openDescriptors() <= before + 1);  // the socket of the single waiting worker
   QVERIFY(workers().size() <= 1);
 }
 

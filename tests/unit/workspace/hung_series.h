@@ -39,7 +39,7 @@ struct OpenPictures {
   explicit OpenPictures(const std::vector<HangSeries>& all) {
     for (const HangSeries& s : all) series.push_back(madeFor(s, int(series.size()) + 1));
   }
-  /// The same as one series a day.
+  /// Stacks all series of a day into one series.
   static OpenPictures stacked(const std::vector<HangSeries>& all) {
     std::map<std::string, std::vector<HangSeries>> byDay;
     for (const HangSeries& s : all) byDay[s.day].push_back(s);

@@ -7,10 +7,10 @@
 
 namespace volumen::tests {
 
-/// Where sessions are said to lie.
+/// Folder in which the sessions claim to be.
 inline const std::string sessionFolder = "/data";
 
-/// The session of a window that shows one series.
+/// Returns the session of a window that shows one series.
 inline nlohmann::ordered_json plainSession() {
   Series series;
   series.path = sessionFolder + "/ct";
@@ -20,7 +20,7 @@ inline nlohmann::ordered_json plainSession() {
       *sessionToJson(withSeries({}, sceneViewId, series, {}), sessionFolder));
 }
 
-/// Why a text is no session; empty: it is one.
+/// Returns why a text is not a session; empty if it is one.
 inline QString whyNoSession(const std::string& text) {
   const auto session = sessionFromJson(text, {});
   return session ? QString() : QString::fromStdString(session.message());

@@ -34,7 +34,7 @@ VoxelGeometry anyGeometry(Chance& chance) {
   return geometry;
 }
 
-// Labels stand on axes that span space, or their session is refused.
+// The axes of labels must span space, or their session is refused.
 VoxelGeometry anyGeometryOfLabels(Chance& chance) {
   while (true) {
     const VoxelGeometry geometry = anyGeometry(chance);
@@ -56,7 +56,7 @@ Mask anyMask(Chance& chance) {
   return mask;
 }
 
-// What a session says of a series.
+// Returns a series with the fields that a session stores.
 Series namedSeries(Chance& chance, int n) {
   Series series;
   series.format = chance.oneIn(4) ? "phantom" : "DICOM";
@@ -174,7 +174,7 @@ std::vector<Step> anySteps(Chance& chance, int number) {
   return steps;
 }
 
-// As a session has it: its labels lie in a file.
+// Returns a map as a session holds it, with its labels in a file.
 SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
   SegmentMap map{key, {}, nullptr, SavedLabels{std::string(40, "0123456789abcdef"[chance.below(16)]), {}}};
   map.missing->geometry = anyGeometryOfLabels(chance);
@@ -206,7 +206,7 @@ SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
   return map;
 }
 
-// Up to three, any of them worked on.
+// Adds up to three maps with any numbers. The first one added is the active one.
 void addSegmentMaps(Workspace& w, Chance& chance, const SeriesKey& key) {
   const SegmentMap first = anySegments(chance, key);
   const int count = chance.oneIn(3) ? 2 + chance.below(2) : 1, worked = chance.below(9);
@@ -223,16 +223,15 @@ void addSegmentMaps(Workspace& w, Chance& chance, const SeriesKey& key) {
 Workspace randomWorkspace(std::uint64_t seed) {
   Chance chance(seed);
   Workspace w;
-  std::vector<SeriesKey> keys{{}};  // no series, too
+  std::vector<SeriesKey> keys{{}};  // includes an empty key for no series
   for (int n = chance.below(6); n > 0; --n) {
     const SeriesState state = anySeries(chance, n);
     keys.push_back(keyOf(*state.series));
     w.series.editOrAdd(keys.back()) = state;
     if (chance.oneIn(2)) w.crosshairs.editOrAdd(frameOfReference(*state.series)) = anyCrosshair(chance);
   }
-  if (chance.oneIn(4))
-    w.crosshairs.editOrAdd("2.25.77") = anyCrosshair(chance);  // of a series that was closed
-  const int looked = chance.oneIn(4) ? viewCount : 8;          // the others are as at first
+  if (chance.oneIn(4)) w.crosshairs.editOrAdd("2.25.77") = anyCrosshair(chance);  // of a closed series
+  const int looked = chance.oneIn(4) ? viewCount : 8;  // other views stay at their defaults
   for (ViewId id = 0; id < looked; ++id) {
     ViewState& view = w.editView(id);
     view.series = keys[std::size_t(chance.below(int(keys.size())))];

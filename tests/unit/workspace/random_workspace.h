@@ -8,8 +8,8 @@
 
 namespace volumen::tests {
 
-/// A workspace by chance, the same from a seed on every machine: up to five series (some missing), every
-/// layout, view, look and goal, numbers of every size.
+/// Returns the same random workspace for a seed on every machine. It has up to five series (some missing),
+/// every layout, view, look and goal, and numbers of every size.
 Workspace randomWorkspace(std::uint64_t seed);
 
 }  // namespace volumen::tests

@@ -11,19 +11,20 @@
 
 namespace volumen::tests {
 
-/// A map of the volume without segments.
+/// Returns a map of the volume without segments.
 inline SegmentMap emptyMap(const Volume& volume) {
   return {{"/data/ct", "1"}, {}, std::make_shared<const LabelMap>(volume.geometry()), {}};
 }
 
-/// The recipe of a map's record, by way of its JSON.
+/// Returns the recipe of a map's record, passed through its JSON.
 inline Recipe readAgain(const SegmentMap& map) {
   const auto again = readRecipe(recipeJson(recordedRecipe(map, "CT").recipe));
   if (!again) throw std::runtime_error(again.message());
   return *again;
 }
 
-/// What is different from the map; empty: nothing, but for what is missing.
+/// Returns how the recorded recipe's result differs from the map; empty if only by segments that the recipe
+/// lacks.
 inline QString difference(const SegmentMap& map, const Volume& volume) {
   const RecordedRecipe recorded = recordedRecipe(map, "CT");
   if (recorded.recipe.segments.empty()) return {};
@@ -41,11 +42,11 @@ inline QString difference(const SegmentMap& map, const Volume& volume) {
   return {};
 }
 
-/// With another segment "A", which has no voxels yet.
+/// Adds another segment "A" without voxels.
 inline SegmentMap withAnother(SegmentMap map) {
   Segment segment;
   segment.number = *freeNumber(map);
-  segment.label = "A";  // as others are called
+  segment.label = "A";  // the same name as others
   map = withSegment(std::move(map), segment);
   return withRecorded(std::move(map), {{"empty", stepNameOf(segment.number)}});
 }

@@ -7,7 +7,7 @@
 
 namespace volumen::tests {
 
-/// Of 1 mm.
+/// Returns a grid of 1 mm voxels.
 inline VoxelGeometry gridOfMaps(glm::ivec3 size) {
   VoxelGeometry grid;
   grid.size = size;
@@ -23,7 +23,7 @@ inline Series scannedSeries() {
 
 inline const SeriesKey scanKey = keyOf(scannedSeries());
 
-/// A map of that series.
+/// Returns an empty map of the scanned series.
 inline SegmentMap withoutSegments(const VoxelGeometry& grid, int number = 0) {
   SegmentMap map{scanKey, {}, std::make_shared<const LabelMap>(grid), {}};
   map.number = number;

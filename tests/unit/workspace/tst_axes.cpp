@@ -1,4 +1,4 @@
-// Guards how axes and widths follow a handle, whatever way it goes, and which label comes next.
+// Guards how axes and widths follow a dragged handle in any direction, and the order of labels.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -31,7 +31,7 @@ void addUnits() {
   QTest::newRow("pixels of a frame") << dvec3(0.3, 0.2, 1);
 }
 
-// Points whose lengths are counted in `unit`, in a plane.
+// Returns four points of two perpendicular lines in a plane, with lengths measured in `unit`.
 std::vector<dvec3> axesBy(Chance& chance, dvec3 unit) {
   const double turn = chance.between(0, 6.28);
   const dvec3 u(std::cos(turn), std::sin(turn), 0), v(-u.y, u.x, 0);
@@ -70,7 +70,7 @@ void TestAxes::axesFollowAHandle() {
     }
     QVERIFY(glm::length(moved.points[handle ^ 1u] - shape.points[handle ^ 1u]) < 1e-9);
     QVERIFY(std::abs(glm::length(across) - glm::length(mm(shape, 2, 3))) < 1e-9);
-    // Where it crosses the long axis, as a share of that.
+    // Position of the crossing on the long axis, as a share of its length.
     const auto share = [&](const Shape& of) {
       return glm::dot(mm(of, 0, 2), mm(of, 0, 1)) / glm::dot(mm(of, 0, 1), mm(of, 0, 1));
     };
@@ -92,7 +92,7 @@ void TestAxes::widthsFollowAHandle() {
     QVERIFY(glm::length(moved.points[handle] - place) < 1e-9);
     const dvec3 after = (moved.points[other] - moved.points[handle]) * unit;
     QVERIFY(glm::length(glm::cross(line, after)) < 1e-9);
-    // The other end moves across the line alone.
+    // The other end moves only perpendicular to the line.
     QVERIFY(std::abs(glm::dot((moved.points[other] - shape.points[other]) * unit, line)) < 1e-9);
     for (std::size_t k = 0; k < 4; ++k)
       if (k / 2 != handle / 2) QVERIFY(glm::length(moved.points[k] - shape.points[k]) < 1e-9);
@@ -107,7 +107,7 @@ void TestAxes::whatHasNoLengthIsLeftAlone() {
       for (const dvec3 p : moved.points)
         for (int axis = 0; axis < 3; ++axis) QVERIFY(std::isfinite(p[axis]));
     }
-  // The long axis is never pressed to nothing.
+  // The long axis is never reduced to zero length.
   const Shape axes{ShapeKind::bidirectional, "", {a, a + dvec3(4, 0, 0), a, a + dvec3(0, 2, 0)}, {}, {}, {}};
   QVERIFY(withHandleAt(axes, 1, a) == axes);
 }
@@ -147,7 +147,7 @@ void TestAxes::labelsComeInOrder() {
   for (const QString& name : names)
     workspace.measurements.push_back(
         {++id, spine, Shape{ShapeKind::label, name.toStdString(), {{0, 0, 0}}, {}, {}, {}}, {}});
-  // What is another's or no label counts for nothing.
+  // Labels of another series and shapes that are no labels do not count.
   workspace.measurements.push_back({++id, other, Shape{ShapeKind::label, "L1", {{0, 0, 0}}, {}, {}, {}}, {}});
   workspace.measurements.push_back({++id, spine, Shape{ShapeKind::probe, "T3", {{0, 0, 0}}, {}, {}, {}}, {}});
   QCOMPARE(QString::fromStdString(nextLabel(workspace, spine)), next);

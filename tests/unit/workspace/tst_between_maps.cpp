@@ -1,5 +1,6 @@
-// Guards what goes into other maps of segments of one series: what is added loses no voxel and is in the
-// first map where it fits, by chance against a twin; copies and moves.
+// Guards transfers between maps of segments of one series. Added segments lose no voxel and are put into the
+// first map where they fit, in random cases against an independent implementation. Also covers copies and
+// moves.
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -31,7 +32,7 @@ bool shareVoxels(const std::vector<std::size_t>& a, const std::vector<std::size_
   return std::ranges::any_of(a, [&](std::size_t n) { return std::ranges::binary_search(b, n); });
 }
 
-// Some labels, each of which may have no voxel.
+// Returns some labels, any of which may have no voxels.
 Segmented layerByChance(Chance& chance, const VoxelGeometry& grid) {
   Segmented layer{{}, LabelMap(grid)};
   LabelEdit edit(layer.labels);
@@ -65,8 +66,8 @@ void TestBetweenMaps::whatIsAddedFitsWhereItIs_data() {
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
-// Layers one after the other; nothing that is there changes, all that comes has its voxels, and each is in no
-// later map than the first whose voxels (of before the layer) it leaves alone.
+// Adds layers one after another. Existing segments must not change, and all added ones must have their
+// voxels. Each is in the first map whose earlier segments it does not overlap.
 void TestBetweenMaps::whatIsAddedFitsWhereItIs() {
   QFETCH(int, seed);
   Chance chance{std::uint64_t(seed)};
@@ -162,8 +163,8 @@ void TestBetweenMaps::whatIsMovedTakesItsVoxels_data() {
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
-// Out of map 2 into map 0, or a new one, which is 1; nothing is moved where a locked segment has a voxel of
-// it.
+// Moves a segment from map 2 into map 0, or into the new map 1. It is not moved if a locked segment has a
+// common voxel.
 void TestBetweenMaps::whatIsMovedTakesItsVoxels() {
   QFETCH(int, seed);
   Chance chance{std::uint64_t(seed)};

@@ -1,5 +1,5 @@
-// Guards what the corners of a view say of whose pictures these are and which of the slices as acquired a
-// plane shows, and what of it stays where there is little room.
+// Guards the corner texts of a view: patient and study, the acquired slice that a plane shows, and what
+// remains if there is little room.
 #include <cmath>
 
 #include "tests/unit/suite.h"

@@ -1,4 +1,4 @@
-// Guards what spans of a curve offer for segments: values that the curve shows, as they stand on screen.
+// Guards the value ranges that spans of a curve offer for segments: the visible values, as displayed.
 #include <cmath>
 
 #include "tests/fixtures/chance.h"
@@ -13,7 +13,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// A CT, or a PET of which 1000 Bq/ml are 5 SUVbw.
+// Returns a CT, or a PET in which 1000 Bq/ml are 5 SUVbw.
 LoadedSeries seriesFrom(double low, double high, bool pet = false) {
   LoadedSeries series;
   series.histogram = {.low = low, .high = high, .counts = std::vector<std::int64_t>(10, 1)};
@@ -48,8 +48,8 @@ void TestCurveSpans::spansOfferWhatTheyShow_data() {
   QTest::newRow("PET in SUV") << true;
 }
 
-// By chance: within the span and the series, and nearer to their ends than a unit of the last digit on
-// screen.
+// In random cases, ranges are within the span and the series. They are nearer to its ends than one unit of
+// the last displayed digit.
 void TestCurveSpans::spansOfferWhatTheyShow() {
   QFETCH(bool, pet);
   const Seeds seeds = seedsOf(5000, 50000);
@@ -67,7 +67,7 @@ void TestCurveSpans::spansOfferWhatTheyShow() {
     for (int n = 0; n < int(spans.size()); ++n) {
       const double low = std::max(spans[std::size_t(n)].low, series.histogram.low),
                    high = std::min(spans[std::size_t(n)].high, series.histogram.high);
-      if (high - low < 3 * digit) continue;  // beside the series, or narrower than its numbers
+      if (high - low < 3 * digit) continue;  // outside the series, or narrower than its digits
       const auto range = rangeOfSpan(curve, n, series);
       QVERIFY(range.has_value());
       QVERIFY2(range->low >= low - 1e-9 && range->low < low + 1.001 * digit,

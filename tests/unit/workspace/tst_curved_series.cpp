@@ -1,5 +1,5 @@
-// Guards series along curves in the workspace: what names them, what is kept of them in a session with and
-// without their source, and that positions follow each other.
+// Guards curved series in the workspace: their names, what sessions keep of them with and without their
+// source, and linked positions.
 #include <QLocale>
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -58,7 +58,7 @@ Series head() {
   return series;
 }
 
-// A head with a curve, whose planes are not yet shown.
+// Returns a head with a curve whose planes are not shown yet.
 Workspace withCurve(const std::vector<dvec3>& points = arch) {
   Workspace workspace;
   workspace.series.editOrAdd(keyOf(head())).series = std::make_shared<const Series>(head());
@@ -114,7 +114,7 @@ void TestCurvedSeries::eachCurveIsASeriesOfItsOwn() {
   QVERIFY(keyOf(pairIn(withCurve(moved)).stretched) != keyOf(pair.stretched));
 }
 
-// As pictures lie, whichever way the hand went.
+// Curves run from the patient's right, as pictures are displayed, whichever way they were drawn.
 void TestCurvedSeries::fromThePatientsRight() {
   std::vector<dvec3> back(arch.rbegin(), arch.rend());
   const CurvedPair pair = pairIn(withCurve(back));
@@ -136,8 +136,8 @@ void TestCurvedSeries::aPlaceIsToldByTheLengthOfTheDrawnCurve_data() {
   QTest::newRow("out of its plane, drawn from left to right") << true << true;
 }
 
-// Both planes tell of one place of the patient one number, its arc length from the patient's right. The
-// bound: half of the last digit, and what lies between two cross-sections.
+// Both planes state the same number for a patient position: its arc length from the patient's right. The
+// bound is half of the last digit plus the difference between two cross-sections.
 void TestCurvedSeries::aPlaceIsToldByTheLengthOfTheDrawnCurve() {
   QFETCH(bool, leavesItsPlane);
   QFETCH(bool, fromTheLeft);
@@ -173,8 +173,8 @@ void TestCurvedSeries::aPlaceIsToldByTheLengthOfTheDrawnCurve() {
   QVERIFY(leavesItsPlane ? mostApart > 5 : mostApart < 0.01);
 }
 
-// Of a curve through two points the direction is that of the slices it was drawn in; asked for again from
-// elsewhere it stays, and where none is known the series says it as it was acquired.
+// A curve through two points gets the direction of the slices it was drawn in. Later requests from elsewhere
+// keep that direction. If none is known, it is that of the slices as acquired.
 void TestCurvedSeries::aLineIsLaidOutAsBefore() {
   Workspace workspace = withCurve({{-20, 0, 0}, {20, 0, 0}});
   const auto curve = [&]() -> const Measurement& { return *curveMeant(workspace); };
@@ -198,7 +198,7 @@ void TestCurvedSeries::whatWasLaidOutBeforeGivesWay() {
   workspace = withCurvedPlanes(workspace, pairIn(workspace, 10));
   QCOMPARE(workspace.series.size(), std::size_t(3));
   QVERIFY(!workspace.series.contains(first));
-  // What something was measured on stays.
+  // A curved series with measurements stays.
   const SeriesKey second = keyOf(pairIn(workspace, 10).stretched);
   workspace.measurements.push_back({9, second, {ShapeKind::probe, "", {{0, 0, 0}}, {}, {}, {}}, {}});
   workspace = withCurvedPlanes(workspace, pairIn(workspace, 15));
@@ -209,7 +209,7 @@ void TestCurvedSeries::whatWasLaidOutBeforeGivesWay() {
 void TestCurvedSeries::aSessionKeepsThem() {
   Workspace workspace = shownIn(withCurve());
   workspace.crosshairs.editOrAdd(frameOfReference(pairIn(workspace).stretched)).at = {20, 1, 3};
-  workspace.selected = 0;  // in no session
+  workspace.selected = 0;  // sessions do not store it
   QVERIFY(readAgain(workspace, true).workspace == workspace);
 }
 
@@ -221,7 +221,7 @@ void TestCurvedSeries::withoutTheirSourceTheyAreMissingUntilItIsFound() {
   QVERIFY(read.series.at(stretched).missing && read.series.at(keyOf(head())).missing);
   QVERIFY(read.series.at(stretched).series->curved.has_value());
   QVERIFY(read.views == workspace.views);
-  // Saved again it says the same.
+  // Saving it again gives the same text.
   QCOMPARE(QString::fromStdString(*sessionToJson(read, "/sessions")),
            QString::fromStdString(*sessionToJson(workspace, "/sessions")));
   QVERIFY(withFound(read, head()) == workspace);
@@ -262,7 +262,7 @@ void TestCurvedSeries::positionsFollow() {
   QVERIFY(glm::distance(after.crosshairs.at(source).at, inPatient) < 1e-9);
   QVERIFY(after.crosshairs.at(straight).at == at);
   QVERIFY(std::abs(after.crosshairs.at(stretched).at.x - 12 * grid.geometry().spacing().z) < 0.5);
-  // Far off the curve they stay within what was laid out.
+  // Far from the curve, positions are clamped to the grid.
   Workspace far = after;
   far.crosshairs.edit(source).at = {500, 500, 500};
   far = withCurvesFollowed(after, far);
@@ -275,7 +275,7 @@ void TestCurvedSeries::positionsFollow() {
   QVERIFY(withCurvesFollowed(apart, alone) == alone);
 }
 
-// A prior that was registered, by way of the series that the curve lies on.
+// A registered prior follows through the series on which the curve lies.
 void TestCurvedSeries::whatIsLinkedFollowsTheCurve() {
   Series prior = head();
   prior.frameOfReferenceUid = "2.25.8";
@@ -312,7 +312,7 @@ void TestCurvedSeries::theyGoWithTheirSourceUnlessMeasuredOn() {
   QVERIFY(session.workspace().views == opened.views);
 }
 
-// It would be read twice otherwise: to be laid out, and to be shown.
+// Otherwise the source would be read twice: for the layout and for its own view.
 void TestCurvedSeries::theirSourceIsAskedForFirst() {
   const Workspace workspace = shownIn(withCurve());
   const SeriesKey straightened = keyOf(pairIn(workspace).straightened);
@@ -324,7 +324,7 @@ void TestCurvedSeries::theirSourceIsAskedForFirst() {
   session.open(QStringLiteral("Open"), workspace);
   QCOMPARE(asked.size(), std::size_t(1));
   QVERIFY(asked[0] == keyOf(head()));
-  // Where it cannot be had it is not waited for.
+  // Loading does not wait for a source that is not available.
   session.setNotLoaded(keyOf(head()));
   session.askForMissing();
   QCOMPARE(asked.size(), std::size_t(2));

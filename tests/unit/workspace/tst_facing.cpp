@@ -1,5 +1,5 @@
-// Guards how mammograms face each other: where the chest wall is, and that it lies at the edge that is asked
-// for, at the same scale in all of them.
+// Guards facing mammograms: the side of the chest wall, its position at the requested edge, and a common
+// scale.
 #include "tests/unit/suite.h"
 #include "ui/workspace/facing.h"
 #include "ui/workspace/flat_plane.h"
@@ -8,7 +8,7 @@ using namespace volumen;
 
 namespace {
 
-// `columns` x 20 pixels of `mm`, the left half of one value, the right one of another.
+// Returns `columns` x 20 pixels of `mm` with one value in the left half and another in the right half.
 LoadedFramePtr breastFrame(const char* rows, float leftHalf, float rightHalf, int columns = 10, double mm = 1,
                            bool inverted = false, PixelSizeKind kind = PixelSizeKind::atDetector,
                            const char* columnsTo = "", const char* side = "") {
@@ -43,7 +43,7 @@ class TestFacing : public QObject {
 };
 
 void TestFacing::theChestWallIsFound_data() {
-  QTest::addColumn<QByteArray>("rows");  // where they lead to
+  QTest::addColumn<QByteArray>("rows");  // direction of the rows
   QTest::addColumn<float>("leftHalf");
   QTest::addColumn<float>("rightHalf");
   QTest::addColumn<bool>("inverted");
@@ -79,7 +79,7 @@ void TestFacing::framesFaceEachOther_data() {
 
 void TestFacing::framesFaceEachOther() {
   QFETCH(bool, sameScale);
-  // 10 x 20 mm, and 30 x 40 mm the wrong way round.
+  // One picture has 10 x 20 mm. The other has 30 x 40 mm and is mirrored.
   const std::vector<FacingFrame> frames{
       {breastFrame("P", 10, 900), {}, {300, 200}, ChestWall::right},
       {breastFrame("P", 10, 900, 15, 2), {.inverted = true}, {300, 200}, ChestWall::left}};
@@ -92,9 +92,9 @@ void TestFacing::framesFaceEachOther() {
   for (std::size_t n = 0; n < 2; ++n) {
     const VoxelGeometry& geometry = frames[n].frame->geometry();
     const SlicePlane plane = flatPlane(state, looks[n], geometry, {}, frames[n].pixels);
-    // 40 mm over 200 pixels, or 20.
+    // 40 mm cover 200 pixels, or 20 mm do.
     QCOMPARE(plane.mmPerPixel, sameScale || n == 1 ? 0.2 : 0.1);
-    // The outer edge of the column at the chest wall: rows lead to it in both.
+    // Rows lead to the chest wall in both pictures. This is the outer edge of its column.
     const double edge = geometry.size.x - 0.5;
     const glm::dvec2 wall = plane.pixelFromPatient(geometry.patientFromVoxel({edge, 9.5, 0}));
     QVERIFY2(std::abs(wall.x - (n == 0 ? 300 : 0)) < 1e-6, qPrintable(QString::number(wall.x)));
@@ -143,7 +143,7 @@ void TestFacing::breastsAreUpright() {
   const FlatLook look = facingLooks({{frame, {}, {300, 200}, edge}}, false).front();
   QCOMPARE(look.turn.quarters, quarters);
   QCOMPARE(look.turn.mirrored, mirrored);
-  // The column at the chest wall lies at the edge, however the picture was turned.
+  // The column at the chest wall is at that edge, however the picture was turned.
   ViewState state;
   state.kind = ViewKind::frames;
   const SlicePlane plane = flatPlane(state, look, frame->geometry(), {}, {300, 200});
@@ -152,14 +152,14 @@ void TestFacing::breastsAreUpright() {
   QVERIFY(std::abs(wall.x - (edge == ChestWall::right ? 300 : 0)) < 1e-6);
 }
 
-// A pixel of 2 "mm" whose size nobody knows.
+// The third frame's pixel size is unknown.
 void TestFacing::framesWithoutMmHaveNoScale() {
   const std::vector<FacingFrame> frames{
       {breastFrame("P", 10, 900), {}, {300, 200}},
       {breastFrame("P", 10, 900, 15, 1), {}, {300, 100}},
       {breastFrame("P", 10, 900, 10, 9, false, PixelSizeKind::unknown), {}, {300, 200}}};
   const std::vector<FlatLook> looks = facingLooks(frames, true);
-  // 20 mm over 200 pixels as over 100.
+  // 20 mm cover 200 pixels in one view and 100 in the other.
   QCOMPARE(looks[0].zoom, 0.5);
   QCOMPARE(looks[1].zoom, 1.0);
   QCOMPARE(looks[2].zoom, 1.0);

@@ -1,5 +1,5 @@
-// Guards slices.md 2 and 4 in the window: which pictures make a series of frames, in which views they are,
-// how they turn grey, what their pixels measure and when each is on screen.
+// Guards slices.md 2 and 4 in the window: which pictures form a series of frames and which views show them.
+// Also guards their grey values, pixel sizes and timing.
 #include "io/study/study.h"
 #include "tests/unit/suite.h"
 #include "ui/data/frame_pool.h"
@@ -48,7 +48,7 @@ Image imageAt(const char* path, const char* series, int frames) {
   return image;
 }
 
-// A DICOM series of `slices` slices, 2 mm apart.
+// Returns a DICOM series of `slices` slices, 2 mm apart.
 Series ct(int slices, const char* id = "ct") {
   Series series;
   series.id = id;
@@ -72,7 +72,7 @@ NamedGrey named(const char* name, Window window, WindowFunction function) {
   return {name, {window, function, {}, false}};
 }
 
-// 3 x 2 pixels of grey 0 .. 5 or of colour, and whatever else is changed.
+// Returns 3 x 2 pixels of grey 0 .. 5, or whatever `change` makes of them.
 LoadedFramePtr frameWith(const std::function<void(Frame&)>& change = {}) {
   Frame frame;
   frame.size = {3, 2};
@@ -315,7 +315,7 @@ void TestFramesOfSeries::regionsHaveMmOfTheirOwn() {
     frame.regions = {{{1, 0}, {2, 0}, 3, 3, {0.1, 0.2}}, {{0, 1}, {2, 1}, 4, 3, {0.1, 0.2}}};
   });
   QCOMPARE(pixelPlaceText(*heart, {2, 0}), QStringLiteral("2, 0 px (1.0, 0.0 mm in its region)"));
-  QCOMPARE(pixelPlaceText(*heart, {2, 1}), QStringLiteral("2, 1 px"));  // seconds across
+  QCOMPARE(pixelPlaceText(*heart, {2, 1}), QStringLiteral("2, 1 px"));  // its horizontal unit is seconds
   QCOMPARE(pixelPlaceText(*heart, {0, 0}), QStringLiteral("0, 0 px"));
   QCOMPARE(pixelValueText(*heart, {2, 1}), QStringLiteral("R 7 G 7 B 86"));
   QVERIFY(greyChoices(*heart).empty());

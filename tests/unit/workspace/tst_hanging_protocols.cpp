@@ -1,5 +1,5 @@
-// Guards the language of hanging protocols and its refusals: every field, what words of series mean, those of
-// the program and of a person, and the example of the page about them.
+// Guards the language of hanging protocols and its refusals: every field, words that describe series,
+// built-in and user protocols, and the example of their page.
 #include <QFile>
 #include <QTemporaryDir>
 #include <set>
@@ -107,8 +107,8 @@ void TestHangingProtocols::refusalsNameTheField() {
 void TestHangingProtocols::wordsOfSeries_data() {
   QTest::addColumn<QByteArray>("modality");
   QTest::addColumn<QByteArray>("description");
-  QTest::addColumn<int>("weighting");  // -1: not known; of CT the kernel
-  QTest::addColumn<int>("contrast");   // -1: not said
+  QTest::addColumn<int>("weighting");  // -1 if unknown; the kernel for CT
+  QTest::addColumn<int>("contrast");   // -1 if not stated
   const auto mr = [](const char* text, std::optional<Weighting> w, int contrast = -1) {
     QTest::newRow(text) << QByteArray("MR") << QByteArray(text) << (w ? int(*w) : -1) << contrast;
   };
@@ -169,7 +169,7 @@ void TestHangingProtocols::wordsOfSeries() {
   QCOMPARE(c ? int(*c) : -1, contrast);
 }
 
-// A study in which some series have an agent and others say that they have none is split by that.
+// A study is split by agent if some series have one and others state that they have none.
 void TestHangingProtocols::noneIsNoAgent() {
   for (const auto& [agent, isGiven] : {std::pair("IOHEXOL 350", true), {"NONE", false}, {"No", false}}) {
     Series series;

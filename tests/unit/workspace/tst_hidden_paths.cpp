@@ -1,4 +1,4 @@
-// Guards ui.md: while names are hidden, no notice shows a path, which often holds one.
+// Guards ui.md: while names are hidden, no notice shows a path, as paths often contain names.
 #include <QDir>
 #include <QTemporaryDir>
 
@@ -16,7 +16,7 @@ class TestHiddenPaths : public QObject {
   void pathsAreHidden();
 };
 
-// F is a folder that is there and has "Doe Jane" in it, which holds "a scan.dcm".
+// F is an existing folder with a folder "Doe Jane", which holds "a scan.dcm".
 void TestHiddenPaths::pathsAreHidden_data() {
   QTest::addColumn<QString>("said");
   QTest::addColumn<QString>("shown");

@@ -1,5 +1,5 @@
-// Guards how hanging protocols hang studies: which protocol fits which study, what stands in which cell, what
-// is kept of what is shown; by chance, that any protocol makes a workspace that a session can hold.
+// Guards how hanging protocols hang studies: the protocol that fits a study, the series in each cell, and
+// what a kept protocol stores. In random cases, any protocol makes a workspace that a session can hold.
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
@@ -17,7 +17,7 @@ QStringList namesOf(const std::vector<HangingProtocol>& all, const std::vector<s
   return names;
 }
 
-// What each cell shows: side and view, or the description; "-" of empty ones.
+// Returns what each cell shows: side and view, or the description; "-" for empty cells.
 QStringList cellsOf(const HangingProtocol& protocol, const PatientStudies& studies) {
   QStringList cells;
   for (const SeriesPicture& picture : picturesOfCells(protocol, studies)) {
@@ -149,16 +149,16 @@ void TestHungStudies::aStudyIsHung() {
   }
   QVERIFY(lung.series.at(keyOf(chest.series[1])).window == Window({-600, 1500}));
   QVERIFY(!lung.series.at(keyOf(chest.series[0])).window);
-  // 3D as it was seen before.
+  // The 3D view looks as before.
   const Workspace soft = hung(before, protocolNamed(known, "CT, soft tissue"), chest.studies());
   QVERIFY(soft.view(firstComparedId + 3).kind == ViewKind::volume);
   QVERIFY(soft.view(firstComparedId + 3).scenes.at(keyOf(chest.series[0])) == look);
-  // Where that is not known, slices as acquired.
+  // Without an earlier 3D view, slices are shown as acquired.
   const Workspace bone = hung({}, protocolNamed(known, "CT, bone"), chest.studies());
   QVERIFY(bone.view(firstComparedId + 3).kind == ViewKind::axial);
 }
 
-// Each cell its own, where the windows of one series differ; else the series has it.
+// If windows of one series differ, each cell has its own. Otherwise the series has the window.
 void TestHungStudies::oneSeriesHasTwoWindows() {
   const KnownProtocols known = knownProtocols();
   const HangingProtocol& both = protocolNamed(known, "CT, lung and soft tissue");
@@ -176,7 +176,7 @@ void TestHungStudies::oneSeriesHasTwoWindows() {
   const Workspace again = hung(first, protocolNamed(known, "CT, lung"), one.studies());
   QVERIFY(!aloneIn(again, left) && !aloneIn(again, right));
   QVERIFY(again.series.at(key).window == Window({-600, 1500}));
-  // A cell that says nothing has that of the only one that does.
+  // If only one cell states a window, the others use it too.
   HangingProtocol half = kept;
   half.cells[0].window.reset();
   const Workspace halves = hung({}, half, one.studies());
@@ -186,7 +186,7 @@ void TestHungStudies::oneSeriesHasTwoWindows() {
   equal.cells[0].window = equal.cells[1].window;
   const Workspace equals = hung({}, equal, one.studies());
   QVERIFY(!aloneIn(equals, left) && equals.series.at(key).window == Window({40, 400}));
-  // Beside two that do it shows the series as it is.
+  // Beside two cells with different windows, a cell without one shows the series' own.
   HangingProtocol three = kept;
   three.layout = Layout::four;
   three.cells.push_back(three.cells[0]);
@@ -194,7 +194,7 @@ void TestHungStudies::oneSeriesHasTwoWindows() {
   const Workspace thirds = hung({}, three, one.studies());
   QVERIFY(aloneIn(thirds, left) && aloneIn(thirds, right) && !aloneIn(thirds, right + 1));
   QVERIFY(!thirds.series.at(key).window);
-  // CT beside CT under PET.
+  // One CT view is beside the CT under the PET.
   const OpenPictures fused({{"PT", "PET"}, {"CT", "CT"}});
   const Workspace petCt = hung({}, protocolNamed(known, "PET/CT"), fused.studies());
   QVERIFY(petCt.view(left).series == petCt.view(right).series);
@@ -265,7 +265,8 @@ void TestHungStudies::whatIsShownIsAProtocol() {
   }
 }
 
-// Series that no rule tells apart, the second of them first; one of before; and one of somebody else.
+// Two series cannot be distinguished by any rule, and the second one comes first. One is a prior, and one is
+// of another patient.
 void TestHungStudies::twinsAreKeptByTheirRank() {
   OpenPictures open({{"MR", "T2"},
                      {"MR", "T2"},
@@ -288,7 +289,6 @@ void TestHungStudies::twinsAreKeptByTheirRank() {
   QVERIFY2(kept.cells[3].series.empty(), "another patient");
   const Workspace again = hung({}, kept, open.studies());
   for (int n = 0; n < 3; ++n) QVERIFY(again.view(firstComparedId + n).series == keyOf(open.series[order[n]]));
-  // What was moved faces nobody any more.
   // A window that no protocol can hold is left out.
   shown.series.edit(keyOf(open.series[0])).window = Window{0, 1e12};
   shown.series.edit(keyOf(open.series[1])).window = Window{40, 400};
@@ -299,13 +299,14 @@ void TestHungStudies::twinsAreKeptByTheirRank() {
   const OpenPictures breasts(fourBreasts);
   const HangingProtocol& four = protocolNamed(known, "Mammograms");
   Workspace moved = hung({}, four, breasts.studies());
+  // A moved mammogram no longer faces its neighbour.
   moved = withFrames(std::move(moved), firstComparedId, breasts.series[0]);
   const HangingProtocol keptMoved = protocolOf(moved, "Moved", breasts.pictures(), &four);
   QVERIFY(keptMoved.cells[0].chestWall == ChestWall::anywhere && !keptMoved.sameScale);
   QVERIFY(keptMoved.cells[1].chestWall == ChestWall::left);
 }
 
-// One after the other over the same workspace.
+// Hangs protocols one after another over the same workspace.
 void TestHungStudies::anyProtocolMakesASession() {
   const Seeds seeds = seedsOf(60, 600);
   const KnownProtocols known = knownProtocols();

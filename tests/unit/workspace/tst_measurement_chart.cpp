@@ -1,4 +1,4 @@
-// Guards the charts of values under a measurement: what they hold, where steps in time stand, and their CSV.
+// Guards the charts of values under a measurement: their contents, the time points of steps, and their CSV.
 #include <cmath>
 #include <limits>
 
@@ -26,7 +26,7 @@ class TestMeasurementChart : public QObject {
 
 namespace {
 
-// 21 voxels of 2 mm along x, from -20 to 20 mm, of the values 0, 10, 20 ...
+// Returns 21 voxels of 2 mm along x, from -20 to 20 mm, with the values 0, 10, 20 ...
 VolumePtr rampOfTens() {
   return volumeOf<float>({21, 3, 3}, glm::dmat3(2), [](dvec3 x) { return 10 * x.x; });
 }
@@ -55,7 +55,7 @@ void TestMeasurementChart::aProfileIsInShownUnits() {
            QStringLiteral("Distance (px)"));
 }
 
-// Out of the volume, back in, and out again.
+// The line leaves the volume, enters it again, and leaves it.
 void TestMeasurementChart::aProfileHasGapsOutside() {
   const std::vector<dvec3> line{{0, 0, 0}, {0, 20, 0}, {10, 20, 0}, {10, 0, 0}};
   const MeasuredChart chart =
@@ -76,7 +76,8 @@ void TestMeasurementChart::aHistogramIsAStaircase() {
   QCOMPARE(chart.xTitle, QStringLiteral("Value (HU)"));
   QCOMPARE(chart.yTitle, QStringLiteral("Voxels"));
   QCOMPARE(chart.lines.size(), std::size_t(1));
-  // 80, 90, 100, 110, 120, three voxels of each: bins of a whole number, so many that none is shared.
+  // Three voxels each of 80, 90, 100, 110 and 120. Bins have integer widths, and there are enough for one
+  // value each.
   double area = 0;
   const std::vector<QPointF>& stairs = chart.lines[0];
   QCOMPARE(stairs.front().y(), 0.0);

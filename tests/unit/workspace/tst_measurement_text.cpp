@@ -1,4 +1,4 @@
-// Guards how measurements read: numbers with their units, lists as text and CSV; and the handles of shapes.
+// Guards the text of measurements: numbers with units, lists as text and CSV, and the handles of shapes.
 #include <glm/geometric.hpp>
 
 #include "tests/unit/suite.h"
@@ -30,7 +30,7 @@ Measured linesOf(double number, const char* unit, TwoLines lines) {
   return m;
 }
 
-// Of a PET over its CT.
+// Returns the statistics of a region in a PET over its CT.
 Measured fusedRegion() {
   Measured m = regionOf(78.54, ValueStatistics{1200, 45.24, 3.05, -5, 99});
   m.source = "CT Chest";
@@ -219,7 +219,7 @@ void TestMeasurementText::asCsv() {
   QCOMPARE(lines[5], QStringLiteral("Arrow 3,arrow,,,,,,,,,,,CT,0 0 0,,,,") + last);
 }
 
-// Along a curve places are not the patient's: none is written, of the peak neither.
+// Along a curve, positions are not in patient space. None is written, nor that of the peak.
 void TestMeasurementText::asCsvAlongACurve() {
   Series curved;
   curved.curved = CurvedFrom{std::make_shared<const Series>(), {}, "Curve 1"};
@@ -302,7 +302,8 @@ void TestMeasurementText::handlesKeepBoxes() {
   const std::vector<glm::dvec3> handles = handlesOf(box);
   QCOMPARE(handles.size(), std::size_t(4));
   for (std::size_t n = 0; n < 4; ++n) {
-    const Shape moved = withHandleAt(box, n, handles[n] + glm::dvec3(0.5, 0.25, 3));  // off the plane, too
+    // includes an offset from the plane
+    const Shape moved = withHandleAt(box, n, handles[n] + glm::dvec3(0.5, 0.25, 3));
     const std::vector<glm::dvec3> now = handlesOf(moved);
     const auto holds = [&](glm::dvec3 p) {
       return std::ranges::any_of(now, [&](glm::dvec3 q) { return glm::length(p - q) < 1e-12; });

@@ -1,5 +1,4 @@
-// Guards design.md 8: what was found elsewhere takes the place of what was missing, with all that was made of
-// it.
+// Guards design.md 8: a series or object found elsewhere replaces the missing one, and all references follow.
 #include <nlohmann/json.hpp>
 
 #include "tests/unit/suite.h"
@@ -31,7 +30,7 @@ Series elsewhere(const Series& series) {
 
 }  // namespace
 
-// The other way: a session that is opened where all series lie elsewhere.
+// Compares with opening a session whose series have all moved.
 void TestMoved::allThatNamesASeriesFollowsIt() {
   int missing = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -50,7 +49,7 @@ void TestMoved::allThatNamesASeriesFollowsIt() {
   QVERIFY(missing > 20);
 }
 
-// It was opened by another path meanwhile, and segmented.
+// The series was meanwhile opened from another path and segmented.
 void TestMoved::itsSegmentsJoinThoseThatAreThere() {
   Series missing, there;
   missing.path = "/data/ct", there.path = "/moved/ct";
@@ -95,7 +94,7 @@ void TestMoved::allThatNamesAnObjectFollowsIt() {
 
 namespace {
 
-// Two views show a picture by one state, and a segmentation lies over all.
+// Two views use one presentation state, and a segmentation is over all of them.
 Workspace withObjects() {
   Series series;
   series.path = "/data/ct", series.id = "1.2.3";
@@ -125,7 +124,7 @@ void TestMoved::objectsAreNamedBesideTheSession() {
   QVERIFY2(back->workspace.regions == withObjects().regions, "what is missing stays as it was");
 }
 
-// They name each object where it is used alone.
+// Old sessions name each object only where it is used.
 void TestMoved::oldSessionsFindTheirObjects() {
   nlohmann::ordered_json json = nlohmann::ordered_json::parse(*sessionToJson(withObjects(), "/data"));
   QVERIFY(json.erase("references") == 1);

@@ -1,5 +1,5 @@
-// Guards that patients are not mixed silently: which ones the views on screen show, and what another one
-// leaves.
+// Guards that patients are not mixed silently: the patients in visible views, and the removal of all others
+// from views.
 #include <QTest>
 
 #include "tests/unit/suite.h"

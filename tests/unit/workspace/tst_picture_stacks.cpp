@@ -1,5 +1,5 @@
-// Guards which single pictures of a study are shown as one stack, in which order, under which name, and that
-// sessions find what they knew before there were such stacks.
+// Guards stacks of single pictures of a study: which are stacked, their order and their names. Sessions from
+// before such stacks find their series.
 #include "tests/unit/suite.h"
 #include "tests/unit/workspace/hung_series.h"
 #include "ui/controller/find_saved.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* stackUid = "1.2";
 
-// Pictures of one size in files of their own, numbered so; without a place where `apartMm` is 0.
+// Returns numbered pictures of one size in separate files; without positions if `apartMm` is 0.
 Series pictures(const std::vector<int>& numbers, glm::ivec2 size, double apartMm = 0,
                 const char* modality = "DX") {
   Series series;
@@ -57,7 +57,7 @@ QString filesOf(const Series& series) {
   return names.join(u' ');
 }
 
-// "volumes | frames", each "files; files".
+// Returns "volumes | frames", each as "files; files".
 QString said(const Study& study) {
   const auto all = [](const std::vector<Series>& some) {
     QStringList texts;
@@ -67,7 +67,7 @@ QString said(const Study& study) {
   return all(study.volumes) + QStringLiteral(" | ") + all(frameSeries(study));
 }
 
-// Pictures of two sizes, their paths in another order than their numbers.
+// Returns pictures of two sizes whose paths have another order than their numbers.
 Study twoSizes() {
   Study study;
   study.volumes = {pictures({1, 10}, {60, 80}), pictures({2}, {90, 120})};
@@ -238,7 +238,7 @@ void TestPictureStacks::aNameStandsForTheSameFrames() {
   QCOMPARE(filesOf(turned), QStringLiteral("b a"));
   QCOMPARE(ofPaths.id, std::string("1.2#frames"));
   QCOMPARE(filesOf(ofPaths), QStringLiteral("a b"));
-  // What was a volume before there were stacks was no frame of them.
+  // Pictures that formed a volume before stacks existed are not among their frames.
   study.volumes = {pictures({4}, {60, 80})};
   study = withPictureStacks(study);
   QCOMPARE(frameSeries(study).front().id, std::string("1.2#pictures"));
@@ -246,7 +246,7 @@ void TestPictureStacks::aNameStandsForTheSameFrames() {
   QVERIFY(frameSeriesOfPaths(withPictureStacks(twoSizes())).empty());
 }
 
-// That is what a worker is given to read one of them.
+// A worker gets memory for this size to read one of them.
 void TestPictureStacks::memoryIsForTheLargest() {
   Study study;
   study.images = {colourImage(1, "a"), colourImage(2, "b")};
@@ -276,8 +276,8 @@ void TestPictureStacks::sessionsFindWhatTheyKnew() {
   study.images = {colourImage(5, "a"), colourImage(4, "b")};
   const std::vector<Series> known = allSeriesOf(study);
   std::vector<Series> saved = study.volumes;
-  saved.push_back(frameSeriesOfPaths(study).front());              // as it was
-  saved.push_back(frameSeries(withPictureStacks(study)).front());  // as it is
+  saved.push_back(frameSeriesOfPaths(study).front());              // as an old session has it
+  saved.push_back(frameSeries(withPictureStacks(study)).front());  // as a new session has it
   for (const Series& series : saved) {
     const Series* found = findSaved(known, savedAs(series));
     QVERIFY2(found, series.id.c_str());

@@ -1,6 +1,6 @@
-// Guards slices.md 2 and window.md "Show frames as acquired" for frames that a presentation state turns: each
-// displayed pixel is the one that the standard's order of turning and mirroring gives, and the letters of
-// PatientOrientation turn with the picture.
+// Guards slices.md 2 and window.md "Show frames as acquired" for frames turned by a presentation state. Each
+// displayed pixel follows the standard's order of rotation and mirroring. The letters of PatientOrientation
+// turn with the picture.
 #include "tests/unit/suite.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/presented_frame.h"
@@ -19,7 +19,7 @@ class TestPresentedFrame : public QObject {
 
 namespace {
 
-// 6 x 4 pixels of 2 x 3 mm, whose rows run to the left and columns to posterior-inferior.
+// Returns 6 x 4 pixels of 2 x 3 mm. Rows run to the left, columns to posterior-inferior.
 LoadedFramePtr turnedFrame(const FramePresentation& how) {
   Frame frame;
   frame.size = {6, 4};
@@ -83,11 +83,11 @@ void TestPresentedFrame::theDisplayedAreaFillsTheView() {
 
 void TestPresentedFrame::annotationsLieOnTheirPixels() {
   const LoadedFramePtr frame = turnedFrame(turnedBy(1, true, PixelBox{{1, 2}, {7, 3}}));
-  // The outer corner of the first pixel, before it is turned.
+  // The outer corner of the first pixel, before the turn.
   const glm::dvec3 corner =
       frame->geometry().voxelFromPatient(annotationPlace(*frame, {0, 0}, AnnotationUnits::pixel));
   QVERIFY(glm::distance(glm::dvec2(corner), glm::dvec2(-0.5)) < 1e-9);
-  // The middle of what is displayed.
+  // The middle of the displayed area.
   const glm::dvec3 middle =
       frame->geometry().voxelFromPatient(annotationPlace(*frame, {0.5, 0.5}, AnnotationUnits::display));
   QVERIFY(glm::distance(glm::dvec2(middle), glm::dvec2(4, 2.5)) < 1e-9);

@@ -1,5 +1,5 @@
-// Guards priors: which studies are earlier ones of the patient, which series of theirs is the same, what
-// stands side by side and what fills an empty view by itself.
+// Guards priors: the patient's earlier studies, the corresponding series in them, side-by-side display, and
+// what fills an empty view automatically.
 #include <functional>
 
 #include "tests/unit/suite.h"
@@ -52,7 +52,7 @@ struct PriorStudies {
     for (const Series& s : series) all.push_back(&s);
     return all;
   }
-  // The number of one of them; -1: null.
+  // Returns the index of a series; -1 for null.
   int numberOf(const Series* found) const { return found ? int(found - series.data()) : -1; }
 };
 
@@ -97,7 +97,7 @@ void TestPriors::earlierStudiesOfThePatient() {
   QCOMPARE(around.priors.size(), std::size_t(2));
   QCOMPARE(numbers(around.priors[0]), (QList<int>{3, 5}));
   QCOMPARE(numbers(around.priors[1]), (QList<int>{1}));
-  // Files that name nobody have no earlier days.
+  // Files without patient names have no priors.
   Series nobody = s.series[0], before = s.series[1];
   nobody.patientId = nobody.patientName = before.patientId = before.patientName = "";
   QVERIFY(studiesAround({&nobody, &before}, nobody).priors.empty());
@@ -156,7 +156,7 @@ void TestPriors::whoseStudiesAreTold_data() {
       [](Series& shown, Series&) { shown.studyDate = ""; });
 }
 
-// As files and as the list says it.
+// Tests priors among open files and in the study list.
 void TestPriors::whoseStudiesAreTold() {
   QFETCH(std::function<void(Series&, Series&)>, change);
   QFETCH(bool, isPrior);
@@ -196,8 +196,9 @@ void TestPriors::whatSoundsLikeASeries() {
 }
 
 void TestPriors::theSameSeriesIsFound_data() {
-  QTest::addColumn<QList<int>>("which");  // which of the table below are open; the first is in focus
-  QTest::addColumn<int>("found");         // its place in the table; -1: none
+  // indices of the open series in the table below, the focused one first
+  QTest::addColumn<QList<int>>("which");
+  QTest::addColumn<int>("found");  // index in the table, or -1
   QTest::newRow("by the description") << QList<int>{0, 1, 2} << 1;
   QTest::newRow("by the plane") << QList<int>{0, 3, 1} << 1;
   QTest::newRow("the latest study first") << QList<int>{0, 1, 4} << 4;
@@ -228,7 +229,7 @@ void TestPriors::theSameSeriesIsFound() {
 void TestPriors::likenessIsAShareOfAHundred() {
   const Series a = priorSeries({"20260102", "T2 tra +C", "MR", "7", "", false, 5});
   QCOMPARE(likeness({&a}, {&a}), 100.);
-  // Neither says whether contrast agent was given, nor how thick slices are: half of those points.
+  // Contrast agent and slice thickness are unknown in both, which gives half of their points.
   const Series vague = priorSeries({"20260102", "T2 tra"});
   QCOMPARE(likeness({&vague}, {&vague}), 100 - 7.5 - 5);
   const Series thin = priorSeries({"20240102", "T2 tra +C", "MR", "7", "", false, 1});
@@ -260,7 +261,7 @@ void TestPriors::currentAndPriorStandSideBySide() {
   QVERIFY(after.view(firstComparedId).series == keyOf(s.series[0]));
   QVERIFY(after.view(firstComparedId + 1).series == keyOf(s.series[1]));
   for (const ViewId id : viewsOnScreen(after)) QVERIFY(after.view(id).kind == ViewKind::axial);
-  // Views that had windows alone.
+  // The views had windows of their own.
   Workspace alone = after;
   for (const ViewId id : viewsOnScreen(after)) alone = withWindowAlone(std::move(alone), id, true);
   const Workspace again = comparedWithPrior(alone, {&s.series[0]}, {&s.series[1]});

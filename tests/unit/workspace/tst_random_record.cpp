@@ -1,5 +1,5 @@
-// Guards the record of how segments were made, by chance: whatever is done by steps in whatever order, with
-// locks, cuts, segments that are removed, merged, split and moved, its recipe makes the same voxels.
+// Guards the record of how segments were made, in random cases. After any steps in any order its recipe makes
+// the same voxels, also with locks, cuts, and segments that are removed, merged, split and moved.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -51,7 +51,7 @@ StepValue anyOf(const StepField& field, const SegmentMap& map, int own, Chance& 
   return others[std::size_t(chance.below(int(others.size())))];
 }
 
-// A step of any kind on a segment that is not locked.
+// Returns a step of any kind on a segment that is not locked.
 StepsWanted anyStep(const SegmentMap& map, int own, Chance& chance, bool byHand) {
   const StepKind* kind = nullptr;
   do kind = &stepKinds()[std::size_t(chance.below(int(stepKinds().size())))];
@@ -98,7 +98,7 @@ Mask anyCut(Chance& chance) {
   return mask;
 }
 
-// One thing that the window does; as it was where that cannot be done.
+// Performs one action of the window. Returns the map unchanged if that is impossible.
 SegmentMap act(SegmentMap map, const VolumePtr& volume, Chance& chance, bool byHand) {
   const int count = int(map.segments.size());
   if (count == 0 || (count < 5 && chance.oneIn(6))) return withAnother(std::move(map));
@@ -207,7 +207,7 @@ void TestRandomRecord::runAgainNothingChanges() {
   }
 }
 
-// Between two maps, in which more is done meanwhile.
+// Segments move between two maps, which are edited further in between.
 void TestRandomRecord::movedSegmentsTakeTheirStepsAlong() {
   QFETCH(bool, byHand);
   const Seeds seeds = seedsOf(40, 2000);

@@ -1,5 +1,5 @@
-// Guards where the plane of one view is seen as a line in another: planes by chance against a twin that knows
-// nothing of cross products, and the edges of the picture.
+// Guards the line at which one view's plane crosses another view, at the edges of the picture. Random planes
+// are compared with an implementation without cross products.
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -24,12 +24,12 @@ SlicePlane planeByChance(Chance& chance) {
   return plane;
 }
 
-// How far a place of the picture is from the other plane, mm.
+// Returns the signed distance (mm) of a pixel from the other plane.
 double heightOver(const SlicePlane& view, const SlicePlane& other, glm::dvec2 pixel) {
   return glm::dot(view.patientFromPixel(pixel) - other.centre, other.normal());
 }
 
-// The twin: that height is linear along each edge of the picture, and nought where the line goes through.
+// Independent implementation: that distance is linear along each edge of the picture and zero at the line.
 std::vector<glm::dvec2> crossingsOfEdges(const SlicePlane& view, const SlicePlane& other) {
   const glm::dvec2 size(view.size);
   const std::array<glm::dvec2, 5> corners{{{0, 0}, {size.x, 0}, {size.x, size.y}, {0, size.y}, {0, 0}}};
@@ -60,8 +60,8 @@ void TestReferenceSegments::agreeWithTheTwin_data() {
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
-// Fifty pairs a seed. The twin divides by a difference of heights: where planes are within 0.05 of parallel
-// it would lose more than the bound.
+// Tests fifty pairs a seed. The independent implementation divides by a difference of distances. For planes
+// within 0.05 of parallel its error would exceed the bound.
 void TestReferenceSegments::agreeWithTheTwin() {
   QFETCH(int, seed);
   Chance chance{std::uint64_t(seed)};
@@ -99,7 +99,7 @@ void TestReferenceSegments::lieWhereTheyShould_data() {
   QTest::newRow("beyond the left one") << -51.0 << false;
 }
 
-// A sagittal plane in an axial picture of 100 x 80 pixels of 1 mm: an upright line from edge to edge.
+// A sagittal plane crosses an axial picture of 100 x 80 pixels of 1 mm in a vertical line from edge to edge.
 void TestReferenceSegments::lieWhereTheyShould() {
   QFETCH(double, mm);
   QFETCH(bool, isSeen);
@@ -115,7 +115,7 @@ void TestReferenceSegments::lieWhereTheyShould() {
   QVERIFY(std::abs(std::abs(segment->from.y - segment->to.y) - 80) < 1e-9);
 }
 
-// Every point of a plane goes where the frames' relation says.
+// Every point of a plane follows the transform between the frames of reference.
 void TestReferenceSegments::areCarriedToAnotherFrame() {
   Chance chance(7);
   const SlicePlane turn = planeByChance(chance), plane = planeByChance(chance);

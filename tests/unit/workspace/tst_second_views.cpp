@@ -1,5 +1,5 @@
-// Guards the views of the second window as values: they are views to compare beside those of the main window,
-// whose layout, focus and hanging protocols leave them as they are, and the other way round.
+// Guards the views of the second window as values. They are comparison views independent of the main window:
+// layout, focus and hanging protocols of one window do not change the other.
 #include <algorithm>
 
 #include "tests/unit/suite.h"
@@ -17,7 +17,7 @@ bool isAmong(const std::vector<ViewId>& views, ViewId id) {
 
 Layout anyGrid(int rows, int columns) { return {Layout::Kind::grid, rows, columns}; }
 
-// The second window open with two views, the last one in focus and showing a series.
+// Opens the second window with two views, the last one focused and showing a series.
 Workspace withTwoBeside(Workspace workspace, const Series& series) {
   workspace = withSecondLayout(withSecondShown(std::move(workspace), true), Layout::two);
   workspace = withFocus(std::move(workspace), firstSecondId + 1);
@@ -152,7 +152,7 @@ void TestSecondViews::framesStayInTheirWindow() {
   const Workspace unfocused =
       withFrames(withFocus(withSecondShown(planes, true), sceneViewId), firstSecondId, open.series[1]);
   QCOMPARE(unfocused.focus, sceneViewId);
-  // Frames of the main window that end while the second one has the focus.
+  // Frames in the main window end while the second window has the focus.
   const Workspace frames = withSecondShown(withFrames({}, sceneViewId, open.series[1]), true);
   QCOMPARE(viewsInMain(frames), std::vector{axialViewId});
   QCOMPARE(frames.focus, firstSecondId);

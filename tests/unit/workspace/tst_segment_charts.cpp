@@ -1,5 +1,5 @@
-// Guards the charts of segments: one line each, in its colour and by its name, in the unit that is shown;
-// what has no values is told; CSV names each point.
+// Guards the charts of segments: one line each with its colour and name, in the displayed unit. Segments
+// without values are reported, and CSV names each point.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -32,7 +32,7 @@ SegmentReport segmentWith(const char* name, const std::vector<double>& whole, gl
   return report;
 }
 
-// The second has no value in the middle step, the third none at all.
+// The second segment has no value at the middle time point, the third has none at all.
 SegmentsOverTime threeOverTime() {
   return {{QStringLiteral("Time (s)"), {0, 2.5, 7}},
           "HU",

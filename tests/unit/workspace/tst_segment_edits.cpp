@@ -1,6 +1,5 @@
-// Guards the pure functions of segments in a workspace: numbers and names that are free, the current one,
-// locks, and that of labels only what changed is not shared; sequences by chance against a twin with an array
-// of labels.
+// Guards the pure functions of segments in a workspace: free numbers and names, the current segment, locks,
+// and sharing of unchanged labels. Random sequences are compared with an array of labels.
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
@@ -19,7 +18,7 @@ VoxelGeometry gridOf(glm::ivec3 size) {
   return grid;
 }
 
-// A workspace that knows the series.
+// Returns a workspace with the series.
 Workspace withScan() {
   Series series;
   series.path = scanned.path;
@@ -142,7 +141,7 @@ void TestSegmentEdits::anotherGridBeginsAnew() {
   QVERIFY(isOn(mapIn(w), gridOf({5, 4, 4})));
 }
 
-// One voxel of 4 x 4 x 4 bricks of noise.
+// Changes one voxel of 4 x 4 x 4 bricks of noise.
 void TestSegmentEdits::whatDidNotChangeIsShared() {
   Chance chance(3);
   const VoxelGeometry grid = gridOf({128, 128, 128});
@@ -163,7 +162,7 @@ void TestSegmentEdits::sequencesAgreeWithTheTwin_data() {
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
-// The twin: an array of labels, and which of them are locked.
+// Compares with an array of labels and the set of locked ones.
 void TestSegmentEdits::sequencesAgreeWithTheTwin() {
   QFETCH(int, seed);
   Chance chance{std::uint64_t(seed)};

@@ -1,5 +1,5 @@
-// Guards several maps of segments of one series: each is changed alone, one of them is worked on; names and
-// colours are apart; closed series come back with all of their maps.
+// Guards several maps of segments of one series: each is edited separately, and one is active. Names and
+// colours are distinct, and reopened series restore all maps.
 #include <algorithm>
 
 #include "tests/unit/suite.h"
@@ -18,7 +18,7 @@ Workspace withScannedSeries() {
   return workspace;
 }
 
-// Two maps with a segment each, the first worked on.
+// Returns two maps with a segment each, the first one active.
 Workspace withTwoMaps() {
   const VoxelGeometry grid = gridOfMaps({4, 4, 4});
   Workspace w = withNewSegment(withScannedSeries(), scanKey, grid, {});
@@ -118,7 +118,7 @@ void TestSegmentMaps::namesAreCounted_data() {
   row("nothing in brackets", {QStringLiteral("Bone ()")}, "Bone ()", "Bone () (2)");
 }
 
-// In one map, in another one, and in both.
+// Names are in one map, in the other one, and in both.
 void TestSegmentMaps::namesAreCounted() {
   QFETCH(QStringList, there);
   QFETCH(QString, wanted);
@@ -138,7 +138,7 @@ void TestSegmentMaps::namesAreCounted() {
   }
 }
 
-// Of those that were there; what is alike in the file stays so.
+// Colours already in use are replaced. Equal colours within the file stay equal.
 void TestSegmentMaps::coloursThatAreTakenBecomeOthers() {
   const VoxelGeometry grid = gridOfMaps({4, 4, 4});
   const glm::u8vec3 bone(240, 219, 163), skin(1, 2, 3);
@@ -158,7 +158,7 @@ void TestSegmentMaps::coloursThatAreTakenBecomeOthers() {
   };
   QVERIFY(colourOf("Bone") == bone && colourOf("Bone (2)") == colourOfNumber(1));
   QVERIFY(colourOf("Skin") == skin && colourOf("Fat") == skin);
-  // A recipe that is followed twice.
+  // A recipe is followed twice.
   const SegmentMap& before = added.maps.front();
   SegmentMap after = withSegmentAdded(before, {.label = "Bone", .colour = bone});
   after = withNewOnesApart(before, withSegmentAdded(after, {.label = "Marrow", .colour = bone}), added.maps);
@@ -173,7 +173,7 @@ void TestSegmentMaps::coloursThatAreTakenBecomeOthers() {
   }
 }
 
-// Ten of them, in whichever of three maps; then they begin again.
+// Ten colours in any of three maps are distinct, then they repeat.
 void TestSegmentMaps::newColoursAreFreeInAllMaps() {
   const VoxelGeometry grid = gridOfMaps({4, 4, 4});
   Workspace w = withScannedSeries();
@@ -195,14 +195,14 @@ void TestSegmentMaps::closedSeriesComeBackWithAll() {
   const Workspace closed = without(w, scanKey);
   QVERIFY(closed.segmentMaps.empty() && segmentMapsOf(closed, scanKey).empty());
   QVERIFY(withClosed(closed).segmentMaps == w.segmentMaps);
-  // Where segments were made meanwhile they are not in each other's way.
+  // Maps made in the meantime do not collide with the restored ones.
   Workspace again = closed;
   again.series.editOrAdd(scanKey).series = std::make_shared<const Series>(scannedSeries());
   again = withClosed(withNewSegment(std::move(again), scanKey, gridOfMaps({4, 4, 4}), {}));
   std::vector<int> numbers;
   for (const SegmentMap* map : segmentMapsOf(again, scanKey)) numbers.push_back(map->number);
   QVERIFY((numbers == std::vector<int>{0, 1, 2}));
-  // And they are shown as those, as a session wants it.
+  // Restored maps take over how those are shown, as a session requires equal settings.
   const Workspace flat =
       without(withTissueShown(withSegmentsIn3d(w, scanKey, false), scanKey, {TissueShown::Where::inside, 2}),
               scanKey);

@@ -1,5 +1,5 @@
-// Guards segment.md, "Numbers": the columns of the table, of JSON and of CSV say the same, in the unit that
-// is shown; CSV comes back to the bit whatever segments are called, and no name is a formula.
+// Guards segment.md, "Numbers": table, JSON and CSV have the same columns, in the displayed unit. CSV is read
+// back exactly for any segment name, and no name becomes a formula.
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ namespace {
 
 const ValueScale hounsfield{1, "HU", {}};
 
-// Each voxel holds its number in memory.
+// The value of each voxel is its index in memory.
 VolumePtr countingVolume(const VoxelGeometry& grid) {
   VolumeParts parts;
   parts.geometry = grid;
@@ -64,7 +64,7 @@ double numberOf(const char* key, const SegmentReport& report, double factor = 1)
   return segmentNumbers(columnCalled(key), report, factor).at(0);
 }
 
-// The records of a text, as RFC 4180 says; fails on a quotation mark out of place.
+// Returns the records of a text by RFC 4180. Fails on a misplaced quotation mark.
 std::vector<QStringList> recordsOf(const QString& text) {
   std::vector<QStringList> records(1);
   QString field;
@@ -96,7 +96,7 @@ std::vector<QStringList> recordsOf(const QString& text) {
 
 }  // namespace
 
-// FIELD-segment.md 3: 74 voxels of 2 mm: 592 mm^3, axes by n 11.33, 9.24 and 8.48 mm.
+// FIELD-segment.md 3: 74 voxels of 2 mm have 592 mm^3, and axes by n of 11.33, 9.24 and 8.48 mm.
 void TestSegmentNumbers::phantomOfTheIbsi() {
   const BitMask mask = ibsiPhantom();
   const SegmentReport report = reportOf(mask, *countingVolume(mask.geometry()));
@@ -111,7 +111,7 @@ void TestSegmentNumbers::phantomOfTheIbsi() {
   QCOMPARE(columnHead(columnCalled("mean"), {}), QStringLiteral("Mean"));
 }
 
-// A ball of 8 mm of 1000 in 0; SUV is a quarter of that.
+// A ball of 8 mm has 1000, its surroundings 0. SUV is a quarter of that.
 void TestSegmentNumbers::suvHasItsNames() {
   const ValueScale suv{0.25, "SUVbw", {}};
   const VoxelGeometry grid = gridAbout(glm::dmat3(1), 11);
@@ -179,7 +179,7 @@ void TestSegmentNumbers::whatThereIsNoneOfIsEmpty() {
   for (const QString& field : records[1]) QVERIFY(!field.contains(QStringLiteral("nan")));
 }
 
-// Names of any characters, numbers of any size, to seven digits.
+// Names have any characters, and numbers any size, with seven digits.
 void TestSegmentNumbers::csvComesBack() {
   const Seeds seeds = seedsOf(300, 10000);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) {
@@ -272,7 +272,7 @@ void TestSegmentNumbers::jsonHasEachColumn() {
   QVERIFY(json[0]["map"] == 1 && json[1]["map"] == 2);
 }
 
-// What takes surfaces is left out, and is none in columns; all else is the same.
+// Numbers that need surfaces are left out and give no columns. All others are the same.
 void TestSegmentNumbers::voxelsAloneHaveNoSurfaces() {
   const BitMask mask = ibsiPhantom();
   const VolumePtr volume = countingVolume(mask.geometry());
@@ -297,7 +297,7 @@ void TestSegmentNumbers::voxelsAloneHaveNoSurfaces() {
   QCOMPARE(segmentsAsCsv(all, hounsfield), segmentsAsCsv(std::span(&whole, 1), hounsfield));
 }
 
-// RECIST of 74 voxels of 2 mm: slices of 5 x 4 pixels.
+// RECIST diameters of 74 voxels of 2 mm in slices of 5 x 4 pixels.
 void TestSegmentNumbers::diametersInASlice() {
   const BitMask mask = ibsiPhantom();
   const SegmentReport report = reportOf(mask, *countingVolume(mask.geometry()));

@@ -1,4 +1,4 @@
-// Guards segment.md, "Surfaces": what the text of a PNG says of segments.
+// Guards segment.md, "Surfaces": the text of a PNG about segments.
 #include "tests/unit/suite.h"
 #include "ui/workspace/segment_picture_text.h"
 #include "viewer/segment/occupancy.h"

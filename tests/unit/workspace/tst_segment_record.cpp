@@ -1,5 +1,5 @@
-// Guards the record of how segments were made: what of it a recipe holds where segments are removed, made
-// anew or follow the curve; what was made by hand, and all that comes from it, is in no recipe, and said.
+// Guards the record of how segments were made: what a recipe holds after segments are removed, remade or
+// follow the curve. Parts made by hand, and all that derives from them, are in no recipe and are reported.
 #include <QTemporaryDir>
 #include <algorithm>
 
@@ -39,7 +39,7 @@ class TestSegmentRecord : public QObject {
 
 namespace {
 
-// Columns 0 .. 15.
+// Returns a volume whose values are columns 0 .. 15.
 VolumePtr columnsVolume() {
   return volumeOf<std::int16_t>({16, 3, 3}, glm::dmat3(1), [](glm::dvec3 p) { return p.x; });
 }
@@ -57,7 +57,7 @@ std::vector<std::string> kindsOf(const SegmentMap& map) {
 
 using Kinds = std::vector<std::string>;
 
-// The only series of a folder of the test data.
+// Opens the only series of a folder of the test data.
 struct Opened {
   Series series;
   Loaded loaded;
@@ -68,7 +68,7 @@ struct Opened {
 
 }  // namespace
 
-// A number that is changed later has the effect that it would have had then: B takes from A.
+// A changed number has the effect it would have had at its step: B takes voxels from A.
 void TestSegmentRecord::otherNumbersAreOtherVoxels() {
   const VolumePtr volume = columnsVolume();
   SegmentMap map = withAnother(withAnother(emptyMap(*volume)));
@@ -87,7 +87,7 @@ void TestSegmentRecord::whatWasPaintedIsInNoRecipe() {
   const VolumePtr volume = columnsVolume();
   SegmentMap map = withAnother(withAnother(withAnother(emptyMap(*volume))));
   for (const int number : {1, 2, 3}) map = withRange(map, number, 4 * number, 4 * number + 2, *volume);
-  // Of 2 into nothing, then over a voxel of 1: neither is what its range says any more.
+  // Paints segment 2 over background, then over a voxel of segment 1. Neither then matches its range.
   BitMask painted = maskOf(*map.labels, 2);
   painted.set({0, 0, 0});
   SegmentMap after = withHandMade(map, withMask(map, 2, painted));
@@ -96,7 +96,7 @@ void TestSegmentRecord::whatWasPaintedIsInNoRecipe() {
   after = withHandMade(after, withMask(after, 2, painted));
   QVERIFY((recordedRecipe(after, {}).missing == Kinds{"A", "A (2)"}));
   QVERIFY(difference(after, *volume).isEmpty());
-  // Made anew, it is.
+  // A remade segment is in the recipe again.
   after = withRange(after, 2, 8, 9, *volume);
   QVERIFY((recordedRecipe(after, {}).missing == Kinds{"A"}));
 }
@@ -104,7 +104,7 @@ void TestSegmentRecord::whatWasPaintedIsInNoRecipe() {
 void TestSegmentRecord::whatWasThereBeforeIsInNoRecipe() {
   const VolumePtr volume = columnsVolume();
   SegmentMap map = withRange(withAnother(emptyMap(*volume)), 1, 3, 5, *volume);
-  map.steps.clear();  // as sessions of before have it
+  map.steps.clear();  // as in sessions without a record
   QVERIFY((recordedRecipe(map, {}).missing == Kinds{"A"}));
   map = withRange(withAnother(map), 2, 8, 9, *volume);
   QVERIFY((recordedRecipe(map, {}).missing == Kinds{"A"}));
@@ -122,7 +122,7 @@ void TestSegmentRecord::aRemovedSegmentStaysWhereOthersComeFromIt() {
   map = withoutSegment(map, 1);
   QVERIFY((kindsOf(map) == Kinds{"range", "range", "subtract", "add"}));
   QVERIFY(difference(map, *volume).isEmpty());
-  // Its number is another's.
+  // Its number is used by another segment.
   map = withRange(withAnother(map), 1, 0, 1, *volume);
   QVERIFY(recordedRecipe(map, {}).missing.empty() && difference(map, *volume).isEmpty());
 }
@@ -155,7 +155,7 @@ void TestSegmentRecord::whatFollowsTheCurveIsLetGoOnceItsVoxelsChange() {
     return withLetGo(map, after).segments[0].span.has_value();
   };
   QVERIFY(isBound(map));
-  // Another one beside it, and one that takes of it.
+  // Adds another segment beside it, then one that takes voxels of it.
   QVERIFY(isBound(withRange(withAnother(map), 2, 8, 9, *volume)));
   QVERIFY(!isBound(withRange(withAnother(map), 2, 4, 9, *volume)));
   QVERIFY(!isBound(*withStepsDone(map, {{{"grow", "1"}}, {1}}, *volume, {})));
@@ -164,7 +164,7 @@ void TestSegmentRecord::whatFollowsTheCurveIsLetGoOnceItsVoxelsChange() {
   edit.set({3, 0, 0}, 0);
   painted.labels = std::make_shared<const LabelMap>(edit.done());
   QVERIFY(!isBound(painted));
-  // By the curve.
+  // The change follows the curve.
   SegmentMap followed = withRange(map, 1, 4, 5, *volume);
   followed.segments[0].range = ValueRange{4, 5};
   QVERIFY(isBound(followed));
@@ -183,7 +183,7 @@ void TestSegmentRecord::whatIsEditedSaysSo_data() {
   QTest::newRow("by hand") << int(manual) << int(manual) << int(semiautomatic) << QByteArray("net");
 }
 
-// A segment of a file, and one beside it.
+// One segment comes from a file, the other one is beside it.
 void TestSegmentRecord::whatIsEditedSaysSo() {
   QFETCH(int, before);
   QFETCH(int, painted);
@@ -236,7 +236,7 @@ void TestSegmentRecord::aRecipeSaysThatItMadeIt() {
   QCOMPARE(segment.algorithm, std::string("Recipe Mine"));
 }
 
-// From a DICOM segmentation into the window, and from there into another one.
+// Passes from a DICOM segmentation into the window, and from there into another one.
 void TestSegmentRecord::whatAFileSaysLeavesAsItCame() {
   NEED_DATA(dataPath("segment-cases"));
   const Opened ct("dicom-geometry/ct-tiny-23x38x3/image");
@@ -267,7 +267,7 @@ void TestSegmentRecord::whatAFileSaysLeavesAsItCame() {
   QVERIFY(edited.region == came.region);
 }
 
-// Slices 0, 2, 4 and 6 of 300 HU, the others of 100; 9, 23 and 30 mm are not drawn.
+// Slices 0, 2, 4 and 6 have 300 HU, the others 100. Those at 9, 23 and 30 mm are not on the drawn grid.
 void TestSegmentRecord::stepsAreDoneAgainOnUnevenSlices() {
   NEED_DATA(dataPath("segment-cases"));
   const Opened ct("segment-cases/uneven");
@@ -283,7 +283,7 @@ void TestSegmentRecord::stepsAreDoneAgainOnUnevenSlices() {
   };
   QCOMPARE(marked(map), QStringLiteral("0 2 4 6"));
   QVERIFY((*segmentedOnSlices({map}, ct.series, CancelToken()))[0].acquired->interpolated.empty());
-  // By hand it is where the voxels are: of 9 mm those of 8.
+  // Painted voxels stay at their positions: 9 mm takes those of 8 mm.
   const SegmentMap painted =
       withHandMade(map, withMask(map, 1, inverted(BitMask(ct.loaded.drawn->geometry()))));
   QCOMPARE(marked(painted), QStringLiteral("0 1 2 3 4 5 6"));

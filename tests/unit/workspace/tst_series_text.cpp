@@ -1,4 +1,4 @@
-// Guards design.md 8: what the list of series says of each.
+// Guards design.md 8: the text of each entry in the list of series.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "io/study/series.h"
@@ -22,7 +22,7 @@ class TestSeriesText : public QObject {
 
 namespace {
 
-// Slices whose normal is z, turned by an angle about an axis.
+// Returns slices whose normal is z, rotated by an angle about an axis.
 VoxelGeometry turned(double degrees, glm::dvec3 axis) {
   VoxelGeometry g{.size = {64, 64, 28}};
   g.patientFromVoxelStep = glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(degrees), axis));
@@ -64,7 +64,7 @@ void TestSeriesText::planesHaveTheirNames() {
   QFETCH(QString, plane);
   VoxelGeometry g = turned(degrees, aboutX ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
   QCOMPARE(planeText(g), plane);
-  // Gantry tilt shears the volume: the slices stay what they are.
+  // Gantry tilt shears the volume, and the slices stay the same.
   g.patientFromVoxelStep[2] += glm::dvec3(0, 2, 0);
   QCOMPARE(planeText(g), plane);
   g.calibrated = false;
@@ -85,7 +85,7 @@ void TestSeriesText::slicesAreCounted() {
 
 void TestSeriesText::namesakesAreToldApart_data() {
   QTest::addColumn<std::vector<Series>>("all");
-  QTest::addColumn<QStringList>("texts");  // of the first
+  QTest::addColumn<QStringList>("texts");  // of the first series
   using All = std::vector<Series>;
   QTest::newRow("alone") << All{with("20", "0", "1", "102231")} << QStringList{};
   QTest::newRow("echo times") << All{with("20", "", "", "10"), with("40", "", "", "10")}

@@ -1,4 +1,4 @@
-// Guards design.md 11: a session is the workspace as a value, and what of it cannot be read is told.
+// Guards design.md 11: a session is the workspace as a value, and unreadable parts are reported.
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
 #include "tests/unit/workspace/plain_session.h"
@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// Finds the series that the workspace itself holds, where they are what the session says.
+// Finds the workspace's own series if they match the session's proof.
 FindSeries seriesOf(const Workspace& w) {
   return [&w](const SavedSeries& saved) -> std::shared_ptr<const Series> {
     const auto known = w.series.find(keyOf(saved.series));
@@ -64,7 +64,7 @@ void TestSessionJson::workspacesComeBackEqual() {
   }
 }
 
-// Those that were written before there were larger grids.
+// Sessions from before larger grids have eight views.
 void TestSessionJson::sessionsOfEightViewsStayAsTheyAre() {
   const Json plain = plainSession();
   QCOMPARE(plain["views"].size(), std::size_t(8));
@@ -84,7 +84,7 @@ void TestSessionJson::sessionsOfEightViewsStayAsTheyAre() {
   QVERIFY(same && same->workspace == large);
 }
 
-// What there was no second window for is written as before, and read as without one.
+// Without a second window, sessions are written and read as before it existed.
 void TestSessionJson::theSecondWindowComesBack() {
   const Json plain = plainSession();
   QVERIFY(!plain.contains("second"));
@@ -159,7 +159,7 @@ void TestSessionJson::seriesThatAreNotFoundAreKeptAsMissing() {
     QVERIFY(*state.missing ==
             was.missing.value_or(MissingSeries{proofOf(*was.series), foldersOf(*was.series)}));
   }
-  // Saved again, nothing of what proves it is lost.
+  // Saving again keeps all of the proof.
   QVERIFY(*sessionToJson(back->workspace, sessionFolder, "/data/s.volumen") == text);
 }
 
@@ -182,8 +182,8 @@ void TestSessionJson::segmentsAreInSlicesAloneWhereASessionSaysSo() {
 }
 
 void TestSessionJson::stepsThatCannotBeReadAreLeftOutWithTheirRecord_data() {
-  QTest::addColumn<QString>("step");  // behind one that can be read
-  QTest::addColumn<QString>("why");   // empty: it can be read, too
+  QTest::addColumn<QString>("step");  // follows a readable step
+  QTest::addColumn<QString>("why");   // empty if it is readable too
   const auto row = [](const char* name, const char* step, const char* why) {
     QTest::newRow(name) << QString::fromLatin1(step) << QString::fromLatin1(why);
   };
@@ -196,7 +196,7 @@ void TestSessionJson::stepsThatCannotBeReadAreLeftOutWithTheirRecord_data() {
   row("no object", "7", "steps[1] must be");
 }
 
-// Of the map that has them alone; all else of the session is as it says.
+// Only the map with that step loses its steps. The rest of the session is read.
 void TestSessionJson::stepsThatCannotBeReadAreLeftOutWithTheirRecord() {
   QFETCH(QString, step);
   QFETCH(QString, why);
@@ -224,7 +224,7 @@ void TestSessionJson::stepsThatCannotBeReadAreLeftOutWithTheirRecord() {
   QVERIFY2(told.contains(why) && told.endsWith(QLatin1Char('.')), qPrintable(told));
 }
 
-// Those of before have one, without a number; of several the first is worked on.
+// Older sessions have one map without a number. If there are several, the first is active.
 void TestSessionJson::aSeriesHasSeveralMapsOfSegments() {
   const auto read = [](const Json& maps) {
     Json session = plainSession();

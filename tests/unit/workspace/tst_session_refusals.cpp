@@ -1,5 +1,5 @@
-// Guards design.md 11: what is no session is refused in a sentence that names the field, and none is written
-// that would be.
+// Guards design.md 11: an invalid session is refused in a sentence that names the field. None is written that
+// would be refused.
 #include <cmath>
 #include <limits>
 
@@ -97,7 +97,7 @@ void TestSessionRefusals::refusalsNameTheField() {
   QVERIFY2(refused.endsWith(QLatin1Char('.')), "a sentence");
 }
 
-// Each value of a session, in place of which stands one of every other type.
+// Replaces each value of a session by one of every other type.
 void TestSessionRefusals::everyFieldRefusesOtherTypes() {
   const Json session = plainSession();
   const Json values[] = {true, 1e300, "text", Json::array({nullptr}), Json::object({{"x", 1}})};
@@ -108,7 +108,8 @@ void TestSessionRefusals::everyFieldRefusesOtherTypes() {
     ++fields;
     for (const Json& wrong : values) {
       if (wrong.type() == value.type() || (wrong.is_number() && value.is_number())) continue;
-      if (pointer.ends_with("/background") && wrong.is_string()) continue;  // a word, which is checked
+      // a word, which is checked elsewhere
+      if (pointer.ends_with("/background") && wrong.is_string()) continue;
       Json changed = session;
       changed[Json::json_pointer(pointer)] = wrong;
       QVERIFY2(!whyNoSession(changed.dump()).isEmpty(),

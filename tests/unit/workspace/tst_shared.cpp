@@ -1,5 +1,5 @@
-// Guards what undo stands on: values that share what did not change (Shared, SharedList, SharedMap) behave as
-// plain ones do, and copy no more than what is edited.
+// Guards the basis of undo: values that share unchanged parts (Shared, SharedList, SharedMap) behave like
+// plain ones and copy only what is edited.
 #include <map>
 #include <random>
 #include <string>
@@ -13,7 +13,7 @@ using namespace volumen;
 
 namespace {
 
-// Counts how often any was copied, and compared.
+// Counts copies and comparisons.
 struct Counted {
   int value = 0;
   static inline int copies = 0, comparisons = 0;
@@ -37,7 +37,7 @@ struct Counted {
 using Map = SharedMap<int, Counted>;
 using List = SharedList<Counted>;
 
-// Of 0 .. 9: each its number.
+// Returns a map from 0 .. 9 to the same numbers.
 Map tenNumbers() {
   Map map;
   for (int n = 0; n < 10; ++n) map.add(n, n);
@@ -71,7 +71,7 @@ class TestShared : public QObject {
 void TestShared::writesCopyWhatTheyEdit_data() {
   using Write = std::function<void(Map&)>;
   QTest::addColumn<Write>("write");
-  QTest::addColumn<bool>("isShared");  // by a copy, while it is written to
+  QTest::addColumn<bool>("isShared");  // shared with a copy during the write
   QTest::addColumn<int>("copies");
   QTest::addColumn<bool>("changes");
   const auto row = [](const char* name, const Write& write, bool isShared, int copies, bool changes = true) {
@@ -192,7 +192,7 @@ void TestShared::aMapIsAMap_data() {
   for (unsigned seed = 1; seed <= 20; ++seed) QTest::addRow("seed %u", seed) << seed;
 }
 
-// Any writes in a row to it and to copies of it: what holds of a std::map holds of it.
+// After any writes to it and to its copies, it equals a std::map.
 void TestShared::aMapIsAMap() {
   QFETCH(unsigned, seed);
   std::mt19937 random(seed);
@@ -249,7 +249,7 @@ void TestShared::whatIsNotThereIsRefused() {
   QVERIFY(map == tenNumbers());
 }
 
-// Read and dropped there, while what they are copies of is written to here (preset tsan looks on).
+// Copies are read and dropped in other threads while the original is written here (preset tsan checks it).
 void TestShared::copiesAreReadInOtherThreads() {
   SharedMap<int, int> map;
   for (int n = 0; n < 10; ++n) map.add(n, 0);

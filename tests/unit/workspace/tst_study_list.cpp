@@ -1,4 +1,4 @@
-// Guards how the study browser groups and sorts what the index holds.
+// Guards how the study browser groups and sorts the studies of the index.
 #include <QTest>
 
 #include "tests/unit/suite.h"
@@ -17,7 +17,7 @@ IndexedStudy study(std::int64_t id, const char* name, const char* patient, const
 }
 
 std::vector<IndexedStudy> four() {
-  std::vector<IndexedStudy> all;  // one by one: GCC 12 takes a list of them for uninitialised
+  std::vector<IndexedStudy> all;  // filled one by one, as GCC 12 takes an initialiser list for uninitialised
   all.push_back(study(1, "doe^jane", "10", "20200101", "CT, PT", 5, "2026-01-02"));
   all.push_back(study(2, "Roe^Rick", "9", "20230101", "MR", 1000));
   all.push_back(study(3, "doe^jane", "10", "20240101", "CT, MR", 7, "2026-01-03"));
@@ -52,12 +52,12 @@ class TestStudyList : public QObject {
 
 void TestStudyList::studiesStandBelowTheirPatient() {
   std::vector<IndexedStudy> studies = four();
-  studies.push_back(study(5, "Doe^Jane", "10", "20250101", "CR", 1));  // another spelling: another patient
+  studies.push_back(study(5, "Doe^Jane", "10", "20250101", "CR", 1));  // another spelling is another patient
   const StudyList list = listedStudies(studies, {}, 5);
   QCOMPARE(list.patients.size(), std::size_t(4));
   const ListedPatient& doe = list.patients[1];
   QCOMPARE(doe.studies.size(), std::size_t(2));
-  QCOMPARE(doe.studies[0].id, 3);  // the latest first
+  QCOMPARE(doe.studies[0].id, 3);  // latest first
   QCOMPARE(doe.images, 12);
   QCOMPARE(doe.modalities, std::string("CT, MR, PT"));
   QCOMPARE(doe.date, std::string("20240101"));

@@ -1,4 +1,4 @@
-// Guards the words that the window and `info` share: a study's line, and what of a folder is not shown.
+// Guards words shared by the window and `info`: a study's line, and what of a folder is not shown.
 #include <QTest>
 
 #include "io/study/study.h"

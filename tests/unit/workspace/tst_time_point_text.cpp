@@ -1,4 +1,4 @@
-// Guards window.md "Play, and step through time": how the steps of one series are counted and named.
+// Guards window.md "Play, and step through time": how the time points of a series are counted and named.
 #include "tests/unit/suite.h"
 #include "ui/workspace/time_point_text.h"
 #include "ui/workspace/time_points.h"
@@ -15,7 +15,7 @@ class TestTimePointText : public QObject {
 
 namespace {
 
-using Names = QStringList;  // "b|TE|time point|label" of each step
+using Names = QStringList;  // "b|TE|time point|label" of each time point
 
 std::vector<Series> seriesNamed(const Names& names) {
   std::vector<Series> all;

@@ -1,5 +1,5 @@
-// Guards design.md 8 where much is open: 10,000 steps of undo cost little memory and are all there. With
-// VOLUMEN_FIGURES set it prints what a step costs.
+// Guards design.md 8 with many open series: 10,000 undo steps need little memory and all work. With
+// VOLUMEN_FIGURES set, prints the cost of a step.
 #include <malloc.h>
 
 #include <QElapsedTimer>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int seriesCount = 30;
 
-// A CT as a hospital names it, that is not in memory.
+// Returns a CT with names as in hospitals, which is not in memory.
 Series seriesNumbered(int n) {
   const std::string number = std::to_string(100 + n);
   Series series;
@@ -29,7 +29,7 @@ Series seriesNumbered(int n) {
   return series;
 }
 
-// Every series in every view, with what was made of it there.
+// Shows every series in every view, each with edits of its own.
 Workspace manySeries() {
   Workspace w;
   SceneLook look{{}, std::make_shared<const ChosenPreset>(ChosenPreset{"CT-Bone", {}})};
@@ -49,7 +49,7 @@ Workspace manySeries() {
   return w;
 }
 
-// Compares all parts, as those who listen to a session do.
+// Compares all parts, as listeners of a session do.
 void compareAll(const Workspace& before, const Workspace& after, int& changes) {
   changes += before.series != after.series;
   changes += before.views != after.views;

@@ -1,4 +1,4 @@
-// Guards how the numbers of a window, and long numbers, read.
+// Guards the text of window numbers and of long numbers.
 #include "tests/unit/suite.h"
 #include "ui/workspace/value_text.h"
 

@@ -12,7 +12,7 @@ namespace {
 
 const std::string folder = "/data";
 
-// The session of a window whose first view to compare shows this.
+// Returns the session of a window whose first comparison view has this kind.
 Json sessionWith(ViewKind kind) {
   Workspace w;
   w.editView(firstComparedId).kind = kind;
@@ -55,7 +55,7 @@ void TestViewKinds::slicesAloneHaveAPlane() {
 
 void TestViewKinds::sessionsNameThem_data() {
   QTest::addColumn<int>("kind");
-  // As in sessions that were saved before.
+  // Words must be those in older sessions.
   QTest::newRow("volume") << int(ViewKind::volume);
   QTest::newRow("axial") << int(ViewKind::axial);
   QTest::newRow("coronal") << int(ViewKind::coronal);

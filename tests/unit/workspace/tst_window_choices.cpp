@@ -1,4 +1,4 @@
-// Guards what the list of windows of a series offers: those of its file first, each once.
+// Guards the windows offered for a series: those of its file first, each once.
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/windows.h"
