@@ -13,7 +13,7 @@ namespace volumen::tests {
 /// A scene at the limits of numerical range and precision. Pictures are tiny, so that every method can draw
 /// each case.
 struct HardCase {
-  std::string name = {};  ///< what is hard about the case
+  std::string name = {};  ///< says why the case is hard
   VolumePtr volume = {};
   Scene scene = {};
   glm::ivec2 size{12, 12};

@@ -179,7 +179,7 @@ void TestPresentation::otherPicturesAreRefused() {
 void TestPresentation::whatItLeavesOutIsIdentity_data() {
   QTest::addColumn<bool>("rescale");
   QTest::addColumn<bool>("window");
-  QTest::addColumn<float>("value");  // grey of stored 300
+  QTest::addColumn<float>("value");  // real value of stored 300
   QTest::addColumn<int>("grey");
   QTest::newRow("neither: stored values, all of 12 bits") << false << false << 300.f << 19;
   QTest::newRow("no window: all values of 12 bits") << true << false << 400.f << 19;
