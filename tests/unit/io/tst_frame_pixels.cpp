@@ -1,5 +1,6 @@
 // Guards slices.md 2: values and colours of every picture of the real test data equal those of DCMTK's own
-// reader (its parser, its rescale, its palettes and colour conversion), and those of the manifest's readers.
+// reader. It has its own parser, rescale, palettes and colour conversion. Colours also equal those of the
+// manifest's readers.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcrledrg.h>
 #include <dcmtk/dcmdata/dctk.h>

@@ -151,8 +151,8 @@ void TestSegmentationRoundTrips::labelMapsComeBackAsTheyWent() {
   }
 }
 
-// Compares sums of each frame of pixel_array, plain and weighted by x, y and x^2 y (counted from 1), so that
-// a moved pixel is noticed.
+// Compares sums of each frame of pixel_array, so that a moved pixel is noticed. They are plain or weighted by
+// x, y and x^2 y, counted from 1.
 void TestSegmentationRoundTrips::pydicomReadsTheSame() {
   const QString python = pythonWithPydicom();
   if (python.isEmpty()) QSKIP("pydicom and numpy (python3-pydicom) are not installed");

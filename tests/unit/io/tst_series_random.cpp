@@ -1,7 +1,7 @@
-// Guards design.md 7: random series of one to four dimensions (position and up to three attributes), of
-// several patients, studies and frames of reference, shuffled, with missing and copied files. Every voxel's
-// value identifies its picture. A volume that mixes two pictures must report it. Some pictures lack
-// attributes that others have. VOLUMEN_RANDOM_CASES=5000 for more, VOLUMEN_RANDOM_SEED for others.
+// Guards design.md 7: random series of one to four dimensions (position and up to three attributes). They
+// have several patients, studies and frames of reference, are shuffled, and have missing and copied files.
+// Every voxel's value identifies its picture. A volume that mixes two pictures must report it. Some pictures
+// lack attributes that others have. VOLUMEN_RANDOM_CASES=5000 for more, VOLUMEN_RANDOM_SEED for others.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
