@@ -1,5 +1,5 @@
 // Guards slices.md 2: values and colours of every picture of the real test data equal those of DCMTK's own
-// reader. It has its own parser, rescale, palettes and colour conversion. Colours also equal those of the
+// reader. DCMTK has its own parser, rescale, palettes and colour conversion. Colours also equal those of the
 // manifest's readers.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcrledrg.h>

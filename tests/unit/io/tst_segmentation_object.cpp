@@ -128,8 +128,8 @@ void TestSegmentationObject::framesMayBeginOnWholeBytes_data() {
   QTest::addColumn<int>("rows");
   QTest::addColumn<int>("frames");
   QTest::addColumn<bool>("isTold");
-  // 9 bits take 2 bytes. Three frames and a half of 15 bits do not align. If both layouts have the same
-  // length, bits run on.
+  // Frames of 9 and of 15 bits take 2 bytes each, so that the layouts differ in length. If both have the same
+  // length, bits run on from frame to frame.
   QTest::newRow("3 x 3, 8 frames") << 3 << 3 << 8 << true;
   QTest::newRow("5 x 3, 31 frames") << 5 << 3 << 31 << true;
   QTest::newRow("1 x 1, 5 frames") << 1 << 1 << 5 << true;
