@@ -13,7 +13,7 @@ namespace volumen::tests {
 /// A scene at the limits of numerical range and precision. Pictures are tiny, so that every method can draw
 /// each case.
 struct HardCase {
-  std::string name = {};  ///< what is hard about the case
+  std::string name = {};  ///< says why the case is hard
   VolumePtr volume = {};
   Scene scene = {};
   glm::ivec2 size{12, 12};
@@ -50,8 +50,8 @@ void addViewCases(HardCases& cases);
 /// Returns all hard cases.
 const std::vector<HardCase>& hardCases();
 
-/// Returns the length in mm of the part of a pixel's ray inside box, clip box and planes and in front of the
-/// eye (picture.md 6, 7); 0 if there is none. Shares no code with the viewer's rooms.
+/// Returns the length in mm of the part of a pixel's ray inside box, clip box and planes (picture.md 6, 7).
+/// Parts behind the eye do not count; 0 if nothing is left. Shares no code with the viewer's rooms.
 double lengthOfRay(const Scene& scene, const VoxelGeometry& geometry, glm::ivec2 size, int px, int py);
 
 /// Returns a scene in parallel projection along `direction`, lit by the headlight, with the whole box in

@@ -116,7 +116,7 @@ void TestIndexImport::saysWhatInfoSays() {
 void TestIndexImport::changesAreNoticed_data() {
   QTest::addColumn<Change>("change");
   QTest::addColumn<QList<int>>("counts");  // new, changed, unchanged, gone
-  QTest::addColumn<QList<int>>("images");  // of series 1.1.1, 1.1.2, 1.2.1
+  QTest::addColumn<QList<int>>("images");  // number in series 1.1.1, 1.1.2, 1.2.1
   const auto row = [](const char* name, Change change, QList<int> counts, QList<int> images) {
     QTest::newRow(name) << change << counts << images;
   };

@@ -1,5 +1,5 @@
 // Guards the institutions of the index (import.md). An older index without them reads them later, from one
-// file of each study, and only from files that have not changed since they were indexed.
+// file of each study. Files that have changed since they were indexed are not used.
 #include <filesystem>
 #include <functional>
 

@@ -11,7 +11,7 @@ namespace volumen::tests {
 
 using Buffer = std::vector<std::uint8_t>;
 
-/// DICOM bytes by hand, explicit VR little endian.
+/// Builds DICOM bytes by hand, in explicit VR little endian.
 struct Builder {
   Buffer bytes;
 
@@ -39,7 +39,7 @@ struct Builder {
     word(0);
     dword(length);
   }
-  /// Preamble and meta header of a transfer syntax.
+  /// Returns a preamble and the meta header of a transfer syntax.
   static Builder file(std::string syntax = "1.2.840.10008.1.2.1") {
     Builder b{Buffer(132)};
     std::copy_n("DICM", 4, b.bytes.begin() + 128);
@@ -49,7 +49,8 @@ struct Builder {
   }
 };
 
-/// What a picture of 4 x 4 pixels, 16 bits, says of itself; what `field` names is `value` instead.
+/// Returns the attributes of a picture of 4 x 4 pixels, 16 bits. The attribute `field` is replaced by
+/// `value`.
 inline Builder picture(const std::string& syntax, std::uint32_t field = 0, unsigned value = 0,
                        const std::string& text = {}) {
   Builder b = Builder::file(syntax);
@@ -118,7 +119,7 @@ inline Buffer deflateBomb() {
   return b.bytes;
 }
 
-/// A JPEG lossless header for a picture of this size, some data, EOI.
+/// Returns a JPEG lossless header for a picture of this size, some data and EOI.
 inline Buffer jpegStream(unsigned width, unsigned height, std::uint8_t stray = 0) {
   Buffer s{0xff, 0xd8};
   if (stray) s.insert(s.end(), {0xff, stray});
@@ -137,7 +138,7 @@ inline Buffer rleStream(std::uint32_t segments, std::uint32_t first, std::uint32
   return b.bytes;
 }
 
-/// A JPEG 2000 SIZ of this size and tiles of 1 x 1 or of the picture.
+/// Returns a JPEG 2000 SIZ for this size, with tiles of 1 x 1 or of the whole picture.
 inline Buffer jpeg2000Stream(std::uint32_t width, std::uint32_t height, bool tiny) {
   Buffer s{0xff, 0x4f, 0xff, 0x51, 0, 41, 0, 0};
   const auto put = [&](std::uint32_t v) {

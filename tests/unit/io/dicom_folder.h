@@ -9,31 +9,31 @@
 
 namespace volumen::tests {
 
-/// A folder of synthetic DICOM files, and what is found in it.
+/// A temporary folder of synthetic DICOM files.
 class DicomFolder {
  public:
   std::string path(const std::string& name = {}) const;
   void add(const std::string& name, const DicomPicture& picture,
            const char* syntax = "1.2.840.10008.1.2.1") const;
-  /// Slices at these places (mm along z), of value 100 z, named against their order: s100, s101, ...
+  /// Adds slices at these positions (mm along z) with value 100 z, named in another order: s100, s101, ...
   void addStack(const std::vector<double>& z) const;
-  /// What openStudy finds; an empty study where it fails.
+  /// Opens the folder. Returns an empty study on failure.
   Study open() const;
 
  private:
   QTemporaryDir dir_;
 };
 
-/// A slice at `z` mm that holds `value` everywhere; InstanceNumber runs against the value.
+/// Returns a slice at `z` mm with `value` in all pixels. InstanceNumber falls with rising value.
 DicomPicture sliceAt(double z, int value);
 
-/// `prefix` with `n` behind it.
+/// Returns `prefix` followed by `n`.
 std::string numbered(const char* prefix, int n);
 
-/// Whether a warning is a sentence that holds `word`.
+/// Returns whether a warning is a sentence that contains `word`.
 bool warns(const std::vector<Warning>& warnings, const std::string& word);
 
-/// The first value of each slice.
+/// Returns the first value of each slice.
 std::vector<float> firstOfEachSlice(const Volume& volume);
 
 }  // namespace volumen::tests

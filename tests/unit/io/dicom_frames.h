@@ -9,7 +9,7 @@
 
 namespace volumen::tests {
 
-/// Makes `data` a picture of `frames` frames of 4 x 3 pixels, frame n of value n everywhere.
+/// Makes `data` a picture of `frames` frames of 4 x 3 pixels. Frame n has value n in all pixels.
 inline void makeFrames(DcmDataset& data, int frames) {
   std::vector<Uint16> pixels;
   for (int n = 0; n < frames; ++n) pixels.insert(pixels.end(), 12, Uint16(n));
@@ -17,7 +17,7 @@ inline void makeFrames(DcmDataset& data, int frames) {
   data.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
 }
 
-/// The item of a functional group: of all frames (frame -1) or of one.
+/// Returns the item of a functional group, shared (frame -1) or of one frame.
 inline DcmItem& group(DcmDataset& data, int frame, const DcmTagKey& sequence) {
   const DcmTagKey& holder =
       frame < 0 ? DCM_SharedFunctionalGroupsSequence : DCM_PerFrameFunctionalGroupsSequence;

@@ -22,7 +22,7 @@ void registerEncoders() {
     DcmRLEEncoderRegistration::registerCodecs();
     DJEncoderRegistration::registerCodecs();
     DJLSEncoderRegistration::registerCodecs(0, 0, 0, 0,
-                                            OFFalse);  // raw: the other way asserts on signed values
+                                            OFFalse);  // raw, as the other mode asserts on signed values
   });
 }
 

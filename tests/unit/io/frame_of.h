@@ -7,7 +7,7 @@
 
 namespace volumen::tests {
 
-/// Frame `n` of the one picture that a file holds, whether it is a volume or not.
+/// Returns frame `n` of the only picture in a file, whether it is a volume or not.
 inline Result<Frame> frameOf(const std::string& path, int n = 0) {
   const Result<Study> study = openStudy(path);
   if (!study) return study.error();
@@ -16,7 +16,7 @@ inline Result<Frame> frameOf(const std::string& path, int n = 0) {
   return Error{path + ": " + (study->refused.empty() ? "no picture." : study->refused[0].reason)};
 }
 
-/// The value at column x, row y.
+/// Returns the value at column x, row y.
 inline float valueAt(const Frame& frame, int x, int y) {
   return frame.values[std::size_t(y) * std::size_t(frame.size.x) + std::size_t(x)];
 }

@@ -6,7 +6,7 @@
 
 namespace volumen::tests {
 
-/// As gzip packs it.
+/// Returns the bytes compressed by gzip.
 inline QByteArray gzipped(const QByteArray& plain) {
   QByteArray packed(qsizetype(compressBound(uLong(plain.size())) + 64), '\0');
   z_stream stream{};

@@ -11,7 +11,7 @@
 
 namespace volumen::tests {
 
-/// What a made-up object has; one segment in every frame, the frames 2 mm apart along z.
+/// A made-up segmentation: one segment in every frame, frames 2 mm apart along z.
 struct MadeSegmentation {
   int columns = 3, rows = 3, frames = 2, bitsAllocated = 1;
   std::string type = "BINARY";
@@ -19,14 +19,14 @@ struct MadeSegmentation {
   std::function<void(DcmItem&)> edit = {};
 };
 
-/// The functional groups of frame n.
+/// Adds the functional groups of frame n.
 inline void addFrame(DcmItem& data, int n) {
   DcmItem& groups = addItem(data, 0x5200, 0x9230);
   putWord(addItem(groups, 0x0062, 0x000a), 0x0062, 0x000b, 1);
   put(addItem(groups, 0x0020, 0x9113), 0x0020, 0x0032, "10\\20\\" + std::to_string(2 * n));
 }
 
-/// Writes one.
+/// Writes the segmentation.
 inline void writeSegmentation(const std::string& path, const MadeSegmentation& made) {
   writeObject(path, segmentationClass, [&](DcmItem& data) {
     put(data, 0x0062, 0x0001, made.type);

@@ -3,7 +3,7 @@
 #include "io/worker/worker.h"
 #include "tests/unit/suite.h"
 
-/// With VOLUMEN_WORKERS files are read in workers, as the program reads them; else in this process.
+/// With VOLUMEN_WORKERS set, files are read in workers as in the program, else in this process.
 int main(int argc, char** argv) {
   if (qEnvironmentVariableIsSet("VOLUMEN_WORKERS") && !volumen::worker::start()) return 1;
   const QCoreApplication app(argc, argv);

@@ -7,8 +7,8 @@
 
 namespace volumen::tests {
 
-// Files of 4 x 3 x 2 voxels of 1 x 2 x 3 mm whose values are 1 to 24, in formats that are not DICOM, NRRD,
-// NIfTI or MetaImage, byte by byte.
+// Files of 4 x 3 x 2 voxels of 1 x 2 x 3 mm with values 1 to 24, built byte by byte. Formats are other than
+// DICOM, NRRD, NIfTI and MetaImage.
 
 template <class T>
 void put(QByteArray& header, int place, T value, bool bigEndian = true) {
@@ -17,7 +17,7 @@ void put(QByteArray& header, int place, T value, bool bigEndian = true) {
   header.replace(place, sizeof value, bytes);
 }
 
-// 4 x 3 x 2 samples from 1 on, of 16 bits.
+// Returns 4 x 3 x 2 samples of 16 bits, from 1 on.
 inline QByteArray samples(bool bigEndian = true, int count = 24) {
   QByteArray data(2 * count, '\0');
   for (int n = 0; n < count; ++n) put(data, 2 * n, std::int16_t(n + 1), bigEndian);
@@ -48,7 +48,7 @@ inline QByteArray mgh(const Change& change = {}) {
   for (int n = 0; n < 6; ++n) put(h, 4 * n, numbers[n]);
   put<std::int16_t>(h, 28, 1);
   for (int n = 0; n < 3; ++n) put(h, 30 + 4 * n, float(n + 1));
-  // Columns to the left, rows down, slices to the front: RAS (-1, 0, 0), (0, 0, -1), (0, 1, 0).
+  // Columns run to the left, rows down, slices to the front: RAS (-1, 0, 0), (0, 0, -1), (0, 1, 0).
   put(h, 42, -1.f), put(h, 62, -1.f), put(h, 70, 1.f);
   put(h, 78, 10.f), put(h, 82, 20.f), put(h, 86, 30.f);
   return changed(h, change) + samples();
@@ -88,7 +88,7 @@ inline QByteArray vtk(const QByteArray& replace = {}, const QByteArray& by = {})
   return h + samples();
 }
 
-/// The same as text.
+/// Returns the same file as text.
 inline QByteArray vtkText() {
   QByteArray text = vtk("BINARY", "ASCII");
   text.truncate(text.indexOf("default\n") + 8);

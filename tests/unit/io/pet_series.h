@@ -12,7 +12,8 @@ namespace volumen::tests {
 
 using Edit = std::function<void(DcmDataset&)>;
 
-/// A PET of 80 kg, 100 MBq at 10:00, half-life 6000 s, series at 11:40: 6000 s later half of it is left.
+/// Makes a PET of 80 kg, 100 MBq at 10:00 and a half-life of 6000 s. The series at 11:40 is 6000 s later, so
+/// that half of the dose is left.
 inline void makePet(DcmDataset& data) {
   data.putAndInsertString(DCM_Modality, "PT");
   data.putAndInsertString(DCM_Units, "BQML");
@@ -36,7 +37,7 @@ inline DcmItem& doseOf(DcmDataset& data) {
   return *dose;
 }
 
-/// The volume that two slices of such a PET make.
+/// Returns the volume of two slices of such a PET.
 inline Series petWith(const Edit& edit) {
   const DicomFolder folder;
   for (int n = 0; n < 2; ++n) {

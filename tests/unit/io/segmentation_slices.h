@@ -16,7 +16,7 @@
 
 namespace volumen::tests {
 
-/// A series of slices of a random place and direction, `z` mm along its normal; and the grid that is drawn.
+/// A series of slices with random position and orientation, at `z` mm along its normal, and its drawn grid.
 struct Slices {
   DicomFolder folder;
   Series series;
@@ -56,14 +56,14 @@ struct Slices {
   std::string seg() const { return folder.path("out.seg.dcm"); }
 };
 
-/// So many slices, so many mm apart.
+/// Returns `count` positions, `step` mm apart.
 inline std::vector<double> even(int count, double step) {
   std::vector<double> z;
   for (int n = 0; n < count; ++n) z.push_back(n * step);
   return z;
 }
 
-/// Of any voxels, all of them at times, with empty slices.
+/// Returns random voxels, sometimes all of them, with empty slices.
 inline BitMask randomMask(const VoxelGeometry& grid, Chance& chance) {
   BitMask mask(grid);
   const double share = chance.oneIn(4) ? 1 : chance.share();
@@ -76,7 +76,7 @@ inline BitMask randomMask(const VoxelGeometry& grid, Chance& chance) {
   return mask;
 }
 
-/// With a name, codes and a colour by chance.
+/// Returns a segment with random name, codes and colour.
 inline Segment randomSegment(int number, Chance& chance) {
   const TissueCode& tissue = tissueCodes()[std::size_t(chance.below(int(tissueCodes().size())))];
   static const char* const names[] = {"Liver", "Knochen, größer", "心臓", "a 'b' \"c\"", "3"};
@@ -94,20 +94,20 @@ inline Segment randomSegment(int number, Chance& chance) {
   return segment;
 }
 
-/// An attribute; empty: it is not there.
+/// Returns the text of an attribute; empty if it is missing.
 inline std::string attributeText(DcmItem& item, const DcmTagKey& tag) {
   OFString text;
   return item.findAndGetOFStringArray(tag, text).good() ? text.c_str() : "";
 }
 
-/// The first item of a sequence.
+/// Returns item `n` of a sequence; null if it is missing.
 inline DcmItem* itemOf(DcmItem* in, const DcmTagKey& tag, long n = 0) {
   DcmItem* item = nullptr;
   if (in) in->findAndGetSequenceItem(tag, item, n);
   return item;
 }
 
-/// Whether one of the sentences holds these words.
+/// Returns whether one of the sentences contains these words.
 inline bool isSaid(const std::vector<std::string>& notes, const char* words) {
   return std::ranges::any_of(notes, [&](const std::string& n) { return n.find(words) != std::string::npos; });
 }

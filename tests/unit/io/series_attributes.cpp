@@ -21,7 +21,7 @@ void direction(DcmItem& data, const DcmTag& tag, int n) {
 
 void number(DcmItem& data, const DcmTag& tag, int value) { text(data, tag, QByteArray::number(value)); }
 
-/// One of four words between bars.
+/// Writes one of four words separated by bars.
 void word(DcmItem& data, const DcmTag& tag, const char* words, int n) {
   text(data, tag, QByteArray(words).split('|')[n]);
 }
@@ -38,17 +38,17 @@ const SeriesAttribute attributes[] = {
        d.putAndInsertFloat32(DCM_NominalPercentageOfRespiratoryPhase, 25.0f * float(n));
      }},
     {"DiffusionBValue", [](DcmItem& d, int n) { d.putAndInsertFloat64(DCM_DiffusionBValue, 500.0 * n); }},
-    {"DiffusionBValue",  // of GE
+    {"DiffusionBValue",  // GE
      [](DcmItem& d, int n) {
        text(d, DcmTag(0x0043, 0x0010, EVR_LO), "GEMS_PARM_01");
        text(d, DcmTag(0x0043, 0x1039, EVR_IS), QByteArray::number(1000000000 + 500 * n) + "\\8\\0\\0");
      }},
-    {"DiffusionBValue",  // of Siemens
+    {"DiffusionBValue",  // Siemens
      [](DcmItem& d, int n) {
        text(d, DcmTag(0x0019, 0x0011, EVR_LO), "SIEMENS MR HEADER");
        text(d, DcmTag(0x0019, 0x110c, EVR_IS), QByteArray::number(400 * n));
      }},
-    {"DiffusionBValue",  // of Philips
+    {"DiffusionBValue",  // Philips
      [](DcmItem& d, int n) {
        text(d, DcmTag(0x2001, 0x0010, EVR_LO), "Philips Imaging DD 001");
        d.putAndInsertFloat32(DcmTag(0x2001, 0x1003, EVR_FL), 300.0f * float(n));

@@ -8,21 +8,21 @@ class DcmItem;
 
 namespace volumen::tests {
 
-/// An attribute that tells apart the pictures of a series, to be written by number.
+/// An attribute that separates the pictures of a series, written by number.
 struct SeriesAttribute {
-  /// How it may differ in one volume: not at all; from one part to the next; from slice to slice.
+  /// How the attribute may differ within a volume: not at all, between parts, or from slice to slice.
   enum class May { stay, change, vary };
 
   const char* keyword;
-  void (*write)(DcmItem&, int n);  ///< value `n`, from 0 to 3
+  void (*write)(DcmItem&, int n);  ///< writes value `n`, from 0 to 3
   May may = May::stay;
 };
 
-/// Those of classic pictures.
+/// Returns the attributes of classic pictures.
 std::span<const SeriesAttribute> seriesAttributes();
 
-/// How often slices in order come back to what others before them were of: their values change more often
-/// than there are different ones.
+/// Returns how often the values of ordered slices return to an earlier one: the number of changes beyond
+/// those that distinct values need.
 template <class Value>
 std::size_t comesBack(const std::vector<Value>& values) {
   std::size_t changes = 0;

@@ -7,8 +7,8 @@
 
 namespace volumen::tests {
 
-/// "8x8x5 1,1,2 @0,0,1: 0,2,4,6,8": size, spacing, origin and the first value of each slice of a volume; then
-/// what separated it: "; TE 2 ms".
+/// Returns "8x8x5 1,1,2 @0,0,1: 0,2,4,6,8": size, spacing, origin and the first value of each slice of a
+/// volume. What separated the volume follows: "; TE 2 ms".
 inline QString summaryOf(const Series& s) {
   const auto number = [](double v) { return QString::number(v, 'g', 6); };
   const glm::dvec3 mm = s.acquired.spacing(), o = s.acquired.origin;

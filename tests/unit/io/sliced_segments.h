@@ -46,14 +46,14 @@ struct Sliced {
       segment.colour = glm::u8vec3(20, 30 * segment.number, 255);
     }
   }
-  /// In a format by its ending; where, empty where it fails.
+  /// Writes the segments in the format of `ending`. Returns the path, or an empty text on failure.
   std::string write(const char* ending) {
     const std::string path = folder.path(std::string("out") + ending);
     return exportSegments(path, {&segments, 1}, series) ? path : std::string();
   }
 };
 
-/// A column of endings of files, a row each.
+/// Adds a column of file endings with a row for each.
 inline void addEndings(const std::vector<const char*>& endings) {
   QTest::addColumn<QByteArray>("ending");
   for (const char* ending : endings) QTest::newRow(ending) << QByteArray(ending);

@@ -1,5 +1,5 @@
-// Guards design.md 7: a zip archive is opened like a folder; nothing of it lands outside of its own folder,
-// and a bomb is refused before it fills the disk.
+// Guards design.md 7: a zip archive is opened like a folder. Nothing is unpacked outside its own folder, and
+// a zip bomb is refused before it fills the disk.
 #include <archive.h>
 #include <archive_entry.h>
 
@@ -46,7 +46,7 @@ void writeZip(const std::string& path, const std::vector<Entry>& entries) {
   archive_write_free(a);
 }
 
-// Slices of a series, in a folder of the archive.
+// Returns slices of a series in a folder of the archive.
 std::vector<Entry> slices(int count) {
   const DicomFolder folder;
   std::vector<Entry> entries;
@@ -82,7 +82,7 @@ class TestArchive : public QObject {
 
 void TestArchive::init() { folder_ = std::make_unique<QTemporaryDir>(); }
 
-// Mutated archives hold names that are no text, which QTemporaryDir cannot remove.
+// Mutated archives may hold names that are not text, which QTemporaryDir cannot remove.
 void TestArchive::cleanup() { std::filesystem::remove_all(folder_->path().toStdString()); }
 
 void TestArchive::isOpenedLikeAFolder() {
@@ -102,7 +102,7 @@ void TestArchive::isOpenedLikeAFolder() {
     if (series.format == "DICOM")
       QCOMPARE(firstOfEachSlice(*loaded->acquired), (std::vector<float>{0, 10, 20}));
   }
-  // Opened again it is not unpacked again.
+  // Opening again does not unpack again.
   const Result<Study> again = openStudy(path("a.zip"));
   QVERIFY(again.ok());
   QCOMPARE(again->volumes[0].path, study->volumes[0].path);
@@ -110,7 +110,7 @@ void TestArchive::isOpenedLikeAFolder() {
 
 void TestArchive::aPartOfItIsOpened_data() {
   QTest::addColumn<QByteArray>("name");
-  QTest::addColumn<int>("files");  // of the one series; 0: it is not opened
+  QTest::addColumn<int>("files");  // number in the only series; 0 if it is not opened
   QTest::newRow("all") << QByteArray("/") << 3;
   QTest::newRow("a folder") << QByteArray("/study/series") << 3;
   QTest::newRow("a file") << QByteArray("/study/series/s1") << 1;
@@ -119,7 +119,7 @@ void TestArchive::aPartOfItIsOpened_data() {
   QTest::newRow("what lies outside, further in") << QByteArray("/study/../../../outside") << 0;
 }
 
-// By the path that is told of what was unpacked.
+// The reported path of an unpacked part opens it again.
 void TestArchive::aPartOfItIsOpened() {
   QFETCH(QByteArray, name);
   QFETCH(int, files);
@@ -174,7 +174,7 @@ void TestArchive::hostileEntriesAreLeftOut() {
   QVERIFY(!QFile::exists(QStringLiteral("/tmp/volumen-evil")));
 }
 
-// By the headers alone: unpacked, so many files take a while.
+// The headers alone decide, as unpacking so many files would be slow.
 void TestArchive::tooManyFilesAreKnownAtOnce() {
   std::vector<Entry> entries;
   for (int n = 0; n < 100'001; ++n) entries.push_back({std::to_string(n), {}});
@@ -194,7 +194,7 @@ void TestArchive::bombIsRefused() {
   QVERIFY2(study.message().find("it is not unpacked") != std::string::npos, study.message().c_str());
 }
 
-// Small archives may hold what packs well: 8 MiB of zeros.
+// Small archives may hold data that compress well, such as 8 MiB of zeros.
 void TestArchive::flatDataAreNoBomb() {
   writeZip(path("flat.zip"), {{"zeros", std::vector<std::uint8_t>(8 << 20), false}});
   QVERIFY(unpackZip(path("flat.zip"), path("cache"), {}).ok());
@@ -219,7 +219,7 @@ void TestArchive::everyMutationEndsWell() {
   QVERIFY(refused > 0);
 }
 
-// What a program left that was stopped goes with the next archive; what another one uses stays.
+// Leftovers of a terminated program are removed with the next archive. Those in use by others stay.
 void TestArchive::leftoversGo() {
   writeZip(path("a.zip"), slices(1));
   const std::string left = path("cache") + "/archives/left";

@@ -33,7 +33,7 @@ struct BitPicture {
 
   bool at(int x, int y, int frame) const { return bits[std::size_t((frame * rows + y) * columns + x)]; }
 
-  /// As words, which DCMTK writes in the byte order of the transfer syntax.
+  /// Returns the bits as words, which DCMTK writes in the byte order of the transfer syntax.
   std::vector<Uint16> words() const {
     std::vector<Uint16> all((bits.size() + 15) / 16);
     for (std::size_t n = 0; n < bits.size(); ++n)
@@ -67,7 +67,7 @@ struct Written {
   }
 };
 
-/// How many pixels of all frames are not those that were written; -1 where one cannot be read.
+/// Returns the number of wrong pixels in all frames, or -1 if a frame cannot be read.
 int wrongPixels(const BitPicture& bits, const std::string& path) {
   int wrong = 0;
   for (int n = 0; n < bits.frames; ++n) {
@@ -127,7 +127,7 @@ void TestBitPictures::everyPixelIsRead() {
   const BitPicture bits(columns, rows, frames, unsigned(columns * rows + frames));
   const Written file(bits, syntax.constData());
   QCOMPARE(wrongPixels(bits, file.path), 0);
-  // The byte that makes their number even is no further frame.
+  // The padding byte that makes the length even is not another frame.
   const auto study = openStudy(file.path);
   QVERIFY(study.ok());
   for (const Series& series : study->volumes)

@@ -1,5 +1,5 @@
-// Guards import.md: files whose bytes are not written as they say (transfer syntax, wrapping of deflated
-// data, VRs, numbers of frames, places without a size of pixels) are read as the bytes are.
+// Guards import.md: if a file contradicts its bytes, the bytes are right. Covers the transfer syntax, the
+// wrapping of deflated data, VRs, numbers of frames, and positions without a pixel size.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <zlib.h>
@@ -48,12 +48,12 @@ DicomPicture counted() {
   return p;
 }
 
-/// Where these bytes begin; at the end: nowhere.
+/// Returns where these bytes begin; the end if they do not occur.
 std::ptrdiff_t placeOf(const Buffer& bytes, const std::string& text) {
   return std::search(bytes.begin(), bytes.end(), text.begin(), text.end()) - bytes.begin();
 }
 
-/// A file that says it is in another transfer syntax.
+/// Makes a file claim another transfer syntax.
 void rename(const std::string& path, const std::string& from, std::string to) {
   Buffer bytes = readAll(path);
   const std::ptrdiff_t at = placeOf(bytes, from);
@@ -145,7 +145,7 @@ void TestBytesAsMeant::oddFramesOfBigEndianWords_data() {
   QTest::newRow("three") << 3;
 }
 
-// 3 x 3 bytes a frame: frames share the words at their ends.
+// Frames have 3 x 3 bytes, so that neighbours share a word.
 void TestBytesAsMeant::oddFramesOfBigEndianWords() {
   QFETCH(int, frames);
   const int count = 9 * frames;
@@ -170,9 +170,9 @@ void TestBytesAsMeant::oddFramesOfBigEndianWords() {
 }
 
 void TestBytesAsMeant::framesAreCountedByTheirBytes_data() {
-  QTest::addColumn<int>("words");  // of 12 a frame
+  QTest::addColumn<int>("words");  // 12 are one frame
   QTest::addColumn<QByteArray>("syntax");
-  QTest::addColumn<int>("frames");  // 0: refused
+  QTest::addColumn<int>("frames");  // 0 if refused
   QTest::newRow("one") << 12 << QByteArray(nativeLittle) << 1;
   QTest::newRow("three") << 36 << QByteArray(nativeLittle) << 3;
   QTest::newRow("one and a half") << 18 << QByteArray(nativeLittle) << 0;
@@ -213,7 +213,7 @@ void TestBytesAsMeant::framesAreCountedByTheirBytes() {
 }
 
 void TestBytesAsMeant::unknownVrsAreLeftBehind_data() {
-  QTest::addColumn<QByteArray>("elements");  // in front of Rows
+  QTest::addColumn<QByteArray>("elements");  // inserted before Rows
   const auto element = [](unsigned number, const char* vr, int lengthBytes, const QByteArray& value) {
     Builder b;
     b.tag(0x00270000 | number);
@@ -251,7 +251,7 @@ void TestBytesAsMeant::unknownVrsAreLeftBehind() {
   const DicomPicture picture = counted();
   folder.add("a", picture);
   Buffer bytes = readAll(folder.path("a"));
-  // In front of the first element of group 0028.
+  // Inserts before the first element of group 0028.
   const std::ptrdiff_t at = placeOf(bytes, std::string("\x28\0\x02\0US", 6));
   QVERIFY(at < std::ptrdiff_t(bytes.size()));
   bytes.insert(bytes.begin() + at, elements.begin(), elements.end());
@@ -263,7 +263,7 @@ void TestBytesAsMeant::unknownVrsAreLeftBehind() {
   QCOMPARE(loaded->acquired->valueAt(255), float(picture.pixels[255]));
 }
 
-// As tomosynthesis of the field has it: a place for each frame, PixelSpacing 0.
+// As in real tomosynthesis, each frame has a position, and PixelSpacing is 0.
 void TestBytesAsMeant::framesWithoutASizeOfPixels() {
   const DicomFolder folder;
   DicomPicture picture;

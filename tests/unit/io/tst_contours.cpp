@@ -1,4 +1,4 @@
-// Guards import.md: regions and contours of an RT Structure Set come out as written, in patient mm.
+// Guards import.md: regions and contours of an RT Structure Set are read as written, in patient mm.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -61,7 +61,8 @@ void TestContours::aRealTumourIsReadWhole() {
     QVERIFY(c.type == Contour::Type::closedPlanar && c.pictures.size() == 1);
     area += areaOf(c);
   }
-  QVERIFY2(std::abs(area - 5312.0) < 0.05, qPrintable(QString::number(area)));  // as rounded in the fact
+  // the expected area is rounded
+  QVERIFY2(std::abs(area - 5312.0) < 0.05, qPrintable(QString::number(area)));
   QVERIFY(std::abs(area * 3.27 / 1000 - 17.37) < 0.005);
   const auto middle = std::ranges::find_if(
       tumour.contours, [](const Contour& c) { return std::abs(c.points[0].z + 150.42) < 1e-6; });
@@ -97,7 +98,7 @@ void TestContours::contoursLieOnTheSlicesOfTheirCt() {
     const double k = ct->acquired.voxelFromPatient(c.points[0]).z;
     QVERIFY(std::abs(k - std::round(k)) < 1e-3 && std::round(k) >= 16 && std::round(k) <= 30);
   }
-  // The pictures that it names were cropped away: it is placed by its coordinates alone.
+  // The pictures that it names were cropped away. It is placed by its coordinates alone.
   const auto object = std::ranges::find(study->derived, DerivedKind::contours, &DerivedObject::kind);
   QVERIFY(object != study->derived.end());
   QCOMPARE(object->notHere, std::size_t(179));
@@ -134,7 +135,7 @@ void TestContours::areaIsThatOfThePolygon() {
   QCOMPARE(areaOf(set->regions.at(0).contours.at(0)), area);
 }
 
-// 19 MB in one element, as implicit VR alone can write it.
+// 19 MB are in one element, as only implicit VR can write it.
 void TestContours::aMillionPointsAreRead() {
   const DicomFolder folder;
   std::string points = "0\\0\\0";
@@ -154,12 +155,12 @@ void TestContours::whatBelongsToNothingIsLeftOut() {
   const DicomFolder folder;
   writeObject(folder.path("rt"), structureSetClass, [&](DcmItem& data) {
     DcmItem& region = addRegion(data, "1");
-    addContour(region, "CLOSED_PLANAR", "0\\0\\5\\2\\0\\5\\2\\2");  // two numbers of the third point
+    addContour(region, "CLOSED_PLANAR", "0\\0\\5\\2\\0\\5\\2\\2");  // the third point has only two numbers
     addContour(region, "SPIRAL", "0\\0\\5");
     addContour(region, "POINT", "0\\0\\x");
     addContour(region, "POINT", "1\\2\\3");
-    put(addItem(data, 0x3006, 0x0020), 0x3006, 0x0022, "1");  // the number again
-    put(addItem(data, 0x3006, 0x0039), 0x3006, 0x0084, "7");  // of no region
+    put(addItem(data, 0x3006, 0x0020), 0x3006, 0x0022, "1");  // repeats the number
+    put(addItem(data, 0x3006, 0x0039), 0x3006, 0x0084, "7");  // names no region
   });
   const Result<StructureSet> set = loadContours(folder.path("rt"));
   QVERIFY2(set, set ? "" : set.message().c_str());

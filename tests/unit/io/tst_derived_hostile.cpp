@@ -43,13 +43,13 @@ const char* const objects[] = {"dicom-2d/made-here/pr-on-CT_small.dcm",
                                "dicom-2d/seg-overlap-on-CT2.dcm",
                                "dicom-pydicom/test_files/rtstruct.dcm"};
 
-/// A sentence that names the file, where there is no value.
+/// Returns whether there is a value, or else a sentence that names the file.
 template <class Value>
 bool isReadOrRefused(const Result<Value>& loaded, const std::string& path) {
   return loaded || (loaded.message().starts_with(path + ": ") && loaded.message().ends_with("."));
 }
 
-/// Reads the file as what it says it is, and uses what comes out.
+/// Reads the file as the kind it claims to be, and uses the result.
 bool survives(const std::string& path) {
   const Result<Study> study = openStudy(path);
   if (!study) return false;
@@ -84,7 +84,7 @@ bool survives(const std::string& path) {
   return true;
 }
 
-/// Each of `items` nested items of a sequence, one in the other or side by side.
+/// Returns `items` items of a sequence, nested or side by side.
 Buffer manyItems(std::uint32_t sequence, const char* sopClass, int items,
                  const std::function<void(Builder&)>& inside) {
   Builder b = Builder::file();
@@ -118,7 +118,7 @@ void TestDerivedHostile::mutatedOnesAreReadOrRefused() {
   for (unsigned seed = 0; seed < 300; ++seed) {
     std::mt19937 chance(seed);
     std::vector<std::uint8_t> bytes = whole;
-    // Behind the preamble and the meta header, one to eight bytes; every second time to a telling one.
+    // Changes one to eight bytes after the preamble and the meta header. Odd seeds use critical values.
     constexpr std::uint8_t telling[] = {0, 1, 0x7f, 0x80, 0xff, '\\', 'U', 'S'};
     for (unsigned n = 0; n <= seed % 8; ++n)
       bytes[300 + chance() % (bytes.size() - 300)] =
@@ -179,7 +179,7 @@ void TestDerivedHostile::manyItemsTakeLittleTime() {
   writeAll(path, Buffer(bytes.begin(), bytes.end()));
   const CpuTimer timer;
   QVERIFY(survives(path));
-  QVERIFY2(timer.elapsed() < 15000, "slow");  // a quadratic walk would take minutes
+  QVERIFY2(timer.elapsed() < 15000, "slow");  // a quadratic algorithm would take minutes
 }
 
 void TestDerivedHostile::wrongKindsAreRefused() {
@@ -194,7 +194,7 @@ void TestDerivedHostile::wrongKindsAreRefused() {
   }
 }
 
-// Points written as text, a rescale of letters, a title that is no sequence.
+// Points are text, a rescale is letters, and a title is no sequence.
 void TestDerivedHostile::valuesOfAnotherKindAreNotTaken() {
   QTemporaryDir folder;
   const std::string path = folder.filePath(QStringLiteral("state")).toStdString();

@@ -1,5 +1,5 @@
-// Guards import.md: objects that refer to pictures are found with what they are called and which pictures
-// they name; pictures that are not here are counted.
+// Guards import.md: objects that refer to pictures are found with their labels and the pictures they name.
+// Missing pictures are counted.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -28,7 +28,7 @@ namespace {
 
 const char* const ctSmall = "1.3.6.1.4.1.5962.1.1.1.1.1.20040119072730.12322";
 
-/// The item that refers to an instance.
+/// Adds a reference to an instance to the item.
 DcmItem& refer(DcmItem& item, const std::string& uid) {
   put(item, 0x0008, 0x1150, "1.2.840.10008.5.1.4.1.1.2");
   put(item, 0x0008, 0x1155, uid);
@@ -60,7 +60,7 @@ void TestDerivedObjects::realObjectsAreListed_data() {
   row("dicom-2d/seg-on-CT_small.dcm", "segmentation", "ISO_IR 192", "", 1, ctSmall);
   row("dicom-2d/seg-overlap-on-CT2.dcm", "segmentation", "ISO_IR 192", "", 4,
       "1.3.6.1.4.1.5962.1.1.0.0.0.1196530851.28319.0.93");
-  // The pictures of the series before it was cropped.
+  // The pictures are those of the series before it was cropped.
   row("pet-ct/sts019-rtstruct-ct.dcm", "contours", "RTstruct", "RTstruct_CT", 179, "");
 }
 
@@ -141,7 +141,7 @@ void TestDerivedObjects::framesAreCountedFromZero() {
   const auto& pictures = study.derived[0].pictures;
   QCOMPARE(pictures.size(), std::size_t(2));
   QCOMPARE(pictures[0].frames, (std::vector<int>{0, 2, 6}));
-  QVERIFY(pictures[1].frames.empty());  // one mention means all of it
+  QVERIFY(pictures[1].frames.empty());  // a reference without frames means the whole picture
 }
 
 void TestDerivedObjects::orderIsThatOfSeries() {

@@ -1,4 +1,4 @@
-// Guards design.md 7 (walls a and b): no file ends the program, hangs it or shows an invented picture.
+// Guards design.md 7 (walls a and b): no file crashes or hangs the program or shows an invented picture.
 #include <sys/stat.h>
 
 #include <QTemporaryDir>
@@ -141,11 +141,11 @@ void TestDicomHostile::folderOfTrapsIsWalked() {
   QCOMPARE(study->volumes.size(), std::size_t(1));
   QCOMPARE(study->volumes[0].acquired.size.z, 1);
   QCOMPARE(study->volumes[0].warnings.size(),
-           std::size_t(2));  // no thickness; what is lost; nothing of copies
+           std::size_t(2));  // no thickness, lost files; none about copies
   QCOMPARE(study->volumes[0].unread.size(), std::size_t(4));
   QCOMPARE(study->volumes[0].unread.back().path, (root / "empty").string());
   QCOMPARE(study->other.size(), std::size_t(1));
-  QCOMPARE(study->refused.size(), std::size_t(4));  // that, the two links that lead nowhere, the pipe
+  QCOMPARE(study->refused.size(), std::size_t(4));  // the empty file, two links to nowhere, the pipe
   const Result<Study> missing = openStudy(root / "no such file");
   QVERIFY(!missing.ok() && missing.message().ends_with("."));
 }
@@ -163,7 +163,7 @@ void codings() {
   QTest::newRow("JPEG-LS") << QByteArray("1.2.840.10008.1.2.4.80");
 }
 
-/// A textured picture, so that its coded bytes matter.
+/// Returns a textured picture, so that its coded bytes matter.
 DicomPicture textured() {
   DicomPicture p;
   p.columns = p.rows = 24;
@@ -172,7 +172,7 @@ DicomPicture textured() {
   return p;
 }
 
-/// Whether what was loaded is the whole picture, and nothing else.
+/// Returns whether the loaded volume is exactly the picture.
 bool isThePicture(const Volume& volume, const DicomPicture& p) {
   if (volume.size() != glm::ivec3(p.columns, p.rows, 1)) return false;
   for (std::size_t n = 0; n < p.pixels.size(); ++n)
@@ -207,7 +207,7 @@ void TestDicomHostile::cutScanThatEndsProperlyIsRefused_data() {
   QTest::newRow("JPEG-LS") << QByteArray("1.2.840.10008.1.2.4.80");
 }
 
-// The decoders' own libraries fill what is missing with grey and report success.
+// The decoders' libraries fill missing parts with grey and report success.
 void TestDicomHostile::cutScanThatEndsProperlyIsRefused() {
   QFETCH(QByteArray, syntax);
   QTemporaryDir folder;
@@ -218,7 +218,7 @@ void TestDicomHostile::cutScanThatEndsProperlyIsRefused() {
   const Buffer end{0xff, 0xd9};
   const auto eoi = std::find_end(bytes.begin(), bytes.end(), end.begin(), end.end());
   QVERIFY(eoi != bytes.end());
-  // The second half of the scan becomes fill bytes behind an early end.
+  // The second half of the scan becomes fill bytes after an early end.
   const auto half = eoi - 300;
   std::copy(end.begin(), end.end(), half);
   std::fill(half + 2, eoi + 2, 0);

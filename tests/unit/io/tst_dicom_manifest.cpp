@@ -35,25 +35,25 @@ QList<Row> dicomRows() {
   return rows;
 }
 
-/// Why the first file that is no volume is none.
+/// Returns why the first file without a volume has none.
 std::string firstReason(const Study& study) {
   if (!study.images.empty()) return study.images[0].notVolume;
   return study.refused.empty() ? std::string() : study.refused[0].reason;
 }
 
-/// Rows that are read otherwise than the manifest says, each with the word that its refusal must hold.
+/// Rows that deviate from the manifest, each with the word that its refusal must contain.
 struct Exception {
   const char* id;
-  const char* refusalSays;  // the reason of a file that is refused or an image; nullptr: another volume
+  const char* refusalSays;  // reason of a refused file or an image; nullptr for another volume
 };
 constexpr Exception exceptions[] = {
-    {"dicomdirtests:DICOMDIR", nullptr},  // a row of these has no values to compare: TestDirectory does
-    {"TINY_ALPHA:DICOMDIR", ""},          // none of its files has pixels
-    {"_too_short", nullptr},              // all its fragments are whole: only the mark behind them is missing
+    {"dicomdirtests:DICOMDIR", nullptr},  // rows of these have no values to compare: see TestDirectory
+    {"TINY_ALPHA:DICOMDIR", ""},          // its files have no pixels
+    {"_too_short", nullptr},              // all fragments are whole, only the mark after them is missing
     // A gap of 197 mm splits this series in two (design.md 10).
     {"dicomdirtests#4$", nullptr},
-    // The stream says unsigned, the file signed: taken as signed the 13 bits are Hounsfield units (air -1000,
-    // padding -2000); taken as unsigned, as this row has it, the padding is brighter than bone.
+    // The stream says unsigned, the file signed. Taken as signed, the 13 bits are Hounsfield units (air
+    // -1000, padding -2000). Taken as unsigned, as in this row, padding is brighter than bone.
     {"J2K_pixelrep_mismatch", nullptr},
 };
 
@@ -64,7 +64,7 @@ std::vector<double> numbers(const QString& text) {
   return all;
 }
 
-/// What `crc32_value` of the data's README is: the values as little endian int32, or as float32.
+/// Returns `crc32_value` of the data's README: the CRC of the values as little endian int32, or as float32.
 QString crcOfValues(const Volume& volume, bool floats) {
   return std::visit(
       [&](const auto& stored) {
@@ -92,7 +92,7 @@ ValueRange rangeOf(const Volume& volume) {
       volume.stored());
 }
 
-/// The manifest gives seven digits, and takes directions as they are written (we make them unit vectors).
+/// Allows for the manifest's seven digits. It has directions as written, whereas volumen normalises them.
 bool near(double a, double b) { return std::abs(a - b) <= 1e-4 * (1 + std::abs(b)); }
 
 QString geometryDifference(const Row& row, const VoxelGeometry& g) {
@@ -107,7 +107,7 @@ QString geometryDifference(const Row& row, const VoxelGeometry& g) {
   const auto origin = numbers(row.at(QStringLiteral("origin_lps")));
   const auto corner = numbers(row.at(QStringLiteral("far_corner_lps")));
   const glm::dvec3 last = g.patientFromVoxel(glm::dvec3(g.size) - 1.0);
-  // The manifest gives a single slice and a sheared stack the distance along the normal.
+  // For a single slice and a sheared stack, the manifest has the distance along the normal.
   const int axes =
       uniform == QLatin1String("single-slice") || uniform.contains(QLatin1String("sheared")) ? 2 : 3;
   for (int a = 0; a < 3; ++a) {
@@ -120,7 +120,7 @@ QString geometryDifference(const Row& row, const VoxelGeometry& g) {
   return {};
 }
 
-/// Why a loaded volume is not what the row says; empty where it is.
+/// Returns how a loaded volume differs from the row; empty if it does not.
 QString difference(const Row& row, const Loaded& loaded) {
   const Volume& volume = *loaded.acquired;
   const QString geometry = geometryDifference(row, volume.geometry());
@@ -206,7 +206,7 @@ void TestDicomManifest::rowIsWhatTheManifestSays() {
   }
   if (study.volumes.empty() && expect == QLatin1String("load-or-refuse")) return;
   QVERIFY2(!study.volumes.empty(), firstReason(study).c_str());
-  // A folder of several volumes has a row for each: one of them is this one.
+  // A folder of several volumes has a row for each. One of the volumes must match this row.
   QString why;
   for (const Series& series : study.volumes) {
     const Result<Loaded> loaded = loadSeries(series);

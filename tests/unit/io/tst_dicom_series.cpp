@@ -1,4 +1,4 @@
-// Guards design.md 7 and 10 (series by geometry, uneven slices, shear, single slice, what is not calibrated).
+// Guards design.md 7 and 10 (series by geometry, uneven slices, shear, single slice, uncalibrated pictures).
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -97,9 +97,9 @@ void TestDicomSeries::regularGridOfUnevenSlices() {
   QCOMPARE(loaded->acquired->size().z, int(z.size()));
   QCOMPARE(loaded->drawn->geometry(), s.regular->geometry);
   const std::vector<float> values = firstOfEachSlice(*loaded->drawn);
-  // The value is 100 z, which linear interpolation keeps; a copied slice is up to 1 % of a step away.
+  // The value is 100 z, which linear interpolation preserves. A copied slice is up to 1 % of a step away.
   for (int k = 0; k < slices; ++k) QVERIFY(std::abs(values[std::size_t(k)] - 100 * step * k) <= 1.0);
-  // Acquired slices on the grid are there exactly.
+  // Acquired slices on the grid are exact.
   for (double place : z)
     if (std::abs(place / step - std::round(place / step)) < 0.01 && place <= step * (slices - 1))
       QCOMPARE(values[std::size_t(std::lround(place / step))], float(int(100 * place)));
@@ -107,9 +107,9 @@ void TestDicomSeries::regularGridOfUnevenSlices() {
 
 void TestDicomSeries::jitterIsRegular_data() {
   QTest::addColumn<double>("distance");
-  QTest::addColumn<QList<double>>("off");  // of each slice, mm; nothing is left out where `missing` is -1
+  QTest::addColumn<QList<double>>("off");  // offset of each slice, mm
   QTest::addColumn<int>("missing");
-  QTest::addColumn<int>("interpolated");  // -1: the slices are taken as they are
+  QTest::addColumn<int>("interpolated");  // -1 if the slices are used as they are
   const auto pattern = [](double a) { return QList<double>{a, -a, -a, a, a, -a, -a, a}; };
   QList<double> first(20, 0.0), middle(20, 0.0), drift;
   first[0] = middle[9] = 0.08;
@@ -127,7 +127,7 @@ void TestDicomSeries::jitterIsRegular_data() {
   QTest::newRow("one slice missing") << 7.0 << pattern(0.06) << 3 << 1;
 }
 
-// 2 % of the distance between slices and 0.1 mm: within both, slices are where they should be.
+// Within both 2 % of the slice distance and 0.1 mm, slices count as regular.
 void TestDicomSeries::jitterIsRegular() {
   QFETCH(double, distance);
   QFETCH(QList<double>, off);
@@ -149,7 +149,7 @@ void TestDicomSeries::jitterIsRegular() {
   if (missing < 0) return;
   const auto loaded = loadSeries(s);
   QVERIFY(loaded.ok());
-  // All slices that are there are there exactly; the missing one lies between its neighbours.
+  // All present slices are exact. The missing one lies between its neighbours.
   for (int n = 0; n < off.size(); ++n)
     if (n != missing) QCOMPARE(loaded->drawn->value(0, 0, n), float(10 * (n + 1)));
   QVERIFY(std::abs(loaded->drawn->value(0, 0, missing) - 10 * (missing + 1)) < 0.5);
@@ -235,12 +235,12 @@ void TestDicomSeries::echoTimesAreNumbers() {
   QCOMPARE(study.volumes[0].echoTime, std::string("22"));
 }
 
-// As pydicom writes a file again behind whose last element zeros stood.
+// pydicom writes such a file if zeros followed the last element of the original.
 void TestDicomSeries::anEmptyElementInFrontIsPassedOver() {
   const DicomFolder folder;
   folder.add("a", sliceAt(0, 7));
   std::vector<std::uint8_t> bytes = readAll(folder.path("a"));
-  const std::size_t meta = bytes[140] + 256u * bytes[141];  // (0002,0000), the length of all behind it
+  const std::size_t meta = bytes[140] + 256u * bytes[141];  // (0002,0000), the length of all after it
   bytes.insert(bytes.begin() + std::ptrdiff_t(144 + meta), 8, 0);
   writeAll(folder.path("a"), bytes);
   const Study study = folder.open();
@@ -260,7 +260,8 @@ void TestDicomSeries::picturesOfOnePlaceAreSplit() {
   for (int z = 0; z < 3; ++z) {
     for (int t = 0; t < 2; ++t) {
       DicomPicture p = sliceAt(z, 10 * t + z);
-      // By instance: all of the first volume, then the second. Else the attribute must win over the numbers.
+      // By instance, all of the first volume precedes the second. Otherwise the attribute must win over the
+      // numbers.
       p.instance = by == QLatin1String("instance") ? 10 * t + z : 10 * z + (z == 1 ? 1 - t : t);
       p.edit = [by, t](DcmDataset& data) {
         if (by == QLatin1String("time point"))

@@ -112,7 +112,7 @@ void TestDicomSlices::framesOfAnEnhancedPictureAreSlices() {
     group(data, -1, DCM_PlaneOrientationSequence)
         .putAndInsertString(DCM_ImageOrientationPatient, "1\\0\\0\\0\\1\\0");
     group(data, -1, DCM_PixelMeasuresSequence).putAndInsertString(DCM_PixelSpacing, "0.5\\0.7");
-    // Three places from above to below, at each the two time points.
+    // Three positions from top to bottom hold two time points each.
     for (int n = 0; n < 6; ++n) {
       const QByteArray place = QByteArray("0\\0\\") + QByteArray::number(4 - 2 * (n / 2));
       group(data, n, DCM_PlanePositionSequence)

@@ -1,4 +1,4 @@
-// Guards design.md 1 and 7 (every transfer syntax decodes to the values of its uncompressed twin, or is
+// Guards design.md 1 and 7 (every transfer syntax decodes to the values of its uncompressed version, or is
 // refused by name).
 #include <QTemporaryDir>
 #include <algorithm>
@@ -53,7 +53,7 @@ void TestDicomTransferSyntax::decodesToTheTwinsValues_data() {
   row("JPEGProcess14SV1TransferSyntax_1.2.840.10008.1.2.4.70", 0, 0);
   row("JPEGLSLosslessTransferSyntax_1.2.840.10008.1.2.4.80", 0, 0);
   row("JPEG2000LosslessOnlyTransferSyntax_1.2.840.10008.1.2.4.90", 0, 0);
-  // What the coders lost, in HU (JPEG ones store 2 or 32 HU a step); a wrong picture is hundreds off.
+  // Losses of the coders in HU (JPEG ones store 2 or 32 HU a step). A wrong picture is off by hundreds.
   row("JPEGLSLossyTransferSyntax_1.2.840.10008.1.2.4.81", 1, 0.7);
   row("JPEG2000TransferSyntax_1.2.840.10008.1.2.4.91", 5, 0.6);
   row("JPEGProcess1TransferSyntax_1.2.840.10008.1.2.4.50", 65, 20);

@@ -1,5 +1,5 @@
-// Guards design.md 7 and 10 (values): bits stored, high bit, sign, overlays, wide integers, floats; RLE, JPEG
-// and JPEG-LS of each.
+// Guards design.md 7 and 10 (values): bits stored, high bit, sign, overlays, wide integers, floats, and RLE,
+// JPEG and JPEG-LS of each.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -156,7 +156,7 @@ void TestDicomValues::wideIntegersBecomeFloat() {
   QVERIFY(loaded.ok());
   QCOMPARE(loaded->acquired->value(0, 0, 0), 3.f);
   QCOMPARE(loaded->acquired->value(1, 0, 0), 8388608.5f);
-  // 2^24 + 1 itself has no float32.
+  // 2^24 + 1 is not exact in float32.
   QVERIFY(loaded->warnings.back().sentence.find("float32") != std::string::npos);
 }
 

@@ -1,4 +1,5 @@
-// Guards design.md 7: a DICOMDIR stands for its folder; what it lists is counted, never followed out of it.
+// Guards design.md 7: a DICOMDIR opens its folder. The files it lists are counted, but never followed out of
+// the folder.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -17,7 +18,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// A DICOMDIR whose records name these files.
+// Writes a DICOMDIR whose records name these files.
 void writeDirectory(const std::string& path, const QByteArrayList& fileIds) {
   DcmFileFormat file;
   DcmDataset& data = *file.getDataset();
@@ -91,7 +92,7 @@ void TestDirectory::copiesMissNothing_data() {
     QTest::newRow(name) << QString::fromLatin1(name);
 }
 
-// What copying programs make of the file ID IM0.
+// Covers the names that copying programs make of the file ID IM0.
 void TestDirectory::copiesMissNothing() {
   QFETCH(QString, name);
   const DicomFolder folder;
@@ -142,7 +143,7 @@ void TestDirectory::realOnesOpenTheirFolder_data() {
     QTest::newRow(name) << QString::fromLatin1(name);
 }
 
-// 31 pictures in 24 volumes (the manifest); DICOMDIR-nooffset is itself damaged.
+// There are 31 pictures in 24 volumes (the manifest). DICOMDIR-nooffset is itself damaged.
 void TestDirectory::realOnesOpenTheirFolder() {
   NEED_DATA(dataPath());
   QFETCH(QString, name);

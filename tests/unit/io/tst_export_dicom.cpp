@@ -39,7 +39,7 @@ VolumePtr made(VolumeParts parts) {
   return *Volume::make(std::move(parts), warnings);
 }
 
-// A small volume of distinct values with the given steps between its voxels.
+// Returns a small volume of distinct values with the given voxel steps.
 VolumeParts smallParts(const glm::dmat3& steps) {
   VolumeParts parts;
   parts.geometry = {.size = {7, 5, 4}, .patientFromVoxelStep = steps, .origin = {-12.25, 1.0 / 3, 1234.5}};
@@ -151,7 +151,7 @@ void TestExportDicom::geometryAndValuesSurvive() {
   QVERIFY2(loaded.ok(), loaded.ok() ? "" : loaded.message().c_str());
   const Volume& read = *loaded->acquired;
   QVERIFY(read.size() == volume->size());
-  // Decimal strings of 16 characters: 13 digits and more.
+  // Decimal strings of 16 characters hold 13 digits or more.
   QVERIFY(largestDistance(read.geometry(), volume->geometry()) < 1e-9);
   for (std::size_t n = 0; n < 140; ++n) QCOMPARE(read.valueAt(n), volume->valueAt(n));
 }
@@ -196,7 +196,7 @@ void TestExportDicom::sameContentsGiveTheSameFiles() {
   const QString a = scratch.filePath(QStringLiteral("a")), b = scratch.filePath(QStringLiteral("b"));
   const VolumePtr volume = made(smallParts(glm::dmat3(1)));
   QVERIFY(writeDicomSeries(*volume, {}, a.toStdString()).ok());
-  QVERIFY(QDir().mkpath(b));  // an empty folder is taken
+  QVERIFY(QDir().mkpath(b));  // an empty folder is accepted
   QVERIFY(writeDicomSeries(*volume, {}, b.toStdString()).ok());
   QVERIFY(!contents(a).isEmpty());
   QVERIFY(contents(a) == contents(b));
@@ -211,8 +211,8 @@ void TestExportDicom::sameContentsGiveTheSameFiles() {
   QCOMPARE(uids.size(), std::size_t(2));
 }
 
-// What Series has of patient and study stands in every slice, also where a file of the source spells it in
-// another way or leaves it out.
+// Every slice has the patient and study of Series, even if a source file spells them differently or lacks
+// them.
 void TestExportDicom::allSlicesSayWhoseTheyAreAlike() {
   const tests::DicomFolder source;
   for (int n = 0; n < 3; ++n) {

@@ -1,5 +1,5 @@
-// Guards import.md and slices.md on ../shared/data/field-cases (its CASES.tsv says why): volumes that have to
-// be recognised, with their places, values and units.
+// Guards import.md and slices.md on ../shared/data/field-cases (its CASES.tsv says why): volumes that must be
+// recognised, with their positions, values and units.
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +33,7 @@ Study studyOf(const char* name) {
   return study ? *study : Study{};
 }
 
-/// The value of the voxel nearest to a place in the patient, mm.
+/// Returns the value of the voxel nearest to a patient position, mm.
 float valueAt(const Volume& volume, glm::dvec3 p) {
   const glm::dvec3 x = volume.geometry().voxelFromPatient(p);
   return volume.value(int(std::lround(x.x)), int(std::lround(x.y)), int(std::lround(x.z)));
@@ -56,7 +56,7 @@ void TestFieldCases::volumesLieAndReadAsWritten_data() {
   QTest::addColumn<glm::dvec3>("origin");
   QTest::addColumn<QList<float>>("values");
   QTest::addColumn<QString>("unit");
-  QTest::addColumn<QByteArray>("warning");  // empty: none
+  QTest::addColumn<QByteArray>("warning");  // empty for none
   const auto row = [](const char* name, glm::ivec3 size, glm::dvec3 spacing, glm::dvec3 origin,
                       const QList<float>& values, const char* unit, const char* warning) {
     QTest::newRow(name) << size << spacing << origin << values << QString::fromLatin1(unit)
@@ -124,7 +124,7 @@ void TestFieldCases::valuesLieWhereTheyBelong() {
   QCOMPARE(QString::fromStdString(study.volumes[0].unit), unit);
 }
 
-// The n-th trigger time of each place is the n-th phase, whatever its milliseconds (c09).
+// The n-th trigger time at each position is the n-th phase, whatever its milliseconds (c09).
 void TestFieldCases::phasesStayApart() {
   NEED_DATA(dataPath());
   const Study study = studyOf("c09-cine-trigger-times");
@@ -152,8 +152,8 @@ void TestFieldCases::tinySlopesKeepTheirDigits() {
   QVERIFY2(std::abs(most / 3.346245e-4 - 1) < 1e-6, qPrintable(QString::number(most, 'g', 9)));
 }
 
-// c70: a segment whose frames are shuffled and whose rows and columns run backwards; contours 0.004 mm beside
-// their slices; contours of another frame of reference.
+// c70 has a segment with shuffled frames and reversed rows and columns. Contours lie 0.004 mm beside their
+// slices, or in another frame of reference.
 void TestFieldCases::objectsLieOnTheirPictures() {
   NEED_DATA(dataPath());
   const std::string folder = dataPath("field-cases/c70-objects");

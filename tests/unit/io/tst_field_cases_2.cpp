@@ -30,7 +30,7 @@ class TestFieldCases2 : public QObject {
 
 namespace {
 
-/// The study of a case, by its folder or file; an empty one where it cannot be opened.
+/// Returns the study of a case by its folder or file; an empty one if it cannot be opened.
 Study openCase(const QString& name) {
   const Result<Study> study = openStudy(dataPath("field-cases-2/" + name.toStdString()));
   return study ? *study : Study{};
@@ -131,7 +131,7 @@ void TestFieldCases2::uptakeOfAnEnhancedPet() {
 
 void TestFieldCases2::segmentsOfFiles_data() {
   QTest::addColumn<QString>("file");
-  QTest::addColumn<QStringList>("segments");  // none: refused
+  QTest::addColumn<QStringList>("segments");  // empty if refused
   QTest::addColumn<QByteArray>("told");
   const auto row = [](const char* folder, const char* file, const QStringList& segments, const char* told) {
     QTest::newRow(folder) << QString::fromLatin1(file) << segments << QByteArray(told);

@@ -1,5 +1,5 @@
-// Guards import.md: what single files mean where attributes are missing, contradict the bytes or are spelt
-// otherwise than the standard has it; what is read so is told.
+// Guards import.md: the meaning of single files whose attributes are missing, contradict the bytes or deviate
+// from the standard's spelling. Assumptions are reported.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -50,7 +50,7 @@ bool hasWarning(const Study& study, const QByteArray& words) {
 
 void TestFilesAsMeant::missingAttributesAreTold_data() {
   QTest::addColumn<FileEdit>("edit");
-  QTest::addColumn<double>("value");  // of stored 0xfc18
+  QTest::addColumn<double>("value");  // real value of stored 0xfc18
   QTest::addColumn<QByteArray>("says");
   const auto row = [](const char* name, double value, const char* says, const Edit& edit) {
     QTest::newRow(name) << FileEdit{edit} << value << QByteArray(says);
@@ -296,7 +296,7 @@ void TestFilesAsMeant::windowFunctionsInOtherSpellings() {
   const auto frame = loadFrame(study.volumes[0], 0);
   QVERIFY(frame.ok());
   QCOMPARE(int(frame->greys.at(0).mapping.function), function);
-  QVERIFY(frame->warnings.empty());  // told of the series
+  QVERIFY(frame->warnings.empty());  // the series reports it
 }
 
 void TestFilesAsMeant::termsInOtherSpellings_data() {

@@ -1,4 +1,4 @@
-// Guards design.md 7, 10 and picture.md 1: what the formats can say that the real data do not: every
+// Guards design.md 7, 10 and picture.md 1: features of the formats that the real data lack. Covers every
 // encoding, type, byte order, space, unit and way to name data files.
 #include <bzlib.h>
 #include <zlib.h>
@@ -202,8 +202,8 @@ void put(QByteArray& header, int place, T value) {
   std::memcpy(header.data() + place, &value, sizeof value);
 }
 
-// A NIfTI-1 file of 2 x 3 x 4 bytes, spacing 1, 2, 3, its qform turned by 90 degrees about the third axis and
-// placed at (10, 20, 30), RAS.
+// Returns a NIfTI-1 file of 2 x 3 x 4 bytes with spacing 1, 2, 3. Its qform is rotated by 90 degrees about
+// the third axis and has its origin at (10, 20, 30), RAS.
 QByteArray niftiOfQform(float qfac, char units, float pixdim3 = 3) {
   QByteArray file(352 + 24, '\0');
   put<std::int32_t>(file, 0, 348);
@@ -307,7 +307,7 @@ void TestFilesFormats::geometryIsTurnedToLps() {
   QVERIFY2(found.ok(), found.ok() ? "" : found.message().c_str());
   const VoxelGeometry& g = (*found)[0].acquired;
   QCOMPARE(g.calibrated, calibrated);
-  // The headers' own digits; NIfTI's are float32.
+  // The bound allows for the digits in headers. NIfTI's are float32.
   constexpr double bound = 1e-5;
   QVERIFY(glm::length(g.origin - vectorOf(origin)) < bound);
   QVERIFY(glm::length(g.patientFromVoxel({1, 2, 3}) - vectorOf(far)) < bound);
@@ -350,7 +350,7 @@ void TestFilesFormats::axesOfTimeAreVolumes() {
   }
 }
 
-// Two folders hold a file of one name: the study numbers its volumes once more, and each stays what it was.
+// Two folders hold files of the same name. The study numbers their volumes again, and each keeps its values.
 void TestFilesFormats::filesOfOneNameKeepTheirVolumes() {
   const QByteArray header = "NRRD0005\ntype: uchar\ndimension: 4\nsizes: 1 1 1 3\nencoding: raw\n\n";
   QDir(folder_.path()).mkpath(QStringLiteral("twins/a"));

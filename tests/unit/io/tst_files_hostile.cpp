@@ -1,5 +1,5 @@
 // Guards design.md 7 (files are untrusted): broken and hostile image files are refused in a sentence that
-// names the file; nothing outside their folder is read, no memory is set aside for what is not there.
+// names the file. Nothing outside their folder is read, and no memory is allocated for missing data.
 #include <bzlib.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -33,7 +33,7 @@ QByteArray bzip2(QByteArray plain) {
 
 QByteArray samples(int count) { return QByteArray(count, '\7'); }
 
-// A NRRD of 4 x 3 x 2 bytes; `change` and `to` replace a piece of the header.
+// Returns a NRRD of 4 x 3 x 2 bytes in whose header `change` is replaced by `to`.
 QByteArray nrrd(const QByteArray& data, const QByteArray& change = {}, const QByteArray& to = {}) {
   QByteArray header =
       "NRRD0004\ntype: uchar\ndimension: 3\nspace: LPS\nsizes: 4 3 2\nspace directions: (1,0,0) (0,1,0) "
@@ -55,7 +55,7 @@ void put(QByteArray& header, int place, T value) {
   std::memcpy(header.data() + place, &value, sizeof value);
 }
 
-// A NIfTI-1 file of 4 x 3 x 2 bytes; `change` may spoil its header.
+// Returns a NIfTI-1 file of 4 x 3 x 2 bytes whose header `change` may damage.
 QByteArray nifti(int dataBytes, const std::function<void(QByteArray&)>& change = {}) {
   QByteArray header(352, '\0');
   put<std::int32_t>(header, 0, 348);
@@ -105,7 +105,7 @@ class TestFilesHostile : public QObject {
 
 std::string TestFilesHostile::write(const QString& name, const QByteArray& content) const {
   QFile file(folder_.filePath(name));
-  file.remove();  // ext4 flushes a file that is cut to nothing and written again
+  file.remove();  // ext4 flushes a file that is truncated and rewritten
   if (!file.open(QIODevice::WriteOnly)) qFatal("no temporary file");
   file.write(content);
   return file.fileName().toStdString();
@@ -280,7 +280,8 @@ void TestFilesHostile::isRefused() {
   QVERIFY2(loaded.message().find(path.substr(0, path.find_last_of('.'))) != std::string::npos,
            loaded.message().c_str());
   QVERIFY2(loaded.message().size() < 500, loaded.message().c_str());
-  constexpr long fewKilobytes = 64 << 10;  // the 2 MB headers and zlib's tables; none of the promised volumes
+  // for headers of 2 MB and zlib's tables, but for none of the promised volumes
+  constexpr long fewKilobytes = 64 << 10;
   QVERIFY(after.ru_maxrss - before.ru_maxrss < fewKilobytes);
   QVERIFY(timer.elapsed() < 2000);
 }
@@ -312,7 +313,7 @@ void TestFilesHostile::everyCutIsRefused_data() { soundFileIsNot_data(); }
 void TestFilesHostile::everyCutIsRefused() {
   QFETCH(QString, name);
   QFETCH(QByteArray, content);
-  // Text may end in white space: that much can go.
+  // Trailing white space of text may be missing.
   const qsizetype whole = content.trimmed().size();
   for (qsizetype length = 0; length < whole; ++length) {
     const Result<Loaded> loaded = load(write(name, content.left(length)));
@@ -322,7 +323,7 @@ void TestFilesHostile::everyCutIsRefused() {
 
 void TestFilesHostile::everyBitFlipEndsWell_data() { soundFileIsNot_data(); }
 
-// No crash, no hang: loaded as something or refused in a sentence.
+// Files must neither crash nor hang, but load as something or be refused in a sentence.
 void TestFilesHostile::everyBitFlipEndsWell() {
   QFETCH(QString, name);
   QFETCH(QByteArray, content);
@@ -336,7 +337,7 @@ void TestFilesHostile::everyBitFlipEndsWell() {
       QVERIFY(!loaded.message().empty());
       ++refused;
     } else if (compressed && byte >= 10) {
-      // Behind gzip's ten bytes of header the checksum finds every change.
+      // After gzip's header of ten bytes, the checksum detects every change.
       QFAIL(std::to_string(byte).c_str());
     }
   }

@@ -40,7 +40,7 @@ std::vector<double> numbers(const QByteArray& text) {
   return all;
 }
 
-// What the manifest says of a file, taken over all its volumes, the last axis slowest.
+// The manifest's facts of a file, over all its volumes, the last axis slowest.
 struct Facts {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   uLong crc = crc32(0, nullptr, 0);
@@ -62,7 +62,7 @@ struct Facts {
   }
 };
 
-// The manifest gives seven digits; lengths are 1e-4 mm at most off for that.
+// Allows for the manifest's seven digits, which put lengths off by at most 1e-4 mm.
 bool near(double a, double b) { return std::abs(a - b) <= 1e-4 * (1 + std::abs(b)); }
 
 }  // namespace
@@ -111,7 +111,7 @@ void TestFilesManifest::fileIsWhatTheManifestSays() {
   QVERIFY2(found.ok(), found.ok() ? "" : found.message().c_str());
   QVERIFY(looksLikeImageFile(path));
 
-  // A vector or list along the first axis: one volume an entry, which the file's own order interleaves.
+  // If the first axis is a vector or list, each entry is a volume, and the file interleaves them.
   const bool interleaved = row["notes"].startsWith("first axis is a");
   std::vector<double> sizes = numbers(row["dims"]);
   if (interleaved) std::rotate(sizes.begin(), sizes.begin() + 1, sizes.end());
@@ -134,7 +134,7 @@ void TestFilesManifest::fileIsWhatTheManifestSays() {
   const double low = row["min"].toDouble(), high = row["max"].toDouble();
   QVERIFY2(std::abs(facts.low - low) <= 1e-5 * (1 + std::abs(low)), std::to_string(facts.low).c_str());
   QVERIFY2(std::abs(facts.high - high) <= 1e-5 * (1 + std::abs(high)), std::to_string(facts.high).c_str());
-  // Doubles are kept as float32, and values that are not finite are replaced: other bytes than the file's.
+  // Doubles become float32 and non-finite values are replaced, so that their bytes differ from the file's.
   const bool sameBytes = row["hash_type"] != "f8-le" && !row["notes"].contains("not finite") && !interleaved;
   if (sameBytes) QCOMPARE(QByteArray::number(facts.crc, 16).rightJustified(8, '0'), row["crc32_stored"]);
 }

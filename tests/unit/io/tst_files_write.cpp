@@ -126,7 +126,8 @@ void TestFilesWrite::geometryComesBack() {
   QVERIFY(back);
   const VoxelGeometry &a = volume->geometry(), &b = back->geometry();
   QCOMPARE(b.size, a.size);
-  // NRRD keeps doubles; MetaImage splits them into length and direction (an ulp or two); NIfTI knows float32.
+  // NRRD keeps doubles. MetaImage splits them into length and direction (an ulp or two), and NIfTI has
+  // float32.
   const double bound = ending == QStringLiteral(".nrrd")  ? 0
                        : ending == QStringLiteral(".mha") ? 1e-15
                                                           : 1e-7;
@@ -144,7 +145,7 @@ void TestFilesWrite::qformStaysWhereRoundingShears_data() {
   QTest::newRow("a tilt of 0.06 degrees") << 1e-3 << false;
 }
 
-// sform and qform stand beside each other; readers that take the qform see the same to a 10,000th.
+// sform and qform are both written. Readers that use the qform see the same geometry to 1/10,000.
 void TestFilesWrite::qformStaysWhereRoundingShears() {
   QFETCH(double, shear);
   QFETCH(bool, kept);
@@ -279,7 +280,7 @@ void TestFilesWrite::pictureFloatsComeBack() {
   const Result<Picture> back = readPictureNrrd(file("p.nrrd"));
   QVERIFY(back.ok());
   QVERIFY(*back == picture);
-  // It is no volume.
+  // The file is not a volume.
   const auto asVolume = readImageFileHeaders(file("p.nrrd"));
   QVERIFY(!asVolume.ok());
   QVERIFY(asVolume.message().find("colour image") != std::string::npos);

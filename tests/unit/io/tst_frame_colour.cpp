@@ -1,5 +1,5 @@
-// Guards slices.md 2: colour, made here: palettes of every form, planes, halved colour differences, and what
-// coders make of them.
+// Guards slices.md 2: colour in synthetic files: palettes of every form, planes, halved colour differences,
+// and coded colours.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -29,7 +29,7 @@ class TestFrameColour : public QObject {
 
 namespace {
 
-/// 8-bit samples of a kind of colour.
+/// Sets 8-bit samples of a photometric interpretation.
 void setColour(DcmDataset& data, const char* photometric, int samples, const std::vector<std::uint8_t>& bytes,
                int planar = 0) {
   data.putAndInsertString(DCM_PhotometricInterpretation, photometric);
@@ -41,7 +41,7 @@ void setColour(DcmDataset& data, const char* photometric, int samples, const std
   data.putAndInsertUint8Array(DCM_PixelData, bytes.data(), bytes.size());
 }
 
-/// The same table for the three colours.
+/// Sets the same table for all three colours.
 void setPalette(DcmDataset& data, const Words& descriptor, const Words& entries, bool segmented = false) {
   for (Uint16 colour = 0; colour < 3; ++colour) {
     data.putAndInsertUint16Array(DcmTag(0x0028, Uint16(0x1101 + colour), EVR_US), descriptor.data(),
@@ -120,7 +120,7 @@ void TestFrameColour::layouts_data() {
   const QList<int> four{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
   row("RGB by pixel", "RGB", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}, 0, four);
   row("RGB by plane", "RGB", {1, 4, 7, 10, 2, 5, 8, 11, 3, 6, 9, 12}, 1, four);
-  // Y, Y + 1.402 (255 - 128) cut to 255; Y - 0.714136 x 127; Y + 1.772 (0 - 128) cut to 0.
+  // Y, Y + 1.402 (255 - 128) clipped to 255; Y - 0.714136 x 127; Y + 1.772 (0 - 128) clipped to 0.
   row("YBR_FULL by pixel", "YBR_FULL", {128, 128, 128, 128, 128, 255, 200, 0, 128, 7, 128, 128}, 0,
       {128, 128, 128, 255, 37, 128, 200, 244, 0, 7, 7, 7});
   row("YBR_FULL by plane", "YBR_FULL", {128, 128, 200, 7, 128, 128, 0, 128, 128, 255, 128, 128}, 1,

@@ -1,5 +1,5 @@
-// Guards import.md: what in a frame contradicts itself is decided by a rule, and told when it decides: JPEG
-// streams and their label, look-up tables of fewer bits than they say, signs and high bits.
+// Guards import.md: contradictions within a frame are resolved by a rule and reported. Covers JPEG streams
+// and their labels, look-up tables with fewer bits than stated, signs and high bits.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -39,7 +39,7 @@ bool says(const Frame& frame, const std::string& words) {
                              [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
-/// The grey byte of a value.
+/// Returns the grey byte of a value.
 int byteOf(const Frame& frame, float value) {
   return greyBytes(std::vector<float>{value}, frame.greys.at(0).mapping)[0];
 }
@@ -126,7 +126,7 @@ void TestFrameContradictions::theStreamDecides() {
 void TestFrameContradictions::tablesAreShownByTheirOwnRange_data() {
   QTest::addColumn<int>("bits");
   QTest::addColumn<int>("largest");
-  QTest::addColumn<int>("grey");  // of the largest
+  QTest::addColumn<int>("grey");  // grey of the largest value
   QTest::addColumn<bool>("told");
   QTest::newRow("16 bits, all used") << 16 << 65535 << 255 << false;
   QTest::newRow("16 bits, 12 used") << 16 << 4095 << 255 << true;

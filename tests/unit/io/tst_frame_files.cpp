@@ -1,5 +1,5 @@
-// Guards slices.md 2 to 4: what data/dicom-2d/README.md says of its pictures: values, greys, colours,
-// overlays, pixel sizes, regions, clips.
+// Guards slices.md 2 to 4: the statements of data/dicom-2d/README.md about its pictures: values, greys,
+// colours, overlays, pixel sizes, regions, clips.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -41,7 +41,7 @@ Result<Frame> frameAt(const QString& file, int n = 0) {
   return frameOf(dataPath(folder + file.toStdString()), n);
 }
 
-/// The README's formulas, apart from the program's.
+/// Evaluates the README's formulas, independently of the program.
 double byteOf(double value, const GreyMapping& mapping) {
   double y = 0;
   const auto [c, w] = mapping.window;
@@ -107,7 +107,7 @@ void TestFrameFiles::greyPixels() {
   const Result<Frame> f = frameAt(file, frame);
   QVERIFY2(f.ok(), f.ok() ? "" : f.message().c_str());
   const double found = double(valueAt(*f, at.x(), at.y()));
-  // Decoders of lossy streams differ by 2; greys of LUTs are those of the sigmoids within 1.
+  // Decoders of lossy streams differ by 2. Greys of LUTs equal those of the sigmoids to within 1.
   QVERIFY2(std::abs(found - value) <= (lossy ? 2 : 0), qPrintable(QString::number(found)));
   QVERIFY(f->greys.size() >= std::size_t(std::max<qsizetype>(1, greys.size())));
   for (qsizetype n = 0; n < greys.size(); ++n) {
@@ -186,7 +186,7 @@ void TestFrameFiles::colourPixels() {
   const Result<Frame> f = frameAt(file, frame);
   QVERIFY2(f.ok(), f.ok() ? "" : f.message().c_str());
   QVERIFY(f->colour() && f->greys.empty() && f->values.empty());
-  const int allowed = file.startsWith(QLatin1String("us-cine")) ? 5 : 0;  // lossy: as its README says
+  const int allowed = file.startsWith(QLatin1String("us-cine")) ? 5 : 0;  // lossy, as its README says
   for (int c = 0; c < 3; ++c) {
     const int found = f->rgb[std::size_t(3 * (at.y() * f->size.x + at.x()) + c)];
     QVERIFY2(std::abs(found - rgb[c]) <= allowed, qPrintable(QString::number(found)));
@@ -332,7 +332,7 @@ void TestFrameFiles::paddingAndShutterOfMammograms() {
   QCOMPARE(*padded->padding, (ValueRange{0, 30}));  // with its PixelPaddingRangeLimit
   QCOMPARE(valueAt(*padded, 100, 100), 0.f);
   const Result<Frame> shut = frameAt(QStringLiteral("mg-ermf-overlay-shutter.dcm"));
-  QVERIFY(shut.ok() && shut->shutter.empty());  // its rectangle leaves everything free
+  QVERIFY(shut.ok() && shut->shutter.empty());  // its rectangle hides nothing
 }
 
 void TestFrameFiles::pictureWithoutPixelsIsSaid() {

@@ -1,5 +1,5 @@
-// Guards slices.md 2 and 3: windows, VOI LUTs, polarity, sizes of pixels, shutters and
-// functional groups, made here.
+// Guards slices.md 2 and 3 on synthetic files: windows, VOI LUTs, polarity, pixel sizes, shutters and
+// functional groups.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -143,7 +143,7 @@ void TestFrameGreys::rangeOfTheFrameWithoutPadding() {
       frameWith([](DcmDataset& d) { d.putAndInsertUint16(DCM_PixelPaddingValue, 60000); }, picture);
   QVERIFY(frame.ok() && frame->greys.size() == 1);
   QCOMPARE(*frame->padding, (ValueRange{60000, 60000}));
-  // Of 2000 values 0.1 % are 2: the second, 1, to the 1998th, 1997.
+  // 0.1 % of 2000 values are 2, so that the window is from the second value, 1, to the 1998th, 1997.
   QCOMPARE(frame->greys[0].mapping.window, (Window{999, 1996}));
   QCOMPARE(frame->greys[0].mapping.function, WindowFunction::linearExact);
 }

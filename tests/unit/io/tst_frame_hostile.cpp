@@ -1,4 +1,4 @@
-// Guards slices.md 2, design.md 7: what lies in LUTs, palettes, overlays and shutters costs that part, or the
+// Guards slices.md 2, design.md 7: bad LUTs, palettes, overlays and shutters cost only that part, or the
 // picture with a sentence, and never the program.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -200,7 +200,7 @@ void TestFrameHostile::oddNumbersDoNoHarm_data() {
   };
   row("overlay that begins outside", 2, 0, [](DcmDataset& d) {
     setOverlay(d, 3, 4, {-1, -1}, 2);
-  });  // two rows and columns off
+  });  // two rows and columns outside
   row("overlay far away", 0, 0, [](DcmDataset& d) { setOverlay(d, 3, 4, {-32768, -32768}, 2); });
   row("overlay without origin", 12, 0, [](DcmDataset& d) { setOverlay(d, 3, 4, {}, 2); });
   row("overlay of frames that are not this one", -1, 0, [](DcmDataset& d) {

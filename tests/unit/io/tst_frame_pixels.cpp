@@ -1,6 +1,6 @@
-// Guards slices.md 2: the values and colours of every picture of the real test data are those that DCMTK's
-// own reader gives (its parser, its rescale, its palettes and colour conversion), and those of the manifest's
-// readers.
+// Guards slices.md 2: values and colours of every picture of the real test data equal those of DCMTK's own
+// reader. DCMTK has its own parser, rescale, palettes and colour conversion. Colours also equal those of the
+// manifest's readers.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcrledrg.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -43,14 +43,14 @@ class TestFramePixels : public QObject {
 
 namespace {
 
-/// A file as DCMTK reads it.
+/// A file as read by DCMTK.
 struct Peer {
   DcmFileFormat file;
-  std::unique_ptr<DicomImage> image;  ///< null where DCMTK cannot decode it
+  std::unique_ptr<DicomImage> image;  ///< null if DCMTK cannot decode it
   bool hasLut = false;
 };
 
-/// A number of frame `n`, from its functional groups where it has them.
+/// Returns a number of frame `n`, from its functional groups if it has them.
 double numberOf(DcmDataset& data, std::size_t n, const DcmTagKey& tag, double ifAbsent) {
   double found = 0;
   DcmItem* groups = nullptr;
@@ -79,7 +79,7 @@ std::vector<double> asDoubles(const void* data, std::size_t first, std::size_t c
   return {values, values + count};
 }
 
-/// The values of frame `n` of a grey picture.
+/// Returns the values of frame `n` of a grey picture.
 std::vector<double> valuesOf(Peer& peer, std::size_t n) {
   DcmDataset& data = *peer.file.getDataset();
   const std::size_t count = peer.image->getWidth() * peer.image->getHeight();
@@ -112,7 +112,7 @@ std::vector<double> valuesOf(Peer& peer, std::size_t n) {
   return values;
 }
 
-/// The largest difference; nothing to compare is as different as can be.
+/// Returns the largest difference; infinite if the sizes differ.
 template <class A, class B>
 double largestDifference(const std::vector<A>& a, const B* b, std::size_t count) {
   if (a.size() != count) return HUGE_VAL;
@@ -150,7 +150,7 @@ void compareTiles(Peer& peer, const std::function<Result<Frame>(int)>& tile) {
 
 void TestFramePixels::pixelsAreThoseOfDcmtk_data() {
   QTest::addColumn<QString>("path");
-  // DCMTK shows these samples of 32 bits wrongly; the manifest's values hold them.
+  // DCMTK shows these 32-bit samples wrongly. The manifest's values cover them.
   static const QRegularExpression wrong(QStringLiteral("rtdose_(rle|expb)"));
   const QString root = QString::fromStdString(dataPath());
   for (const char* folder : {"dicom-2d", "dicom-pydicom", "dicom-ts-cornerstone", "dicom-geometry", "pet-ct"})
@@ -171,7 +171,7 @@ void TestFramePixels::pixelsAreThoseOfDcmtk() {
   if (study->images.empty() && study->volumes.empty()) return;
   const auto frameInFile = [&](int n) -> Result<Frame> {
     if (!study->images.empty()) return loadFrame(study->images[0], n);
-    for (const Series& series : study->volumes) {  // their frames are in the order of the slices
+    for (const Series& series : study->volumes) {  // their frames are in slice order
       const auto at = std::find(series.frames.begin(), series.frames.end(), n);
       if (at != series.frames.end()) return loadFrame(series, int(at - series.frames.begin()));
     }
@@ -194,7 +194,7 @@ void TestFramePixels::pixelsAreThoseOfDcmtk() {
     if (frame->colour()) {
       const void* rgb = peer->image->getOutputData(8, (unsigned long)n, 0);
       QVERIFY(rgb);
-      // Luminance and colour differences are turned into RGB in fixed point there, in double here.
+      // DCMTK converts luminance and colour differences to RGB in fixed point, volumen in double.
       allowed = study->images[0].photometric.starts_with("YBR_FULL") ? 2 : 0;
       off = largestDifference(frame->rgb, static_cast<const Uint8*>(rgb), 3 * pixels);
     } else {
@@ -220,7 +220,7 @@ void TestFramePixels::coloursAreThoseOfTheManifest_data() {
     const QStringList cells = QString::fromUtf8(file.readLine()).remove(u'\n').split(u'\t');
     if (cells.value(column("hash_type")) != QLatin1String("u1-interleaved-RGB")) continue;
     if (cells.value(column("lossy")) != QLatin1String("no")) continue;
-    // This row took the padding of 27 bytes in big endian words for the last pixel's.
+    // This row took the padding of 27 bytes in big endian words for the last pixel's byte.
     if (cells.value(column("id")).contains(QLatin1String("small_odd_big_endian"))) continue;
     QTest::newRow(qPrintable(cells.value(column("id"))))
         << cells.value(column("path")) << cells.value(column("crc32_stored"));
@@ -245,7 +245,8 @@ void TestFramePixels::coloursAreThoseOfTheManifest() {
 
 void TestFramePixels::mostPicturesWereCompared() {
   NEED_DATA(dataPath());
-  // 494 when this was written; DCMTK reads no JPEG 2000, and some files hold no picture.
+  // 494 pictures were compared when this bound was set. DCMTK reads no JPEG 2000, and some files hold no
+  // picture.
   QVERIFY2(compared_ > 450, qPrintable(QString::number(compared_)));
 }
 

@@ -1,5 +1,5 @@
-// Guards import.md: where frames lie that do not each say it: nuclear medicine, ultrasound volumes, doses;
-// and how large their pixels are.
+// Guards import.md: positions and pixel sizes of frames that do not state them individually: nuclear
+// medicine, ultrasound volumes, doses.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -42,7 +42,7 @@ void words(DcmItem& d, const DcmTagKey& tag, const std::vector<Uint16>& values) 
   d.putAndInsertUint16Array(tag, values.data(), values.size());
 }
 
-/// Frames of nuclear medicine, frame n of value n, whose first slice lies at 1, 2, 3.
+/// Returns frames of nuclear medicine. Frame n has value n, and the first slice is at 1, 2, 3.
 DicomPicture nuclear(int frames, const char* distance, const Edit& edit) {
   DicomPicture p;
   p.orientation = "";
@@ -69,7 +69,7 @@ void TestFramePlaces::nuclearSlicesAreStacked_data() {
   QTest::addColumn<QByteArray>("distance");
   QTest::addColumn<Edit>("edit");
   QTest::addColumn<QList<float>>("values");
-  QTest::addColumn<double>("first");    // z of the first slice; NaN: not calibrated
+  QTest::addColumn<double>("first");    // z of the first slice; NaN if not calibrated
   QTest::addColumn<double>("spacing");  // along z
   QTest::addColumn<QByteArray>("warning");
   const auto row = [](const char* name, const char* distance, const Edit& edit, const QList<float>& values,
@@ -130,7 +130,7 @@ void TestFramePlaces::nuclearSlicesAreStacked() {
   QCOMPARE(QList<float>(found.begin(), found.end()), values);
 }
 
-// Two time slots of three slices: each place holds two frames.
+// Two time slots have three slices each, so that each position holds two frames.
 void TestFramePlaces::gatedSlicesLieAtTheirPlaces() {
   const DicomFolder folder;
   folder.add("nm", nuclear(6, "-4", [](DcmDataset& d) {
@@ -165,8 +165,8 @@ void TestFramePlaces::dosesLieByTheirOffsets_data() {
   QTest::addColumn<QByteArray>("offsets");
   QTest::addColumn<QByteArray>("orientation");
   QTest::addColumn<QByteArray>("position");
-  QTest::addColumn<QList<float>>("values");  // along the slice axis; none: no volume
-  QTest::addColumn<double>("z");             // of the first one
+  QTest::addColumn<QList<float>>("values");  // along the slice axis; empty if not a volume
+  QTest::addColumn<double>("z");             // z of the first slice
   const auto row = [](const char* name, const char* offsets, const char* orientation, const char* position,
                       const QList<float>& values, double z) {
     QTest::newRow(name) << QByteArray(offsets) << QByteArray(orientation) << QByteArray(position) << values
@@ -211,7 +211,7 @@ void TestFramePlaces::dosesLieByTheirOffsets() {
   QCOMPARE(QList<float>(found.begin(), found.end()), values);
 }
 
-// In mm, but on no side of the patient.
+// The geometry is in mm, but not in patient space.
 void TestFramePlaces::ultrasoundVolumesHaveNoPatient() {
   const DicomFolder folder;
   DicomPicture p;

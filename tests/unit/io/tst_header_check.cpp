@@ -1,5 +1,5 @@
-// Guards import.md, "Safety": a header that a worker makes up, once a file has taken it over, is refused
-// where it contradicts itself. Found by tests/fuzz/fuzz_answer: the parts of a slice.
+// Guards import.md, "Safety": a header forged by a compromised worker is refused if it contradicts itself.
+// tests/fuzz/fuzz_answer found the case of a slice's parts.
 #include <functional>
 
 #include "io/dicom/inspect_files.h"

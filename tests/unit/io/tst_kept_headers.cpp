@@ -1,4 +1,4 @@
-// Guards io/dicom/kept_headers.h: a header is read once, and never one that may have changed since.
+// Guards io/dicom/kept_headers.h: a header is read once, and never used if the file may have changed since.
 #include <filesystem>
 #include <fstream>
 
@@ -53,7 +53,7 @@ void TestKeptHeaders::aChangedFileIsReadAgain() {
   QFETCH(qint64, modified);
   QFETCH(qint64, changed);
   QFETCH(bool, isKept);
-  // Any file that is old does: only its state is asked.
+  // Any old file will do, as only its state is used.
   const std::string folder = dataPath("ct-chest-lidc0314-138");
   NEED_DATA(folder);
   const std::string path = std::filesystem::directory_iterator(folder)->path().string();
@@ -68,11 +68,11 @@ void TestKeptHeaders::aChangedFileIsReadAgain() {
   const auto kept = dicom::keptHeader(path);
   QCOMPARE(bool(kept), isKept);
   if (kept) QCOMPARE(kept->patientName, std::string("kept"));
-  dicom::keepHeader(path, *now, dicom::inspect(path).header);  // for other tests
+  dicom::keepHeader(path, *now, dicom::inspect(path).header);  // restores it for other tests
 }
 
-// A slice is written over at once, by one as long that lies elsewhere: the times of some file systems would
-// not tell.
+// A slice is overwritten immediately by one of equal length at another position. The times of some file
+// systems would not reveal that.
 void TestKeptHeaders::whatMayChangeUnseenIsNotKept() {
   const DicomFolder folder;
   const double z[] = {0, 1, 2};

@@ -1,5 +1,5 @@
-// Guards export/label_image.h and label_table.h: labels, names and colours come back as they went, as NIfTI,
-// MetaImage and NRRD; what is wrong with a table costs names, not labels.
+// Guards export/label_image.h and label_table.h: labels, names and colours survive a round trip as NIfTI,
+// MetaImage and NRRD. Errors in a table cost names, not labels.
 #include <QFile>
 #include <QTemporaryDir>
 #include <algorithm>
@@ -43,7 +43,7 @@ void writeText(const std::string& path, const std::string& text) {
   writeAll(path, {text.begin(), text.end()});
 }
 
-/// Voxels in a row, as real values.
+/// Writes a row of voxels with these real values.
 void writeValues(const std::string& path, const std::vector<float>& values) {
   VolumeParts parts;
   parts.geometry.size = {int(values.size()), 1, 1};
@@ -145,7 +145,7 @@ void TestLabelImage::numbersAbove255BecomeLabels() {
 
 void TestLabelImage::labelsMayBeOffByRounding_data() {
   QTest::addColumn<QList<float>>("values");
-  QTest::addColumn<QList<int>>("labels");  // none: refused
+  QTest::addColumn<QList<int>>("labels");  // empty if refused
   QTest::addColumn<QByteArray>("told");
   QTest::newRow("whole numbers") << QList<float>{0, 1, 2} << QList<int>{0, 1, 2} << QByteArray();
   QTest::newRow("above and below") << QList<float>{0, 1.0000458f, 1.9999998f} << QList<int>{0, 1, 2}

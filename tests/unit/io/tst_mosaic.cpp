@@ -1,5 +1,5 @@
-// Guards design.md 7: a Siemens mosaic is a volume whose tiles lie where the CSA header says, in either
-// order; what that header does not say is not guessed.
+// Guards design.md 7: a Siemens mosaic is a volume whose tiles are placed by the CSA header, in either order.
+// Facts that the header lacks are not guessed.
 #include <cstring>
 
 #include "io/load.h"
@@ -18,7 +18,7 @@ void addNumber(Bytes& to, std::uint32_t n) {
   for (int shift : {0, 8, 16, 24}) to.push_back(Uint8(n >> shift));
 }
 
-// A field of a CSA header with its values; in the first version lengths count `firstItems` more.
+// Adds a field of a CSA header with its values. In the first version, lengths are larger by `firstItems`.
 void addField(Bytes& to, const std::string& name, const std::vector<std::string>& values, bool second,
               std::uint32_t firstItems) {
   Bytes head(64);
@@ -50,7 +50,7 @@ Bytes csaHeader(const std::vector<std::string>& normal, const std::string& count
   return bytes;
 }
 
-// 5 slices of 2 x 2 pixels in a picture of 6 x 6: tile n holds n.
+// Returns 5 slices of 2 x 2 pixels in a picture of 6 x 6. Tile n holds n.
 DicomPicture mosaic(const Bytes& csa) {
   DicomPicture p;
   p.columns = p.rows = 6;
@@ -107,7 +107,7 @@ void TestMosaic::tilesAreSlices() {
   const VoxelGeometry& g = study.volumes[0].acquired;
   QCOMPARE(g.size, glm::ivec3(2, 2, 5));
   QCOMPARE(g.spacing(), glm::dvec3(2, 2, 3));
-  // The picture's position is that of a slice as large as itself: 6 pixels wide, not 2.
+  // The picture's position is that of a slice as large as the whole picture, 6 pixels wide and not 2.
   QCOMPARE(g.origin, glm::dvec3(104, 204, originZ));
   const auto loaded = loadSeries(study.volumes[0]);
   QVERIFY2(loaded.ok(), loaded.ok() ? "" : loaded.message().c_str());
@@ -146,13 +146,13 @@ void TestMosaic::timeSeriesIsOneVolumeAFile() {
 }
 
 void TestMosaic::filesOfOneNumberAreVolumes_data() {
-  QTest::addColumn<double>("offMm");  // of each along the normal from the one before
+  QTest::addColumn<double>("offMm");  // offset of each from the previous one, along the normal
   QTest::newRow("at one place") << 0.0;
   QTest::newRow("moved with the patient") << 0.2;
   QTest::newRow("half a slice apart") << 1.5;
 }
 
-// Nothing tells them apart but that each is a file: copies of one acquisition, too.
+// Only the files separate them, even if they are copies of one acquisition.
 void TestMosaic::filesOfOneNumberAreVolumes() {
   QFETCH(double, offMm);
   const DicomFolder folder;

@@ -1,5 +1,5 @@
-// Guards design.md 7 and import.md: multi-frame pictures whose geometry is shared, numbered or missing,
-// mapped to real world values, spread over files; and how volumes of one place are named.
+// Guards design.md 7 and import.md: multi-frame pictures whose geometry is shared, numbered or missing, that
+// are mapped to real world values, or spread over files. Also guards the names of volumes at one position.
 #include "io/frames.h"
 #include "io/load.h"
 #include "tests/unit/io/dicom_folder.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int frames = 4;
 
-// An enhanced picture of 4 frames without places; value n in frame n.
+// Returns an enhanced picture of 4 frames without positions. Frame n has value n.
 DicomPicture enhanced(const std::function<void(DcmDataset&)>& edit) {
   DicomPicture p;
   p.orientation = p.spacing = "";
@@ -39,7 +39,7 @@ void shareDistance(DcmDataset& data) {
   group(data, -1, DCM_PixelMeasuresSequence).putAndInsertString(DCM_SpacingBetweenSlices, "2.5");
 }
 
-// Frame n lies at number 4 - n.
+// Gives frame n the number 4 - n.
 void numberBackwards(DcmDataset& data) {
   for (int n = 0; n < frames; ++n)
     group(data, n, DCM_FrameContentSequence)
@@ -83,7 +83,7 @@ Q_DECLARE_METATYPE(Edit)
 void TestMultiframe::framesAreStacked_data() {
   QTest::addColumn<Edit>("edit");
   QTest::addColumn<QList<float>>("values");
-  QTest::addColumn<double>("distance");  // 0: not calibrated
+  QTest::addColumn<double>("distance");  // 0 if not calibrated
   QTest::addColumn<QByteArray>("warning");
   const QList<float> forward{0, 1, 2, 3}, backward{3, 2, 1, 0};
   QTest::newRow("one position, numbers and their distance")
@@ -187,7 +187,7 @@ void TestMultiframe::whatNoGroupSaysTheDataSetSays_data() {
   }) << stored;
 }
 
-// As in multi-frame secondary captures (PS3.3 C.8.6.3); in the volume and in the frame as acquired.
+// Covers multi-frame secondary captures (PS3.3 C.8.6.3), in the volume and in the frame as acquired.
 void TestMultiframe::whatNoGroupSaysTheDataSetSays() {
   QFETCH(Edit, edit);
   QFETCH(QList<float>, values);
@@ -207,7 +207,7 @@ void TestMultiframe::whatNoGroupSaysTheDataSetSays() {
   QCOMPARE(frame->values.at(0), values[3]);
 }
 
-// Two places, at each two pictures that only a dimension tells apart.
+// Each of two positions has two pictures that only a dimension separates.
 void TestMultiframe::dimensionsTellVolumesApart() {
   const DicomFolder folder;
   folder.add("f", enhanced([](DcmDataset& data) {

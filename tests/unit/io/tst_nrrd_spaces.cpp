@@ -19,8 +19,8 @@ class TestNrrdSpaces : public QObject {
 
 void TestNrrdSpaces::leftHandedSpacesAreTurnedRound_data() {
   QTest::addColumn<QByteArray>("fields");
-  QTest::addColumn<double>("third");   // of the step along k
-  QTest::addColumn<double>("origin");  // its third
+  QTest::addColumn<double>("third");   // third component of the step along k
+  QTest::addColumn<double>("origin");  // third component of the origin
   const QByteArray directions = "space directions: (1,0,0) (0,1,0) (0,0,2)\nspace origin: (0,0,5)\n";
   QTest::newRow("left-handed, spacings")
       << QByteArray("space: 3D-left-handed\nspacings: 1 1 2\n") << -2.0 << 0.0;

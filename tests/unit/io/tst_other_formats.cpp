@@ -1,5 +1,5 @@
-// Guards import.md: Analyze, MGH, GIPL, VTK and MRC are read as their definitions say, what they leave open
-// is said, and no mutation of their bytes ends otherwise than in a volume or a sentence.
+// Guards import.md: Analyze, MGH, GIPL, VTK and MRC are read by their definitions, and what these leave open
+// is reported. Any mutation of their bytes gives a volume or a sentence.
 #include <QFile>
 #include <QTemporaryDir>
 #include <limits>
@@ -39,7 +39,7 @@ class TestOtherFormats : public QObject {
 
  private:
   std::string write(const QString& name, const QByteArray& content) const;
-  // Writes the file, and for Analyze the .img beside it; reads its first volume.
+  // Write the file, with the .img of Analyze beside it, and load its first volume.
   Result<Loaded> load(const QString& name, const QByteArray& content) const;
   QTemporaryDir folder_;
 };
@@ -112,7 +112,7 @@ void TestOtherFormats::isRead() {
 
 void TestOtherFormats::bytesAreSignedOrNot_data() {
   QTest::addColumn<QByteArray>("content");
-  QTest::addColumn<float>("value");  // of a byte 0xf0
+  QTest::addColumn<float>("value");  // value of the byte 0xf0
   const auto bytes = [](const Change& change) {
     QByteArray file = mrc(false, change).left(1024);
     put<std::int32_t>(file, 12, 0, false);
@@ -147,15 +147,15 @@ void TestOtherFormats::directionsOfMgh() {
   const auto loaded = load(QStringLiteral("a.mgh"), mgh());
   QVERIFY(loaded.ok());
   const VoxelGeometry& g = loaded->acquired->geometry();
-  // RAS to LPS: x and y change their signs.
+  // From RAS to LPS, x and y change their signs.
   QCOMPARE(g.patientFromVoxelStep[0], glm::dvec3(1, 0, 0));
   QCOMPARE(g.patientFromVoxelStep[1], glm::dvec3(0, 0, -2));
   QCOMPARE(g.patientFromVoxelStep[2], glm::dvec3(0, -3, 0));
-  // Voxel (2, 1.5, 1), half of each size, lies at the centre (10, 20, 30) RAS.
+  // Voxel (2, 1.5, 1), half of each size, is at the centre (10, 20, 30) RAS.
   QCOMPARE(g.patientFromVoxel(glm::dvec3(2, 1.5, 1)), glm::dvec3(-10, -20, 30));
 }
 
-// One section that has no length of its own.
+// The file has one section without a thickness.
 void TestOtherFormats::aSectionWithoutThickness() {
   const QByteArray file = mrc(false, [](QByteArray& h) {
                             put<std::int32_t>(h, 8, 1, false), put(h, 48, 0.f, false);
@@ -316,7 +316,7 @@ void TestOtherFormats::otherFormatsAreNamed() {
 
 void TestOtherFormats::gzippedDicomIsNamed() {
   QByteArray dicom(128, '\0');
-  put<std::int32_t>(dicom, 0, 348, false);  // Siemens' preamble begins as a NIfTI header does
+  put<std::int32_t>(dicom, 0, 348, false);  // Siemens' preamble begins like a NIfTI header
   const std::string path = write(QStringLiteral("a.dcm.gz"), gzipped(dicom + "DICM" + QByteArray(600, '\0')));
   QVERIFY(looksLikeImageFile(path));
   const auto found = readImageFileHeaders(path);
@@ -345,7 +345,7 @@ void TestOtherFormats::everyCutIsRefused() {
 
 void TestOtherFormats::everyMutationEndsWell_data() { everyCutIsRefused_data(); }
 
-// One to four bytes of the header changed: loaded as something or refused in a sentence.
+// Changes one to four bytes of the header. The file must load as something or be refused in a sentence.
 void TestOtherFormats::everyMutationEndsWell() {
   QFETCH(QString, name);
   QFETCH(QByteArray, content);

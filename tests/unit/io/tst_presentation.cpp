@@ -1,5 +1,5 @@
-// Guards import.md and slices.md 2: what a grayscale presentation state says (PS3.3 A.33.1) comes out as
-// written, and the frame that it refers to is shown by it alone.
+// Guards import.md and slices.md 2: a grayscale presentation state (PS3.3 A.33.1) is read as written, and the
+// frame it refers to is shown by it alone.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -124,7 +124,7 @@ void TestPresentation::aRealOneIsReadWhole() {
   QVERIFY(part.graphics.at(0).type == GraphicType::ellipse && part.graphics[0].points.size() == 4);
   QVERIFY(part.texts.at(0).text.find("Area: 119.58 cm\xc2\xb2") != std::string::npos);
   QVERIFY(part.texts[0].anchor && !part.texts[0].anchor->visible && part.texts[0].box);
-  // It counts from 0: of a picture of 2688 x 2688 that is all.
+  // The area counts from 0 and covers all of a picture of 2688 x 2688.
   const FramePresentation how = presentationOf(*p, p->pictures[0].sopInstanceUid, 0, {2688, 2688});
   QCOMPARE(*how.area, (PixelBox{{0, 0}, {2687, 2687}}));
 }
@@ -162,7 +162,7 @@ void TestPresentation::pixelsLieWhereTheyAreTurnedTo() {
   const auto hidden = [&](int x, int y) { return shown->frame.shutter.at(std::size_t(y * 128 + x)); };
   QVERIFY(hidden(11, 14) && !hidden(11, 15) && hidden(9, 20) && !hidden(10, 20));  // columns 11.., rows 16..
   QVERIFY(hidden(118, 50) && !hidden(117, 50) && hidden(50, 113) && !hidden(50, 112));
-  // The anchor 51, 51 lies on the diagonal, the point 90, 40 on the other side of it.
+  // The anchor 51, 51 is on the diagonal, the point 90, 40 to one side of it.
   QCOMPARE(grid.displayed({90, 40}, AnnotationUnits::pixel), glm::dvec2(40, 90));
   QCOMPARE(grid.displayed({0.5, 0.25}, AnnotationUnits::display), glm::dvec2(64, 32));
 }
@@ -179,7 +179,7 @@ void TestPresentation::otherPicturesAreRefused() {
 void TestPresentation::whatItLeavesOutIsIdentity_data() {
   QTest::addColumn<bool>("rescale");
   QTest::addColumn<bool>("window");
-  QTest::addColumn<float>("value");  // of stored 300
+  QTest::addColumn<float>("value");  // real value of stored 300
   QTest::addColumn<int>("grey");
   QTest::newRow("neither: stored values, all of 12 bits") << false << false << 300.f << 19;
   QTest::newRow("no window: all values of 12 bits") << true << false << 400.f << 19;
@@ -251,7 +251,7 @@ void TestPresentation::areaCountedFromZeroIsTheWholePicture() {
   };
   QCOMPARE(*Pair(area(0, 0, 4, 3)).shown()->how.area, (PixelBox{{0, 0}, {3, 2}}));
   QCOMPARE(*Pair(area(2, 1, 4, 9)).shown()->how.area, (PixelBox{{1, 0}, {3, 8}}));
-  QCOMPARE(*Pair(area(4, 3, 2, 1)).shown()->how.area, (PixelBox{{1, 0}, {3, 2}}));  // of a turned picture
+  QCOMPARE(*Pair(area(4, 3, 2, 1)).shown()->how.area, (PixelBox{{1, 0}, {3, 2}}));  // a turned picture
   QVERIFY(Pair(area(9, 9, 12, 12)).shown().message().find("no part") != std::string::npos);
   QVERIFY(Pair(area(-8000000, 1, 8000000, 200)).shown().message().find("268 million pixels") !=
           std::string::npos);

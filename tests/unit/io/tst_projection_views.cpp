@@ -1,5 +1,5 @@
-// Guards import.md: projections of one series are one stack, whatever their sides, that says side and view of
-// each; a view that is given by a code is read.
+// Guards import.md: projections of one series form one stack, whatever their sides, which names side and view
+// of each. A coded view is read.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -11,7 +11,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// A mammogram without a place; `view`: a word, or a code where it has a digit.
+// Returns a mammogram without a position. `view` is a word, or a code if it has a digit.
 DicomPicture mammogram(int instance, const char* side, const char* view) {
   DicomPicture p;
   p.instance = instance;

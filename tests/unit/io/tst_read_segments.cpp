@@ -1,6 +1,6 @@
-// Guards export/read_segments.h: segments come back from every kind of file that is written, by its contents
-// and not its name; what another grid costs is told with figures; what lies elsewhere costs a sentence that
-// names it.
+// Guards export/read_segments.h: segments are read from every written kind of file, recognised by contents
+// and not by name. Losses on another grid are reported with figures. Files that lie elsewhere give a sentence
+// that names them.
 #include <filesystem>
 #include <set>
 
@@ -36,7 +36,7 @@ void TestReadSegments::theyComeBackAsTheyWent() {
   std::string path = in.write(ending);
   QVERIFY(!path.empty());
   const bool hasCodes = ending == ".seg.nrrd" || ending == ".dcm";
-  if (hasCodes) {  // the table of an image is found by its name
+  if (hasCodes) {  // only the table of an image is found by its name
     std::filesystem::rename(path, in.folder.path("plain"));
     path = in.folder.path("plain");
   }
@@ -55,7 +55,7 @@ void TestReadSegments::theyComeBackAsTheyWent() {
 
 void TestReadSegments::whatAnotherGridCostsIsTold_data() { addEndings({".seg.nrrd", ".dcm", ".nii.gz"}); }
 
-// 4 x 3 x 9 voxels of 2 mm^3; a grid that begins two slices later and has voxels of half the width.
+// Covers 4 x 3 x 9 voxels of 2 mm^3. The other grid begins two slices later and has voxels of half the width.
 void TestReadSegments::whatAnotherGridCostsIsTold() {
   QFETCH(QByteArray, ending);
   Sliced in;
@@ -87,7 +87,7 @@ void TestReadSegments::anotherFrameOfReferenceIsRefused() {
   other.sopInstanceUids.clear();
   const auto refused = readSegments(path, other, in.grid);
   QVERIFY(!refused && refused.message().find("another frame of reference") != std::string::npos);
-  other.frameOfReferenceUid.clear();  // a series that is no DICOM
+  other.frameOfReferenceUid.clear();  // a series that is not DICOM
   QVERIFY(readSegments(path, other, in.grid).ok());
 }
 

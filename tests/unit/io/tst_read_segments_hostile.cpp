@@ -1,5 +1,5 @@
-// Guards export/read_segments.h: what holds no segments, is damaged or is not what its pictures are costs a
-// sentence that names it.
+// Guards export/read_segments.h: a file without segments, a damaged one, or one that contradicts its pictures
+// gives a sentence that names it.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -43,7 +43,7 @@ void editFile(const std::string& path, const std::function<void(DcmDataset&)>& e
 
 }  // namespace
 
-// All frames of both segments are made those of the first, so that each place comes twice.
+// Assigns all frames to the first segment, so that each position occurs twice.
 void TestReadSegmentsHostile::repeatedFramesAreNoOtherGrid() {
   Sliced in;
   const std::string path = in.write(".dcm");
@@ -96,7 +96,7 @@ void TestReadSegmentsHostile::whatDiffersFromItsPicturesIsTold() {
   QVERIFY(!ofOther && ofOther.message().ends_with("are there."));
 }
 
-// As many pixels, of which hardly one is where it was.
+// The number of pixels is the same, but hardly any is in place.
 void TestReadSegmentsHostile::rowsForColumnsAreTold() {
   Sliced in;
   const std::string path = in.write(".dcm");
@@ -145,7 +145,7 @@ void TestReadSegmentsHostile::whatHoldsNoneIsRefused() {
   QVERIFY(!folder && folder.message().find("is no file") != std::string::npos);
 }
 
-// All small files of the data: segments on this grid, or a sentence.
+// Reads all small files of the data. Each gives segments on this grid or a sentence.
 void TestReadSegmentsHostile::filesOfOthersCostASentence() {
   NEED_DATA(dataPath());
   const Sliced in;

@@ -1,4 +1,4 @@
-// Guards import.md: measurement groups of TID 1500 and marked pictures of TID 2010 come out as written.
+// Guards import.md: measurement groups of TID 1500 and key images of TID 2010 are read as written.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 

@@ -1,5 +1,4 @@
-// Guards design.md 10 (phantom ct-head): what is kept of it gives the same bytes, and nothing else is
-// believed.
+// Guards design.md 10 (phantom ct-head): the cache gives the same bytes, and only intact files are used.
 #include <zlib.h>
 
 #include <QDir>
@@ -54,7 +53,7 @@ void write(const QString& path, const QByteArray& bytes) {
   QCOMPARE(file.write(bytes), bytes.size());
 }
 
-// The file with `change` made to its values and its checksum right.
+// Returns the file with `change` applied to its values and a correct checksum.
 QByteArray withValues(QByteArray file, const std::function<void(std::vector<std::int16_t>&)>& change) {
   constexpr int checksumAt = 16, valuesAt = 24;
   std::vector<std::int16_t> values((std::size_t(file.size()) - valuesAt) / 2);
@@ -83,7 +82,7 @@ void TestSampleCache::whatIsKeptGivesTheSameBytes() {
 void TestSampleCache::theFileIsRead() {
   const Cache cache;
   cache.open();
-  // A voxel in no block that is looked at.
+  // The voxel is in no block that is checked.
   write(cache.file, withValues(tests::contentsOf(cache.file), [](auto& values) { values[20] = 1234; }));
   QCOMPARE(cache.open()->valueAt(20), 1234.f);
 }

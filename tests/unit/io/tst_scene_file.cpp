@@ -1,4 +1,4 @@
-// Guards design.md 10: the scene in a picture's text is found again; what holds none is refused by name.
+// Guards design.md 10: the scene in a picture's text can be read. Pictures without one are refused by name.
 #include <QFile>
 #include <QImage>
 #include <QTemporaryDir>

@@ -1,4 +1,4 @@
-// Guards design.md 8 (results leave as seg.nrrd; fields: Slicer, "Segmentation labelmap file format").
+// Guards design.md 8 (results are written as seg.nrrd; fields: Slicer, "Segmentation labelmap file format").
 #include <QFile>
 #include <QTemporaryDir>
 

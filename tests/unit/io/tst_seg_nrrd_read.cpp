@@ -1,5 +1,5 @@
-// Guards export/seg_nrrd.h: segments in layers come back as they went; files as Slicer writes them, old and
-// cropped ones too; a file that contradicts itself costs a sentence.
+// Guards export/seg_nrrd.h: segments in layers survive a round trip. Slicer's files are read, including old
+// and cropped ones. A file that contradicts itself gives a sentence.
 #include <QFile>
 #include <QTemporaryDir>
 #include <algorithm>
@@ -34,7 +34,7 @@ class TestSegNrrdRead : public QObject {
 
 namespace {
 
-/// A NRRD file of these header lines behind those of a grid of `sizes`, and raw bytes.
+/// Writes a NRRD file of raw bytes whose header has these lines after those of a grid of `sizes`.
 std::string fileOf(const QTemporaryDir& folder, const std::string& sizes, const std::string& lines,
                    const std::vector<std::uint8_t>& bytes, const std::string& type = "uint8") {
   const std::string path = folder.filePath(QStringLiteral("a.seg.nrrd")).toStdString();
@@ -126,7 +126,7 @@ void TestSegNrrdRead::slicersFieldsAreUnderstood() {
   QCOMPARE(segments[0].region, (Code{"818981001", "SCT", "Abdomen"}));
   QCOMPARE(segments[0].regionModifier, rightSide());
   QVERIFY(segments[0].colour == glm::u8vec3(185, 102, 83));
-  QCOMPARE(segments[0].number, 2);  // 300 is no label, 1 is taken
+  QCOMPARE(segments[0].number, 2);  // 300 is no label, and 1 is taken
   QCOMPARE(segments[1].label, std::string("no name"));
   QVERIFY(!segments[1].colour && segments[1].number == 1);
   QCOMPARE(out->maps[0].labels.dense().labels, (std::vector<std::uint8_t>{2, 1, 0, 0}));
@@ -161,7 +161,7 @@ void TestSegNrrdRead::croppedFilesLieWhereTheyLay() {
   auto read = readSegNrrd(fileOf(folder, "3 1 1", "Segment0_Name:=a\n", {1, 0, 1}));
   QVERIFY(read.ok());
   VoxelGeometry grid = row(6);
-  grid.origin.x = 8;  // two voxels before
+  grid.origin.x = 8;  // begins two voxels earlier
   const auto inside = onGrid(*read, grid);
   QVERIFY(inside.ok());
   QCOMPARE(inside->maps[0].labels.dense().labels, (std::vector<std::uint8_t>{0, 0, 1, 0, 1, 0}));
@@ -182,7 +182,7 @@ void TestSegNrrdRead::croppedFilesLieWhereTheyLay() {
   QVERIFY(onGrid(*read, unknown)->maps[0].labels.geometry() == unknown);
 }
 
-// Slicer writes one voxel, wherever, where no segment has any.
+// If all segments are empty, Slicer writes a single voxel at any position.
 void TestSegNrrdRead::anEmptyFileHasItsSegments() {
   const QTemporaryDir folder;
   const auto read =
@@ -260,7 +260,7 @@ void TestSegNrrdRead::contradictionsAreRefused() {
            out.message().c_str());
 }
 
-// Bytes of a good file changed or cut off: read or refused with a sentence that names it.
+// Bytes of a good file are changed or cut off. It is read or refused with a sentence that names it.
 void TestSegNrrdRead::damagedFilesNeverCrash() {
   const QTemporaryDir folder;
   const std::string path = folder.filePath(QStringLiteral("a.seg.nrrd")).toStdString();

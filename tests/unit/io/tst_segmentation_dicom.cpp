@@ -1,5 +1,6 @@
-// Guards export/segmentation_dicom.h: what a DICOM SEG says of segments and pictures, also on other grids and
-// where pictures are missing; what is refused; dciodvfy finds no error in those of real series.
+// Guards export/segmentation_dicom.h: the contents of a DICOM SEG about segments and pictures, also on other
+// grids and with missing pictures. Also covers refusals. dciodvfy finds no error in segmentations of real
+// series.
 #include <QElapsedTimer>
 #include <QFile>
 #include <set>
@@ -83,7 +84,7 @@ void TestSegmentationDicom::itNamesItsPictures() {
   DcmItem* measures = itemOf(itemOf(&data, DCM_SharedFunctionalGroupsSequence), DCM_PixelMeasuresSequence);
   for (const DcmTagKey& tag : {DCM_SliceThickness, DCM_SpacingBetweenSlices})  // positions have 12 digits
     QVERIFY(std::abs(QString::fromStdString(attributeText(*measures, tag)).toDouble() - 2.5) < 1e-6);
-  // Every source instance, and of the frame the one that it lies on.
+  // All source instances are listed, and for the frame the one it lies on.
   DcmItem* series = itemOf(&data, DCM_ReferencedSeriesSequence);
   QCOMPARE(attributeText(*series, DCM_SeriesInstanceUID), std::string("1.2.3.4.5"));
   std::set<std::string> instances;
@@ -121,7 +122,7 @@ void TestSegmentationDicom::sameContentsGiveTheSameFile() {
 
 void TestSegmentationDicom::slicesBetweenPicturesAreLeftOutAndTold() {
   Chance chance(11);
-  const Slices slices({8, 8}, {0, 2, 4, 8, 10, 12}, chance);  // that at 6 is missing
+  const Slices slices({8, 8}, {0, 2, 4, 8, 10, 12}, chance);  // the slice at 6 is missing
   QVERIFY(slices.series.regular.has_value());
   QCOMPARE(slices.grid.size.z, 7);
   std::vector<SegmentVoxels> in{{randomSegment(1, chance), inverted(BitMask(slices.grid))}};
@@ -133,7 +134,7 @@ void TestSegmentationDicom::slicesBetweenPicturesAreLeftOutAndTold() {
   QVERIFY(out.ok());
   QCOMPARE(out->frames.size(), std::size_t(6));
   QCOMPARE(pixelsOf(*out, 0), std::int64_t(6 * 64));
-  // Nothing marked there, nothing told.
+  // Without marked voxels in that slice there is no note.
   BitMask last(slices.grid);
   last.set({0, 0, 6});
   in[0].mask = last;
@@ -230,7 +231,7 @@ void TestSegmentationDicom::realSeriesAreValid_data() {
     QTest::newRow(name) << QString::fromLatin1(name);
 }
 
-// Two segments by thresholds, of all slices; VOLUMEN_FIGURES prints how long each step takes.
+// Two segments by thresholds, over all slices. VOLUMEN_FIGURES prints the time of each step.
 void TestSegmentationDicom::realSeriesAreValid() {
   QFETCH(QString, name);
   NEED_DATA(dataPath(name.toStdString()));

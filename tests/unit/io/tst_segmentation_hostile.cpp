@@ -1,5 +1,4 @@
-// Guards import.md: SEG objects that are damaged or hold wrong values cost a sentence that names what is
-// wrong.
+// Guards import.md: SEG objects that are damaged or hold wrong values give a sentence that names the error.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -27,7 +26,7 @@ namespace {
 
 using Edit = std::function<void(DcmItem&)>;
 
-/// The measures of all frames.
+/// Returns the pixel measures shared by all frames.
 DcmItem& measuresOf(DcmItem& data) {
   DcmItem *shared = nullptr, *measures = nullptr;
   data.findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared);

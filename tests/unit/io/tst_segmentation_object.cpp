@@ -1,5 +1,5 @@
-// Guards import.md: segments of SEG objects come out bit by bit, placed by their geometry, overlapping ones
-// apart.
+// Guards import.md: segments of SEG objects are read bit by bit and placed by their geometry, overlapping
+// ones separately.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -40,7 +40,7 @@ class TestSegmentationObject : public QObject {
 
 namespace {
 
-/// The smallest box that holds a mask.
+/// Returns the smallest box that holds a mask.
 VoxelBox boxOf(const BitMask& mask) { return *mask.box(); }
 
 }  // namespace
@@ -105,7 +105,7 @@ void TestSegmentationObject::bitsRunOnFromFrameToFrame() {
   QFETCH(int, columns);
   QFETCH(int, rows);
   QFETCH(int, frames);
-  // Set is every pixel whose number, through all frames, has an odd number of ones.
+  // A pixel is set if its number, counted over all frames, has an odd number of one bits.
   const auto isSet = [](std::size_t n) { return std::popcount(n) % 2 == 1; };
   MadeSegmentation made{columns, rows, frames};
   const std::size_t bits = std::size_t(columns * rows * frames);
@@ -128,7 +128,8 @@ void TestSegmentationObject::framesMayBeginOnWholeBytes_data() {
   QTest::addColumn<int>("rows");
   QTest::addColumn<int>("frames");
   QTest::addColumn<bool>("isTold");
-  // 9 bits in 2 bytes; 3 bytes and a half of 15 bits each; where the bytes are as many, bits run on.
+  // Frames of 9 and of 15 bits take 2 bytes each, so that the layouts differ in length. If both have the same
+  // length, bits run on from frame to frame.
   QTest::newRow("3 x 3, 8 frames") << 3 << 3 << 8 << true;
   QTest::newRow("5 x 3, 31 frames") << 5 << 3 << 31 << true;
   QTest::newRow("1 x 1, 5 frames") << 1 << 1 << 5 << true;
@@ -171,9 +172,9 @@ void TestSegmentationObject::fractionsAreSetFromOneHalfOn() {
 
 void TestSegmentationObject::pixelsOfLabelMapsAreNumbers_data() {
   QTest::addColumn<int>("bits");
-  QTest::addColumn<int>("padding");  // PixelPaddingValue; below 0: there is none
+  QTest::addColumn<int>("padding");  // PixelPaddingValue; negative for none
   QTest::addColumn<QList<int>>("segments");
-  QTest::addColumn<QList<int>>("pixels");  // of two frames of two pixels
+  QTest::addColumn<QList<int>>("pixels");  // two frames of two pixels each
   QTest::addColumn<QStringList>("found");
   QTest::addColumn<QByteArray>("told");
   const auto row = [](const char* name, int bits, int padding, const QList<int>& segments,
@@ -248,8 +249,8 @@ void TestSegmentationObject::labelMapsMayHaveAPalette() {
 void TestSegmentationObject::coloursAreThoseOfCieLab_data() {
   QTest::addColumn<QList<int>>("words");
   QTest::addColumn<QList<int>>("rgb");
-  // CIELab of D50, (L 655.35, (a + 128) 257, (b + 128) 257), of well-known colours; +- 2 for the words'
-  // rounding.
+  // CIELab for D50, (L 655.35, (a + 128) 257, (b + 128) 257), of well-known colours; +- 2 for rounding of the
+  // words.
   QTest::newRow("white") << QList<int>{65535, 32896, 32896} << QList<int>{255, 255, 255};
   QTest::newRow("black") << QList<int>{0, 32896, 32896} << QList<int>{0, 0, 0};
   QTest::newRow("middle grey, L 53.39") << QList<int>{34988, 32896, 32896} << QList<int>{127, 127, 127};
@@ -285,7 +286,7 @@ void TestSegmentationObject::byteOrderDoesNotMatter() {
   QVERIFY(pixelsOf(*little, 0) > 1000 && little->bits == big->bits);
 }
 
-// Three frames of 9 bits, the last where the first is, of the same segment.
+// Three frames of 9 bits belong to one segment. The last has the position of the first.
 void TestSegmentationObject::repeatedFramesAreUnited() {
   const DicomFolder folder;
   MadeSegmentation made{.frames = 3, .bytes = {0x03, 0x02, 0x18, 0x00}};  // pixels 0 1; 0; 1 2

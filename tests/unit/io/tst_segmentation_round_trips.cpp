@@ -1,5 +1,5 @@
-// Guards export/segmentation_dicom.h: what is marked comes out of a DICOM SEG voxel by voxel, overlapping or
-// not, whatever the number of its pixels; DCMTK and pydicom read the same.
+// Guards export/segmentation_dicom.h: segments survive a DICOM SEG voxel by voxel, overlapping or not, for
+// any number of pixels. DCMTK and pydicom read the same.
 #include <QProcess>
 #include <algorithm>
 #include <memory>
@@ -34,7 +34,7 @@ bool sameSaid(const Segment& a, const Segment& b) {
              std::max(b.algorithmType, SegmentAlgorithm::manual);
 }
 
-/// Whether each of these is in one of the maps, of which there are several only where segments overlap.
+/// Returns whether each segment is in one of the maps, and there are several maps only if segments overlap.
 bool areHeldBy(const std::vector<Segmented>& maps, const std::vector<SegmentVoxels>& in) {
   bool overlap = false;
   for (std::size_t a = 0; a < in.size(); ++a) {
@@ -49,7 +49,7 @@ bool areHeldBy(const std::vector<Segmented>& maps, const std::vector<SegmentVoxe
   return (maps.size() > 1) == overlap;
 }
 
-/// Voxels of a segment as DCMTK alone reads them: bit by bit, each frame placed by its position.
+/// Returns the voxels of segments as read by DCMTK alone: bit by bit, each frame placed by its position.
 std::vector<BitMask> readByDcmtk(const std::string& path, const VoxelGeometry& grid, std::size_t segments) {
   std::vector<BitMask> masks(segments, BitMask(grid));
   DcmFileFormat file;
@@ -80,7 +80,7 @@ std::vector<BitMask> readByDcmtk(const std::string& path, const VoxelGeometry& g
   return masks;
 }
 
-/// A python with pydicom and numpy; empty: there is none.
+/// Returns a python with pydicom and numpy; empty if there is none.
 QString pythonWithPydicom() {
   for (const char* python : {"/usr/bin/python3", "python3"}) {
     QProcess probe;
@@ -151,7 +151,8 @@ void TestSegmentationRoundTrips::labelMapsComeBackAsTheyWent() {
   }
 }
 
-// Frames of its pixel_array, summed up by x + 1, y + 1 and their product, so that no pixel is another's.
+// Compares sums of each frame of pixel_array, so that a moved pixel is noticed. They are plain or weighted by
+// x, y and x^2 y, counted from 1.
 void TestSegmentationRoundTrips::pydicomReadsTheSame() {
   const QString python = pythonWithPydicom();
   if (python.isEmpty()) QSKIP("pydicom and numpy (python3-pydicom) are not installed");
@@ -201,7 +202,8 @@ void TestSegmentationRoundTrips::pydicomReadsTheSame() {
   QCOMPARE(read, expected);
 }
 
-// Of what real series seldom have: a pixel a frame, one slice, segments that overlap, hundreds of them.
+// Covers rare contents of real series: one pixel a frame, one slice, overlapping segments, hundreds of
+// segments.
 void TestSegmentationRoundTrips::dciodvfyFindsNoError() {
   NEED_DCIODVFY();
   const Seeds seeds = seedsOf(8, 200);
@@ -222,7 +224,7 @@ void TestSegmentationRoundTrips::dciodvfyFindsNoError() {
   }
 }
 
-// The words of CIELab are fine enough for all of sRGB: 255 colours of one file, thousands over all.
+// The words of CIELab resolve all of sRGB. Tests 255 colours a file, thousands in all.
 void TestSegmentationRoundTrips::coloursComeBackAsTheyWent() {
   Chance chance(5);
   const Slices slices({16, 16}, even(1, 1), chance);

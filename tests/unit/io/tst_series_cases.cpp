@@ -1,5 +1,5 @@
-// Guards design.md 7 on inputs made after public reports (../shared/data/field-cases): which pictures
-// make one volume, in which order, and what each is called.
+// Guards design.md 7 on inputs made after public reports (../shared/data/field-cases): which pictures form a
+// volume, their order, and the volumes' names.
 #include <algorithm>
 
 #include "io/open.h"
@@ -27,7 +27,7 @@ void TestSeriesCases::picturesThatBelongTogether_data() {
   QTest::addColumn<QString>("folder");
   QTest::addColumn<QStringList>("volumes");
   QTest::addColumn<QString>("told");     // in a warning of each
-  QTest::addColumn<QString>("notTold");  // in none
+  QTest::addColumn<QString>("notTold");  // in no warning
   const auto row = [](const char* folder, const QStringList& volumes, const char* told = "",
                       const char* notTold = "nothing in the files") {
     QTest::newRow(folder) << QString::fromLatin1(folder) << volumes << QString::fromLatin1(told)

@@ -1,4 +1,4 @@
-// Guards design.md 7: what tells series of one name apart is read, and all attributes of a file can be
+// Guards design.md 7: facts that distinguish series of one name are read, and all attributes of a file can be
 // listed.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -100,7 +100,7 @@ void TestSeriesFacts::whatTellsSeriesApartIsRead() {
   QCOMPARE(QString::fromStdString(study.volumes[0].*field), value);
 }
 
-// Of a volume, one of whose slices has them, and of frames.
+// Covers a volume with one lossy slice, and frames.
 void TestSeriesFacts::lossesByCompressionAreRead() {
   const DicomFolder folder;
   for (int n = 0; n < 3; ++n) {
@@ -171,7 +171,7 @@ void TestSeriesFacts::everyAttributeIsListed_data() {
     QTest::newRow(name) << QString::fromLatin1(name);
 }
 
-// As many lines at every depth as DCMTK reads.
+// There are as many lines at every depth as DCMTK reads.
 void TestSeriesFacts::everyAttributeIsListed() {
   QFETCH(QString, file);
   const std::string path = dataPath(file.toStdString());

@@ -1,6 +1,6 @@
-// Guards design.md 7 on pictures of several frames: those of one place in an order of its own at each place,
-// and several files that each hold a stack, become pure volumes, named by what tells them apart.
-// VOLUMEN_RANDOM_CASES=5000 for more, VOLUMEN_RANDOM_SEED for others.
+// Guards design.md 7 on multi-frame pictures. Frames in different order at each position, and several files
+// that each hold a stack, become pure volumes named by what separates them. VOLUMEN_RANDOM_CASES=5000 for
+// more, VOLUMEN_RANDOM_SEED for others.
 #include <algorithm>
 #include <numeric>
 #include <random>
@@ -26,7 +26,7 @@ class TestSeriesFrames : public QObject {
 
 namespace {
 
-/// What tells frames apart, by value `n` (0 to 2) of frame `frame`.
+/// An attribute that separates frames. Writes value `n` (0 to 2) of frame `frame`.
 struct FrameAttribute {
   const char* keyword;
   void (*write)(DcmDataset&, int frame, int n);
@@ -98,7 +98,7 @@ const FrameAttribute attributes[] = {
      [](DcmDataset& d, int f, int n) {
        word(group(d, f, DCM_FrameContentSequence), DCM_FrameLabel, "rest|stress|late", n);
      }},
-    {"ScanOptions",  // of pictures that were made enhanced
+    {"ScanOptions",  // for pictures converted to enhanced ones
      [](DcmDataset& d, int f, int n) {
        word(group(d, f, DcmTagKey(0x0020, 0x9171)), DCM_ScanOptions, "FS|PFF|SP", n);
      }},
@@ -115,7 +115,7 @@ void sharePlane(DcmDataset& data) {
   group(data, -1, DCM_PixelMeasuresSequence).putAndInsertString(DCM_PixelSpacing, "0.5\\0.7");
 }
 
-/// An enhanced picture of as many frames; `edit` fills them in.
+/// Returns an enhanced picture of `frames` frames, which `edit` fills in.
 DicomPicture enhanced(int frames, const std::function<void(DcmDataset&)>& edit) {
   DicomPicture p;
   p.orientation = p.spacing = "";
@@ -147,7 +147,7 @@ void TestSeriesFrames::framesOfOnePlaceArePure() {
   std::vector<int> order(std::size_t(kinds * places));
   std::iota(order.begin(), order.end(), 0);
   std::ranges::shuffle(order, random);
-  std::vector<int> missing;  // frames, of some seeds
+  std::vector<int> missing;  // frames, for some seeds
   if (seed % 4 == 0 && places > 2) missing.push_back(pick(0, kinds * places - 1));
   std::erase_if(order, [&](int n) { return std::ranges::find(missing, n) != missing.end(); });
   const DicomFolder folder;
@@ -172,8 +172,8 @@ void TestSeriesFrames::framesOfOnePlaceArePure() {
 
 void TestSeriesFrames::filesOfStacksArePure_data() { addSeeds(); }
 
-// The same number in each file, frames in any order, places that tremble from file to file or not, and some
-// files shorter than others.
+// Files may have equal numbers, frames are in any order, positions may jitter between files, and some files
+// may be shorter.
 void TestSeriesFrames::filesOfStacksArePure() {
   QFETCH(unsigned, seed);
   std::mt19937 random(seed);

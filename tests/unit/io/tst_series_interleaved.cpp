@@ -1,5 +1,5 @@
-// Guards design.md 7: several kinds of pictures along one line, at places of their own, become volumes of
-// their own or are named, whatever attribute tells them apart; what belongs together stays.
+// Guards design.md 7: several kinds of pictures along one line, at positions of their own, become separate
+// volumes or are named, whatever attribute separates them. Pictures that belong together stay together.
 // VOLUMEN_RANDOM_CASES=5000 for more, VOLUMEN_RANDOM_SEED for others.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -33,11 +33,11 @@ namespace {
 using May = SeriesAttribute::May;
 constexpr int localizer = 100, unsaid = -1;
 
-/// A series of kinds, each a stack of its own (regular) or scattered among the places of one.
+/// A series of several kinds, each a stack of its own (regular) or scattered over the positions of one stack.
 struct Interleaved {
-  std::vector<const SeriesAttribute*> of;  // attributes in which the kinds differ, one by one
-  std::vector<double> z;                   // of each picture
-  std::vector<int> kind;                   // of each picture
+  std::vector<const SeriesAttribute*> of;  // attributes in which the kinds differ
+  std::vector<double> z;                   // position of each picture
+  std::vector<int> kind;                   // kind of each picture
   bool isRegular = true, isWhole = true, hasLocalizers = false;
   bool isMr = false;
 };
@@ -52,7 +52,7 @@ class Chance {
   std::mt19937 random_;
 };
 
-/// Each kind a stack with its own step, from its own place on.
+/// Adds each kind as a stack with its own step and start.
 void stackRegularly(Interleaved& made, int kinds, Chance& chance) {
   const double step = chance.pick(2, 10) * 0.5;
   const bool sameStep = chance.in100(70);
@@ -64,7 +64,7 @@ void stackRegularly(Interleaved& made, int kinds, Chance& chance) {
   }
 }
 
-/// Places of one stack, each with a picture of any kind.
+/// Adds the positions of one stack, each with a picture of any kind.
 void scatter(Interleaved& made, int kinds, Chance& chance) {
   made.isRegular = false;
   const double step = chance.pick(2, 10) * 0.5;
@@ -98,7 +98,7 @@ Interleaved randomKinds(unsigned seed) {
   return made;
 }
 
-/// What the file of each picture says of its kind: a number an attribute, -1 where it says nothing.
+/// Returns what each picture's file states of its kind: a number for each attribute, -1 if it states nothing.
 std::vector<std::vector<int>> whatIsSaid(const Interleaved& made, unsigned seed) {
   Chance chance(seed + 1);
   const int lacking = chance.in100(20) ? 15 : 0, lackingKind = chance.in100(25) ? 0 : unsaid;
@@ -128,14 +128,14 @@ void write(const DicomFolder& folder, const Interleaved& made, const std::vector
   }
 }
 
-/// Whether values follow each other in one order, three times or more.
+/// Returns whether values repeat in the same order, three times or more.
 bool isPeriodic(const std::vector<int>& values) {
   for (std::size_t period = 2; period <= values.size() / 3; ++period)
     if (std::equal(values.begin() + std::ptrdiff_t(period), values.end(), values.begin())) return true;
   return false;
 }
 
-/// Whether slices of these values may be one acquisition, as far as an attribute goes.
+/// Returns whether slices with these values may be one acquisition as far as an attribute shows.
 bool mayBeOne(const SeriesAttribute& attribute, const std::vector<int>& values) {
   if (std::set<int>(values.begin(), values.end()).size() < 2) return true;
   if (attribute.may == May::stay) return false;
@@ -144,7 +144,7 @@ bool mayBeOne(const SeriesAttribute& attribute, const std::vector<int>& values) 
 
 }  // namespace
 
-// A separator that is added to the table has to be added to the generator.
+// A separator added to the table must also be added to the generator.
 void TestSeriesInterleaved::everySeparatorIsTried() {
   for (const dicom::Separator& separator : dicom::separators()) {
     const std::string keyword = separator.keyword;
@@ -190,7 +190,7 @@ void TestSeriesInterleaved::kindsArePureOrNamed() {
     for (std::size_t a = 0; a < made.of.size(); ++a) mayBe = mayBe && mayBeOne(*made.of[a], ofAttribute[a]);
     QVERIFY2(isTold || mayBe, qPrintable(found));
   }
-  std::set<std::string> unread;  // without a rescale that others have
+  std::set<std::string> unread;  // lacking a rescale that others have
   for (const Series& s : study.volumes)
     for (const Unread& u : s.unread) unread.insert(u.path);
   QCOMPARE(pictures + unread.size(), made.z.size());

@@ -1,5 +1,5 @@
-// Guards design.md 7: volumes of one series that several attributes tell apart are listed in the order in
-// which they were acquired; where numbers do not tell it, in that of the values.
+// Guards design.md 7: volumes of one series that several attributes separate are listed in acquisition order.
+// If numbers do not show that order, values decide.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -24,7 +24,7 @@ class TestSeriesOrder : public QObject {
 };
 
 void TestSeriesOrder::volumesAreListedInOrder_data() {
-  QTest::addColumn<QByteArrayList>("first");  // values of each volume, in the order expected
+  QTest::addColumn<QByteArrayList>("first");  // values of each volume, in the expected order
   QTest::addColumn<QByteArrayList>("second");
   QTest::addColumn<QStringList>("keywords");
   QTest::addColumn<bool>("isNumbered");
@@ -55,7 +55,7 @@ void TestSeriesOrder::volumesAreListedInOrder_data() {
       true);
 }
 
-// Value n in volume n; where numbers give no order, each place counts in one of its own.
+// Volume n has value n. Without an order by numbers, each position counts differently.
 void TestSeriesOrder::volumesAreListedInOrder() {
   QFETCH(QByteArrayList, first);
   QFETCH(QByteArrayList, second);
@@ -113,7 +113,7 @@ void TestSeriesOrder::signedPicturesAreNoCopiesOfUnsignedOnes() {
   QCOMPARE(pictures + study.images.size(), std::size_t(2));
 }
 
-// Two exports of one series with new UIDs: nothing in the files tells them apart.
+// Two exports of one series have new UIDs. Nothing in the files separates them.
 void TestSeriesOrder::foldersTellCopiesApart() {
   const DicomFolder folder;
   for (const char* name : {"a", "b"}) {
@@ -135,7 +135,7 @@ void TestSeriesOrder::foldersTellCopiesApart() {
   }
 }
 
-// As those of dynamic studies that make a series of each time frame.
+// Some dynamic studies make a series of each time frame.
 void TestSeriesOrder::seriesOfOneNumberGoByTheirUids() {
   const DicomFolder folder;
   const char* uids[] = {"1.2.9", "1.2.10", "1.2.10.5", "1.2.11", "1.2.100"};

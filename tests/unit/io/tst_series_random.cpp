@@ -1,6 +1,6 @@
-// Guards design.md 7: random series of one to four dimensions (place and up to three attributes), of several
-// patients, studies and frames of reference, shuffled, with files missing and copied. Every voxel's value
-// names the picture it comes from, so that a volume that mixes two is seen: it must say so. Some pictures
+// Guards design.md 7: random series of one to four dimensions (position and up to three attributes). They
+// have several patients, studies and frames of reference, are shuffled, and have missing and copied files.
+// Every voxel's value identifies its picture. A volume that mixes two pictures must report it. Some pictures
 // lack attributes that others have. VOLUMEN_RANDOM_CASES=5000 for more, VOLUMEN_RANDOM_SEED for others.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -30,19 +30,19 @@ class TestSeriesRandom : public QObject {
 
 namespace {
 
-/// What a picture is of: two pictures of one volume have it alike. -1: the file does not say it.
+/// What a picture belongs to, equal for two pictures of one volume. -1 if the file does not state it.
 using Origin = std::vector<int>;
 
-/// How many there are along each dimension: patients, studies, frames of reference, attributes, places.
+/// Sizes of the dimensions: patients, studies, frames of reference, attributes, positions.
 struct Dimensions {
   std::vector<int> sizes;
-  std::vector<const SeriesAttribute*> of;  // of the fourth to the last but one
+  std::vector<const SeriesAttribute*> of;  // attributes of the fourth to the last but one dimension
 };
 
 struct Case {
-  std::vector<Origin> originOf;  // of a value
+  std::vector<Origin> originOf;  // by value
   Dimensions dimensions;
-  std::map<std::pair<Origin, int>, int> atPlace;  // how many pictures: whose they are, where
+  std::map<std::pair<Origin, int>, int> atPlace;  // number of pictures by origin and position
   QString words;
 };
 
@@ -84,11 +84,11 @@ DicomPicture picture(const Dimensions& d, const Origin& origin, int place, int v
   return p;
 }
 
-/// Patient, study and frame of reference.
+/// Returns patient, study and frame of reference.
 Origin whose(const Origin& origin) { return {origin.begin(), origin.begin() + 3}; }
 
-/// Whether nobody can tell that these slices, in order, do not belong together: what they differ in may do so
-/// in a volume, and no place holds two pictures.
+/// Returns whether nothing shows that these ordered slices do not belong together. Their differences may
+/// occur in a volume, and no position holds two pictures.
 bool cannotBeTold(const Case& made, const std::vector<Origin>& slices) {
   const Origin& first = slices[0];
   std::vector<std::vector<int>> ofAttribute(first.size());

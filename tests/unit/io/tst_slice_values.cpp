@@ -1,4 +1,4 @@
-// Guards import.md: what the values of slices mean is told by each slice: padding, rescale, mappings.
+// Guards import.md: each slice states the meaning of its values: padding, rescale, mappings.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -37,9 +37,9 @@ void word(DcmItem& d, const DcmTagKey& tag, int value, bool isSigned) {
     d.putAndInsertUint16(DcmTag(tag, EVR_US), Uint16(value));
 }
 
-/// Three slices: half of each is padding, its last row is of value 100.
+/// Three slices, half of each padding. The rest has value 100.
 struct Padded {
-  QList<int> padding, paddingEnd, stored;  // of each slice; none: PixelPaddingValue is not given
+  QList<int> padding, paddingEnd, stored;  // one a slice; empty if PixelPaddingValue is missing
   QList<QByteArray> slopes;
   QByteArray intercept = "0";
   bool isSigned = true;
@@ -62,7 +62,7 @@ Study studyOf(const DicomFolder& folder, const Padded& made) {
   return folder.open();
 }
 
-/// A mapping by `slope` of the stored values `first` to `last`; a lone one says nothing of where it is valid.
+/// A mapping by `slope` of the stored values `first` to `last`. A single one may omit where it is valid.
 struct Mapping {
   double slope = 1;
   int first = 0, last = 65535;
@@ -90,8 +90,8 @@ Q_DECLARE_METATYPE(QList<Mapping>)
 
 void TestSliceValues::paddingIsThatOfEachSlice_data() {
   QTest::addColumn<Padded>("made");
-  QTest::addColumn<QList<double>>("padded");  // the value of each slice's padding
-  QTest::addColumn<QList<double>>("others");  // of what is no padding
+  QTest::addColumn<QList<double>>("padded");  // value of each slice's padding
+  QTest::addColumn<QList<double>>("others");  // value of other voxels
   QTest::addColumn<QList<bool>>("isPadding");
   const QList<bool> all{true, true, true};
   const QList<QByteArray> alike{"1", "1", "1"}, growing{"1", "2", "3"};
@@ -170,7 +170,7 @@ void TestSliceValues::copiesKeepPadding() {
 
 void TestSliceValues::mappingsHoldWhereTheyAreValid_data() {
   QTest::addColumn<QList<Mapping>>("mappings");
-  QTest::addColumn<double>("value");  // of the stored value 50
+  QTest::addColumn<double>("value");  // real value of the stored value 50
   const auto row = [](const char* name, const QList<Mapping>& mappings, double value) {
     QTest::newRow(name) << mappings << value;
   };

@@ -1,5 +1,5 @@
-// Guards the export of surfaces to a file a segment: each holds the surface of its segment, and where one is
-// not written none is there.
+// Guards the export of surfaces, one file a segment: each holds the surface of its segment. If one cannot be
+// written, none is.
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
@@ -29,7 +29,7 @@ class TestSurfaceExport : public QObject {
 
 namespace {
 
-// Two balls, and between them in the list a segment without voxels.
+// Returns two balls, with a segment without voxels between them in the list.
 Segmented ballsAndNothing(int edge) {
   LabelEdit edit{LabelMap(VoxelGeometry{.size = {2 * edge, edge, edge}})};
   for (int k = 0; k < edge; ++k)

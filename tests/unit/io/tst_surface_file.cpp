@@ -1,5 +1,5 @@
-// Guards surface_file.h: surfaces are written as other programs read them, by readers written here from the
-// formats' descriptions, and never by halves.
+// Guards surface_file.h: surfaces are written completely or not at all, and readable by other programs. The
+// readers here follow the descriptions of the formats.
 #include <QDir>
 #include <QFile>
 #include <QRegularExpression>
@@ -55,7 +55,7 @@ Corners cornersOfAll(const Surface& surface) {
   return all;
 }
 
-// Binary STL; nothing where its size is not that of its number of triangles, or a normal is not theirs.
+// Reads binary STL. Returns nothing if the size does not match the number of triangles, or a normal is wrong.
 Corners readStl(const QByteArray& bytes) {
   const auto count = readAt<std::uint32_t>(bytes, 80);
   if (bytes.size() != 84 + 50 * qsizetype(count) || bytes.startsWith("solid")) return {};
@@ -115,7 +115,7 @@ Corners readSurface(const QString& path) {
   return name.endsWith(QLatin1String(".ply")) ? readPly(bytes) : readObj(bytes);
 }
 
-// A block of voxels on a grid of some shape.
+// Returns the surface of a block of voxels on a grid of some shape.
 Surface blockSurface(const Grid& grid, glm::ivec3 size) {
   OccupancyField field{
       {.size = size, .patientFromVoxelStep = grid.patientFromVoxelStep, .origin = {-120.3, 55, 801}},
@@ -139,7 +139,7 @@ void addEndings() {
 
 void TestSurfaceFile::isReadAsItWas_data() { addEndings(); }
 
-// Every float to its last bit, on every grid: the volume is positive also where a grid is left-handed.
+// Every float is exact on every grid. The volume is positive even if a grid is left-handed.
 void TestSurfaceFile::isReadAsItWas() {
   QFETCH(QString, name);
   const QTemporaryDir folder;
@@ -162,7 +162,7 @@ void TestSurfaceFile::isReadAsItWas() {
 
 void TestSurfaceFile::saysItsSpace_data() { addEndings(); }
 
-// In the words and the place where Slicer looks: STL's header of 80 bytes, a comment of PLY, one of OBJ.
+// The words are where Slicer looks for them: STL's header of 80 bytes, a comment of PLY, one of OBJ.
 void TestSurfaceFile::saysItsSpace() {
   QFETCH(QString, name);
   const QTemporaryDir folder;
@@ -177,7 +177,7 @@ void TestSurfaceFile::saysItsSpace() {
   if (kind.endsWith(QLatin1String("obj"))) QVERIFY(bytes.startsWith("# volumen "));
 }
 
-// More than the parts that are made side by side.
+// There are more triangles than one parallel part writes.
 void TestSurfaceFile::manyTrianglesComeInOrder() {
   Surface surface = blockSurface(grids[2], {20, 20, 20});
   const auto all = surface.triangles;
@@ -206,7 +206,7 @@ void TestSurfaceFile::severalStandOneAfterTheOther() {
   QVERIFY(readSurface(folder.filePath(name)) == wanted);
 }
 
-// One surface alone has none.
+// A single surface has no group.
 void TestSurfaceFile::groupsHaveTheirNames() {
   const Surface block = blockSurface(grids[0], {2, 2, 2});
   const SurfacePart parts[] = {{"left lung", &block},

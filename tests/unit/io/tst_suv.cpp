@@ -1,4 +1,4 @@
-// Guards slices.md 4: the factors to SUV of real PET pictures and of each rule, and what is said where they
+// Guards slices.md 4: the factors to SUV of real PET pictures and of each rule, and the reasons if they
 // cannot be known.
 #include <cmath>
 
@@ -72,7 +72,7 @@ void TestSuv::seriesInSuvStaysAsItIs() {
   QVERIFY2(pet.suv.bodyWeight, pet.suv.why.c_str());
   QCOMPARE(*pet.suv.bodyWeight, 1.0);
   QCOMPARE(pet.sopInstanceUids.size(), pet.files.size());
-  // Each slice has a slope of its own.
+  // Each slice has its own slope.
   const std::tuple<int, int, int, double> voxels[] = {
       {16, 13, 28, 16.3277}, {14, 12, 24, 6.0041}, {20, 10, 30, 1.0796}};
   for (const auto& [x, y, slice, suv] : voxels) {
@@ -97,7 +97,7 @@ void TestSuv::petAndCtShareTheirPlace() {
 void TestSuv::factors_data() {
   QTest::addColumn<Edit>("edit");
   QTest::addColumn<double>("factor");
-  constexpr double whole = 80000 / 100e6;  // g/Bq, nothing decayed
+  constexpr double whole = 80000 / 100e6;  // g/Bq, without decay
   const auto row = [](const char* name, double factor, Edit edit) { QTest::newRow(name) << edit << factor; };
   row("START: from injection to series", 2 * whole, [](DcmDataset&) {});
   row("times in the old form, hh:mm:ss", 2 * whole, [](DcmDataset& d) {
@@ -163,8 +163,8 @@ void TestSuv::factors() {
 
 void TestSuv::leanMassAndSurface_data() {
   QTest::addColumn<Edit>("edit");
-  QTest::addColumn<double>("lean");     // to SUVlbm, of the factor to SUVbw; 0: none
-  QTest::addColumn<double>("surface");  // to SUVbsa likewise
+  QTest::addColumn<double>("lean");     // factor to SUVlbm relative to that of SUVbw; 0 for none
+  QTest::addColumn<double>("surface");  // factor to SUVbsa, likewise
   QTest::addColumn<QString>("why");
   const auto row = [](const char* name, const char* sex, const char* size, double lean, double surface,
                       const char* why) {
@@ -201,7 +201,7 @@ void TestSuv::leanMassAndSurface() {
 }
 
 void TestSuv::numbersInTwoSpellingsAreOne_data() {
-  QTest::addColumn<Edit>("edit");  // of the second file
+  QTest::addColumn<Edit>("edit");  // edit of the second file
   QTest::addColumn<bool>("same");
   QTest::newRow("weight") << Edit([](DcmDataset& d) { d.putAndInsertString(DCM_PatientWeight, "80.0"); })
                           << true;
@@ -272,7 +272,7 @@ void TestSuv::whatIsMissingIsNamed_data() {
       [](DcmDataset& d) { d.putAndInsertString(DCM_PatientWeight, "-70"); });
   row("no SUV: RadionuclideTotalDose (0018,1074) is 350 Bq.",
       [](DcmDataset& d) { doseOf(d).putAndInsertString(DCM_RadionuclideTotalDose, "350"); });
-  row("no SUV: its scan begins 55 half-lives after the injection.",  // min for s
+  row("no SUV: its scan begins 55 half-lives after the injection.",  // minutes instead of seconds
       [](DcmDataset& d) { doseOf(d).putAndInsertString(DCM_RadionuclideHalfLife, "110"); });
   row("no SUV: RadiopharmaceuticalStartTime (0018,1072) is noon.",
       [](DcmDataset& d) { doseOf(d).putAndInsertString(DCM_RadiopharmaceuticalStartTime, "noon"); });

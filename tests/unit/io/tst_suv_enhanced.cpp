@@ -1,5 +1,5 @@
-// Guards import.md: SUV of enhanced and legacy converted PET and of real world value mappings, and what is
-// said where their units cannot be known.
+// Guards import.md: SUV of enhanced and legacy converted PET and of real world value mappings, and the
+// reasons if their units cannot be known.
 #include <cmath>
 
 #include "tests/unit/io/dicom_frames.h"
@@ -27,7 +27,7 @@ class TestSuvEnhanced : public QObject {
 
 namespace {
 
-constexpr double whole = 80000 / 100e6;  // g/Bq of makePet(), nothing decayed
+constexpr double whole = 80000 / 100e6;  // g/Bq of makePet(), without decay
 
 void addMapping(DcmItem& item, double slope, double intercept, const char* code) {
   DcmItem *mapping = nullptr, *unit = nullptr;
@@ -47,10 +47,10 @@ void rescaleBy(DcmItem& item, const char* slope) {
 
 DcmItem& groupItem(DcmDataset& d, const DcmTagKey& sequence) { return group(d, -1, sequence); }
 
-/// The item of a sequence that stands beside functional groups of all frames.
+/// Returns the item of a sequence beside the shared functional groups.
 DcmItem& unassigned(DcmDataset& d) { return group(d, -1, DcmTagKey(0x0020, 0x9170)); }
 
-/// A PET of two frames: as makePet() without what enhanced PET does not have.
+/// Makes a PET of two frames like makePet(), without attributes that enhanced PET lacks.
 void makeEnhanced(DcmDataset& d) {
   makePet(d);
   makeFrames(d, 2);
@@ -179,7 +179,7 @@ void TestSuvEnhanced::whatIsMissingIsNamed_data() {
   });
   row("PatientWeight (0010,1030) is missing", false, [files = 0](DcmDataset& d) mutable {
     rescaleBy(d, "2");
-    addMapping(d, files++ ? 0.5 : 0.6, 0, "{SUVbw}g/ml");  // of two factors none is the series'
+    addMapping(d, files++ ? 0.5 : 0.6, 0, "{SUVbw}g/ml");  // two different factors: neither is the series'
     d.findAndDeleteElement(DCM_PatientWeight);
   });
 }
@@ -193,7 +193,7 @@ void TestSuvEnhanced::whatIsMissingIsNamed() {
   QCOMPARE(QString::fromStdString(pet.suv.why), why);
 }
 
-// A picture of the screen of a PET station has no units, and is not blamed for it.
+// A screen capture of a PET station has no units, which is not reported as an error.
 void TestSuvEnhanced::capturesHaveNoUptake() {
   const Series capture = petWith([](DcmDataset& d) {
     d.putAndInsertString(DCM_SOPClassUID, UID_SecondaryCaptureImageStorage);

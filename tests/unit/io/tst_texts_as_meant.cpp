@@ -1,5 +1,5 @@
-// Guards import.md: character sets and numbers that are written otherwise than the standard has it are read
-// as they are meant, and that is told once a series.
+// Guards import.md: character sets and numbers that deviate from the standard are read as they are meant,
+// with one report a series.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -24,7 +24,7 @@ class TestTextsAsMeant : public QObject {
 
 namespace {
 
-// Three slices whose every file has it: one warning.
+// Makes three slices that all have the edit, which gives one warning.
 Study studyWith(const DicomFolder& folder, const std::function<void(DcmDataset&)>& edit) {
   for (int n = 0; n < 3; ++n) {
     DicomPicture picture = sliceAt(n, n);
@@ -40,7 +40,7 @@ void TestTextsAsMeant::namesAreReadAsMeant_data() {
   QTest::addColumn<QByteArray>("set");
   QTest::addColumn<QByteArray>("bytes");
   QTest::addColumn<QString>("name");
-  QTest::addColumn<QByteArray>("warning");  // empty: none
+  QTest::addColumn<QByteArray>("warning");  // empty for none
   const auto row = [](const char* set, const char* bytes, const char* name, const char* warning) {
     QTest::newRow(set) << QByteArray(set) << QByteArray(bytes) << QString::fromUtf8(name)
                        << QByteArray(warning);
@@ -106,7 +106,7 @@ void TestTextsAsMeant::fieldCasesAreReadAsMeant() {
 
 void TestTextsAsMeant::decimalCommas_data() {
   QTest::addColumn<QByteArray>("spacing");
-  QTest::addColumn<double>("mm");  // 0: not calibrated
+  QTest::addColumn<double>("mm");  // 0 if not calibrated
   QTest::addColumn<bool>("told");
   QTest::newRow("points") << QByteArray("0.143\\0.143") << 0.143 << false;
   QTest::newRow("commas") << QByteArray("0,143\\0,143") << 0.143 << true;

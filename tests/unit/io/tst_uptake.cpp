@@ -1,6 +1,6 @@
-// Guards slices.md 4: the factors to SUV of every PET of the data and of attributes made by chance, against
-// computations of their own. VOLUMEN_RANDOM_CASES, VOLUMEN_RANDOM_SEED: how many of the latter, from which
-// seed.
+// Guards slices.md 4: the factors to SUV of every PET of the data and of random attributes, against
+// independent calculations. VOLUMEN_RANDOM_CASES and VOLUMEN_RANDOM_SEED set the number and first seed of
+// random cases.
 #include <QDateTime>
 
 #include "io/open.h"
@@ -29,7 +29,7 @@ void set(DcmItem& item, const DcmTagKey& tag, const std::string& text) {
 
 std::string number(double x) { return QString::number(x, 'g', 15).toStdString(); }
 
-// What follows computes uptakes from raw attributes, with DCMTK and Qt, without any of io/.
+// The following functions calculate uptakes from raw attributes with DCMTK and Qt, without any of io/.
 
 QString textOf(DcmItem& item, const DcmTagKey& tag) {
   OFString text;
@@ -37,18 +37,18 @@ QString textOf(DcmItem& item, const DcmTagKey& tag) {
   return QString::fromLatin1(text.c_str()).trimmed();
 }
 
-/// Seconds of a TM since midnight.
+/// Returns the seconds of a TM since midnight.
 double secondsOf(const QString& text) {
   return 3600 * text.mid(0, 2).toInt() + 60 * text.mid(2, 2).toInt() + text.mid(4).toDouble();
 }
 
-/// Seconds since a day long ago.
+/// Returns seconds since a fixed day in the past.
 double momentOf(DcmItem& item, const DcmTagKey& date, const DcmTagKey& time) {
   const QDate day = QDate::fromString(textOf(item, date), QStringLiteral("yyyyMMdd"));
   return 86400.0 * double(day.toJulianDay()) + secondsOf(textOf(item, time));
 }
 
-/// SUVbw of a value of 1; nothing where attributes are missing.
+/// Returns the SUVbw of a value of 1; empty if attributes are missing.
 std::optional<double> uptakeOfOne(const std::vector<std::string>& files) {
   double first = HUGE_VAL;
   DcmFileFormat file;
@@ -79,7 +79,7 @@ std::optional<double> uptakeOfOne(const std::vector<std::string>& files) {
 }  // namespace
 
 void TestUptake::everyPetOfTheData_data() {
-  QTest::addColumn<int>("known");  // volumes whose SUVbw can be had, of all
+  QTest::addColumn<int>("known");  // volumes with a known SUVbw
   QTest::addColumn<int>("volumes");
   QTest::newRow("pet-ct/pet-bqml-fdg.dcm") << 1 << 1;
   QTest::newRow("pet-ct/pet-bqml-flt028.dcm") << 1 << 1;
@@ -116,7 +116,7 @@ void TestUptake::everyPetOfTheData() {
 
 namespace {
 
-// A PET by chance, and what its values times 1 are.
+// A random PET, and the factors of its values.
 struct ChancePet {
   explicit ChancePet(Chance chance) : c(chance) {
     const double lives[] = {6586.2, 1223, 4080, 597.9, 122.2, 46923, 282276};
@@ -129,9 +129,9 @@ struct ChancePet {
   }
 
   QDateTime scan() const { return injected.addSecs(delay); }
-  // Of 1 Bq/ml, by kg.
+  // Returns the uptake of 1 Bq/ml, per kg of body weight.
   double perKg() const { return 1000 / dose * (admin ? 1 : std::exp(std::log(2.0) * delay / halfLife)); }
-  // What 1 is in the units of the file, by kg of body weight.
+  // Returns the uptake of 1 in the file's units, per kg of body weight.
   double ofOnePerKg() const {
     switch (kind) {
       case 0:

@@ -1,5 +1,5 @@
-// Guards slices.md 4 and import.md: the unit that stands beside values; values of a real world value mapping,
-// and the windows that go with them, in volumes and in frames.
+// Guards slices.md 4 and import.md: the unit beside values, and values of a real world value mapping with
+// their windows, in volumes and in frames.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -40,7 +40,7 @@ void rescale(DcmItem& d, const char* slope, const char* type) {
   if (*type) text(d, DCM_RescaleType, type);
 }
 
-/// A mapping of slope and intercept to a unit of a coding scheme.
+/// Adds a mapping by slope and intercept to a unit of a coding scheme.
 void addMapping(DcmItem& d, double slope, double intercept, const char* code, const char* scheme = "UCUM",
                 const char* meaning = "what it means") {
   DcmItem *mapping = nullptr, *unit = nullptr;
@@ -158,7 +158,7 @@ void TestValueMeaning::framesOfSeveralUnitsAreTold() {
   QCOMPARE(second->unit, std::string("ms"));
 }
 
-// Of a frame it is applied, of a volume it is not.
+// A modality LUT is applied to frames, but not to volumes.
 void TestValueMeaning::modalityLutsHaveTheirUnit() {
   const DicomFolder folder;
   const Study study = studyWith(folder, [](DcmDataset& d) {
@@ -185,7 +185,7 @@ void TestValueMeaning::windowsGoWithMappedValues_data() {
       QTest::addRow("%g, %s", slope, function) << slope << 3 * slope << QByteArray(function);
 }
 
-// The picture is that of the stored values by the file's window, whatever they are mapped to.
+// The picture is that of the stored values under the file's window, whatever they are mapped to.
 void TestValueMeaning::windowsGoWithMappedValues() {
   QFETCH(double, slope);
   QFETCH(double, intercept);
@@ -218,7 +218,7 @@ void TestValueMeaning::windowsGoWithMappedValues() {
   const auto loaded = loadSeries(after.volumes[0]);
   QVERIFY(loaded.ok());
   QVERIFY(warns(loaded->warnings, "values are those of its Real World Value Mapping"));
-  if (slope < 0 || function == "SIGMOID") return;  // volumes have neither
+  if (slope < 0 || function == "SIGMOID") return;  // volumes support neither
   std::vector<float> voxels(1024);
   for (std::size_t n = 0; n < voxels.size(); ++n) voxels[n] = loaded->acquired->valueAt(n);
   QCOMPARE(voxels, values->values);

@@ -36,7 +36,7 @@ std::vector<Series> volumesOf(const QString& path, const QByteArray& content) {
   return found ? *found : std::vector<Series>();
 }
 
-/// A NIfTI file of three volumes of 2 x 2 x 2 bytes.
+/// Returns a NIfTI file of three volumes of 2 x 2 x 2 bytes.
 QByteArray threeNiftiVolumes() {
   QByteArray bytes(352 + 24, '\0');
   const auto put = [&](int at, auto value) { std::memcpy(bytes.data() + at, &value, sizeof value); };
@@ -161,7 +161,7 @@ void TestVolumeNames::weightsStandBesideNifti() {
   QCOMPARE(told, warned);
 }
 
-// A row or more behind what the header promises: told, with the number.
+// A row or more beyond the header's size is reported, with the number of bytes.
 void TestVolumeNames::surplusIsWarnedOf() {
   const QTemporaryDir folder;
   const QByteArray header =

@@ -1,5 +1,5 @@
-// Guards import.md on what surely belongs together and what does not: frames of reference and issuers that
-// are not given, one UID for two pictures, blocks beside each other, days.
+// Guards import.md about what certainly belongs together and what does not: missing frames of reference and
+// issuers, one UID for two pictures, adjacent blocks, days.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -36,7 +36,7 @@ void text(DcmItem& d, const DcmTagKey& tag, const QByteArray& value) {
   d.putAndInsertString(tag, value.constData());
 }
 
-/// How many slices each volume has.
+/// Returns the number of slices of each volume.
 Numbers sizesOf(const Study& study) {
   Numbers sizes;
   for (const Series& s : study.volumes) sizes << s.acquired.size.z;
@@ -129,7 +129,7 @@ void TestWhoseSlices::oneUidOfTwoPictures() {
   };
   if (isCopy) QCOMPARE(sizesOf(study), Numbers{3});
   if (!isCopy && otherNumber) QCOMPARE(sizesOf(study), (Numbers{3, 3}));
-  if (!isCopy && !otherNumber) QCOMPARE(study.images.size(), std::size_t(6));  // nothing tells them apart
+  if (!isCopy && !otherNumber) QCOMPARE(study.images.size(), std::size_t(6));  // nothing separates them
   if (study.volumes.empty()) return;
   QCOMPARE(told("s1 is a copy of s0 and is left out, and so are 2 other copies"), isCopy);
   QCOMPARE(told("s1 has the SOP Instance UID of s0, but is another picture, and so it is with 2 more"),
@@ -137,7 +137,7 @@ void TestWhoseSlices::oneUidOfTwoPictures() {
 }
 
 void TestWhoseSlices::blocksAreCutAtTheJump_data() {
-  QTest::addColumn<QList<double>>("y");  // of slices 1 mm apart
+  QTest::addColumn<QList<double>>("y");  // y of slices 1 mm apart
   QTest::addColumn<Numbers>("sizes");
   QTest::addColumn<QString>("told");
   const auto blocks = [](int count, int slices, double aside) {

@@ -106,7 +106,7 @@ void TestPeak::theBallHoldsAMillilitre() {
 }
 
 void TestPeak::closedForms_data() {
-  QTest::addColumn<double>("sigma");  // of a Gaussian exp(-r^2 / 2 s^2); 0 for the cone 1 - r/20
+  QTest::addColumn<double>("sigma");  // s of a Gaussian exp(-r^2 / 2 s^2); 0 for the cone 1 - r/20
   QTest::addColumn<double>("spacing");
   QTest::addColumn<double>("peak");
   QTest::addColumn<double>("within");

@@ -49,7 +49,7 @@ bool toATenthPerCent(double found, double exact) { return std::abs(found - exact
 void TestRangeVolume::ramps_data() {
   QTest::addColumn<double>("low");
   QTest::addColumn<double>("high");
-  QTest::addColumn<int>("voxels");  // of 10 x 4 x 3
+  QTest::addColumn<int>("voxels");  // number of voxels of 10 x 4 x 3
   QTest::addColumn<double>("drawn");
   QTest::newRow("inside") << 2.25 << 6.5 << 4 * 12 << 4.25 * 12;
   QTest::newRow("between voxels") << 3.25 << 3.75 << 0 << 0.5 * 12;

@@ -76,7 +76,7 @@ void TestVisibility::ofManyBlocksEachCounts() {
            std::count(expected.begin(), expected.end(), 1));
 }
 
-// Of bounds of all sizes, exactly those that overlap one of the two spans of visible values are visible.
+// Exactly the bounds that overlap one of the two spans of visible values are visible.
 void TestVisibility::spansAreMetFromBothSides() {
   TransferFunction curve;
   curve.points = {{100, {}, 0}, {150, {}, 1}, {200, {}, 0}, {300, {}, 0}, {350, {}, 1}, {400, {}, 0}};

@@ -295,8 +295,8 @@ void TestProject::theRulesOfTextsForbidWhatTheyShould() {
 
 void TestProject::longestFilesAndFunctions() {
   QVector<Length> files, functions;
-  // In our layout a function's body starts after a line at the margin (or inside a class) that ends in "{",
-  // and it ends with "}" there.
+  // In our layout the line before a function's body is at the margin (or inside a class) and ends in "{". The
+  // body ends with "}" there.
   static const QRegularExpression head(QStringLiteral(
       "^( *)(?!namespace|class|struct|enum|if|for|while|switch|else|case|using|//)\\S.*\\).*\\{$"));
   for (const QString& path : sources()) {

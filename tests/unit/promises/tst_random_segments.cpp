@@ -102,7 +102,7 @@ void TestRandomSegments::whatDoesNotShowChangesNoByte_data() {
     QTest::addRow("seed %d", seed) << quint64(seed);
 }
 
-// Segments that are transparent, have no voxels or lie beyond a clip plane must not change any byte.
+// Segments that have opacity 0, have no voxels or lie beyond a clip plane must not change any byte.
 void TestRandomSegments::whatDoesNotShowChangesNoByte() {
   QFETCH(quint64, seed);
   RandomCase c = segmentCase(seed);

@@ -10,7 +10,7 @@ namespace volumen::tests {
 
 /// A volume and a scene that every renderer draws.
 struct PictureCase {
-  const char* name;    ///< what the case proves
+  const char* name;    ///< says what the case proves
   const char* volume;  ///< argument of caseVolume
   Scene scene;
 };

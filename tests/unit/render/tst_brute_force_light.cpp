@@ -66,7 +66,7 @@ void TestBruteForceLight::lightIsThatOfTheFormulas() {
   const VolumePtr volume = volumeOf(ivec3(9), steps, [&](dvec3 x) { return glm::dot(slope, x); });
   const dvec3 colour(0.5, 0.25, 0.75), lightColour(1, 0.5, 0.25);
   Scene scene = plainScene(colour, 0.1);
-  scene.clip = {dvec3(0.3), dvec3(0.7), {}};  // where the Sobel gradient of a linear function is exact
+  scene.clip = {dvec3(0.3), dvec3(0.7), {}};  // the Sobel gradient of a linear function is exact there
   scene.shading.lit = true;
   scene.shading.sides = sides;
   scene.shading.gradientFloor = gradientFloor;

@@ -85,7 +85,7 @@ void TestAutoPreset::autoChoosesByModalityAndHistogram() {
   QVERIFY(automatic == chosen);
 }
 
-// Of 100,000 voxels only 60 are not 0, so that P1 and P99.5 are both 0.
+// Only 60 of 100,000 voxels are not 0, so that P1 and P99.5 are both 0.
 void TestAutoPreset::aSmallThingInALargeBackgroundIsSeen() {
   std::vector<std::int16_t> values(100000, 0);
   for (int n = 0; n < 60; ++n) values[500 + n] = std::int16_t(1 + n % 9);

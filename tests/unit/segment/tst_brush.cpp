@@ -37,8 +37,7 @@ struct BrushCase {
   double radius = 1, finest = 1;
 };
 
-// Returns a random stroke in a plane, in and around the grid. Half of the planes are perpendicular to an axis
-// of the grid.
+// Returns a random stroke in and around the grid. Half of the planes are perpendicular to a grid axis.
 BrushCase anyStroke(Chance& chance) {
   BrushCase c;
   c.grid = anyGrid(chance, 14);

@@ -101,8 +101,8 @@ void TestInPlane::rectangles_data() {
   QTest::addColumn<ivec3>("size");
   QTest::addColumn<double>("mm");
   QTest::addColumn<double>("across");
-  // Outlines of n x m pixels of 1 x 2 mm are cut halfway at the corners, such as from (-1/2, 0) to (n - 1/2,
-  // m - 1).
+  // Pixels are 1 x 2 mm. Outlines of n x m pixels are cut halfway at the corners, such as from (-1/2, 0) to
+  // (n - 1/2, m - 1).
   QTest::newRow("one pixel: 2 mm high, 1 mm wide") << ivec3(1, 1, 1) << 2.0 << 1.0;
   QTest::newRow("a row of five") << ivec3(5, 1, 1) << 5.0 << 2.0;
   QTest::newRow("three rows of one: the same in each slice") << ivec3(1, 3, 4) << 6.0 << 1.0;

@@ -274,8 +274,8 @@ void TestOccupancy::bodiesKeepVolumeAndArea() {
     return glm::length(glm::dvec2(p.x, p.y)) <= radius && std::abs(p.z) <= height / 2;
   });
   const Body body = bodyOf(occupancyOf(mask, sigma), 6);
-  // A Gaussian reduces a ball's radius by sigma^2 / r, a cylinder's by half of that, and the area at a right
-  // angle by 0.9 sigma^2.
+  // A Gaussian reduces a ball's radius by sigma^2 / r and a cylinder's by half of that. It takes 0.9
+  // sigma^2 from the cross-section of a right-angled edge.
   const double shrinking = sigma * sigma / (radius * radius);
   const double volumeOff =
       -100 * (height > 0 ? shrinking + 3.6 * sigma * sigma / (radius * height) : 3 * shrinking);

@@ -138,7 +138,7 @@ void TestCurvedLimits::aTurnBackIsFinite() {
 }
 
 void TestCurvedLimits::whatCannotBeLaidOutIsRefused_data() {
-  QTest::addColumn<QList<double>>("zs");  // of points on a line
+  QTest::addColumn<QList<double>>("zs");  // z of points on a line
   QTest::addColumn<bool>("stretched");
   QTest::addColumn<double>("halfWidth");
   QTest::addColumn<double>("ruled");

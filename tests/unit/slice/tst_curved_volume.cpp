@@ -113,8 +113,8 @@ void TestCurvedVolume::aLineThroughVoxelsShowsThem() {
       }
 }
 
-// The bound is 0.1 mm for trilinear interpolation of a distance (1/8 mm^2 of a curvature of 1/2 per mm,
-// twice) plus 0.02 mm for the curve through the points.
+// The bound is 0.1 mm for trilinear interpolation of a distance plus 0.02 mm for the curve through the
+// points. The former is 1/8 mm^2 of a curvature of 1/2 per mm, twice.
 void TestCurvedVolume::aHelicalTubeBecomesStraight() {
   const glm::ivec3 size(61, 61, 61);
   const VolumePtr source = volumeOf(size, glm::dmat3(1), [&](dvec3 x) {

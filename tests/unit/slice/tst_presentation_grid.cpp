@@ -42,7 +42,7 @@ FramePresentation turnedBy(int quarters, bool mirrored) {
 void TestPresentationGrid::pixelsAreTurned_data() {
   QTest::addColumn<int>("quarters");
   QTest::addColumn<bool>("mirrored");
-  QTest::addColumn<QString>("picture");  // of abc / def
+  QTest::addColumn<QString>("picture");  // the picture abc / def as shown
   const char* const rows[][2] = {
       {"abcdef", "cbafed"}, {"daebfc", "adbecf"}, {"fedcba", "defabc"}, {"cfbead", "fcebda"}};
   for (int quarters = 0; quarters < 4; ++quarters)

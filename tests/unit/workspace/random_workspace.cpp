@@ -230,7 +230,7 @@ Workspace randomWorkspace(std::uint64_t seed) {
     w.series.editOrAdd(keys.back()) = state;
     if (chance.oneIn(2)) w.crosshairs.editOrAdd(frameOfReference(*state.series)) = anyCrosshair(chance);
   }
-  if (chance.oneIn(4)) w.crosshairs.editOrAdd("2.25.77") = anyCrosshair(chance);  // of a closed series
+  if (chance.oneIn(4)) w.crosshairs.editOrAdd("2.25.77") = anyCrosshair(chance);  // a closed series
   const int looked = chance.oneIn(4) ? viewCount : 8;  // other views stay at their defaults
   for (ViewId id = 0; id < looked; ++id) {
     ViewState& view = w.editView(id);

@@ -152,7 +152,7 @@ void TestFramesOfSeries::clipsGoByTheClock_data() {
   QTest::addColumn<Cine>("cine");
   QTest::addColumn<int>("first");
   QTest::addColumn<double>("ms");
-  QTest::addColumn<int>("frame");  // of 4
+  QTest::addColumn<int>("frame");  // index in a clip of 4 frames
   const Cine ten{10, {}, false}, swing{10, {}, true}, times{0, {0, 100, 300, 200}, false};
   const Cine both{0, {0, 100, 300, 200}, true};
   QTest::newRow("at once the first") << ten << 0 << 0.0 << 0;
@@ -280,7 +280,7 @@ void TestFramesOfSeries::aSeriesHasOneWindow() {
 void TestFramesOfSeries::onlyTrueMmAreSaid_data() {
   QTest::addColumn<PixelSize>("pixel");
   QTest::addColumn<QString>("size");
-  QTest::addColumn<QString>("place");  // of column 2, row 1
+  QTest::addColumn<QString>("place");  // text at column 2, row 1
   const auto row = [](const char* name, PixelSize pixel, const char* size, const char* place) {
     QTest::newRow(name) << pixel << QString::fromLatin1(size) << QString::fromLatin1(place);
   };

@@ -52,7 +52,7 @@ class TestHungStudies : public QObject {
 
 void TestHungStudies::studiesAreOffered_data() {
   QTest::addColumn<std::vector<HangSeries>>("series");
-  QTest::addColumn<QStringList>("names");  // of the protocols, best first
+  QTest::addColumn<QStringList>("names");  // names of the protocols, best first
   const auto row = [](const char* name, const std::vector<HangSeries>& series, const QStringList& names) {
     QTest::newRow(name) << series << names;
   };

@@ -85,7 +85,7 @@ void TestSeriesText::slicesAreCounted() {
 
 void TestSeriesText::namesakesAreToldApart_data() {
   QTest::addColumn<std::vector<Series>>("all");
-  QTest::addColumn<QStringList>("texts");  // of the first series
+  QTest::addColumn<QStringList>("texts");  // texts of the first series
   using All = std::vector<Series>;
   QTest::newRow("alone") << All{with("20", "0", "1", "102231")} << QStringList{};
   QTest::newRow("echo times") << All{with("20", "", "", "10"), with("40", "", "", "10")}

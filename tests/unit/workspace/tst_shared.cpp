@@ -158,7 +158,7 @@ void TestShared::equalIsEqual_data() {
   QTest::addColumn<Map>("a");
   QTest::addColumn<Map>("b");
   QTest::addColumn<bool>("areEqual");
-  QTest::addColumn<int>("comparisons");  // of elements
+  QTest::addColumn<int>("comparisons");  // number of compared elements
   const Map map = tenNumbers();
   Map edited = map, same = map, cleared = map, longer = map;
   edited.edit(4).value = 44;
