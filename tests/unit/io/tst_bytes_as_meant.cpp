@@ -214,10 +214,10 @@ void TestBytesAsMeant::framesAreCountedByTheirBytes() {
 
 void TestBytesAsMeant::unknownVrsAreLeftBehind_data() {
   QTest::addColumn<QByteArray>("elements");  // inserted before Rows
-  const auto element = [](unsigned number, const char* vr, int lengthBytes, const QByteArray& value) {
+  const auto element = [](unsigned number, const std::string& vr, int lengthBytes, const QByteArray& value) {
     Builder b;
     b.tag(0x00270000 | number);
-    b.text(std::string(vr, vr[0] || lengthBytes < 0 ? std::strlen(vr) : 2));
+    b.text(vr);
     if (lengthBytes == 4) b.word(0);
     lengthBytes == 2 ? b.word(unsigned(value.size())) : b.dword(std::uint32_t(value.size()));
     b.text(value.toStdString());
@@ -229,7 +229,7 @@ void TestBytesAsMeant::unknownVrsAreLeftBehind_data() {
   QTest::newRow("small letters, a long length") << element(0x1001, "ox", 4, four);
   QTest::newRow("question marks") << element(0x1001, "??", 2, four);
   QTest::newRow("question marks, a long length") << element(0x1001, "??", 4, many);
-  QTest::newRow("zeros") << element(0x1001, "", 2, four);
+  QTest::newRow("zeros") << element(0x1001, std::string(2, '\0'), 2, four);
   QTest::newRow("none, as in implicit VR") << element(0x1001, "", -4, many);
   QTest::newRow("empty, none") << element(0x1001, "", -4, {});
   Builder sequence;
