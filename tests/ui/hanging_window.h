@@ -14,7 +14,7 @@ namespace volumen::tests {
 
 inline constexpr ViewId firstCell = firstComparedId;
 
-/// A window that hangs what is opened.
+/// A window that applies hanging protocols to what it opens.
 struct HangingWindow : Journey {
   using Journey::Journey;
 
@@ -30,7 +30,7 @@ struct HangingWindow : Journey {
     const ProjectionView view = projection(cell);
     return in(cell) ? QString::fromStdString(view.laterality + " " + view.viewPosition) : QString();
   }
-  /// Once the frames of all cells are there, as large as each other and at the edges.
+  /// Waits until the frames of all cells are there, equally large and at the edges.
   bool facesEachOther(int cells) {
     return QTest::qWaitFor(
         [&] {
@@ -47,7 +47,7 @@ struct HangingWindow : Journey {
         },
         longest);
   }
-  /// How far the outer edge of the column at the chest wall is from the inner edge of its cell, pixels.
+  /// Returns the distance of the column at the chest wall from the inner edge of its cell, pixels.
   double wallOff(int cell) {
     const FrameView* view = frameView(cell);
     const VoxelGeometry& geometry = view->frame()->geometry();

@@ -11,13 +11,13 @@
 
 namespace volumen::tests {
 
-/// A mammogram: `rowsTo` is where rows lead to in the patient.
+/// A mammogram. `rowsTo` is the patient direction of its rows.
 struct Breast {
   const char *side, *view, *rowsTo;
   int columns, rows;
 };
 
-/// The left CC lies the wrong way round; the MLOs are larger.
+/// The left CC has the wrong orientation. The MLOs are larger.
 inline const Breast breasts[] = {{"L", "MLO", "A\\F", 90, 120},
                                  {"R", "CC", "P\\L", 60, 80},
                                  {"L", "CC", "P\\L", 60, 80},

@@ -22,7 +22,7 @@ namespace volumen::tests {
 
 inline constexpr int longest = 60000;  // ms, for a loaded machine
 
-/// Lets studies open in the 3D view alone, which most tests are about; those of layouts say so.
+/// Lets studies open in the 3D view alone, which most tests need. Tests of layouts turn it off.
 inline void openAlone(bool alone = true) {
   for (const char* modality : {"CT", "MR", "PT", "other"})
     QSettings().setValue(QStringLiteral("layouts/") + QLatin1String(modality),

@@ -12,14 +12,14 @@
 
 namespace volumen::tests {
 
-/// A picture of one value all over.
+/// A picture with one value in all pixels.
 struct Still {
   int columns, rows;
-  double mm;  // from pixel to pixel
+  double mm;  // pixel spacing
   const char *photometric, *side, *view;
   int centre, width;
   int value;
-  double grey;  // on screen: LINEAR of PS3.3 C.11.2.1.2.1, MONOCHROME1 inverted; of colour the value
+  double grey;  // on screen: LINEAR of PS3.3 C.11.2.1.2.1, MONOCHROME1 inverted; the value if coloured
   const char* window;
 
   bool isColour() const { return width == 0; }

@@ -1,5 +1,5 @@
-// Guards design.md 8 and picture.md 8 on real series: what is opened is seen from where there is most to see,
-// in the way its modality is read.
+// Guards design.md 8 and picture.md 8 on real series: a series opens from the direction that shows most, and
+// as its modality is usually read.
 #include <QComboBox>
 #include <QLabel>
 

@@ -1,5 +1,5 @@
-// Guards how views to compare follow each other: through frames of reference, by hand, and in zoom, pan and
-// window where that is wanted. Real events.
+// Guards how compared views follow each other: through frames of reference, by hand, and in zoom, pan and
+// window if chosen. Real events.
 #include <QMenu>
 
 #include "tests/ui/two_series.h"
