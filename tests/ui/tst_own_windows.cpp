@@ -1,5 +1,6 @@
-// Guards windows of the user's own: added from what is in focus, named, numbered and removed in their dialog,
-// offered behind the program's own to series of their modality and unit, named in the corner, kept.
+// Guards user windows. They are added from the view in focus, and named, numbered and removed in their
+// dialog. Series of their modality and unit list them after the program's windows. They are named in the
+// corner and saved.
 #include <QDialog>
 #include <QLabel>
 #include <QMenu>
@@ -27,7 +28,7 @@ struct OwnWindowsWindow : MeasureWindow {
   }
   QTableWidget* table() { return child<QTableWidget>("windowTable"); }
   void press(const char* button) { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
-  // As an editor of the cell leaves it.
+  // Writes a cell as its editor does on leaving.
   void write(int row, int column, const char* text) {
     table()->item(row, column)->setText(QLatin1String(text));
   }

@@ -1,5 +1,5 @@
-// Guards design.md 8 (projections in the window): mode, window by drag, typed, by name and on the histogram;
-// units.
+// Guards design.md 8 (projections in the window): the mode, the window set by drag, by typing, by name and on
+// the histogram, and units.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>

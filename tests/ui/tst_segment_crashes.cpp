@@ -1,5 +1,5 @@
-// Guards what was made of segments where the program is killed in a stroke or in a job, where the disk is
-// full as they are kept, and where their series is left or closed while a job works on it.
+// Guards segments if the program is killed in a stroke or a job, or if the disk is full while they are saved.
+// Also guards them if their series is left or closed during a job.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/mount.h>

@@ -1,5 +1,5 @@
-// Guards a whole way from pictures to numbers, by real events: a chest CT whose bone is found, rid of an
-// island, cut and read, saved, killed and opened again.
+// Guards a complete workflow from pictures to numbers, by real events. The bone of a chest CT is found, freed
+// of an island, cut and measured. The work is saved, the program killed, and the work reopened.
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Guards what identifies that which leaves the program: a table of all that does, and of what it says of
-// patient, study, series, sides, scale and quality; where it says nothing of one of these, why. Of pictures a
-// field is said where they differ once that alone differs.
+// Guards the identification of exports. A table lists all of them and what each states of patient, study,
+// series, sides, scale and quality, or why it does not. A picture states a field if it differs when only that
+// field differs.
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDirIterator>
@@ -23,13 +23,13 @@ using namespace volumen::tests;
 
 namespace {
 
-// What was made, once it left.
+// The exported result.
 struct Left {
   QString text;
   QList<QImage> pictures;
 };
 
-// Of its files.
+// Returns the result in the files.
 Left leftIn(const QString& path) {
   Left left;
   QStringList files{path};
@@ -54,7 +54,7 @@ Left leftIn(const QString& path) {
   return left;
 }
 
-// A head of these tags in planes, with a length, a key image and a segment.
+// A head with these tags in planes, with a length, a key image and a segment.
 struct LeavingWindow : SegmentWindow {
   QTemporaryDir folder;
 
@@ -90,7 +90,7 @@ struct LeavingWindow : SegmentWindow {
     child<QAction>("keyImagePages")->trigger();
     return window.findChild<PagesDialog*>();
   }
-  // To the file of a name, by the dialog that asks for it.
+  // Saves to a file name by the dialog that asks for it.
   void saveTo(const char* dialog, const QString& name) { answer(*this, dialog, at(name)); }
   void print(ViewId view, const QString& name) {
     session().setFocus(view);
@@ -102,13 +102,13 @@ struct LeavingWindow : SegmentWindow {
   }
 };
 
-// One thing that leaves: how it is made in a window, as files of this name or folder.
+// One export: how it is made in a window, and the name of its file or folder.
 struct Thing {
   const char* name;
   const char* file;
   void (*make)(LeavingWindow& w, const QString& file);
-  const char* says;  // which fields
-  const char* why;   // none of the others
+  const char* says;  // stated fields
+  const char* why;   // reason that the others are not stated
   bool isPicture = true;
 };
 
@@ -257,7 +257,7 @@ DicomSeriesTags knownTags() {
   return tags;
 }
 
-// How a field's value stands in texts.
+// Returns the spellings of a field's value in texts.
 QStringList spellings(const QString& field) {
   static const std::map<QString, QStringList> all{
       {QStringLiteral("patient"), {QStringLiteral("Doe, Jane"), QStringLiteral("Doe^Jane")}},
