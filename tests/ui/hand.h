@@ -16,8 +16,8 @@
 namespace volumen::tests {
 
 /// Acts as a user's hands do in a window, by real events, and counts the steps. A click, a double click, a
-/// key with its modifiers, a drag, a drop, a turn of the wheel, a text with Enter and a move with a key held
-/// are one step each.
+/// key with its modifiers, a drag and a drop are one step each. So are a turn of the wheel, a text with Enter
+/// and a move with a key held.
 class Hand {
  public:
   explicit Hand(QWidget& window) : window_(window) {}

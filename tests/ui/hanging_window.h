@@ -47,7 +47,7 @@ struct HangingWindow : Journey {
         },
         longest);
   }
-  /// Returns the distance of the column at the chest wall from the inner edge of its cell, pixels.
+  /// Returns the distance of the chest wall's outermost pixel edge from the inner edge of its cell, pixels.
   double wallOff(int cell) {
     const FrameView* view = frameView(cell);
     const VoxelGeometry& geometry = view->frame()->geometry();
@@ -60,7 +60,7 @@ struct HangingWindow : Journey {
   bool isHungInFour() {
     return QTest::qWaitFor([&] { return workspace().layout == Layout::four; }, longest) && facesEachOther(4);
   }
-  /// Opens it where the reader chose a grid.
+  /// Opens files after choosing a grid by hand.
   bool opensIntoAChosenGrid(const QString& path) {
     session().change(QStringLiteral("Layout"), withLayout(workspace(), Layout::two));
     window.open({path});
@@ -85,13 +85,13 @@ struct WrittenMammograms {
   const bool isWritten = data.write();
 };
 
-/// With mammograms open.
+/// Shows opened mammograms.
 struct MammogramsWindow : WrittenMammograms, HangingWindow {
   MammogramsWindow() : HangingWindow({data.folder.path()}) {}
   bool isOpen() { return isWritten && isHungInFour(); }
 };
 
-/// With both open, and the later one on screen.
+/// Opens both studies and shows the later one.
 struct TwoDaysWindow : HangingWindow {
   explicit TwoDaysWindow(const TwoDays& days) : HangingWindow(QStringList{days.now, days.before}) {}
   bool isOpen() {
@@ -108,7 +108,7 @@ struct TwoDaysWindow : HangingWindow {
   }
 };
 
-/// One that shows any series twice.
+/// Returns a protocol that shows any series twice.
 inline HangingProtocol twoOfAny() {
   HangingProtocol mine;
   mine.name = "Mine", mine.series.resize(1), mine.cells.resize(2);

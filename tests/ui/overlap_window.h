@@ -9,8 +9,8 @@ namespace volumen::tests {
 inline bool isBallAboutHollow(glm::dvec3 p) { return glm::length(p + 5.0) < 10; }
 inline bool isLow(glm::dvec3 p) { return p.z < -5; }
 
-/// Imports "Ball" into map 1 (all within 10 mm of the centre of the hollow ball) and "Low" into map 2 (the
-/// lower part of the volume).
+/// Imports two maps. Map 1 is "Ball": all within 10 mm of the centre of the hollow ball. Map 2 is "Low": the
+/// lower part of the volume.
 struct OverlapWindow : ImportWindow {
   Segmented layer(const char* name, glm::u8vec3 colour, bool (*isIn)(glm::dvec3)) {
     return {{{.number = 1, .label = name, .colour = colour}}, labelsBy(isIn)};

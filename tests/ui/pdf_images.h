@@ -92,7 +92,7 @@ inline std::map<QString, std::map<QString, QString>> lettersIn(const QString& pd
   return letters;
 }
 
-/// The texts of a PDF that Qt wrote, each as it was painted.
+/// Returns the texts of a PDF written by Qt, each as it was painted.
 inline QStringList textsIn(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) return {};
@@ -113,10 +113,10 @@ inline QStringList textsIn(const QString& path) {
       if (letter != of.end()) texts.back() += letter->second;
     }
   }
-  return texts.replaceInStrings(QStringLiteral("\t"), QStringLiteral(" "));  // they share a glyph
+  return texts.replaceInStrings(QStringLiteral("\t"), QStringLiteral(" "));  // tab and space share a glyph
 }
 
-/// The pixels of all images of a PDF that are kept without loss, in their order (PDF 1.4, 4.8.4).
+/// Returns the pixels of all losslessly stored images of a PDF in order (PDF 1.4, 4.8.4).
 inline std::vector<QImage> pixelsIn(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) return {};

@@ -1,4 +1,4 @@
-// Guards the searchable list of commands: all are listed with menus and keys, found by words, and done by
+// Guards the searchable list of commands. All are listed with menus and keys, found by words, and done by
 // Enter or a click, without a mouse. Unavailable commands are grey and do nothing.
 #include <QLineEdit>
 #include <QMenu>
@@ -326,7 +326,7 @@ void TestCommandList::otherWordsFindIt_data() {
   row("settings", "Preferences...");
 }
 
-// The first that can be chosen, as Enter does.
+// Compares the first available command, as Enter does it.
 void TestCommandList::otherWordsFindIt() {
   QFETCH(QString, typed);
   QFETCH(QString, found);

@@ -41,7 +41,7 @@ void TestCurvedTruth::lengthsAlongItAreTrue_data() {
   QTest::newRow("out of its plane, drawn from left to right") << true << true;
 }
 
-// The drawn curve is as long in the stretched plane as in the patient, and both planes give a position by its
+// The drawn curve is as long in the stretched plane as in the patient. Both planes give a position by its
 // length from the patient's right. The bounds are a pixel at either end, the chords of 4 mm between clicks,
 // the last digit, and the 2 mm between cross-sections.
 void TestCurvedTruth::lengthsAlongItAreTrue() {

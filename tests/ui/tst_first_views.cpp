@@ -218,7 +218,7 @@ void TestFirstViews::acquiredSlicesOfAnObliqueSeriesAreMarked() {
   QCOMPARE(w.workspace().keyImages.size(), std::size_t(1));
   w.child<QAction>("alignPlanes")->trigger();
   QCOMPARE(w.corner()[0], QStringLiteral("Axial"));
-  // A slab is no picture as acquired.
+  // A slab is no acquired picture.
   wheel(view, 3, Qt::AltModifier);
   QVERIFY(flatLookOf(view->state()).slabMm > 0 && !view->pictureSeen().index);
 }

@@ -1,5 +1,5 @@
-// Guards settings of flat views in the window: interpolation, slab, the window typed in the corner and the
-// clip box of the 3D scene, seen and dragged in slices. Real mouse and key events.
+// Guards settings of flat views in the window: interpolation, slab, and the window typed in the corner. The
+// clip box of the 3D scene is seen and dragged in slices. Real mouse and key events.
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>

@@ -1,5 +1,5 @@
-// Guards what a flat view shows of a volume: planes on acquired slices, a wheel that scrolls down the
-// patient, and planes that stay orthogonal however they are turned.
+// Guards what a flat view shows of a volume: planes on acquired slices, and a wheel that scrolls down the
+// patient. Planes stay orthogonal however they are turned.
 #include <cmath>
 
 #include "tests/unit/suite.h"

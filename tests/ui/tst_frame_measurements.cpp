@@ -1,5 +1,5 @@
-// Guards slices.md 4 on frames in the window: drawing by real mouse and key events, millimetres and their
-// qualifying word, and where a measurement is visible. Numbers are from the README of the data.
+// Guards slices.md 4 on frames in the window: drawing, millimetres and their qualifying word, and where a
+// measurement is visible. Real mouse and key events. Numbers are from the README of the data.
 #include <QClipboard>
 #include <QDir>
 #include <QDockWidget>

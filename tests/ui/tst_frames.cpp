@@ -214,7 +214,7 @@ void TestFrames::digitsChooseWindowsAndTables() {
     QVERIFY(w.press(key));
     QCOMPARE(w.view()->overlays().bottomRight, QLatin1String(text));
     const QRgb seen = w.seen(2000, 1500);
-    // A table of 12 bits and its sigmoid may round apart.
+    // A table of 12 bits and its sigmoid may be rounded differently.
     QVERIFY2(areNear(seen, grey(value), 1), qPrintable(QColor(seen).name()));
   }
 }

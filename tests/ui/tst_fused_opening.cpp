@@ -1,5 +1,5 @@
-// Guards that a PET and the CT of its study open fused: by their folder, by one path each in any order, or by
-// a drop. Those of two patients do not. Real files.
+// Guards that a PET and the CT of its study open fused: by folder, by one path each in any order, or by a
+// drop. Those of two patients do not. Real files.
 #include <QMimeData>
 
 #include "tests/ui/fusion_window.h"

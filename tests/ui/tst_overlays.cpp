@@ -104,7 +104,7 @@ void TestOverlays::nothingTouchesAnythingElse() {
     if (n >= overlays.taken.size()) QVERIFY(area.contains(rects[n]));
     for (std::size_t m = 0; m < n; ++m) QVERIFY(!rects[n].intersects(rects[m]));
   }
-  // It can be painted, too.
+  // The texts can be painted, too.
   QImage image(size, QImage::Format_RGB32);
   QPainter painter(&image);
   paintOverlays(painter, overlays, area);
@@ -120,7 +120,7 @@ void TestOverlays::allOfItFindsRoomInAUsualView() {
   QCOMPARE(placed.scaleBarMm, 100.0);
 }
 
-// What is bright of Hebrew beside Latin letters on white is inside what is dark: one order for both.
+// In mixed Hebrew and Latin text on white, bright letters lie inside their dark halo, so both have one order.
 void TestOverlays::lettersAndHaloHaveOneOrder_data() {
   QTest::addColumn<QString>("text");
   QTest::newRow("Latin") << QStringLiteral("Doe, Jane (12345)");

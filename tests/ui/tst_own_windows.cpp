@@ -161,7 +161,7 @@ void TestOwnWindows::petIsInvertedInItsUnit() {
   QVERIFY2(w.choices()[last].startsWith(QStringLiteral("Liver (4 / 2")), qPrintable(w.choices()[last]));
   QTest::keyClick(w.view(), Qt::Key(Qt::Key_0 + last));
   QVERIFY(w.windowSet());
-  // 2 and 4 SUVbw in Bq/ml, dark where much is.
+  // 2 and 4 SUVbw in Bq/ml, dark where uptake is high.
   QVERIFY(std::abs(w.windowSet()->centre - 400) < 1e-9 && std::abs(w.windowSet()->width + 800) < 1e-9);
   w.session().prefer([](Preferences& p) { p.petUnit = PetUnit::file; });
   QVERIFY2(!w.choices().join(QLatin1Char('|')).contains(QStringLiteral("Liver")), "Bq/ml are other numbers");

@@ -1,5 +1,5 @@
-// Guards scrolling through a stack: the bar on its right, dragged and clicked, with key images and the slices
-// in memory; a typed number; the wheel with Shift. Positions are compared with closed forms.
+// Guards scrolling through a stack: its bar on the right, dragged and clicked, with key images and slices in
+// memory. Also a typed number and Shift+wheel. Positions are compared with closed forms.
 #include <QLabel>
 #include <QPainter>
 #include <set>

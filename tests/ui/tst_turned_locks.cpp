@@ -1,5 +1,5 @@
-// Guards the positions of views of series in different frames of reference, whatever was done before:
-// scrolling, moving the crosshair, locking, unlocking, unlinked scrolling, undo and sessions.
+// Guards the positions of views of series in different frames of reference after scrolling, moving the
+// crosshair, locking, unlocking, unlinked scrolling, undo and sessions.
 // Random sequences of real events are compared with a reference model from window.md ("Link views").
 // VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S: N sequences, from S on.
 #include <QRegularExpression>

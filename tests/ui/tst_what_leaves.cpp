@@ -265,13 +265,13 @@ QStringList spellings(const QString& field) {
       {QStringLiteral("date"), {QStringLiteral("2026-03-14"), QStringLiteral("20260314")}},
       {QStringLiteral("number"), {QStringLiteral("73165")}},
       {QStringLiteral("description"), {QStringLiteral("Thorax")}},
-      {QStringLiteral("level"), {QStringLiteral("PSNR")}},  // as promised
+      {QStringLiteral("level"), {QStringLiteral("PSNR")}},  // the promised value
       {QStringLiteral("clinical"), {QStringLiteral("Not for clinical use")}}};
   const auto of = all.find(field);
   return of == all.end() ? QStringList() : of->second;
 }
 
-// Those whose value differs from knownTags().
+// Returns tags in which this field differs from knownTags().
 DicomSeriesTags otherTags(const QString& field) {
   DicomSeriesTags tags = knownTags();
   if (field == QStringLiteral("patient")) tags.patientName = "Roe^John";
@@ -282,7 +282,7 @@ DicomSeriesTags otherTags(const QString& field) {
   return tags;
 }
 
-// All things of a window that shows a series of these tags; of other ones pictures alone.
+// Makes all exports of a window that shows a series with these tags, or only the pictures if not `withFiles`.
 std::map<QString, Left> allOf(const DicomSeriesTags& tags, bool withFiles) {
   std::map<QString, Left> all;
   const QTemporaryDir data;
@@ -331,8 +331,8 @@ int brightIn(const QImage& image, QRect part) {
   return count;
 }
 
-// A letter at the left edge, about the middle of the picture, which of several views is the first one, and of
-// a sheet lies below a head.
+// Returns whether a letter is at the left edge, about the middle of the picture. Of several views the first
+// counts, and a contact sheet has a header above.
 bool hasLetter(const QString& thing, const QImage& image) {
   const double at = thing == QStringLiteral("all views")       ? 0.25
                     : thing == QStringLiteral("contact sheet") ? 0.6
@@ -341,7 +341,7 @@ bool hasLetter(const QString& thing, const QImage& image) {
   return brightIn(image, {0, int(at * image.height()) - reach, image.width() / 12, 2 * reach}) > 5;
 }
 
-// A line near the bottom.
+// Returns whether a line is near the bottom.
 bool hasScale(const QImage& image) {
   for (int y = image.height() * 85 / 100; y < image.height(); ++y)
     for (int x = 0, run = 0; x < image.width(); ++x) {

@@ -125,7 +125,7 @@ void TurnedFrames::writeState(int picture, int state, int number) {
   if (file.saveFile(path.c_str(), EXS_LittleEndianExplicit).bad()) qFatal("cannot write a state");
 }
 
-// The same clip in four views.
+// Shows the clip in four views.
 void TurnedFrames::showClip() {
   const auto isOpen = [&] { return seriesIn(workspace(), workspace().focus) != nullptr; };
   if (!QTest::qWaitFor(isOpen, longest)) {

@@ -272,7 +272,7 @@ QString TurnedSequence::wrongPicture(ViewId id) {
 }
 
 // The part of a line within half a wheel step is drawn. A rectangle is drawn completely in its own plane.
-// Both agree within half a pixel, and the text stays.
+// Ends agree within half a pixel, and the text of a complete shape stays.
 QString TurnedSequence::wrongShapes(ViewId id) {
   SliceView* const shown = view(id);
   if (!shown->isMeasured() && !QTest::qWaitFor([&] { return shown->isMeasured(); }, 5000))

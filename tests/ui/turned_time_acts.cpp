@@ -76,7 +76,7 @@ bool TurnedSequence::choosesSlab() {
   return true;
 }
 
-// Requires planes along the voxels. Those of the coarser series would be smaller than pictures may be.
+// Requires planes along the voxels. Pictures of the coarser series would be smaller than allowed.
 bool TurnedSequence::showsOwnPixels() {
   const TwinLook& look = twin_.views.at(focus_);
   if (twin_.cross(focus_).byHand || look.series != 0) return false;

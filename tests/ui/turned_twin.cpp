@@ -200,7 +200,7 @@ void TurnedTwin::showTime(ViewId view, int time) {
     if (id == view || (id < firstComparedTwin && view < firstComparedTwin)) look.time = time;
 }
 
-// The crosshair's point stays where it is on screen, however planes are turned about it.
+// The crosshair's point stays at its position on screen, however planes are turned about it.
 void TurnedTwin::setCross(ViewId view, const TwinCross& now) {
   const auto places = [&] {
     std::map<ViewId, glm::dvec2> all;
@@ -235,7 +235,7 @@ void TurnedTwin::reset(ViewId view) {
   if (!wasWhole) follow(view);
 }
 
-// Each stays where it is; linked again, all are where the view in focus is.
+// Unlinked views stay where they are. Linked again, all move to the view in focus.
 void TurnedTwin::linkScroll(bool linked, ViewId focus) {
   std::vector<ViewId> order = onScreen;
   std::ranges::stable_partition(order, [&](ViewId id) { return id != focus; });
