@@ -11,7 +11,7 @@
 
 namespace volumen::tests {
 
-/// A mammogram. `rowsTo` is the patient direction of its rows.
+/// A mammogram. `rowsTo` is its Patient Orientation: the directions of rows and columns in the patient.
 struct Breast {
   const char *side, *view, *rowsTo;
   int columns, rows;

@@ -101,7 +101,7 @@ struct MeasureWindow : Journey {
     const glm::dvec2 middle = plane.pixelFromPatient(pMiddle);
     const double larger = 2 * mm / plane.mmPerPixel / std::max(box.width(), box.height());
     for (QPointF& p : places)
-      // whole pixels, like the mouse
+      // Rounds to whole pixels, like the mouse.
       p = (QPointF(middle.x, middle.y) + larger * (p - box.center())).toPoint();
     return places;
   }

@@ -94,7 +94,7 @@ int printTrueSize() {
   s.hand.key(Qt::Key_P, Qt::ControlModifier);
   auto* dialog = s.w.child<QPrintDialog>("printDialog");
   DONE(dialog);
-  // stands for the printer
+  // The file stands for the printer.
   dialog->findChild<QLineEdit*>(QStringLiteral("filename"))->setText(s.path("slice.pdf"));
   auto* box = dialog->findChild<QCheckBox*>(QStringLiteral("printTrueSize"));
   QCoreApplication::processEvents();

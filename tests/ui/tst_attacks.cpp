@@ -49,7 +49,7 @@ class TestAttacks : public QObject {
 };
 
 void TestAttacks::whatGoesInTheMiddleOfADrag_data() {
-  // object name of the flat view's tool, or the action's name of the 3D tool
+  // Object name of the flat view's tool, or of the 3D tool with its action's name.
   QTest::addColumn<QByteArray>("tool");
   QTest::addColumn<int>("button");
   QTest::addColumn<int>("keys");

@@ -23,8 +23,8 @@ class TestCineBarPlace : public QObject {
   void keysChangeTheSpeedTheirWay();
 };
 
-// Texts move above the bar: no bright pixel is left under it. Without the bar there are some, of the window's
-// text.
+// Texts move above the bar, so that no bright pixel is left under it. Without the bar, the window's numbers
+// are there.
 void TestCineBarPlace::theBarCoversNothing() {
   CineWindow w;
   const auto hasText = [&] {

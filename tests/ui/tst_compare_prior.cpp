@@ -239,7 +239,7 @@ void TestComparePrior::aListedStudyIsOpenedForIt() {
   QVERIFY(w.workspace().views == before.views && w.workspace().layout == before.layout);
 }
 
-// The open prior is shown at once and not replaced by a later one.
+// The open prior is shown at once and not replaced automatically by a later one.
 void TestComparePrior::aLaterOneThatIsListedIsTold() {
   const ListedDays all({QStringLiteral("20260301"), QStringLiteral("20250215"), QStringLiteral("20220215")});
   QVERIFY(all.write());

@@ -114,7 +114,7 @@ void TestDerivedWindow::aReportSaysWhatIsNotHere() {
   QVERIFY(!text->toHtml().contains(QStringLiteral("href")));
 }
 
-// The name is shown even if the view shows pictures of another patient.
+// The patient's name is shown even if the view shows pictures of another patient.
 void TestDerivedWindow::aReportNamesItsPatient() {
   NEED_REFERENCES();
   References2d w({"dicom-2d/sr-tid1500-groups-on-CT_small.dcm", "dicom-2d/sc-rgb-41.dcm", ct});

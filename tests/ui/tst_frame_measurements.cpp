@@ -188,7 +188,7 @@ void TestFrameMeasurements::closedForms_data() {
   row("no size, angle", unknown, angle, {{200, 100}, {100, 100}, {200, 200}}, 45, "degrees");
 }
 
-// All tools give the exact numbers of the files. They are the numbers copied as CSV.
+// All tools give the numbers of the files to their last digit, as copied in CSV.
 void TestFrameMeasurements::closedForms() {
   NEED_PICTURES();
   QFETCH(QString, file);

@@ -95,7 +95,7 @@ void TestHanging::whatIsOpenedNextIsHung() {
   QVERIFY(w.facesEachOther(4));
 }
 
-// Opens another study of a patient whose layout the reader chose by hand.
+// The reader chose the grid by hand, so opening a study keeps it.
 void TestHanging::aGridThatWasChosenStays() {
   const Mammograms data;
   QVERIFY(data.write());

@@ -22,7 +22,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// relative tolerance of a length on paper, which is written with few digits
+// Relative tolerance of a length on paper, which is written with few digits.
 constexpr double sizeWithin = 0.005;
 
 // Returns a ball whose slices are those of a DICOM series.

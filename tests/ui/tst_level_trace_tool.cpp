@@ -138,8 +138,8 @@ void TestLevelTraceTool::withCtrlItIsErased() {
   QVERIFY(w.workspace() == before);
 }
 
-// Its colour occurs neither in a grey picture nor in the crosshair's lines, from which the tested pixels keep
-// clear.
+// The line's colour occurs neither in a grey picture nor in the crosshair's lines, from which the tested
+// pixels keep clear.
 void TestLevelTraceTool::theLineFollowsThePointer() {
   TraceWindow w;
   const QPoint middle = w.beside(0);

@@ -167,7 +167,7 @@ void TestMeasurements::twoHundredStepsBackAndForth() {
     const auto at = [&] { return QPointF(random.bounded(30, 170), random.bounded(30, 170)); };
     const int what = random.bounded(10);
     if (what < 4 || w.all().empty()) {
-      // without the arrow, which asks for a text
+      // Leaves out the arrow, which asks for a text.
       const ShapeKind kind = drawnKinds[random.bounded(quint32(drawnKinds.size() - 1))];
       std::vector<QPointF> places = placesOf(kind);
       const QPointF by = at() / 4;

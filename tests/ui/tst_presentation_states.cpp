@@ -114,7 +114,7 @@ void TestPresentationStates::presentationStatesAreChosenInTheMenu() {
   QVERIFY(w.isPresented(true));
 }
 
-// The view begins with the state's window. A window set there belongs to the view, and goes with it.
+// The window alone starts as the state's window. Its changes belong to the view and are lost with it.
 void TestPresentationStates::aWindowAloneGoesOverThatOfTheState() {
   NEED_REFERENCES();
   References2d w({ct, presentation});

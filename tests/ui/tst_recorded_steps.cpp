@@ -147,7 +147,7 @@ void TestRecordedSteps::numbersAreChangedAndRunAgain() {
   const Workspace before = w.workspace();
   chooseInMenu(w, "recipeSteps");
   auto* text = w.child<QPlainTextEdit>("stepsText");
-  // the default is 1, as in its row
+  // The radius is the default of 1, as in its row.
   QVERIFY(text && !text->toPlainText().contains(QStringLiteral("radiusMm")));
   text->setPlainText(text->toPlainText().replace(QStringLiteral("\"step\": \"grow\""),
                                                  QStringLiteral("\"step\": \"grow\", \"radiusMm\": -2")));

@@ -215,7 +215,7 @@ void TestSecondWindow::itsPlaceIsRemembered() {
            qPrintable(QStringLiteral("%1").arg(off.y())));
 }
 
-// As if the screen on which it was had been unplugged.
+// The last position lies outside all screens, as after a screen was unplugged.
 void TestSecondWindow::itOpensOnAScreenThatIsThere() {
   Beside w;
   QVERIFY(w.isOpen);

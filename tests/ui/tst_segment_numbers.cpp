@@ -177,7 +177,7 @@ void TestSegmentTable::aStrokeThatIsGivenUpIsNotMeasured() {
   QCOMPARE(w.table()->rowCount(), 2);
 }
 
-// This also holds before the dialog is deleted.
+// A closed dialog measures nothing even before it is deleted.
 void TestSegmentTable::closedItMeasuresNothing() {
   NumbersWindow w;
   QVERIFY(w.makeBoth());

@@ -125,7 +125,7 @@ void TestSegmentSteps::aWordOfAnotherKindIsNotTaken() {
   QVERIFY(*again == w.map()->steps);
 }
 
-// A recipe cannot store it.
+// A recipe cannot store a reversed range.
 void TestSegmentSteps::aReversedRangeIsNotTaken() {
   SegmentWindow w;
   QVERIFY(w.makeBoth());

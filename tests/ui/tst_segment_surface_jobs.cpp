@@ -84,7 +84,7 @@ void TestSegmentSurfaceJobs::onlyChangedVoxelsDo() {
   QVERIFY(s.field(1)->values == one->values && s.field(2) == two);
 }
 
-// This is as if Esc undid a stroke once it ended.
+// Undoes at once, as Esc does after a stroke.
 void TestSegmentSurfaceJobs::whatIsUndoneMeanwhileIsNotMade() {
   SurfaceSession s;
   QVERIFY(s.idle());
@@ -118,7 +118,7 @@ void TestSegmentSurfaceJobs::masksDoAsForTheProgram() {
   QVERIFY(s.field(1)->values == one->values);
 }
 
-// The masked surface is found again.
+// The masked volume of the new slices is computed again.
 void TestSegmentSurfaceJobs::aSeriesThatIsOpenedAgainMayHaveOtherSlices() {
   SurfaceSession s;
   QVERIFY(s.idle());

@@ -15,10 +15,10 @@ namespace {
 constexpr glm::dvec3 pSmall(12), pHollow(-5);  // centres of the balls
 constexpr double offItsVoxels = 1;             // mm that a surface may differ from its ball
 
-// The balls as segments, not hidden by the volume. The hollow ball and the small ball are red, the core is
-// green.
+// The balls as segments, without the volume unless `volumeShown`. The hollow ball and the small ball are red,
+// the core is green.
 struct In3dWindow : SegmentWindow {
-  std::optional<ScreenPicture> rest;  // at rest
+  std::optional<ScreenPicture> rest;  // last picture at rest
 
   explicit In3dWindow(bool volumeShown = false) {
     QObject::connect(window.view(), &VolumeView::drawn, window.view(), [this](const ScreenPicture& picture) {

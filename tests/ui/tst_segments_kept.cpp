@@ -173,7 +173,7 @@ void TestSegmentsKept::sessionsOfBeforeOpen() {
   QVERIFY(read.visible && !read.locked && read.opacity == 1 && read.label == "0.5 to 1");
 }
 
-// Its segments are opened as saved, but as made by hand, and a message says so.
+// Segments with an unknown step open as saved, but count as made by hand, and a message says so.
 void TestSegmentsKept::aSessionWithAnUnknownStepOpens() {
   const SessionFolder folder;
   SegmentsWindow w;
@@ -231,7 +231,7 @@ void TestSegmentsKept::whatIsNotBesideTheSessionIsMissing_data() {
   QTest::newRow("another volume under its name") << true;
 }
 
-// It is reported, the rest of the session opens, and later saves still refer to it.
+// Missing labels are reported. The rest of the session opens, and later saves still refer to them.
 void TestSegmentsKept::whatIsNotBesideTheSessionIsMissing() {
   QFETCH(bool, there);
   const SessionFolder folder;

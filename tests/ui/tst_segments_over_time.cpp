@@ -136,7 +136,7 @@ void TestSegmentsOverTime::theyAreSavedOnceRead() {
   }
 }
 
-// It is cancelled before the end. Choosing it again reads it.
+// The reading is cancelled before its end. Choosing the curve again restarts it.
 void TestSegmentsOverTime::cancelledIsSaid() {
   const QTemporaryDir folder;
   OverTimeWindow w(folder);

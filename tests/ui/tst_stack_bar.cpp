@@ -111,7 +111,7 @@ void TestStackBar::whatLiesBesideItIsNotStolen() {
   QVERIFY(!w.view()->stackBar());
 }
 
-// Measurements on the bar are grabbed first. The bar is in no saved picture.
+// Measurements on the bar are grabbed first.
 void TestStackBar::whatIsDrawnThereComesFirst() {
   StackWindow w(stackSlices);
   const int place = w.place();
@@ -129,13 +129,14 @@ void TestStackBar::whatIsDrawnThereComesFirst() {
   QVERIFY(w.place() != place);
 }
 
+// Each key image marks its own pixel rows of the bar. Captured pictures show no marks.
 void TestStackBar::keyImagesAreMarked() {
   StackWindow w(stackSlices);
   const Series series = w.view()->shown()->series;
   Chance chance(7);
   std::set<int> rows;
   for (int n = 0; n < 4; ++n) {
-    // the uppermost slice is first
+    // The uppermost slice is first.
     const int slice = chance.below(stackSlices), place = stackSlices - 1 - slice;
     const KeyImage image{keyOf(series), series.sopInstanceUids[std::size_t(slice)], 0};
     if (isKeyImage(w.session().workspace(), image)) continue;

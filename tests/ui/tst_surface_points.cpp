@@ -106,7 +106,7 @@ void TestSurfacePoints::whatWasNotPickedThereIsNotMoved_data() {
   });
 }
 
-// A drag from its end turns the camera, as from anywhere else.
+// A drag from such an end turns the camera, as from anywhere else.
 void TestSurfacePoints::whatWasNotPickedThereIsNotMoved() {
   QFETCH(std::function<void(SurfaceWindow&)>, draw);
   SurfaceWindow w;

@@ -168,7 +168,7 @@ void TestTimePoints::whatIsMeasuredIn3dIsOfOneStep() {
   QVERIFY(w.workspace().measurements[0] == made);
 }
 
-// One row shows their number, whichever is on screen. Its other entries follow.
+// One row shows the number of time points, whichever is on screen. Other lists follow.
 void TestTimePoints::theListHasOneRow() {
   Perfusion w(path_);
   QVERIFY(w.opened());

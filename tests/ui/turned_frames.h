@@ -133,7 +133,7 @@ class TurnedFrames : public Journey {
   std::vector<TwinLine> lines_;
   std::vector<ViewId> onScreen_;
   std::map<ViewId, glm::dvec2> sizes_;
-  // looks in which facing views were left
+  // Looks in which facing views were left.
   std::map<std::tuple<std::size_t, ViewId, int>, std::vector<TwinFrameLook>> faced_;
   std::map<int, Known> known_;
   std::optional<Known> saved_;  // state in the last session file

@@ -33,7 +33,7 @@ glm::dmat3 gridSteps(Chance& chance, glm::dvec3 spacing, bool mayTurn) {
   const double angles[] = {0, 0.05, 0.15, 0.7};
   const double angle = angles[chance.below(mayTurn ? 4 : 3)];
   glm::dmat3 lying(glm::rotate(glm::dmat4(1), angle, glm::normalize(chance.vector() + glm::dvec3(0.01))));
-  if (mayTurn && chance.oneIn(3))  // slices across the patient's left-right axis
+  if (mayTurn && chance.oneIn(3))  // sagittal slices
     lying = lying * glm::dmat3({0, 1, 0}, {0, 0, -1}, {-1, 0, 0});
   if (chance.oneIn(4)) lying[2] = -lying[2];  // the first slice is the uppermost
   return {lying[0] * spacing.x, lying[1] * spacing.y, lying[2] * spacing.z};

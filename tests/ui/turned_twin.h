@@ -38,7 +38,7 @@ struct TwinLook {
   int series = 0;
   TwinKind kind = twinAxial;
   glm::dmat2 seen{1};  ///< effect on the picture: turns and mirrors, x right and y down
-  /// offset of the view's middle from the volume's centre, mm along the unturned plane
+  /// Offset of the view's middle from the volume's centre, mm along the unturned plane.
   glm::dvec2 middle{0};
   double zoom = 1;  ///< relative to the picture that shows everything
   bool inverted = false;
@@ -84,7 +84,7 @@ struct TurnedTwin {
   TwinSeen seen(ViewId view) const;
   TwinLying lying(ViewId view) const;
   const TwinCross& cross(ViewId view) const;
-  /// Returns the view's wheel step, from 0, and their number.
+  /// Returns the view's wheel step, from 0, and the number of steps.
   std::pair<int, int> place(ViewId view) const;
   /// Returns the number in the corner text.
   QString number(ViewId view) const;
