@@ -6,7 +6,7 @@
 
 namespace volumen::tests {
 
-/// The hollow balls as a CT, or as a PET of which 1000 Bq/ml are 5 SUVbw.
+/// Returns the hollow balls as a CT, or as a PET in which 1000 Bq/ml are 5 SUVbw.
 inline LoadedSeriesPtr ballsOf(bool pet) {
   auto series = std::make_shared<LoadedSeries>(*hollowBalls());
   if (!pet) return series;
@@ -17,7 +17,7 @@ inline LoadedSeriesPtr ballsOf(bool pet) {
   return series;
 }
 
-/// A window with them, the curve above the page "From the curve".
+/// A window with the hollow balls. The curve is above the page "From the curve".
 struct AxisWindow : SegmentWindow {
   explicit AxisWindow(const LoadedSeriesPtr& series = hollowBalls()) : SegmentWindow(series) {
     child<QDockWidget>("transferDock")->raise();
@@ -29,7 +29,7 @@ struct AxisWindow : SegmentWindow {
 
   CurveEditor* curve() { return child<CurveEditor>("curveEditor"); }
   QDoubleSpinBox* field(int end) { return child<QDoubleSpinBox>(end == 0 ? "segmentLow" : "segmentHigh"); }
-  /// In the numbers of the fields.
+  /// Types the ends of the range, in the unit of the fields.
   void setFields(double low, double high) {
     field(0)->setValue(low);
     field(1)->setValue(high);
@@ -42,14 +42,14 @@ struct AxisWindow : SegmentWindow {
   }
   double ends(int end) { return end == 0 ? curve()->range()->low : curve()->range()->high; }
   void dragEnd(int end, double value) { tests::drag(curve(), flag(end), flagAt(end, value)); }
-  /// A curve that shows what lies above a value.
+  /// Sets a curve that shows what lies above `value`.
   void setFoot(double value) {
     session().edit(QStringLiteral("test"), [&](Scene& s) {
       s.transferFunction.points = {{float(value), {1, 1, 1}, 0.0}, {1200, {1, 1, 1}, 1.0}};
     });
     session().endGesture();
   }
-  /// Where a point of the curve is drawn, and where it would be at another value.
+  /// Returns the pixel at which control point `n` would be drawn if it had this value.
   QPointF pointAt(int n, double value) {
     return {curve()->valueAxis().pixelOf(value), curve()->positionOf(n).y()};
   }
@@ -58,7 +58,7 @@ struct AxisWindow : SegmentWindow {
     QCoreApplication::processEvents();
     tests::drag(curve(), curve()->positionOf(n), pointAt(n, value));
   }
-  /// A segment of what such a curve shows, bound to it.
+  /// Makes a segment of what a curve with this foot shows, and binds it to the curve.
   bool makeBound(double foot) {
     setFoot(foot);
     return press("segment") && press("segmentFollows") && current().span == CurveSpan{0, 1};

@@ -21,12 +21,12 @@ inline QStringList texts(std::initializer_list<const char*> utf8) {
   return all;
 }
 
-/// A series to be written: whose, and what it says of itself.
+/// A series to write: its folder, the phantom of its voxels and its attributes.
 struct WrittenSeries {
   const char *folder, *phantom, *name, *id, *studyUid, *date, *study, *series;
 };
 
-/// Three patients: Doe with two studies, one of two series; Müller; a name in two scripts.
+/// Three patients: Doe with two studies, one of two series. Müller. A name in two scripts.
 inline const std::vector<WrittenSeries>& writtenSeries() {
   static const std::vector<WrittenSeries> all{
       {"doe/bone", "ct-head:24", "Doe^Jane", "A111", "1.2.3.1", "20240310", "Head", "Bone"},
@@ -37,7 +37,7 @@ inline const std::vector<WrittenSeries>& writtenSeries() {
   return all;
 }
 
-/// Folders of studies, an index in a folder of its own, and windows that use it.
+/// Folders of studies, an index in its own folder, and windows that use it.
 struct Studies {
   QTemporaryDir dir;
   QString data = dir.filePath(QStringLiteral("data")), home = dir.filePath(QStringLiteral("home"));
@@ -66,7 +66,7 @@ struct Studies {
   }
 };
 
-/// A window that shows the list of studies.
+/// A window that shows the study browser.
 struct BrowserWindow : Journey {
   explicit BrowserWindow(const Studies& studies, const QStringList& paths = {})
       : Journey(paths, studies.services()) {}
@@ -78,7 +78,7 @@ struct BrowserWindow : Journey {
   QString notice() { return child<QLabel>("browserNotice")->text(); }
   Banner* banner() { return child<Banner>("banner"); }
 
-  /// The first row whose cell in a column has this text, at any level that is in the tree.
+  /// Returns the first row whose cell in `column` contains this text, at any expanded level.
   QModelIndex row(const char* text, int column = 0) {
     return tree()
         ->model()
@@ -90,7 +90,7 @@ struct BrowserWindow : Journey {
   bool has(const char* text, int column = 0) {
     return QTest::qWaitFor([&] { return row(text, column).isValid(); }, longest);
   }
-  /// The texts of a column of all patients, from the top down.
+  /// Returns the texts of a column of all patients, from top to bottom.
   QStringList patients(int column = 0) {
     QStringList texts;
     const QAbstractItemModel* model = tree()->model();
@@ -111,13 +111,13 @@ struct BrowserWindow : Journey {
     click(index);
     QTest::mouseDClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualRect(index).center());
   }
-  /// Opens the study Head, whose first series is Bone.
+  /// Opens the study "Head", whose first series is "Bone".
   bool openHead() {
     if (!has("Head", 4)) return false;
     doubleClick(row("Head", 4));
     return isShown("Bone");
   }
-  /// Waits until a view, or the one in focus, shows a series of this description.
+  /// Waits until `view`, or the view in focus, shows a series with this description.
   bool isShown(const char* description, std::optional<ViewId> view = {}) {
     return QTest::qWaitFor(
         [&] {

@@ -4,7 +4,7 @@
 #include "tests/fixtures/small_volumes.h"
 #include "ui/controller/slice_service.h"
 
-// Requests of flat pictures by chance, of a sheared grid.
+// Random requests for slices of a sheared grid.
 
 namespace volumen::tests {
 

@@ -8,7 +8,7 @@
 
 namespace volumen::tests {
 
-/// A stack in one view, and the bar that plays it.
+/// A stack in one view, and the cine bar that plays it.
 struct CineWindow : StackWindow {
   CineWindow() {
     window.resize(1440, 900);
@@ -16,12 +16,12 @@ struct CineWindow : StackWindow {
     QCoreApplication::processEvents();
   }
   CineBar* bar() { return view()->findChild<CineBar*>(); }
-  // With the pointer at rest at the bottom of the view.
+  // Rests the pointer at the bottom of the view.
   bool showBar() {
     hover(view(), {60.0, view()->height() - 2.0});
     return QTest::qWaitFor([&] { return bar()->isVisible(); }, longest);
   }
-  // The places of the next steps while it plays.
+  // Returns the slice positions of the next `count` steps while it plays.
   std::vector<int> played(int count) {
     std::vector<int> places{place()};
     const auto listening = QObject::connect(&session(), &Session::workspaceChanged, &window, [&] {

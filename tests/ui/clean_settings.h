@@ -4,7 +4,7 @@
 
 namespace volumen::tests {
 
-/// A test class whose functions each begin, and leave all, without settings but for layouts (openAlone).
+/// A test class whose functions each begin and end without settings, except for layouts (openAlone).
 class CleanSettings : public QObject {
   Q_OBJECT
  private Q_SLOTS:

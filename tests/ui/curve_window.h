@@ -13,10 +13,10 @@
 
 namespace volumen::tests {
 
-/// Short names of tests of curved planes.
+/// Short names for tests of curved planes.
 namespace curved {
 
-/// What views of the curve's layout show.
+/// The views of the curve's layout.
 inline constexpr ViewId slices = firstComparedId, straightened = slices + 1, stretched = slices + 2,
                         sections = slices + 3;
 
@@ -25,7 +25,7 @@ inline const std::vector<glm::dvec3> arch{{-24, 0, 0}, {-16, -14, 0}, {0, -18, 0
 
 }  // namespace curved
 
-/// A window with a CT in planes, its voxels 2 mm.
+/// A window that shows a CT with voxels of 2 mm in planes.
 struct CurveWindow : Journey {
   explicit CurveWindow(const SessionFolder& folder) : Journey({folder.ct()}) {
     if (!settle()) return;
@@ -46,7 +46,7 @@ struct CurveWindow : Journey {
     QTest::mouseClick(view(id), Qt::LeftButton, {}, pixel(id, p).toPoint());
   }
 
-  /// By clicks in an axial slice, and Enter.
+  /// Draws a curve by clicks in an axial slice, and Enter.
   void drawCurve(const std::vector<glm::dvec3>& points, ViewId id = axialViewId) {
     press("openCurveTool");
     for (const glm::dvec3 p : points) click(id, p);
@@ -56,7 +56,7 @@ struct CurveWindow : Journey {
 
   const Series& seriesAt(ViewId id) { return *seriesIn(workspace(), id); }
   LoadedSeriesPtr loaded(ViewId id) { return session().seriesOf(id); }
-  /// True once all four views have their volume.
+  /// Returns true once all four views have their volume.
   bool showCurve(const char* action = "showCurvedPlane") {
     press(action);
     return QTest::qWaitFor([&] { return isShown(); }, longest);
@@ -65,7 +65,7 @@ struct CurveWindow : Journey {
     return loaded(curved::slices) && loaded(curved::straightened) && loaded(curved::stretched) &&
            loaded(curved::sections) && !window.document().loader.isBusy();
   }
-  /// As Session has it, also where nobody set it yet.
+  /// Returns the crosshair as Session does, even if nobody has set it yet.
   Crosshair crosshair(ViewId id) { return crosshairOf(workspace(), id, *loaded(id)); }
   CurvedGrid grid(ViewId id) {
     const Series& series = seriesAt(id);

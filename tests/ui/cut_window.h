@@ -10,13 +10,13 @@
 
 namespace volumen::tests {
 
-/// Corners about a pixel.
+/// Returns the corners of an outline around a pixel.
 inline std::vector<QPoint> outlineAt(QPoint p, int size) {
   return {p + QPoint(-size, -size), p + QPoint(size, -size), p + QPoint(size / 2, 0), p + QPoint(size, size),
           p + QPoint(-size, size)};
 }
 
-/// How far a pixel is from an outline, whose last corner is joined to the first.
+/// Returns the distance of a pixel from a closed outline.
 inline double fromOutline(const std::vector<QPoint>& corners, glm::dvec2 at) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n < corners.size(); ++n) {
@@ -28,7 +28,7 @@ inline double fromOutline(const std::vector<QPoint>& corners, glm::dvec2 at) {
   return nearest;
 }
 
-/// What of a segment is seen in an outline; rounding may take what lies on the line to either side.
+/// The part of a segment seen inside an outline. Rounding may put what lies on the line on either side.
 struct SeenPart {
   BitMask inside, onLine;
   bool leaves(const BitMask& left, const BitMask& expected) const {
@@ -36,9 +36,9 @@ struct SeenPart {
   }
 };
 
-/// Two segments, and the tool that cuts them in slices and in 3D.
+/// Two segments, and the scissors that cut them in slices and in 3D.
 struct CutWindow : PaintWindow {
-  /// The segments 1 (hollow ball and small one) and 2 (core); 1 is current, the tool in hand.
+  /// Makes segment 1 (hollow ball and small ball, current) and segment 2 (core), and takes the scissors.
   bool begin() {
     if (!makeBoth()) return false;
     take("segmentScissorsTool");
@@ -50,14 +50,14 @@ struct CutWindow : PaintWindow {
     const glm::dvec2 at = seenAt(scene()->camera(), sceneSize(), p);
     return QPointF(at.x, at.y).toPoint();
   }
-  /// By a drag that goes along the corners.
+  /// Draws by a drag along the corners.
   void drawIn(QWidget* view, const std::vector<QPoint>& corners, Qt::KeyboardModifiers keys = {},
               bool isReleased = true) {
     QTest::mousePress(view, Qt::LeftButton, keys, corners.front());
     for (const QPoint p : corners) QTest::mouseEvent(QTest::MouseMove, view, Qt::LeftButton, keys, p);
     if (isReleased) QTest::mouseRelease(view, Qt::LeftButton, keys, corners.back());
   }
-  /// The voxels of a segment of whose place in the patient this is so.
+  /// Returns the voxels of a segment whose position in the patient fulfils `isIn`.
   template <class IsIn>
   BitMask partOf(int number, const IsIn& isIn) {
     BitMask part = mask(number);
@@ -67,7 +67,7 @@ struct CutWindow : PaintWindow {
           if (part.at({i, j, k}) && !isIn(grid().patientFromVoxel({i, j, k}))) part.set({i, j, k}, false);
     return part;
   }
-  /// Of the segment 1, by the pixels of a view.
+  /// Returns the part of segment 1 inside the outline, by the pixels of a view.
   template <class PixelOf>
   SeenPart seenIn(const std::vector<QPoint>& corners, const PixelOf& pixel) {
     const QPolygonF outline(QList<QPointF>(corners.begin(), corners.end()));
@@ -84,7 +84,7 @@ struct CutWindow : PaintWindow {
   SeenPart seenInSlice(const std::vector<QPoint>& corners) {
     return seenIn(corners, [&](glm::dvec3 p) { return view()->plane()->pixelFromPatient(p); });
   }
-  /// Whether the record makes the segments as they are.
+  /// Returns whether the recorded recipe reproduces the segments.
   bool isRecorded() {
     const RecordedRecipe recorded = recordedRecipe(*map(), {});
     const auto made = follow(recorded.recipe, *session().series()->volume);

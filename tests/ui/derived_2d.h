@@ -15,7 +15,7 @@ inline const char* const ct = "dicom-pydicom/test_files/CT_small.dcm";
 inline const char* const presentation = "dicom-2d/made-here/pr-on-CT_small.dcm";
 inline const char* const keyObjects = "dicom-2d/made-here/ko-on-CT_small.dcm";
 
-/// A window on files of the data.
+/// A window that opens test files.
 struct References2d : Journey {
   explicit References2d(const std::vector<const char*>& files) {
     window.resize(1440, 900);
@@ -39,7 +39,7 @@ struct References2d : Journey {
     QTest::mouseClick(tree(list)->viewport(), Qt::LeftButton, {},
                       tree(list)->visualItemRect(item(text, list)).center());
   }
-  // On the box before it.
+  // Toggles the check box of an item.
   void tick(const char* text, const char* list) {
     tree(list)->setCurrentItem(item(text, list));
     QTest::keyClick(tree(list), Qt::Key_Space);
@@ -58,7 +58,7 @@ struct References2d : Journey {
   bool isPresented(bool wanted = true) {
     return shows([&](const FlatView& v) { return frameIn(&v) && frameIn(&v)->how.has_value() == wanted; });
   }
-  // On screen once the picture is that of the workspace.
+  // Returns the pixel on screen once the picture is that of the workspace.
   QRgb seen(int column, int row) {
     FlatView* v = view();
     const auto isWhole = [&] { return v->picture().size() == v->pixels(); };
@@ -67,7 +67,7 @@ struct References2d : Journey {
         v->plane()->pixelFromPatient(frameIn(v)->geometry().patientFromVoxel({column, row, 0}));
     return v->picture().pixel(int(at.x), int(at.y));
   }
-  // Waits for the picture after something was done.
+  // Does `act` and waits for its picture.
   bool after(const std::function<void()>& act, ViewId id = axialViewId) {
     QSignalSpy shown(view(id), &FlatView::settled);
     act();
@@ -80,7 +80,7 @@ struct References2d : Journey {
       });
     });
   }
-  // A right click's menu.
+  // Opens the context menu by a right click.
   QMenu* menu(FlatView* on) {
     QTest::mouseClick(on, Qt::RightButton, {}, {200, 300});
     return QTest::qWaitFor([&] { return child<QMenu>("flatMenu") != nullptr; }, longest)
@@ -93,7 +93,7 @@ struct References2d : Journey {
   }
 };
 
-/// Null: there is none.
+/// Returns null if there is no such action.
 inline QAction* actionNamed(QMenu* menu, const char* text) {
   for (QAction* action : menu->actions())
     if (action->text().contains(QLatin1String(text))) return action;

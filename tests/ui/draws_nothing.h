@@ -4,7 +4,7 @@
 
 namespace volumen::tests {
 
-/// For views whose pictures do not matter: every one fails.
+/// For views whose pictures do not matter: every draw fails.
 inline MakeDraw drawsNothing() {
   return [](const VoxelsPtr&) {
     return Draw{

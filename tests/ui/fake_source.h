@@ -8,7 +8,7 @@
 
 namespace volumen::tests {
 
-/// A source that answers when it is told to. What is opened is a job until then.
+/// A source of studies that answers on command. Opening a study is a job until then.
 class FakeSource : public StudySource {
  public:
   struct Study {
@@ -33,11 +33,11 @@ class FakeSource : public StudySource {
     jobs_.add(opens.back().job, {});
   }
 
-  /// Whether these words were asked for.
+  /// Returns whether these words were searched for.
   bool wasAsked(const std::string& words) const {
     return std::ranges::find(asked, words, &StudyListRequest::words) != asked.end();
   }
-  /// Answers all that asked for these words, by the studies whose patients' names hold them.
+  /// Answers all requests for these words with the studies whose patients' names contain them.
   void answer(const std::string& words) {
     std::vector<IndexedStudy> found;
     for (const Study& study : studies_)
@@ -46,7 +46,7 @@ class FakeSource : public StudySource {
       if (request.words == words)
         Q_EMIT listed(request, std::make_shared<StudyList>(listedStudies(found, request.sort, 0)));
   }
-  /// Answers what was opened n-th, from 0; not where it was cancelled.
+  /// Answers the n-th opening, from 0, unless it was cancelled.
   void answerOpen(std::size_t n) {
     const Open open = opens.at(n);
     jobs_.remove(open.job);

@@ -7,8 +7,8 @@
 
 namespace volumen::tests {
 
-/// Says when the 3D view of a window shows its last picture: no draft, and of the scene as it is. It hears of
-/// the pictures from its own beginning on.
+/// Reports when the 3D view of a window shows its final picture: no draft, and of the present scene. It sees
+/// only pictures drawn after its own construction.
 class FinalPicture : public QObject {
  public:
   explicit FinalPicture(MainWindow& window) : session_(window.session()), view_(window.view()) {

@@ -18,7 +18,7 @@ inline QString dataFile(const char* name) {
 
 inline constexpr const char* clipFile = "us-cine-aspect-regions.dcm";
 
-// A window on files of the data.
+// A window that opens test files.
 struct Frames : Journey {
   explicit Frames(const std::vector<const char*>& files) {
     window.resize(1440, 900);
@@ -36,7 +36,7 @@ struct Frames : Journey {
   }
   FlatLook look(ViewId id = axialViewId) { return flatLookOf(workspace().view(id)); }
 
-  // Whether the frame of the workspace comes on screen.
+  // Returns whether the frame of the workspace comes on screen.
   bool shows(ViewId id = axialViewId) {
     const auto isThere = [&] {
       const FlatView* v = view(id);
@@ -45,7 +45,7 @@ struct Frames : Journey {
     };
     return QTest::qWaitFor(isThere, longest);
   }
-  // Waits for the picture after something was done.
+  // Does `act` and waits for its picture.
   bool after(const std::function<void()>& act, ViewId id = axialViewId) {
     QSignalSpy shown(view(id), &FlatView::settled);
     act();
@@ -54,7 +54,8 @@ struct Frames : Journey {
   bool press(Qt::Key key, ViewId id = axialViewId) {
     return after([&] { QTest::keyClick(view(id), key); }, id);
   }
-  // What is on screen of a pixel, which is put in the middle of the view, as large as a pixel of the screen.
+  // Returns the colour on screen of a pixel of the frame. The pixel is centred and enlarged to one screen
+  // pixel.
   QRgb seen(int column, int row, ViewId id = axialViewId) {
     FlatView* v = view(id);
     const VoxelGeometry& geometry = frameIn(v)->geometry();
@@ -76,7 +77,7 @@ struct Frames : Journey {
     const glm::dvec2 at = v->plane()->pixelFromPatient(p);
     return v->picture().pixel(int(at.x), int(at.y));
   }
-  // What the status line says of a pixel under the cursor.
+  // Returns what the status line says about a pixel under the cursor.
   QString said(int column, int row) {
     FlatView* v = view();
     QString text;

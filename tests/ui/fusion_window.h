@@ -6,18 +6,18 @@
 
 namespace volumen::tests {
 
-/// Series open in the usual layout of their modality while it lives.
+/// Lets series open in the usual layout of their modality while it lives.
 struct UsualLayouts {
   UsualLayouts() { openAlone(false); }
   ~UsualLayouts() { openAlone(); }
 };
 
-/// "ct", "pet": of one study.
+/// Returns the folder of "ct" or "pet" of one study.
 inline QString fusedFolder(const char* name) {
   return QString::fromStdString(dataPath(std::string("pet-ct/sts019-") + name));
 }
 
-/// A window that says what of a PET and a CT it shows.
+/// A window that tells which views show the PET and the CT.
 struct PetCtWindow : Journey {
   using Journey::Journey;
 
@@ -26,7 +26,7 @@ struct PetCtWindow : Journey {
   std::string modality(const SeriesKey& key) {
     return key.empty() ? "" : workspace().series.at(key).series->modality;
   }
-  /// The PET in 3D, and in all planes over the CT.
+  /// Returns whether the PET is in 3D and over the CT in all planes.
   bool isFused() {
     const auto hasBoth = [this](ViewId id) {
       return modality(workspace().view(id).series) == "CT" && modality(look(id).overlay) == "PT";

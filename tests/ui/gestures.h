@@ -11,7 +11,8 @@
 
 namespace volumen::tests {
 
-/// Presses a button, moves in a few steps and releases: real mouse events. Positions in the widget's pixels.
+/// Presses a button, moves in a few steps and releases, by real mouse events. Positions are in the widget's
+/// pixels.
 inline void drag(QWidget* widget, QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton,
                  Qt::KeyboardModifiers modifiers = {}) {
   constexpr int steps = 4;
@@ -22,13 +23,13 @@ inline void drag(QWidget* widget, QPointF from, QPointF to, Qt::MouseButton butt
   QTest::mouseRelease(widget, button, modifiers, to.toPoint());
 }
 
-/// The mouse passes over a widget, no button held.
+/// Moves the mouse over a widget with no button held.
 inline void hover(QWidget* widget, QPointF at) {
   QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
   QCoreApplication::sendEvent(widget, &move);
 }
 
-/// Turns the wheel in the middle of a widget; notches: up is positive.
+/// Turns the wheel in the middle of a widget by `notches`; up is positive.
 inline void wheel(QWidget* on, int notches, Qt::KeyboardModifiers keys = {}) {
   const QPointF middle(on->width() / 2.0, on->height() / 2.0);
   QWheelEvent event(middle, on->mapToGlobal(middle), {}, {0, 120 * notches}, Qt::NoButton, keys,
@@ -36,7 +37,7 @@ inline void wheel(QWidget* on, int notches, Qt::KeyboardModifiers keys = {}) {
   QCoreApplication::sendEvent(on, &event);
 }
 
-/// Drops what is dragged on a widget, where it takes it; returns whether it does.
+/// Drops data on a widget if it accepts them. Returns whether it does.
 inline bool drop(const QMimeData& what, QWidget* on) {
   constexpr QPoint at(20, 20);
   QDragEnterEvent enter(at, Qt::CopyAction, &what, Qt::LeftButton, Qt::NoModifier);

@@ -15,27 +15,27 @@
 
 namespace volumen::tests {
 
-/// What a user's hands do in a window, by real events, and in how many steps: a click, a double click, a key
-/// with its modifiers, a drag, a drop, a turn of the wheel, a text with Enter and a move with a key held are
-/// one each.
+/// Acts as a user's hands do in a window, by real events, and counts the steps. A click, a double click, a
+/// key with its modifiers, a drag and a drop are one step each. So are a turn of the wheel, a text with Enter
+/// and a move with a key held.
 class Hand {
  public:
   explicit Hand(QWidget& window) : window_(window) {}
 
   int steps() const { return steps_; }
 
-  /// Where the keyboard is.
+  /// Presses a key in the widget that has the keyboard focus.
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
     ++steps_;
     QWidget* focus = QApplication::focusWidget();
     QTest::keyClick(focus && focus->isVisible() ? focus : &window_, key, modifiers);
   }
-  /// In a dialog, which has the keyboard once it is open.
+  /// Presses a key in a dialog, which has the keyboard focus once it is open.
   void keyOn(QWidget* dialog, Qt::Key key) {
     ++steps_;
     QTest::keyClick(dialog, key);
   }
-  /// A text in the field that has the keyboard, in place of what stands there, and Enter.
+  /// Replaces the text of the focused field and presses Enter.
   void type(const QString& text) {
     ++steps_;
     QWidget* field = QApplication::focusWidget();
@@ -44,7 +44,7 @@ class Hand {
     QTest::keyClicks(field, text);
     QTest::keyClick(field, Qt::Key_Return);
   }
-  /// A path in the file dialog that is open, and Enter.
+  /// Enters a path in the open file dialog and presses Enter.
   void answer(const QString& path) {
     ++steps_;
     for (QFileDialog* open : window_.findChildren<QFileDialog*>())
@@ -74,14 +74,14 @@ class Hand {
     ++steps_;
     QVERIFY2(tests::drop(what, on), "it is not taken");
   }
-  /// The button of an action in the tool bar.
+  /// Clicks the button of an action in the tool bar.
   void button(const char* action) {
     auto* bar = window_.findChild<QToolBar*>(QStringLiteral("tools"));
     QWidget* shown = bar->widgetForAction(window_.findChild<QAction*>(QLatin1String(action)));
     QVERIFY2(shown && shown->isVisible(), action);
     click(shown);
   }
-  /// By clicks on menus, from one of the menu bar on, and then on the entry of this object name.
+  /// Clicks through menus, starting in the menu bar, to the entry with this object name.
   void menu(const QList<const char*>& menus, const char* entry) {
     auto* bar = window_.findChild<QMenuBar*>();
     QMenu* open = window_.findChild<QMenu*>(QLatin1String(menus.first()));
@@ -97,7 +97,7 @@ class Hand {
       if (action->objectName() == QLatin1String(entry)) return choose(open, action);
     QFAIL(entry);
   }
-  /// By a button that opens a menu at once, which waits until that is closed.
+  /// Clicks a button that opens a menu at once. The click returns when the menu is closed.
   void menuOf(QToolButton* button, const char* entry) {
     QMenu* menu = button->menu() ? button->menu() : button->defaultAction()->menu();
     QTimer::singleShot(100, menu, [this, menu, entry] {
@@ -107,7 +107,7 @@ class Hand {
     });
     click(button);
   }
-  /// An entry of a menu that is open.
+  /// Clicks an entry of an open menu.
   void choose(QMenu* open, QAction* entry) {
     QVERIFY2(QTest::qWaitFor([open] { return open->isVisible(); }), "the menu is not open");
     click(open, open->actionGeometry(entry).center());
@@ -121,11 +121,11 @@ class Hand {
 /// A task of resources/docs/tasks.md.
 struct Task {
   int number;
-  /// Opens what it starts from, does it, and sees that it is done; returns in how many steps.
+  /// Opens the initial state, does the task and checks the result. Returns the number of steps.
   int (*steps)();
 };
 
-/// Those of one file of tests each, in the order of their numbers.
+/// Tasks of one file of tests each, by ascending number.
 std::vector<Task> readingTasks();
 std::vector<Task> comparingTasks();
 std::vector<Task> frameTasks();
@@ -134,7 +134,7 @@ std::vector<Task> showingTasks();
 
 }  // namespace volumen::tests
 
-/// In a task: where it fails, it says so and took no steps.
+/// Checks a condition in a task. If it fails, the macro reports it and the task returns 0 steps.
 #define DONE(condition)                                                                 \
   do {                                                                                  \
     if (!QTest::qVerify(bool(condition), #condition, "", __FILE__, __LINE__)) return 0; \

@@ -14,7 +14,7 @@ namespace volumen::tests {
 
 inline constexpr ViewId firstCell = firstComparedId;
 
-/// A window that hangs what is opened.
+/// A window that applies hanging protocols to what it opens.
 struct HangingWindow : Journey {
   using Journey::Journey;
 
@@ -30,7 +30,7 @@ struct HangingWindow : Journey {
     const ProjectionView view = projection(cell);
     return in(cell) ? QString::fromStdString(view.laterality + " " + view.viewPosition) : QString();
   }
-  /// Once the frames of all cells are there, as large as each other and at the edges.
+  /// Waits until the frames of all cells are there, equally large and at the edges.
   bool facesEachOther(int cells) {
     return QTest::qWaitFor(
         [&] {
@@ -47,7 +47,7 @@ struct HangingWindow : Journey {
         },
         longest);
   }
-  /// How far the outer edge of the column at the chest wall is from the inner edge of its cell, pixels.
+  /// Returns the distance of the chest wall's outermost pixel edge from the inner edge of its cell, pixels.
   double wallOff(int cell) {
     const FrameView* view = frameView(cell);
     const VoxelGeometry& geometry = view->frame()->geometry();
@@ -60,7 +60,7 @@ struct HangingWindow : Journey {
   bool isHungInFour() {
     return QTest::qWaitFor([&] { return workspace().layout == Layout::four; }, longest) && facesEachOther(4);
   }
-  /// Opens it where the reader chose a grid.
+  /// Opens files after choosing a grid by hand.
   bool opensIntoAChosenGrid(const QString& path) {
     session().change(QStringLiteral("Layout"), withLayout(workspace(), Layout::two));
     window.open({path});
@@ -85,13 +85,13 @@ struct WrittenMammograms {
   const bool isWritten = data.write();
 };
 
-/// With mammograms open.
+/// Shows opened mammograms.
 struct MammogramsWindow : WrittenMammograms, HangingWindow {
   MammogramsWindow() : HangingWindow({data.folder.path()}) {}
   bool isOpen() { return isWritten && isHungInFour(); }
 };
 
-/// With both open, and the later one on screen.
+/// Opens both studies and shows the later one.
 struct TwoDaysWindow : HangingWindow {
   explicit TwoDaysWindow(const TwoDays& days) : HangingWindow(QStringList{days.now, days.before}) {}
   bool isOpen() {
@@ -108,7 +108,7 @@ struct TwoDaysWindow : HangingWindow {
   }
 };
 
-/// One that shows any series twice.
+/// Returns a protocol that shows any series twice.
 inline HangingProtocol twoOfAny() {
   HangingProtocol mine;
   mine.name = "Mine", mine.series.resize(1), mine.cells.resize(2);

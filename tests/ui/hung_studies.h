@@ -11,19 +11,19 @@
 
 namespace volumen::tests {
 
-/// A mammogram: `rowsTo` is where rows lead to in the patient.
+/// A mammogram. `rowsTo` is its Patient Orientation: the directions of rows and columns in the patient.
 struct Breast {
   const char *side, *view, *rowsTo;
   int columns, rows;
 };
 
-/// The left CC lies the wrong way round; the MLOs are larger.
+/// The left CC has the wrong orientation. The MLOs are larger.
 inline const Breast breasts[] = {{"L", "MLO", "A\\F", 90, 120},
                                  {"R", "CC", "P\\L", 60, 80},
                                  {"L", "CC", "P\\L", 60, 80},
                                  {"R", "MLO", "P\\F", 90, 120}};
 
-/// As one series for all, or each as one of its own.
+/// One series for all mammograms, or a separate series for each.
 enum class BreastSeries { ofAll, ofEach };
 
 inline bool writeBreast(const Breast& b, int number, const QString& path, BreastSeries series,
@@ -66,11 +66,11 @@ inline bool writeBreast(const Breast& b, int number, const QString& path, Breast
   return file.saveFile(path.toLocal8Bit().constData(), EXS_LittleEndianExplicit).good();
 }
 
-/// Four of them in a folder.
+/// Four mammograms in a folder.
 struct Mammograms {
   QTemporaryDir folder;
   int patient = 77;
-  /// `isOfOneSize`: all as large as the CCs, so that one series is one stack.
+  /// If `isOfOneSize`, all are as large as the CCs, so that one series is one stack.
   bool write(BreastSeries series = BreastSeries::ofAll, bool isOfOneSize = false) const {
     for (int n = 0; n < 4; ++n) {
       Breast breast = breasts[n];
@@ -81,7 +81,7 @@ struct Mammograms {
   }
 };
 
-/// The same series of one patient on two days.
+/// The same series of one patient on two dates.
 struct TwoDays {
   QTemporaryDir folder;
   QString now = folder.filePath(QStringLiteral("now")), before = folder.filePath(QStringLiteral("before"));

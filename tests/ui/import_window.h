@@ -9,12 +9,12 @@
 
 namespace volumen::tests {
 
-/// A window with hollowBalls(), and a folder from and to which segments are imported and exported.
+/// A window with hollowBalls(), and a folder for the import and export of segments.
 struct ImportWindow : PaintWindow {
   QTemporaryDir folder;
 
   QString at(const char* name) const { return folder.filePath(QLatin1String(name)); }
-  /// What the banner says; empty where there is none.
+  /// Returns the banner's text; empty if there is no banner.
   QString told() { return child<Banner>("banner")->isVisible() ? said() : QString(); }
   bool pushed(const char* button) { return SegmentWindow::press(button); }
   void startImport(const QString& path) {
@@ -35,7 +35,7 @@ struct ImportWindow : PaintWindow {
       if (!pushed("segmentRemove")) return false;
     return true;
   }
-  /// The label of each voxel of the series by where it is.
+  /// Returns labels of the series' voxels, computed from their patient positions.
   LabelMap labelsBy(const std::function<int(glm::dvec3 pPatient)>& labelOf) {
     LabelEdit edit{LabelMap(grid())};
     for (int k = 0; k < 40; ++k)
@@ -43,7 +43,7 @@ struct ImportWindow : PaintWindow {
         for (int i = 0; i < 40; ++i) edit.set({i, j, k}, std::uint8_t(labelOf(glm::dvec3(i, j, k) - 19.5)));
     return edit.done();
   }
-  /// A segmentation of one layer with these labels; where, empty where it cannot be written.
+  /// Writes a segmentation of one layer with these labels. Returns its path, or an empty one if it fails.
   QString file(const char* name, const std::vector<Segment>& segments,
                const std::function<int(glm::dvec3 pPatient)>& labelOf) {
     return writeSegNrrd(labelsBy(labelOf), segments, at(name).toStdString()) ? at(name) : QString();

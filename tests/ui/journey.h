@@ -22,20 +22,20 @@ namespace volumen::tests {
 
 inline constexpr int longest = 60000;  // ms, for a loaded machine
 
-/// Lets studies open in the 3D view alone, which most tests are about; those of layouts say so.
+/// Lets studies open in the 3D view alone, which most tests need. Tests of layouts turn it off.
 inline void openAlone(bool alone = true) {
   for (const char* modality : {"CT", "MR", "PT", "other"})
     QSettings().setValue(QStringLiteral("layouts/") + QLatin1String(modality),
                          alone ? QStringLiteral("one") : QString());
 }
 
-/// The frame that a view shows; null: it shows none.
+/// Returns the frame that a view shows; null if there is none.
 inline LoadedFramePtr frameIn(const View* view) {
   const auto* frames = qobject_cast<const FrameView*>(view);
   return frames ? frames->frame() : nullptr;
 }
 
-/// A window; pictures are waited for, and kept where $VOLUMEN_SHOTS names a folder.
+/// A window whose pictures are waited for, and saved if $VOLUMEN_SHOTS names a folder.
 struct Journey {
   MainWindow window;
   QSignalSpy settled{&window, &MainWindow::settled};
@@ -44,7 +44,7 @@ struct Journey {
       : window(services) {
     window.resize(1040, 680);
     window.show();
-    // Without a window manager nobody else makes it active, and shortcuts wait for that.
+    // Without a window manager nothing else activates the window, and shortcuts need an active window.
     window.activateWindow();
     QApplication::setActiveWindow(&window);
     if (!paths.isEmpty()) window.open(paths);
@@ -59,7 +59,7 @@ struct Journey {
     return QTest::qWaitFor([this] { return settled.count() > 0; }, longest);
   }
 
-  // The picture at rest after something was done.
+  // Does `act` and returns the next picture at rest.
   QImage after(const std::function<void()>& act) {
     settled.clear();
     act();
@@ -77,27 +77,27 @@ struct Journey {
   }
 };
 
-/// Types a path into a file dialog in place of what it offers, and accepts.
+/// Replaces the suggested path in a file dialog and accepts.
 inline void acceptFile(QFileDialog& dialog, const QString& path) {
-  // A field without the keyboard, as in windows of tests, leaves selected what was offered, which is taken.
+  // Without the keyboard focus, as in test windows, the suggested file stays selected and would be taken.
   dialog.findChild<QListView*>(QStringLiteral("listView"))->clearSelection();
   auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
   name->setText(path);
   QTest::keyClick(name, Qt::Key_Return);
 }
 
-/// The same in the dialog of this name that is open.
+/// Does the same in the open dialog of this name.
 inline void answer(Journey& w, const char* dialog, const QString& path) {
   const QLatin1String named(dialog);
   for (QFileDialog* open : w.window.findChildren<QFileDialog*>(named) +
                                w.window.views()->secondWindow().findChildren<QFileDialog*>(named)) {
-    if (!open->isVisible()) continue;  // answered before, and not yet deleted
+    if (!open->isVisible()) continue;  // answered before, but not yet deleted
     return acceptFile(*open, path);
   }
   QFAIL("there is no such dialog");
 }
 
-/// Means it, where the program asks before it throws away what was not saved.
+/// Confirms that unsaved work is discarded.
 inline void discard(Journey& w) {
   auto* box = w.child<QMessageBox>("discardBox");
   QVERIFY(box);

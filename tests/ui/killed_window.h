@@ -12,7 +12,7 @@
 
 namespace volumen::tests {
 
-/// The sessions that are kept by Autosave.
+/// Returns the sessions kept by Autosave.
 inline QStringList keptSessions() {
   return QDir(Autosave::folder()).entryList({QStringLiteral("*.volumen")}, QDir::Files, QDir::Name);
 }
@@ -21,12 +21,12 @@ inline bool areKept(int count) {
   return QTest::qWaitFor([&] { return keptSessions().size() == count; }, longest);
 }
 
-/// A workspace as a session file says it; labels of segments by their checksum.
+/// Returns a workspace as a session file stores it, with segment labels as checksums.
 inline QString sessionTextOf(const Workspace& workspace) {
   return QString::fromStdString(*sessionToJson(workspace, "/"));
 }
 
-/// Waits until the only session that is kept was written that many times more.
+/// Waits until the only kept session was written `times` more times.
 inline bool isKeptAgain(int times) {
   const auto now = [] {
     const QStringList names = keptSessions();
@@ -37,13 +37,13 @@ inline bool isKeptAgain(int times) {
   return true;
 }
 
-/// Writes a file of a workspace.
+/// Writes a workspace to a numbered file.
 inline void noteState(const QDir& folder, int number, const Workspace& workspace) {
   QFile file(folder.filePath(QStringLiteral("%1").arg(number, 6, 10, QLatin1Char('0'))));
   if (file.open(QIODevice::WriteOnly)) file.write(sessionTextOf(workspace).toUtf8());
 }
 
-/// What noteState() wrote: those of a folder that are whole, in the order of their numbers.
+/// Returns the complete notes of noteState() in a folder, in ascending order.
 inline QStringList notedStates(const QDir& folder) {
   QStringList notes;
   for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
@@ -53,24 +53,24 @@ inline QStringList notedStates(const QDir& folder) {
   return notes;
 }
 
-/// Waits while a window that notes its states goes on, until what it keeps is at least as new as the states
-/// that were noted at first; how many those were, 0 where nothing is kept any more. A keeping that waits for
-/// the end of a drag does not come to this.
+/// Waits, while a window notes its states, until the kept session is at least as new as the first notes.
+/// Returns the number of those notes, or 0 if nothing is kept any more. Autosaving that waits for the end of
+/// a drag fails here.
 inline qsizetype statesKeptOnTheWay(const QDir& notes) {
   const qsizetype noted = notedStates(notes).size();
-  // Of three writings the first may be under way, the second have begun in the moment of the count.
+  // The first of three writes may be under way, and the second may have begun during the count.
   return isKeptAgain(3) ? noted : 0;
 }
 
-/// Starts a program, without a display, with the settings, caches and kept sessions of this one. What it
-/// prints is lost, or in `output`.
+/// Starts a program without a display, with the settings, caches and kept sessions of this one. Its output is
+/// discarded or goes to the file `output`.
 inline std::unique_ptr<QProcess> startedProgram(const QString& program, const QStringList& arguments,
                                                 const QList<std::pair<QString, QString>>& more = {},
                                                 const QString& output = QProcess::nullDevice()) {
   auto process = std::make_unique<QProcess>();
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
-  environment.remove(QStringLiteral("DISPLAY"));  // else OpenGL is looked for there
+  environment.remove(QStringLiteral("DISPLAY"));  // otherwise OpenGL is looked for there
   environment.insert(QStringLiteral("VOLUMEN_TEST_HOME"), qEnvironmentVariable("XDG_DATA_HOME"));
   for (const auto& [name, value] : more) environment.insert(name, value);
   process->setProcessEnvironment(environment);
@@ -80,7 +80,7 @@ inline std::unique_ptr<QProcess> startedProgram(const QString& program, const QS
   return process;
 }
 
-/// Starts a function of a test class in this program again, as above.
+/// Starts a function of a test class in this program again, like startedProgram().
 inline std::unique_ptr<QProcess> startedTest(const char* test, const QString& function,
                                              QList<std::pair<QString, QString>> more,
                                              const QString& output = QProcess::nullDevice()) {
@@ -89,7 +89,7 @@ inline std::unique_ptr<QProcess> startedTest(const char* test, const QString& fu
 }
 
 inline void killProgram(QProcess& process) {
-  process.kill();  // SIGKILL
+  process.kill();
   process.waitForFinished();
 }
 

@@ -4,14 +4,14 @@
 
 namespace volumen::tests {
 
-/// Undoes or does again until the undo stack stands at this step, or as near as it goes.
+/// Undoes or redoes until the undo stack is at this step, or as near as it goes.
 inline void goToStep(Journey& w, int step) {
   const QUndoStack& stack = w.window.session().undoStack();
   while (stack.index() > step && stack.canUndo()) w.child<QAction>("undo")->trigger();
   while (stack.index() < step && stack.canRedo()) w.child<QAction>("redo")->trigger();
 }
 
-/// Undoes back to the last step that is known, which is taken; false: it stands at the first.
+/// Undoes back to the last known step and applies `take`. Returns false at the first step.
 template <class Known, class Take>
 bool undoneTo(Journey& w, int first, const Known& known, const Take& take) {
   const QUndoStack& stack = w.window.session().undoStack();
@@ -22,7 +22,7 @@ bool undoneTo(Journey& w, int first, const Known& known, const Take& take) {
   return true;
 }
 
-/// The same forwards; false: nothing is undone.
+/// Redoes to the next known step and applies `take`. Returns false if nothing is undone.
 template <class Known, class Take>
 bool doneAgain(Journey& w, const Known& known, const Take& take) {
   const QUndoStack& stack = w.window.session().undoStack();

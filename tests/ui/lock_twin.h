@@ -11,13 +11,14 @@
 
 namespace volumen::tests {
 
-/// The views of a grid: of each the frame of reference, voxels along each axis, and their mm. Odd tenths of a
-/// mm: no number of steps of some is half a step of another, which rounding would decide.
+/// The views of a grid: the frame of reference, voxels along each axis and spacing in mm of each. The
+/// spacings are odd tenths of a mm. No number of steps of one is half a step of another, which rounding would
+/// decide.
 inline constexpr int lockViews = 4;
 inline constexpr int lockFrames[] = {0, 1, 0, 2}, lockSizes[] = {31, 23, 19, 27};
 inline constexpr double lockSpacings[] = {1.1, 1.7, 2.3, 1.3};
 
-/// How a kind of plane lies: across an axis of the patient, along which the wheel goes.
+/// The orientation of a kind of plane: it lies across a patient axis, along which the wheel scrolls.
 struct LockKind {
   ViewKind kind;
   int axis;
@@ -26,26 +27,26 @@ struct LockKind {
 inline constexpr LockKind lockKinds[] = {
     {ViewKind::axial, 2, -1}, {ViewKind::coronal, 1, 1}, {ViewKind::sagittal, 0, 1}};
 
-/// What is locked by hand: a place of `from` lies this far on in `to`.
+/// A lock made by hand: a position in `from` lies at an offset of `way` mm in `to`.
 struct TwinLock {
   int from, to;
   glm::dvec3 way;
 };
 
-/// Where each frame of reference is, or each view alone, by window.md ("Link views").
+/// A model of the positions of frames of reference, or of single views, by window.md ("Link views").
 struct LockTwin {
   glm::dvec3 at[3];
   std::map<int, glm::dvec3> own;  // by view
   std::vector<TwinLock> locks;
   bool scroll = true;
-  int shown = lockViews;  // the first so many
+  int shown = lockViews;  // number of views on screen, from the first
 
-  /// Of a view, patient mm.
+  /// Returns the position of a view, patient mm.
   glm::dvec3 place(int view) const {
     const auto found = own.find(view);
     return !scroll && found != own.end() ? found->second : at[lockFrames[view]];
   }
-  /// From the places of one frame of reference to those of another, mm; none: they are not locked.
+  /// Returns the offset from one frame of reference to another, mm; empty if they are not locked.
   std::optional<glm::dvec3> way(int from, int to) const {
     std::vector<std::pair<int, glm::dvec3>> reached{{from, {0, 0, 0}}};
     std::set<int> seen{from};
@@ -59,7 +60,7 @@ struct LockTwin {
     }
     return {};
   }
-  /// To a place of a view; all that are linked move by the same mm.
+  /// Moves a view to a position. All linked views move by the same offset.
   void move(int view, glm::dvec3 to) {
     if (!scroll) {
       own[view] = to;
@@ -70,14 +71,14 @@ struct LockTwin {
     for (int frame = 0; frame < 3; ++frame)
       if (const auto by = way(moved, frame); by && frame != moved) at[frame] = to + *by;
   }
-  /// What is locked to a frame takes its place, but for those that have theirs.
+  /// Moves all frames locked to `from` with it, except those already in `placed`.
   void follow(int from, std::set<int>& placed) {
     if (!placed.insert(from).second) return;
     for (int frame = 0; frame < 3; ++frame)
       if (const auto by = way(from, frame); by && placed.insert(frame).second) at[frame] = at[from] + *by;
   }
-  /// Each stays where it is; linked again, those of one frame, and what is locked to it, are where the last
-  /// one is, that in focus.
+  /// Unlinks views where they are, or links them again. Linked views of one frame, and frames locked to it,
+  /// take the position of the last view, that in focus.
   void linkScroll(bool on, int focus) {
     std::map<int, glm::dvec3> now;
     for (int view = 0; view < shown; ++view) now[view] = place(view);
@@ -91,12 +92,13 @@ struct LockTwin {
     follow(lockFrames[focus], placed);
     for (int view = shown - 1; view >= 0; --view) follow(lockFrames[view], placed);
   }
-  /// Whether a view is of another frame of reference than that in focus, and locked to it or not.
+  /// Returns whether a view has another frame of reference than the view in focus, and is locked to it
+  /// (`linked`) or not.
   bool isLinkedTo(int view, int focus, bool linked) const {
     return lockFrames[view] != lockFrames[focus] &&
            way(lockFrames[focus], lockFrames[view]).has_value() == linked;
   }
-  /// Whether any on screen is so.
+  /// Returns whether isLinkedTo() holds for any view on screen.
   bool isAny(int focus, bool linked) const {
     for (int view = 0; view < shown; ++view)
       if (isLinkedTo(view, focus, linked)) return true;

@@ -10,7 +10,7 @@
 
 namespace volumen::tests {
 
-/// What is done in a window, and photographed.
+/// Acts in a window and takes screenshots.
 using Look = void (*)(LooksWindow& w);
 
 }  // namespace volumen::tests
@@ -19,10 +19,10 @@ Q_DECLARE_METATYPE(volumen::tests::Look)
 
 namespace volumen::tests {
 
-/// A class whose rows look at real data, each as the first one of its data opened them.
+/// A test class whose rows look at real data, opened as the first row of those data opened them.
 class LookRows : public CleanSettings {
  protected:
-  /// The paths of a row, ";" between them, and what is done.
+  /// Adds columns: the paths of a row, separated by ";", and its actions.
   static void addColumns() {
     QTest::addColumn<QString>("data");
     QTest::addColumn<Look>("look");
@@ -63,7 +63,7 @@ inline void LookRows::lookAtRow() {
   QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
 }
 
-/// A ball, as the brush paints one by a click.
+/// Paints a ball with the brush by one click.
 inline void paintBall(LooksWindow& w, glm::dvec3 p, double mm) {
   w.session().prefer([mm](Preferences& preferences) { preferences.brush = {true, mm}; });
   w.take("paintTool");

@@ -10,14 +10,14 @@
 
 namespace volumen::tests {
 
-/// A small screen with studies as they hang, the panel of segments in front with most of the room beside
-/// them.
+/// A small screen with studies in their hanging. The Segments panel is in front and most space is beside the
+/// panels.
 struct LooksWindow : SegmentWindow {
   FinalPicture rest{window};  ///< of the 3D view
 
   explicit LooksWindow(const QStringList& paths) : SegmentWindow(paths) { window.resize(1366, 768); }
 
-  /// True once all views have their picture.
+  /// Returns true once all views have their picture.
   bool open() {
     return QTest::qWaitFor([this] { return session().series() && areDrawn(); }, longest) && idle();
   }
@@ -37,12 +37,12 @@ struct LooksWindow : SegmentWindow {
     QCoreApplication::processEvents();
   }
   void shot(const char* name) {
-    QCoreApplication::processEvents();  // texts have their room
+    QCoreApplication::processEvents();  // lays out texts
     Journey::shot(name);
   }
   void take(const char* tool) { child<QAction>(tool)->trigger(); }
   VolumeView* scene() { return window.view(); }
-  /// True once the picture at rest of the 3D view is that of its scene as it is.
+  /// Returns true once the 3D view shows the picture at rest of its present scene.
   bool isAtRest() {
     return idle() && QTest::qWaitFor([this] { return rest.isThere(); }, longest);
   }
@@ -55,7 +55,7 @@ struct LooksWindow : SegmentWindow {
   void release(QWidget* on, QPoint at, Qt::KeyboardModifiers keys = {}) {
     QTest::mouseRelease(on, Qt::LeftButton, keys, at);
   }
-  /// Presses at the first place and goes along the others.
+  /// Presses at the first position and moves along the others.
   void go(QWidget* on, const std::vector<QPoint>& way, Qt::KeyboardModifiers keys = {}) {
     press(on, way.front(), keys);
     for (const QPoint p : way) move(on, p, keys);
@@ -64,12 +64,12 @@ struct LooksWindow : SegmentWindow {
     go(view(), way);
     release(view(), way.back());
   }
-  /// Logical pixels of mm in a flat view.
+  /// Returns the logical pixels of `mm` in a flat view.
   int pixels(double mm, ViewId id = axialViewId) {
     const FlatView* on = view(id);
     return int(mm / on->plane()->mmPerPixel / on->devicePixelRatioF());
   }
-  /// The slice through a place that a view shows, and corners there of so many mm.
+  /// Shows the slice through a position and returns the corners of a circle of `mm` around it.
   std::vector<QPoint> roundAt(glm::dvec3 p, double mm, ViewId id = axialViewId) {
     const QPoint at = showPlace(p, id);
     std::vector<QPoint> corners;
@@ -79,19 +79,19 @@ struct LooksWindow : SegmentWindow {
     }
     return corners;
   }
-  /// The picture of a view without what is painted over it is tinted in so many pixels, soon.
+  /// Waits until more than `pixels` pixels of a view's picture, without overlays, are tinted.
   bool isTinted(int pixels) {
     return QTest::qWaitFor([&] { return coloured() > pixels; }, longest);
   }
   QImage seen(QWidget* on) { return on->grab().toImage(); }
-  /// How many pixels differ.
+  /// Returns the number of pixels that differ.
   static int unlike(const QImage& a, const QImage& b) {
     int count = 0;
     for (int y = 0; y < std::min(a.height(), b.height()); ++y)
       for (int x = 0; x < std::min(a.width(), b.width()); ++x) count += a.pixel(x, y) != b.pixel(x, y);
     return count;
   }
-  /// The page of a button, with what is below on it in sight where it can be.
+  /// Shows the page of a button, and scrolls its lowest widget into sight if possible.
   void showPage(const char* name, const char* lowest) {
     click(name);
     QCoreApplication::processEvents();

@@ -9,8 +9,8 @@
 #include "ui/controller/autosave.h"
 
 int main(int argc, char** argv) {
-  // Settings and caches stay away from the user's own, and from those of tests that run at the same time; a
-  // test that starts this program again shares its own.
+  // Keeps settings and caches apart from the user's own and from those of tests running in parallel. A test
+  // that starts this program again shares its own.
   const QTemporaryDir own;
   const QByteArray shared = qgetenv("VOLUMEN_TEST_HOME");
   for (const char* folder : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"})

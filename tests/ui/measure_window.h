@@ -14,14 +14,14 @@
 
 namespace volumen::tests {
 
-/// A series of its own whose voxels are these.
+/// Returns a separate series with these voxels.
 inline LoadedSeriesPtr seriesOf(VolumePtr volume) {
   auto series = std::make_shared<LoadedSeries>(*ballSeries(2, 1));
   series->volume = std::move(volume);
   return series;
 }
 
-/// Where each kind is drawn, pixels of the view.
+/// Returns the points at which each kind is drawn, pixels of the view.
 inline std::vector<QPointF> placesOf(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::angle:
@@ -45,14 +45,15 @@ inline std::vector<QPointF> placesOf(ShapeKind kind) {
   }
 }
 
-/// All that a tool draws and then gives way to the one before; the arrow last, which asks for its text.
+/// All shapes whose tool gives way to the one before after drawing. The arrow is last because it asks for its
+/// text.
 inline const std::vector<ShapeKind> drawnKinds{
     ShapeKind::length,    ShapeKind::polyline, ShapeKind::bidirectional,  ShapeKind::angle,
     ShapeKind::cobb,      ShapeKind::legAxis,  ShapeKind::cardiothoracic, ShapeKind::ellipse,
     ShapeKind::rectangle, ShapeKind::freehand, ShapeKind::probe,          ShapeKind::arrow};
 
-/// As radiologists draw it: lines and boxes by drags, the rest of an angle and of a polyline by clicks. The
-/// tool is in hand.
+/// Draws a shape as radiologists do: lines and boxes by drags, the rest of an angle or polyline by clicks.
+/// Its tool must be active.
 inline void drawShape(FlatView* on, ShapeKind kind, const std::vector<QPointF>& p,
                       Qt::KeyboardModifiers keys = {}) {
   const auto click = [&](QPointF at) { QTest::mouseClick(on, Qt::LeftButton, keys, at.toPoint()); };
@@ -72,16 +73,16 @@ inline void drawShape(FlatView* on, ShapeKind kind, const std::vector<QPointF>& 
   if (p.size() == 4) drag(on, p[2], p[3], Qt::LeftButton, keys);
 }
 
-/// A window that shows a series in planes, and what a hand measures in them.
+/// A window that shows a series in planes and measures in them by mouse.
 struct MeasureWindow : Journey {
   explicit MeasureWindow(const LoadedSeriesPtr& series = ballSeries(32, 10, {3, -2, 4})) {
     session().show(series);
     child<QAction>("layoutPlanes")->trigger();
     QCoreApplication::processEvents();
-    session().setFocus(axialViewId);  // as a press would: it is no step
+    session().setFocus(axialViewId);  // as a press would, which is no undo step
   }
 
-  /// With what is opened, as it hangs.
+  /// Opens files in their hanging.
   explicit MeasureWindow(const QStringList& paths) : Journey(paths) {}
 
   Session& session() { return window.session(); }
@@ -91,8 +92,8 @@ struct MeasureWindow : Journey {
   glm::dvec3 patient(QPointF p, ViewId id = axialViewId) {
     return view(id)->plane()->patientFromPixel({p.x(), p.y()});
   }
-  /// These places moved and enlarged, so that the longer side of their box is twice `mm`, its middle there in
-  /// the patient: they lie in the volume however large views are.
+  /// Moves and scales points so that the longer side of their box is 2 `mm` and its centre is `pMiddle`. They
+  /// then lie in the volume however large the views are.
   std::vector<QPointF> placesWithin(std::vector<QPointF> places, glm::dvec3 pMiddle, double mm,
                                     ViewId id = axialViewId) {
     const SlicePlane plane = *view(id)->plane();
@@ -100,21 +101,22 @@ struct MeasureWindow : Journey {
     const glm::dvec2 middle = plane.pixelFromPatient(pMiddle);
     const double larger = 2 * mm / plane.mmPerPixel / std::max(box.width(), box.height());
     for (QPointF& p : places)
-      p = (QPointF(middle.x, middle.y) + larger * (p - box.center())).toPoint();  // as the mouse is
+      // Rounds to whole pixels, like the mouse.
+      p = (QPointF(middle.x, middle.y) + larger * (p - box.center())).toPoint();
     return places;
   }
   void choose(ShapeKind kind) {
     child<QAction>((std::string(ruleOf(kind).name) + "Tool").c_str())->trigger();
   }
 
-  /// drawShape() with its tool.
+  /// Chooses the tool, then calls drawShape().
   void draw(ShapeKind kind, const std::vector<QPointF>& p, ViewId id = axialViewId,
             Qt::KeyboardModifiers keys = {}) {
     choose(kind);
     drawShape(view(id), kind, p, keys);
   }
 
-  /// What is seen of a measurement in a view; without lines where nothing is.
+  /// Returns what a view draws of a measurement; without lines if it draws nothing.
   DrawnMeasurement drawn(int measurement, ViewId id = axialViewId) {
     for (const DrawnMeasurement& d : view(id)->drawnMeasurements())
       if (d.id == measurement) return d;

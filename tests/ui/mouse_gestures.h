@@ -8,7 +8,7 @@
 
 namespace volumen::tests {
 
-/// What a gesture can change in the axial view.
+/// The state that a gesture can change in the axial view.
 struct FlatSeen {
   std::optional<Window> window;
   FlatLook look;
@@ -22,7 +22,7 @@ struct FlatSeen {
   }
 };
 
-/// What was done, as actions are called; the voxels are 1 mm.
+/// Returns the names of the actions done between two states. The voxels are 1 mm.
 inline std::string doneBetween(const FlatSeen& before, const FlatSeen& after) {
   std::string done;
   if (before.look.slabMm != after.look.slabMm) done += "slab ";
@@ -41,7 +41,7 @@ inline std::string doneBetween(const FlatSeen& before, const FlatSeen& after) {
   return done.empty() ? "none" : done.substr(0, done.size() - 1);
 }
 
-/// Two fingers go over a trackpad.
+/// Scrolls with two fingers on a trackpad.
 inline void slide(QWidget* on, QPoint pixels, Qt::KeyboardModifiers keys) {
   const QPointF middle(on->width() / 2.0, on->height() / 2.0);
   QWheelEvent event(middle, on->mapToGlobal(middle), pixels, pixels * 4, Qt::NoButton, keys,
@@ -49,7 +49,7 @@ inline void slide(QWidget* on, QPoint pixels, Qt::KeyboardModifiers keys) {
   QCoreApplication::sendEvent(on, &event);
 }
 
-/// A row for each.
+/// Adds a row for each mouse preset.
 inline void addMousePresets() {
   QTest::addColumn<QByteArray>("preset");
   for (const MousePreset& preset : mousePresets())

@@ -6,7 +6,7 @@
 
 namespace volumen::tests {
 
-/// All texts of the table of numbers of segments, by row and head, a tab between.
+/// Returns all texts of the segment statistics table by row and column title, separated by a tab.
 inline QStringList tableTexts(Journey& w) {
   QStringList texts;
   const auto* table = w.child<QTableWidget>("segmentNumbers");
@@ -17,7 +17,7 @@ inline QStringList tableTexts(Journey& w) {
   return texts;
 }
 
-/// True once the table of numbers is open and measured.
+/// Opens the segment statistics table and returns true once its values are computed.
 inline bool openTable(Journey& w) {
   QTest::mouseClick(w.child<QWidget>("segmentNumbersButton"), Qt::LeftButton);
   return QTest::qWaitFor(
@@ -28,7 +28,7 @@ inline bool openTable(Journey& w) {
       longest);
 }
 
-/// The first under a head of the table; empty: there is none.
+/// Returns the first cell under a column title; empty if there is none.
 inline QString cellOf(Journey& w, const QString& head) {
   for (const QString& text : tableTexts(w))
     if (text.startsWith(head + QLatin1Char('\t'))) return text.section(QLatin1Char('\t'), 1);

@@ -9,8 +9,8 @@ namespace volumen::tests {
 inline bool isBallAboutHollow(glm::dvec3 p) { return glm::length(p + 5.0) < 10; }
 inline bool isLow(glm::dvec3 p) { return p.z < -5; }
 
-/// Imported: in map 1 "Ball", all within 10 mm of the middle of the hollow ball, in map 2 "Low", the lower
-/// part of the volume.
+/// Imports two maps. Map 1 is "Ball": all within 10 mm of the centre of the hollow ball. Map 2 is "Low": the
+/// lower part of the volume.
 struct OverlapWindow : ImportWindow {
   Segmented layer(const char* name, glm::u8vec3 colour, bool (*isIn)(glm::dvec3)) {
     return {{{.number = 1, .label = name, .colour = colour}}, labelsBy(isIn)};
@@ -22,7 +22,7 @@ struct OverlapWindow : ImportWindow {
   }
   const SegmentMap& mapOf(int number) { return *segmentMapOf(workspace(), series(), number); }
   BitMask maskIn(int number) { return maskOf(*mapOf(number).labels, 1); }
-  /// What is said of the map that is worked on.
+  /// Returns the text about the active map.
   QString worked() {
     const auto* label = child<QLabel>("segmentMap");
     return label->isVisible() ? label->text() : QString();

@@ -6,7 +6,7 @@
 
 namespace volumen::tests {
 
-/// A window with hollowBalls() in planes, in which is painted; and what that covers, by the kernels.
+/// A window that shows hollowBalls() in planes and paints in them. The kernels compute the expected voxels.
 struct PaintWindow : SegmentWindow {
   PaintWindow() { setBrush(false, 10); }
 
@@ -46,7 +46,7 @@ struct PaintWindow : SegmentWindow {
     release(way.back(), id, keys);
   }
   const VoxelGeometry& grid() { return session().series()->volume->geometry(); }
-  /// What the brush covers along pixels of a view.
+  /// Returns the voxels that the brush covers along pixels of a view.
   BitMask covered(const std::vector<QPoint>& way, ViewId id = axialViewId) {
     BitMask mask(grid());
     const Brush brush = session().preferences().brush;
@@ -76,9 +76,9 @@ struct PaintWindow : SegmentWindow {
   }
 };
 
-/// Through the hollow ball and its core.
+/// A path through the hollow ball and its core.
 inline const std::vector<glm::dvec3> throughBall{{-14, -5, -5}, {-8, -5, -5}, {-3, -5, -5}, {1, -5, -5}};
-/// Planes through the middle of voxels near the middle of the ball.
+/// Returns planes through voxel centres near the centre of the ball.
 inline Crosshair throughMiddle() {
   Crosshair crosshair;
   crosshair.at = glm::dvec3(-4.5);

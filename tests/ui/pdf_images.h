@@ -23,8 +23,8 @@ inline QByteArray inflated(const QByteArray& packed) {
   return out.left(qsizetype(size));
 }
 
-/// Where the images of a page's stream lie, mm from the lower left corner of the paper: read as
-/// PDF 1.4, 8.4.4 (cm, q, Q) and 8.8 (Do) say.
+/// Returns the rectangles of the images in a page's stream, mm from the lower left corner of the paper.
+/// Source: PDF 1.4, 8.4.4 (cm, q, Q) and 8.8 (Do).
 inline std::vector<QRectF> imagesOfPage(const QByteArray& stream) {
   std::vector<QRectF> images;
   std::vector<QTransform> stack{QTransform()};
@@ -52,7 +52,7 @@ inline std::vector<QRectF> imagesOfPage(const QByteArray& stream) {
   return images;
 }
 
-/// The same of all images of a PDF, page by page in their order; empty until the file is whole.
+/// Returns the image rectangles of all pages of a PDF in order; empty until the file is complete.
 inline std::vector<std::vector<QRectF>> pagesIn(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) return {};
@@ -62,14 +62,15 @@ inline std::vector<std::vector<QRectF>> pagesIn(const QString& path) {
   for (qsizetype at = pdf.indexOf("stream\n"); at >= 0; at = pdf.indexOf("stream\n", at)) {
     const qsizetype from = at + 7, to = pdf.indexOf("endstream", from), object = pdf.lastIndexOf("obj", at);
     at = to + 9;
-    if (pdf.mid(object, from - object).contains("/Image")) continue;  // of pixels
+    if (pdf.mid(object, from - object).contains("/Image")) continue;  // pixel data
     std::vector<QRectF> images = imagesOfPage(inflated(pdf.mid(from, to - from)));
     if (!images.empty()) pages.push_back(std::move(images));
   }
   return pages;
 }
 
-/// The letters of each font of a PDF, by its number, as the PDF says for copying (PDF 1.4, 5.9.2).
+/// Returns the letters of each font of a PDF by its number, as its tables for copying text map them (PDF 1.4,
+/// 5.9.2).
 inline std::map<QString, std::map<QString, QString>> lettersIn(const QString& pdf) {
   const auto all = [](const char* pattern, const QString& in) {
     return QRegularExpression(QLatin1String(pattern)).globalMatch(in);
@@ -91,7 +92,7 @@ inline std::map<QString, std::map<QString, QString>> lettersIn(const QString& pd
   return letters;
 }
 
-/// The texts of a PDF that Qt wrote, each as it was painted.
+/// Returns the texts of a PDF written by Qt, each as it was painted.
 inline QStringList textsIn(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) return {};
@@ -112,10 +113,10 @@ inline QStringList textsIn(const QString& path) {
       if (letter != of.end()) texts.back() += letter->second;
     }
   }
-  return texts.replaceInStrings(QStringLiteral("\t"), QStringLiteral(" "));  // they share a glyph
+  return texts.replaceInStrings(QStringLiteral("\t"), QStringLiteral(" "));  // tab and space share a glyph
 }
 
-/// The pixels of all images of a PDF that are kept without loss, in their order (PDF 1.4, 4.8.4).
+/// Returns the pixels of all losslessly stored images of a PDF in order (PDF 1.4, 4.8.4).
 inline std::vector<QImage> pixelsIn(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) return {};

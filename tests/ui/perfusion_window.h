@@ -10,10 +10,10 @@
 
 namespace volumen::tests {
 
-/// A window on such a file, in planes.
+/// A window that shows such a file in planes.
 struct Perfusion : Journey {
   static constexpr int edge = 16;  ///< voxels
-  static constexpr int steps = 4;  ///< in time
+  static constexpr int steps = 4;  ///< time points
 
   explicit Perfusion(const QString& path) {
     openAlone(false);
@@ -26,7 +26,7 @@ struct Perfusion : Journey {
   bool opened() {
     return QTest::qWaitFor([&] { return session().series() && view() && view()->isVisible(); }, longest);
   }
-  /// Waits until the volume on screen has this value.
+  /// Waits until the volume on screen has this value in its middle.
   bool shows(int value) {
     return QTest::qWaitFor(
         [&] {
@@ -40,8 +40,8 @@ struct Perfusion : Journey {
   QString corner() { return view()->overlays().topRight.join(QLatin1Char('\n')); }
 };
 
-/// An NRRD file of Perfusion::steps volumes; those of the n-th have the value 100 n everywhere but for a
-/// frame of 0.
+/// Writes an NRRD file of Perfusion::steps volumes. Volume n has the value 100 n everywhere except in a
+/// border of 0.
 inline QString fourVolumes(const QTemporaryDir& folder) {
   const QString path = folder.filePath(QStringLiteral("perfusion.nrrd"));
   std::ofstream file(path.toStdString(), std::ios::binary);

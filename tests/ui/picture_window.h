@@ -11,12 +11,12 @@
 
 namespace volumen::tests {
 
-/// In the order of the box.
+/// Entries of the size box, in its order.
 enum Size { asSeen, own, wide };
 
 inline QImage rgb(const QImage& image) { return image.convertToFormat(QImage::Format_RGB32); }
 
-/// The dialog of an action.
+/// Opens the dialog of an action.
 inline PictureDialog* ask(Journey& w, const char* action) {
   w.child<QAction>(action)->trigger();
   for (auto* dialog : w.window.findChildren<PictureDialog*>())
@@ -36,7 +36,7 @@ inline void accept(QDialog* dialog) {
   QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("pictureSave")), Qt::LeftButton);
 }
 
-/// What the file holds once it is there.
+/// Returns the image in a file once the file exists.
 inline QImage written(const QString& path) {
   return QTest::qWaitFor([&] { return QFile::exists(path); }, longest) ? rgb(QImage(path)) : QImage();
 }
@@ -54,7 +54,7 @@ inline QImage saved(Journey& w, const QString& path, Size size, int width, bool 
   return image;
 }
 
-/// The one that is put in place of the picture on screen where texts are left out.
+/// Returns the slice without texts, which replaces the picture on screen if texts are left out.
 inline QImage plain(const FlatView& view, QSize pixels) {
   const auto drawn = drawSlice(*view.requestFor(pixels));
   return drawn ? rgb(*drawn) : QImage();
@@ -62,7 +62,7 @@ inline QImage plain(const FlatView& view, QSize pixels) {
 
 inline void goTo(FlatView* view, int place) { view->scroll(place - view->place().index); }
 
-/// To the slice of a number, by what the corner says.
+/// Scrolls to the slice with this number, as the corner text shows it.
 inline bool showNumber(FlatView* view, int number) {
   for (int place = 0; place < view->place().count; ++place) {
     goTo(view, place);

@@ -9,7 +9,7 @@ inline constexpr ViewId besideFirst = firstSecondId, besideSecond = firstSecondI
 
 inline WindowBeside& secondWindowOf(Journey& w) { return w.window.views()->secondWindow(); }
 
-/// Opens the second window as a reader does; it has the keys then.
+/// Opens the second window as a reader does. It then has the keyboard focus.
 inline bool opensSecondWindow(Journey& w) {
   QCoreApplication::processEvents();
   QTest::keyClick(&w.window, Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
@@ -17,7 +17,7 @@ inline bool opensSecondWindow(Journey& w) {
                          longest);
 }
 
-/// Planes of a series in the main window, another one of the same frame of reference in the second.
+/// Planes of a series in the main window, and another series of the same frame of reference in the second.
 struct Beside : MeasureWindow {
   const LoadedSeriesPtr series = ballIn("A");
   const bool isOpen = opensSecondWindow(*this);
@@ -28,17 +28,17 @@ struct Beside : MeasureWindow {
   ViewGrid& views() { return *window.views(); }
   WindowBeside& beside() { return secondWindowOf(*this); }
   double z(ViewId id) { return view(id)->plane()->centre.z; }
-  /// A key for what has the keys in the second window.
+  /// Presses a key in the widget that has the focus in the second window.
   void press(Qt::Key key, Qt::KeyboardModifiers keys = {}) {
     QTest::keyClick(beside().focusWidget(), key, keys);
   }
-  /// A click in a view, which brings its window to the front.
+  /// Clicks in a view, which brings its window to the front.
   bool click(ViewId id) {
     QTest::mouseClick(views().viewOf(id), Qt::LeftButton, {}, {5, 5});
     QWidget* clicked = views().viewOf(id)->window();
     return QTest::qWaitFor([&] { return clicked->isActiveWindow() && workspace().focus == id; }, longest);
   }
-  /// As by a press on its frame, or by the system's own keys.
+  /// Activates a window, as a press on its title bar or the system's shortcuts do.
   bool activate(QWidget& one) {
     one.activateWindow();
     return QTest::qWaitFor([&] { return one.isActiveWindow(); }, longest);

@@ -137,7 +137,7 @@ void SegmentSequence::cuts() {
   stroke(anyWay(id, 3 + chance_.below(4)), id, ctrlOneIn(3));
 }
 
-// About one of the balls.
+// Cuts around one of the balls.
 void SegmentSequence::cutsIn3d() {
   take("segmentScissorsTool");
   VolumeView* scene = window.view();
@@ -174,8 +174,8 @@ void SegmentSequence::chooses() {
   (void)choose(row);
 }
 
-// Of the current one: a click on another row would choose that first. What is hidden or locked is shown or
-// unlocked sooner than others are the reverse.
+// Toggles the current segment only, because a click on another row would select that row first. Hidden or
+// locked segments are more likely to be toggled.
 void SegmentSequence::ticks() {
   if (count() == 0) return;
   const int column = chance_.below(2);
@@ -194,7 +194,7 @@ void SegmentSequence::colours() {
   for (int n = 0; n < 2; ++n)
     dialog->setCurrentColor(QColor(chance_.below(256), chance_.below(256), chance_.below(256)));
   dialog->accept();
-  QTest::qWait(1);  // it is deleted
+  QTest::qWait(1);  // lets it be deleted
 }
 
 void SegmentSequence::fades() {

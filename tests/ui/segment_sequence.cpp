@@ -19,7 +19,7 @@ QString SegmentSequence::act() {
   return wrong.isEmpty() ? wrong : QStringLiteral("%1: %2").arg(QLatin1String(chosen->name), wrong);
 }
 
-// `isNew`: a step that is made is none of those that were undone.
+// `isNew` is true if a new step must differ from all undone ones.
 QString SegmentSequence::remember(int before, bool isNew) {
   const int after = steps() - first_;
   if (std::abs(after - before) > 1) return QStringLiteral("%1 steps").arg(after - before);
@@ -30,7 +30,7 @@ QString SegmentSequence::remember(int before, bool isNew) {
   return isState(after) ? QString() : QStringLiteral("what is there is not that of its step");
 }
 
-// Of a part of the voxels: each is, in each map, in a segment that there is, or in none.
+// Checks a sample of voxels: each label of each map is 0 or that of an existing segment.
 QString SegmentSequence::wrongLabels() {
   for (const SegmentMap* map : segmentMapsOf(workspace(), series()))
     for (int k = 0; k < 40; k += 3)

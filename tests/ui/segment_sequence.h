@@ -7,8 +7,7 @@
 
 namespace volumen::tests {
 
-/// A window in which things are done to segments by chance, by real events, and what is there after each
-/// step.
+/// A window that edits segments at random by real events and keeps the state after each step.
 class SegmentSequence : public PaintWindow {
  public:
   explicit SegmentSequence(int seed) : chance_(std::uint64_t(seed)) {
@@ -17,9 +16,9 @@ class SegmentSequence : public PaintWindow {
     states_ = {workspace()};
   }
 
-  /// One thing by chance, which is a step at most. Empty, or what is wrong.
+  /// Does one random act, which is at most one undo step. Returns what is wrong, or an empty text.
   QString act();
-  /// Undone to the first state and done again to the last one. Empty, or what is wrong.
+  /// Undoes to the first state and redoes to the last. Returns what is wrong, or an empty text.
   QString wrongUndone();
   std::size_t states() const { return states_.size(); }
 
@@ -36,7 +35,7 @@ class SegmentSequence : public PaintWindow {
   QString remember(int before, bool isNew);
 
   ViewId anyView() { return axialViewId + chance_.below(3); }
-  // About where the balls are, in the pixels of a view.
+  // Returns a random pixel of a view, near the balls.
   QPoint anywhere(ViewId id) {
     return pixelOf(12.0 * chance_.vector(), id) + QPoint(chance_.below(9), chance_.below(9));
   }
@@ -82,8 +81,8 @@ class SegmentSequence : public PaintWindow {
   void redoes();
 
   Chance chance_;
-  int first_ = 0;                  // step at which chance begins
-  std::vector<Workspace> states_;  // that undo and redo lead through
+  int first_ = 0;                  // undo step at which random acts begin
+  std::vector<Workspace> states_;  // states through which undo and redo lead
 };
 
 }  // namespace volumen::tests

@@ -12,8 +12,8 @@
 
 namespace volumen::tests {
 
-/// 40 x 40 x 40 voxels of 1 mm about the origin: a hollow ball of 1000 about -5 (radius 6 to 10), in it a
-/// core of 500 (radius 4), and apart from it a small ball of 1000 about 12 (radius 3); else 0.
+/// Returns 40 x 40 x 40 voxels of 1 mm, centred on the origin. A hollow ball of 1000 lies at -5 (radius 6 to
+/// 10) around a core of 500 (radius 4). A small ball of 1000 lies apart at 12 (radius 3). The rest is 0.
 inline LoadedSeriesPtr hollowBalls() {
   auto series = std::make_shared<LoadedSeries>(
       *seriesOf(volumeOf<std::int16_t>(glm::ivec3(40), glm::dmat3(1), [](glm::dvec3 pVoxel) {
@@ -27,7 +27,7 @@ inline LoadedSeriesPtr hollowBalls() {
   return series;
 }
 
-/// The voxels of the grid of hollowBalls() whose centre is at a place for which `isIn`.
+/// Counts the voxels of the grid of hollowBalls() whose centre fulfils `isIn`.
 template <class IsIn>
 std::int64_t voxelsWhere(const IsIn& isIn) {
   std::int64_t count = 0;
@@ -40,19 +40,19 @@ inline bool isShell(glm::dvec3 p) { return glm::length(p + 5.0) > 6 && glm::leng
 inline bool isCore(glm::dvec3 p) { return glm::length(p + 5.0) < 4; }
 inline bool isSmall(glm::dvec3 p) { return glm::length(p - 12.0) < 3; }
 
-/// A window with that, in planes, and the panel of segments in front.
+/// A window that shows hollowBalls() in planes, with the Segments panel in front.
 struct SegmentWindow : MeasureWindow {
   explicit SegmentWindow(const LoadedSeriesPtr& series = hollowBalls()) : MeasureWindow(series) {
     window.resize(1440, 900);
     child<QDockWidget>("segmentDock")->raise();
     QCoreApplication::processEvents();
   }
-  /// With what is opened, as it hangs.
+  /// Opens files in their hanging.
   explicit SegmentWindow(const QStringList& paths) : MeasureWindow(paths) {}
 
   const Workspace& workspace() { return session().workspace(); }
   SeriesKey series() { return keyOf(session().series()->series); }
-  /// Null: there are no segments.
+  /// Returns null if there are no segments.
   const SegmentMap* map() { return segmentMapOf(workspace(), series()); }
   std::size_t count() { return map() ? map()->segments.size() : 0; }
   const Segment& segment(std::size_t n) { return map()->segments[n]; }
@@ -60,11 +60,11 @@ struct SegmentWindow : MeasureWindow {
   BitMask mask(int number) { return maskOf(*map()->labels, std::uint8_t(number)); }
   std::int64_t voxels(int number) { return mask(number).count(); }
   int steps() { return session().undoStack().index(); }
-  /// But for the view in focus, which a press of the mouse chooses without a step.
+  /// Compares with a workspace except for the view in focus, which a press chooses without an undo step.
   bool isAs(const Workspace& before) { return withFocusOf(workspace(), before) == before; }
   QTreeWidget* list() { return child<QTreeWidget>("segmentList"); }
   QAbstractButton* button(const char* name) { return child<QAbstractButton>(name); }
-  /// True once nothing is being changed or measured.
+  /// Returns true once no job changes or measures anything.
   bool idle() {
     return QTest::qWaitFor([this] { return window.jobs().rows().empty(); }, longest);
   }
@@ -73,7 +73,7 @@ struct SegmentWindow : MeasureWindow {
     click(name);
     return idle();
   }
-  /// A kind of step in the list of the page Change; a number of it.
+  /// Chooses a kind of recipe step in the list of the page Change.
   void chooseStep(const std::string& kind) {
     click("segmentChange");
     auto* kinds = child<QComboBox>("segmentStepKind");
@@ -82,7 +82,7 @@ struct SegmentWindow : MeasureWindow {
   void setField(const char* name, double value) {
     child<QDoubleSpinBox>((std::string("stepField-") + name).c_str())->setValue(value);
   }
-  /// Done with the fields as they are.
+  /// Applies a recipe step with the present values of its fields.
   bool step(const std::string& kind) {
     chooseStep(kind);
     return press("segmentApply");
@@ -93,15 +93,15 @@ struct SegmentWindow : MeasureWindow {
     child<QDoubleSpinBox>("segmentHigh")->setValue(high);
     return press(with);
   }
-  /// 1: the hollow ball and the small one, 2: the core; the first is current.
+  /// Makes segment 1 (the hollow ball and the small ball) and segment 2 (the core), and selects the first.
   bool makeBoth() { return make(800, 1200) && make(400, 600) && choose(0); }
-  /// A click on the name of a row.
+  /// Clicks on the name of a row.
   bool choose(int row) {
     const QRect place = list()->visualItemRect(list()->topLevelItem(row));
     QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, {60, place.center().y()});
     return idle();
   }
-  /// Shows the slice of a view's plane at a place, and its pixel.
+  /// Scrolls a view's plane to a position and returns its pixel.
   QPoint showPlace(glm::dvec3 p, ViewId id = axialViewId) {
     session().change(QStringLiteral("test"), [&](Workspace& after) {
       after.crosshairs.editOrAdd(frameOfReference(*after.series.at(series()).series)).at = p;
@@ -110,7 +110,7 @@ struct SegmentWindow : MeasureWindow {
     const glm::dvec2 pixel = view(id)->plane()->pixelFromPatient(p);
     return {int(pixel.x), int(pixel.y)};
   }
-  /// Turns the planes about the crosshair, so that none is one of the patient's.
+  /// Turns the planes about the crosshair so that none is parallel to the patient's axes.
   void turnPlanes() {
     const glm::dvec3 a = glm::normalize(glm::dvec3(2, 1, 0.5)),
                      b = glm::normalize(glm::cross({-0.3, 0.2, 1}, a)), c = glm::cross(a, b);
@@ -121,7 +121,7 @@ struct SegmentWindow : MeasureWindow {
     });
     session().endGesture();
   }
-  /// Pixels of the axial slice that are tinted.
+  /// Counts the tinted pixels of the axial slice.
   int coloured() {
     const QImage picture = view()->picture();
     int count = 0;
@@ -132,7 +132,7 @@ struct SegmentWindow : MeasureWindow {
       }
     return count;
   }
-  /// A click on the check box of a row: 0: shown, 1: locked.
+  /// Clicks a check box of a row: column 0 is shown, 1 is locked.
   void tick(int row, int column) {
     const QModelIndex index = list()->model()->index(row, column);
     const QRect place = list()->visualRect(index);
@@ -140,7 +140,7 @@ struct SegmentWindow : MeasureWindow {
   }
 };
 
-/// In the hollow ball, in the small one.
+/// Positions in the hollow ball and in the small ball.
 inline constexpr glm::dvec3 inShell(-5 + 8, -5, -5), inSmallBall(12);
 
 }  // namespace volumen::tests

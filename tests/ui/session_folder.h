@@ -16,15 +16,15 @@ class SessionFolder {
   QString at(const char* name) const { return dir_.filePath(QLatin1String(name)); }
   QString ct() const { return at("ct.nrrd"); }
 
-  /// True once it is written.
+  /// Returns true once the file is written.
   bool save(Journey& w, const char* name = "s.volumen") const {
     w.child<QAction>("saveSessionAs")->trigger();
     answer(w, "saveSessionDialog", at(name));
     return QTest::qWaitFor([&] { return w.window.windowTitle().contains(QLatin1String(name)); }, longest);
   }
-  /// True once its picture at rest is on screen.
+  /// Returns true once the picture at rest of the session is on screen.
   bool open(Journey& w, const char* name = "s.volumen") const {
-    // Pictures of what was open before may come until then.
+    // Pictures of the previous contents may arrive until then.
     bool drawn = false;
     QObject context;
     QObject::connect(&w.window, &MainWindow::settled, &context,
@@ -38,7 +38,7 @@ class SessionFolder {
   QTemporaryDir dir_;
 };
 
-/// Whether the picture at rest comes after something was done.
+/// Returns whether a picture at rest follows `act`.
 inline bool settles(Journey& w, const std::function<void()>& act) { return !w.after(act).isNull(); }
 
 }  // namespace volumen::tests

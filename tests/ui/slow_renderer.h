@@ -11,11 +11,11 @@ namespace volumen::tests {
 
 VolumePtr smallVolume(std::int16_t value = 1);
 
-// Draws a plain picture whose grey is the first light's intensity, as slowly as told, row by row.
+// Draws a plain picture, row by row at a given speed. Its grey is the intensity of the first light.
 struct SlowRenderer {
   std::atomic<int> msPerRow{0};
   std::atomic<int> microsecondsPerPixel{0};
-  std::atomic<bool> plansForEver{false};  ///< until they are cancelled; not of drafts
+  std::atomic<bool> plansForEver{false};  ///< until they are cancelled; drafts are not affected
   std::atomic<int> begun{0}, cancelled{0};
   std::atomic<int> plansBegun{0}, plansCancelled{0};
 
@@ -65,13 +65,13 @@ Scene greyScene(double grey);
 
 RenderOptions ofSize(int width, int height);
 
-/// A service whose view 0 shows a volume; all that it tells is kept.
+/// A service whose view 0 shows a volume, and a record of all its messages.
 struct Watched {
   const VolumePtr volume = smallVolume();
   std::vector<ScreenPicture> pictures;
   std::map<int, std::vector<Answer>> answers;  ///< by number of the request
   QStringList failures;
-  DrawService service;  ///< last: it answers until it is gone
+  DrawService service;  ///< last, because it answers until it is destroyed
 
   explicit Watched(MakeDraw make) : service(std::move(make)) {
     QObject::connect(&service, &DrawService::screenPictureReady, &service,
@@ -82,12 +82,12 @@ struct Watched {
                      [this](ViewId, const QString& sentence) { failures << sentence; });
     service.show(0, volume);
   }
-  /// But for first pictures by plain steps: those come, too, where a busy machine draws a draft slowly.
+  /// Counts pictures without first pictures of single steps, which a busy machine adds when a draft is slow.
   int ofLevels() const {
     return int(std::ranges::count_if(pictures, [](const ScreenPicture& p) { return !p.step; }));
   }
   bool atRest() const { return !pictures.empty() && !pictures.back().draft(); }
-  /// The only answer to a request.
+  /// Returns the only answer to a request.
   std::optional<Answer> answerTo(int number) const {
     const auto found = answers.find(number);
     return found != answers.end() && found->second.size() == 1 ? std::optional(found->second[0])

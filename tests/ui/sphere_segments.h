@@ -9,10 +9,10 @@
 
 namespace volumen::tests {
 
-/// What it opens.
+/// The phantom that SegmentsWindow opens.
 inline const QString spherePhantom = QStringLiteral("phantom:sphere:64");
 
-/// A window with a sphere, and what is pressed in the panel of segments.
+/// A window that shows a sphere, and presses buttons in the Segments panel.
 struct SegmentsWindow : Journey {
   explicit SegmentsWindow(const QStringList& paths = {spherePhantom}) : Journey(paths) { settle(); }
 

@@ -6,7 +6,7 @@
 
 namespace volumen::tests {
 
-/// Slices along z as of DICOM files, each of its own values; the last one is the uppermost.
+/// Returns slices along z, as from DICOM files, each with its own values. The last is the uppermost.
 inline LoadedSeriesPtr stackSeries(int slices) {
   auto series = std::make_shared<LoadedSeries>(*seriesOf(volumeOf<std::int16_t>(
       {24, 22, slices}, glm::dmat3(1), [](glm::dvec3 p) { return 10 * p.z + 3 * p.x + p.y; })));
@@ -19,11 +19,11 @@ inline LoadedSeriesPtr stackSeries(int slices) {
   return series;
 }
 
-/// A window that shows such a stack.
+/// A window that shows a stack of stackSeries().
 struct StackWindow : MeasureWindow {
   explicit StackWindow(int slices = 31) : MeasureWindow(stackSeries(slices)) {}
 
-  /// Where the crosshair is in the stack of a view, from its first end.
+  /// Returns the index of the crosshair in the stack of a view.
   int place(ViewId id = axialViewId) {
     const LoadedSeriesPtr shown = view(id)->shown();
     return stackPlace(shown->volume->geometry(), view(id)->state().kind,
@@ -31,14 +31,14 @@ struct StackWindow : MeasureWindow {
         .index;
   }
   int steps() { return session().undoStack().index(); }
-  /// The one of this name that is on screen; null: none is.
+  /// Returns the widget of this name that is on screen; null if there is none.
   template <class Widget>
   Widget* seen(const char* name, ViewId id = axialViewId) {
     for (auto* widget : view(id)->findChildren<Widget*>(QLatin1String(name)))
       if (widget->isVisible()) return widget;
     return nullptr;
   }
-  /// Types in place of what stands there, and Enter.
+  /// Replaces the text of a field and presses Enter.
   static void type(QLineEdit* field, const QString& text) {
     field->setFocus();
     field->selectAll();

@@ -12,14 +12,14 @@
 
 namespace volumen::tests {
 
-/// A picture of one value all over.
+/// A picture with one value in all pixels.
 struct Still {
   int columns, rows;
-  double mm;  // from pixel to pixel
+  double mm;  // pixel spacing
   const char *photometric, *side, *view;
   int centre, width;
   int value;
-  double grey;  // on screen: LINEAR of PS3.3 C.11.2.1.2.1, MONOCHROME1 inverted; of colour the value
+  double grey;  // on screen: LINEAR of PS3.3 C.11.2.1.2.1, MONOCHROME1 inverted; the value if coloured
   const char* window;
 
   bool isColour() const { return width == 0; }
@@ -32,7 +32,7 @@ inline constexpr Still stills[] = {
     {40, 44, 0.1, "RGB", "", "", 0, 0, 120, 120, ""}};
 inline constexpr int stillCount = 4;
 
-/// `number`: from 1.
+/// Writes the still with this number, from 1.
 inline bool writeStill(int number, const QString& path) {
   const Still& still = stills[number - 1];
   DcmFileFormat file;
@@ -76,7 +76,7 @@ inline bool writeStill(int number, const QString& path) {
   return file.saveFile(path.toLocal8Bit().constData(), EXS_LittleEndianExplicit).good();
 }
 
-/// Half of its pixels have one value, half the other, and no window.
+/// Gives one half of the pixels one value and the other half another, without a window.
 inline bool makeTwoValues(const QString& path, Uint16 low, Uint16 high) {
   DcmFileFormat file;
   const std::string name = path.toStdString();
@@ -92,7 +92,7 @@ inline bool makeTwoValues(const QString& path, Uint16 low, Uint16 high) {
   return file.saveFile(name.c_str(), EXS_LittleEndianExplicit).good();
 }
 
-/// The order of their names is another than that of their numbers.
+/// The files are ordered differently by name than by number.
 struct Stills {
   QTemporaryDir folder;
   QString path(int number) const { return folder.filePath(QStringLiteral("%1.dcm").arg(9 - number)); }
@@ -103,7 +103,7 @@ struct Stills {
   }
 };
 
-/// A window on a folder of pictures, in one view.
+/// A window that shows a folder of pictures in one view.
 struct PicturesWindow : Journey {
   explicit PicturesWindow(const QString& path) {
     window.resize(1200, 800);
@@ -141,12 +141,12 @@ struct StillsWindow : WrittenStills, PicturesWindow {
     view()->setFocus();
     return true;
   }
-  /// With its greys: each has another.
+  /// Returns whether a still is shown with its grey, which no other has.
   bool showsStill(int n) {
     const auto isGrey = [&] {
       const QImage& picture = view()->picture();
       const QRgb middle = picture.pixel(picture.width() / 2, picture.height() / 2);
-      // Rounded, and drawn from a table of the window: 1 of 255.
+      // A tolerance of 1/255 for rounding and the window's table.
       return std::abs(qRed(middle) - stills[n].grey) <= 1 && std::abs(qBlue(middle) - stills[n].grey) <= 1;
     };
     return shows(n) && QTest::qWaitFor(isGrey, longest);

@@ -11,8 +11,8 @@
 
 namespace volumen::tests {
 
-/// A session without a window, its 3D view beside planes: the hollow ball with the small one is segment 1,
-/// the core segment 2.
+/// A session without a window that shows a 3D view beside planes. The hollow ball and the small ball are
+/// segment 1, the core is segment 2.
 struct SurfaceSession {
   Session session;
   Jobs jobs;
@@ -39,13 +39,13 @@ struct SurfaceSession {
     const SegmentMap& made = *segmentMapOf(with, key);
     change(withSegmentMap(with, withMask(made, made.current, voxelsInRange(*series->volume, range))));
   }
-  /// One more voxel of segment 1, apart from all others.
+  /// Adds an isolated voxel to segment 1.
   void addVoxel(int i = 0) {
     BitMask mask = maskOf(*map().labels, 1);
     mask.set({i, 0, 0});
     change(withSegmentMap(session.workspace(), withMask(map(), 1, mask)));
   }
-  /// False where the volume cannot be cut.
+  /// Returns false if the volume cannot be cut.
   bool cut(const Mask& mask) {
     const auto left = masked(*series->volume, mask);
     if (!left) return false;

@@ -9,13 +9,13 @@
 
 namespace volumen::tests {
 
-inline constexpr double ballRadius = 12;  // mm about the origin
-// What the picture's surface may lie off the ball: values are linear between voxels of 1 mm, which moves them
-// by h^2 / (4 R) = 0.02 mm at most, and half of the opacity is reached ln 2 / 13.9 = 0.05 mm inside; twice
-// that for lines that meet it at a slant.
+inline constexpr double ballRadius = 12;  // mm, centred on the origin
+// Largest distance of the picture's surface from the ball, mm. Linear interpolation between voxels of 1 mm
+// shifts it by at most h^2 / (4 R) = 0.02 mm. Half of the opacity is reached ln 2 / 13.9 = 0.05 mm inside.
+// Lines that meet the surface at a slant are allowed twice that.
 inline constexpr double offTheBall = 0.15;
 
-// Values that fall by 100 a mm from the middle, 500 on the ball; all of it is opaque.
+// Returns values that fall by 100 per mm from the centre, 500 at the ball's surface, all opaque.
 inline LoadedSeriesPtr opaqueBall() {
   auto series = std::make_shared<LoadedSeries>(*ballSeries(2, 1));
   series->volume = volumeOf<float>({40, 40, 40}, glm::dmat3(1), [](glm::dvec3 p) {
@@ -32,12 +32,12 @@ struct SurfaceWindow : MeasureWindow {
 
   VolumeView* scene() { return window.view(); }
   glm::dvec2 sceneSize() { return {double(scene()->width()), double(scene()->height())}; }
-  // The pixel in which a place of the patient is seen.
+  // Returns the pixel at which a patient position is seen.
   QPointF pixelOf(glm::dvec3 p) {
     const glm::dvec2 at = seenAt(scene()->camera(), sceneSize(), p);
     return QPointF(at.x, at.y).toPoint();
   }
-  // Where the line of sight of a pixel meets the ball first.
+  // Returns the first intersection of a pixel's line of sight with the ball.
   glm::dvec3 onBall(QPointF p) {
     const SightLine line = sightLine(scene()->camera(), sceneSize(), {p.x(), p.y()});
     const double b = glm::dot(line.origin, line.direction),
@@ -51,14 +51,14 @@ struct SurfaceWindow : MeasureWindow {
     choose(ShapeKind::length);
     drag(scene(), from, to);
   }
-  // What is seen of the measurement drawn last; without lines where nothing is.
+  // Returns what is drawn of the last measurement; without lines if nothing is.
   DrawnMeasurement seenLast() {
     for (const DrawnMeasurement& d : scene()->drawnMeasurements())
       if (d.id == last().id) return d;
     return {};
   }
   QString told() { return child<QLabel>("toldText")->text(); }
-  // A tenth of its opacity: half of the light is stopped in ln 2 / 0.105 = 6.6 mm.
+  // Reduces opacity to a tenth, so that half of the light is absorbed in ln 2 / 0.105 = 6.6 mm.
   void makeFog() {
     session().edit(QStringLiteral("fog"), [](Scene& s) {
       for (CurvePoint& p : s.transferFunction.points) p.opacity *= 0.1;

@@ -1,4 +1,4 @@
-// Tasks of tasks.md: MR, PET/CT and studies of before.
+// Tasks of tasks.md: MR, PET/CT and prior studies.
 #include <QSlider>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -16,7 +16,7 @@ namespace volumen::tests {
 
 namespace {
 
-// The same series of two days, opened from their files.
+// The same series of two dates, opened from its files.
 struct TwoOpen {
   TwoDays days;
   std::unique_ptr<Journey> w;
@@ -80,7 +80,7 @@ int referenceLines() {
   return hand.steps();
 }
 
-// A PET and the CT of its study, by a click on the PET.
+// A PET and the CT of its study, fused by a click on the PET.
 struct PetCt : Journey {
   Hand hand{window};
 

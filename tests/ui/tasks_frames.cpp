@@ -1,4 +1,4 @@
-// Tasks of tasks.md: pictures as acquired, clips.
+// Tasks of tasks.md: projection images and clips.
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/hand.h"
@@ -10,7 +10,7 @@ namespace volumen::tests {
 
 namespace {
 
-// A radiograph that has the keys.
+// A radiograph that has the keyboard focus.
 struct Radiograph {
   Frames w{{"cr-hip-mono2-jpeg12.dcm"}};
   Hand hand{w.window};
@@ -93,7 +93,7 @@ int magnify() {
   QTest::mousePress(r.w.view(), Qt::LeftButton, {}, middle);
   SOON(r.w.view()->grab().toImage() != before);
   QTest::mouseRelease(r.w.view(), Qt::LeftButton, {}, middle);
-  return r.hand.steps() + 1;  // that drag
+  return r.hand.steps() + 1;  // plus the drag
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace volumen::tests {
 
 namespace {
 
-// A slice that has the keys.
+// A slice that has the keyboard focus.
 struct Measuring {
   MeasureWindow w;
   Hand hand{w.window};

@@ -14,7 +14,7 @@ namespace volumen::tests {
 
 namespace {
 
-// A CT in planes, whose axial view has the keys.
+// A CT in planes whose axial view has the keyboard focus.
 struct Reading {
   MeasureWindow w;
   Hand hand{w.window};
@@ -60,7 +60,7 @@ int scrollFast() {
   return r.hand.steps();
 }
 
-// Whether the file has windows or not.
+// Works with and without windows in the file.
 int windowOfKey(Qt::Key key, Window window) {
   const LoadedSeriesPtr ball = ballSeries(32, 10, {3, -2, 4});
   auto withWindows = std::make_shared<LoadedSeries>(*ball);
@@ -91,7 +91,7 @@ int windowOfRegion() {
   Reading r;
   r.hand.menu({"toolsMenu"}, "regionWindowTool");
   const QPointF middle(r.w.view()->rect().center());
-  r.hand.drag(r.w.view(), middle - QPointF(50, 50), middle + QPointF(50, 50));  // the ball and air
+  r.hand.drag(r.w.view(), middle - QPointF(50, 50), middle + QPointF(50, 50));  // from the ball to air
   DONE(r.window().has_value());
   return r.hand.steps();
 }
@@ -111,7 +111,7 @@ int threePlanes() {
 
 int obliquePlane() {
   Reading r;
-  // A handle of the line that the coronal plane has in the axial view.
+  // Drags a handle of the coronal plane's line in the axial view.
   const FlatView* view = r.w.view();
   const QPointF middle(view->rect().center());
   const double reach = 0.32 * std::min(view->width(), view->height());
@@ -122,7 +122,7 @@ int obliquePlane() {
 
 int slab() {
   Reading r;
-  r.hand.wheel(r.w.view(), 10, Qt::AltModifier);  // of 1 mm a notch
+  r.hand.wheel(r.w.view(), 10, Qt::AltModifier);  // 1 mm a notch
   DONE(r.look().slabMm == 10 && r.look().slabMode == SlabMode::max);
   return r.hand.steps();
 }

@@ -1,4 +1,4 @@
-// Tasks of tasks.md: showing a colleague, a teaching file.
+// Tasks of tasks.md: showing images to a colleague, and a teaching file.
 #include <QCheckBox>
 #include <QClipboard>
 #include <QPrintDialog>
@@ -14,7 +14,7 @@ namespace volumen::tests {
 
 namespace {
 
-// A slice that has the keys and is drawn.
+// A drawn slice that has the keyboard focus.
 struct Showing {
   QTemporaryDir folder;
   MeasureWindow w;
@@ -94,7 +94,8 @@ int printTrueSize() {
   s.hand.key(Qt::Key_P, Qt::ControlModifier);
   auto* dialog = s.w.child<QPrintDialog>("printDialog");
   DONE(dialog);
-  dialog->findChild<QLineEdit*>(QStringLiteral("filename"))->setText(s.path("slice.pdf"));  // the printer
+  // The file stands for the printer.
+  dialog->findChild<QLineEdit*>(QStringLiteral("filename"))->setText(s.path("slice.pdf"));
   auto* box = dialog->findChild<QCheckBox*>(QStringLiteral("printTrueSize"));
   QCoreApplication::processEvents();
   s.hand.click(box, {8, box->height() / 2.0});

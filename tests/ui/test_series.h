@@ -4,8 +4,8 @@
 
 namespace volumen::tests {
 
-/// A bright ball of value 1000 in air of 0: `n` voxels of `spacing` mm along each axis, centred on the
-/// origin, radius `radius` mm about `centre`.
+/// Returns a bright ball of value 1000 in air of 0. It has `n` voxels of `spacing` mm along each axis,
+/// centred on the origin. The ball has `radius` mm about `centre`.
 inline LoadedSeriesPtr ballSeries(int n = 32, double radius = 10, glm::dvec3 centre = {0, 0, 0},
                                   glm::dvec3 spacing = {1, 1, 1}) {
   VolumeParts parts;
@@ -23,7 +23,7 @@ inline LoadedSeriesPtr ballSeries(int n = 32, double radius = 10, glm::dvec3 cen
   std::vector<std::string> warnings;
   auto series = std::make_shared<LoadedSeries>();
   series->volume = *Volume::make(std::move(parts), warnings);
-  static int made = 0;  // each is a series of its own
+  static int made = 0;  // makes each a separate series
   series->series.path = "ball";
   series->series.id = "ball#" + std::to_string(++made);
   series->series.patientName = "Test^Ball";

@@ -1,6 +1,6 @@
-// Guards design.md 6 (a slider along the levels with measured milliseconds and measured error for the scene
-// on screen; targets that pick a level), design.md 8 (nothing waits, undo for everything) and design.md 10
-// (what a PNG says of itself).
+// Guards design.md 6 (a slider of levels with measured times and errors for the scene on screen, and targets
+// that choose a level). Also guards design.md 8 (nothing waits, everything can be undone) and design.md 10
+// (metadata of a PNG).
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -34,14 +34,14 @@ MeasuredLevel measured(PictureLevel level, std::optional<double> ms, double erro
   return out;
 }
 
-// Saves the picture by the dialog, as a person does, and reads it back.
+// Saves the picture by the dialog, as a user does, and reads it back.
 QImage savedPicture(Journey& w, const QString& path) {
   w.child<QAction>("snapshot")->trigger();
   answer(w, "snapshotDialog", path);
   return QTest::qWaitFor([&] { return QFile::exists(path); }, longest) ? QImage(path) : QImage();
 }
 
-// The sample study with the panel before it, all levels measured.
+// The sample study with the accuracy panel open and all levels measured.
 struct AccuracyWindow : Journey {
   QSignalSpy finished{&window.meter(), &AccuracyMeter::finished};
   QSignalSpy cancelled{&window.meter(), &AccuracyMeter::cancelled};
@@ -92,7 +92,7 @@ class TestAccuracyPanel : public QObject {
 void TestAccuracyPanel::goalsPickALevel_data() {
   QTest::addColumn<QualityGoal>("goal");
   QTest::addColumn<std::vector<MeasuredLevel>>("levels");
-  QTest::addColumn<int>("quality");  // -1: not told yet
+  QTest::addColumn<int>("quality");  // -1: not known yet
   using Levels = std::vector<MeasuredLevel>;
   const Levels all{measured(coarse, 5, 20), measured(draft, 40, 8), measured(standard, 90, 3),
                    measured(high, 200, 0.6)};
@@ -183,7 +183,7 @@ void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
             w.cell(int(n), 1).endsWith(QStringLiteral(" s")));
     QVERIFY(w.cell(int(n), 2).endsWith(QStringLiteral("/255")));
   }
-  // design.md 2's promises of standard, high and exact, at the pixels that were measured.
+  // The promises of design.md 2 for standard, high and exact hold at the measured pixels.
   QVERIFY(levels[3].error.percentile99 <= promiseOf(Quality::standard).most99);
   QVERIFY(levels[4].error.percentile99 <= promiseOf(Quality::high).most99);
   QVERIFY(levels[5].error.maximum <= promiseOf(Quality::exact).mostMaximum);
@@ -205,7 +205,7 @@ void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
   QVERIFY(w.after("undo") == first);
   QVERIFY(w.window.drawService().level(0) == standard);
   QCOMPARE(slider->value(), 3);
-  // So does a click on a row.
+  // A click on a row chooses its level, too.
   auto* table = w.child<QTreeWidget>("levelTable");
   const QImage blurred = w.after([&] {
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
@@ -228,12 +228,12 @@ void TestAccuracyPanel::targetsPickTheLevel() {
     QTest::keyClicks(field, QLatin1String(text));
     QTest::keyClick(field, Qt::Key_Return);
   };
-  // An error that the finest level alone can be sure to meet.
+  // Only the finest level surely meets this error.
   w.after([&] { type(error, "0.01"); });
   QVERIFY(w.child<QCheckBox>("meetError")->isChecked());
   QVERIFY(w.window.drawService().level(0) == pictureLevels().back());
   QCOMPARE(w.child<QSlider>("levelSlider")->value(), int(pictureLevels().size()) - 1);
-  // A time that every level meets: the finest; an error of 255/255: the coarsest.
+  // Every level meets this time, so the finest is chosen. An error of 255/255 chooses the coarsest.
   type(time, "100000");
   QVERIFY(w.child<QCheckBox>("meetTime")->isChecked());
   QVERIFY(!w.child<QCheckBox>("meetError")->isChecked());
@@ -245,7 +245,7 @@ void TestAccuracyPanel::targetsPickTheLevel() {
   w.after([&] { w.window.session().edit(QStringLiteral("unlit"), [](Scene& s) { s.shading.lit = false; }); });
   QVERIFY(w.measure());
   QVERIFY(w.window.drawService().level(0) == coarse);
-  // Switched off, the level stays; undone, the target is back.
+  // Switching the target off keeps the level. Undo restores the target.
   QTest::mouseClick(w.child<QCheckBox>("meetError"), Qt::LeftButton, {}, QPoint(8, 8));
   QVERIFY(w.window.session().goal().aim == Aim::level);
   QVERIFY(w.window.drawService().level(0) == coarse);
@@ -264,7 +264,7 @@ void TestAccuracyPanel::aChangeOfTheSceneGivesTheMeasurementUp() {
   QVERIFY(!w.window.meter().running());
   QVERIFY(w.levels().empty());
   QCOMPARE(w.cell(0, 1), QStringLiteral("-"));
-  // The new scene is drawn, then measured; of the first nothing more is told.
+  // The new scene is drawn, then measured. The first scene is not reported any more.
   QVERIFY(w.settle());
   QVERIFY(w.measure());
   QCOMPARE(w.finished.count(), 1);
@@ -297,7 +297,7 @@ void TestAccuracyPanel::aPictureSaysWhatWasMeasuredOfIt() {
   const auto known = measuredError(w.window.meter().measured(), *w.levels()[4].plan);
   QVERIFY(known);
   QCOMPARE(says("volumen-error-measured"), QString::fromStdString(errorText(*known)));
-  // Another size is another picture: nothing was measured of it.
+  // A picture of another size has no measured error.
   w.child<QSpinBox>("snapshotWidth")->setValue(60);
   const QImage other = savedPicture(w, folder.filePath(QStringLiteral("other.png")));
   QCOMPARE(other.text(QStringLiteral("volumen-level")), QStringLiteral("high"));
@@ -319,7 +319,7 @@ void TestAccuracyPanel::thePictureOnShowSaysHowFarItMayBeOff() {
   const double atStandard = numbers();
   QVERIFY2(atStandard > 0, qPrintable(estimate->text()));
   w.shot("estimate");
-  // Another level is another picture.
+  // Another level is another picture, with its own estimate.
   auto* slider = w.child<QSlider>("levelSlider");
   slider->setFocus();
   w.after([&] { QTest::keyClick(slider, Qt::Key_End); });
@@ -344,14 +344,14 @@ void TestAccuracyPanel::theErrorIsShownInPlaceOfThePicture() {
   QVERIFY(box->isChecked() && w.child<QAction>("showError")->isChecked());
   QCOMPARE(view->shown().size(), picture.size());
   QVERIFY(view->shown().isGrayscale() && view->shown() != picture);
-  QCOMPARE(qGray(view->shown().pixel(0, 0)), 0);  // nothing is there to be off
+  QCOMPARE(qGray(view->shown().pixel(0, 0)), 0);  // no error outside the volume
   QVERIFY2(view->picture() == picture, "nothing is drawn anew");
   w.shot("error");
-  // It follows the picture.
+  // The error map follows the picture.
   const QImage before = view->shown();
   w.after([&] { QTest::keyClick(view, Qt::Key_Left); });
   QVERIFY(view->shown().isGrayscale() && view->shown() != before);
-  // Of an enlarged picture nothing is known: it stays on show.
+  // The error of an enlarged picture is unknown, so the picture stays on screen.
   auto* slider = w.child<QSlider>("levelSlider");
   slider->setFocus();
   w.after([&] { QTest::keyClick(slider, Qt::Key_Home); });
@@ -360,7 +360,7 @@ void TestAccuracyPanel::theErrorIsShownInPlaceOfThePicture() {
   QVERIFY(!box->isChecked());
 }
 
-// A soft curve is drawn by plain steps; with its error map on show, cell by cell.
+// A soft curve is drawn by plain steps. With its error map on screen, it is drawn cell by cell.
 void TestAccuracyPanel::theErrorIsThereWhereStepsDoNotTellIt() {
   AccuracyWindow w;
   QVERIFY(w.openPanel());

@@ -1,5 +1,5 @@
-// Guards the window against what nobody means to do: views and series that go in the middle of something,
-// windows of any size, volumes of nothing.
+// Guards the window against unintended acts: views and series that disappear in the middle of an act, windows
+// of any size, and empty volumes.
 #include <QDockWidget>
 #include <QFile>
 #include <QTemporaryDir>
@@ -49,7 +49,8 @@ class TestAttacks : public QObject {
 };
 
 void TestAttacks::whatGoesInTheMiddleOfADrag_data() {
-  QTest::addColumn<QByteArray>("tool");  // of the flat view; of the 3D one with its action's name
+  // Object name of the flat view's tool, or of the 3D tool with its action's name.
+  QTest::addColumn<QByteArray>("tool");
   QTest::addColumn<int>("button");
   QTest::addColumn<int>("keys");
   QTest::addColumn<Switch>("act");
@@ -81,7 +82,7 @@ void TestAttacks::whatGoesInTheMiddleOfADrag_data() {
   row("3D, right", "rotateTool", Qt::RightButton, Qt::NoModifier);
 }
 
-// What is shown instead stays as it was, and the window goes on.
+// What is shown instead keeps its state, and the window goes on.
 void TestAttacks::whatGoesInTheMiddleOfADrag() {
   QFETCH(QByteArray, tool);
   QFETCH(int, button);
@@ -119,7 +120,7 @@ void TestAttacks::whatGoesInTheMiddleOfADrag() {
       QVERIFY(same(after.view(id).flats, now.view(id).flats));
     }
   for (const Measurement& m : now.measurements) QVERIFY(now.series.contains(m.series));
-  // All of it can be undone, and a series shown again.
+  // Everything can be undone, and a series shown again.
   while (w.session().undoStack().index() > std::min(steps, w.session().undoStack().count()))
     w.session().undoStack().undo();
   w.session().show(other, sceneViewId);
@@ -166,7 +167,7 @@ void TestAttacks::aToolIsForTheSeriesOfItsView() {
     return w.session().workspace().series.at(keyOf(s->series));
   };
   const SeriesState untouched = stateOf(a);
-  // A window, a length and a cut, each in the view that is not in focus.
+  // Sets a window, a length and a cut, each in the view that is not in focus.
   QVERIFY(w.view(right));
   drag(w.view(right), {70, 60}, {120, 90});
   QVERIFY(stateOf(b).window.has_value());

@@ -1,4 +1,4 @@
-// Guards the attributes of a picture: they are those of the picture in focus until another one is chosen, and
+// Guards the DICOM attributes of a picture. They follow the picture in focus until another is chosen, and
 // rows are copied with tabs.
 #include <QCheckBox>
 #include <QClipboard>
@@ -20,7 +20,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// A head as planes, the axial one in focus, and the dialog over it.
+// A head in planes with the axial view in focus, and the attributes dialog.
 struct Attributes : References2d {
   explicit Attributes(const QString& folder) : References2d({}) { window.open({folder}); }
 
@@ -38,7 +38,7 @@ struct Attributes : References2d {
     return rows()->findItems(QLatin1String(name), Qt::MatchExactly | Qt::MatchRecursive, 1).value(0);
   }
   QString value(const char* name) { return row(name) ? row(name)->text(3) : QString(); }
-  // Of the slice on screen.
+  // Returns the UID of the slice on screen.
   QString uidSeen() {
     const std::optional<int> picture = view()->pictureSeen().index;
     const Series& series = *workspace().series.at(view()->state().series).series;
@@ -83,7 +83,7 @@ void TestAttributes::theyFollowTheView() {
   QVERIFY(w.uidSeen() != first);
   QTRY_COMPARE_WITH_TIMEOUT(w.value("SOPInstanceUID"), w.uidSeen(), longest);
   QVERIFY(follow->isChecked());
-  // Chosen by hand, it stays.
+  // A picture chosen by hand stays.
   const QString seen = w.uidSeen();
   slice->setFocus();
   QTest::keyClick(slice, slice->value() == slice->maximum() ? Qt::Key_Down : Qt::Key_Up);
@@ -97,7 +97,7 @@ void TestAttributes::theyFollowTheView() {
   QTRY_COMPARE_WITH_TIMEOUT(w.value("SOPInstanceUID"), w.uidSeen(), longest);
 }
 
-// A plane across the slices is about the one at its crosshair.
+// A plane across the slices shows attributes of the slice at its crosshair.
 void TestAttributes::whereTheCrosshairIsCounts() {
   Attributes w(head_);
   QVERIFY(w.open());
@@ -141,7 +141,7 @@ void TestAttributes::rowsAreCopied() {
   QCOMPARE(copiedRows().size(), 2);
   QCOMPARE(copiedRows().front(), modality);  // in the order of the file
   QCOMPARE(copiedRows().back().section(QLatin1Char('\t'), 0, 2), QStringLiteral("(0028,0010)\tRows\tUS"));
-  // All of those that are shown.
+  // Copies all visible rows.
   w.child<QLineEdit>("attributesSearch")->setText(QStringLiteral("modality"));
   auto* all = w.child<QPushButton>("attributesCopyAll");
   QTest::mouseClick(all, Qt::LeftButton);

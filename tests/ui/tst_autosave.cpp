@@ -1,4 +1,4 @@
-// Guards design.md 8: however the program ends, what was not saved is offered again.
+// Guards design.md 8: however the program ends, unsaved work is offered again.
 #include <time.h>
 
 #include <QElapsedTimer>
@@ -25,13 +25,13 @@ using namespace volumen::tests;
 namespace {
 
 constexpr int promisedMs = 2000;
-constexpr const char* logFolder = "VOLUMEN_KILLED_LOG";  // set: this is the window that is killed
+constexpr const char* logFolder = "VOLUMEN_KILLED_LOG";  // set in the window that is killed
 
 OfferBar* offer(Journey& w) { return w.child<OfferBar>("offerBar"); }
 
 void click(Journey& w, const char* button) { QTest::mouseClick(w.child<QWidget>(button), Qt::LeftButton); }
 
-// The longest between two events of this thread, and how much of such a time it computed.
+// The longest time between two events of this thread, and its computing time within that gap.
 struct Gap {
   double ms = 0, computedMs = 0;
 };
@@ -86,7 +86,7 @@ void TestAutosave::init() {
   QVERIFY(writeVolume(*CtWithTable::volume(true), at("ct.nrrd").toStdString()));
 }
 
-// No test, but what aDragThatIsKilledIsRestored() starts: drags without end and notes every change.
+// Not a test. aDragThatIsKilledIsRestored() starts it; it drags without end and notes every change.
 void TestAutosave::aWindowThatIsKilled() {
   if (!qEnvironmentVariableIsSet(logFolder)) return;
   const QDir folder(qEnvironmentVariable(logFolder));
@@ -108,7 +108,7 @@ void TestAutosave::whatIsOpenIsKeptWithinTwoSeconds() {
   QVERIFY(w.settle());
   QVERIFY(areKept(1));
   const QString path = QDir(Autosave::folder()).filePath(keptSessions()[0]);
-  // The quickest of a few tries: other programs may hold the disk.
+  // Takes the fastest of a few tries because other programs may hold the disk.
   qint64 quickest = longest;
   for (int n = 0; n < 3; ++n) {
     QElapsedTimer clock;
@@ -158,7 +158,7 @@ void TestAutosave::changesOfASessionFileStay() {
     QTRY_VERIFY(w.window.windowTitle().contains(QStringLiteral("s.volumen")));
     w.child<QAction>("viewLeft")->trigger();
     left = sessionTextOf(w.window.session().workspace());
-    w.window.close();  // at once: what was not kept yet is kept now
+    w.window.close();  // at once, so that closing keeps what was not kept yet
   }
   QCOMPARE(keptSessions().size(), 1);
   const QByteArray file = contentsOf(at("s.volumen"));
@@ -192,7 +192,8 @@ void TestAutosave::twoWindowsKeepTwo() {
   QCOMPARE(keptSessions().size(), 1);
 }
 
-// 400 series and their looks in every view. This thread may compute for 20 ms at most between two events.
+// Keeps 400 series and their looks in every view. This thread may compute for at most 20 ms between two
+// events.
 void TestAutosave::theWindowNeverWaitsForIt() {
   Session session;
   Jobs jobs;
@@ -243,13 +244,13 @@ void TestAutosave::aProgramThatIsKilledIsRestored() {
   QVERIFY(file.open(QIODevice::WriteOnly));
   file.write(QByteArray::fromStdString(sceneToJson(scene)));
   file.close();
-  // As these tests open studies themselves (tests::openAlone()).
+  // Opens studies as these tests do (tests::openAlone()).
   QSettings(QStringLiteral("volumen"), QStringLiteral("volumen"))
       .setValue(QStringLiteral("layouts/other"), QStringLiteral("one"));
   const auto program =
       startedProgram(QStringLiteral(VOLUMEN_PROGRAM),
                      {QStringLiteral("open"), at("ct.nrrd"), QStringLiteral("--scene"), file.fileName()});
-  // Once the scene is among what is kept.
+  // Waits until the scene is in the kept session.
   QTRY_VERIFY_WITH_TIMEOUT(
       keptSessions().size() == 1 &&
           contentsOf(QDir(Autosave::folder()).filePath(keptSessions()[0])).contains("\"height\": 77"),
@@ -302,7 +303,7 @@ void TestAutosave::itCanBeDiscardedOrLeft() {
   QVERIFY2(keptSessions().size() == 1, "left for another time");
   Journey w;
   QTRY_VERIFY_WITH_TIMEOUT(offer(w)->isVisible(), longest);
-  // Not by one press: the offer is there again.
+  // Refusing needs a second confirmation. Escape brings the offer back.
   click(w, "offerRefuse");
   QVERIFY(offer(w)->isHidden());
   QTest::keyClick(w.child<QMessageBox>("discardBox"), Qt::Key_Escape);

@@ -1,4 +1,4 @@
-// Guards long and short axis, the cardiothoracic ratio and labels of the spine, by real mouse and key events.
+// Guards long and short axis, the cardiothoracic ratio and spine labels, by real mouse and key events.
 #include <QLineEdit>
 #include <cmath>
 
@@ -45,7 +45,8 @@ class TestAxesAndLabels : public QObject {
   void aSessionKeepsThem();
 };
 
-// Whatever way the hand goes: a press at (90, 40), a release to the side of it.
+// The short axis is perpendicular wherever the hand goes: from a press at (90, 40) to a release off the
+// perpendicular.
 void TestAxesAndLabels::theShortAxisStandsAcross() {
   MeasureWindow w;
   const int steps = w.session().undoStack().index();
@@ -56,7 +57,7 @@ void TestAxesAndLabels::theShortAxisStandsAcross() {
   QVERIFY(std::abs(angleBetweenLines(shape) - 90) < 1e-6);
   const double mm = w.view()->plane()->mmPerPixel;
   QVERIFY(std::abs(lengthOfLine(shape, 0) - std::hypot(80, 40) * mm) < 1e-9);
-  // (10, 90) along (-40, 80)/sqrt(8000).
+  // (10, 90) projected on (-40, 80)/sqrt(8000).
   QVERIFY(std::abs(lengthOfLine(shape, 1) - 6800 / std::sqrt(8000.0) * mm) < 1e-9);
   QVERIFY(glm::length(shape.points[2] - w.patient({90, 40})) < 1e-9);
   const QString text = w.drawn(w.last().id).text.value(0);
@@ -72,7 +73,7 @@ void TestAxesAndLabels::axesStayAtRightAngles() {
   w.draw(bidirectional, placesOf(bidirectional));
   const Measurement first = w.last();
   QCOMPARE(w.drawn(first.id).handles.size(), std::size_t(4));
-  // An end of the long axis: the short one turns with it.
+  // If an end of the long axis is dragged, the short axis turns with it.
   drag(w.view(), {140, 60}, {120, 120});
   const Shape turned = w.last().shape;
   QVERIFY(glm::length(turned.points[0] - first.shape.points[0]) < 1e-9);
@@ -81,7 +82,7 @@ void TestAxesAndLabels::axesStayAtRightAngles() {
   QVERIFY(std::abs(lengthOfLine(turned, 1) - lengthOfLine(first.shape, 1)) < 1e-9);
   w.undo();
   QVERIFY(w.last() == first);
-  // An end of the short one: along the long one it moves as a whole.
+  // If an end of the short axis is dragged along the long axis, the short axis moves as a whole.
   drag(w.view(), {100, 90}, {110, 110});
   const Shape longer = w.last().shape;
   QVERIFY(longer.points[0] == first.shape.points[0] && longer.points[1] == first.shape.points[1]);
@@ -110,7 +111,7 @@ void TestAxesAndLabels::widthsOfTheChestAreLevel() {
   QVERIFY(w.last() == first);
 }
 
-// One step each, and the tool stays until Esc.
+// Each label is one undo step, and the tool stays until Esc.
 void TestAxesAndLabels::labelsFollowEachOther() {
   LabelWindow w;
   w.choose(label);
@@ -143,7 +144,7 @@ void TestAxesAndLabels::labelsBeginWhereOneTypes() {
   QCOMPARE(w.names(), QStringList(QStringLiteral("L5")));
   w.click({100, 170});
   QCOMPARE(w.names().last(), QStringLiteral("S1"));
-  // Another start: the name of the last one is changed.
+  // After renaming the last label, the next one continues from the new name.
   renameMeasurement(w.session(), w.last().id, QStringLiteral("L4"));
   w.click({100, 120});
   QCOMPARE(w.names().last(), QStringLiteral("L3"));

@@ -1,4 +1,4 @@
-// Guards sentences over the views: they end with what they speak of, and move no picture. By real events.
+// Guards banners over the views: they disappear with their subject and move no picture. Real events.
 #include <QLabel>
 
 #include "tests/ui/measure_window.h"

@@ -1,5 +1,5 @@
-// Guards that a box to tick is seen in a list, ticked or not, in both themes: something of it has a contrast
-// of 3 with what is around it (WCAG 2.1, 1.4.11).
+// Guards that a check box is visible in a list, ticked or not, in both themes. Part of it has a contrast of
+// at least 3 with its surroundings (WCAG 2.1, 1.4.11).
 #include <cmath>
 
 #include "tests/ui/clean_settings.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double leastContrast = 3;
 
-// WCAG 2.1, relative luminance.
+// Returns the relative luminance of WCAG 2.1.
 double luminanceOf(QRgb colour) {
   const auto linear = [](int value) {
     const double v = value / 255.0;
@@ -22,7 +22,7 @@ double luminanceOf(QRgb colour) {
   return 0.2126 * linear(qRed(colour)) + 0.7152 * linear(qGreen(colour)) + 0.0722 * linear(qBlue(colour));
 }
 
-// The most that any pixel has with the ground, which is in the corner.
+// Returns the highest contrast of any pixel with the background, which is in the corner.
 double contrastIn(const QImage& image) {
   const double ground = luminanceOf(image.pixel(1, 1));
   double most = 1;
@@ -54,7 +54,7 @@ void TestBoxOutlines::boxesAreSeen() {
   SegmentWindow w;
   w.session().prefer([theme](Preferences& p) { p.theme = theme; });
   QVERIFY(w.makeBoth());
-  constexpr int lock = 1;  // the column that holds a box alone
+  constexpr int lock = 1;  // column with only a check box
   const auto contrast = [&](int row) {
     const QRect cell = w.list()->visualRect(w.list()->model()->index(row, lock));
     return contrastIn(w.list()->viewport()->grab(cell).toImage());

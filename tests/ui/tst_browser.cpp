@@ -1,5 +1,5 @@
-// Guards the study browser of the window, by real events: list, search, order, thumbnails,
-// removing, keys, hidden names.
+// Guards the study browser of the window, by real events: list, search, sort order, thumbnails, removal, keys
+// and hidden names.
 #include <QHeaderView>
 #include <QMenu>
 
@@ -62,7 +62,7 @@ void TestBrowser::theListStandsInPlaceOfAnEmptyWindow() {
   QCOMPARE(w.patients(2), texts({"2024-03-10", "2023-01-05", "2022-06-02"}));
   QCOMPARE(w.patients(4), texts({"2 studies", "Abdomen", "Knee"}));
   QCOMPARE(w.patients(5)[2], QStringLiteral("20"));
-  // Studies below their patient, series below their study once it is opened there.
+  // Studies are below their patient. Series are below their study once it is expanded.
   const QModelIndex head = w.row("Head", 4);
   QVERIFY(head.parent().isValid());
   w.tree()->setExpanded(head, true);
@@ -79,7 +79,7 @@ void TestBrowser::oneSearchesWhileTyping_data() {
   QTest::newRow("ID") << QStringLiteral("b222") << QStringList{mueller};
   QTest::newRow("date") << QStringLiteral("2022-06") << QStringList{yamada};
   QTest::newRow("modality") << QStringLiteral("ct ja") << QStringList{doe};
-  // Of Doe's studies only the older one has it.
+  // Only the older of Doe's studies has this modality.
   QTest::newRow("another modality") << QStringLiteral("ot") << QStringList({mueller, yamada, doe});
   QTest::newRow("description of the study") << QStringLiteral("abdomen") << QStringList{mueller};
   QTest::newRow("description of a series") << QStringLiteral("tissue") << QStringList{doe};
@@ -93,7 +93,7 @@ void TestBrowser::oneSearchesWhileTyping() {
   BrowserWindow w(*studies_);
   QVERIFY(w.shows({doe, mueller, yamada}));
   w.search()->setFocus();
-  // Something else first, so that all of them is an answer, too.
+  // Searches for something else first, so that a list of all studies is an answer, too.
   QTest::keyClicks(w.search(), QStringLiteral("zzz"));
   QVERIFY(w.shows({}));
   QCOMPARE(w.notice(), QStringLiteral("No study has all of these words."));
@@ -101,7 +101,7 @@ void TestBrowser::oneSearchesWhileTyping() {
   if (QString::fromLatin1(words.toLatin1()) == words)
     QTest::keyClicks(w.search(), words);
   else
-    w.search()->insert(words);  // no key has these
+    w.search()->insert(words);  // no key types these
   QVERIFY2(w.shows(found), qPrintable(w.patients().join(QLatin1Char('|'))));
   QTest::keyClick(w.search(), Qt::Key_Escape);
   QVERIFY(w.search()->text().isEmpty());
@@ -172,7 +172,7 @@ void TestBrowser::furtherColumnsSort() {
   }
 }
 
-// By a right click on their heads or in the list; the next window has them again.
+// Columns are chosen by a right click on their titles or in the list. The next window keeps the choice.
 void TestBrowser::columnsAreChosenAndKept() {
   const auto chosen = [](QWidget* on, QPoint at, const char* column) {
     QContextMenuEvent event(QContextMenuEvent::Mouse, at, on->mapToGlobal(at));
@@ -227,7 +227,7 @@ void TestBrowser::theSeriesOfAStudyHaveThumbnails() {
   const QStringList texts{w.strip()->item(0)->text(), w.strip()->item(1)->text()};
   QVERIFY2(texts.filter(QStringLiteral("Soft tissue")).size() == 1, qPrintable(texts.join(QLatin1Char('|'))));
   QVERIFY(texts[0].contains(QStringLiteral("images")));
-  // Of another study those of that one.
+  // Clicking another study shows the thumbnails of that study.
   w.click(w.row("Abdomen", 4));
   QTRY_COMPARE_WITH_TIMEOUT(w.strip()->count(), 1, longest);
   QVERIFY(w.strip()->item(0)->text().contains(QStringLiteral("Venous")));
@@ -248,7 +248,7 @@ void TestBrowser::studiesAreRemovedAndComeBack() {
   QTest::mouseClick(w.child<QPushButton>("undoRemove"), Qt::LeftButton);
   QVERIFY(w.shows({doe, mueller, yamada}));
   QVERIFY(!w.child<QWidget>("removedBar")->isVisible());
-  // A patient with all studies.
+  // Removes a patient with all studies.
   w.click(w.row("Doe"));
   QTest::keyClick(w.tree(), Qt::Key_Delete);
   QVERIFY(w.shows({mueller, yamada}));
@@ -260,7 +260,7 @@ void TestBrowser::typingInTheListSearches() {
   QVERIFY(w.shows({doe, mueller, yamada}));
   w.click(w.row("Doe"));
   QVERIFY(w.tree()->hasFocus());
-  // A would choose the anterior view.
+  // The key A would otherwise choose the anterior view.
   QTest::keyClicks(w.tree(), QStringLiteral("a"));
   QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("bdo"));
   QCOMPARE(w.search()->text(), QStringLiteral("abdo"));

@@ -1,5 +1,6 @@
-// Guards the index behind the study browser: import in the window, cancelled and while the window closes;
-// files refused or not there; an index that is damaged or cannot be opened; other programs; many series.
+// Guards the index behind the study browser. Covers import, its cancellation, and closing the window
+// meanwhile; refused and missing files; a damaged index or one that cannot be opened. Also covers other
+// programs and many series.
 #include <QHeaderView>
 #include <QMimeData>
 #include <QScrollBar>
@@ -25,7 +26,7 @@ void write(const QString& path, const QByteArray& bytes) {
   file.write(bytes);
 }
 
-// The files of a written series again and again, each time in a folder of their own.
+// Copies the files of a written series `times` times, each into a separate folder.
 bool copyOften(const QString& from, const QString& to, int times) {
   const QStringList names = QDir(from).entryList(QDir::Files);
   for (int n = 0; n < times; ++n) {
@@ -93,7 +94,7 @@ void TestBrowserImport::aFolderIsImported() {
   QVERIFY(!w.banner()->isVisible());
 }
 
-// Beside what is looked at, which keeps its keys.
+// The list opens beside an open series, which keeps the keyboard focus.
 void TestBrowserImport::afterItTheListIsShown() {
   const Studies studies;
   QVERIFY(studies.write());
@@ -137,7 +138,7 @@ void TestBrowserImport::anImportIsCancelledAndGoneOnWith() {
   auto* text = w.child<QLabel>("toldText");
   QTRY_VERIFY_WITH_TIMEOUT(text->text().startsWith(QStringLiteral("Import cancelled.")), longest);
   QVERIFY(!w.child<QWidget>("cancelTask")->isVisible());
-  // The next one goes on from there.
+  // The next import continues from there.
   w.child<QAction>("importFolder")->trigger();
   answer(w, "importFolderDialog", studies.data);
   QTRY_VERIFY_WITH_TIMEOUT(text->text().contains(QStringLiteral("imported")) &&
@@ -197,7 +198,7 @@ void TestBrowserImport::aDamagedIndexIsToldOnce() {
   QTRY_VERIFY_WITH_TIMEOUT(w.banner()->isVisible(), longest);
   QVERIFY2(w.banner()->sentence().endsWith(QLatin1Char('.')), qPrintable(w.banner()->sentence()));
   w.shot("browser-damaged");
-  // A new one is in use.
+  // A new index is in use.
   w.child<QAction>("importFolder")->trigger();
   answer(w, "importFolderDialog", studies.data);
   QVERIFY(w.has("Müller"));
@@ -229,7 +230,7 @@ void TestBrowserImport::otherProgramsAreSeen() {
   QVERIFY(one.has("Müller"));
   two.child<QAction>("showBrowser")->trigger();
   QVERIFY(two.has("Müller"));
-  // One removes, the other sees it once it is looked at again.
+  // One window removes a study. The other notices when its browser is shown again.
   one.click(one.row("Müller"));
   QTest::keyClick(one.tree(), Qt::Key_Delete);
   QVERIFY(one.shows({QStringLiteral("Doe, Jane"), QStringLiteral("Yamada, Tarou  山田 太郎")}));
@@ -289,7 +290,7 @@ void TestBrowserImport::theNewestSearchIsAnswered() {
   QCOMPARE(QString::fromStdString(lists[0]->patients[0].studies[0].patientId), QStringLiteral("B222"));
 }
 
-// 500 patients with 1,000 studies: the list and each key of a search are answered beside the UI thread.
+// With 500 patients and 1,000 studies, the list and each key of a search are answered off the UI thread.
 void TestBrowserImport::tenThousandSeriesAreSearched() {
   const Studies studies;
   const FilledIndex size{.patients = 500, .studies = 2, .series = 10, .files = 2};

@@ -1,5 +1,4 @@
-// Guards the study browser of the window, by real events: what is opened from it, where, and that patients
-// stay apart.
+// Guards opening from the study browser, by real events: what is opened, where, and that patients stay apart.
 #include <QHeaderView>
 #include <QMimeData>
 #include <QUndoStack>
@@ -107,7 +106,7 @@ void TestBrowserOpening::aStudyIsOpened() {
   QVERIFY(w.window.views()->isVisible());
 }
 
-// The next look at the list is one at all of it.
+// The next time the browser is shown, it lists all studies.
 void TestBrowserOpening::aSearchEndsWithWhatItFound() {
   BrowserWindow w(*studies_);
   QVERIFY(w.has("Head", 4));
@@ -165,7 +164,8 @@ void TestBrowserOpening::anotherPatientTakesThePlace() {
     QVERIFY(!series || series->patientId == "B222");
   }
   QVERIFY(!w.child<QWidget>("patientsBar")->isVisible());
-  // Nothing is lost: it stands in the list of what is open, and one step takes all back or does it again.
+  // Nothing is lost. The series stays in the list of open studies, and one undo step restores or repeats
+  // everything.
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.isShown("Bone", firstComparedId));
   w.child<QAction>("redo")->trigger();
@@ -204,7 +204,7 @@ void TestBrowserOpening::whatWasOpenedLastStandsFirst() {
   QCOMPARE(w.tree()->model()->rowCount(group), 1);
   QCOMPARE(w.tree()->model()->index(0, 0, group).data().toString(), yamada);
   QVERIFY(w.tree()->isExpanded(group));
-  // A search is for all of them.
+  // A search covers all studies.
   QTest::keyClicks(w.search(), QStringLiteral("knee"));
   QTRY_COMPARE_WITH_TIMEOUT(w.tree()->model()->rowCount(), 1, longest);
   QCOMPARE(w.patients(), QStringList{yamada});

@@ -1,4 +1,4 @@
-// Guards the bar in the window that plays stacks: ranges, speeds, back and forth, what hands do meanwhile.
+// Guards the cine bar in the window: ranges, speeds, back and forth, and user actions during playback.
 #include <QSlider>
 #include <QToolButton>
 
@@ -25,7 +25,7 @@ class TestCineBar : public QObject {
   void twoBarsPlayAtOnce();
 };
 
-// Slice by slice, all of them, and one step to undo.
+// All slices are played one by one, as one undo step.
 void TestCineBar::aStackIsPlayed() {
   CineWindow w;
   const Workspace before = w.session().workspace();
@@ -54,7 +54,7 @@ void TestCineBar::aRangeAndASpeedAreTyped() {
   QVERIFY(first && last && rate);
   QCOMPARE(rate->text(), QStringLiteral("15"));
   const int steps = w.steps();
-  w.type(first, QStringLiteral("28"));  // of 31, from the lowest one on
+  w.type(first, QStringLiteral("28"));  // of 31, counted from the lowest
   w.type(last, QStringLiteral("25"));
   w.type(rate, QStringLiteral("37,5"));
   QCOMPARE(w.window.focusWidget(), w.view());
@@ -67,7 +67,7 @@ void TestCineBar::aRangeAndASpeedAreTyped() {
   QCOMPARE(places.front(), 3);
   for (std::size_t n = 1; n < places.size(); ++n)
     QCOMPARE(places[n], places[n - 1] == 6 ? 3 : places[n - 1] + 1);
-  // The next usual speeds.
+  // The keys choose the next usual speeds.
   QTest::keyClick(w.view(), Qt::Key_Plus);
   QCOMPARE(rate->text(), QStringLiteral("40"));
   QTest::keyClick(w.view(), Qt::Key_Minus);
@@ -84,7 +84,7 @@ void TestCineBar::backAndForthByItsButton() {
   QVERIFY(w.showBar());
   QTest::mouseClick(w.seen<QToolButton>("cineBack"), Qt::LeftButton);
   QTest::mouseClick(w.seen<QToolButton>("cinePlay"), Qt::LeftButton);
-  const std::vector<int> places = w.played(8);  // from the middle, which is 15
+  const std::vector<int> places = w.played(8);  // from the middle (15)
   QVERIFY(places.size() >= 8);
   QCOMPARE(std::vector<int>(places.begin(), places.begin() + 8),
            (std::vector<int>{15, 16, 15, 14, 13, 14, 15, 16}));
@@ -131,7 +131,7 @@ void TestCineBar::handsEndIt() {
   QVERIFY(w.session().workspace() == after);
 }
 
-// However many places come meanwhile; undo leads back through both.
+// The edit is one undo step however many slices are played meanwhile. Undo leads back through both.
 void TestCineBar::anEditElsewhereIsOneStep() {
   CineWindow w;
   w.child<QAction>("layoutPlanes")->trigger();
@@ -145,7 +145,7 @@ void TestCineBar::anEditElsewhereIsOneStep() {
   QTest::mousePress(other, Qt::LeftButton, {}, {50, 50});
   for (int n = 1; n <= 4; ++n) {
     QTest::mouseEvent(QTest::MouseMove, other, Qt::LeftButton, {}, {50 + 10 * n, 50});
-    QTest::qWait(200);  // three places
+    QTest::qWait(200);  // three slices
   }
   QTest::mouseRelease(other, Qt::LeftButton, {}, {90, 50});
   const auto window = [&] { return w.session().workspace().series.at(other->state().series).window; };
@@ -163,7 +163,7 @@ void TestCineBar::anEditElsewhereIsOneStep() {
   w.redo();
   w.redo();
   Workspace again = w.session().workspace();
-  again.focus = after.focus;  // which is no step
+  again.focus = after.focus;  // which is no undo step
   QVERIFY(again == after);
 }
 
@@ -221,11 +221,11 @@ void TestCineBar::aStepThatCancelsItselfLetsItGoOn() {
   QVERIFY(!w.played(3).empty());
 }
 
-// Where one comes back to where it began its step is gone; the other one goes on.
+// If one bar returns to its start, its undo step disappears. The other bar continues.
 void TestCineBar::twoBarsPlayAtOnce() {
   CineWindow w;
   QTest::keyClick(w.view(), Qt::Key_Down);
-  QTest::keyClick(w.view(), Qt::Key_Up);  // the crosshair is where it was, and known
+  QTest::keyClick(w.view(), Qt::Key_Up);  // the crosshair is back at its start, and set
   for (const auto& [name, typed] :
        {std::pair("cineFirst", "17"), std::pair("cineLast", "15"), std::pair("cineRate", "100")}) {
     QVERIFY(w.showBar());
@@ -253,7 +253,7 @@ void TestCineBar::twoBarsPlayAtOnce() {
   const QObject listening;
   QObject::connect(&w.session().undoStack(), &QUndoStack::indexChanged, &listening,
                    [&](int index) { gone += index == steps; });
-  const std::vector<int> places = w.played(7);  // from the middle, which is 15
+  const std::vector<int> places = w.played(7);  // from the middle (15)
   QVERIFY(places.size() >= 7);
   QCOMPARE(std::vector<int>(places.begin(), places.begin() + 7),
            (std::vector<int>{15, 16, 14, 15, 16, 14, 15}));

@@ -1,4 +1,4 @@
-// Guards where the bar that plays stacks comes, what it covers, and what its numbers and keys say and take.
+// Guards where the cine bar appears, what it covers, and what its numbers and keys show and accept.
 #include <QTextDocumentFragment>
 #include <QToolButton>
 #include <QToolTip>
@@ -23,7 +23,8 @@ class TestCineBarPlace : public QObject {
   void keysChangeTheSpeedTheirWay();
 };
 
-// What is written stands above it: no bright pixel is left under it. Without it there is some, the window.
+// Texts move above the bar, so that no bright pixel is left under it. Without the bar, the window's numbers
+// are there.
 void TestCineBarPlace::theBarCoversNothing() {
   CineWindow w;
   const auto hasText = [&] {
@@ -53,7 +54,7 @@ void TestCineBarPlace::theBarComesWhereThePointerRests() {
   w.shot("cine-bar");
   hover(w.view(), {60.0, w.view()->height() - 40.0});
   QVERIFY(!w.bar()->isVisible());
-  // Nothing is there to be played.
+  // There is nothing to play.
   w.child<QAction>("layoutFour")->trigger();
   QCoreApplication::processEvents();
   FlatView* empty = w.view(firstComparedId + 3);
@@ -86,7 +87,7 @@ void TestCineBarPlace::wrongNumbersChangeNothing() {
   QVERIFY(w.view()->overlays().topRight.contains(QStringLiteral("3 / 31")));
 }
 
-// The 16th of 31 that are drawn, from below, is no file's.
+// The 16th of 31 drawn slices, from below, belongs to no file.
 void TestCineBarPlace::whereSlicesAreMissingTheFileCounts() {
   CineWindow w;
   auto series = std::make_shared<LoadedSeries>(*stackSeries(31));
@@ -122,13 +123,13 @@ void TestCineBarPlace::whereSlicesAreMissingTheFileCounts() {
   QCOMPARE(w.bar()->round().first, 13);
   QCOMPARE(w.bar()->round().last, 17);
   QTest::mouseClick(w.seen<QToolButton>("cinePlay"), Qt::LeftButton);
-  const std::vector<int> places = w.played(7);  // through the one that has no number
+  const std::vector<int> places = w.played(7);  // past the slice without a number
   QVERIFY(places.size() >= 7);
   for (std::size_t n = 1; n < places.size(); ++n)
     QCOMPARE(places[n], places[n - 1] == 17 ? 13 : places[n - 1] + 1);
 }
 
-// The eighth of the file lies between two places of the grid that is drawn.
+// The eighth slice of the file lies between two positions of the drawn grid.
 void TestCineBarPlace::aSliceOffTheGridHasNoPlace() {
   CineWindow w;
   auto series = std::make_shared<LoadedSeries>(*stackSeries(31));

@@ -1,5 +1,5 @@
-// Guards what is played: the order of places in any range, back and forth and again and again, against a twin
-// and a clock of the test; that nothing runs ahead of drawing.
+// Guards playback: the order of positions in any range, back and forth and in loops, against a reference
+// model and a clock of the test. Playback never runs ahead of drawing.
 #include <QSignalSpy>
 
 #include "tests/fixtures/chance.h"
@@ -11,7 +11,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// Remembers where it was sent.
+// Records the positions it was sent to.
 struct Listed : Playable {
   int at = 0, length = 10;
   bool ready = true, time = false;
@@ -30,7 +30,8 @@ struct Listed : Playable {
   bool keepsTime() const override { return time; }
 };
 
-// One place after the other, as a hand would go: up, at the end round or back. -1: it is over.
+// A reference model that moves one position at a time, and wraps or turns at the end. -1 means that playback
+// is over.
 struct Twin {
   CineRound round;
   int at;
@@ -78,7 +79,7 @@ void TestCinePlayer::theOrderIsThatOfATwin() {
     Twin twin{round, round.first};
     std::vector<int> expected;
     for (int n = 0; n < 40; ++n) {
-      now += 100;  // ten a second
+      now += 100;  // 10 per second
       player.tick();
       const int next = twin.next();
       if (next >= 0 && (expected.empty() ? next != round.first : next != expected.back()))
@@ -92,7 +93,7 @@ void TestCinePlayer::theOrderIsThatOfATwin() {
   }
 }
 
-// However late the picture is, the next place is asked for once it is there, and no two at a time.
+// However late a picture is, the next position is requested once it is there, never two at a time.
 void TestCinePlayer::nothingRunsAheadOfDrawing() {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     Chance chance(seed);
@@ -135,7 +136,7 @@ void TestCinePlayer::anotherSpeedGoesOnFromThere() {
     now += 100;
     player.tick();
   }
-  QCOMPARE(what.at, 6);  // 9 and three back
+  QCOMPARE(what.at, 6);  // 9 minus three steps back
   round.rate = 20;
   player.setRound(round);
   for (const int expected : {5, 4, 3}) {

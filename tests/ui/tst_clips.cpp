@@ -1,4 +1,4 @@
-// Guards slices.md 2 in the window: the frames of clips, scrolled and played.
+// Guards slices.md 2 in the window: frames of clips are scrolled and played.
 #include <QElapsedTimer>
 #include <QMimeData>
 #include <QTreeWidgetItemIterator>
@@ -60,15 +60,15 @@ void TestClips::theScrollToolGoesThroughFrames() {
   QCOMPARE(w.look().frame, 0);
 }
 
-// 33 frames a second; frames are dropped rather than time, so that the clock says which one is on screen.
+// Plays 33 frames a second. Frames are dropped rather than time, so the clock determines the frame on screen.
 void TestClips::aClipIsPlayedByTheClock() {
   NEED_FILES();
   Frames w({clipFile});
   QVERIFY(w.shows());
   std::set<int> seen;
-  int last = 0, came = 0;  // frames forward, the rounds before included
+  int last = 0, came = 0;  // frames advanced, with earlier rounds
   const int steps = w.session().undoStack().count();
-  // Before the player's own, so that what is due by it is never a frame behind what is shown.
+  // Starts before the player's clock, so that the due frame is never behind the shown one.
   QElapsedTimer clock;
   clock.start();
   QTest::keyClick(w.view(), Qt::Key_C);
@@ -85,7 +85,7 @@ void TestClips::aClipIsPlayedByTheClock() {
   const double due = cineRate(seriesIn(w.workspace(), axialViewId)->cine) * double(clock.elapsed()) / 1000;
   QTest::keyClick(w.view(), Qt::Key_C);
   QVERIFY(!qobject_cast<FrameView*>(w.view())->isPlaying());
-  // Half a second late at most on a machine that is busy with other tests.
+  // Allows half a second of delay on a machine that is busy with other tests.
   QVERIFY2(came <= due + 1 && came >= due - 17,
            qPrintable(QStringLiteral("%1 are due, %2 came").arg(due).arg(came)));
   QCOMPARE(w.session().undoStack().count(), steps + 1);
@@ -105,7 +105,7 @@ void TestClips::playingEndsWithAScroll() {
   QCOMPARE(w.look().frame, shown - 1);
 }
 
-// By what is no scroll of the view: it is what is seen, and playing writes nothing over it.
+// If something other than a scroll chooses a frame, that frame is shown and playback does not overwrite it.
 void TestClips::playingEndsWhereAnotherFrameIsWanted() {
   NEED_FILES();
   Frames w({clipFile});
@@ -120,7 +120,7 @@ void TestClips::playingEndsWhereAnotherFrameIsWanted() {
   QCOMPARE(w.session().undoStack().count(), steps + 1);
 }
 
-// It has no place in the patient, so that no view has a line of it.
+// A clip has no position in the patient, so no view draws a line of it.
 void TestClips::aClipPaintsNoOtherView() {
   NEED_FILES();
   struct Paints : QObject {
@@ -137,7 +137,7 @@ void TestClips::aClipPaintsNoOtherView() {
   w.session().setFocus(firstComparedId);
   FlatView* beside = w.view(firstComparedId + 1);
   QVERIFY(beside && beside->isVisible());
-  QTest::qWait(200);  // until all is painted
+  QTest::qWait(200);  // until all views are painted
   beside->installEventFilter(&paints);
   QSignalSpy came(w.view(firstComparedId), &FlatView::settled);
   QTest::keyClick(w.view(firstComparedId), Qt::Key_C);

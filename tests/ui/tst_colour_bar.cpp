@@ -1,6 +1,5 @@
-// Guards the colour bar of slices: the window of what lies over them is one of its own, whose ends are
-// dragged at the bar or typed there, one step; and the window that PET begins with. Real mouse and key
-// events.
+// Guards the colour bar of slices. The overlay has a separate window whose ends are dragged at the bar or
+// typed there, in one undo step. Also guards the initial window of PET. Real mouse and key events.
 #include <QLineEdit>
 
 #include "tests/ui/measure_window.h"
@@ -14,7 +13,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// 7 SUVbw, in Bq/ml.
+// 7 SUVbw in Bq/ml.
 constexpr double sevenSuv = 7 / 0.005;
 
 // A PET over a CT.
@@ -27,13 +26,13 @@ struct FusedWindow : MeasureWindow {
     session().endGesture();
   }
   QRectF bar() { return colourBarRect(view()->rect()); }
-  // Whole pixels, as the mouse has them.
+  // Positions are whole pixels, like the mouse's.
   QPointF top() { return QPointF(bar().center().x(), bar().top() + 1).toPoint(); }
   QPointF bottom() { return QPointF(bar().center().x(), bar().bottom() - 1).toPoint(); }
   SeriesState stateOf(const LoadedSeriesPtr& series) {
     return session().workspace().series.at(keyOf(series->series));
   }
-  // Of what is drawn over the CT.
+  // Returns the window ends of the overlay over the CT.
   WindowEnds ends() { return endsOf(overlayWindow(stateOf(pet), *pet)); }
   int steps() { return session().undoStack().index(); }
 };

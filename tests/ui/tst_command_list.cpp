@@ -1,5 +1,5 @@
-// Guards the searchable list of commands: all of them with menus and keys, found by words, done by Enter or a
-// click, without a mouse; what cannot be done is grey and does nothing.
+// Guards the searchable list of commands. All are listed with menus and keys, found by words, and done by
+// Enter or a click, without a mouse. Unavailable commands are grey and do nothing.
 #include <QLineEdit>
 #include <QMenu>
 #include <QPointer>
@@ -28,7 +28,7 @@ struct CommandWindow : MeasureWindow {
   QLineEdit* search() { return child<QLineEdit>("commandSearch"); }
   QTreeWidget* rows() { return child<QTreeWidget>("commandRows"); }
   QTreeWidgetItem* row(int n) { return rows()->topLevelItem(n); }
-  // Text, path and keys of a row; empty: there is none.
+  // Returns text, path and keys of a row; empty if there is no such row.
   QStringList texts(int n) {
     const QTreeWidgetItem* item = row(n);
     return item ? QStringList{item->text(0), item->text(1), item->text(2)} : QStringList();
@@ -288,7 +288,7 @@ void TestCommandList::aProtocolIsFoundByItsName() {
   QTRY_COMPARE(w.session().undoStack().undoText(), QStringLiteral("Hang as Mammograms, CC"));
 }
 
-// The menu is filled again once it is known which of the files are still there.
+// The menu is rebuilt once it is known which files still exist.
 void TestCommandList::whatWasOpenedIsFoundThoughItsMenuIsFilledAgain() {
   const QTemporaryDir folder;
   CommandWindow w;
@@ -326,7 +326,7 @@ void TestCommandList::otherWordsFindIt_data() {
   row("settings", "Preferences...");
 }
 
-// The first that can be chosen, as Enter does.
+// Compares the first available command, as Enter does it.
 void TestCommandList::otherWordsFindIt() {
   QFETCH(QString, typed);
   QFETCH(QString, found);

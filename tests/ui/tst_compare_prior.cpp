@@ -1,5 +1,5 @@
-// Guards priors in the window: the same series of an earlier day stands beside, in one step, and all that is
-// missing comes while one scrolls; a study that is only listed is opened for it. Real events.
+// Guards priors in the window. The same series of an earlier date opens beside, in one undo step, and what is
+// missing is loaded while the user scrolls. A study that is only listed is opened for it. Real events.
 #include <QDir>
 #include <QFile>
 #include <QLabel>
@@ -18,7 +18,7 @@ namespace {
 
 using Edit = std::function<void(DicomSeriesTags&)>;
 
-// Studies of these days, a folder each, all of them in an index.
+// Studies of these dates, a folder each, all in one index.
 struct ListedDays {
   QTemporaryDir folder;
   const QStringList days;
@@ -38,7 +38,7 @@ struct ListedDays {
     Result<Index> index = Index::open(home.toStdString());
     return index && index->import({folder.filePath(QStringLiteral("data")).toStdString()});
   }
-  // What the index says of when they were opened, together.
+  // Returns when studies were opened, from the index, joined.
   std::string opened() const {
     std::string all;
     const Result<Index> index = Index::open(home.toStdString());
@@ -55,7 +55,7 @@ struct ListedDays {
   }
 };
 
-// With some of them open.
+// A window with some of the listed studies open.
 struct ListedWindow : HangingWindow {
   ListedWindow(const ListedDays& all, const QStringList& opened)
       : HangingWindow(paths(all, opened), all.services()) {
@@ -182,7 +182,7 @@ void TestComparePrior::withoutAPriorThereIsASentence_data() {
       << QString() << true << QStringLiteral("No earlier study of this patient is open, and without");
 }
 
-// The earlier day is in the list where the patient has no ID, which could be anybody's.
+// The earlier study is in the list under a patient without an ID, which could be anybody's.
 void TestComparePrior::withoutAPriorThereIsASentence() {
   QFETCH(QString, patientId);
   QFETCH(bool, canBeAsked);
@@ -192,7 +192,7 @@ void TestComparePrior::withoutAPriorThereIsASentence() {
   const ListedDays all(days, [&](DicomSeriesTags& tags) { tags.patientId = patientId.toStdString(); });
   QVERIFY(canBeAsked ? all.write() : all.writeDays());
   if (!canBeAsked) {
-    QFile file(all.home);  // where the folder of the index would be
+    QFile file(all.home);  // blocks the folder of the index
     QVERIFY(file.open(QIODevice::WriteOnly));
   }
   ListedWindow w(all, {QStringLiteral("20260301")});
@@ -204,7 +204,7 @@ void TestComparePrior::withoutAPriorThereIsASentence() {
   QCOMPARE(w.window.document().open.volumes().size(), std::size_t(1));
 }
 
-// The latest, in one step; it stands among what is open.
+// The message disappears once an earlier study is open and shown.
 void TestComparePrior::thatThereIsNoneEndsOnceThereIsOne() {
   const ListedDays days({QStringLiteral("20260301"), QStringLiteral("20240215")});
   QVERIFY(days.writeDays());
@@ -220,6 +220,7 @@ void TestComparePrior::thatThereIsNoneEndsOnceThereIsOne() {
   QVERIFY2(banner->isHidden(), "it is open and shown");
 }
 
+// The latest prior opens in one undo step and joins the open series.
 void TestComparePrior::aListedStudyIsOpenedForIt() {
   const ListedDays all({QStringLiteral("20260301"), QStringLiteral("20240215"), QStringLiteral("20220215")});
   QVERIFY(all.write());
@@ -233,12 +234,12 @@ void TestComparePrior::aListedStudyIsOpenedForIt() {
   QCOMPARE(w.workspace().focus, firstCell);
   QCOMPARE(w.session().undoStack().count(), steps + 1);
   QCOMPARE(w.window.document().open.volumes().size(), std::size_t(2));
-  QCOMPARE(all.opened(), std::string());  // nobody opened it
+  QCOMPARE(all.opened(), std::string());  // its opening is not recorded
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.workspace().views == before.views && w.workspace().layout == before.layout);
 }
 
-// What is open is shown at once, and not exchanged by itself.
+// The open prior is shown at once and not replaced automatically by a later one.
 void TestComparePrior::aLaterOneThatIsListedIsTold() {
   const ListedDays all({QStringLiteral("20260301"), QStringLiteral("20250215"), QStringLiteral("20220215")});
   QVERIFY(all.write());
@@ -281,7 +282,7 @@ void TestComparePrior::filesThatAreGoneAreTold() {
   QVERIFY(w.workspace().views == before);
 }
 
-// And it is told that there is a later one.
+// A message says that there is a later one.
 void TestComparePrior::anOlderOneStandsForWhatIsGone() {
   const ListedDays all({QStringLiteral("20260301"), QStringLiteral("20240215"), QStringLiteral("20220215")});
   QVERIFY(all.write());
@@ -305,7 +306,7 @@ void TestComparePrior::filesOfOthersAreNotCompared_data() {
   row("no day", [](DicomSeriesTags& tags) { tags.studyDate = ""; });
 }
 
-// They stand where those of the earlier study were, by the same names.
+// The files are where those of the earlier study were, with the same names.
 void TestComparePrior::filesOfOthersAreNotCompared() {
   QFETCH(Edit, edit);
   const Edit known = [](DicomSeriesTags& tags) { tags.patientBirthDate = "19700102", tags.patientSex = "F"; };
@@ -330,7 +331,7 @@ void TestComparePrior::filesOfOthersAreNotCompared() {
   QCOMPARE(w.window.document().open.volumes().size(), std::size_t(1));
 }
 
-// Knees beside a head, of five days: three are looked into.
+// Five studies of knees beside a head: three are examined.
 void TestComparePrior::whatIsNotAlikeIsNotListed() {
   const ListedDays all(
       {QStringLiteral("20260301"), QStringLiteral("20250215"), QStringLiteral("20240215"),
@@ -349,7 +350,7 @@ void TestComparePrior::whatIsNotAlikeIsNotListed() {
   QCOMPARE(all.opened(), std::string());
 }
 
-// And it is told that a later one was passed over.
+// A message says that a later study was passed over.
 void TestComparePrior::whatSoundsLikeItComesFirst() {
   const ListedDays all({QStringLiteral("20260301"), QStringLiteral("20250215"), QStringLiteral("20240215")},
                        [](DicomSeriesTags& tags) {
@@ -365,7 +366,7 @@ void TestComparePrior::whatSoundsLikeItComesFirst() {
   QVERIFY2(w.complaint().startsWith(QStringLiteral("A later study")), qPrintable(w.complaint()));
 }
 
-// Once the study was asked for.
+// Failures of other studies do not matter once the study was requested.
 void TestComparePrior::failuresOfOthersDoNotMatter() {
   const ListedDays all({QStringLiteral("20260301"), QStringLiteral("20240215")});
   QVERIFY(all.write());

@@ -1,4 +1,4 @@
-// Guards the tool of connected parts, in slices and in 3D: what a click adds, keeps and removes, one undo
+// Guards the connected component tool in slices and in 3D: what a click adds, keeps and removes, one undo
 // step each.
 #include <QComboBox>
 
@@ -15,7 +15,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// The part of a mask at which a place is.
+// Returns the connected component of a mask at a position.
 BitMask partAt(const BitMask& mask, glm::dvec3 p) {
   const glm::ivec3 seed(glm::round(mask.geometry().voxelFromPatient(p)));
   return connected(mask, std::span(&seed, 1), Neighbours::faces);
@@ -23,7 +23,8 @@ BitMask partAt(const BitMask& mask, glm::dvec3 p) {
 
 constexpr glm::dvec3 inAir(18, -18, 12);
 
-// Two balls of 1000 (radius 6, 8 mm before and behind the middle) that a rod of radius 1.5 joins; else 0.
+// Two balls of 1000 (radius 6, centres 8 mm to either side of the origin along x), joined by a rod of radius
+// 1.5. The rest is 0.
 constexpr glm::dvec3 inLeftBall(-8, 0, 0), inRightBall(8, 0, 0), inRod(0.5, 0.5, 0.5);
 constexpr double widerThanRod = 2;  // mm
 LoadedSeriesPtr joinedBalls() {
@@ -39,12 +40,12 @@ LoadedSeriesPtr joinedBalls() {
 bool isIn(const BitMask& mask, glm::dvec3 p) {
   return mask.at(glm::ivec3(glm::round(mask.geometry().voxelFromPatient(p))));
 }
-// By the kernel.
+// Returns the left ball as the kernel separates it.
 BitMask leftBall(const BitMask& both) {
   const glm::ivec3 seed(glm::round(both.geometry().voxelFromPatient(inLeftBall)));
   return connectedBeyond(both, std::span(&seed, 1), Neighbours::faces, widerThanRod);
 }
-// As by hand: with the keys, and Return.
+// Types a value and presses Return.
 void typeInto(QDoubleSpinBox* field, double value) {
   field->selectAll();
   QTest::keyClicks(field, QLocale().toString(value));
@@ -88,7 +89,7 @@ void TestConnectedPart::aClickTakesTheConnectedPart() {
   QCOMPARE(w.voxels(1), voxelsWhere(isSmall));
   QVERIFY(w.segment(0).range == (ValueRange{800, 1200}));
   const Workspace one = w.workspace();
-  // A second one is added to it; the tool is still in hand.
+  // A second component is added. The tool stays active.
   at = w.showPlace(inShell);
   QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
   QVERIFY(w.idle());
@@ -176,7 +177,7 @@ void TestConnectedPart::aClickBesideSaysWhyThereIsNone() {
   QVERIFY(w.workspace() == before);
 }
 
-// The ball is all that there is above 500.
+// The ball is all there is above 500.
 void TestConnectedPart::aClickInThreeDTakesWhatIsSeen() {
   SurfaceWindow w;
   const auto idle = [&] { return QTest::qWaitFor([&] { return w.window.jobs().rows().empty(); }, longest); };

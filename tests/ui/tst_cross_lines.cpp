@@ -1,5 +1,5 @@
-// Guards where the lines of planes are taken hold of, so that a drag that means the picture moves no plane,
-// and that they can be hidden.
+// Guards where the lines of planes can be grabbed, so that a drag meant for the picture moves no plane. The
+// lines can be hidden.
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
@@ -17,7 +17,7 @@ struct Lines : MeasureWindow {
     const glm::dvec2 at = view()->plane()->pixelFromPatient(cursor()) / view()->devicePixelRatioF();
     return {at.x, at.y};
   }
-  // On the upright line, so far below the crossing, in shares of the view's height.
+  // Returns a pixel on the upright line, `share` of the view's height below the crossing.
   QPoint below(double share) { return (crossing() + QPointF(0, share * view()->height())).toPoint(); }
 };
 
@@ -45,7 +45,7 @@ void TestCrossLines::onlyOuterPartsAreTakenHoldOf_data() {
   QTest::newRow("near the edge") << 0.45 << true;
 }
 
-// The crosshair is in the middle of the view: what its lines do not take is the window's.
+// The crosshair is in the middle of the view. Drags that miss its lines adjust the window.
 void TestCrossLines::onlyOuterPartsAreTakenHoldOf() {
   QFETCH(double, share);
   QFETCH(bool, isMoved);
@@ -79,7 +79,7 @@ void TestCrossLines::theCrosshairToolTakesAllOfThem() {
   Lines w;
   w.child<QAction>("crosshairTool")->trigger();
   const glm::dvec3 before = w.cursor();
-  const QPoint on = (w.crossing() + QPointF(0, 23)).toPoint();  // where other tools take hold of none
+  const QPoint on = (w.crossing() + QPointF(0, 23)).toPoint();  // where other tools grab no line
   drag(w.view(), on, on + QPoint(30, 12));
   const glm::dvec3 moved = w.cursor() - before;
   QVERIFY(moved.x != 0);
@@ -111,7 +111,7 @@ void TestCrossLines::hidingIsKept() {
   QVERIFY(!w.child<QAction>("crosshairLines")->isChecked());
 }
 
-// In 3D it does the same, and the workspace stays.
+// In 3D the key does the same and leaves the workspace unchanged.
 void TestCrossLines::theKeyMeansNothingElse() {
   Lines w;
   w.session().setFocus(sceneViewId);

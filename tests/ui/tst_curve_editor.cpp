@@ -13,7 +13,7 @@ using namespace volumen;
 
 namespace {
 
-// A CT-like curve of three points over -1000..3000 HU.
+// Returns a CT-like curve of three points over -1000..3000 HU.
 TransferFunction threePoints() {
   TransferFunction curve;
   curve.points = {{0, {1, 0, 0}, 0.0}, {1000, {0, 1, 0}, 0.5}, {2000, {0, 0, 1}, 0.9}};
@@ -76,7 +76,7 @@ void TestCurveEditor::opacityAndPixelAreInverse() {
   const OpacityAxis axis{extinction ? OpacityScale::extinction : OpacityScale::linear, unitDistance, 200, 20};
   const double pixel = axis.pixelOf(opacity);
   QVERIFY(pixel <= 200 && pixel >= 20);
-  // Rounding only: the mapping is exact in real numbers.
+  // Only rounding remains, because the mapping is exact in real numbers.
   QVERIFY(std::abs(axis.opacityAt(pixel) - opacity) < 1e-9);
 }
 
@@ -135,7 +135,7 @@ void TestCurveEditor::dragMovesAPoint() {
   QCOMPARE(shown.edits.count(), 4);
   QCOMPARE(shown.gestures.count(), 1);
   QCOMPARE(e.selected(), 1);
-  // A pixel of rounding of the press and the release.
+  // The press and the release are rounded to pixels.
   const CurvePoint moved = e.curve().points[1];
   QVERIFY(std::abs(moved.value - (1000 + 30 * e.valueAxis().valuesPerPixel())) <
           1.01 * e.valueAxis().valuesPerPixel());
@@ -166,7 +166,7 @@ void TestCurveEditor::dragSetsASmallExtinction() {
   const QPointF to(e.positionOf(0).x() + 4, e.opacityAxis().pixelOf(opacityFromExtinction(0.002, 1)));
   tests::drag(&e, e.positionOf(0), to);
   const double extinction = extinctionPerMm(e.curve().points[0].opacity, 1);
-  // One pixel is a factor of about 1.06 here; two pixels of rounding.
+  // One pixel is a factor of about 1.06 here. Two pixels of rounding are allowed.
   QVERIFY2(extinction > 0.002 / 1.15 && extinction < 0.002 * 1.15, qPrintable(QString::number(extinction)));
 }
 
@@ -193,7 +193,7 @@ void TestCurveEditor::rightClickAndDeleteRemove() {
   QCOMPARE(e.curve().points.size(), std::size_t(1));
   e.select(0);
   QTest::keyClick(&e, Qt::Key_Delete);
-  QCOMPARE(e.curve().points.size(), std::size_t(1));  // the last one stays
+  QCOMPARE(e.curve().points.size(), std::size_t(1));  // the last point stays
 }
 
 void TestCurveEditor::wheelZoomsAtTheCursor() {

@@ -1,5 +1,5 @@
-// Guards segments that are bound to a span of the curve, by real events: they follow when it is pulled, in
-// the same step of undo, give back what they took, and are let go once they are changed by hand.
+// Guards segments bound to a span of the curve, by real events. They follow the curve in the same undo step,
+// give back voxels they took, and are unbound once changed by hand.
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -98,7 +98,7 @@ void TestCurveFollowed::itFollowsWhileTheButtonIsHeld() {
   QVERIFY(w.workspace() == before);
 }
 
-// The core is another segment's until the curve reaches it, and again once it has left it.
+// The core belongs to another segment until the curve reaches it, and again once the curve has left it.
 void TestCurveFollowed::whatItTakesItGivesBack() {
   AxisWindow w;
   QVERIFY(w.makeBound(700));
@@ -179,7 +179,7 @@ void TestCurveFollowed::whatIsChangedByHandIsLetGo() {
   const int steps = w.steps();
   w.pull(0, 560);
   QVERIFY(w.idle());
-  QCOMPARE(w.steps(), steps + 1);  // of the curve
+  QCOMPARE(w.steps(), steps + 1);  // step of the curve
   QVERIFY(*w.map() == changed);
   w.undo();
   w.undo();
@@ -188,14 +188,14 @@ void TestCurveFollowed::whatIsChangedByHandIsLetGo() {
   QVERIFY(w.current().span && box->isChecked() && isItalic(w));
 }
 
-// What takes no voxel of it leaves it bound.
+// A change that takes no voxel of a segment leaves it bound.
 void TestCurveFollowed::anotherOneMayBeChanged() {
   AxisWindow w;
   QVERIFY(w.makeBound(700));
   QVERIFY(w.make(450, 550));
   QVERIFY(w.step("shrink"));
   QVERIFY((w.segment(0).span == CurveSpan{0, 1}));
-  QVERIFY(w.make(900, 1100, "segmentReplace"));  // the second takes all of the first
+  QVERIFY(w.make(900, 1100, "segmentReplace"));  // the second takes all voxels of the first
   QCOMPARE(w.voxels(1), 0);
   QVERIFY(!w.segment(0).span);
 }
@@ -237,7 +237,7 @@ void TestCurveFollowed::undoneMeanwhileItStays() {
   QVERIFY(w.makeBound(300));
   const Workspace before = w.workspace();
   w.pull(0, 560);
-  w.undo();  // before the job is back
+  w.undo();  // before the job is done
   QVERIFY(w.workspace() == before);
   QVERIFY(w.idle());
   QCoreApplication::processEvents();
@@ -251,7 +251,7 @@ void TestCurveFollowed::whatIsDoneMeanwhileIsWaitedFor_data() {
     QTest::newRow(act) << act;
 }
 
-// The curve was pulled just before; the job is back while the stroke is being drawn.
+// The curve was moved just before, and its job ends while the stroke is being drawn.
 void TestCurveFollowed::whatIsDoneMeanwhileIsWaitedFor() {
   QFETCH(QString, act);
   const bool isGivenUp = act.endsWith(QStringLiteral("given up"));

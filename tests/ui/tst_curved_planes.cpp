@@ -1,5 +1,5 @@
-// Guards curved planes in the window: a curve is drawn across slices, laid out beside them, scrolled,
-// measured, undone and kept in sessions; what cannot be laid out is told.
+// Guards curved planes in the window. A curve is drawn across slices, laid out beside them, scrolled,
+// measured, undone and kept in sessions. A curve that cannot be laid out is reported.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -76,13 +76,13 @@ void TestCurvedPlanes::aDoubleClickEndsIt() {
   QTest::mouseDClick(w.view(axialViewId), Qt::LeftButton, {}, last);
   QCOMPARE(w.workspace().measurements.size(), std::size_t(1));
   QCOMPARE(w.curve().shape.points.size(), std::size_t(3));
-  // Its number stands beside it, by its smooth length.
+  // Its number is the length of the smooth curve.
   const DrawnMeasurement drawn = w.view(axialViewId)->drawnMeasurements().front();
   QCOMPARE(drawn.text.value(0),
            shortNumberText(SmoothCurve::through(w.curve().shape.points)->length()) + QStringLiteral(" mm"));
 }
 
-// A slice shows handles of the points that lie in it, and these alone are dragged there.
+// A slice shows handles of the points that lie in it. Only these can be dragged there.
 void TestCurvedPlanes::itsPointsAreDraggedWhereTheyAreSeen() {
   const SessionFolder folder;
   CurveWindow w(folder);
@@ -127,7 +127,7 @@ void TestCurvedPlanes::itIsLaidOutInFourViews() {
   QCOMPARE(w.seriesAt(sections).unit, w.seriesAt(slices).unit);
   QVERIFY2(frameOfReference(w.seriesAt(stretched)) != frameOfReference(w.seriesAt(slices)),
            "a space of its own");
-  // Drawn in an axial slice it is stretched along the patient, from the right to the left.
+  // A curve drawn in an axial slice is stretched along the patient's axis, from right to left.
   const CurvedRecipe& recipe = w.seriesAt(stretched).curved->recipe;
   QVERIFY(glm::distance(recipe.ruled, dvec3(0, 0, 1)) < 1e-6);
   QVERIFY(recipe.points == curve.shape.points);
@@ -138,7 +138,7 @@ void TestCurvedPlanes::itIsLaidOutInFourViews() {
     QVERIFY(std::abs(g.spacing().x - 2) < 1e-9);
     QVERIFY(g == w.seriesAt(id).acquired);
   }
-  // No letter is true beside a curved plane, and what is not true of lengths is said.
+  // A curved plane has no orientation letters, and says for which lengths it is not true.
   for (const ViewId id : {straightened, stretched, sections}) {
     const Overlays over = w.view(id)->overlays();
     QVERIFY(over.left.isEmpty() && over.right.isEmpty() && over.top.isEmpty() && over.bottom.isEmpty());
@@ -168,16 +168,16 @@ void TestCurvedPlanes::scrollingItMovesTheSlices() {
   QVERIFY2(corner.contains(shortNumberText(std::round(10 * std::abs(after.z)) / 10) +
                            QStringLiteral(" mm along the curve")),
            qPrintable(corner));
-  // The place in the patient, and the other plane of the same curve.
+  // The other views follow: the slices in the patient, and the other plane of the same curve.
   const dvec3 inPatient = w.grid(sections).patientFromCurved(after);
   QVERIFY(glm::distance(w.crosshair(slices).at, inPatient) < 1e-9);
   QVERIFY(glm::distance(w.crosshair(stretched).at, w.grid(stretched).curvedFromPatient(inPatient)) < 1e-9);
-  // And back: a place of the slices is the nearest of the curve.
+  // In reverse, a position in the slices moves to the nearest one on the curve.
   wheel(w.view(slices), 1);
   const dvec3 moved = w.crosshair(slices).at;
   QVERIFY(glm::distance(moved, inPatient) > 1);
   QVERIFY(glm::distance(w.crosshair(sections).at, w.grid(sections).curvedFromPatient(moved)) < 1e-9);
-  // Not where positions are not linked.
+  // Nothing follows if positions are not linked.
   w.session().change(QStringLiteral("Unlink"), withScrollLinked(w.workspace(), false));
   wheel(w.view(sections), -1);
   QVERIFY(w.crosshair(slices).at == moved);
@@ -188,7 +188,7 @@ void TestCurvedPlanes::anotherWidth() {
   CurveWindow w(folder);
   w.drawCurve(arch);
   QVERIFY(w.showCurve());
-  QCOMPARE(w.loaded(sections)->volume->size().x, 25);  // 2 x 25 mm, of 2 mm
+  QCOMPARE(w.loaded(sections)->volume->size().x, 25);  // 2 x 25 mm, in steps of 2 mm
   const std::size_t known = w.workspace().series.size();
   QVERIFY(w.showCurve("showCurvedPlane20"));
   QCOMPARE(w.loaded(sections)->volume->size().x, 11);
@@ -211,7 +211,7 @@ void TestCurvedPlanes::undoneAndDoneAgain() {
   QVERIFY(QTest::qWaitFor([&] { return w.isShown(); }, longest));
 }
 
-// What was not yet there when it was undone does not come afterwards.
+// A volume that was not ready at the undo does not appear afterwards.
 void TestCurvedPlanes::undoneWhileItIsMade() {
   const SessionFolder folder;
   CurveWindow w(folder);
@@ -231,7 +231,7 @@ void TestCurvedPlanes::aSessionBringsItBack() {
   w.drawCurve(arch);
   QVERIFY(w.showCurve());
   wheel(w.view(sections), -2);
-  w.session().select(0);  // in no session
+  w.session().select(0);  // stored in no session
   const Workspace saved = w.workspace();
   QVERIFY(folder.save(w));
   Journey another({folder.at("s.volumen")});

@@ -1,5 +1,5 @@
-// Guards that curved planes say only what is true of the patient: lengths, values, what was taken away, and
-// nothing that outlives its series or leaves as a segment.
+// Guards that curved planes state only what is true of the patient: lengths, values and masking. No curved
+// plane outlives its series or is exported as a segment.
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -41,9 +41,9 @@ void TestCurvedTruth::lengthsAlongItAreTrue_data() {
   QTest::newRow("out of its plane, drawn from left to right") << true << true;
 }
 
-// The drawn curve as it is seen in the stretched plane is as long there as in the patient, and both planes
-// tell its place by its length from the patient's right. The bounds: a pixel at either end and the chords of
-// 4 mm between clicks; the last digit; and what lies between two cross-sections, 2 mm apart.
+// The drawn curve is as long in the stretched plane as in the patient. Both planes give a position by its
+// length from the patient's right. The bounds are a pixel at either end, the chords of 4 mm between clicks,
+// the last digit, and the 2 mm between cross-sections.
 void TestCurvedTruth::lengthsAlongItAreTrue() {
   QFETCH(bool, leavesItsPlane);
   QFETCH(bool, fromTheLeft);
@@ -65,7 +65,7 @@ void TestCurvedTruth::lengthsAlongItAreTrue() {
   const double mm = measure(m.shape, *w.loaded(stretched)->volume, "HU")->number;
   QVERIFY2(std::abs(mm - 40) < 2 * w.view(stretched)->plane()->mmPerPixel + 0.8,
            qPrintable(QString::number(mm)));
-  // Scrolled along it.
+  // Scrolls along the curve.
   const auto told = [&](ViewId id) {
     static const QRegularExpression number(QStringLiteral("([0-9.,]+) mm along the curve"));
     const auto found = number.match(w.view(id)->overlays().topRight.join(QLatin1Char('\n')));
@@ -82,7 +82,7 @@ void TestCurvedTruth::lengthsAlongItAreTrue() {
   QVERIFY(leavesItsPlane ? number - x > 2 : std::abs(number - x) < 0.5);
 }
 
-// The direction of a line is that of the slices it was drawn in, also where cross-sections are in focus by
+// A line keeps the direction of the slices in which it was drawn, even if cross-sections are in focus by
 // then.
 void TestCurvedTruth::anotherWidthOfALine() {
   const SessionFolder folder;
@@ -115,7 +115,7 @@ void TestCurvedTruth::fromAMaximisedView() {
     QTRY_VERIFY_WITH_TIMEOUT(w.view(id)->isVisible(), longest);
 }
 
-// It is there along the curve: the volume as it was read is laid out.
+// Removed tissue is present along the curve, because the volume is laid out as it was read.
 void TestCurvedTruth::whatWasTakenAwayIsSaid() {
   const SessionFolder folder;
   CurveWindow w(folder);
@@ -134,7 +134,8 @@ void TestCurvedTruth::whatWasTakenAwayIsSaid() {
   QVERIFY(!isSaid(stretched) && !isSaid(sections));
 }
 
-// A cross-section of 100 mm is higher than the volume, of 48 mm: beyond it the status line has no number.
+// A cross-section of 100 mm is higher than the volume of 48 mm. Beyond the volume the status line has no
+// value.
 void TestCurvedTruth::outsideTheSeriesThereIsNoValue() {
   const SessionFolder folder;
   CurveWindow w(folder);
@@ -169,7 +170,7 @@ void TestCurvedTruth::itGoesWithItsSeriesUnlessMeasuredOn() {
   w.press("undo");
   QVERIFY(w.workspace().series == all.series);
   QVERIFY(QTest::qWaitFor([&] { return w.isShown(); }, longest));
-  // What was measured on stays.
+  // A curved plane with a measurement stays.
   const VolumePtr volume = w.loaded(stretched)->volume;
   addMeasurement(w.session(), keyOf(w.seriesAt(stretched)), {ShapeKind::probe, "", {{20, 0, 0}}, {}, {}, {}});
   w.session().close({source});
@@ -179,7 +180,7 @@ void TestCurvedTruth::itGoesWithItsSeriesUnlessMeasuredOn() {
   QVERIFY(w.loaded(stretched) && w.loaded(stretched)->volume == volume);
   const QString corner = w.view(stretched)->overlays().topRight.join(QLatin1Char('\n'));
   QVERIFY2(!corner.contains(QStringLiteral("earlier")), qPrintable(corner));
-  // Also from a session, which holds where its series is found.
+  // This also holds in a session, which stores the location of its series.
   const Workspace saved = w.workspace();
   QVERIFY(folder.save(w));
   Journey another({folder.at("s.volumen")});
@@ -189,7 +190,7 @@ void TestCurvedTruth::itGoesWithItsSeriesUnlessMeasuredOn() {
   QVERIFY(session.seriesOf(stretched)->volume->stored() == volume->stored());
 }
 
-// A segment would be saved at places of the patient, and measured in ml, that are not true.
+// A segment would be saved at wrong patient positions and measured in wrong millilitres.
 void TestCurvedTruth::nothingIsSegmentedOnIt() {
   const SessionFolder folder;
   CurveWindow w(folder);
@@ -205,7 +206,7 @@ void TestCurvedTruth::nothingIsSegmentedOnIt() {
   QVERIFY2(segment->toolTip().contains(QStringLiteral("segment the series that the curve was drawn in")),
            qPrintable(segment->toolTip()));
   QCOMPARE(segment->toolTip(), toolTipOf(result->text()));
-  // Nor where an earlier session holds one.
+  // This also holds if an earlier session has such a segment.
   const Volume& volume = *w.loaded(stretched)->volume;
   const auto labels = std::make_shared<const LabelMap>(
       withLabel(LabelMap(volume.geometry()), 1, voxelsInRange(volume, {0, 100})));

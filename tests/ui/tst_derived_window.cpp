@@ -1,4 +1,4 @@
-// Guards window.md "Open objects that refer to pictures": they are listed, and documents are read, by real
+// Guards window.md "Open objects that refer to pictures": they are listed, and documents are read. Real
 // events on real files.
 #include <QTextBrowser>
 
@@ -93,7 +93,7 @@ void TestDerivedWindow::aReportIsRead() {
     QVERIFY2(said.contains(QString::fromUtf8(part)), qPrintable(said));
   if (const QString shots = qEnvironmentVariable("VOLUMEN_SHOTS"); !shots.isEmpty())
     w.child<ReportDialog>("reportDialog")->grab().save(shots + QStringLiteral("/report.png"));
-  // By the keyboard, as a mouse would: to the first link, and on it.
+  // Follows the first link by the keyboard instead of the mouse.
   text->setFocus();
   QTest::keyClick(text, Qt::Key_Tab);
   QTest::keyClick(text, Qt::Key_Return);
@@ -114,7 +114,7 @@ void TestDerivedWindow::aReportSaysWhatIsNotHere() {
   QVERIFY(!text->toHtml().contains(QStringLiteral("href")));
 }
 
-// Also where the view shows pictures of another one.
+// The patient's name is shown even if the view shows pictures of another patient.
 void TestDerivedWindow::aReportNamesItsPatient() {
   NEED_REFERENCES();
   References2d w({"dicom-2d/sr-tid1500-groups-on-CT_small.dcm", "dicom-2d/sc-rgb-41.dcm", ct});

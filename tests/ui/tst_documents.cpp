@@ -1,5 +1,5 @@
-// Guards that the documents come with the program: Help opens them, and every link and picture in them leads
-// somewhere.
+// Guards that documents come with the program: Help opens them, and every link and picture in them has a
+// target.
 #include <QListWidget>
 #include <QTextBlock>
 #include <QTextBrowser>
@@ -25,7 +25,7 @@ QDialog* opened(tests::Journey& journey) {
   return journey.child<QDialog>("documents");
 }
 
-// What of the formats of a document's text has a property, as text.
+// Returns the values of a property of the text formats in a document.
 QStringList inText(const QTextDocument& document, const std::function<QString(const QTextCharFormat&)>& of) {
   QStringList out;
   for (QTextBlock block = document.begin(); block.isValid(); block = block.next())

@@ -43,15 +43,15 @@ void TestDrafts::paceKeepsTheFrameTime() {
   for (int n = 0; n < 20; ++n) pace.measured(fullMs / (pace.factor() * pace.factor()));
   QCOMPARE(pace.factor(), factor);
   pace.measured(fullMs / (pace.factor() * pace.factor()));
-  QCOMPARE(pace.factor(), factor);  // and stays
+  QCOMPARE(pace.factor(), factor);  // stays there
 }
 
 void TestDrafts::aFirstPictureWhereTheRestTakesLong_data() {
   QTest::addColumn<double>("draftMs");
   QTest::addColumn<double>("factor");
   QTest::addColumn<int>("edge");
-  QTest::addColumn<double>("first");  // 0: none
-  // At rest a ray takes twice as long, by plain steps half, as long as nothing else is known.
+  QTest::addColumn<double>("first");  // 0 if there is none
+  // Until measured, a ray at rest is expected to take twice as long, and half as long with plain steps.
   QTest::newRow("the rest takes 2 s") << 20.0 << 7.0 << 1 << 1.0;
   QTest::newRow("the rest takes 0.16 s") << 1.7 << 7.0 << 1 << 1.0;
   QTest::newRow("the rest takes 0.14 s") << 1.4 << 7.0 << 1 << 0.0;
@@ -73,12 +73,12 @@ void TestDrafts::theRestIsExpectedAsItWas() {
   RestCost cost;
   QVERIFY(!cost.factorOfFirst(7, 1));
   cost.draftTook(10, 7);
-  cost.restTook(4900, 1);  // ten times as long a ray
+  cost.restTook(4900, 1);  // ten times as long per ray
   QCOMPARE(cost.expected(1), 4900.0);
   cost.draftTook(1.5, 7);
   QCOMPARE(cost.expected(1), 735.0);
   QCOMPARE(*cost.factorOfFirst(7, 1), 1.0);
-  cost.firstTook(600, 1);  // nearly as long: of fewer rays
+  cost.firstTook(600, 1);  // nearly as long, with fewer rays
   QCOMPARE(*cost.factorOfFirst(7, 1), 2.0);
 }
 
@@ -95,8 +95,8 @@ void TestDrafts::draftSeesWhatTheFullPictureSees() {
   QFETCH(double, factor);
   Camera camera;
   const DraftView view = draftView(camera, full, factor);
-  // Millimetres a draft pixel covers = factor times those of a full pixel, in both directions (pixels are
-  // square).
+  // A draft pixel covers `factor` times the millimetres of a full pixel in both directions, because pixels
+  // are square.
   const double fullMm = camera.height / full.height(), draftMm = view.camera.height / view.size.height();
   QVERIFY(std::abs(draftMm / fullMm - factor) < 1e-9);
   QVERIFY(view.size.width() * factor >= full.width() && view.size.height() * factor >= full.height());
@@ -134,7 +134,7 @@ void TestDrafts::draftsShowTheSegmentsOfThePictureAtRest() {
 }
 
 void TestDrafts::enlargingKeepsColours() {
-  // A horizontal ramp, linear: bilinear enlargement gives the ramp at the finer pixels.
+  // Bilinear enlargement of a linear horizontal ramp gives the ramp at the finer pixels.
   Picture picture{.size = {20, 10}, .transparent = false, .rgba = std::vector<float>(800, 1.0f)};
   for (int y = 0; y < 10; ++y)
     for (int x = 0; x < 20; ++x)
@@ -143,7 +143,7 @@ void TestDrafts::enlargingKeepsColours() {
   QCOMPARE(image.size(), QSize(78, 39));
   for (int x = 4; x < 74; ++x) {
     const double expected = ((x + 0.5 - 39) / 4 + 10) / 20;
-    QVERIFY(std::abs(qRed(image.pixel(x, 20)) - 255 * expected) <= 0.51);  // the rounding to bytes
+    QVERIFY(std::abs(qRed(image.pixel(x, 20)) - 255 * expected) <= 0.51);  // rounding to bytes
   }
 }
 
@@ -182,7 +182,7 @@ void TestDrafts::draftLooksLikeStandard() {
   const Result<Drawn> drawn = draw(draftScene, options, {});
   QVERIFY(drawn.ok());
   const QImage draft = enlarged(drawn->picture, factor, full), rest = toImage(standard->picture);
-  // design.md 2: means over blocks of 16 x 16 within 3/255 RMSE, mean colour within 1/255.
+  // design.md 2: means over blocks of 16 x 16 are within 3/255 RMSE, the mean colour within 1/255.
   constexpr int edge = draftPromise.blockEdge;
   double squares = 0, sum[3] = {};
   int blocks = 0;

@@ -1,4 +1,5 @@
-// Guards design.md 11: one scheduler; the view of the last gesture first, drafts before pictures at rest.
+// Guards design.md 11: one scheduler draws the view of the last gesture first, and drafts before pictures at
+// rest.
 #include "tests/unit/suite.h"
 #include "ui/controller/draw_schedule.h"
 
@@ -67,7 +68,8 @@ void TestDrawSchedule::whatIsDrawnNext() {
   QVERIFY(nextTurn(waiting) == turn);
 }
 
-// Four views from their drafts to rest: the drafts of all come first, and each step of the hand's first.
+// Draws four views from drafts to rest. The drafts of all views come first, and at each stage the view of the
+// last gesture.
 void TestDrawSchedule::allIsDrawnInTheEnd() {
   using enum Work;
   Waiting waiting{.views = {waits(0, draft), waits(1, draft), waits(2, draft), waits(3, draft)},

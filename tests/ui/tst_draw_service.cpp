@@ -79,7 +79,8 @@ void TestDrawService::thePictureAtRestIsPlannedWhileItWaits() {
   QCOMPARE(renderer.begun.load(), 1);
   w.service.request(0, greyScene(0.8), {64, 64});
   QTRY_COMPARE(renderer.plansCancelled.load(), 1);
-  // The draft of the new one is there; its picture at rest is being planned, the one before was never begun.
+  // The draft of the new scene is there. Its picture at rest is being planned, and the previous one was never
+  // begun.
   QTRY_COMPARE(renderer.plansBegun.load(), 4);
   QCOMPARE(renderer.begun.load(), 2);
   renderer.plansForEver = false;
@@ -141,7 +142,7 @@ void TestDrawService::anotherLevelOfTheSamePictureNeedsNoDraft() {
   QVERIFY2(w.pictures.front().draft(), "another picture comes as a draft first");
 }
 
-// 5 us a pixel: 1.5 s in full.
+// At 5 us a pixel the full picture takes 1.5 s.
 void TestDrawService::aLongPictureComesInThreeSteps() {
   SlowRenderer renderer;
   renderer.microsecondsPerPixel = 5;
@@ -198,7 +199,7 @@ void TestDrawService::aTrialWaitsForWhatIsAskedFor() {
   QTRY_VERIFY(w.atRest());
   QCOMPARE(renderer.cancelled.load(), 1);
   QVERIFY2(trials.isEmpty(), "what is looked at comes first");
-  // It was not forgotten.
+  // The trial is done afterwards.
   QTRY_COMPARE(trials.count(), 1);
   const auto trial = trials[0][0].value<Trial>();
   QCOMPARE(trial.number, number);

@@ -1,4 +1,4 @@
-// Guards what of measurements lies under the pointer and where their texts stand, without a window.
+// Guards which measurement is under the pointer and where measurement texts stand, without a window.
 #include <QImage>
 #include <QPainter>
 #include <glm/geometric.hpp>
@@ -55,7 +55,7 @@ class TestDrawnMeasurements : public QObject {
 
 void TestDrawnMeasurements::whatLiesUnderAPoint_data() {
   QTest::addColumn<QPointF>("at");
-  QTest::addColumn<int>("id");  // 0: none
+  QTest::addColumn<int>("id");  // 0 if there is none
   QTest::addColumn<int>("part");
   QTest::addColumn<int>("handle");
   const auto row = [](const char* name, QPointF at, int id, MeasurementPart part, int handle = 0) {
@@ -129,7 +129,7 @@ void TestDrawnMeasurements::manyTextsKeepApart() {
     }
 }
 
-// There is no place beside it; a number that is not seen would be worse.
+// There is no space beside the shape, but hiding the number would be worse.
 void TestDrawnMeasurements::whatFillsTheViewKeepsItsText() {
   std::vector<DrawnMeasurement> drawn{boxOf(1, {-10, -10, 500, 400}), boxOf(2, {500, 500, 10, 10})};
   placeTexts(drawn, area, {}, QFontMetricsF(pictureFont()));
@@ -142,8 +142,8 @@ void TestDrawnMeasurements::textsByChanceKeepApart_data() {
   for (quint64 seed = 1; seed <= 60; ++seed) QTest::addRow("seed %llu", seed) << seed;
 }
 
-// Ten texts of one to four lines cover less than a sixth of the area, each keeps the others off less than a
-// tenth: there is room for all, beside shapes or anywhere. The same again has the same places.
+// Ten texts of one to four lines cover less than a sixth of the area. Each keeps the others off less than a
+// tenth, so all have space, beside shapes or anywhere. Repeating it gives the same places.
 void TestDrawnMeasurements::textsByChanceKeepApart() {
   QFETCH(quint64, seed);
   Chance chance(seed);
@@ -153,7 +153,7 @@ void TestDrawnMeasurements::textsByChanceKeepApart() {
   const int count = 2 + chance.below(9);
   const QPointF about(chance.between(100, 1000), chance.between(100, 600));
   for (int n = 0; n < count; ++n) {
-    // Most of them in one heap.
+    // Most shapes are clustered.
     const QPointF at = chance.oneIn(4) ? QPointF(chance.between(20, 1100), chance.between(20, 700))
                                        : about + QPointF(chance.between(-40, 40), chance.between(-40, 40));
     const QSizeF size(chance.between(4, 90), chance.between(4, 70));
@@ -174,7 +174,7 @@ void TestDrawnMeasurements::textsByChanceKeepApart() {
   }
 }
 
-// A number that lies over another is better than none.
+// An overlapping number is better than none.
 void TestDrawnMeasurements::whatIsInTheWayIsFound_data() {
   QTest::addColumn<double>("largest");
   QTest::newRow("small ones") << 30.0;
@@ -182,7 +182,7 @@ void TestDrawnMeasurements::whatIsInTheWayIsFound_data() {
   QTest::newRow("far beyond it") << 1e7;
 }
 
-// Inside and outside of the area an index says what each rectangle by itself does.
+// Inside and outside the area an index agrees with a test of each rectangle.
 void TestDrawnMeasurements::whatIsInTheWayIsFound() {
   QFETCH(double, largest);
   Chance chance(11);
@@ -219,7 +219,7 @@ void TestDrawnMeasurements::aSmallViewHasALegend() {
   std::vector<DrawnMeasurement> drawn{lineOf(7, {{60, 60}, {120, 90}}), boxOf(8, {130, 100, 60, 40}),
                                       lineOf(9, {{80, 150}})};
   drawn[1].text << QStringLiteral("Mean 45.2, SD 3.1 HU") << QString(400, QLatin1Char('x'));
-  drawn[2].text.clear();  // it has none
+  drawn[2].text.clear();  // it has no text
   placeLegend(drawn, small, taken, metrics);
   QCOMPARE(drawn[0].letter, QStringLiteral("A"));
   QCOMPARE(drawn[1].letter, QStringLiteral("B"));
@@ -228,7 +228,7 @@ void TestDrawnMeasurements::aSmallViewHasALegend() {
   QVERIFY2(drawn[1].legend.startsWith(QStringLiteral("B  23.4 mm, Mean 45.2")), qPrintable(drawn[1].legend));
   QVERIFY2(metrics.horizontalAdvance(drawn[1].legend) <= small.width(), "what is too long is cut off");
   QVERIFY(!drawn[0].legendRect.intersects(drawn[1].legendRect));
-  // As low as what is taken allows, and nowhere else when shapes move.
+  // The legend is as low as other texts allow, and stays when shapes move.
   const QRectF first = drawn[0].legendRect;
   for (const std::size_t n : {0u, 1u}) {
     QVERIFY(small.contains(drawn[n].legendRect));
@@ -243,7 +243,7 @@ void TestDrawnMeasurements::aSmallViewHasALegend() {
   QVERIFY(drawn[0].textRect.width() < metrics.horizontalAdvance(QStringLiteral("23.4 mm")));
   for (const std::size_t n : {0u, 1u})
     for (const std::size_t k : {0u, 1u}) QVERIFY(!drawn[n].textRect.intersects(drawn[k].legendRect));
-  // Both are drawn.
+  // Letters and legends are drawn.
   QImage picture(260, 240, QImage::Format_RGB32);
   picture.fill(Qt::black);
   QPainter painter(&picture);

@@ -1,5 +1,5 @@
-// Guards that a view says what dropping does while a series is dragged over it, and no longer; and that it
-// takes nothing but series. Real drag events.
+// Guards that a view says what a drop does only while a series is dragged over it, and accepts nothing but
+// series. Real drag events.
 #include <QDragEnterEvent>
 #include <QDragLeaveEvent>
 #include <QMimeData>

@@ -1,5 +1,5 @@
-// Guards work that is kept: it moves aside whole or not at all, closing says where it cannot be kept, what is
-// restored counts as it was saved, and what is played is not written again and again.
+// Guards kept work. It is moved aside whole or not at all, and closing reports work that cannot be kept.
+// Restored work counts as it was saved, and playback is not saved over and over.
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -131,7 +131,7 @@ void TestEarlierWork::closingSaysWhatCannotBeKept() {
   QVERIFY(!w.window.isVisible());
 }
 
-// Aside, the names of its segments would be longer than a file system takes.
+// Moved aside, the names of its segments would be too long for a file system.
 void TestEarlierWork::segmentsMoveAsideWholeOrNotAtAll() {
   QVERIFY(QDir().mkpath(Autosave::folder()));
   const QString path =

@@ -1,5 +1,5 @@
-// Guards design.md 8: scenes are saved and opened, what was opened last is offered again, and what is not as
-// it seems stands on the picture.
+// Guards design.md 8: scenes are saved and opened, recent files are offered, and warnings such as missing
+// spacing stand on the picture.
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -63,7 +63,7 @@ void TestFilesOfTheWindow::aSceneIsSavedAndOpened() {
   w.child<QAction>("saveScene")->trigger();
   answer(w, "saveSceneDialog", at("scene.json"));
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(at("scene.json")), longest);
-  // The same from a picture of it.
+  // Opens the scene from a PNG of it, too.
   w.child<QAction>("snapshot")->trigger();
   answer(w, "snapshotDialog", at("scene.png"));
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(at("scene.png")), longest);
@@ -129,7 +129,7 @@ void TestFilesOfTheWindow::aSceneGivenAtTheStartIsShown() {
   QCOMPARE(w.window.view()->picture().pixel(0, 0), qRgb(0, 0, 255));
   w.after("undo");
   QVERIFY2(w.window.session().scene() == w.window.session().series()->firstScene, "one step back");
-  // Only the first series opened by it.
+  // The scene applies only to the first series that it opens.
   w.window.open({QStringLiteral("phantom:cube:16")});
   QTRY_VERIFY_WITH_TIMEOUT(w.window.windowTitle().contains(QStringLiteral("cube")), longest);
   QVERIFY(w.window.session().scene() == w.window.session().series()->firstScene);
@@ -157,7 +157,7 @@ void TestFilesOfTheWindow::recentFilesAreOffered() {
   QTest::mouseClick(buttons()[0], Qt::LeftButton);
   QVERIFY(w.settle());
   QVERIFY(w.window.windowTitle().contains(QStringLiteral("kept")));
-  // The same in the menu; cleared, it is empty here and in the settings.
+  // The menu lists the same files. Once cleared, it is empty here and in the settings.
   QAction* clear = w.child<QAction>("clearRecentMenu");
   auto* menu = qobject_cast<QMenu*>(clear->parent());
   QVERIFY(menu->actions()[0]->text() == kept && menu->actions()[0]->isEnabled());

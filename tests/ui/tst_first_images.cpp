@@ -1,5 +1,5 @@
-// Guards that there is something to look at while a series is being loaded: its middle slice, which scrolls,
-// gone once the views show the series or the load was given up.
+// Guards the first image while a series is being loaded: its middle slice, which scrolls. It disappears once
+// the views show the series or the load is cancelled.
 #include <QLineEdit>
 #include <QSemaphore>
 #include <QTemporaryDir>
@@ -17,10 +17,10 @@ using namespace volumen::tests;
 
 namespace {
 
-// A window whose loads end when they are let go.
+// A window whose loads end when the gate releases them.
 struct SlowLoads {
   QSemaphore gate;
-  std::atomic<int> came = 0;  // to the gate
+  std::atomic<int> came = 0;  // arrivals at the gate
   Journey w;
 
   explicit SlowLoads(const char* path) : SlowLoads(QString::fromStdString(dataPath(path))) {}
@@ -46,7 +46,7 @@ struct SlowLoads {
   }
   Session& session() { return w.window.session(); }
   Loader& loader() { return w.window.document().loader; }
-  // Lets it be loaded, and waits until it is seen; its key.
+  // Releases a load, waits until the series is on screen and returns its key.
   SeriesKey loaded() {
     gate.release(1);
     const auto isSeen = [&] { return flat() && !flat()->picture().isNull() && image()->isHidden(); };
@@ -55,7 +55,7 @@ struct SlowLoads {
   FlatView* flat() { return qobject_cast<FlatView*>(w.window.views()->viewShown()); }
 };
 
-// A CT of -1000 to 1000 HU from side to side, whose files have these windows.
+// Writes a CT of -1000 to 1000 HU from side to side whose files have these windows.
 Status writeCt(const QString& folder, const std::vector<Window>& windows) {
   VolumeParts parts;
   parts.geometry.size = {64, 64, 48};
@@ -108,7 +108,7 @@ void TestFirstImages::theMiddleSliceIsThereBeforeTheVolume() {
   QVERIFY(!s.w.window.session().series());
   QCOMPARE(s.image()->index(), 69);
   QCOMPARE(s.w.window.session().undoStack().count(), 0);
-  // The CT is 512 wide: its middle is body, its corner air.
+  // The CT is 512 pixels wide. Its middle is body, its corner air.
   const QImage& picture = s.image()->picture();
   QCOMPARE(picture.size(), s.image()->size() * s.image()->devicePixelRatioF());
   QVERIFY(qGray(picture.pixel(picture.width() / 2, picture.height() / 2)) > 0);
@@ -132,7 +132,7 @@ void TestFirstImages::theWindowIsThatOfTheVolume_data() {
   QTest::newRow("40 / 400 where files have none") << false;
 }
 
-// Nothing jumps as the volume comes.
+// The window does not jump when the volume arrives.
 void TestFirstImages::theWindowIsThatOfTheVolume() {
   QFETCH(bool, hasWindows);
   const QTemporaryDir folder;
@@ -152,8 +152,7 @@ void TestFirstImages::theWindowIsThatOfTheVolume() {
   QVERIFY(then.window == seen->window && then.function == seen->function && then.inverted == seen->inverted);
 }
 
-// Double-click on a study while nothing is open: the list does not hide it, and is there again where the load
-// is given up.
+// Double-clicking a study while nothing is open hides the study browser. It returns if the load is cancelled.
 void TestFirstImages::theListOfStudiesGivesWayToIt() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("ct"));
@@ -179,8 +178,8 @@ void TestFirstImages::theListOfStudiesGivesWayToIt() {
   QTRY_COMPARE_WITH_TIMEOUT(s.came.load(), 1, longest);
   s.loader().cancel();
   QTRY_VERIFY_WITH_TIMEOUT(browser->isVisible() && !s.image()->isVisible(), longest);
-  s.gate.release(1);  // what was given up ends
-  // The list may be filled again between the clicks, which then are none.
+  s.gate.release(1);  // lets the cancelled load end
+  // The list may be refilled between the two clicks, which then are no double-click.
   const auto opens = [&] {
     doubleClick();
     return QTest::qWaitFor([&] { return s.image()->isVisible(); }, 2000);
@@ -220,7 +219,8 @@ void TestFirstImages::itGoesWithTheLoad() {
   QVERIFY(s.image()->picture().isNull());
 }
 
-// Not over the one in focus, which shows something else; and it goes where the one that waits does.
+// The image lies not over the view in focus, which shows something else, but over the waiting view, and moves
+// with it.
 void TestFirstImages::itLiesOverTheViewThatWaits() {
   NEED_DATA(dataPath(chest));
   SlowLoads s(chest);
@@ -270,7 +270,7 @@ void TestFirstImages::whatIsShownAgainEndsTheLoad() {
   QTRY_VERIFY_WITH_TIMEOUT(s.image()->isHidden(), longest);
 }
 
-// Frames as acquired need no volume, and samples have no slices as acquired.
+// Frames need no volume, and samples have no acquired slices.
 void TestFirstImages::whatIsLoadedAtOnceHasNone() {
   NEED_FILES();
   Frames w({clipFile});
@@ -292,7 +292,7 @@ void TestFirstImages::whatIsDoneMeanwhileHolds() {
   QCOMPARE(s.session().workspace().layout, Layout::planes);
   const auto window = [&] { return s.session().workspace().series.at(key).window; };
   QTRY_COMPARE_WITH_TIMEOUT(window(), std::optional(Window{-600, 1500}), longest);
-  // From then on keys mean what is shown.
+  // From now on, keys act on the shown series.
   s.flat()->setFocus();
   QTest::keyClick(s.flat(), Qt::Key_0);
   QVERIFY(!window());
@@ -316,7 +316,7 @@ void TestFirstImages::noFieldHasTheKeysAtFirst() {
   QVERIFY(!qobject_cast<QLineEdit*>(s.w.window.focusWidget()));
   QVERIFY(s.appears());
   QVERIFY(!qobject_cast<QLineEdit*>(s.w.window.focusWidget()));
-  // Nor does one keep them that had them as something else was opened.
+  // A field that had the keyboard focus as something else was opened does not keep it.
   QVERIFY(!s.loaded().empty());
   s.w.child<QLineEdit>("studySearch")->setFocus();
   const QTemporaryDir other;

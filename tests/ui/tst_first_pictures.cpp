@@ -1,5 +1,5 @@
-// Guards design.md 8 and picture.md 8 on real series: what is opened is seen from where there is most to see,
-// in the way its modality is read.
+// Guards design.md 8 and picture.md 8 on real series: a series opens from the direction that shows most, and
+// as its modality is usually read.
 #include <QComboBox>
 #include <QLabel>
 
@@ -48,9 +48,9 @@ void TestFirstPictures::aSeriesOpensAsItIsRead() {
   NEED_DATA(data);
   Journey w({QString::fromStdString(data)});
   Session& session = w.window.session();
-  session.prefer([](Preferences& p) { p.tableIn3d = true; });  // else a second picture follows the first
+  session.prefer([](Preferences& p) { p.tableIn3d = true; });  // otherwise a second picture follows the first
   QTRY_VERIFY_WITH_TIMEOUT(!session.workspace().series.empty(), tests::longest);
-  // What opens as pictures has a 3D picture, too.
+  // A series that opens as frames has a 3D picture, too.
   if (QAction* asFrames = w.child<QAction>("showAsFrames"); asFrames->isChecked()) {
     asFrames->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(session.series() != nullptr, tests::longest);
@@ -67,7 +67,7 @@ void TestFirstPictures::aSeriesOpensAsItIsRead() {
   const bool pet = w.window.session().series()->series.modality == "PT";
   const QImage picture = w.window.view()->picture();
   QCOMPARE(qGray(picture.pixel(3, 3)), pet ? 255 : 0);
-  // Turned away, the reset brings the first view back.
+  // After a turn, the reset restores the first view.
   w.after("viewRight");
   w.after("resetView");
   QCOMPARE(nameOfView(), first);
@@ -87,11 +87,11 @@ void TestFirstPictures::theChestIsProjectedWindowedAndPointedAt() {
   auto* hover = w.child<QLabel>("hoverText");
   QVERIFY(hover);
   const auto valueAt = [&](QPoint at) {
-    tests::hover(view, QPointF(at) + QPointF(0.5, 0.5));  // where the pixel's ray goes
+    tests::hover(view, QPointF(at) + QPointF(0.5, 0.5));  // centre of the pixel's ray
     return hover->text().section(QLatin1Char(' '), 0, 0).toDouble();
   };
-  // Where the picture is bright nothing below the foot of the curve is seen.
-  const double foot = 152;  // of CT-Bones
+  // Where the picture is bright, no value below the foot of the curve is seen.
+  const double foot = 152;  // foot of CT-Bones
   int seen = 0;
   for (int y = 60; y < view->height() - 60; y += 20)
     for (int x = 60; x < view->width() - 60; x += 20)
@@ -119,7 +119,7 @@ void TestFirstPictures::theChestIsProjectedWindowedAndPointedAt() {
   QVERIFY(w.window.session().scene() == w.window.session().series()->firstScene);
   QCOMPARE(back.size(), first.size());
   QVERIFY(back == first);
-  if (!qEnvironmentVariableIsSet("VOLUMEN_SHOTS")) return;  // the README's picture
+  if (!qEnvironmentVariableIsSet("VOLUMEN_SHOTS")) return;  // saves the README's picture
   w.after([&] { w.window.resize(1440, 900); });
   w.after("layoutPlanes");
   QTest::qWait(500);

@@ -1,5 +1,5 @@
-// Guards design.md 8: a picture that takes long comes after a first one by plain steps; each is shown, after
-// a real drag.
+// Guards design.md 8: after a real drag, a slow picture is preceded by a first one of plain steps, and both
+// are shown.
 #include <QSignalSpy>
 #include <QThread>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int waitMs = 60000;  // ms, for a loaded machine
 
-// Pictures of one grey that take 6 us a pixel.
+// Draws pictures of one grey at 6 us per pixel.
 Draw slowDraw(const VoxelsPtr&) {
   const auto plan = [](const Scene& scene, const RenderOptions& options, const CancelToken&) {
     Planned planned;

@@ -1,5 +1,5 @@
-// Guards what a series opens as: the first view, its plane, and the number that it says; and that windows of
-// frames do not jump, and a layout stays with what it was chosen for. Real files in a real window.
+// Guards the first view of a series: its plane and its slice number. Windows do not jump between frames, and
+// a layout stays with the modality for which it was chosen. Real files in a real window.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -23,7 +23,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// With the layouts that a new user has.
+// Uses the default layouts of a new user.
 struct Usual {
   Usual() { openAlone(false); }
   ~Usual() { openAlone(); }
@@ -36,7 +36,7 @@ struct Opened : Usual, Journey {
   }
   Session& session() { return window.session(); }
   const Workspace& workspace() { return session().workspace(); }
-  // The first view on screen that is no 3D, once its picture is there.
+  // Returns the first flat view on screen once its picture is there.
   FlatView* first() {
     FlatView* found = nullptr;
     const auto isThere = [&] {
@@ -50,7 +50,7 @@ struct Opened : Usual, Journey {
   QStringList corner() { return first()->overlays().topRight; }
 };
 
-// What the data's lists say that it can be loaded, and all that lies in the folders without a list.
+// Returns all data sets listed as loadable, and the contents of folders without a list.
 std::set<std::string> studiesOfTheData() {
   std::set<std::string> paths;
   std::ifstream manifest(dataPath("MANIFEST.tsv"));
@@ -65,7 +65,7 @@ std::set<std::string> studiesOfTheData() {
   return paths;
 }
 
-// What a study opens as, by its headers: modality, layout or "pictures", plane, number.
+// Returns the first view of a study by its headers: modality, layout or "pictures", plane, number.
 QString firstView(const std::string& path) {
   Result<Study> study = openStudy(dataPath(path));
   if (!study) return QStringLiteral("nothing");
@@ -127,7 +127,7 @@ void TestFirstViews::seriesOpenAsAcquired_data() {
   add("dicom-2d/ct-two-windows.dcm", 1, "Frame 1 / 1", "");
   add("dicom-2d/us-cine-aspect-regions.dcm", 1, "", "");
   add("nifti-meta/HeadMRVolume.mhd", 4, "", "");
-  // To look at: with VOLUMEN_SHOTS set each study of the data is opened and photographed.
+  // With VOLUMEN_SHOTS set, opens each study of the data and takes a screenshot.
   if (!qEnvironmentVariableIsSet("VOLUMEN_SHOTS")) return;
   for (const std::string& path : studiesOfTheData())
     if (firstView(path) != QStringLiteral("nothing"))
@@ -160,7 +160,7 @@ void TestFirstViews::seriesOpenAsAcquired() {
   QVERIFY2(!corner[0].contains(QStringLiteral("reformatted")), "as acquired");
 }
 
-// tests/ui/first_views.tsv, by the headers alone. With VOLUMEN_FIGURES set it is printed anew.
+// Compares with tests/ui/first_views.tsv by headers alone. With VOLUMEN_FIGURES set, prints the table anew.
 void TestFirstViews::everyStudyOfTheDataHasItsFirstView() {
   const std::string data = dataPath("MANIFEST.tsv");
   NEED_DATA(data);
@@ -189,7 +189,7 @@ void TestFirstViews::whatIsNoVolumeForcesNoLayout() {
   QTRY_VERIFY_WITH_TIMEOUT(w.session().series() != nullptr, longest);
   QCOMPARE(w.workspace().layout, Layout::planes);
   QCOMPARE(int(viewsOnScreen(w.workspace()).size()), 4);
-  // What was chosen for CT is not what MR opens in.
+  // The layout chosen for CT does not apply to MR.
   w.child<QAction>("layoutBesidePlanes")->trigger();
   const std::string mr = dataPath("dicom-geometry/mr-mosaic-siemens");
   NEED_DATA(mr);
@@ -218,7 +218,7 @@ void TestFirstViews::acquiredSlicesOfAnObliqueSeriesAreMarked() {
   QCOMPARE(w.workspace().keyImages.size(), std::size_t(1));
   w.child<QAction>("alignPlanes")->trigger();
   QCOMPARE(w.corner()[0], QStringLiteral("Axial"));
-  // A slab is no picture as acquired.
+  // A slab is no acquired picture.
   wheel(view, 3, Qt::AltModifier);
   QVERIFY(flatLookOf(view->state()).slabMm > 0 && !view->pictureSeen().index);
 }

@@ -1,5 +1,5 @@
-// Guards what a hand sets of flat views in the window: interpolation, slab, the window typed in the corner,
-// and the clip box of the 3D scene seen and dragged in slices. Real mouse and key events.
+// Guards settings of flat views in the window: interpolation, slab, and the window typed in the corner. The
+// clip box of the 3D scene is seen and dragged in slices. Real mouse and key events.
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -20,7 +20,7 @@ namespace {
 struct FlatWindow : MeasureWindow {
   FlatLook look(ViewId id = axialViewId) { return flatLookOf(session().workspace().view(id)); }
   int steps() { return session().undoStack().index(); }
-  // A menu of View, open.
+  // Opens a submenu of View.
   QMenu* opened(const char* name) {
     auto* menu = child<QMenu>(name);
     menu->popup(window.mapToGlobal(QPoint(60, 60)));
@@ -31,7 +31,7 @@ struct FlatWindow : MeasureWindow {
     auto* entry = menu->findChild<QAction*>(QLatin1String(action));
     QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
   }
-  // Where the numbers of the window stand.
+  // Returns the position of the window's numbers.
   QPoint corner(ViewId id = axialViewId) {
     FlatView* v = view(id);
     const Overlays over = v->overlays();
@@ -153,7 +153,7 @@ void TestFlatControls::whatIsNoNumberStays() {
   }
 }
 
-// Four edges in each plane, where its faces are; none of the whole box, unless the panel is shown.
+// Each plane shows four edges at the box's faces. The whole box has none unless the panel is shown.
 void TestFlatControls::theClipBoxIsSeen() {
   FlatWindow w;
   QVERIFY(w.lines(false).empty());
@@ -168,7 +168,7 @@ void TestFlatControls::theClipBoxIsSeen() {
     for (const QPointF end : {line.line.p1(), line.line.p2()}) QVERIFY(std::abs(w.patient(end).x - x) < 1e-9);
   }
   QCOMPARE(found, 1);
-  // Where the slice lies outside the box nothing of it is seen.
+  // A slice outside the box shows no edges.
   w.session().edit(QStringLiteral("test"), [](Scene& s) { s.clip.boxHigh.z = 0.1; });
   QVERIFY(w.lines(false).empty());
 }
@@ -181,7 +181,7 @@ void TestFlatControls::aClipEdgeIsDragged() {
   const auto right = std::ranges::find_if(all, [](const ClipLine& l) { return l.axis == 0 && l.high; });
   QVERIFY(right != all.end());
   const int before = w.steps();
-  // Beside the crosshair's line, which lies in the middle.
+  // Starts beside the crosshair's line, which lies in the middle.
   const QPointF from = right->line.pointAt(0.3), to = from - QPointF(30, 0);
   drag(w.view(), from, to);
   const double moved = (w.patient(to).x - w.patient(from).x) / 32;
@@ -194,8 +194,8 @@ void TestFlatControls::aClipEdgeIsDragged() {
   QCOMPARE(w.clip().boxHigh.x, 0.75);
 }
 
-// The ball of 1000 HU in its middle slice: tinted inside, grey beside, and grey again when all is shown. The
-// segment itself is hidden.
+// The ball of 1000 HU in its middle slice is tinted inside, grey beside, and grey again when everything is
+// shown. The segment itself is hidden.
 void TestFlatControls::aSegmentIsTinted() {
   FlatWindow w;
   w.child<QDockWidget>("segmentDock")->raise();

@@ -1,5 +1,5 @@
-// Guards the panel of slices and frames: what it says of the view in focus, and that what is set there is set
-// in that view, one undo step a gesture. Real key events where something is typed.
+// Guards the panel of slices and frames. It describes the view in focus, and its settings change that view,
+// one undo step a gesture. Real key events for typed values.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
@@ -67,7 +67,7 @@ void TestFlatPanel::theWindowIsTyped_data() {
   const auto row = [](const char* name, const char* field, const char* text, double centre, double width) {
     QTest::newRow(name) << QByteArray(field) << QByteArray(text) << centre << width;
   };
-  // From 40 / 400: -160 to 240.
+  // Starts from 40 / 400, which is -160 to 240.
   row("centre", "flatCentre", "100", 100, 400);
   row("width", "flatWidth", "200", 40, 200);
   row("lowest", "flatLow", "0", 120, 240);
@@ -164,7 +164,7 @@ void TestFlatPanel::slabAndInterpolationAreSet() {
   QTest::mouseClick(smooth, Qt::LeftButton, {}, QPoint(8, smooth->height() / 2));
   QVERIFY(w.look().nearest && w.look(coronalViewId).nearest);
   QCOMPARE(w.steps(), steps + 3);
-  // Another view in focus, another slab.
+  // Another view in focus has another slab.
   QTest::mouseClick(w.view(coronalViewId), Qt::LeftButton, {}, {60, 60});
   QCOMPARE(w.shown("flatSlab"), 0.0);
 }
@@ -204,7 +204,7 @@ void TestFlatPanel::anOverlayHasWindowColoursAndOpacity() {
   QVERIFY(w.child<QDoubleSpinBox>("overlayHigh")->suffix() == QStringLiteral(" SUVbw"));
   const std::optional<Window> window = w.session().workspace().series.at(keyOf(pet->series)).window;
   QVERIFY(window);
-  // 1 to 6 SUVbw, inverted as PET is where it is seen by itself; 9 digits of a double are left.
+  // 1 to 6 SUVbw, inverted as PET is when shown alone. 9 digits of a double remain.
   QVERIFY(std::abs(window->centre - 700) < 1e-6 && std::abs(window->width + 1000) < 1e-6);
   QVERIFY2(!w.seriesState().window, "the window of the CT is another one");
   QCOMPARE(w.steps(), steps + 4);
@@ -234,7 +234,7 @@ void TestFlatPanel::framesHaveNoSlab() {
   for (const QString& text :
        {w.child<QCheckBox>("flatInterpolated")->text(), w.child<QAction>("interpolate")->text()})
     QCOMPARE(text, QStringLiteral("Interpolate between pixels"));
-  // Its own windows and LUTs, first of them the one in use.
+  // The frame's own windows and LUTs are listed, first the one in use.
   auto* choice = w.child<QComboBox>("flatWindowChoice");
   QStringList names;
   for (const FlatView::WindowChoice& each : w.view()->windows()) names << each.name;

@@ -1,5 +1,5 @@
-// Guards what a flat view shows of a volume: planes on acquired slices, a wheel that goes down the patient,
-// and planes that stay orthogonal however they are turned.
+// Guards what a flat view shows of a volume: planes on acquired slices, and a wheel that scrolls down the
+// patient. Planes stay orthogonal however they are turned.
 #include <cmath>
 
 #include "tests/unit/suite.h"
@@ -9,7 +9,7 @@ using namespace volumen;
 
 namespace {
 
-// 20 x 30 x 41 voxels of 0.5, 0.7, 2 mm somewhere in the patient.
+// Returns 20 x 30 x 41 voxels of 0.5, 0.7, 2 mm at some patient position.
 VoxelGeometry slab() {
   VoxelGeometry geometry;
   geometry.size = {20, 30, 41};
@@ -42,7 +42,7 @@ void TestFlatPlanes::planesLieOnAcquiredSlices() {
   const SlicePlane plane = flatPlane(view, {}, geometry, cursor, {300, 200});
   QCOMPARE(plane.size, glm::ivec2(300, 200));
   QVERIFY(std::abs(plane.centre.z - cursor.at.z) < 1e-9);
-  // 10 x 21 mm, the height in 200 pixels.
+  // 10 x 21 mm, with the height in 200 pixels.
   QVERIFY(std::abs(plane.mmPerPixel - 21.0 / 200) < 1e-9);
 }
 

@@ -1,5 +1,4 @@
-// Guards that what a left drag does in slices is chosen by buttons that are seen, one at a time, beside
-// measuring.
+// Guards that visible buttons, one at a time, choose what a left drag does in slices, beside measuring.
 #include <QToolBar>
 
 #include "tests/ui/measure_window.h"
@@ -69,13 +68,13 @@ void TestFlatTools::oneOfThemIsChosen() {
     QStringList names;
     for (const QAction* action : w.child<QToolBar>("tools")->actions())
       if (action->isChecked()) names << action->objectName();
-    names.removeAll(QStringLiteral("rotateTool"));  // of 3D
+    names.removeAll(QStringLiteral("rotateTool"));  // belongs to 3D
     return names.join(QLatin1Char(' '));
   };
   QCOMPARE(chosen(), QStringLiteral("windowTool"));
   w.child<QAction>("scrollTool")->trigger();
   QCOMPARE(chosen(), QStringLiteral("scrollTool"));
-  QTest::keyClick(w.view(), Qt::Key_D);  // a length
+  QTest::keyClick(w.view(), Qt::Key_D);  // takes the length tool
   QCOMPARE(chosen(), QString());
   QTest::keyClick(w.view(), Qt::Key_W);
   QCOMPARE(chosen(), QStringLiteral("windowTool"));
@@ -91,7 +90,7 @@ void TestFlatTools::keysChooseThem_data() {
   QTest::newRow("W") << int(Qt::Key_W) << QByteArray("window");
 }
 
-// In a slice; in 3D they do nothing.
+// The keys work in a slice and do nothing in 3D.
 void TestFlatTools::keysChooseThem() {
   QFETCH(int, key);
   QFETCH(QByteArray, tool);

@@ -1,5 +1,5 @@
-// Guards that everything is reached by keys: views by Tab, panels by F6, the menus of views by the Menu key;
-// that the tools that are lit are those of the view in focus, and that tool tips name keys.
+// Guards that everything is reached by keys: views by Tab, panels by F6, menus of views by the Menu key. The
+// highlighted tools are those of the view in focus, and tool tips name keys.
 #include <QDockWidget>
 #include <QMenu>
 #include <QToolBar>
@@ -22,7 +22,7 @@ struct Focus : MeasureWindow {
   }
   bool hasKeys(ViewId id) { return window.focusWidget() == window.views()->viewOf(id); }
   ViewId inFocus() { return session().workspace().focus; }
-  // The dock that has the keys; empty: the views do.
+  // Returns the dock that has the keyboard focus; empty if the views have it.
   QString part() {
     for (QDockWidget* dock : window.findChildren<QDockWidget*>())
       if (dock->isAncestorOf(window.focusWidget())) return dock->objectName();
@@ -209,11 +209,11 @@ void TestFocusKeys::toolTipsNameKeys() {
     }
   QVERIFY(named > 5);
   QCOMPARE(w.child<QAction>("lengthTool")->toolTip(), toolTipOf(QStringLiteral("Length (D)")));
-  drag(w.view(), {60, 70}, {90, 70});  // what undo is called now
+  drag(w.view(), {60, 70}, {90, 70});  // names the step that undo would undo
   QVERIFY(w.child<QAction>("undo")->toolTip().contains(QStringLiteral("Ctrl+Z")));
 }
 
-// T is an arrow in a slice, and rotates in 3D.
+// T chooses the arrow in a slice, and rotation in 3D.
 void TestFocusKeys::whatALetterChoseIsTold() {
   Focus w;
   w.press(Qt::Key_T);

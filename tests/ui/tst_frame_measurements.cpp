@@ -1,5 +1,5 @@
-// Guards slices.md 4 on frames as acquired in the window: what a hand draws with real mouse and key events,
-// the millimetres and the word beside them, and where a measurement is seen. Figures of the data's README.
+// Guards slices.md 4 on frames in the window: drawing, millimetres and their qualifying word, and where a
+// measurement is visible. Real mouse and key events. Numbers are from the README of the data.
 #include <QClipboard>
 #include <QDir>
 #include <QDockWidget>
@@ -23,7 +23,7 @@ QString pictureFile(const char* name) {
   return QString::fromStdString(dataPath("dicom-2d")) + QLatin1Char('/') + QLatin1String(name);
 }
 
-// A window on one file of the data, shown as frames.
+// A window with one test file, shown as frames.
 struct MeasuredFrames : Journey {
   explicit MeasuredFrames(const char* file) {
     window.resize(1440, 900);
@@ -44,20 +44,20 @@ struct MeasuredFrames : Journey {
         },
         longest);
   }
-  // Where a pixel of the frame is in the view.
+  // Returns the position of a frame's pixel in the view.
   QPointF at(glm::dvec2 pixel) {
     const glm::dvec3 p = frameIn(view())->geometry().patientFromVoxel({pixel, 0});
     const glm::dvec2 on = view()->plane()->pixelFromPatient(p) / view()->devicePixelRatioF();
     return {on.x, on.y};
   }
-  // Draws with the tool of a key, or of the menu; whole logical pixels, as a hand does.
+  // Draws with the tool of a menu action, in whole logical pixels as a hand does.
   void draw(ShapeKind kind, const std::vector<glm::dvec2>& pixels) {
     child<QAction>((std::string(ruleOf(kind).name) + "Tool").c_str())->trigger();
     std::vector<QPointF> p;
     for (const glm::dvec2 pixel : pixels) p.push_back(at(pixel));
     drawShape(view(), kind, p);
   }
-  // What stands beside the shape that was drawn last.
+  // Returns the text beside the last shape.
   QString text() {
     for (const DrawnMeasurement& d : view()->drawnMeasurements())
       if (!all().empty() && d.id == all().back().id) return d.text.join(QStringLiteral("; "));
@@ -119,7 +119,7 @@ void TestFrameMeasurements::numbersWithTheirWord_data() {
   row("a probe", "ct-two-windows.dcm", probe, {{256, 256}}, "202 HU");
 }
 
-// Drawn by hand, to a pixel of the screen; then with the README's own pixels, to the digit.
+// Draws by mouse within a pixel of the screen, then sets the README's exact pixels.
 void TestFrameMeasurements::numbersWithTheirWord() {
   NEED_PICTURES();
   QFETCH(QString, file);
@@ -154,7 +154,7 @@ void TestFrameMeasurements::closedForms_data() {
                         << QString::fromUtf8(unit);
   };
   const double pi = 3.14159265358979, degrees = 180 / pi;
-  // In its region a pixel is so many mm across and down: the pixels are no squares.
+  // In its region a pixel has these mm across and down: pixels are not square.
   const char* const us = "us-cine-aspect-regions.dcm";
   const double x = 0.285714, y = 0.228571;
   const Pixels triangle{{100, 200}, {200, 200}, {200, 300}};
@@ -188,7 +188,7 @@ void TestFrameMeasurements::closedForms_data() {
   row("no size, angle", unknown, angle, {{200, 100}, {100, 100}, {200, 200}}, 45, "degrees");
 }
 
-// The same for all tools, to the digits that files give: the numbers that are copied as CSV.
+// All tools give the numbers of the files to their last digit, as copied in CSV.
 void TestFrameMeasurements::closedForms() {
   NEED_PICTURES();
   QFETCH(QString, file);
@@ -201,7 +201,7 @@ void TestFrameMeasurements::closedForms() {
   const double screenPixel = w.view()->plane()->mmPerPixel / frameIn(w.view())->geometry().spacing().y;
   QVERIFY(glm::length(glm::dvec2(w.all()[0].shape.points[0]) - pixels[0]) <= screenPixel);
   w.session().change(QStringLiteral("test"), [&](Workspace& now) { w.exact(now, pixels); });
-  // Measured again on another thread.
+  // The numbers are measured again on another thread.
   QStringList names, fields;
   const auto field = [&](const char* name) { return fields.value(names.indexOf(QLatin1String(name))); };
   const auto isMeasured = [&] {
@@ -221,7 +221,7 @@ void TestFrameMeasurements::everyToolDraws_data() {
   for (const ShapeKind kind : drawnKinds) QTest::newRow(ruleOf(kind).name) << int(kind);
 }
 
-// One step each; the tool before is back, and there is a number.
+// Each tool makes one undo step and a number, then the previous tool is back.
 void TestFrameMeasurements::everyToolDraws() {
   NEED_PICTURES();
   QFETCH(int, kind);
@@ -253,7 +253,7 @@ void TestFrameMeasurements::anEndFollowsThePointer_data() {
   QTest::newRow("colour, drawn 0.8 times as high") << QStringLiteral("us-cine-aspect-regions.dcm");
 }
 
-// By as many pixels of the frame as the pointer moves on screen, each direction by its own size.
+// The end moves as far in the frame as the pointer does on screen, each direction by its pixel size.
 void TestFrameMeasurements::anEndFollowsThePointer() {
   NEED_PICTURES();
   QFETCH(QString, file);
@@ -313,14 +313,14 @@ void TestFrameMeasurements::thePanelGoesThere() {
   QCOMPARE(w.view()->drawnMeasurements().size(), std::size_t(1));
   w.child<QAction>("copyMeasurementsCsv")->trigger();
   const QStringList lines = QGuiApplication::clipboard()->text().split(QStringLiteral("\r\n"));
-  static const QRegularExpression quoted(QStringLiteral("\"[^\"]*\""));  // which may hold commas
+  static const QRegularExpression quoted(QStringLiteral("\"[^\"]*\""));  // may contain commas
   const QStringList names = lines[0].split(u','), fields = QString(lines[1]).replace(quoted, {}).split(u',');
   const auto field = [&](const char* name) { return fields.value(names.indexOf(QLatin1String(name))); };
   QCOMPARE(field("frame_number"), QStringLiteral("1"));
   QVERIFY(field("points_mm").isEmpty() && field("points_px").contains(QStringLiteral("; ")));
 }
 
-// What the panel saves is what `volumen measure` reads, and what a session keeps.
+// `volumen measure` reads what the panel saves and what a session keeps.
 void TestFrameMeasurements::asSessionAndJson() {
   NEED_PICTURES();
   MeasuredFrames w("us-cine-aspect-regions.dcm");
@@ -350,7 +350,7 @@ void TestFrameMeasurements::aSessionMeasuresFramesThatAreNotOnScreen() {
   MeasuredFrames w("us-cine-aspect-regions.dcm");
   QVERIFY(w.shows());
   w.draw(length, {{100, 200}, {200, 200}});
-  // Two frames that nobody has shown; one that there is not.
+  // Two frames were never shown; one does not exist.
   w.session().change(QStringLiteral("test"), [&](Workspace& now) {
     for (const int frame : {30, 20, 99}) {
       Measurement m = now.measurements[0];

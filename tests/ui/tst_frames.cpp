@@ -1,5 +1,5 @@
-// Guards slices.md 2 in the window: frames as acquired, by real events on real files; pixels on screen are
-// those that the data's README states.
+// Guards slices.md 2 in the window: frames, by real events on real files. Pixels on screen are those that the
+// README of the data states.
 #include <QMenu>
 
 #include "tests/ui/frames_window.h"
@@ -19,7 +19,7 @@ bool areNear(QRgb a, QRgb b, int within) {
 
 QRgb grey(int value) { return qRgb(value, value, value); }
 
-// What README.md of the data says of a pixel.
+// A pixel's colour as README.md of the data states it.
 struct Probe {
   int frame;
   QPoint pixel;
@@ -48,8 +48,8 @@ class TestFrames : public QObject {
 void TestFrames::pixelsAreThoseOfTheFile_data() {
   QTest::addColumn<QString>("file");
   QTest::addColumn<std::vector<Probe>>("probes");
-  QTest::addColumn<int>("within");     // of files that are decoded with a loss
-  QTest::addColumn<double>("window");  // from 0 to this; 0: the file's own
+  QTest::addColumn<int>("within");     // tolerance for files with lossy compression
+  QTest::addColumn<double>("window");  // white at this value; 0 for the file's own window
   const auto row = [](const char* file, int within, double window, std::vector<Probe> probes) {
     QTest::newRow(file) << QString::fromLatin1(file) << probes << within << window;
   };
@@ -140,9 +140,9 @@ void TestFrames::viewsSayWhatTheyShow() {
   QCOMPARE(over.topRight, QStringList(title) + pixels.split(QLatin1Char('|')));
   QCOMPARE(over.bottomRight, window);
   QCOMPARE(over.mmPerPixel > 0, hasBar);
-  // Of these, mammograms alone say where their sides are (TestDerivedWindow::lettersOfProjections).
+  // Only the mammograms among them state their orientation (TestDerivedWindow::lettersOfProjections).
   QCOMPARE((over.left + over.right + over.top + over.bottom).isEmpty(), !file.startsWith(u"mg-"));
-  // The values of what is compressed with a loss may be 1 or 2 off.
+  // Values may differ by 1 or 2 after lossy compression.
   const QString text = w.said(pixel.x(), pixel.y());
   QCOMPARE(text.section(QStringLiteral(" at "), 1), said.section(QStringLiteral(" at "), 1));
   if (!file.contains(QStringLiteral("cine-aspect")) && !file.contains(QStringLiteral("chest")))
@@ -165,7 +165,7 @@ void TestFrames::theShapeIsTheFiles() {
 void TestFrames::overlaysAreWhiteAndCanGo_data() {
   QTest::addColumn<QString>("file");
   QTest::addColumn<int>("bits");
-  // Where bits of two planes meet they count once; what is white already counts not at all.
+  // Overlapping bits of two planes count once. Pixels that are already white do not count.
   QTest::newRow("in unused bits and beside")
       << QStringLiteral("ot-overlays-embedded.dcm") << 532 + 537 + 603 + 606;
   QTest::newRow("beyond the border") << QStringLiteral("mg-ermf-overlay-shutter.dcm") << 185 + 149;
@@ -177,11 +177,11 @@ void TestFrames::overlaysAreWhiteAndCanGo() {
   QFETCH(int, bits);
   const QByteArray name = file.toLatin1();
   Frames w({name.constData()});
-  w.window.resize(1900, 1100);  // the whole picture, pixel for pixel
+  w.window.resize(1900, 1100);  // shows the whole picture pixel for pixel
   QVERIFY(w.shows());
   const glm::ivec3 size = tests::frameIn(w.view())->geometry().size;
   w.seen(size.x / 2, size.y / 2);
-  // Nothing white below them.
+  // Makes the picture below the overlays black.
   QVERIFY(w.after([&] {
     w.session().change(QStringLiteral("test"), [&](Workspace& after) {
       after.series.edit(after.series.begin()->first).window = Window{10000, 20000};
@@ -214,7 +214,7 @@ void TestFrames::digitsChooseWindowsAndTables() {
     QVERIFY(w.press(key));
     QCOMPARE(w.view()->overlays().bottomRight, QLatin1String(text));
     const QRgb seen = w.seen(2000, 1500);
-    // A table of 12 bits and its sigmoid may round apart.
+    // A table of 12 bits and its sigmoid may be rounded differently.
     QVERIFY2(areNear(seen, grey(value), 1), qPrintable(QColor(seen).name()));
   }
 }

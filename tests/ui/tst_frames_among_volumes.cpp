@@ -67,7 +67,7 @@ void TestFramesAmongVolumes::aVolumeIsShownAsFramesAndBack() {
   QVERIFY(asFrames->isChecked());
 }
 
-// It was never in memory as a volume.
+// The picture was never in memory as a volume.
 void TestFramesAmongVolumes::aPictureIsShownAsASliceAndBack() {
   NEED_FILES();
   Frames w({"us-palette-cine-10.dcm", "mg-ermf-overlay-shutter.dcm"});

@@ -1,5 +1,5 @@
-// Guards that a PET and the CT of its study open as one picture: by their folder, by a path each in any
-// order, and dropped; those of two patients do not. Real files.
+// Guards that a PET and the CT of its study open fused: by folder, by one path each in any order, or by a
+// drop. Those of two patients do not. Real files.
 #include <QMimeData>
 
 #include "tests/ui/fusion_window.h"
@@ -23,7 +23,7 @@ void dropBoth(PetCtWindow& w, const QStringList& paths) {
   QVERIFY(tests::drop(data, &w.window));
 }
 
-// The second one is read once the first is on screen, as from a slow disk.
+// Reads the second series once the first is on screen, as from a slow disk.
 void openSlowly(PetCtWindow& w, const QStringList& paths) {
   OpenIntent together;
   together.isShown = std::make_shared<bool>(false);
@@ -124,7 +124,7 @@ void TestFusedOpening::besideItThePetStandsAlone() {
     w.shot("fused-two");
     w.window.close();
   }
-  // So it opens from then on.
+  // This layout is used from then on.
   PetCtWindow again(QStringList{QString::fromStdString(data)});
   QTRY_VERIFY_WITH_TIMEOUT(showsBoth(again), longest);
 }

@@ -1,5 +1,5 @@
-// Guards painting on fused slices: what is painted, cut and clicked on a CT under a PET, whose segments the
-// panel is about, is a segment of the PET on its own grid; by real mouse events.
+// Guards painting on fused slices. If the Segments panel belongs to a PET over a CT, painting, cutting and
+// clicking make segments of the PET on its own grid. Real mouse events.
 #include <cmath>
 
 #include "tests/ui/cut_window.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char *commonFrame = "1.2.3", *ownFrame = "4.5.6";
 
-// Another grid than that of the CT: a ball whose values fall from its middle.
+// Returns a ball whose values fall from its centre, on another grid than the CT's.
 LoadedSeriesPtr hotBall(const char* frame) {
   auto series = std::make_shared<LoadedSeries>(*petIn(frame));
   series->volume = volumeOf<float>({15, 15, 15}, glm::dmat3(2),
@@ -27,7 +27,7 @@ LoadedSeriesPtr hotBall(const char* frame) {
   return series;
 }
 
-// The PET in 3D and in the panel, its CT under it in slices: of one frame of reference, or registered.
+// The PET in 3D and in the panel, over its CT in slices. They share a frame of reference or are registered.
 struct FusedPaintWindow : SegmentWindow {
   const LoadedSeriesPtr ct = ballIn(commonFrame);
   const Rigid petFromCt;
@@ -51,7 +51,7 @@ struct FusedPaintWindow : SegmentWindow {
   glm::dvec2 pixelOf(glm::dvec3 pPet) { return view()->plane()->pixelFromPatient(petFromCt.inverse()(pPet)); }
   glm::dvec3 inPet(QPoint pixel) { return petFromCt(patient(pixel, axialViewId)); }
   glm::dvec3 normalInPet() { return petFromCt.rotation * view()->plane()->normal(); }
-  // Shows the slice of the CT at a place of the PET, and its pixel.
+  // Shows the slice of the CT at a position of the PET and returns its pixel.
   QPoint showOfPet(glm::dvec3 pPet) {
     session().change(QStringLiteral("test"), [&](Workspace& after) {
       after.crosshairs.editOrAdd(frameOfReference(ct->series)).at = petFromCt.inverse()(pPet);
@@ -70,7 +70,7 @@ struct FusedPaintWindow : SegmentWindow {
           if (isIn(glm::ivec3(i, j, k))) made.set({i, j, k});
     return made;
   }
-  // By pixels.
+  // Returns the segment's part inside an outline by pixels.
   SeenPart inside(const std::vector<QPoint>& corners) {
     const QPolygonF outline(QList<QPointF>(corners.begin(), corners.end()));
     const auto pixel = [&](glm::ivec3 voxel) { return pixelOf(grid().patientFromVoxel(voxel)); };
@@ -148,7 +148,7 @@ void TestFusedPainting::valuesAreThoseOfTheOverlay_data() {
   QTest::newRow("smart brush") << QByteArray("smartBrushTool");
 }
 
-// In the CT all is alike there.
+// The CT is uniform there.
 void TestFusedPainting::valuesAreThoseOfTheOverlay() {
   QFETCH(QByteArray, tool);
   FusedPaintWindow w;
@@ -159,10 +159,10 @@ void TestFusedPainting::valuesAreThoseOfTheOverlay() {
   QCOMPARE(w.count(), std::size_t(1));
   const BitMask made = w.mask(1);
   QVERIFY(made.geometry() == w.grid());
-  QVERIFY(!made.empty() && made.count() < 100);  // a disc of at most 6 mm, of voxels of 2 mm
+  QVERIFY(!made.empty() && made.count() < 100);  // a disc of at most 6 mm with voxels of 2 mm
 }
 
-// As a step that a recipe can do again on the PET alone.
+// The cut is a recipe step that can be repeated on the PET alone.
 void TestFusedPainting::itsSegmentIsCut() {
   QFETCH(Rigid, petFromCt);
   FusedPaintWindow w(petFromCt);
@@ -189,7 +189,7 @@ void TestFusedPainting::itsSegmentIsCut() {
   QVERIFY(w.isAs(before));
 }
 
-// The place that is clicked is in the range where it is seen, not where its coordinates in the CT lie.
+// The clicked position is in the range where it is seen, not at its coordinates in the CT.
 void TestFusedPainting::itsConnectedPartIsTaken() {
   QFETCH(Rigid, petFromCt);
   FusedPaintWindow w(petFromCt);
@@ -218,7 +218,7 @@ void TestFusedPainting::withoutTheOverlayTheCtIsNotChanged_data() {
     QTest::newRow(tool) << QByteArray(tool);
 }
 
-// The CT alone in slices, the panel about the PET in 3D.
+// Slices show the CT alone, and the panel belongs to the PET in 3D.
 void TestFusedPainting::withoutTheOverlayTheCtIsNotChanged() {
   QFETCH(QByteArray, tool);
   FusedPaintWindow w;
@@ -226,7 +226,7 @@ void TestFusedPainting::withoutTheOverlayTheCtIsNotChanged() {
   w.session().change(QStringLiteral("alone"), withOverlay(w.workspace(), axialViewId, nullptr));
   w.session().endGesture();
   w.child<QAction>(tool.constData())->trigger();
-  const QPoint at = w.showOfPet({10, 0, 0});  // at the edge of its ball
+  const QPoint at = w.showOfPet({10, 0, 0});  // at the edge of the PET's ball
   const Workspace before = w.workspace();
   if (tool == "outlineTool" || tool == "segmentScissorsTool") {
     for (const QPoint corner : outlineAt(at, 40)) QTest::mouseClick(w.view(), Qt::LeftButton, {}, corner);

@@ -1,5 +1,5 @@
-// Guards regions over fused slices: numbers of both series, each named with its unit, beside the shape, in
-// the panel and as CSV; SUVpeak of what is SUV. By real mouse events.
+// Guards regions over fused slices. Numbers of both series have their units, beside the shape, in the panel
+// and as CSV. SUV series have an SUVpeak. Real mouse events.
 #include <QClipboard>
 #include <QElapsedTimer>
 #include <QGuiApplication>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double suvOfFile = 0.5;
 
-// Another grid over the CT of ballIn(): the value rises along its rows.
+// Returns a PET on another grid over the CT of ballIn(), with values rising along its rows.
 LoadedSeriesPtr risingPet(const char* frame) {
   auto series = std::make_shared<LoadedSeries>(*ballIn(frame, 1, "PT"));
   series->volume = volumeOf<float>({14, 14, 14}, glm::dmat3(3), [](glm::dvec3 x) { return 10 + x.x; });
@@ -44,7 +44,7 @@ struct FusedWindow : MeasureWindow {
   void fuse(const Series* over) {
     session().change(QStringLiteral("Overlay"), withOverlay(session().workspace(), axialViewId, over));
   }
-  // In both volumes.
+  // Returns points that lie in both volumes.
   std::vector<QPointF> placesInBoth(ShapeKind kind) { return placesWithin(placesOf(kind), {0, 0, 0}, 6); }
   Result<Measured> both(const Measurement& m) {
     Result<Measured> numbers = measured(m);
@@ -160,7 +160,7 @@ void TestFusedRegions::otherShapesAreOfOne() {
   QCOMPARE(w.drawn(w.last().id).text, measuredLines(w.last().shape, w.measured(w.last())));
 }
 
-// SUVpeak of as many fine voxels as take some seconds here, whatever the machine.
+// Computes the SUVpeak of enough fine voxels to take some seconds on any machine.
 void TestFusedRegions::picturesWaitForNumbersThatTakeLong() {
   constexpr int n = 300;
   constexpr double mm = 0.25, wantedMs = 5000;

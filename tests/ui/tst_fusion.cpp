@@ -1,5 +1,5 @@
-// Guards a second series over the first, colour maps, and the layout that a series opens in: real events on a
-// real PET and its CT.
+// Guards a second series over the first, colour maps, and the layout in which a series opens. Real events on
+// a real PET and its CT.
 #include <QComboBox>
 #include <QInputDialog>
 #include <QMenu>
@@ -24,7 +24,7 @@ using volumen::tests::UsualLayouts;
 
 namespace {
 
-// The CT of a study, and its PET in the list alone.
+// The CT of a study, with its PET only in the list.
 struct CtAlone : PetCtWindow {
   CtAlone() : PetCtWindow(QStringList{fusedFolder("ct")}) {
     window.document().loader.open(fusedFolder("pet"));
@@ -35,7 +35,7 @@ struct CtAlone : PetCtWindow {
         [this] { return window.session().series() && window.document().open.volumes().size() == 2; },
         longest);
   }
-  // `again`: by the second click of a double-click.
+  // Clicks a series. If `again`, the click is the second of a double-click.
   void choose(const QString& what, bool again = false) {
     auto* tree = child<QTreeWidget>("studyTree");
     for (QTreeWidgetItemIterator it(tree); *it; ++it)
@@ -49,7 +49,7 @@ struct CtAlone : PetCtWindow {
       }
     QFAIL("not in the list");
   }
-  // Opens the menu as a press on its title does.
+  // Opens the menu as a press on its title does and returns an entry.
   QAction* entry(const char* menu, const QString& text) {
     auto* shown = child<QMenu>(menu);
     Q_EMIT shown->aboutToShow();
@@ -124,11 +124,11 @@ void TestFusion::petOpensOverItsCt() {
     QCOMPARE(w.modality(w.workspace().view(id).series), std::string("CT"));
     QCOMPARE(w.modality(w.look(id).overlay), std::string("PT"));
   }
-  // The hottest voxel (dicom-2d/README.md) is shown in the colours of hot iron, over the CT.
+  // The hottest voxel (dicom-2d/README.md) is shown over the CT in the hot iron colour map.
   FlatView* axial = w.window.views()->viewAs<FlatView>(axialViewId);
   const LoadedSeriesPtr ct = w.window.session().seriesOf(axialViewId);
   moveCrosshair(w.window.session(), axialViewId, *ct, {}, {-7.0312, -82.0312, -140.65});
-  // At first 0 to 7 SUVbw, at which it would be white.
+  // The initial window is 0 to 7 SUVbw, in which the voxel would be white.
   const LoadedSeriesPtr pet = w.window.session().series();
   const double perSuv = 1 / pet->series.suv.bodyWeight.value();
   const Window first = flatWindow(w.workspace().series.at(keyOf(pet->series)), *pet);
@@ -166,13 +166,13 @@ void TestFusion::aDoubleClickChoosesOnce() {
   QVERIFY(w.opened());
   w.choose(QStringLiteral("PT IBSI"));
   QTRY_COMPARE_WITH_TIMEOUT(w.modality(w.workspace().view(sceneViewId).series), std::string("PT"), longest);
-  w.choose(QStringLiteral("PT IBSI"), true);  // the second click, once it is read
+  w.choose(QStringLiteral("PT IBSI"), true);  // the second click, after the series is read
   QCOMPARE(w.modality(w.workspace().view(axialViewId).series), std::string("CT"));
   QCOMPARE(w.modality(w.look(axialViewId).overlay), std::string("PT"));
   QCOMPARE(w.window.session().undoStack().count(), 1);
 }
 
-// As it opens, and by the preset; what was set by hand and saved as a preset of one's own stays.
+// Holds after opening and for the preset. A window set by hand and saved as a user preset stays.
 void TestFusion::projectionAndSlicesHaveOneWindow() {
   NEED_DATA(tests::dataPath("pet-ct"));
   PetCtWindow w(QStringList{fusedFolder("pet")});
@@ -278,7 +278,7 @@ void TestFusion::aClickIn3dSetsTheCrosshair() {
       seenAt(view->camera(), {double(view->width()), double(view->height())}, {3, -2, 4});
   QTest::mouseClick(view, Qt::LeftButton, {}, QPoint(int(middle.x), int(middle.y)));
   const double radius = glm::length(crosshair().at - glm::dvec3(3, -2, 4));
-  QVERIFY2(std::abs(radius - 10) < 1.5, qPrintable(QString::number(radius)));  // a voxel's edge and a half
+  QVERIFY2(std::abs(radius - 10) < 1.5, qPrintable(QString::number(radius)));  // one and a half voxel edges
   const Crosshair before = crosshair();
   tests::drag(view, view->rect().center(), view->rect().center() + QPoint(30, 0));
   QVERIFY2(crosshair() == before, "a drag turns and does not set it");

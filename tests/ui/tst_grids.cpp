@@ -1,5 +1,5 @@
-// Guards grids of series: each of the 20 by the field of the layout menu, with the mouse, by a drag and by
-// keys; where their views lie; and what an empty view says.
+// Guards grids of series. Each of the 20 is chosen in the layout menu by the mouse, a drag and keys. Also
+// guards where their views lie and what an empty view says.
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -23,18 +23,18 @@ struct GridWindow : MeasureWindow {
   }
   QString said() { return child<QLabel>("gridSaid")->text(); }
   Layout layout() { return session().workspace().layout; }
-  // The menu as the button of the tool bar opens it.
+  // Opens the menu as the button of the tool bar does.
   bool openMenu() {
     menu()->popup({10, 10});
     return QTest::qWaitFor([this] { return cell(1, 1)->isVisible(); }, longest);
   }
-  // A key for whatever has the keyboard in the menu.
+  // Presses a key in the widget that has the keyboard focus in the menu.
   void key(Qt::Key key) { QTest::keyClick(menu()->focusWidget(), key); }
 };
 
 Layout gridOf(int rows, int columns) { return {Layout::Kind::grid, rows, columns}; }
 
-// Light pixels of a picture.
+// Counts the light pixels of a picture.
 int lightPixels(const QImage& picture) {
   int count = 0;
   for (int y = 4; y < picture.height() - 4; ++y)
@@ -81,7 +81,7 @@ void TestGrids::everyGridLiesInRowsAndColumns() {
     QCOMPARE(shown[std::size_t(n)], firstComparedId + n);
     const View* view = w.window.views()->viewOf(shown[std::size_t(n)]);
     QVERIFY(view->isVisible());
-    // A closed form, but for the gaps of two pixels and rounding.
+    // The closed form is exact except for gaps of two pixels and rounding.
     const QPointF expected((n % columns + 0.5) * area.width() / columns,
                            (n / columns + 0.5) * area.height() / rows);
     const QPointF off = QRectF(view->geometry()).center() - expected;

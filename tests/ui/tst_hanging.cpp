@@ -1,5 +1,5 @@
-// Guards hanging protocols in the window: mammograms face each other as they are opened, keys and the menu go
-// through what fits, what is on screen is kept as a protocol; each one step. Real events.
+// Guards hanging protocols in the window. Opened mammograms face each other, keys and the menu go through
+// matching protocols, and the screen is saved as a protocol. Each is one undo step. Real events.
 #include <QInputDialog>
 
 #include "tests/ui/hanging_window.h"
@@ -95,7 +95,7 @@ void TestHanging::whatIsOpenedNextIsHung() {
   QVERIFY(w.facesEachOther(4));
 }
 
-// One of the same patient that the reader laid out by hand.
+// The reader chose the grid by hand, so opening a study keeps it.
 void TestHanging::aGridThatWasChosenStays() {
   const Mammograms data;
   QVERIFY(data.write());
@@ -104,7 +104,7 @@ void TestHanging::aGridThatWasChosenStays() {
   QCOMPARE(w.workspace().layout, Layout::two);
 }
 
-// It is not in memory as its study is opened.
+// The volume is not in memory when its study is opened.
 void TestHanging::aVolumeIsHungOnceItIsShown() {
   HangingProtocol mine = twoOfAny();
   mine.automatic = true, mine.when.rule.modality = "CT";
@@ -122,7 +122,7 @@ void TestHanging::aVolumeIsHungOnceItIsShown() {
 void TestHanging::aFrameThatCannotBeReadStopsNoOther() {
   const Mammograms data;
   QVERIFY(data.write(BreastSeries::ofEach));
-  // Where the reader chose a grid one picture alone is read; the R CC is gone before it is.
+  // In a grid that the reader chose, only one picture is read. The R CC is removed before it is.
   HangingWindow w;
   QVERIFY(w.opensIntoAChosenGrid(data.folder.path()));
   QVERIFY(w.told(0) != QStringLiteral("R CC"));
@@ -155,7 +155,7 @@ void TestHanging::framesFaceEachOtherInViewsOfAnotherSize() {
   MammogramsWindow w;
   QVERIFY(w.isOpen());
   const int steps = w.session().undoStack().count();
-  // One was moved by hand: it stays as it is.
+  // The view moved by hand stays as it is.
   w.session().change(QStringLiteral("Pan"), [&](Workspace& workspace) {
     ViewState& moved = workspace.editView(firstCell + 3);
     moved.flats.edit(moved.series).panMm.x += 1;

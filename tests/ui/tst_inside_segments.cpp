@@ -1,6 +1,5 @@
-// Guards where 3D views show the volume by its segments, by real events: the picture is that of a volume from
-// which the rest was taken by hand, slices and segments stay whole; it is undone, saved, and follows
-// segments.
+// Guards masking of the volume by segments in 3D views, by real events. The picture equals that of a volume
+// cut by hand, while slices and segments stay whole. Masking is undone, saved, and follows segments.
 #include "tests/ui/paint_window.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"
@@ -14,7 +13,7 @@ namespace {
 
 using Tissue = TissueShown::Where;
 
-// 1: the balls, 2: the core; the picture of the 3D view at rest.
+// Segment 1 is the balls, segment 2 the core. Keeps the picture at rest of the 3D view.
 struct TissueWindow : PaintWindow {
   std::optional<ScreenPicture> rest;
 
@@ -27,7 +26,7 @@ struct TissueWindow : PaintWindow {
   QComboBox* where() { return child<QComboBox>("segmentTissue"); }
   QDoubleSpinBox* margin() { return child<QDoubleSpinBox>("segmentTissueMargin"); }
   void showTissue(Tissue tissue) {
-    const Qt::Key keys[] = {Qt::Key_Home, Qt::Key_Down, Qt::Key_End};  // Down: from the first
+    const Qt::Key keys[] = {Qt::Key_Home, Qt::Key_Down, Qt::Key_End};  // Down: from the first entry
     QTest::keyClick(where(), keys[int(tissue)]);
   }
   void setMargin(int mm) {
@@ -36,7 +35,7 @@ struct TissueWindow : PaintWindow {
     QTest::keyClicks(margin(), QString::number(mm));
     QTest::keyClick(margin(), Qt::Key_Return);
   }
-  /// A brush for the core, inside which alone tissue is shown; false where that is not made.
+  /// Takes a brush for the core, with tissue shown only inside it. Returns false if that fails.
   bool takeBrushForCore() {
     if (!makeBoth() || !choose(1)) return false;
     tick(0, 0);
@@ -48,10 +47,10 @@ struct TissueWindow : PaintWindow {
   }
   VolumePtr whole() { return session().seriesNamed(series())->volume; }
   LoadedSeriesPtr left() { return session().tissues().empty() ? nullptr : session().tissues().front().left; }
-  /// Where tissue is left; only while something is left out.
+  /// Returns the voxels kept. Valid only while some are masked.
   const BitMask& voxelsLeft() { return *session().tissues().front().voxels; }
 
-  // The picture at rest of what the view shows by now; null where there is none.
+  // Returns the picture at rest of the present scene, or null if there is none.
   QImage picture() {
     const auto isOfNow = [this] {
       if (!rest || rest->image.size() != window.view()->pixels()) return false;
@@ -61,7 +60,7 @@ struct TissueWindow : PaintWindow {
     };
     return idle() && QTest::qWaitFor(isOfNow, longest) ? rest->image : QImage();
   }
-  // The same scene of the volume with 0, the lowest value there is, elsewhere.
+  // Renders the same scene of a volume that is 0, its lowest value, outside `kept`.
   QImage byHand(const BitMask& kept) {
     const VolumePtr all = whole();
     const VolumePtr some = volumeOf<std::int16_t>(glm::ivec3(40), glm::dmat3(1), [&](glm::dvec3 p) {
@@ -75,7 +74,7 @@ struct TissueWindow : PaintWindow {
         drawWithCaches(std::make_shared<StoredVoxels>(some))(rest->scene, options, {});
     return drawn ? toImage(drawn->picture) : QImage();
   }
-  // By the distances to all voxels of it.
+  // Computes voxels within a distance by brute force over all voxels of the mask.
   BitMask nearSlowly(const BitMask& mask, double mm) {
     std::vector<glm::ivec3> in;
     BitMask made(mask.geometry());
@@ -125,7 +124,7 @@ void TestInsideSegments::itIsAskedForOnlyWithSegments() {
 }
 
 void TestInsideSegments::thePictureIsThatOfAVolumeCutByHand_data() {
-  QTest::addColumn<int>("hidden");  // row of the list
+  QTest::addColumn<int>("hidden");  // row of the segment list
   QTest::addColumn<Tissue>("where");
   QTest::addColumn<int>("marginMm");
   QTest::addColumn<bool>("in3d");
@@ -212,7 +211,7 @@ void TestInsideSegments::segmentsAreFollowed() {
   QVERIFY(w.picture() != core);
   w.undo();
   QVERIFY(w.picture() == core);
-  // Colours and names change nothing of it.
+  // Colours and names do not change the masked volume.
   const LoadedSeriesPtr before = w.left();
   w.session().change(QStringLiteral("test"),
                      withSegmentChanged(w.workspace(), w.series(), 2, [](Segment& s) { s.label = "Kern"; }));

@@ -1,4 +1,4 @@
-// Guards design.md 8: whole journeys through the window, by real events.
+// Guards design.md 8: complete workflows through the window, by real events.
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -77,7 +77,7 @@ void TestJourneys::curvePointAndLightAreDraggedAndUndone() {
   auto* editor = w.child<CurveEditor>("curveEditor");
   auto* ball = w.child<LightBall>("lightBall");
 
-  // The curve's highest point down to nothing: less is seen.
+  // Lowering the curve's highest point to zero shows less.
   int highest = 0;
   for (int n = 0; n < int(start.transferFunction.points.size()); ++n)
     if (start.transferFunction.points[n].opacity > start.transferFunction.points[highest].opacity)
@@ -87,7 +87,7 @@ void TestJourneys::curvePointAndLightAreDraggedAndUndone() {
   QVERIFY2(thinner != first, "the picture follows the curve");
   QVERIFY2(meanBrightness(thinner) < meanBrightness(first), "less opacity on black: darker");
 
-  // The first light to the far side: darker again.
+  // Moving the first light to the far side darkens the picture.
   const glm::dvec3 direction = ball->lights()[0].direction;
   const QPointF at = ball->positionOf(direction);
   const QImage unlit = w.after([&] { QTest::mouseDClick(ball, Qt::LeftButton, {}, at.toPoint()); });
@@ -114,7 +114,7 @@ void TestJourneys::snapshotIsSavedAndReadBack() {
   w.child<QAction>("snapshot")->trigger();
   answer(w, "snapshotDialog", path);
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longest);
-  // The standard picture of the view's size is the picture in the view.
+  // The saved standard picture of the view's size equals the picture in the view.
   const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB32);
   const QImage seen = w.window.view()->picture();
   QCOMPARE(saved.size(), seen.size());
@@ -153,14 +153,14 @@ void TestJourneys::presetsAndPanelsChangeThePicture() {
   });
   QVERIFY(other != first);
   QVERIFY(w.after("undo") == first);
-  // Unlit, then a clip box that leaves nothing.
+  // Switches lighting off, then sets a clip box that leaves nothing.
   QVERIFY(w.after([&] { w.child<QCheckBox>("lit")->click(); }) != first);
   auto* clip = w.child<QWidget>("clipHigh2")->findChild<QDoubleSpinBox*>();
   const QImage clipped = w.after([&] { clip->setValue(0); });
   QCOMPARE(meanBrightness(clipped), 0.0);
   w.after("undo");
   QVERIFY(w.after("undo") == first);
-  // The other projection keeps the size, and draws without a scale bar.
+  // The other projection keeps the size and draws no scale bar.
   auto* projection = w.child<QComboBox>("projection");
   QVERIFY(w.after([&] { Q_EMIT projection->activated(1); }) != first);
   w.shot("perspective");
@@ -169,7 +169,7 @@ void TestJourneys::presetsAndPanelsChangeThePicture() {
 void TestJourneys::whatIsVisibleIsSegmentedShownAloneAndSaved() {
   Journey w({QStringLiteral("phantom:sphere")});
   QVERIFY(w.settle());
-  // The ball of value 1: as many voxels as there are centres inside radius 32.
+  // The ball of value 1 has as many voxels as there are centres inside radius 32.
   w.child<QDoubleSpinBox>("segmentLow")->setValue(0.5);
   w.child<QDoubleSpinBox>("segmentHigh")->setValue(1);
   const QImage first = w.after([&] { QTest::mouseClick(w.child<QWidget>("segment"), Qt::LeftButton); });
@@ -286,13 +286,13 @@ void TestJourneys::everyPathIsComplainedAbout() {
   };
   QTRY_VERIFY_WITH_TIMEOUT(saysAll(), longest);
   QCOMPARE(banner->sentence().count(QLatin1Char('\n')), 2);
-  // Every file, with its reason, can be read there.
+  // The details list every file with its reason.
   QTest::mouseClick(banner->findChild<QToolButton*>(), Qt::LeftButton);
   auto* details = w.child<QPlainTextEdit>("bannerDetails");
   QVERIFY(details->isVisible());
   QCOMPARE(details->toPlainText().count(QStringLiteral("not an image")), count);
   w.shot("complaints");
-  // Paths often hold names: they are hidden with these, and come back.
+  // Paths often contain names. They are hidden with the names, and come back.
   w.child<QAction>("hideNames")->trigger();
   QVERIFY2(!banner->sentence().contains(folder.path()), qPrintable(banner->sentence()));
   QVERIFY(!details->toPlainText().contains(folder.path()));

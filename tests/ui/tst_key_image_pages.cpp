@@ -1,5 +1,5 @@
-// Guards what pages of key images hold: each picture once, a study's on pages of their own, so many a page,
-// in true size where they fit, measured in the PDF and on paper.
+// Guards pages of key images. Each picture appears once, each study on separate pages, with the chosen number
+// per page. Pictures have true size where they fit, measured in the PDF and on paper.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -22,9 +22,10 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr double sizeWithin = 0.005;  // of a length on paper: it is written with few digits
+// Relative tolerance of a length on paper, which is written with few digits.
+constexpr double sizeWithin = 0.005;
 
-// A ball whose slices are those of a DICOM series.
+// Returns a ball whose slices are those of a DICOM series.
 LoadedSeriesPtr dicomBall(const char* patient = "42", double spacing = 1) {
   auto series = std::make_shared<LoadedSeries>(*ballSeries(32, 10, {0, 0, 0}, glm::dvec3(spacing)));
   series->series.patientId = patient;
@@ -35,7 +36,7 @@ LoadedSeriesPtr dicomBall(const char* patient = "42", double spacing = 1) {
   return series;
 }
 
-// Marks so many slices, from where the view is on.
+// Marks `count` slices as key images, from the current one.
 void mark(MeasureWindow& w, int count) {
   w.view()->setFocus();
   for (int n = 0; n < count; ++n) {
@@ -59,7 +60,7 @@ void press(QDialog* dialog, const char* button) {
   QTest::mouseClick(dialog->findChild<QPushButton*>(QLatin1String(button)), Qt::LeftButton);
 }
 
-// The pages of the PDF that is saved.
+// Saves the pages as a PDF and returns their image rectangles.
 std::vector<std::vector<QRectF>> saved(Journey& w, int perPage, bool inTrueSize, const QString& path,
                                        bool namesHidden = false) {
   PagesDialog* dialog = ask(w, perPage, inTrueSize);
@@ -134,7 +135,7 @@ void TestKeyImagePages::picturesLieInTheirPlaces_data() {
   }
 }
 
-// On the paper, under the head, none over another; whole, or of the patient's size.
+// Pictures lie on the paper, under the header, without overlap, and whole or in true size.
 void TestKeyImagePages::picturesLieInTheirPlaces() {
   QFETCH(QSizeF, paper);
   QFETCH(bool, inTrueSize);
@@ -182,7 +183,7 @@ void TestKeyImagePages::trueSizeSaysWhoseMmItIs() {
   QCOMPARE(scaleText(page, 0, {1, false}, {186, 273}), QString());
 }
 
-// One after the other, so that no more than one of them is in memory.
+// Pages are made one by one, so that at most one is in memory.
 void TestKeyImagePages::pagesAreMadeAsTheyArePainted() {
   std::vector<std::size_t> made;
   QPdfWriter writer(at("painted"));
@@ -224,7 +225,7 @@ void TestKeyImagePages::trueSizeIsMeasured_data() {
   QTest::newRow("80 mm") << 2.5;
 }
 
-// All of a slice: 32 pixels of the ball.
+// Measures a whole slice: 32 pixels of the ball.
 void TestKeyImagePages::trueSizeIsMeasured() {
   QFETCH(double, spacing);
   MeasureWindow w(dicomBall("42", spacing));
@@ -259,7 +260,7 @@ void TestKeyImagePages::whatDoesNotFitIsAsLargeAsItsPlace() {
   const auto pages = saved(w, 1, true, at("large"));
   QCOMPARE(pages.size(), std::size_t(1));
   const QRectF mm = pages.front().front();
-  QVERIFY(mm.width() > 150 && mm.width() < 210);  // of an A4 page
+  QVERIFY(mm.width() > 150 && mm.width() < 210);  // of an A4 page's width
   QVERIFY(isAbout(mm.width(), mm.height()));
 }
 
@@ -281,19 +282,19 @@ void TestKeyImagePages::eachStudyHasPagesOfItsOwn() {
   QCOMPARE(pages[1].size(), std::size_t(1));
 }
 
-// CT_small: 128 pixels of 0.661468 mm.
+// CT_small has 128 pixels of 0.661468 mm.
 void TestKeyImagePages::picturesOfDocumentsAreThere() {
   NEED_REFERENCES();
   References2d w({ct, keyObjects});
   QVERIFY(w.has("Key objects: Of Interest") && w.has("CT (1)", "keyImageList"));
-  // Of 6 a page each has a place less high than it.
+  // With 6 pictures a page, each cell would be lower than the picture.
   const auto pages = saved(w, 4, true, at("document"));
   QCOMPARE(pages.size(), std::size_t(1));
   QVERIFY(isAbout(pages.front().front().width(), 128 * 0.661468));
 }
 
-// Slices of the ball that differ much. In the middle of the picture, where no text is, each voxel with
-// neighbours like itself is as bright as its value.
+// The slices of the ball differ much. In the middle of the picture, where no text is, each voxel whose
+// neighbours are like it is as bright as its value.
 void TestKeyImagePages::picturesAreTheSlicesThatTheyName() {
   const LoadedSeriesPtr series = dicomBall();
   MeasureWindow w(series);
@@ -328,7 +329,7 @@ void TestKeyImagePages::picturesAreTheSlicesThatTheyName() {
   }
 }
 
-// In pictures as on screen: the corners say other things, the middle is the same.
+// As on screen, the corner texts change and the middle stays the same.
 void TestKeyImagePages::namesAreHiddenOnPages() {
   MeasureWindow w(dicomBall());
   mark(w, 1);
@@ -348,7 +349,7 @@ void TestKeyImagePages::namesAreHiddenOnPages() {
   QCOMPARE(one("hidden").copy(middle), one("named").copy(middle));
 }
 
-// Not what is marked while a place is chosen.
+// Marks made while the file dialog is open are not included.
 void TestKeyImagePages::thePageIsWhatWasMarkedThen() {
   MeasureWindow w(dicomBall());
   mark(w, 2);

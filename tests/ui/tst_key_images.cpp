@@ -1,5 +1,5 @@
-// Guards window.md "Open objects that refer to pictures": key images are marked, listed and gone through, by
-// real events on real files.
+// Guards window.md "Open objects that refer to pictures": key images are marked, listed and stepped through.
+// Real events on real files.
 #include <QDir>
 #include <QDockWidget>
 #include <QLabel>
@@ -34,7 +34,7 @@ void TestKeyImages::keyImagesAreMarkedAndListed() {
   QCOMPARE(marked.frame, 1);
   QCOMPARE(marked.sopInstanceUid, w.workspace().series.at(marked.series).series->sopInstanceUids.at(1));
   QVERIFY(w.item("frame 2", "keyImageList"));
-  // Only on its own frame.
+  // The mark appears only on its own frame.
   QVERIFY(w.after([&] { QTest::keyClick(w.view(), Qt::Key_Down); }));
   QVERIFY(!w.saysOnView("Key image"));
   w.child<QAction>("undo")->trigger();
@@ -63,7 +63,7 @@ void TestKeyImages::oneAfterTheOther() {
     QVERIFY(frameIs(index));
     QTest::keyClick(&w.window, Qt::Key_K);
   }
-  // In the order of the list, and round again.
+  // Steps in the order of the list, and wraps around.
   for (const int index : {2, 7, 4}) {
     QTest::keyClick(&w.window, Qt::Key_Period);
     QVERIFY(frameIs(index));
@@ -80,8 +80,7 @@ void TestKeyImages::oneAfterTheOther() {
   QVERIFY(frameIs(2));
 }
 
-// A slice is missing: what was acquired can be marked, and is gone to as a slice; what stands in for it
-// cannot.
+// A slice is missing. Acquired slices can be marked and shown as slices, the interpolated one cannot.
 void TestKeyImages::slicesOfAnUnevenStack() {
   const QTemporaryDir dir;
   const QString folder = dir.filePath(QStringLiteral("head"));
@@ -113,10 +112,10 @@ void TestKeyImages::slicesOfAnUnevenStack() {
   QVERIFY2(said[0].contains(QStringLiteral("interpolated")), qPrintable(said[0]));
   std::vector<std::string> marked;
   for (const KeyImage& image : w.workspace().keyImages) marked.push_back(image.sopInstanceUid);
-  // From the head down; the series counts upwards.
+  // Marks go from the head down, while the series counts upwards.
   std::ranges::reverse(marked);
   QVERIFY2(marked == series.sopInstanceUids, "each slice as acquired, in their order");
-  // On to the first of them: in the same planes, not as a frame.
+  // The next is the first key image, shown in the same planes and not as a frame.
   QTest::keyClick(&w.window, Qt::Key_Period);
   QVERIFY(!showsFrames(w.view()->state().kind) && w.saysOnView("\u2605 Key image"));
 }

@@ -1,5 +1,5 @@
-// Guards the keys of the window, by real key events: views by letter and keypad with and without NumLock,
-// none that means two things, none that fires while one types.
+// Guards the keys of the window, by real key events. Views are chosen by letter and keypad with and without
+// NumLock. No key has two meanings, and none fires while the user types.
 #include <QApplication>
 #include <QDockWidget>
 #include <QLibrary>
@@ -28,7 +28,7 @@ struct Shown : MainWindow {
   QString seen() { return QString::fromStdString(viewName(view()->camera())); }
 };
 
-// The keyboard itself, as the X server sees it; its libraries are looked for when they are needed.
+// The keyboard as the X server sees it. Its libraries are loaded on demand.
 class XKeyboard {
  public:
   bool open() {
@@ -241,7 +241,8 @@ void TestKeys::escapeLeavesTheMaximisedView() {
   QVERIFY(!window.findChild<QAction*>(QStringLiteral("maximise"))->isChecked());
 }
 
-// As Qt sends a key whose letter is none of a shortcut; whether the widget wants it before shortcuts do.
+// Sends a key as Qt does if its letter has no shortcut. Returns whether the widget wants it before shortcuts
+// do.
 bool pressAt(QWidget* on, int key, quint32 scanCode) {
   const QString text{QChar(char16_t(key))};
   QKeyEvent wanted(QEvent::ShortcutOverride, key, Qt::NoModifier, scanCode, 0, 0, text);
@@ -275,7 +276,7 @@ void TestKeys::lettersOfOtherScriptsMeasure() {
   QVERIFY(w.window.view()->camera() == before);
 }
 
-// Where no second layout of the keyboard is Latin, Qt knows no shortcut of these.
+// Qt finds no shortcut for these letters unless a second keyboard layout is Latin.
 void TestKeys::lettersOfOtherScriptsChooseViews() {
   Shown window;
   window.view()->showView(QStringLiteral("left"));
@@ -289,7 +290,7 @@ void TestKeys::otherLettersAndOtherPlacesMeanNothing() {
   Shown window;
   window.view()->showView(QStringLiteral("left"));
   pressAt(window.view(), 0x0424, 100);
-  pressAt(window.view(), 0x00c4, 38);  // A with dots: Latin, on a German keyboard elsewhere
+  pressAt(window.view(), 0x00c4, 38);  // A with diaeresis is Latin, on another key of a German keyboard
   QCOMPARE(window.seen(), QStringLiteral("left"));
 }
 

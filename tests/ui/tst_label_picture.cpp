@@ -1,5 +1,6 @@
-// Guards how segments are drawn in slices: a twin that goes by the definition, place by place, and closed
-// forms: straight borders at any angle, the faces of voxels, a ball, thin things, labels that touch.
+// Guards how segments are drawn in slices, against a reference model that follows the definition sample by
+// sample. Closed forms cover straight borders at any angle, voxel faces, a ball, thin structures and touching
+// labels.
 #include <tbb/global_control.h>
 
 #include <QImage>
@@ -18,7 +19,7 @@ namespace {
 constexpr QRgb redLabel = qRgb(255, 0, 0), blueLabel = qRgb(0, 0, 255), black = qRgb(0, 0, 0);
 constexpr auto nearest = Interpolation::nearest, linear = Interpolation::linear;
 
-// With the label that `labelOf` gives each voxel; label 1 is shown, in red.
+// Returns a layer in which `labelOf` gives each voxel its label. Label 1 is shown, in red.
 template <class LabelOf>
 SegmentLayer redLayer(glm::ivec3 size, const LabelOf& labelOf) {
   VoxelGeometry grid;
@@ -51,7 +52,7 @@ QImage segmentsOver(QRgb under, const SlicePlane& plane, const SegmentLayer& lay
   return withSegments(picture, plane, layer);
 }
 
-// The part of a unit square that lies where x * normal.x + y * normal.y < distance from its centre.
+// Returns the part of a unit square where x * normal.x + y * normal.y < distance from its centre.
 double partOfPixel(glm::dvec2 normal, double distance) {
   const double a = std::max(std::abs(normal.x), std::abs(normal.y)),
                b = std::min(std::abs(normal.x), std::abs(normal.y)), d = std::abs(distance);
@@ -61,8 +62,8 @@ double partOfPixel(glm::dvec2 normal, double distance) {
   return distance > 0 ? larger : 1 - larger;
 }
 
-// What the places of each pixel show, by the definition; pixels with a place where rounding decides are
-// unsure.
+// A reference model of the samples of each pixel, by the definition. Pixels in which rounding decides a
+// sample are unsure.
 class PlaceTwin {
  public:
   PlaceTwin(const SegmentLayer& layer, const SlicePlane& plane) : layer_(layer), plane_(plane) {
@@ -104,7 +105,7 @@ class PlaceTwin {
     bool isSure = true;
   };
 
-  // Beyond the picture all goes on.
+  // Pixels outside the picture equal the nearest inside.
   const Pixel& at(int x, int y) const {
     const glm::ivec2 held = glm::clamp(glm::ivec2(x, y), glm::ivec2(0), plane_.size - 1);
     return pixels_[std::size_t(held.y * plane_.size.x + held.x)];
@@ -208,7 +209,7 @@ void TestLabelPicture::pixelsAreThoseOfATwin() {
   compareWithTwin(plane, layer);
 }
 
-// Across each axis, at the centres of voxels, beside and between them, and beyond the outermost ones.
+// Planes lie across each axis: at voxel centres, beside and between them, and beyond the outermost.
 void TestLabelPicture::planesOfVoxelsAreThoseOfATwin_data() {
   QTest::addColumn<int>("across");
   QTest::addColumn<double>("at");
@@ -217,7 +218,7 @@ void TestLabelPicture::planesOfVoxelsAreThoseOfATwin_data() {
       QTest::addRow("across %c at %.10g", "ijk"[across], at) << across << at;
 }
 
-// With the other two axes along the picture's sides in either order, and flipped.
+// The other two axes lie along the picture's sides in either order, and flipped.
 void TestLabelPicture::planesOfVoxelsAreThoseOfATwin() {
   QFETCH(int, across);
   QFETCH(double, at);
@@ -259,12 +260,12 @@ void TestLabelPicture::compareWithTwin(const SlicePlane& plane, const SegmentLay
   unsure_ += unsure;
 }
 
-// Of single pictures of a few large pixels, each of hundreds of places, few may be.
+// Few pixels may be unsure, even in small pictures of large pixels with hundreds of samples each.
 void TestLabelPicture::mostPixelsWereCompared() {
   QVERIFY2(5 * unsure_ <= pixels_, qPrintable(QStringLiteral("%1 of %2").arg(unsure_).arg(pixels_)));
 }
 
-// A half-space, turned by any angle. Five places are off by 0.29 at most, and by 0.075 in the mean square.
+// A half-space is turned by any angle. Five samples are off by at most 0.29, and by 0.075 in the mean square.
 void TestLabelPicture::tiltedBordersCoverTheirPart() {
   QFETCH(double, mm);
   QFETCH(Interpolation, interpolation);
@@ -289,7 +290,7 @@ void TestLabelPicture::tiltedBordersCoverTheirPart() {
   QVERIFY2(std::sqrt(squares / pixels) < 0.08, qPrintable(QString::number(std::sqrt(squares / pixels))));
 }
 
-// Two voxels beside each other, eight pixels wide each, with an outline of one pixel.
+// Two adjacent voxels, eight pixels wide each, have an outline of one pixel.
 void TestLabelPicture::nearestVoxelsAreDrawnToTheirFaces() {
   SegmentLayer layer =
       redLayer(glm::ivec3(9), [](glm::ivec3 v) { return v == glm::ivec3(4) || v == glm::ivec3(5, 4, 4); });
@@ -305,8 +306,9 @@ void TestLabelPicture::nearestVoxelsAreDrawnToTheirFaces() {
                                                             : black);
 }
 
-// Of 9.3 voxels, ten pixels each: no border is farther than half a voxel's diagonal from the sphere's, its
-// area is that of a circle, and it has no corners: the outline is about as long as the circle.
+// A ball of 9.3 voxels with ten pixels per voxel. No border is farther than half a voxel diagonal from the
+// sphere's, and its area is that of a circle. The outline is about as long as the circle, so it has no
+// corners.
 void TestLabelPicture::aBallIsRoundWhereItIsInterpolated() {
   constexpr double radius = 9.3, mm = 0.1, pi = 3.14159265358979;
   SegmentLayer layer = redLayer(
@@ -325,7 +327,7 @@ void TestLabelPicture::aBallIsRoundWhereItIsInterpolated() {
       area += part * mm * mm;
     }
   QVERIFY2(std::abs(area / (pi * radius * radius) - 1) < 0.03, qPrintable(QString::number(area)));
-  // Outlines are whole where they are not half hidden: opacity 1/2 against 1, of which the inside is left.
+  // Outlines are complete: with opacity 1/2 instead of 1, only the inside is lighter.
   layer.opacity = 0.5;
   const QImage half = segmentsOver(black, plane, layer);
   double outline = 0;
@@ -336,7 +338,7 @@ void TestLabelPicture::aBallIsRoundWhereItIsInterpolated() {
            qPrintable(QString::number(outline)));
 }
 
-// One voxel has half a pixel's outline somewhere, a line of them half of its width all along.
+// A single voxel has half a pixel of outline somewhere. A line of voxels has half its width all along.
 void TestLabelPicture::thinThingsAreSeenAtAnyZoom() {
   QFETCH(double, mm);
   QFETCH(Interpolation, interpolation);
@@ -366,7 +368,7 @@ void TestLabelPicture::thinThingsAreSeenAtAnyZoom() {
   }
 }
 
-// Every voxel has one of three labels, by chance: all is their colour.
+// Every voxel has one of three labels at random, so the whole picture is coloured.
 void TestLabelPicture::labelsThatTouchLeaveNoSeam() {
   QFETCH(double, mm);
   QFETCH(Interpolation, interpolation);

@@ -1,6 +1,6 @@
-// Guards two ways from a lesion to its numbers, by real events: a PET over its CT, opened by their folder:
-// the lesion by a sphere and 41 %, its SUVpeak and TLG read in the table and in a CSV file, the session saved
-// and opened again; and a cone, of which all is known.
+// Guards two workflows from a lesion to its numbers, by real events. A PET over its CT is opened by folder,
+// and its lesion segmented by a sphere and 41 %. SUVpeak and TLG are read in the table and a CSV file, and
+// the session is saved and reopened. A synthetic cone has known numbers.
 #include <QComboBox>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -23,12 +23,12 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr glm::dvec3 pHot(2.5, -3.5, 1.5);                       // the centre of a voxel
+constexpr glm::dvec3 pHot(2.5, -3.5, 1.5);                       // a voxel centre
 constexpr double hotTop = 16, hotMm = 11, suvOfBecquerel = 0.5;  // SUV 8
 
 double hotValue(glm::dvec3 p) { return hotTop * std::max(0.0, 1 - glm::distance(p, pHot) / hotMm); }
 
-// A cone of 16 Bq/ml in 0, of SUV 8.
+// Returns a PET with a cone of 16 Bq/ml (SUV 8) in a background of 0.
 LoadedSeriesPtr hotPet() {
   auto series = std::make_shared<LoadedSeries>(*seriesOf(volumeOf<float>(
       glm::ivec3(40), glm::dmat3(1), [](glm::dvec3 pVoxel) { return hotValue(pVoxel - 19.5); })));
@@ -42,7 +42,8 @@ LoadedSeriesPtr hotPet() {
 
 using CsvFields = std::map<QString, QString>;
 
-// Of a CSV of one row: the field below each head; commas in quotes are left out.
+// Returns the field below each title of a CSV with one row. Quoted fields, which may hold commas, are
+// skipped.
 CsvFields fieldsOfCsv(const QByteArray& csv) {
   const QStringList lines = QString::fromUtf8(csv).split(QStringLiteral("\r\n"));
   CsvFields fields;
@@ -55,7 +56,7 @@ CsvFields fieldsOfCsv(const QByteArray& csv) {
   return fields;
 }
 
-// What is left of the table of numbers in a file; none where it is not written.
+// Saves the statistics table and returns its fields; empty if it is not written.
 CsvFields savedCsv(Journey& w, const QString& path) {
   QTest::mouseClick(w.child<QWidget>("segmentNumbersCsv"), Qt::LeftButton);
   answer(w, "segmentNumbersFileDialog", path);
@@ -70,7 +71,7 @@ double numberUnder(const char* head, const CsvFields& fields) {
 
 bool isWithin(double is, double wanted, double part) { return std::abs(is / wanted - 1) < part; }
 
-// Where a PET lies over its CT.
+// Returns whether a PET lies over its CT.
 bool areFused(SegmentWindow& w) {
   const auto modality = [&](const SeriesKey& key) {
     return key.empty() ? std::string() : w.workspace().series.at(key).series->modality;
@@ -81,7 +82,7 @@ bool areFused(SegmentWindow& w) {
   });
 }
 
-// The centre of the voxel that has it.
+// Returns the centre of the voxel with the largest value.
 glm::dvec3 placeOfLargest(const Volume& volume) {
   const VoxelGeometry& grid = volume.geometry();
   glm::ivec3 largest(0);
@@ -101,7 +102,7 @@ class TestLesionJourneys : public QObject {
   void aConeFromPetToCsv();
 };
 
-// What numpy finds in the files of the PET: TestRealRecipes.
+// Compares with numpy's results on the PET files (TestRealRecipes).
 void TestLesionJourneys::aTumourOfAPetOverItsCt() {
   const std::string data = dataPath("pet-ct");
   NEED_DATA(data);
@@ -115,7 +116,7 @@ void TestLesionJourneys::aTumourOfAPetOverItsCt() {
     QVERIFY(w.open());
     QTRY_VERIFY_WITH_TIMEOUT(areFused(w) && w.areDrawn(), longest);
     w.begin();
-    // The coronal slice shows how far up it is: the others follow the pointer there.
+    // The coronal slice shows the height of the lesion. The other views follow the pointer there.
     const VoxelGeometry& grid = w.session().series()->volume->geometry();
     const glm::dvec3 pLargest = placeOfLargest(*w.session().series()->volume);
     const glm::dvec2 up = w.view(coronalViewId)->plane()->pixelFromPatient(pLargest);
@@ -169,8 +170,9 @@ void TestLesionJourneys::aTumourOfAPetOverItsCt() {
   QCOMPARE(tableTexts(again), told);
 }
 
-// From 41 % of the top on a cone is one of 59 % of its radius r. The mean of a cone in a ball of radius b
-// about its middle is top (1 - 3 b / (4 r)); the ball of 1 ml has 6.2 mm, and lies in the lesion.
+// The part of a cone above 41 % of its top is a ball of 59 % of its radius r. The mean of a cone in a ball of
+// radius b about its centre is top (1 - 3 b / (4 r)). The ball of 1 ml has a radius of 6.2 mm and lies in the
+// lesion.
 void TestLesionJourneys::aConeFromPetToCsv() {
   const QTemporaryDir folder;
   SegmentWindow w(hotPet());
@@ -185,7 +187,7 @@ void TestLesionJourneys::aConeFromPetToCsv() {
   const CsvFields fields = savedCsv(w, folder.filePath(QStringLiteral("lesion.csv")));
   const auto number = [&](const char* head) { return numberUnder(head, fields); };
 
-  // Of its voxels, one by one.
+  // Sums over voxels.
   const double top = hotTop * suvOfBecquerel, radius = 0.59 * hotMm;
   std::int64_t voxels = 0;
   double sum = 0;
@@ -202,12 +204,12 @@ void TestLesionJourneys::aConeFromPetToCsv() {
   QVERIFY(isWithin(number("SUVmax (SUVbw)"), top, 1e-6));
   QVERIFY(isWithin(number("SUVmean (SUVbw)"), sum / double(voxels), 1e-6));
   QVERIFY(isWithin(number("TLG (SUVbw ml)"), sum / 1000, 1e-6));
-  // As far as voxels of 1 mm allow: of the cone.
+  // The closed forms of the cone hold as far as voxels of 1 mm allow.
   const double ballMm = std::cbrt(1000 * 3 / (4 * std::numbers::pi));
   QVERIFY(isWithin(number("SUVpeak (SUVbw)"), top * (1 - 0.75 * ballMm / hotMm), 0.01));
   const double coneMl = 4 * std::numbers::pi / 3 * radius * radius * radius / 1000;
   QVERIFY(isWithin(number("TLG (SUVbw ml)"), coneMl * top * (1 - 0.75 * 0.59), 0.05));
-  // And what is read in the window is what the file says, to five digits.
+  // The window shows the numbers of the file, to five digits.
   for (const char* head : {"SUVpeak (SUVbw)", "TLG (SUVbw ml)", "SUVmax (SUVbw)"})
     QVERIFY2(isWithin(cellOf(w, QLatin1String(head)).toDouble(), number(head), 1e-4), head);
 }

@@ -1,5 +1,5 @@
-// Guards the tool of lesions: a sphere that is dragged in a slice of any plane becomes a segment of what is
-// in it from a share of the maximum or an SUV on; previewed meanwhile; one undo step; refused in a sentence.
+// Guards the lesion tool. A sphere dragged in a slice of any plane becomes a segment of its voxels above a
+// share of the maximum or an SUV. It has a preview, makes one undo step, and reports why it refuses.
 #include <QComboBox>
 #include <cmath>
 #include <glm/trigonometric.hpp>
@@ -32,7 +32,7 @@ class TestLesionTool : public QObject {
 
 namespace {
 
-constexpr glm::dvec3 inLesion(2.5, -3.5, 1.5), inOther(-12.5, 11.5, -9.5);  // centres of voxels
+constexpr glm::dvec3 inLesion(2.5, -3.5, 1.5), inOther(-12.5, 11.5, -9.5);  // voxel centres
 constexpr double lesionMm = 11, otherMm = 6, suvFactor = 0.5;
 
 double coneValue(glm::dvec3 p) {
@@ -40,8 +40,8 @@ double coneValue(glm::dvec3 p) {
          10 * std::max(0.0, 1 - glm::distance(p, inOther) / otherMm);
 }
 
-// Two cones of 16 and 10 in 0, of 8 and 5 SUVbw: from a share s of the top on they are balls of (1 - s) of
-// their radius.
+// Returns two cones of 16 and 10 (8 and 5 SUVbw) in a background of 0. Above a share s of the top they are
+// balls of (1 - s) of their radius.
 LoadedSeriesPtr twoLesions(bool hasSuv = true) {
   auto series = std::make_shared<LoadedSeries>(*seriesOf(volumeOf<float>(
       glm::ivec3(40), glm::dmat3(1), [](glm::dvec3 pVoxel) { return coneValue(pVoxel - 19.5); })));
@@ -64,7 +64,7 @@ struct LesionWindow : SegmentWindow {
   QPoint away(QPoint from, double mm, ViewId id = axialViewId) {
     return {from.x() + int(std::lround(mm / view(id)->plane()->mmPerPixel)), from.y()};
   }
-  // A sphere about a place; the job is waited for.
+  // Draws a sphere about a position and waits for its job.
   bool draw(glm::dvec3 p, double mm, ViewId id = axialViewId) {
     const QPoint at = showPlace(p, id);
     drag(view(id), at, away(at, mm, id));
@@ -76,7 +76,7 @@ struct LesionWindow : SegmentWindow {
     QTest::mouseEvent(QTest::MouseMove, view(), Qt::LeftButton, {}, away(at, mm));
     return idle();
   }
-  // Of the coloured pixels of the picture: some.
+  // Returns whether the picture has any coloured pixel.
   bool isTinted(ViewId id = axialViewId) {
     const QImage picture = view(id)->picture();
     for (int y = 0; y < picture.height(); ++y)
@@ -85,7 +85,7 @@ struct LesionWindow : SegmentWindow {
           return true;
     return false;
   }
-  // Of so many mm about the lesion: one that is drawn over the picture.
+  // Returns whether a circle of `mm` about the lesion is drawn over the picture.
   bool hasCircle(double mm, ViewId id) {
     const QImage seen = view(id)->grab().toImage();
     const glm::dvec2 middle = view(id)->plane()->pixelFromPatient(inLesion);
@@ -156,7 +156,7 @@ void TestLesionTool::aSphereMakesALesion() {
   QVERIFY(followed && maskOf(followed->labels, 1) == w.mask(1));
 }
 
-// The tool stays in hand.
+// The tool stays active.
 void TestLesionTool::lesionsAreCounted() {
   LesionWindow w;
   QVERIFY(w.draw(inLesion, 12.5) && w.draw(inOther, 8));
@@ -194,7 +194,7 @@ void TestLesionTool::itIsSeenWhileItIsDrawn() {
   QVERIFY2(w.workspace() == before, "nothing is changed yet");
   // Its circle is drawn over the pictures of all slices.
   for (const ViewId view : {axialViewId, coronalViewId, sagittalViewId}) QVERIFY(w.hasCircle(12.5, view));
-  // A smaller one leaks: nothing is to be seen, and nothing said before it is done.
+  // A smaller sphere leaks. It shows no preview, and no message until it is released.
   QTest::mouseEvent(QTest::MouseMove, w.view(), Qt::LeftButton, {}, w.away(at, 4));
   QVERIFY(w.idle());
   QTRY_VERIFY_WITH_TIMEOUT(!w.isTinted(), longest);
@@ -206,7 +206,8 @@ void TestLesionTool::itIsSeenWhileItIsDrawn() {
   for (const ViewId view : {axialViewId, coronalViewId, sagittalViewId}) QVERIFY(!w.hasCircle(12.5, view));
 }
 
-// 5 mm further and 3 mm beside: 5.8 mm, which leaks; 12 mm beside: 13 mm.
+// Moves 5 mm to another slice and 3 mm beside the centre, which is 5.8 mm and leaks. 12 mm beside the centre
+// are 13 mm.
 void TestLesionTool::theSphereGoesThroughThePointerInOtherSlices() {
   LesionWindow w;
   const QPoint at = w.showPlace(inLesion);
@@ -292,7 +293,7 @@ void TestLesionTool::aClickIsNone() {
 
 void TestLesionTool::lockedSegmentsKeepTheirVoxels() {
   LesionWindow w;
-  QVERIFY(w.make(7, 10));  // SUVbw: the top of the first
+  QVERIFY(w.make(7, 10));  // SUVbw: the top of the first lesion
   const BitMask top = w.mask(1);
   QVERIFY(!top.empty());
   w.tick(0, 1);

@@ -1,6 +1,5 @@
-// Guards the tool that traces levels: the closed line at the value under the pointer is drawn in slices of
-// any plane; a click makes what is inside part of the current segment, with Ctrl it is erased; one undo step
-// each.
+// Guards the level tracing tool. The closed contour at the value under the pointer is drawn in slices of any
+// plane. A click adds its inside to the current segment, Ctrl+click erases it, one undo step each.
 #include <glm/geometric.hpp>
 
 #include "tests/ui/segment_window.h"
@@ -27,9 +26,9 @@ class TestLevelTraceTool : public QObject {
 
 namespace {
 
-constexpr glm::dvec3 traceMiddle(1.5, -2.5, 0.5);  // of a voxel
+constexpr glm::dvec3 traceMiddle(1.5, -2.5, 0.5);  // a voxel centre
 
-// 1000 in the middle, 50 a mm less.
+// Returns a volume of 1000 in the middle that falls by 50 per mm.
 LoadedSeriesPtr fadingBall() {
   auto series = std::make_shared<LoadedSeries>(
       *seriesOf(volumeOf<float>(glm::ivec3(40), glm::dmat3(1), [](glm::dvec3 pVoxel) {
@@ -44,13 +43,13 @@ struct TraceWindow : SegmentWindow {
     click("segmentGrowing");
     child<QAction>("levelTraceTool")->trigger();
   }
-  // The pixel so many mm beside the middle, whose slice is shown.
+  // Shows the slice through the middle and returns the pixel `mm` beside it.
   QPoint beside(double mm, ViewId id = axialViewId) {
     showPlace(traceMiddle, id);
     const glm::dvec2 pixel = view(id)->plane()->pixelFromPatient(traceMiddle);
     return {int(pixel.x + mm / view(id)->plane()->mmPerPixel), int(pixel.y)};
   }
-  // What the kernels make of it.
+  // Returns the voxels that the kernels compute.
   BitMask expected(QPoint at, ViewId id = axialViewId) {
     const SlicePlane plane = *view(id)->plane();
     const Volume& volume = *session().series()->volume;
@@ -99,8 +98,8 @@ void TestLevelTraceTool::aClickTakesWhatIsInside() {
   QVERIFY(w.workspace() == after);
 }
 
-// Interpolated values lie a little off the cone: of voxels within a quarter of one of the circle nothing is
-// asked.
+// Interpolated values differ slightly from the cone. Voxels within a quarter of a voxel of the circle are not
+// tested.
 void TestLevelTraceTool::inAnAxialSliceItIsADisc() {
   TraceWindow w;
   const QPoint at = w.beside(7.2);
@@ -139,7 +138,8 @@ void TestLevelTraceTool::withCtrlItIsErased() {
   QVERIFY(w.workspace() == before);
 }
 
-// Its colour is none of a grey picture, nor of the lines of the crosshair, which the places lie apart from.
+// The line's colour occurs neither in a grey picture nor in the crosshair's lines, from which the tested
+// pixels keep clear.
 void TestLevelTraceTool::theLineFollowsThePointer() {
   TraceWindow w;
   const QPoint middle = w.beside(0);

@@ -101,7 +101,7 @@ void TestLightBall::cubeFacesAreTheStandardViews() {
   OrientationCube cube;
   cube.show();
   cube.setAxes(cameraAxes(*standardView(view.toStdString())));
-  // Seen from there, the middle of the cube is its face.
+  // The face of the cube's view is in its middle.
   QCOMPARE(cube.viewAt({cube.width() / 2.0, 42}), view);
   QSignalSpy asked(&cube, &OrientationCube::viewRequested);
   QTest::mouseClick(&cube, Qt::LeftButton, {}, QPoint(cube.width() / 2, 42));

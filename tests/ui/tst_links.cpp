@@ -1,5 +1,5 @@
-// Guards how views to compare follow each other: through frames of reference, by hand, and in zoom, pan and
-// window where that is wanted. Real events.
+// Guards how compared views follow each other: through frames of reference, by hand, and in zoom, pan and
+// window if chosen. Real events.
 #include <QMenu>
 
 #include "tests/ui/two_series.h"
@@ -166,7 +166,7 @@ void TestLinks::windowsAreOfOneModalityAndUnit() {
   QCOMPARE(windowIn(right) == windowIn(left), follows);
 }
 
-// What is 5 SUVbw in one is 5 in the other, whatever it is in Bq/ml.
+// 5 SUVbw in one view are 5 SUVbw in the other, whatever they are in Bq/ml.
 void TestLinks::windowsOfPetAreOneUptake() {
   const auto pet = [](const char* frame, double factor) {
     auto series = std::make_shared<LoadedSeries>(*ballIn(frame, 1, "PT"));

@@ -1,5 +1,5 @@
 // Guards design.md 8 (the UI thread never decodes or waits; progress, cancel) and design.md 7 (a bad path
-// costs a sentence).
+// costs a message).
 #include <QSignalSpy>
 
 #include "io/open.h"
@@ -104,7 +104,7 @@ void TestLoader::intentsComeBackWithTheirAnswers() {
   }
 }
 
-// The others come to what they were asked for, and it leaves no trace among what is open.
+// The other two open as requested, and the cancelled one leaves no trace among the open studies.
 void TestLoader::oneOfThreeOpensIsCancelled() {
   Watched w;
   OpenStudies open;
@@ -134,7 +134,7 @@ void TestLoader::twoAreOpenedAtOnce_data() {
   QTest::newRow("as usual, then by a scene") << false;
 }
 
-// Each is shown, in the order in which they were opened, and each by its own scene.
+// Both are shown in the order of opening, each with its own scene.
 void TestLoader::twoAreOpenedAtOnce() {
   QFETCH(bool, firstHasScene);
   tests::openAlone();
@@ -196,7 +196,7 @@ void TestLoader::whatIsOpenedStandsInTheListByItsName_data() {
   QTest::newRow("none while names are hidden") << true << QStringList(4, QStringLiteral("Opening"));
 }
 
-// Before any of them begins: the first is long.
+// The names are listed before any load begins. The first one is long.
 void TestLoader::whatIsOpenedStandsInTheListByItsName() {
   QFETCH(bool, namesHidden);
   QFETCH(QStringList, texts);
@@ -235,7 +235,7 @@ void TestLoader::theStatusLineShowsWhatLastsAndCancels() {
   QVERIFY(!cancel->isVisible());
 }
 
-// What was asked for first stands in the line, and all of it where one asks for more.
+// The status line shows the earliest request, and all of them on demand.
 void TestLoader::theStatusLineShowsAllThatRun() {
   Jobs jobs;
   StatusLine line(jobs);

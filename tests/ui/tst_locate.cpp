@@ -1,5 +1,5 @@
-// Guards window.md "Save a session": series that were moved are found again in a folder that is named, all at
-// once.
+// Guards window.md "Save a session": moved series are found again, all at once, in a folder that the user
+// names.
 #include <QAbstractButton>
 #include <QDir>
 #include <QFileInfo>
@@ -19,7 +19,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// A session of two series, of which both files were moved since.
+// A session of two series whose files were both moved.
 struct Moved {
   SessionFolder folder;
   QTemporaryDir elsewhere;
@@ -79,7 +79,7 @@ void TestLocate::allThatLiesThereIsFoundAtOnce() {
   QCOMPARE(QString::fromStdString(view.series.path), moved.there("ball.nrrd"));
   QVERIFY2(view.scenes.at(view.series) == was.scenes.at(was.series), "as it was left");
   QCOMPARE(view.scenes.size(), was.scenes.size());
-  // One step, and what is missing again is not looked for.
+  // It is one undo step, and redo does not search for the series again.
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.window.session().workspace().series.begin()->second.missing);
   w.child<QAction>("redo")->trigger();
@@ -113,7 +113,7 @@ void TestLocate::otherMessagesOfferNothing() {
   QVERIFY(!locate(w)->isVisible());
 }
 
-// A series along a curve is made of one that is found.
+// A curved series is rebuilt from a series that is found.
 void TestLocate::whatCannotBeLaidOutAgainIsTold() {
   const SessionFolder folder;
   const std::string place = QFileInfo(folder.ct()).path().toStdString();

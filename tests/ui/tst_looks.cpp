@@ -1,4 +1,4 @@
-// Guards how the window looks at any size: the picture has the room, nothing overlaps or is cut off, panels
+// Guards how the window looks at any size. The picture has the space, nothing overlaps or is cut off, panels
 // fold to their titles, and layouts of earlier versions do no harm.
 #include <QAbstractButton>
 #include <QColorDialog>
@@ -40,7 +40,7 @@ struct Sized : MainWindow {
   QDockWidget* dock(const char* name) {
     return findChild<QDockWidget*>(QLatin1String(name) + QStringLiteral("Dock"));
   }
-  // Whether a panel's tab is the chosen one.
+  // Returns whether a panel's tab is selected.
   bool onTop(const char* name) {
     for (const QTabBar* bar : findChildren<QTabBar*>())
       if (bar->currentIndex() >= 0 && bar->tabText(bar->currentIndex()) == dock(name)->windowTitle())
@@ -150,7 +150,7 @@ void TestLooks::theOpenPageOfSegmentsIsSeen_data() {
 
 namespace {
 
-// Pixels of a button's two highest and lowest rows that are not as its corner.
+// Counts pixels in a button's two highest and two lowest rows that differ from its corner.
 int framePixels(QWidget* button) {
   const QImage image = button->grab().toImage();
   int framed = 0;
@@ -162,7 +162,7 @@ int framePixels(QWidget* button) {
 
 }  // namespace
 
-// Its button has a frame, as in the tool bar; those of the other pages have none.
+// The button of the open page has a frame, as in the tool bar. Those of the other pages have none.
 void TestLooks::theOpenPageOfSegmentsIsSeen() {
   QFETCH(Theme, theme);
   Sized window(QSize(1600, 1000), 100, theme);
@@ -188,10 +188,10 @@ void TestLooks::panelsFoldToTheirTitles() {
   QTRY_VERIFY(window.dock("lights")->height() > before + 100);
   QVERIFY(window.dock("transfer")->height() < 40);
   QVERIFY(!window.findChild<QWidget*>(QStringLiteral("transferPanel"))->isVisible());
-  // A click on the title unfolds, too.
+  // A click on the title unfolds the panel, too.
   QTest::mouseClick(window.dock("transfer")->titleBarWidget(), Qt::LeftButton, {}, QPoint(80, 8));
   QTRY_VERIFY(std::abs(window.dock("transfer")->height() - curve) < curve / 10);
-  // Tabs fold together: one that stays open would keep the room.
+  // Tabs fold together, because one that stayed open would keep the space.
   QTest::mouseClick(window.fold("lights"), Qt::LeftButton);
   QTRY_VERIFY(window.dock("lights")->height() < 40);
   QTRY_VERIFY(window.dock("transfer")->height() > curve + 100);
@@ -212,7 +212,7 @@ void TestLooks::hiddenPanelsAreOpenedFromTheView() {
 }
 
 void TestLooks::layoutsOfEarlierVersionsDoNoHarm() {
-  // As the window was kept when it had other panels and no number for its layout.
+  // Restores a window state saved with other panels and without a layout version.
   QMainWindow earlier;
   for (const char* name : {"studies", "transfer", "lights", "material", "effects"}) {
     auto* dock = new QDockWidget;
@@ -259,7 +259,7 @@ void TestLooks::realStudiesAreShown_data() {
   QTest::addColumn<QString>("path");
   QTest::addColumn<QSize>("size");
   QTest::addColumn<bool>("light");
-  // Every size and theme for the eye, where $VOLUMEN_SHOTS names a folder; else the one with the least room.
+  // Takes screenshots of every size and theme if $VOLUMEN_SHOTS names a folder, else of the smallest size.
   const bool all = qEnvironmentVariableIsSet("VOLUMEN_SHOTS");
   const auto sizes = all ? QList<QSize>{{1024, 700}, {1440, 900}, {2560, 1440}} : QList<QSize>{{1024, 700}};
   for (const char* path : {"ct-chest-lidc0314-138", "mr-head-ge-mprage-130", "pet-ct/sts019-pet",

@@ -1,6 +1,6 @@
-// Guards the lens under the pointer: its pixels are those of the slice or frame drawn at that zoom, none of
-// the screen enlarged; it goes with the button, and leaves no step, no state and nothing in pictures that are
-// saved.
+// Guards the magnifier under the pointer. Its pixels are those of the slice or frame drawn at that zoom, not
+// of the enlarged screen. It disappears with the button and leaves no undo step, no state and nothing in
+// saved pictures.
 #include "tests/fixtures/small_volumes.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/measure_window.h"
@@ -31,7 +31,7 @@ struct LensWindow : MeasureWindow {
 
 QPoint lensMiddle(const QWidget* view) { return view->rect().center() - QPoint(20, 30); }
 
-// What the lens must show, drawn directly.
+// Returns the expected content of the lens, drawn directly.
 QImage drawnAt(const FlatView* view, QPointF at, double factor) {
   SliceRequest request = *view->requestFor(view->pixels());
   const glm::dvec3 centre = request.plane.patientFromPixel({at.x(), at.y()});
@@ -42,7 +42,7 @@ QImage drawnAt(const FlatView* view, QPointF at, double factor) {
   return drawn ? drawn->convertToFormat(QImage::Format_RGB32) : QImage();
 }
 
-// How many pixels within the ring are others than those.
+// Counts the pixels within the ring that differ from `expected`.
 int wrongPixels(FlatView* view, QPoint at, const QImage& expected) {
   if (expected.isNull()) return -1;
   const QImage seen = view->grab().toImage().convertToFormat(QImage::Format_RGB32);
@@ -120,7 +120,7 @@ void TestMagnifier::itsPixelsAreThoseOfTheSlice() {
   const int steps = w.session().undoStack().index();
   QVERIFY(QTest::qWaitFor([&] { return w.view()->picture().size() == w.view()->pixels(); }, longest));
   const QImage captured = w.view()->capture();
-  // The picture itself is another one than that of the lens.
+  // The picture differs from that of the lens.
   QVERIFY(wrongPixels(w.view(), at, drawnAt(w.view(), at, 2)) > 1000);
   QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
   QVERIFY(showsLens(w.view(), at, 2));
@@ -132,7 +132,7 @@ void TestMagnifier::itsPixelsAreThoseOfTheSlice() {
   QVERIFY(w.session().workspace() == before);
 }
 
-// Four notches are twice as large; from 1.5 to 8.
+// Four notches double the zoom, which ranges from 1.5 to 8.
 void TestMagnifier::theWheelEnlarges() {
   LensWindow w;
   const Workspace before = w.session().workspace();
@@ -149,7 +149,7 @@ void TestMagnifier::theWheelEnlarges() {
   QVERIFY(w.session().workspace() == before);
 }
 
-// To an edge, too, where a part of it is out of the view.
+// The lens reaches the edge, too, where part of it is outside the view.
 void TestMagnifier::itFollowsThePointer() {
   LensWindow w;
   QTest::keyClick(w.view(), Qt::Key_V);

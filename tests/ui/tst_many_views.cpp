@@ -34,7 +34,7 @@ void TestManyViews::everyViewGetsItsPictures() {
   SlowRenderer renderer;
   Watched w(renderer.make());
   w.service.setGestureView(hand);
-  // Something else keeps the thread busy until all have asked.
+  // Another picture keeps the thread busy until all views have sent requests.
   renderer.msPerRow = 2;
   w.service.requestPicture(w.volume, greyScene(0), ofSize(8, 5000));
   QTRY_COMPARE(renderer.begun.load(), 1);
@@ -47,7 +47,7 @@ void TestManyViews::everyViewGetsItsPictures() {
   }
   renderer.msPerRow = 0;
   for (const int number : numbers) QTRY_COMPARE(w.answerTo(number), Answer::drawn);
-  // On a machine that stands still for so long another view may go first (longestWait).
+  // On a machine that stalls for that long, another view may go first (longestWait).
   if (clock.elapsed() < 200) QCOMPARE(w.pictures[0].view, hand);
   std::set<ViewId> drafted;
   for (int n = 0; n < views; ++n) {
@@ -78,7 +78,7 @@ void TestManyViews::hiddenViewsAreNotDrawn() {
   const int third = w.service.request(0, greyScene(0.6), {64, 40});
   for (const int number : {first, second, third}) QTRY_COMPARE(w.answerTo(number), Answer::cancelled);
   QTRY_COMPARE(renderer.cancelled.load(), 1);
-  // When a view is drawn again, only it is.
+  // If one view is drawn again, the others are not.
   w.service.show(1, w.volume);
   const int fourth = w.service.request(1, greyScene(0.8), {64, 20});
   QTRY_COMPARE(w.answerTo(fourth), Answer::drawn);
@@ -114,8 +114,8 @@ void TestManyViews::hidingAViewLeavesTheOthersAlone() {
   QCOMPARE(renderer.cancelled.load(), 0);
 }
 
-// A draft takes 10 ms and more and the hand's view asks for one each 10 ms, so that there always is one to
-// draw.
+// A draft takes at least 10 ms and the view of the gesture requests one each 10 ms, so that one is always
+// waiting.
 void TestManyViews::viewsThatFollowTheHandAreDrawn() {
   SlowRenderer renderer;
   renderer.msPerRow = 1;
@@ -152,7 +152,7 @@ void TestManyViews::levelsAreOfTheirViews() {
 namespace {
 
 constexpr int views = 4;
-constexpr double fails = 0.9;  // scenes of a brighter light cannot be drawn
+constexpr double fails = 0.9;  // scenes with a brighter light cannot be drawn
 
 MakeDraw failing(SlowRenderer& renderer) {
   return [make = renderer.make()](const VoxelsPtr& voxels) -> Draw {
@@ -164,7 +164,7 @@ MakeDraw failing(SlowRenderer& renderer) {
   };
 }
 
-// Random use of a service by somebody who checks all that it tells.
+// Uses a service at random and checks all its messages.
 class RandomUse {
  public:
   explicit RandomUse(unsigned seed) : random_(seed) {
@@ -202,7 +202,7 @@ class RandomUse {
     }
   }
 
-  /// Waits for all answers, or closes at once; empty where each came once and was right.
+  /// Waits for all answers, or closes at once. Returns an empty text if each answer came once and was right.
   QString end(bool wait) {
     const auto allAnswered = [this] {
       return std::all_of(asked_.begin(), asked_.end(), [](const auto& r) { return r.second.answers == 1; }) &&
@@ -223,9 +223,9 @@ class RandomUse {
   struct Asked {
     ViewId view;
     double grey;
-    bool replaced = false;  // another was made for the view
+    bool replaced = false;  // another request was made for the view
     bool outdated = false;  // the view was hidden, or shows another volume
-    bool onScreen = false;  // its picture at rest
+    bool onScreen = false;  // its picture at rest is shown
     int answers = 0;
   };
 

@@ -1,5 +1,5 @@
-// A morning at a chest CT: lengths, angles and regions in three planes of a large window, none of whose texts
-// lies on a shape.
+// Guards measuring on a chest CT: lengths, angles and regions in three planes of a large window. No
+// measurement text covers a shape.
 #include <QDockWidget>
 #include <QLineEdit>
 
@@ -19,7 +19,7 @@ class TestMeasureJourney : public QObject {
 
 namespace {
 
-// Places in parts of a view's width and height.
+// A shape to draw. Its points are fractions of a view's width and height.
 struct Stroke {
   ShapeKind kind;
   ViewId view;

@@ -1,5 +1,5 @@
-// Guards slices.md 4 in the window: what a hand draws in flat views, by real mouse and key events, and the
-// numbers that come of it.
+// Guards slices.md 4 in the window: what is drawn in flat views by real mouse and key events, and the
+// resulting numbers.
 #include <QLineEdit>
 #include <numbers>
 
@@ -15,7 +15,7 @@ using enum ShapeKind;
 
 namespace {
 
-// The value i on voxels of this grid; 40 of them an edge.
+// Returns a series with the value i on voxels of this grid, 40 along each edge.
 LoadedSeriesPtr rampOn(const glm::dmat3& step) {
   return seriesOf(volumeOf<float>({40, 40, 40}, step, [](glm::dvec3 p) { return p.x; }));
 }
@@ -49,7 +49,8 @@ void TestMeasureTools::everyToolDrawsWhereTheHandIs_data() {
       QTest::addRow("%s, %s", ruleOf(kind).name, grids[n].name) << int(kind) << n;
 }
 
-// The shape's points are those of the pixels, to 1e-9 mm; its numbers are those of viewer/measure; one step.
+// The shape's points are those of the pixels, to 1e-9 mm. Its numbers are those of viewer/measure. It is one
+// undo step.
 void TestMeasureTools::everyToolDrawsWhereTheHandIs() {
   QFETCH(int, kind);
   QFETCH(int, grid);
@@ -61,7 +62,7 @@ void TestMeasureTools::everyToolDrawsWhereTheHandIs() {
   const Measurement m = w.last();
   QVERIFY(m.shape.kind == ShapeKind(kind));
   QVERIFY(checkShape(m.shape).ok());
-  // An outline has another point where the hand lets go.
+  // An outline has another point where the button is released.
   QVERIFY(m.shape.points.size() >= places.size() && m.shape.points.size() <= places.size() + 2);
   for (const QPointF p : places) {
     double nearest = 1e9;
@@ -87,7 +88,7 @@ void TestMeasureTools::numbersAreClosedForms() {
   QVERIFY(std::abs(w.measured(w.last())->number - 90) < 1e-9);
   w.draw(cobb, {{40, 40}, {140, 40}, {40, 90}, {90, 140}});
   QVERIFY(std::abs(w.measured(w.last())->number - 45) < 1e-9);
-  // Inside the ball of 1000 HU, 10 mm about (3, -2, 4): the slice lies 4 mm or so from its middle.
+  // Inside the ball of 1000 HU, 10 mm about (3, -2, 4). The slice is about 4 mm from its centre.
   const glm::dvec2 centre = w.view()->plane()->pixelFromPatient({3, -2, 4});
   const QPointF middle(std::round(centre.x), std::round(centre.y)),
       half(std::round(5 / mm), std::round(4 / mm));
@@ -96,7 +97,8 @@ void TestMeasureTools::numbersAreClosedForms() {
   QVERIFY(std::abs(ball.number - std::numbers::pi * half.x() * half.y() * mm * mm) < 1e-9);
   QCOMPARE(ball.values->mean, 1000.0);
   QCOMPARE(ball.values->sd, 0.0);
-  // As many voxels of 1 mm^2 as fit, but for those that its edge cuts: fewer than its circumference.
+  // The count of voxels of 1 mm^2 differs from the area by less than the circumference, because the edge cuts
+  // voxels.
   QVERIFY(std::abs(double(ball.values->n) - ball.number) < 30);
   QVERIFY(w.drawn(w.last().id).text.contains(QStringLiteral("Mean 1000, SD 0 HU")));
   w.draw(probe, {middle});
@@ -179,7 +181,7 @@ void TestMeasureTools::keysChooseTools_data() {
   QTest::newRow("W") << int(Qt::Key_W) << QStringLiteral("window");
 }
 
-// In a slice; in 3D the letters mean what they did.
+// The keys choose tools in a slice. In 3D the letters keep their meaning.
 void TestMeasureTools::keysChooseTools() {
   QFETCH(int, key);
   QFETCH(QString, tool);
@@ -208,7 +210,7 @@ void TestMeasureTools::anArrowAsksForItsText() {
   QCOMPARE(w.drawn(w.last().id).text, QStringList(QStringLiteral("Nodule, 3 mm?")));
   w.undo();
   QCOMPARE(w.last().shape.name, std::string());
-  // A double-click on a text changes what it says.
+  // A double-click on a text edits it.
   w.redo();
   const QPointF text = w.drawn(w.last().id).textRect.center();
   QTest::mouseDClick(w.view(), Qt::LeftButton, {}, text.toPoint());
@@ -244,7 +246,7 @@ void TestMeasureTools::withoutCalibrationPixelsAreSaid() {
 
 void TestMeasureTools::noVoxelInside() {
   MeasureWindow w(rampOn({4, 0, 0, 0, 4, 0, 0, 0, 4}));
-  w.view()->resize(900, 900);  // so that a region between four voxels can be drawn
+  w.view()->resize(900, 900);  // large enough to draw a region between four voxels
   const glm::dvec2 between = w.view()->plane()->pixelFromPatient({0, 0, 0});
   const QPointF p(between.x, between.y);
   w.draw(rectangle, {p - QPointF(4, 4), p + QPointF(4, 4)});
@@ -253,7 +255,7 @@ void TestMeasureTools::noVoxelInside() {
   QCOMPARE(text[1], QStringLiteral("no voxel inside"));
 }
 
-// While the hand moves nothing waits for numbers; in the end they are those of where it let go.
+// During the drag nothing waits for numbers. In the end they are those of the final position.
 void TestMeasureTools::largeRegionsAreMeasuredBeside() {
   MeasureWindow w(seriesOf(randomVolume<std::int16_t>({600, 600, 3}, -1000, 1000)));
   const QSize size = w.view()->size();

@@ -1,5 +1,5 @@
-// Guards the panel that draws the values under a measurement, by real events: profile, histogram and mean
-// over time, what follows the selection and the shape, and what is copied.
+// Guards the chart of values under a measurement, by real events: profile, histogram and mean over time. It
+// follows the selection and the shape, and can be copied.
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
@@ -21,7 +21,7 @@ using enum ShapeKind;
 
 namespace {
 
-// The panel, in whatever window.
+// The chart panel of any window.
 struct ChartOf {
   Journey& w;
 
@@ -37,7 +37,7 @@ struct ChartOf {
 struct ChartWindow : MeasureWindow {
   ChartOf chart{*this};
 
-  // Through the middle of the ball and out at both its sides.
+  // Returns a line through the middle of the ball and out on both sides.
   std::vector<QPointF> acrossTheBall() {
     const SlicePlane plane = *view()->plane();
     const glm::dvec2 middle = plane.pixelFromPatient({3, -2, 4});
@@ -45,7 +45,7 @@ struct ChartWindow : MeasureWindow {
         half(std::round(12 / plane.mmPerPixel), 0);
     return {centre - half, centre + half};
   }
-  // Half in the ball, half in the air beside it.
+  // Moves points so that half of them lie in the ball and half in the air beside it.
   std::vector<QPointF> atItsEdge(const std::vector<QPointF>& places) {
     return placesWithin(places, {-5, -2, 4}, 6);
   }
@@ -60,7 +60,7 @@ struct ChartWindow : MeasureWindow {
   }
 };
 
-// Four volumes of 16 voxels of 2 mm an edge; the n-th has the value 100 n.
+// Writes four volumes of 16 voxels of 2 mm along each edge. Volume n has the value 100 n.
 QString fourSteps(const QTemporaryDir& folder) {
   const QString path = folder.filePath(QStringLiteral("four.nrrd"));
   std::ofstream file(path.toStdString(), std::ios::binary);
@@ -109,7 +109,7 @@ void TestMeasurementCharts::aLineHasItsProfile_data() {
   QTest::newRow("polyline") << int(polyline);
 }
 
-// Across the ball: from the air of 0 to its 1000 HU.
+// The line crosses the ball, from the air of 0 to its 1000 HU.
 void TestMeasurementCharts::aLineHasItsProfile() {
   QFETCH(int, kind);
   ChartWindow w;
@@ -126,7 +126,7 @@ void TestMeasurementCharts::aLineHasItsProfile() {
   QVERIFY(std::abs(wanted.lines.back().back().x() - w.measured(w.last())->number) < 1e-9);
   QCOMPARE(w.chart.said(), nameText(w.last()));
   QVERIFY(!w.chart.kind()->isEnabled());
-  // Something is drawn.
+  // The view draws something.
   auto* view = w.child<ChartView>("chartView");
   const QImage picture = view->grab().toImage();
   int coloured = 0;
@@ -136,7 +136,7 @@ void TestMeasurementCharts::aLineHasItsProfile() {
       const QColor at = picture.pixelColor(x, y);
       const int off = std::abs(at.red() - line.red()) + std::abs(at.green() - line.green()) +
                       std::abs(at.blue() - line.blue());
-      coloured += off < 90;  // its edges are soft
+      coloured += off < 90;  // antialiased edges
     }
   QVERIFY(coloured > 50);
   w.shot("chart-profile");
@@ -167,7 +167,7 @@ void TestMeasurementCharts::aRegionHasItsHistogram() {
   QTRY_VERIFY_WITH_TIMEOUT(w.chart.shown() == wanted, longest);
   QCOMPARE(wanted.yTitle, QStringLiteral("Voxels"));
   QVERIFY(!wanted.lines.empty());
-  // An edge is dragged: the chart is of what it holds now.
+  // After an edge is dragged, the chart is that of the new region.
   drag(w.view(), places[1], places[1] + QPointF(19, 29));
   const MeasuredChart larger = w.histogram(w.last());
   QVERIFY(!(larger == wanted));
@@ -192,8 +192,8 @@ void TestMeasurementCharts::itFollowsTheSelection() {
   QVERIFY(w.chart.said().startsWith(QStringLiteral("Select a length")));
 }
 
-// One whose series is not in memory has no chart, none of another one either; then the others have theirs
-// again.
+// A measurement whose series is not in memory has no chart, not even an earlier one. The others then have
+// theirs again.
 void TestMeasurementCharts::aChartIsOfWhatIsSelected() {
   ChartWindow w;
   w.chart.open();
@@ -255,7 +255,7 @@ void TestMeasurementCharts::csvIsCopied() {
       QStringLiteral("\"Distance (mm)\",\"Value (HU)\"\r\n")));
 }
 
-// Those that nobody looked at are read for it.
+// Time points that were never shown are read for the chart.
 void TestMeasurementCharts::aRegionThroughTime() {
   const QTemporaryDir folder;
   Journey w({fourSteps(folder)});
@@ -282,7 +282,7 @@ void TestMeasurementCharts::aRegionThroughTime() {
   QTRY_VERIFY_WITH_TIMEOUT(chart.shown().lines == wanted.lines, longest);
   QCOMPARE(chart.shown().xTitle, wanted.xTitle);
   QVERIFY(chart.shown().marked && chart.shown().problem.isEmpty());
-  // A drag of a corner reads nothing; what follows it does.
+  // Dragging a corner reads nothing. The release does.
   const auto isRead = [&] {
     return std::ranges::any_of(w.window.jobs().rows(), [](const JobRow& row) {
       return row.text.startsWith(QStringLiteral("Reading all time points"));

@@ -1,5 +1,5 @@
-// Guards what was measured: edited, moved and deleted by hand, seen in every view that it belongs to, undone
-// and done again.
+// Guards measurements: edited, moved and deleted by hand, shown in every view to which they belong, undone
+// and redone.
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QRandomGenerator>
@@ -53,7 +53,7 @@ void TestMeasurements::aCornerKeepsTheOppositeOne() {
   for (const ShapeKind kind : {ellipse, rectangle}) {
     MeasureWindow w;
     w.draw(kind, {{60, 60}, {120, 110}});
-    drag(w.view(), {60, 110}, {40, 140});  // the lower left one
+    drag(w.view(), {60, 110}, {40, 140});  // the lower left corner
     const DrawnMeasurement drawn = w.drawn(w.last().id);
     QRectF box;
     for (const auto& handle : drawn.handles) box |= QRectF(handle.at, QSizeF(1e-9, 1e-9));
@@ -93,7 +93,7 @@ void TestMeasurements::aLineMovesTheShape() {
     if (auto* field = w.view()->findChild<QLineEdit*>(QStringLiteral("measurementName")))
       QTest::keyClick(field, Qt::Key_Return);
     const Measurement before = w.last();
-    w.session().select(0);  // without handles, so that its ends are lines too
+    w.session().select(0);  // without handles, so that a drag at the ends takes the line
     QPointF on = kind == probe ? places[0] : middleOf(places[0], places[1]);
     if (kind == ellipse || kind == rectangle) on = {middleOf(places[0], places[1]).x(), places[0].y()};
     drag(w.view(), on, on + QPointF(13, 7));
@@ -116,10 +116,10 @@ void TestMeasurements::aTextIsMoved() {
   QVERIFY2(!text.intersects(QRectF(60, 60, 60, 50)), "beside its shape");
   drag(w.view(), text.center(), text.center() + QPointF(-20, 40));
   QVERIFY(w.last().shape == before.shape && w.last().textOffset);
-  // A press lies on a whole pixel, the text's middle need not.
+  // A press is on a whole pixel, but the text's centre need not be.
   QVERIFY(QLineF(w.drawn(before.id).textRect.center(), text.center() + QPointF(-20, 40)).length() < 1.5);
   const QPointF at = w.drawn(before.id).textRect.center();
-  drag(w.view(), {90, 60}, {100, 70});  // the shape: its text goes with it
+  drag(w.view(), {90, 60}, {100, 70});  // drags the shape, and its text moves with it
   QVERIFY(QLineF(w.drawn(before.id).textRect.center(), at + QPointF(10, 10)).length() < 1e-6);
   w.undo();
   w.undo();
@@ -156,8 +156,7 @@ void TestMeasurements::deleteRemovesTheSelected() {
   QVERIFY2(w.session().workspace().selected == 0, "a press beside all of them selects none");
 }
 
-// Drawn, moved, renamed and deleted by chance; every state comes back as it was, and again on the way
-// forward.
+// Draws, moves, renames and deletes at random. Undo and redo restore every state.
 void TestMeasurements::twoHundredStepsBackAndForth() {
   MeasureWindow w;
   QRandomGenerator random(11);
@@ -168,14 +167,15 @@ void TestMeasurements::twoHundredStepsBackAndForth() {
     const auto at = [&] { return QPointF(random.bounded(30, 170), random.bounded(30, 170)); };
     const int what = random.bounded(10);
     if (what < 4 || w.all().empty()) {
-      const ShapeKind kind = drawnKinds[random.bounded(quint32(drawnKinds.size() - 1))];  // no arrow: it asks
+      // Leaves out the arrow, which asks for a text.
+      const ShapeKind kind = drawnKinds[random.bounded(quint32(drawnKinds.size() - 1))];
       std::vector<QPointF> places = placesOf(kind);
       const QPointF by = at() / 4;
       for (QPointF& p : places) p += by;
       w.draw(kind, places);
     } else if (what < 8) {
       const QPointF from = at();
-      drag(w.view(), from, from + QPointF(9, 5));  // a shape, a text, or the window
+      drag(w.view(), from, from + QPointF(9, 5));  // moves a shape or a text, or changes the window
     } else if (what == 8) {
       renameMeasurement(w.session(), w.last().id, QString::number(states.size()));
     } else {
@@ -185,7 +185,7 @@ void TestMeasurements::twoHundredStepsBackAndForth() {
   }
   QCOMPARE(w.session().undoStack().index(), first + 200);
   const auto sameAs = [&](Workspace wanted) {
-    wanted.selected = w.session().workspace().selected;  // no step of its own
+    wanted.selected = w.session().workspace().selected;  // selecting is no undo step
     return w.session().workspace() == wanted;
   };
   for (std::size_t n = 200; n-- > 0;) {
@@ -210,7 +210,7 @@ void TestMeasurements::otherPlanesShowTheCut() {
   const SlicePlane plane = *w.view(coronalViewId)->plane();
   const double width = QLineF(cut.lines[0].front(), cut.lines[0].back()).length() * plane.mmPerPixel;
   QVERIFY(std::abs(width - std::abs(b.x - a.x)) < 1e-9);
-  // A press on the cut selects it, and moves nothing.
+  // A press on the cut selects the measurement and moves nothing.
   const Measurement before = w.last();
   w.session().select(0);
   const QPointF on = middleOf(cut.lines[0].front(), cut.lines[0].back());

@@ -1,4 +1,4 @@
-// Guards the panel of measurements by real events, and that the window and `volumen measure` say the same.
+// Guards the measurements panel by real events, and that the window and `volumen measure` report the same.
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDockWidget>
@@ -26,7 +26,7 @@ using enum ShapeKind;
 
 namespace {
 
-// The window with its panel in front.
+// A window with its measurements panel in front.
 struct PanelWindow : MeasureWindow {
   using MeasureWindow::MeasureWindow;
   QTreeWidget* list() { return child<QTreeWidget>("measurementList"); }
@@ -86,7 +86,7 @@ void TestMeasurementsPanel::rowsSayNamesNumbersAndSeries() {
     QCOMPARE(item->text(1), measuredText(m.shape, w.measured(m)));
     QCOMPARE(item->text(2), QStringLiteral("CT Ball"));
   }
-  drag(w.view(), {60, 60}, {40, 40});  // the ellipse's corner
+  drag(w.view(), {60, 60}, {40, 40});  // drags a corner of the ellipse
   QCOMPARE(w.list()->topLevelItem(1)->text(1), measuredText(w.last().shape, w.measured(w.last())));
 }
 
@@ -190,7 +190,7 @@ void TestMeasurementsPanel::itBringsItsSeriesBack() {
   QVERIFY(w.drawn(w.last().id).whole);
 }
 
-// Shapes saved by the window, measured by the command: the same numbers, to the last digit.
+// The command measures shapes saved by the window: the same numbers, to the last digit.
 void TestMeasurementsPanel::theCommandSaysTheSame() {
   const QString phantom = QStringLiteral("phantom:ct-head:64");
   Journey opened({phantom});

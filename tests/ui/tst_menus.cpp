@@ -1,5 +1,4 @@
-// Guards what stands in the menus and in the tool bar of the window, and in which order: features say it,
-// each of its own actions.
+// Guards the entries of menus and tool bar and their order. Each feature defines those of its own actions.
 #include <QDialog>
 #include <QMenuBar>
 #include <QScrollBar>
@@ -15,7 +14,7 @@ using namespace volumen;
 
 namespace {
 
-// Its text, "|" of a line, "NAME >" of a menu; of a widget its name in brackets.
+// Returns the entry's text, "|" for a separator, "NAME >" for a menu, and a widget's name in brackets.
 QString entryText(const QAction* action) {
   if (action->isSeparator()) return QStringLiteral("|");
   if (const auto* holder = qobject_cast<const QWidgetAction*>(action))
@@ -31,7 +30,7 @@ QStringList entriesOf(const QWidget* menu) {
 
 QStringList listed(const char* entries) { return QString::fromLatin1(entries).split(QStringLiteral("; ")); }
 
-// The one that titles lead to from the menu bar; none: the bar itself.
+// Returns the menu to which titles lead from the menu bar, or the bar if there are no titles.
 const QWidget* menuAt(const QMainWindow& window, const QString& titles) {
   const QWidget* at = window.menuBar();
   for (const QString& title : titles.split(QLatin1Char('/'), Qt::SkipEmptyParts)) {
@@ -132,7 +131,7 @@ void TestMenus::theToolBarHoldsWhatItShould() {
                   "Mouse and keys"));
 }
 
-// On a screen of 768 lines.
+// The screen has 768 lines.
 void TestMenus::noMenuIsLongerThanAScreen() {
   const MainWindow window(realServices());
   for (const QAction* title : window.menuBar()->actions())

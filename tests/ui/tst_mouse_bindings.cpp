@@ -1,5 +1,5 @@
-// Guards what the mouse does by presets and by a person's own choices: every row of every preset by real
-// events in slices and in 3D, checked for what it changed; what is kept, and what in the file is no binding.
+// Guards mouse bindings by presets and by the user's choices. Real events check every row of every preset, in
+// slices and in 3D, by what it changed. Bindings are saved, and invalid ones in the file are ignored.
 #include <QComboBox>
 
 #include "tests/ui/clean_settings.h"
@@ -19,7 +19,7 @@ Qt::MouseButton buttonOf(MouseInput input) {
                                       : Qt::MiddleButton;
 }
 
-// The gesture of a slot; of what two fingers do, by them.
+// Does the gesture of a slot, with two fingers if it is one of those.
 void doGesture(QWidget* on, const MouseSlot& slot, const std::string& bound) {
   if (slot.input == MouseInput::wheel)
     return bound == "pan" ? slide(on, {12, -9}, slot.held) : wheel(on, 1, slot.held);
@@ -29,7 +29,7 @@ void doGesture(QWidget* on, const MouseSlot& slot, const std::string& bound) {
   QCoreApplication::sendEvent(on, &move);
 }
 
-// The left button alone, which nobody binds, with those that can be bound.
+// Returns the bindable slots of a place and the plain left button, which cannot be bound.
 std::vector<MouseSlot> slotsOf(MousePlace place) {
   std::vector<MouseSlot> found{{place, MouseInput::left}};
   for (const MouseSlot& slot : mouseSlots())
@@ -87,7 +87,7 @@ void TestMouseBindings::everyRowOfAPresetIn3D() {
                                              {"zoom", QStringLiteral("Zoom")},
                                              {"curve", QStringLiteral("Adjust curve")},
                                              {"none", QString()}};
-  // What is opaque gets no more so.
+  // Lowers opacity, because opaque tissue cannot get more opaque.
   w.session().edit(QStringLiteral("test"), [](Scene& s) {
     for (auto& point : s.transferFunction.points) point.opacity /= 2;
   });
@@ -105,7 +105,7 @@ void TestMouseBindings::everyRowOfAPresetIn3D() {
   }
 }
 
-// A row that is misspelt would do nothing.
+// A misspelt row would have no effect.
 void TestMouseBindings::rowsOfPresetsAreThoseOfSlots() {
   std::map<std::string, MouseSlot> known;
   for (const MouseSlot& slot : mouseSlots())
@@ -168,7 +168,7 @@ void TestMouseBindings::everyActionOfEverySlot_data() {
   QTest::newRow("3D") << false;
 }
 
-// Bound to each in turn, a slot is that and no other one differs.
+// A slot bound to each action does it, and no other slot changes.
 void TestMouseBindings::everyActionOfEverySlot() {
   QFETCH(bool, flat);
   for (const MouseSlot& slot : mouseSlots()) {

@@ -1,5 +1,5 @@
-// Guards gestures of the mouse and of trackpads, whatever they are bound to: pinches, two fingers, right
-// clicks, boxes of the left button, drags that end with their button, keys that are held.
+// Guards gestures of mice and trackpads with any bindings: pinches, two fingers, right clicks, boxes of the
+// left button. Drags end with their button, and held keys are respected.
 #include <QMenu>
 #include <QNativeGestureEvent>
 #include <QPointingDevice>
@@ -13,7 +13,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// They go apart by a share of their distance.
+// Moves two fingers apart by a share of their distance.
 void pinch(QWidget* on, QPointF at, double share) {
   QNativeGestureEvent event(Qt::ZoomNativeGesture, QPointingDevice::primaryPointingDevice(), 2, at, at,
                             on->mapToGlobal(at), share, {});
@@ -72,7 +72,7 @@ void TestMouseGestures::aDragEndsWithItsButton() {
   QCOMPARE(w.session().undoStack().index(), steps + 1);
 }
 
-// A hand on the wheel trembles; the crosshair follows the pointer once that goes somewhere.
+// A hand on the wheel trembles. The crosshair follows the pointer only once it moves further.
 void TestMouseGestures::aWheelWithShiftLeavesTheCrosshair() {
   MeasureWindow w;
   const MouseSlot slot{MousePlace::flat, MouseInput::move, Qt::ShiftModifier};
@@ -91,7 +91,7 @@ void TestMouseGestures::aWheelWithShiftLeavesTheCrosshair() {
   moveTo(middle + QPointF(30, 20));
   QCOMPARE(doneBetween(before, FlatSeen(w)), std::string("crosshair"));
   const FlatSeen there(w);
-  moveTo(middle + QPointF(32, 20));  // it goes on in small moves
+  moveTo(middle + QPointF(32, 20));  // continues in small moves
   QCOMPARE(doneBetween(there, FlatSeen(w)), std::string("crosshair"));
 }
 

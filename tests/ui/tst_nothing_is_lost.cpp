@@ -1,5 +1,5 @@
-// Guards issue 51 "What may not be lost": what was measured outlives the list, the window asks before work
-// goes, and what was discarded can be had back.
+// Guards issue 51 "What may not be lost": measurements outlive the list, the window asks before it discards
+// work, and discarded work can be restored.
 #include <QContextMenuEvent>
 #include <QDockWidget>
 #include <QLabel>
@@ -23,7 +23,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// A series in a folder, opened in a window, with a length and a key image on it.
+// A series in a folder, opened in a window, with a length and a key image.
 struct Worked : Journey {
   explicit Worked(const QString& path) {
     window.open({path});
@@ -149,7 +149,7 @@ void TestNothingIsLost::measurementsComeBackWithTheirSeries() {
   const Measurement& back = w.workspace().measurements.at(0);
   QVERIFY(back.shape == made.shape && back.id == made.id && back.series == w.key());
   QVERIFY(w.workspace().closed.empty() && w.workspace().unlisted->series.empty() == !byFile);
-  // The step before was that of closing.
+  // The previous undo step was the closing.
   w.child<QAction>("undo")->trigger();
   QVERIFY(w.workspace().measurements.empty());
   w.child<QAction>("undo")->trigger();

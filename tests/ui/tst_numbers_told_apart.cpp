@@ -1,5 +1,5 @@
-// Guards numbers that leave the window: each says of which patient, study, series, slice and time point it is
-// and how it was taken. By real events.
+// Guards exported numbers: each states its patient, study, series, slice, time point and how it was measured.
+// Real events.
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QTreeWidget>
@@ -21,7 +21,7 @@ class TestNumbersToldApart : public QObject {
 
 namespace {
 
-// Of two patients, who differ in nothing else that is measured.
+// Returns a ball. Two patients' balls differ in nothing else that is measured.
 LoadedSeriesPtr ballOf(const char* patient, const char* date, const char* number) {
   auto series = std::make_shared<LoadedSeries>(*ballSeries(32, 10, {3, -2, 4}));
   series->series.patientName = patient;
@@ -103,7 +103,7 @@ void TestNumbersToldApart::segmentsSayWhose() {
            qPrintable(csv));
 }
 
-// A region of the CT in the view of a PET of one frame of reference.
+// A region belongs to the CT, in the view of a PET with the same frame of reference.
 void TestNumbersToldApart::valuesOfAnotherSeriesNameIt() {
   TwoSeries w(ballIn("1.2.3"), petIn("1.2.3"));
   Shape region;

@@ -1,4 +1,5 @@
-// Guards design.md 3 in the window: OpenGL resamples on the render thread, and where it cannot, the CPU does.
+// Guards design.md 3 in the window: OpenGL resamples on the render thread, and the CPU does if OpenGL is
+// unavailable.
 #include <cmath>
 
 #include <QSignalSpy>
@@ -18,7 +19,7 @@ class TestOpenGlResampler : public QObject {
 
 namespace {
 
-// The next full picture.
+// Returns the next full picture.
 ScreenPicture fullPicture(DrawService& service, const Scene& scene) {
   ScreenPicture full;
   const auto connection = QObject::connect(&service, &DrawService::screenPictureReady, &service,
@@ -31,7 +32,7 @@ ScreenPicture fullPicture(DrawService& service, const Scene& scene) {
   return full;
 }
 
-// Of the colours of 8 bits.
+// Returns the RMS difference of 8-bit colours.
 double rmsDifference(const QImage& a, const QImage& b) {
   double squares = 0;
   for (int y = 0; y < a.height(); ++y)
@@ -54,11 +55,11 @@ void TestOpenGlResampler::theSamePictureComesFromOpenGl() {
   service.setResampler(Resampler::gl);
   const ScreenPicture gl = fullPicture(service, scene);
   QCOMPARE(cpu.plan->resampler, Resampler::cpu);
-  // The CPU goes from cell to cell where OpenGL takes plain steps, and both keep the promise of `standard`:
-  // 42 dB, an RMSE of 2.03/255 each.
+  // The CPU goes from cell to cell and OpenGL takes plain steps. Both keep the promise of `standard`: 42 dB,
+  // an RMSE of 2.03/255 each.
   QVERIFY(rmsDifference(cpu.image, gl.image) <= 4.06);
   QVERIFY2(!hasGl || failures.isEmpty(), "where Qt has OpenGL nothing may fail");
-  if (!failures.isEmpty()) {  // neither Qt's OpenGL nor another one
+  if (!failures.isEmpty()) {  // neither Qt's OpenGL nor another is available
     QCOMPARE(gl.plan->resampler, Resampler::cpu);
     QSKIP(qPrintable(failures[0][1].toString()));
   }

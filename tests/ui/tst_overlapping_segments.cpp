@@ -1,5 +1,5 @@
-// Guards window.md "Segment" of several maps, by real events: segments that overlap keep their voxels, are
-// listed, drawn, measured, exported and saved together; what is done in one map leaves the others.
+// Guards window.md "Segment" for several maps, by real events. Overlapping segments keep their voxels and are
+// listed, drawn, measured, exported and saved together. Acts in one map leave the others unchanged.
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QLabel>
@@ -68,7 +68,7 @@ void TestOverlappingSegments::bothAreListedAndOneIsWorkedOn() {
   QVERIFY(w.workspace() == none);
 }
 
-// A stroke, a step, a lock, and a map that goes with its last segment.
+// A stroke, a recipe step, a lock, and a map that disappears with its last segment.
 void TestOverlappingSegments::whatIsDoneInOneLeavesTheOther() {
   OverlapWindow w;
   const Workspace none = w.workspace();
@@ -116,7 +116,7 @@ void TestOverlappingSegments::bothAreDrawn() {
   QVERIFY(w.session().segmentsDrawn(sceneViewId).empty());
 }
 
-// "Only inside shown segments" is inside any of them, whichever is worked on.
+// "Only inside shown segments" means inside any of them, whichever map is active.
 void TestOverlappingSegments::tissueIsThatOfAll() {
   OverlapWindow w;
   QVERIFY(w.importBoth());
@@ -139,7 +139,7 @@ void TestOverlappingSegments::tissueIsThatOfAll() {
   QTRY_COMPARE_WITH_TIMEOUT(drawn(), voxelsWhere(isBallAboutHollow), longest);
 }
 
-// The second map is chosen before the first one's change begins.
+// The second map becomes active before the first one's change begins.
 void TestOverlappingSegments::changesWaitForTheMapTheyWereAskedIn() {
   OverlapWindow w;
   QVERIFY(w.importBoth());
@@ -204,7 +204,7 @@ void TestOverlappingSegments::imagesOfLabelsAreRefused() {
   QVERIFY2(w.said().contains(QStringLiteral(".seg.nrrd and .dcm hold")), qPrintable(w.said()));
 }
 
-// And which of them is worked on.
+// Sessions also keep which map is active.
 void TestOverlappingSegments::sessionsKeepBoth() {
   const SessionFolder folder;
   SharedList<SegmentMap> saved;

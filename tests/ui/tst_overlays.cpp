@@ -1,5 +1,5 @@
-// Guards the texts on the picture and on the curve's axis: readable on anything, never over each other, and
-// none where it would mislead.
+// Guards texts on the picture and on the curve's axis. They are readable on any background, never overlap,
+// and are left out if they would mislead.
 #include <QStaticText>
 #include <algorithm>
 #include <cmath>
@@ -104,7 +104,7 @@ void TestOverlays::nothingTouchesAnythingElse() {
     if (n >= overlays.taken.size()) QVERIFY(area.contains(rects[n]));
     for (std::size_t m = 0; m < n; ++m) QVERIFY(!rects[n].intersects(rects[m]));
   }
-  // It can be painted, too.
+  // The texts can be painted, too.
   QImage image(size, QImage::Format_RGB32);
   QPainter painter(&image);
   paintOverlays(painter, overlays, area);
@@ -120,7 +120,7 @@ void TestOverlays::allOfItFindsRoomInAUsualView() {
   QCOMPARE(placed.scaleBarMm, 100.0);
 }
 
-// What is bright of Hebrew beside Latin letters on white is inside what is dark: one order for both.
+// In mixed Hebrew and Latin text on white, bright letters lie inside their dark halo, so both have one order.
 void TestOverlays::lettersAndHaloHaveOneOrder_data() {
   QTest::addColumn<QString>("text");
   QTest::newRow("Latin") << QStringLiteral("Doe, Jane (12345)");
@@ -148,7 +148,7 @@ void TestOverlays::lettersAndHaloHaveOneOrder() {
     for (int x = 0; x < 300; ++x) {
       if (qGray(black.pixel(x, y)) < 250) continue;
       ++letters;
-      int darkest = 255;  // of the ground near by
+      int darkest = 255;  // of the background near by
       for (int dy = -2; dy <= 2; ++dy)
         for (int dx = -2; dx <= 2; ++dx) darkest = std::min(darkest, qGray(white.pixel(x + dx, y + dy)));
       QVERIFY2(darkest < 110, qPrintable(QStringLiteral("%1, %2: %3").arg(x).arg(y).arg(darkest)));
@@ -174,7 +174,7 @@ void TestOverlays::textIsReadableOnAnything() {
   painter.setFont(pictureFont());
   paintOverlays(painter, overlays, QRectF(0, 0, 300, 60));
   painter.end();
-  // Bright strokes, and dark at both sides of each.
+  // Strokes are bright, with dark pixels on both sides.
   int strokes = 0;
   const QRectF text = placeOverlays(overlays, {0, 0, 300, 60}, pictureFont()).texts.at(0).rect;
   const int y = int(text.center().y());
@@ -204,7 +204,7 @@ void TestOverlays::textsHaveContrastOnAnyGrey_data() {
     QTest::newRow(name) << QColor(QRgb(colour));
 }
 
-// Between what is a letter's and what lies beside it, as WCAG 2.1, 1.4.3 has it.
+// Measures contrast between letters and their surroundings, as WCAG 2.1, 1.4.3 defines it.
 void TestOverlays::textsHaveContrastOnAnyGrey() {
   QFETCH(QColor, colour);
   const QString text = QStringLiteral("LIVER Doe, Jane 12.5 mm");
@@ -268,7 +268,7 @@ void TestOverlays::tissuesAreNamedWhereTheyAre() {
   QStringList found;
   for (const TissueLabel& label : tissueLabels(axis, width)) {
     found << label.name;
-    // From its first to its last letter the nearest tissue below is its own.
+    // From its first to its last letter, the nearest tissue at or below is its own.
     for (const double x : {label.left, label.left + width(label.name)}) {
       QString below;
       for (const Tissue& tissue : tissuesHu)

@@ -1,5 +1,6 @@
-// Guards windows of the user's own: added from what is in focus, named, numbered and removed in their dialog,
-// offered behind the program's own to series of their modality and unit, named in the corner, kept.
+// Guards user windows. They are added from the view in focus, and named, numbered and removed in their
+// dialog. Series of their modality and unit list them after the program's windows. They are named in the
+// corner and saved.
 #include <QDialog>
 #include <QLabel>
 #include <QMenu>
@@ -27,7 +28,7 @@ struct OwnWindowsWindow : MeasureWindow {
   }
   QTableWidget* table() { return child<QTableWidget>("windowTable"); }
   void press(const char* button) { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
-  // As an editor of the cell leaves it.
+  // Writes a cell as its editor does on leaving.
   void write(int row, int column, const char* text) {
     table()->item(row, column)->setText(QLatin1String(text));
   }
@@ -160,7 +161,7 @@ void TestOwnWindows::petIsInvertedInItsUnit() {
   QVERIFY2(w.choices()[last].startsWith(QStringLiteral("Liver (4 / 2")), qPrintable(w.choices()[last]));
   QTest::keyClick(w.view(), Qt::Key(Qt::Key_0 + last));
   QVERIFY(w.windowSet());
-  // 2 and 4 SUVbw in Bq/ml, dark where much is.
+  // 2 and 4 SUVbw in Bq/ml, dark where uptake is high.
   QVERIFY(std::abs(w.windowSet()->centre - 400) < 1e-9 && std::abs(w.windowSet()->width + 800) < 1e-9);
   w.session().prefer([](Preferences& p) { p.petUnit = PetUnit::file; });
   QVERIFY2(!w.choices().join(QLatin1Char('|')).contains(QStringLiteral("Liver")), "Bq/ml are other numbers");

@@ -23,7 +23,7 @@ using namespace volumen;
 
 namespace {
 
-// A session that shows a ball, and a panel on it.
+// A session that shows a ball, and a panel for it.
 template <class Panel>
 struct Shown {
   Session session;
@@ -43,7 +43,7 @@ struct Shown {
   }
 };
 
-// Types a number into a field and leaves it.
+// Types a number into a field and confirms it.
 void type(QWidget* field, const char* text) {
   field->setFocus();
   QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
@@ -103,7 +103,7 @@ void TestPanels::pointsAreTyped() {
   QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("< 0.01 mm"));
   s.panel->editor()->select(0);
   QCOMPARE(s.child<QDoubleSpinBox>("pointHalving")->text(), QStringLiteral("none"));
-  // No point, no numbers.
+  // Without a selected point there are no numbers.
   s.panel->editor()->select(-1);
   for (const char* each : {"pointValue", "pointOpacity", "pointHalving"})
     QCOMPARE(s.child<QDoubleSpinBox>(each)->text(), QString());
@@ -147,14 +147,15 @@ void TestPanels::aLightStaysWhereItIsWhenItsSpaceChanges() {
   auto* space = s.child<QComboBox>("lightSpace");
   Q_EMIT space->activated(1);
   QVERIFY(s.scene().lights[0].space == Space::patient);
-  // From the left, the picture's right is the patient's back: (0, 1, 0); towards the viewer is left: (1, 0,
-  // 0).
+  // Seen from the left, the picture's right is the patient's back: (0, 1, 0). The direction to the viewer is
+  // left: (1, 0, 0).
   QVERIFY(glm::length(s.scene().lights[0].direction - glm::dvec3(0.8, 0.6, 0)) < 1e-9);
   QVERIFY(glm::length(s.panel->ball()->lights()[0].direction - glm::dvec3(0.6, 0, 0.8)) < 1e-9);
-  // The camera turns, the light stays with the patient: from behind, its left is on the left of the ball.
+  // When the camera turns, the light stays with the patient. Seen from behind, the patient's left is on the
+  // left of the ball.
   s.session.edit(QStringLiteral("turn"), [](Scene& scene) { scene.camera = *standardView("posterior"); });
   QVERIFY(glm::length(s.panel->ball()->lights()[0].direction - glm::dvec3(-0.8, 0, 0.6)) < 1e-9);
-  // Turned on the ball, it is written in patient space.
+  // A light dragged on the ball is stored in patient space.
   LightBall* ball = s.panel->ball();
   tests::drag(ball, ball->positionOf(ball->lights()[0].direction), ball->positionOf({0, 0, 1}));
   QVERIFY(glm::length(s.scene().lights[0].direction - glm::dvec3(0, 1, 0)) < 0.06);
@@ -246,11 +247,11 @@ void TestPanels::studiesAreListedAndSearched() {
   OpenStudies studies;
   StudiesPanel panel(studies);
   studies.add(QStringLiteral("/data"), study);
-  studies.add(QStringLiteral("/data"), study);  // opened again: not listed twice
+  studies.add(QStringLiteral("/data"), study);  // opened again, but not listed twice
   const auto found = [&](const char* text) {
     return panel.tree()->findItems(QLatin1String(text), Qt::MatchContains | Qt::MatchRecursive);
   };
-  QCOMPARE(panel.tree()->topLevelItemCount(), 3);  // two patients and what could not be read
+  QCOMPARE(panel.tree()->topLevelItemCount(), 3);  // two patients and the unreadable files
   QCOMPARE(found("Doe, Jane").size(), 1);
   QVERIFY(found("CT Lung").value(0)->text(0).startsWith(QStringLiteral("! CT Lung\n1 slice")));
   QVERIFY(found("CT Lung").value(0)->toolTip(0).contains(QStringLiteral("7.5 mm gap")));

@@ -1,6 +1,6 @@
-// Guards that panels belong to what is in focus: tabs of the one kind of view give way to those of the other,
-// and come back as they were left; no panel shows the curve of another series than the one in focus; a view
-// alone keeps tools and the status line. Real mouse and key events.
+// Guards that panels belong to the view in focus. Tabs of one kind of view replace those of the other, and
+// return as they were left. No panel shows the curve of a series that is not in focus. A maximised view keeps
+// tools and the status line. Real mouse and key events.
 #include <QDockWidget>
 #include <QSettings>
 #include <QStatusBar>
@@ -22,7 +22,7 @@ struct Docks : MeasureWindow {
   Docks() { window.resize(1440, 900); }
 
   QDockWidget* dock(const char* name) { return child<QDockWidget>((QByteArray(name) + "Dock").constData()); }
-  // Tabs behind the one in front lie outside the window.
+  // Hidden tabs lie outside the window.
   bool inFront(const char* name) { return dock(name)->isVisible() && dock(name)->geometry().right() >= 0; }
   void click(ViewId id) { QTest::mouseClick(window.views()->viewOf(id), Qt::LeftButton, {}, {40, 200}); }
 };
@@ -124,7 +124,7 @@ void TestPanelsOfFocus::anotherSeriesHidesTheCurve() {
   w.session().setFocus(left);
   QCOMPARE(sentenceOf(w, "transferDock"), QString());
   QVERIFY(w.child<QWidget>("curveEditor")->isVisible());
-  // With no 3D on screen the curve would be that of a view that nobody sees.
+  // Without a 3D view on screen, the curve would be that of a hidden view.
   w.session().showAs(left, ViewKind::axial);
   w.session().setFocus(right);
   QVERIFY2(sentenceOf(w, "transferDock").contains(QStringLiteral("Show in this view")),

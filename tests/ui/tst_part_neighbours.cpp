@@ -1,5 +1,5 @@
-// Guards which voxels touch in connected parts that are clicked: those that share a face, an edge, a corner,
-// as is chosen in the panel; the recorded steps say it.
+// Guards the connectivity of clicked components: voxels that share a face, an edge or a corner, as chosen in
+// the panel. The recorded steps state it.
 #include <QComboBox>
 #include <algorithm>
 
@@ -12,13 +12,13 @@ using namespace volumen::tests;
 
 namespace {
 
-// The first is clicked; of the others one shares a face with it, one an edge, one only a corner. These do not
-// touch each other, and the last one touches none.
+// The first voxel is clicked. One of the others shares a face with it, one an edge, one only a corner. They
+// do not touch each other, and the last touches none.
 constexpr glm::ivec3 clickedVoxel(20), touchingVoxels[] = {{21, 20, 20}, {19, 21, 20}, {19, 19, 21}},
                                        voxelApart(25);
 constexpr glm::dvec3 inClickedVoxel(0.5);
 
-// They have 1000, all else 0.
+// Returns a volume in which they have 1000 and the rest 0.
 LoadedSeriesPtr touchingInWays() {
   auto series = std::make_shared<LoadedSeries>(*hollowBalls());
   series->volume = volumeOf<std::int16_t>(glm::ivec3(40), glm::dmat3(1), [](glm::dvec3 pVoxel) {
@@ -30,7 +30,7 @@ LoadedSeriesPtr touchingInWays() {
   return series;
 }
 
-// What its steps say of that; what they leave out is the default.
+// Returns the connectivity that the recipe states; the default if it states none.
 std::string neighboursIn(const Recipe& recipe) {
   for (const Step& step : recipe.steps)
     if (const auto field = step.fields.find("neighbours"); field != step.fields.end())

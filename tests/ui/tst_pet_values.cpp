@@ -1,5 +1,5 @@
-// Guards slices.md 4 in the window: numbers of PET are SUVbw where that can be had, in the status line,
-// regions, windows and panels, by real mouse and key events; what is stored stays in the units of the file.
+// Guards slices.md 4 in the window: PET values are SUVbw where possible, in the status line, regions, windows
+// and panels. Stored values keep the units of the file. Real mouse and key events.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -27,7 +27,7 @@ struct Pet : Journey {
       : Journey({QString::fromStdString(dataPath("field-cases/" + name.toStdString()))}) {}
 
   bool opened() {
-    // Two or three slices open as pictures.
+    // A series of two or three slices opens as frames.
     if (!QTest::qWaitFor([this] { return view() && showsFrames(view()->state().kind) && frameIn(view()); },
                          longest))
       return false;
@@ -40,7 +40,7 @@ struct Pet : Journey {
   }
   Session& session() { return window.session(); }
   FlatView* view() { return window.views()->viewAs<FlatView>(axialViewId); }
-  // What the status line says of the middle of the view.
+  // Returns the status line's text for the middle of the view.
   QString said() {
     QString text;
     const auto listening =
@@ -49,7 +49,7 @@ struct Pet : Journey {
     QObject::disconnect(listening);
     return text;
   }
-  // An ellipse about the middle of the view.
+  // Draws an ellipse about the middle of the view.
   void drawRegion() {
     child<QAction>("ellipseTool")->trigger();
     const QPointF middle = QRectF(view()->rect()).center(),
@@ -62,7 +62,7 @@ struct Pet : Journey {
   }
   QString corner() { return view()->overlays().bottomRight; }
   std::optional<Window> windowSet() { return session().workspace().series.at(view()->state().series).window; }
-  // One of View > PET values, as a hand chooses it.
+  // Chooses an entry of View > PET values by the mouse.
   void choose(const char* unit) {
     auto* menu = child<QMenu>("petUnitMenu");
     menu->popup(window.mapToGlobal(QPoint(60, 60)));
@@ -71,7 +71,7 @@ struct Pet : Journey {
   }
 };
 
-// 70 kg, 350 MBq, 3600 s of 6586.2: SLICE.md's formula.
+// 70 kg, 350 MBq, 3600 s with a half-life of 6586.2 s: SLICE.md's formula.
 const double bqFactor = 70000 / (350e6 * std::pow(2, -3600 / 6586.2));
 
 }  // namespace
@@ -132,7 +132,7 @@ void TestPetValues::theUnitIsChosenAndRemembered() {
     QVERIFY(w.corner().endsWith(QStringLiteral(" Bq/ml")));
     QCOMPARE(w.session().undoStack().index(), steps);
     QVERIFY(w.session().workspace() == before);
-    w.choose("SUVlbm");  // its files give no size
+    w.choose("SUVlbm");  // its files state no body height
     QVERIFY2(w.said().contains(
                  QStringLiteral("2000.000 Bq/ml (no SUVlbm: PatientSize (0010,1020) is missing) at ")),
              qPrintable(w.said()));
@@ -167,13 +167,13 @@ void TestPetValues::windowsAreSuv() {
   for (const auto& [key, most] : digits) {
     QTest::keyClick(w.view(), key);
     QVERIFY(w.windowSet());
-    // Inverted as PET is.
+    // Inverted as usual for PET.
     QVERIFY(std::abs(w.windowSet()->width * bqFactor + most) < 1e-9);
     QVERIFY(std::abs(w.windowSet()->centre * bqFactor - most / 2) < 1e-9);
     QCOMPARE(w.corner(),
              QStringLiteral("W %1 L %2 SUVbw").arg(most, 0, 'f', most == 10 ? 0 : 1).arg(most / 2));
   }
-  // Typed where the numbers stand.
+  // Types at the numbers of the window.
   const Overlays over = w.view()->overlays();
   for (const PlacedText& text :
        placeOverlays(over, QRectF(w.view()->rect()).adjusted(0, 0, -6, 0), w.view()->font()).texts)
@@ -217,7 +217,7 @@ void TestPetValues::whyThereIsNoSuv() {
 
 namespace {
 
-// A ball whose 1000 Bq/ml are 5 SUVbw, and 4 SUVlbm.
+// Returns a ball whose 1000 Bq/ml are 5 SUVbw and 4 SUVlbm.
 LoadedSeriesPtr petBall() {
   auto series = std::make_shared<LoadedSeries>(*ballSeries());
   series->series.modality = "PT";
@@ -244,7 +244,7 @@ void TestPetValues::panelsAreSuv() {
   w.session().prefer([](Preferences& p) { p.petUnit = PetUnit::suvLeanBodyMass; });
   QCOMPARE(width->value(), 3.2);
   QVERIFY(width->suffix() == QStringLiteral(" SUVlbm"));
-  width->setValue(6);  // as typed
+  width->setValue(6);  // as if typed
   QVERIFY(std::abs(w.session().scene().window->width - 1500) < 1e-9);
   w.session().prefer([](Preferences& p) { p.petUnit = PetUnit::suvBodySurface; });
   QCOMPARE(width->value(), 1500.0);

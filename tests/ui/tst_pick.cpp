@@ -1,5 +1,5 @@
-// Guards design.md 8 (pointing): the place and value under the cursor are those that the picture shows
-// (picture.md 4, 6), against closed forms and on a real chest.
+// Guards design.md 8 (pointing): position and value under the cursor are those that the picture shows
+// (picture.md 4, 6). Checked against closed forms and on a real chest.
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int side = 40;  // voxels of 1 mm along each axis, centred on the origin
 
-// Values that grow along y: 10 a mm, 0 at the origin; or `slope` of it.
+// Returns values that grow along y by `slope` per mm, 0 at the origin.
 VolumePtr ramp(double slope = 10) {
   VolumeParts parts;
   parts.geometry.size = {side, side, side};
@@ -94,7 +94,7 @@ void TestPick::halfOfASlabsOpacityIsItsPlace() {
 
 void TestPick::theSlabBeginsAtTheClipAndTheEye() {
   Scene scene = curveOf({{0, {1, 1, 1}, 0.5}});
-  const double depth = 1;  // mm in which half of the light is stopped, and all of it in the slab
+  const double depth = 1;  // mm in which half of the light is absorbed; all of it within the slab
   const auto y = [&](const SightLine& line, bool parallel) {
     const auto hit = pick(scene, *ramp(), line, parallel);
     return hit && hit->pPatient ? hit->pPatient->y : std::nan("");
@@ -128,7 +128,7 @@ void TestPick::anEdgeReadsAValueThatIsVisible() {
 }
 
 void TestPick::gradientOpacityMovesThePlaceToTheEdge() {
-  const LoadedSeriesPtr ball = tests::ballSeries();  // of 1000, radius 10
+  const LoadedSeriesPtr ball = tests::ballSeries();  // 1000, radius 10
   Scene scene = curveOf({{500, {1, 1, 1}, 0.05}});
   const auto y = [&] { return pick(scene, *ball->volume, fromTheFront, true)->pPatient->y; };
   QVERIFY2(y() > -7, "inside, where half of the opacity is reached");
@@ -153,7 +153,7 @@ void TestPick::projectionsReadTheirExtreme() {
   scene.mode = Mode(mode);
   const auto hit = pick(scene, *ramp(), fromTheFront, true);
   QVERIFY(hit && hit->pPatient);
-  // Half a voxel beyond the outermost centres is as bright: the place may lie there.
+  // Half a voxel beyond the outermost centres is as bright, so the position may lie there.
   QVERIFY(std::abs(hit->pPatient->y - y) < 0.51);
   QVERIFY(std::abs(hit->value - value) < 0.05);
   QVERIFY2(!hit->softMm, "it is no surface");

@@ -1,4 +1,4 @@
-// Guards picking of segments in 3D: their surfaces are seen as picture.md 10 draws them.
+// Guards picking of segments in 3D: their surfaces are those that picture.md 10 draws.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -16,12 +16,12 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr int gridOfPlates = 40;  // voxels of 1 mm about the origin
+constexpr int gridOfPlates = 40;  // voxels of 1 mm, centred on the origin
 constexpr double offItsFace = 0.02;
-// So little aslant that lengths along y are its own; steps along it begin at no face of voxels.
+// Slightly tilted, so that lengths along y are nearly its own and no step begins at a voxel face.
 const SightLine sightAslant{{0.3, -500, 0.2}, glm::normalize(glm::dvec3(0.002, 1, 0.001))};
 
-// All that of any value.
+// Returns a volume of one value.
 VolumePtr evenVolume() {
   static const VolumePtr volume =
       volumeOf<float>(glm::ivec3(gridOfPlates), glm::dmat3(1), [](glm::dvec3) { return 100.0; });
@@ -34,7 +34,8 @@ Scene fogOf(double opacity) {
   return scene;
 }
 
-// A plate of the voxels from `low` to `high` along y; thick ones have their surface half a voxel outside.
+// Returns a plate of the voxels from `low` to `high` along y. Thick plates have their surface half a voxel
+// outside.
 SegmentSurface plate(int low, int high, double opacity) {
   BitMask mask(evenVolume()->geometry());
   for (int k = 0; k < gridOfPlates; ++k)
@@ -107,7 +108,7 @@ void TestPickSegments::theSurfaceInFrontIsSeen() {
 void TestPickSegments::whatIsCutOpenShowsItsInside_data() {
   QTest::addColumn<Clip>("clip");
   Clip plane;
-  plane.planes = {{{0, -1, 0}, -yOf(15)}};  // keeps what lies behind voxel 15
+  plane.planes = {{{0, -1, 0}, -yOf(15)}};  // keeps the part behind voxel 15
   QTest::newRow("a plane") << plane;
   Clip box;
   box.boxLow.y = 15.5 / gridOfPlates;
@@ -147,7 +148,7 @@ void TestPickSegments::aProjectionSeesNone() {
   }
 }
 
-// Also at the volume's border, beyond which surfaces go on.
+// This also holds at the volume's border, beyond which surfaces continue.
 void TestPickSegments::anEmptyClipBoxShowsNone() {
   Scene scene = fogOf(0.5);
   scene.segments = {plate(0, gridOfPlates - 1, 1)};
@@ -166,7 +167,7 @@ void TestPickSegments::fogAndPlatesAreTheirClosedForm_data() {
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
-// Even fog, in which plates that do not touch stop a share of the light each time their surface is met.
+// Uniform fog with separate plates. Each plate absorbs a share of the light whenever its surface is met.
 void TestPickSegments::fogAndPlatesAreTheirClosedForm() {
   QFETCH(int, seed);
   Chance chance{std::uint64_t(seed)};
@@ -191,7 +192,7 @@ void TestPickSegments::fogAndPlatesAreTheirClosedForm() {
   if (final < 0.051) return;
   double left = -std::log1p(-final / 2), y = yOf(-0.5);
   int segment = -1;
-  bool isClose = false;  // to where another one would be seen
+  bool isClose = false;  // to the depth at which another one would be seen
   for (const Surface& s : surfaces) {
     const double before = mu * (s.y - y);
     isClose = isClose || std::abs(left - before) < 1e-2 || std::abs(left - before - s.depth) < 1e-2;
@@ -220,8 +221,8 @@ void TestPickSegments::whatTheReferenceDrawsIsPicked_data() {
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
-// Opaque balls and boxes that share no voxel, each of a colour without light, on a grid, clipped and seen by
-// chance: away from where colours meet in the picture.
+// Opaque balls and boxes without common voxels, each in an unlit colour. Grid, clipping and view are random.
+// Pixels near colour borders are left out.
 void TestPickSegments::whatTheReferenceDrawsIsPicked() {
   QFETCH(int, seed);
   Chance chance{std::uint64_t(seed)};
@@ -261,7 +262,7 @@ void TestPickSegments::whatTheReferenceDrawsIsPicked() {
   camera.direction = {chance.between(-1, 1), chance.between(0.2, 1), chance.between(-1, 1)};
   camera.projection = chance.oneIn(2) ? Projection::parallel : Projection::perspective;
   scene.camera = fitCamera(camera, volume->geometry(), 1);
-  if (chance.oneIn(4)) scene.camera->distance *= 0.3;  // an eye between them
+  if (chance.oneIn(4)) scene.camera->distance *= 0.3;  // an eye between the objects
   constexpr int size = 24;
   const auto drawn = renderReference(scene, *volume, {size, size});
   QVERIFY(drawn);

@@ -1,6 +1,5 @@
-// Guards what files of pictures hold, pixel by pixel: a slice or a frame as on screen, all of it at its own
-// pixels, at any width; a whole stack, a file for each place; a contact sheet. Nothing of it
-// changes the workspace.
+// Guards picture files, pixel by pixel: a slice or frame as on screen, at its own pixels or at any width.
+// Also guards a whole stack with one file for each position, and a contact sheet. None changes the workspace.
 #include <QLabel>
 #include <QTemporaryDir>
 
@@ -83,8 +82,8 @@ void TestPictureFiles::ownPixelsAreThoseOfTheFile_data() {
   QTest::newRow("sagittal") << sagittalViewId << 1.0;
 }
 
-// Values of 0 and 1000 under a window of 0 to 1000 are black and white: each pixel is the voxel that lies
-// under its centre, however the view is zoomed.
+// Values of 0 and 1000 in a window of 0 to 1000 are black and white. Each pixel is the voxel under its
+// centre, however the view is zoomed.
 void TestPictureFiles::ownPixelsAreThoseOfTheFile() {
   QFETCH(int, view);
   QFETCH(double, sliceMm);
@@ -98,7 +97,7 @@ void TestPictureFiles::ownPixelsAreThoseOfTheFile() {
     look.zoom = 3.3;
     look.panMm = {7, -5};
   });
-  // The folder holds what other functions saved for rows of the same names.
+  // The folder also holds files of other functions' rows with the same names.
   const QImage image =
       saved(w, at(QTest::currentDataTag()) + QStringLiteral(" own pixels.png"), own, 0, false);
   QCOMPARE(image.size(), QSize(n, n));
@@ -118,7 +117,8 @@ void TestPictureFiles::ownPixelsAreThoseOfTheFile() {
   QVERIFY(white > 100);
 }
 
-// As many as the file has, in squares of the smaller edge; a view of the same size shows the same.
+// The picture has as many pixels as the file, as squares of the smaller edge. A view of the same size shows
+// the same.
 void TestPictureFiles::aFrameHasItsOwnPixels() {
   NEED_FILES();
   Frames w({clipFile});
@@ -134,7 +134,7 @@ void TestPictureFiles::aFrameHasItsOwnPixels() {
   QCOMPARE(image, rgb(*whole));
 }
 
-// Air of one view by the lung window and of another by that of the series, 40 / 400, within a step of grey.
+// Air in one view by the lung window, and in another by the series window 40 / 400, within one grey level.
 void TestPictureFiles::aWindowAloneIsThatOfItsPictures() {
   MeasureWindow w(ballSeries(32, 10, {0, 0, 0}));
   w.child<QAction>("windowAlone")->trigger();
@@ -159,7 +159,7 @@ void TestPictureFiles::itIsAsWideAsWanted() {
   QVERIFY(withTexts != plain(*w.view(), twice));
 }
 
-// As they are in a picture of the same size on screen; nothing of the picture is copied, however large it is.
+// Texts are those of a picture of the same size on screen. The picture is not copied, however large it is.
 void TestPictureFiles::textsAreWrittenOverThePictureItself() {
   MeasureWindow w;
   QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
@@ -296,7 +296,7 @@ void TestPictureFiles::aSheetHoldsPicturesInRowsAndColumns() {
   const QSize tile = (QSizeF(seen) * (double(width) / seen.width())).toSize();
   const int count = (last - 1) / every + 1;
   const SliceSheet same((count + columns - 1) / columns, columns, tile, {});
-  // Texts make the sheet higher; they lie above the pictures and in their lower half.
+  // Texts make the sheet higher. They lie above the pictures and in their lower half.
   const int above = sheet.height() - same.image().height();
   QVERIFY(texts ? above > 10 : above == 0);
   QCOMPARE(sheet.width(), same.image().width());
@@ -315,7 +315,7 @@ void TestPictureFiles::theHeadHoldsForAllPictures_data() {
   QTest::newRow("each has its own") << FrameWindow::ofEach << 0;
 }
 
-// So many lines more than those of patient and series.
+// `more` is the number of header lines beyond those of patient and series.
 void TestPictureFiles::theHeadHoldsForAllPictures() {
   NEED_FILES();
   QFETCH(FrameWindow, window);

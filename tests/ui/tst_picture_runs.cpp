@@ -1,5 +1,5 @@
-// Guards that pictures for files are of what was seen as they were asked for, whatever is done in the window
-// meanwhile; that what is cancelled leaves nothing, and what cannot be cancelled says so.
+// Guards that saved pictures show what was on screen when they were requested, whatever is done meanwhile. A
+// cancelled run leaves no files, and a run that cannot be cancelled says so.
 #include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
@@ -20,7 +20,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// Of pictures so large that they take their time.
+// Starts saving pictures that are large enough to take time.
 bool isSavingStack(MeasureWindow& w, const QString& folder) {
   if (!QTest::qWaitFor([&] { return !w.view()->picture().isNull(); }, longest)) return false;
   PictureDialog* dialog = ask(w, "saveStack");
@@ -50,7 +50,7 @@ class TestPictureRuns : public QObject {
   QTemporaryDir folder_;
 };
 
-// Not what is scrolled to while a place is chosen.
+// Slices scrolled to while the file dialog is open are not saved.
 void TestPictureRuns::itIsWhatWasSeenThen() {
   MeasureWindow w;
   QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
@@ -62,7 +62,7 @@ void TestPictureRuns::itIsWhatWasSeenThen() {
   QCOMPARE(written(at("then.png")), seen);
 }
 
-// Not what is scrolled to, nor nothing, where the view changes while the dialog is open.
+// If the view changes while the dialog is open, the picture is neither the new slice nor empty.
 void TestPictureRuns::itIsWhatWasSeenAsOneWasAsked() {
   MeasureWindow w;
   QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
@@ -94,7 +94,7 @@ void TestPictureRuns::aSeriesThatIsClosedMeanwhileIsPictured() {
   QCOMPARE(written(at("closed.png")), seen);
 }
 
-// A region of two series, one of which lies over the other no more once the picture is made.
+// A region measures two series. The overlay is removed once the picture is made.
 void TestPictureRuns::numbersAreThoseOfThePicture() {
   const LoadedSeriesPtr pet = petIn("A");
   MeasureWindow w(ballIn("A"));
@@ -125,7 +125,7 @@ void TestPictureRuns::whatIsCancelledLeavesNothing() {
   QTRY_COMPARE_WITH_TIMEOUT(QDir(folder.path()).entryList(all), QStringList(), longest);
 }
 
-// The last that is done cannot be cancelled, and says so.
+// The last act of a run cannot be cancelled, and says so.
 void TestPictureRuns::whatIsBeingWrittenIsWrittenToItsEnd() {
   MeasureWindow w;
   QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);

@@ -1,6 +1,6 @@
-// Guards single pictures of one series as one stack in the window: what goes through it, what each picture
-// keeps as its own, and that marks and sessions stay with the picture. Made radiographs of several sizes and
-// kinds, real localizers; real wheel, key and mouse events.
+// Guards single pictures of one series shown as one stack: how it is scrolled, and what each picture keeps as
+// its own. Marks and sessions stay with the picture. Synthetic radiographs of several sizes and kinds, and
+// real localizers. Real wheel, key and mouse events.
 #include <QTemporaryDir>
 #include <algorithm>
 
@@ -94,7 +94,7 @@ void TestPictureStacksShown::allWaysThroughIt() {
   QVERIFY(w.showsStill(frame));
 }
 
-// Size, mm, window, side and view; each fits its view.
+// Each picture keeps size, mm, window, side and view, and fits its view.
 void TestPictureStacksShown::eachPictureKeepsItsOwn() {
   StillsWindow w;
   QVERIFY(w.isOpen());
@@ -117,7 +117,7 @@ void TestPictureStacksShown::eachPictureKeepsItsOwn() {
     if (!still.isColour()) QVERIFY(corners.bottomRight.contains(QLatin1String(still.window)));
     QTest::keyClick(w.view(), Qt::Key_Down);
   }
-  // Back to where they were.
+  // Scrolls back.
   for (int n = stillCount - 2; n >= 0; --n) {
     QTest::keyClick(w.view(), Qt::Key_Up);
     QVERIFY(w.showsStill(n));
@@ -137,7 +137,7 @@ void TestPictureStacksShown::withoutAWindowItIsThatOfItsValues() {
   QVERIFY(w.view()->overlays().bottomRight.contains(QStringLiteral("W 2000 L 2000")));
 }
 
-// Until it is taken back.
+// The window applies to all pictures until it is undone.
 void TestPictureStacksShown::aWindowSetIsThatOfAll() {
   StillsWindow w;
   QVERIFY(w.isOpen());
@@ -205,7 +205,7 @@ void TestPictureStacksShown::itComesBackFromASession() {
   w.act("lengthTool");
   drag(w.view(), middle - QPointF(40, 20), middle + QPointF(40, 20));
   QTest::keyClick(&w.window, Qt::Key_K);
-  wheel(w.view(), 2, Qt::ControlModifier);  // zooms
+  wheel(w.view(), 2, Qt::ControlModifier);  // zooms in
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("s.volumen"));
   QVERIFY(saveSession(path.toStdString(), w.workspace()));
@@ -221,7 +221,7 @@ void TestPictureStacksShown::itComesBackFromASession() {
   QCOMPARE(other.window.document().open.pictures().size(), std::size_t(1));
 }
 
-// Saved where each size was a series of its own and files stood in order of their paths.
+// The session was saved when each size was a separate series and files were ordered by path.
 void TestPictureStacksShown::aSessionOfBeforeOpens() {
   const Stills data;
   QVERIFY(data.write());
@@ -249,7 +249,7 @@ void TestPictureStacksShown::aSessionOfBeforeOpens() {
     QCOMPARE(flatLookOf(opened->workspace.view(cell)).frame, frameCount(all[n]) - 1);
     QCOMPARE(keyImagesOf(opened->workspace, *found), std::vector<int>{frameCount(all[n]) - 1});
   }
-  // What is opened from now on is the stack.
+  // From now on the stack is opened.
   const auto isFolder = [](const auto& place) { return int(place.second->images.size()) == stillCount; };
   const auto found = std::ranges::find_if(opened->studies, isFolder);
   QVERIFY(found != opened->studies.end());
@@ -260,7 +260,7 @@ void TestPictureStacksShown::aSessionOfBeforeOpens() {
 void TestPictureStacksShown::realOnesAreStacked_data() {
   QTest::addColumn<QString>("path");
   QTest::addColumn<int>("frames");
-  QTest::addColumn<QString>("sides");  // of some: frame, side at the right, side at the bottom
+  QTest::addColumn<QString>("sides");  // for some frames: frame, side at the right, side at the bottom
   const auto row = [](const char* name, const char* path, int frames, const char* sides) {
     QTest::newRow(name) << QString::fromLatin1(path) << frames << QString::fromLatin1(sides);
   };

@@ -1,6 +1,6 @@
-// Guards how a flat picture lies in its view: turned and mirrored by keys, with letters, measurements and
-// corner text; by chance against a twin that computes where each place of the patient must appear; at its own
-// pixels and in true size; undone to the byte.
+// Guards the orientation of flat pictures: rotated and mirrored by keys, with letters, measurements and
+// corner text. A reference model computes where each patient position must appear, for random turns. Pictures
+// have their own pixels and true size, and undo restores them exactly.
 #include <QScreen>
 #include <glm/mat2x2.hpp>
 
@@ -16,7 +16,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// No edge as long as another, and no two corners alike.
+// Returns a series whose edges and corners all differ.
 LoadedSeriesPtr unevenSeries() {
   glm::dmat3 steps(1);
   steps[2] *= 2;
@@ -30,7 +30,7 @@ LoadedSeriesPtr unevenSeries() {
 struct KeyTurn {
   Qt::Key key;
   Qt::KeyboardModifiers with;
-  glm::dmat2 seen;  // what it does to places of the picture from its middle, x right and y down
+  glm::dmat2 seen;  // its effect on positions relative to the picture's middle, x right and y down
 };
 const std::vector<KeyTurn> turns{{Qt::Key_R, Qt::ControlModifier, {{0, 1}, {-1, 0}}},
                                  {Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier, {{0, -1}, {1, 0}}},
@@ -39,7 +39,7 @@ const std::vector<KeyTurn> turns{{Qt::Key_R, Qt::ControlModifier, {{0, 1}, {-1, 
 
 void press(Journey& w, const KeyTurn& turn) { QTest::keyClick(&w.window, turn.key, turn.with); }
 
-// A picture of the view, once it is that of its plane.
+// Returns the picture of the view once it is drawn for its plane.
 QImage settledPicture(MeasureWindow& w, const std::function<void()>& act) {
   QSignalSpy settled(w.view(), &FlatView::settled);
   act();
@@ -85,7 +85,7 @@ void TestPictureTurns::placesAppearWhereATwinPutsThem() {
     const VoxelGeometry geometry = w.view(id)->shown()->volume->geometry();
     const glm::dvec2 wholeMm(planeAlong(geometry, first.right, first.down).size);
     glm::dmat2 seen(1);
-    glm::dvec2 offMm(0);  // of the volume's centre from the middle of the view
+    glm::dvec2 offMm(0);  // offset of the volume's centre from the middle of the view
     for (int n = 0; n < 12; ++n) {
       const double mm = w.view(id)->plane()->mmPerPixel;
       if (chance.oneIn(4)) {
@@ -131,7 +131,7 @@ void TestPictureTurns::aMirroredPictureIsTheMirrorImage() {
   QVERIFY(largestDifference(around, before) <= 1);
 }
 
-// What is drawn late is not shown beside letters that are right by then.
+// A late picture is not shown beside letters that are already new.
 void TestPictureTurns::nothingIsShownTheWrongWayRound() {
   MeasureWindow w(unevenSeries());
   w.view()->invert();
@@ -145,7 +145,7 @@ void TestPictureTurns::nothingIsShownTheWrongWayRound() {
   QVERIFY(captured != before);
 }
 
-// Half of a shape is not finished on another picture.
+// An unfinished shape is cancelled instead of being continued on another picture.
 void TestPictureTurns::whatIsBeingDrawnIsGivenUp() {
   MeasureWindow w;
   w.choose(ShapeKind::polyline);
@@ -157,7 +157,7 @@ void TestPictureTurns::whatIsBeingDrawnIsGivenUp() {
   QVERIFY(flatLookOf(w.view()->state()).turn.mirrored);
   QTest::mousePress(w.view(), Qt::MiddleButton, {}, {60, 60});
   press(w, turns[2]);
-  QVERIFY(flatLookOf(w.view()->state()).turn.mirrored);  // not under the hand
+  QVERIFY(flatLookOf(w.view()->state()).turn.mirrored);  // not during a drag
   QTest::mouseRelease(w.view(), Qt::MiddleButton, {}, {60, 60});
 }
 
@@ -166,7 +166,7 @@ void TestPictureTurns::linkedViewsKeepTheirScale() {
   w.session().change(QStringLiteral("Link"), [](Workspace& all) { all.links.zoom = true; });
   const double before = w.plane(left).mmPerPixel;
   press(w, turns[0]);
-  QVERIFY(std::abs(w.plane(left).mmPerPixel / before - 1) > 0.1);  // it fits otherwise
+  QVERIFY(std::abs(w.plane(left).mmPerPixel / before - 1) > 0.1);  // the fitted size differs
   QVERIFY(std::abs(w.plane(left).mmPerPixel / w.plane(right).mmPerPixel - 1) < 1e-6);
 }
 
@@ -195,12 +195,12 @@ void TestPictureTurns::measurementsStayOnThePatient() {
   press(w, turns[2]);
   const QPointF mirrored(w.view()->width() - middle.x(), middle.y());
   QVERIFY(QLineF(w.drawn(drawn.id).middle, mirrored).length() < 1e-6);
-  drag(w.view(), mirrored, mirrored + QPointF(-10, 0));  // by its line
+  drag(w.view(), mirrored, mirrored + QPointF(-10, 0));  // drags by its line
   QVERIFY(QLineF(w.drawn(drawn.id).middle, mirrored + QPointF(-10, 0)).length() < 0.5);
   QVERIFY(std::abs(w.measured(w.last())->number - mm) < 1e-6);
 }
 
-// A drag round the handle of another plane's line turns it with the pointer, mirrored or not.
+// Dragging around the handle of another plane's line turns it with the pointer, mirrored or not.
 void TestPictureTurns::planesTurnTheWayTheHandGoes() {
   for (const bool mirrored : {false, true}) {
     MeasureWindow w;

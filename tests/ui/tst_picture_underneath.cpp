@@ -1,6 +1,5 @@
-// Guards that what is kept of a slice under tints and segments is what would be drawn anew, whatever a
-// request changes from the last one, and that it keeps no volume; and that segments and tints are mixed in as
-// they are defined, pixel by pixel.
+// Guards the cached slice under tints and segments. It equals a new drawing whatever a request changes, and
+// it holds no volume. Segments and tints are blended as defined, pixel by pixel.
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/chance_slices.h"
 #include "tests/unit/suite.h"
@@ -11,7 +10,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// One part of the request changes.
+// Changes one random part of the request.
 void changePart(SliceRequest& request, Chance& chance, const std::vector<VolumePtr>& volumes) {
   switch (chance.below(6)) {
     case 0:
@@ -64,7 +63,7 @@ void TestPictureUnderneath::keptOrDrawnAnewItIsTheSame() {
       kept += std::exchange(last, picture->constBits()) == picture->constBits() ? 1 : 0;
     }
   }
-  QVERIFY(kept > 20);  // not all are drawn anew
+  QVERIFY(kept > 20);  // the cache is used
 }
 
 void TestPictureUnderneath::aVolumeIsLetGo() {

@@ -1,5 +1,5 @@
-// Guards issue 51 "Names and paths are no rich text": what a file calls its patient, series, regions and
-// folders is shown as it is written, and no name makes the program open a file.
+// Guards issue 51 "Names and paths are no rich text". Names of patients, series, regions and folders are
+// shown literally, and no name makes the program open a file.
 #include <dcmtk/dcmdata/dcpath.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <fcntl.h>
@@ -24,7 +24,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// Counts how often a file is opened, by whomever.
+// Counts how often any program opens a file.
 class Watch {
  public:
   explicit Watch(const QString& path) : inotify_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
@@ -43,7 +43,7 @@ class Watch {
   int count_ = 0;
 };
 
-// A picture that nobody has a reason to open, and a name that asks to.
+// A picture that the program has no reason to open, and a name that refers to it.
 struct Trap {
   QTemporaryDir folder{QDir::tempPath() + QStringLiteral("/t-XXXXXX")};
   QString path = folder.filePath(QStringLiteral("x.png"));
@@ -58,7 +58,7 @@ struct Trap {
   }
 };
 
-// A copy of a file in which these texts, at these places (DCMTK's paths), stand.
+// Writes a copy of a file with these texts at these places (DCMTK's paths).
 bool writeNamed(const char* from, const QString& to, const QList<std::pair<const char*, QString>>& texts) {
   DcmFileFormat file;
   if (file.loadFile(dataPath(from).c_str()).bad()) return false;
@@ -74,7 +74,7 @@ bool writeNamed(const char* from, const QString& to, const QList<std::pair<const
 }
 
 struct Hovered {
-  int tips = 0, literal = 0;  // tool tips, and those in which the name can be read
+  int tips = 0, literal = 0;  // tool tips, and those that show the name literally
 };
 
 void pointAt(QWidget* widget, QPoint at, const QString& name, Hovered& hovered) {
@@ -98,7 +98,7 @@ void pointAtItems(QAbstractItemView* view, const QModelIndex& parent, const QStr
     }
 }
 
-// Over every widget and every item.
+// Points at every widget and every item.
 Hovered pointAtAll(QWidget* window, const QString& name) {
   Hovered hovered;
   for (QWidget* widget : window->findChildren<QWidget*>()) {
@@ -120,7 +120,7 @@ class TestPlainTexts : public QObject {
   void aRealHoverShowsTheNameAsItIs();
 };
 
-// Else the rows below could not fail.
+// Verifies the trap itself. Otherwise the rows below could not fail.
 void TestPlainTexts::theTrapSnaps() {
   Trap trap;
   QCOMPARE(trap.watch->opened(), 0);
@@ -149,7 +149,7 @@ void TestPlainTexts::noNameOpensAFile() {
                       {"StudyDescription", trap.name},
                       {"SeriesDescription", trap.name}}));
   const QString before = QDir::currentPath();
-  QDir::setCurrent(trap.folder.path());  // where a picture without a folder is looked for
+  QDir::setCurrent(trap.folder.path());  // where a picture without a folder is searched
   {
     Journey w({folder, folder + QStringLiteral("/none.dcm")});
     w.window.resize(1440, 900);

@@ -1,4 +1,4 @@
-// Guards Edit > Preferences: each choice by real events, in effect at once, kept for the next start.
+// Guards Edit > Preferences, by real events: each choice applies at once and is kept for the next start.
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -37,7 +37,7 @@ struct Opened : MainWindow {
     QTest::keyClick(view(), Qt::Key_Comma, Qt::ControlModifier);
   }
   PreferencesDialog* dialog() { return findChild<PreferencesDialog*>(); }
-  // Goes down so many entries of a box, by the keyboard.
+  // Moves down in a combo box by the keyboard.
   void choose(const char* name, int downwards) {
     auto* box = dialog()->findChild<QComboBox*>(QLatin1String(name));
     for (int n = 0; n < downwards; ++n) QTest::keyClick(box, Qt::Key_Down);
@@ -166,7 +166,7 @@ void TestPreferences::opacityAxis() {
   window.choose("opacityAxis", 1);
   QVERIFY(editor->opacityScale() == OpacityScale::extinction);
   QCOMPARE(box->currentIndex(), 1);
-  // The panel's own box is the same choice.
+  // The panel's own box shows the same choice.
   QTest::keyClick(box, Qt::Key_Up);
   QVERIFY(editor->opacityScale() == OpacityScale::linear);
   QVERIFY(!storedPreferences().logarithmicOpacity);
@@ -202,7 +202,7 @@ void TestPreferences::namesAreHiddenEverywhere() {
   const QString seen = window.windowTitle() + listed() + patientText(study->volumes[0]);
   for (const char* secret : {"Test", "42", "Other", "2026", "Test_Ball"})
     QVERIFY2(!seen.contains(QLatin1String(secret)), qPrintable(seen));
-  QCOMPARE(panel->tree()->topLevelItemCount(), 3);  // two patients stay two
+  QCOMPARE(panel->tree()->topLevelItemCount(), 3);  // two patients remain separate
   window.findChild<QAction*>(QStringLiteral("hideNames"))->trigger();
   QVERIFY(window.windowTitle().contains(QStringLiteral("Test, Ball (42)")));
   QVERIFY(listed().contains(QStringLiteral("2026-03-14")));
@@ -214,7 +214,7 @@ void TestPreferences::namesAreHiddenEverywhere() {
   QVERIFY(!seriesText(file).contains(QStringLiteral("ball")));
 }
 
-// A snapshot is called after its series, which a file's name may stand for.
+// A snapshot is named after its series, whose name may come from a file's.
 void TestPreferences::hiddenNamesAreNoFileNames() {
   Opened window;
   auto file = std::make_shared<LoadedSeries>(*tests::ballSeries());

@@ -1,5 +1,5 @@
-// Guards window.md "Open objects that refer to pictures": presentation states show pictures as they say, by
-// real events on real files; pixels are those that the data's README states.
+// Guards window.md "Open objects that refer to pictures": presentation states show pictures as they specify.
+// Real events on real files. Pixels are those that the README of the data states.
 #include <QAbstractButton>
 #include <QDir>
 #include <QTemporaryDir>
@@ -30,7 +30,7 @@ class TestPresentationStates : public QObject {
 
 namespace {
 
-// A folder with a picture, its presentation state in a folder below, and a session that shows it so.
+// A folder with a picture, its presentation state in a subfolder, and a session that shows both.
 struct Kept {
   QTemporaryDir dir;
   QString folder = dir.filePath(QStringLiteral("here"));
@@ -42,7 +42,7 @@ struct Kept {
     QFile::copy(QString::fromStdString(dataPath(ct)), folder + QStringLiteral("/ct.dcm"));
     QFile::copy(QString::fromStdString(dataPath(presentation)), state());
     References2d w({});
-    // Each by itself, so that the folder of the one does not hold the other.
+    // Opens both separately, so that the folder of one does not contain the other.
     w.window.open({folder + QStringLiteral("/ct.dcm"), state()});
     if (!w.has("Presentation state: TEST") || !w.has("CT (1)")) return false;
     w.click("Presentation state: TEST");
@@ -73,7 +73,7 @@ void TestPresentationStates::pixelsOfAPresentationState() {
   };
   QVERIFY(at(10, 100).x > at(10, 20).x && at(100, 10).y > at(20, 10).y);
   QVERIFY(std::abs(at(10, 100).y - at(10, 20).y) < 1e-6);
-  // The circle about (64, 64) of radius 20, drawn over the picture.
+  // The circle about (64, 64) of radius 20 is drawn over the picture.
   const QImage screen = view->grab().toImage();
   const double ratio = view->devicePixelRatioF();
   const auto brightest = [&](glm::dvec2 p) {
@@ -83,7 +83,7 @@ void TestPresentationStates::pixelsOfAPresentationState() {
         most = std::max(most, qGray(screen.pixel(int(p.x / ratio) + dx, int(p.y / ratio) + dy)));
     return most;
   };
-  const auto ofCorner = [&](double x, double y) {  // 0, 0 is the corner of the first pixel
+  const auto ofCorner = [&](double x, double y) {  // (0, 0) is the corner of the first pixel
     return view->plane()->pixelFromPatient(
         tests::frameIn(view)->geometry().patientFromVoxel({x - 0.5, y - 0.5, 0}));
   };
@@ -114,7 +114,7 @@ void TestPresentationStates::presentationStatesAreChosenInTheMenu() {
   QVERIFY(w.isPresented(true));
 }
 
-// Its own at first; what is set is the view's, and gone with it.
+// The window alone starts as the state's window. Its changes belong to the view and are lost with it.
 void TestPresentationStates::aWindowAloneGoesOverThatOfTheState() {
   NEED_REFERENCES();
   References2d w({ct, presentation});
@@ -132,7 +132,7 @@ void TestPresentationStates::aWindowAloneGoesOverThatOfTheState() {
     setWindow(all, axialViewId, Window{-600, 1500});
   });
   QVERIFY(alone()->window && !w.workspace().series.at(w.view()->state().series).window);
-  // 70 HU by LINEAR of DICOM, and inverse as the state has it; within a step of grey.
+  // 70 HU by LINEAR of DICOM, inverted by the state, within one grey level.
   const double grey = 255 - 255 * ((70 + 600.5) / 1499 + 0.5);
   QTRY_VERIFY_WITH_TIMEOUT(std::abs(seen() - grey) <= 1, longest);
   QVERIFY(w.isPresented());
@@ -151,7 +151,7 @@ void TestPresentationStates::aPresentationStateIsInTheSession() {
   const QTemporaryDir folder;
   const QString file = folder.filePath(QStringLiteral("s.volumen"));
   QVERIFY(saveSession(file.toStdString(), w.workspace()));
-  // Its own file alone is read again: the studies of the session name the picture only.
+  // Only its own file is read again, because the studies of the session list only the picture.
   References2d again({});
   again.window.open({file});
   QVERIFY(again.isPresented());
@@ -186,7 +186,7 @@ void TestPresentationStates::oneThatIsMissingIsNamed() {
   QVERIFY2(banner->sentence().contains(QStringLiteral("presentation state")) &&
                banner->sentence().contains(kept.state()),
            qPrintable(banner->sentence()));
-  // Found by its UID.
+  // The file is found by its UID.
   w.child<QAbstractButton>("bannerOffer")->click();
   answer(w, "locateDialog", away);
   QVERIFY(w.isPresented());
@@ -204,7 +204,7 @@ void TestPresentationStates::textsOfTheDisplayGiveWay_data() {
   QTest::newRow("at a pixel of the picture, which it tells of") << false << false << 1 << false;
 }
 
-// White on black in the corner where lines stand already.
+// Texts are white on black in a corner that already has lines.
 void TestPresentationStates::textsOfTheDisplayGiveWay() {
   QFETCH(bool, display);
   QFETCH(bool, box);

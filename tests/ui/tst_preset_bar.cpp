@@ -1,4 +1,4 @@
-// Guards design.md 8 (presets): the list, its thumbnails, what is modified, the user's own.
+// Guards design.md 8 (presets): the list, its thumbnails, the mark for modified presets, and user presets.
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
@@ -24,7 +24,7 @@ namespace {
 
 const QStringList sample{QStringLiteral("phantom:ct-head:64")};
 
-// Drags the curve's highest point down a little.
+// Drags the curve's highest point down slightly.
 void dragCurve(Journey& w) {
   auto* editor = w.child<CurveEditor>("curveEditor");
   const auto& points = editor->curve().points;
@@ -44,7 +44,7 @@ int colours(const QIcon& icon) {
   return int(seen.size());
 }
 
-// By a click in the list that drops down.
+// Chooses a preset by a click in the drop-down list.
 void choose(Journey& w, const char* name) {
   auto* box = w.child<QComboBox>("presets");
   const int n = box->findData(QLatin1String(name));
@@ -53,7 +53,7 @@ void choose(Journey& w, const char* name) {
     QAbstractItemView* list = box->view();
     const QModelIndex item = list->model()->index(n, 0);
     list->scrollTo(item);
-    QTest::qWait(QApplication::doubleClickInterval() + 200);  // a click right after it opened is ignored
+    QTest::qWait(QApplication::doubleClickInterval() + 200);  // clicks right after it opened are ignored
     QTest::mouseMove(list->viewport(), list->visualRect(item).center() - QPoint(2, 0));
     QTest::mouseMove(list->viewport(), list->visualRect(item).center());
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(item).center());

@@ -1,6 +1,6 @@
-// Guards that what is printed is the view in focus as it was seen when it was asked for, finer, under patient
-// and study, and in true size 1 mm on paper for 1 mm of the patient, laid out for the page; measured in the
-// PDF.
+// Guards printing. It prints the view in focus as it was when requested, at a higher resolution, under
+// patient and study. In true size, 1 mm on paper is 1 mm of the patient. The page is laid out to fit,
+// measured in the PDF.
 #include <QCheckBox>
 #include <QMessageBox>
 #include <QPrintDialog>
@@ -21,7 +21,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// What stands under lines of patient and study.
+// Returns a ball with header lines for patient and study.
 LoadedSeriesPtr knownBall(const char* patient, double radius = 10, double spacing = 1) {
   auto series = std::make_shared<LoadedSeries>(*ballSeries(32, radius, {3, -2, 4}, glm::dvec3(spacing)));
   series->series.patientName = patient;
@@ -29,9 +29,9 @@ LoadedSeriesPtr knownBall(const char* patient, double radius = 10, double spacin
   return series;
 }
 
-// By the key, which opens the dialog of the printer.
+// Opens the printer's dialog by the key.
 QPrintDialog* askToPrint(Journey& w, const QString& path, bool inTrueSize) {
-  QApplication::setActiveWindow(&w.window);  // as a window manager does after the last dialog
+  QApplication::setActiveWindow(&w.window);  // as a window manager does after a dialog
   QTest::keyClick(&w.window, Qt::Key_P, Qt::ControlModifier);
   auto* dialog = w.child<QPrintDialog>("printDialog");
   if (!dialog) qFatal("the key opens no dialog");
@@ -47,14 +47,14 @@ bool isPrinted(const QString& path) {
   return isThere;
 }
 
-// Pixels and texts.
+// Returns the pictures and texts of a PDF.
 std::pair<std::vector<QImage>, QStringList> contentsOf(const QString& path) {
   return {pixelsIn(path), textsIn(path)};
 }
 
 bool isBright(QRgb pixel) { return qRed(pixel) > 200 && qGreen(pixel) > 200 && qBlue(pixel) > 200; }
 
-// Within a part of a picture, of 1 each way.
+// Counts the bright pixels within a part of a picture, given in fractions.
 int brightIn(const QImage& image, const QRectF& part) {
   const QRect pixels(int(part.x() * image.width()), int(part.y() * image.height()),
                      int(part.width() * image.width()), int(part.height() * image.height()));
@@ -64,7 +64,7 @@ int brightIn(const QImage& image, const QRectF& part) {
   return count;
 }
 
-// Of the longest line of bright pixels near the bottom: that of the scale.
+// Returns the length of the longest bright line near the bottom, which is the scale.
 int scalePixels(const QImage& image) {
   int longest = 0;
   for (int y = image.height() * 9 / 10; y < image.height(); ++y)
@@ -159,7 +159,7 @@ void TestPrinting::aPageSaysWhoseItIs() {
   QVERIFY(texts.contains(QStringLiteral("Not for clinical use")));
 }
 
-// What does not fit in true size is printed only once that is meant.
+// What does not fit in true size is printed only after confirmation.
 void TestPrinting::whatIsCroppedIsToldBefore() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("large.pdf"));
@@ -185,7 +185,8 @@ void TestPrinting::whatIsCroppedIsToldBefore() {
   QVERIFY(textsIn(path).filter(QStringLiteral("CT Ball, the middle: ")).size() == 1);
 }
 
-// Of a picture larger than the paper: each side has its letter, the corner its texts, and the scale is true.
+// The picture is larger than the paper. Each side has its letter, the corner its texts, and the scale is
+// true.
 void TestPrinting::textsAndScaleStandInWhatIsPrinted() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("middle.pdf"));
@@ -204,7 +205,7 @@ void TestPrinting::textsAndScaleStandInWhatIsPrinted() {
     QVERIFY2(brightIn(image, place) > 20, qPrintable(QStringLiteral("%1, %2").arg(place.x()).arg(place.y())));
   const double scaleMm = scalePixels(image) * mm.width() / image.width();
   const double power = std::pow(10.0, std::floor(std::log10(scaleMm)));
-  constexpr double endsMm = 0.6;  // the ticks at its ends are that wide
+  constexpr double endsMm = 0.6;  // width of the ticks at its ends
   QVERIFY2(
       std::ranges::any_of(std::array{1, 2, 5},
                           [&](int of) { return std::abs(scaleMm - endsMm / 2 - of * power) < endsMm / 2; }),
@@ -247,7 +248,7 @@ void TestPrinting::itIsWhatWasSeenThen() {
   QVERIFY(contentsOf(path) == contentsOf(before));
 }
 
-// Not among the options that are folded away.
+// The check box is visible, not among the folded options.
 void TestPrinting::trueSizeStandsBesideThePrinter() {
   MeasureWindow w;
   w.child<QAction>("printPicture")->trigger();

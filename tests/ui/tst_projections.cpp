@@ -1,5 +1,5 @@
-// Guards design.md 8 (projections in the window): mode, window by drag, typed, by name and on the histogram;
-// units.
+// Guards design.md 8 (projections in the window): the mode, the window set by drag, by typing, by name and on
+// the histogram, and units.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
@@ -101,7 +101,7 @@ void TestProjections::aDragMovesTheWindow_data() {
   QTest::addColumn<int>("keys");
   QTest::addColumn<double>("centre");
   QTest::addColumn<double>("width");
-  // 500 / 800 at the press: a pixel is 10.
+  // The window is 500 / 800 at the press, and a pixel is 10.
   QTest::newRow("right widens") << "MR" << QPoint(20, 0) << 0 << 500. << 1000.;
   QTest::newRow("up shows lower values") << "MR" << QPoint(0, -20) << 0 << 300. << 800.;
   QTest::newRow("Shift is fine") << "MR" << QPoint(20, -20) << int(Qt::ShiftModifier) << 460. << 840.;
@@ -204,7 +204,7 @@ void TestProjections::unitsAreThoseOfTheSeries() {
   QFETCH(QString, suffix);
   Shown w("CT", "HU", Mode::composite);
   auto* value = w.child<QDoubleSpinBox>("pointValue");
-  w.child<CurveEditor>("curveEditor")->select(0);  // without a point the field is empty
+  w.child<CurveEditor>("curveEditor")->select(0);  // without a selected point the field is empty
   QCOMPARE(value->suffix(), QStringLiteral(" HU"));
   w.session.show(projectedSeries(modality.toLatin1().constData(), unit.toLatin1().constData()));
   w.child<CurveEditor>("curveEditor")->select(0);

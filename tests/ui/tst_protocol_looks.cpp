@@ -1,7 +1,7 @@
-// Guards how the window looks with what hospitals send, hung as it is when it is opened: at every size of
-// screen each view has room and its picture, nothing overlaps or is cut off, and the window fits the screen.
-// Where $VOLUMEN_SHOTS names a folder, every size is photographed for the eye; QT_SCALE_FACTOR=2 does so for
-// a screen of twice the density.
+// Guards how the window looks with hospital data in its default hanging. At every screen size each view has
+// space and its picture, nothing overlaps or is cut off, and the window fits the screen. If $VOLUMEN_SHOTS
+// names a folder, takes screenshots of every size. QT_SCALE_FACTOR=2 does so for a screen of twice the
+// density.
 #include <algorithm>
 
 #include "tests/fixtures/fixtures.h"
@@ -18,10 +18,10 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr int leastWidth = 150, leastHeight = 120;  // of a view, in which its texts can be read
-constexpr QSize smallScreen(1366, 700);             // of a laptop, without the bars of its desktop
+constexpr int leastWidth = 150, leastHeight = 120;  // of a view whose texts can be read
+constexpr QSize smallScreen(1366, 700);             // of a laptop, without desktop bars
 
-// The views on screen, once each has its picture.
+// Returns the views on screen once each has its picture.
 std::vector<View*> drawnViews(MainWindow& window) {
   std::vector<View*> views;
   const auto areDrawn = [&] {
@@ -89,7 +89,7 @@ void TestProtocolLooks::studiesAreShownAsTheyHang() {
   window.open({data});
   QTRY_COMPARE_WITH_TIMEOUT(int(drawnViews(window).size()), views, longest);
   QTRY_VERIFY_WITH_TIMEOUT(window.jobs().rows().empty(), longest);
-  QTest::qWait(300);  // pictures of views that were turned towards each other
+  QTest::qWait(300);  // pictures of views that were oriented towards each other
   const bool hasScene = std::ranges::any_of(
       drawnViews(window), [](View* view) { return qobject_cast<VolumeView*>(view) != nullptr; });
   QTRY_VERIFY_WITH_TIMEOUT(!hasScene || scene.isThere(), longest);

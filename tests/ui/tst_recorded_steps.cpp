@@ -1,6 +1,6 @@
-// Guards that what is done on segments in the window is kept as a recipe: by steps by chance, saved
-// by the menu, which makes the same voxels, of the program too; its text is changed and run again; what was
-// made otherwise is said.
+// Guards that acts on segments are recorded as a recipe. A recipe of random steps is saved by the menu and
+// makes the same voxels, also in the program. Its text can be edited and rerun. Voxels without a recorded
+// step are reported.
 #include <QFile>
 #include <QMenu>
 #include <QPlainTextEdit>
@@ -30,7 +30,7 @@ void chooseInMenu(SegmentWindow& w, const char* entry) {
   Hand(w.window).menuOf(w.child<QToolButton>("segmentRecipes"), entry);
 }
 
-// A radius of 2 mm into the step "grow", by keys; false: there is no such step.
+// Types a radius of 2 mm into the step "grow". Returns false if there is no such step.
 bool typeBehindGrow(QPlainTextEdit& text) {
   text.moveCursor(QTextCursor::Start);
   if (!text.find(QStringLiteral("\"step\": \"grow\""))) return false;
@@ -41,7 +41,7 @@ bool typeBehindGrow(QPlainTextEdit& text) {
   return true;
 }
 
-// The recipe that the window saves; none: it saved none.
+// Returns the recipe that the window saves; empty if it saves none.
 std::optional<Recipe> savedRecipe(SegmentWindow& w, const QString& path) {
   chooseInMenu(w, "saveRecipe");
   answer(w, "saveRecipeDialog", path);
@@ -52,7 +52,7 @@ std::optional<Recipe> savedRecipe(SegmentWindow& w, const QString& path) {
   return recipe ? std::optional<Recipe>(*recipe) : std::nullopt;
 }
 
-// The voxels of the only volume of a file.
+// Returns the voxels of the only volume of a file.
 std::vector<std::uint8_t> voxelsOfFile(const QString& path) {
   const auto study = openStudy(path.toStdString());
   if (!study || study->volumes.size() != 1) return {};
@@ -147,7 +147,8 @@ void TestRecordedSteps::numbersAreChangedAndRunAgain() {
   const Workspace before = w.workspace();
   chooseInMenu(w, "recipeSteps");
   auto* text = w.child<QPlainTextEdit>("stepsText");
-  QVERIFY(text && !text->toPlainText().contains(QStringLiteral("radiusMm")));  // 1, as its row says
+  // The radius is the default of 1, as in its row.
+  QVERIFY(text && !text->toPlainText().contains(QStringLiteral("radiusMm")));
   text->setPlainText(text->toPlainText().replace(QStringLiteral("\"step\": \"grow\""),
                                                  QStringLiteral("\"step\": \"grow\", \"radiusMm\": -2")));
   QVERIFY(!w.button("stepsRun")->isEnabled());
@@ -160,7 +161,7 @@ void TestRecordedSteps::numbersAreChangedAndRunAgain() {
   QVERIFY(w.workspace() == before);
 }
 
-// Why is said beside it; once it has been run, what is recorded is shown again.
+// The reason is shown beside the text. After a successful run, the recorded recipe is shown again.
 void TestRecordedSteps::whatWasTypedStaysWhereARunFails() {
   SegmentWindow w;
   QVERIFY(w.makeBoth());
@@ -173,7 +174,7 @@ void TestRecordedSteps::whatWasTypedStaysWhereARunFails() {
   QVERIFY(typeBehindGrow(*text));
   const QString typed = text->toPlainText();
   QVERIFY(typed != recorded);
-  w.tick(0, 1);  // locked
+  w.tick(0, 1);  // locks the segment
   const Workspace before = w.workspace();
   QVERIFY(w.press("stepsRun"));
   QVERIFY(w.workspace() == before);
@@ -191,7 +192,7 @@ void TestRecordedSteps::whatWasTypedStaysWhereARunFails() {
   QCOMPARE(text->toPlainText(), recorded);
 }
 
-// Another one is worked on meanwhile.
+// Another map is active meanwhile.
 void TestRecordedSteps::theyAreRunInTheMapThatTheyAreOf() {
   SegmentWindow w;
   QVERIFY(w.makeBoth());
@@ -208,7 +209,7 @@ void TestRecordedSteps::theyAreRunInTheMapThatTheyAreOf() {
   QVERIFY(maskOf(*segmentMapOf(w.workspace(), w.series(), 0)->labels, 1) == grown(shell, 2));
 }
 
-// The hollow ball and the small one have empty slices between them.
+// The hollow ball and the small ball have empty slices between them.
 void TestRecordedSteps::slicesBetweenAreFilledByAStep() {
   SegmentWindow w;
   QVERIFY(w.make(800, 1200));
@@ -222,7 +223,7 @@ void TestRecordedSteps::slicesBetweenAreFilledByAStep() {
   QVERIFY(made && maskOf(made->labels, 1) == w.mask(1));
 }
 
-// As a brush would change it.
+// Changes voxels as a brush would.
 void TestRecordedSteps::whatNoStepMadeIsSaid() {
   SegmentWindow w;
   QVERIFY(w.make(800, 1200));

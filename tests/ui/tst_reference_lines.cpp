@@ -1,5 +1,5 @@
 // Guards the lines of other views' planes: in compared layouts, through links between frames of reference,
-// over frames, of first and last slices; switched by action, key and preference.
+// over frames, and of first and last slices. They are switched by action, key and preference.
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/two_series.h"
@@ -12,7 +12,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// Axial at the left, coronal at the right.
+// Axial on the left, coronal on the right.
 struct Crossed : TwoSeries {
   Crossed(const LoadedSeriesPtr& a, const LoadedSeriesPtr& b) : TwoSeries(a, b) {
     session().showAs(right, ViewKind::coronal);
@@ -20,11 +20,11 @@ struct Crossed : TwoSeries {
     QCoreApplication::processEvents();
   }
   std::vector<ReferenceLine> lines(ViewId id) { return view(id)->referenceLines(); }
-  // Where a point lies in the left view, logical pixels down.
+  // Returns a point's height in the left view, logical pixels from the top.
   double down(glm::dvec3 p) { return plane(left).pixelFromPatient(p).y / view(left)->devicePixelRatioF(); }
 };
 
-// Pixels of a picture in which green outweighs red.
+// Counts the pixels in which green outweighs red.
 int greenPixels(const QImage& image) {
   int count = 0;
   for (int y = 0; y < image.height(); ++y)
@@ -97,7 +97,7 @@ void TestReferenceLines::firstAndLastSlicesAreAnOption() {
   w.press("referenceEnds");
   const auto lines = w.lines(left);
   QCOMPARE(lines.size(), std::size_t(3));
-  // 32 slices of 0.5 mm about the middle of the patient.
+  // 32 slices of 0.5 mm about the origin.
   const double first = w.down({0, -7.75, 0}), last = w.down({0, 7.75, 0});
   QVERIFY(lines[1].part == FlatView::StackPart::first && lines[2].part == FlatView::StackPart::last);
   QVERIFY(std::abs(lines[1].line.y1() - first) < 1e-6);
@@ -130,7 +130,7 @@ void TestReferenceLines::theyAreSwitchedOffAndKept() {
   QCOMPARE(w.lines(left).size(), std::size_t(1));
 }
 
-// Linked, the planes of one series are moved by their lines; alone, each has a position of its own.
+// Linked planes of one series are moved by their lines. Unlinked, each has its own position.
 void TestReferenceLines::planesOfOneSeriesHaveTheCrosshairs() {
   const LoadedSeriesPtr ball = ballIn("A");
   Crossed w(ball, ball);
@@ -169,7 +169,7 @@ void TestReferenceLines::framesHaveThemToo() {
   QCOMPARE(w.view(left)->referenceLines().size(), std::size_t(3));
 }
 
-// Each has that of the plane that the other shows just now; parallel ones have none.
+// Each view has the line of the plane that the other currently shows. Parallel planes have none.
 void TestReferenceLines::localizersOfOneStackHaveThem() {
   NEED_FILES();
   Frames w({"../dicom-geometry/mr-localizer-ge-3plane-21"});
@@ -200,7 +200,7 @@ void TestReferenceLines::localizersOfOneStackHaveThem() {
   }
 }
 
-// Where the views on screen have gone on meanwhile.
+// The views on screen have changed meanwhile.
 void TestReferenceLines::picturesHaveThoseOfTheirWorkspace() {
   Crossed w(ballIn("A"), ballIn("A", 2));
   const QLineF before = w.lines(left).at(0).line;

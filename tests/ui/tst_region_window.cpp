@@ -1,6 +1,6 @@
-// Guards the window from a region: a box drawn in a slice or a frame gets the window from P1 to P99 of what
-// is seen in it, against closed forms and, by chance, a ramp whose percentiles are known; one step, and the
-// tool before is in hand again.
+// Guards the window from a region. A box in a slice or frame sets the window from P1 to P99 of its visible
+// values. Checked against closed forms and, at random, a ramp with known percentiles. It is one undo step,
+// and the previous tool returns.
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/ui/frames_window.h"
@@ -12,10 +12,10 @@ using namespace volumen::tests;
 
 namespace {
 
-// Values of a series as `value` says at each patient place.
+// Returns a series with `value` at each patient position.
 LoadedSeriesPtr seriesBy(const std::function<double(glm::dvec3)>& value) {
   const glm::ivec3 size{48, 48, 8};
-  const glm::dvec3 middle = (glm::dvec3(size) - 1.0) / 2.0;  // voxel, at the patient's origin
+  const glm::dvec3 middle = (glm::dvec3(size) - 1.0) / 2.0;  // voxel at the patient's origin
   auto series = std::make_shared<LoadedSeries>(*seriesOf(volumeOf<std::int16_t>(
       size, glm::dmat3(1), [&](glm::dvec3 pVoxel) { return value(pVoxel - middle); })));
   series->series.acquired = series->volume->geometry();
@@ -67,7 +67,7 @@ void TestRegionWindow::percentilesAreByRank() {
 void TestRegionWindow::aRampGivesItsPercentiles() {
   RegionWindow w(seriesBy([](glm::dvec3 p) { return 100 * p.x; }));
   const SlicePlane plane = *w.view()->plane();
-  // Inside the picture: the volume is 48 mm wide, in the middle of the view.
+  // Stays inside the picture: the volume is 48 mm wide, in the middle of the view.
   const QPointF middle = QRectF(w.view()->rect()).center();
   const double reach = 20 / plane.mmPerPixel;
   for (std::uint64_t seed = 1; seed <= 25; ++seed) {
@@ -81,7 +81,7 @@ void TestRegionWindow::aRampGivesItsPercentiles() {
     const double a = 100 * w.patient(from).x, b = 100 * w.patient(to).x, low = std::min(a, b),
                  wide = std::abs(b - a);
     const WindowEnds ends = endsOf(*w.windowSet());
-    // Values rise evenly from side to side; a sample stands for a pixel, so that each end is known to one.
+    // Values rise evenly from side to side. A sample stands for a pixel, so each end is known to one pixel.
     const double pixel = 100 * plane.mmPerPixel;
     QVERIFY2(std::abs(ends.dark - (low + 0.01 * wide)) <= pixel, qPrintable(QString::number(seed)));
     QVERIFY2(std::abs(ends.bright - (low + 0.99 * wide)) <= pixel, qPrintable(QString::number(seed)));
@@ -97,7 +97,7 @@ void TestRegionWindow::aSpeckDecidesNothing() {
   const double reach = 18 / w.view()->plane()->mmPerPixel;
   w.box(middle - QPointF(reach, reach), middle + QPointF(reach, reach));
   QVERIFY(w.windowSet());
-  // 36 x 36 mm of which the speck with its slopes is less than 2 x 2: below 1 %.
+  // The speck with its slopes covers less than 2 x 2 of 36 x 36 mm, which is below 1 %.
   QVERIFY2(endsOf(*w.windowSet()).bright < 200, qPrintable(QString::number(endsOf(*w.windowSet()).bright)));
 }
 
@@ -105,7 +105,7 @@ void TestRegionWindow::oneValueIsStillAWindow() {
   RegionWindow w(seriesBy([](glm::dvec3) { return 77; }));
   const QPointF middle = QRectF(w.view()->rect()).center();
   w.box(middle, middle + QPointF(30, 30));
-  // A 4000th of the spread of values, as a drag makes it at least.
+  // One 4000th of the range of values, which is also the minimum of a drag.
   QCOMPARE(w.windowSet(), std::optional(Window{77, 0.25}));
 }
 
@@ -121,7 +121,7 @@ void TestRegionWindow::itIsOneStepAndOneUse() {
   QVERIFY(w.view()->drawnMeasurements().empty());
   w.undo();
   QVERIFY(w.session().workspace() == before);
-  // Shift keeps the tool, as it does those that measure.
+  // Shift keeps the tool, as for measuring tools.
   w.box(middle, middle + QPointF(40, 30), Qt::ShiftModifier);
   QCOMPARE(&w.window.views()->tool(), &toolNamed("regionWindow"));
   QTest::keyClick(w.view(), Qt::Key_Escape);
@@ -175,7 +175,7 @@ void TestRegionWindow::framesToo() {
   QVERIFY(w.after([&] { drag(w.view(), middle - QPointF(40, 40), middle + QPointF(40, 40)); }));
   const std::optional<Window> window = w.workspace().series.at(w.view()->state().series).window;
   QVERIFY(window && window->width > 0);
-  // Of the pixels whose centres lie in the box, by themselves: interpolation reaches half a pixel further.
+  // Expected values are of pixels whose centres lie in the box. Interpolation reaches half a pixel further.
   const LoadedFramePtr frame = frameIn(w.view());
   const VoxelGeometry& geometry = frame->geometry();
   const SlicePlane plane = *w.view()->plane();
@@ -190,7 +190,7 @@ void TestRegionWindow::framesToo() {
       inside.push_back(frame->slice->volume->value(x, y, 0));
   std::ranges::sort(inside);
   const double low = inside[inside.size() / 100], high = inside[inside.size() * 99 / 100];
-  // Places of the screen are not those of the pixels: P1 and P99 agree to a tenth of what lies between.
+  // Screen samples differ from the pixels, so P1 and P99 agree to a tenth of their difference.
   QVERIFY2(std::abs(endsOf(*window).dark - low) < (high - low) / 10, qPrintable(QString::number(low)));
   QVERIFY2(std::abs(endsOf(*window).bright - high) < (high - low) / 10, qPrintable(QString::number(high)));
 }

@@ -1,5 +1,5 @@
 // Guards window.md "Open objects that refer to pictures": which contours a plane shows, where it cuts others,
-// and which pixels segments tint; closed forms.
+// and which pixels segments tint. Closed forms.
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -21,7 +21,7 @@ class TestRegionsOverSlices : public QObject {
 
 namespace {
 
-// 100 x 100 pixels of 1 mm about the origin.
+// Returns a plane of 100 x 100 pixels of 1 mm about `centre`.
 SlicePlane planeAt(glm::dvec3 centre, glm::dvec3 right = {1, 0, 0}, glm::dvec3 down = {0, 1, 0}) {
   SlicePlane plane;
   plane.centre = centre;
@@ -31,7 +31,7 @@ SlicePlane planeAt(glm::dvec3 centre, glm::dvec3 right = {1, 0, 0}, glm::dvec3 d
   return plane;
 }
 
-// A square of 20 mm about the origin, at z 5.
+// Returns a square of 20 mm about the origin, at z 5.
 StructureSet square() {
   RegionOfInterest region;
   region.number = 3;
@@ -76,7 +76,7 @@ void TestRegionsOverSlices::contoursNearThePlaneAreWhole() {
 }
 
 void TestRegionsOverSlices::othersAreCut() {
-  // Coronal, 4 mm behind the middle: from x -10 to 10 at z 5.
+  // A coronal plane, 4 mm behind the middle, cuts it from x -10 to 10 at z 5.
   const auto all = linesIn(planeAt({0, 4, 0}, {1, 0, 0}, {0, 0, -1}));
   QVERIFY(all[0].lines.empty());
   QCOMPARE(all[0].cuts.size(), std::size_t(1));
@@ -110,7 +110,7 @@ void TestRegionsOverSlices::segmentsTintTheirPixels() {
   const SegmentLayer layer{s, {{0, qRgb(200, 0, 0)}}, 0.5};
   QImage grey(100, 100, QImage::Format_Grayscale8);
   grey.fill(100);
-  // Inside and outline: half of its colour, and all of it.
+  // The inside has half of its colour, the outline all of it.
   const auto tinted = [&](const SlicePlane& plane) {
     const QImage picture = withSegments(grey, plane, layer);
     std::pair count(0, 0);
@@ -128,8 +128,8 @@ void TestRegionsOverSlices::segmentsTintTheirPixels() {
   QVERIFY(tinted(planeAt({0, 0, 0})) == block);
   QVERIFY(tinted(planeAt({0, 0, 1.4})) == block);
   QVERIFY(tinted(planeAt({0, 0, 1.6})) == std::pair(0, 0));
-  // Coronal through it: as wide, and as high as its plane is thick; moved by half a pixel, so that its two
-  // faces lie between pixels.
+  // A coronal plane through it shows the same width, and the plane's thickness as height. It is shifted by
+  // half a pixel, so that both faces lie between pixels.
   QVERIFY(tinted(planeAt({0, -8, 0.5}, {1, 0, 0}, {0, 0, -1})) == std::pair(14, 16 * 3 - 14));
 }
 

@@ -1,5 +1,5 @@
-// Guards window.md "Open objects that refer to pictures": contours and segments lie over slices, by real
-// events on real files.
+// Guards window.md "Open objects that refer to pictures": contours and segments lie over slices. Real events
+// on real files.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -28,7 +28,7 @@ void TestRegionsWindow::contoursLieOnTheirSlices() {
   References2d w({"pet-ct/sts019-ct", "pet-ct/sts019-rtstruct-ct.dcm"});
   QVERIFY(w.has("Contours: RTstruct"));
   QVERIFY(w.shows([](const FlatView&) { return true; }));
-  // In pixels of pure red: strokes count the same wherever they lie between pixels.
+  // Sums red in units of full red pixels, so that strokes between pixels count the same.
   const auto red = [&](ViewId id) {
     const QImage screen = w.view(id)->grab().toImage();
     int sum = 0;
@@ -49,7 +49,7 @@ void TestRegionsWindow::contoursLieOnTheirSlices() {
         withCrosshair(w.workspace(), axialViewId, frameOfReference(shown->series), crosshair, crosshair));
   };
   goTo(-150.42);
-  const int lines = red(axialViewId);  // of the crosshair, which is none of them
+  const int lines = red(axialViewId);  // lines of the crosshair, which are no contours
   w.click("Contours: RTstruct");
   QTRY_VERIFY_WITH_TIMEOUT(w.item("GTV_Mass_CT", "regionList"), longest);
   QTRY_VERIFY_WITH_TIMEOUT(red(axialViewId) > lines + 100, longest);
@@ -123,7 +123,7 @@ void TestRegionsWindow::segmentsAreTinted() {
   QTRY_COMPARE_WITH_TIMEOUT(tinted(), 1832, longest);
 }
 
-// Its one frame, and that again.
+// Writes its single frame twice.
 void TestRegionsWindow::whatIsWrongWithThemIsTold() {
   NEED_REFERENCES();
   const QTemporaryDir folder;

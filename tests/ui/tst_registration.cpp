@@ -1,5 +1,5 @@
-// Guards "Register in the background": two frames of reference are linked by what was found, whatever happens
-// meanwhile. Real events.
+// Guards "Register in the background": the result links two frames of reference, whatever is done meanwhile.
+// Real events.
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/registration_jobs.h"
@@ -100,7 +100,7 @@ void TestRegistration::aSeriesThatIsClosedEndsIt() {
   QVERIFY2(w.child<Banner>("banner")->isHidden(), "nothing went wrong");
 }
 
-// What was found is of the two that it was asked for, and holds when they are back.
+// The result belongs to the two requested series, and applies once they are shown again.
 void TestRegistration::anotherSeriesMayBeChosenMeanwhile() {
   const LoadedSeriesPtr moving = lumpsIn("B", {9, -6, 12}), third = lumpsIn("C", {0, 0, 0});
   TwoSeries w(lumpsIn("A", {0, 0, 0}), moving);
@@ -124,7 +124,7 @@ void TestRegistration::anOverlayGoesThroughTheLink() {
   QVERIFY(!whyNotOverlaid(w.workspace(), under->series, over->series).isEmpty());
   w.session().change({}, withRegistration(w.workspace(), "A", "B", {glm::dmat3(1), moved}));
   QVERIFY(whyNotOverlaid(w.workspace(), under->series, over->series).isEmpty());
-  // The same series moved back lies over itself: all of it in the overlay's colours.
+  // The registered series covers itself: everything is in the overlay's colours.
   QSignalSpy settled(w.view(left), &FlatView::settled);
   w.session().change({}, withOverlay(w.workspace(), left, &over->series));
   w.session().change({}, withFlatLooks(w.workspace(), left, [](FlatLook& look) {

@@ -1,4 +1,4 @@
-// Guards the action "Remove table": one undo step for the picture and segments, by real events.
+// Guards the action "Remove table": one undo step for the picture and segments. Real events.
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QLabel>
@@ -19,7 +19,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// A window on a CT with a table, seen from behind.
+// A window that shows a CT with a table from behind.
 struct OnTable {
   QTemporaryDir dir;
   Journey w;
@@ -59,8 +59,8 @@ void TestRemoveTable::theTableGoesAndComesBack() {
   QVERIFY2(!without.isNull() && without != with, "the table hides the back no longer");
   QVERIFY(t.button()->isChecked());
   QVERIFY(t.w.child<QTextBrowser>("effectsPanel")->toPlainText().contains(QStringLiteral("table removed")));
-  // One step; undone by key, made again by key, and taken back by the button.
-  QCOMPARE(t.w.window.session().undoStack().count(), 2);  // the view, the table
+  // It is one undo step. A key undoes it, redo repeats it, and the button takes it back.
+  QCOMPARE(t.w.window.session().undoStack().count(), 2);  // the view and the table
   QVERIFY(t.w.after([&] { QTest::keyClick(&t.w.window, Qt::Key_Z, Qt::ControlModifier); }) == with);
   QVERIFY(!t.button()->isChecked());
   QVERIFY(t.w.after("redo") == without);
@@ -82,10 +82,10 @@ void TestRemoveTable::segmentsAreOfThePatientAlone() {
   }
   auto* result = t.w.child<QLabel>("segmentResult");
   QTest::mouseClick(t.w.child<QPushButton>("segment"), Qt::LeftButton);
-  // The table alone holds 400 HU.
+  // Only the table has 400 HU.
   const QRegularExpression none(QStringLiteral("\\b0 voxels"));
   QTRY_VERIFY_WITH_TIMEOUT(result->text().contains(none), longest);
-  t.w.child<QAction>("undo")->trigger();  // the segment
+  t.w.child<QAction>("undo")->trigger();  // undoes the segment
   t.w.after("undo");
   QTest::mouseClick(t.w.child<QPushButton>("segment"), Qt::LeftButton);
   const int table = CtWithTable::size.x * 3 * CtWithTable::size.z;
@@ -134,14 +134,14 @@ void TestRemoveTable::theFirstPictureOfACtIsSoonWithoutIt() {
   QCOMPARE(w.window.session().undoStack().count(), 0);
   w.shot("ct-without-table");
   const QImage without = w.after("viewPosterior");
-  // One click brings it back, for the next series, too.
+  // One click shows it again, for the next series, too.
   const QImage with = w.after([&] { QTest::mouseClick(show, Qt::LeftButton); });
   QVERIFY(!with.isNull() && with != without);
   QVERIFY(!show->isVisible() && w.child<QAction>("tableIn3d")->isChecked());
   QCOMPARE(w.window.session().undoStack().count(), 1);  // the view
   w.shot("ct-with-table");
   QVERIFY(w.after([&] { w.child<QAction>("tableIn3d")->trigger(); }) == without);
-  // What was taken away by hand is gone from slices, too.
+  // A table removed by hand is gone from slices, too.
   w.after("removeTable");
   QVERIFY(!show->isVisible());
   QVERIFY(session.drawnSeries(sceneViewId) == session.series());

@@ -1,6 +1,6 @@
-// Guards that whatever is said beside a picture follows from what is shown: after each of 300 actions by
-// chance (real wheel, mouse and key events, series, layouts, steps, undo) every text is held against one that
-// is computed anew, and the screen against the same window painted anew.
+// Guards that all texts beside a picture match it. After each of 300 random acts (real wheel, mouse and key
+// events, series, layouts, steps, undo), every text is compared with a new computation. The screen is
+// compared with a repaint of the window.
 #include <QLabel>
 #include <QScreen>
 #include <QSlider>
@@ -33,7 +33,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// A DICOM-like series of blocks of values in a grid along i, j and their normal.
+// Returns a DICOM-like series of blocks of values in a grid along i, j and their normal.
 LoadedSeriesPtr blocks(const char* name, glm::dvec3 i, glm::dvec3 j, glm::dvec3 spacing, const char* frame) {
   constexpr int n = 24;
   auto series = std::make_shared<LoadedSeries>(*ballSeries(n));
@@ -70,8 +70,8 @@ LoadedSeriesPtr blocks(const char* name, glm::dvec3 i, glm::dvec3 j, glm::dvec3 
   return series;
 }
 
-// Where pictures differ by more than the rounding of smooth edges, which depends on what is painted at once
-// (11 was seen); another word differs by more than 100.
+// Returns where pictures differ beyond the rounding of antialiased edges, which depends on the painted area
+// (11 was seen). A different word differs by more than 100.
 QRect differing(const QImage& a, const QImage& b) {
   constexpr int rounding = 24;
   QRect differ;
@@ -101,7 +101,7 @@ class Hand : public Journey {
   Session& session() { return window.session(); }
   const Workspace& workspace() { return session().workspace(); }
 
-  // One action; says what.
+  // Does one random act and returns its description.
   QByteArray act() {
     const std::vector<ViewId> ids = viewsOnScreen(workspace());
     const ViewId id = ids[std::size_t(below(int(ids.size())))];
@@ -174,12 +174,12 @@ class Hand : public Journey {
   }
   QString said() { return child<QLabel>("hoverText")->text(); }
   std::optional<std::pair<View*, QPointF>> pointed() {
-    // A view that was hidden knows no pointer: where it comes back, that has to move first.
+    // A view that was hidden has no pointer. It must move first once the view returns.
     if (pointed_ && !pointed_->first->isVisible()) pointed_.reset();
     return pointed_;
   }
-  // Where the screen does not show what the window would paint now, once all pictures are there. Not the 3D
-  // views: they are drawn on.
+  // Returns where the screen differs from a repaint once all pictures are there. 3D views are left out
+  // because they are still being drawn.
   QRect staleOnScreen() {
     QRect stale;
     const auto same = [&] {
@@ -208,13 +208,13 @@ class Hand : public Journey {
   QPointF anyPlace(const QWidget* view) {
     return {double(5 + below(view->width() - 10)), double(5 + below(view->height() - 10))};
   }
-  // The pointer goes there, and leaves the view where it was.
+  // Moves the pointer to a view and leaves the previous one.
   void pointAt(View* view, QPointF at) {
     QEvent leave(QEvent::Leave);
     if (pointed_ && pointed_->first != view) QCoreApplication::sendEvent(pointed_->first, &leave);
     pointed_ = {view, at};
   }
-  // Where the pointer is; over another view it goes there first.
+  // Turns the wheel at the pointer, after moving it to the view if necessary.
   void turnWheel(View* view, int notches, Qt::KeyboardModifiers keys) {
     if (!pointed_ || pointed_->first != view) {
       pointAt(view, anyPlace(view));
@@ -242,7 +242,7 @@ SlicePlane planeOf(const Workspace& w, ViewId id, const LoadedSeries& shown, glm
                    pixels);
 }
 
-// What the status line is to say of a place of a slice: the value of the nearest voxel and where it is.
+// Returns the expected status line for a position in a slice: the nearest voxel's value and position.
 QString valueAt(const LoadedSeries& shown, glm::dvec3 p) {
   const Volume& volume = *shown.volume;
   const glm::ivec3 v(glm::floor(volume.geometry().voxelFromPatient(p) + 0.5));
@@ -251,7 +251,7 @@ QString valueAt(const LoadedSeries& shown, glm::dvec3 p) {
   return QStringLiteral("%1 HU at %2").arg(volume.value(v.x, v.y, v.z)).arg(placeText(p));
 }
 
-// What a corner is to say of a plane: its name, and which slice as acquired it is.
+// Returns the expected corner text of a plane: its name and the number of its acquired slice.
 QStringList planeSaid(const LoadedSeries& shown, ViewKind kind, const SlicePlane& plane) {
   const VoxelGeometry& geometry = shown.volume->geometry();
   const glm::dvec3 k = glm::normalize(geometry.patientFromVoxelStep[2]);
@@ -265,7 +265,7 @@ QStringList planeSaid(const LoadedSeries& shown, ViewKind kind, const SlicePlane
   return {name + QStringLiteral(", reformatted")};
 }
 
-// Each of these returns what is wrong; empty: nothing is. `seen` counts what was compared.
+// Each function returns what is wrong, or an empty text. `seen` counts the comparisons.
 
 QString wrongCorner(Hand& w, int& seen) {
   const Workspace& now = w.workspace();

@@ -1,4 +1,4 @@
-// Guards design.md 8: pictures to be saved are all answered, each drawn of the volume it was asked of.
+// Guards design.md 8: all requests for saved pictures are answered, each drawn from its own volume.
 #include "tests/ui/slow_renderer.h"
 #include "tests/unit/suite.h"
 

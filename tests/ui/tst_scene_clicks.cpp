@@ -1,5 +1,5 @@
-// Guards clicks into 3D views: the first one chooses the view, a double-click maximises it, and neither moves
-// the crosshair; and what a view calls final. Real events.
+// Guards clicks into 3D views. The first click chooses the view, a double-click maximises it, and neither
+// moves the crosshair. Also guards which picture a view reports as final. Real events.
 #include <QApplication>
 #include <QComboBox>
 
@@ -58,7 +58,7 @@ void TestSceneClicks::whatIsDrawnAnewIsNotFinal() {
   QTRY_VERIFY_WITH_TIMEOUT(caption().startsWith(QStringLiteral("final: ")), longest);
 }
 
-// A projection, all closed, that undone: until the series is read again the curve has no volume.
+// Closes a projection and undoes that. Until the series is read again, the curve has no volume.
 void TestSceneClicks::keysOnACurveWithoutItsSeries() {
   Journey w({QStringLiteral("phantom:sphere:32")});
   QVERIFY(w.settle());

@@ -1,4 +1,5 @@
-// Guards the scissors: what is drawn around goes along the lines of sight, from every view, as undo steps.
+// Guards the scissors: the outlined tissue is removed along the lines of sight, from every view, as undo
+// steps.
 #include <QAbstractButton>
 
 #include "tests/ui/gestures.h"
@@ -13,7 +14,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// Presses, goes once around and comes back.
+// Presses, drags once around and returns to the start.
 void drawAround(QWidget* view, QRectF area, Qt::KeyboardModifiers keys = {}, bool isReleased = true) {
   const QPointF corners[] = {area.topRight(), area.bottomRight(), area.bottomLeft(), area.topLeft()};
   QTest::mousePress(view, Qt::LeftButton, keys, area.topLeft().toPoint());
@@ -27,7 +28,7 @@ void drawAround(QWidget* view, QRectF area, Qt::KeyboardModifiers keys = {}, boo
   if (isReleased) QTest::mouseRelease(view, Qt::LeftButton, keys, area.topLeft().toPoint());
 }
 
-// A window on a CT, the scissors in hand.
+// A window that shows a CT, with the scissors active.
 struct Cutting {
   SessionFolder folder;
   Journey w;
@@ -80,7 +81,7 @@ void TestScissors::whatIsDrawnAroundGoes_data() {
   QTest::newRow("perspective, outside by Ctrl") << true << false;
 }
 
-// A voxel is gone where its centre is seen in the rectangle.
+// A voxel is removed if its centre is seen inside the rectangle.
 void TestScissors::whatIsDrawnAroundGoes() {
   QFETCH(bool, perspective);
   QFETCH(bool, inside);
@@ -107,7 +108,7 @@ void TestScissors::whatIsDrawnAroundGoes() {
     for (int j = 0; j < before->size().y; ++j)
       for (int i = 0; i < before->size().x; ++i) {
         const glm::dvec2 p = seenAt(camera, size, before->geometry().patientFromVoxel({i, j, k}));
-        // Rounding may take what lies on the line to either side.
+        // Rounding may put what lies on the line on either side.
         const double off = std::min({std::abs(p.x - area.left()), std::abs(p.x - area.right()),
                                      std::abs(p.y - area.top()), std::abs(p.y - area.bottom())});
         if (off < 1e-6) continue;
@@ -138,13 +139,13 @@ void TestScissors::stepsAreUndoneAndMadeAgain() {
   QVERIFY(!reset->isEnabled());
   QVERIFY(t.w.after("undo") == twice);
   QCOMPARE(t.session().undoStack().undoText(), QStringLiteral("Cut inside"));
-  // The table is of the same mask.
+  // The table belongs to the same mask.
   QVERIFY(!t.w.after("removeTable").isNull());
   QVERIFY(t.volume()->attributes().cut.table);
   QVERIFY(t.w.after("undo") == twice);
 }
 
-// The second is drawn while the first is being computed.
+// The second cut is drawn while the first is being computed.
 void TestScissors::twoInARowAreTwoSteps() {
   Cutting t;
   QVERIFY(t.open());
@@ -171,7 +172,7 @@ void TestScissors::slicesShowWhatWasCut() {
   QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > 0, longest);
   const QRgb skin = coronal->picture().pixel(coronal->pixels().width() / 2, coronal->pixels().height() / 2);
   QVERIFY(qRed(skin) > 50);
-  // From the front: the middle of the coronal plane is what is seen in the middle.
+  // From the front, the middle of the view shows the middle of the coronal plane.
   QVERIFY(!t.w.after("viewAnterior").isNull());
   const QPointF centre = QRectF(t.view()->rect()).center();
   QVERIFY(!t.cut({centre - QPointF(30, 25), QSizeF(60, 50)}).isNull());
@@ -224,7 +225,7 @@ void TestScissors::whatIsGivenUpCutsNothing_data() {
   });
 }
 
-// The other one waits meanwhile, and is made.
+// The other cut waits meanwhile, and is made.
 void TestScissors::oneOfTwoCutsIsCancelled() {
   Cutting t;
   QVERIFY(t.open());
@@ -253,7 +254,7 @@ void TestScissors::whatIsGivenUpCutsNothing() {
   const Workspace before = t.session().workspace();
   const VolumePtr volume = t.volume();
   act(t);
-  // Something asked for behind it comes only when it has ended.
+  // A later act is done only after the cut has ended.
   QVERIFY(!t.w.after("removeTable").isNull());
   QVERIFY(!t.w.after("undo").isNull());
   QVERIFY(t.session().workspace() == before);
@@ -266,7 +267,7 @@ void TestScissors::aSessionKeepsTheCuts() {
   QVERIFY(!t.cut(t.middle()).isNull());
   QVERIFY(!t.w.after("removeTable").isNull());
   const Workspace saved = t.session().workspace();
-  // Alone on screen the view has one size in both windows; beside panels it has what their texts leave.
+  // Maximised, the view has the same size in both windows. Beside panels its size depends on their texts.
   const QImage picture = t.w.after("maximise");
   QVERIFY(!picture.isNull());
   QVERIFY(t.folder.save(t.w));

@@ -1,4 +1,4 @@
-// Guards issue 51: a window comes back on the screens that are there, and a screen of 16 bits a pixel shows
+// Guards issue 51: a window is restored on the screens that exist, and a screen of 16 bits per pixel shows
 // what others show.
 #include <QScreen>
 #include <QSettings>
@@ -63,7 +63,7 @@ void TestScreens::aWindowComesBackOnTheScreen() {
   QSettings().remove(QStringLiteral("window"));
 }
 
-// On the screen itself, where the platform can say what is on it.
+// Reads the screen itself, if the platform allows it.
 void TestScreens::theThirdDimensionIsSeen() {
   Journey w;
   w.window.session().show(ballSeries());

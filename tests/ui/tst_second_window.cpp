@@ -1,5 +1,5 @@
-// Guards the second window: a key opens it, series and files are dropped into it, closing it is a step; it is
-// saved with the session, comes back where it stood, and goes with the main window. Real events.
+// Guards the second window. A key opens it, series and files are dropped into it, and closing it is an undo
+// step. It is saved with the session, returns to its position, and closes with the main window. Real events.
 #include <QPointer>
 #include <QScreen>
 #include <QTemporaryDir>
@@ -209,13 +209,13 @@ void TestSecondWindow::itsPlaceIsRemembered() {
   QVERIFY(w.child<QAction>("secondWindow")->isChecked());
   if (isMaximised) return;
   QCOMPARE(secondWindowOf(w).size(), place.size());
-  constexpr int frame = 40;  // of a window, which systems draw as they like
+  constexpr int frame = 40;  // a window's border, which systems draw as they like
   const QPoint off = secondWindowOf(w).pos() - place.topLeft();
   QVERIFY2(std::abs(off.x()) <= frame && std::abs(off.y()) <= frame,
            qPrintable(QStringLiteral("%1").arg(off.y())));
 }
 
-// As after the screen on which it stood was unplugged.
+// The last position lies outside all screens, as after a screen was unplugged.
 void TestSecondWindow::itOpensOnAScreenThatIsThere() {
   Beside w;
   QVERIFY(w.isOpen);

@@ -1,6 +1,6 @@
-// Guards the views of the second window: they scroll with those of the main one, the same keys and tools act
-// on them, panels and menus too, whichever window is active; its grid is chosen and its views are enlarged by
-// themselves, and keys go through both windows. Real events.
+// Guards the views of the second window. They scroll with those of the main window, and the same keys, tools,
+// panels and menus act on them, whichever window is active. Its grid and maximised view are separate, and
+// keys pass through both windows. Real events.
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDockWidget>
@@ -79,7 +79,7 @@ void TestSecondWindowViews::keysActOnItsViews() {
   menu->close();
 }
 
-// A press in the main window makes that active first.
+// A press in the main window activates that first.
 void TestSecondWindowViews::panelsActOnItsViewFromTheMainWindow() {
   Beside w;
   QVERIFY(w.isOpen);
@@ -273,7 +273,7 @@ void TestSecondWindowViews::allViewsAreThoseOfTheWindowInFocus() {
   QCOMPARE(copiedAllViews(w.window.focusWidget()).size(), w.views().size());
 }
 
-// It may have more pixels where no view is resized.
+// A screen may have more pixels although no view is resized.
 void TestSecondWindowViews::aScreenOfOtherPixelsIsFollowed() {
   Beside w;
   QVERIFY(w.isOpen);

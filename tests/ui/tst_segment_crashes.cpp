@@ -1,5 +1,5 @@
-// Guards what was made of segments where the program is killed in a stroke or in a job, where the disk is
-// full as they are kept, and where their series is left or closed while a job works on it.
+// Guards segments if the program is killed in a stroke or a job, or if the disk is full while they are saved.
+// Also guards them if their series is left or closed during a job.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/mount.h>
@@ -22,9 +22,9 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr const char* crashFolder = "VOLUMEN_CRASH_FOLDER";  // set: this is the program that is killed
+constexpr const char* crashFolder = "VOLUMEN_CRASH_FOLDER";  // set in the program that is killed
 
-// A ball among values by chance, so that what is made of it takes time and room.
+// Returns a ball among random values, whose segments take time and memory.
 VolumePtr noisyBall() {
   constexpr int n = 96;
   Chance chance(7);
@@ -33,7 +33,7 @@ VolumePtr noisyBall() {
   });
 }
 
-// A window with a series of a file, in planes, and the panel of segments in front.
+// A window that shows a file's series in planes, with the Segments panel in front.
 struct CrashWindow : Journey {
   explicit CrashWindow(const QString& path) : Journey({path}) {
     settle();
@@ -62,7 +62,7 @@ struct CrashWindow : Journey {
     auto* kinds = child<QComboBox>("segmentStepKind");
     kinds->setCurrentIndex(kinds->findData(QLatin1String(kind)));
   }
-  // One stroke of a segment of its own without end, every 10 ms a few pixels on.
+  // Paints one endless stroke into a new segment, a few pixels every 10 ms.
   void paint() {
     click("segmentAdd");
     child<QAction>("paintTool")->trigger();
@@ -76,7 +76,7 @@ struct CrashWindow : Journey {
       QTest::qWait(10);
     }
   }
-  // One job after the other; while one is not done yet, `busy` is there.
+  // Runs one job after another. The file `busy` exists while a job runs.
   void compute(QFile& busy) {
     for (int n = 0; n < 10000; ++n) {
       chooseStep(n % 2 ? "invert" : "gaussian");
@@ -91,7 +91,7 @@ struct CrashWindow : Journey {
   }
 };
 
-// True once the program was stopped while the file was there: it is stopped still.
+// Stops the program while the file exists and leaves it stopped. Returns true on success.
 bool isStoppedWhile(const QProcess& program, const QString& file) {
   const auto pid = pid_t(program.processId());
   return QTest::qWaitFor(
@@ -105,7 +105,7 @@ bool isStoppedWhile(const QProcess& program, const QString& file) {
       longest);
 }
 
-// A disk on which no room is left until it is freed; without the right to mount one there is none.
+// A disk that fill() fills until free(). There is none without the right to mount one.
 class FullDisk {
  public:
   explicit FullDisk(const QString& folder) : folder_(folder.toUtf8()) {
@@ -135,7 +135,7 @@ class FullDisk {
   bool isThere_ = false;
 };
 
-// As long as it lives this process writes no file of more bytes.
+// While it lives, this process can write no file of more bytes.
 class ShortFiles {
  public:
   explicit ShortFiles(qint64 bytes) : handler_(::signal(SIGXFSZ, SIG_IGN)) {
@@ -156,7 +156,7 @@ class ShortFiles {
   rlimit before_{};
 };
 
-// The only session that is kept, as it would be restored.
+// Returns the only kept session as it would be restored; empty if there is none.
 std::optional<OpenedSession> keptNow() {
   const QStringList names = keptSessions();
   if (names.size() != 1) return {};
@@ -169,8 +169,8 @@ bool keeps(const Workspace& workspace) {
   return kept && kept->problems.isEmpty() && sessionTextOf(kept->workspace) == sessionTextOf(workspace);
 }
 
-// Whether of two maps the one that there is no room for is named, the other as it was, but shown as now.
-// Undone then.
+// Returns whether autosave names both maps: a copy without disk space, and the first one with its present
+// display. Undoes its changes.
 bool namesACopy(CrashWindow& w) {
   w.click("segmentDuplicate");
   if (!w.idle()) return false;
@@ -185,7 +185,7 @@ bool namesACopy(CrashWindow& w) {
   return isNamed;
 }
 
-// What lies in the folder of autosave that is half written.
+// Returns incomplete files in the autosave folder.
 QStringList leftovers() {
   static const QRegularExpression known(
       QStringLiteral("^[^.]+\\.volumen(\\.lock|\\.[0-9a-f]{40}\\.(seg\\.nrrd|labels))?$|^filler$"));
@@ -209,7 +209,7 @@ class TestSegmentCrashes : public QObject {
 
  private:
   static bool isKilled() { return qEnvironmentVariableIsSet(crashFolder); }
-  // The window that is killed; every state that it has is noted.
+  // Runs the window that is killed. All its states are noted.
   void runUntilKilled(const std::function<void(CrashWindow&, const QDir&)>& run);
   QString at(const char* name) const { return dir_->filePath(QLatin1String(name)); }
   std::unique_ptr<QTemporaryDir> dir_;
@@ -233,7 +233,7 @@ void TestSegmentCrashes::runUntilKilled(const std::function<void(CrashWindow&, c
   run(w, folder);
 }
 
-// No tests, but what whatIsKilledIsAsItWas() starts.
+// Not tests. whatIsKilledIsAsItWas() starts them.
 void TestSegmentCrashes::aWindowThatPaints() {
   runUntilKilled([](CrashWindow& w, const QDir&) { w.paint(); });
 }
@@ -315,7 +315,7 @@ void TestSegmentCrashes::aFullDiskTakesNothing() {
              qPrintable(banner->sentence()));
     QCOMPARE(leftovers(), QStringList());
     QVERIFY2(keeps(before), "all that was kept before");
-    // What is no label is kept.
+    // Everything except labels is kept.
     if (hasRoomForSession) {
       w.child<QAction>("viewLeft")->trigger();
       Workspace expected = w.workspace();

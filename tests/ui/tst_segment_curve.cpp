@@ -1,5 +1,5 @@
-// Guards design.md 11: the ends of a segment's range are dragged on the axis of the curve, by real events:
-// fields, slices and 3D follow, and what the fields say is what is made.
+// Guards design.md 11: the ends of a segment's range are dragged on the axis of the curve, by real events.
+// Fields, slices and 3D follow, and the segment is made from the values of the fields.
 #include <QComboBox>
 #include <QSignalSpy>
 #include <cmath>
@@ -52,7 +52,7 @@ void TestSegmentCurve::theFieldsFollowTheEnds() {
   w.dragEnd(1, 901);
   QVERIFY(std::abs(w.field(1)->value() / factor - 901) < 1.5 * w.pixel());
   QVERIFY(w.field(1)->hasFocus());
-  // What the fields say, not what lies between their last digits.
+  // The values are those of the fields, without digits beyond their precision.
   QCOMPARE(w.ends(0), w.field(0)->value() / factor);
   QCOMPARE(w.ends(1), w.field(1)->value() / factor);
   QVERIFY(w.workspace() == before);
@@ -69,7 +69,7 @@ void TestSegmentCurve::theEndsFollowTheFields() {
   const auto pixelOf = [&](double value) { return w.curve()->valueAxis().pixelOf(value); };
   QCOMPARE(w.curve()->rangeHandle(0).right(), pixelOf(444));
   QCOMPARE(w.curve()->rangeHandle(1).left(), pixelOf(600));
-  // Typed the other way round, the lower one is the lower end still.
+  // If they are typed in reverse, the lower value is still the lower end.
   w.setFields(900, 100);
   QCOMPARE(w.ends(0), 100.0);
   QCOMPARE(w.ends(1), 900.0);
@@ -81,7 +81,7 @@ void TestSegmentCurve::anEndStopsAtTheOther() {
   w.dragEnd(0, 1000);
   QCOMPARE(w.field(0)->value(), 700.0);
   QCOMPARE(w.field(1)->value(), 700.0);
-  // Each can be taken again.
+  // Each end can be taken again.
   w.dragEnd(1, 900);
   QVERIFY(w.field(1)->value() > 850);
   QCOMPARE(w.field(0)->value(), 700.0);
@@ -98,7 +98,7 @@ void TestSegmentCurve::linesAreDraggedAndPointsComeFirst() {
   });
   w.session().endGesture();
   w.setFields(400, 1000);
-  // On the line, halfway up.
+  // Drags on the line, halfway up.
   const QPointF onLine(w.curve()->valueAxis().pixelOf(1000), w.curve()->opacityAxis().pixelOf(0.7));
   tests::drag(w.curve(), onLine, onLine - QPointF(50, 0));
   QVERIFY(std::abs(w.field(1)->value() - (1000 - 50 * w.pixel())) < 1.5 * w.pixel());
@@ -107,7 +107,7 @@ void TestSegmentCurve::linesAreDraggedAndPointsComeFirst() {
   // A double-click on a line adds no point.
   QTest::mouseDClick(w.curve(), Qt::LeftButton, {}, (onLine - QPointF(50, 0)).toPoint());
   QVERIFY(w.session().scene().transferFunction == curve);
-  // The foot of the curve stands where the lower end does.
+  // The foot of the curve is at the lower end. A drag there moves the foot.
   tests::drag(w.curve(), w.curve()->positionOf(0), w.curve()->positionOf(0) - QPointF(40, 0));
   QVERIFY(w.session().scene().transferFunction.points[0].value < 400 - 20 * w.pixel());
 }
@@ -121,14 +121,14 @@ void TestSegmentCurve::theyStandThereWithThePage() {
   QVERIFY(w.curve()->range());
   w.child<QDockWidget>("segmentDock")->close();
   QVERIFY(!w.curve()->range());
-  // What was a line is empty ground again.
+  // The place of the line is empty background again.
   const double before = w.curve()->valueAxis().low;
   const QPointF at(w.curve()->valueAxis().pixelOf(1000), w.curve()->opacityAxis().pixelOf(0.7));
   tests::drag(w.curve(), at, at + QPointF(50, 0));
   QVERIFY(w.curve()->valueAxis().low < before);
 }
 
-// Its axis shows the window; that stays.
+// The axis of a projection shows the window, which stays unchanged.
 void TestSegmentCurve::aProjectionHasThem() {
   AxisWindow w;
   w.session().edit(QStringLiteral("test"), [](Scene& s) { s.mode = Mode::mip, s.window = Window{600, 200}; });
@@ -152,7 +152,7 @@ void TestSegmentCurve::nothingVisibleHasThem() {
   QVERIFY(std::abs(w.field(1)->value() - 800) < 1.5 * w.pixel());
 }
 
-// A series that is closed in the middle of a drag ends it.
+// Closing the series ends a drag.
 void TestSegmentCurve::theyGoWithTheSeries() {
   AxisWindow w;
   w.setFields(300, 700);
@@ -166,8 +166,8 @@ void TestSegmentCurve::theyGoWithTheSeries() {
   QVERIFY(!w.curve()->range());
 }
 
-// While an end is held slices are tinted, and 3D shows what of the curve lies between the ends; then 3D is as
-// it was.
+// During the drag slices are tinted, and 3D shows the part of the curve between the ends. Then 3D is as
+// before.
 void TestSegmentCurve::slicesAnd3dFollow() {
   AxisWindow w;
   std::optional<TransferFunction> seen;
@@ -191,7 +191,7 @@ void TestSegmentCurve::slicesAnd3dFollow() {
   w.shot("segment-curve-ends");
   QTest::mouseRelease(w.curve(), Qt::LeftButton, {}, to.toPoint());
   QTRY_VERIFY_WITH_TIMEOUT(seen == curve, longest);
-  QVERIFY(w.coloured() > 100);  // the field has the focus
+  QVERIFY(w.coloured() > 100);  // the field has the keyboard focus
   w.view()->setFocus();
   QTRY_COMPARE_WITH_TIMEOUT(w.coloured(), 0, longest);
 }
@@ -202,7 +202,7 @@ void TestSegmentCurve::whatIsDraggedIsMade_data() {
   QTest::newRow("PET") << true;
 }
 
-// By chance, against a count of voxels; undone to what it was.
+// Random drags are compared with a count of voxels, then undone.
 void TestSegmentCurve::whatIsDraggedIsMade() {
   QFETCH(bool, pet);
   AxisWindow w(ballsOf(pet));

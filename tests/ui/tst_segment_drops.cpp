@@ -1,5 +1,5 @@
-// Guards window.md "Segment": files of segments that are dropped on views and the panel, and segmentations
-// of the list of studies, become segments of the series.
+// Guards window.md "Segment": segment files dropped on views and the panel, and segmentations of the list of
+// studies, become segments of the series.
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QTemporaryDir>
@@ -25,7 +25,7 @@ class TestSegmentDrops : public QObject {
 
 namespace {
 
-// An entry of the menu of a row, by the right mouse button.
+// Chooses an entry of a row's context menu.
 void chooseInStudies(Journey& w, const char* rowText, const char* entry) {
   auto* tree = w.child<QTreeWidget>("studyTree");
   const auto row = [&] {
@@ -78,7 +78,7 @@ void TestSegmentDrops::filesAreDroppedOnViewsAndPanel() {
   QVERIFY(w.workspace() == before);
 }
 
-// An image without a table of names may be a picture: dropped on a view it opens as one.
+// An image without a table of names may be a picture. Dropped on a view, it opens as one.
 void TestSegmentDrops::otherFilesOpenWhereTheyAreDropped() {
   ImportWindow w;
   QVERIFY(w.makeBoth() && w.exportTo(w.at("a.nii.gz")));
@@ -97,7 +97,7 @@ void TestSegmentDrops::anObjectIsEditedAsSegments_data() {
   QTest::newRow("dropped on a view") << true;
 }
 
-// A series of files with a DICOM segmentation beside it.
+// A series of files has a DICOM segmentation.
 void TestSegmentDrops::anObjectIsEditedAsSegments() {
   QFETCH(bool, dropped);
   const QTemporaryDir folder;

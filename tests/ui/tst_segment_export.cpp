@@ -1,4 +1,4 @@
-// Guards resources/docs/segment.md, "Files", in the window: what is asked before segments are written.
+// Guards resources/docs/segment.md, "Files", in the window: the questions asked before segments are written.
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
@@ -16,7 +16,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// Two segments, and a folder for what is written.
+// Two segments, and a folder for exported files.
 struct ExportWindow : SegmentWindow {
   QTemporaryDir folder;
 
@@ -34,7 +34,7 @@ struct ExportWindow : SegmentWindow {
     child<QAction>("exportSegments")->trigger();
     answer(*this, "segmentDialog", at(name));
   }
-  /// Whether the surfaces are told of: they can be saved.
+  /// Returns whether the surfaces are computed and can be saved.
   bool areMade() {
     return QTest::qWaitFor([this] { return button("surfaceSave") && button("surfaceSave")->isEnabled(); },
                            longest);
@@ -45,7 +45,7 @@ struct ExportWindow : SegmentWindow {
     for (int row = 0; row < table()->rowCount(); ++row) cells << table()->item(row, number)->text();
     return cells;
   }
-  /// Saved as the dialog offers it.
+  /// Saves surfaces with the default choices of the dialog.
   bool saveSurfaces(const QString& name) {
     startExport(name);
     return areMade() && press("surfaceSave");
@@ -57,11 +57,11 @@ struct ExportWindow : SegmentWindow {
     QTest::keyClicks(field, QLatin1String(mm));
     QTest::keyClick(field, Qt::Key_Return);
   }
-  /// Of a binary STL.
+  /// Returns the number of triangles of a binary STL.
   QString trianglesOf(const QString& name) const {
     return QString::number((QFile(at(name)).size() - 84) / 50);
   }
-  /// Null: nothing is asked.
+  /// Returns null if nothing is asked.
   QMessageBox* question() {
     for (auto* box : window.findChildren<QMessageBox*>(QStringLiteral("replaceBox")))
       if (box->isVisible()) return box;
@@ -141,7 +141,8 @@ void TestSegmentExport::nothingIsAskedOfNewFiles() {
   QVERIFY(w.isOld(QStringLiteral("b-400 to 600 HU.stl")));
 }
 
-// Not those of a series that is shown while a place is chosen, which has none.
+// The exported segments are not those of another series shown while the file dialog is open. That series has
+// none.
 void TestSegmentExport::theSegmentsAreThoseOfWhenItWasAsked() {
   ExportWindow w;
   QVERIFY(w.makeBoth());
@@ -166,7 +167,7 @@ void TestSegmentExport::surfacesAreToldBeforeTheyAreSaved() {
   QCOMPARE(w.column(2)[1], coreMl);
   const double insideMl = w.column(3)[1].toDouble(), areaCm2 = w.column(4)[1].toDouble();
   QVERIFY(std::abs(insideMl / coreMl.toDouble() - 1) < 0.2);
-  // No body has less surface than a ball.
+  // No body of this volume has less surface than a ball.
   QVERIFY(areaCm2 > 4.8 * std::pow(insideMl, 2.0 / 3) && areaCm2 < 6 * std::pow(insideMl, 2.0 / 3));
   const QStringList triangles = w.column(1);
   QVERIFY(w.press("surfaceSave"));
@@ -194,7 +195,7 @@ void TestSegmentExport::surfacesAreReduced() {
   QCOMPARE(QStringList({w.trianglesOf(firstStl), w.trianglesOf(secondStl)}), fewer);
 }
 
-// The first segment is a shell around the core, and a small ball beside it.
+// The first segment is a shell around the core, and a separate small ball.
 void TestSegmentExport::theLargestPartAlone() {
   ExportWindow w;
   QVERIFY(w.makeBoth());
@@ -210,7 +211,7 @@ void TestSegmentExport::theLargestPartAlone() {
   QCOMPARE(QStringList({w.trianglesOf(firstStl), w.trianglesOf(secondStl)}), triangles);
 }
 
-// Files of single segments stay as they are.
+// Existing files of single segments stay unchanged.
 void TestSegmentExport::allSurfacesStandInOneFile() {
   ExportWindow w;
   QVERIFY(w.makeBoth());

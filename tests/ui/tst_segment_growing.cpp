@@ -1,6 +1,6 @@
-// Guards growing from seeds in the window: shown, unlocked segments are the seeds; about them or everywhere;
-// a job, one undo step, a step of the record; a preview that follows the seeds; locks, cancelling, series
-// that are closed meanwhile.
+// Guards growing from seeds in the window. Shown, unlocked segments are the seeds, and grow around them or
+// everywhere. It is a job, one undo step and one recipe step. A preview follows the seeds. Covers locks,
+// cancelling and series closed meanwhile.
 #include <QCheckBox>
 #include <QComboBox>
 
@@ -34,7 +34,8 @@ constexpr glm::dvec3 ballMiddle(-5);
 
 bool isInBall(glm::dvec3 p) { return glm::distance(p, ballMiddle) < 9; }
 
-// A ball of 1000 in 200, with values of their own at three places: seeds by a range each.
+// Returns a ball of 1000 in 200, with special values at three positions, so that a range each selects the
+// seeds.
 LoadedSeriesPtr ballWithSeeds() {
   auto series = std::make_shared<LoadedSeries>(
       *seriesOf(volumeOf<std::int16_t>(glm::ivec3(40), glm::dmat3(1), [](glm::dvec3 pVoxel) {
@@ -51,7 +52,7 @@ LoadedSeriesPtr ballWithSeeds() {
 
 struct GrowWindow : SegmentWindow {
   GrowWindow() : SegmentWindow(ballWithSeeds()) {}
-  // 1: in the ball, 2: outside.
+  // Makes seed 1 inside the ball and seed 2 outside.
   bool makeSeeds() { return make(1005, 1015) && make(205, 215) && showPage(); }
   bool showPage() {
     click("segmentGrowing");
@@ -62,7 +63,7 @@ struct GrowWindow : SegmentWindow {
   void setPreview(bool on) {
     if (button("growPreview")->isChecked() != on) click("growPreview");
   }
-  // The colour of the pixel of a place in the axial slice.
+  // Returns the colour of a position's pixel in the axial slice.
   QColor colourAt(glm::dvec3 p) {
     const glm::dvec2 pixel = view()->plane()->pixelFromPatient(p);
     return view()->picture().pixelColor(int(pixel.x), int(pixel.y));
@@ -104,7 +105,8 @@ void TestSegmentGrowing::twoTissuesAreGrown() {
   QVERIFY(w.workspace() == after);
 }
 
-// A tenth of the longest edge of their box (22 voxels with the margins of 1) or 3 voxels: 3.
+// The margin is a tenth of the longest edge of the seeds' box (22 voxels with margins of 1), at least 3
+// voxels: 3.
 void TestSegmentGrowing::onlyAboutTheSeeds() {
   GrowWindow w;
   QVERIFY(w.makeSeeds());
@@ -126,8 +128,8 @@ void TestSegmentGrowing::itIsAStepOfTheRecord_data() {
   QTest::newRow("a seed was painted") << true << false << true;
 }
 
-// Its recipe makes the same voxels, a third segment being locked; where what it began with is no step, all
-// that grew counts as made by hand.
+// Its recipe makes the same voxels while a third segment is locked. If its initial state is no recipe step,
+// everything that grew counts as manual.
 void TestSegmentGrowing::itIsAStepOfTheRecord() {
   QFETCH(bool, isEverywhere);
   QFETCH(bool, isCut);
@@ -180,7 +182,7 @@ void TestSegmentGrowing::fewerThanTwoSeedsAreNotOffered() {
   QVERIFY2(!isOffered(), "one is hidden");
   w.tick(0, 0);
   QVERIFY(isOffered());
-  // Two segments, of which one holds nothing: it is told.
+  // Reports that one of the two segments is empty.
   QVERIFY(w.choose(1) && w.make(5000, 5001, "segmentReplace"));
   w.showPage();
   const int steps = w.steps();
@@ -221,7 +223,7 @@ void TestSegmentGrowing::thePreviewFollowsTheSeeds() {
   QTRY_VERIFY_WITH_TIMEOUT(w.isTintedAt(inBall) && w.isTintedAt(beside), longest);
   QVERIFY2(w.workspace() == before, "it is only looked at");
   const QColor asSecond = w.colourAt(beside);
-  // A third seed takes what lies nearer to it.
+  // A third seed takes the voxels nearer to it.
   QVERIFY(w.make(216, 225));
   QVERIFY(w.idle());
   const glm::dvec3 nearThird(10, -10, ballMiddle.z);
@@ -229,7 +231,7 @@ void TestSegmentGrowing::thePreviewFollowsTheSeeds() {
   w.showPage();
   w.setPreview(false);
   QTRY_VERIFY_WITH_TIMEOUT(!w.isTintedAt(inBall) && !w.isTintedAt(nearThird), longest);
-  // One seed is left: there is nothing to be previewed.
+  // With one seed left there is nothing to preview.
   w.setPreview(true);
   QVERIFY(w.idle());
   w.tick(0, 0), w.tick(1, 0);

@@ -1,6 +1,6 @@
-// Guards window.md "Segment": what was exported is imported again, the same to the voxel, in one step; files
-// are asked for; overlaps, other grids and files that are none are told; nothing changes until all of it is
-// there.
+// Guards window.md "Segment": exported segments are imported again, equal to the voxel, in one undo step.
+// Files are asked for; overlaps, other grids and invalid files are reported. Nothing changes until everything
+// is ready.
 #include <QThread>
 #include <algorithm>
 
@@ -35,7 +35,7 @@ std::vector<Segment> manySegments(int count) {
   return all;
 }
 
-// In none of the balls.
+// Returns true near a position outside all balls.
 bool isNone(glm::dvec3 p) { return glm::length(p - 17.0) < 2; }
 
 }  // namespace
@@ -101,8 +101,8 @@ void TestSegmentImport::namesAndNumbersThatAreTakenBecomeOthers() {
   QCOMPARE(w.voxels(1), voxelsWhere(isCore));
 }
 
-// The core is there; a layer holds all within 10 mm, and another one the core once more, and what touches
-// none.
+// The core is a segment. One layer of the file holds everything within 10 mm. Another holds the core again,
+// and a part that touches nothing.
 void TestSegmentImport::whatOverlapsGoesToAFurtherMap() {
   ImportWindow w;
   QVERIFY(w.make(400, 600));
@@ -190,7 +190,7 @@ void TestSegmentImport::moreThan255GoToAFurtherMap() {
   QVERIFY(maps.size() == 2 && maps[0]->segments.size() == 255 && maps[1]->segments.size() == 1);
 }
 
-// It works on what the step before came to: the core is grown first, into where the file's segment lies.
+// The import uses the result of the previous job. The core first grows into the place of the file's segment.
 void TestSegmentImport::itWaitsForWhatIsBeingDone() {
   ImportWindow w;
   QVERIFY(w.makeBoth() && w.choose(1));
@@ -217,7 +217,7 @@ void TestSegmentImport::itCanBeGivenUpAtAnyMoment() {
   const int steps = w.steps();
   for (int ms = 0; ms < 20; ++ms) {
     w.startImport(file);
-    QThread::msleep(static_cast<unsigned long>(ms));  // the job goes on, the window does not hear of it
+    QThread::msleep(static_cast<unsigned long>(ms));  // the job continues, but the window receives no event
     QCOMPARE(w.window.jobs().rows().size(), std::size_t(1));
     w.window.jobs().cancel(w.window.jobs().rows().front().id);
     QVERIFY(w.idle());

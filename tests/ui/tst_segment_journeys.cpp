@@ -1,5 +1,5 @@
-// Guards a whole way from pictures to numbers, by real events: a chest CT whose bone is found, rid of an
-// island, cut and read, saved, killed and opened again.
+// Guards a complete workflow from pictures to numbers, by real events. The bone of a chest CT is found, freed
+// of an island, cut and measured. The work is saved, the program killed, and the work reopened.
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <algorithm>
@@ -18,16 +18,16 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr const char* journeyFolder = "VOLUMEN_JOURNEY_FOLDER";  // set: this is the program that is killed
+constexpr const char* journeyFolder = "VOLUMEN_JOURNEY_FOLDER";  // set in the program that is killed
 constexpr glm::ivec3 alongK(0, 0, 1);
 
-// A series that is in memory once the window that read it is gone.
+// Returns a series that stays in memory after its window is closed.
 LoadedSeriesPtr seriesReadFrom(const QString& folder) {
   Journey opened({folder});
   return opened.settle() ? opened.window.session().series() : nullptr;
 }
 
-// 40 slices of the chest, 8 cm of it; false where they cannot be copied.
+// Copies 40 slices of the chest, 8 cm. Returns false if that fails.
 bool copySlices(const std::string& chest, const QDir& folder) {
   const Result<Study> study = openStudy(chest);
   if (!study || study->volumes.empty() || study->volumes.front().files.size() < 100) return false;
@@ -48,7 +48,7 @@ struct BoneWindow : SegmentWindow {
     Hand(window).menuOf(child<QToolButton>("segmentRecipes"), recipe);
     return QTest::qWaitFor([this] { return count() == 1; }, 10 * longest) && idle();
   }
-  // A pixel of the axial view, which then shows it, that lies in a part; none: there is none.
+  // Shows a part's slice in the axial view and returns a pixel in the part; empty if there is none.
   std::optional<QPoint> pixelIn(const Parts& parts, std::size_t part) {
     const VoxelBox box = *mask(current().number).box();
     for (int k = box.low.z; k <= box.high.z; ++k)
@@ -62,13 +62,13 @@ struct BoneWindow : SegmentWindow {
   }
 };
 
-// What of a rib lies in one slice: without it the bone above and below is in two parts.
+// The section of a rib in one slice. Without it, the bone above and below is in two components.
 struct RibCut {
   std::vector<glm::ivec3> voxels;
   glm::ivec3 above{0}, below{0};
 };
 
-// What of a mask is joined to a voxel by faces, within its slice.
+// Returns the connected component of a voxel by faces within its slice.
 std::vector<glm::ivec3> joinedInSlice(const BitMask& mask, glm::ivec3 voxel) {
   BitMask slice(mask.geometry());
   for (int j = 0; j < mask.size().y; ++j)
@@ -89,17 +89,17 @@ BitMask withoutVoxels(BitMask mask, const std::vector<glm::ivec3>& voxels) {
 
 bool areApart(const BitMask& bone, const RibCut& cut) {
   const Parts parts(bone, Neighbours::faces);
-  constexpr std::int64_t least = 200;  // voxels: no crumbs
+  constexpr std::int64_t least = 200;  // voxels, to ignore crumbs
   const std::size_t a = parts.of(cut.above), b = parts.of(cut.below);
   return a != b && a < parts.count() && b < parts.count() && parts.size(a) > least && parts.size(b) > least;
 }
 
-// The first rib that one slice cuts apart, from the middle slice on.
+// Returns the first rib that one slice cuts apart, from the middle slice on; empty if there is none.
 std::optional<RibCut> ribIn(const BitMask& bone) {
   constexpr std::size_t least = 20, most = 400;  // voxels of 0.6 mm^2
   const glm::ivec3 size = bone.size();
   for (int k = size.z / 2; k < size.z - 3; k += 3) {
-    BitMask left = bone;  // not looked at yet
+    BitMask left = bone;  // not examined yet
     for (int j = 0; j < size.y; ++j)
       for (int i = 0; i < size.x; ++i) {
         const glm::ivec3 voxel(i, j, k);
@@ -127,7 +127,7 @@ class TestSegmentJourneys : public QObject {
   void aChestFromItsPictureToASessionAndBack();
 };
 
-// No test, but what aChestFromItsPictureToASessionAndBack() starts.
+// Not a test. aChestFromItsPictureToASessionAndBack() starts it.
 void TestSegmentJourneys::aChestThatIsKilled() {
   if (!qEnvironmentVariableIsSet(journeyFolder)) return;
   const QDir folder(qEnvironmentVariable(journeyFolder));
@@ -156,7 +156,7 @@ void TestSegmentJourneys::aChestThatIsKilled() {
   const std::optional<RibCut> rib = ribIn(bone);
   QVERIFY(rib);
   w.click("segmentPaint");
-  w.child<QDoubleSpinBox>("cutMm")->setValue(0.5);  // less than from slice to slice: one slice alone
+  w.child<QDoubleSpinBox>("cutMm")->setValue(0.5);  // less than the slice spacing, so only one slice
   w.child<QAction>("segmentScissorsTool")->trigger();
   w.showPlace(w.grid().patientFromVoxel(rib->voxels.front()));
   QRectF box;

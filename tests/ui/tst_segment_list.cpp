@@ -1,5 +1,5 @@
-// Guards the list of segments: any number of them, each added, named, coloured, hidden, locked and removed by
-// hand, each time in one step that undo takes back; what slices show of them; what is exported.
+// Guards the list of segments: any number, each added, named, coloured, hidden, locked and removed by hand in
+// one undo step. Also guards how slices show them and what is exported.
 #include <QColorDialog>
 #include <QElapsedTimer>
 #include <QFileDialog>
@@ -181,7 +181,8 @@ void TestSegmentList::theListSaysHowLargeTheyAre() {
   QCOMPARE(ml(1), expected(voxelsWhere(isCore)));
 }
 
-// The middle of the core: half its colour inside, all of it at its edge; grey beside, and where it is hidden.
+// In the middle of the core, the inside has half its colour and the edge all of it. It is grey beside, and if
+// hidden.
 void TestSegmentList::slicesShowThem() {
   SegmentWindow w;
   w.session().change(QStringLiteral("test"), [&](Workspace& after) {
@@ -203,7 +204,7 @@ void TestSegmentList::slicesShowThem() {
   QTRY_VERIFY_WITH_TIMEOUT(!isGrey(at(middle)), longest);
 }
 
-// A map seen from a plane whose patient space is another one: as if the plane lay there.
+// A map is shown on a plane of another patient space, as if the plane lay in its own.
 void TestSegmentList::theyAreCarriedOntoAnotherPlane() {
   VoxelGeometry grid;
   grid.size = {20, 20, 20};
@@ -225,8 +226,8 @@ void TestSegmentList::theyAreCarriedOntoAnotherPlane() {
   QVERIFY(there != black.convertToFormat(QImage::Format_RGB32));
 }
 
-// Three segments over all of 512 x 512 pixels, on a turned plane. It is told; the bound is that of a slow
-// build on a loaded machine.
+// Three segments cover all of 512 x 512 pixels, on a turned plane. The time is printed; the bound is that of
+// a slow build on a loaded machine.
 void TestSegmentList::aLargePictureTakesMilliseconds() {
   VoxelGeometry grid;
   grid.size = {256, 256, 64};
@@ -261,7 +262,7 @@ void TestSegmentList::aLargePictureTakesMilliseconds() {
   QVERIFY2(least < 150, qPrintable(QString::number(least)));
 }
 
-// A PET that lies over a CT, its ball a segment: at the same place, in its colour.
+// A PET over a CT has its ball as a segment, which is shown at the same position in its colour.
 void TestSegmentList::slicesShowThoseOfTheSeriesOverThem() {
   const LoadedSeriesPtr pet = petIn("A");
   MeasureWindow w(ballIn("A"));
@@ -305,7 +306,7 @@ void TestSegmentList::aRangeIsTintedWhileItIsTyped() {
   auto* low = w.child<QDoubleSpinBox>("segmentLow");
   low->setFocus();
   QTest::keyClick(low, Qt::Key_A, Qt::ControlModifier);
-  QTest::keyClicks(low, QStringLiteral("-5"));  // air too
+  QTest::keyClicks(low, QStringLiteral("-5"));  // includes air
   QTRY_VERIFY_WITH_TIMEOUT(w.coloured() > 100, longest);
   QVERIFY(w.workspace().segmentMaps.empty());
   w.view()->setFocus();

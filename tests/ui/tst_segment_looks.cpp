@@ -1,6 +1,6 @@
-// Guards how the tools of segments look while they are used on MR and PET of hospitals, by real events on
-// a small screen: what is being done is seen in the picture, and no text of the window is cut off. Where
-// $VOLUMEN_SHOTS names a folder, each is photographed for the eye.
+// Guards how segment tools look in use on hospital MR and PET, by real events on a small screen. The picture
+// shows the current act, and no text of the window is cut off. If $VOLUMEN_SHOTS names a folder, takes
+// screenshots.
 #include <QComboBox>
 #include <QPainter>
 #include <QTableWidget>
@@ -14,8 +14,8 @@ using namespace volumen::tests;
 
 namespace {
 
-// In the head; the white matter is that of the frontal lobe, the last one lies on the border of the right
-// ventricle.
+// Positions in the head. The white matter is that of the frontal lobe. The last one lies on the border of the
+// right ventricle.
 constexpr glm::dvec3 pStem(-6, -14, 21), pWhite(20, -75, 45), pVentricle(-14, -45, 45);
 constexpr glm::dvec3 pTumour(-19, -76, -157);
 
@@ -27,11 +27,11 @@ void hollowedBall(LooksWindow& w) {
   QVERIFY(w.SegmentWindow::press("segmentApply"));
   QVERIFY(w.voxels(1) > 1000 && w.voxels(1) < before);
   QVERIFY(w.isTinted(300));
-  QTest::qWait(300);  // the other planes
+  QTest::qWait(300);  // waits for the other planes
   w.shot("mr-change");
 }
 
-// The table over the foot of the window, as it can stand on the screen, with a column in sight.
+// Moves the statistics table to the window's foot, as on a real screen, and scrolls to a column.
 void shotOfTable(LooksWindow& w, const char* name, const char* head) {
   auto* dialog = w.child<QDialog>("segmentNumbersDialog");
   dialog->resize(1000, 440);
@@ -108,7 +108,7 @@ void seedsPreviewed(LooksWindow& w) {
   w.click("growPreview");
   QVERIFY(w.idle());
   QVERIFY(w.isTinted(20000));
-  QTest::qWait(300);  // the other planes
+  QTest::qWait(300);  // waits for the other planes
   w.shot("mr-grow-preview");
   QVERIFY(w.SegmentWindow::press("segmentGrow"));
   QVERIFY(w.voxels(1) > 100000);
@@ -134,7 +134,7 @@ void headSurface(LooksWindow& w) {
   w.shot("mr-recipe-head");
 }
 
-// The first segment is green, which neither grey nor hot iron is.
+// Waits for the first segment's green, which occurs neither in grey nor in hot iron.
 bool greenSoon(LooksWindow& w) {
   return QTest::qWaitFor(
       [&] {
@@ -165,14 +165,14 @@ void lesionInSphere(LooksWindow& w, const QByteArray& data) {
   QVERIFY2(w.count() == 1, qPrintable(w.child<Banner>("banner")->sentence()));
   QVERIFY(w.voxels(1) > 50);
   QVERIFY(greenSoon(w));
-  QTest::qWait(500);  // the other planes
+  QTest::qWait(500);  // waits for the other planes
   w.shot(name("lesion-done").constData());
   QVERIFY(openNumbers(w, 1));
   shotOfTable(w, name("numbers").constData(), "TLG");
   w.child<QDialog>("segmentNumbersDialog")->close();
 }
 
-// Both were opened, so that the PET lies over its CT.
+// Waits until the PET lies over its CT. Both were opened.
 void awaitFusion(LooksWindow& w) {
   QVERIFY(QTest::qWaitFor(
       [&] { return !flatLookOf(w.workspace().view(axialViewId)).overlay.empty() && w.areDrawn(); }, longest));

@@ -1,6 +1,5 @@
-// Guards how the tools of segments look while they are used on CT of hospitals, by real events on
-// a small screen: what is being done is seen in the picture, and no text of the window is cut off. Where
-// $VOLUMEN_SHOTS names a folder, each is photographed for the eye.
+// Guards how segment tools look in use on hospital CT, by real events on a small screen. The picture shows
+// the current act, and no text of the window is cut off. If $VOLUMEN_SHOTS names a folder, takes screenshots.
 #include <QComboBox>
 #include <QTemporaryDir>
 
@@ -13,7 +12,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// In the chest.
+// Positions in the chest.
 constexpr glm::dvec3 pHeart(-6, 140, -542.8), pVertebra(-10, 228, -542.8), pLung(-76, 152, -542.8);
 
 void curveEnd(LooksWindow& w) {
@@ -31,7 +30,7 @@ void curveEnd(LooksWindow& w) {
   w.move(curve, to);
   QVERIFY(w.child<QDoubleSpinBox>("segmentLow")->value() > 120);
   QVERIFY(w.isTinted(300));
-  QTest::qWait(500);  // 3D meanwhile
+  QTest::qWait(500);  // waits for 3D
   w.shot("ct-curve-end");
   w.release(curve, to);
 }
@@ -135,7 +134,7 @@ void importFile(LooksWindow& w) {
   QMimeData files;
   files.setUrls({QUrl::fromLocalFile(path)});
   QVERIFY(drop(files, w.view()));
-  // A copy of what is there: in a map of its own, which is worked on.
+  // A copy of existing segments is imported into its own map, which becomes active.
   const auto isImported = [&] { return w.workspace().segmentMaps.size() == 2 && w.count() == 1; };
   QVERIFY(QTest::qWaitFor(isImported, longest));
   w.showPlace(pVertebra);

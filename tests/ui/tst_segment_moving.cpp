@@ -1,5 +1,5 @@
-// Guards window.md "Segment" of several maps, by real events: segments are moved from one map to another,
-// with their steps, in one step; what cannot be moved says why.
+// Guards window.md "Segment" for several maps, by real events. Segments move from one map to another with
+// their recipe steps, in one undo step. If a segment cannot be moved, the reason is shown.
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QMenu>
@@ -23,14 +23,14 @@ class TestSegmentMoving : public QObject {
 namespace {
 
 struct MoveWindow : OverlapWindow {
-  // The menu of a row, by the right mouse button.
+  // Opens a row's context menu.
   QMenu* menuOf(int row) {
     const QPoint at = list()->visualItemRect(list()->topLevelItem(row)).center();
     QContextMenuEvent event(QContextMenuEvent::Mouse, at, list()->viewport()->mapToGlobal(at));
     QCoreApplication::sendEvent(list()->viewport(), &event);
     return qobject_cast<QMenu*>(QApplication::activePopupWidget());
   }
-  // A click on an entry.
+  // Clicks an entry.
   bool chooseIn(QMenu* menu, const char* entry) {
     if (!menu) return false;
     for (QAction* action : menu->actions())
@@ -41,7 +41,7 @@ struct MoveWindow : OverlapWindow {
     menu->close();
     return false;
   }
-  // Whether its recipe makes a map as it is.
+  // Returns whether a map's recipe reproduces it.
   bool isMadeAgain(const SegmentMap& map) {
     const RecordedRecipe recorded = recordedRecipe(map, {});
     const auto made = follow(recorded.recipe, *session().series()->volume);
@@ -56,7 +56,7 @@ struct MoveWindow : OverlapWindow {
 
 }  // namespace
 
-// The ball out of what it overlaps; the map in which it was alone is gone.
+// Moves the ball out of its overlap. Its previous map, which held nothing else, disappears.
 void TestSegmentMoving::oneIsMovedAndSubtracted() {
   MoveWindow w;
   QVERIFY(w.importBoth());
@@ -79,7 +79,7 @@ void TestSegmentMoving::oneIsMovedAndSubtracted() {
   QVERIFY(w.isAs(both));
   w.redo();
   QVERIFY(w.isAs(moved));
-  // A map with one segment has nothing for a new one.
+  // A map with one segment has nothing to move to a new map.
   QVERIFY(w.pushed("segmentRemove"));
   QMenu* menu = w.menuOf(0);
   QVERIFY(menu);
@@ -87,7 +87,7 @@ void TestSegmentMoving::oneIsMovedAndSubtracted() {
   menu->close();
 }
 
-// Out to a map of its own and back again: the recipes of both maps make the same voxels.
+// Moves a segment to its own map and back. The recipes of both maps make the same voxels.
 void TestSegmentMoving::stepsMoveWithTheirSegment() {
   MoveWindow w;
   QVERIFY(w.makeBoth());

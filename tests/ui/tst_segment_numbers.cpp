@@ -1,5 +1,5 @@
-// Guards the table of numbers of segments: what it shows is what is measured, it follows the segments, it is
-// sorted, copied and saved, and two rows are compared.
+// Guards the segment statistics table. It shows the measured values, follows the segments, is sorted, copied
+// and saved, and compares two rows.
 #include <QClipboard>
 #include <QDialog>
 #include <QGuiApplication>
@@ -37,7 +37,7 @@ struct NumbersWindow : SegmentWindow {
     click("segmentNumbersButton");
     return idle() && child<QDialog>("segmentNumbersDialog")->isVisible();
   }
-  // With whichever unit.
+  // Finds a column title with any unit.
   int columnOf(const QString& head) {
     for (int column = 0; column < table()->columnCount(); ++column) {
       const QString text = table()->horizontalHeaderItem(column)->text();
@@ -52,7 +52,7 @@ struct NumbersWindow : SegmentWindow {
     const QPoint place = table()->visualItemRect(table()->item(row, 0)).center();
     QTest::mouseClick(table()->viewport(), Qt::LeftButton, keys, place);
   }
-  // Paints where nothing is, the button still down; where the mouse is.
+  // Begins a stroke in an empty area and returns the mouse position. The button stays down.
   QPoint beginStroke() {
     child<QAction>("paintTool")->trigger();
     const QPoint from = showPlace({14.5, -14.5, 0.5}), to = from + QPoint(20, 0);
@@ -62,14 +62,14 @@ struct NumbersWindow : SegmentWindow {
   }
   const MeasuredChart& chart() { return child<ChartView>("segmentChart")->chart(); }
   QString chartSaid() { return child<QLabel>("segmentChartSaid")->text(); }
-  // Of the segment of that number alone.
+  // Returns the histogram of one segment.
   MeasuredChart histogramOf(int number) {
     SegmentReport report;
     report.segment = segment(std::size_t(number - 1));
     report.values = valuesIn(mask(number), *session().series()->volume);
     return segmentHistograms({&report, 1}, shownScale(session().series()->series));
   }
-  // Pixels of the chart of about that colour: edges are soft.
+  // Counts chart pixels near this colour, because edges are antialiased.
   int pixelsLike(QColor colour) {
     const QImage picture = child<ChartView>("segmentChart")->grab().toImage();
     int count = 0;
@@ -127,7 +127,7 @@ void TestSegmentTable::hasARowForEachSegment() {
   QCOMPARE(w.cell(1, "Median"), QStringLiteral("500"));
 }
 
-// Renamed: at once; changed: measured again; none left: said.
+// A new name is shown at once, changed voxels are measured again, and an empty list is reported.
 void TestSegmentTable::followsTheSegments() {
   NumbersWindow w;
   QVERIFY(w.makeBoth());
@@ -177,7 +177,7 @@ void TestSegmentTable::aStrokeThatIsGivenUpIsNotMeasured() {
   QCOMPARE(w.table()->rowCount(), 2);
 }
 
-// Also before it is deleted.
+// A closed dialog measures nothing even before it is deleted.
 void TestSegmentTable::closedItMeasuresNothing() {
   NumbersWindow w;
   QVERIFY(w.makeBoth());
@@ -213,7 +213,7 @@ void TestSegmentTable::isSortedByNumbers() {
   QCOMPARE(w.cell(0, "Voxels").toInt() < w.cell(1, "Voxels").toInt(), !firstIsSmaller);
 }
 
-// Rows are chosen and sorted by their names too, and no number hides below them.
+// Rows can be selected and sorted by their names. The name column hides no number.
 void TestSegmentTable::namesStayInSight() {
   NumbersWindow w;
   QVERIFY(w.makeBoth());
@@ -265,7 +265,7 @@ void TestSegmentTable::chosenOnesAreDrawn() {
   QVERIFY(w.makeBoth());
   QVERIFY(w.open());
   auto* copy = w.child<QToolButton>("segmentChartCopy");
-  QCOMPARE(w.chart().lines.size(), std::size_t(2));  // all, where none is chosen
+  QCOMPARE(w.chart().lines.size(), std::size_t(2));  // all rows if none is selected
   QVERIFY(copy->isEnabled() && w.chartSaid().isEmpty());
   w.chooseRow(0);
   QVERIFY(!w.chart().lines.empty());
@@ -277,7 +277,7 @@ void TestSegmentTable::chosenOnesAreDrawn() {
   w.shot("segment-histograms");
   QTest::mouseClick(copy, Qt::LeftButton);
   QCOMPARE(QGuiApplication::clipboard()->text(), chartAsCsv(w.chart()));
-  // What is chosen goes with what was measured.
+  // The selection stays with the measured segments.
   w.session().change(QStringLiteral("Rename"),
                      withSegmentChanged(w.workspace(), w.series(), 1, [](Segment& s) { s.label = "A"; }));
   w.chooseRow(0);
@@ -331,14 +331,14 @@ void TestSegmentTable::isSaved() {
   QTRY_VERIFY_WITH_TIMEOUT(w.said().startsWith(QStringLiteral("Cannot write")), longest);
 }
 
-// A PET in Bq/ml whose SUV is a thousandth.
+// A PET in Bq/ml with an SUV factor of 1/1000.
 void TestSegmentTable::isInSuv() {
   auto series = std::make_shared<LoadedSeries>(*hollowBalls());
   series->series.modality = "PT";
   series->series.unit = "Bq/ml";
   series->series.suv.bodyWeight = 1e-3;
   NumbersWindow w(series);
-  QVERIFY(w.make(0.8, 1.2) && w.make(0.4, 0.6));  // in SUV, as it is shown
+  QVERIFY(w.make(0.8, 1.2) && w.make(0.4, 0.6));  // in SUV, as shown
   QVERIFY(w.open());
   QCOMPARE(w.cell(0, "SUVmax (SUVbw)"), QStringLiteral("1"));
   QCOMPARE(w.cell(1, "SUVmean (SUVbw)"), QStringLiteral("0.5"));

@@ -1,5 +1,5 @@
-// Guards outlines in slices, by a drag and by clicks, painted and erased; and the slices between painted
-// ones.
+// Guards outlines in slices, drawn by a drag or clicks, painted and erased, and interpolation between painted
+// slices.
 #include "tests/ui/paint_window.h"
 #include "tests/unit/suite.h"
 #include "viewer/segment/between_slices.h"

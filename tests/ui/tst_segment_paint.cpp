@@ -1,5 +1,5 @@
-// Guards the brush in slices: strokes by real events, against twins that gather what it covered; one undo
-// step each; erasing, locked segments, limits, the brush itself.
+// Guards the brush in slices. Strokes by real events are compared with reference models of the covered
+// voxels. Each is one undo step. Covers erasing, locked segments, limits and the brush settings.
 #include <QCheckBox>
 #include <QComboBox>
 
@@ -65,7 +65,7 @@ void TestSegmentPaint::aStrokeIsAStep() {
   QVERIFY(expected.count() > 40);
   QVERIFY(w.mask(1) == expected);
   QCOMPARE(w.session().undoStack().undoText(), QStringLiteral("Paint"));
-  // A second one is added to it, one step of its own.
+  // A second stroke is added, as a separate undo step.
   const std::vector<QPoint> other{middle + QPoint(0, 50)};
   const Workspace one = w.workspace();
   w.stroke(other, id);
@@ -84,7 +84,7 @@ void TestSegmentPaint::aStrokeIsAStep() {
   QVERIFY(&w.inHand() != &toolNamed("paint"));
 }
 
-// Cubes of 1 mm: those whose centre the circle holds.
+// Voxels are cubes of 1 mm. The disc has those whose centre lies in the circle.
 void TestSegmentPaint::aDiscIsACircleOfItsSlice() {
   PaintWindow w;
   w.show(throughMiddle());
@@ -155,7 +155,7 @@ void TestSegmentPaint::lockedSegmentsStayAsTheyAre() {
   QVERIFY(!intersected(w.covered(way), core).empty());
   QVERIFY(w.mask(2) == core);
   QVERIFY(w.mask(1) == united(own, subtracted(w.covered(way), core)));
-  // Itself neither.
+  // A locked segment itself does not change either.
   QVERIFY(w.choose(1));
   const Workspace before = w.workspace();
   w.stroke(way);
@@ -261,7 +261,7 @@ void TestSegmentPaint::keysAndThePageSetTheBrush() {
   QTest::keyClick(w.child<QComboBox>("brushShape"), Qt::Key_Down);
   QVERIFY(w.session().preferences().brush.ball);
   QVERIFY(storedPreferences().brush == w.session().preferences().brush);
-  // With another tool they are not the brush's.
+  // With another tool the keys do not change the brush.
   w.click("segmentOutline");
   QTest::keyClick(w.view(), Qt::Key_Plus);
   QCOMPARE(mm(), 25.0);
@@ -297,7 +297,7 @@ void TestSegmentPaint::randomStrokesAreThoseOfATwin_data() {
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
-// In any plane, by any brush, painted and erased; then undone and done again.
+// Strokes in any plane, by any brush, painted and erased, then undone and redone.
 void TestSegmentPaint::randomStrokesAreThoseOfATwin() {
   QFETCH(int, seed);
   Chance chance{std::uint64_t(seed)};

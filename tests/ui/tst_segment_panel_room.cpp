@@ -1,5 +1,5 @@
-// Guards that the panel Segments is usable on the screen of a laptop as the window opens there: the list of
-// segments and all that the open page has are seen together, without scrolling.
+// Guards that the Segments panel is usable on a laptop screen in the initial window layout. The list of
+// segments and the whole open page are visible together, without scrolling.
 #include <QComboBox>
 #include <QDockWidget>
 #include <QTreeWidget>
@@ -15,7 +15,8 @@ using namespace volumen::tests;
 
 namespace {
 
-// A head in CT with segments, the panel in front; as large from the start, when docks share the room.
+// A head CT with segments and the Segments panel in front. The window has its final size before docks divide
+// the space.
 struct LaptopWindow : MainWindow {
   explicit LaptopWindow(QSize size = {1366, 768}, int textPercent = 100) : MainWindow(realServices()) {
     session().prefer([&](Preferences& p) { p.textPercent = textPercent; });
@@ -32,7 +33,7 @@ struct LaptopWindow : MainWindow {
   Child* child(const char* name) {
     return findChild<Child*>(QLatin1String(name));
   }
-  // How many rows of the list are whole.
+  // Returns the number of completely visible rows.
   int rowsSeen() {
     auto* list = child<QTreeWidget>("segmentList");
     const QRect seen = list->viewport()->visibleRegion().boundingRect();
@@ -41,7 +42,7 @@ struct LaptopWindow : MainWindow {
       rows += seen.contains(list->visualItemRect(list->topLevelItem(n))) ? 1 : 0;
     return rows;
   }
-  // What of the open page is cut off or scrolled away.
+  // Returns the parts of the open page that are cut off or scrolled away.
   QStringList unseen() {
     QStringList found;
     const QWidget* page = findChild<SegmentsPanel*>()->findChild<QStackedWidget*>()->currentWidget();

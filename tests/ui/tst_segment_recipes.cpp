@@ -1,5 +1,5 @@
-// Guards recipes in the window: which are offered for what, that one click is one step of undo, keeps to what
-// is cut away and to locked segments, and that what it makes of a real chest is what the command makes.
+// Guards recipes in the window: which are offered for a series, and that one click is one undo step. They
+// respect masking and locked segments. On a real chest the result equals that of the command.
 #include <QMenu>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -69,7 +69,7 @@ void TestSegmentRecipes::eachModalityHasItsOwn() {
     QVERIFY2(offered(w).contains(QLatin1String(own)), own);
 }
 
-// The hollow ball of 1000, filled, and nothing of the small one, which is less than 1 ml.
+// The hollow ball of 1000 is filled. The small ball is left out because it is less than 1 ml.
 void TestSegmentRecipes::aClickIsOneStep() {
   SegmentWindow w(ofModality("CT"));
   const Workspace before = w.workspace();
@@ -121,7 +121,7 @@ void TestSegmentRecipes::contrastThatIsNotNamedIsSaid_data() {
   QTest::newRow("a recipe that needs none") << QStringLiteral("recipeBone") << QString() << false;
 }
 
-// Once it has been followed.
+// The warning appears once the recipe was followed.
 void TestSegmentRecipes::contrastThatIsNotNamedIsSaid() {
   QFETCH(QString, recipe);
   QFETCH(QString, agent);
@@ -140,7 +140,7 @@ void TestSegmentRecipes::contrastThatIsNotNamedIsSaid() {
   QVERIFY2(told.contains(QStringLiteral("The header names no contrast agent")) == said, qPrintable(told));
 }
 
-// Of a chest of a woman: its bones are about a litre, and white in slices.
+// A woman's chest: its bones are about a litre, and white in slices.
 void TestSegmentRecipes::aRealChestHasTheBonesThatTheRecipeFinds() {
   NEED_DATA(dataPath("ct-chest-lidc0314-138"));
   openAlone(false);
@@ -161,7 +161,7 @@ void TestSegmentRecipes::aRealChestHasTheBonesThatTheRecipeFinds() {
   };
   QTRY_VERIFY_WITH_TIMEOUT(ml() > 900 && ml() < 1100, 10 * longest);
   QTRY_VERIFY_WITH_TIMEOUT(w.window.jobs().rows().empty(), longest);
-  QTest::qWait(500);  // pictures of the slices with it
+  QTest::qWait(500);  // waits for slices with the segment
   w.shot("segments-bone");
 }
 

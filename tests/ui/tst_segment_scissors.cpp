@@ -1,5 +1,5 @@
-// Guards the scissors of segments, by real events: what is drawn around in 3D or in a slice goes from the
-// current segment, and from nothing else, as one undo step that a recipe can do again.
+// Guards the segment scissors, by real events. What is outlined in 3D or in a slice is removed from the
+// current segment only. It is one undo step and a repeatable recipe step.
 #include <cmath>
 
 #include "tests/ui/cut_window.h"
@@ -154,7 +154,7 @@ void TestSegmentScissors::theDepthIsThatOfThePage() {
   QVERIFY2(w.mask(1).empty(), "in 3D through all of it");
 }
 
-// The second is drawn while the first is being made.
+// The second cut is drawn while the first is being computed.
 void TestSegmentScissors::twoInARowAreTwoSteps() {
   CutWindow w;
   QVERIFY(w.begin());
@@ -277,7 +277,7 @@ void TestSegmentScissors::whatIsGivenUpCutsNothing() {
   QVERIFY(w.idle());
   QVERIFY(w.isAs(before));
   QCOMPARE(&w.inHand(), &toolNamed("segmentScissors"));
-  // It is as ready as before.
+  // The tool is ready again.
   w.drawIn(w.scene(), outlineAt(w.scenePixel(glm::dvec3(-5)), 40));
   QVERIFY(w.idle());
   QVERIFY(!w.isAs(before));
@@ -288,7 +288,7 @@ void TestSegmentScissors::theOutlineIsSeenInThreeD() {
   QVERIFY(w.begin());
   QVERIFY(w.settle());
   const auto corners = outlineAt(w.scenePixel(glm::dvec3(-5)), 40);
-  // Once to have the view in focus.
+  // First brings the view into focus.
   w.drawIn(w.scene(), corners, {}, false);
   QTest::keyClick(w.scene(), Qt::Key_Escape);
   QTest::mouseRelease(w.scene(), Qt::LeftButton, {}, corners.back());

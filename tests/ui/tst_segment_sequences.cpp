@@ -1,5 +1,5 @@
-// Guards that whatever is done to segments, in slices of any plane, in 3D and in the panel, is one step that
-// undo and redo lead through: sequences by chance, by real events, undone and done again to the byte.
+// Guards that every act on segments, in slices of any plane, in 3D and in the panel, is one undo step. Random
+// sequences of real events are undone and redone exactly.
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/segment_sequence.h"
 #include "tests/unit/suite.h"
@@ -20,7 +20,7 @@ void TestSegmentSequences::allIsUndoneAndDoneAgain_data() {
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
-// 200 things with VOLUMEN_THOROUGH.
+// Does 200 acts with VOLUMEN_THOROUGH.
 void TestSegmentSequences::allIsUndoneAndDoneAgain() {
   QFETCH(int, seed);
   const int acts = qEnvironmentVariableIsSet("VOLUMEN_THOROUGH") ? 200 : 40;

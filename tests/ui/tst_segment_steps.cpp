@@ -1,6 +1,5 @@
-// Guards what is done to the voxels of a segment: each step of the panel, one job and one undo step each;
-// locks, cancelling, series that are closed meanwhile; long sequences by chance that are undone and done
-// again.
+// Guards changes of a segment's voxels: each recipe step of the panel is one job and one undo step. Covers
+// locks, cancelling and series closed meanwhile. Long random sequences are undone and redone.
 #include <QComboBox>
 #include <functional>
 
@@ -20,7 +19,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// What a step makes of the segment and of the other one.
+// Expected result of a recipe step from the segment and the other one.
 using Expected = std::function<BitMask(const BitMask& own, const BitMask& other)>;
 
 }  // namespace
@@ -69,7 +68,8 @@ void TestSegmentSteps::aStepIsAJobAndAnUndoStep_data() {
   row("empty", [](M own, M) { return BitMask(own.geometry()); });
 }
 
-// As the kernel says, by 3 mm and 1 ml; the core, which is not locked, loses what the step takes.
+// The result is that of the kernel, for 3 mm and 1 ml. The unlocked core loses the voxels that the step
+// takes.
 void TestSegmentSteps::aStepIsAJobAndAnUndoStep() {
   QFETCH(Expected, expected);
   SegmentWindow w;
@@ -87,7 +87,7 @@ void TestSegmentSteps::aStepIsAJobAndAnUndoStep() {
   const BitMask made = expected(own, core);
   QVERIFY(w.mask(1) == made);
   QVERIFY(w.mask(2) == subtracted(core, made));
-  // Balls may be as they are once they are smoothed, opened or closed.
+  // Smoothing, opening, closing or making a shell may leave balls unchanged.
   const QByteArray name = QTest::currentDataTag();
   QVERIFY(made != own || QByteArrayList({"gaussian", "median", "open", "close", "shell"}).contains(name));
   const Workspace after = w.workspace();
@@ -97,7 +97,7 @@ void TestSegmentSteps::aStepIsAJobAndAnUndoStep() {
   QVERIFY(w.workspace() == after);
 }
 
-// With the numbers that it says, which are those of the list.
+// The buttons use the numbers in their texts, which are those of the list.
 void TestSegmentSteps::theUsualOnesAreAClick() {
   SegmentWindow w;
   QVERIFY(w.makeBoth());
@@ -110,7 +110,7 @@ void TestSegmentSteps::theUsualOnesAreAClick() {
   QCOMPARE(w.child<QComboBox>("segmentStepKind")->currentText(), QStringLiteral("Shrink"));
 }
 
-// Both have a field "across"; only one can be in the volume.
+// Both steps have a field "across", but only one accepts the volume.
 void TestSegmentSteps::aWordOfAnotherKindIsNotTaken() {
   SegmentWindow w;
   QVERIFY(w.makeBoth());
@@ -125,7 +125,7 @@ void TestSegmentSteps::aWordOfAnotherKindIsNotTaken() {
   QVERIFY(*again == w.map()->steps);
 }
 
-// No recipe can hold it.
+// A recipe cannot store a reversed range.
 void TestSegmentSteps::aReversedRangeIsNotTaken() {
   SegmentWindow w;
   QVERIFY(w.makeBoth());
@@ -150,10 +150,10 @@ void TestSegmentSteps::partsBecomeSegments() {
   QCOMPARE(w.current().number, 1);
   QCOMPARE(w.voxels(1), voxelsWhere(isShell));
   QCOMPARE(w.voxels(3), voxelsWhere(isSmall));
-  // It is one part now.
+  // The segment now has one component.
   QVERIFY(w.press("segmentApply"));
   QVERIFY(w.child<Banner>("banner")->sentence().contains(QStringLiteral("no second part")));
-  // Put together again, it is what it was, and the other one is gone.
+  // Merging restores the segment and removes the other one.
   w.chooseStep("merge");
   auto* other = w.child<QComboBox>("stepField-other");
   other->setCurrentIndex(other->findData(QStringLiteral("3")));
@@ -165,7 +165,7 @@ void TestSegmentSteps::partsBecomeSegments() {
   QVERIFY(w.workspace() == before);
 }
 
-// As the kernel says of all labels at once.
+// The result is that of the kernel for all labels at once.
 void TestSegmentSteps::allAreSmoothedTogether() {
   SegmentWindow w;
   QVERIFY(w.makeBoth());
@@ -225,7 +225,7 @@ void TestSegmentSteps::lockedSegmentsStayAsTheyAre() {
   QVERIFY(w.make(-10, 2000));  // all values
   QVERIFY(w.mask(2) == core);
   QCOMPARE(w.voxels(3), std::int64_t(40 * 40 * 40) - core.count());
-  // Itself neither.
+  // A locked segment itself does not change either.
   QVERIFY(w.choose(1));
   QVERIFY(!w.button("segmentStep-grow")->isEnabled());
   w.child<QAction>("partTool")->trigger();
@@ -243,7 +243,7 @@ void TestSegmentSteps::whatWasLockedMeanwhileLosesNothing_data() {
   QTest::newRow("split") << std::string("split") << 1;
 }
 
-// Behind a job that is under way.
+// The segment is locked while a job runs.
 void TestSegmentSteps::whatWasLockedMeanwhileLosesNothing() {
   QFETCH(std::string, step);
   QFETCH(int, locked);
@@ -272,7 +272,7 @@ void TestSegmentSteps::aJobThatIsCancelledChangesNothing() {
   QVERIFY(w.idle());
   QTest::qWait(50);
   QVERIFY(w.workspace() == before && w.steps() == steps);
-  // The next one is done.
+  // The next step is done.
   QVERIFY(w.step("shrink"));
   QCOMPARE(w.steps(), steps + 1);
 }
@@ -309,7 +309,7 @@ void TestSegmentSteps::sequencesAreUndoneAndDoneAgain_data() {
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
-// 200 things done in the panel; after each the segments are sound, and undo and redo lead through all of it.
+// Does 200 acts in the panel. After each the segments are valid, and undo and redo lead through all of them.
 void TestSegmentSteps::sequencesAreUndoneAndDoneAgain() {
   QFETCH(int, seed);
   constexpr int acts = 200;

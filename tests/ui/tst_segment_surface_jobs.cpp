@@ -1,5 +1,5 @@
-// Guards what segments are drawn by in 3D: made as a job wherever voxels or masks changed and nowhere else,
-// kept while it may be drawn, and the same as for the program.
+// Guards the 3D surfaces of segments. A job makes them only if voxels or masks changed. They are kept while
+// they may be drawn, and equal those of the program.
 #include <functional>
 
 #include "tests/ui/surface_session.h"
@@ -10,7 +10,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// What lies on the patient's left of this is cut away.
+// Returns a mask that cuts away everything to the patient's left of `x`.
 Mask cutAt(double x) {
   auto lasso = std::make_shared<Lasso>();
   lasso->down = {0, 0, 1};
@@ -39,7 +39,7 @@ void TestSegmentSurfaceJobs::theyAreDrawnOnceTheyAreMade() {
   QCOMPARE(s.drawn().size(), std::size_t(2));
   QVERIFY(s.drawn()[0].field == s.field(1) && s.drawn()[1].field == s.field(2));
   QVERIFY2(s.session.sceneOf(sceneViewId).segments.empty(), "they are in no workspace");
-  // One without voxels shows nothing.
+  // A segment without voxels shows nothing.
   s.change(withNewSegment(s.session.workspace(), s.key, s.series->volume->geometry(), {}));
   QVERIFY(s.idle());
   QCOMPARE(s.drawn().size(), std::size_t(3));
@@ -84,7 +84,7 @@ void TestSegmentSurfaceJobs::onlyChangedVoxelsDo() {
   QVERIFY(s.field(1)->values == one->values && s.field(2) == two);
 }
 
-// As Esc undoes a stroke once it has ended.
+// Undoes at once, as Esc does after a stroke.
 void TestSegmentSurfaceJobs::whatIsUndoneMeanwhileIsNotMade() {
   SurfaceSession s;
   QVERIFY(s.idle());
@@ -118,7 +118,7 @@ void TestSegmentSurfaceJobs::masksDoAsForTheProgram() {
   QVERIFY(s.field(1)->values == one->values);
 }
 
-// What is left of it by a mask is found again.
+// The masked volume of the new slices is computed again.
 void TestSegmentSurfaceJobs::aSeriesThatIsOpenedAgainMayHaveOtherSlices() {
   SurfaceSession s;
   QVERIFY(s.idle());

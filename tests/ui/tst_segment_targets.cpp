@@ -1,5 +1,5 @@
-// Guards what a change of segments says: of which range, from whom voxels were taken, into what was painted,
-// and why a tool is grey. By real events.
+// Guards the messages about segment changes: the range, the segments that lost voxels, the painted segment,
+// and why a tool is grey. Real events.
 #include <QLabel>
 
 #include "tests/ui/cut_window.h"

@@ -1,4 +1,4 @@
-// Guards design.md 8 and 11: a segment is part of the workspace: undone, and kept with its series.
+// Guards design.md 8 and 11: a segment is part of the workspace, undone with it and kept with its series.
 #include <QCheckBox>
 #include <QMessageBox>
 
@@ -34,7 +34,7 @@ void TestSegments::aSegmentIsOneStep() {
   QVERIFY(w.segment(0, 0.4, "segmentReplace"));
   QCOMPARE(w.undoStack().count(), 2);
   QCOMPARE(w.workspace().segmentMaps.size(), std::size_t(1));
-  QCOMPARE(w.map().segments.size(), std::size_t(1));  // in place of the first
+  QCOMPARE(w.map().segments.size(), std::size_t(1));  // replaces the first
   QCOMPARE(w.map().segments.front().label, std::string("0 to 0.4"));
   w.undo();
   QVERIFY(w.workspace() == with);
@@ -70,7 +70,7 @@ void TestSegments::aSegmentStaysWithItsSeries() {
   QVERIFY(w.map() == made);
   w.undo();
   QTRY_COMPARE_WITH_TIMEOUT(w.result(), ball, longest);
-  // Closed and opened again.
+  // The series is closed and opened again.
   w.window.session().close({made.series});
   QVERIFY(w.workspace().segmentMaps.empty());
   w.window.open({spherePhantom});
@@ -91,7 +91,7 @@ void TestSegments::closedWorkIsNotSaved() {
   QVERIFY(w.child<QMessageBox>("closeBox")->text().contains(QStringLiteral("1 segment")));
 }
 
-// It shows air, which the range holds; the numbers are those of what is left.
+// Removed tissue is shown as air, which is in the range. The numbers count only what remains.
 void TestSegments::whatIsCutAwayIsNoSegment() {
   const SessionFolder folder;
   SegmentsWindow w({folder.ct()});

@@ -1,5 +1,5 @@
-// Guards segments in 3D views, by real events: what is shown is drawn as render() draws that scene, in its
-// colour and opacity, without what was cut away; it is picked, undone, saved and opened.
+// Guards segments in 3D views, by real events. Shown segments are drawn as render() draws the scene, in their
+// colour and opacity, without masked tissue. They are picked, undone, saved and opened.
 #include <QTextBrowser>
 
 #include "tests/ui/segment_window.h"
@@ -12,13 +12,13 @@ using namespace volumen::tests;
 
 namespace {
 
-constexpr glm::dvec3 pSmall(12), pHollow(-5);  // the middles of the balls
-constexpr double offItsVoxels = 1;             // mm that a surface may lie off the ball whose voxels it holds
+constexpr glm::dvec3 pSmall(12), pHollow(-5);  // centres of the balls
+constexpr double offItsVoxels = 1;             // mm that a surface may differ from its ball
 
-// The balls as segments of which the volume itself hides none: red the hollow ball with the small one, green
-// the core.
+// The balls as segments, without the volume unless `volumeShown`. The hollow ball and the small ball are red,
+// the core is green.
 struct In3dWindow : SegmentWindow {
-  std::optional<ScreenPicture> rest;  // at rest
+  std::optional<ScreenPicture> rest;  // last picture at rest
 
   explicit In3dWindow(bool volumeShown = false) {
     QObject::connect(window.view(), &VolumeView::drawn, window.view(), [this](const ScreenPicture& picture) {
@@ -31,7 +31,7 @@ struct In3dWindow : SegmentWindow {
   }
 
   VolumeView* scene() { return window.view(); }
-  // True once the picture at rest is that of the scene as it is.
+  // Returns true once the picture at rest is that of the present scene.
   bool isDrawn() {
     return idle() && QTest::qWaitFor(
                          [this] {
@@ -42,7 +42,7 @@ struct In3dWindow : SegmentWindow {
                          },
                          longest);
   }
-  // The picture at rest; null where there is none.
+  // Returns the picture at rest, or null if there is none.
   QImage picture() { return isDrawn() ? rest->image : QImage(); }
   void set(int number, const std::function<void(Segment&)>& change) {
     session().change(QStringLiteral("test"), withSegmentChanged(workspace(), series(), number, change));
@@ -68,7 +68,7 @@ struct In3dWindow : SegmentWindow {
   }
 };
 
-// render() of the scene of a picture.
+// Renders the scene of a picture with render().
 QImage renderOf(const ScreenPicture& picture) {
   RenderOptions options;
   options.size = {picture.image.width(), picture.image.height()};
@@ -134,7 +134,7 @@ void TestSegmentsIn3d::allOfThemAreInSlicesAlone() {
   QVERIFY(in3d->isChecked() && w.picture() == both);
   w.redo();
   QVERIFY(!in3d->isChecked() && w.picture() == none);
-  // What is made meanwhile stays in slices, too.
+  // Segments made meanwhile are shown only in slices, too.
   QVERIFY(w.make(400, 600, "segmentReplace"));
   QVERIFY(!w.map()->in3d && w.picture() == none);
   w.click("segmentsIn3d");
@@ -221,7 +221,7 @@ void TestSegmentsIn3d::onlyWhatChangedIsMadeAgain() {
   const auto* one = w.field(1);
   const auto* two = w.field(2);
   QVERIFY(one && two);
-  // It is kept alive, so that no other can be where it was.
+  // Holds the surfaces, so that no new one gets the same address.
   const std::vector<MadeSurface> kept = w.session().surfaces();
   w.set(1, [](Segment& s) { s.opacity = 0.5; });
   QVERIFY(w.isDrawn());
@@ -265,7 +265,7 @@ void TestSegmentsIn3d::thePointerSeesThem() {
   QVERIFY(!hovered.isEmpty());
   const QString said = hovered.last().value(0).toString();
   QVERIFY2(said.startsWith(QString::fromUtf8("B\xc3\xa4lle: ")), qPrintable(said));
-  // A click into the view in focus moves the planes to what is seen.
+  // A click into the view in focus moves the planes to the picked position.
   w.session().setFocus(sceneViewId);
   QTest::mouseClick(w.scene(), Qt::LeftButton, {}, small.toPoint());
   QVERIFY(glm::distance(crosshairOf(w.workspace(), *w.session().series()).at, *hit->pPatient) < 1e-6);
@@ -316,7 +316,7 @@ void TestSegmentsIn3d::projectionsSayThatTheyShowNone() {
   QVERIFY2(effects.contains(QStringLiteral("a projection of values has no surfaces")), qPrintable(effects));
 }
 
-// Until the box In 3D is off and on again.
+// The message stays until the check box "In 3D" is turned off and on again.
 void TestSegmentsIn3d::effectsNameWhatWasCancelled() {
   In3dWindow w;
   QVERIFY(w.makeColoured());

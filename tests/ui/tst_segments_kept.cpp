@@ -1,5 +1,5 @@
-// Guards design.md 8 and 11: segments are saved with the session, their labels in a file beside it, and kept
-// by the autosave.
+// Guards design.md 8 and 11: segments are saved with the session and by autosave, with their labels in a file
+// beside it.
 #include <QMenu>
 #include <nlohmann/json.hpp>
 
@@ -41,14 +41,14 @@ class TestSegmentsKept : public QObject {
 
 namespace {
 
-// What the session file that this makes is called.
+// Saves a session file and returns its path; empty if it fails.
 std::string savedAs(const SessionFolder& folder, const Workspace& workspace, const char* name = "s.volumen") {
   const std::string path = folder.at(name).toStdString();
   const Status status = saveSession(path, workspace);
   return status ? path : std::string();
 }
 
-// Changes the first map of segments in a session file.
+// Changes the first segment map in a session file.
 bool changeMapIn(const std::string& path, void (*change)(nlohmann::ordered_json& map)) {
   QFile file(QString::fromStdString(path));
   if (!file.open(QIODevice::ReadOnly)) return false;
@@ -62,7 +62,7 @@ QStringList labelFiles(const SessionFolder& folder) { return segmentFilesOf(fold
 
 }  // namespace
 
-// The first map whole, and of each one that follows what is different.
+// Autosave writes the first map completely, and only the differences of later ones.
 void TestSegmentsKept::autosaveKeepsWhatChanged() {
   Workspace with;
   {
@@ -86,7 +86,7 @@ void TestSegmentsKept::autosaveKeepsWhatChanged() {
   w.window.end();
 }
 
-// Maps by chance, in bricks of which some are cut by the end of the grid; damaged bytes make none or another.
+// Random maps whose grid cuts some of their bricks. Damaged bytes give an error or another map.
 void TestSegmentsKept::changesMakeTheOtherMap() {
   Chance chance(5);
   const std::string checksum(40, 'a');
@@ -114,8 +114,8 @@ void TestSegmentsKept::changesMakeTheOtherMap() {
   }
 }
 
-// A ball of 20 voxels reaches into eight bricks at most, of 32 KB each: of a map of 79 million voxels no more
-// is held for undo, and less is written.
+// A ball of 20 voxels reaches into at most eight bricks of 32 KB. Of a map of 79 million voxels, undo holds
+// no more than that, and less is written.
 void TestSegmentsKept::aStrokeCostsItsBricks() {
   VoxelGeometry grid;
   grid.size = {512, 512, 300};
@@ -127,7 +127,7 @@ void TestSegmentsKept::aStrokeCostsItsBricks() {
   QVERIFY(labelChanges(before, std::string(40, 'a'), after).size() < 8 * 1024);
 }
 
-// Both, with all that was chosen for them.
+// A session keeps both segments with all their settings.
 void TestSegmentsKept::sessionsKeepTwo() {
   const SessionFolder folder;
   SegmentsWindow w;
@@ -153,7 +153,7 @@ void TestSegmentsKept::sessionsKeepTwo() {
   QCOMPARE(currentSegment(opened->workspace.segmentMaps.front())->number, 1);
 }
 
-// A category and a type were their meanings alone, and there was no more of a look.
+// An old session stores a category and a type only by meaning, and nothing else of a look.
 void TestSegmentsKept::sessionsOfBeforeOpen() {
   const SessionFolder folder;
   SegmentsWindow w;
@@ -173,7 +173,7 @@ void TestSegmentsKept::sessionsOfBeforeOpen() {
   QVERIFY(read.visible && !read.locked && read.opacity == 1 && read.label == "0.5 to 1");
 }
 
-// Its segments are those that were saved, as made by hand, and that is told.
+// Segments with an unknown step open as saved, but count as made by hand, and a message says so.
 void TestSegmentsKept::aSessionWithAnUnknownStepOpens() {
   const SessionFolder folder;
   SegmentsWindow w;
@@ -218,7 +218,7 @@ void TestSegmentsKept::sessionsKeepIt() {
   QVERIFY(opened);
   QCOMPARE(opened->problems, QStringList());
   QVERIFY(opened->workspace == with);
-  // In a window: the numbers are there again, and nothing is to be saved.
+  // In a window the numbers are restored, and nothing needs saving.
   Journey again({path});
   auto* result = again.child<QLabel>("segmentResult");
   QTRY_VERIFY_WITH_TIMEOUT(result->text().contains(QStringLiteral("voxels")), longest);
@@ -231,7 +231,7 @@ void TestSegmentsKept::whatIsNotBesideTheSessionIsMissing_data() {
   QTest::newRow("another volume under its name") << true;
 }
 
-// It is told, nothing else of the session suffers, and what is saved names it still.
+// Missing labels are reported. The rest of the session opens, and later saves still refer to them.
 void TestSegmentsKept::whatIsNotBesideTheSessionIsMissing() {
   QFETCH(bool, there);
   const SessionFolder folder;
@@ -268,11 +268,11 @@ void TestSegmentsKept::filesThatNoSessionNamesGo() {
   const QStringList first = labelFiles(folder);
   const QDateTime written = QFileInfo(first.value(0)).lastModified();
   QVERIFY(!savedAs(folder, w.workspace()).empty());
-  QCOMPARE(QFileInfo(first.value(0)).lastModified(), written);  // what is there is not written again
+  QCOMPARE(QFileInfo(first.value(0)).lastModified(), written);  // existing files are not rewritten
   QVERIFY(!savedAs(folder, w.workspace(), "copy.volumen").empty());
   QVERIFY(w.segment(0, 0.4));
   QVERIFY(!savedAs(folder, w.workspace()).empty());
-  QCOMPARE(labelFiles(folder).size(), 2);  // the copy still holds the first
+  QCOMPARE(labelFiles(folder).size(), 2);  // the copy still needs the first
   QVERIFY(QFile::remove(folder.at("copy.volumen")));
   w.undo();
   QVERIFY(!savedAs(folder, w.workspace()).empty());
@@ -297,7 +297,7 @@ void TestSegmentsKept::workThatCannotBeReadIsKept_data() {
   QTest::newRow("how it was made") << false;
 }
 
-// Restored without that, and put aside for another day.
+// Work is restored without its unreadable part, and also moved aside for later.
 void TestSegmentsKept::workThatCannotBeReadIsKept() {
   QFETCH(bool, areLabels);
   {

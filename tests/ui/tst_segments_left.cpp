@@ -12,7 +12,7 @@ using namespace volumen::tests;
 namespace {
 
 struct LeftJob {
-  void (*prepare)(SegmentWindow& w);  // null: nothing
+  void (*prepare)(SegmentWindow& w);  // null if nothing is to be prepared
   void (*begin)(SegmentWindow& w);
   bool makesStep;
 };
@@ -107,7 +107,7 @@ void TestSegmentsLeft::aSeriesIsLeftDuringAJob_data() {
       "numbers", [](W w) { w.click("segmentNumbersButton"); }, nullptr, false);
 }
 
-// What the job makes of a series is the same where another one is shown meanwhile, and nothing of that one.
+// The job's result for a series is the same if another series is shown meanwhile, which does not change.
 void TestSegmentsLeft::aSeriesIsLeftDuringAJob() {
   QFETCH(LeftJob, job);
   SegmentWindow w;

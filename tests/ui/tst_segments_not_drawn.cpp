@@ -1,5 +1,5 @@
-// Guards that segments which are not drawn in 3D are told, with why: what was cancelled is tried again once
-// something changes, what is too large once there is room.
+// Guards that segments missing in 3D are reported with the reason. Cancelled ones are retried after a change,
+// large ones once there is memory.
 #include <QSignalSpy>
 #include <functional>
 
@@ -59,7 +59,7 @@ void TestSegmentsNotDrawn::whatWasCancelledIsSaidAndTriedAgain_data() {
   });
 }
 
-// A look that was changed while it was made is no reason to try again.
+// A look changed during the job is no reason to retry.
 void TestSegmentsNotDrawn::whatWasCancelledIsSaidAndTriedAgain() {
   QFETCH(std::function<void(SurfaceSession&)>, act);
   SurfaceSession s;
@@ -100,7 +100,7 @@ void TestSegmentsNotDrawn::whatWasCancelledOfAMapIsTriedAgainWhereAnotherChanges
   QCOMPARE(s.drawn().size(), std::size_t(3));
 }
 
-// Not before room is needed: TestSegmentSurfaceJobs::looksNeedNoJob().
+// Hidden ones are released only when memory is needed: TestSegmentSurfaceJobs::looksNeedNoJob().
 void TestSegmentsNotDrawn::hiddenOnesMakeRoom() {
   SurfaceSession s(bytesOfRange({800, 1200}) + bytesOfRange({400, 600}) - 1);
   const QSignalSpy told(&s.surfaces, &SegmentSurfaceJobs::failed);
@@ -129,7 +129,7 @@ void TestSegmentsNotDrawn::whatTakesTooMuchMemoryIsNotDrawn_data() {
   QTest::newRow("for none") << false << true << -1 << std::vector<int>{};
 }
 
-// In their order, by the program as in the window; once one is small enough it is drawn.
+// Segments are drawn in order, by the program as in the window. A segment is drawn once it is small enough.
 void TestSegmentsNotDrawn::whatTakesTooMuchMemoryIsNotDrawn() {
   QFETCH(bool, countsFirst);
   QFETCH(bool, countsSecond);

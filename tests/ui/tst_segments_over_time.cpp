@@ -1,5 +1,6 @@
-// Guards the curve of segments over time: mean and SD of the same voxels in each time point, read as a job,
-// in the chart, as CSV and in the JSON; cancelled, it says so. Real events on a file of four volumes.
+// Guards the curve of segments over time: mean and SD of the same voxels in each time point, read as a job.
+// It is shown in the chart, as CSV and in the JSON, and says if it was cancelled. Real events on a file of
+// four volumes.
 #include <QClipboard>
 #include <QDialog>
 #include <QGuiApplication>
@@ -21,8 +22,8 @@ using namespace volumen::tests;
 
 namespace {
 
-// Four volumes of 16 x 16 x 16 voxels of 2 mm: in the n-th those of even x are 101 n, of odd x 99 n; the half
-// of larger z is 1000.
+// Writes four volumes of 16 x 16 x 16 voxels of 2 mm. In volume n, voxels of even x are 101 n, of odd x 99 n,
+// and those in the half of larger z are 1000.
 QString fourContrasts(const QTemporaryDir& folder) {
   const QString path = folder.filePath(QStringLiteral("contrasts.nrrd"));
   std::ofstream file(path.toStdString(), std::ios::binary);
@@ -40,7 +41,7 @@ QString fourContrasts(const QTemporaryDir& folder) {
 struct OverTimeWindow : SegmentWindow {
   explicit OverTimeWindow(const QTemporaryDir& folder) : SegmentWindow(QStringList{fourContrasts(folder)}) {}
 
-  // The lower half is segmented in the first volume, and its row is chosen.
+  // Segments the lower half in the first volume and selects its row.
   bool open() {
     if (!QTest::qWaitFor([this] { return session().series() != nullptr; }, longest)) return false;
     window.resize(1440, 900);
@@ -135,7 +136,7 @@ void TestSegmentsOverTime::theyAreSavedOnceRead() {
   }
 }
 
-// Cancelled before it could end; chosen again, it is read.
+// The reading is cancelled before its end. Choosing the curve again restarts it.
 void TestSegmentsOverTime::cancelledIsSaid() {
   const QTemporaryDir folder;
   OverTimeWindow w(folder);
@@ -152,7 +153,7 @@ void TestSegmentsOverTime::cancelledIsSaid() {
   QVERIFY(w.showsAll());
 }
 
-// Without the odd half of them: the SD goes.
+// Without the voxels of odd x, the SD vanishes.
 void TestSegmentsOverTime::changedVoxelsAreMeasuredAgain() {
   const QTemporaryDir folder;
   OverTimeWindow w(folder);

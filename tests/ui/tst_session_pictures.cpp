@@ -24,8 +24,8 @@ bool segmentsAreMade(Journey& w) {
   return QTest::qWaitFor([&] { return w.window.jobs().rows().empty(); }, longest);
 }
 
-// The trunk, translucent, and the spine in it, in one map or in two, in a thin volume; true once they are in
-// the picture.
+// Shows the translucent trunk and the spine in a thin volume, in one map or in two. Returns true once they
+// are in the picture.
 bool showSegments(Journey& w, int maps = 1) {
   Session& session = w.window.session();
   const bool isThin = settles(w, [&] {
@@ -54,7 +54,7 @@ bool showSegments(Journey& w, int maps = 1) {
          w.window.view()->picture() != without;
 }
 
-// True once the picture is another one.
+// Returns true once the picture has changed.
 bool showInsideSegments(Journey& w) {
   Session& session = w.window.session();
   const TissueShown tissue{TissueShown::Where::inside, 3};
@@ -83,7 +83,7 @@ void TestSessionPictures::theProgramDrawsTheSnapshot_data() {
   QTest::addColumn<QSize>("size");
   QTest::addColumn<QString>("cut");
   const QString no;
-  const QSize view(0, 0);  // of the window's view
+  const QSize view(0, 0);  // size of the window's view
   QTest::newRow("as it is opened") << 0 << view << no;
   QTest::newRow("turned") << 1 << QSize(230, 170) << no;
   QTest::newRow("without its table, by level") << 2 << QSize(200, 200) << QStringLiteral("table removed");
@@ -160,7 +160,7 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
   QCOMPARE(contentsOf(folder.at("window.png")), contentsOf(folder.at("program.png")));
   const QString cut = window.text(QStringLiteral("volumen-cut"));
   QTEST(cut, "cut");
-  QCOMPARE(window.text(QStringLiteral("volumen-segments")),  // QImage reads blanks for ends of lines
+  QCOMPARE(window.text(QStringLiteral("volumen-segments")),  // QImage reads line ends as blanks
            what >= 6 ? QStringLiteral("Trunk, opacity 0.4 Spine") : QString());
   QCOMPARE(window.text(QStringLiteral("volumen-tissue")),
            what >= 8 ? QStringLiteral("only inside the segments that are shown and within 3 mm of them")
@@ -170,7 +170,7 @@ void TestSessionPictures::theProgramDrawsTheSnapshot() {
   QCOMPARE(b.out.contains("on   cut: " + cut.toUtf8() + "; "), !cut.isEmpty());
 }
 
-// In the window; the program draws the rest where their file is gone, and says so.
+// The window shows the segments again. If their file is gone, the program draws the rest and says so.
 void TestSessionPictures::segmentsComeBackWithTheSession() {
   const SessionFolder folder;
   QImage with;

@@ -1,4 +1,4 @@
-// Guards design.md 8 and 11: a session is saved, opened and drawn again as it was.
+// Guards design.md 8 and 11: a session is saved, opened and drawn as it was.
 #include <QMenu>
 
 #include "tests/fixtures/program.h"
@@ -45,7 +45,7 @@ void TestSessions::itComesBackAsItWas() {
   const SessionFolder folder;
   Journey w({folder.ct()});
   QVERIFY(w.settle());
-  // Another series, two layouts, turned, scrolled, enlarged, another window and level: by mouse and keys.
+  // Opens another series and changes layout, view, slice, zoom, window and level by mouse and keys.
   QVERIFY(settles(w, [&] { w.window.open({QStringLiteral("phantom:soft-sphere:32")}); }));
   QVERIFY(settles(w, [&] { w.window.open({folder.ct()}); }));
   w.child<QAction>("layoutPlanes")->trigger();
@@ -68,12 +68,12 @@ void TestSessions::itComesBackAsItWas() {
   QVERIFY(w.window.session().workspace() == saved);
   QVERIFY(w.window.view()->picture() == picture);
   QVERIFY2(w.window.session().undoStack().canUndo(), "what was closed before it comes back");
-  // In another window, given as a path.
+  // Opens in another window, given as a path.
   Journey another;
   QVERIFY(settles(another, [&] { another.window.open({folder.at("s.volumen")}); }));
   QVERIFY(another.window.session().workspace() == saved);
   QVERIFY2(!another.window.session().undoStack().canUndo(), "the first of a window, like the first series");
-  // Saved again it is the same file.
+  // Saving it again writes the same file.
   QVERIFY(saveSession(folder.at("again.volumen").toStdString(), another.window.session().workspace()));
   QVERIFY(contentsOf(folder.at("again.volumen")) == contentsOf(folder.at("s.volumen")));
 }
@@ -120,13 +120,13 @@ void TestSessions::undoneItIsNotWrittenOverTheFile() {
   QVERIFY(folder.open(w));
   QVERIFY(!w.after("undo").isNull());
   w.child<QAction>("saveSession")->trigger();
-  // It asks where.
+  // It asks for a path.
   answer(w, "saveSessionDialog", folder.at("other.volumen"));
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.at("other.volumen")), longest);
   QVERIFY(contentsOf(folder.at("s.volumen")) == bytes);
 }
 
-// It leaves fewer steps than there were when the file was opened, and yet nothing was undone.
+// The step leaves fewer undo steps than when the file was opened, although nothing was undone.
 void TestSessions::aStepThatCancelsItselfKeepsTheFile() {
   Jobs jobs;
   Session session;
@@ -168,7 +168,7 @@ void TestSessions::aSeriesThatIsMissingIsNamed() {
            qPrintable(banner(w)->sentence()));
   const Workspace& now = w.window.session().workspace();
   QVERIFY(now.views == saved.views);
-  // It is not looked for again and again.
+  // It is not searched for repeatedly.
   banner(w)->hide();
   QVERIFY(!w.after("viewLeft").isNull());
   QVERIFY(banner(w)->isHidden());
@@ -239,7 +239,7 @@ void TestSessions::aFolderThatWasMovedIsFound() {
     QVERIFY(w.settle());
     QVERIFY(!w.after("viewLeft").isNull());
     QVERIFY(folder.save(w));
-    // Alone on screen the view has one size in both windows; beside panels it has what their texts leave.
+    // Maximised, the view has the same size in both windows. Beside panels its size depends on their texts.
     picture = w.after("maximise");
     QVERIFY(!picture.isNull());
   }

@@ -1,4 +1,4 @@
-// Guards design.md 8: a session finds its series again wherever their files lie: in an archive, spread over
+// Guards design.md 8: a session finds its series wherever their files lie, in an archive or spread over
 // folders.
 #include <archive.h>
 #include <archive_entry.h>
@@ -19,7 +19,7 @@ using namespace volumen::tests;
 
 namespace {
 
-/// A series of 16 slices, i0 ... in `folder`.
+/// Writes a series of 16 slices, i0 ... in `folder`.
 bool writeSlices(const QString& folder, const char* phantom = "cube:16") {
   const Result<VolumePtr> volume = makePhantom(phantom);
   DicomSeriesTags tags;
@@ -53,7 +53,7 @@ bool zip(const QString& folder, const QString& file) {
   return archive_write_free(a) == ARCHIVE_OK && written;
 }
 
-/// The first series of these files, on screen.
+/// Returns a workspace that shows the first series of these files.
 Workspace showing(const QStringList& files) {
   std::vector<std::string> paths;
   for (const QString& file : files) paths.push_back(file.toStdString());
@@ -87,7 +87,7 @@ void TestSessionsFound::inAnArchive() {
   w.window.session().show(nullptr);
   QVERIFY(folder.open(w));
   QVERIFY(w.window.session().workspace() == saved);
-  // Another program unpacks it for itself.
+  // Another program unpacks the archive itself.
   const Outcome drawn = runProgram(
       QStringLiteral("render %1 --size 16x16 -o %2").arg(folder.at("s.volumen"), folder.at("a.png")));
   QVERIFY2(drawn.status == 0, drawn.err);
@@ -110,7 +110,7 @@ void TestSessionsFound::inAnArchiveThatWasMoved() {
   QVERIFY2(drawn.status == 0, drawn.err);
 }
 
-// What lies beside these folders is not read, and does not change what they hold.
+// Files beside these folders are not read and do not change their contents.
 void TestSessionsFound::overSeveralFolders() {
   const SessionFolder folder;
   QVERIFY(writeSlices(folder.at("data/a")) && QDir().mkpath(folder.at("data/b/deep")));
@@ -128,7 +128,7 @@ void TestSessionsFound::overSeveralFolders() {
   QVERIFY(opened->workspace == saved);
   QCOMPARE(opened->studies.size(), std::size_t(1));
   QCOMPARE(opened->studies[0].second->volumes.size(), std::size_t(1));
-  // Missing, saved and there again: the folders are still known.
+  // Missing data are saved and found again, because the session still lists the folders.
   QVERIFY(QDir().rename(folder.at("data"), folder.at("away")));
   const Result<OpenedSession> missing = openSession(folder.at("s.volumen").toStdString());
   QVERIFY(missing.ok());

@@ -1,5 +1,5 @@
-// Guards design.md 11: what is computed once of a volume is shared by all that draw it, goes with it, and
-// goes first where memory is short.
+// Guards design.md 11: what is computed once for a volume is shared by all views that draw it, and released
+// with it.
 #include "tests/ui/slow_renderer.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
@@ -25,10 +25,10 @@ class TestSharedVoxels : public QObject {
 
 namespace {
 
-/// A plain renderer that keeps, weakly, what it was made for: a pointer alone may come twice.
+/// A plain renderer that keeps weak references to its volumes. A raw pointer could occur twice.
 struct Recorder {
   SlowRenderer renderer;
-  std::vector<std::weak_ptr<StoredVoxels>> made;  // of the render thread until it waits
+  std::vector<std::weak_ptr<StoredVoxels>> made;  // written by the render thread until it waits
 
   MakeDraw make() {
     return [this](const VoxelsPtr& voxels) {
@@ -50,7 +50,7 @@ void TestSharedVoxels::allThatDrawAVolumeShareItsVoxels() {
     QTRY_COMPARE(w.answerTo(number), Answer::drawn);
   }
   QCOMPARE(recorder.made.size(), std::size_t(4));
-  // A picture to be saved of what no view shows any more.
+  // Saves a picture of a volume that no view shows any more.
   for (ViewId view = 0; view < 4; ++view) w.service.show(view, nullptr);
   QSignalSpy ready(&w.service, &DrawService::pictureReady);
   w.service.requestPicture(w.volume, greyScene(0.5), ofSize(8, 8));
@@ -89,7 +89,7 @@ void TestSharedVoxels::voxelsGoWithTheirVolume() {
   w.service.show(0, nullptr);
   QTest::qWait(50);
   QVERIFY2(!recorder.made.back().expired(), "somebody holds the volume, who may show it again");
-  // The service is told nothing of this, and notices.
+  // The service is not told that the volume is gone, but notices.
   volume.reset();
   QTRY_VERIFY(watched.expired());
   QVERIFY(recorder.made.back().expired());

@@ -1,5 +1,5 @@
-// Guards in which order flat pictures are drawn: of each view the latest request, that in focus before the
-// others, none of them kept waiting by it.
+// Guards the order in which flat pictures are drawn. Each view's latest request counts, the view in focus
+// comes first, and no other view starves.
 #include <algorithm>
 
 #include "tests/ui/chance_slices.h"
@@ -13,14 +13,14 @@ namespace {
 
 constexpr ViewId firstView = 1, secondView = 2, focusView = 3, slowView = 9;
 
-// Requests of a slice, and the views whose pictures came, in turn. While the slow one is drawn, what is asked
-// for waits: it has far more pixels than the others.
+// Slice requests, and the views whose pictures came, in order. Requests wait while the slow one is drawn,
+// because it has far more pixels.
 struct Turns {
   SliceService service;
   VolumePtr volume = shearedRamp(0);
   std::vector<ViewId> drawn;
-  std::vector<double> scales;  // mm a pixel, of the same
-  bool goesOn = false;         // whenever the picture in focus is there, the next is asked for
+  std::vector<double> scales;  // mm per pixel of these pictures
+  bool goesOn = false;         // requests the next picture whenever that in focus is there
 
   Turns() {
     QObject::connect(&service, &SliceService::ready, &service, [this](const SlicePicture& picture) {

@@ -1,4 +1,4 @@
-// Guards the flat views as a hand meets them: real mouse and key events in a real window.
+// Guards the flat views with real mouse and key events in a real window.
 #include <QMimeData>
 #include <QTreeWidget>
 
@@ -16,7 +16,7 @@ using volumen::tests::wheel;
 
 namespace {
 
-// A window that shows a ball of 1000 HU, 10 mm about a point, in the planes.
+// A window that shows a ball of 1000 HU, 10 mm about a point, in planes.
 struct Planes : Journey {
   Planes() {
     window.session().show(tests::ballSeries(32, 10, {3, -2, 4}));
@@ -25,12 +25,12 @@ struct Planes : Journey {
   }
   FlatView* view(ViewId id) { return window.views()->viewAs<FlatView>(id); }
   Session& session() { return window.session(); }
-  // Whether the picture of what the workspace says comes on screen.
+  // Returns whether the picture of the workspace comes on screen.
   bool shows(ViewId id) {
     QSignalSpy shown(view(id), &FlatView::settled);
     return !view(id)->picture().isNull() || shown.wait(longest);
   }
-  // Waits for the picture after something was done.
+  // Does `act` and waits for its picture.
   bool after(ViewId id, const std::function<void()>& act) {
     QSignalSpy shown(view(id), &FlatView::settled);
     act();
@@ -46,7 +46,7 @@ struct Planes : Journey {
     const auto& state = session().workspace().series.begin()->second;
     return state.window.value_or(session().series()->window);
   }
-  // Where a point is in a view, logical pixels.
+  // Returns the position of a point in a view, logical pixels.
   QPointF pixel(ViewId id, glm::dvec3 p) {
     const glm::dvec2 at = view(id)->plane()->pixelFromPatient(p) / view(id)->devicePixelRatioF();
     return {at.x, at.y};
@@ -178,7 +178,7 @@ void TestSliceViews::escapeGivesUpADrag() {
 
 void TestSliceViews::digitsChooseWindows() {
   Planes w;
-  QTest::keyClick(w.view(axialViewId), Qt::Key_1);  // the ball has no windows of its own: Brain comes first
+  QTest::keyClick(w.view(axialViewId), Qt::Key_1);  // the ball has no windows of its own, so Brain is first
   QCOMPARE(w.shownWindow(), (Window{40, 80}));
   QTest::keyClick(w.view(axialViewId), Qt::Key_0);
   QVERIFY(!w.session().workspace().series.begin()->second.window);
@@ -237,7 +237,7 @@ void TestSliceViews::handlesTurnTheOtherPlanes() {
   const Crosshair before = w.crosshair();
   const QImage coronalBefore = w.view(coronalViewId)->picture();
   const QPointF middle = w.pixel(axialViewId, before.at);
-  // The sagittal plane's line is upright; its upper handle goes 30 degrees clockwise.
+  // The sagittal plane's line is upright. Its upper handle moves 30 degrees clockwise.
   const double reach = 0.32 * std::min(axial->width(), axial->height());
   const auto around = [&](double angle) {
     return (middle + reach * QPointF(std::sin(angle), -std::cos(angle))).toPoint();
@@ -296,7 +296,7 @@ void TestSliceViews::aDoubleClickShowsOneViewAlone() {
 void TestSliceViews::whatIsUnderTheCursorIsRead() {
   Planes w;
   FlatView* view = w.view(axialViewId);
-  wheel(view, -6, Qt::ControlModifier);  // so that there is room beside the volume
+  wheel(view, -6, Qt::ControlModifier);  // leaves space beside the volume
   QSignalSpy hovered(view, &View::hovered);
   const glm::dvec2 p = view->plane()->pixelFromPatient({3, -2, 4});
   tests::hover(view, {p.x, p.y});

@@ -1,5 +1,5 @@
-// Guards the smart brush: a stroke paints what is joined to the pointer and alike to what was under the brush
-// as it was pressed, and nothing else; one undo step.
+// Guards the smart brush. A stroke paints only voxels that are connected to the pointer and similar to those
+// under the brush at the press. It is one undo step.
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 
@@ -22,7 +22,8 @@ void TestSmartBrushTool::onlyWhatIsAlikeIsPainted_data() {
   QTest::newRow("a ball, oblique") << true << true;
 }
 
-// A stroke from the core of the hollow ball into its shell: the shell lies under the brush, but is not alike.
+// A stroke goes from the core of the hollow ball into its shell. The shell lies under the brush, but is not
+// similar.
 void TestSmartBrushTool::onlyWhatIsAlikeIsPainted() {
   QFETCH(bool, isBall);
   QFETCH(bool, isOblique);

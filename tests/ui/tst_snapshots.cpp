@@ -1,4 +1,5 @@
-// Guards design.md 8: snapshots as they are chosen, of the series they were asked of; what is told meanwhile.
+// Guards design.md 8: snapshots have the chosen settings and show the series for which they were requested.
+// Messages appear meanwhile.
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
@@ -39,13 +40,13 @@ void ask(Journey& w, const QString& path) {
   answer(w, "snapshotDialog", path);
 }
 
-// The file, once it is there.
+// Returns the file's image once the file exists.
 QImage taken(Journey& w, const QString& path) {
   ask(w, path);
   return QTest::qWaitFor([&] { return QFile::exists(path); }, longest) ? QImage(path) : QImage();
 }
 
-// Where two pictures of one size differ.
+// Returns where two pictures of one size differ.
 QRect difference(const QImage& a, const QImage& b) {
   QRect where;
   for (int y = 0; y < a.height(); ++y)
@@ -97,7 +98,7 @@ void TestSnapshots::whatIsWrittenOverItIsChosen() {
   QFETCH(QRect, covers);
   Journey w(head);
   QVERIFY(w.settle());
-  // A series with a patient and a warning.
+  // Shows a series with a patient and a warning.
   auto series = std::make_shared<LoadedSeries>(*tests::ballSeries());
   series->warnings = {{"Gantry tilt of 18.5 degrees, corrected in 3D.", WarningKind::sheared}};
   w.after([&] { w.window.session().show(series); });
@@ -112,7 +113,7 @@ void TestSnapshots::whatIsWrittenOverItIsChosen() {
                                                                             .arg(where.y())
                                                                             .arg(where.width())
                                                                             .arg(where.height())));
-  // What changes what is seen stands in the text in any case.
+  // Warnings about the picture are in its metadata in any case.
   for (const QImage& image : {plain, with})
     QCOMPARE(image.text(QStringLiteral("volumen-warnings")),
              QStringLiteral("sheared: Gantry tilt of 18.5 degrees, corrected in 3D."));
@@ -162,7 +163,7 @@ void TestSnapshots::jpegCannotBeTransparent() {
   choose(w, "snapshotFormat", 1);
   choose(w, "snapshotBackground", 4);
   QCOMPARE(w.child<QComboBox>("snapshotFormat")->currentText(), QStringLiteral("PNG"));
-  // A name may still say otherwise.
+  // The file name may still choose a format.
   const QString path = at(QStringLiteral("clear.jpg"));
   ask(w, path);
   auto* banner = w.child<Banner>("banner");
@@ -245,7 +246,7 @@ void TestSnapshots::itIsOfTheSeriesItWasAskedOf() {
   QVERIFY(!after.isNull() && after != before);
 }
 
-// Whatever is turned to, shown or hidden while a place is chosen.
+// Views turned, shown or hidden while the file dialog is open do not matter.
 void TestSnapshots::itIsWhatWasSeenAsItWasAskedFor() {
   Journey w(head);
   QVERIFY(w.settle());
@@ -265,8 +266,8 @@ void TestSnapshots::itIsWhatWasSeenAsItWasAskedFor() {
   QCOMPARE(QImage(at(QStringLiteral("then.png"))), before);
 }
 
-// Names are those of series, which another patient's may have too: the second of two that are asked for at
-// once has a number of its own, and what is there stays.
+// File names are those of series, which another patient's may share. The second of two simultaneous requests
+// gets its own number, and existing files stay.
 void TestSnapshots::noTurntableReplacesAnother() {
   Journey w(head);
   QVERIFY(w.settle());

@@ -1,5 +1,5 @@
-// Guards how one goes through a stack: the bar at its right, dragged and clicked, with key images and what is
-// in memory; a number typed; the wheel with Shift. Places are compared with closed forms.
+// Guards scrolling through a stack: its bar on the right, dragged and clicked, with key images and slices in
+// memory. Also a typed number and Shift+wheel. Positions are compared with closed forms.
 #include <QLabel>
 #include <QPainter>
 #include <set>
@@ -21,7 +21,7 @@ constexpr QRgb barKeyColour = 0xffffc85a;
 
 double barX(const QWidget* view) { return view->width() - 5; }
 
-// The place at a height of a bar as high as the view.
+// Returns the position at a height of a bar as high as the view.
 int barPlaceAt(const QWidget* view, int y, int count) {
   return std::min(count - 1, int(double(y) * count / view->height()));
 }
@@ -67,7 +67,7 @@ void TestStackBar::aDragGoesWhereTheHandIs() {
     const int steps = w.steps();
     drag(w.view(), {barX(w.view()), double(from)}, {barX(w.view()), double(to)});
     QCOMPARE(w.place(), expected);
-    if (expected == was) continue;  // no step
+    if (expected == was) continue;  // no undo step
     QCOMPARE(w.steps(), steps + 1);
     w.undo();
     QVERIFY(w.session().workspace() == before);
@@ -81,7 +81,7 @@ void TestStackBar::aClickGoesThereToo() {
   const int y = w.view()->height() / 5;
   QTest::mouseClick(w.view(), Qt::LeftButton, {}, {int(barX(w.view())), y});
   QCOMPARE(w.place(), barPlaceAt(w.view(), y, stackSlices));
-  // A second one is none to maximise the view.
+  // A second click does not maximise the view.
   QTest::mouseDClick(w.view(), Qt::LeftButton, {}, {int(barX(w.view())), y});
   QTest::mouseRelease(w.view(), Qt::LeftButton, {}, {int(barX(w.view())), y});
   QCOMPARE(w.place(), barPlaceAt(w.view(), y, stackSlices));
@@ -111,7 +111,7 @@ void TestStackBar::whatLiesBesideItIsNotStolen() {
   QVERIFY(!w.view()->stackBar());
 }
 
-// In rows of their own, and in no picture that is saved.
+// Measurements on the bar are grabbed first.
 void TestStackBar::whatIsDrawnThereComesFirst() {
   StackWindow w(stackSlices);
   const int place = w.place();
@@ -120,7 +120,7 @@ void TestStackBar::whatIsDrawnThereComesFirst() {
   drag(w.view(), {x, y}, {x - 60, y + 40});
   QCOMPARE(w.place(), place);
   QCOMPARE(w.all().size(), std::size_t(1));
-  // Its end lies on the bar.
+  // An end of the measurement lies on the bar.
   const Measurement before = w.last();
   drag(w.view(), {x, y}, {x - 2, y + 60});
   QCOMPARE(w.place(), place);
@@ -129,13 +129,15 @@ void TestStackBar::whatIsDrawnThereComesFirst() {
   QVERIFY(w.place() != place);
 }
 
+// Each key image marks its own pixel rows of the bar. Captured pictures show no marks.
 void TestStackBar::keyImagesAreMarked() {
   StackWindow w(stackSlices);
   const Series series = w.view()->shown()->series;
   Chance chance(7);
   std::set<int> rows;
   for (int n = 0; n < 4; ++n) {
-    const int slice = chance.below(stackSlices), place = stackSlices - 1 - slice;  // the uppermost is first
+    // The uppermost slice is first.
+    const int slice = chance.below(stackSlices), place = stackSlices - 1 - slice;
     const KeyImage image{keyOf(series), series.sopInstanceUids[std::size_t(slice)], 0};
     if (isKeyImage(w.session().workspace(), image)) continue;
     w.session().change(QStringLiteral("test"), withKeyImageToggled(w.session().workspace(), image));
@@ -154,7 +156,8 @@ void TestStackBar::keyImagesAreMarked() {
   QVERIFY(marked(w.view()->capture()).empty());
 }
 
-// Every row inside a run is bright as wide as the bar is; others only in the line of the stack.
+// Rows inside a run of slices in memory are bright over the bar's whole width. Other rows are bright only in
+// the line of the stack.
 void TestStackBar::whatIsInMemoryIsWide() {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     Chance chance(seed);
@@ -184,7 +187,7 @@ void TestStackBar::framesInMemoryAreTold() {
   NEED_FILES();
   Frames w({clipFile});
   QVERIFY(w.shows());
-  // The one shown and the next 32, of 34.
+  // The frame on screen and the next 32, of 34, are in memory.
   const std::vector<std::pair<int, int>> expected{{0, 32}};
   QTRY_VERIFY_WITH_TIMEOUT(w.view()->stackBar()->held == expected, longest);
   QCOMPARE(w.view()->stackBar()->place.count, 34);
@@ -200,10 +203,10 @@ void TestStackBar::aNumberIsTyped() {
   QCOMPARE(field->text(), QStringLiteral("16"));
   QCOMPARE(saidOf(w), QStringLiteral("of 31"));
   w.shot("number-typed");
-  QTest::keyClicks(field, QStringLiteral("7"));  // in place of what is selected
+  QTest::keyClicks(field, QStringLiteral("7"));  // replaces the selected text
   QTest::keyClick(field, Qt::Key_Return);
   QVERIFY(w.view()->overlays().topRight.contains(QStringLiteral("7 / 31")));
-  QCOMPARE(w.place(), stackSlices - 7);  // numbers are the file's, from the lowest slice on
+  QCOMPARE(w.place(), stackSlices - 7);  // numbers are the file's, from the lowest slice
   QVERIFY(!w.seen<QLineEdit>("placeNumber"));
   QCOMPARE(w.window.focusWidget(), w.view());
   QCOMPARE(w.steps(), steps + 1);
@@ -284,7 +287,7 @@ void TestStackBar::theNumberInTheCornerIsClicked() {
   QVERIFY(!number.isEmpty());
   QTest::mouseClick(w.view(), Qt::LeftButton, {}, number.center().toPoint());
   QVERIFY(w.seen<QLineEdit>("placeNumber"));
-  // A press elsewhere gives up.
+  // A press elsewhere cancels.
   w.view(coronalViewId)->setFocus();
   QVERIFY(!w.seen<QLineEdit>("placeNumber"));
   QCOMPARE(w.window.focusWidget(), w.view(coronalViewId));

@@ -1,5 +1,5 @@
-// Guards how strokes of the brush end, by real events: surfaces and jobs that wait for it, strokes that are
-// given up or undone, or whose series is closed.
+// Guards how brush strokes end, by real events: surfaces and jobs wait for them, they are cancelled or
+// undone, or their series is closed.
 #include <QPointer>
 
 #include "tests/ui/paint_window.h"
@@ -58,7 +58,7 @@ void TestStrokeEnds::aJobThatEndsInAStrokeIsTheStepAfterIt_data() {
   QTest::newRow("Esc gives the stroke up") << true;
 }
 
-// As if the step had been asked for once the stroke was drawn.
+// The result is as if the step had been requested after the stroke.
 void TestStrokeEnds::aJobThatEndsInAStrokeIsTheStepAfterIt() {
   QFETCH(bool, isGivenUp);
   PaintWindow w;

@@ -1,4 +1,4 @@
-// Guards design.md 8: the list of series, its thumbnails and what its menu does, by real events.
+// Guards design.md 8: the list of series, its thumbnails and its context menu. Real events.
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QDesktopServices>
@@ -22,7 +22,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// A folder with a DICOM series of 14 slices, and a window on it.
+// A folder with a DICOM series of 14 slices, and a window that shows it.
 struct Listed {
   QTemporaryDir dir;
   QString folder = dir.filePath(QStringLiteral("head"));
@@ -42,7 +42,7 @@ struct Listed {
   }
   QTreeWidgetItem* series() const { return item("slices, axial"); }
 
-  // Opens the menu by the right mouse button, and chooses by the keyboard.
+  // Opens the context menu with the right mouse button and chooses by the keyboard.
   void choose(QTreeWidgetItem* of, const char* entry) {
     const QPoint at = tree->visualItemRect(of).center();
     QTest::mouseClick(tree->viewport(), Qt::RightButton, {}, at);
@@ -91,7 +91,7 @@ void TestStudiesList::aSeriesSaysItsSlicesAndPlaneAndHasAThumbnail() {
   QCOMPARE(series->text(0).section(QLatin1Char('\n'), 1), QStringLiteral("%1 slices, axial").arg(slices));
   QVERIFY(series->toolTip(0).contains(l.folder));
   QTRY_VERIFY_WITH_TIMEOUT(isGrey(series), longest);
-  // Nobody looked at the sphere yet.
+  // The sphere was not shown yet.
   QTRY_VERIFY_WITH_TIMEOUT(isGrey(l.item("sphere:32")), longest);
   l.w.shot("series-list");
 }
@@ -135,7 +135,7 @@ void TestStudiesList::whatIsRemovedIsGone() {
   QVERIFY(!l.w.window.session().series());
   QVERIFY(l.w.child<QWidget>("startPage")->isVisible());
   QCOMPARE(l.w.window.windowTitle(), QStringLiteral("volumen"));
-  // It can be opened again.
+  // The study can be opened again.
   l.w.settled.clear();
   l.w.window.open({l.folder});
   QVERIFY(l.w.settle());

@@ -1,5 +1,5 @@
-// Guards ui/controller/study_source.h: what a source answers late, twice, in another order or not at all
-// comes to what was asked for, and the browser needs nothing else of it.
+// Guards ui/controller/study_source.h. Answers of a source that come late, twice, in another order or not at
+// all are assigned to their requests. The browser needs nothing else of a source.
 #include <QComboBox>
 #include <QDirIterator>
 
@@ -25,13 +25,13 @@ FakeSource::Study studyOf(const tests::Studies& studies, std::int64_t id, const 
   return study;
 }
 
-// Studies 1, 2 and 3: Doe's bone, Müller's and Yamada's.
+// Returns studies 1, 2 and 3: Doe's bone, Müller's and Yamada's.
 std::vector<FakeSource::Study> threeStudies(const tests::Studies& studies) {
   const std::vector<tests::WrittenSeries>& all = tests::writtenSeries();
   return {studyOf(studies, 1, all[0]), studyOf(studies, 2, all[3]), studyOf(studies, 3, all[4])};
 }
 
-// A window whose studies come from sources that answer when they are told to.
+// A window whose studies come from sources that answer on command.
 struct Sources {
   explicit Sources(const tests::Studies& studies, const QStringList& keys = {QStringLiteral("fake")})
       : window(services(studies, keys)) {
@@ -57,7 +57,7 @@ struct Sources {
   bool isAsked(const std::string& words, std::size_t source = 0) {
     return QTest::qWaitFor([&] { return fakes[source]->wasAsked(words); }, longest);
   }
-  // Asks the first source for the study of a patient.
+  // Requests the study of a patient from the first source.
   void open(const char* name, OpenHow how) {
     window.tree()->setCurrentIndex(window.row(name));
     QTest::keyClick(window.tree(), Qt::Key_Return,
@@ -124,7 +124,7 @@ void TestStudySources::twoOpensEndWhereTheyWereMeant_data() {
       << true << std::vector<std::size_t>{1, 0} << QStringList{mueller, doe};
 }
 
-// Both are asked for before any is answered.
+// Both are requested before either is answered.
 void TestStudySources::twoOpensEndWhereTheyWereMeant() {
   QFETCH(bool, firstIsBeside);
   QFETCH(std::vector<std::size_t>, answers);
@@ -170,7 +170,7 @@ void TestStudySources::whatFailsIsASentence() {
   QVERIFY(s.window.tree()->isEnabled());
 }
 
-// What the one that is not listed any more still says is not shown.
+// Later answers of a source that is no longer listed are not shown.
 void TestStudySources::severalAreChosenFrom() {
   Sources s(studies_, {QStringLiteral("a"), QStringLiteral("b")});
   QVERIFY(s.isAsked({}));

@@ -1,5 +1,5 @@
-// Guards slices.md 4 in 3D: lengths and angles between places of the surface that is seen, by real mouse and
-// key events, against rays that meet a ball; what else the window does with them.
+// Guards slices.md 4 in 3D: lengths and angles between points of the visible surface, by real mouse and key
+// events. They are compared with rays that meet a ball. Also guards what else the window does with them.
 #include <QMenu>
 
 #include "tests/ui/surface_window.h"
@@ -72,7 +72,7 @@ void TestSurfaceMeasurements::aLengthLiesOnTheSurface() {
   const DrawnMeasurement seen = w.seenLast();
   QCOMPARE(seen.text, measuredLines(m.shape, w.measured(m)));
   QCOMPARE(seen.handles.size(), std::size_t(2));
-  // A point is seen where it was picked, to what rounds off on the way through the patient.
+  // A point is seen where it was picked, within the rounding of the way through patient space.
   QVERIFY((seen.handles[0].at - from).manhattanLength() < 1e-6);
   QVERIFY((seen.handles[1].at - to).manhattanLength() < 1e-6);
   QCOMPARE(w.session().undoStack().index(), steps + 1);
@@ -100,7 +100,7 @@ void TestSurfaceMeasurements::anAngleTakesThreeClicks() {
   QCOMPARE(w.seenLast().lines[0].size(), qsizetype(3));
 }
 
-// From the front to the side, which the front does not show.
+// Goes from the front to the side, which the front does not show.
 void TestSurfaceMeasurements::theCameraMayMoveBetweenClicks() {
   SurfaceWindow w;
   w.choose(ShapeKind::length);
@@ -221,7 +221,7 @@ void TestSurfaceMeasurements::keysChooseAndPutAway() {
   QVERIFY2(w.isMeasuring(), "Shift keeps it");
 }
 
-// A means the view from the front here, with Shift nothing.
+// A means the view from the front here. Shift+A means nothing.
 void TestSurfaceMeasurements::theMenuShowsTheKeysThatHold() {
   SurfaceWindow w;
   w.scene()->setFocus();
@@ -240,7 +240,7 @@ void TestSurfaceMeasurements::theMenuShowsTheKeysThatHold() {
   menu->close();
 }
 
-// Both ends in one row of pixels, seen from the front, are at one height of the patient.
+// Both ends are in one row of pixels seen from the front, so they have one height in the patient.
 void TestSurfaceMeasurements::theSliceThroughBothEndsShowsIt() {
   SurfaceWindow w;
   QTest::keyClick(w.scene(), Qt::Key_A);
@@ -277,7 +277,7 @@ void TestSurfaceMeasurements::itSaysHowDeepItMayLie() {
   QVERIFY2(detail().contains(QStringLiteral("on the surface as it was seen in 3D (depth within 0.1 mm)")),
            qPrintable(detail()));
   const double hard = *w.measured(w.last())->plusMinus;
-  w.makeFog();  // a place in it is about as sharp as half of the light goes deep
+  w.makeFog();  // a point in fog is about as uncertain as the depth at which half of the light is left
   w.drawLength(from, to);
   QCOMPARE(w.all().size(), std::size_t(2));
   QVERIFY(*w.last().shape.softMm > 2);

@@ -1,5 +1,5 @@
-// Guards what was measured in 3D once it is there: which points are moved there and which are not, what is
-// selected, where it is drawn and what it says.
+// Guards measurements in 3D after drawing: which points can be moved there, what is selected, where it is
+// drawn and what its text says.
 #include <functional>
 
 #include "tests/ui/surface_window.h"
@@ -17,7 +17,7 @@ LoadedSeriesPtr inFrame(const LoadedSeriesPtr& series, const char* frame) {
   return there;
 }
 
-// Of which nobody knows how large its voxels are.
+// Returns a series without a known voxel size.
 LoadedSeriesPtr uncalibratedSeries() {
   VolumeParts parts;
   parts.geometry.size = glm::ivec3(8);
@@ -59,7 +59,7 @@ void TestSurfacePoints::aPointIsDraggedOverTheSurface() {
   QCOMPARE(w.session().undoStack().index(), steps + 1);
   w.undo();
   QVERIFY(w.session().workspace() == before);
-  // Beyond the edge of what is seen it stays where it was on it.
+  // Beyond the edge of the visible surface, the point keeps its last position on it.
   QTest::mousePress(w.scene(), Qt::LeftButton, {}, end.toPoint());
   QTest::mouseEvent(QTest::MouseMove, w.scene(), Qt::LeftButton, {}, w.pixelOf({17, -12, 17}).toPoint());
   QVERIFY(w.last() == before.measurements[0]);
@@ -97,7 +97,7 @@ void TestSurfacePoints::whatWasNotPickedThereIsNotMoved_data() {
   QTest::newRow("the surface is elsewhere by now") << Draw([](SurfaceWindow& w) {
     w.drawLength(w.pixelOf({-6, -10, 3}), w.pixelOf({7, -9, -2}));
     w.session().edit(QStringLiteral("deeper"), [](Scene& s) {
-      for (CurvePoint& p : s.transferFunction.points) p.value = 900;  // 4 mm
+      for (CurvePoint& p : s.transferFunction.points) p.value = 900;  // moves the surface by 4 mm
     });
   });
   QTest::newRow("a projection") << Draw([](SurfaceWindow& w) {
@@ -106,7 +106,7 @@ void TestSurfacePoints::whatWasNotPickedThereIsNotMoved_data() {
   });
 }
 
-// A drag from its end turns the camera, as from anywhere else.
+// A drag from such an end turns the camera, as from anywhere else.
 void TestSurfacePoints::whatWasNotPickedThereIsNotMoved() {
   QFETCH(std::function<void(SurfaceWindow&)>, draw);
   SurfaceWindow w;
@@ -122,7 +122,7 @@ void TestSurfacePoints::whatWasNotPickedThereIsNotMoved() {
   QVERIFY(w.scene()->camera() != camera);
 }
 
-// From the left the first end is behind the ball.
+// Seen from the left, the first end is behind the ball.
 void TestSurfacePoints::theEndThatIsSeenIsMovedAlone() {
   SurfaceWindow w;
   w.drawLength(w.pixelOf({-9, -6, 3}), w.pixelOf({9, -6, -2}));
@@ -138,7 +138,7 @@ void TestSurfacePoints::theEndThatIsSeenIsMovedAlone() {
   QVERIFY(w.last().shape.points[0] == before.shape.points[0]);
 }
 
-// In fog a line of sight through the middle is softer than one nearer to the edge.
+// In fog, a line of sight through the middle is more uncertain than one nearer to the edge.
 void TestSurfacePoints::softnessIsThatOfWherePointsLie() {
   SurfaceWindow w;
   w.makeFog();
@@ -151,7 +151,7 @@ void TestSurfacePoints::softnessIsThatOfWherePointsLie() {
   };
   QTest::mousePress(w.scene(), Qt::LeftButton, {}, end.toPoint());
   QVERIFY(move(w.pixelOf({1, 0, 0})) > before + 1);
-  // Where it was it is as soft as it was, to the fine steps in which places are looked for.
+  // At its old position the uncertainty is the same, within the fine steps of picking.
   QVERIFY(std::abs(move(end) - before) < 0.1);
   QTest::mouseRelease(w.scene(), Qt::LeftButton, {}, end.toPoint());
 }
@@ -229,7 +229,7 @@ void TestSurfacePoints::itIsDrawnWhereItIsSeen_data() {
       [](SurfaceWindow& w) { renameMeasurement(w.session(), w.last().id, QStringLiteral("a lesion")); });
 }
 
-// However often the pointer asked for it before.
+// The drawing is right however often the pointer asked for it before.
 void TestSurfacePoints::itIsDrawnWhereItIsSeen() {
   QFETCH(std::function<void(SurfaceWindow&)>, act);
   SurfaceWindow w;

@@ -1,6 +1,6 @@
-// Guards resources/docs/tasks.md: each task of a first hour is done by a journey of real events in as many
-// steps as the page says, none takes more than the best of the other programs and one, and each row has its
-// journey.
+// Guards resources/docs/tasks.md. A workflow of real events does each task of a first hour in the number of
+// steps on that page. No task takes more than one step beyond the best other program, and each row has its
+// workflow.
 #include <QFile>
 #include <QRegularExpression>
 
@@ -17,10 +17,10 @@ struct Row {
   int number;
   QString name;
   int here;
-  std::optional<int> best;  // of the others; none: none of them is known to do it
+  std::optional<int> best;  // of other programs; empty if none is known to do it
 };
 
-// The number that a cell begins with, of several the least; none: it says "?", "no".
+// Returns the number at the start of a cell; empty for "?" or "no".
 std::optional<int> stepsIn(const QString& cell) {
   static const QRegularExpression number(QStringLiteral("^(?:>=)?(\\d+)"));
   const QRegularExpressionMatch found = number.match(cell);
@@ -34,7 +34,7 @@ std::vector<Row> rowsOfThePage() {
   for (const QString& line : QString::fromUtf8(page.readAll()).split(QLatin1Char('\n'))) {
     QStringList cells = line.split(QLatin1Char('|'));
     for (QString& cell : cells) cell = cell.trimmed();
-    if (cells.size() != 9 || !stepsIn(cells[1])) continue;  // no row of the table
+    if (cells.size() != 9 || !stepsIn(cells[1])) continue;  // not a row of the table
     Row row{*stepsIn(cells[1]), cells[2], stepsIn(cells[3]).value_or(-1), {}};
     for (qsizetype n = 4; n < 8; ++n)
       if (const std::optional<int> steps = stepsIn(cells[n]))

@@ -1,5 +1,5 @@
-// Guards how the steps in time of a view are loaded: the next ones ahead, where there is room; the picture
-// stays until the next is there, and goes where that does not come.
+// Guards loading of time points. The next ones are loaded ahead if there is memory. The picture stays until
+// the next is there, and disappears if that does not come.
 #include <QLabel>
 #include <QTemporaryDir>
 
@@ -13,13 +13,13 @@ using namespace volumen::tests;
 
 namespace {
 
-// The grey of the middle, where the volume is.
+// Returns the grey in the middle, inside the volume.
 int middleOf(FlatView* view) {
   const QImage seen = view->grab().toImage();
   return qGray(seen.pixel(seen.width() / 2 + 9, seen.height() / 2 + 9));
 }
 
-// A window whose second step is no longer in memory, though it was; nothing is loaded any more.
+// A window whose second time point was removed from memory. Nothing is loaded any more.
 struct StepAwaited : Perfusion {
   using Perfusion::Perfusion;
   LoadedSeriesPtr second;
@@ -103,7 +103,7 @@ void TestTimePointLoading::bothNeighboursAreLoadedAhead() {
   };
   QTRY_VERIFY_WITH_TIMEOUT(isHeld(1), longest);
   QVERIFY(!isHeld(2));
-  // From the first to the last, past two that nobody has asked for.
+  // Goes from the first to the last, past two that were never requested.
   w.slider()->setValue(3);
   QVERIFY(w.shows(400));
   QTRY_VERIFY_WITH_TIMEOUT(isHeld(2), longest);
@@ -122,7 +122,7 @@ void TestTimePointLoading::theLastPictureStaysUntilTheNextIsThere() {
   QVERIFY(!w.mark()->isVisible());
 }
 
-// What will not come is not awaited under its name.
+// If a time point does not come, the old picture is not left under its name.
 void TestTimePointLoading::whatDoesNotComeLeavesNoOldPicture() {
   StepAwaited w(path_);
   QVERIFY(w.wait());

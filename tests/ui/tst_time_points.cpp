@@ -1,5 +1,5 @@
-// Guards the steps in time of a view: slider, keys and clip go through the volumes of one file, and nothing
-// but the volume changes. Real events on a file of several volumes.
+// Guards the time points of a view. Slider, keys and cine go through the volumes of one file, and only the
+// volume changes. Real events on a file of several volumes.
 #include <QAbstractButton>
 #include <QContextMenuEvent>
 #include <QMenu>
@@ -123,7 +123,7 @@ void TestTimePoints::itRunsOnWhileSomethingElseIsChanged() {
   QCOMPARE(w.session().undoStack().undoText(), changed);
 }
 
-// Neither drawn nor moved from one to the next; playing ends where something is drawn.
+// The measurement is neither drawn nor moved in other time points. Playback ends when something is drawn.
 void TestTimePoints::whatIsMeasuredIn3dIsOfOneStep() {
   Perfusion w(path_);
   QVERIFY(w.opened());
@@ -135,7 +135,7 @@ void TestTimePoints::whatIsMeasuredIn3dIsOfOneStep() {
   w.session().setFocus(sceneViewId);
   const QPoint middle = scene->rect().center(), beside = middle + QPoint(20, 5);
   const auto click = [&](QPoint at) { QTest::mouseClick(scene, Qt::LeftButton, {}, at); };
-  // To another step that is in memory.
+  // Goes to another time point that is in memory.
   const auto step = [&] {
     const int next = (w.slider()->value() + 1) % 2;
     const auto isHeld = [&] {
@@ -168,7 +168,7 @@ void TestTimePoints::whatIsMeasuredIn3dIsOfOneStep() {
   QVERIFY(w.workspace().measurements[0] == made);
 }
 
-// One row says how many there are, whichever is shown; what is listed elsewhere follows.
+// One row shows the number of time points, whichever is on screen. Other lists follow.
 void TestTimePoints::theListHasOneRow() {
   Perfusion w(path_);
   QVERIFY(w.opened());
@@ -187,7 +187,7 @@ void TestTimePoints::theListHasOneRow() {
   QVERIFY(w.shows(300));
   const SeriesKey third = w.workspace().view(axialViewId).series;
   QVERIFY(row->font(0).bold());
-  // Dragged it is the one that is shown, in another view.
+  // A dragged row shows the current time point in another view.
   const std::unique_ptr<QMimeData> dragged(
       tree->model()->mimeData(tree->selectionModel()->selectedIndexes()));
   QVERIFY(dragged);
@@ -197,11 +197,11 @@ void TestTimePoints::theListHasOneRow() {
   QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(row).center());
   QVERIFY(w.workspace().view(axialViewId).series == third);
   QCOMPARE(w.session().undoStack().index(), steps);
-  // Another series lies over all of them, or none; they do not lie over each other.
+  // Another series overlays all of them or none. They do not overlay each other.
   QMenu* overlays = w.child<QMenu>("overlayMenu");
   Q_EMIT overlays->aboutToShow();
   QCOMPARE(overlays->actions().size(), 1);
-  // All are gone together.
+  // All are closed together.
   const QPoint at = tree->visualItemRect(row).center();
   QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree->viewport()->mapToGlobal(at));
   QCoreApplication::sendEvent(tree->viewport(), &event);

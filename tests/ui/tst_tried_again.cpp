@@ -1,5 +1,5 @@
-// Guards what could not be read for a moment, as where a disk was away: frames, numbers on them and regions
-// come once it can be read again.
+// Guards files that could not be read for a moment, as if a disk was offline. Frames, numbers on them and
+// regions appear once the files can be read again.
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -22,7 +22,7 @@ class TestTriedAgain : public QObject {
 
 namespace {
 
-// A file that can be away.
+// A file that can be moved away.
 struct Away {
   QTemporaryDir folder;
   QString path = folder.filePath(QStringLiteral("a.dcm"));

@@ -1,6 +1,7 @@
-// Guards where pixels of pictures as acquired appear, whatever was done before: hung by protocols, scrolled,
-// played, turned and mirrored, by presentation states, measured, undone, saved in sessions and opened again,
-// by real events in sequences by chance, against a twin from the documents (turned_frames.h).
+// Guards where pixels of projection images and frames appear, whatever was done before: hung by protocols,
+// scrolled, played, turned and mirrored. Also after presentation states, measuring, undo, and sessions saved
+// and reopened.
+// Random sequences of real events are compared with a reference model from the documents (turned_frames.h).
 // VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S: N sequences, from S on.
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/clean_settings.h"

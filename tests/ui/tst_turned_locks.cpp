@@ -1,7 +1,7 @@
-// Guards where views of series in different frames of reference are, whatever was done before: scrolled, the
-// crosshair moved, locked here, unlocked, scrolling each for itself, undone and in sessions, by real events
-// in sequences by chance, against a twin from window.md ("Link views"). VOLUMEN_RANDOM_CASES=N,
-// VOLUMEN_RANDOM_SEED=S: N sequences, from S on.
+// Guards the positions of views of series in different frames of reference after scrolling, moving the
+// crosshair, locking, unlocking, unlinked scrolling, undo and sessions.
+// Random sequences of real events are compared with a reference model from window.md ("Link views").
+// VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S: N sequences, from S on.
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
@@ -51,9 +51,9 @@ class TurnedLocks : public Journey {
  public:
   explicit TurnedLocks(std::uint64_t seed);
 
-  /// One thing by chance; empty: nothing could be done.
+  /// Does one random act. Returns an empty text if nothing could be done.
   QString act();
-  /// What is not as the twin has it; empty: all is.
+  /// Returns a difference from the reference model; empty if there is none.
   QString wrong();
   QString wrongUndone();
   QString wrongInSession();
@@ -87,7 +87,7 @@ class TurnedLocks : public Journey {
   std::map<int, Known> known_;
   int first_ = 0, focus_ = 0;
   QString detail_;
-  QString fault_;  // in what was done itself; it stays
+  QString fault_;  // in an act itself; it stays
 };
 
 TurnedLocks::TurnedLocks(std::uint64_t seed) : Journey({}, withoutPictures3d()), chance_(seed) {
@@ -138,7 +138,7 @@ QString TurnedLocks::act() {
   if (!(this->*act->act)()) return {};
   session().endGesture();
   QCoreApplication::processEvents();
-  focus_ = workspace().focus - firstComparedId;  // undo may take it elsewhere
+  focus_ = workspace().focus - firstComparedId;  // undo may move it
   const bool isStep = act->act != &TurnedLocks::undoes && act->act != &TurnedLocks::redoes;
   if (isStep && session().undoStack().index() != before) remember();
   return QStringLiteral("%1 in view %2 %3").arg(QLatin1String(act->name)).arg(focus_).arg(detail_).trimmed();
@@ -160,7 +160,7 @@ bool TurnedLocks::scrolls() {
   return true;
 }
 
-// With Shift held the pointer takes it along; where a place is in a view is proved by TestTurnedViews.
+// With Shift held, the crosshair follows the pointer. TestTurnedViews proves where a position is in a view.
 bool TurnedLocks::movesCrosshair() {
   SliceView* const on = view(focus_);
   const QPointF to(std::floor(on->width() * chance_.between(0.3, 0.7)),
@@ -178,7 +178,7 @@ bool TurnedLocks::movesCrosshair() {
   return true;
 }
 
-// Links scrolling, too. While views scroll each for itself, what is locked already is left alone here.
+// Locking links scrolling, too. Frames that are already locked stay untouched while views scroll unlinked.
 bool TurnedLocks::locks() {
   const bool can = twin_.isAny(focus_, false);
   if (child<QAction>("lockHere")->isEnabled() != can)
@@ -193,7 +193,7 @@ bool TurnedLocks::locks() {
   return true;
 }
 
-// Of the frames of reference on screen.
+// Unlocks the frames of reference on screen.
 bool TurnedLocks::unlocks() {
   const bool can = twin_.isAny(focus_, true);
   if (child<QAction>("unlock")->isEnabled() != can)
@@ -217,7 +217,7 @@ bool TurnedLocks::links() {
 
 bool TurnedLocks::choosesLayout() {
   const bool isTwo = twin_.shown == lockViews;
-  if (focus_ > 1) return false;  // it would be elsewhere
+  if (focus_ > 1) return false;  // the focus would move
   press(isTwo ? "layoutTwo" : "layoutFour");
   twin_.shown = isTwo ? 2 : lockViews;
   detail_ = QString::number(twin_.shown);
@@ -239,7 +239,8 @@ QString TurnedLocks::wrong() {
   return {};
 }
 
-// Within 1/1000000 mm. What the corner says is rounded to mm; along which way of the axis is its own.
+// Positions agree within 1/1000000 mm. The corner text is rounded to mm and has its own direction along the
+// axis.
 QString TurnedLocks::wrongIn(int n) {
   const int axis = kind(n).axis;
   const double is = view(n)->plane()->centre[axis], expected = twin_.place(n)[axis];

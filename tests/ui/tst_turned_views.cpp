@@ -1,7 +1,8 @@
-// Guards where positions of the patient appear in views of slices, whatever was done before: pictures turned
-// and mirrored, planes turned, linked views, fusion, time points, slabs, measurements, undo, sessions and
-// keys that move the focus, by real events in sequences by chance, against a twin from the documents
-// (turned_twin.h). VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S: N sequences, from S on.
+// Guards where patient positions appear in views of slices, whatever was done before: pictures turned and
+// mirrored, planes turned, linked views, fusion, time points, slabs. Also after measurements, undo, sessions
+// and keys that move the focus.
+// Random sequences of real events are compared with a reference model from the documents (turned_twin.h).
+// VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S: N sequences, from S on.
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/turned_run.h"

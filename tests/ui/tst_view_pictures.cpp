@@ -1,5 +1,5 @@
-// Guards that a picture is what is seen: Ctrl+C and Ctrl+E give the view in focus as it is on screen,
-// whatever it shows, Ctrl+Shift+C all views beside each other; only what is there to be used stays out.
+// Guards that a copied picture is what is on screen. Ctrl+C and Ctrl+E give the view in focus, whatever it
+// shows, and Ctrl+Shift+C all views side by side. Only controls are left out.
 #include <QClipboard>
 #include <QPainter>
 #include <QTemporaryDir>
@@ -13,7 +13,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// Bars at the right and at the bottom, which scroll and play.
+// The scroll bar on the right and the cine bar at the bottom.
 constexpr int barPixels = 6, timeBarPixels = 20;
 
 QImage copied(Journey& w, Qt::KeyboardModifiers keys = Qt::ControlModifier) {
@@ -24,7 +24,7 @@ QImage copied(Journey& w, Qt::KeyboardModifiers keys = Qt::ControlModifier) {
 
 QImage onScreen(QWidget* widget) { return widget->grab().toImage().convertToFormat(QImage::Format_RGB32); }
 
-// Without bars and the frame of the focus.
+// Returns the picture without bars and the frame of the focus.
 QImage inner(const QImage& image, int bottom = 2) {
   return image.copy(QRect(2, 2, image.width() - 2 - barPixels, image.height() - 2 - bottom));
 }
@@ -64,7 +64,7 @@ void TestViewPictures::aSliceIsCopiedWithWhatIsMeasuredInIt() {
   const QImage after = copied(w);
   QTRY_COMPARE_WITH_TIMEOUT(inner(onScreen(w.view())), inner(after), longest);
   QVERIFY(after != before && hasColours(after));
-  QCOMPARE(w.session().undoStack().count(), steps + 1);  // the length alone
+  QCOMPARE(w.session().undoStack().count(), steps + 1);  // only the length is an undo step
 }
 
 void TestViewPictures::aFrameIsCopiedAsItIsSeen() {
@@ -81,11 +81,11 @@ void TestViewPictures::a3DPictureIsCopiedAsItIsSeen() {
   Journey w;
   w.window.session().show(ballSeries());
   QVERIFY(w.settle());
-  QTRY_VERIFY_WITH_TIMEOUT(w.window.view()->hasItsPicture(), longest);  // its room may still change
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.view()->hasItsPicture(), longest);  // its size may still change
   QCOMPARE(inner(copied(w)), inner(onScreen(w.window.view())));
 }
 
-// Letters of the view that was turned to never stand over the picture of the one before.
+// Letters of a new view direction never stand over the previous picture.
 void TestViewPictures::textsIn3DAreOfThePictureUnderThem() {
   Journey w;
   w.window.session().show(ballSeries(32, 10, {8, 0, 0}));
@@ -143,7 +143,7 @@ void TestViewPictures::hiddenNamesStayHidden() {
   QCOMPARE(copied(w), named);
 }
 
-// What is scrolled to while a place is chosen does not count.
+// Slices scrolled to while the file dialog is open do not count.
 void TestViewPictures::itIsSavedAsItWasAskedFor() {
   const QTemporaryDir folder;
   MeasureWindow w;

@@ -103,14 +103,14 @@ void TestVolumeView::orbitKeepsThePivot() {
 }
 
 void TestVolumeView::orbitFollowsTheHand() {
-  // What lies in front of the pivot moves right and down with positive angles.
+  // With positive angles, points in front of the pivot move right and down.
   Camera camera = someCamera(Projection::parallel);
   camera.direction = {0, 1, 0};
   const glm::dvec3 pivot = *camera.target, front = pivot - glm::dvec3(0, 20, 0);
   const glm::dvec2 before = seenAt(camera, size, front);
   QVERIFY(seenAt(orbited(camera, pivot, 0.1, 0), size, front).x > before.x);
   QVERIFY(seenAt(orbited(camera, pivot, 0, 0.1), size, front).y > before.y);
-  // A turntable: the patient's z axis stays upright.
+  // As on a turntable, the patient's z axis stays upright.
   const CameraAxes axes = cameraAxes(orbited(camera, pivot, 1.1, 0.4));
   QVERIFY(std::abs(axes.right.z) < 1e-9);
 }
@@ -203,7 +203,7 @@ void TestVolumeView::pickFindsTheSurface() {
   const SightLine line{{2, -500, 0}, {0, 1, 0}};
   const auto hit = pick(series->firstScene, *series->volume, line, true);
   QVERIFY(hit.has_value());
-  // The curve begins at 400 of 1000, in the cell that holds the surface: within a voxel.
+  // The curve begins at 400 of 1000, in the cell that holds the surface, so it is within a voxel.
   QVERIFY(std::abs(hit->pPatient->y + 10) < 1);
   QVERIFY(std::abs(valueAtVoxel(*series->volume, {15.5 + 2, 15.5, 15.5}) - 1000) < 1e-9);
   QVERIFY(!pick(series->firstScene, *series->volume, {{14, -500, 14}, {0, 1, 0}}, true));
@@ -313,7 +313,7 @@ void TestVolumeView::zoomCountsFromTheFittedView() {
   QCOMPARE(view.zoom(), 1.0);
   tests::drag(&view, {200, 150}, {330, 190});
   QCOMPARE(view.zoom(), 1.0);
-  view.resize(400, 250);  // a banner came
+  view.resize(400, 250);  // a banner appeared
   QCOMPARE(view.zoom(), 1.0);
   wheel(2);
   const double enlarged = std::pow(0.85, -2);
@@ -341,7 +341,7 @@ void TestVolumeView::thePictureIsShownPixelByPixel() {
   shown.view.setPicture(image, QStringLiteral("standard"));
   const QImage seen = shown.view.grab().toImage().convertToFormat(QImage::Format_RGB32);
   QCOMPARE(seen.size(), image.size());
-  // Away from what is written over it.
+  // Compares away from overlay texts.
   for (int y = 90; y < 140; ++y)
     for (int x = 60; x < 340; ++x) QCOMPARE(seen.pixel(x, y), image.pixel(x, y));
 }

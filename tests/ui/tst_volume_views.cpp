@@ -1,4 +1,4 @@
-// Guards design.md 11: several 3D views, each with a scene of its own, over one set of voxels.
+// Guards design.md 11: several 3D views, each with its own scene, share one set of voxels.
 #include <QMenu>
 #include <set>
 
@@ -15,9 +15,9 @@ namespace {
 
 constexpr ViewId leftView = firstComparedId, rightView = firstComparedId + 1;
 
-// Two views beside each other, by the views' own menus both 3D, of one series.
+// Two 3D views of one series side by side, chosen in the views' own menus.
 struct TwoVolumes {
-  std::vector<std::weak_ptr<StoredVoxels>> made;  // of the render thread until it waits
+  std::vector<std::weak_ptr<StoredVoxels>> made;  // written by the render thread until it waits
   Journey w{{}, services()};
 
   Services services() {
@@ -35,7 +35,7 @@ struct TwoVolumes {
     return QTest::qWaitFor([&] { return volume(id) && volume(id)->picture().size() == volume(id)->pixels(); },
                            longest);
   }
-  // By a right click into it.
+  // Chooses an entry of its context menu.
   bool choose(ViewId id, const char* action) {
     const char* name = volume(id) ? "volumeMenu" : "flatMenu";
     QTest::mouseClick(view(id), Qt::RightButton, {}, {90, 90});
@@ -58,7 +58,7 @@ struct TwoVolumes {
     return choose(leftView, "show3D") && isDrawn(leftView) && choose(rightView, "show3D") &&
            isDrawn(rightView);
   }
-  /// Both are as wide as each other: of an odd number of pixels one has one more.
+  /// Waits until both views have the same width. With an odd number of pixels one is wider.
   bool open() {
     if (!shown()) return false;
     const auto isEven = [this] { return volume(leftView)->width() == volume(rightView)->width(); };
@@ -104,18 +104,17 @@ void TestVolumeViews::eachHasItsOwnScene() {
   QVERIFY(t.open());
   const Scene before = t.session().sceneOf(rightView), other = t.session().sceneOf(leftView);
   QVERIFY2(before == other, "the second begins as the one that the panels work on");
-  // What the window system does to new views may ask for pictures once more: until both are at rest, and
-  // alike.
+  // The window system may cause further requests for new views. Waits until both are at rest and equal.
   QTRY_VERIFY_WITH_TIMEOUT(t.volume(leftView)->picture() == t.volume(rightView)->picture(), longest);
   drag(t.volume(leftView), {60, 60}, {110, 80});
   QVERIFY(t.session().sceneOf(leftView) != other);
   QVERIFY(t.session().sceneOf(rightView) == before);
   QCOMPARE(t.session().workspace().focus, leftView);
-  // By key and from the menu bar, in the view in focus alone.
+  // Keys and the menu bar act only on the view in focus.
   QVERIFY(!t.w.after("viewLeft").isNull());
   QVERIFY(t.session().sceneOf(rightView) == before);
   QVERIFY(t.volume(rightView)->picture() != t.volume(leftView)->picture());
-  // Undone although the other one is in focus: it is drawn all the same.
+  // Undo redraws the view even if the other one is in focus.
   const QImage turned = t.volume(leftView)->picture();
   t.session().setFocus(rightView);
   t.w.child<QAction>("undo")->trigger();
@@ -167,14 +166,14 @@ void TestVolumeViews::whatIsCutGoesFromAll() {
     QTest::mouseRelease(t.volume(rightView), Qt::LeftButton, {}, centre - QPoint(25, 25));
   });
   QVERIFY(!cut.isNull());
-  // A picture of before may have come to rest in between.
+  // A picture of the previous volume may have come to rest in between.
   const auto isCut = [&] {
     return t.session().seriesOf(rightView) && t.session().seriesOf(rightView)->volume != before;
   };
   QVERIFY(QTest::qWaitFor(isCut, longest));
   const VolumePtr after = t.session().seriesOf(rightView)->volume;
   QCOMPARE(t.session().seriesOf(leftView)->volume, after);
-  // Both look the same at last: one scene, one volume, one size.
+  // In the end both look the same: one scene, one volume, one size.
   QTRY_VERIFY_WITH_TIMEOUT(t.volume(leftView)->picture() == t.volume(rightView)->picture(), longest);
   t.w.shot("two-volumes-cut");
 }

@@ -1,6 +1,6 @@
-// Guards what identifies that which leaves the program: a table of all that does, and of what it says of
-// patient, study, series, sides, scale and quality; where it says nothing of one of these, why. Of pictures a
-// field is said where they differ once that alone differs.
+// Guards the identification of exports. A table lists all of them and what each states of patient, study,
+// series, sides, scale and quality, or why it does not. A picture states a field if it differs when only that
+// field differs.
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDirIterator>
@@ -23,13 +23,13 @@ using namespace volumen::tests;
 
 namespace {
 
-// What was made, once it left.
+// The exported result.
 struct Left {
   QString text;
   QList<QImage> pictures;
 };
 
-// Of its files.
+// Returns the result in the files.
 Left leftIn(const QString& path) {
   Left left;
   QStringList files{path};
@@ -54,7 +54,7 @@ Left leftIn(const QString& path) {
   return left;
 }
 
-// A head of these tags in planes, with a length, a key image and a segment.
+// A head with these tags in planes, with a length, a key image and a segment.
 struct LeavingWindow : SegmentWindow {
   QTemporaryDir folder;
 
@@ -90,7 +90,7 @@ struct LeavingWindow : SegmentWindow {
     child<QAction>("keyImagePages")->trigger();
     return window.findChild<PagesDialog*>();
   }
-  // To the file of a name, by the dialog that asks for it.
+  // Saves to a file name by the dialog that asks for it.
   void saveTo(const char* dialog, const QString& name) { answer(*this, dialog, at(name)); }
   void print(ViewId view, const QString& name) {
     session().setFocus(view);
@@ -102,13 +102,13 @@ struct LeavingWindow : SegmentWindow {
   }
 };
 
-// One thing that leaves: how it is made in a window, as files of this name or folder.
+// One export: how it is made in a window, and the name of its file or folder.
 struct Thing {
   const char* name;
   const char* file;
   void (*make)(LeavingWindow& w, const QString& file);
-  const char* says;  // which fields
-  const char* why;   // none of the others
+  const char* says;  // stated fields
+  const char* why;   // reason that the others are not stated
   bool isPicture = true;
 };
 
@@ -257,7 +257,7 @@ DicomSeriesTags knownTags() {
   return tags;
 }
 
-// How a field's value stands in texts.
+// Returns the spellings of a field's value in texts.
 QStringList spellings(const QString& field) {
   static const std::map<QString, QStringList> all{
       {QStringLiteral("patient"), {QStringLiteral("Doe, Jane"), QStringLiteral("Doe^Jane")}},
@@ -265,13 +265,13 @@ QStringList spellings(const QString& field) {
       {QStringLiteral("date"), {QStringLiteral("2026-03-14"), QStringLiteral("20260314")}},
       {QStringLiteral("number"), {QStringLiteral("73165")}},
       {QStringLiteral("description"), {QStringLiteral("Thorax")}},
-      {QStringLiteral("level"), {QStringLiteral("PSNR")}},  // as promised
+      {QStringLiteral("level"), {QStringLiteral("PSNR")}},  // the promised value
       {QStringLiteral("clinical"), {QStringLiteral("Not for clinical use")}}};
   const auto of = all.find(field);
   return of == all.end() ? QStringList() : of->second;
 }
 
-// Those whose value differs from knownTags().
+// Returns tags in which this field differs from knownTags().
 DicomSeriesTags otherTags(const QString& field) {
   DicomSeriesTags tags = knownTags();
   if (field == QStringLiteral("patient")) tags.patientName = "Roe^John";
@@ -282,7 +282,7 @@ DicomSeriesTags otherTags(const QString& field) {
   return tags;
 }
 
-// All things of a window that shows a series of these tags; of other ones pictures alone.
+// Makes all exports of a window that shows a series with these tags, or only the pictures if not `withFiles`.
 std::map<QString, Left> allOf(const DicomSeriesTags& tags, bool withFiles) {
   std::map<QString, Left> all;
   const QTemporaryDir data;
@@ -331,8 +331,8 @@ int brightIn(const QImage& image, QRect part) {
   return count;
 }
 
-// A letter at the left edge, about the middle of the picture, which of several views is the first one, and of
-// a sheet lies below a head.
+// Returns whether a letter is at the left edge, about the middle of the picture. Of several views the first
+// counts, and a contact sheet has a header above.
 bool hasLetter(const QString& thing, const QImage& image) {
   const double at = thing == QStringLiteral("all views")       ? 0.25
                     : thing == QStringLiteral("contact sheet") ? 0.6
@@ -341,7 +341,7 @@ bool hasLetter(const QString& thing, const QImage& image) {
   return brightIn(image, {0, int(at * image.height()) - reach, image.width() / 12, 2 * reach}) > 5;
 }
 
-// A line near the bottom.
+// Returns whether a line is near the bottom.
 bool hasScale(const QImage& image) {
   for (int y = image.height() * 85 / 100; y < image.height(); ++y)
     for (int x = 0, run = 0; x < image.width(); ++x) {

@@ -1,5 +1,5 @@
-// Guards that a view may have a window alone: one series stands beside itself by two windows, and all that
-// sets a window sets that of the view. Real events.
+// Guards that a view may have a window alone. One series is shown side by side in two windows, and everything
+// that sets a window sets that of the view. Real events.
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -31,7 +31,7 @@ struct AloneWindow : TwoSeries {
   std::optional<Window> ofSeries(ViewId id) {
     return workspace().series.at(workspace().view(id).series).window;
   }
-  // The grey of the air beside the ball as it is on screen.
+  // Returns the grey of the air beside the ball on screen.
   int air(ViewId id) {
     const SlicePlane now = plane(id);
     const glm::dvec2 p = now.pixelFromPatient(now.centre + 13.0 * now.right);
@@ -39,7 +39,7 @@ struct AloneWindow : TwoSeries {
   }
 };
 
-// LINEAR of DICOM (PS3.3 C.11.2.1.2.1), of 255.
+// Returns LINEAR of DICOM (PS3.3 C.11.2.1.2.1), /255.
 double linearGrey(double value, Window window) {
   return 255 * std::clamp((value - (window.centre - 0.5)) / (window.width - 1) + 0.5, 0.0, 1.0);
 }
@@ -63,7 +63,7 @@ class TestWindowAlone : public QObject {
   void coloursHaveNone();
 };
 
-// The bound is one step of grey, for rounding.
+// The bound is one grey level, for rounding.
 void TestWindowAlone::oneSeriesIsSeenByTwoWindows() {
   AloneWindow w;
   QVERIFY(w.child<QAction>("windowAlone")->isChecked());
@@ -143,7 +143,7 @@ void TestWindowAlone::allThatSetsAWindowSetsThatOfTheView() {
   QVERIFY(w.workspace() == before);
 }
 
-// Dragged, then typed; from 0 to 1000 at first. Colours are those of the series in both views.
+// The window starts at 0 to 1000, and is dragged, then typed. Colours are those of the series in both views.
 void TestWindowAlone::aColourBarSetsThatOfTheView() {
   AloneWindow w;
   w.session().change(QStringLiteral("test"), [&](Workspace& all) {
@@ -188,7 +188,7 @@ void TestWindowAlone::withoutItTheViewHasThatOfTheSeries() {
   QVERIFY(w.workspace() == before && entry->isChecked());
 }
 
-// What is copied of a view, beside the ball. The bound is one step of grey, for rounding.
+// Compares a view's copied picture beside the ball. The bound is one grey level, for rounding.
 void TestWindowAlone::picturesHaveIt() {
   AloneWindow w;
   QTest::keyClick(w.view(left), Qt::Key_6);
@@ -230,7 +230,7 @@ void TestWindowAlone::itIsKeptInTheSession() {
   QVERIFY(!flatLookOf(back->workspace.view(right)).windowAlone);
 }
 
-// The one at the left by the window alone, the one at the right by that of the series as it is then.
+// The left image has the view's own window, the right one the series window at that time.
 void TestWindowAlone::keyImagesAreOfTheWindowTheyWereMarkedBy() {
   auto ball = std::make_shared<LoadedSeries>(*ballIn("A"));
   for (int n = 0; n < 32; ++n) {
@@ -260,7 +260,7 @@ void TestWindowAlone::keyImagesAreOfTheWindowTheyWereMarkedBy() {
   });
   QVERIFY2(back, back ? "" : back.message().c_str());
   QVERIFY(back->workspace.keyImages == w.workspace().keyImages);
-  // By another window it is the same picture.
+  // It is the same key image in another window.
   w.session().setFocus(left);
   QTest::keyClick(w.view(left), Qt::Key_5);
   w.press("keyImage");
@@ -313,11 +313,11 @@ void TestWindowAlone::coloursHaveNone() {
   auto* menu = w.child<QMenu>("windowMenu");
   Q_EMIT menu->aboutToShow();
   QVERIFY(menu->actions().front()->text().startsWith(QStringLiteral("Colours are shown as they are")));
-  // A session may give them one: nothing is said of it.
+  // A session may give colours a window alone, which is not mentioned.
   w.session().change(QStringLiteral("test"), withWindowAlone(w.workspace(), axialViewId, true));
   QVERIFY(w.look().windowAlone);
   QCOMPARE(w.view()->overlays().bottomRight, QString());
-  // Greys that come in their place have one.
+  // Grey frames that replace them have a window.
   w.window.open({dataFile("cr-hip-mono2-jpeg12.dcm")});
   QTRY_VERIFY_WITH_TIMEOUT(w.view()->windowShown() && action->isEnabled(), longest);
   w.child<QAction>("undo")->trigger();

@@ -1,5 +1,5 @@
-// Guards that windows are chosen by name: at a right click, in the View menu and in the tool bar, with the
-// digits that choose them; the name of a tissue's window stands in the corner while it holds.
+// Guards that windows are chosen by name in the context menu, in the View menu and in the tool bar, with
+// their digits. The name of a tissue's window stands in the corner while it applies.
 #include <QMenu>
 #include <QToolButton>
 
@@ -71,7 +71,7 @@ void TestWindowChoices::theMenuSaysWhichIsChosen() {
   QVERIFY(flatLookOf(w.view()->state()).inverted);
 }
 
-// A radiograph is shown by the window of its file, which is what is automatic.
+// A radiograph has the window of its file, which is the automatic one.
 void TestWindowChoices::ofTheSameWindowsOneHasTheMark() {
   NEED_FILES();
   Frames w({"cr-hip-mono2-jpeg12.dcm"});

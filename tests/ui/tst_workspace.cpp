@@ -1,5 +1,5 @@
-// Guards the document: views keep what was made of each series, every change is a step that can be undone,
-// and series in memory go when there is no room.
+// Guards the document: views keep their state of each series, every change is an undo step, and series leave
+// memory if there is no space.
 #include <QSignalSpy>
 #include <QTest>
 #include <random>
@@ -217,7 +217,7 @@ void TestWorkspace::whatPlaysOnBelongsToTheStepBefore() {
   session.undoStack().redo();
   session.undoStack().redo();
   QVERIFY(session.workspace() == last);
-  // Back where it began nothing is left of it, and the step before keeps out of it.
+  // Back at its start, the step disappears, and the previous step is unaffected.
   session.undoStack().undo();
   session.undoStack().undo();
   play(0.1);
@@ -290,7 +290,7 @@ void TestWorkspace::closingIsAStep() {
   QCOMPARE(empty.unlisted->series.size(), std::size_t(2));
   empty.unlisted = {};
   QVERIFY(empty == Workspace());
-  // What is shown next is a step, or undo would bring the first ones back in its place.
+  // The next shown series is an undo step. Otherwise undo would restore the first ones in its place.
   const LoadedSeriesPtr c = tests::ballSeries();
   session.show(c);
   session.undoStack().undo();

@@ -22,7 +22,7 @@ void moveWithShift(QWidget* on, QPointF at) {
   QCoreApplication::sendEvent(on, &move);
 }
 
-// Where places of what can be had of a session were made.
+// Returns a workspace without focus and selection, for comparisons.
 Workspace comparable(Workspace workspace) {
   workspace.focus = sceneViewId;
   workspace.selected = 0;
@@ -81,7 +81,7 @@ QString TurnedSequence::act() {
   return QStringLiteral("%1 in view %2 %3").arg(QLatin1String(act->name)).arg(focus_).arg(detail_).trimmed();
 }
 
-// A whole pixel in the middle of a view.
+// Returns a random whole pixel in the middle part of a view.
 glm::dvec2 TurnedSequence::somewhere(ViewId id, double share) {
   const glm::dvec2 size(twin_.sizes.at(id)),
       by(chance_.between(-share, share), chance_.between(-share, share));
@@ -112,7 +112,7 @@ bool TurnedSequence::pans() {
   return true;
 }
 
-// How far is the program's own; that the place under the pointer stays is not.
+// The program chooses the zoom factor, but the position under the pointer must stay.
 bool TurnedSequence::zooms() {
   const glm::dvec2 at = somewhere(focus_, 0.6);
   const double way = (chance_.oneIn(2) ? 1 : -1) * (15 + chance_.below(50));
@@ -134,7 +134,7 @@ bool TurnedSequence::scrolls() {
   return true;
 }
 
-// With Shift held the pointer takes it along.
+// With Shift held, the crosshair follows the pointer.
 bool TurnedSequence::movesCrosshair() {
   const TwinSeen seen = twin_.seen(focus_);
   const glm::dvec2 to = somewhere(focus_, 0.5);
@@ -152,15 +152,15 @@ bool TurnedSequence::movesCrosshair() {
   return true;
 }
 
-// By the round handle of another plane's line.
+// Drags the round handle of another plane's line.
 bool TurnedSequence::turnsPlanes() {
-  if (twin_.zoom || twin_.pan) return false;  // what follows which is not said
+  if (twin_.zoom || twin_.pan) return false;  // the documents do not say which view follows
   SliceView* const on = view(focus_);
   const SlicePress press{session(), focus_, on->shown(), *on->plane(), on->devicePixelRatioF(), {}, {}, {}};
   for (const CrossLine& line : crossLines(press))
     for (const QPointF handle : line.handles) {
       const QPointF from = handle.toPoint();
-      if (twin_.views.at(focus_).over >= 0 && from.x() < 80) continue;  // the colour bar lies over it
+      if (twin_.views.at(focus_).over >= 0 && from.x() < 80) continue;  // the colour bar covers it
       const glm::dvec2 middle = twin_.seen(focus_).placeOf(twin_.cross(focus_).at);
       for (const DrawnMeasurement& d : on->drawnMeasurements())
         if (hitAt({d}, from)) return false;
@@ -205,7 +205,7 @@ bool TurnedSequence::choosesLayout() {
   return true;
 }
 
-// Its point in the middle is the program's own; it is neither turned nor mirrored.
+// The program chooses the point in the view's middle. The new picture is neither turned nor mirrored.
 bool TurnedSequence::choosesKind() {
   if (focus_ < firstComparedId) return false;
   const char* const actions[] = {"showAxial", "showCoronal", "showSagittal"};
@@ -242,7 +242,7 @@ bool TurnedSequence::inverts() {
   return true;
 }
 
-// Over what shows slices together with it.
+// Changes the overlay of all views that show slices together with this one.
 bool TurnedSequence::overlays() {
   TwinLook& look = twin_.views.at(focus_);
   const int over = look.over < 0 ? 1 - look.series : -1;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int laidOutMs = 3000;  // until the window is laid out again
 
-// Those on screen, row by row.
+// Returns the views on screen, row by row.
 std::vector<View*> viewsSeen(Journey& w) {
   std::vector<View*> all;
   for (View* view : w.window.views()->findChildren<View*>())
@@ -22,7 +22,7 @@ std::vector<View*> viewsSeen(Journey& w) {
   return all;
 }
 
-// The view in focus, which has the keys by now; null: it does not get them.
+// Returns the view in focus once it has the keyboard focus; null if it does not get it.
 View* withKeys(Journey& w) {
   w.window.views()->setFocus();
   auto* view = qobject_cast<View*>(w.window.focusWidget());
@@ -41,7 +41,7 @@ QString wrongWithKeys(Journey& w, const std::function<QString(View*)>& press) {
   return press(view);
 }
 
-// The same for what must be no step.
+// Does the same for keys that must make no undo step.
 QString wrongWithoutStep(Journey& w, const std::function<QString(View*)>& press) {
   const int steps = w.window.session().undoStack().index();
   const QString why = wrongWithKeys(w, press);

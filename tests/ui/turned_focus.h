@@ -7,23 +7,24 @@
 
 namespace volumen::tests {
 
-/// Keys that move the focus or open something over the views, pressed where the view in focus has the keys.
-/// Each returns what is not as window.md has it ("Work by keyboard", "Arrange views"), empty: all is; none is
-/// a step of undo.
+/// Presses keys that move the focus or open something over the views. The view in focus must have the
+/// keyboard focus. Each function returns a deviation from window.md ("Work by keyboard", "Arrange views"), or
+/// an empty text. None makes an undo step.
 
-/// Tab, or Shift+Tab, to the next view row by row; out of a view that is alone, which then has the keys
-/// again.
+/// Tab or Shift+Tab goes to the next view row by row. It leaves a maximised view, which then gets the
+/// keyboard focus again.
 QString wrongAfterTab(Journey& w, bool isBack);
-/// F6 to another part of the window, and back to the view.
+/// F6 goes to another part of the window, and back to the view.
 QString wrongAfterParts(Journey& w);
-/// F10 shows the view alone, and again, or Esc, all of them. `wrongAlone`: what is wrong in it meanwhile.
+/// F10 maximises the view. F10 or Esc shows all views again. `wrongAlone` returns what is wrong meanwhile.
 QString wrongWhileAlone(Journey& w, bool byEscape, const std::function<QString()>& wrongAlone);
-/// Shift+F10 opens its menu, which is closed.
+/// Shift+F10 opens the view's menu, which is then closed.
 QString wrongAfterMenu(Journey& w);
-/// G opens a field; a number is typed and meant, which is a step, or given up. The view has the keys then.
+/// G opens a field. A number is typed and confirmed, which is an undo step, or cancelled. The view then has
+/// the keyboard focus.
 QString wrongAfterNumber(Journey& w, int number, bool isMeant);
 
-/// After a menu or a dialog was closed: as a window manager does, so that keys go to the window again.
+/// Activates the window after a menu or dialog, as a window manager does, so that it receives keys again.
 void takeKeysBack(Journey& w);
 
 }  // namespace volumen::tests

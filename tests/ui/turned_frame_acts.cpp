@@ -72,7 +72,7 @@ QString TurnedFrames::act() {
   return QStringLiteral("%1 in view %2 %3").arg(QLatin1String(act->name)).arg(focus_).arg(detail_).trimmed();
 }
 
-// Its look, which is what the reader made of it from now on.
+// Returns the look of the view in focus, which is the reader's own from now on.
 TwinFrameLook& TurnedFrames::touched() {
   seen(focus_);
   TwinFrameLook& look = looks_.at(focus_);
@@ -80,7 +80,7 @@ TwinFrameLook& TurnedFrames::touched() {
   return look;
 }
 
-// What lies again as it was hung, at whatever size, faces the others again.
+// Returns whether a view lies as it was hung. It then faces the others again, at any size.
 bool TurnedFrames::isAsFaced(const TwinFrameLook& look) const {
   const auto known = faced_.find({onScreen_.size(), focus_, look.picture});
   return known != faced_.end() && look.state < 0 &&
@@ -132,14 +132,14 @@ bool TurnedFrames::zooms() {
   const glm::dvec2 at = glm::floor(size * glm::dvec2(chance_.between(0.3, 0.7), chance_.between(0.3, 0.7)));
   const double way = (chance_.oneIn(2) ? 1 : -1) * (15 + chance_.below(40));
   drag(view(focus_), dotAt(at), dotAt(at + glm::dvec2(0, way)), Qt::RightButton);
-  const double after = view(focus_)->plane()->mmPerPixel;  // how far is the program's own
+  const double after = view(focus_)->plane()->mmPerPixel;  // the program chooses the factor
   if ((after > s.mmPerPixel) != (way > 0)) fault_ = QStringLiteral("zooms the wrong way");
   look.middle += glm::transpose(look.seen) * (at - size / 2.0) * (s.mmPerPixel - after);
   look.zoom *= s.mmPerPixel / after;
   return true;
 }
 
-// Through the pictures of the stack; a state is for its own picture alone.
+// Scrolls through the pictures of the stack. A presentation state applies only to its own picture.
 bool TurnedFrames::scrolls() {
   if (!isStack_) return false;
   TwinFrameLook& look = looks_.at(focus_);
@@ -153,7 +153,7 @@ bool TurnedFrames::scrolls() {
   return true;
 }
 
-// By the menu: as the state has it, and nothing of what was done before.
+// Chooses a presentation state in the menu. It replaces everything done before.
 bool TurnedFrames::presents() {
   if (isClip_) return false;
   TwinFrameLook& look = looks_.at(focus_);
@@ -249,7 +249,7 @@ bool TurnedFrames::redoes() {
   return doneAgain(*this, known_, [this](int step) { take(step); });
 }
 
-// Facing views follow the size of the window, so that only how places appear must be as it was.
+// Facing views follow the size of the window, so only the appearance of positions must be restored.
 QString TurnedFrames::wrongUndone() {
   const int last = session().undoStack().index();
   for (const int to : {first_, last}) {

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double ofGround = 100, ofMark = 1000;
 
-// A mammogram's file becomes that of a clip, which lies nowhere in the patient.
+// Turns a mammogram's file into a clip, which has no position in the patient.
 bool makeClip(const QString& path, const std::vector<Uint16>& pixels, int frames) {
   DcmFileFormat file;
   const std::string name = path.toStdString();
@@ -125,7 +125,7 @@ void TurnedFrames::writeState(int picture, int state, int number) {
   if (file.saveFile(path.c_str(), EXS_LittleEndianExplicit).bad()) qFatal("cannot write a state");
 }
 
-// The same clip in four views.
+// Shows the clip in four views.
 void TurnedFrames::showClip() {
   const auto isOpen = [&] { return seriesIn(workspace(), workspace().focus) != nullptr; };
   if (!QTest::qWaitFor(isOpen, longest)) {

@@ -7,7 +7,7 @@ namespace volumen::tests {
 
 namespace {
 
-// What a session keeps, but for the focus.
+// Returns what a session keeps, without focus and selection.
 Workspace keptOf(Workspace workspace) {
   workspace.focus = sceneViewId;
   workspace.selected = 0;
@@ -16,7 +16,7 @@ Workspace keptOf(Workspace workspace) {
 
 }  // namespace
 
-// Through the pictures of a series. How far it goes until C is pressed again is the clock's.
+// Plays the pictures of a series. The clock decides how far it gets before C is pressed again.
 bool TurnedFrames::plays() {
   const TwinFrameLook& look = looks_.at(focus_);
   if (!isStack_ || look.state >= 0) return false;
@@ -37,7 +37,7 @@ bool TurnedFrames::plays() {
   return true;
 }
 
-// A state is for its own picture alone.
+// A presentation state applies only to its own picture.
 bool TurnedFrames::typesNumber() {
   if (!isStack_) return false;
   const int number = 1 + chance_.below(4);
@@ -48,7 +48,7 @@ bool TurnedFrames::typesNumber() {
   return true;
 }
 
-// What lies nowhere in the patient follows nothing, and cannot be locked.
+// Frames without a position in the patient follow nothing and cannot be locked.
 bool TurnedFrames::links() {
   const char* const actions[] = {"linkScroll", "linkZoom", "linkPan", "lockHere"};
   const int which = chance_.below(4);
@@ -59,7 +59,7 @@ bool TurnedFrames::links() {
   return true;
 }
 
-// Views that face each other do so at other sizes while one is alone.
+// Facing views change their size while one is maximised.
 bool TurnedFrames::movesFocus() {
   const char* const keys[] = {"Tab", "Shift+Tab", "F6", "F10", "F10, Esc", "Shift+F10"};
   const int which = chance_.below(6);
@@ -88,7 +88,7 @@ bool TurnedFrames::savesSession() {
   return true;
 }
 
-// As it was when it was saved: a step, where anything was changed since.
+// Restores the saved state. It is an undo step if anything has changed since.
 bool TurnedFrames::opensSession() {
   if (!saved_ || keptOf(workspace()) == keptOf(saved_->workspace)) return false;
   const QString name = QStringLiteral("saved%1.volumen").arg(savedTimes_);

@@ -18,14 +18,14 @@ namespace {
 
 const glm::dmat2 quarter{{0, 1}, {-1, 0}}, mirror{{-1, 0}, {0, 1}};
 
-// What a state does to places of the picture.
+// Returns the effect of a presentation state on positions of the picture.
 glm::dmat2 turnOf(const TwinState& state) {
   glm::dmat2 turn(1);
   for (int n = 0; n < state.quarters; ++n) turn = quarter * turn;
   return state.mirrored ? mirror * turn : turn;
 }
 
-// Of the side of a picture that a file names, if it does; feet are inferior.
+// Returns the letter of a picture's side, if the file states it. Feet are inferior.
 QString letterOf(const Breast& breast, glm::dvec2 alongPicture) {
   if (breast.rowsTo[0] == 0) return {};
   const QStringList sides =
@@ -81,7 +81,8 @@ void TurnedFrames::look() {
     }
 }
 
-// Which picture stands where is hanging's own (TestHanging), how it lies is not. Clips begin at the first.
+// Hanging decides which picture is in which view (TestHanging), but not its orientation. Clips begin at the
+// first frame.
 void TurnedFrames::takeHung() {
   looks_.clear();
   for (const ViewId id : onScreen_) {
@@ -97,8 +98,8 @@ void TurnedFrames::takeHung() {
   }
 }
 
-// The displayed area as large as the view; without a state all of the picture, rounded up to its smaller
-// spacing.
+// The displayed area is as large as the view. Without a state it is the whole picture, rounded up to its
+// smaller spacing.
 double TurnedFrames::fittedMm(const TwinFrameLook& look, glm::dvec2 size) {
   const TwinPicture& picture = pictures_[std::size_t(look.picture)];
   glm::dvec2 mm = glm::dvec2(picture.breast.columns, picture.breast.rows) * picture.spacing;
@@ -122,13 +123,14 @@ TurnedFrames::Seen TurnedFrames::seen(ViewId id) {
   const glm::dvec2 pixels(picture.breast.columns, picture.breast.rows);
   const bool isRight = picture.breast.side[0] == 'R';
   if (look.isFacing) {
-    // All as large as each other; chest walls at the inner edges.
+    // All are equally large, with chest walls at the inner edges.
     double mm = 0;
     for (const auto& [other, l] : looks_)
       if (std::ranges::find(onScreen_, other) != onScreen_.end())
         mm = std::max(mm, fittedMm({.picture = l.picture}, sizes_.at(other)));
     look.zoom = fittedMm({.picture = look.picture}, s.size) / mm;
-    // Its outer side not below; mirrored where that alone does not bring its wall to the inner edge.
+    // The outer side is not below. The picture is mirrored if the wall would otherwise not be at the inner
+    // edge.
     const QString to = QString::fromLatin1(picture.breast.rowsTo);
     const bool isUpsideDown = to.endsWith(QLatin1String(picture.breast.side));
     const bool facesAway = to.startsWith(QLatin1Char('P')) != isRight;
@@ -151,7 +153,7 @@ TurnedFrames::Seen TurnedFrames::seen(ViewId id) {
   return s;
 }
 
-// Frames are read meanwhile, and walls and sizes follow once they are there.
+// Frames are read meanwhile. Chest walls and sizes follow once they are there.
 QString TurnedFrames::wrong() {
   QString why;
   const auto isRight = [&] { return (why = wrongNow()).isEmpty(); };
@@ -173,7 +175,7 @@ QString TurnedFrames::wrongNow() {
   return {};
 }
 
-// Places within 1/100 of a pixel, letters, what was measured.
+// Compares positions within 1/100 of a pixel, letters and measurements.
 QString TurnedFrames::wrongIn(ViewId id) {
   FrameView* const shown = view(id);
   if (!shown->frame() || !shown->plane()) return QStringLiteral("no frame");
@@ -215,7 +217,8 @@ QString TurnedFrames::wrongIn(ViewId id) {
   return wrongPicture(id, s);
 }
 
-// On screen, at every mark and at places by chance: in steps of grey, of which rounding may make two.
+// Compares the screen at every mark and at random positions, in grey levels. Rounding may cause a difference
+// of two.
 QString TurnedFrames::wrongPicture(ViewId id, const Seen& s) {
   FrameView* const shown = view(id);
   const auto drawn = drawSlice(*shown->requestFor(shown->pixels()));
@@ -229,7 +232,7 @@ QString TurnedFrames::wrongPicture(ViewId id, const Seen& s) {
   plane.size = glm::ivec2(s.size), plane.mmPerPixel = s.mmPerPixel, plane.average = true;
   const VoxelGeometry& g = of.values->geometry();
   plane.centre = g.origin + glm::dvec3(s.pixelAt(s.size / 2.0) * s.spacing, 0);
-  Chance places(17);  // the same however often it is looked
+  Chance places(17);  // the same at every comparison
   std::vector<glm::ivec2> pixels;
   for (const glm::ivec2 mark : of.marks) pixels.emplace_back(glm::floor(s.placeOf(mark)));
   for (int n = 0; n < 8; ++n) pixels.emplace_back(places.below(plane.size.x), places.below(plane.size.y));

@@ -16,9 +16,9 @@
 
 namespace volumen::tests {
 
-/// How a presentation state has a picture shown: an area of it, turned by quarters clockwise, then mirrored.
+/// A presentation state: an area of the picture, rotated clockwise by quarter turns, then mirrored.
 struct TwinState {
-  glm::dvec2 areaFrom{0}, areaTo{0};  ///< pixels, both ends inside, from 0
+  glm::dvec2 areaFrom{0}, areaTo{0};  ///< pixels from 0, both ends included
   int quarters = 0;
   bool mirrored = false;
 };
@@ -27,32 +27,33 @@ struct TwinState {
 struct TwinPicture {
   Breast breast{};
   glm::dvec2 spacing{0.1};  ///< mm from column to column and from row to row
-  VolumePtr values;         ///< in its own mm, the centre of the first pixel at the origin
+  VolumePtr values;         ///< in its own mm, with the first pixel's centre at the origin
   std::vector<glm::ivec2> marks;
   std::vector<TwinState> states;
 };
 
-/// A view of them.
+/// The state of a view.
 struct TwinFrameLook {
-  int picture = -1;      ///< -1: it shows none
-  int state = -1;        ///< -1: as acquired
-  glm::dmat2 seen{1};    ///< what was done to the picture: turns and mirrors, x right and y down
-  glm::dvec2 middle{0};  ///< mm of the view's middle from that of the picture, before it was turned
+  int picture = -1;      ///< -1 if it shows none
+  int state = -1;        ///< -1 if as acquired
+  glm::dmat2 seen{1};    ///< effect on the picture: turns and mirrors, x right and y down
+  glm::dvec2 middle{0};  ///< offset of the view's middle from the picture's, mm, before turns
   double zoom = 1;
   bool inverted = false;
-  bool isFacing = false;  ///< at the chest wall, as a protocol hung it
+  bool isFacing = false;  ///< at the chest wall, as hung by a protocol
 };
 
-/// A length that was drawn on a picture, pixels.
+/// A length drawn on a picture, pixels.
 struct TwinLine {
   int id = 0, picture = 0;
   glm::dvec2 from{0}, to{0};
   QString said;
 };
 
-/// A window with four mammograms, series of their own or pictures of one, each with two presentation states,
-/// or with a clip of four frames, and their twin from window.md, slices.md 2 and protocols.md: what is done
-/// to the one by mouse, keys and menus is done to the other by what these say.
+/// A window and its reference model from window.md, slices.md 2 and protocols.md. The window shows four
+/// mammograms with two presentation states each, or a clip of four frames. The mammograms are separate series
+/// or pictures of one. Acts by mouse, keys and menus are repeated on the model as the documents describe
+/// them.
 class TurnedFrames : public Journey {
  public:
   explicit TurnedFrames(std::uint64_t seed);
@@ -73,7 +74,7 @@ class TurnedFrames : public Journey {
     int often;
     bool (TurnedFrames::*act)();
   };
-  /// Where places are on screen: `seen` goes from the picture's mm to the screen.
+  /// Positions on screen. `seen` maps the picture's mm to the screen.
   struct Seen {
     glm::dmat2 seen{1};
     glm::dvec2 centre{0}, middle{0};  ///< pixels of the picture; mm on screen
@@ -125,21 +126,22 @@ class TurnedFrames : public Journey {
 
   Chance chance_;
   QTemporaryDir folder_, sessions_;
-  bool isStack_ = false;  // the pictures are those of one series
-  bool isClip_ = false;   // and frames of one file
+  bool isStack_ = false;  // the pictures belong to one series
+  bool isClip_ = false;   // and are frames of one file
   std::vector<TwinPicture> pictures_;
   Looks looks_;
   std::vector<TwinLine> lines_;
   std::vector<ViewId> onScreen_;
   std::map<ViewId, glm::dvec2> sizes_;
-  std::map<std::tuple<std::size_t, ViewId, int>, std::vector<TwinFrameLook>> faced_;  // as facing left views
+  // Looks in which facing views were left.
+  std::map<std::tuple<std::size_t, ViewId, int>, std::vector<TwinFrameLook>> faced_;
   std::map<int, Known> known_;
-  std::optional<Known> saved_;  // in the last session file
+  std::optional<Known> saved_;  // state in the last session file
   int savedTimes_ = 0;
   int first_ = 0;
   ViewId focus_ = firstComparedId;
   QString detail_;
-  QString fault_;  // in what was done itself; it stays
+  QString fault_;  // in an act itself; it stays
 };
 
 }  // namespace volumen::tests

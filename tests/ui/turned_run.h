@@ -6,9 +6,9 @@
 
 namespace volumen::tests {
 
-/// Does so many things by chance in a sequence of this seed, and looks after each, once more undone and done
-/// again, and, where it has wrongInSession(), in its session. What is wrong, and after what; empty: nothing.
-/// One that isUndecided() ends there.
+/// Does `length` random acts in a sequence of this seed and checks each. Then checks the sequence undone and
+/// redone and, if it has wrongInSession(), in its session. Returns what is wrong and after which acts; empty
+/// if nothing is. A sequence that isUndecided() ends there.
 template <class Sequence>
 QString wrongInSequence(int seed, int length) {
   Sequence sequence{std::uint64_t(seed)};

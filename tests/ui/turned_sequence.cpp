@@ -28,20 +28,19 @@ Services withoutScenes() {
   return services;
 }
 
-// A grid that lies in the patient as a scanner may have acquired it: nearly straight, well tilted, or as
-// slices of another plane.
+// Returns a grid as a scanner may acquire it: nearly straight, clearly tilted, or as slices of another plane.
 glm::dmat3 gridSteps(Chance& chance, glm::dvec3 spacing, bool mayTurn) {
   const double angles[] = {0, 0.05, 0.15, 0.7};
   const double angle = angles[chance.below(mayTurn ? 4 : 3)];
   glm::dmat3 lying(glm::rotate(glm::dmat4(1), angle, glm::normalize(chance.vector() + glm::dvec3(0.01))));
-  if (mayTurn && chance.oneIn(3))  // slices along the patient's right and left
+  if (mayTurn && chance.oneIn(3))  // sagittal slices
     lying = lying * glm::dmat3({0, 1, 0}, {0, 0, -1}, {-1, 0, 0});
   if (chance.oneIn(4)) lying[2] = -lying[2];  // the first slice is the uppermost
   return {lying[0] * spacing.x, lying[1] * spacing.y, lying[2] * spacing.z};
 }
 
-// Bright voxels at places of the patient that no turn maps onto each other, in a ground that grows along all
-// axes or, for what lies over another, is empty.
+// Returns a series with bright voxels at patient positions that no turn maps onto each other. The background
+// grows along all axes, or is empty for an overlay.
 std::shared_ptr<LoadedSeries> markedSeries(glm::ivec3 size, glm::dmat3 steps, glm::dvec3 centre,
                                            double ground, const char* name, std::vector<glm::dvec3>& marks) {
   VolumeParts parts;
@@ -74,7 +73,7 @@ double greyOf(const Volume& volume, const TwinSeen& seen, glm::ivec2 pixel, glm:
   return std::isnan(value) ? value : std::floor(twinGrey(value, {500, 1000}, false) + 0.5);
 }
 
-// Where rounding decides.
+// Returns whether rounding decides.
 bool isOnEdge(double depth, double half) { return std::abs(std::abs(depth) - half) < 1e-3; }
 
 QString placeSaid(glm::dvec2 p) { return QStringLiteral("(%1, %2)").arg(p.x, 0, 'f', 3).arg(p.y, 0, 'f', 3); }
@@ -84,7 +83,7 @@ QString placeSaid(glm::dvec2 p) { return QStringLiteral("(%1, %2)").arg(p.x, 0, 
 TurnedSequence::TurnedSequence(std::uint64_t seed) : Journey({}, withoutScenes()), chance_(seed), marks_(2) {
   const glm::dvec3 centre(chance_.between(-40, 40), chance_.between(-40, 40), chance_.between(-40, 40));
   const glm::dmat3 grid = gridSteps(chance_, {1, 1.2, 2.5}, true);
-  // Time points differ in their ground.
+  // Time points have different backgrounds.
   std::vector<const Series*> open;
   for (const double ground : {1.0, 0.5, 1.6}) {
     marks_[0].clear();
@@ -119,7 +118,7 @@ TurnedSequence::TurnedSequence(std::uint64_t seed) : Journey({}, withoutScenes()
   remember();
 }
 
-// Which views of slices are on screen, and how large.
+// Notes which views of slices are on screen, and their sizes.
 void TurnedSequence::look() {
   QCoreApplication::processEvents();
   twin_.onScreen.clear();
@@ -136,7 +135,7 @@ void TurnedSequence::remember() {
   known_[step] = {twin_, workspace()};
 }
 
-// As it was after a step that was undone or done again.
+// Restores the known state after undo or redo.
 void TurnedSequence::take(int step) {
   const auto sizes = twin_.sizes;
   twin_ = known_.at(step).twin;
@@ -163,7 +162,7 @@ QString TurnedSequence::wrongIn(ViewId id) {
   return {};
 }
 
-// Within 1/100 of a pixel, and 1/1000 mm along the normal.
+// Positions agree within 1/100 of a pixel, and 1/1000 mm along the normal.
 QString TurnedSequence::wrongPlace(ViewId id) {
   const TwinSeen seen = twin_.seen(id);
   const std::optional<SlicePlane> plane = view(id)->plane();
@@ -196,14 +195,14 @@ QString TurnedSequence::wrongTexts(ViewId id) {
   };
   if (const QString line = lineWith("\\d / \\d"); line != twin_.number(id))
     return QStringLiteral("\"%1\" instead of \"%2\"").arg(line, twin_.number(id));
-  const QString place = lineWith("^([RLAPSI] [\\d.]+ mm|0 mm|oblique)$");  // where there is room
+  const QString place = lineWith("^([RLAPSI] [\\d.]+ mm|0 mm|oblique)$");  // if there is space
   if (!place.isEmpty() && place != twin_.position(id))
     return QStringLiteral("\"%1\" instead of \"%2\"").arg(place, twin_.position(id));
   const TwinLook& look = twin_.views.at(id);
   const QString step = look.series == 0
                            ? QStringLiteral("time point %1 of %2").arg(look.time + 1).arg(later_.size() + 1)
                            : QString();
-  // They stay longer than the place does.
+  // These lines stay longer than the position does.
   for (const auto& [line, said] :
        {std::pair(lineWith("^time point "), step), {lineWith("^(MIP|MinIP|Mean) "), twin_.slab(id)}})
     if (line != said && !(line.isEmpty() && place.isEmpty()))
@@ -216,8 +215,8 @@ const Volume& TurnedSequence::volumeOf(const TwinLook& look) const {
   return *(look.time == 0 ? series_[std::size_t(look.series)] : later_[std::size_t(look.time - 1)])->volume;
 }
 
-// In steps of 0 to 255, of the colours' green; slices.md 1 and 3, and over that hot iron at half its opacity,
-// which begins to be seen at a quarter of its range.
+// Returns the expected green on a scale of 0 to 255, by slices.md 1 and 3. The overlay is hot iron at half
+// opacity, visible from a quarter of its range.
 int TurnedSequence::expectedGreen(const TwinSeen& seen, const TwinLook& look, glm::ivec2 pixel,
                                   glm::dvec3 shift) {
   const double grey = greyOf(volumeOf(look), seen, pixel, shift);
@@ -230,9 +229,9 @@ int TurnedSequence::expectedGreen(const TwinSeen& seen, const TwinLook& look, gl
       std::lround(under + part * (qGreen(colourTable(ColourMap::hotIron)[std::size_t(over)]) - under)));
 }
 
-// The picture on screen once it is that of the workspace: at each mark that lies in the plane or beside it,
-// and at some places by chance. Rounding within the interpolation may make two steps of grey; where one on
-// the edge of the volume decides, either is right.
+// Compares the picture on screen once it is that of the workspace, at marks near the plane and at random
+// positions. Interpolation may round by two grey levels. If rounding decides at the volume's edge, either
+// value is right.
 QString TurnedSequence::wrongPicture(ViewId id) {
   SliceView* const shown = view(id);
   QImage picture;
@@ -244,7 +243,7 @@ QString TurnedSequence::wrongPicture(ViewId id) {
   if (!isThere() && !QTest::qWaitFor(isThere, 5000)) return QStringLiteral("the picture does not come");
   const QImage captured = shown->capture();
   if (captured.size() != picture.size()) return QStringLiteral("captured at another size");
-  int covered = 0;  // by texts and lines
+  int covered = 0;  // covered by texts and lines
   for (int n = 0; n < 40; ++n) {
     const QPoint p(chance_.below(picture.width()), chance_.below(picture.height()));
     covered += captured.pixelColor(p) != picture.pixelColor(p);
@@ -272,8 +271,8 @@ QString TurnedSequence::wrongPicture(ViewId id) {
   return {};
 }
 
-// Of a line what lies within half a step of the wheel is drawn, of a rectangle all in its own plane, within
-// half a pixel; what it says stays.
+// The part of a line within half a wheel step is drawn. A rectangle is drawn completely in its own plane.
+// Ends agree within half a pixel, and the text of a complete shape stays.
 QString TurnedSequence::wrongShapes(ViewId id) {
   SliceView* const shown = view(id);
   if (!shown->isMeasured() && !QTest::qWaitFor([&] { return shown->isMeasured(); }, 5000))

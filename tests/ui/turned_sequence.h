@@ -11,22 +11,22 @@
 
 namespace volumen::tests {
 
-/// A window with two series of one frame of reference, in planes and in a grid of four, the first of them of
-/// several time points, and its twin: what is done by chance to the one by mouse, keys and actions is done to
-/// the other by what the documents say.
+/// A window and its reference model. The window shows two series of one frame of reference, in planes and in
+/// a grid of four. The first series has several time points. Random acts by mouse, keys and actions are
+/// repeated on the model as the documents describe them.
 class TurnedSequence : public Journey {
  public:
   explicit TurnedSequence(std::uint64_t seed);
 
-  /// One thing by chance; what, for people. Empty: nothing could be done.
+  /// Does one random act and returns its description; empty if nothing could be done.
   QString act();
-  /// What is not as the twin has it, in any view of slices on screen; empty: all is.
+  /// Returns a difference from the reference model in any view of slices on screen; empty if there is none.
   QString wrong();
-  /// The same once everything is undone, and once it is done again.
+  /// Returns a difference once everything is undone, and once it is redone.
   QString wrongUndone();
-  /// What is not as it was in another window that opens the session of this one; empty: all is.
+  /// Returns a difference in another window that opens this one's session; empty if there is none.
   QString wrongInSession();
-  /// Whether the twin cannot tell, so that the sequence ends here.
+  /// Returns whether the reference model cannot decide, so that the sequence ends here.
   bool isUndecided() const { return twin_.isAtTheLimit(); }
 
  private:
@@ -84,14 +84,14 @@ class TurnedSequence : public Journey {
 
   Chance chance_;
   std::vector<LoadedSeriesPtr> series_;
-  std::vector<LoadedSeriesPtr> later_;          // time points of the first of them, behind it
-  std::vector<std::vector<glm::dvec3>> marks_;  // of each series, patient
+  std::vector<LoadedSeriesPtr> later_;          // further time points of the first series
+  std::vector<std::vector<glm::dvec3>> marks_;  // of each series, patient mm
   TurnedTwin twin_;
-  std::map<int, Known> known_;  // by steps of undo
-  int first_ = 0;               // step at which chance begins
+  std::map<int, Known> known_;  // by undo step
+  int first_ = 0;               // undo step at which random acts begin
   ViewId focus_ = 0;
   QString detail_;
-  QString fault_;  // in what was done itself; it stays
+  QString fault_;  // in an act itself; it stays
 };
 
 }  // namespace volumen::tests

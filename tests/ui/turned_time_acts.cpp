@@ -8,7 +8,7 @@
 
 namespace volumen::tests {
 
-// What has no time points has no such keys.
+// A series without time points has no such keys.
 bool TurnedSequence::stepsInTime() {
   const TwinLook& look = twin_.views.at(focus_);
   const int by = chance_.oneIn(2) ? 1 : -1, last = look.series == 0 ? int(later_.size()) : 0;
@@ -18,7 +18,8 @@ bool TurnedSequence::stepsInTime() {
   return true;
 }
 
-// Time points, or the stack where there are none. How far it goes until C is pressed again is the clock's.
+// Plays the time points, or the stack if there are none. The clock decides how far it gets before C is
+// pressed again.
 bool TurnedSequence::plays() {
   SliceView* const on = view(focus_);
   const bool isInTime = twin_.views.at(focus_).series == 0;
@@ -42,9 +43,9 @@ bool TurnedSequence::plays() {
   return true;
 }
 
-// With Alt the wheel makes it thicker or thinner, by its own steps.
+// Alt with the wheel changes the slab thickness, in steps of the wheel.
 bool TurnedSequence::makesThicker() {
-  constexpr double thickest = 12;  // mm, so that pictures come soon
+  constexpr double thickest = 12;  // mm, to keep drawing fast
   TwinLook& look = twin_.views.at(focus_);
   const double step = twinStep(twin_.geometry(focus_), twin_.lying(focus_).normal());
   const int notches = chance_.below(5) - 2;
@@ -58,7 +59,7 @@ bool TurnedSequence::makesThicker() {
   return true;
 }
 
-// Of a plane a mode makes a slab of 10 mm.
+// Choosing a mode turns a plane into a slab of 10 mm.
 bool TurnedSequence::choosesSlab() {
   const std::pair<const char*, TwinSlab> modes[] = {
       {"slabMax", TwinSlab::max}, {"slabMin", TwinSlab::min}, {"slabMean", TwinSlab::mean}};
@@ -75,7 +76,7 @@ bool TurnedSequence::choosesSlab() {
   return true;
 }
 
-// Where planes lie along the voxels, and those of the coarser series are not smaller than pictures may be.
+// Requires planes along the voxels. Pictures of the coarser series would be smaller than allowed.
 bool TurnedSequence::showsOwnPixels() {
   const TwinLook& look = twin_.views.at(focus_);
   if (twin_.cross(focus_).byHand || look.series != 0) return false;

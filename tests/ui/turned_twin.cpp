@@ -13,7 +13,7 @@ glm::dvec3 sliceNormalOf(const VoxelGeometry& g) {
   return glm::normalize(glm::cross(g.patientFromVoxelStep[0], g.patientFromVoxelStep[1]));
 }
 
-// The wheel's down: caudal, posterior, left of the planes of the patient.
+// The wheel scrolls down towards caudal, posterior and left in the patient's planes.
 constexpr double downSign[] = {-1, 1, -1};
 
 glm::dvec2 alongPlane(const TwinLying& lying, glm::dvec3 v) {
@@ -26,7 +26,7 @@ struct TwinStack {
   int count;
 };
 
-// Through the centres of the first and the last voxel.
+// Returns the stack through the centres of the first and the last voxel.
 TwinStack stackThrough(const VoxelGeometry& g, glm::dvec3 along) {
   double low = 1e300, high = -1e300;
   for (int corner = 0; corner < 8; ++corner) {
@@ -105,7 +105,7 @@ TwinSeen TurnedTwin::seen(ViewId view) const {
   return seen;
 }
 
-// To its slices as acquired.
+// Returns whether the view is parallel to its acquired slices.
 bool TurnedTwin::isParallel(ViewId view) const {
   return glm::length(glm::cross(lying(view).normal(), sliceNormalOf(geometry(view)))) <= 1e-3;
 }
@@ -200,7 +200,7 @@ void TurnedTwin::showTime(ViewId view, int time) {
     if (id == view || (id < firstComparedTwin && view < firstComparedTwin)) look.time = time;
 }
 
-// The crosshair's point stays where it is on screen, however planes are turned about it.
+// The crosshair's point stays at its position on screen, however planes are turned about it.
 void TurnedTwin::setCross(ViewId view, const TwinCross& now) {
   const auto places = [&] {
     std::map<ViewId, glm::dvec2> all;
@@ -235,7 +235,7 @@ void TurnedTwin::reset(ViewId view) {
   if (!wasWhole) follow(view);
 }
 
-// Each stays where it is; linked again, all are where the view in focus is.
+// Unlinked views stay where they are. Linked again, all move to the view in focus.
 void TurnedTwin::linkScroll(bool linked, ViewId focus) {
   std::vector<ViewId> order = onScreen;
   std::ranges::stable_partition(order, [&](ViewId id) { return id != focus; });

@@ -15,7 +15,7 @@ namespace volumen::tests {
 
 inline constexpr ViewId left = firstComparedId, right = firstComparedId + 1;
 
-/// A ball in a frame of reference of its own.
+/// Returns a ball in a frame of reference of its own.
 inline LoadedSeriesPtr ballIn(const char* frame, double spacing = 1, const char* modality = "CT") {
   auto series = std::make_shared<LoadedSeries>(*ballSeries(32, 10, {0, 0, 0}, glm::dvec3(spacing)));
   series->series.acquired = series->volume->geometry();
@@ -25,7 +25,7 @@ inline LoadedSeriesPtr ballIn(const char* frame, double spacing = 1, const char*
   return series;
 }
 
-/// A PET of 1000 Bq/ml in a ball, which are 5 SUVbw.
+/// Returns a PET of 1000 Bq/ml in a ball, which are 5 SUVbw.
 inline LoadedSeriesPtr petIn(const char* frame) {
   auto series = std::make_shared<LoadedSeries>(*ballIn(frame, 1, "PT"));
   series->series.description = "Uptake";
@@ -34,7 +34,7 @@ inline LoadedSeriesPtr petIn(const char* frame) {
   return series;
 }
 
-/// Three balls of different size that no turn maps onto each other, all of them moved.
+/// Returns three balls of different size that no turn maps onto each other, all moved.
 inline LoadedSeriesPtr lumpsIn(const char* frame, glm::dvec3 moved) {
   constexpr int n = 40;
   VolumeParts parts;
@@ -60,7 +60,7 @@ inline LoadedSeriesPtr lumpsIn(const char* frame, glm::dvec3 moved) {
   return series;
 }
 
-/// Two series side by side.
+/// Shows two series side by side.
 struct TwoSeries : Journey {
   TwoSeries(const LoadedSeriesPtr& a, const LoadedSeriesPtr& b) {
     session().show(a);

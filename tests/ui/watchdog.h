@@ -11,15 +11,15 @@
 
 namespace volumen::tests {
 
-/// The application of the tests of the window: measures how long the UI thread computes for each event, that
-/// is, how long the window would not answer. Processor time, so that a loaded machine does not count; what
-/// the thread waits for is seen by the tests of the services, which never make it wait.
+/// Measures how long the UI thread computes for each event, during which the window would not answer. It uses
+/// processor time, so that a loaded machine does not count. Tests of the services check that the thread never
+/// waits.
 class WatchedApplication : public QApplication {
  public:
   using QApplication::QApplication;
   ~WatchedApplication() override { report(); }
 
-  /// The longest event since the last call, in ms of processor time.
+  /// Returns the longest event since the last call, in ms of processor time.
   double takeMostMs() { return std::exchange(mostMs_, 0); }
 
   bool notify(QObject* receiver, QEvent* event) override {
@@ -48,7 +48,7 @@ class WatchedApplication : public QApplication {
     return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
   }
 
-  // What took longer than a person may notice.
+  // Reports events that take longer than a user may notice.
   void report() const {
     constexpr double mostMs = 20;
     for (const auto& [what, ms] : longest_)

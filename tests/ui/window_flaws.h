@@ -23,15 +23,15 @@ inline bool isBehind(const QWidget* widget) {
   return qobject_cast<const QDockWidget*>(widget) && widget->geometry().right() < 0;
 }
 
-// Sentences lie over the views, so that these do not move.
+// Banners lie over the views, so that these do not move.
 inline bool liesOver(const QWidget* widget) { return widget->objectName() == QStringLiteral("banner"); }
 
-// What overlaps its neighbour or shows less than its whole text; empty where all is well.
+// Returns widgets that overlap a neighbour or cut off their text; empty if there are none.
 inline QStringList flaws(const QMainWindow& window) {
   QStringList found;
   for (QWidget* widget : window.findChildren<QWidget*>()) {
     if (!widget->isVisible() || widget->isWindow()) continue;
-    // What lies over the picture has a test of its own; the arrows of tabs are Qt's.
+    // Overlays of the picture have their own test, and tab arrows are Qt's.
     if (qobject_cast<VolumeView*>(widget->parentWidget()) || qobject_cast<QTabBar*>(widget->parentWidget()))
       continue;
     for (QWidget* other : widget->parentWidget()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
@@ -43,7 +43,7 @@ inline QStringList flaws(const QMainWindow& window) {
     const bool reads =
         (label && !label->wordWrap() && label->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored) ||
         qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget);
-    const auto* small = qobject_cast<QToolButton*>(widget);  // with a fixed size and a letter in it
+    const auto* small = qobject_cast<QToolButton*>(widget);  // with a fixed size and a single letter
     if (!reads || (small && small->text().size() < 2)) continue;
     if (widget->width() < widget->minimumSizeHint().width())
       found << nameOf(widget) + QStringLiteral(" is too narrow");
