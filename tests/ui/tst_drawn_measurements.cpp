@@ -174,7 +174,6 @@ void TestDrawnMeasurements::textsByChanceKeepApart() {
   }
 }
 
-// An overlapping number is better than none.
 void TestDrawnMeasurements::whatIsInTheWayIsFound_data() {
   QTest::addColumn<double>("largest");
   QTest::newRow("small ones") << 30.0;
@@ -204,6 +203,7 @@ void TestDrawnMeasurements::whatIsInTheWayIsFound() {
   }
 }
 
+// An overlapping number is better than none.
 void TestDrawnMeasurements::aFullAreaHasNoSecondPlace() {
   const QFontMetricsF metrics{pictureFont()};
   const QRectF narrow(0, 0, metrics.horizontalAdvance(QStringLiteral("23.4 mm")) + 8, metrics.height() + 8);
