@@ -46,7 +46,7 @@ struct Times {
 
 // What the picture's PNG says of itself.
 PictureText textOf(const Rendered& done, const SegmentsInPicture& segments) {
-  PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.error)});
+  PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.plan, done.error)});
   std::ranges::move(textOfSegments(segments, done.plan.segments), std::back_inserter(text));
   return text;
 }
@@ -59,7 +59,7 @@ nlohmann::ordered_json pictureJson(const PictureText& text) {
 
 // How far the picture may be off, in 1/255; psnrDb is null where that is 0. Null where that is not known.
 nlohmann::ordered_json errorJson(const Rendered& done) {
-  const auto estimated = estimateOf(done.error);
+  const auto estimated = estimateOf(done.plan, done.error);
   if (!estimated) return nullptr;
   nlohmann::ordered_json out{{"maximum", estimated->maximum},
                              {"percentile99", estimated->percentile99},
