@@ -1,5 +1,6 @@
 #include "io/open.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 
@@ -46,7 +47,10 @@ Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
   return found;
 }
 
-// Adds the headers of all files to a study, unsorted. `all` means that these are all files of a path.
+/// Headers take about 10 KB each until they are sorted: so many are held at once.
+constexpr std::size_t filesAtOnce = 4096;
+
+/// What the headers of all files say, not in order. `all`: of all that a path holds.
 void addFiles(const FoundFiles& found, bool all, const Progress& progress, const CancelToken& cancel,
               Study& study) {
   const std::vector<std::string>& files = found.files;
@@ -55,21 +59,28 @@ void addFiles(const FoundFiles& found, bool all, const Progress& progress, const
     study.refused.push_back({entry.path, entry.reason + "."});
     if (!entry.elsewhere) lost.push_back({{study.refused.back(), true, {}}, {}});
   }
-  std::vector<LookedAt> looked = lookAtFiles(files, progress, cancel);
-  std::vector<std::string> others;
-  std::vector<dicom::Inspection> inspections;
-  for (std::size_t n = 0; n < files.size(); ++n) {
-    if (!looked[n].isImageFile) {
-      others.push_back(files[n]);
-      inspections.push_back(std::move(looked[n].dicom));
-    } else if (!looked[n].problem.empty()) {
-      study.refused.push_back({files[n], reasonWithout(files[n], looked[n].problem)});
-      lost.push_back({{study.refused.back(), true, {}}, {}, !looked[n].gzippedDicom});
+  dicom::SeriesFinder series;
+  const auto take = [&](const std::string& file, LookedAt looked) {
+    if (!looked.isImageFile) {
+      series.add(file, std::move(looked.dicom));
+    } else if (!looked.problem.empty()) {
+      study.refused.push_back({file, reasonWithout(file, looked.problem)});
+      lost.push_back({{study.refused.back(), true, {}}, {}, !looked.gzippedDicom});
     } else {
-      std::move(looked[n].volumes.begin(), looked[n].volumes.end(), std::back_inserter(study.volumes));
+      std::move(looked.volumes.begin(), looked.volumes.end(), std::back_inserter(study.volumes));
     }
+  };
+  for (std::size_t done = 0; done < files.size() && !cancel.cancelled(); done += filesAtOnce) {
+    const std::size_t end = std::min(files.size(), done + filesAtOnce);
+    const std::vector<std::string> some(files.begin() + std::ptrdiff_t(done),
+                                        files.begin() + std::ptrdiff_t(end));
+    const auto behind = [&](const char* doing, std::size_t n, std::size_t) {
+      progress(doing, done + n, files.size());
+    };
+    std::vector<LookedAt> looked = lookAtFiles(some, progress ? Progress(behind) : Progress(), cancel);
+    for (std::size_t n = 0; n < some.size(); ++n) take(some[n], std::move(looked[n]));
   }
-  if (!cancel.cancelled()) dicom::findSeries(others, inspections, std::move(lost), all, study);
+  if (!cancel.cancelled()) series.finish(std::move(lost), all, study);
 }
 
 Result<Study> open(const FoundFiles& found, bool all, const Progress& progress, const CancelToken& cancel) {

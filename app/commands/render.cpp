@@ -46,7 +46,7 @@ struct Times {
 
 // Returns the text entries of the image's PNG.
 PictureText textOf(const Rendered& done, const SegmentsInPicture& segments) {
-  PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.error)});
+  PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.plan, done.error)});
   std::ranges::move(textOfSegments(segments, done.plan.segments), std::back_inserter(text));
   return text;
 }
@@ -60,7 +60,7 @@ nlohmann::ordered_json pictureJson(const PictureText& text) {
 // Returns the estimated error of the picture in 1/255; psnrDb is null for no error. Null if there is no
 // estimate.
 nlohmann::ordered_json errorJson(const Rendered& done) {
-  const auto estimated = estimateOf(done.error);
+  const auto estimated = estimateOf(done.plan, done.error);
   if (!estimated) return nullptr;
   nlohmann::ordered_json out{{"maximum", estimated->maximum},
                              {"percentile99", estimated->percentile99},

@@ -1,7 +1,7 @@
 #include "io/dicom/import.h"
 
+#include <algorithm>
 #include <iterator>
-#include <set>
 
 #include "io/dicom/directory.h"
 #include "io/dicom/series.h"
@@ -30,14 +30,7 @@ Image imageOf(const FileHeader& file) {
   return image;
 }
 
-/// Keeps the files of classes that have pixels here, which were cut off before their pixels.
-void keepPictures(std::vector<LostFile>& files, const std::vector<FileHeader>& pictures) {
-  std::set<std::string> classes{{}};
-  for (const FileHeader& picture : pictures) classes.insert(picture.sopClassUid);
-  std::erase_if(files, [&](const LostFile& file) { return !classes.contains(file.identity.sopClassUid); });
-}
-
-/// Adds the pictures that a DICOMDIR lists but that are missing.
+/// Adds the pictures that a DICOMDIR lists and that are not there.
 void addNotFound(const std::string& directory, const std::vector<ListedFile>& listed,
                  const std::vector<std::string>& found, std::vector<LostFile>& lost) {
   const std::string folder = directory.substr(0, directory.find_last_of('/') + 1);
@@ -54,50 +47,82 @@ void addNotFound(const std::string& directory, const std::vector<ListedFile>& li
 
 }  // namespace
 
-void findSeries(const std::vector<std::string>& files, std::vector<Inspection>& inspections,
-                std::vector<LostFile> lost, bool all, Study& study) {
-  std::vector<FileHeader> pictures;
+void SeriesFinder::add(const std::string& file, Inspection found) {
+  files_.push_back(file);
+  if (found.kind != Inspection::Kind::picture) {
+    others_.emplace_back(file, std::move(found));
+  } else if (!found.header.notVolume.empty()) {
+    images_.push_back(imageOf(found.header));
+  } else {
+    const std::string& uid = found.header.seriesUid;
+    const auto [known, isNew] = seriesOf_.try_emplace(uid, series_.size());
+    if (isNew) series_.push_back({uid, {}});
+    series_[known->second].second.push_back(pictures_.size());
+    classes_.insert(found.header.sopClassUid);
+    pictures_.add(found.header);
+  }
+}
+
+void SeriesFinder::addOthers(std::vector<LostFile>& lost, bool all, Study& study) {
   std::vector<LostFile> withoutPixels;
-  for (std::size_t n = 0; n < files.size(); ++n) {
-    Inspection& i = inspections[n];
-    switch (i.kind) {
-      case Inspection::Kind::notDicom:
-        study.other.push_back(
-            {files[n], isZipArchive(files[n]) ? "zip archive: open it by itself" : "not an image"});
-        lost.push_back({{{files[n], "it is no image, but is named as the slices are."}, true, {}}, {}, true});
-        break;
-      case Inspection::Kind::noPicture:
-        study.other.push_back({files[n], i.listed ? directoryText(files[n], *i.listed, files) : i.text});
-        if (i.listed && all) addNotFound(files[n], *i.listed, files, lost);
-        if (!i.derivedObject && !i.listed)
-          withoutPixels.push_back(
-              {{{files[n], "it is a " + i.text + "."}, i.header.seriesUid.empty(), i.position}, i.header});
-        if (i.derivedObject) study.derived.push_back(std::move(*i.derivedObject));
-        break;
-      case Inspection::Kind::refused:
-        study.refused.push_back({files[n], i.text, i.again});
-        lost.push_back({{study.refused.back(), i.header.seriesUid.empty(), i.position}, i.header});
-        break;
-      case Inspection::Kind::picture:
-        if (i.header.notVolume.empty())
-          pictures.push_back(std::move(i.header));
-        else
-          study.images.push_back(imageOf(i.header));
-        break;
+  for (auto& [file, i] : others_) {
+    if (i.kind == Inspection::Kind::notDicom) {
+      study.other.push_back({file, isZipArchive(file) ? "zip archive: open it by itself" : "not an image"});
+      lost.push_back({{{file, "it is no image, but is named as the slices are."}, true, {}}, {}, true});
+    } else if (i.kind == Inspection::Kind::noPicture) {
+      study.other.push_back({file, i.listed ? directoryText(file, *i.listed, files_) : i.text});
+      if (i.listed && all) addNotFound(file, *i.listed, files_, lost);
+      if (!i.derivedObject && !i.listed)
+        withoutPixels.push_back(
+            {{{file, "it is a " + i.text + "."}, i.header.seriesUid.empty(), i.position}, i.header});
+      if (i.derivedObject) study.derived.push_back(std::move(*i.derivedObject));
+    } else {
+      study.refused.push_back({file, i.text, i.again});
+      lost.push_back({{study.refused.back(), i.header.seriesUid.empty(), i.position}, i.header});
     }
   }
-  keepPictures(withoutPixels, pictures);
+  // What has no pixels by its class was not cut off in front of them.
+  std::erase_if(withoutPixels, [&](const LostFile& file) {
+    return !file.identity.sopClassUid.empty() && !classes_.contains(file.identity.sopClassUid);
+  });
   lost.insert(lost.end(), withoutPixels.begin(), withoutPixels.end());
-  Sorted sorted = sortIntoSeries(pictures);
-  addSuvFactors(pictures, sorted.volumes);
-  addUnread(lost, sorted.volumes);
-  std::move(sorted.volumes.begin(), sorted.volumes.end(), std::back_inserter(study.volumes));
-  for (const FileHeader* file : sorted.frames) {
-    study.images.push_back(imageOf(*file));
-    study.images.back().notVolume =
-        "Several pictures lie at one place, have one image number, and nothing tells which belong together: "
-        "they cannot be shown in 3D.";
+}
+
+// Files without a SeriesInstanceUID are by themselves: what they make stands where each of them does.
+void SeriesFinder::addPictures(Study& study) const {
+  std::map<std::size_t, std::vector<Series>> volumes;  // by the first picture of each series
+  std::map<std::size_t, std::vector<Image>> images;
+  for (const auto& [uid, numbers] : series_) {
+    std::vector<FileHeader> files;
+    std::map<std::string, std::size_t> alone;
+    for (const std::size_t n : numbers) {
+      files.push_back(pictures_.at(n));
+      if (uid.empty()) alone.emplace(files.back().path, n);
+    }
+    const auto placeOf = [&](const std::string& path) { return uid.empty() ? alone.at(path) : numbers[0]; };
+    Sorted sorted = sortIntoSeries(files);
+    addSuvFactors(files, sorted.volumes);
+    for (Series& volume : sorted.volumes) volumes[placeOf(volume.files[0])].push_back(std::move(volume));
+    for (const FileHeader* file : sorted.frames) {
+      Image& image = images[placeOf(file->path)].emplace_back(imageOf(*file));
+      image.notVolume =
+          "Several pictures lie at one place, have one image number, and nothing tells which belong "
+          "together: "
+          "they cannot be shown in 3D.";
+    }
   }
+  for (auto& [place, some] : volumes) std::ranges::move(some, std::back_inserter(study.volumes));
+  for (auto& [place, some] : images) std::ranges::move(some, std::back_inserter(study.images));
+}
+
+void SeriesFinder::finish(std::vector<LostFile> lost, bool all, Study& study) {
+  addOthers(lost, all, study);
+  std::ranges::move(images_, std::back_inserter(study.images));
+  Study found;
+  addPictures(found);
+  addUnread(lost, found.volumes);
+  std::ranges::move(found.volumes, std::back_inserter(study.volumes));
+  std::ranges::move(found.images, std::back_inserter(study.images));
 }
 
 }  // namespace volumen::dicom

@@ -56,6 +56,12 @@ std::string besides(const Plan& plan) {
 // True for projections that go from cell to cell.
 bool isExact(const Plan& plan) { return plan.cellByCell && plan.scene.mode != Mode::composite; }
 
+// Whether a picture of this plan keeps what its level promises.
+bool keepsItsLevel(const Plan& plan) {
+  return plan.method != Method::reference && !plan.options.step && keepsLevels(plan.options) &&
+         besides(plan).empty();
+}
+
 std::string errorText(const Plan& plan) {
   if (plan.method == Method::reference) return "within 0.05/255 of the limit";
   const std::string chosen = besides(plan);
@@ -68,6 +74,17 @@ std::string errorText(const Plan& plan) {
 }
 
 }  // namespace
+
+std::optional<PictureError> estimateOf(const Plan& plan, const std::vector<float>& map255) {
+  std::optional<PictureError> e = estimateOf(map255);
+  if (!e || !keepsItsLevel(plan)) return e;
+  const LevelPromise& promised = promiseOf(plan.options.quality);
+  e->maximum = std::min(e->maximum, promised.mostMaximum);
+  e->percentile99 = std::min({e->percentile99, promised.most99, e->maximum});
+  e->rmse = std::min({e->rmse, e->maximum, 255 / std::pow(10, promised.leastPsnrDb / 20)});
+  if (e->rmse > 0) e->psnrDb = std::max(promised.leastPsnrDb, 20 * std::log10(255 / e->rmse));
+  return e;
+}
 
 std::string notEstimated(const Plan& plan) {
   const RenderOptions& o = plan.options;

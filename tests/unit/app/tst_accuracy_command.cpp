@@ -1,11 +1,13 @@
 // Guards design.md 4 and 6: `accuracy` writes CSV, JSON and pictures of the study without a display.
 #include <QDir>
+#include <QFile>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
 
+#include "tests/fixtures/chance.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
 
@@ -19,6 +21,7 @@ class TestAccuracyCommand : public QObject {
   void wrongUsageIsRefused();
   void failureIsASentence_data();
   void failureIsASentence();
+  void noiseIsEstimatedWithinThePromise();
 };
 
 namespace {
@@ -97,6 +100,38 @@ void TestAccuracyCommand::failureIsASentence() {
   QCOMPARE(done.status, 1);
   QVERIFY2(done.err.contains(named.toUtf8()), done.err);
   QVERIFY(QDir(folder.path()).entryList(QDir::Files).isEmpty());
+}
+
+// Rays through noise pass through hundreds of faint parts, whose errors add up to 34 dB.
+void TestAccuracyCommand::noiseIsEstimatedWithinThePromise() {
+  const QTemporaryDir folder;
+  const auto at = [&](const char* name) { return folder.filePath(QString::fromLatin1(name)); };
+  QFile noise(at("noise.nrrd"));
+  QVERIFY(noise.open(QIODevice::WriteOnly));
+  noise.write(
+      "NRRD0004\ntype: short\ndimension: 3\nsizes: 48 48 48\nendian: little\nencoding: raw\n"
+      "space: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n\n");
+  Chance chance(5);
+  std::vector<qint16> values(48 * 48 * 48);
+  for (qint16& value : values) value = qint16(chance.below(900) - 700);
+  noise.write(reinterpret_cast<const char*>(values.data()), qint64(2 * values.size()));
+  noise.close();
+  QFile scene(at("skin-and-bone.json"));
+  QVERIFY(scene.open(QIODevice::WriteOnly));
+  scene.write(
+      R"({"volumenScene": 1, "transferFunction": {"unitDistance": 0.78, "points": [
+          {"value": -700, "colour": [1, 1, 1], "opacity": 0}, {"value": -500, "colour": [1, 1, 1], "opacity": 0.06},
+          {"value": -150, "colour": [1, 1, 1], "opacity": 0.06}, {"value": -50, "colour": [1, 1, 1], "opacity": 0},
+          {"value": 150, "colour": [1, 1, 1], "opacity": 0}, {"value": 300, "colour": [1, 1, 1], "opacity": 0.7}]}, "shading": {"lit": true}})");
+  scene.close();
+  const Outcome a =
+      runProgram(QStringLiteral("render %1 --scene %2 --size 48x48 --stats %3 -o %4")
+                     .arg(noise.fileName(), scene.fileName(), at("noise.json"), at("noise.png")));
+  QVERIFY2(a.status == 0, a.err);
+  const QJsonObject stats = QJsonDocument::fromJson(contentsOf(at("noise.json"))).object();
+  const QJsonValue error = stats[QStringLiteral("error")];
+  QVERIFY2(error[QLatin1String("psnrDb")].toDouble() == 42, contentsOf(at("noise.json")));
+  QVERIFY(error[QLatin1String("percentile99")].toDouble() <= 8);
 }
 
 VOLUMEN_TEST(TestAccuracyCommand);

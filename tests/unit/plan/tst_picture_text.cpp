@@ -45,6 +45,8 @@ class TestPictureText : public QObject {
   void saysWhatWasMeasured();
   void saysWhatIsEstimated_data();
   void saysWhatIsEstimated();
+  void noEstimateIsWorseThanThePromise_data();
+  void noEstimateIsWorseThanThePromise();
 };
 
 void TestPictureText::saysItsMethodAndError_data() {
@@ -207,6 +209,42 @@ void TestPictureText::saysWhatIsEstimated() {
   const std::pair<std::string, std::string> line{"volumen-error-estimated", expected.toStdString()};
   QVERIFY2(std::count(text.begin(), text.end(), line) == 1, estimateText(plan, estimated).c_str());
   QCOMPARE(textOf(options, "volumen-error-estimated"), QString());
+}
+
+void TestPictureText::noEstimateIsWorseThanThePromise_data() {
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<double>("eachPixel");  // 1/255
+  QTest::addColumn<double>("maximum");
+  QTest::addColumn<double>("percentile99");
+  QTest::addColumn<double>("psnrDb");
+  const auto row = [](const char* name, double eachPixel, double maximum, double percentile99, double psnrDb,
+                      Change change) {
+    QTest::newRow(name) << change << eachPixel << maximum << percentile99 << psnrDb;
+  };
+  const double of20 = 20 * std::log10(255.0 / 20), of1 = 20 * std::log10(255.0),
+               ofHalf = 20 * std::log10(255.0 / 0.5);
+  row("standard, far off", 20, 20, 8, 42, [](RenderOptions&) {});
+  row("standard, below its promise", 0.5, 0.5, 0.5, ofHalf, [](RenderOptions&) {});
+  row("high, far off", 20, 20, 2.5, 52, [](RenderOptions& o) { o.quality = Quality::high; });
+  row("exact, far off", 20, 1, 1, of1, [](RenderOptions& o) { o.quality = Quality::exact; });
+  row("a draft promises nothing of pixels", 20, 20, 20, of20,
+      [](RenderOptions& o) { o.quality = Quality::draft; });
+  row("a tolerance of its own", 20, 20, 20, of20, [](RenderOptions& o) { o.tolerance = 0.1; });
+}
+
+void TestPictureText::noEstimateIsWorseThanThePromise() {
+  QFETCH(Change, change);
+  QFETCH(double, eachPixel);
+  RenderOptions options;
+  change(options);
+  const auto plan = makePlan(Scene(), someFacts(), options);
+  QVERIFY(plan);
+  const auto told = estimateOf(*plan, std::vector<float>(400, float(eachPixel)));
+  QVERIFY(told);
+  QTEST(told->maximum, "maximum");
+  QTEST(told->percentile99, "percentile99");
+  QTEST(told->psnrDb, "psnrDb");
+  QVERIFY2(!estimateOf(*plan, {}), "nothing was estimated");
 }
 
 VOLUMEN_TEST(TestPictureText);
