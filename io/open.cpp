@@ -47,10 +47,10 @@ Result<FoundFiles> filesOf(const std::string& path, const CancelToken& cancel) {
   return found;
 }
 
-/// Headers take about 10 KB each until they are sorted: so many are held at once.
+/// The number of headers held at once before they are sorted, at about 10 KB each.
 constexpr std::size_t filesAtOnce = 4096;
 
-/// What the headers of all files say, not in order. `all`: of all that a path holds.
+/// Adds the headers of all files to a study, unsorted. `all` means that these are all files of a path.
 void addFiles(const FoundFiles& found, bool all, const Progress& progress, const CancelToken& cancel,
               Study& study) {
   const std::vector<std::string>& files = found.files;

@@ -30,7 +30,7 @@ Image imageOf(const FileHeader& file) {
   return image;
 }
 
-/// Adds the pictures that a DICOMDIR lists and that are not there.
+/// Adds the pictures that a DICOMDIR lists but that are missing.
 void addNotFound(const std::string& directory, const std::vector<ListedFile>& listed,
                  const std::vector<std::string>& found, std::vector<LostFile>& lost) {
   const std::string folder = directory.substr(0, directory.find_last_of('/') + 1);

@@ -21,15 +21,14 @@ struct Study;
 
 namespace volumen::dicom {
 
-/// Sorts files by what each turned out to be into a study. Of pictures it holds little until they are sorted,
-/// a series at a time.
+/// Sorts inspected files into a study. Holds little of each picture until its series is sorted.
 class SeriesFinder {
  public:
-  /// The files come in their order.
+  /// Takes the next file. Files come in their order.
   void add(const std::string& file, Inspection found);
-  /// Adds volumes and images (not in order, ids not numbered), refusals, and what is no picture. `lost`: what
-  /// else is known to be lost of series, or of those beside it. `all`: where these are all files that there
-  /// are: what a DICOMDIR lists beyond them is lost.
+  /// Adds volumes and images (unsorted, ids not numbered), refusals, and files without picture. `lost` holds
+  /// files already known to be lost, of a series or beside one. With `all`, these are all files there are, so
+  /// that other files listed by a DICOMDIR count as lost.
   void finish(std::vector<LostFile> lost, bool all, Study& study);
 
  private:
@@ -37,12 +36,12 @@ class SeriesFinder {
   void addPictures(Study& study) const;
 
   std::vector<std::string> files_;
-  std::vector<std::pair<std::string, Inspection>> others_;  ///< no pictures
-  std::vector<Image> images_;                               ///< pictures that are no slices
+  std::vector<std::pair<std::string, Inspection>> others_;  ///< files without picture
+  std::vector<Image> images_;                               ///< pictures that are not slices
   PackedHeaders pictures_;
-  std::vector<std::pair<std::string, std::vector<std::size_t>>> series_;  ///< UID, and numbers of pictures
-  std::map<std::string, std::size_t> seriesOf_;                           ///< of a UID
-  std::set<std::string> classes_;                                         ///< of pictures
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> series_;  ///< UID and numbers of pictures
+  std::map<std::string, std::size_t> seriesOf_;                           ///< by UID
+  std::set<std::string> classes_;                                         ///< classes of pictures
 };
 
 /// Decodes the slices of a DICOM series on all cores. A slice that cannot be decoded counts as missing and is

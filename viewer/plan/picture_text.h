@@ -17,16 +17,17 @@ struct MeasuredError {
 
 /// Known errors of a picture, beside the promise of its plan.
 struct KnownError {
-  std::optional<PictureError> estimated{};  ///< by the picture itself (estimateOf(plan, map))
+  std::optional<PictureError> estimated{};  ///< by the picture itself (estimateOf())
   std::optional<MeasuredError> measured{};
 };
 
-/// What a picture is said to be off by, of what each pixel may be (estimateOf(map)): nowhere more than its
-/// plan promises. Pixels add up the errors of all parts of their rays as if all were of one sign. Where rays
-/// pass through many faint parts that is far more than they are off by.
+/// Returns the stated error of a picture from the bound of each pixel, never more than its plan promises. A
+/// pixel adds up the errors of all parts of its ray as if all had one sign. On rays through many faint parts
+/// that is far more than the true error.
 std::optional<PictureError> estimateOf(const Plan& plan, const std::vector<float>& map255);
 
-/// "at most 0.61/255, 99th percentile 0.2/255, PSNR at least 71 dB", and what that leaves out (notEstimated).
+/// Returns for example "at most 0.61/255, 99th percentile 0.2/255, PSNR at least 71 dB", and what that leaves
+/// out (notEstimated).
 std::string estimateText(const Plan& plan, const PictureError& estimated);
 /// Returns the manual choices that no error estimate covers, because they change the integrand. May be empty.
 std::string notEstimated(const Plan& plan);
