@@ -61,6 +61,16 @@ Result<Frame> loadFrame(const Series& series, int index) {
                           pixelsOf(series));
 }
 
+Result<Frame> loadSmallFrame(const Image& image, int index, int edge) {
+  return dicom::loadSmallFrame(image.path, index, pixelsOf(image), edge);
+}
+
+Result<Frame> loadSmallFrame(const Series& series, int index, int edge) {
+  if (const Status there = checkIndex(series, index); !there) return there.error();
+  return dicom::loadSmallFrame(series.files[std::size_t(index)], series.frames[std::size_t(index)],
+                               pixelsOf(series), edge);
+}
+
 Result<PresentedFrame> loadFrame(const Image& image, int index, const Presentation& presentation) {
   return presented(image.path, pixelsOf(image), image.sopInstanceUid, index, presentation);
 }

@@ -17,6 +17,11 @@ Result<Frame> loadFrame(const Image& image, int index);
 /// Reads the frame of slice `index` (from 0) of a DICOM series.
 Result<Frame> loadFrame(const Series& series, int index);
 
+/// Reads a frame for a picture whose longer side has `edge` pixels. Large grey frames are reduced to means of
+/// blocks, no smaller than that picture needs, without overlays and shutter.
+Result<Frame> loadSmallFrame(const Image& image, int index, int edge);
+Result<Frame> loadSmallFrame(const Series& series, int index, int edge);
+
 /// A frame with the values, grey scales and shutter of a presentation state, and its display parameters.
 struct PresentedFrame {
   Frame frame;

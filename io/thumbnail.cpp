@@ -23,7 +23,7 @@ QImage greyImage(std::span<const std::uint8_t> greys, int columns, int rows) {
 
 QImage imageOf(const Frame& frame) {
   if (!frame.colour())
-    return greyImage(greyBytes(frame.values, frame.greys[0].mapping), frame.size.x, frame.size.y);
+    return greyImage(frame.values.greyBytes(frame.greys[0].mapping), frame.size.x, frame.size.y);
   return QImage(frame.rgb.data(), frame.size.x, frame.size.y, frame.size.x * 3, QImage::Format_RGB888).copy();
 }
 
@@ -70,7 +70,7 @@ Result<QImage> thumbnailOf(const Series& series, int edge, const CancelToken& ca
     if (!loaded) return loaded.error();
     return thumbnailOf(*loaded->acquired, series.unit, edge);
   }
-  const Result<Frame> frame = loadFrame(series, int(series.files.size() / 2));
+  const Result<Frame> frame = loadSmallFrame(series, int(series.files.size() / 2), edge);
   if (!frame) return frame.error();
   const QImage picture = imageOf(*frame);
   return scaled(series.notVolume.empty() ? upright(picture, series.acquired) : picture, frame->pixel.mm,
@@ -78,7 +78,7 @@ Result<QImage> thumbnailOf(const Series& series, int edge, const CancelToken& ca
 }
 
 Result<QImage> thumbnailOf(const Image& image, int edge) {
-  const Result<Frame> frame = loadFrame(image, image.frames / 2);
+  const Result<Frame> frame = loadSmallFrame(image, image.frames / 2, edge);
   if (!frame) return frame.error();
   return scaled(imageOf(*frame), frame->pixel.mm, edge);
 }

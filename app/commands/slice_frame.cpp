@@ -119,7 +119,7 @@ std::vector<std::uint8_t> bytesOf(const Frame& frame, const std::optional<Window
   if (frame.colour()) return frame.rgb;
   GreyMapping grey = frame.greys.front().mapping;
   if (window) grey.window = *window, grey.table = {};
-  return greyBytes(frame.values, grey);
+  return frame.values.greyBytes(grey);
 }
 
 void closeShutter(const Frame& frame, std::vector<std::uint8_t>& bytes) {
@@ -137,7 +137,7 @@ Status writeImage(const QImage& image, const std::string& path) {
 Status write(const Frame& frame, const FrameOptions& options) {
   if (isFloatPicture(options.output))
     return frame.colour() ? writeColourNrrd(frame.size, frame.rgb, options.output)
-                          : writeMapNrrd(frame.size, frame.values, options.output);
+                          : writeMapNrrd(frame.size, frame.values.floats(), options.output);
   return writeImage(imageOf(bytesOf(frame, options.window), frame.size, frame.colour()), options.output);
 }
 
@@ -148,7 +148,7 @@ Status write(const PresentedFrame& shown, const FrameOptions& options) {
   if (isFloatPicture(options.output) && !frame.colour())
     return writeMapNrrd(
         grid.size(),
-        presentPixels(grid, frame.values, frame.size, 1, std::numeric_limits<float>::quiet_NaN()),
+        presentPixels(grid, frame.values.floats(), frame.size, 1, std::numeric_limits<float>::quiet_NaN()),
         options.output);
   std::vector<std::uint8_t> bytes = bytesOf(frame, options.window);
   if (isFloatPicture(options.output))

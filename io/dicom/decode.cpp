@@ -11,17 +11,32 @@ namespace volumen::dicom {
 namespace {
 
 /// Reads integers of type `Raw` as they are in a file and reduces them to their stored bits.
+/// Writes them to `values`, which may lie where the bytes do if both are equally wide.
 template <class Raw, class Value>
-std::vector<Value> unpackIntegers(const PixelFormat& format, Bytes bytes) {
+void unpackIntegers(const PixelFormat& format, Bytes bytes, std::span<Value> values) {
   const int shift = format.highBit + 1 - format.bitsStored, bits = format.bitsStored;
   const std::uint32_t mask = bits == 32 ? ~0u : (1u << bits) - 1, sign = 1u << (bits - 1);
-  std::vector<Value> values(format.frameSamples());
-  for (std::size_t n = 0; n < values.size(); ++n) {
-    const std::uint32_t raw = numberAt<Raw>(bytes, n * sizeof(Raw), format.bigEndian);
-    const std::uint32_t stored = raw >> shift & mask;
-    // (x ^ s) - s spreads the sign bit s over all bits above it.
-    values[n] = format.isSigned ? Value(std::int32_t((stored ^ sign) - sign)) : Value(stored);
-  }
+  // Byte order and sign are constants of the loop: it is the whole cost of native pictures.
+  const auto unpack = [&](auto isBigEndian, auto isSigned) {
+    for (std::size_t n = 0; n < values.size(); ++n) {
+      const std::uint32_t raw = numberAt<Raw>(bytes, n * sizeof(Raw), isBigEndian);
+      const std::uint32_t stored = raw >> shift & mask;
+      // (x ^ s) - s spreads the sign bit s over all bits above it.
+      values[n] = isSigned ? Value(std::int32_t((stored ^ sign) - sign)) : Value(stored);
+    }
+  };
+  constexpr std::true_type yes;
+  constexpr std::false_type no;
+  if (format.isSigned)
+    format.bigEndian ? unpack(yes, yes) : unpack(no, yes);
+  else
+    format.bigEndian ? unpack(yes, no) : unpack(no, no);
+}
+
+template <class Raw, class Value>
+std::vector<Value> unpackIntegers(const PixelFormat& format, Bytes bytes) {
+  std::vector<Value> values(bytes.size() / sizeof(Raw));
+  unpackIntegers<Raw>(format, bytes, std::span(values));
   return values;
 }
 
@@ -134,6 +149,40 @@ Result<std::vector<std::uint8_t>> joined(const FrameRanges& ranges, const Read& 
       all.insert(all.end(), part->begin(), part->end());
   }
   return all;
+}
+
+/// Whether samples stand in the file as they are, one behind the other, as wide as they will be.
+bool isReadInPlace(const PixelFormat& format, const TransferSyntax& syntax, const FrameRanges& ranges) {
+  const bool isPlain = syntax.coding == Coding::native && format.kind == PixelFormat::Kind::integer &&
+                       !format.bytesInWords && !format.subsampled && !format.planar;
+  const bool isAsWide = format.bitsAllocated == 16 || (format.bitsAllocated == 8 && !format.isSigned);
+  return isPlain && isAsWide && ranges.size() == 1 && ranges[0].length == format.frameBytes();
+}
+
+/// Reads a frame to where its samples will be: a large one is in memory once. Unpacks by pieces that stay in
+/// the cache.
+template <class Value>
+Result<DecodedFrame> readInPlace(const RegularFile& file, const PixelFormat& format, Range range) {
+  constexpr std::uint64_t pieceBytes = 1 << 18;
+  if (range.offset > file.size() || range.length > file.size() - range.offset)
+    return Error{"the file is cut off"};
+  std::vector<Value> samples(format.frameSamples());
+  const std::span all(reinterpret_cast<std::uint8_t*>(samples.data()), range.length);
+  for (std::uint64_t done = 0; done < range.length; done += pieceBytes) {
+    const auto piece = all.subspan(done, std::min(pieceBytes, range.length - done));
+    const auto got = file.readAt(range.offset + done, piece.data(), piece.size());
+    if (!got) return got.error();
+    if (*got < piece.size()) return Error{"the file became shorter while it was read"};
+    unpackIntegers<std::make_unsigned_t<Value>>(
+        format, piece, std::span(samples).subspan(done / sizeof(Value), piece.size() / sizeof(Value)));
+  }
+  return DecodedFrame{std::move(samples), {}, isYbr(format)};
+}
+
+Result<DecodedFrame> readInPlace(const RegularFile& file, const PixelFormat& format, Range range) {
+  if (format.bitsAllocated == 8) return readInPlace<std::uint8_t>(file, format, range);
+  return format.isSigned ? readInPlace<std::int16_t>(file, format, range)
+                         : readInPlace<std::uint16_t>(file, format, range);
 }
 
 /// Decodes a frame within a worker.
@@ -254,6 +303,7 @@ Result<DecodedFrame> PixelSource::frame(int n, const PixelFormat& format) const 
 Result<DecodedFrame> PixelSource::decoded(int n, const PixelFormat& format) const {
   const FrameRanges& ranges = header_.frames[std::size_t(n)];
   if (isDecodedInWorkers()) return decodeIsolated(header_.path, format, header_.syntax, ranges, cancel_);
+  if (file_ && isReadInPlace(format, header_.syntax, ranges)) return readInPlace(*file_, format, ranges[0]);
   const auto joinedBytes = joined(ranges, [&](Range r) { return bytes(r); });
   if (!joinedBytes) return joinedBytes.error();
   return decodeFrame(format, header_.syntax, *joinedBytes, n);

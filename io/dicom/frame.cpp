@@ -11,6 +11,7 @@
 #include "io/dicom/pixel_size.h"
 #include "io/dicom/shutter.h"
 #include "io/worker/object_fields.h"
+#include "viewer/slice/pyramid.h"
 
 namespace volumen {
 namespace worker {
@@ -31,12 +32,23 @@ Result<ValueMapping> readValueMapping(const DataSet& data, const FileHeader& hea
   return mapping;
 }
 
-std::vector<float> valuesOf(const Samples& samples, const ValueMapping& mapping) {
+/// Whether a rescale alone makes values of integers.
+bool isRescale(const ValueMapping& mapping) {
+  return mapping.table.empty() && mapping.slope != 0 && std::isfinite(mapping.slope) &&
+         std::isfinite(mapping.intercept);
+}
+
+template <class Stored>
+inline constexpr bool isKept = std::is_same_v<Stored, std::uint8_t> || std::is_same_v<Stored, std::int16_t> ||
+                               std::is_same_v<Stored, std::uint16_t>;
+
+PixelValues valuesOf(Samples samples, const ValueMapping& mapping) {
   return std::visit(
-      [&](const auto& stored) {
+      [&]<class Stored>(std::vector<Stored>& stored) -> PixelValues {
+        if constexpr (isKept<Stored>)
+          if (isRescale(mapping)) return {std::move(stored), mapping.slope, mapping.intercept};
         std::vector<float> values(stored.size());
-        std::transform(stored.begin(), stored.end(), values.begin(),
-                       [&](auto v) { return mapping(double(v)); });
+        std::ranges::transform(stored, values.begin(), [&](Stored v) { return mapping(double(v)); });
         return values;
       },
       samples);
@@ -93,12 +105,12 @@ std::vector<NamedGrey> shownGreys(const Shown& shown, const PixelFormat& format)
   return greys;
 }
 
-Status addGreys(const DataSet& data, const FileHeader& header, const DecodedFrame& decoded, int n,
+Status addGreys(const DataSet& data, const FileHeader& header, DecodedFrame decoded, int n,
                 const std::optional<Shown>& shown, Frame& frame) {
   const Slice& slice = sliceOf(header, n);
   const auto mapping = shown ? Result<ValueMapping>(shown->values) : readValueMapping(data, header, slice);
   if (!mapping) return mapping.error();
-  frame.values = valuesOf(decoded.samples, *mapping);
+  frame.values = valuesOf(std::move(decoded.samples), *mapping);
   frame.padding = paddingValues(slice, *mapping);
   frame.unit = mapping->unit;
   frame.greys = shown ? shownGreys(*shown, header.format)
@@ -114,7 +126,7 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
     return Error{"there is no frame " + std::to_string(n) + ": it holds " + std::to_string(format.frames)};
   const auto pixels = PixelSource::open(header);
   if (!pixels) return pixels.error();
-  const auto decoded = pixels->frame(n);
+  auto decoded = pixels->frame(n);
   if (!decoded) return decoded.error();
   const DataSet data(file.scanned.head, file.scanned.dataSet.elements);
   const FrameScopes at(data, n);
@@ -122,7 +134,7 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
   frame.size = {format.columns, format.rows};
   if (!decoded->note.empty()) frame.warnings.push_back(decoded->note + ".");
   if (format.isGrey()) {
-    if (Status s = addGreys(data, header, *decoded, n, shown, frame); !s) return s.error();
+    if (Status s = addGreys(data, header, *std::move(decoded), n, shown, frame); !s) return s.error();
   } else {
     auto rgb = toRgb(*decoded, format, data, frame.warnings);
     if (!rgb) return rgb.error();
@@ -157,7 +169,28 @@ Result<Frame> loadFrameHere(const std::string& path, int n, const std::optional<
   }
 }
 
+/// Runs in the worker, so that only the means are sent.
+Result<Frame> loadSmallFrameHere(const std::string& path, int n, int edge) {
+  constexpr int pixelsForEach = 4;  // of the picture: enough to scale it smoothly
+  Result<Frame> frame = loadFrameHere(path, n, {});
+  if (!frame || frame->colour()) return frame;
+  const int block = std::max(frame->size.x, frame->size.y) / (pixelsForEach * edge);
+  if (block < 2) return frame;
+  std::vector<float> means = blockMeans(frame->values.stored, frame->size, block);
+  std::ranges::transform(means, means.begin(), [&](float v) { return frame->values.of(double(v)); });
+  frame->values = std::move(means);
+  frame->size = (frame->size + block - 1) / block;
+  frame->pixel.mm *= block;
+  frame->overlays.clear();
+  frame->shutter.clear();
+  return frame;
+}
+
 }  // namespace
+
+Result<Frame> loadSmallFrame(const std::string& path, int n, std::uint64_t pixels, int edge) {
+  return isolatedFile<loadSmallFrameHere>(path, pixels, n, edge);
+}
 
 Result<Frame> loadFrame(const std::string& path, int n, std::uint64_t pixels,
                         const std::optional<Shown>& shown) {

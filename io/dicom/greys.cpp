@@ -49,19 +49,9 @@ void useOwnRange(LookupTable& table, std::vector<std::string>& warnings) {
 
 /// Returns the window of percentiles 0.1 and 99.9 (picture.md 5) of all values but padding.
 Window ownWindow(const Frame& frame) {
-  std::vector<float> values;
-  values.reserve(frame.values.size());
-  std::copy_if(frame.values.begin(), frame.values.end(), std::back_inserter(values),
-               [&](float v) { return std::isfinite(v) && !isPadding(frame.padding, v); });
-  if (values.empty()) return {0.5, 1};
-  const auto ranked = [&](std::size_t perMille) {
-    const std::size_t rank = std::max<std::size_t>(1, (perMille * values.size() + 999) / 1000);
-    const auto it = values.begin() + std::ptrdiff_t(rank - 1);
-    std::nth_element(values.begin(), it, values.end());
-    return double(*it);
-  };
-  const double low = ranked(1), high = ranked(999);
-  return {(low + high) / 2, high > low ? high - low : 1};
+  SharedWindow own;
+  own.add(frame.values, frame.padding);
+  return own.window();
 }
 
 }  // namespace
@@ -135,9 +125,7 @@ NamedGrey greyOfSlice(NamedGrey grey, const Slice& slice) {
 
 std::vector<NamedGrey> readGreys(const DataSet& data, const FrameScopes& at, const FileHeader& header,
                                  const Slice& slice, const Frame& frame, std::vector<std::string>& warnings) {
-  const auto isNegative = [](float v) { return v < 0; };
-  const bool signedInput =
-      header.format.isSigned || (!slice.isMapped && std::ranges::any_of(frame.values, isNegative));
+  const bool signedInput = header.format.isSigned || (!slice.isMapped && frame.values.anyNegative());
   std::vector<NamedGrey> greys = readMappings(data, at.of(frameVoiLut), signedInput, warnings);
   const auto isTable = [](const NamedGrey& grey) { return !grey.mapping.table.grey.empty(); };
   if (slice.isMapped && slice.slope != 1 && std::erase_if(greys, isTable) > 0)

@@ -62,4 +62,8 @@ struct Shown {
 Result<Frame> loadFrame(const std::string& path, int n, std::uint64_t pixels,
                         const std::optional<Shown>& shown = {});
 
+/// Reads a frame as acquired for a picture whose longer side has `edge` pixels. Large grey frames are reduced
+/// to means of blocks, no smaller than that picture needs, without overlays and shutter.
+Result<Frame> loadSmallFrame(const std::string& path, int n, std::uint64_t pixels, int edge);
+
 }  // namespace volumen::dicom

@@ -95,6 +95,7 @@ bool isReasonOfMachine(const std::string& reason) {
 Call::Call(Request& request, Handler handler, const std::vector<std::uint8_t>& arguments, bool inNew)
     : Wire(true), request_(request), handler_(handler), known_(request.files) {
   std::ranges::sort(known_);
+  reservable_ = request_.mostBytes;
   request_.found.clear();
   request_.stepsDone = 0;
   if (request_.files.size() == 1) failure_ = costBefore(handler_, request_.files[0]);

@@ -40,6 +40,7 @@ inline void fields(Wire& w, UltrasoundRegion& r) {
   w(r.from, r.to, r.unitX, r.unitY, r.delta, r.zero, r.sign);
 }
 inline void fields(Wire& w, FramePlace& p) { w(p.origin, p.row, p.column); }
+inline void fields(Wire& w, PixelValues& v) { w(v.stored, v.slope, v.intercept); }
 inline void fields(Wire& w, Frame& f) {
   w(f.size, f.values, f.rgb, f.greys, f.padding, f.pixel, f.place, f.rowSide, f.columnSide, f.overlays,
     f.shutter, f.shutterGrey, f.regions, f.unit, f.warnings);

@@ -7,6 +7,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,6 +41,13 @@ class Wire {
   /// Reads or writes exactly `count` bytes at `data`.
   void bytes(void* data, std::size_t count);
 
+  /// Whether so many bytes may be reserved; they may once.
+  bool reserves(std::uint64_t count) {
+    if (count > reservable_) return false;
+    reservable_ -= count;
+    return true;
+  }
+
   template <class... T>
   void operator()(T&... values) {
     (value(values), ...);
@@ -55,6 +63,8 @@ class Wire {
   /// Opens the next piece to read from or write to, which must not be empty. Returns false if there is none.
   virtual bool nextPiece() = 0;
   std::uint8_t *at_ = nullptr, *end_ = nullptr;
+  /// Memory that may be reserved for elements before they have come: else it grows by halves, and is copied.
+  std::uint64_t reservable_ = 0;
 
  private:
   template <class T>
@@ -116,6 +126,7 @@ void bulk(Wire& w, Container& v) {
   w(count);
   if (!w.reading()) return w.bytes(v.data(), v.size() * size);
   v.clear();
+  if (count <= std::numeric_limits<std::uint64_t>::max() / size && w.reserves(count * size)) v.reserve(count);
   while (w.ok() && v.size() < count) {
     const std::size_t have = v.size(), more = std::min<std::uint64_t>(count - have, std::max(step, have));
     v.resize(have + more);

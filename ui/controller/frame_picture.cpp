@@ -20,9 +20,10 @@ Bytes rounded(const std::vector<float>& values) {
 }
 
 // Blends `colour` in where the mask is 1; the mask may be null.
-Status addLayer(const VolumePtr& mask, const SlicePlane& plane, float colour, std::vector<Bytes*> channels) {
+Status addLayer(const LoadedFrame& frame, const VolumePtr& mask, const SlicePlane& plane, float colour,
+                std::vector<Bytes*> channels) {
   if (!mask) return {};
-  const Result<SliceValues> parts = resampleSlice(*mask, plane);
+  const Result<SliceValues> parts = resampleSlice(frame.seenOn(plane, mask), plane);
   if (!parts) return parts.error();
   for (Bytes* bytes : channels)
     for (std::size_t n = 0; n < bytes->size(); ++n)
@@ -57,15 +58,15 @@ Result<QImage> drawFrame(const LoadedFrame& frame, const SlicePlane& plane, cons
   std::vector<Bytes> channels;
   for (const VolumePtr& volume : {frame.slice->volume, frame.green, frame.blue}) {
     if (!volume) continue;
-    const Result<SliceValues> values = resampleSlice(*volume, plane);
+    const Result<SliceValues> values = resampleSlice(frame.seenOn(plane, volume), plane);
     if (!values) return values.error();
     channels.push_back(frame.colour() ? rounded(values->values) : greyBytes(values->values, grey));
   }
   std::vector<Bytes*> all;
   for (Bytes& bytes : channels) all.push_back(&bytes);
   if (withLayers) {
-    if (Status s = addLayer(frame.shutter, plane, 255 * frame.shutterGrey, all); !s) return s.error();
-    if (Status s = addLayer(frame.overlays, plane, 255, all); !s) return s.error();
+    if (Status s = addLayer(frame, frame.shutter, plane, 255 * frame.shutterGrey, all); !s) return s.error();
+    if (Status s = addLayer(frame, frame.overlays, plane, 255, all); !s) return s.error();
   }
   return frame.colour() ? colourImage(plane.size, channels[0], channels[1], channels[2])
                         : greyImage(plane.size, channels[0]);

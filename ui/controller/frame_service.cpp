@@ -1,7 +1,6 @@
 #include "ui/controller/frame_service.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "io/frames.h"
 #include "ui/data/frame_series.h"
@@ -14,12 +13,6 @@ namespace {
 
 constexpr int mostAhead = 32;
 
-// Adds the values that count for a window.
-void addValues(const Frame& frame, std::vector<float>& values) {
-  const auto counts = [&](float v) { return std::isfinite(v) && !isPadding(frame.padding, v); };
-  std::ranges::copy_if(frame.values, std::back_inserter(values), counts);
-}
-
 // Returns the first and last frame that share a window.
 std::pair<int, int> framesOfOneWindow(const Series& series, int index) {
   const int count = frameCount(series);
@@ -31,18 +24,6 @@ std::pair<int, int> framesOfOneWindow(const Series& series, int index) {
   while (first > 0 && isOfFile(first - 1)) --first;
   while (last + 1 < count && isOfFile(last + 1)) ++last;
   return {first, last};
-}
-
-Window windowOfMost(std::vector<float> values) {
-  if (values.empty()) return {0.5, 1};
-  const auto ofRank = [&](double part) {
-    const auto rank = std::max(1.0, std::ceil(part * double(values.size())));
-    const auto at = values.begin() + std::ptrdiff_t(rank) - 1;
-    std::ranges::nth_element(values, at);
-    return double(*at);
-  };
-  const double low = ofRank(0.001), high = ofRank(0.999);
-  return {(low + high) / 2, high > low ? high - low : 1};
 }
 
 }  // namespace
@@ -87,6 +68,11 @@ void FrameService::request(ViewId view, std::shared_ptr<const Series> series, in
   wake_.notify_one();
 }
 
+void FrameService::setBudget(std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  pool_.setBudget(bytes);
+}
+
 void FrameService::drop(ViewId view) {
   const std::lock_guard lock(mutex_);
   wanted_.erase(view);
@@ -119,10 +105,13 @@ int FrameService::reach() const {
   return int(std::min<std::size_t>(room, mostAhead));
 }
 
-std::optional<FrameService::Reading> FrameService::nextReading() const {
+// Returns each frame once per request, so that reading ends even if the pool has no room for all.
+std::optional<FrameService::Reading> FrameService::nextReading() {
   const int most = reach();
   for (int ahead = 0; ahead <= most; ++ahead)
-    for (const auto& [view, wanted] : wanted_) {
+    for (auto& [view, wanted] : wanted_) {
+      if (ahead < wanted.passed) continue;
+      wanted.passed = ahead + 1;
       const FrameKey key = wanted.key(ahead);
       if (key.index < 0 || key.index >= frameCount(*wanted.series) || isKnown(key)) continue;
       return Reading{wanted.series, key, ahead == 0 ? std::optional(view) : std::nullopt};
@@ -140,10 +129,7 @@ void FrameService::run() {
     Result<LoadedFramePtr> frame = read(*reading);
     lock.lock();
     if (frame) {
-      frameBytes_ = std::max<std::size_t>(1, (*frame)->bytes());
-      pool_.put(*frame);
-      QMetaObject::invokeMethod(
-          this, [this, series = reading->key.series] { Q_EMIT held(series); }, Qt::QueuedConnection);
+      keep(*frame);
       // A view that moves faster than frames are read sees at least this one.
       if (reading->view && wanted_.contains(*reading->view) && wanted_[*reading->view].key(0) != reading->key)
         tellReady(*reading->view, *frame);
@@ -152,6 +138,14 @@ void FrameService::run() {
     }
     tellReady();
   }
+}
+
+// Requires the lock.
+void FrameService::keep(const LoadedFramePtr& frame) {
+  frameBytes_ = std::max<std::size_t>(1, frame->bytes());
+  pool_.put(frame);
+  QMetaObject::invokeMethod(
+      this, [this, series = frame->key.series] { Q_EMIT held(series); }, Qt::QueuedConnection);
 }
 
 Result<Presentation> FrameService::presentationOf(const std::string& path) {
@@ -179,41 +173,54 @@ Result<LoadedFramePtr> FrameService::readAcquired(const Reading& reading, const 
   Result<Frame> frame = loadFrame(*reading.series, reading.key.index);
   if (!frame) return frame.error();
   if (!warning.empty()) frame->warnings.push_back(warning);
-  if (frame->greys.empty() || frameCount(*reading.series) < 2)
-    return shownFrame(*reading.series, reading.key, std::move(*frame));
-  if (frame->greys.front().ofValues)
-    frame->greys.front().mapping.window = windowOf(*reading.series, reading.key.index);
-  return shownFrame(*reading.series, reading.key, std::move(*frame), {}, middleGreys(*reading.series));
+  const Series& series = *reading.series;
+  const int index = reading.key.index;
+  if (frame->greys.empty() || frameCount(series) < 2)
+    return shownFrame(series, reading.key, *std::move(frame));
+  setOwnWindow(series, index, *frame);
+  std::vector<NamedGrey> greys = middleGreys(series, index, *frame);
+  return shownFrame(series, reading.key, *std::move(frame), {}, std::move(greys));
 }
 
-// Empty if the middle frame cannot be read or is in colour.
-std::vector<NamedGrey> FrameService::middleGreys(const Series& series) {
-  const auto known = middleGreys_.find(keyOf(series));
+void FrameService::setOwnWindow(const Series& series, int index, Frame& frame) {
+  if (!frame.greys.empty() && frame.greys.front().ofValues)
+    frame.greys.front().mapping.window = windowOf(series, index, frame);
+}
+
+// Returns none if the middle frame cannot be read or is in colour. `frame` is the one of `index`. A middle
+// frame that was read for this is kept: it may be requested next.
+std::vector<NamedGrey> FrameService::middleGreys(const Series& series, int index, const Frame& frame) {
+  const FrameKey key{keyOf(series), frameCount(series) / 2};
+  const auto known = middleGreys_.find(key.series);
   if (known != middleGreys_.end()) return known->second;
-  std::vector<NamedGrey> greys;
-  const int index = frameCount(series) / 2;
-  Result<Frame> middle = loadFrame(series, index);
-  if (!middle) return greys;
-  greys = std::move(middle->greys);
-  if (!greys.empty() && greys.front().ofValues) greys.front().mapping.window = windowOf(series, index);
-  return middleGreys_[keyOf(series)] = greys;
+  if (key.index == index) return middleGreys_[key.series] = frame.greys;
+  Result<Frame> middle = loadFrame(series, key.index);
+  if (!middle) return {};
+  setOwnWindow(series, key.index, *middle);
+  const std::vector<NamedGrey> greys = middle->greys;
+  if (const auto shown = shownFrame(series, key, *std::move(middle), {}, greys)) {
+    const std::lock_guard lock(mutex_);
+    keep(*shown);
+  }
+  return middleGreys_[key.series] = greys;
 }
 
-Window FrameService::windowOf(const Series& series, int index) {
+Window FrameService::windowOf(const Series& series, int index, const Frame& frame) {
   const auto [first, last] = framesOfOneWindow(series, index);
+  if (first == last) return frame.greys.front().mapping.window;
   const auto known = windows_.find({keyOf(series), first});
   if (known != windows_.end()) return known->second;
   const int sampled = std::min(last - first + 1, sampledFrames);
-  std::vector<float> values;
+  SharedWindow shared;
   bool isAnyRead = false;
   for (int n = 0; n < sampled; ++n) {
-    const Result<Frame> frame =
+    const Result<Frame> sample =
         loadFrame(series, first + int(std::int64_t(n) * (last - first) / std::max(1, sampled - 1)));
-    if (!frame) continue;
+    if (!sample) continue;
     isAnyRead = true;
-    addValues(*frame, values);
+    shared.add(sample->values, sample->padding);
   }
-  const Window window = windowOfMost(std::move(values));
+  const Window window = shared.window();
   if (isAnyRead) windows_[{keyOf(series), first}] = window;
   return window;
 }

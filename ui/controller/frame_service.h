@@ -45,6 +45,8 @@ class FrameService : public QObject {
 
   /// Returns 6 % of the memory of the machine, at most 1 GiB.
   static std::size_t defaultBudget();
+  /// Sets how many bytes of frames are kept, including those on screen.
+  void setBudget(std::size_t bytes);
 
  Q_SIGNALS:
   /// The frame that a view wants, or wanted when reading began.
@@ -59,6 +61,7 @@ class FrameService : public QObject {
     int index = 0, step = 1;
     std::string presentation;
     bool told = false;
+    int passed = 0;  // Frames, counted from its own, that were read or need not be
 
     FrameKey key(int ahead) const { return {keyOf(*series), index + ahead * step, presentation}; }
   };
@@ -75,14 +78,16 @@ class FrameService : public QObject {
   void run();
   void tellReady();
   void tellReady(ViewId view, const LoadedFramePtr& frame);
-  std::optional<Reading> nextReading() const;
+  std::optional<Reading> nextReading();
   int reach() const;
   bool isKnown(const FrameKey& key) const { return pool_.contains(key) || failures_.contains(key); }
   Result<LoadedFramePtr> read(const Reading& reading);
   Result<LoadedFramePtr> readAcquired(const Reading& reading, const std::string& warning);
   Result<Presentation> presentationOf(const std::string& path);
-  Window windowOf(const Series& series, int index);
-  std::vector<NamedGrey> middleGreys(const Series& series);
+  void keep(const LoadedFramePtr& frame);
+  Window windowOf(const Series& series, int index, const Frame& frame);
+  void setOwnWindow(const Series& series, int index, Frame& frame);
+  std::vector<NamedGrey> middleGreys(const Series& series, int index, const Frame& frame);
 
   // Windows of frames without one, by the first frame that shares it. The next three members are used on the
   // thread only.

@@ -20,19 +20,32 @@ std::vector<int> FramePool::heldOf(const SeriesKey& series, const std::string& p
 }
 
 void FramePool::put(LoadedFramePtr frame) {
-  const auto lastUse = [](const auto& held) { return held.second.lastUse; };
   if (const auto same = held_.find(frame->key); same != held_.end()) {
     bytes_ -= same->second.frame->bytes();
     held_.erase(same);
   }
-  bytes_ += frame->bytes();
-  while (!held_.empty() && bytes_ > budget_) {
-    const auto oldest = std::ranges::min_element(held_, {}, lastUse);
+  const std::size_t bytes = frame->bytes();
+  dropBeyond(budget_ - std::min(budget_, bytes));
+  bytes_ += bytes;
+  const FrameKey key = frame->key;
+  held_[key] = {std::move(frame), ++uses_};
+}
+
+void FramePool::setBudget(std::size_t bytes) {
+  budget_ = bytes;
+  dropBeyond(budget_);
+}
+
+void FramePool::dropBeyond(std::size_t most) {
+  std::vector<decltype(held_)::iterator> unused;
+  for (auto held = held_.begin(); held != held_.end(); ++held)
+    if (held->second.frame.use_count() == 1) unused.push_back(held);
+  std::ranges::sort(unused, {}, [](const auto& held) { return held->second.lastUse; });
+  for (const auto& oldest : unused) {
+    if (bytes_ <= most) return;
     bytes_ -= oldest->second.frame->bytes();
     held_.erase(oldest);
   }
-  const FrameKey key = frame->key;
-  held_[key] = {std::move(frame), ++uses_};
 }
 
 }  // namespace volumen

@@ -7,7 +7,8 @@
 
 namespace volumen {
 
-/// Frames in memory. Beyond a budget of bytes, those used longest ago are dropped first.
+/// Keeps frames in memory. Beyond a budget of bytes it evicts the least recently used frames that nobody else
+/// holds: evicting a frame that a view shows would free nothing.
 class FramePool {
  public:
   explicit FramePool(std::size_t budget) : budget_(budget) {}
@@ -19,6 +20,7 @@ class FramePool {
   bool contains(const FrameKey& key) const { return held_.contains(key); }
   /// Keeps a frame, whatever its size.
   void put(LoadedFramePtr frame);
+  void setBudget(std::size_t bytes);
 
   std::size_t bytes() const { return bytes_; }
   std::size_t budget() const { return budget_; }
@@ -28,6 +30,8 @@ class FramePool {
     LoadedFramePtr frame;
     std::size_t lastUse;
   };
+
+  void dropBeyond(std::size_t most);
 
   std::map<FrameKey, Held> held_;
   std::size_t budget_, bytes_ = 0, uses_ = 0;

@@ -18,15 +18,19 @@ VoxelGeometry geometryOf(const Frame& frame) {
   return geometry;
 }
 
-Result<VolumePtr> volumeOf(const VoxelGeometry& geometry, VoxelValues values,
-                           const std::optional<ValueRange>& padding) {
+Result<VolumePtr> volumeOf(const VoxelGeometry& geometry, PixelValues values,
+                           const std::optional<ValueRange>& padding = {}) {
   std::vector<std::string> warnings;
   VolumeParts parts;
   parts.geometry = geometry;
-  parts.values = std::move(values);
+  parts.values = std::move(values.stored);
+  parts.slope = values.slope;
+  parts.intercept = values.intercept;
   parts.attributes.padding = padding;
   return Volume::make(std::move(parts), warnings);
 }
+
+PixelValues bytes(std::vector<std::uint8_t> stored) { return {std::move(stored), 1, 0}; }
 
 std::vector<std::uint8_t> channel(const Frame& frame, std::size_t which) {
   std::vector<std::uint8_t> values(frame.rgb.size() / 3);
@@ -55,8 +59,8 @@ LoadedSeriesPtr sliceOf(const Series& series, int index, const Frame& frame, Vol
   slice->volume = std::move(volume);
   if (frame.colour()) return slice;
   const std::vector<float> ends = percentiles(*slice->volume, {1, 999});
-  const auto [low, high] = std::ranges::minmax(frame.values);
-  slice->histogram.low = low, slice->histogram.high = high;
+  const ValueRange all = valueRange(*slice->volume);
+  slice->histogram.low = all.low, slice->histogram.high = all.high;
   slice->window = frame.greys.front().mapping.window;
   slice->valueSpread = ends[1] > ends[0] ? double(ends[1]) - ends[0] : 1;
   return slice;
@@ -65,9 +69,13 @@ LoadedSeriesPtr sliceOf(const Series& series, int index, const Frame& frame, Vol
 }  // namespace
 
 std::size_t LoadedFrame::bytes() const {
-  std::size_t sum = slice->volume->bytes();
-  for (const VolumePtr& volume : {green, blue, overlays, shutter}) sum += volume ? volume->bytes() : 0;
+  std::size_t sum = 0;
+  for (const Pyramid& pyramid : pyramids) sum += pyramid.whole()->bytes() + pyramid.bytes();
   return sum;
+}
+
+const Volume& LoadedFrame::seenOn(const SlicePlane& plane, const VolumePtr& volume) const {
+  return *std::ranges::find(pyramids, volume, &Pyramid::whole)->seenOn(plane);
 }
 
 Result<LoadedFramePtr> shownFrame(const Series& series, const FrameKey& key, Frame frame,
@@ -76,24 +84,26 @@ Result<LoadedFramePtr> shownFrame(const Series& series, const FrameKey& key, Fra
   auto shown = std::make_shared<LoadedFrame>();
   shown->key = key;
   shown->how = std::move(how);
-  std::vector<std::pair<VolumePtr*, VoxelValues>> parts;
   VolumePtr values;
+  std::optional<Error> problem;
+  const auto add = [&](VolumePtr& to, const Result<VolumePtr>& volume) {
+    if (!volume) {
+      problem = volume.error();
+      return;
+    }
+    to = *volume;
+    shown->pyramids.emplace_back(to);
+  };
   if (frame.colour()) {
-    parts.emplace_back(&values, channel(frame, 0));
-    parts.emplace_back(&shown->green, channel(frame, 1));
-    parts.emplace_back(&shown->blue, channel(frame, 2));
+    add(values, volumeOf(geometry, bytes(channel(frame, 0))));
+    add(shown->green, volumeOf(geometry, bytes(channel(frame, 1))));
+    add(shown->blue, volumeOf(geometry, bytes(channel(frame, 2))));
   } else {
-    parts.emplace_back(&values, frame.values);
+    add(values, volumeOf(geometry, std::move(frame.values), frame.padding));
   }
-  if (!frame.overlays.empty()) parts.emplace_back(&shown->overlays, allOverlays(frame));
-  if (!frame.shutter.empty()) parts.emplace_back(&shown->shutter, frame.shutter);
-  for (auto& [volume, voxels] : parts) {
-    const bool isGrey = volume == &values && !frame.colour();
-    Result<VolumePtr> made =
-        volumeOf(geometry, std::move(voxels), isGrey ? frame.padding : std::optional<ValueRange>());
-    if (!made) return made.error();
-    *volume = *made;
-  }
+  if (!frame.overlays.empty()) add(shown->overlays, volumeOf(geometry, bytes(allOverlays(frame))));
+  if (!frame.shutter.empty()) add(shown->shutter, volumeOf(geometry, bytes(std::move(frame.shutter))));
+  if (problem) return *problem;
   shown->slice = sliceOf(series, key.index, frame, values);
   shown->greys = std::move(frame.greys);
   shown->seriesGreys = std::move(seriesGreys);

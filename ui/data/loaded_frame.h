@@ -8,6 +8,7 @@
 #include "viewer/slice/frame.h"
 #include "viewer/slice/plane.h"
 #include "viewer/slice/presentation.h"
+#include "viewer/slice/pyramid.h"
 
 namespace volumen {
 
@@ -27,6 +28,7 @@ struct LoadedFrame {
   LoadedSeriesPtr slice;               ///< its values; for colour frames the red channel
   VolumePtr green, blue;               ///< null: the frame is grey
   VolumePtr overlays, shutter;         ///< 1 where they draw or hide, else 0; null: none
+  std::vector<Pyramid> pyramids;       ///< of each of these volumes
   float shutterGrey = 0;               ///< shown in place of hidden pixels, 0 black .. 1 white
   std::vector<NamedGrey> greys;        ///< its own
   std::vector<NamedGrey> seriesGreys;  ///< those of the series' middle frame; empty: it uses its own
@@ -38,8 +40,10 @@ struct LoadedFrame {
 
   bool colour() const { return green != nullptr; }
   const VoxelGeometry& geometry() const { return slice->volume->geometry(); }
-  /// Returns the bytes of all pixels held.
+  /// Returns the bytes of all pixels held, including reduced copies.
   std::size_t bytes() const;
+  /// Returns one of its volumes, or the reduced copy that a plane is drawn from in its place.
+  const Volume& seenOn(const SlicePlane& plane, const VolumePtr& volume) const;
 };
 
 using LoadedFramePtr = std::shared_ptr<const LoadedFrame>;

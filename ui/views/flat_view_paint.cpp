@@ -50,8 +50,8 @@ void FlatView::paintWith(QPainter& painter, const QImage& picture) const {
   if (shown()) {
     if (!picture.isNull()) painter.drawImage(QPointF(0, 0), picture);
     paintOver(painter);
-  } else if (isWaiting()) {
-    painter.drawImage(QPointF(0, 0), picture);
+  } else if (isLoading()) {
+    if (!picture.isNull()) painter.drawImage(QPointF(0, 0), picture);
     paintOverlays(painter, waitingOverlays(), overlayArea());
   } else if (const QString sentence = failure(); !sentence.isEmpty()) {
     Overlays only;

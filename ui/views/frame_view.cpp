@@ -103,6 +103,15 @@ void FrameView::forget() {
 void FrameView::ask() {
   askForFrame();
   askForPicture();
+  showWaiting();
+}
+
+// Clips drop frames that are not read in time.
+bool FrameView::isLoading() const {
+  if (!isCurrent() || state().series.empty() || isPlaying() || !failure_.isEmpty()) return false;
+  const SeriesState series = seriesState();
+  const bool isHere = !series.missing && frameCount(*series.series) > 0;
+  return isHere && !(frame_ && frame_->key == frameKey());
 }
 
 void FrameView::askForFrame() {
@@ -123,6 +132,7 @@ void FrameView::takeFrame(int view, const LoadedFramePtr& frame) {
   failure_.clear();
   tellWarnings();
   askForPicture();
+  showWaiting();
   cine_->look();
   tellPointed();
 }
@@ -132,6 +142,7 @@ void FrameView::tellFailure(int view, const FrameKey& key, const QString& senten
   if (view != id() || !isCurrent() || isPlaying() || key != frameKey()) return;
   forget();
   failure_ = shownText(sentence.toStdString());
+  showWaiting();
   update();
   tellPointed();
 }

@@ -57,6 +57,7 @@ class FrameView : public FlatView {
   std::optional<ShapeFrame> shapeFrame() const override;
   void paintLines(QPainter& painter) const override;
   void hideEvent(QHideEvent*) override;
+  bool isLoading() const override;
 
  private:
   class Clip;

@@ -100,7 +100,7 @@ void View::giveUpWaiting(const SeriesKey& series) {
 
 void View::showWaiting() {
   if (givenUp_ != state().series || seen_) givenUp_ = {};
-  if (isWaiting()) {
+  if (isLoading()) {
     if (!loading_->isVisible() && !loadingSoon_.isActive()) loadingSoon_.start();
     return;
   }

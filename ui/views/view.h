@@ -86,7 +86,11 @@ class View : public QWidget {
   /// Reports what is under the cursor, because it may have changed.
   void tellPointed();
 
-  /// Returns the texts over the last picture while isWaiting(): its series and the awaited time point.
+  /// Returns whether the series or frame of the workspace is being read. After a moment the view says so.
+  virtual bool isLoading() const { return isWaiting(); }
+  /// Shows or hides the loading mark. To be called where isLoading() may have changed.
+  void showWaiting();
+  /// Returns the texts over the last picture while isLoading(): its series and the awaited time point.
   Overlays waitingOverlays() const;
   /// Paints a thin frame if several views are on screen and this one has the focus. An empty view for
   /// comparison gets an invitation to drop a series.
@@ -112,7 +116,6 @@ class View : public QWidget {
  private:
   void paintInvitation(QPainter& painter) const;
   bool followSeries();
-  void showWaiting();
   void followPixels();
   void showDropMark(bool on);
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/slice/grey.h"
+#include "viewer/slice/pixel_values.h"
 
 namespace volumen {
 
@@ -62,8 +62,8 @@ struct FramePlace {
 
 /// One acquired image, pixel for pixel (slices.md 2).
 struct Frame {
-  glm::ivec2 size{0};         ///< Columns, rows
-  std::vector<float> values;  ///< Grey: values after modality LUT or rescale, first row on top; else empty
+  glm::ivec2 size{0};             ///< Columns, rows
+  PixelValues values;             ///< Grey: values after modality LUT or rescale; else empty
   std::vector<std::uint8_t> rgb;  ///< Colour: 3 bytes per pixel; else empty
   std::vector<NamedGrey> greys;   ///< The file's windows and VOI LUTs, default first; never empty for grey
   std::optional<ValueRange> padding;  ///< Values that mean no value

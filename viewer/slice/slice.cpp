@@ -84,6 +84,12 @@ SlabMode storedMode(SlabMode mode, double slope) {
   return mode == SlabMode::max ? SlabMode::min : SlabMode::max;
 }
 
+// Of a single slice every point lies on its layer.
+LineKernel kernelFor(const Volume& volume, Interpolation interpolation) {
+  const bool isFlat = volume.size().z == 1 && interpolation == Interpolation::linear;
+  return isFlat ? chooseLayerKernel(volume.stored(), 2) : chooseLineKernel(volume.stored(), interpolation);
+}
+
 class Resampler {
  public:
   Resampler(const Volume& volume, const SlicePlane& plane)
@@ -93,7 +99,7 @@ class Resampler {
         tileColumns_(int(std::max<std::int64_t>(1, columnsATile / perPixel_))),
         tileRows_(int(std::max<std::int64_t>(1, rowsATile / perPixel_))),
         mode_(storedMode(plane.slabMode, volume.slope())),
-        kernel_(chooseLineKernel(volume.stored(), plane.interpolation)) {
+        kernel_(kernelFor(volume, plane.interpolation)) {
     const VoxelGeometry& g = volume.geometry();
     const glm::dvec3 normal = plane.normal();
     const double s = plane.mmPerPixel;

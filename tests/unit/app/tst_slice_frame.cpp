@@ -76,11 +76,12 @@ void TestSliceFrame::picturesAreWrittenAsAcquired() {
     QVERIFY2(done.status == 0, done.err.constData());
   }
   const QByteArray written = bytesBehindHeader(folder_.filePath(QStringLiteral("frame.nrrd")));
-  QVERIFY(written == (frame->colour() ? bytesOf(frame->rgb) : bytesOf(frame->values)));
+  QVERIFY(written == (frame->colour() ? bytesOf(frame->rgb) : bytesOf(frame->values.floats())));
   const QImage picture(folder_.filePath(QStringLiteral("frame.png")));
   QCOMPARE(picture.size(), QSize(frame->size.x, frame->size.y));
   const std::vector<std::uint8_t> grey =
-      frame->colour() ? std::vector<std::uint8_t>() : greyBytes(frame->values, frame->greys.front().mapping);
+      frame->colour() ? std::vector<std::uint8_t>()
+                      : greyBytes(frame->values.floats(), frame->greys.front().mapping);
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) {
       const std::size_t n = std::size_t(y) * std::size_t(picture.width()) + std::size_t(x);

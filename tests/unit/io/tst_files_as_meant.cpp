@@ -181,7 +181,7 @@ void TestFilesAsMeant::tablesHaveTheBitsOfTheirData() {
   QVERIFY2(frame.ok(), frame.ok() ? "" : frame.message().c_str());
   for (int n = 0; n < 4; ++n)
     QCOMPARE(palette ? int(frame->rgb[std::size_t(3 * n)])
-                     : int(greyBytes(frame->values, frame->greys.at(0).mapping)[std::size_t(n)]),
+                     : int(greyBytes(frame->values.floats(), frame->greys.at(0).mapping)[std::size_t(n)]),
              shown[n]);
   QCOMPARE(std::ranges::count_if(
                frame->warnings, [](const std::string& w) { return w.find("look-up tables says") != w.npos; }),

@@ -201,7 +201,7 @@ void TestFrameGreys::modalityLutStandsInForTheRescale() {
       },
       picture);
   QVERIFY(frame.ok());
-  QCOMPARE(frame->values, (std::vector<float>{70, 70, 80, 1000, 1000}));
+  QCOMPARE(frame->values.floats(), (std::vector<float>{70, 70, 80, 1000, 1000}));
   QCOMPARE(frame->unit, std::string());
 }
 

@@ -199,7 +199,7 @@ void TestFramePixels::pixelsAreThoseOfDcmtk() {
       off = largestDifference(frame->rgb, static_cast<const Uint8*>(rgb), 3 * pixels);
     } else {
       const std::vector<double> values = valuesOf(*peer, std::size_t(n));
-      off = largestDifference(frame->values, values.data(), values.size());
+      off = largestDifference(frame->values.floats(), values.data(), values.size());
     }
     QVERIFY2(off <= allowed, qPrintable(QString::number(off)));
     ++compared_;

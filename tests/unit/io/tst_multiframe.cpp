@@ -204,7 +204,7 @@ void TestMultiframe::whatNoGroupSaysTheDataSetSays() {
   QCOMPARE(QList<float>(first.begin(), first.end()), values);
   const auto frame = loadFrame(series, 3);
   QVERIFY2(frame.ok(), frame.ok() ? "" : frame.message().c_str());
-  QCOMPARE(frame->values.at(0), values[3]);
+  QCOMPARE(frame->values[0], values[3]);
 }
 
 // Each of two positions has two pictures that only a dimension separates.

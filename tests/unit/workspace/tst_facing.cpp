@@ -14,8 +14,9 @@ LoadedFramePtr breastFrame(const char* rows, float leftHalf, float rightHalf, in
                            const char* columnsTo = "", const char* side = "") {
   Frame frame;
   frame.size = {columns, 20};
-  for (int n = 0; n < columns * 20; ++n)
-    frame.values.push_back(n % columns < columns / 2 ? leftHalf : rightHalf);
+  std::vector<float> values;
+  for (int n = 0; n < columns * 20; ++n) values.push_back(n % columns < columns / 2 ? leftHalf : rightHalf);
+  frame.values = values;
   frame.greys = {{"", {{500, 1000}, WindowFunction::linear, {}, inverted}, false}};
   frame.pixel = {{mm, mm}, kind};
   frame.rowSide = rows;

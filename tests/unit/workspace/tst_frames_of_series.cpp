@@ -76,7 +76,7 @@ NamedGrey named(const char* name, Window window, WindowFunction function) {
 LoadedFramePtr frameWith(const std::function<void(Frame&)>& change = {}) {
   Frame frame;
   frame.size = {3, 2};
-  frame.values = {0, 1, 2, 3, 4, 5};
+  frame.values = std::vector<float>{0, 1, 2, 3, 4, 5};
   frame.greys = {named("", {2, 5}, WindowFunction::linear)};
   if (change) change(frame);
   return *shownFrame(ct(1), {keyOf(ct(1)), 0}, frame);
@@ -264,7 +264,7 @@ void TestFramesOfSeries::aSeriesHasOneWindow() {
   series.acquired.calibrated = placed;
   Frame frame;
   frame.size = {3, 2};
-  frame.values = {0, 1, 2, 3, 4, 5};
+  frame.values = std::vector<float>{0, 1, 2, 3, 4, 5};
   frame.greys = {named("", {2, 5}, WindowFunction::linear)};
   frame.greys[0].mapping.inverted = true;
   const LoadedFramePtr shown =
@@ -308,7 +308,7 @@ void TestFramesOfSeries::onlyTrueMmAreSaid() {
 
 void TestFramesOfSeries::regionsHaveMmOfTheirOwn() {
   const auto heart = frameWith([](Frame& frame) {
-    frame.values.clear();
+    frame.values = {};
     frame.greys.clear();
     frame.rgb.assign(18, 7);
     frame.rgb[17] = 86;

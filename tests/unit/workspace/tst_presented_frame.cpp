@@ -23,8 +23,9 @@ namespace {
 LoadedFramePtr turnedFrame(const FramePresentation& how) {
   Frame frame;
   frame.size = {6, 4};
-  frame.values.assign(24, 0);
-  frame.values[1] = 1;
+  std::vector<float> values(24, 0);
+  values[1] = 1;
+  frame.values = values;
   frame.greys = {{"", {{0.5, 1}, WindowFunction::linear, {}, false}, false}};
   frame.pixel = {{2, 3}, PixelSizeKind::atDetector};
   frame.rowSide = "L";
