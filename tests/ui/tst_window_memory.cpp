@@ -11,8 +11,10 @@
 #include "tests/ui/many_series.h"
 #include "tests/ui/perfusion_window.h"
 #include "tests/ui/session_folder.h"
+#include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "viewer/acceleration/stored_voxels.h"
+#include "ui/workspace/segments.h"
+#include "viewer/segment/range.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -58,6 +60,7 @@ class TestWindowMemory : public QObject {
   void aClipIn3dStaysWithinTheBudget();
   void aSessionOfTenSeriesStaysWithinTheBudget();
   void viewsThatAreHiddenHoldNothing();
+  void labelsInStepsOfUndoCount();
 };
 
 // Run by fortySeriesInTurnSurviveALimit(), it has the budget that follows from the limit.
@@ -218,6 +221,32 @@ void TestWindowMemory::viewsThatAreHiddenHoldNothing() {
   QVERIFY(!w.click(side).isNull());
   QVERIFY(!w.click(side + 1).isNull());
   QVERIFY2(w.pool().counted() <= ManySeries::budget(), qPrintable(QString::number(w.pool().counted())));
+}
+
+// Series give way to them: they cannot be had again.
+void TestWindowMemory::labelsInStepsOfUndoCount() {
+  Session session;
+  const LoadedSeriesPtr series = ballSeries(64, 20);
+  const SeriesKey key = keyOf(series->series);
+  session.show(series);
+  const std::size_t before = session.pool().counted();
+  const auto add = [&](double low) {
+    const Workspace with = withNewSegment(session.workspace(), key, series->volume->geometry(), {});
+    const SegmentMap& made = *segmentMapOf(with, key);
+    session.change(
+        QStringLiteral("test"),
+        withSegmentMap(with, withMask(made, made.current, voxelsInRange(*series->volume, {low, 2000}))));
+  };
+  add(500);
+  const std::size_t labels = segmentMapOf(session.workspace(), key)->labels->bytes();
+  QVERIFY(labels > 0);
+  QCOMPARE(session.pool().counted(), before + labels);
+  session.close({key});
+  QVERIFY2(session.pool().counted() >= labels, "a series that is closed keeps what was made on it");
+  session.undoStack().undo();
+  session.undoStack().undo();
+  session.change(QStringLiteral("test"), [](Workspace& w) { w.measurementsShown = false; });
+  QVERIFY2(session.pool().counted() <= before, "steps that cannot be done again hold nothing");
 }
 
 VOLUMEN_TEST(TestWindowMemory);

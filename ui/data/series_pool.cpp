@@ -92,6 +92,10 @@ void SeriesPool::setOnScreen(std::vector<PoolKey> keys, std::size_t elsewhere) {
 void SeriesPool::count(const void* holder, std::size_t bytes) {
   Garbage garbage;
   const std::lock_guard lock(mutex_);
+  if (bytes == 0) {
+    elsewhere_.erase(holder);
+    return;
+  }
   elsewhere_[holder] = bytes;
   letGoBeyond(budget_, garbage);
 }

@@ -1,6 +1,45 @@
 #include "ui/workspace/edit_workspace.h"
 
+#include <algorithm>
+
 namespace volumen {
+
+namespace {
+
+using LabelsPtr = std::shared_ptr<const LabelMap>;
+
+bool hasLabels(const SharedList<SegmentMap>& maps, const LabelsPtr& labels) {
+  return std::ranges::any_of(maps, [&](const SegmentMap& map) { return map.labels == labels; });
+}
+
+bool hasLabels(const Workspace& workspace, const LabelsPtr& labels) {
+  return hasLabels(workspace.segmentMaps, labels) ||
+         std::ranges::any_of(workspace.closed, [&](const ClosedSeries& closed) {
+           return hasLabels(closed.segmentMaps, labels);
+         });
+}
+
+// Bytes of the bricks that `last` does not share.
+std::size_t bytesBeside(const LabelMap& labels, const LabelsPtr& last) {
+  if (!last || last->bricks() != labels.bricks()) return labels.bytes();
+  std::size_t bricks = 0;
+  const glm::ivec3 count = labels.bricks();
+  for (std::size_t n = 0; n < std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z); ++n)
+    bricks += labels.brick(n).voxels && labels.brick(n).voxels != last->brick(n).voxels;
+  return bricks * sizeof(LabelMap::Voxels);
+}
+
+std::size_t labelBytesBeside(const Workspace& before, const Workspace& after) {
+  std::size_t bytes = 0;
+  for (const SegmentMap& map : after.segmentMaps) {
+    if (!map.labels || hasLabels(before, map.labels)) continue;
+    const SegmentMap* last = segmentMapOf(before, map.series, map.number);
+    bytes += bytesBeside(*map.labels, last ? last->labels : nullptr);
+  }
+  return bytes;
+}
+
+}  // namespace
 
 EditWorkspace::EditWorkspace(Session& session, const QString& text, Workspace after, const QString& mergeKey,
                              int gesture)
@@ -8,8 +47,13 @@ EditWorkspace::EditWorkspace(Session& session, const QString& text, Workspace af
       session_(session),
       before_(session.workspace()),
       after_(std::move(after)),
+      labelBytes_(labelBytesBeside(before_, after_)),
       mergeKey_(mergeKey),
-      gesture_(gesture) {}
+      gesture_(gesture) {
+  session_.pool().count(this, labelBytes_);
+}
+
+EditWorkspace::~EditWorkspace() { session_.pool().count(this, 0); }
 
 void EditWorkspace::undo() { session_.setWorkspace(before_); }
 
@@ -26,6 +70,8 @@ bool EditWorkspace::mergeWith(const QUndoCommand* later) {
     mergeKey_.clear();
   }
   after_ = next.after_;
+  labelBytes_ += next.labelBytes_;
+  session_.pool().count(this, labelBytes_);
   setObsolete(before_ == after_);
   return true;
 }

@@ -23,6 +23,7 @@ class EditWorkspace : public QUndoCommand {
  public:
   /// Commands with the same non-empty `mergeKey` merge within one gesture.
   EditWorkspace(Session& session, const QString& text, Workspace after, const QString& mergeKey, int gesture);
+  ~EditWorkspace() override;
 
   void undo() override;
   void redo() override;
@@ -32,6 +33,7 @@ class EditWorkspace : public QUndoCommand {
  private:
   Session& session_;
   Workspace before_, after_;
+  std::size_t labelBytes_;  // of labels that the step before has not; the pool counts them
   QString mergeKey_;
   int gesture_;
 };
