@@ -64,7 +64,6 @@ class ManySeries {
 /// A window on such a folder, in planes and 3D, that watches what its pool counts and what the process takes.
 struct ManyWindow : Journey {
   std::size_t mostCounted = 0;
-  std::size_t rssBefore = 0;
 
   ManyWindow() {
     openAlone(false);
@@ -90,7 +89,6 @@ struct ManyWindow : Journey {
 
  private:
   void connectWatch() {
-    rssBefore = statusOf("VmRSS:");
     std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
     QObject::connect(&timer_, &QTimer::timeout,
                      [this] { mostCounted = std::max(mostCounted, pool().counted()); });

@@ -71,19 +71,23 @@ void TestWindowMemory::fortySeriesInTurnStayWithinTheBudget() {
   w.window.open({all.folder()});
   QVERIFY(w.settle());
   const QImage first = w.window.view()->picture();
+  // The window itself, with its fonts and panels.
+  const std::size_t rest = statusOf("VmRSS:") - w.pool().counted();
   for (int n = 1; n < ManySeries::most; ++n) {
     const QImage picture = w.click(n);
     QVERIFY2(!picture.isNull() && picture != first, qPrintable(ManySeries::name(n)));
   }
-  const std::size_t taken = ManyWindow::peakRss() - w.rssBefore;
+  const std::size_t taken = ManyWindow::peakRss() - rest;
   if (qEnvironmentVariableIsSet("VOLUMEN_FIGURES"))
     std::printf("counted %.0f MiB at most, taken %.0f MiB: %.2f\n", inMebi(w.mostCounted), inMebi(taken),
                 double(w.mostCounted) / double(taken));
   if (!qEnvironmentVariableIsSet("VOLUMEN_UNDER_LIMIT")) {
     QVERIFY2(w.mostCounted <= ManySeries::budget(), qPrintable(QString::number(w.mostCounted)));
     QVERIFY2(w.mostCounted > ManySeries::budget() / 2, "what there is room for is kept");
+#ifndef __SANITIZE_ADDRESS__  // which keeps what was freed
     QVERIFY2(taken <= ManySeries::budget() + 4 * ManySeries::valueBytes(),
              qPrintable(QString::number(taken)));
+#endif
   }
   QVERIFY2(w.click(0) == first, "what was dropped is computed again, and is the same");
 }
@@ -98,6 +102,9 @@ void TestWindowMemory::fortySeriesInTurnSurviveALimit_data() {
 void TestWindowMemory::fortySeriesInTurnSurviveALimit() {
   QFETCH(bool, isGroup);
   QFETCH(quint64, mebibytes);
+#ifdef __SANITIZE_ADDRESS__
+  QSKIP("the sanitizer takes more than any limit, and keeps what was freed");
+#endif
   const std::size_t most = std::size_t(mebibytes) << 20;
   std::optional<MemoryGroup> group;
   if (isGroup && !group.emplace(most).isThere()) QSKIP("control groups of version 1 cannot be made here");
@@ -111,8 +118,9 @@ void TestWindowMemory::fortySeriesInTurnSurviveALimit() {
     if (processes.isEmpty()) {
       const rlimit limit{most, most};
       ::setrlimit(RLIMIT_AS, &limit);
-    } else if (const int file = ::open(processes.constData(), O_WRONLY); file >= 0) {
-      if (::write(file, "0", 1) != 1) ::_exit(1);
+    } else {
+      const int file = ::open(processes.constData(), O_WRONLY);
+      if (file < 0 || ::write(file, "0", 1) != 1) ::_exit(1);
       ::close(file);
     }
   });
