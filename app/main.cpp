@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <new>
 
 #include "app/command.h"
 #include "app/list_presets.h"
@@ -19,6 +20,7 @@
 #include "app/usage.h"
 #include "io/frame_limit.h"
 #include "io/worker/worker.h"
+#include "viewer/volume/available_memory.h"
 
 namespace {
 
@@ -125,6 +127,16 @@ bool isCommand(const std::string& word) {
                      [&](const Entry& entry) { return word == entry.name; });
 }
 
+int statusOf(const std::function<int()>& command) {
+  try {
+    return command();
+  } catch (const std::bad_alloc&) {
+    return volumen::fail("There was not enough memory (" +
+                         volumen::memoryText(volumen::processMemory().available) +
+                         " are left); close other programs, or allow more.");
+  }
+}
+
 int run(std::vector<std::string> words, CLI::App& app, std::function<int()>& command) {
   if (words.empty() || (!isCommand(words[0]) && isPath(words[0]))) words.insert(words.begin(), "open");
   if (!words[0].starts_with('-') && !isCommand(words[0]))
@@ -141,7 +153,7 @@ int run(std::vector<std::string> words, CLI::App& app, std::function<int()>& com
                               (chosen.empty() ? "" : at.get_name() + " ") + "--help`.");
   }
   volumen::keepToStartableThreads();
-  return endBySignal(flushOutput(command()));
+  return endBySignal(flushOutput(statusOf(command)));
 }
 
 // Restarts the workers, as running ones would keep the old limit.

@@ -41,7 +41,12 @@ std::string listOf(const Study& study) {
   return list;
 }
 
-Result<Opened> load(const Series& series, const Progress& progress, const CancelToken& cancel) {
+Result<Opened> load(const Series& series, const MemoryUse& use, const Progress& progress,
+                    const CancelToken& cancel) {
+  const VoxelGeometry& grid = series.regular ? series.regular->geometry : series.acquired;
+  const auto voxels = double(grid.voxelCount());
+  if (Status s = checkMemoryFor(series, use.doing, std::uint64_t(use.bytesAVoxel * voxels)); !s)
+    return s.error();
   Result<Loaded> loaded = loadSeries(series, progress, cancel);
   if (!loaded) return loaded.error();
   if (Status whole = checkLosses(series.path, loaded->unread); !whole) return whole.error();
@@ -86,14 +91,14 @@ std::vector<Series> timePointsIn(const Study& study, std::size_t chosen) {
   return all;
 }
 
-Result<Opened> open(const std::string& path, const std::string& wanted, const Progress& progress,
-                    const CancelToken& cancel) {
+Result<Opened> open(const std::string& path, const std::string& wanted, const MemoryUse& use,
+                    const Progress& progress, const CancelToken& cancel) {
   const Result<Study> study = openPath(path, progress, cancel);
   if (!study) return study.error();
   if (study->volumes.empty()) return nothingToShow(path, *study);
   const Result<std::size_t> chosen = chooseSeries(*study, wanted);
   if (!chosen) return Error{chosen.message() + " " + printable(path) + " holds:" + listOf(*study)};
-  Result<Opened> opened = load(study->volumes[*chosen], progress, cancel);
+  Result<Opened> opened = load(study->volumes[*chosen], use, progress, cancel);
   if (!opened) return opened;
   opened->timePoints = timePointsIn(*study, *chosen);
   if (const std::string note = choiceNote(path, *study, wanted, *chosen); !note.empty())
@@ -161,14 +166,15 @@ nlohmann::ordered_json unreadJson(const std::vector<Unread>& unread) {
   return list;
 }
 
-Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel) {
-  auto opened = open(path, series, terminalProgress(), cancel);
+Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel,
+                          const MemoryUse& use) {
+  auto opened = open(path, series, use, terminalProgress(), cancel);
   endTerminalProgress();
   return opened;
 }
 
 Result<Opened> openSeries(const Series& series, const CancelToken& cancel) {
-  auto opened = load(series, terminalProgress(), cancel);
+  auto opened = load(series, {}, terminalProgress(), cancel);
   endTerminalProgress();
   return opened;
 }

@@ -44,10 +44,19 @@ nlohmann::ordered_json unreadJson(const std::vector<Unread>& unread);
 /// Returns the reason why nothing in a study can be displayed: a sentence for the user.
 Error nothingToShow(const std::string& path, const Study& study);
 
+/// What a command does to a volume, and how much memory that takes beside it.
+struct MemoryUse {
+  const char* doing = "reading";  ///< as in "there is too little memory for ... it"
+  double bytesAVoxel = 0;
+};
+/// Segments: labels, sets of voxels and surfaces, measured.
+inline constexpr MemoryUse segmenting{"segmenting", 3.4};
+
 /// Opens PATH and loads the series that `--series` names, with progress on a terminal. If empty, it is the
 /// one with most voxels. Notes report this choice, and that of one of several volumes of a UID. The Error is
-/// a sentence for the user.
-Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel);
+/// a sentence for the user. If there is too little memory for `use`, nothing is read.
+Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel,
+                          const MemoryUse& use = {});
 
 /// Returns the volumes of a study with the UID in `--series`, if there are several; else none.
 std::vector<std::size_t> volumesOfUid(const Study& study, const std::string& series);

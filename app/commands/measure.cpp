@@ -110,7 +110,8 @@ Result<Sources> open(const MeasureOptions& options, const std::vector<Shape>& sh
   const auto isOnFrame = [](const Shape& shape) { return shape.frame.has_value(); };
   Sources sources;
   if (!options.segments.empty() || shapes.empty() || !std::ranges::all_of(shapes, isOnFrame)) {
-    Result<Opened> opened = openVolume(options.path, options.series, cancel);
+    const MemoryUse use = options.segments.empty() ? MemoryUse() : segmenting;
+    Result<Opened> opened = openVolume(options.path, options.series, cancel, use);
     if (!opened) return opened.error();
     sources.volume = std::move(*opened);
   }

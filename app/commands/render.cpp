@@ -13,10 +13,12 @@
 #include "app/usage.h"
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
+#include "ui/controller/reduced_copy.h"
 #include "ui/controller/segment_fields.h"
 #include "ui/workspace/made_tissue.h"
 #include "ui/workspace/segment_picture_text.h"
 #include "ui/workspace/segments.h"
+#include "viewer/acceleration/stored_voxels.h"
 #include "viewer/plan/default_window.h"
 #include "viewer/plan/facts.h"
 #include "viewer/plan/picture_text.h"
@@ -117,6 +119,13 @@ std::string numbered(const std::string& path, int n) {
   return path.substr(0, dot) + number + path.substr(dot);
 }
 
+// One scene is drawn: gradients of what it shows are enough.
+std::shared_ptr<StoredVoxels> sparing(const VolumePtr& volume) {
+  auto voxels = std::make_shared<StoredVoxels>(volume);
+  voxels->spareGradients(true);
+  return voxels;
+}
+
 class Run {
  public:
   Run(const RenderArguments& options, const CancelToken& cancel) : options_(options), cancel_(cancel) {}
@@ -144,7 +153,7 @@ class Run {
     const Mask mask = session ? session->mask : Mask{options_.removeTable, {}};
     std::vector<SegmentInScene> segments;
     if (session) segments = segmentsOf(*session, *opened->loaded.drawn);
-    const VolumePtr whole = opened->loaded.drawn;
+    VolumePtr whole = opened->loaded.drawn;
     if (!mask.empty())
       if (Status taken = takeAway(mask, *opened, cancel_); !taken) return stopped(taken.message());
     volume_ = opened->loaded.drawn;
@@ -159,10 +168,13 @@ class Run {
     if (isApart) scene = asWhole(*std::move(scene), *whole);
     for (const SegmentInScene& one : segments) scene->segments.push_back(surfaceOf(*one.segment, one.field));
     said_ = segmentsInPicture(segments, isApart ? session->segments.front().tissue : TissueShown{});
-    RenderCaches caches(volume_);
-    const int status = draw(*scene, *asked, caches);
+    std::optional<RenderCaches> caches(sparing(volume_));
+    const int exit = opened->status();
+    whole.reset(), opened = Error{};
+    if (Status fits = fitToMemory(*scene, *asked, caches); !fits) return fail(fits.message());
+    const int status = draw(*scene, *asked, *caches);
     times_.totalMs = wallMs() - begin;
-    return status == exitDone ? finish(opened->status()) : status;
+    return status == exitDone ? finish(exit) : status;
   }
 
  private:
@@ -244,6 +256,22 @@ class Run {
     return {};
   }
 
+  // Where there is too little memory for the volume, a reduced copy takes its place and shows the same.
+  Status fitToMemory(Scene& scene, const RenderOptions& asked, std::optional<RenderCaches>& caches) {
+    const auto plan = makePlan(scene, caches->facts(), asked);
+    if (!plan) return {};  // draw() tells
+    auto copy = copyToDraw(*plan, *volume_, caches->facts(), options_.path, volume_->bytes());
+    if (!copy) return copy.error();
+    if (!*copy) return {};
+    scene = plan->scene;
+    volume_ = (*copy)->volume;
+    reducedBy_ = (*copy)->factor;
+    caches.emplace(sparing(volume_));
+    printNotes({(*copy)->warning.sentence});
+    warnings_.push_back((*copy)->warning);
+    return {};
+  }
+
   int draw(const Scene& scene, const RenderOptions& asked, RenderCaches& caches) {
     const int pictures = std::max(1, options_.turntable);
     for (int n = 0; n < pictures; ++n) {
@@ -317,6 +345,7 @@ class Run {
     if (options_.printScene) std::cout << printableJson(sceneToJson(done_.plan.scene));
     if (options_.statsFile.empty()) return status;
     nlohmann::ordered_json stats = statsJson(done_, said_, times_, *volume_);
+    stats["reducedBy"] = reducedBy_;
     stats["warnings"] = sentences(warnings_);
     stats["unread"] = unreadJson(unread_);
     const Status written = writeWholeFile(options_.statsFile, jsonText(stats));
@@ -335,6 +364,7 @@ class Run {
   Times times_;
   Rendered done_;
   int written_ = 0;
+  int reducedBy_ = 1;  // along each axis
 };
 
 }  // namespace

@@ -190,7 +190,7 @@ Status checkFormat(const SegmentOptions& options) {
 int work(const SegmentOptions& options, SegmentSource source, const CancelToken& cancel) {
   for (const std::string& path : {options.output, options.csv})
     if (auto file = OutputFile::create(path); !path.empty() && !file) return fail(file.message());
-  Result<Opened> opened = openVolume(options.path, options.series, cancel);
+  Result<Opened> opened = openVolume(options.path, options.series, cancel, segmenting);
   if (!opened) return fail(opened.message(), cancel);
   if (options.removeTable) {
     if (Status s = checkHounsfield(*opened); !s) return fail(s.message());

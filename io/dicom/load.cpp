@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstring>
 #include <map>
@@ -222,15 +220,6 @@ std::vector<const FileHeader*> headersOf(const std::vector<Incoming>& slices) {
   return headers;
 }
 
-Status checkMemory(const Series& series, std::size_t slices, std::uint64_t sliceVoxels) {
-  const std::uint64_t bytes = 4 * sliceVoxels * slices;
-  const std::uint64_t machine =
-      std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGE_SIZE));
-  if (bytes / 2 < machine) return {};
-  return Error{series.path + ": the volume needs " + std::to_string(bytes >> 30) +
-               " GiB, more than this machine has."};
-}
-
 // Slices may have their own windows, some far off. Takes those of the slice whose first window is the median.
 std::vector<Window> windowsOf(const std::vector<Incoming>& slices) {
   std::vector<const std::vector<Window>*> all;
@@ -289,7 +278,9 @@ Result<Loaded> assemble(const Series& series, const std::vector<Incoming>& slice
   return Loaded{*acquired, *regular, warnings, unread, originsOf(slices, stack), stack.places};
 }
 
-Result<Loaded> load(const Series& series, const Progress& progress, const CancelToken& cancel) {
+}  // namespace
+
+Result<Loaded> loadSeries(const Series& series, const Progress& progress, const CancelToken& cancel) {
   if (series.files.empty()) return Error{series.path + ": it has no files to load it from."};
   const Files files(series, progress, cancel);
   std::vector<Incoming> slices;
@@ -304,8 +295,6 @@ Result<Loaded> load(const Series& series, const Progress& progress, const Cancel
   std::erase_if(slices, [](const Incoming& in) { return !in.failure.empty(); });
   if (cancel.cancelled()) return Error{series.path + ": interrupted."};
   if (slices.empty()) return Error{series.files[0] + ": " + reason};
-  if (Status s = checkMemory(series, slices.size(), slices[0].file->format.frameSamples()); !s)
-    return s.error();
 
   ValuePlan plan = planValues(headersOf(slices), placedOf(slices));
   SliceDecoder decoder(slices, progress, cancel);
@@ -322,16 +311,6 @@ Result<Loaded> load(const Series& series, const Progress& progress, const Cancel
   if (slices.empty()) return Error{firstSlice.placed.path + ": " + firstSlice.failure};
   reportNotes(slices, warnings);
   return assemble(series, slices, decoder, plan, std::move(warnings), std::move(unread));
-}
-
-}  // namespace
-
-Result<Loaded> loadSeries(const Series& series, const Progress& progress, const CancelToken& cancel) {
-  try {
-    return load(series, progress, cancel);
-  } catch (const std::bad_alloc&) {
-    return Error{series.path + ": there is not enough memory to load it."};
-  }
 }
 
 }  // namespace volumen::dicom

@@ -8,7 +8,7 @@ namespace volumen {
 const char* kindName(WarningKind kind) {
   static constexpr const char* names[] = {"other",        "missingSlices", "unevenSlices",  "sheared",
                                           "offLine",      "noDirections",  "notCalibrated", "unread",
-                                          "notSeparated", "curved"};
+                                          "notSeparated", "curved",        "reduced"};
   return names[int(kind)];
 }
 
@@ -29,7 +29,8 @@ std::vector<std::string> shortWarnings(const std::vector<Warning>& warnings) {
                                           "Not calibrated",
                                           "Slices not read",
                                           "Slices may not belong together",
-                                          "Curved: measure along or across it"};
+                                          "Curved: measure along or across it",
+                                          "Reduced copy: too little memory"};
   std::vector<std::string> texts;
   for (const Warning& w : changingPicture(warnings))
     if (std::ranges::find(texts, words[int(w.kind)]) == texts.end()) texts.push_back(words[int(w.kind)]);

@@ -17,7 +17,8 @@ enum class WarningKind {
   notCalibrated,  ///< lengths and directions are unknown
   unread,         ///< files of the series could not be read
   notSeparated,   ///< several pictures share a position and no attribute separates them
-  curved          ///< resampled along a curve: lengths off the curve are not true
+  curved,         ///< resampled along a curve: lengths off the curve are not true
+  reduced         ///< drawn from a copy of fewer voxels, as there was too little memory
 };
 
 /// A warning about a series: one sentence with mm and file names.

@@ -11,6 +11,7 @@
 #include "io/files/data_file.h"
 #include "io/regular_file.h"
 #include "io/worker/process.h"
+#include "viewer/volume/available_memory.h"
 
 namespace volumen::worker {
 namespace {
@@ -31,6 +32,12 @@ Descriptor inMemory(const std::vector<std::uint8_t>& bytes) {
     done += std::size_t(n);
   }
   return memory;
+}
+
+/// Whether a worker and the program may hold what is made. Small answers are not worth the question.
+bool isThereMemoryFor(std::uint64_t needBytes) {
+  constexpr std::uint64_t small = std::uint64_t(48) << 20;
+  return needBytes < small || 3 * needBytes <= processMemory().available;
 }
 
 /// Returns how many files to pass at once, given the limit on open descriptors.
@@ -82,12 +89,15 @@ const char* reasonOf(Failure failure) {
     case Failure::killed:
       return "the processes that were to read it were killed from outside (is there enough memory?): try "
              "again";
+    case Failure::scarce:
+      return "there is not enough memory for the process that was to read it: close other programs, or allow "
+             "more, and try again";
   }
   return "";
 }
 
 bool isReasonOfMachine(const std::string& reason) {
-  for (int n = 0; n <= int(Failure::killed); ++n)
+  for (int n = 0; n <= int(Failure::scarce); ++n)
     if (isOfMachine(Failure(n)) && reason == reasonOf(Failure(n))) return true;
   return false;
 }
@@ -99,6 +109,7 @@ Call::Call(Request& request, Handler handler, const std::vector<std::uint8_t>& a
   request_.found.clear();
   request_.stepsDone = 0;
   if (request_.files.size() == 1) failure_ = costBefore(handler_, request_.files[0]);
+  if (failure_ == Failure::none && !isThereMemoryFor(request_.needBytes)) failure_ = Failure::scarce;
   if (failure_ != Failure::none) {
     Wire::fail();
     return;

@@ -18,7 +18,8 @@ enum class Failure {
   noRoom,     ///< no worker, as this process may not make files that large, shared memory among them
   noOpening,  ///< the program may open no more files or descriptors
   stopped,    ///< stopped from outside
-  killed      ///< killed from outside
+  killed,     ///< killed from outside
+  scarce      ///< there is not enough memory for it and its answer
 };
 
 /// Returns whether a failure says nothing about the file, so that another try may read it.

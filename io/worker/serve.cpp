@@ -7,6 +7,7 @@
 #include <new>
 
 #include "io/worker/call.h"
+#include "viewer/volume/available_memory.h"
 
 namespace volumen::worker {
 namespace {
@@ -135,6 +136,7 @@ bool inside() { return server != nullptr; }
 
 void serve(int socket, SharedBuffer buffer, bool forAll) {
   preparedForAll = forAll;
+  expectAllAvailable();
   Server only(socket, std::move(buffer));
   server = &only;
   only.run();

@@ -8,7 +8,7 @@
 namespace volumen::worker {
 
 template <>
-inline constexpr WarningKind lastOf<WarningKind> = WarningKind::curved;
+inline constexpr WarningKind lastOf<WarningKind> = WarningKind::reduced;
 template <>
 inline constexpr DerivedKind lastOf<DerivedKind> = DerivedKind::segmentation;
 

@@ -1,24 +1,114 @@
 #include "ui/controller/draw.h"
 
+#include <algorithm>
 #include <new>
+#include <set>
+#include <tuple>
 
 #include "ui/controller/qt_gl_context.h"
+#include "ui/controller/reduced_copy.h"
+#include "viewer/render/memory_need.h"
+#include "viewer/volume/available_memory.h"
 
 namespace volumen {
 
 namespace {
 
-Result<Planned> planned(RenderCaches& caches, const Scene& scene, const RenderOptions& options,
-                        const CancelToken& cancel) try {
-  const Result<Plan> asked = makePlan(scene, caches.facts(), options);
-  if (!asked) return asked.error();
-  RenderStats stats;
-  Result<Plan> done = completedPlan(*asked, caches, stats, cancel);
-  if (!done) return done.error();
-  return Planned{std::move(*done), stats};
-} catch (const std::bad_alloc&) {
-  return Error{"There is not enough memory to draw this volume; close other programs or series."};
+using CachesPtr = std::shared_ptr<RenderCaches>;
+
+CachesPtr cachesOf(const VoxelsPtr& voxels) {
+  auto caches = std::make_shared<RenderCaches>(voxels);
+  caches->setGlContextFactory([] {
+    auto context = makeQtGlContext();
+    return context ? std::move(context) : makeEglContext();
+  });
+  return caches;
 }
+
+// What pictures of a volume are drawn of: the volume, or a reduced copy if there is too little memory for
+// that.
+class Source {
+ public:
+  explicit Source(const VoxelsPtr& voxels) : voxels_(voxels), whole_(cachesOf(voxels)) {
+    try {
+      whole_->facts();  // here, so that it does not count as time of the first frame
+    } catch (const std::bad_alloc&) {
+      // The first plan tells of it.
+    }
+  }
+
+  Result<Planned> plan(const Scene& scene, const RenderOptions& options, const CancelToken& cancel) try {
+    Result<Plan> asked = makePlan(scene, whole_->facts(), options);
+    if (!asked) return asked.error();
+    if (Status chosen = choose(*asked); !chosen) return chosen.error();
+    if (copy_) asked = makePlan(asked->scene, copy_->facts(), options);
+    if (!asked) return asked.error();
+    RenderStats stats;
+    Result<Plan> done = completedPlan(*asked, copy_ ? *copy_ : *whole_, stats, cancel);
+    if (!done) return done.error();
+    return Planned{std::move(*done), stats, copy_};
+  } catch (const std::bad_alloc&) {
+    return Error{"There is not enough memory to draw this volume; close other programs or series."};
+  }
+
+  Result<Drawn> picture(const Planned& planned, const CancelToken& cancel) {
+    Result<Rendered> rendered = render(planned.plan, planned.copy ? *planned.copy : *whole_, cancel);
+    if (!rendered) return rendered.error();
+    if (!planned.copy) drawnWhole_.insert(kindOf(planned.plan));
+    RenderStats stats = rendered->stats;
+    stats.pilotMs += planned.stats.pilotMs;
+    stats.gradientsMs += planned.stats.gradientsMs;
+    stats.totalMs += planned.stats.pilotMs + planned.stats.gradientsMs;
+    return Drawn{std::move(rendered->picture), std::move(rendered->error), std::move(rendered->plan), stats,
+                 planned.copy ? std::vector{warning_} : std::vector<Warning>()};
+  }
+
+  // Of what is kept beside the voxels of the volume.
+  std::size_t bytes() const {
+    return whole_->bytes() + (copy_ ? copy_->bytes() + copyVoxels_->bytes() + copy_->volume()->bytes() : 0);
+  }
+
+ private:
+  // What is kept of the volume for such plans.
+  static std::tuple<int, bool, Resampler> kindOf(const Plan& plan) {
+    return {plan.bits, plan.gradients, plan.resampler};
+  }
+
+  // Sets copy_, or resets it where the volume itself can be drawn.
+  Status choose(const Plan& plan) {
+    if (hasRoomFor(plan)) {
+      copy_.reset(), copyVoxels_.reset();
+      return {};
+    }
+    if (copy_) return {};
+    const Volume& volume = *whole_->volume();
+    const auto copy = copyToDraw(plan, volume, whole_->facts(), volume.attributes().name);
+    if (!copy) return copy.error();
+    if (!*copy) return {};
+    copyVoxels_ = std::make_shared<StoredVoxels>((*copy)->volume);
+    copy_ = cachesOf(copyVoxels_);
+    warning_ = (*copy)->warning;
+    return {};
+  }
+
+  // If not for all gradients, then for those of what is visible, which other curves need again.
+  bool hasRoomFor(const Plan& plan) {
+    const Volume& volume = *whole_->volume();
+    const bool isThere = plan.method == Method::reference || drawnWhole_.contains(kindOf(plan));
+    if (isThere && !voxels_->sparesGradients()) return true;
+    const bool all = !isThere && isAvailable(bytesToDraw(plan, volume.geometry(), volume.stored()));
+    voxels_->spareGradients(!all);
+    if (all) return true;
+    const std::uint64_t needed = leastBytesToDraw(plan, volume, whole_->facts());
+    return isAvailable(needed - std::min<std::uint64_t>(needed, voxels_->brickBytes()));
+  }
+
+  const VoxelsPtr voxels_;
+  VoxelsPtr copyVoxels_;
+  CachesPtr whole_, copy_;
+  Warning warning_{{}, WarningKind::reduced};
+  std::set<std::tuple<int, bool, Resampler>> drawnWhole_;  // kinds for which all is there
+};
 
 }  // namespace
 
@@ -30,27 +120,14 @@ Result<Drawn> Draw::operator()(const Scene& scene, const RenderOptions& options,
 }
 
 Draw drawWithCaches(const VoxelsPtr& voxels) {
-  auto caches = std::make_shared<RenderCaches>(voxels);
-  caches->setGlContextFactory([] {
-    auto context = makeQtGlContext();
-    return context ? std::move(context) : makeEglContext();
-  });
-  try {
-    caches->facts();  // here, so that it does not count as time of the first frame
-  } catch (const std::bad_alloc&) {
-    // The first plan tells of it.
-  }
-  const auto plan = [caches](const auto&... asked) { return planned(*caches, asked...); };
-  const auto picture = [caches](const Planned& planned, const CancelToken& cancel) -> Result<Drawn> {
-    Result<Rendered> rendered = render(planned.plan, *caches, cancel);
-    if (!rendered) return rendered.error();
-    RenderStats stats = rendered->stats;
-    stats.pilotMs += planned.stats.pilotMs;
-    stats.gradientsMs += planned.stats.gradientsMs;
-    stats.totalMs += planned.stats.pilotMs + planned.stats.gradientsMs;
-    return Drawn{std::move(rendered->picture), std::move(rendered->error), std::move(rendered->plan), stats};
-  };
-  return {plan, picture, [caches] { return caches->bytes(); }};
+  auto source = std::make_shared<Source>(voxels);
+  return {[source](const Scene& scene, const RenderOptions& options, const CancelToken& cancel) {
+            return source->plan(scene, options, cancel);
+          },
+          [source](const Planned& planned, const CancelToken& cancel) {
+            return source->picture(planned, cancel);
+          },
+          [source] { return source->bytes(); }};
 }
 
 }  // namespace volumen

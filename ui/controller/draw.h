@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "io/study/warning.h"
 #include "viewer/acceleration/stored_voxels.h"
 #include "viewer/render/render.h"
 
@@ -14,12 +15,14 @@ struct Drawn {
   std::vector<float> error;  ///< Rendered::error
   Plan plan;
   RenderStats stats;
+  std::vector<Warning> warnings{};  ///< about this picture, beside those about its series
 };
 
 /// A complete plan (completedPlan) and the statistics of its completion.
 struct Planned {
   Plan plan;
   RenderStats stats;
+  std::shared_ptr<RenderCaches> copy{};  ///< it is drawn of a reduced copy
 };
 
 /// Draws pictures of one volume; for the render thread only.
@@ -39,7 +42,8 @@ using VoxelsPtr = std::shared_ptr<StoredVoxels>;
 using MakeDraw = std::function<Draw(const VoxelsPtr&)>;
 
 /// Returns makePlan(), completedPlan() and render() over one set of caches. OpenGL uses a context from Qt,
-/// else from EGL.
+/// else from EGL. If there is too little memory, pictures are drawn of a reduced copy and say so
+/// (copyToDraw).
 Draw drawWithCaches(const VoxelsPtr& voxels);
 
 }  // namespace volumen

@@ -38,6 +38,7 @@ struct ScreenPicture {
   Scene scene;  ///< as drawn, with its camera
   std::shared_ptr<const Plan> plan;
   RenderStats stats;
+  std::vector<Warning> warnings{};  ///< Drawn::warnings
   /// The error bound of each pixel (Rendered::error) and its summary. Null or empty if unknown, as for
   /// enlarged pictures.
   std::shared_ptr<const std::vector<float>> error;

@@ -111,15 +111,16 @@ void Snapshot::tellProgress() {
 void Snapshot::write(const std::shared_ptr<Drawn>& drawn) {
   const Shot& shot = shots_.front();
   const SnapshotSeen& seen = shot.request.seen;
-  PictureText text = pictureText(drawn->plan, {estimateOf(drawn->plan, drawn->error),
-                                               measured_ ? measured_(drawn->plan) : std::nullopt});
-  for (const PictureText& more :
-       {textOfSegments(seen.segments, drawn->plan.segments), warningText(seen.series->warnings)})
+  PictureText text =
+      pictureText(drawn->plan, {estimateOf(drawn->error), measured_ ? measured_(drawn->plan) : std::nullopt});
+  std::vector<Warning> warnings = seen.series->warnings;
+  warnings.insert(warnings.end(), drawn->warnings.begin(), drawn->warnings.end());
+  for (const PictureText& more : {textOfSegments(seen.segments, drawn->plan.segments), warningText(warnings)})
     text.insert(text.end(), more.begin(), more.end());
   const glm::ivec2 size = drawn->picture.size;
   const HidingNames hiding(seen.namesHidden);
   const Overlays over = chosenOverlays(viewOverlays(*seen.series, *drawn->plan.scene.camera, size),
-                                       shot.request.shown, seen.series->warnings);
+                                       shot.request.shown, warnings);
   const QString path =
       shot.request.pictures > 1 ? numberedPath(shot.request.path, shot.drawn) : shot.request.path;
   auto image = std::make_shared<QImage>();

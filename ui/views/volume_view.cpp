@@ -85,6 +85,7 @@ void VolumeView::seriesExchanged(bool another) {
   if (another) {
     fitMm_.clear();
     captionIfOld_.clear();
+    pictureWarnings_.clear();
     setPicture({}, {});
   }
   if (another || !series()) letGo();
@@ -125,17 +126,23 @@ void VolumeView::followDrawn(bool isOtherLook) {
   if (isAnother || (volume && (isOtherLook || drawnScene_ != sceneToDraw()))) requestPicture();
 }
 
+// Of the series, and of the picture.
+std::vector<Warning> VolumeView::allWarnings() const {
+  const LoadedSeriesPtr shown = series();
+  std::vector<Warning> all = shown ? shown->warnings : std::vector<Warning>();
+  if (shown) all.insert(all.end(), pictureWarnings_.begin(), pictureWarnings_.end());
+  return all;
+}
+
 QStringList VolumeView::warningsShown() const {
   QStringList sentences;
-  if (const LoadedSeriesPtr shown = series())
-    for (const Warning& w : changingPicture(shown->warnings)) sentences << shownText(w.sentence);
+  for (const Warning& w : changingPicture(allWarnings())) sentences << shownText(w.sentence);
   return sentences;
 }
 
 void VolumeView::showWarnings() {
   QStringList words;
-  if (const LoadedSeriesPtr shown = series())
-    for (const std::string& text : shortWarnings(shown->warnings)) words << QString::fromStdString(text);
+  for (const std::string& text : shortWarnings(allWarnings())) words << QString::fromStdString(text);
   badge_->tell(words, warningsShown());
   placeChildren();
 }
@@ -218,6 +225,7 @@ void VolumeView::showDrawn(const ScreenPicture& picture) {
   if (picture.view != id()) return;
   isDrawn_ = true;
   numberDrawn_ = picture.number;
+  if (std::exchange(pictureWarnings_, picture.warnings) != picture.warnings) showWarnings();
   setPicture(picture.image, captionOf(picture), picture.error);
   captionIfOld_ = captionOf(picture, true);
   Q_EMIT drawn(picture);

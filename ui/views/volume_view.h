@@ -148,6 +148,7 @@ class VolumeView : public View {
   void showOld();
   void placeChildren();
   void followDrawn(bool isOtherLook);
+  std::vector<Warning> allWarnings() const;
   void showWarnings();
   void showState();
 
@@ -163,6 +164,7 @@ class VolumeView : public View {
   std::optional<VolumeRange> only_;
   bool isDrawn_ = false;  // whether a picture of drawn_ was shown
   QImage picture_;
+  std::vector<Warning> pictureWarnings_;
   QString caption_, captionIfOld_;
   std::shared_ptr<const std::vector<float>> error_;
   ErrorImage errorImage_;  // of error_, if errorShown_

@@ -1,5 +1,7 @@
 #include "viewer/acceleration/stored_voxels.h"
 
+#include <algorithm>
+
 #include "viewer/volume/float_units.h"
 #include "viewer/volume/parallel.h"
 
@@ -34,6 +36,7 @@ std::size_t StoredVoxels::held() const {
   if (density32_) sum += density32_->copy.bytes();
   if (density8_) sum += density8_->bytes.bytes();
   if (gradients16_) sum += gradients16_->gradients.xyzd.bytes();
+  if (bricks16_) sum += bricks16_->bricks.bytes();
   if (gradients32_) sum += gradients32_->gradients.xyz0.bytes();
   if (voxels8_) sum += voxels8_->gradients.words.bytes();
   return sum;
@@ -119,10 +122,23 @@ const Density8& StoredVoxels::densitiesIn8() {
 const Gradients16& StoredVoxels::gradientsIn16(GradientOperator by) {
   if (gradients16_ && gradients16_->by == by) return gradients16_->gradients;
   gradients16_.reset();
+  bricks16_.reset();
   begin(4 * sizeof(std::int16_t) * paddedVoxels(volume_->size(), 4 * sizeof(std::int16_t)));
   gradients16_ = {by, gradients16By(*volume_, by)};
   bytes_ = held();
   return gradients16_->gradients;
+}
+
+const GradientBricks16& StoredVoxels::gradientsOfBricks(const std::vector<std::uint8_t>& kept) {
+  const auto areThere = [&] {
+    return std::ranges::equal(kept, bricks16_->kept, [](auto asked, auto is) { return asked <= is; });
+  };
+  if (bricks16_ && areThere()) return bricks16_->bricks;
+  bricks16_.reset();
+  begin(GradientBricks16::bytesOf(std::ranges::count(kept, 1), GradientBricks16::countOf(volume_->size())));
+  bricks16_ = {kept, sobelBricks16(*volume_, kept)};
+  bytes_ = held();
+  return bricks16_->bricks;
 }
 
 const Gradients32& StoredVoxels::gradientsIn32(GradientOperator by) {

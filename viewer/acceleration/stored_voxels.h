@@ -8,6 +8,7 @@
 #include "viewer/tables/curve_table.h"
 #include "viewer/volume/buffer.h"
 #include "viewer/volume/bytes.h"
+#include "viewer/volume/gradient_bricks.h"
 #include "viewer/volume/gradients.h"
 #include "viewer/volume/volume.h"
 
@@ -47,6 +48,12 @@ class StoredVoxels {
   const Density32& densities32();
   const Density8& densitiesIn8();
   const Gradients16& gradientsIn16(GradientOperator by);
+  /// Sobel gradients of at least these bricks.
+  const GradientBricks16& gradientsOfBricks(const std::vector<std::uint8_t>& kept);
+  /// Says whether gradients are to be kept of bricks alone where they suffice.
+  void spareGradients(bool spare) { spare_ = spare; }
+  bool sparesGradients() const { return spare_ && !gradients16_; }
+  std::size_t brickBytes() const { return bricks16_ ? bricks16_->bricks.bytes() : 0; }
   const Gradients32& gradientsIn32(GradientOperator by);
   const Voxels8& voxelsIn8(GradientOperator by);
 
@@ -55,6 +62,10 @@ class StoredVoxels {
   struct ByOperator {
     GradientOperator by;
     Gradients gradients;
+  };
+  struct KeptBricks {
+    std::vector<std::uint8_t> kept;
+    GradientBricks16 bricks;
   };
   std::size_t held() const;
   void begin(std::size_t bytes);
@@ -67,6 +78,8 @@ class StoredVoxels {
   std::optional<Density32> density32_;
   std::optional<Density8> density8_;
   std::optional<ByOperator<Gradients16>> gradients16_;
+  std::optional<KeptBricks> bricks16_;
+  bool spare_ = false;
   std::optional<ByOperator<Gradients32>> gradients32_;
   std::optional<ByOperator<Voxels8>> voxels8_;
 };

@@ -33,7 +33,7 @@ class DenseTracer {
   DenseTracer(const RayInputs& f, const RayRow& rays, const PlaneBuffer& plane, const TraceRow& out,
               TraceCounts& counts)
       : f_(f),
-        grid_(f, Material::kGradients ? f.gradientRow : f.densityRow),
+        grid_(Material::kGradients ? Grid::OfGradients(f) : Grid(f, f.densityRow)),
         rays_(rays),
         material_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         plane_(plane),

@@ -12,6 +12,7 @@
 
 #include "viewer/kernels/math-inl.h"
 #include "viewer/kernels/trace.h"
+#include "viewer/volume/gradient_bricks.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
@@ -26,15 +27,20 @@ struct Cell {
 /// Data for every lookup of a picture, broadcast once per row.
 class Grid {
  public:
-  /// `rowVoxels`: RayInputs::densityRow or gradientRow, for the data to look up.
-  Grid(const RayInputs& f, int rowVoxels)
+  /// Gradients, with densities beside them: in bricks, if they are.
+  static Grid OfGradients(const RayInputs& f) { return {f, f.gradientRow, f.bricks}; }
+
+  /// `rowVoxels`: RayInputs::densityRow or gradientRow, for the data to look up. `bricks`: RayInputs::bricks.
+  Grid(const RayInputs& f, int rowVoxels, const std::int32_t* bricks = nullptr)
       : inputs_(f),
+        bricks_(bricks),
         last_{Set(float(f.size.x - 1)), Set(float(f.size.y - 1)), Set(float(f.size.z - 1))},
         lastCellX_(SetI(f.size.x > 1 ? f.size.x - 2 : 0)),
         lastCellY_(SetI(f.size.y > 1 ? f.size.y - 2 : 0)),
         lastCellZ_(SetI(f.size.z > 1 ? f.size.z - 2 : 0)),
-        rowStride_(rowVoxels),
-        sliceStride_(rowVoxels * f.size.y),
+        rowStride_(bricks ? GradientBricks16::row : rowVoxels),
+        sliceStride_(bricks ? GradientBricks16::slice : rowVoxels * f.size.y),
+        brickCount_(GradientBricks16::countOf(f.size)),
         // Along an axis of one voxel the neighbour is the voxel itself.
         nextRow_(f.size.y > 1 ? rowStride_ : 0),
         nextSlice_(f.size.z > 1 ? sliceStride_ : 0),
@@ -78,6 +84,7 @@ class Grid {
   /// values per voxel.
   template <class T>
   HWY_INLINE void Prefetch(const T* voxels, int elements, glm::vec3 low, glm::vec3 high) const {
+    if (bricks_) return;  // near enough to one another
     const glm::ivec3 from(low), to = glm::min(glm::ivec3(high) + 1, inputs_.size - 1);
     const int line = 64 / int(sizeof(T)) / elements;
     for (int z = from.z; z <= to.z; ++z)
@@ -92,15 +99,30 @@ class Grid {
  private:
   HWY_INLINE Cell CellOf(VI x, VI y, VI z, const V3& place) const {
     const DF df;
-    const VI index = hn::Add(hn::Add(x, hn::Mul(y, SetI(rowStride_))), hn::Mul(z, SetI(sliceStride_)));
+    const VI index = bricks_ ? InBrick(x, y, z) : At(x, y, z, rowStride_, sliceStride_);
     return {index, hn::Sub(place.x, hn::ConvertTo(df, x)), hn::Sub(place.y, hn::ConvertTo(df, y)),
             hn::Sub(place.z, hn::ConvertTo(df, z))};
   }
 
+  static HWY_INLINE VI At(VI x, VI y, VI z, int row, int slice) {
+    return hn::Add(hn::Add(x, hn::Mul(y, SetI(row))), hn::Mul(z, SetI(slice)));
+  }
+  HWY_INLINE VI InBrick(VI x, VI y, VI z) const {
+    constexpr int shift = GradientBricks16::shift;
+    const VI cells = SetI(GradientBricks16::cells - 1);
+    const VI brick = At(hn::ShiftRight<shift>(x), hn::ShiftRight<shift>(y), hn::ShiftRight<shift>(z),
+                        brickCount_.x, brickCount_.x * brickCount_.y);
+    return hn::Add(hn::GatherIndex(DI(), bricks_, brick),
+                   At(hn::And(x, cells), hn::And(y, cells), hn::And(z, cells), rowStride_, sliceStride_));
+  }
+
   const RayInputs& inputs_;
+  const std::int32_t* bricks_;
   V3 last_;
   VI lastCellX_, lastCellY_, lastCellZ_;
-  int rowStride_, sliceStride_, nextRow_, nextSlice_, nextColumn_;
+  int rowStride_, sliceStride_;
+  glm::ivec3 brickCount_;
+  int nextRow_, nextSlice_, nextColumn_;
 };
 
 /// The index of each lane's cell.

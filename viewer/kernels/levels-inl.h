@@ -53,7 +53,7 @@ class LevelTracer {
               TraceCounts& counts)
       : f_(f),
         grid_(f, f.densityRow),
-        gradientGrid_(f, f.gradientRow),
+        gradientGrid_(Grid::OfGradients(f)),
         rays_(rays),
         material_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         integrator_(f, material_),

@@ -32,7 +32,7 @@ class SparseTracer {
                TraceCounts& counts)
       : f_(f),
         grid_(f, f.densityRow),
-        gradientGrid_(f, f.gradientRow),
+        gradientGrid_(Grid::OfGradients(f)),
         rays_(rays),
         material_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         out_(out),

@@ -50,7 +50,8 @@ struct RayInputs {
   const std::int16_t* density16 = nullptr;
   std::uint32_t flip16 = 0;  ///< Xor mask for a pair of 16-bit values: 0x80008000 if they are unsigned.
   const float* density32 = nullptr;
-  const std::int16_t* voxels16 = nullptr;  ///< From Gradients16::xyzd.
+  const std::int16_t* voxels16 = nullptr;  ///< From Gradients16::xyzd, with `bricks` from GradientBricks16.
+  const std::int32_t* bricks = nullptr;    ///< GradientBricks16::first; null if all gradients are there.
   const float* gradients32 = nullptr;
   const std::uint8_t* density8 = nullptr;  ///< From Density8::bytes.
   const std::uint32_t* voxels8 = nullptr;  ///< From Voxels8::words.

@@ -8,6 +8,7 @@
 
 #include "viewer/kernels/ray_generator.h"
 #include "viewer/methods/caches.h"
+#include "viewer/methods/kept_bricks.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/volume/clock.h"
 
@@ -150,6 +151,13 @@ void RenderInputs::readStored(const Plan& plan, RenderCaches& caches, RenderStat
     densities_ = {.in16 = d.data, .flip = std::uint16_t(d.flip), .rowVoxels = inputs_.densityRow};
     stats.densityBytes = std::size_t(geometry.voxelCount()) * 2;
     if (!plan.gradients) return;
+    if (const auto kept = voxels.sparesGradients() ? bricksToKeep(plan, voxels.facts()) : std::nullopt) {
+      const GradientBricks16& b = voxels.gradientsOfBricks(*kept);
+      inputs_.voxels16 = b.xyzd.data();
+      inputs_.bricks = b.first.data();
+      stats.gradientBytes = b.bytes();
+      return setGradientScale(plan, geometry, b.scale);
+    }
     const Gradients16& g = voxels.gradientsIn16(plan.gradientOperator);
     inputs_.voxels16 = g.xyzd.data();
     inputs_.gradientRow = g.rowVoxels;

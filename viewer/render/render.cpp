@@ -7,7 +7,9 @@
 #include "viewer/methods/planes.h"
 #include "viewer/methods/preshaded.h"
 #include "viewer/reference/reference.h"
+#include "viewer/render/memory_need.h"
 #include "viewer/render/pilot.h"
+#include "viewer/volume/available_memory.h"
 #include "viewer/volume/clock.h"
 #include "viewer/volume/parallel.h"
 
@@ -52,9 +54,11 @@ Result<Rendered> renderBy(const Plan& plan, RenderCaches& caches, const CancelTo
 }
 
 Error notEnoughMemory(const Plan& plan, const Volume& volume) {
-  return {"There is not enough memory to draw " + std::to_string(volume.geometry().voxelCount()) +
-          " voxels this way at " + std::to_string(plan.bits) +
-          " bits; close other programs, or use --method planes, fewer bits (--precision) or an unlit scene."};
+  const std::string what = "There is not enough memory: to draw " +
+                           std::to_string(volume.geometry().voxelCount()) + " voxels this way at " +
+                           std::to_string(plan.bits) + " bits";
+  return {tooLittleMemory(what, bytesToDraw(plan, volume.geometry(), volume.stored())).message +
+          " Or use --method planes, fewer bits (--precision) or an unlit scene."};
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #include "viewer/volume/available_memory.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
+#include <new>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -117,7 +119,8 @@ std::uint64_t limitOf(const fs::path& root, const std::string& name) {
 
 }  // namespace
 
-ProcessMemory processMemory(const fs::path& root) {
+ProcessMemory processMemory(const std::string& folder) {
+  const fs::path root(folder);
   ProcessMemory memory{unlimited, unlimited, MemoryBound::machine};
   constexpr std::uint64_t kibi = 1024;
   if (auto machine = numbersByName(root / "proc/meminfo"); machine.contains("MemTotal:")) {
@@ -132,6 +135,65 @@ ProcessMemory processMemory(const fs::path& root) {
   lower(memory, limitOf(root, "Max address space"), own["VmSize:"] * kibi, MemoryBound::addressSpace);
   lower(memory, limitOf(root, "Max data size"), own["VmData:"] * kibi, MemoryBound::data);
   return memory;
+}
+
+namespace {
+
+constexpr std::uint64_t mebibyte = 1 << 20;
+
+// Stacks, tables and what else is too small to be counted.
+constexpr std::uint64_t besides = 32 * mebibyte;
+
+struct BoundWords {
+  const char *limit, *remedy;
+};
+
+BoundWords wordsOf(MemoryBound bound) {
+  switch (bound) {
+    case MemoryBound::machine:
+      break;
+    case MemoryBound::controlGroup:
+      return {"the limit of its control group", "allow the control group (container) more"};
+    case MemoryBound::addressSpace:
+      return {"the limit of ulimit -v", "allow more with ulimit -v"};
+    case MemoryBound::data:
+      return {"the limit of ulimit -d", "allow more with ulimit -d"};
+  }
+  return {"free on this machine", "close other programs, or use a machine with more"};
+}
+
+bool asks = true;
+
+bool isEnough(const ProcessMemory& memory, std::uint64_t bytes) {
+  return bytes <= less(memory.available, besides);
+}
+
+}  // namespace
+
+std::string memoryText(std::uint64_t bytes) {
+  const std::uint64_t mebibytes = (bytes + mebibyte - 1) / mebibyte, tenths = (mebibytes * 10 + 1023) / 1024;
+  if (mebibytes < 1024) return std::to_string(mebibytes) + " MiB";
+  return std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10) + " GiB";
+}
+
+bool isAvailable(std::uint64_t bytes) { return isEnough(processMemory(), bytes); }
+
+Error tooLittleMemory(const std::string& what, std::uint64_t bytes) {
+  const ProcessMemory memory = processMemory();
+  const BoundWords words = wordsOf(memory.bound);
+  return Error{what + " needs " + memoryText(bytes + besides) + " of memory, and " +
+               memoryText(memory.available / mebibyte * mebibyte) + " are available (" + words.limit + "); " +
+               words.remedy + "."};
+}
+
+Status checkAvailable(const std::string& what, std::uint64_t bytes) {
+  return isAvailable(bytes) ? Status() : tooLittleMemory(what, bytes);
+}
+
+void expectAllAvailable() { asks = false; }
+
+void expectAvailable(std::uint64_t bytes) {
+  if (asks && bytes >= besides && !isAvailable(bytes)) throw std::bad_alloc();
 }
 
 }  // namespace volumen

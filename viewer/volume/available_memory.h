@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
+#include <string>
+
+#include "viewer/volume/result.h"
 
 namespace volumen {
 
@@ -17,6 +19,25 @@ struct ProcessMemory {
 
 /// Reads the current state from `proc` and control groups (versions 1 and 2, including parents). Reclaimable
 /// page cache counts as available. Tests pass a `root` folder with files like those of the system.
-ProcessMemory processMemory(const std::filesystem::path& root = "/");
+ProcessMemory processMemory(const std::string& root = "/");
+
+/// "640 MiB", "2.5 GiB": whole MiB, from 1 GiB on with a tenth.
+std::string memoryText(std::uint64_t bytes);
+
+/// Whether `bytes` more are available, and a little besides.
+bool isAvailable(std::uint64_t bytes);
+
+/// Says that `what` ("a.nrrd: reading it") needs so many bytes, how many are available, and what to do.
+Error tooLittleMemory(const std::string& what, std::uint64_t bytes);
+
+/// tooLittleMemory() if `bytes` more are not available.
+Status checkAvailable(const std::string& what, std::uint64_t bytes);
+
+/// Throws std::bad_alloc if `bytes` are many and not available: a control group kills whoever takes more than
+/// there is, without a word.
+void expectAvailable(std::uint64_t bytes);
+
+/// From now on expectAvailable() asks nothing: in processes that may not open files.
+void expectAllAvailable();
 
 }  // namespace volumen

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "viewer/volume/available_memory.h"
+
 namespace volumen {
 
 namespace {
@@ -22,6 +24,7 @@ void wantHugePages(void* memory, std::size_t bytes) {
 void* allocateLarge(std::size_t bytes) {
   const std::size_t alignment = bytes >= 2 * hugePage ? hugePage : 64;
   const std::size_t rounded = (bytes + alignment - 1) / alignment * alignment;
+  expectAvailable(rounded);
   void* memory = std::aligned_alloc(alignment, rounded);
   if (!memory) throw std::bad_alloc();
   wantHugePages(memory, rounded);

@@ -1,24 +1,29 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <vector>
 
 namespace volumen {
 
+void expectAvailable(std::uint64_t bytes);  // available_memory.h
+
 /// Requests huge pages for untouched memory: the first touch of small pages costs more than the work on them.
 /// Memory remains usable if the system declines.
 void wantHugePages(void* memory, std::size_t bytes);
 
-/// Allocates memory with huge pages if it is large.
+/// Allocates memory with huge pages if it is large. Throws std::bad_alloc if it is not available
+/// (expectAvailable).
 void* allocateLarge(std::size_t bytes);
 void freeLarge(void* memory) noexcept;
 
-/// Returns `count` zeros for the values of a volume, with huge pages if they are many.
+/// Returns `count` zeros for the values of a volume, with huge pages if they are many. Throws likewise.
 template <class T>
 std::vector<T> zeros(std::size_t count) {
   std::vector<T> values;
+  expectAvailable(count * sizeof(T));
   values.reserve(count);
   wantHugePages(values.data(), count * sizeof(T));
   values.resize(count);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "viewer/volume/float_units.h"
+#include "viewer/volume/gradient_bricks.h"
 #include "viewer/volume/parallel.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -148,26 +149,49 @@ struct RowKernels {
   auto of(float, float) const { return f32Float; }
 };
 
+// Fills rows of gradients, for one thread.
+template <class Sum, class T, class Factor>
+class RowFiller {
+ public:
+  RowFiller(const std::vector<T>& stored, glm::ivec3 size, Factor factor)
+      : stored_(stored),
+        size_(size),
+        factor_(factor),
+        kernel_(static_cast<const RowKernels*>(HWY_DYNAMIC_DISPATCH(ChooseRowKernels)())->of(T{}, Sum{})),
+        stride_(std::size_t(size.x) + 2 + longestVector),
+        scratch_(4 * stride_) {}
+
+  // Row n of those along i, as Gradients16 counts them.
+  template <class Out>
+  void operator()(std::int64_t row, Out* out) {
+    const int j = int(row % size_.y), k = int(row / size_.y);
+    Rows<T> rows;
+    for (int dz = 0; dz < 3; ++dz)
+      for (int dy = 0; dy < 3; ++dy) {
+        const std::int64_t y = std::clamp(j + dy - 1, 0, size_.y - 1),
+                           z = std::clamp(k + dz - 1, 0, size_.z - 1);
+        rows[dz][dy] = stored_.data() + (z * size_.y + y) * size_.x;
+      }
+    kernel_(rows, std::size_t(size_.x), factor_, scratch_.data(), stride_, out);
+  }
+
+ private:
+  static constexpr std::size_t longestVector =
+      64;  // of any CPU target; HWY_MAX_BYTES here is only the baseline's
+  const std::vector<T>& stored_;
+  const glm::ivec3 size_;
+  const Factor factor_;
+  decltype(RowKernels().of(T{}, Sum{})) kernel_;
+  const std::size_t stride_;
+  std::vector<Sum> scratch_;
+};
+
 // Runs the row kernel over all rows on all cores: use(row, draw) calls draw(out) to fill a row.
 template <class Sum, class T, class Factor, class Use>
 void overRows(const std::vector<T>& stored, glm::ivec3 size, Factor factor, const Use& use) {
-  const auto kernel =
-      static_cast<const RowKernels*>(HWY_DYNAMIC_DISPATCH(ChooseRowKernels)())->of(T{}, Sum{});
-  constexpr std::size_t longestVector = 64;  // of any CPU target; HWY_MAX_BYTES here is only the baseline's
-  const std::size_t stride = std::size_t(size.x) + 2 + longestVector;
   parallelFor(std::int64_t(size.y) * size.z, 0, [&](std::int64_t begin, std::int64_t end) {
-    std::vector<Sum> scratch(4 * stride);
-    for (std::int64_t row = begin; row < end; ++row) {
-      const int j = int(row % size.y), k = int(row / size.y);
-      Rows<T> rows;
-      for (int dz = 0; dz < 3; ++dz)
-        for (int dy = 0; dy < 3; ++dy) {
-          const std::int64_t y = std::clamp(j + dy - 1, 0, size.y - 1),
-                             z = std::clamp(k + dz - 1, 0, size.z - 1);
-          rows[dz][dy] = stored.data() + (z * size.y + y) * size.x;
-        }
-      use(row, [&](auto* out) { kernel(rows, std::size_t(size.x), factor, scratch.data(), stride, out); });
-    }
+    RowFiller<Sum, T, Factor> fill(stored, size, factor);
+    for (std::int64_t row = begin; row < end; ++row) use(row, [&](auto* out) { fill(row, out); });
   });
 }
 
@@ -225,6 +249,68 @@ Gradients16 sobel16(const Volume& volume) {
       },
       volume.stored());
   return g;
+}
+
+namespace {
+
+// The bricks of one row along i, from the rows of voxels that they touch.
+template <class Fill>
+void fillBricks(GradientBricks16& bricks, std::int64_t brickRow, glm::ivec3 size, Fill& fill,
+                std::vector<std::int16_t>& row) {
+  constexpr int edge = GradientBricks16::row, cells = GradientBricks16::cells;
+  const std::int32_t* first = bricks.first.data() + brickRow * bricks.count.x;
+  if (std::all_of(first, first + bricks.count.x, [](std::int32_t n) { return n == 0; })) return;
+  const int j0 = int(brickRow % bricks.count.y) * cells, k0 = int(brickRow / bricks.count.y) * cells;
+  for (int k = k0; k < std::min(k0 + edge, size.z); ++k)
+    for (int j = j0; j < std::min(j0 + edge, size.y); ++j) {
+      fill(std::int64_t(k) * size.y + j, row.data());
+      for (int b = 0; b < bricks.count.x; ++b) {
+        if (first[b] == 0) continue;
+        const int at = first[b] + (k - k0) * GradientBricks16::slice + (j - j0) * edge;
+        std::copy_n(row.data() + 4 * b * cells, 4 * std::min(edge, size.x - b * cells),
+                    bricks.xyzd.data() + std::size_t(4) * at);
+      }
+    }
+}
+
+}  // namespace
+
+std::uint64_t GradientBricks16::bytesOf(std::int64_t bricks, glm::ivec3 count) {
+  return std::uint64_t(bricks + 1) * all * 4 * sizeof(std::int16_t) +
+         std::uint64_t(count.x) * count.y * count.z * sizeof(std::int32_t);
+}
+
+GradientBricks16 sobelBricks16(const Volume& volume, const std::vector<std::uint8_t>& kept) {
+  const ValueRange range = valueRange(volume);
+  const int shift = shiftOf(range, volume.slope());
+  const glm::ivec3 size = volume.size();
+  GradientBricks16 bricks{GradientBricks16::countOf(size), {}, {}, gradients16Scale(range, volume.slope())};
+  std::int32_t next = 0;  // brick 0 shows nothing
+  for (const std::uint8_t keep : kept) bricks.first.push_back(keep ? next += GradientBricks16::all : 0);
+  bricks.xyzd = Buffer<std::int16_t>(std::size_t(4) * (std::size_t(next) + GradientBricks16::all));
+  const int out = int(std::ranges::find(kept, 0) - kept.begin());
+  const glm::ivec3 corner =
+      GradientBricks16::cells * glm::ivec3(out % bricks.count.x, out / bricks.count.x % bricks.count.y,
+                                           out / (bricks.count.x * bricks.count.y));
+  std::visit(
+      [&]<class T>(const std::vector<T>& stored) {
+        if constexpr (!std::is_same_v<T, float>) {
+          constexpr int shifted = std::is_same_v<T, std::uint16_t> ? 32768 : 0;
+          const T hidden = stored[(std::size_t(corner.z) * size.y + corner.y) * size.x + corner.x];
+          for (int n = 0; n < GradientBricks16::all; ++n) {
+            std::fill_n(bricks.xyzd.data() + 4 * n, 3, std::int16_t(0));
+            bricks.xyzd[std::size_t(4 * n + 3)] = std::int16_t(int(hidden) - shifted);
+          }
+          const std::int64_t rows = std::int64_t(bricks.count.y) * bricks.count.z;
+          parallelFor(rows, 0, [&](std::int64_t begin, std::int64_t end) {
+            RowFiller<std::int32_t, T, int> fill(stored, size, shift);
+            std::vector<std::int16_t> row(std::size_t(4) * size.x);
+            for (std::int64_t n = begin; n < end; ++n) fillBricks(bricks, n, size, fill, row);
+          });
+        }
+      },
+      volume.stored());
+  return bricks;
 }
 
 namespace {

@@ -11,6 +11,7 @@
 
 #include "tests/unit/suite.h"
 #include "viewer/volume/available_memory.h"
+#include "viewer/volume/buffer.h"
 
 using namespace volumen;
 
@@ -75,6 +76,9 @@ class TestAvailableMemory : public QObject {
   void isTheLeastThatIsLeft_data();
   void isTheLeastThatIsLeft();
   void followsTheLimitOfThisProcess();
+  void textsHaveWholeMebibytes_data();
+  void textsHaveWholeMebibytes();
+  void whatIsNotThereIsNotGiven();
 };
 
 void TestAvailableMemory::isTheLeastThatIsLeft_data() {
@@ -155,6 +159,32 @@ void TestAvailableMemory::followsTheLimitOfThisProcess() {
   QVERIFY(short64.available <= 64 * mebi);
   QCOMPARE(short64.most, std::uint64_t(low.rlim_cur));
   QCOMPARE(short64.bound, MemoryBound::addressSpace);
+}
+
+void TestAvailableMemory::textsHaveWholeMebibytes_data() {
+  QTest::addColumn<std::uint64_t>("bytes");
+  QTest::addColumn<QString>("text");
+  QTest::newRow("none") << std::uint64_t(0) << QStringLiteral("0 MiB");
+  QTest::newRow("begun ones count") << 640 * mebi - 1 << QStringLiteral("640 MiB");
+  QTest::newRow("up to 1 GiB") << 1023 * mebi << QStringLiteral("1023 MiB");
+  QTest::newRow("1 GiB") << 1024 * mebi << QStringLiteral("1.0 GiB");
+  QTest::newRow("begun tenths count") << 5200 * mebi << QStringLiteral("5.1 GiB");
+}
+
+void TestAvailableMemory::textsHaveWholeMebibytes() {
+  QFETCH(std::uint64_t, bytes);
+  QTEST(QString::fromStdString(memoryText(bytes)), "text");
+}
+
+void TestAvailableMemory::whatIsNotThereIsNotGiven() {
+  QVERIFY(checkAvailable("a.nrrd: reading it", 1));
+  const Status s = checkAvailable("a.nrrd: reading it", std::uint64_t(1) << 60);
+  QVERIFY(!s);
+  QVERIFY2(s.message().starts_with("a.nrrd: reading it needs 1073741824.1 GiB of memory, and "),
+           s.message().c_str());
+  QVERIFY_THROWS_EXCEPTION(std::bad_alloc, expectAvailable(std::uint64_t(1) << 60));
+  QVERIFY_THROWS_EXCEPTION(std::bad_alloc, Buffer<float>(std::size_t(1) << 44));
+  QVERIFY_THROWS_EXCEPTION(std::bad_alloc, zeros<float>(std::size_t(1) << 44));
 }
 
 VOLUMEN_TEST(TestAvailableMemory);
