@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace volumen::bench {
+
+/// What a program took.
+struct Taken {
+  double seconds = 0;    ///< of processor time, of all its threads and workers
+  double mebibytes = 0;  ///< the most memory that one of its processes had at once
+  std::string out;       ///< what it wrote to stdout
+};
+
+/// Runs a program to its end. Throws where it fails.
+Taken runTimed(std::vector<std::string> words);
+
+// Each in a process of its own, which prints the seconds of processor time.
+
+/// Shows a head in planes and 3D, `measurements` lengths and ellipses in its series, and turns the wheel:
+/// seconds of a step.
+int turnTheWheel(int measurements);
+
+/// Opens a radiograph until it is seen.
+int showRadiograph(const std::string& path);
+
+/// Shows `series` phantoms, one after the other.
+int showInTurn(int series);
+
+}  // namespace volumen::bench
