@@ -50,8 +50,8 @@ Measured runWindow(const std::string& what, const std::string& with) {
 
 Measured nifti(const std::string& folder, int timePoints) {
   const std::string path = folder + "/enhanced.dcm";
-  const std::string uid = writeEnhanced(path, timePoints);
-  return run({"convert", path, "--series", uid, "-o", folder + "/copy.nii.gz"});
+  apart([&] { writeEnhanced(path, timePoints); });
+  return run({"convert", path, "--series", enhancedUid, "-o", folder + "/copy.nii.gz"});
 }
 
 Measured wheel(const std::string&, int measurements) {
@@ -59,19 +59,19 @@ Measured wheel(const std::string&, int measurements) {
 }
 
 Measured info(const std::string& folder, int files) {
-  writeSlices(folder, files);
+  apart([&] { writeSlices(folder, files); });
   return run({"info", folder, "--json"});
 }
 
 Measured segments(const std::string& folder, int count) {
-  writeNoise(folder + "/noise.nrrd");
+  apart([&] { writeNoise(folder + "/noise.nrrd"); });
   writeNoiseRecipe(folder + "/noise.json", count);
   return run({"segment", folder + "/noise.nrrd", "--recipe", folder + "/noise.json", "-o",
               folder + "/noise.seg.nrrd"});
 }
 
 Measured render(const std::string& folder, const char* preset, int slices) {
-  writeHead(folder + "/head.nrrd", slices);
+  apart([&] { writeHead(folder + "/head.nrrd", slices); });
   const std::string stats = folder + "/stats.json";
   Measured m = run(
       {"render", folder + "/head.nrrd", "--preset", preset, "-o", folder + "/head.png", "--stats", stats});
@@ -93,14 +93,14 @@ std::string ofPixels(double mebibytes, int edge) {
 }
 
 Measured radiograph(const std::string& folder, int edge) {
-  writeRadiograph(folder + "/radiograph.dcm", edge);
+  apart([&] { writeRadiograph(folder + "/radiograph.dcm", edge); });
   Measured m = run({"slice", folder + "/radiograph.dcm", "-o", folder + "/radiograph.png"});
   m.note = ofPixels(m.mebibytes, edge);
   return m;
 }
 
 Measured shown(const std::string& folder, int edge) {
-  writeRadiograph(folder + "/radiograph.dcm", edge);
+  apart([&] { writeRadiograph(folder + "/radiograph.dcm", edge); });
   Measured m = runWindow("shown", folder + "/radiograph.dcm");
   m.note = ofPixels(m.mebibytes, edge);
   return m;

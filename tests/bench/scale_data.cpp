@@ -86,10 +86,10 @@ void writeRaw(const std::string& path, glm::ivec3 size, const std::vector<std::i
 
 }  // namespace
 
-std::string writeEnhanced(const std::string& path, int timePoints) {
+void writeEnhanced(const std::string& path, int timePoints) {
   constexpr int edge = 64, slices = 40;
   DicomPicture picture{
-      .seriesUid = "1.2.3.4.500", .columns = edge, .rows = edge, .orientation = "", .spacing = ""};
+      .seriesUid = enhancedUid, .columns = edge, .rows = edge, .orientation = "", .spacing = ""};
   picture.pixels = noise(std::size_t(edge * edge * slices) * std::size_t(timePoints), 1000);
   picture.edit = [&](DcmDataset& data) {
     data.putAndInsertString(DCM_SOPClassUID, UID_EnhancedMRImageStorage);
@@ -98,7 +98,6 @@ std::string writeEnhanced(const std::string& path, int timePoints) {
     addFrames(data, slices, timePoints);
   };
   tests::writeDicom(path, picture);
-  return picture.seriesUid;
 }
 
 void writeSlices(const std::string& folder, int files) {

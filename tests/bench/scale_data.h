@@ -8,9 +8,9 @@
 
 namespace volumen::bench {
 
-/// Writes an enhanced MR of 64 x 64 x 40 voxels at each of `timePoints` as one file; returns the UID of its
-/// series.
-std::string writeEnhanced(const std::string& path, int timePoints);
+/// Writes an enhanced MR of 64 x 64 x 40 voxels at each of `timePoints` as one file, of this series.
+inline constexpr const char* enhancedUid = "1.2.3.4.500";
+void writeEnhanced(const std::string& path, int timePoints);
 
 /// Writes CT slices of 8 x 8 pixels into `folder`, 500 a series.
 void writeSlices(const std::string& folder, int files);

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstdio>
 #include <stdexcept>
 
 extern char** environ;
@@ -45,6 +46,22 @@ Taken runTimed(std::vector<std::string> words) {
   taken.seconds = secondsOf(usage.ru_utime) + secondsOf(usage.ru_stime);
   taken.mebibytes = double(usage.ru_maxrss) / 1024;
   return taken;
+}
+
+void apart(const std::function<void()>& work) {
+  const pid_t pid = fork();
+  if (pid == 0) {
+    try {
+      work();
+      _exit(0);
+    } catch (const std::exception& e) {
+      std::fprintf(stderr, "%s\n", e.what());
+      _exit(1);
+    }
+  }
+  int status = -1;
+  if (pid > 0) waitpid(pid, &status, 0);
+  if (status != 0) throw std::runtime_error("the data could not be made");
 }
 
 }  // namespace volumen::bench

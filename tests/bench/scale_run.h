@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ struct Taken {
 
 /// Runs a program to its end. Throws where it fails.
 Taken runTimed(std::vector<std::string> words);
+
+/// Does `work` in a process of its own: programs that are started count the memory of this one as theirs.
+/// Throws where it fails.
+void apart(const std::function<void()>& work);
 
 // Each in a process of its own, which prints the seconds of processor time.
 
