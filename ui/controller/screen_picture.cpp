@@ -69,7 +69,7 @@ Result<DrawnPass> drawPass(const Draw& draw, const Volume& volume, const ScreenR
   shown.plan = std::make_shared<const Plan>(drawn->plan);
   shown.stats = drawn->stats;
   shown.warnings = drawn->warnings;
-  shown.estimated = pass.factor == 1 ? estimateOf(drawn->error) : std::nullopt;
+  shown.estimated = pass.factor == 1 ? estimateOf(drawn->plan, drawn->error) : std::nullopt;
   if (shown.estimated) shown.error = std::make_shared<const std::vector<float>>(drawn->error);
   shown.ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   return DrawnPass{std::move(*drawn), std::move(shown)};

@@ -111,8 +111,8 @@ void Snapshot::tellProgress() {
 void Snapshot::write(const std::shared_ptr<Drawn>& drawn) {
   const Shot& shot = shots_.front();
   const SnapshotSeen& seen = shot.request.seen;
-  PictureText text =
-      pictureText(drawn->plan, {estimateOf(drawn->error), measured_ ? measured_(drawn->plan) : std::nullopt});
+  PictureText text = pictureText(drawn->plan, {estimateOf(drawn->plan, drawn->error),
+                                               measured_ ? measured_(drawn->plan) : std::nullopt});
   std::vector<Warning> warnings = seen.series->warnings;
   warnings.insert(warnings.end(), drawn->warnings.begin(), drawn->warnings.end());
   for (const PictureText& more : {textOfSegments(seen.segments, drawn->plan.segments), warningText(warnings)})
