@@ -306,8 +306,9 @@ void TestSurfaceMeasurements::theSessionKeepsIt() {
 // of them, or the camera, changes.
 void TestSurfaceMeasurements::theWheelPlacesNoneAnew() {
   SurfaceWindow w;
+  QSignalSpy settled(&w.window, &MainWindow::settled);
   w.child<QAction>("layoutPlanes")->trigger();
-  QCoreApplication::processEvents();
+  QVERIFY(settled.wait());
   std::vector<Shape> lengths(300);
   for (int n = 0; n < 300; ++n) lengths[std::size_t(n)].points = {{-8, -8 + n / 20, n % 20 - 10}, {8, 0, 0}};
   addMeasurements(w.session(), w.all().empty() ? keyOf(w.session().series()->series) : w.all()[0].series,

@@ -96,11 +96,11 @@ class Source {
     const Volume& volume = *whole_->volume();
     const bool isThere = plan.method == Method::reference || drawnWhole_.contains(kindOf(plan));
     if (isThere && !voxels_->sparesGradients()) return true;
-    const bool all = !isThere && isAvailable(bytesToDraw(plan, volume.geometry(), volume.stored()));
+    const bool all = !isThere && voxels_->hasRoomFor(bytesToDraw(plan, volume.geometry(), volume.stored()));
     voxels_->spareGradients(!all);
     if (all) return true;
     const std::uint64_t needed = leastBytesToDraw(plan, volume, whole_->facts());
-    return isAvailable(needed - std::min<std::uint64_t>(needed, voxels_->brickBytes()));
+    return voxels_->hasRoomFor(needed - std::min<std::uint64_t>(needed, voxels_->brickBytes()));
   }
 
   const VoxelsPtr voxels_;

@@ -151,6 +151,7 @@ void Loader::begin(const Series& series, bool isAhead) {
   cancelLoad();
   loading_ = keyOf(series);
   isAhead_ = isAhead;
+  if (!isAhead) Q_EMIT aboutToRead(series);
   loadJob_ = load_.run(
       {tr("Opening"), seriesText(series)},
       [series, source = series.curved ? held_(keyOf(sourceOf(series))) : nullptr,

@@ -50,6 +50,8 @@ class Loader : public QObject {
  Q_SIGNALS:
   /// Something is being opened to replace what is shown, or in an empty window.
   void openBegan();
+  /// A series to be shown is read next: what takes memory and is not on screen can make room.
+  void aboutToRead(const volumen::Series& series);
   /// A series to be shown is being loaded; this ends in seriesLoaded(), notLoaded() or loadGivenUp().
   void loadBegan(const volumen::Series& series);
   void loadGivenUp();

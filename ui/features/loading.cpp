@@ -1,3 +1,4 @@
+#include "io/load.h"
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
@@ -27,10 +28,10 @@ Loading::Loading(Workbench& bench) : Feature(bench) {
           });
   connect(&loader, &Loader::failed, this, [this](const QString& sentence) { bench_.banner.add(sentence); });
   connect(&loader, &Loader::notLoaded, &grid_, &ViewGrid::giveUpWaiting);
-  connect(&loader, &Loader::loadBegan, this, [this](const Series& series) {
-    session_.setLoading(keyOf(series));
-    session_.pool().makeRoomFor(std::size_t(series.acquired.voxelCount()) * sizeof(float));
-  });
+  connect(&loader, &Loader::aboutToRead, this,
+          [this](const Series& series) { session_.pool().makeRoomFor(bytesToLoad(series)); });
+  connect(&loader, &Loader::loadBegan, this,
+          [this](const Series& series) { session_.setLoading(keyOf(series)); });
   // Queued, because the caller that cancelled may be about to load another series or to close all.
   const auto askSoon = [this] {
     QMetaObject::invokeMethod(&session_, &Session::askForMissing, Qt::QueuedConnection);

@@ -1,7 +1,9 @@
 #include "viewer/acceleration/stored_voxels.h"
 
 #include <algorithm>
+#include <new>
 
+#include "viewer/volume/available_memory.h"
 #include "viewer/volume/float_units.h"
 #include "viewer/volume/parallel.h"
 
@@ -40,6 +42,17 @@ std::size_t StoredVoxels::held() const {
   if (gradients32_) sum += gradients32_->gradients.xyz0.bytes();
   if (voxels8_) sum += voxels8_->gradients.words.bytes();
   return sum;
+}
+
+bool StoredVoxels::hasRoomFor(std::uint64_t bytes) const {
+  if (isAvailable(bytes)) return true;
+  if (!makeRoom_) return false;
+  try {
+    makeRoom_(bytes);
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  return isAvailable(bytes);
 }
 
 // Something of so many bytes is about to be made; it counts from now on.

@@ -53,6 +53,8 @@ class StoredVoxels {
   /// Says whether gradients are to be kept of bricks alone where they suffice.
   void spareGradients(bool spare) { spare_ = spare; }
   bool sparesGradients() const { return spare_ && !gradients16_; }
+  /// Returns whether `bytes` more are available, after what others can spare made room.
+  bool hasRoomFor(std::uint64_t bytes) const;
   std::size_t brickBytes() const { return bricks16_ ? bricks16_->bricks.bytes() : 0; }
   const Gradients32& gradientsIn32(GradientOperator by);
   const Voxels8& voxelsIn8(GradientOperator by);
