@@ -134,8 +134,14 @@ void TestMeasureSegments::numbersAreThoseOfSegment() {
   wanted[QStringLiteral("warnings")] = warnings;
   QCOMPARE(jsonIn(measure), wanted);
   QCOMPARE(wanted.contains(QStringLiteral("timeAxis")), volumes > 1);
-  QVERIFY(!contentsOf(at(QStringLiteral("a.csv"))).isEmpty());
-  QCOMPARE(contentsOf(at(QStringLiteral("b.csv"))), contentsOf(at(QStringLiteral("a.csv"))));
+  // The file keeps no range, so that the last column ("Made by") is empty.
+  const auto numbersOf = [&](const QString& name) {
+    QByteArrayList rows = contentsOf(at(name)).split('\n');
+    for (QByteArray& row : rows) row.truncate(std::max<qsizetype>(0, row.lastIndexOf(',')));
+    return rows;
+  };
+  QVERIFY(numbersOf(QStringLiteral("a.csv")).size() > 1);
+  QCOMPARE(numbersOf(QStringLiteral("b.csv")), numbersOf(QStringLiteral("a.csv")));
 }
 
 void TestMeasureSegments::numbersAreThoseOfTheVoxels() {
