@@ -18,7 +18,7 @@ constexpr int restMs = 300;  // time the pointer rests at the edge
 constexpr double usualRates[] = {1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100};
 
 // Least width for each group of controls, logical pixels.
-constexpr int widthForNumber = 190, widthForWays = 250, widthForRate = 340, widthForRange = 490;
+constexpr int widthForNumber = 195, widthForWays = 255, widthForRate = 360, widthForRange = 520;
 
 // Returns the first number between two positions; 0 if there is none.
 int numberOnTheWay(const Playable& what, int from, int to) {

@@ -62,7 +62,7 @@ class CineBar : public QWidget {
   void makeControls();
   void connectControls();
   QToolButton* addButton(const char* name, const QString& text, const QString& tip, bool checkable);
-  TypedNumber* addNumber(const char* name, const QString& tip, int width);
+  TypedNumber* addNumber(const char* name, const QString& tip, const QString& widest);
   QLabel* addWord(const QString& word);
   Playable* current() const;
   std::optional<int> placeTyped(const TypedNumber& field, int number);

@@ -19,9 +19,10 @@ QToolButton* CineBar::addButton(const char* name, const QString& text, const QSt
   return button;
 }
 
-TypedNumber* CineBar::addNumber(const char* name, const QString& tip, int width) {
+TypedNumber* CineBar::addNumber(const char* name, const QString& tip, const QString& widest) {
   auto* field = new TypedNumber(name, tip, this);
-  field->setFixedSize(width, barHeight - 2);
+  constexpr int margins = 12;
+  field->setFixedSize(field->fontMetrics().horizontalAdvance(widest) + margins, barHeight - 2);
   field->setFrame(false);
   layout()->addWidget(field);
   const auto giveKeysBack = [this] { parentWidget()->setFocus(); };
@@ -50,12 +51,12 @@ void CineBar::makeControls() {
   place_->setMaximum(0);
   place_->setPageStep(1);
   row->addWidget(place_, 1);
-  number_ = addNumber("cineNumber", tr("Number shown"), 38);
+  number_ = addNumber("cineNumber", tr("Number shown"), QStringLiteral("0000"));
   from_ = addWord(tr("from"));
-  first_ = addNumber("cineFirst", tr("First one played"), 34);
+  first_ = addNumber("cineFirst", tr("First one played"), QStringLiteral("0000"));
   to_ = addWord(tr("to"));
-  last_ = addNumber("cineLast", tr("Last one played"), 34);
-  rate_ = addNumber("cineRate", tr("Speed, a second (+ and -)"), 38);
+  last_ = addNumber("cineLast", tr("Last one played"), QStringLiteral("0000"));
+  rate_ = addNumber("cineRate", tr("Speed, a second (+ and -)"), QStringLiteral("00.00"));
   aSecond_ = addWord(tr("/s"));
   back_ = addButton("cineBack", QStringLiteral("\u21c4"), tr("Back and forth"), true);
   loop_ = addButton("cineLoop", QStringLiteral("\u21bb"), tr("Again and again"), true);
