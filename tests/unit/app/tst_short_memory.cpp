@@ -34,6 +34,8 @@ class TestShortMemory : public QObject {
   void a3dPictureIsDrawnOfAReducedCopy();
   void whatFitsHasTheSameBytes_data();
   void whatFitsHasTheSameBytes();
+  void anImportNeedsNoVolume_data();
+  void anImportNeedsNoVolume();
 
  private:
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
@@ -206,6 +208,22 @@ void TestShortMemory::whatFitsHasTheSameBytes() {
   const Outcome a = runWith(by, mebibytes, line);
   QVERIFY2(a.status == 0 && a.err.isEmpty(), QByteArray::number(a.status) + a.err);
   QCOMPARE(contentsOf(at("out.png")), whole);
+}
+
+void TestShortMemory::anImportNeedsNoVolume_data() {
+  QTest::addColumn<ScarceMemory::By>("by");
+  addWays([](ScarceMemory::By by, const char* way) { QTest::newRow(way) << by; });
+}
+
+// Headers and a slice for the thumbnail take little of a volume of 4 GiB.
+void TestShortMemory::anImportNeedsNoVolume() {
+  QFETCH(ScarceMemory::By, by);
+  if (!ScarceMemory(by).isPossible()) QSKIP("no control group can be made here");
+  QDir(at("index")).removeRecursively();
+  const Outcome a = runWith(by, 100, QStringLiteral("import IN/huge.nhdr --index IN/index --json"));
+  QVERIFY2(a.status == 0 && a.out.contains("\"new\": 1"), a.out + a.err);
+  const Outcome listed = runProgram(words(QStringLiteral("list --index IN/index")));
+  QVERIFY2(listed.out.contains("huge.nhdr"), listed.out + listed.err);
 }
 
 VOLUMEN_TEST(TestShortMemory);
