@@ -11,11 +11,11 @@ namespace volumen {
 
 struct Series;
 
-/// The most bytes that a series takes while it is read, as its header has it.
+/// Returns the largest number of bytes that reading a series takes, estimated from its headers.
 std::uint64_t bytesToLoad(const Series& series);
 
-/// An Error with both figures if there is less memory than a series and `besides` bytes take; "WHAT it" is
-/// done: "segmenting".
+/// Returns an Error with needed and available memory if the series and `besides` bytes do not fit. `what` is
+/// the verb of the sentence, such as "segmenting".
 Status checkMemoryFor(const Series& series, const std::string& what, std::uint64_t besides = 0);
 
 /// Reads and decodes a series, if there is memory enough. The Error names the file and the reason.

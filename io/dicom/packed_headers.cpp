@@ -11,7 +11,7 @@ namespace {
 
 using OwnBytes = std::vector<std::uint8_t>;
 
-// Seven bits a byte, the lowest first; all but the last with the high bit.
+// Writes seven bits per byte, lowest first. All bytes but the last have the high bit set.
 void putNumber(std::size_t number, OwnBytes& to) {
   for (; number > 127; number >>= 7) to.push_back(std::uint8_t(number | 128));
   to.push_back(std::uint8_t(number));
@@ -26,9 +26,10 @@ std::size_t takeNumber(const OwnBytes& from, std::size_t& at) {
   }
 }
 
-// Runs of bytes that differ from those of `base`, which is as long: how many do not, how many do, and these.
+// Returns the runs in which `bytes` differs from `base` of the same length. Each run is the number of equal
+// bytes before it, its length, and its bytes.
 OwnBytes differences(const OwnBytes& bytes, const OwnBytes& base) {
-  constexpr std::size_t shortest = 3;  // of bytes alike that end a run
+  constexpr std::size_t shortest = 3;  // number of equal bytes that ends a run
   OwnBytes out;
   for (std::size_t done = 0;;) {
     const auto first =
@@ -79,7 +80,8 @@ void PackedHeaders::add(const FileHeader& header) {
     packed.others.assign(others.begin(), others.end());
     bytes_ += packed.others.size();
   }
-  // What came from a worker was read from bytes; else some numbers may not be finite.
+  // Headers from workers were read from bytes already. Others may hold non-finite numbers, which cannot be
+  // read.
   if (worker::isolating()) return;
   const OwnBytes all = changed(bases_[packed.base], packed.others);
   worker::MemoryReader reader(all);

@@ -10,25 +10,26 @@
 
 namespace volumen::dicom {
 
-/// Headers of many files in little memory: what the files of a series say alike is kept once.
+/// Stores headers of many files in little memory: each as its differences from one header of its series.
 class PackedHeaders {
  public:
   void add(const FileHeader& header);
   std::size_t size() const { return packed_.size(); }
-  /// The header that was added as number `n`.
+  /// Returns the header that was added as number `n`, from 0.
   FileHeader at(std::size_t n) const;
-  /// What it takes, without what the allocator adds.
+  /// Returns the bytes held, without the overhead of the allocator.
   std::size_t bytes() const { return bytes_; }
 
  private:
   using OwnBytes = std::vector<std::uint8_t>;
   struct Packed {
-    std::uint32_t base = 0;                   ///< number of the header, in bytes, that it is like
-    OwnBytes others;                          ///< where it differs from that
-    std::shared_ptr<const FileHeader> whole;  ///< where bytes cannot hold it
+    std::uint32_t base = 0;                   ///< index in `bases_`
+    OwnBytes others;                          ///< differences from that base
+    std::shared_ptr<const FileHeader> whole;  ///< set if the bytes cannot be read back
   };
 
-  std::map<std::pair<std::string, std::size_t>, std::uint32_t> baseOf_;  ///< by series and number of bytes
+  std::map<std::pair<std::string, std::size_t>, std::uint32_t>
+      baseOf_;  ///< by series UID and number of bytes
   std::vector<OwnBytes> bases_;
   std::vector<Packed> packed_;
   std::size_t bytes_ = 0;

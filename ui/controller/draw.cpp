@@ -25,8 +25,7 @@ CachesPtr cachesOf(const VoxelsPtr& voxels) {
   return caches;
 }
 
-// What pictures of a volume are drawn of: the volume, or a reduced copy if there is too little memory for
-// that.
+// Draws a volume, or a reduced copy of it if there is too little memory.
 class Source {
  public:
   explicit Source(const VoxelsPtr& voxels) : voxels_(voxels), whole_(cachesOf(voxels)) {
@@ -63,18 +62,18 @@ class Source {
                  planned.copy ? std::vector{warning_} : std::vector<Warning>()};
   }
 
-  // Of what is kept beside the voxels of the volume.
+  // Returns the bytes kept besides the voxels of the volume.
   std::size_t bytes() const {
     return whole_->bytes() + (copy_ ? copy_->bytes() + copyVoxels_->bytes() + copy_->volume()->bytes() : 0);
   }
 
  private:
-  // What is kept of the volume for such plans.
+  // Returns what determines the data that a plan keeps of the volume.
   static std::tuple<int, bool, Resampler> kindOf(const Plan& plan) {
     return {plan.bits, plan.gradients, plan.resampler};
   }
 
-  // Sets copy_, or resets it where the volume itself can be drawn.
+  // Sets copy_, or resets it if the volume itself can be drawn.
   Status choose(const Plan& plan) {
     if (hasRoomFor(plan)) {
       copy_.reset(), copyVoxels_.reset();
@@ -91,7 +90,7 @@ class Source {
     return {};
   }
 
-  // If not for all gradients, then for those of what is visible, which other curves need again.
+  // Returns whether all gradients fit, or else those of visible bricks, which each new curve computes again.
   bool hasRoomFor(const Plan& plan) {
     const Volume& volume = *whole_->volume();
     const bool isThere = plan.method == Method::reference || drawnWhole_.contains(kindOf(plan));
@@ -107,7 +106,7 @@ class Source {
   VoxelsPtr copyVoxels_;
   CachesPtr whole_, copy_;
   Warning warning_{{}, WarningKind::reduced};
-  std::set<std::tuple<int, bool, Resampler>> drawnWhole_;  // kinds for which all is there
+  std::set<std::tuple<int, bool, Resampler>> drawnWhole_;  // kinds whose data exist
 };
 
 }  // namespace

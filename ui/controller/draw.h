@@ -15,14 +15,14 @@ struct Drawn {
   std::vector<float> error;  ///< Rendered::error
   Plan plan;
   RenderStats stats;
-  std::vector<Warning> warnings{};  ///< about this picture, beside those about its series
+  std::vector<Warning> warnings{};  ///< of this picture, besides those of its series
 };
 
 /// A complete plan (completedPlan) and the statistics of its completion.
 struct Planned {
   Plan plan;
   RenderStats stats;
-  std::shared_ptr<RenderCaches> copy{};  ///< it is drawn of a reduced copy
+  std::shared_ptr<RenderCaches> copy{};  ///< set if a reduced copy is drawn
 };
 
 /// Draws pictures of one volume; for the render thread only.

@@ -12,12 +12,12 @@ namespace volumen {
 struct ReducedCopy {
   VolumePtr volume;
   int factor = 1;
-  Warning warning;  ///< tells both figures
+  Warning warning;  ///< states needed and available memory
 };
 
-/// Makes the largest copy that a plan can be drawn of in the memory that there is, `letGo` more once it is
-/// made. Nothing if the volume itself can be drawn; an Error with both figures if no copy can. `name`: of the
-/// volume.
+/// Makes the largest reduced copy from which the plan can be drawn in the available memory. The caller frees
+/// `letGo` bytes once the copy exists. Returns nothing if the volume itself can be drawn, and an Error with
+/// needed and available memory if no copy can. `name` is the name of the volume.
 Result<std::optional<ReducedCopy>> copyToDraw(const Plan& plan, const Volume& volume,
                                               const VolumeFacts& facts, const std::string& name,
                                               std::uint64_t letGo = 0);

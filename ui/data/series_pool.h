@@ -35,7 +35,7 @@ class SeriesPool {
 
   /// Returns null if it is not in memory. Counts as need.
   LoadedSeriesPtr find(const PoolKey& key);
-  /// The same, but does not count as need.
+  /// Does the same as find(), but does not count as need.
   LoadedSeriesPtr peek(const PoolKey& key) const;
   void put(const PoolKey& key, LoadedSeriesPtr series);
   /// Counts a volume as long as others hold it.
@@ -50,8 +50,7 @@ class SeriesPool {
   /// Counts the bytes that a holder keeps elsewhere; 0: nothing any more.
   void count(const void* holder, std::size_t bytes);
   void setBudget(std::size_t bytes);
-  /// Lets go of what is in the way of so many bytes more; returns false if the machine has no room for them
-  /// even so.
+  /// Drops data until `bytes` more fit. Returns false if they do not fit even then.
   bool makeRoomFor(std::size_t bytes);
   void forget(const SeriesKey& key);
   void clear();
@@ -71,7 +70,7 @@ class SeriesPool {
   static std::size_t partOfMemory(int percent);
 
  private:
-  // A volume, and what was computed of it.
+  // A volume and the data computed from it.
   struct Held {
     std::weak_ptr<const Volume> volume;
     std::size_t volumeBytes = 0;

@@ -6,10 +6,10 @@
 
 namespace volumen {
 
-/// Rectangles by where they lie: whether one of them is in the way is asked of those nearby alone.
+/// A grid of rectangles, so that a test for intersection looks at nearby rectangles only.
 class RectIndex {
  public:
-  /// `area`: where most of them lie.
+  /// `area` should contain most rectangles.
   explicit RectIndex(const QRectF& area)
       : origin_(area.topLeft()),
         columns_(std::clamp(int(area.width() / cell) + 1, 1, mostCells)),
@@ -24,7 +24,7 @@ class RectIndex {
     });
   }
 
-  /// Whether a rectangle that intersects `rect` stands for an item for which `is(item)`.
+  /// Returns whether a rectangle intersects `rect` and `is(item)` holds for its item.
   template <class Is>
   bool any(const QRectF& rect, const Is& is) const {
     return forCells(rect, [&](const std::vector<Entry>& entries) {
@@ -45,7 +45,7 @@ class RectIndex {
     std::size_t item = 0;
   };
 
-  // What lies outside the area is in the cells at its edge.
+  // Rectangles outside the area belong to the cells at its edge.
   static int cellOf(double offset, int count) {
     return int(std::max(0.0, std::min(count - 1.0, offset / cell)));  // in this order for NaN, too
   }

@@ -4,7 +4,7 @@
 
 namespace volumen {
 
-/// Whether cursors and shown frames have moved, and nothing else is different.
+/// Returns whether cursors or shown frames moved and all else is equal.
 bool movesCursorsAlone(const Workspace& before, const Workspace& after);
 
 }  // namespace volumen

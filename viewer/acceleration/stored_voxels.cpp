@@ -55,7 +55,7 @@ bool StoredVoxels::hasRoomFor(std::uint64_t bytes) const {
   return isAvailable(bytes);
 }
 
-// Something of so many bytes is about to be made; it counts from now on.
+// Makes room for `bytes` and counts them from now on.
 void StoredVoxels::begin(std::size_t bytes) {
   bytes_ = held();
   if (makeRoom_) makeRoom_(bytes);

@@ -34,7 +34,7 @@ struct Density32 {
 /// thread-safe.
 class StoredVoxels {
  public:
-  /// Called before so many bytes are taken. It may throw std::bad_alloc.
+  /// Called before `bytes` are allocated. May throw std::bad_alloc.
   using MakeRoom = std::function<void(std::size_t bytes)>;
 
   explicit StoredVoxels(VolumePtr volume, MakeRoom makeRoom = {})
@@ -48,12 +48,12 @@ class StoredVoxels {
   const Density32& densities32();
   const Density8& densitiesIn8();
   const Gradients16& gradientsIn16(GradientOperator by);
-  /// Sobel gradients of at least these bricks.
+  /// Returns Sobel gradients of at least the bricks with a nonzero entry in `kept`.
   const GradientBricks16& gradientsOfBricks(const std::vector<std::uint8_t>& kept);
-  /// Says whether gradients are to be kept of bricks alone where they suffice.
+  /// Sets whether to keep gradients of visible bricks only, for plans that read no others.
   void spareGradients(bool spare) { spare_ = spare; }
   bool sparesGradients() const { return spare_ && !gradients16_; }
-  /// Returns whether `bytes` more are available, after what others can spare made room.
+  /// Returns whether `bytes` more are available, if need be after others have made room.
   bool hasRoomFor(std::uint64_t bytes) const;
   std::size_t brickBytes() const { return bricks16_ ? bricks16_->bricks.bytes() : 0; }
   const Gradients32& gradientsIn32(GradientOperator by);

@@ -9,8 +9,8 @@ namespace volumen {
 
 namespace {
 
-// Samples that show nothing may be taken anywhere, but never count. Other methods and operators read whole
-// rows.
+// Returns whether the plan reads gradients of visible cells only. Invisible samples contribute nothing. Other
+// methods and operators read whole rows.
 bool looksWhereVisible(const Plan& plan, const VolumeFacts& facts) {
   return plan.gradients && plan.bits == 16 && plan.skipBlocks && plan.scene.mode == Mode::composite &&
          plan.resampler == Resampler::cpu &&
@@ -39,7 +39,7 @@ std::optional<std::vector<std::uint8_t>> bricksToKeep(const Plan& plan, const Vo
   std::vector<std::uint8_t> kept = bricksOf(visibleBlocks(plan.curve, *facts.blockRanges), *facts.blockRanges,
                                             GradientBricks16::countOf(size));
   const std::uint64_t all = 8 * std::uint64_t(facts.geometry.voxelCount());
-  constexpr std::uint64_t most = std::uint64_t(1) << 32;  // what is looked up is counted in 32 bits
+  constexpr std::uint64_t most = std::uint64_t(1) << 32;  // kernels index bricks with 32 bits
   const std::uint64_t bytes = bytesOfBricks(kept, size);
   if (std::ranges::find(kept, 0) == kept.end() || bytes > all / 4 * 3 || bytes >= most) return {};
   return kept;

@@ -12,7 +12,7 @@ std::uint64_t densityBytes(const Plan& plan, const VoxelValues& type) {
   return std::holds_alternative<std::vector<std::uint8_t>>(type) ? 2 : 0;
 }
 
-// Density and gradients lie together in 8 and 16 bits.
+// In 8 and 16 bits, density and gradient share a word.
 std::uint64_t gradientBytes(const Plan& plan) { return plan.gradients ? std::uint64_t(plan.bits) / 2 : 0; }
 
 }  // namespace
@@ -24,7 +24,7 @@ std::uint64_t bytesToDraw(const Plan& plan, const VoxelGeometry& geometry, const
   if (plan.method == Method::reference) return pixels * bytesAPixel;
   std::uint64_t aVoxel = densityBytes(plan, type) + gradientBytes(plan);
   if (plan.method == Method::preshaded) aVoxel += 4 * sizeof(float);
-  // Textures hold them once more, on most machines in the same memory.
+  // Textures are copies, on most machines in the same memory.
   if (plan.resampler == Resampler::gl) aVoxel += std::uint64_t(plan.bits) / 8 + gradientBytes(plan);
   // Ranges of blocks, the map of empty space and cells.
   const std::uint64_t blocks = voxels / 4;

@@ -7,10 +7,10 @@
 
 namespace volumen {
 
-/// Bytes that drawing a plan takes beside a volume of this grid and type: densities, gradients, blocks,
-/// pixels.
+/// Returns the bytes needed to draw a plan, without the volume of this grid and type itself: densities,
+/// gradients, blocks and pixels.
 std::uint64_t bytesToDraw(const Plan& plan, const VoxelGeometry& geometry, const VoxelValues& type);
-/// The same of a volume whose gradients may be kept of bricks alone (StoredVoxels::spareGradients).
+/// Does the same if only gradients of visible bricks are kept (StoredVoxels::spareGradients).
 std::uint64_t leastBytesToDraw(const Plan& plan, const Volume& volume, const VolumeFacts& facts);
 
 }  // namespace volumen

@@ -8,10 +8,10 @@
 
 namespace volumen {
 
-/// The values of a picture's pixels, first row on top. Integers stay as they are stored, with the rescale
-/// that makes values of them: half the memory of floats.
+/// Pixel values of a picture, first row on top. Integers are kept as stored, with their rescale, in half the
+/// memory of floats.
 struct PixelValues {
-  VoxelValues stored;               ///< floats are values themselves
+  VoxelValues stored;               ///< floats are already values
   double slope = 1, intercept = 0;  ///< value = slope * stored + intercept in double, rounded once to float32
 
   PixelValues() = default;
@@ -25,15 +25,15 @@ struct PixelValues {
   float operator[](std::size_t n) const;
   std::vector<float> floats() const;
   bool anyNegative() const;
-  /// volumen::greyBytes() of all values.
+  /// Returns volumen::greyBytes() of all values.
   std::vector<std::uint8_t> greyBytes(const GreyMapping& mapping) const;
 };
 
-/// Collects the values of pictures that share a window; padding and what is not finite do not count.
+/// Counts the values of pictures that share a window, without padding and non-finite values.
 class SharedWindow {
  public:
   void add(const PixelValues& values, const std::optional<ValueRange>& padding);
-  /// P0.1 .. P99.9 of all values added (picture.md 5).
+  /// Returns P0.1 .. P99.9 of all added values (picture.md 5).
   Window window() const;
 
  private:

@@ -21,23 +21,23 @@ struct ProcessMemory {
 /// page cache counts as available. Tests pass a `root` folder with files like those of the system.
 ProcessMemory processMemory(const std::string& root = "/");
 
-/// "640 MiB", "2.5 GiB": whole MiB, from 1 GiB on with a tenth.
+/// Returns bytes as text: whole MiB ("640 MiB"), from 1 GiB on with one decimal ("2.5 GiB").
 std::string memoryText(std::uint64_t bytes);
 
-/// Whether `bytes` more are available, and a little besides.
+/// Returns whether this process can take `bytes` more and keep 32 MiB in reserve.
 bool isAvailable(std::uint64_t bytes);
 
-/// Says that `what` ("a.nrrd: reading it") needs so many bytes, how many are available, and what to do.
+/// Returns an Error that `what` ("a.nrrd: reading it") needs `bytes`, with the available bytes and a remedy.
 Error tooLittleMemory(const std::string& what, std::uint64_t bytes);
 
-/// tooLittleMemory() if `bytes` more are not available.
+/// Returns tooLittleMemory() if `bytes` more are not available.
 Status checkAvailable(const std::string& what, std::uint64_t bytes);
 
-/// Throws std::bad_alloc if `bytes` are many and not available: a control group kills whoever takes more than
-/// there is, without a word.
+/// Throws std::bad_alloc if `bytes` is at least 32 MiB and not available. Control groups kill processes that
+/// exceed their limit instead of failing the allocation.
 void expectAvailable(std::uint64_t bytes);
 
-/// From now on expectAvailable() asks nothing: in processes that may not open files.
+/// Switches off expectAvailable() for the rest of the process. Workers may not open the files it reads.
 void expectAllAvailable();
 
 }  // namespace volumen
