@@ -1,12 +1,9 @@
 // Guards design.md 11: what the window keeps in memory stays within its budget, whatever is opened one after
 // the other. With VOLUMEN_FIGURES it prints what it took; with VOLUMEN_FULL_SIZE series have the size of a
 // CT.
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <QProcess>
 
+#include "tests/fixtures/scarce_memory.h"
 #include "tests/ui/killed_window.h"
 #include "tests/ui/many_series.h"
 #include "tests/ui/perfusion_window.h"
@@ -22,32 +19,6 @@ using namespace volumen::tests;
 namespace {
 
 double inMebi(std::size_t bytes) { return double(bytes) / (1 << 20); }
-
-// A control group of so many bytes below the one of this process, of version 1; not there where the machine
-// does not let it.
-class MemoryGroup {
- public:
-  explicit MemoryGroup(std::size_t bytes)
-      : path_(
-            QStringLiteral("/sys/fs/cgroup/memory/volumen-test-%1").arg(QCoreApplication::applicationPid())) {
-    isThere_ = QDir().mkdir(path_) && write("memory.limit_in_bytes", QByteArray::number(qulonglong(bytes)));
-  }
-  ~MemoryGroup() { QDir().rmdir(path_); }
-  MemoryGroup(const MemoryGroup&) = delete;
-  MemoryGroup& operator=(const MemoryGroup&) = delete;
-
-  bool isThere() const { return isThere_; }
-  QByteArray processes() const { return (path_ + QStringLiteral("/cgroup.procs")).toLocal8Bit(); }
-
- private:
-  bool write(const char* name, const QByteArray& text) const {
-    QFile file(path_ + QLatin1Char('/') + QLatin1String(name));
-    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
-  }
-
-  QString path_;
-  bool isThere_ = false;
-};
 
 }  // namespace
 
@@ -93,37 +64,27 @@ void TestWindowMemory::fortySeriesInTurnStayWithinTheBudget() {
 }
 
 void TestWindowMemory::fortySeriesInTurnSurviveALimit_data() {
-  QTest::addColumn<bool>("isGroup");
+  QTest::addColumn<ScarceMemory::By>("by");
   QTest::addColumn<quint64>("mebibytes");
-  QTest::newRow("a control group of 768 MiB") << true << quint64(768);
-  QTest::newRow("ulimit -v of 2 GiB") << false << quint64(2048);
+  QTest::newRow("a control group of 768 MiB") << ScarceMemory::By::controlGroup << quint64(768);
+  QTest::newRow("ulimit -v of 2 GiB") << ScarceMemory::By::addressSpace << quint64(2048);
 }
 
 void TestWindowMemory::fortySeriesInTurnSurviveALimit() {
-  QFETCH(bool, isGroup);
+  QFETCH(ScarceMemory::By, by);
   QFETCH(quint64, mebibytes);
 #ifdef __SANITIZE_ADDRESS__
   QSKIP("the sanitizer takes more than any limit, and keeps what was freed");
 #endif
-  const std::size_t most = std::size_t(mebibytes) << 20;
-  std::optional<MemoryGroup> group;
-  if (isGroup && !group.emplace(most).isThere()) QSKIP("control groups of version 1 cannot be made here");
+  const ScarceMemory memory(by);
+  if (!memory.isPossible()) QSKIP("control groups of version 1 cannot be made here");
   QProcess process;
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   environment.insert(QStringLiteral("VOLUMEN_ONLY"), QStringLiteral("TestWindowMemory"));
   environment.insert(QStringLiteral("VOLUMEN_UNDER_LIMIT"), QStringLiteral("1"));
   process.setProcessEnvironment(environment);
   process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-  process.setChildProcessModifier([=, processes = group ? group->processes() : QByteArray()] {
-    if (processes.isEmpty()) {
-      const rlimit limit{most, most};
-      ::setrlimit(RLIMIT_AS, &limit);
-    } else {
-      const int file = ::open(processes.constData(), O_WRONLY);
-      if (file < 0 || ::write(file, "0", 1) != 1) ::_exit(1);
-      ::close(file);
-    }
-  });
+  process.setChildProcessModifier(memory.limit(mebibytes << 20));
   process.start(QCoreApplication::applicationFilePath(),
                 {QStringLiteral("fortySeriesInTurnStayWithinTheBudget")});
   QVERIFY(process.waitForFinished(10 * longest));
