@@ -16,9 +16,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (!answer.ok()) return 0;
   for (std::size_t n = 0; n < paths.size(); ++n) dicom::checkInspection(paths[n], said[n]);
   Study study;
-  dicom::SeriesFinder series;
-  for (std::size_t n = 0; n < paths.size(); ++n) series.add(paths[n], said[n]);
-  series.finish({}, true, study);
+  dicom::SeriesFinder finder;
+  for (std::size_t n = 0; n < paths.size(); ++n) finder.add(paths[n], said[n]);
+  finder.finish({}, true, study);
   constexpr std::int64_t mostVoxels = 1 << 20;
   for (const Series& series : study.volumes)
     if (series.acquired.voxelCount() <= mostVoxels) (void)loadSeries(series);
