@@ -14,10 +14,10 @@
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
 #include "ui/controller/reduced_copy.h"
-#include "ui/controller/segment_fields.h"
-#include "ui/workspace/made_tissue.h"
+#include "ui/derivations/surfaces.h"
 #include "ui/workspace/segment_picture_text.h"
 #include "ui/workspace/segments.h"
+#include "ui/workspace/tissue.h"
 #include "viewer/acceleration/stored_voxels.h"
 #include "viewer/plan/default_window.h"
 #include "viewer/plan/facts.h"
@@ -203,13 +203,13 @@ class Run {
     const std::vector<SegmentMap>& maps = session.segments;
     std::vector<SegmentInScene> drawn;
     std::vector<SegmentNotDrawn> refused;
-    for (const MadeSurface& made : surfacesOf(maps, whole, session.mask, mostSurfaceBytes(), cancel_)) {
+    for (const auto& [key, field] : surfacesOf(maps, whole, session.mask, mostSurfaceBytes(), cancel_)) {
       const Segment* segment =
-          findSegment(*std::ranges::find(maps, made.map, &SegmentMap::number), made.number);
-      if (made.field)
-        drawn.push_back({segment, made.field});
+          findSegment(*std::ranges::find(maps, key.map, &SegmentMap::number), key.number);
+      if (field)
+        drawn.push_back({segment, *field});
       else
-        refused.push_back({segment, made.whyNot});
+        refused.push_back({segment, QString::fromStdString(field.message())});
     }
     if (cancel_.cancelled()) return drawn;  // cancelled surfaces are not refused ones
     for (const QString& line : notDrawnText(refused).split(QLatin1Char('\n'), Qt::SkipEmptyParts))

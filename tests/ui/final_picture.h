@@ -11,20 +11,20 @@ namespace volumen::tests {
 /// only pictures drawn after its own construction.
 class FinalPicture : public QObject {
  public:
-  explicit FinalPicture(MainWindow& window) : session_(window.session()), view_(window.view()) {
+  explicit FinalPicture(MainWindow& window) : scenes_(window.document().drawn), view_(window.view()) {
     connect(view_, &VolumeView::drawn, this, [this](const ScreenPicture& picture) {
       if (picture.atRest) rest_ = picture;
     });
   }
   bool isThere() const {
     if (!rest_ || rest_->image.size() != view_->pixels()) return false;
-    Scene now = session_.drawnScene(view_->id());
+    Scene now = scenes_.scene(view_->id());
     if (!now.camera) now.camera = rest_->scene.camera;
-    return rest_->scene == now && rest_->volume == session_.drawnSeries(view_->id())->volume;
+    return rest_->scene == now && rest_->volume == scenes_.series(view_->id())->volume;
   }
 
  private:
-  const Session& session_;
+  const DrawnScenes& scenes_;
   VolumeView* const view_;
   std::optional<ScreenPicture> rest_;
 };

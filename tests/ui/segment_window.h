@@ -50,6 +50,7 @@ struct SegmentWindow : MeasureWindow {
   /// Opens files in their hanging.
   explicit SegmentWindow(const QStringList& paths) : MeasureWindow(paths) {}
 
+  const DrawnScenes& scenes() { return window.document().drawn; }
   const Workspace& workspace() { return session().workspace(); }
   SeriesKey series() { return keyOf(session().series()->series); }
   /// Returns null if there are no segments.

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "tests/ui/segment_window.h"
-#include "ui/controller/segment_fields.h"
-#include "ui/controller/segment_surface_jobs.h"
+#include "ui/controller/segment_painter.h"
+#include "ui/derivations/drawn_scenes.h"
 #include "viewer/segment/occupancy.h"
 #include "viewer/segment/range.h"
 
@@ -17,12 +17,12 @@ struct SurfaceSession {
   Session session;
   Jobs jobs;
   SegmentPainter painter{session};
-  SegmentSurfaceJobs surfaces;
+  DrawnScenes scenes;
   LoadedSeriesPtr series = hollowBalls();
   SeriesKey key = keyOf(series->series);
 
   explicit SurfaceSession(std::size_t mostBytes = std::size_t(1) << 30)
-      : surfaces(session, painter, jobs, mostBytes) {
+      : scenes(session, painter, jobs, mostBytes) {
     session.show(series);
     session.change(QStringLiteral("test"), withLayout(session.workspace(), Layout::planes));
     add({800, 1200});
@@ -56,10 +56,10 @@ struct SurfaceSession {
     return true;
   }
   void undo() { session.undoStack().undo(); }
-  std::vector<SegmentSurface> drawn() { return session.drawnScene(sceneViewId).segments; }
-  std::shared_ptr<const OccupancyField> field(int number) {
-    for (const MadeSurface& made : session.surfaces())
-      if (made.number == number) return made.field;
+  std::vector<SegmentSurface> drawn() { return scenes.scene(sceneViewId).segments; }
+  FieldPtr field(int number) {
+    for (const SurfaceFields::Entry& made : scenes.surfaces().entries())
+      if (made.key.number == number) return made.value;
     return nullptr;
   }
 };

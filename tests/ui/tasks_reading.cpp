@@ -138,9 +138,9 @@ int removeTable() {
   DONE(writeDicomSeries(*CtWithTable::ofCt(true), {}, dir.path().toStdString()));
   Journey w({dir.path()});
   Hand hand(w.window);
-  const Session& session = w.window.session();
-  SOON(session.series() && session.tissueDrawn(sceneViewId));
-  DONE(session.tissueDrawn(sceneViewId)->patient);
+  const DrawnScenes& drawn = w.window.document().drawn;
+  SOON(w.window.session().series() && drawn.tissue(sceneViewId));
+  DONE(drawn.tissue(sceneViewId)->value->patient);
   return hand.steps();
 }
 

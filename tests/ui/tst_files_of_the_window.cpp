@@ -10,7 +10,7 @@
 
 #include "io/files/picture_file.h"
 #include "tests/fixtures/fixtures.h"
-#include "tests/ui/draws_nothing.h"
+#include "tests/ui/scene_session.h"
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
@@ -183,9 +183,9 @@ void TestFilesOfTheWindow::warningsStandOnThePicture_data() {
 void TestFilesOfTheWindow::warningsStandOnThePicture() {
   QFETCH(int, kind);
   QFETCH(QString, words);
-  Session session;
-  DrawService drawService{tests::drawsNothing()};
-  VolumeView view(session, drawService);
+  tests::SceneSession s;
+  Session& session = s.session;
+  VolumeView view(session, s.scenes, s.drawService);
   view.resize(400, 300);
   view.show();
   auto series = std::make_shared<LoadedSeries>(*tests::ballSeries());

@@ -46,17 +46,20 @@ struct TissueWindow : PaintWindow {
     return idle();
   }
   VolumePtr whole() { return session().seriesNamed(series())->volume; }
-  LoadedSeriesPtr left() { return session().tissues().empty() ? nullptr : session().tissues().front().left; }
+  LoadedSeriesPtr left() {
+    const auto& made = scenes().tissues().entries();
+    return made.empty() ? nullptr : made.front().value->left;
+  }
   /// Returns the voxels kept. Valid only while some are masked.
-  const BitMask& voxelsLeft() { return *session().tissues().front().voxels; }
+  const BitMask& voxelsLeft() { return *scenes().tissues().entries().front().value->voxels; }
 
   // Returns the picture at rest of the present scene, or null if there is none.
   QImage picture() {
     const auto isOfNow = [this] {
       if (!rest || rest->image.size() != window.view()->pixels()) return false;
-      Scene now = session().drawnScene(sceneViewId);
+      Scene now = scenes().scene(sceneViewId);
       if (!now.camera) now.camera = rest->scene.camera;
-      return rest->scene == now && rest->volume == session().drawnSeries(sceneViewId)->volume;
+      return rest->scene == now && rest->volume == scenes().series(sceneViewId)->volume;
     };
     return idle() && QTest::qWaitFor(isOfNow, longest) ? rest->image : QImage();
   }
@@ -176,9 +179,9 @@ void TestInsideSegments::slicesAndNumbersAreOfTheWhole() {
   w.tick(0, 0);
   w.showTissue(Tissue::inside);
   QVERIFY(w.idle());
-  QVERIFY(w.session().drawnSeries(sceneViewId)->volume != whole);
+  QVERIFY(w.scenes().series(sceneViewId)->volume != whole);
   QVERIFY(w.session().seriesOf(axialViewId)->volume == whole);
-  QVERIFY(w.session().drawnSeries(axialViewId)->volume == whole);
+  QVERIFY(w.scenes().series(axialViewId)->volume == whole);
   QVERIFY2(w.make(800, 1200), "tissue that is left out is found all the same");
   QCOMPARE(w.voxels(w.current().number), voxelsWhere([](glm::dvec3 p) { return isShell(p) || isSmall(p); }));
 }
@@ -219,8 +222,8 @@ void TestInsideSegments::segmentsAreFollowed() {
   QVERIFY(w.SegmentWindow::press("segmentRemove"));
   QVERIFY(w.idle() && w.voxelsLeft().empty());
   QVERIFY(w.SegmentWindow::press("segmentRemove"));
-  QVERIFY2(!w.map() && w.session().tissues().empty(), "without segments all of it is shown");
-  QVERIFY(w.session().drawnSeries(sceneViewId)->volume == w.whole());
+  QVERIFY2(!w.map() && w.scenes().tissues().entries().empty(), "without segments all of it is shown");
+  QVERIFY(w.scenes().series(sceneViewId)->volume == w.whole());
   w.undo(), w.undo();
   QVERIFY(w.picture() == core);
 }
@@ -272,7 +275,7 @@ void TestInsideSegments::aCancelledOneIsNotBegunAgain() {
   w.window.jobs().cancel(rows.front().id);
   QTest::qWait(20);
   QVERIFY(w.window.jobs().rows().empty() && !w.left());
-  QVERIFY(w.session().drawnSeries(sceneViewId)->volume == w.whole());
+  QVERIFY(w.scenes().series(sceneViewId)->volume == w.whole());
   w.setMargin(1);
   QVERIFY(w.idle() && w.left());
 }
@@ -283,8 +286,8 @@ void TestInsideSegments::aSeriesIsClosedMeanwhile() {
   const SeriesKey series = w.series();
   w.showTissue(Tissue::inside);
   w.session().close({series});
-  QVERIFY(w.session().tissues().empty());
-  QVERIFY(w.idle() && w.session().tissues().empty());
+  QVERIFY(w.scenes().tissues().entries().empty());
+  QVERIFY(w.idle() && w.scenes().tissues().entries().empty());
 }
 
 void TestInsideSegments::aSessionKeepsIt() {
@@ -299,7 +302,7 @@ void TestInsideSegments::aSessionKeepsIt() {
   with = withTissueShown(withSegmentsIn3d(with, key, false), key, {Tissue::inside, 2.5});
   const auto isLeft = [](Journey& j) {
     return QTest::qWaitFor(
-        [&] { return j.window.jobs().rows().empty() && j.window.session().tissueDrawn(sceneViewId); },
+        [&] { return j.window.jobs().rows().empty() && j.window.document().drawn.tissue(sceneViewId); },
         longest);
   };
   const QImage whole = w.window.view()->picture();
@@ -312,8 +315,8 @@ void TestInsideSegments::aSessionKeepsIt() {
   QVERIFY(folder.open(again) && isLeft(again));
   const SegmentMap* map = segmentMapOf(again.window.session().workspace(), key);
   QVERIFY(map && map->tissue == (TissueShown{Tissue::inside, 2.5}));
-  QVERIFY(again.window.session().tissues().front().left->volume->stored() ==
-          session.tissues().front().left->volume->stored());
+  QVERIFY(again.window.document().drawn.tissues().entries().front().value->left->volume->stored() ==
+          w.window.document().drawn.tissues().entries().front().value->left->volume->stored());
 }
 
 VOLUMEN_TEST(TestInsideSegments);

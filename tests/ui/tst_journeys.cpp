@@ -173,7 +173,7 @@ void TestJourneys::whatIsVisibleIsSegmentedShownAloneAndSaved() {
   w.child<QDoubleSpinBox>("segmentLow")->setValue(0.5);
   w.child<QDoubleSpinBox>("segmentHigh")->setValue(1);
   const QImage first = w.after([&] { QTest::mouseClick(w.child<QWidget>("segment"), Qt::LeftButton); });
-  QCOMPARE(w.window.session().segmentsDrawn(sceneViewId).size(), std::size_t(1));
+  QCOMPARE(w.window.document().drawn.segments(sceneViewId).size(), std::size_t(1));
   auto* only = w.child<QCheckBox>("segmentOnly");
   QTRY_VERIFY_WITH_TIMEOUT(only->isEnabled(), longest);
   const Volume& volume = *w.window.session().series()->volume;

@@ -106,14 +106,14 @@ void TestOverlappingSegments::bothAreDrawn() {
   const QPoint a = w.pixelOf({-20, -20, -10}, axialViewId), b = w.pixelOf({20, 20, -10}, axialViewId);
   const int all = std::abs((b.x() - a.x()) * (b.y() - a.y()));
   QTRY_VERIFY_WITH_TIMEOUT(w.coloured() > 0.9 * all, longest);
-  QTRY_COMPARE_WITH_TIMEOUT(w.session().segmentsDrawn(sceneViewId).size(), std::size_t(2), longest);
-  QCOMPARE(w.session().segmentsDrawn(sceneViewId)[1].segment->label, std::string("Low"));
+  QTRY_COMPARE_WITH_TIMEOUT(w.scenes().segments(sceneViewId).size(), std::size_t(2), longest);
+  QCOMPARE(w.scenes().segments(sceneViewId)[1].segment->label, std::string("Low"));
   w.tick(1, 0);
   QTRY_VERIFY_WITH_TIMEOUT(w.coloured() < 0.3 * all && w.coloured() > 0.05 * all, longest);
-  QTRY_COMPARE_WITH_TIMEOUT(w.session().segmentsDrawn(sceneViewId).size(), std::size_t(1), longest);
+  QTRY_COMPARE_WITH_TIMEOUT(w.scenes().segments(sceneViewId).size(), std::size_t(1), longest);
   w.tick(0, 0);
   QTRY_COMPARE_WITH_TIMEOUT(w.coloured(), 0, longest);
-  QVERIFY(w.session().segmentsDrawn(sceneViewId).empty());
+  QVERIFY(w.scenes().segments(sceneViewId).empty());
 }
 
 // "Only inside shown segments" means inside any of them, whichever map is active.
@@ -128,8 +128,8 @@ void TestOverlappingSegments::tissueIsThatOfAll() {
     return voxelsWhere([](glm::dvec3 p) { return isBallAboutHollow(p) || isLow(p); });
   };
   const auto drawn = [&] {
-    const MadeTissue* tissue = w.session().tissueDrawn(sceneViewId);
-    return tissue ? tissue->voxels->count() : -1;
+    const TissueLeft::Entry* tissue = w.scenes().tissue(sceneViewId);
+    return tissue ? tissue->value->voxels->count() : -1;
   };
   QTRY_COMPARE_WITH_TIMEOUT(drawn(), inside(), longest);
   QVERIFY(w.choose(1));

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tests/fixtures/real_volume.h"
-#include "tests/ui/draws_nothing.h"
+#include "tests/ui/scene_session.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
@@ -179,9 +179,9 @@ void TestPick::whatIsPointedAtIsWrittenOut() {
   const VolumePtr volume = ramp();
   auto series = std::make_shared<LoadedSeries>(*shownSeries(volume, scene));
   series->series.unit = unit.toStdString();
-  Session session;
-  DrawService drawService{tests::drawsNothing()};
-  VolumeView view(session, drawService);
+  tests::SceneSession s;
+  Session& session = s.session;
+  VolumeView view(session, s.scenes, s.drawService);
   view.resize(400, 300);
   session.show(series);
   view.show();
@@ -197,9 +197,9 @@ void TestPick::theChestsRibsReadAsBone() {
   const VolumePtr chest = tests::realVolume("ct-chest-lidc0314-138");
   NEED_VOLUME(chest);
   const Scene scene = *presetScene("CT-Bones", *chest);
-  Session session;
-  DrawService drawService{tests::drawsNothing()};
-  VolumeView view(session, drawService);
+  tests::SceneSession s;
+  Session& session = s.session;
+  VolumeView view(session, s.scenes, s.drawService);
   view.resize(600, 450);
   session.show(shownSeries(chest, scene));
   view.show();

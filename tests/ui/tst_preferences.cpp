@@ -11,7 +11,7 @@
 #include <QTreeWidget>
 #include <QWheelEvent>
 
-#include "tests/ui/draws_nothing.h"
+#include "tests/ui/scene_session.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
@@ -118,10 +118,10 @@ void TestPreferences::draggingDoesWhatIsPreferred() {
   QFETCH(bool, shift);
   QFETCH(QByteArray, action);
   QFETCH(QString, step);
-  Session session;
+  tests::SceneSession s;
+  Session& session = s.session;
   session.show(tests::ballSeries());
-  DrawService drawService{tests::drawsNothing()};
-  VolumeView view(session, drawService);
+  VolumeView view(session, s.scenes, s.drawService);
   view.resize(400, 300);
   view.show();
   const Qt::KeyboardModifiers keys = shift ? Qt::ShiftModifier : Qt::NoModifier;

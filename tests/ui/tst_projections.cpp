@@ -5,7 +5,7 @@
 #include <QLineEdit>
 #include <cmath>
 
-#include "tests/ui/draws_nothing.h"
+#include "tests/ui/scene_session.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
@@ -27,10 +27,8 @@ std::shared_ptr<LoadedSeries> projectedSeries(const char* modality, const char* 
   return series;
 }
 
-struct Shown {
-  Session session;
-  DrawService drawService{tests::drawsNothing()};
-  VolumeView view{session, drawService};
+struct Shown : tests::SceneSession {
+  VolumeView view{session, scenes, drawService};
   TransferPanel panel{session};
 
   explicit Shown(const char* modality = "MR", const char* unit = "", Mode mode = Mode::mip) {

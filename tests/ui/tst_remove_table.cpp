@@ -129,7 +129,8 @@ void TestRemoveTable::theFirstPictureOfACtIsSoonWithoutIt() {
   auto* show = w.child<QToolButton>("showTable");
   QTRY_VERIFY_WITH_TIMEOUT(show->isVisible(), longest);
   const Session& session = w.window.session();
-  QTRY_VERIFY_WITH_TIMEOUT(session.drawnSeries(sceneViewId) != session.series(), longest);
+  const DrawnScenes& drawn = w.window.document().drawn;
+  QTRY_VERIFY_WITH_TIMEOUT(drawn.series(sceneViewId) != session.series(), longest);
   QVERIFY2(session.maskOf(keyOf(session.series()->series)).empty(), "slices and numbers have all of it");
   QCOMPARE(w.window.session().undoStack().count(), 0);
   w.shot("ct-without-table");
@@ -144,7 +145,7 @@ void TestRemoveTable::theFirstPictureOfACtIsSoonWithoutIt() {
   // A table removed by hand is gone from slices, too.
   w.after("removeTable");
   QVERIFY(!show->isVisible());
-  QVERIFY(session.drawnSeries(sceneViewId) == session.series());
+  QVERIFY(drawn.series(sceneViewId) == session.series());
   QVERIFY(session.series()->volume->attributes().cut.table);
 }
 

@@ -120,7 +120,7 @@ void onlyInside(LooksWindow& w) {
   auto* margin = w.child<QDoubleSpinBox>("segmentTissueMargin");
   margin->setValue(20);
   QVERIFY(w.isAtRest());
-  QVERIFY(!w.session().tissues().empty());
+  QVERIFY(!w.scenes().tissues().entries().empty());
   w.shot("ct-only-inside");
 }
 

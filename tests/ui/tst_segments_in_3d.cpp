@@ -36,7 +36,7 @@ struct In3dWindow : SegmentWindow {
     return idle() && QTest::qWaitFor(
                          [this] {
                            if (!rest) return false;
-                           Scene now = session().drawnScene(sceneViewId);
+                           Scene now = scenes().scene(sceneViewId);
                            if (!now.camera) now.camera = rest->scene.camera;
                            return rest->scene == now && rest->image.size() == scene()->pixels();
                          },
@@ -62,8 +62,8 @@ struct In3dWindow : SegmentWindow {
   bool isGreen(glm::dvec3 p) { return at(p).green() > at(p).red() + 40; }
   bool isBlack(glm::dvec3 p) { return at(p) == QColor(Qt::black); }
   const OccupancyField* field(int number) {
-    for (const MadeSurface& made : session().surfaces())
-      if (made.number == number) return made.field.get();
+    for (const SurfaceFields::Entry& made : scenes().surfaces().entries())
+      if (made.key.number == number) return made.value.get();
     return nullptr;
   }
 };
@@ -222,7 +222,7 @@ void TestSegmentsIn3d::onlyWhatChangedIsMadeAgain() {
   const auto* two = w.field(2);
   QVERIFY(one && two);
   // Holds the surfaces, so that no new one gets the same address.
-  const std::vector<MadeSurface> kept = w.session().surfaces();
+  const std::vector<SurfaceFields::Entry> kept = w.scenes().surfaces().entries();
   w.set(1, [](Segment& s) { s.opacity = 0.5; });
   QVERIFY(w.isDrawn());
   QVERIFY(w.field(1) == one && w.field(2) == two);
@@ -238,7 +238,7 @@ void TestSegmentsIn3d::allViewsOfTheSeriesDrawThem() {
   w.session().showAs(firstComparedId, ViewKind::volume);
   auto* other = w.window.views()->viewAs<VolumeView>(firstComparedId);
   QVERIFY(other);
-  QTRY_COMPARE_WITH_TIMEOUT(w.session().segmentsDrawn(firstComparedId).size(), std::size_t(2), longest);
+  QTRY_COMPARE_WITH_TIMEOUT(w.scenes().segments(firstComparedId).size(), std::size_t(2), longest);
   const auto isRedThere = [&] {
     const QImage& picture = other->picture();
     if (picture.size() != other->pixels()) return false;

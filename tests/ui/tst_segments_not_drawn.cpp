@@ -64,14 +64,14 @@ void TestSegmentsNotDrawn::whatWasCancelledIsSaidAndTriedAgain() {
   QFETCH(std::function<void(SurfaceSession&)>, act);
   SurfaceSession s;
   QVERIFY(s.idle());
-  QVERIFY(s.session.segmentsNotDrawn(sceneViewId).empty());
-  const QSignalSpy cancelled(&s.surfaces, &SegmentSurfaceJobs::cancelled);
+  QVERIFY(s.scenes.segmentsNotDrawn(sceneViewId).empty());
+  const QSignalSpy cancelled(&s.scenes, &DrawnScenes::cancelled);
   s.addVoxel();
   s.change(withSegmentChanged(s.session.workspace(), s.key, 1, [](Segment& one) { one.opacity = 0.5; }));
   s.jobs.cancel(s.jobs.rows().front().id);
   QCOMPARE(cancelled.size(), 1);
   QVERIFY(s.jobs.rows().empty() && s.drawn().empty());
-  const QString says = notDrawnText(s.session.segmentsNotDrawn(sceneViewId));
+  const QString says = notDrawnText(s.scenes.segmentsNotDrawn(sceneViewId));
   QVERIFY2(says.startsWith(QStringLiteral("Not drawn in 3D: ")) && says.contains(QStringLiteral("cancelled")),
            qPrintable(says));
   for (const Segment& segment : s.map().segments)
@@ -80,7 +80,7 @@ void TestSegmentsNotDrawn::whatWasCancelledIsSaidAndTriedAgain() {
   act(s);
   QVERIFY(!s.jobs.rows().empty() && s.idle());
   QCOMPARE(s.drawn().size(), std::size_t(2));
-  QVERIFY(s.session.segmentsNotDrawn(sceneViewId).empty());
+  QVERIFY(s.scenes.segmentsNotDrawn(sceneViewId).empty());
 }
 
 void TestSegmentsNotDrawn::whatWasCancelledOfAMapIsTriedAgainWhereAnotherChanges() {
@@ -92,30 +92,30 @@ void TestSegmentsNotDrawn::whatWasCancelledOfAMapIsTriedAgainWhereAnotherChanges
   QCOMPARE(s.jobs.rows().size(), std::size_t(1));
   s.jobs.cancel(s.jobs.rows().front().id);
   QVERIFY(s.idle());
-  QCOMPARE(s.session.segmentsNotDrawn(sceneViewId).size(), std::size_t(1));
+  QCOMPARE(s.scenes.segmentsNotDrawn(sceneViewId).size(), std::size_t(1));
   QCOMPARE(s.map().number, 0);
   s.change(withSegmentChanged(s.session.workspace(), s.key, 1, [](Segment& one) { one.opacity = 0.5; }));
   QVERIFY(s.idle());
-  QVERIFY(s.session.segmentsNotDrawn(sceneViewId).empty());
+  QVERIFY(s.scenes.segmentsNotDrawn(sceneViewId).empty());
   QCOMPARE(s.drawn().size(), std::size_t(3));
 }
 
-// Hidden ones are released only when memory is needed: TestSegmentSurfaceJobs::looksNeedNoJob().
+// Hidden ones are released only when memory is needed: TestSegmentSurfaces::looksNeedNoJob().
 void TestSegmentsNotDrawn::hiddenOnesMakeRoom() {
   SurfaceSession s(bytesOfRange({800, 1200}) + bytesOfRange({400, 600}) - 1);
-  const QSignalSpy told(&s.surfaces, &SegmentSurfaceJobs::failed);
+  const QSignalSpy told(&s.scenes, &DrawnScenes::failed);
   QVERIFY(s.idle());
   QVERIFY(s.field(1) && !s.field(2));
   QCOMPARE(told.size(), 1);
   s.change(withSegmentChanged(s.session.workspace(), s.key, 1, [](Segment& one) { one.visible = false; }));
   QVERIFY(s.idle());
-  QVERIFY(!s.field(1) && s.field(2) && s.session.segmentsNotDrawn(sceneViewId).empty());
+  QVERIFY(!s.field(1) && s.field(2) && s.scenes.segmentsNotDrawn(sceneViewId).empty());
   QCOMPARE(told.size(), 1);
   s.undo();
   QVERIFY(s.idle());
   QVERIFY2(!s.field(1) && s.field(2), "what is drawn stays");
   QCOMPARE(told.size(), 2);
-  QCOMPARE(s.session.segmentsNotDrawn(sceneViewId).size(), std::size_t(1));
+  QCOMPARE(s.scenes.segmentsNotDrawn(sceneViewId).size(), std::size_t(1));
 }
 
 void TestSegmentsNotDrawn::whatTakesTooMuchMemoryIsNotDrawn_data() {
@@ -140,18 +140,18 @@ void TestSegmentsNotDrawn::whatTakesTooMuchMemoryIsNotDrawn() {
   const std::size_t room = (countsFirst ? first : 0) + (countsSecond ? second : 0) + std::size_t(more);
   SurfaceSession s(room);
   QStringList told;
-  QObject::connect(&s.surfaces, &SegmentSurfaceJobs::failed, &s.session,
+  QObject::connect(&s.scenes, &DrawnScenes::failed, &s.session,
                    [&](const QString& sentence) { told << sentence; });
   QVERIFY(s.idle());
   for (const int number : {1, 2})
     QCOMPARE(s.field(number) != nullptr, std::ranges::count(drawn, number) == 1);
   if (s.field(1)) QCOMPARE(s.field(1)->values.size() * sizeof(float), first);
-  const auto refused = s.session.segmentsNotDrawn(sceneViewId);
+  const auto refused = s.scenes.segmentsNotDrawn(sceneViewId);
   QCOMPARE(refused.size(), 2 - drawn.size());
   std::size_t next = 0;
-  for (const MadeSurface& made : surfacesOf({&s.map(), 1}, *s.series->volume, {}, room)) {
-    QCOMPARE(made.field != nullptr, s.field(made.number) != nullptr);
-    if (!made.field) QCOMPARE(made.whyNot, refused.at(next++).whyNot);
+  for (const auto& [key, field] : surfacesOf({&s.map(), 1}, *s.series->volume, {}, room)) {
+    QCOMPARE(field.ok(), s.field(key.number) != nullptr);
+    if (!field) QCOMPARE(QString::fromStdString(field.message()), refused.at(next++).whyNot);
   }
   QCOMPARE(std::size_t(told.size()), refused.size());
   for (const SegmentNotDrawn& one : refused)
@@ -166,7 +166,7 @@ void TestSegmentsNotDrawn::whatTakesTooMuchMemoryIsNotDrawn() {
   voxel.set({20, 20, 20});
   s.change(withSegmentMap(s.session.workspace(), withMask(s.map(), 1, voxel)));
   QVERIFY(s.idle());
-  QVERIFY(s.field(1) && s.field(2) && s.session.segmentsNotDrawn(sceneViewId).empty());
+  QVERIFY(s.field(1) && s.field(2) && s.scenes.segmentsNotDrawn(sceneViewId).empty());
 }
 
 VOLUMEN_TEST(TestSegmentsNotDrawn);

@@ -50,7 +50,7 @@ bool showSegments(Journey& w, int maps = 1) {
   const QImage without = w.window.view()->picture();
   w.settled.clear();
   session.change(QStringLiteral("test"), with);
-  return segmentsAreMade(w) && session.segmentsDrawn(sceneViewId).size() == 2 && w.settle() &&
+  return segmentsAreMade(w) && w.window.document().drawn.segments(sceneViewId).size() == 2 && w.settle() &&
          w.window.view()->picture() != without;
 }
 
@@ -62,7 +62,7 @@ bool showInsideSegments(Journey& w) {
   w.settled.clear();
   session.change(QStringLiteral("test"),
                  withTissueShown(session.workspace(), keyOf(session.series()->series), tissue));
-  return segmentsAreMade(w) && session.tissueDrawn(sceneViewId) && w.settle() &&
+  return segmentsAreMade(w) && w.window.document().drawn.tissue(sceneViewId) && w.settle() &&
          w.window.view()->picture() != whole;
 }
 

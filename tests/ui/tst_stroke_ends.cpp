@@ -27,10 +27,10 @@ void TestStrokeEnds::surfacesWaitForTheEndOfAStroke() {
   w.press(way.front());
   for (const QPoint p : way) {
     w.move(p);
-    QVERIFY(!QTest::qWaitFor([&] { return !w.session().surfaces().empty(); }, 100));
+    QVERIFY(!QTest::qWaitFor([&] { return !w.scenes().surfaces().entries().empty(); }, 100));
   }
   w.release(way.back());
-  QTRY_COMPARE_WITH_TIMEOUT(w.session().surfaces().size(), std::size_t(1), longest);
+  QTRY_COMPARE_WITH_TIMEOUT(w.scenes().surfaces().entries().size(), std::size_t(1), longest);
 }
 
 void TestStrokeEnds::escGivesAStrokeUp() {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "tests/ui/draws_nothing.h"
+#include "tests/ui/scene_session.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
@@ -38,10 +38,8 @@ void projections() {
 
 bool near(glm::dvec2 a, glm::dvec2 b, double pixels = 1e-6) { return glm::length(a - b) < pixels; }
 
-struct Shown {
-  Session session;
-  DrawService drawService{tests::drawsNothing()};
-  VolumeView view{session, drawService};
+struct Shown : tests::SceneSession {
+  VolumeView view{session, scenes, drawService};
 
   Shown() {
     session.show(tests::ballSeries());
@@ -299,10 +297,10 @@ void TestVolumeView::cubeAndResetChangeTheView() {
 }
 
 void TestVolumeView::zoomCountsFromTheFittedView() {
-  Session session;
+  tests::SceneSession s;
+  Session& session = s.session;
   session.show(tests::ballSeries(32, 10, {}, {1, 1, 3}));
-  DrawService drawService{tests::drawsNothing()};
-  VolumeView view(session, drawService);
+  VolumeView view(session, s.scenes, s.drawService);
   view.resize(400, 300);
   view.show();
   const auto wheel = [&](int notches) {
@@ -352,9 +350,8 @@ void TestVolumeView::theCanvasIsOpenGlWhereItCanBe() {
   const bool xcb = QGuiApplication::platformName() == QStringLiteral("xcb");
   QCOMPARE(canvasKind(shown.view.canvas()), xcb ? QStringLiteral("OpenGL") : QStringLiteral("raster"));
   qputenv("VOLUMEN_CANVAS", "raster");
-  Session session;
-  DrawService drawService{tests::drawsNothing()};
-  const VolumeView other(session, drawService);
+  tests::SceneSession s;
+  const VolumeView other(s.session, s.scenes, s.drawService);
   qunsetenv("VOLUMEN_CANVAS");
   QCOMPARE(canvasKind(other.canvas()), QStringLiteral("raster"));
 }

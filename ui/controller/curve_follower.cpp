@@ -43,7 +43,7 @@ Following followingOf(const SegmentMap& map, const std::vector<SegmentMap>& all,
 }
 
 Result<std::vector<SegmentMap>> followed(const std::vector<Following>& all, const Volume& volume,
-                                         const Mask& mask, const CancelToken& cancel) try {
+                                         const Mask& mask, const CancelToken& cancel) {
   std::vector<SegmentMap> maps;
   for (const Following& wanted : all) {
     maps.push_back(wanted.map);
@@ -54,8 +54,6 @@ Result<std::vector<SegmentMap>> followed(const std::vector<Following>& all, cons
     maps.back() = std::move(*made);
   }
   return maps;
-} catch (const std::bad_alloc&) {
-  return Error{"The segment does not follow the curve: there is not enough memory."};
 }
 
 bool followsCurve(const SegmentMap* map) {

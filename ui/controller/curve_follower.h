@@ -33,7 +33,7 @@ class CurveFollower : public QObject {
   // The result, with sentences for the user.
   struct Made {
     Result<std::vector<SegmentMap>> maps;
-    QStringList said;
+    QStringList said{};
   };
   void take(const Made& made);
 

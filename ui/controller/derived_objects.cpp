@@ -3,33 +3,74 @@
 #include <algorithm>
 
 #include "io/segmentation.h"
-#include "io/study/series.h"
 #include "ui/data/picture_index.h"
 
 namespace volumen {
 
 namespace {
 
-Result<LoadedRegions> loadRegions(const std::string& path, DerivedKind kind) {
+Result<std::shared_ptr<const LoadedRegions>> loadRegions(const std::string& path, DerivedKind kind) {
+  LoadedRegions loaded;
   if (kind == DerivedKind::segmentation) {
     auto segmentation = loadSegmentation(path);
     if (!segmentation) return segmentation.error();
-    return LoadedRegions{nullptr, std::make_shared<const Segmentation>(std::move(*segmentation))};
+    loaded.segmentation = std::make_shared<const Segmentation>(std::move(*segmentation));
+  } else {
+    auto contours = loadContours(path);
+    if (!contours) return contours.error();
+    loaded.contours = std::make_shared<const StructureSet>(std::move(*contours));
   }
-  auto contours = loadContours(path);
-  if (!contours) return contours.error();
-  return LoadedRegions{std::make_shared<const StructureSet>(std::move(*contours)), nullptr};
+  return std::make_shared<const LoadedRegions>(std::move(loaded));
+}
+
+std::size_t bytesOf(const LoadedRegions& regions) {
+  std::size_t bytes = regions.segmentation ? regions.segmentation->bits.size() : 0;
+  if (regions.contours)
+    for (const RegionOfInterest& region : regions.contours->regions)
+      for (const Contour& contour : region.contours) bytes += contour.points.size() * sizeof(glm::dvec3);
+  return bytes;
 }
 
 }  // namespace
 
-DerivedObjects::DerivedObjects(Jobs& jobs, QObject* parent) : QObject(parent), lane_(&jobs) {
-  lane_.keepToTheEnd();  // views would request it again
+DerivedObjects::DerivedObjects(const Session& session, Jobs& jobs)
+    : regions_(regionsRule(session), &jobs, session.sharedPool()), reports_(&jobs) {
+  connect(&session, &Session::workspaceChanged, this,
+          [this](const Workspace& before, const Workspace& after) {
+            if (before.regions == after.regions) return;
+            regions_.tryAgain([&](const DerivedKey& key) { return !before.regions.contains(key); });
+            regions_.update();
+          });
+  connect(&regions_, &Regions::changed, this, &DerivedObjects::changed);
+  connect(&regions_, &Regions::failed, this, &DerivedObjects::failed);
+}
+
+DerivedObjects::Regions::Rule DerivedObjects::regionsRule(const Session& session) const {
+  return {.wanted =
+              [this, &session] {
+                std::vector<DerivedKey> wanted;
+                for (const auto& [key, look] : session.workspace().regions)
+                  if (find(key)) wanted.push_back(key);
+                return wanted;
+              },
+          .work = [this](const DerivedKey& key, std::size_t) -> Regions::Work {
+            return [path = key.path, kind = find(key)->kind](const Job&) { return loadRegions(path, kind); };
+          },
+          .name = [](const DerivedKey&) { return JobName(tr("Reading regions")); },
+          .bytes = bytesOf,
+          .isKept = [this](const DerivedKey& key) { return find(key) != nullptr; },
+          .lacksMemory = "There is not enough memory for the regions."};
+}
+
+DerivedObjectPtr DerivedObjects::find(const DerivedKey& key) const {
+  const auto found = std::ranges::find(all_, key, [](const DerivedObjectPtr& one) { return keyOf(*one); });
+  return found == all_.end() ? nullptr : *found;
 }
 
 void DerivedObjects::setOpen(std::vector<DerivedObjectPtr> all) {
   all_ = std::move(all);
-  failed_.clear();
+  regions_.tryAgain([](const DerivedKey&) { return true; });
+  regions_.update();
   Q_EMIT changed();
 }
 
@@ -41,27 +82,13 @@ std::vector<DerivedObjectPtr> DerivedObjects::naming(DerivedKind kind, const Ser
   return found;
 }
 
-std::shared_ptr<const LoadedRegions> DerivedObjects::regions(const DerivedKey& key, DerivedKind kind) {
-  if (const auto held = regions_.find(key); held != regions_.end()) return held->second;
-  const auto isIt = [&](const DerivedObjectPtr& object) { return keyOf(*object) == key; };
-  if (std::ranges::none_of(all_, isIt) || failed_.contains(key)) return nullptr;
-  if (!asked_.insert(key).second) return nullptr;
-  lane_.run(
-      tr("Reading regions"), [key, kind](const Job&) { return loadRegions(key.path, kind); },
-      [this, key](Result<LoadedRegions> loaded) {
-        asked_.erase(key);
-        if (!loaded) {
-          failed_.insert(key);
-          return void(Q_EMIT failed(QString::fromStdString(loaded.message())));
-        }
-        regions_[key] = std::make_shared<const LoadedRegions>(std::move(*loaded));
-        Q_EMIT changed();
-      });
-  return nullptr;
+std::shared_ptr<const LoadedRegions> DerivedObjects::regions(const DerivedKey& key) const {
+  const auto* entry = regions_.find(key);
+  return entry ? entry->value : nullptr;
 }
 
 void DerivedObjects::readReport(const DerivedObjectPtr& object) {
-  lane_.run(
+  reports_.run(
       tr("Reading the report"), [object](const Job&) { return loadReport(object->path); },
       [this, object](const Result<Report>& report) {
         if (report)

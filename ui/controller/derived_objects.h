@@ -1,19 +1,16 @@
 #pragma once
 
-#include <map>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include "io/contours.h"
 #include "io/report.h"
 #include "ui/data/derived_key.h"
-#include "ui/document/job_lane.h"
+#include "ui/document/derivation.h"
+#include "ui/workspace/session.h"
 #include "viewer/segment/segmentation.h"
 
 namespace volumen {
-
-struct Series;
 
 /// The content of a structure set or a segmentation; the other pointer is null.
 struct LoadedRegions {
@@ -21,12 +18,12 @@ struct LoadedRegions {
   std::shared_ptr<const Segmentation> segmentation;
 };
 
-/// The objects that refer to pictures, from all open studies, and their content. Each is read by a job. No
-/// call waits.
+/// The objects that refer to pictures, from all open studies. The content of those shown over pictures
+/// follows from the workspace; it stays while the object is open. No call waits.
 class DerivedObjects : public QObject {
   Q_OBJECT
  public:
-  explicit DerivedObjects(Jobs& jobs, QObject* parent = nullptr);
+  DerivedObjects(const Session& session, Jobs& jobs);
 
   /// Sets the objects of all open studies.
   void setOpen(std::vector<DerivedObjectPtr> all);
@@ -34,11 +31,9 @@ class DerivedObjects : public QObject {
   /// Returns the objects of a kind that refer to picture `index` (from 0) of a series.
   std::vector<DerivedObjectPtr> naming(DerivedKind kind, const Series& series, int index) const;
 
-  /// Returns the regions, or null if the object is not open, not read yet (changed() follows) or unreadable
-  /// (failed() has reported it). A failure holds until tryAgain() or setOpen().
-  std::shared_ptr<const LoadedRegions> regions(const DerivedKey& key, DerivedKind kind);
-  /// Allows another attempt to read this object after a failure.
-  void tryAgain(const DerivedKey& key) { failed_.erase(key); }
+  /// Returns the regions, or null if the object is not shown, not read yet (changed() follows) or unreadable
+  /// (failed() has reported it). A failure holds until the object is shown anew.
+  std::shared_ptr<const LoadedRegions> regions(const DerivedKey& key) const;
   /// Reads a report; ends in reportRead() or failed().
   void readReport(const DerivedObjectPtr& report);
 
@@ -49,10 +44,13 @@ class DerivedObjects : public QObject {
   void failed(const QString& sentence);
 
  private:
+  using Regions = Derivation<DerivedKey, LoadedRegions>;
+  Regions::Rule regionsRule(const Session& session) const;
+  DerivedObjectPtr find(const DerivedKey& key) const;
+
   std::vector<DerivedObjectPtr> all_;
-  std::map<DerivedKey, std::shared_ptr<const LoadedRegions>> regions_;
-  std::set<DerivedKey> asked_, failed_;
-  JobLane lane_;
+  Regions regions_;
+  JobLane reports_;
 };
 
 }  // namespace volumen

@@ -41,13 +41,11 @@ std::vector<SegmentMap> basesOf(const Workspace& workspace, const SegmentWork& w
 
 // Returns the maps after the work.
 Result<std::vector<SegmentMap>> mapsMade(const SegmentWork& work, const std::vector<SegmentMap>& bases,
-                                         int number, const CancelToken& cancel) try {
+                                         int number, const CancelToken& cancel) {
   if (work.makeMaps) return work.makeMaps(bases, cancel);
   Result<SegmentMap> made = workDone(work, bases.front(), number, cancel);
   if (!made) return made.error();
   return std::vector<SegmentMap>{std::move(*made)};
-} catch (const std::bad_alloc&) {
-  return Error{"Segments were not changed: there is not enough memory."};
 }
 
 Workspace withMade(const Workspace& workspace, const SegmentWork& work, const std::vector<SegmentMap>& bases,

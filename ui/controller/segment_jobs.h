@@ -105,7 +105,7 @@ class SegmentJobs : public QObject {
   // The result of the first change, with a sentence about it.
   struct Made {
     Result<std::vector<SegmentMap>> maps;
-    QString said;
+    QString said{};
   };
   void take(const std::vector<SegmentMap>& bases, const Made& made);
   void drop();

@@ -33,13 +33,9 @@ void SegmentPreview::show(const SegmentWork& work) {
       JobName(work.doing),
       [work, base = segmentMapOn(session_.workspace(), work.series, work.volume->geometry())](
           const Job& job) -> Result<Made> {
-        try {
-          const Result<SegmentMap> made = work.makeAll(base, job.cancel());
-          if (!made) return made.error();
-          return Made{base, *made, changedSegments(base, *made)};
-        } catch (const std::bad_alloc&) {
-          return Error{"There is not enough memory for a preview."};
-        }
+        const Result<SegmentMap> made = work.makeAll(base, job.cancel());
+        if (!made) return made.error();
+        return Made{base, *made, changedSegments(base, *made)};
       },
       [this](const Result<Made>& made) {
         if (!made) return fail(QString::fromStdString(made.message()));

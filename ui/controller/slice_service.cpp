@@ -99,8 +99,10 @@ void SliceService::request(SliceRequest latest, bool isInFocus) {
         if (!turn) return SlicePictureOrNot{};
         const SliceRequest& request = turn->request;
         return SlicePictureOrNot{
-            request, withTintsAndSegments(
-                         request.frame ? drawUnderneath(request) : turn->underneath->of(request), request)};
+            request, orNoMemory([&] {
+              return withTintsAndSegments(
+                  request.frame ? drawUnderneath(request) : turn->underneath->of(request), request);
+            })};
       },
       [this](const SlicePictureOrNot& drawn) {
         if (!drawn.request) return;

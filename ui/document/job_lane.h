@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/document/jobs.h"
+#include "ui/document/no_memory.h"
 
 namespace volumen {
 
@@ -23,19 +24,28 @@ class JobLane {
 
   /// Runs `work(job)` on the lane's thread, then `done(result)` on this one, or `done()` if work returns
   /// nothing. Long work checks job.cancelled() now and then. Once a job is cancelled neither is called. If
-  /// the user cancelled it, `cancelled` is. Returns the job's id.
+  /// the user cancelled it, `cancelled` is. If memory runs out, `done` gets an Error if the result can be
+  /// one; otherwise the job is cancelled as if by the user. Returns the job's id.
   template <std::invocable<const Job&> Work, class Done>
   int run(const JobName& name, Work work, Done done, std::function<void()> cancelled = {}) {
     using Result = std::invoke_result_t<Work, const Job&>;
-    const Job job = begin(name, std::move(cancelled));
-    pool_.start([this, job, work = std::move(work), done = std::move(done)] {
+    const Job job = begin(name, cancelled);
+    pool_.start([this, job, work = std::move(work), done = std::move(done), cancelled] {
       if (!job.begin()) return;
       if constexpr (std::is_void_v<Result>) {
         work(job);
         tell([this, job, done] { end(job, done); });
+      } else if constexpr (std::constructible_from<Result, Error>) {
+        deliver(job, done, orNoMemory([&] { return work(job); }));
       } else {
-        const auto result = std::make_shared<Result>(work(job));
-        tell([this, job, done, result] { end(job, [&] { done(std::move(*result)); }); });
+        try {
+          deliver(job, done, work(job));
+        } catch (const std::bad_alloc&) {
+          tell([this, job, cancelled] {
+            end(
+                job, cancelled ? cancelled : [] {});
+          });
+        }
       }
     });
     return job.id();
@@ -71,6 +81,12 @@ class JobLane {
  private:
   Job begin(const JobName& name, std::function<void()> cancelled);
   void forget(const Job& job);
+
+  template <class Done, class Result>
+  void deliver(const Job& job, const Done& done, Result result) {
+    const auto kept = std::make_shared<Result>(std::move(result));
+    tell([this, job, done, kept] { end(job, [&] { done(std::move(*kept)); }); });
+  }
 
   template <class Done>
   void end(const Job& job, const Done& done) {

@@ -62,9 +62,12 @@ Accuracy::Accuracy(Workbench& bench)
     isEstimated_ = drawn.estimated.has_value();
     if (!drawn.draft()) effects_->showPlan(*drawn.plan, drawn.stats);
   });
-  connect(&session_, &Session::workspaceChanged, effects_, [this](const Workspace&, const Workspace& after) {
-    effects_->showNotDrawn(notDrawnText(session_.segmentsNotDrawn(sceneViewOf(after))));
-  });
+  const DrawnScenes& drawn = bench_.document.drawn;
+  const auto showNotDrawn = [this, &drawn] {
+    effects_->showNotDrawn(notDrawnText(drawn.segmentsNotDrawn(sceneViewOf(session_.workspace()))));
+  };
+  connect(&session_, &Session::workspaceChanged, effects_, showNotDrawn);
+  connect(&drawn, &DrawnScenes::changed, effects_, showNotDrawn);
   connect(&bench_, &Workbench::commandsOpen, this, &Accuracy::addCommands);
   connectMeter();
 }

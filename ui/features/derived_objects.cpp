@@ -137,7 +137,6 @@ void DerivedObjectFiles::showRegions(const DerivedObjectPtr& object) {
   dock->show();
   dock->raise();
   const RegionsLook look = firstLook(*object);
-  bench_.document.derived.tryAgain(keyOf(*object));
   session_.change(tr("Show %1").arg(derivedName(*object)),
                   [&](Workspace& w) { w.regions.add(keyOf(*object), look); });
   session_.endGesture();

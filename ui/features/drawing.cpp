@@ -34,7 +34,7 @@ void Drawing::tellDrawn(const ScreenPicture& drawn) {
   if (drawn.view != sceneViewOf(session_.workspace())) return;
   Q_EMIT bench_.drawn(drawn);
   if (drawn.draft()) return;
-  Scene now = session_.drawnScene(drawn.view);
+  Scene now = bench_.document.drawn.scene(drawn.view);
   if (!now.camera) now.camera = drawn.scene.camera;
   if (now != drawn.scene) return;
   // The plan's camera sees slightly more if one ray covers several pixels.

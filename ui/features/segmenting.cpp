@@ -7,11 +7,8 @@
 #include "ui/controller/curve_follower.h"
 #include "ui/controller/mask_jobs.h"
 #include "ui/controller/segment_cutting.h"
-#include "ui/controller/segment_painter.h"
 #include "ui/controller/segment_preview.h"
-#include "ui/controller/segment_surface_jobs.h"
 #include "ui/controller/segment_target.h"
-#include "ui/controller/tissue_jobs.h"
 #include "ui/features/segments_from_files.h"
 #include "ui/features/segments_to_files.h"
 #include "ui/panels/segment_numbers_dialog.h"
@@ -49,14 +46,12 @@ class Segmenting : public Feature {
   void tellIfAny(const QString& sentence);
   void tellSaved(const QStringList& files, const QStringList& notes, const std::vector<SegmentMap>& maps);
 
-  SegmentPainter painter_;
+  SegmentPainter& painter_;
   SegmentJobs segmenter_;
   CurveFollower follower_;
   std::function<void()> measureLater_;  // measures the result of the stroke being drawn
   SegmentPreview preview_;
   MaskJobs masker_;
-  SegmentSurfaceJobs surfaces_;
-  TissueJobs tissues_;
   SegmentsPanel* panel_;
   SegmentsFromFiles fromFiles_;
   SegmentsToFiles toFiles_;
@@ -66,13 +61,11 @@ class Segmenting : public Feature {
 
 Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
-      painter_(session_),
+      painter_(bench.document.painter),
       segmenter_(session_, painter_, bench.document.jobs),
       follower_(session_, painter_, bench.document.jobs),
       preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
-      surfaces_(session_, painter_, bench.document.jobs),
-      tissues_(session_, painter_, bench.document.jobs),
       panel_(new SegmentsPanel(session_)),
       fromFiles_(bench, segmenter_, *panel_),
       toFiles_(bench, segmenter_) {
@@ -86,15 +79,13 @@ Segmenting::Segmenting(Workbench& bench)
   }
   panel_->setTableAction(masker_.tableAction());
   connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
-  connect(&surfaces_, &SegmentSurfaceJobs::failed, this,
-          [this](const QString& sentence) { warnUntilDone(sentence); });
-  connect(&surfaces_, &SegmentSurfaceJobs::cancelled, this,
-          [this](const QString& sentence) { tell(sentence); });
-  connect(&tissues_, &TissueJobs::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
-  bench_.forEachVolumeView([this](VolumeView* view) {
+  DrawnScenes& drawn = bench_.document.drawn;
+  connect(&drawn, &DrawnScenes::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
+  connect(&drawn, &DrawnScenes::cancelled, this, [this](const QString& sentence) { tell(sentence); });
+  bench_.forEachVolumeView([this, &drawn](VolumeView* view) {
     connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut);
-    connect(view, &VolumeView::drawn, &tissues_, [this, view](const ScreenPicture& picture) {
-      if (picture.atRest && view->series()) tissues_.drew(keyOf(view->series()->series));
+    connect(view, &VolumeView::drawn, &drawn, [view, &drawn](const ScreenPicture& picture) {
+      if (picture.atRest && view->series()) drawn.noteDrawn(keyOf(view->series()->series));
     });
   });
   makeExport();

@@ -76,9 +76,10 @@ std::optional<SnapshotSeen> Snapshots::seen() {
     return {};
   }
   const ViewId view = sceneViewOf(session_.workspace());
-  const MadeTissue* tissue = session_.tissueDrawn(view);
-  return SnapshotSeen{session_.drawnSeries(view), bench_.sceneInView(),
-                      segmentsInPicture(session_.segmentsDrawn(view), tissue ? tissue->shown : TissueShown{}),
+  const DrawnScenes& drawn = bench_.document.drawn;
+  const TissueLeft::Entry* tissue = drawn.tissue(view);
+  return SnapshotSeen{drawn.series(view), bench_.sceneInView(),
+                      segmentsInPicture(drawn.segments(view), tissue ? tissue->key.shown : TissueShown{}),
                       namesHidden()};
 }
 

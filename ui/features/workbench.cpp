@@ -166,7 +166,7 @@ QString Workbench::whyNoScene() const {
 VolumeView* Workbench::view() const { return grid.volumeView(sceneViewOf(document.session.workspace())); }
 
 Scene Workbench::sceneInView() const {
-  Scene scene = document.session.drawnScene(sceneViewOf(document.session.workspace()));
+  Scene scene = document.drawn.scene(sceneViewOf(document.session.workspace()));
   scene.camera = view()->camera();
   return scene;
 }

@@ -16,7 +16,9 @@
 #include "ui/controller/segment_jobs.h"
 #include "ui/controller/session_files.h"
 #include "ui/controller/slice_service.h"
+#include "ui/controller/segment_painter.h"
 #include "ui/controller/study_sources.h"
+#include "ui/derivations/drawn_scenes.h"
 #include "ui/document/jobs.h"
 #include "ui/document/open_studies.h"
 #include "ui/features/menus.h"
@@ -56,12 +58,14 @@ struct Document {
 
   Session session;
   Jobs jobs;
+  SegmentPainter painter{session};
+  DrawnScenes drawn{session, painter, jobs};
   OpenStudies open;
   StudySources sources;
   DrawService drawService;
   SliceService slices;
   FrameService frames;
-  DerivedObjects derived{jobs};
+  DerivedObjects derived{session, jobs};
   MeasureJobs measurer{session, frames};
   Loader loader;
   Opener opener{session, loader, open};

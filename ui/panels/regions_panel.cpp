@@ -119,7 +119,7 @@ void RegionsPanel::showAll() {
   for (const auto& [key, look] : all) {
     const bool isShown = shown.contains(key);
     QTreeWidgetItem* item = addObject(key, look, isShown);
-    const auto regions = isShown ? derived_.regions(key, look.kind) : nullptr;
+    const auto regions = isShown ? derived_.regions(key) : nullptr;
     if (!regions) continue;
     if (regions->contours)
       for (const RegionOfInterest& region : regions->contours->regions)
@@ -172,7 +172,6 @@ void RegionsPanel::toggle(QTreeWidgetItem* item) {
   const DerivedKey key = keyOfItem(item);
   const bool on = item->checkState(0) == Qt::Checked;
   const QVariant number = item->data(0, numberOfRegion);
-  if (on) derived_.tryAgain(key);
   const auto edit = [this, key, on, number](Workspace& w) {
     if (number.isValid()) return void(w.regions.editOrAdd(key).shown.editOrAdd(number.toInt()) = on);
     if (!on) return void(w.regions.erase(key));
@@ -193,7 +192,7 @@ void RegionsPanel::choose(QTreeWidgetItem* item) {
   const QVariant number = item->data(0, numberOfRegion);
   const auto look = session_.workspace().regions.find(keyOfItem(item));
   if (!number.isValid() || look == session_.workspace().regions.end()) return;
-  const auto regions = derived_.regions(look->first, look->second.kind);
+  const auto regions = derived_.regions(look->first);
   if (!regions) return;
   std::string frame = look->second.frameOfReferenceUid;
   if (regions->contours)

@@ -53,7 +53,7 @@ std::vector<SegmentLayer> FlatView::segmentLayers() const {
   for (const auto& [key, look] : session_.workspace().regions) {
     if (look.kind != DerivedKind::segmentation || frame.empty() || look.frameOfReferenceUid != frame)
       continue;
-    const auto regions = derived_.regions(key, look.kind);
+    const auto regions = derived_.regions(key);
     if (!regions || !regions->segmentation) continue;
     SegmentLayer layer{regions->segmentation, {}, look.opacity};
     for (std::size_t n = 0; n < regions->segmentation->segments.size(); ++n) {
@@ -107,7 +107,7 @@ void FlatView::paintLines(QPainter& painter) const {
   const VoxelGeometry& acquired = seriesState().series->acquired;
   for (const auto& [key, regions] : session_.workspace().regions) {
     if (regions.kind != DerivedKind::contours) continue;
-    const auto loaded = derived_.regions(key, regions.kind);
+    const auto loaded = derived_.regions(key);
     if (!loaded || !loaded->contours) continue;
     const double reachMm = wheelStep(acquired, now.normal()) / 2;
     for (const ContourLines& lines :

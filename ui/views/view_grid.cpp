@@ -38,11 +38,11 @@ std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
 
 }  // namespace
 
-ViewGrid::ViewGrid(Session& session, DrawService& drawService, SliceService& slices, FrameService& frames,
-                   MeasureJobs& measurer, DerivedObjects& derived, QWidget* parent)
+ViewGrid::ViewGrid(Session& session, const DrawnScenes& drawn, DrawService& drawService, SliceService& slices,
+                   FrameService& frames, MeasureJobs& measurer, DerivedObjects& derived, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      parts_{session, drawService, slices, frames, measurer, derived},
+      parts_{session, drawn, drawService, slices, frames, measurer, derived},
       tool_(&toolNamed("window")),
       toolBefore_(tool_),
       second_(std::make_unique<WindowBeside>([this](bool next) { return goToNext(true, next); })) {
@@ -241,7 +241,7 @@ std::unique_ptr<FlatView> ViewGrid::unseenView(Session& session, FrameService& f
                                                ViewId id, const Shown& shown) const {
   const ViewFamily family = rowOf(session.workspace().view(id).kind).family;
   if (family == ViewFamily::scene) return nullptr;
-  ViewParts parts{session, parts_.drawService, parts_.slices, frames, measurer, parts_.derived};
+  ViewParts parts{session, parts_.drawn, parts_.drawService, parts_.slices, frames, measurer, parts_.derived};
   std::unique_ptr<FlatView> view(static_cast<FlatView*>(makeView(family, parts, id, nullptr)));
   view->setFinder([this](ViewId other) { return viewAs<FlatView>(other); });
   if (auto* slices = qobject_cast<SliceView*>(view.get())) {

@@ -18,8 +18,8 @@ namespace volumen {
 class ViewGrid : public QWidget {
   Q_OBJECT
  public:
-  ViewGrid(Session& session, DrawService& drawService, SliceService& slices, FrameService& frames,
-           MeasureJobs& measurer, DerivedObjects& derived, QWidget* parent = nullptr);
+  ViewGrid(Session& session, const DrawnScenes& drawn, DrawService& drawService, SliceService& slices,
+           FrameService& frames, MeasureJobs& measurer, DerivedObjects& derived, QWidget* parent = nullptr);
 
   /// Returns the 3D view of this id. It is hidden if the workspace shows something else there.
   VolumeView* volumeView(ViewId id);

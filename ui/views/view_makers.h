@@ -6,6 +6,7 @@
 namespace volumen {
 
 class DrawService;
+class DrawnScenes;
 class FrameService;
 class MeasureJobs;
 class DerivedObjects;
@@ -15,6 +16,7 @@ class View;
 /// The services that views use.
 struct ViewParts {
   Session& session;
+  const DrawnScenes& drawn;
   DrawService& drawService;
   SliceService& slices;
   FrameService& frames;

@@ -45,8 +45,10 @@ QToolButton* makeTableButton(QWidget* parent) {
 }
 }  // namespace
 
-VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QWidget* parent)
+VolumeView::VolumeView(Session& session, const DrawnScenes& scenes, DrawService& drawService, ViewId id,
+                       QWidget* parent)
     : View(session, id, parent),
+      scenes_(scenes),
       drawService_(drawService),
       canvas_(makeCanvas([this](QPainter& p) { paintCanvas(p); }, [this] { replaceCanvas(); }, this)),
       cube_(new OrientationCube(this)),
@@ -67,6 +69,9 @@ VolumeView::VolumeView(Session& session, DrawService& drawService, ViewId id, QW
     redraw();
     tellPointed();
   });
+  // From the event loop, after the view has taken in the change that it follows from.
+  connect(
+      &scenes_, &DrawnScenes::changed, this, [this] { followDrawn(false); }, Qt::QueuedConnection);
   connect(showTable_, &QToolButton::clicked, this,
           [this] { session_.prefer([](Preferences& p) { p.tableIn3d = true; }); });
   // The zoom that is written depends on the undo steps.
@@ -114,13 +119,13 @@ void VolumeView::workspaceChanged(const Workspace& before) {
 
 // Requests a picture if the session has another volume or scene to draw.
 void VolumeView::followDrawn(bool isOtherLook) {
-  const LoadedSeriesPtr drawn = session_.drawnSeries(id());
+  const LoadedSeriesPtr drawn = scenes_.series(id());
   const VolumePtr volume = drawn ? drawn->volume : nullptr;
   const bool isAnother = std::exchange(drawn_, volume) != volume;
   if (isAnother) {
     isDrawn_ = false;
-    const MadeTissue* tissue = session_.tissueDrawn(id());
-    showTable_->setVisible(tissue && tissue->patient);
+    const TissueLeft::Entry* tissue = scenes_.tissue(id());
+    showTable_->setVisible(tissue && tissue->value->patient);
     placeChildren();
   }
   if (isAnother || (volume && (isOtherLook || drawnScene_ != sceneToDraw()))) requestPicture();
@@ -190,7 +195,7 @@ void VolumeView::makeErrorImage() {
 }
 
 void VolumeView::requestPicture() {
-  const LoadedSeriesPtr shown = session_.drawnSeries(id());
+  const LoadedSeriesPtr shown = scenes_.series(id());
   const bool isShown = shown && isVisible() && showsScene(state().kind);
   drawService_.show(id(), isShown ? shown->volume : nullptr);
   const Scene before = std::exchange(drawnScene_, sceneToDraw());
@@ -212,7 +217,7 @@ void VolumeView::showOnly(const std::optional<VolumeRange>& range) {
 }
 
 Scene VolumeView::sceneToDraw() const {
-  Scene scene = session_.drawnScene(id());
+  Scene scene = scenes_.scene(id());
   const LoadedSeriesPtr shown = series();
   if (only_ && (only_->volume == drawn_ || (shown && only_->volume == shown->volume)))
     scene.transferFunction = restrictedTo(scene.transferFunction, only_->range);
@@ -254,7 +259,7 @@ Camera VolumeView::camera() const { return cameraInUse(scene(), series()->volume
 std::optional<Pick> VolumeView::pickAt(QPointF position) const {
   if (!series()) return {};
   const Camera seen = camera();
-  return pick(session_.drawnScene(id()), *session_.drawnSeries(id())->volume,
+  return pick(scenes_.scene(id()), *scenes_.series(id())->volume,
               sightLine(seen, size(), glm::dvec2(position.x(), position.y())),
               seen.projection == Projection::parallel);
 }

@@ -6,6 +6,7 @@
 
 #include "ui/controller/draw_service.h"
 #include "ui/controller/slice_image.h"
+#include "ui/derivations/drawn_scenes.h"
 #include "ui/overlays/overlays.h"
 #include "ui/tools/tool.h"
 #include "ui/views/drawn_measurement.h"
@@ -27,7 +28,8 @@ class WarningBadge;
 class VolumeView : public View {
   Q_OBJECT
  public:
-  VolumeView(Session& session, DrawService& drawService, ViewId id = sceneViewId, QWidget* parent = nullptr);
+  VolumeView(Session& session, const DrawnScenes& scenes, DrawService& drawService, ViewId id = sceneViewId,
+             QWidget* parent = nullptr);
 
   /// Requests the picture again with the current settings of the service; cancels the request if hidden.
   void requestPicture();
@@ -152,6 +154,7 @@ class VolumeView : public View {
   void showWarnings();
   void showState();
 
+  const DrawnScenes& scenes_;
   DrawService& drawService_;
   QWidget* canvas_;
   OrientationCube* cube_;

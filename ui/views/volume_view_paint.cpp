@@ -26,7 +26,7 @@ QString VolumeView::textAt(QPointF position) const {
   const LoadedSeriesPtr shown = series();
   QString text = valueText(*shown, hit->value);
   if (hit->segment)
-    text = tr("%1: %2").arg(shownText(session_.segmentsDrawn(id())[*hit->segment].segment->label), text);
+    text = tr("%1: %2").arg(shownText(scenes_.segments(id())[*hit->segment].segment->label), text);
   if (!hit->pPatient)
     return tr("%1 %2 along the line of sight").arg(QLatin1String(rowOf(scene().mode).ofLine), text);
   if (!shown->volume->geometry().calibrated) return text;
@@ -49,9 +49,10 @@ Overlays VolumeView::overlays() const {
     if (child->isVisibleTo(this)) o.taken.push_back(child->geometry());
   QStringList more{stepText(session_.workspace(), state().series)};
   more << lossyText(shown->series) << maskTexts(session_.maskOf(state().series));
-  if (const MadeTissue* tissue = session_.tissueDrawn(id()))
-    more << tissueText(tissue->shown) << (tissue->patient && isDrawn_ ? tr("table not shown") : QString());
-  if (scene().mode != Mode::composite && !session_.segmentsDrawn(id()).empty())
+  if (const TissueLeft::Entry* tissue = scenes_.tissue(id()))
+    more << tissueText(tissue->key.shown)
+         << (tissue->value->patient && isDrawn_ ? tr("table not shown") : QString());
+  if (scene().mode != Mode::composite && !scenes_.segments(id()).empty())
     more << tr("no segments in projections");
   more.removeAll(QString());
   const QString zoomText = tr("Zoom %1 %").arg(std::lround(100 * zoom()));

@@ -30,18 +30,18 @@ std::vector<const Segment*> segmentsIn3d(const SegmentMap& map) {
   return shown;
 }
 
-SegmentSurface surfaceOf(const Segment& segment, std::shared_ptr<const OccupancyField> field) {
+SegmentSurface surfaceOf(const Segment& segment, FieldPtr field) {
   const QColor colour = regionColour(segment.colour, segment.number);
   return {std::move(field), glm::dvec3(colour.red(), colour.green(), colour.blue()) / 255.0, segment.opacity};
 }
 
-bool isOfSegmentOnScreen(const MadeSurface& surface, const Workspace& workspace) {
-  const SegmentMap* map = segmentMapOf(workspace, surface.series, surface.map);
-  if (!map || !findSegment(*map, surface.number)) return false;
-  return std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId id) {
+std::vector<SeriesKey> seriesIn3d(const Workspace& workspace) {
+  std::vector<SeriesKey> all;
+  for (const ViewId id : viewsOnScreen(workspace)) {
     const ViewState& view = workspace.view(id);
-    return view.series == surface.series && showsScene(view.kind);
-  });
+    if (showsScene(view.kind) && std::ranges::find(all, view.series) == all.end()) all.push_back(view.series);
+  }
+  return all;
 }
 
 }  // namespace volumen

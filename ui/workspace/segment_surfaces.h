@@ -12,26 +12,27 @@ namespace volumen {
 
 struct Workspace;
 
-/// The 3D surface of a segment, and what it was made from.
-struct MadeSurface {
+/// Inputs of the 3D surface of a segment.
+struct SurfaceKey {
   SeriesKey series;
-  int map = 0;                                    ///< index among the maps of the series
-  int number = 0;                                 ///< number of the segment in that map
-  std::shared_ptr<const LabelMap> labels;         ///< the labels of its voxels
-  Mask mask;                                      ///< the mask applied to them
-  std::shared_ptr<const OccupancyField> field{};  ///< null: could not be made
-  QString whyNot{};                               ///< the reason, as a sentence
+  int map = 0;                             ///< index among the maps of the series
+  int number = 0;                          ///< number of the segment in that map
+  std::shared_ptr<const LabelMap> labels;  ///< the labels of its voxels
+  Mask mask;                               ///< the mask applied to them
 
+  bool operator==(const SurfaceKey&) const = default;
   /// Returns whether both belong to the same segment.
-  bool isOfSame(const MadeSurface& other) const {
+  bool isOfSame(const SurfaceKey& other) const {
     return series == other.series && map == other.map && number == other.number;
   }
 };
 
+using FieldPtr = std::shared_ptr<const OccupancyField>;
+
 /// A segment drawn in a 3D view.
 struct SegmentInScene {
   const Segment* segment;  ///< points into the workspace
-  std::shared_ptr<const OccupancyField> field;
+  FieldPtr field;
 };
 
 /// A segment that should be drawn in a 3D view but is not.
@@ -48,9 +49,9 @@ QString notDrawnText(const std::vector<SegmentNotDrawn>& segments);
 std::vector<const Segment*> segmentsIn3d(const SegmentMap& map);
 
 /// Returns a segment's surface in its colour.
-SegmentSurface surfaceOf(const Segment& segment, std::shared_ptr<const OccupancyField> field);
+SegmentSurface surfaceOf(const Segment& segment, FieldPtr field);
 
-/// Returns whether the segment of a surface still exists and its series is in a 3D view on screen.
-bool isOfSegmentOnScreen(const MadeSurface& surface, const Workspace& workspace);
+/// Returns the series in 3D views on screen.
+std::vector<SeriesKey> seriesIn3d(const Workspace& workspace);
 
 }  // namespace volumen

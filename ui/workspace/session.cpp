@@ -343,10 +343,7 @@ void Session::setWorkspace(const Workspace& workspace) {
   std::vector<PoolKey> onScreen = wantedOnScreen();
   for (std::size_t n = 0, count = onScreen.size(); n < count; ++n)
     onScreen.push_back({onScreen[n].series, {}});  // unmasked, for the next mask
-  dropUndrawn();
-  std::size_t masks = 0;
-  for (const MadeTissue& tissue : tissues_) masks += bytesBesideVolumes(tissue);
-  pool_->setOnScreen(std::move(onScreen), masks);
+  pool_->setOnScreen(std::move(onScreen));
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);
   if (stateBefore != state_) Q_EMIT changed(stateBefore, state_);

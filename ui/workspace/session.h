@@ -8,9 +8,7 @@
 
 #include "ui/data/series_pool.h"
 #include "ui/workspace/links.h"
-#include "ui/workspace/made_tissue.h"
 #include "ui/workspace/preferences.h"
-#include "ui/workspace/segment_surfaces.h"
 #include "ui/workspace/workspace.h"
 
 namespace volumen {
@@ -42,18 +40,6 @@ class Session : public QObject {
   const QualityGoal& goal() const { return state_.goal; }
   /// Returns the scene of any view; flat views have an empty one.
   const Scene& sceneOf(ViewId view) const;
-  /// Returns the scene as drawn: with the surfaces of segmentsDrawn().
-  Scene drawnScene(ViewId view) const;
-  /// Returns the series of a 3D view as drawn: with air where tissue is left out. Until that volume is made,
-  /// it is drawn as before. Null if seriesOf() is.
-  LoadedSeriesPtr drawnSeries(ViewId view) const;
-  /// Returns that volume with its inputs; null if seriesOf() is drawn.
-  const MadeTissue* tissueDrawn(ViewId view) const;
-  /// Returns the segments drawn in a 3D view. They have a surface, of their present labels or of those before
-  /// the last change.
-  std::vector<SegmentInScene> segmentsDrawn(ViewId view) const;
-  /// Returns those of them whose surface could not be made of their present labels.
-  std::vector<SegmentNotDrawn> segmentsNotDrawn(ViewId view) const;
   /// Returns a series of the workspace; null if it is not in memory.
   LoadedSeriesPtr seriesNamed(const SeriesKey& key) const;
   /// Returns the series of a view; null if there is none or it is not in memory.
@@ -89,15 +75,6 @@ class Session : public QObject {
   void keep(LoadedSeriesPtr series);
   /// Keeps a series with a mask applied.
   void takeMasked(const Mask& mask, LoadedSeriesPtr masked);
-  /// Keeps surfaces and replaces those of the same segments, as long as the segments exist and their series
-  /// is in a 3D view on screen.
-  void takeSurfaces(std::vector<MadeSurface> made);
-  /// Drops the surfaces of segments that are not drawn. Returns whether there were any.
-  bool dropHiddenSurfaces();
-  const std::vector<MadeSurface>& surfaces() const { return surfaces_; }
-  /// Keeps this and replaces what was made of the same series, as long as isTissueOnScreen().
-  void takeTissue(MadeTissue made);
-  const std::vector<MadeTissue>& tissues() const { return tissues_; }
   /// Makes a workspace that was read the present one, in one undo step, except for the first of a window.
   /// Work on series that it does not know comes back with them.
   void open(const QString& text, const Workspace& workspace);
@@ -186,13 +163,10 @@ class Session : public QObject {
   SessionState stateInFocus() const;
   std::vector<PoolKey> wantedOnScreen() const;
   bool isMissing(const SeriesKey& series) const;
-  void dropUndrawn();
   void setWorkspace(const Workspace& workspace);
 
   Workspace workspace_;
   const std::shared_ptr<SeriesPool> pool_ = std::make_shared<SeriesPool>();
-  std::vector<MadeSurface> surfaces_;
-  std::vector<MadeTissue> tissues_;
   SessionState state_;  // state of the 3D view in focus
   Preferences preferences_;
   QUndoStack undoStack_;

@@ -49,6 +49,8 @@ class TestJobs : public QObject {
   void whatIsGivenUpSaysNothing();
   void aLaneThatGoesWaitsAndSaysNothing();
   void whatMayBeTellsWhileItRuns();
+  void lackOfMemoryIsAnError();
+  void lackOfMemoryCancelsWhatCannotFail();
   void eachEndsOnce_data();
   void eachEndsOnce();
 };
@@ -285,6 +287,30 @@ void TestJobs::whatMayBeTellsWhileItRuns() {
   told.clear();
   QCoreApplication::processEvents();
   QCOMPARE(told, QStringList());
+}
+
+void TestJobs::lackOfMemoryIsAnError() {
+  JobLane lane;
+  std::optional<Result<int>> result;
+  lane.run(
+      {}, [](const Job&) -> Result<int> { throw std::bad_alloc(); },
+      [&](const Result<int>& made) { result = made; });
+  QTRY_VERIFY_WITH_TIMEOUT(result && !*result, longest);
+  QVERIFY2(result->message().find("not enough memory") != std::string::npos, result->message().c_str());
+}
+
+void TestJobs::lackOfMemoryCancelsWhatCannotFail() {
+  Jobs jobs;
+  JobLane lane(&jobs);
+  int done = 0, cancelled = 0;
+  lane.run(
+      JobName(QStringLiteral("Counting")), [](const Job&) -> int { throw std::bad_alloc(); },
+      [&](int) { ++done; }, [&] { ++cancelled; });
+  lane.run(
+      {}, [](const Job&) { return 1; }, [&](int) { ++done; });
+  QTRY_COMPARE_WITH_TIMEOUT(done, 1, longest);
+  QCOMPARE(cancelled, 1);
+  QVERIFY(jobs.rows().empty() && !lane.isBusy());
 }
 
 void TestJobs::eachEndsOnce_data() {

@@ -1,4 +1,4 @@
-#include "ui/workspace/made_tissue.h"
+#include "ui/workspace/tissue.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace volumen {
 
-std::size_t bytesBesideVolumes(const MadeTissue& tissue) {
+std::size_t bytesBesideVolumes(const TissueVolume& tissue) {
   std::size_t words = 0;
   if (tissue.voxels) words += tissue.voxels->words().size();
   if (tissue.patient && tissue.patient != tissue.voxels) words += tissue.patient->words().size();
@@ -27,29 +27,14 @@ std::vector<ChosenSegments> segmentsShownOf(const std::vector<const SegmentMap*>
   return all;
 }
 
-std::optional<MadeTissue> tissueWanted(const std::vector<const SegmentMap*>& maps,
-                                       const LoadedSeriesPtr& series, bool withoutTable) {
+std::optional<TissueKey> tissueWanted(const std::vector<const SegmentMap*>& maps,
+                                      const LoadedSeriesPtr& series, bool withoutTable) {
   if (!series) return {};
-  MadeTissue wanted{series, {}, {}};
-  wanted.withoutTable = withoutTable;
+  TissueKey wanted{series, {}, {}, withoutTable};
   if (!maps.empty() && maps.front()->tissue.where != TissueShown::Where::everywhere)
     wanted.segments = segmentsShownOf(maps, series->volume->geometry());
   if (!wanted.segments.empty()) wanted.shown = maps.front()->tissue;
   return wanted.segments.empty() && !withoutTable ? std::nullopt : std::optional(wanted);
-}
-
-bool isTissueOnScreen(const MadeTissue& tissue, const Workspace& workspace) {
-  const SeriesKey series = keyOf(tissue.of->series);
-  const auto known = workspace.series.find(series);
-  if (known == workspace.series.end()) return false;
-  const SegmentMap* map = segmentMapOf(workspace, series);
-  const bool isOfSegments = map && map->tissue.where != TissueShown::Where::everywhere;
-  if (isOfSegments != !tissue.segments.empty()) return false;
-  if (!isOfSegments && known->second.mask.tableRemoved) return false;
-  return std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId id) {
-    const ViewState& view = workspace.view(id);
-    return view.series == series && showsScene(view.kind);
-  });
 }
 
 Scene drawnAsTheWhole(Scene scene, const Window& window, double valueSpread, const VoxelGeometry& geometry) {

@@ -20,7 +20,7 @@ Mask cutAt(double x) {
 
 }  // namespace
 
-class TestSegmentSurfaceJobs : public QObject {
+class TestSegmentSurfaces : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void theyAreDrawnOnceTheyAreMade();
@@ -32,7 +32,7 @@ class TestSegmentSurfaceJobs : public QObject {
   void whatIsNotInAViewIsDropped();
 };
 
-void TestSegmentSurfaceJobs::theyAreDrawnOnceTheyAreMade() {
+void TestSegmentSurfaces::theyAreDrawnOnceTheyAreMade() {
   SurfaceSession s;
   QVERIFY(!s.jobs.rows().empty() && s.drawn().empty());
   QVERIFY(s.idle());
@@ -43,10 +43,10 @@ void TestSegmentSurfaceJobs::theyAreDrawnOnceTheyAreMade() {
   s.change(withNewSegment(s.session.workspace(), s.key, s.series->volume->geometry(), {}));
   QVERIFY(s.idle());
   QCOMPARE(s.drawn().size(), std::size_t(3));
-  QCOMPARE(shownSegments(s.session.drawnScene(sceneViewId)).size(), std::size_t(2));
+  QCOMPARE(shownSegments(s.scenes.scene(sceneViewId)).size(), std::size_t(2));
 }
 
-void TestSegmentSurfaceJobs::looksNeedNoJob() {
+void TestSegmentSurfaces::looksNeedNoJob() {
   SurfaceSession s;
   QVERIFY(s.idle());
   const auto one = s.field(1);
@@ -71,7 +71,7 @@ void TestSegmentSurfaceJobs::looksNeedNoJob() {
   QCOMPARE(s.drawn().size(), std::size_t(1));
 }
 
-void TestSegmentSurfaceJobs::onlyChangedVoxelsDo() {
+void TestSegmentSurfaces::onlyChangedVoxelsDo() {
   SurfaceSession s;
   QVERIFY(s.idle());
   const auto one = s.field(1), two = s.field(2);
@@ -85,7 +85,7 @@ void TestSegmentSurfaceJobs::onlyChangedVoxelsDo() {
 }
 
 // Undoes at once, as Esc does after a stroke.
-void TestSegmentSurfaceJobs::whatIsUndoneMeanwhileIsNotMade() {
+void TestSegmentSurfaces::whatIsUndoneMeanwhileIsNotMade() {
   SurfaceSession s;
   QVERIFY(s.idle());
   const auto one = s.field(1);
@@ -100,7 +100,7 @@ void TestSegmentSurfaceJobs::whatIsUndoneMeanwhileIsNotMade() {
   QVERIFY(s.field(1) && s.field(1) != one);
 }
 
-void TestSegmentSurfaceJobs::masksDoAsForTheProgram() {
+void TestSegmentSurfaces::masksDoAsForTheProgram() {
   SurfaceSession s;
   QVERIFY(s.idle());
   const auto one = s.field(1);
@@ -108,18 +108,18 @@ void TestSegmentSurfaceJobs::masksDoAsForTheProgram() {
   QVERIFY(s.cut(mask) && s.idle());
   QVERIFY(s.field(1)->values.size() < one->values.size());
   const std::vector<SegmentSurface> drawn = s.drawn();
-  const std::vector<MadeSurface> again =
-      surfacesOf({&s.map(), 1}, *s.series->volume, mask, mostSurfaceBytes());
+  const auto again = surfacesOf({&s.map(), 1}, *s.series->volume, mask, mostSurfaceBytes());
   QCOMPARE(again.size(), drawn.size());
   for (std::size_t n = 0; n < drawn.size(); ++n)
-    QVERIFY(again[n].field->box == drawn[n].field->box && again[n].field->values == drawn[n].field->values);
+    QVERIFY((*again[n].second)->box == drawn[n].field->box &&
+            (*again[n].second)->values == drawn[n].field->values);
   s.undo();
   QVERIFY(s.idle());
   QVERIFY(s.field(1)->values == one->values);
 }
 
 // The masked volume of the new slices is computed again.
-void TestSegmentSurfaceJobs::aSeriesThatIsOpenedAgainMayHaveOtherSlices() {
+void TestSegmentSurfaces::aSeriesThatIsOpenedAgainMayHaveOtherSlices() {
   SurfaceSession s;
   QVERIFY(s.idle());
   const Mask mask = cutAt(5);
@@ -133,18 +133,19 @@ void TestSegmentSurfaceJobs::aSeriesThatIsOpenedAgainMayHaveOtherSlices() {
   s.add({800, 1200});
   QVERIFY(s.cut(mask) && s.idle());
   const std::vector<SegmentSurface> drawn = s.drawn();
-  const std::vector<MadeSurface> again = surfacesOf({&s.map(), 1}, *longer->volume, mask, mostSurfaceBytes());
+  const auto again = surfacesOf({&s.map(), 1}, *longer->volume, mask, mostSurfaceBytes());
   QCOMPARE(drawn.size(), std::size_t(1));
   QCOMPARE(again.size(), drawn.size());
-  QVERIFY(drawn[0].field->box == again[0].field->box && drawn[0].field->values == again[0].field->values);
+  QVERIFY(drawn[0].field->box == (*again[0].second)->box &&
+          drawn[0].field->values == (*again[0].second)->values);
 }
 
-void TestSegmentSurfaceJobs::whatIsNotInAViewIsDropped() {
+void TestSegmentSurfaces::whatIsNotInAViewIsDropped() {
   SurfaceSession s;
   QVERIFY(s.idle());
   s.session.setFocus(axialViewId);
   s.change(withLayout(s.session.workspace(), Layout::one));
-  QVERIFY(s.session.surfaces().empty() && s.jobs.rows().empty());
+  QVERIFY(s.scenes.surfaces().entries().empty() && s.jobs.rows().empty());
   s.undo();
   QVERIFY(s.idle());
   QCOMPARE(s.drawn().size(), std::size_t(2));
@@ -153,8 +154,8 @@ void TestSegmentSurfaceJobs::whatIsNotInAViewIsDropped() {
   QVERIFY(!s.field(1) && s.field(2));
   s.session.close({s.key});
   QVERIFY(s.idle());
-  QVERIFY(s.session.surfaces().empty() && s.drawn().empty());
+  QVERIFY(s.scenes.surfaces().entries().empty() && s.drawn().empty());
 }
 
-VOLUMEN_TEST(TestSegmentSurfaceJobs);
-#include "tst_segment_surface_jobs.moc"
+VOLUMEN_TEST(TestSegmentSurfaces);
+#include "tst_segment_surfaces.moc"
