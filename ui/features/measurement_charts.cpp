@@ -8,17 +8,13 @@ namespace volumen {
 namespace {
 
 // Shows charts of the values under measurements.
-class MeasurementCharts : public Feature {
+class ChartsOfMeasurements : public Feature {
  public:
-  explicit MeasurementCharts(Workbench& bench);
-
- private:
-  ChartJobs jobs_;
+  explicit ChartsOfMeasurements(Workbench& bench);
 };
 
-MeasurementCharts::MeasurementCharts(Workbench& bench)
-    : Feature(bench), jobs_(session_, bench.document.frames, bench.document.jobs) {
-  auto* panel = new ChartPanel(session_, jobs_);
+ChartsOfMeasurements::ChartsOfMeasurements(Workbench& bench) : Feature(bench) {
+  auto* panel = new ChartPanel(session_, bench_.document.frames, bench_.document.jobs);
   QDockWidget* dock =
       bench_.addDock({"chart", tr("Chart of values"), panel, {Qt::RightDockWidgetArea, 55, false}});
   connect(dock, &QDockWidget::visibilityChanged, panel, &ChartPanel::setWatched);
@@ -38,7 +34,7 @@ MeasurementCharts::MeasurementCharts(Workbench& bench)
 }  // namespace
 
 std::unique_ptr<Feature> makeMeasurementCharts(Workbench& bench) {
-  return std::make_unique<MeasurementCharts>(bench);
+  return std::make_unique<ChartsOfMeasurements>(bench);
 }
 
 }  // namespace volumen

@@ -19,14 +19,15 @@ constexpr int restMs = 300;  // delay after the last change of a drag
 
 }  // namespace
 
-ChartPanel::ChartPanel(Session& session, ChartJobs& jobs, QWidget* parent)
+ChartPanel::ChartPanel(Session& session, FrameService& frames, Jobs& jobs, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      jobs_(&jobs),
+      frames_(frames),
       said_(plainLabel({})),
       kind_(new QComboBox),
       copy_(new QToolButton),
-      view_(new ChartView) {
+      view_(new ChartView),
+      charts_(measurementChartsRule(session, [this] { return wanted_; }), &jobs, session.sharedPool()) {
   makeLayout();
   atRest_.setSingleShot(true);
   atRest_.setInterval(restMs);
@@ -36,7 +37,7 @@ ChartPanel::ChartPanel(Session& session, ChartJobs& jobs, QWidget* parent)
   });
   connect(&session_, &Session::workspaceChanged, this, &ChartPanel::showSelected);
   connect(&session_, &Session::preferencesChanged, this, &ChartPanel::showSelected);
-  connect(&jobs, &ChartJobs::ready, this, &ChartPanel::take);
+  connect(&charts_, &MeasurementCharts::changed, this, &ChartPanel::showChart);
   connect(kind_, &QComboBox::activated, this, [this] {
     if (const auto kind = ChartKind(kind_->currentData().toInt()); kind != ChartKind::profile)
       preferred_ = kind;
@@ -75,14 +76,14 @@ void ChartPanel::showEvent(QShowEvent* event) {
 
 void ChartPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  if (jobs_) jobs_->drop();
+  drop();
 }
 
 void ChartPanel::setWatched(bool watched) {
   isWatched_ = watched;
   if (watched) return showSelected();
   overTime_.reset();
-  if (jobs_) jobs_->drop();
+  drop();
 }
 
 // Returns whether to wait, so that a drag does not read all time points at each of its changes.
@@ -94,31 +95,32 @@ bool ChartPanel::isToRest(const Measurement& measurement, ChartKind kind) {
   }
   if (overTime_ != measurement) {
     overTime_ = measurement;
-    jobs_->drop();
+    drop();
     atRest_.start();
   }
   return atRest_.isActive();
 }
 
+void ChartPanel::drop() {
+  wanted_.reset();
+  charts_.update();
+}
+
 // Computes nothing while hidden.
 void ChartPanel::showSelected() {
-  if (!jobs_) return;
   const Measurement* m = findMeasurement(session_.workspace(), session_.workspace().selected);
   const std::vector<ChartKind> kinds = m ? chartsOf(session_.workspace(), *m) : std::vector<ChartKind>();
   offer(kinds);
   if (kinds.empty()) {
-    jobs_->drop();
-    view_->setChart({});
-    copy_->setEnabled(false);
-    return say(tr("Select a length, a polyline or a region: the values under it are drawn here."));
+    drop();
+    return draw({}, tr("Select a length, a polyline or a region: the values under it are drawn here."));
   }
   const auto kind = ChartKind(kind_->currentData().toInt());
   if (!isWatched_ || !isVisible() || isToRest(*m, kind)) return;
-  if (!jobs_->request(*m, kind)) {
-    view_->setChart({});
-    copy_->setEnabled(false);
-    say(tr("Show the series of %1 to see its values.").arg(nameText(*m)));
-  }
+  wanted_ = chartKeyOf(session_, frames_, *m, kind);
+  charts_.update();
+  if (!wanted_) return draw({}, tr("Show the series of %1 to see its values.").arg(nameText(*m)));
+  showChart();
 }
 
 void ChartPanel::offer(const std::vector<ChartKind>& kinds) {
@@ -129,16 +131,20 @@ void ChartPanel::offer(const std::vector<ChartKind>& kinds) {
   if (const int at = kind_->findData(int(preferred_)); at >= 0) kind_->setCurrentIndex(at);
 }
 
-void ChartPanel::take(int measurement, const MeasuredChart& chart) {
-  const Measurement* m = findMeasurement(session_.workspace(), measurement);
-  if (!m || measurement != session_.workspace().selected) return;
-  view_->setChart(chart);
-  copy_->setEnabled(!chart.lines.empty());
-  QString sentence = nameText(*m);
-  if (!chart.problem.isEmpty()) sentence += QStringLiteral(": ") + chart.problem;
-  say(sentence);
+// The chart before stays until the next one is ready.
+void ChartPanel::showChart() {
+  const Measurement* m = findMeasurement(session_.workspace(), session_.workspace().selected);
+  const auto* made = wanted_ ? charts_.find(*wanted_) : nullptr;
+  if (!m || !made) return;
+  const MeasuredChart chart = made->value ? *made->value : MeasuredChart();
+  const QString problem = made->value ? chart.problem : QString::fromStdString(made->whyNot);
+  draw(chart, problem.isEmpty() ? nameText(*m) : nameText(*m) + QStringLiteral(": ") + problem);
 }
 
-void ChartPanel::say(const QString& sentence) { said_->setText(sentence); }
+void ChartPanel::draw(const MeasuredChart& chart, const QString& sentence) {
+  view_->setChart(chart);
+  copy_->setEnabled(!chart.lines.empty());
+  said_->setText(sentence);
+}
 
 }  // namespace volumen

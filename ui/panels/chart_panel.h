@@ -2,12 +2,11 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QPointer>
 #include <QTimer>
 #include <QToolButton>
 #include <optional>
 
-#include "ui/controller/chart_jobs.h"
+#include "ui/derivations/measurement_charts.h"
 #include "ui/panels/chart_view.h"
 
 namespace volumen {
@@ -16,7 +15,7 @@ namespace volumen {
 class ChartPanel : public QWidget {
   Q_OBJECT
  public:
-  ChartPanel(Session& session, ChartJobs& jobs, QWidget* parent = nullptr);
+  ChartPanel(Session& session, FrameService& frames, Jobs& jobs, QWidget* parent = nullptr);
 
   /// Called when voxels of the selected measurement may have been loaded.
   void showSelected();
@@ -31,11 +30,12 @@ class ChartPanel : public QWidget {
   void makeLayout();
   void offer(const std::vector<ChartKind>& kinds);
   bool isToRest(const Measurement& measurement, ChartKind kind);
-  void take(int measurement, const MeasuredChart& chart);
-  void say(const QString& sentence);
+  void drop();
+  void showChart();
+  void draw(const MeasuredChart& chart, const QString& sentence);
 
   Session& session_;
-  QPointer<ChartJobs> jobs_;  // may be deleted before the window hides
+  FrameService& frames_;
   QLabel* said_;
   QComboBox* kind_;
   QToolButton* copy_;
@@ -44,6 +44,8 @@ class ChartPanel : public QWidget {
   bool isWatched_ = false;
   std::optional<Measurement> overTime_;  // the last measurement requested over time
   QTimer atRest_;                        // fires once it has been unchanged for a while
+  std::optional<ChartKey> wanted_;
+  MeasurementCharts charts_;
 };
 
 }  // namespace volumen

@@ -29,14 +29,15 @@ SegmentChartBox::SegmentChartBox(const Session& session, Jobs& jobs, QWidget* pa
       said_(plainLabel()),
       copy_(new QToolButton),
       view_(new ChartView),
-      lane_(&jobs) {
+      overTime_(overTimeRule(), &jobs, session.sharedPool()) {
   makeLayout();
   connect(copy_, &QToolButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(chartAsCsv(view_->chart())); });
   connect(kind_, &QComboBox::activated, this, [this] {
-    if (!overTime_ && !lane_.isBusy()) wanted_.reset();  // repeats reading that was cancelled
+    overTime_.tryAgain([](const OverTimeKey&) { return true; });
     showChosen();
   });
+  connect(&overTime_, &OverTime::changed, this, &SegmentChartBox::showChosen);
   setMeasured({}, {}, {});
 }
 
@@ -68,11 +69,8 @@ void SegmentChartBox::setMeasured(const std::vector<SegmentMap>& maps,
   maps_ = maps, reports_ = reports, chosen_ = chosen;
   if (chosen_.empty() && reports_.size() <= mostUnchosen)
     for (std::size_t n = 0; n < reports_.size(); ++n) chosen_.push_back(n);
-  if (wanted_ && *wanted_ != wantedNow()) {
-    lane_.giveUpAll();
-    wanted_.reset();
-    overTime_.reset();
-  }
+  if (wanted_ && *wanted_ != keyNow()) wanted_.reset();
+  overTime_.update();
   offerKinds();
   showChosen();
 }
@@ -96,14 +94,21 @@ void SegmentChartBox::showChosen() {
     for (const std::size_t n : chosen_) shown.push_back(reports_[n]);
     return draw(segmentHistograms(shown, scale()), {});
   }
-  if (!wanted_) read(wantedNow());
-  if (overTime_) return draw(segmentsOverTimeChart(*overTime_, reports_, chosen_), {});
-  draw({}, lane_.isBusy() ? tr("Reading all time points...")
-                          : tr("Reading was cancelled. Choose the chart again to read them."));
+  wanted_ = keyNow();
+  overTime_.update();
+  if (const SegmentsOverTime* values = overTime())
+    return draw(segmentsOverTimeChart(*values, reports_, chosen_), {});
+  const auto* failed = overTime_.find(*wanted_);
+  draw({}, failed ? QString::fromStdString(failed->whyNot) : tr("Reading all time points..."));
 }
 
-SegmentChartBox::Wanted SegmentChartBox::wantedNow() const {
-  Wanted wanted{{}, {}, scale()};
+const SegmentsOverTime* SegmentChartBox::overTime() const {
+  const auto* made = wanted_ ? overTime_.find(*wanted_) : nullptr;
+  return made ? made->value.get() : nullptr;
+}
+
+SegmentChartBox::OverTimeKey SegmentChartBox::keyNow() const {
+  OverTimeKey wanted{{}, {}, scale()};
   for (const SegmentMap& map : maps_)
     for (const Segment& segment : map.segments) wanted.segments.emplace_back(map.labels, segment.number);
   if (session_.series())
@@ -112,25 +117,32 @@ SegmentChartBox::Wanted SegmentChartBox::wantedNow() const {
   return wanted;
 }
 
-// Reads whole volumes, as the other numbers of segments do.
-void SegmentChartBox::read(const Wanted& wanted) {
-  wanted_ = wanted;
-  const Series& series = session_.series()->series;
-  TimeSteps steps = timeStepsOf(session_, keyOf(series));
+// Whole volumes count, as for the other numbers of segments.
+TimeSteps SegmentChartBox::wholeSteps() const {
+  TimeSteps steps = timeStepsOf(session_, keyOf(session_.series()->series));
   for (TimeStep& step : steps.all) {
     const LoadedSeriesPtr whole = session_.seriesWith(keyOf(step.series), {});
     step.volume = whole ? whole->volume : nullptr;
   }
-  lane_.run(
-      JobName(tr("Reading all time points"), seriesText(series)),
-      [steps = std::move(steps), maps = maps_, unit = wanted.scale.unit](const Job& job) {
-        return segmentsIn(steps, maps, unit, job.progress(), job.cancel());
-      },
-      [this](const SegmentsOverTime& values) {
-        overTime_ = values;
-        showChosen();
-      },
-      [this] { showChosen(); });
+  return steps;
+}
+
+SegmentChartBox::OverTime::Rule SegmentChartBox::overTimeRule() {
+  return {.wanted = [this] { return wanted_ ? std::vector{*wanted_} : std::vector<OverTimeKey>(); },
+          .work = [this](const OverTimeKey& key, std::size_t) -> OverTime::Work {
+            return [steps = wholeSteps(), maps = maps_, unit = key.scale.unit](const Job& job) {
+              return std::make_shared<const SegmentsOverTime>(
+                  segmentsIn(steps, maps, unit, job.progress(), job.cancel()));
+            };
+          },
+          .name =
+              [this](const OverTimeKey&) {
+                return JobName(tr("Reading all time points"), seriesText(session_.series()->series));
+              },
+          .bytes = [](const SegmentsOverTime&) { return std::size_t(0); },
+          .areVersions = [](const OverTimeKey&, const OverTimeKey&) { return true; },
+          .lacksMemory = outOfMemory,
+          .wasCancelled = tr("Reading was cancelled. Choose the chart again to read them.").toStdString()};
 }
 
 void SegmentChartBox::draw(const MeasuredChart& chart, const QString& sentence) {

@@ -6,7 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/document/job_lane.h"
+#include "ui/controller/time_steps.h"
+#include "ui/document/derivation.h"
 #include "ui/panels/chart_view.h"
 #include "ui/workspace/segment_report.h"
 #include "ui/workspace/segments_over_time.h"
@@ -26,22 +27,25 @@ class SegmentChartBox : public QWidget {
   void setMeasured(const std::vector<SegmentMap>& maps, const std::vector<SegmentReport>& reports,
                    const std::vector<std::size_t>& chosen);
   /// Returns the values over time, or null if they were not requested or are being computed.
-  const SegmentsOverTime* overTime() const { return overTime_ ? &*overTime_ : nullptr; }
+  const SegmentsOverTime* overTime() const;
 
  private:
-  /// The input of values over time. Equal inputs give equal values.
-  struct Wanted {
+  /// The inputs of values over time.
+  struct OverTimeKey {
     std::vector<std::pair<std::shared_ptr<const LabelMap>, int>> segments;  // label maps with segment numbers
     std::vector<SeriesKey> steps;
     ValueScale scale;
-    bool operator==(const Wanted&) const = default;
+    bool operator==(const OverTimeKey&) const = default;
   };
 
   void makeLayout();
   void offerKinds();
   void showChosen();
-  Wanted wantedNow() const;
-  void read(const Wanted& wanted);
+  using OverTime = Derivation<OverTimeKey, SegmentsOverTime>;
+
+  OverTime::Rule overTimeRule();
+  OverTimeKey keyNow() const;
+  TimeSteps wholeSteps() const;
   void draw(const MeasuredChart& chart, const QString& sentence);
   ValueScale scale() const;
 
@@ -53,9 +57,8 @@ class SegmentChartBox : public QWidget {
   std::vector<SegmentMap> maps_;
   std::vector<SegmentReport> reports_;
   std::vector<std::size_t> chosen_;
-  std::optional<Wanted> wanted_;  // read, being read or cancelled
-  std::optional<SegmentsOverTime> overTime_;
-  JobLane lane_;
+  std::optional<OverTimeKey> wanted_;  // once the user has asked for it
+  OverTime overTime_;
 };
 
 }  // namespace volumen

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "ui/controller/frame_service.h"
+#include "ui/document/derivation.h"
+#include "ui/workspace/measurement_chart.h"
+#include "ui/workspace/session.h"
+
+namespace volumen {
+
+/// Inputs of the chart of a measurement.
+struct ChartKey {
+  SeriesKey series;
+  Shape shape;
+  ChartKind kind = ChartKind::profile;
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<SeriesKey> steps{};  ///< time points, if the chart is over time
+  ValueScale scale{};
+  LoadedSeriesPtr values{};  ///< source of the values
+  LoadedFramePtr frame{};    ///< the frame that was measured; null for a volume
+  bool operator==(const ChartKey&) const = default;
+};
+
+using MeasurementCharts = Derivation<ChartKey, MeasuredChart>;
+
+/// Returns nothing if the measurement's series or frame is not in memory.
+std::optional<ChartKey> chartKeyOf(const Session& session, FrameService& frames,
+                                   const Measurement& measurement, ChartKind kind);
+
+/// The chart that `wanted` returns, if any. Time points that are not in memory are read for it one after
+/// another, as a job that can be cancelled.
+MeasurementCharts::Rule measurementChartsRule(const Session& session,
+                                              std::function<std::optional<ChartKey>()> wanted);
+
+}  // namespace volumen
