@@ -220,6 +220,7 @@ Json derivedToJson(const DerivedObject& object) {
           {"label", object.label},
           {"text", object.text},
           {"date", object.date},
+          {"warnings", object.warnings},
           {"notHere", object.notHere},
           {"pictures", picturesJson(object.pictures)}};
 }

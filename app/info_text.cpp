@@ -105,9 +105,12 @@ std::string referenceLine(const DerivedObject& object) {
 
 void addDerivedObjects(std::ostream& out, const std::vector<DerivedObject>& derived) {
   if (!derived.empty()) out << "Objects that refer to pictures\n";
-  for (std::size_t n = 0; n < derived.size(); ++n)
+  for (std::size_t n = 0; n < derived.size(); ++n) {
     out << "    " << n + 1 << "  " << printable(lastingPath(derived[n].path)) << ": "
         << printable(referenceLine(derived[n])) << '\n';
+    for (const std::string& warning : derived[n].warnings)
+      out << indent << "! " << printable(warning) << '\n';
+  }
 }
 
 // Returns a study with the images and files that are not derived objects.

@@ -144,10 +144,37 @@ bool isSignedWithoutSaying(const DataSet& data, const Element& pixels, Bytes beg
   return false;
 }
 
+/// Returns BitsAllocated. If it is missing, it follows from BitsStored or from the length of native pixels.
+Result<int> readAllocatedBits(const DataSet& data, const Element& pixels, const PixelFormat& format,
+                              std::vector<std::string>& warnings) {
+  constexpr std::uint32_t tag = 0x00280100;
+  if (data.word(tag, data.root())) return wordField(data, tag, "BitsAllocated", {}, 1, 64);
+  const bool isNative = pixels.length != undefinedLength;
+  const int stored = data.word(storedBitsTag, data.root()).value_or(0);
+  const std::uint64_t samples = format.framePixels() * std::uint64_t(format.frames) *
+                                std::uint64_t(format.photometric == "YBR_FULL_422" ? 2 : format.samples);
+  std::vector<int> possible;
+  for (const int bits : {1, 8, 16, 32}) {
+    const std::uint64_t bytes = (samples * std::uint64_t(bits) + 7) / 8;
+    const bool fits = pixels.length == bytes || pixels.length == bytes + bytes % 2;
+    if (isNative && fits && stored <= bits && (bits > 1 || stored == 1)) possible.push_back(bits);
+  }
+  if (!isNative && stored > 0 && stored <= 16) possible = {stored <= 8 ? 8 : 16};
+  if (possible.size() != 1)
+    return Error{"BitsAllocated (0028,0100) is missing, and " +
+                 (isNative
+                      ? "the " + std::to_string(pixels.length) + " bytes of its pixel data do not tell it"
+                      : std::string("its compressed pixels do not tell it"))};
+  warnings.push_back("its BitsAllocated is missing: " + std::to_string(possible[0]) + " is taken, as its " +
+                     (isNative ? "pixel data is " + std::to_string(pixels.length) + " bytes long"
+                               : "BitsStored is " + std::to_string(stored)));
+  return possible[0];
+}
+
 /// Reads bits, sign and byte order of integer samples.
 Status readBits(const DataSet& data, const Element& pixels, Bytes begin, PixelFormat& format,
                 std::vector<std::string>& warnings) {
-  const auto allocated = wordField(data, 0x00280100, "BitsAllocated", {}, 1, 64);
+  const auto allocated = readAllocatedBits(data, pixels, format, warnings);
   if (!allocated) return allocated.error();
   format.bitsAllocated = *allocated;
   const int bits = format.bitsAllocated;

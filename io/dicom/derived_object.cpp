@@ -107,6 +107,14 @@ void readLabel(const DataSet& data, DerivedObject& object) {
     if (object.date.empty()) object.date = dateOrTime(text(date));
 }
 
+/// Reads the names of segments and regions for remarks on their letters alone.
+void readNames(const DataSet& data, DerivedKind kind) {
+  const bool isContours = kind == DerivedKind::contours;
+  if (!isContours && kind != DerivedKind::segmentation) return;
+  for (const DataSet::Scope item : data.items(isContours ? 0x30060020 : 0x00620002, data.root()))
+    (void)data.utf8(isContours ? 0x30060026 : 0x00620005, item);
+}
+
 }  // namespace
 
 std::optional<DerivedKind> derivedKind(const std::string& sopClassUid) {
@@ -155,6 +163,8 @@ DerivedObject readDerivedObject(const DataSet& data, const FileHeader& header, D
   const bool listed = kind == DerivedKind::presentation;
   object.pictures = readPictures(data, listed ? data.contents(0x00081115, data.root()) : data.root());
   readLabel(data, object);
+  readNames(data, kind);
+  for (const std::string& remark : data.remarks()) object.warnings.push_back(sentenceOf(remark));
   return object;
 }
 

@@ -95,7 +95,11 @@ class SegmentationReader {
       return wrong("NumberOfFrames", numberOfFrames, root, "a number of frames");
     const int samples = data_.word(0x00280002, root).value_or(1);
     if (samples != 1) return Error{"its SamplesPerPixel is " + std::to_string(samples) + ", not 1"};
-    const int allocated = data_.word(0x00280100, root).value_or(0);
+    const auto said = data_.word(0x00280100, root);
+    if (!said && isLabelMap_) return Error{"its BitsAllocated is missing"};
+    if (!said)
+      out_.notes.push_back("The BitsAllocated of " + path_ + " is missing: that of " + type + " is taken.");
+    const int allocated = said.value_or(std::uint16_t(out_.fractional ? 8 : 1));
     if (!(isLabelMap_ ? allocated == 8 || allocated == 16 : allocated == (out_.fractional ? 8 : 1)))
       return Error{"its SegmentationType is \"" + type + "\", and its BitsAllocated " +
                    std::to_string(allocated) + ", which does not go with it"};

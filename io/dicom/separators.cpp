@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
-#include <cstring>
 
 #include "io/dicom/attributes.h"
+#include "io/dicom/diffusion.h"
 
 namespace volumen::dicom {
 namespace {
@@ -29,11 +28,6 @@ struct ValueSource {
   std::uint32_t group, tag;
   SourceKind kind;
 };
-
-std::string numberText(const DataSet& data, std::uint32_t tag, DataSet::Scope scope) {
-  const auto number = data.number(tag, scope);  // "22.0000" is "22"
-  return number ? realText(*number) : data.text(tag, scope);
-}
 
 /// Returns several values as the words of one text.
 std::string wordsIn(std::string values) {
@@ -73,34 +67,6 @@ std::string firstOf(const DataSet& data, const FrameScopes& at, std::span<const 
     if (std::string value = valueOf(data, source, at.of(unassignedOfFrame)); !value.empty()) return value;
   }
   return {};
-}
-
-std::string privateBValue(const DataSet& data) {
-  if (const auto tag = data.privateTag(0x0019, "SIEMENS MR HEADER", 0x0c, data.root()))
-    if (std::string b = numberText(data, tag, data.root()); !b.empty()) return b;
-  if (const auto tag = data.privateTag(0x2001, "Philips Imaging DD 001", 0x03, data.root())) {
-    const std::string bytes = data.raw(tag, data.root());
-    float b = 0;
-    if (bytes.size() == sizeof b) {
-      std::memcpy(&b, bytes.data(), sizeof b);
-      if (std::isfinite(b)) return realText(b);
-    }
-  }
-  if (const auto tag = data.privateTag(0x0043, "GEMS_PARM_01", 0x39, data.root()))
-    if (const auto numbers = data.numbers(tag, data.root()))
-      return realText(std::trunc(std::fmod((*numbers)[0], 100000)));
-  return {};
-}
-
-/// Returns the diffusion gradient direction as stored, for comparison only.
-std::string readDirection(const DataSet& data, const FrameScopes& at) {
-  const DataSet::Scope diffusion = at.of(mrDiffusionGroup);
-  if (const auto items = data.items(0x00189076, diffusion); !items.empty())
-    return data.raw(0x00189089, items[0]);
-  std::string direction = data.raw(0x00189089, data.root());
-  if (!direction.empty()) return direction;
-  for (const double x : privateDirection(data)) direction += (direction.empty() ? "" : "\\") + realText(x);
-  return direction;
 }
 
 /// Returns the kernel, from CT's reconstruction group if there is one.
@@ -192,7 +158,9 @@ const SeparatorRow separatorRows[] = {
     {{"AcquisitionNumber", Trust::needed, "acquisition ", "", Words::plain, Along::varies,
       &Series::timePoint},
      {{{frameContentGroup, 0x00209156, SourceKind::word}, {0, 0x00200012, SourceKind::number}}}},
-    {{"DiffusionGradientOrientation", Trust::certain, "direction ", "", Words::direction}, {}, readDirection},
+    {{"DiffusionGradientOrientation", Trust::certain, "direction ", "", Words::direction},
+     {},
+     readGradientDirection},
     {{"FrameReferenceTime", Trust::needed, "", " s", Words::seconds, Along::counts},
      {{{0, 0x00541300, SourceKind::number}}}},
     {{"TriggerTime", Trust::needed, "trigger ", " ms", Words::plain, Along::counts},
@@ -260,26 +228,15 @@ void setSeparator(Slice& slice, std::string_view keyword, const std::string& val
   slice.separators.at(separatorAt(keyword)) = value;
 }
 
-std::vector<double> privateDirection(const DataSet& data) {
-  const DataSet::Scope root = data.root();
-  if (const auto tag = data.privateTag(0x0019, "SIEMENS MR HEADER", 0x0e, root))
-    if (const auto direction = data.reals(tag, root); direction.size() == 3) return direction;
-  const auto right = data.privateTag(0x2005, "Philips MR Imaging DD 001", 0xb0, root);
-  std::vector<double> direction;
-  for (std::uint32_t axis = 0; right && axis < 3; ++axis)
-    if (const auto along = data.floats(right + axis, root); along.size() == 1) direction.push_back(along[0]);
-  return direction.size() == 3 ? direction : std::vector<double>();
-}
-
-std::string readBValue(const DataSet& data, const FrameScopes& at) {
-  if (std::string b = realText(data, 0x00189087, at.of(mrDiffusionGroup)); !b.empty()) return b;
-  return privateBValue(data);
-}
-
 std::string readEchoTime(const DataSet& data, const FrameScopes& at) {
   const DataSet::Scope scope = at.of(mrEchoGroup);
   const std::string time = numberText(data, 0x00180081, scope);
   return time.empty() ? realText(data, 0x00189082, scope) : time;
+}
+
+std::string numberText(const DataSet& data, std::uint32_t tag, DataSet::Scope scope) {
+  const auto number = data.number(tag, scope);  // "22.0000" is "22"
+  return number ? realText(*number) : data.text(tag, scope);
 }
 
 std::string realText(double value) {

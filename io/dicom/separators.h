@@ -56,19 +56,13 @@ void setSeparator(Slice& slice, std::string_view keyword, const std::string& val
 /// Returns the words for value `n` among the distinct values of a separator: "kernel B70f", "phase 40 %".
 std::string wordsOf(const Separator& separator, const std::vector<std::string>& values, std::size_t n);
 
-/// Returns the b-value, s/mm^2: DICOM's, or the private one of Siemens, Philips or GE (without its offset of
-/// 10^9).
-std::string readBValue(const DataSet& data, const FrameScopes& at);
-
-/// Returns the diffusion gradient direction in the patient (LPS) from a private attribute of Siemens or
-/// Philips; empty if there is none.
-std::vector<double> privateDirection(const DataSet& data);
-
 /// Returns the echo time in ms, as text.
 std::string readEchoTime(const DataSet& data, const FrameScopes& at);
 
 /// Returns a number in its fewest digits.
 std::string realText(double value);
+/// Returns the number of a DS or IS in its fewest digits, or the text if it is none.
+std::string numberText(const DataSet& data, std::uint32_t tag, DataSet::Scope scope);
 /// Returns the number of an FD in its fewest digits; empty if there is none.
 std::string realText(const DataSet& data, std::uint32_t tag, DataSet::Scope scope);
 

@@ -18,12 +18,17 @@ namespace {
 
 bool near(glm::dvec3 a, glm::dvec3 b, double tolerance) { return glm::length(a - b) <= tolerance; }
 
+/// Returns whether a slice of a CT lacks what its unit follows from; it may belong to slices that have it.
+bool lacksRescale(const Entry& e) {
+  return e.file->modality == "CT" && e.file->unit.empty() && !e.slice().isRescaled && !e.slice().isMapped;
+}
+
 /// Returns whether two pictures can be slices of one volume, apart from their positions.
 bool fit(const Entry& a, const Entry& b) {
   const Slice &s = a.slice(), &t = b.slice();
   if (a.file->format.columns != b.file->format.columns || a.file->format.rows != b.file->format.rows)
     return false;
-  if (a.file->unit != b.file->unit) return false;
+  if (a.file->unit != b.file->unit && !lacksRescale(a) && !lacksRescale(b)) return false;
   if (isPlaced(s) != isPlaced(t)) return false;
   if (!isPlaced(s)) return true;
   // Orientations have about six digits; 1e-3 is 0.25 mm at the edge of a 500 mm picture.
@@ -171,7 +176,7 @@ Series describe(const Part& part, const Split& split) {
   s.id = first.seriesUid.empty() ? fileName(first.path) : first.seriesUid;
   s.format = "DICOM";
   static_cast<SeriesIdentity&>(s) = first;
-  s.unit = first.unit;
+  s.unit = common(part.entries, &Slice::unit);
   s.time = first.time;
   s.echoTime = common(part.entries, &Slice::echoTime);
   s.bValue = common(part.entries, &Slice::bValue);

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "io/dicom/attributes.h"
+#include "io/dicom/diffusion.h"
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/greys.h"
 #include "io/dicom/nuclear.h"

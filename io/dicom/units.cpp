@@ -75,15 +75,26 @@ std::string unitOfMapping(const DataSet& data, DataSet::Scope mapping) {
 }
 
 /// Returns the unit of a frame's values after the file's rescale; empty if not given.
-std::string unitOfRescaled(const DataSet& data, const FrameScopes& at, FileHeader& header) {
+std::string unitOfRescaled(const DataSet& data, const FrameScopes& at, const Slice& slice,
+                           FileHeader& header) {
   if (data.has(modalityLutSequence, data.root())) return {};  // these are the values before the Modality LUT
   if (data.has(doseUnits, data.root())) return unitOfDose(data, header);
   const DataSet::Scope rescale = at.of(pixelValueTransformation);
   const std::string known = data.term(rescaleType, rescale, "RescaleType", {"HU"}),
                     type = known == "HU" ? known : data.utf8(rescaleType, rescale);
   if (header.pet && !header.pet->units.empty()) return unitOfPet(header.pet->units);
-  // CT is in HU unless it says otherwise.
-  return header.modality == "CT" && type.empty() ? "HU" : unitOfRescaleType(type);
+  // A rescaled CT is in HU unless it says otherwise (PS3.3 C.11.1.1.2).
+  if (header.modality == "CT" && type.empty()) return slice.isRescaled ? "HU" : "";
+  return unitOfRescaleType(type);
+}
+
+/// Tells that grey values have no rescale: those of a CT have no unit then, others keep the one they state.
+void tellMissingRescale(const Slice& slice, FileHeader& header) {
+  if (!header.format.isGrey()) return;
+  if (!slice.unit.empty() && header.format.kind == PixelFormat::Kind::integer)
+    warnOnce(header, "its RescaleSlope and RescaleIntercept are missing: 1 and 0 are taken");
+  else if (slice.unit.empty() && header.modality == "CT")
+    warnOnce(header, "it gives no rescale (RescaleSlope): its values are the stored ones, without unit");
 }
 
 /// The values of a real world value mapping (PS3.3 C.7.6.16.2.11).
@@ -162,7 +173,7 @@ void readMeaning(const DataSet& data, const FrameScopes& at, Slice& slice, FileH
   const auto isLinear = [&](DataSet::Scope item) { return linearMapping(data, item).has_value(); };
   const auto isTable = [&](DataSet::Scope item) { return data.has(0x00409212, item); };
   const DataSet::Scope rescale = at.of(pixelValueTransformation);
-  slice.unit = unitOfRescaled(data, at, header);
+  slice.unit = unitOfRescaled(data, at, slice, header);
   if (data.has(0x00281053, rescale) || data.has(0x3004000e, rescale) ||
       data.has(modalityLutSequence, data.root())) {
     const bool same = mapping && mapping->slope == slice.slope && mapping->intercept == slice.intercept;
@@ -178,6 +189,8 @@ void readMeaning(const DataSet& data, const FrameScopes& at, Slice& slice, FileH
              "the stored ones");
   } else if (std::ranges::any_of(items, isTable)) {
     warnOnce(header, "its Real World Value Mapping is a table and is not applied");
+  } else {
+    tellMissingRescale(slice, header);
   }
   if (header.pet) readSuvMapping(data, items, slice, header);
 }

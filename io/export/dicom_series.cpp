@@ -139,6 +139,7 @@ DicomSeriesTags dicomTags(const Series& series) {
   DicomSeriesTags tags;
   static_cast<SeriesIdentity&>(tags) = series;
   tags.bValue = series.bValue;
+  tags.hasNoUnit = series.format == "DICOM" && series.modality == "CT" && series.unit.empty();
   if (series.format != "phantom") return tags;
   tags.synthetic = true;
   tags.patientName = "Volumen^Sample";

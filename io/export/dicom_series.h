@@ -19,6 +19,7 @@ struct DicomSeriesTags : SeriesIdentity {
   std::string patientPosition;           ///< "HFS" etc.; empty if unknown
   std::string kvp;                       ///< peak tube voltage; empty if unknown
   std::vector<std::string> windowNames;  ///< one for each of the volume's windows, or empty
+  bool hasNoUnit = false;                ///< a CT that gives no rescale: its values are no HU
   bool synthetic = false;  ///< computed, not of a patient: marked in the attributes meant for it
 
   DicomSource source;                ///< attributes of the slices of a DICOM series; else empty

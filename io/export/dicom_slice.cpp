@@ -280,7 +280,7 @@ DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels
   append(all, {{0x00281053, decimal(pixels.slope)}, {0x00281052, decimal(pixels.intercept)}});
   if (isPet_) return all;
   const std::string type = valueOf(first_, rescaleType);
-  all.push_back({rescaleType, !type.empty() ? type : modality == "CT" ? "HU" : "US"});
+  all.push_back({rescaleType, !type.empty() ? type : modality == "CT" && !tags_.hasNoUnit ? "HU" : "US"});
   return all;
 }
 

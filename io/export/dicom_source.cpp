@@ -9,6 +9,7 @@
 #include <map>
 
 #include "io/dicom/data_set.h"
+#include "io/dicom/diffusion.h"
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/header.h"
 #include "io/dicom/separators.h"
@@ -208,14 +209,18 @@ class Copier {
         out.push_back({factor, decimal(*number), vrOf('D', 'S'), 0});
   }
 
-  // Older Siemens and Philips files hold the gradient direction only in private elements.
+  // Older Siemens, Philips and GE files hold the gradient direction only in private elements.
   void addPrivateDirection(DicomElements& out) const {
     constexpr std::uint32_t direction = 0x00189089;
     if (data_.has(direction, data_.root())) return;
     std::string value;
     for (const double x : dicom::privateDirection(data_))
       value += (value.empty() ? "" : "\\") + dicom::realText(x);
-    if (!value.empty()) out.push_back({direction, value, vrOf('F', 'D'), 0});
+    if (value.empty()) return;
+    out.push_back({direction, value, vrOf('F', 'D'), 0});
+    for (DicomElement& e : out)
+      if (e.tag == 0x00189087 && e.depth == 0)
+        e.value = dicom::readBValue(data_, dicom::FrameScopes(data_.root()));
   }
 
   // Returns an element's value as text; empty if it is binary or too long.

@@ -37,6 +37,7 @@ struct DerivedObject : SeriesIdentity {
   std::string text;   ///< description of the object; for key objects, the remark on the pictures
   std::string date;   ///< content date as DICOM writes it; empty if not given
   std::vector<ReferencedPicture> pictures;  ///< the pictures and other objects it refers to, each once
+  std::vector<std::string> warnings;        ///< sentences about guesses, such as of a character set
   std::size_t notHere = 0;                  ///< number of `pictures` that the study does not hold
 };
 

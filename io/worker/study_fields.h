@@ -22,7 +22,7 @@ inline void fields(Wire& w, Cine& c) { w(c.framesPerSecond, c.frameTimesMs, c.ba
 inline void fields(Wire& w, ReferencedPicture& p) { w(p.sopInstanceUid, p.seriesUid, p.frames, p.segments); }
 inline void fields(Wire& w, DerivedObject& r) {
   fields(w, static_cast<SeriesIdentity&>(r));
-  w(r.kind, r.id, r.path, r.sopInstanceUid, r.label, r.text, r.date, r.pictures);
+  w(r.kind, r.id, r.path, r.sopInstanceUid, r.label, r.text, r.date, r.pictures, r.warnings);
 }
 inline void fields(Wire& w, VoxelGeometry& g) { w(g.size, g.patientFromVoxelStep, g.origin, g.calibrated); }
 inline void fields(Wire& w, ValueRange& r) { w(r.low, r.high); }

@@ -42,8 +42,10 @@ void StudiesPanel::showDerivedObjects() {
     const auto notHere = std::size_t(std::ranges::count_if(
         object->pictures, [&](const ReferencedPicture& p) { return !here.contains(p.sopInstanceUid); }));
     const QStringList lines = referenceLines(*object, notHere);
-    (*it)->setText(0, lines.join(QLatin1Char('\n')));
-    const QStringList tip = lines + QStringList{shownText(object->text), pathText(object->path)};
+    const QString mark = object->warnings.empty() ? QString() : QStringLiteral("! ");
+    (*it)->setText(0, mark + lines.join(QLatin1Char('\n')));
+    QStringList tip = lines + QStringList{shownText(object->text), pathText(object->path)};
+    for (const std::string& warning : object->warnings) tip << QStringLiteral("! ") + shownText(warning);
     (*it)->setToolTip(0, toolTipOf(tip));
   }
 }

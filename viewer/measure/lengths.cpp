@@ -10,10 +10,11 @@ namespace volumen {
 
 namespace {
 
-// Returns the extent of a voxel along a unit vector, from the components of its edges. An end lies anywhere
-// in its voxel.
-double spreadAlong(const VoxelGeometry& geometry, glm::dvec3 direction) {
-  return glm::length(glm::transpose(geometry.patientFromVoxelStep) * direction);
+// Returns the variance of a length that changes by g . d where a point moves by d. The point lies anywhere in
+// its voxel and, along g, anywhere in the depth of a soft surface.
+double varianceOf(const VoxelGeometry& geometry, glm::dvec3 g, double softMm) {
+  const glm::dvec3 spread = glm::transpose(geometry.patientFromVoxelStep) * g;
+  return glm::dot(spread, spread) / 12 + glm::dot(g, g) * depthVariance(softMm);
 }
 
 }  // namespace
@@ -22,14 +23,19 @@ Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometr
   const glm::dvec3 spacing = geometry.spacing();
   const double longest = std::max({spacing.x, spacing.y, spacing.z});
   double sum = 0, variance = 0;
+  glm::dvec3 before(0);  // direction of the segment before a point
   for (std::size_t n = 1; n < points.size(); ++n) {
     const glm::dvec3 segment = points[n] - points[n - 1];
     const double mm = glm::length(segment);
-    const double spread = mm > 0 ? spreadAlong(geometry, segment / mm) : longest;
+    if (mm == 0) {
+      variance += 2 * (longest * longest / 12 + depthVariance(softMm));
+      continue;
+    }
+    variance += varianceOf(geometry, before - segment / mm, softMm);
+    before = segment / mm;
     sum += mm;
-    variance += 2 * (spread * spread / 12 + depthVariance(softMm));
   }
-  return {sum, 2 * std::sqrt(variance)};
+  return {sum, 2 * std::sqrt(variance + varianceOf(geometry, before, softMm))};
 }
 
 double depthVariance(double softMm) { return softMm * softMm / 3; }

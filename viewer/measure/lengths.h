@@ -13,11 +13,12 @@ struct Length {
   double plusMinus = 0;  ///< Twice the standard uncertainty: 2 u (slices.md 4).
 };
 
-/// Returns the length of a line through patient points. Its u^2 is the sum of (s^2 + s^2)/12 over the
-/// segments, one term for each end. Here s^2 is the sum of (L_a . d)^2 over the edges L_a of a voxel, with d
-/// the segment's direction. It is 12 times the variance along d of an end that lies anywhere in its voxel.
-/// For a segment without length, and so without direction, s is the longest spacing. `softMm` (Shape::softMm)
-/// adds depthVariance() to each term, whatever the line of sight was.
+/// Returns the length of a line through patient points. Its u^2 is the sum of s^2/12 over the points. Here
+/// s^2 is the sum of (L_a . g)^2 over the edges L_a of a voxel. At an end g is the direction of its segment,
+/// at a corner the difference of the directions before and after it: a point of a straight line changes no
+/// length, one where the line turns back counts twice. This is the variance for points anywhere in their
+/// voxels. A segment without length adds 2 s^2/12 with the longest spacing. `softMm` (Shape::softMm) adds g^2
+/// depthVariance() to each term, whatever the line of sight was.
 Length lengthOf(std::span<const glm::dvec3> points, const VoxelGeometry& geometry, double softMm = 0);
 
 /// Returns the variance, mm^2, of a position uniformly distributed over a stretch whose middle half is

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <map>
 #include <utility>
 #include <vector>
 
 #include "viewer/segment/bit_rows.h"
+#include "viewer/segment/runs.h"
 #include "viewer/volume/parallel.h"
 
 namespace volumen {
@@ -43,38 +44,6 @@ class SlicePlaneMm {
   dvec2 i_, j_;
 };
 
-// Returns a row of the slice, or `nothing` beyond the grid.
-bits::Row rowOf(const BitMask& mask, int j, int k, bits::Row nothing) {
-  return j < 0 || j >= mask.size().y ? nothing : bits::Row(mask.row(j, k));
-}
-
-// Visits the first and last outline point of each half row, from top to bottom. They suffice for the convex
-// hull.
-template <class Visit>
-void forEachEnd(const BitMask& mask, int k, const Visit& visit) {
-  const std::vector<std::uint64_t> nothing(std::size_t(mask.wordsPerRow()));
-  const auto firstAndLast = [](const auto& wordAt, std::size_t words, const auto& found) {
-    std::int64_t first = -1, last = -1;
-    for (std::size_t w = 0; w < words; ++w)
-      if (const std::uint64_t word = wordAt(w)) {
-        if (first < 0) first = std::int64_t(w) * 64 + std::countr_zero(word);
-        last = std::int64_t(w) * 64 + 63 - std::countl_zero(word);
-      }
-    if (first >= 0) found(first, last);
-  };
-  for (int j = 0; j <= mask.size().y; ++j) {
-    const bits::Row before = rowOf(mask, j - 1, k, nothing), row = rowOf(mask, j, k, nothing);
-    firstAndLast([&](std::size_t w) { return before[w] ^ row[w]; }, row.size(),
-                 [&](std::int64_t first, std::int64_t last) {
-                   visit(HalfPlace(2 * first, 2 * j - 1)), visit(HalfPlace(2 * last, 2 * j - 1));
-                 });
-    firstAndLast([&](std::size_t w) { return row[w]; }, row.size(),
-                 [&](std::int64_t first, std::int64_t last) {
-                   visit(HalfPlace(2 * first - 1, 2 * j)), visit(HalfPlace(2 * last + 1, 2 * j));
-                 });
-  }
-}
-
 // Returns the convex hull of points sorted by y, then x (Andrew 1979).
 std::vector<HalfPlace> convexHull(const std::vector<HalfPlace>& places) {
   std::vector<HalfPlace> hull;
@@ -92,25 +61,54 @@ std::vector<HalfPlace> convexHull(const std::vector<HalfPlace>& places) {
   return hull;
 }
 
-// The two farthest points of a slice and their distance; -1 if there are none.
+// The two farthest points of a connected component in its slice and their distance; -1 if there are none.
 struct FarPlaces {
   double mm = -1;
   HalfPlace from{0}, to{0};
+  int slice = 0;
+  std::uint32_t part = 0;
 };
 
-FarPlaces farthestOf(const BitMask& mask, int k, const SlicePlaneMm& plane) {
-  std::vector<HalfPlace> ends;
-  forEachEnd(mask, k, [&](HalfPlace p) {
-    if (ends.empty() || ends.back() != p) ends.push_back(p);
-  });
+FarPlaces farthestOf(std::vector<HalfPlace> places, const SlicePlaneMm& plane) {
+  std::ranges::sort(places, {}, [](HalfPlace p) { return std::array{p.y, p.x}; });
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   FarPlaces far;
-  if (ends.empty()) return far;
-  const std::vector<HalfPlace> hull = convexHull(ends);
+  const std::vector<HalfPlace> hull = convexHull(places);
   for (std::size_t a = 0; a < hull.size(); ++a)
     for (std::size_t b = a + 1; b < hull.size(); ++b)
       if (const double mm = glm::length(plane.mm(hull[b] - hull[a])); mm > far.mm)
         far = {mm, hull[a], hull[b]};
   return far;
+}
+
+// Adds points at the ends of a run whose convex hull holds the outline about it.
+void addEnds(const VoxelRun& run, int j, std::vector<HalfPlace>& places) {
+  const std::int64_t first = 2 * std::int64_t(run.begin), last = 2 * std::int64_t(run.end - 1), y = 2 * j;
+  for (const HalfPlace p :
+       {HalfPlace(first - 1, y), {last + 1, y}, {first, y - 1}, {last, y - 1}, {first, y + 1}, {last, y + 1}})
+    places.push_back(p);
+}
+
+// Returns the farthest points of slice `k` that lie in one component.
+FarPlaces farthestIn(const JoinedRuns& joined, const VoxelGeometry& grid, int k, const SlicePlaneMm& plane) {
+  std::map<std::uint32_t, std::vector<HalfPlace>> placesOf;
+  for (int j = 0; j < grid.size.y; ++j) {
+    const std::size_t row = std::size_t(k) * std::size_t(grid.size.y) + std::size_t(j);
+    for (std::size_t n = joined.firstOfRow[row]; n < joined.firstOfRow[row + 1]; ++n)
+      addEnds(joined.runs[n], j, placesOf[joined.runs[n].part]);
+  }
+  FarPlaces farthest;
+  for (auto& [part, places] : placesOf)
+    if (FarPlaces far = farthestOf(std::move(places), plane); far.mm > farthest.mm) {
+      farthest = far;
+      farthest.slice = k, farthest.part = part;
+    }
+  return farthest;
+}
+
+// Returns a row of the slice, or `nothing` beyond the grid.
+bits::Row rowOf(const BitMask& mask, int j, int k, bits::Row nothing) {
+  return j < 0 || j >= mask.size().y ? nothing : bits::Row(mask.row(j, k));
 }
 
 // Visits both ends of each outline segment. Pixels that touch only at a corner are separated.
@@ -179,21 +177,26 @@ InPlaneDiameters::Line longestAcross(std::vector<OutlinePiece> pieces, const Sli
 }  // namespace
 
 std::optional<InPlaneDiameters> inPlaneDiameters(const BitMask& mask, const CancelToken& cancel) {
-  const SlicePlaneMm plane(mask.geometry());
+  constexpr RowStep inSlice[] = {{-1, 0, 0}};
+  const VoxelGeometry& grid = mask.geometry();
+  const SlicePlaneMm plane(grid);
+  const JoinedRuns joined = joinedRuns(mask, inSlice, cancel);
   std::vector<FarPlaces> ofSlices(std::size_t(mask.size().z));
   parallelFor(mask.size().z, 0, [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t k = begin; k < end && !cancel.cancelled(); ++k)
-      ofSlices[std::size_t(k)] = farthestOf(mask, int(k), plane);
+      ofSlices[std::size_t(k)] = farthestIn(joined, grid, int(k), plane);
   });
   const auto far = std::ranges::max_element(ofSlices, {}, &FarPlaces::mm);
   if (far->mm < 0) return {};
   InPlaneDiameters found;
-  found.slice = int(far - ofSlices.begin());
+  found.slice = far->slice;
   const dvec2 from = plane.mm(far->from), to = plane.mm(far->to);
   found.longest = {far->mm, {plane.patient(from, found.slice), plane.patient(to, found.slice)}};
   const dvec2 along = glm::normalize(to - from), across(-along.y, along.x);
+  std::vector<bool> chosen(joined.parts);
+  chosen[far->part] = true;
   std::vector<OutlinePiece> pieces;
-  forEachPiece(mask, found.slice, [&](HalfPlace a, HalfPlace b) {
+  forEachPiece(maskOfRuns(joined, grid, chosen), found.slice, [&](HalfPlace a, HalfPlace b) {
     const auto turned = [&](HalfPlace p) {
       return dvec2(glm::dot(plane.mm(p), along), glm::dot(plane.mm(p), across));
     };

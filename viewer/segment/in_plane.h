@@ -9,8 +9,9 @@
 
 namespace volumen {
 
-/// Diameters of a segment in one acquired slice (constant k), as RECIST measures lesions, in mm and patient
-/// space. The endpoints lie on the outline, which runs halfway between inside and outside pixels.
+/// Diameters of one connected component of a segment in an acquired slice (constant k), as RECIST measures
+/// lesions, in mm and patient space. Pixels that share an edge are connected. The endpoints lie on the
+/// outline, which runs halfway between inside and outside pixels.
 struct InPlaneDiameters {
   /// A line between two points of the outline.
   struct Line {
@@ -18,8 +19,8 @@ struct InPlaneDiameters {
     std::array<glm::dvec3, 2> at{};
   };
   int slice = 0;       ///< Index k
-  Line longest;        ///< Longest diameter of all slices; of equal ones, in the first slice
-  Line perpendicular;  ///< Longest diameter in that slice perpendicular to `longest`
+  Line longest;        ///< Longest diameter of all components; of equal ones, in the first slice
+  Line perpendicular;  ///< Longest diameter of that component perpendicular to `longest`
 };
 
 /// Returns the diameters; empty if the mask is empty. The result is the same for any number of threads and

@@ -30,6 +30,7 @@ class TestConvertVolumes : public QObject {
   void everyCommandSaysWhichItUses();
   void otherGridsAreRefused();
   void oneOfThemIsWrittenAlone();
+  void diffusionWeightsStandBeside_data();
   void diffusionWeightsStandBeside();
   void directionsOfPhilipsAreKnown();
   void oneFileIsReadOnceForAllItsVolumes();
@@ -124,8 +125,30 @@ void TestConvertVolumes::oneOfThemIsWrittenAlone() {
   QCOMPARE(copy->volumes.size(), std::size_t(1));
 }
 
+namespace {
+
+// Adds weight and direction as GE writes them. The third component points against the slices.
+void putGeDiffusion(DcmDataset& data, int b, const double (&direction)[3]) {
+  data.putAndInsertString(DcmTag(0x0043, 0x0010, EVR_LO), "GEMS_PARM_01");
+  data.putAndInsertString(DcmTag(0x0043, 0x1039, EVR_IS), (QByteArray::number(b) + "\\8\\0\\0").constData());
+  data.putAndInsertString(DcmTag(0x0019, 0x0010, EVR_LO), "GEMS_ACQU_01");
+  for (Uint16 axis = 0; axis < 3; ++axis)
+    data.putAndInsertString(DcmTag(0x0019, Uint16(0x10bb + axis), EVR_DS),
+                            QByteArray::number(axis == 2 ? -direction[axis] : direction[axis]).constData());
+}
+
+}  // namespace
+
+void TestConvertVolumes::diffusionWeightsStandBeside_data() {
+  QTest::addColumn<bool>("isOfGe");
+  QTest::newRow("of DICOM") << false;
+  QTest::newRow("of GE") << true;
+}
+
 // Five slices each of b 0, 500 and 1000, with gradients along x and z.
 void TestConvertVolumes::diffusionWeightsStandBeside() {
+  QFETCH(bool, isOfGe);
+  for (const char* made : {"one", "dwi"}) QDir(at(made)).removeRecursively();
   QVERIFY(QDir().mkpath(at("dwi")));
   QCOMPARE(runProgram({QStringLiteral("convert"), QStringLiteral("phantom:sphere:8"), QStringLiteral("-o"),
                        at("one/")})
@@ -141,8 +164,9 @@ void TestConvertVolumes::diffusionWeightsStandBeside() {
       OFString uid;
       data.findAndGetOFString(DCM_SOPInstanceUID, uid);
       data.putAndInsertString(DCM_SOPInstanceUID, (uid.substr(0, 50) + "." + char('1' + n)).c_str());
-      data.putAndInsertFloat64(DCM_DiffusionBValue, 500 * n);
-      if (n > 0) data.putAndInsertFloat64Array(DCM_DiffusionGradientOrientation, directions[n], 3);
+      if (isOfGe) putGeDiffusion(data, 500 * n, directions[n]);
+      if (!isOfGe) data.putAndInsertFloat64(DCM_DiffusionBValue, 500 * n);
+      if (!isOfGe && n > 0) data.putAndInsertFloat64Array(DCM_DiffusionGradientOrientation, directions[n], 3);
       const QString to = at("dwi/") + QString::number(n) + name;
       QVERIFY(file.saveFile(OFFilename(to.toUtf8().constData()), EXS_LittleEndianExplicit).good());
     }

@@ -30,6 +30,18 @@ void put(DcmDataset& data, const DcmTagKey& tag, const std::string& value) {
   if (!value.empty()) data.putAndInsertOFStringArray(tag, value.c_str());
 }
 
+/// Adds slope 1 and intercept 0 to a CT that does not say what its values are.
+void addRescale(DcmDataset& data) {
+  OFString modality;
+  const auto says = [&](const DcmTagKey& tag) { return bool(data.tagExists(tag, OFTrue)); };
+  if (data.findAndGetOFString(DCM_Modality, modality).bad() || modality != "CT") return;
+  if (says(DCM_RescaleSlope) || says(DCM_RescaleIntercept) || says(DCM_ModalityLUTSequence) ||
+      says(DCM_RealWorldValueMappingSequence))
+    return;
+  put(data, DCM_RescaleSlope, "1");
+  put(data, DCM_RescaleIntercept, "0");
+}
+
 }  // namespace
 
 std::string newUid() {
@@ -65,6 +77,7 @@ void writeDicom(const std::string& path, const DicomPicture& p, const char* tran
   if (pixels.size() < 2) pixels.assign(std::size_t(p.rows * p.columns), pixels.empty() ? 0 : pixels[0]);
   data.putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
   if (p.edit) p.edit(data);
+  if (p.isRescaled) addRescale(data);
   const E_TransferSyntax syntax = DcmXfer(transferSyntaxUid).getXfer();
   if (data.chooseRepresentation(syntax, nullptr).bad() || file.saveFile(path.c_str(), syntax).bad())
     qFatal("cannot write %s", path.c_str());

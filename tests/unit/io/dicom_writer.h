@@ -26,6 +26,8 @@ struct DicomPicture {
   std::vector<std::uint16_t> pixels = {};  ///< rows x columns; a single value is repeated
   int bitsStored = 16;
   bool isSigned = false;
+  /// A CT gets slope 1 and intercept 0 unless `edit` says what its values are.
+  bool isRescaled = true;
   std::function<void(DcmDataset&)> edit = {};
 };
 

@@ -22,6 +22,8 @@ class TestDerivedObjects : public QObject {
   void proceduresAreNoPictures();
   void framesAreCountedFromZero();
   void orderIsThatOfSeries();
+  void guessedLettersAreTold_data();
+  void guessedLettersAreTold();
 };
 
 namespace {
@@ -151,6 +153,40 @@ void TestDerivedObjects::orderIsThatOfSeries() {
   const Study study = folder.open();
   QCOMPARE(study.derived.size(), std::size_t(3));
   for (int n = 0; n < 3; ++n) QCOMPARE(study.derived[std::size_t(n)].seriesNumber, std::to_string(9 + n));
+}
+
+void TestDerivedObjects::guessedLettersAreTold_data() {
+  QTest::addColumn<QByteArray>("sopClass");
+  QTest::addColumn<QByteArray>("letters");
+  QTest::addColumn<QByteArray>("says");  // empty for nothing
+  QTest::newRow("name of a segment") << QByteArray(segmentationClass) << QByteArray("M\xe4hne")
+                                     << QByteArray("which is a guess.");
+  QTest::newRow("name of a segment in UTF-8")
+      << QByteArray(segmentationClass) << QByteArray("M\xc3\xa4hne") << QByteArray("read as UTF-8.");
+  QTest::newRow("name of a segment in ASCII")
+      << QByteArray(segmentationClass) << QByteArray("Liver") << QByteArray();
+  QTest::newRow("name of a region") << QByteArray(structureSetClass) << QByteArray("M\xe4hne")
+                                    << QByteArray("which is a guess.");
+  QTest::newRow("name of the patient of a report")
+      << QByteArray(reportClass) << QByteArray("M\xe4hne") << QByteArray("which is a guess.");
+}
+
+void TestDerivedObjects::guessedLettersAreTold() {
+  QFETCH(QByteArray, sopClass);
+  QFETCH(QByteArray, letters);
+  QFETCH(QByteArray, says);
+  const DicomFolder folder;
+  writeObject(folder.path("a"), sopClass.constData(), [&](DcmItem& data) {
+    const std::string name = letters.toStdString();
+    if (sopClass == reportClass) put(data, 0x0010, 0x0010, name);
+    if (sopClass == segmentationClass) put(addItem(data, 0x0062, 0x0002), 0x0062, 0x0005, name);
+    if (sopClass == structureSetClass) put(addItem(data, 0x3006, 0x0020), 0x3006, 0x0026, name);
+  });
+  const Study study = folder.open();
+  QCOMPARE(study.derived.size(), std::size_t(1));
+  const std::vector<std::string>& warnings = study.derived[0].warnings;
+  QCOMPARE(warnings.size(), std::size_t(says.isEmpty() ? 0 : 1));
+  if (!says.isEmpty()) QVERIFY2(QByteArray::fromStdString(warnings[0]).endsWith(says), warnings[0].c_str());
 }
 
 VOLUMEN_TEST(TestDerivedObjects);

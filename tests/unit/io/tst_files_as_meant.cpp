@@ -27,6 +27,8 @@ class TestFilesAsMeant : public QObject {
  private Q_SLOTS:
   void missingAttributesAreTold_data();
   void missingAttributesAreTold();
+  void bitsThatNothingTellsAreRefused_data();
+  void bitsThatNothingTellsAreRefused();
   void tablesHaveTheBitsOfTheirData_data();
   void tablesHaveTheBitsOfTheirData();
   void textsAreReadAsTheirBytesAre_data();
@@ -106,6 +108,18 @@ void TestFilesAsMeant::missingAttributesAreTold_data() {
       without({DCM_SamplesPerPixel}));
   row("the kind of grey", 64536, "PhotometricInterpretation is missing",
       without({DCM_PhotometricInterpretation}));
+  row("the bits allocated, by the length of the pixels", 64536, "BitsAllocated is missing: 16 is taken, as",
+      without({DCM_BitsAllocated}));
+  row("all bits, by the length of the pixels", 64536, "BitsAllocated is missing: 16 is taken",
+      without({DCM_BitsAllocated, DCM_BitsStored, DCM_HighBit}));
+  row("the bits allocated of bytes", 0x18, "BitsAllocated is missing: 8 is taken", [](DcmDataset& d) {
+    d.findAndDeleteElement(DCM_BitsAllocated);
+    d.putAndInsertUint16(DCM_BitsStored, 8);
+    d.putAndInsertUint16(DCM_HighBit, 7);
+    const std::vector<Uint8> bytes(12, 0x18);
+    d.findAndDeleteElement(DCM_PixelData);
+    d.putAndInsertUint8Array(DCM_PixelData, bytes.data(), bytes.size());
+  });
   row("the intercept", 2 * 64536, "RescaleIntercept is missing: 0 is taken",
       [](DcmDataset& d) { d.putAndInsertString(DCM_RescaleSlope, "2"); });
   row("the slope", 64536 - 24, "RescaleSlope is missing: 1 is taken",
@@ -131,6 +145,48 @@ void TestFilesAsMeant::missingAttributesAreTold() {
     QVERIFY2(!says.isEmpty() || warning.sentence.find("is missing") == std::string::npos,
              warning.sentence.c_str());
   if (!says.isEmpty()) QVERIFY(hasWarning(study, says));
+}
+
+void TestFilesAsMeant::bitsThatNothingTellsAreRefused_data() {
+  QTest::addColumn<int>("columns");
+  QTest::addColumn<int>("bitsStored");  // 0: missing
+  QTest::addColumn<QByteArray>("syntax");
+  QTest::addColumn<QByteArray>("says");
+  const QByteArray native("1.2.840.10008.1.2.1"), rle("1.2.840.10008.1.2.5");
+  QTest::newRow("two bytes of one pixel")
+      << 1 << 0 << native << QByteArray("the 2 bytes of its pixel data do not");
+  QTest::newRow("more bits stored than there are") << 4 << 20 << native << QByteArray("the 8 bytes of its");
+  QTest::newRow("compressed, without bits stored")
+      << 4 << 0 << rle << QByteArray("its compressed pixels do not");
+  QTest::newRow("compressed, with bits stored") << 4 << 12 << rle << QByteArray();
+}
+
+void TestFilesAsMeant::bitsThatNothingTellsAreRefused() {
+  QFETCH(int, columns);
+  QFETCH(int, bitsStored);
+  QFETCH(QByteArray, syntax);
+  QFETCH(QByteArray, says);
+  const DicomFolder folder;
+  DicomPicture picture;
+  picture.columns = columns, picture.rows = 1;
+  folder.add("whole", picture, syntax.constData());
+  DcmFileFormat file;
+  QVERIFY(file.loadFile(folder.path("whole").c_str()).good());
+  QFile::remove(QString::fromStdString(folder.path("whole")));
+  for (const DcmTagKey& tag : {DCM_BitsAllocated, DCM_BitsStored, DCM_HighBit})
+    file.getDataset()->findAndDeleteElement(tag);
+  if (bitsStored > 0) file.getDataset()->putAndInsertUint16(DCM_BitsStored, Uint16(bitsStored));
+  const E_TransferSyntax kept = DcmXfer(syntax.constData()).getXfer();
+  QVERIFY(file.saveFile(folder.path("a").c_str(), kept).good());
+  const Study study = folder.open();
+  if (says.isEmpty()) {
+    QVERIFY(hasWarning(study, "BitsAllocated is missing: 16 is taken, as its BitsStored is 12"));
+    QVERIFY(loadSeries(study.volumes[0]).ok());
+    return;
+  }
+  QCOMPARE(study.refused.size(), std::size_t(1));
+  const QByteArray reason = QByteArray::fromStdString(study.refused[0].reason);
+  QVERIFY2(reason.contains("BitsAllocated") && reason.contains(says), reason);
 }
 
 void TestFilesAsMeant::tablesHaveTheBitsOfTheirData_data() {

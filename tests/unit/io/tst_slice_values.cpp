@@ -215,6 +215,7 @@ void TestSliceValues::slicesWithoutRescaleAreLeftOut() {
   const DicomFolder folder;
   for (int k = 0; k < 4; ++k) {
     DicomPicture p = sliceAt(2 * k, 1000 + k);
+    p.isRescaled = k != 1;
     p.edit = [&, k](DcmDataset& d) {
       if (k == 1) return;
       text(d, DCM_RescaleSlope, "1");

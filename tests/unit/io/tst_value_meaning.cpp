@@ -23,6 +23,9 @@ class TestValueMeaning : public QObject {
  private Q_SLOTS:
   void unitsStandBesideValues_data();
   void unitsStandBesideValues();
+  void valuesWithoutRescaleAreTold_data();
+  void valuesWithoutRescaleAreTold();
+  void slicesOfSeveralUnitsHaveNone();
   void framesOfSeveralUnitsAreTold();
   void modalityLutsHaveTheirUnit();
   void windowsGoWithMappedValues_data();
@@ -131,6 +134,67 @@ void TestValueMeaning::unitsStandBesideValues() {
   const auto frame = loadFrame(series, 0);
   QVERIFY(frame.ok());
   QCOMPARE(QString::fromStdString(frame->unit), unit);
+}
+
+void TestValueMeaning::valuesWithoutRescaleAreTold_data() {
+  QTest::addColumn<Edit>("edit");
+  QTest::addColumn<bool>("isRescaled");
+  QTest::addColumn<QString>("unit");
+  QTest::addColumn<QByteArray>("says");  // empty for nothing
+  const QByteArray stored("its values are the stored ones, without unit"), taken("1 and 0 are taken");
+  const auto row = [](const char* name, const char* unit, const QByteArray& says, const Edit& edit,
+                      bool isRescaled = false) {
+    QTest::newRow(name) << edit << isRescaled << QString::fromLatin1(unit) << says;
+  };
+  const auto of = [](const char* modality, const DcmTagKey& tag = DCM_Modality, const char* value = "") {
+    return [=](DcmDataset& d) {
+      if (*value) text(d, tag, value);
+      text(d, DCM_Modality, modality);
+    };
+  };
+  row("CT", "", stored, of("CT"));
+  row("CT of slope 1", "HU", "", of("CT"), true);
+  row("CT of intercept -1024 alone", "HU", "0 is taken",
+      [](DcmDataset& d) { text(d, DCM_RescaleSlope, "2"); });
+  row("CT that says HU", "HU", taken, of("CT", DCM_RescaleType, "HU"));
+  row("CT that is unspecified", "", stored, of("CT", DCM_RescaleType, "US"));
+  row("MR", "", "", of("MR"));
+  row("MR in ms", "ms", taken, of("MR", DCM_RescaleType, "ms"));
+  row("PET", "Bq/ml", taken, of("PT", DCM_Units, "BQML"));
+  row("mapped CT", "HU", "", [](DcmDataset& d) { addMapping(d, 1, 0, "[hnsf'U]"); });
+}
+
+void TestValueMeaning::valuesWithoutRescaleAreTold() {
+  QFETCH(Edit, edit);
+  QFETCH(bool, isRescaled);
+  QFETCH(QString, unit);
+  QFETCH(QByteArray, says);
+  const DicomFolder folder;
+  DicomPicture picture;
+  picture.isRescaled = isRescaled;
+  const Study study = studyWith(folder, edit, picture);
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  const Series& series = study.volumes[0];
+  QCOMPARE(QString::fromStdString(series.unit), unit);
+  for (const char* words : {"stored ones", "taken"})
+    QCOMPARE(warns(series.warnings, words), !says.isEmpty() && says.contains(words));
+  if (!says.isEmpty()) QVERIFY(warns(series.warnings, says.toStdString()));
+  const auto frame = loadFrame(series, 0);
+  QVERIFY(frame.ok());
+  QCOMPARE(QString::fromStdString(frame->unit), unit);
+}
+
+void TestValueMeaning::slicesOfSeveralUnitsHaveNone() {
+  const DicomFolder folder;
+  for (int n = 0; n < 4; ++n) {
+    DicomPicture slice = sliceAt(n, n);
+    slice.isRescaled = n != 1;
+    folder.add(numbered("s", n), slice);
+  }
+  const Study study = folder.open();
+  QCOMPARE(study.volumes.size(), std::size_t(1));
+  QCOMPARE(study.volumes[0].unit, std::string());
+  QVERIFY(warns(study.volumes[0].warnings, "s1: it gives no rescale"));
 }
 
 void TestValueMeaning::framesOfSeveralUnitsAreTold() {

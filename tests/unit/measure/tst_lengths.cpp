@@ -23,6 +23,8 @@ class TestLengths : public QObject {
   void aSoftSurfaceAddsToBothEnds();
   void holdsOnEveryGrid_data();
   void holdsOnEveryGrid();
+  void holdsForPolylinesOnEveryGrid_data();
+  void holdsForPolylinesOnEveryGrid();
   void angles_data();
   void angles();
   void noAngleWithoutArms();
@@ -33,6 +35,21 @@ namespace {
 VoxelGeometry grid(glm::dmat3 step) { return {.size = {10, 10, 10}, .patientFromVoxelStep = step}; }
 
 bool near(double a, double b) { return std::abs(a - b) <= 1e-12 * std::max(1.0, std::abs(b)); }
+
+// Adds a row for each grid of the fixtures and for twelve by chance.
+void addGrids() {
+  QTest::addColumn<glm::dmat3>("step");
+  for (const Grid& g : grids) QTest::newRow(g.name) << g.patientFromVoxelStep;
+  for (const Grid& g : thickGrids) QTest::newRow(g.name) << g.patientFromVoxelStep;
+  for (int seed = 1; seed <= 12; ++seed) {
+    Chance chance{std::uint64_t(seed)};
+    const dvec3 x = glm::normalize(chance.vector()), y = glm::normalize(glm::cross(x, chance.vector()));
+    glm::dmat3 step(x, y, glm::cross(x, y));
+    for (int a = 0; a < 3; ++a) step[a] *= chance.power(-0.5, 0.8);
+    if (chance.oneIn(2)) step[2] += chance.between(-0.6, 0.6) * step[0] + chance.between(-0.6, 0.6) * step[1];
+    QTest::addRow("by chance, seed %d", seed) << step;
+  }
+}
 
 }  // namespace
 
@@ -67,6 +84,9 @@ void TestLengths::isOffByTheVoxelsAlongIt_data() {
       << std::vector<dvec3>{{0, 0, 0}, {8, 0, 8}} << 2 * (0.5 * 0.5 + 2.5 * 2.5) / 2;
   QTest::newRow("a corner") << std::vector<dvec3>{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}}
                             << 2 * 0.5 * 0.5 + 2 * 0.8 * 0.8;
+  QTest::newRow("a point of a straight line")
+      << std::vector<dvec3>{{0, 0, 0}, {3, 0, 0}, {9, 0, 0}} << 2 * 0.5 * 0.5;
+  QTest::newRow("there and back") << std::vector<dvec3>{{0, 0, 0}, {3, 0, 0}, {0, 0, 0}} << 6 * 0.5 * 0.5;
   QTest::newRow("no direction: the longest") << std::vector<dvec3>{{1, 1, 1}, {1, 1, 1}} << 2 * 2.5 * 2.5;
 }
 
@@ -101,19 +121,7 @@ void TestLengths::aSoftSurfaceAddsToBothEnds() {
   QVERIFY(std::abs(length.plusMinus - wanted) < 1e-7 * wanted);
 }
 
-void TestLengths::holdsOnEveryGrid_data() {
-  QTest::addColumn<glm::dmat3>("step");
-  for (const Grid& g : grids) QTest::newRow(g.name) << g.patientFromVoxelStep;
-  for (const Grid& g : thickGrids) QTest::newRow(g.name) << g.patientFromVoxelStep;
-  for (int seed = 1; seed <= 12; ++seed) {
-    Chance chance{std::uint64_t(seed)};
-    const dvec3 x = glm::normalize(chance.vector()), y = glm::normalize(glm::cross(x, chance.vector()));
-    glm::dmat3 step(x, y, glm::cross(x, y));
-    for (int a = 0; a < 3; ++a) step[a] *= chance.power(-0.5, 0.8);
-    if (chance.oneIn(2)) step[2] += chance.between(-0.6, 0.6) * step[0] + chance.between(-0.6, 0.6) * step[1];
-    QTest::addRow("by chance, seed %d", seed) << step;
-  }
-}
+void TestLengths::holdsOnEveryGrid_data() { addGrids(); }
 
 // Both ends of a known distance are rounded to voxel centres. The true distance must lie within the stated +-
 // in 95 % of cases and hardly more. Sums of uniform errors have 95.4 % (many of them) to 96.6 % (two) within
@@ -137,6 +145,39 @@ void TestLengths::holdsOnEveryGrid() {
   }
   const double share = double(covered) / count;
   QVERIFY2(share >= 0.95 && share <= 0.975, qPrintable(QString::number(share)));
+}
+
+void TestLengths::holdsForPolylinesOnEveryGrid_data() { addGrids(); }
+
+// Polylines of 2 to 10 segments: straight ones, winding ones, and such that turn by any angle or back.
+void TestLengths::holdsForPolylinesOnEveryGrid() {
+  QFETCH(glm::dmat3, step);
+  const VoxelGeometry geometry = grid(step);
+  const dvec3 spacing = geometry.spacing();
+  const double longest = std::max({spacing.x, spacing.y, spacing.z});
+  for (const double turn : {0.0, 0.5, 100.0, -1.0}) {
+    Chance chance(11);
+    constexpr int count = 10000;
+    int covered = 0;
+    for (int n = 0; n < count; ++n) {
+      std::vector<dvec3> places{100.0 * chance.vector()}, seen;
+      dvec3 direction = glm::normalize(chance.vector());
+      double mm = 0;
+      for (int pieces = 2 + chance.below(9); pieces > 0; --pieces) {
+        const double piece = chance.between(5, 60) * longest;
+        places.push_back(places.back() + piece * direction);
+        mm += piece;
+        direction =
+            turn < 0 ? -direction : glm::normalize(direction + turn * glm::normalize(chance.vector()));
+      }
+      for (const dvec3 place : places)
+        seen.push_back(geometry.patientFromVoxel(glm::round(geometry.voxelFromPatient(place))));
+      const Length length = lengthOf(seen, geometry);
+      covered += std::abs(length.mm - mm) <= length.plusMinus;
+    }
+    const double share = double(covered) / count;
+    QVERIFY2(share >= 0.95 && share <= 0.975, qPrintable(QStringLiteral("turn %1: %2").arg(turn).arg(share)));
+  }
 }
 
 void TestLengths::angles_data() {
