@@ -7,6 +7,7 @@
 #include <set>
 
 #include "ui/data/series_pool.h"
+#include "ui/workspace/packed_labels.h"
 #include "ui/workspace/links.h"
 #include "ui/workspace/made_tissue.h"
 #include "ui/workspace/preferences.h"
@@ -177,12 +178,18 @@ class Session : public QObject {
 
   void preferencesChanged(const volumen::Preferences& before, const volumen::Preferences& after);
 
+  /// The oldest undo steps were dropped, as their labels have no room even packed.
+  void stepsDropped(int steps);
+  /// One of them was to be undone or done again: nothing changed.
+  void droppedStepMet();
+
  private:
   friend class EditWorkspace;
   PoolKey poolKeyOf(const SeriesKey& series) const;
   bool isFresh() const;
   void begin(const QString& text, Workspace after);
   void push(const QString& text, Workspace after, const QString& mergeKey);
+  void fitUndo();
   SessionState stateInFocus() const;
   std::vector<PoolKey> wantedOnScreen() const;
   bool isMissing(const SeriesKey& series) const;
@@ -195,6 +202,7 @@ class Session : public QObject {
   std::vector<MadeTissue> tissues_;
   SessionState state_;  // state of the 3D view in focus
   Preferences preferences_;
+  LabelPacker packer_;  // of the undo steps' labels
   QUndoStack undoStack_;
   ViewSizes viewSizes_;
   int gesture_ = 0;
