@@ -193,7 +193,7 @@ class IsolatedEntries : public ArchiveEntries {
     left_ = 0, inFile_ = false;
     if (call_->ok()) (*call_)(sentence);
     if (call_->ok()) return Error{sentence};
-    return Error{std::string("cannot be unpacked: ") + reasonOf(call_->failure())};
+    return Error{"cannot be unpacked: " + reasonOf(call_->failure(), request_)};
   }
 
   CancelToken cancel_;

@@ -18,7 +18,7 @@ auto isolatedFile(const std::string& path, std::uint64_t pixels, const More&... 
   worker::Failure failure{};
   auto result = worker::isolated<read>(request, failure, path, more...);
   if (result && worker::isolating() && !isConsistent(*result)) failure = worker::Failure::wrong;
-  if (failure != worker::Failure::none) result = Error{path + ": " + reasonOf(failure) + "."};
+  if (failure != worker::Failure::none) result = Error{path + ": " + reasonOf(failure, request) + "."};
   return result;
 }
 

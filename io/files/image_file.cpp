@@ -156,7 +156,7 @@ Result<ImageHeader> readImageHeader(const std::string& path, const CancelToken& 
   worker::Failure failure{};
   auto header = worker::isolated<readHeader>(request, failure, path);
   if (header && worker::isolating() && !isConsistent(*header, request)) failure = worker::Failure::wrong;
-  if (failure != worker::Failure::none) return Error{path + ": " + reasonOf(failure) + "."};
+  if (failure != worker::Failure::none) return Error{path + ": " + reasonOf(failure, request) + "."};
   return header;
 }
 

@@ -65,7 +65,9 @@ class IsolatedSource : public ByteSource {
     ended_ = left_ == 0;
     return call_->ok() ? Status{} : failed();
   }
-  Error failed() const { return Error{request_.files[0] + ": " + reasonOf(call_->failure()) + "."}; }
+  Error failed() const {
+    return Error{request_.files[0] + ": " + reasonOf(call_->failure(), request_) + "."};
+  }
 
   CancelToken cancel_;
   worker::Request request_;

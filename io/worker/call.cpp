@@ -34,11 +34,7 @@ Descriptor inMemory(const std::vector<std::uint8_t>& bytes) {
   return memory;
 }
 
-/// Whether a worker and the program may hold what is made. Small answers are not worth the question.
-bool isThereMemoryFor(std::uint64_t needBytes) {
-  constexpr std::uint64_t small = std::uint64_t(48) << 20;
-  return needBytes < small || 3 * needBytes <= processMemory().available;
-}
+constexpr const char* whoNeedsMemory = "the process that is to read it";
 
 /// Returns how many files to pass at once, given the limit on open descriptors.
 std::size_t mostGiven() {
@@ -90,13 +86,22 @@ const char* reasonOf(Failure failure) {
       return "the processes that were to read it were killed from outside (is there enough memory?): try "
              "again";
     case Failure::scarce:
-      return "there is not enough memory for the process that was to read it: close other programs, or allow "
+      return "there is not enough memory for the process that is to read it: close other programs, or allow "
              "more, and try again";
   }
   return "";
 }
 
+std::string reasonOf(Failure failure, const Request& request) {
+  if (failure != Failure::scarce) return reasonOf(failure);
+  std::string sentence =
+      tooLittleMemory(whoNeedsMemory, PromisedMemory::bytesFor(request.needBytes)).message;
+  sentence.pop_back();  // the full stop
+  return sentence;
+}
+
 bool isReasonOfMachine(const std::string& reason) {
+  if (reason.starts_with(whoNeedsMemory)) return true;
   for (int n = 0; n <= int(Failure::scarce); ++n)
     if (isOfMachine(Failure(n)) && reason == reasonOf(Failure(n))) return true;
   return false;
@@ -109,7 +114,11 @@ Call::Call(Request& request, Handler handler, const std::vector<std::uint8_t>& a
   request_.found.clear();
   request_.stepsDone = 0;
   if (request_.files.size() == 1) failure_ = costBefore(handler_, request_.files[0]);
-  if (failure_ == Failure::none && !isThereMemoryFor(request_.needBytes)) failure_ = Failure::scarce;
+  if (failure_ == Failure::none) {
+    promised_ = PromisedMemory::of(request_.needBytes, request_.cancel);
+    if (!promised_)
+      failure_ = request_.cancel && request_.cancel->cancelled() ? Failure::cancelled : Failure::scarce;
+  }
   if (failure_ != Failure::none) {
     Wire::fail();
     return;

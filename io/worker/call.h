@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/worker/costly_files.h"
+#include "io/worker/promised_memory.h"
 #include "io/worker/worker.h"
 #include "viewer/volume/cancel.h"
 
@@ -34,6 +36,9 @@ inline void fields(Wire& w, GivenFile& f) { w(f.path, f.size, f.problem); }
 /// Returns the reason that follows a file's name in a message, without full stop: "reading it took more than
 /// 5 s".
 const char* reasonOf(Failure failure);
+
+/// Does the same, with both figures if there is too little memory for the request.
+std::string reasonOf(Failure failure, const Request& request);
 
 /// Returns whether `reason` is one of the machine, not of the file (isOfMachine).
 bool isReasonOfMachine(const std::string& reason);
@@ -67,6 +72,7 @@ class Call : public Wire {
 
   Request& request_;
   Handler handler_;
+  std::optional<PromisedMemory> promised_;
   std::unique_ptr<Process> worker_;
   std::vector<std::string> known_;
   Failure failure_ = Failure::none;
@@ -159,7 +165,7 @@ auto isolated(Request& request, Failure& failure, const Arguments&... arguments)
     failure = call.failure();
     const bool wasDisturbed = std::exchange(disturbed, true);
     if (wasDisturbed || (failure != Failure::stopped && failure != Failure::killed))
-      return Error{reasonOf(failure)};
+      return Error{reasonOf(failure, request)};
     failure = Failure::none, outcome = Outcome::unprepared;
   }
   if (outcome == Outcome::unprepared) failure = Failure::wrong, message = reasonOf(failure);

@@ -17,6 +17,7 @@ class TestLargeFrames : public QObject {
   void readingEndsOnceAllIsSeen_data();
   void readingEndsOnceAllIsSeen();
   void framesAreReadOnceForARequest();
+  void framesAndSeriesShareOneBudget();
   void aViewSaysThatItLoads();
   void pixelsAreExact_data();
   void pixelsAreExact();
@@ -120,6 +121,22 @@ void TestLargeFrames::framesAreReadOnceForARequest() {
   QTest::qWait(500);
   QVERIFY2(read.count() <= 3, "those of both, and the middle one for its window");
   QVERIFY(!frames.find({keyOf(*series), 0, {}}));
+}
+
+void TestLargeFrames::framesAndSeriesShareOneBudget() {
+  constexpr std::size_t frame = std::size_t(2) * columns * rows, budget = 3 * frame;
+  const LargeMammograms data;
+  QVERIFY(data.write(4));
+  LargeWindow w(data, 10 * frame);
+  QVERIFY(w.seesAll(4));
+  SeriesPool& pool = w.window.session().pool();
+  QVERIFY2(pool.counted() >= 4 * frame, qPrintable(QString::number(pool.counted())));
+  pool.setBudget(budget);
+  QVERIFY2(pool.counted() >= 4 * frame, "what is on screen stays");
+  w.window.session().closeAll({});
+  w.window.open({QStringLiteral("phantom:ct-head:64")});
+  QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series(), longest);
+  QTRY_VERIFY_WITH_TIMEOUT(pool.counted() <= budget, longest);
 }
 
 void TestLargeFrames::aViewSaysThatItLoads() {

@@ -5,7 +5,6 @@
 #include "io/frames.h"
 #include "ui/data/frame_series.h"
 #include "ui/data/picture_index.h"
-#include "ui/data/series_pool.h"
 
 namespace volumen {
 
@@ -36,6 +35,7 @@ FrameService::FrameService(std::size_t budget, QObject* parent)
     : QObject(parent), pool_(budget), thread_([this] { run(); }) {}
 
 FrameService::~FrameService() {
+  if (shared_) shared_->leave(this);
   {
     const std::lock_guard lock(mutex_);
     closing_ = true;
@@ -71,6 +71,19 @@ void FrameService::request(ViewId view, std::shared_ptr<const Series> series, in
 void FrameService::setBudget(std::size_t bytes) {
   const std::lock_guard lock(mutex_);
   pool_.setBudget(bytes);
+}
+
+void FrameService::shareBudgetOf(std::shared_ptr<SeriesPool> pool) {
+  pool->host(this, {[this] {
+                      const std::lock_guard lock(mutex_);
+                      return pool_.bytes();
+                    },
+                    [this](std::size_t most) {
+                      const std::lock_guard lock(mutex_);
+                      pool_.dropBeyond(most);
+                    }});
+  const std::lock_guard lock(mutex_);
+  shared_ = std::move(pool);
 }
 
 void FrameService::drop(ViewId view) {
@@ -137,6 +150,11 @@ void FrameService::run() {
       failures_[reading->key] = {frame.message(), std::chrono::steady_clock::now()};
     }
     tellReady();
+    // The shared pool calls back, so it is called without the lock.
+    const std::shared_ptr<SeriesPool> shared = shared_;
+    lock.unlock();
+    if (shared) shared->fit();
+    lock.lock();
   }
 }
 

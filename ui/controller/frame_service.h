@@ -11,6 +11,7 @@
 
 #include "io/presentation.h"
 #include "ui/data/frame_pool.h"
+#include "ui/data/series_pool.h"
 #include "ui/workspace/view_id.h"
 
 namespace volumen {
@@ -47,6 +48,8 @@ class FrameService : public QObject {
   static std::size_t defaultBudget();
   /// Sets how many bytes of frames are kept, including those on screen.
   void setBudget(std::size_t bytes);
+  /// Makes frames give way to what else `pool` counts: its budget is for both.
+  void shareBudgetOf(std::shared_ptr<SeriesPool> pool);
 
  Q_SIGNALS:
   /// The frame that a view wants, or wanted when reading began.
@@ -97,6 +100,7 @@ class FrameService : public QObject {
   std::mutex mutex_;                                   // guards from here ...
   std::condition_variable wake_;
   FramePool pool_;
+  std::shared_ptr<SeriesPool> shared_;  // may be null
   std::map<ViewId, Wanted> wanted_;
   std::map<FrameKey, Failure> failures_;
   std::size_t frameBytes_ = 1;  // size of the frame read last

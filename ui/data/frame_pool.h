@@ -21,6 +21,8 @@ class FramePool {
   /// Keeps a frame, whatever its size.
   void put(LoadedFramePtr frame);
   void setBudget(std::size_t bytes);
+  /// Drops frames that nobody else holds until at most so many bytes are left.
+  void dropBeyond(std::size_t most);
 
   std::size_t bytes() const { return bytes_; }
   std::size_t budget() const { return budget_; }
@@ -30,8 +32,6 @@ class FramePool {
     LoadedFramePtr frame;
     std::size_t lastUse;
   };
-
-  void dropBeyond(std::size_t most);
 
   std::map<FrameKey, Held> held_;
   std::size_t budget_, bytes_ = 0, uses_ = 0;

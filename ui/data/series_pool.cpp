@@ -107,6 +107,27 @@ void SeriesPool::setBudget(std::size_t bytes) {
   letGoBeyond(budget_, garbage);
 }
 
+std::size_t SeriesPool::budget() const {
+  const std::lock_guard lock(mutex_);
+  return budget_;
+}
+
+void SeriesPool::host(const void* holder, Guest guest) {
+  const std::lock_guard lock(mutex_);
+  guests_[holder] = std::move(guest);
+}
+
+void SeriesPool::leave(const void* holder) {
+  const std::lock_guard lock(mutex_);
+  guests_.erase(holder);
+}
+
+void SeriesPool::fit() {
+  Garbage garbage;
+  const std::lock_guard lock(mutex_);
+  letGoBeyond(budget_, garbage);
+}
+
 bool SeriesPool::makeRoomFor(std::size_t bytes) {
   const std::uint64_t available = available_();
   Garbage garbage;
@@ -179,6 +200,7 @@ bool SeriesPool::isOnScreen(const Held& held) const {
 std::size_t SeriesPool::inMemory() const {
   std::size_t sum = 0;
   for (const auto& [holder, bytes] : elsewhere_) sum += bytes;
+  for (const auto& [holder, guest] : guests_) sum += guest.bytes();
   for (const Held& h : held_)
     sum += (h.volume.expired() ? 0 : h.volumeBytes) + (h.computed ? h.computed->bytes() : 0);
   return sum;
@@ -199,6 +221,16 @@ std::size_t SeriesPool::letGoBeyond(std::size_t most, Garbage& garbage) {
     if (!h.series || isOnScreen(h)) continue;
     left -= h.volumeBytes;
     garbage.push_back(std::move(h.series));
+  }
+  return letGuestsDropBeyond(most, left);
+}
+
+std::size_t SeriesPool::letGuestsDropBeyond(std::size_t most, std::size_t left) {
+  for (const auto& [holder, guest] : guests_) {
+    if (left <= most) return left;
+    const std::size_t before = guest.bytes(), beyond = left - most;
+    guest.dropBeyond(before - std::min(before, beyond));
+    left = left - std::min(left, before) + guest.bytes();
   }
   return left;
 }

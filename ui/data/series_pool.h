@@ -50,6 +50,19 @@ class SeriesPool {
   /// Counts the bytes that a holder keeps elsewhere; 0: nothing any more.
   void count(const void* holder, std::size_t bytes);
   void setBudget(std::size_t bytes);
+  std::size_t budget() const;
+
+  /// Memory within the budget that others hold and can do without. Both functions are called with the pool
+  /// locked, by any thread.
+  struct Guest {
+    std::function<std::size_t()> bytes;
+    std::function<void(std::size_t most)> dropBeyond;  ///< drops what is not in use beyond `most` bytes
+  };
+  /// Counts a guest until leave(). It gives way last.
+  void host(const void* holder, Guest guest);
+  void leave(const void* holder);
+  /// Drops what is beyond the budget, as after a guest has grown.
+  void fit();
   /// Drops data until `bytes` more fit. Returns false if they do not fit even then.
   bool makeRoomFor(std::size_t bytes);
   void forget(const SeriesKey& key);
@@ -89,6 +102,7 @@ class SeriesPool {
   bool isOnScreen(const Held& held) const;
   std::size_t inMemory() const;
   std::size_t letGoBeyond(std::size_t most, Garbage& garbage);
+  std::size_t letGuestsDropBeyond(std::size_t most, std::size_t left);
   void letGoIf(const std::function<bool(const Held&)>& isGone);
 
   const Available available_;
@@ -96,6 +110,7 @@ class SeriesPool {
   std::list<Held> held_;      // the last needed first
   std::vector<PoolKey> onScreen_;
   std::map<const void*, std::size_t> elsewhere_;  // by holder
+  std::map<const void*, Guest> guests_;           // likewise
   std::size_t budget_;
 };
 

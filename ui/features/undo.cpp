@@ -2,6 +2,7 @@
 
 #include "ui/features/action_text.h"
 #include "ui/features/feature.h"
+#include "ui/widgets/banner.h"
 #include "ui/widgets/plain_text.h"
 
 namespace volumen {
@@ -21,6 +22,17 @@ Undo::Undo(Workbench& bench) : Feature(bench) {
   QUndoStack& stack = session_.undoStack();
   add("undo", stack.createUndoAction(&bench_.window, tr("Undo")), QKeySequence::Undo);
   add("redo", stack.createRedoAction(&bench_.window, tr("Redo")), QKeySequence::Redo);
+  connect(&session_, &Session::stepsDropped, this, [this](int steps) {
+    bench_.banner.add(
+        tr("Undo forgot its oldest steps (%1): the segments in them take more memory than there "
+           "is. Allow more in the preferences under Memory for series.")
+            .arg(steps));
+  });
+  connect(&session_, &Session::droppedStepMet, this, [this] {
+    bench_.banner.add(
+        tr("This step cannot be undone or done again: undo forgot it for lack of memory. Nothing "
+           "was changed."));
+  });
 }
 
 void Undo::add(const char* name, QAction* action, QKeySequence::StandardKey key) {

@@ -56,6 +56,7 @@ Document::Document(const Services& services)
     : sources(services.makeSources(services.indexFolder, jobs)),
       drawService(services.makeDraw, session.sharedPool()),
       loader(jobs, services.makeScene) {
+  frames.shareBudgetOf(session.sharedPool());
   loader.useHeld([this](const SeriesKey& key) {
     const LoadedSeriesPtr held = session.pool().find({key, {}});
     return held ? held->volume : nullptr;

@@ -47,32 +47,59 @@ EditWorkspace::EditWorkspace(Session& session, const QString& text, Workspace af
       session_(session),
       before_(session.workspace()),
       after_(std::move(after)),
-      labelBytes_(labelBytesBeside(before_, after_)),
       mergeKey_(mergeKey),
       gesture_(gesture) {
-  session_.pool().count(this, labelBytes_);
+  countLabels(labelBytesBeside(before_.workspace(), after_.workspace()));
 }
 
 EditWorkspace::~EditWorkspace() { session_.pool().count(this, 0); }
 
-void EditWorkspace::undo() { session_.setWorkspace(before_); }
+void EditWorkspace::undo() { show(before_); }
 
-void EditWorkspace::redo() { session_.setWorkspace(after_); }
+void EditWorkspace::redo() { show(after_); }
+
+void EditWorkspace::show(UndoState& state) {
+  if (isDropped_) return Q_EMIT session_.droppedStepMet();
+  state.unpack();
+  session_.setWorkspace(state.workspace());
+}
+
+void EditWorkspace::countLabels(std::size_t bytes) {
+  labelBytes_ = bytes;
+  session_.pool().count(this, bytes);
+}
+
+void EditWorkspace::pack(LabelPacker& packer) {
+  before_.pack(packer);
+  after_.pack(packer);
+}
+
+void EditWorkspace::drop() {
+  isDropped_ = true;
+  before_.clear();
+  after_.clear();
+  countLabels(0);
+}
+
+void EditWorkspace::countLabels(std::set<const void*>& counted) {
+  const std::size_t after = after_.addLabelBytes(counted);
+  countLabels(after + before_.addLabelBytes(counted));
+}
 
 bool EditWorkspace::mergeWith(const QUndoCommand* later) {
   const auto& next = static_cast<const EditWorkspace&>(*later);
   const bool fillsRoom = mergeKey_ == roomMadeKey && next.mergeKey_ == seriesShownKey;
   const bool faces = mergeKey_ == hungKey && next.mergeKey_ == facedKey;
   const bool continues = !mergeKey_.isEmpty() && next.mergeKey_ == mergeKey_ && next.gesture_ == gesture_;
-  if (!fillsRoom && !faces && !continues && next.mergeKey_ != playedOnKey) return false;
+  if (isDropped_ || (!fillsRoom && !faces && !continues && next.mergeKey_ != playedOnKey)) return false;
   if (fillsRoom) {
     setText(next.text());
     mergeKey_.clear();
   }
+  before_.unpack();
   after_ = next.after_;
-  labelBytes_ += next.labelBytes_;
-  session_.pool().count(this, labelBytes_);
-  setObsolete(before_ == after_);
+  countLabels(labelBytes_ + next.labelBytes_);
+  setObsolete(before_.workspace() == after_.workspace());
   return true;
 }
 

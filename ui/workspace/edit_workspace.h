@@ -3,6 +3,7 @@
 #include <QUndoCommand>
 
 #include "ui/workspace/session.h"
+#include "ui/workspace/undo_state.h"
 
 namespace volumen {
 
@@ -30,12 +31,26 @@ class EditWorkspace : public QUndoCommand {
   int id() const override { return 1; }
   bool mergeWith(const QUndoCommand* later) override;
 
+  /// Returns the bytes of labels that this step holds and its neighbours do not. The pool counts them.
+  std::size_t labelBytes() const { return labelBytes_; }
+  /// Counts them anew, without the bricks `counted` before, and adds its own to these.
+  void countLabels(std::set<const void*>& counted);
+  /// Packs the labels until the step is undone or done again.
+  void pack(LabelPacker& packer);
+  /// Forgets both workspaces. Undo then changes nothing, and says so.
+  void drop();
+  bool isDropped() const { return isDropped_; }
+
  private:
+  void show(UndoState& state);
+  void countLabels(std::size_t bytes);
+
   Session& session_;
-  Workspace before_, after_;
-  std::size_t labelBytes_;  // of labels that the step before has not; the pool counts them
+  UndoState before_, after_;
+  std::size_t labelBytes_ = 0;
   QString mergeKey_;
   int gesture_;
+  bool isDropped_ = false;
 };
 
 }  // namespace volumen

@@ -184,6 +184,7 @@ void Session::adapt(const Workspace& after) {
 void Session::push(const QString& text, Workspace after, const QString& mergeKey) {
   const QString& key = playsOn_ ? playedOnKey : mergeKey;
   undoStack_.push(new EditWorkspace(*this, text, std::move(after), key, gesture_));
+  fitUndo();
 }
 
 void Session::change(const QString& text, const std::function<void(Workspace&)>& edit,

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "ui/data/series_pool.h"
+#include "ui/workspace/packed_labels.h"
 #include "ui/workspace/links.h"
 #include "ui/workspace/preferences.h"
 #include "ui/workspace/workspace.h"
@@ -154,12 +155,18 @@ class Session : public QObject {
 
   void preferencesChanged(const volumen::Preferences& before, const volumen::Preferences& after);
 
+  /// The oldest undo steps were dropped, as their labels have no room even packed.
+  void stepsDropped(int steps);
+  /// One of them was to be undone or done again: nothing changed.
+  void droppedStepMet();
+
  private:
   friend class EditWorkspace;
   PoolKey poolKeyOf(const SeriesKey& series) const;
   bool isFresh() const;
   void begin(const QString& text, Workspace after);
   void push(const QString& text, Workspace after, const QString& mergeKey);
+  void fitUndo();
   SessionState stateInFocus() const;
   std::vector<PoolKey> wantedOnScreen() const;
   bool isMissing(const SeriesKey& series) const;
@@ -169,6 +176,7 @@ class Session : public QObject {
   const std::shared_ptr<SeriesPool> pool_ = std::make_shared<SeriesPool>();
   SessionState state_;  // state of the 3D view in focus
   Preferences preferences_;
+  LabelPacker packer_;  // of the undo steps' labels
   QUndoStack undoStack_;
   ViewSizes viewSizes_;
   int gesture_ = 0;

@@ -46,6 +46,10 @@ class LabelMap {
     static Brick of(std::shared_ptr<const Voxels> voxels, glm::ivec3 size);
     bool operator==(const Brick& other) const;
   };
+  /// Creates a map of the bricks of another one on this grid.
+  LabelMap(const VoxelGeometry& geometry, std::vector<Brick> bricks) : LabelMap(geometry) {
+    held_ = std::move(bricks);
+  }
   const Brick& brick(std::size_t n) const { return held_[n]; }
 
   /// Returns the memory of the bricks' voxels in bytes, including bricks shared with other maps.

@@ -8,7 +8,8 @@
 #include <new>
 #include <sstream>
 #include <string>
-#include <vector>
+
+#include "viewer/volume/control_groups.h"
 
 namespace volumen {
 
@@ -37,44 +38,6 @@ std::map<std::string, std::uint64_t> numbersByName(const fs::path& path) {
   return numbers;
 }
 
-bool listed(const std::string& names, const std::string& name) {
-  return ("," + names + ",").find("," + name + ",") != std::string::npos;
-}
-
-// A tree of control groups: its mount point, and the group visible there as its root.
-struct GroupTree {
-  fs::path mountedAt, rootGroup;
-};
-
-// Returns the trees that limit memory in version 1 or 2.
-std::vector<GroupTree> groupTrees(const fs::path& root, bool version2) {
-  std::vector<GroupTree> trees;
-  std::ifstream file(root / "proc/self/mountinfo");
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream words(line);
-    std::string word, group, place, type, source, options;
-    words >> word >> word >> word >> group >> place;
-    while (words >> word && word != "-") {
-    }
-    words >> type >> source >> options;
-    if (version2 ? type == "cgroup2" : type == "cgroup" && listed(options, "memory"))
-      trees.push_back({root / fs::path(place).relative_path(), group});
-  }
-  return trees;
-}
-
-// Returns the process's group in the tree, from its line in proc/self/cgroup.
-std::string groupOfProcess(const fs::path& root, bool version2) {
-  std::ifstream file(root / "proc/self/cgroup");
-  for (std::string line; std::getline(file, line);) {
-    const auto first = line.find(':'), second = line.find(':', first + 1);
-    if (second == std::string::npos) continue;
-    const std::string controllers = line.substr(first + 1, second - first - 1);
-    if (version2 ? controllers.empty() : listed(controllers, "memory")) return line.substr(second + 1);
-  }
-  return "/";
-}
-
 void lower(ProcessMemory& memory, std::uint64_t limit, std::uint64_t used, MemoryBound bound) {
   if (limit == unlimited) return;
   memory.most = std::min(memory.most, limit);
@@ -92,19 +55,6 @@ void lowerToGroup(ProcessMemory& memory, const fs::path& group, bool version2) {
                                    ? parts["inactive_file"] + parts["active_file"] + parts["slab_reclaimable"]
                                    : parts["total_inactive_file"] + parts["total_active_file"];
   lower(memory, limit, used == unlimited ? 0 : less(used, cached), MemoryBound::controlGroup);
-}
-
-void lowerToGroups(ProcessMemory& memory, const fs::path& root, bool version2) {
-  const std::string name = groupOfProcess(root, version2);
-  for (const GroupTree& tree : groupTrees(root, version2)) {
-    // In a container the own group is mounted as the root, but named as seen from outside.
-    const fs::path below = fs::path(name).lexically_relative(tree.rootGroup);
-    fs::path group = tree.mountedAt;
-    const bool inside = !below.empty() && *below.begin() != ".." && below != ".";
-    lowerToGroup(memory, group, version2);
-    if (!inside) continue;
-    for (const fs::path& part : below) lowerToGroup(memory, group /= part, version2);
-  }
 }
 
 // Returns a limit of `ulimit` from lines such as "Max address space  1073741824  unlimited  bytes".
@@ -130,7 +80,9 @@ ProcessMemory processMemory(const std::string& folder) {
                                                           : machine["MemFree:"] + machine["Cached:"]) *
                        kibi;
   }
-  for (bool version2 : {false, true}) lowerToGroups(memory, root, version2);
+  for (bool version2 : {false, true})
+    for (const fs::path& group : controlGroups(root, "memory", version2))
+      lowerToGroup(memory, group, version2);
   auto own = numbersByName(root / "proc/self/status");
   lower(memory, limitOf(root, "Max address space"), own["VmSize:"] * kibi, MemoryBound::addressSpace);
   lower(memory, limitOf(root, "Max data size"), own["VmData:"] * kibi, MemoryBound::data);

@@ -7,26 +7,16 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <string>
 #include <vector>
+
+#include "viewer/volume/control_groups.h"
 
 namespace volumen {
 
 namespace {
-
-// Reads the quota of cgroup v2: "max 100000" or "QUOTA PERIOD", both in microseconds.
-int cgroupThreads() {
-  std::ifstream file("/sys/fs/cgroup/cpu.max");
-  std::string quota;
-  double period = 0;
-  if (!(file >> quota >> period) || quota == "max" || period <= 0) return 1 << 20;
-  return std::max(1, int(std::ceil(std::atof(quota.c_str()) / period)));
-}
 
 // Unused arenas by number of threads. They are kept, because oneTBB 2021.8 never frees an arena that workers
 // have entered and searches all that ever existed (its issue 967).
@@ -71,7 +61,7 @@ int allowedThreads() {
     cpu_set_t set;
     CPU_ZERO(&set);
     const int cpus = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-    return std::max(1, std::min(cpus, cgroupThreads()));
+    return std::max(1, std::min(cpus, threadsOfControlGroups()));
   }();
   return count;
 }

@@ -1,4 +1,5 @@
-// Guards the available memory: the least of what the machine, control groups and `ulimit` leave.
+// Guards the available memory: the least of what the machine, control groups and `ulimit` leave. Threads
+// follow the quotas of control groups likewise.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -6,12 +7,14 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <fstream>
 #include <map>
 
 #include "tests/unit/suite.h"
 #include "viewer/volume/available_memory.h"
 #include "viewer/volume/buffer.h"
+#include "viewer/volume/control_groups.h"
 
 using namespace volumen;
 
@@ -66,6 +69,15 @@ Files tree(bool version2, const std::string& rootGroup, const std::string& ownGr
           {"proc/self/cgroup", (version2 ? "0::" : "8:pids:/other\n4:memory:") + ownGroup + "\n"}};
 }
 
+bool write(const Files& files, const QTemporaryDir& root) {
+  return std::ranges::all_of(files, [&](const auto& file) {
+    const QString path = root.filePath(QString::fromStdString(file.first));
+    QFile made(path);
+    return QDir().mkpath(QFileInfo(path).path()) && made.open(QIODevice::WriteOnly) &&
+           made.write(file.second.c_str()) == qint64(file.second.size());
+  });
+}
+
 const std::string v1 = "sys/fs/cgroup/memory", v2 = "sys/fs/cgroup";
 
 }  // namespace
@@ -75,6 +87,8 @@ class TestAvailableMemory : public QObject {
  private Q_SLOTS:
   void isTheLeastThatIsLeft_data();
   void isTheLeastThatIsLeft();
+  void threadsFollowTheQuotas_data();
+  void threadsFollowTheQuotas();
   void followsTheLimitOfThisProcess();
   void textsHaveWholeMebibytes_data();
   void textsHaveWholeMebibytes();
@@ -132,16 +146,43 @@ void TestAvailableMemory::isTheLeastThatIsLeft_data() {
 void TestAvailableMemory::isTheLeastThatIsLeft() {
   QFETCH(Files, files);
   QTemporaryDir root;
-  for (const auto& [name, text] : files) {
-    const QString path = root.filePath(QString::fromStdString(name));
-    QVERIFY(QDir().mkpath(QFileInfo(path).path()));
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text.c_str()) == qint64(text.size()));
-  }
+  QVERIFY(write(files, root));
   const ProcessMemory memory = processMemory(root.path().toStdString());
   QTEST(int(memory.available / mebi), "available");
   QTEST(int(memory.most / mebi), "most");
   QTEST(memory.bound, "bound");
+}
+
+void TestAvailableMemory::threadsFollowTheQuotas_data() {
+  QTest::addColumn<Files>("files");
+  QTest::addColumn<int>("threads");
+  const auto row = [](const char* name, const Files& files, int threads) {
+    QTest::newRow(name) << files << threads;
+  };
+  constexpr int unlimited = 1 << 20;
+  const Files two = {{"proc/self/mountinfo", "35 31 0:32 / /sys/fs/cgroup rw - cgroup2 cgroup2 rw\n"},
+                     {"proc/self/cgroup", "0::/a/b\n"}};
+  row("no groups", {}, unlimited);
+  row("version 2 without a quota", with(two, {{v2 + "/a/b/cpu.max", "max 100000\n"}}), unlimited);
+  row("version 2, the quota of the own group", with(two, {{v2 + "/a/b/cpu.max", "250000 100000\n"}}), 3);
+  row("version 2, a parent with less",
+      with(two, {{v2 + "/a/b/cpu.max", "800000 100000\n"}, {v2 + "/a/cpu.max", "200000 100000\n"}}), 2);
+  row("version 2, a part of a processor", with(two, {{v2 + "/a/b/cpu.max", "20000 100000\n"}}), 1);
+  const Files one = {
+      {"proc/self/mountinfo", "35 31 0:32 / /sys/fs/cgroup/cpu,cpuacct rw - cgroup cgroup rw,cpu,cpuacct\n"},
+      {"proc/self/cgroup", "5:memory:/other\n3:cpu,cpuacct:/a\n"}};
+  const std::string own = "sys/fs/cgroup/cpu,cpuacct/a";
+  row("version 1 without a quota",
+      with(one, {{own + "/cpu.cfs_quota_us", "-1\n"}, {own + "/cpu.cfs_period_us", "100000\n"}}), unlimited);
+  row("version 1",
+      with(one, {{own + "/cpu.cfs_quota_us", "150000\n"}, {own + "/cpu.cfs_period_us", "50000\n"}}), 3);
+}
+
+void TestAvailableMemory::threadsFollowTheQuotas() {
+  QFETCH(Files, files);
+  QTemporaryDir root;
+  QVERIFY(write(files, root));
+  QTEST(threadsOfControlGroups(root.path().toStdString()), "threads");
 }
 
 void TestAvailableMemory::followsTheLimitOfThisProcess() {

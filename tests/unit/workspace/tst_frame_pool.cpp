@@ -1,7 +1,9 @@
-// Guards design.md 11 (frames in memory): what views show stays within reach, whatever the budget, and goes
-// once nobody shows it; stored integers and reduced copies are counted as they are.
+// Guards design.md 11 (frames in memory): what views show stays within reach,
+// whatever the budget, and goes once nobody shows it; stored integers and
+// reduced copies are counted as they are.
 #include "tests/unit/suite.h"
 #include "ui/data/frame_pool.h"
+#include "ui/data/series_pool.h"
 
 using namespace volumen;
 
@@ -11,6 +13,7 @@ class TestFramePool : public QObject {
   void whatIsShownStays();
   void aSmallerBudgetCountsAtOnce();
   void bytesAreThoseHeld();
+  void framesGiveWayWithinTheBudgetOfSeries();
 };
 
 namespace {
@@ -61,6 +64,27 @@ void TestFramePool::bytesAreThoseHeld() {
   const LoadedFramePtr large = frameOf(0, {2048, 2048});
   QVERIFY2(large->bytes() > 2 * pixels, "its copies, too");
   QVERIFY(large->bytes() < pixels * 5 / 2);
+}
+
+void TestFramePool::framesGiveWayWithinTheBudgetOfSeries() {
+  FramePool frames(10 * bytes);
+  SeriesPool series(4 * bytes);
+  series.host(&frames, {[&] { return frames.bytes(); }, [&](std::size_t most) { frames.dropBeyond(most); }});
+  const LoadedFramePtr seen = frameOf(0);
+  frames.put(seen);
+  for (int n = 1; n < 6; ++n) frames.put(frameOf(n));
+  QCOMPARE(series.counted(), 6 * bytes);
+  series.fit();
+  QCOMPARE(series.counted(), 4 * bytes);
+  QCOMPARE(frames.heldOf({}, {}), (std::vector<int>{0, 3, 4, 5}));
+  const int onScreen = 0;
+  series.count(&onScreen, 2 * bytes);
+  QCOMPARE(frames.heldOf({}, {}), (std::vector<int>{0, 5}));
+  series.count(&onScreen, 5 * bytes);
+  QCOMPARE(frames.heldOf({}, {}), std::vector<int>{0});
+  series.count(&onScreen, 0);
+  series.leave(&frames);
+  QCOMPARE(series.counted(), std::size_t(0));
 }
 
 VOLUMEN_TEST(TestFramePool);
