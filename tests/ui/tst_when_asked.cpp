@@ -63,6 +63,9 @@ struct AskedWindow : SegmentWindow {
     });
     session().endGesture();
     session().show(ballsOf("Roe"));
+    session().edit(QStringLiteral("test"), [](Scene& scene) {
+      scene.transferFunction.points = {{200, {1, 0, 0}, 0.0}, {300, {1, 0, 0}, 1.0}};
+    });
   }
   QString at(const QString& name) const { return folder.filePath(name); }
 };
