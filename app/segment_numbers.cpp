@@ -60,6 +60,7 @@ Result<SegmentNumbersTold> numbersTold(std::span<const Segmented> maps, const Op
 }
 
 void addSegments(nlohmann::ordered_json& all, const SegmentNumbersTold& numbers) {
+  all["of"] = identityJson(numbers.ofSeries);
   all["segments"] = segmentsJson(numbers.reports, numbers.scale.factor);
   for (auto& segment : all["segments"]) segment["unit"] = numbers.scale.unit;
   all["unit"] = numbers.scale.unit;

@@ -13,6 +13,8 @@
 #include "io/regular_file.h"
 #include "ui/data/frame_series.h"
 #include "ui/workspace/measurements.h"
+#include "ui/workspace/segment_report.h"
+#include "ui/workspace/series_columns.h"
 #include "viewer/measure/scaled.h"
 #include "viewer/measure/shape_json.h"
 
@@ -176,7 +178,10 @@ int work(const MeasureOptions& options, const std::vector<Shape>& shapes, const 
   nlohmann::ordered_json all;
   const Result<ValueScale> scale = opened ? scaleFor(opened->series, options) : ValueScale{};
   if (!scale) return fail(scale.message());
-  if (opened) all["series"] = opened->series.id;
+  if (opened) {
+    all["series"] = opened->series.id;
+    all["of"] = identityJson(seriesFields(opened->series, timePointOf(opened->series)));
+  }
   if (!scale->why.empty()) all["noSuv"] = scale->why;
   const bool hasShapes = !options.shapes.empty();
   std::vector<const Series*> used;

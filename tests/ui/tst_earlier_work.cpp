@@ -8,7 +8,7 @@
 
 #include "io/export/dicom_series.h"
 #include "tests/ui/killed_window.h"
-#include "tests/ui/measure_window.h"
+#include "tests/ui/segment_window.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/segment_files.h"
@@ -26,6 +26,7 @@ class TestEarlierWork : public QObject {
   void init();
   void itIsListedByPatient();
   void whatIsSavedCountsAsSaved();
+  void exportedSegmentsCountAsSaved();
   void closingSaysWhatCannotBeKept();
   void segmentsMoveAsideWholeOrNotAtAll();
   void whatPlaysIsNotWritten();
@@ -107,6 +108,45 @@ void TestEarlierWork::whatIsSavedCountsAsSaved() {
   QVERIFY(files.modified());
   deleteMeasurement(w.window.session(), w.window.session().workspace().measurements[1].id);
   QVERIFY(files.unsavedWork().empty());
+  w.window.end();
+}
+
+// The kept session is copied while its window is open, as a killed program leaves it.
+void TestEarlierWork::exportedSegmentsCountAsSaved() {
+  const QDir kept(Autosave::folder());
+  {
+    SegmentWindow w(QStringList{series()});
+    QVERIFY(w.settle());
+    w.child<QDockWidget>("segmentDock")->raise();
+    QVERIFY(w.make(-100, 100) && w.count() == 1);
+    w.click("segmentSave");
+    answer(w, "segmentDialog", dir_->filePath(QStringLiteral("a.seg.nrrd")));
+    const auto& files = w.window.document().files;
+    QTRY_VERIFY_WITH_TIMEOUT(files.unsavedWork().empty(), longest);
+    QVERIFY(isKeptAgain(1));
+    const QString name = keptSessions().at(0);
+    for (const QString& file : kept.entryList({name + QLatin1Char('*')}, QDir::Files))
+      if (!file.endsWith(QStringLiteral(".lock")))
+        QVERIFY(QFile::copy(kept.filePath(file), kept.filePath(QStringLiteral("killed") + file)));
+    for (const QString& file : kept.entryList({QStringLiteral("killed*")}, QDir::Files))
+      QVERIFY(QFile::rename(kept.filePath(file),
+                            kept.filePath(QString(file).replace(name, QStringLiteral(".volumen")))));
+  }
+  Journey w;
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<OfferBar>("offerBar")->isVisible(), longest);
+  QTest::mouseClick(w.child<QWidget>("offerAccept"), Qt::LeftButton);
+  const Session& session = w.window.session();
+  QTRY_COMPARE_WITH_TIMEOUT(session.workspace().segmentMaps.size(), std::size_t(1), longest);
+  const auto& files = w.window.document().files;
+  QVERIFY(session.workspace().segmentMaps[0].labels);
+  QCOMPARE(workText(files.unsavedWork()), QString());
+  measureIn(w, 10);
+  QCOMPARE(workText(files.unsavedWork()), QStringLiteral("1 measurement"));
+  w.window.session().change(QStringLiteral("test"), [](Workspace& after) {
+    after.segmentMaps.editIf([](const SegmentMap&) { return true; },
+                             [](SegmentMap& map) { map.segments[0].label = "other"; });
+  });
+  QCOMPARE(workText(files.unsavedWork()), QStringLiteral("1 measurement, 1 segment"));
   w.window.end();
 }
 

@@ -45,6 +45,8 @@ class TestFusedOpening : public QObject {
   void besideItThePetStandsAlone_data();
   void besideItThePetStandsAlone();
   void aGridOfOneSeriesIsNoLayoutToComeBackTo();
+  void itsControlsAreSeenWithoutScrolling_data();
+  void itsControlsAreSeenWithoutScrolling();
 };
 
 void TestFusedOpening::aStudyOfBothOpensFused() {
@@ -137,6 +139,29 @@ void TestFusedOpening::aGridOfOneSeriesIsNoLayoutToComeBackTo() {
   PetCtWindow w(QStringList{QString::fromStdString(chest)});
   QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() != nullptr, longest);
   QCOMPARE(w.workspace().layout, Layout::planes);
+}
+
+void TestFusedOpening::itsControlsAreSeenWithoutScrolling_data() {
+  QTest::addColumn<QSize>("size");
+  QTest::newRow("a laptop") << QSize(1366, 768);
+  QTest::newRow("a usual window") << QSize(1440, 900);
+}
+
+void TestFusedOpening::itsControlsAreSeenWithoutScrolling() {
+  QFETCH(QSize, size);
+  const std::string data = tests::dataPath("pet-ct");
+  NEED_DATA(data);
+  const UsualLayouts usual;
+  PetCtWindow w;
+  w.window.resize(size);
+  w.window.open({QString::fromStdString(data)});
+  QTRY_VERIFY_WITH_TIMEOUT(w.isFused(), longest);
+  w.window.session().setFocus(axialViewId);
+  for (const char* control : {"overlayButton", "overlayColours", "overlayOpacityRow"}) {
+    auto* widget = w.child<QWidget>(control);
+    QVERIFY2(widget, control);
+    QTRY_VERIFY2(widget->isVisible() && widget->visibleRegion().boundingRect() == widget->rect(), control);
+  }
 }
 
 VOLUMEN_TEST(TestFusedOpening);

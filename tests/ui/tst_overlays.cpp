@@ -55,6 +55,8 @@ class TestOverlays : public QObject {
   void nothingTouchesAnythingElse_data();
   void nothingTouchesAnythingElse();
   void allOfItFindsRoomInAUsualView();
+  void datesAreWhole_data();
+  void datesAreWhole();
   void lettersAndHaloHaveOneOrder_data();
   void lettersAndHaloHaveOneOrder();
   void textIsReadableOnAnything_data();
@@ -118,6 +120,29 @@ void TestOverlays::allOfItFindsRoomInAUsualView() {
     QVERIFY2(!text.text.contains(QChar(0x2026)), qPrintable(text.text));
   QVERIFY(!placed.scaleBar.isEmpty());
   QCOMPARE(placed.scaleBarMm, 100.0);
+}
+
+void TestOverlays::datesAreWhole_data() {
+  QTest::addColumn<int>("width");
+  QTest::addColumn<bool>("hasRoom");
+  QTest::newRow("room for the time") << 400 << true;
+  QTest::newRow("none beside the number") << 140 << true;
+  QTest::newRow("none but below the others") << 110 << true;
+  QTest::newRow("none at all") << 70 << false;
+}
+
+// Half a date may be taken for another one.
+void TestOverlays::datesAreWhole() {
+  QFETCH(int, width);
+  QFETCH(bool, hasRoom);
+  Overlays overlays;
+  overlays.topLeft = {QStringLiteral("Featherstonehaugh (4711)"), QStringLiteral("2026-03-14 10:22:31"),
+                      QStringLiteral("CT Thorax (1)")};
+  overlays.topRight = {QStringLiteral("Axial"), QStringLiteral("13 / 26"), QStringLiteral("I 5.0 mm")};
+  QStringList dates;
+  for (const PlacedText& text : placeOverlays(overlays, QRectF(0, 0, width, 200), pictureFont()).texts)
+    if (text.text.startsWith(QLatin1Char('2'))) dates << text.text.left(10);
+  QCOMPARE(dates, hasRoom ? QStringList{QStringLiteral("2026-03-14")} : QStringList());
 }
 
 // In mixed Hebrew and Latin text on white, bright letters lie inside their dark halo, so both have one order.

@@ -120,19 +120,23 @@ Workspace withSegmentsKept(const Workspace& workspace, const SharedList<SegmentM
 // The file of this program, under a unique name.
 class Autosave::File {
  public:
-  Status write(const Workspace& workspace, const std::string& savedAs) {
+  Status write(const Workspace& workspace, const SessionFiles& files) {
+    return write(workspace, files.path().toStdString(), files.savedWork());
+  }
+
+  Status write(const Workspace& workspace, const std::string& savedAs, const HandWork& saved) {
     if (!lock_) {
       makePrivate(folder());
       lock_ = LockFile::take(lockOf(path_).toStdString());
     }
     const std::string path = path_.toStdString();
     const Workspace wanted = withClosed(workspace);
-    const Status whole = keepSession(path, wanted, savedAs);
+    const Status whole = keepSession(path, wanted, savedAs, saved);
     // If there is no room for the labels of segments, the rest is saved anyway.
     if (whole)
       segments_ = wanted.segmentMaps;
     else
-      (void)keepSession(path, withSegmentsKept(wanted, segments_), savedAs);
+      (void)keepSession(path, withSegmentsKept(wanted, segments_), savedAs, saved);
     return whole;
   }
 
@@ -196,7 +200,7 @@ Autosave::~Autosave() {
     return;
   }
   // If writing or moving fails, the last saved state is offered.
-  const Status kept = file_->write(session_.workspace(), files_.path().toStdString());
+  const Status kept = file_->write(session_.workspace(), files_);
   if (kept && atEnd_ == AtEnd::aside) (void)file_->putAside();
 }
 
@@ -207,7 +211,7 @@ void Autosave::noteChange() {
 Status Autosave::keepNow() {
   lane_.wait();
   if (!wanted()) return {};
-  return file_->write(session_.workspace(), files_.path().toStdString());
+  return file_->write(session_.workspace(), files_);
 }
 
 bool Autosave::wanted() const { return files_.modified() || !files_.unsavedWork().empty(); }
@@ -220,9 +224,8 @@ void Autosave::write() {
         {}, [this](const Job&) { file_->remove(); }, [this] { written({}); }));
   lane_.run(
       {},
-      [this, workspace = session_.workspace(), savedAs = files_.path().toStdString()](const Job&) {
-        return file_->write(workspace, savedAs);
-      },
+      [this, workspace = session_.workspace(), savedAs = files_.path().toStdString(),
+       saved = files_.savedWork()](const Job&) { return file_->write(workspace, savedAs, saved); },
       [this](const Status& status) { written(status); });
 }
 

@@ -188,6 +188,26 @@ std::vector<SavedPatient> patientsOf(const Workspace& workspace) {
   return patients;
 }
 
+// Returns the maps that are in `saved` as they are.
+std::vector<ExportedMap> exportedOf(const Workspace& workspace, const HandWork& saved) {
+  std::vector<ExportedMap> exported;
+  for (const SegmentMap& map : workspace.segmentMaps) {
+    HandWork work;
+    work.segmentMaps = {map};
+    if (without(work, saved).empty()) exported.push_back({map.series, map.number});
+  }
+  return exported;
+}
+
+// Returns the maps whose labels were read.
+HandWork workOf(const std::vector<ExportedMap>& exported, const Workspace& workspace) {
+  HandWork work;
+  for (const SegmentMap& map : workspace.segmentMaps)
+    if (map.labels && std::ranges::count(exported, ExportedMap{map.series, map.number}) > 0)
+      work.segmentMaps.push_back(map);
+  return work;
+}
+
 Status writeSession(const std::string& path, const Result<std::string>& text, const Workspace& workspace,
                     LabelFiles labels) {
   if (!text) return Error{"Cannot write " + path + ": " + text.message()};
@@ -226,16 +246,20 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
                         std::ranges::none_of(workspace.segmentMaps,
                                              [](const SegmentMap& map) { return map.missing.has_value(); });
   const std::optional<Workspace> saved = workspaceIn(session->savedAs, workspace, search);
+  HandWork exported = workOf(session->exported, workspace);
   return OpenedSession{std::move(workspace), session->savedAs, search.studies(),
-                       search.problems,      areWhole,         saved};
+                       search.problems,      areWhole,         saved,
+                       std::move(exported)};
 }
 
 Status saveSession(const std::string& path, const Workspace& workspace) {
   return writeSession(path, sessionToJson(workspace, folderOf(path)), workspace, LabelFiles::whole);
 }
 
-Status keepSession(const std::string& path, const Workspace& workspace, const std::string& savedAs) {
-  const auto text = sessionToJson(workspace, folderOf(path), savedAs, patientsOf(workspace));
+Status keepSession(const std::string& path, const Workspace& workspace, const std::string& savedAs,
+                   const HandWork& saved) {
+  const auto text =
+      sessionToJson(workspace, folderOf(path), savedAs, patientsOf(workspace), exportedOf(workspace, saved));
   return writeSession(path, text, workspace, LabelFiles::changes);
 }
 

@@ -8,7 +8,7 @@
 
 #include "io/study/progress.h"
 #include "ui/controller/segment_files.h"
-#include "ui/workspace/workspace.h"
+#include "ui/workspace/hand_work.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -26,6 +26,7 @@ struct OpenedSession {
   /// The content of file `savedAs`; empty if it cannot be read. Labels are shared with `workspace` if they
   /// are equal.
   std::optional<Workspace> saved;
+  HandWork exported;  ///< segments that also have a file of their own, where an autosave file says so
 };
 
 /// Reads a session file and searches for its series, presentation states, structure sets and segmentations.
@@ -37,8 +38,9 @@ Result<OpenedSession> openSession(const std::string& path, const Progress& progr
 
 /// Writes a session file, and the labels of segments beside it. The Error names the file.
 Status saveSession(const std::string& path, const Workspace& workspace);
-/// Writes an autosave file: it also names its session file and the patients it shows, and holds only changes
-/// of labels.
-Status keepSession(const std::string& path, const Workspace& workspace, const std::string& savedAs);
+/// Writes an autosave file: it also names its session file, the patients it shows and the segments that are
+/// in `saved`, and holds only changes of labels.
+Status keepSession(const std::string& path, const Workspace& workspace, const std::string& savedAs,
+                   const HandWork& saved = {});
 
 }  // namespace volumen

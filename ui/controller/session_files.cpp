@@ -39,12 +39,16 @@ void SessionFiles::set(const QString& path, const std::optional<Workspace>& writ
   if (written) {
     Workspace inFile = *written;
     inFile.closed.clear();
-    savedApart(workIn(inFile));
+    countAsSaved(workIn(inFile));
   }
   tellModified();
 }
 
-void SessionFiles::savedApart(const HandWork& work) { saved_ = saved_ + without(work, saved_); }
+void SessionFiles::savedApart(const HandWork& work) {
+  if (work.empty()) return;
+  countAsSaved(work);
+  tellModified();
+}
 
 void SessionFiles::tellModified() {
   modifiedTold_ = modified();

@@ -24,7 +24,10 @@ class SessionFiles : public QObject {
   /// Returns manual work, on closed series too, that is in no file written or read.
   HandWork unsavedWork() const { return without(workIn(session_.workspace()), saved_); }
 
-  /// Reports that this work was written to a file of its own.
+  /// Returns manual work that is in a file written or read, in any of its states.
+  const HandWork& savedWork() const { return saved_; }
+
+  /// Reports that this work is in a file of its own.
   void savedApart(const HandWork& work);
 
   /// Saves the session; ends in saved() or failed().
@@ -44,6 +47,7 @@ class SessionFiles : public QObject {
   void become(const QString& path, const std::optional<Workspace>& written);
   void set(const QString& path, const std::optional<Workspace>& written);
   void followUndo(int step);
+  void countAsSaved(const HandWork& work) { saved_ = saved_ + without(work, saved_); }
   void tellModified();
 
   Session& session_;

@@ -210,6 +210,7 @@ void Sessions::showSession(const QString& path, const OpenedSession& opened) {
   offerToLocate();
   if (restores) {
     files_.restored(QString::fromStdString(opened.savedAs), opened.saved);
+    files_.savedApart(opened.exported);
     // Keeps a session with unreadable parts, as they may be readable later.
     if (opened.segmentsAreWhole)
       autosave_.replace(isLost ? *std::exchange(lost_, {}) : *earlier);

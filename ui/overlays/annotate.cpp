@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/overlays/picture_font.h"
+#include "ui/overlays/readable_text.h"
 
 namespace volumen {
 
@@ -32,7 +33,8 @@ void annotate(QImage& image, Overlays overlays) {
     const double scale = std::min(std::max(0.9, std::min(width, height) / edgeAtScale1), width / widest);
     // Long names must not run into the letter at the top.
     const double room = width / scale / 2 - sideOfTopLetters;
-    for (QString& line : overlays.topLeft) line = metrics.elidedText(line, Qt::ElideMiddle, room);
+    for (QString& line : overlays.topLeft)
+      if (leadingDate(line).isEmpty()) line = metrics.elidedText(line, Qt::ElideMiddle, room);
     overlays.mmPerPixel *= scale;
     painter.scale(scale, scale);
     paintOverlays(painter, overlays, {0, 0, width / scale, height / scale});

@@ -53,10 +53,11 @@ class Placer {
     if (!text.isEmpty() && isFree(rect)) add({rect, text, false, false, false, true});
   }
 
-  // Places a line at the left or right edge, elided if necessary.
-  void line(const QString& text, bool right, double top, bool warning = false) {
+  // Places a line at the left or right edge, elided if necessary. Returns false if a date has no room.
+  bool line(const QString& text, bool right, double top, bool warning = false) {
     QRectF row(inside_.left(), top, inside_.width(), metrics_.height());
-    if (text.isEmpty() || row.bottom() > inside_.bottom()) return;
+    const QString date = right || warning ? QString() : leadingDate(text);
+    if (text.isEmpty() || row.bottom() > inside_.bottom()) return date.isEmpty();
     for (const QRectF& other : taken_) {
       if (!row.intersects(other.adjusted(-textGap, 0, textGap, 0))) continue;
       if (right)
@@ -64,14 +65,19 @@ class Placer {
       else
         row.setRight(std::min(row.right(), other.left() - textGap));
     }
-    if (row.width() < fewestCharacters * metrics_.averageCharWidth()) return;
+    if (row.width() < fewestCharacters * metrics_.averageCharWidth()) return date.isEmpty();
     // Patient and series keep both ends, because the distinguishing numbers come last.
     const Qt::TextElideMode mode = right || warning ? Qt::ElideRight : Qt::ElideMiddle;
-    const QString fitting = metrics_.elidedText(text, mode, row.width());
+    const bool isWhole = metrics_.horizontalAdvance(text) <= row.width();
+    const QString fitting = isWhole          ? text
+                            : date.isEmpty() ? metrics_.elidedText(text, mode, row.width())
+                                             : date;
     const double width = metrics_.horizontalAdvance(fitting);
-    if (fitting != text && fitting.size() <= fewestCharacters) return;
+    if (width > row.width() || (!isWhole && fitting.size() <= fewestCharacters)) return date.isEmpty();
     row = QRectF(right ? row.right() - width : row.left(), top, width, metrics_.height());
-    if (isFree(row)) add({row, fitting, warning});
+    if (!isFree(row)) return date.isEmpty();
+    add({row, fitting, warning});
+    return true;
   }
 
   // Places the bar in the centre, or in the middle of the free room at the bottom.
@@ -167,8 +173,12 @@ PlacedOverlays placeOverlays(const Overlays& o, const QRectF& area, const QFont&
   if (o.isLate)
     for (PlacedText& text : placer.placed.texts)
       text.late = !o.topRight.isEmpty() && text.text == o.topRight.front();
-  for (int n = 0; n < o.topLeft.size(); ++n) placer.line(o.topLeft[n], false, inside.top() + n * line);
   double below = inside.top() + double(o.topLeft.size()) * line;
+  for (int n = 0; n < o.topLeft.size(); ++n)
+    if (!placer.line(o.topLeft[n], false, inside.top() + n * line)) {
+      placer.line(o.topLeft[n], false, below);
+      below += line;
+    }
   for (const QString& warning : o.warning.split(QLatin1Char('\n'))) {
     placer.line(warning, false, below, true);
     below += line;

@@ -1,5 +1,6 @@
 #include "ui/overlays/readable_text.h"
 
+#include <QRegularExpression>
 #include <QStaticText>
 #include <QTextOption>
 #include <cmath>
@@ -66,6 +67,11 @@ void paintReadable(QPainter& painter, const QRectF& place, int flags, const QStr
                    const QColor& colour) {
   drawWithHalo(painter, colour, std::span(halo).last(1),
                [&](QPointF by) { painter.drawText(place.translated(by), flags, text); });
+}
+
+QString leadingDate(const QString& text) {
+  static const QRegularExpression date(QStringLiteral("^\\d{4}-\\d\\d-\\d\\d\\b"));
+  return date.match(text).captured();
 }
 
 }  // namespace volumen

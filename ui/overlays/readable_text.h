@@ -13,4 +13,8 @@ void paintReadable(QPainter& painter, QPointF topLeft, const QString& text, cons
 void paintReadable(QPainter& painter, const QRectF& place, int flags, const QString& text,
                    const QColor& colour);
 
+/// Returns the ISO date with which a text begins, such as that of a study; empty if there is none. Half a
+/// date may be taken for another one, so it is never elided.
+QString leadingDate(const QString& text);
+
 }  // namespace volumen

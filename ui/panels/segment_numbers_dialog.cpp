@@ -341,10 +341,8 @@ QString SegmentNumbersDialog::csvText() const {
 QString SegmentNumbersDialog::jsonText() const {
   if (!measured_) return {};
   nlohmann::ordered_json all{{"segments", segmentsJson(measured_->reports, scale().factor)},
-                             {"unit", scale().unit}};
-  const QStringList of = ofSeries();
-  for (qsizetype n = 0; n < of.size(); ++n)
-    all["of"][seriesColumns()[std::size_t(n)].key] = of[n].toStdString();
+                             {"unit", scale().unit},
+                             {"of", identityJson(ofSeries())}};
   if (const SegmentsOverTime* values = charts_->overTime()) addTimePoints(all, *values);
   return QString::fromStdString(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
          QLatin1Char('\n');

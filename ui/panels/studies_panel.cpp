@@ -7,6 +7,7 @@
 #include <QMouseEvent>
 #include <QPersistentModelIndex>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 #include <QTreeWidgetItemIterator>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -15,6 +16,7 @@
 
 #include "io/thumbnail.h"
 #include "ui/data/frame_series.h"
+#include "ui/overlays/readable_text.h"
 #include "ui/panels/studies_panel_roles.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/untinted_icon.h"
@@ -30,6 +32,18 @@ namespace {
 
 constexpr int thumbnailEdge = 44;
 constexpr int leastWidth = 150;  // also after the window was narrow
+
+// Keeps the dates at the head of studies; other names keep both ends.
+class NameDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (!leadingDate(option->text).isEmpty()) option->textElideMode = Qt::ElideRight;
+  }
+};
 
 QStringList linesOf(const Series& series, const std::vector<const Series*>& steps) {
   QStringList several{stepsText(steps), timeAxisText(steps)};
@@ -93,6 +107,7 @@ StudiesPanel::StudiesPanel(OpenStudies& studies, QWidget* parent)
   tree_->setObjectName(QStringLiteral("studyTree"));
   tree_->setAccessibleName(tr("Patients, studies and series"));
   tree_->setHeaderHidden(true);
+  tree_->setItemDelegate(new NameDelegate(tree_));
   tree_->setTextElideMode(Qt::ElideMiddle);  // names of series differ at their ends
   tree_->setDragEnabled(true);
   tree_->setIndentation(8);

@@ -7,6 +7,7 @@
 #include "ui/workspace/csv.h"
 #include "ui/workspace/segment_columns.h"
 #include "ui/workspace/segment_record.h"
+#include "ui/workspace/series_columns.h"
 #include "viewer/measure/peak.h"
 
 namespace volumen {
@@ -117,6 +118,13 @@ std::string madeText(const Segment& segment, std::span<const Step> steps) {
 }
 
 bool hasPeaks(const std::string& modality) { return modality == "PT" || modality == "NM"; }
+
+Json identityJson(const QStringList& fields) {
+  Json json = Json::object();
+  for (qsizetype n = 0; n < fields.size(); ++n)
+    json[seriesColumns()[std::size_t(n)].key] = fields[n].toStdString();
+  return json;
+}
 
 Json segmentsJson(std::span<const SegmentReport> all, double factor) {
   Json list = Json::array();

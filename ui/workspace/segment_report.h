@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QStringList>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -51,6 +52,8 @@ bool hasPeaks(const std::string& modality);
 /// Returns one object per segment (resources/docs/segment.md): its map, what it is, a member for each of
 /// segmentColumns(), and the histogram. Missing members are null. Values are multiplied by `factor`.
 nlohmann::ordered_json segmentsJson(std::span<const SegmentReport> all, double factor);
+/// Returns fields of seriesFields() as one object, by the names of their columns.
+nlohmann::ordered_json identityJson(const QStringList& fields);
 /// Returns the result of likeness() as JSON.
 nlohmann::ordered_json likenessJson(const SegmentLikeness& alike);
 

@@ -329,6 +329,12 @@ void fields(Fields& f, SavedPatient& patient) {
   f("id", patient.id);
 }
 
+template <class Fields>
+void fields(Fields& f, ExportedMap& map) {
+  f("series", map.series);
+  f("number", map.number, {0, 1e6});
+}
+
 Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& find,
                                      const FindObject& findObject) {
   const auto parsed = parseJson(text, mostMiB);
@@ -356,6 +362,7 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
   read("segmentMaps", session.workspace.segmentMaps);
   read("savedAs", session.savedAs);
   read("patients", session.patients);
+  read("exported", session.exported);
   std::vector<SavedObject> derived;
   read("references", derived);
   json.refuseOthers();
@@ -366,7 +373,8 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
 }
 
 Result<std::string> sessionToJson(const Workspace& workspace, const std::string& folder,
-                                  const std::string& savedAs, std::vector<SavedPatient> patients) {
+                                  const std::string& savedAs, std::vector<SavedPatient> patients,
+                                  std::vector<ExportedMap> exported) {
   std::string problem;
   NumberedSeries numbers;
   FieldWriter write("", numbers, problem);
@@ -388,6 +396,7 @@ Result<std::string> sessionToJson(const Workspace& workspace, const std::string&
   if (!derived.empty()) write("references", derived);
   if (!savedAs.empty()) write("savedAs", of);
   if (!patients.empty()) write("patients", patients);
+  if (!exported.empty()) write("exported", exported);
   if (!problem.empty()) return Error{problem};
   // Names that are not UTF-8 get replacement characters; such series are reported as missing later.
   std::string text = write.json().dump(1, ' ', false, FieldWriter::Json::error_handler_t::replace) + "\n";

@@ -36,10 +36,18 @@ struct SavedPatient {
   bool operator==(const SavedPatient&) const = default;
 };
 
+/// A map of segments that also has a file of its own.
+struct ExportedMap {
+  SeriesKey series;
+  int number{};  ///< of the map among those of its series
+  bool operator==(const ExportedMap&) const = default;
+};
+
 struct SavedSession {
   Workspace workspace;
   std::string savedAs;                   ///< autosave only: the session file it belongs to; empty: none yet
   std::vector<SavedPatient> patients;    ///< autosave only: the patients of its series
+  std::vector<ExportedMap> exported;     ///< autosave only
   std::vector<UnreadSteps> unreadSteps;  ///< segments with these steps count as made by hand
 };
 
@@ -54,6 +62,7 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
 /// found. `folder` is where the session will be stored. The Error names a field that could not be read back,
 /// such as a number that is not finite.
 Result<std::string> sessionToJson(const Workspace& workspace, const std::string& folder,
-                                  const std::string& savedAs = {}, std::vector<SavedPatient> patients = {});
+                                  const std::string& savedAs = {}, std::vector<SavedPatient> patients = {},
+                                  std::vector<ExportedMap> exported = {});
 
 }  // namespace volumen

@@ -31,6 +31,8 @@ class TestSegmentTold : public QObject {
   void contrastThatIsNotNamedIsSaid();
   void recipesForOtherModalitiesAreSaid();
   void notesAndUnitsAreInTheJson();
+  void theJsonSaysWhoseNumbersItHas_data();
+  void theJsonSaysWhoseNumbersItHas();
 
  private:
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
@@ -210,6 +212,33 @@ void TestSegmentTold::notesAndUnitsAreInTheJson() {
     QVERIFY(!a.err.isEmpty());
     QCOMPARE(numbersIn(a)[QStringLiteral("unit")], all[QStringLiteral("unit")]);
   }
+}
+
+void TestSegmentTold::theJsonSaysWhoseNumbersItHas_data() {
+  QTest::addColumn<QString>("line");
+  QTest::newRow("segments that are made") << QStringLiteral("segment %1/a.dcm --range 2:3 --json");
+  QTest::newRow("shapes") << QStringLiteral("measure %1/a.dcm --roi %1/shapes.json");
+}
+
+void TestSegmentTold::theJsonSaysWhoseNumbersItHas() {
+  QFETCH(QString, line);
+  writeSlice([](DcmDataset& data) {
+    data.putAndInsertString(DCM_PatientName, "Doe^Jane");
+    data.putAndInsertString(DCM_PatientID, "7");
+    data.putAndInsertString(DCM_StudyDate, "20260314");
+    data.putAndInsertString(DCM_SeriesNumber, "3");
+    data.putAndInsertString(DCM_SeriesDescription, "Thorax");
+    data.putAndInsertString(DCM_SeriesInstanceUID, "1.2.3");
+  });
+  writeRecipe("shapes.json", R"([{"kind": "length", "points": [[0, 0, 0], [3, 4, 0]]}])");
+  const Outcome done = runProgram(line.arg(at("")));
+  QVERIFY2(done.status == 0, done.err);
+  const QJsonObject of = QJsonDocument::fromJson(done.out)[QStringLiteral("of")].toObject();
+  const QStringList found{
+      of[QStringLiteral("patient")].toString(),       of[QStringLiteral("patient_id")].toString(),
+      of[QStringLiteral("study_date")].toString(),    of[QStringLiteral("series")].toString(),
+      of[QStringLiteral("series_number")].toString(), of[QStringLiteral("series_uid")].toString()};
+  QCOMPARE(found.join(QLatin1Char('|')), QStringLiteral("Doe, Jane|7|2026-03-14|CT Thorax (3)|3|1.2.3"));
 }
 
 VOLUMEN_TEST(TestSegmentTold);

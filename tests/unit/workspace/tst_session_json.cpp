@@ -35,6 +35,7 @@ class TestSessionJson : public QObject {
   void valuesAreComparedNotPlaces();
   void aSeriesElsewhereTakesAllThatWasMadeOfIt();
   void seriesThatAreNotFoundAreKeptAsMissing();
+  void exportedSegmentsAreNamed();
   void segmentsAreInSlicesAloneWhereASessionSaysSo_data();
   void segmentsAreInSlicesAloneWhereASessionSaysSo();
   void stepsThatCannotBeReadAreLeftOutWithTheirRecord_data();
@@ -161,6 +162,16 @@ void TestSessionJson::seriesThatAreNotFoundAreKeptAsMissing() {
   }
   // Saving again keeps all of the proof.
   QVERIFY(*sessionToJson(back->workspace, sessionFolder, "/data/s.volumen") == text);
+}
+
+void TestSessionJson::exportedSegmentsAreNamed() {
+  Series series;
+  series.id = "1.2", series.path = "/ct";
+  const Workspace w = withSeries({}, sceneViewId, series, {});
+  const std::vector<ExportedMap> exported{{keyOf(series), 0}, {keyOf(series), 3}};
+  const auto back = sessionFromJson(*sessionToJson(w, sessionFolder, {}, {}, exported), {});
+  QVERIFY(back);
+  QVERIFY(back->exported == exported);
 }
 
 void TestSessionJson::segmentsAreInSlicesAloneWhereASessionSaysSo_data() {
