@@ -168,13 +168,16 @@ DerivedObject readDerivedObject(const DataSet& data, const FileHeader& header, D
   return object;
 }
 
+Code codeIn(const DataSet& data, DataSet::Scope item) {
+  Code code{{}, data.utf8(0x00080102, item), data.utf8(0x00080104, item)};
+  for (const std::uint32_t value : {0x00080100u, 0x00080119u, 0x00080120u})
+    if (code.value.empty()) code.value = data.utf8(value, item);
+  return code;
+}
+
 Code codeAt(const DataSet& data, std::uint32_t sequence, DataSet::Scope scope) {
   const auto codes = data.items(sequence, scope);
-  if (codes.empty()) return {};
-  Code code{{}, data.utf8(0x00080102, codes[0]), data.utf8(0x00080104, codes[0])};
-  for (const std::uint32_t value : {0x00080100u, 0x00080119u, 0x00080120u})
-    if (code.value.empty()) code.value = data.utf8(value, codes[0]);
-  return code;
+  return codes.empty() ? Code() : codeIn(data, codes[0]);
 }
 
 Result<InspectedFile> openObject(const std::string& path, DerivedKind kind) {

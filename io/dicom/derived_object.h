@@ -16,8 +16,9 @@ std::vector<ReferencedPicture> readPictures(const DataSet& data, DataSet::Scope 
 /// Reads the label, date and referenced pictures of a file of kind `kind`.
 DerivedObject readDerivedObject(const DataSet& data, const FileHeader& header, DerivedKind kind);
 
-/// Returns the first code of a sequence, empty if there is none. Its value is in one of three attributes
-/// (PS3.3 8.8).
+/// Returns the code in an item of a code sequence. Its value is in one of three attributes (PS3.3 8.8).
+Code codeIn(const DataSet& data, DataSet::Scope item);
+/// Returns the first code of a sequence, empty if there is none.
 Code codeAt(const DataSet& data, std::uint32_t sequence, DataSet::Scope scope);
 
 /// Opens an object of kind `kind` and reads its elements. An Error is a sentence that names the file and why

@@ -136,6 +136,13 @@ class SegmentationReader {
     segment.region = codeAt(data_, regionOfSegment, item);
     if (const auto regions = data_.items(regionOfSegment, item); !regions.empty())
       segment.regionModifier = codeAt(data_, 0x00082220, regions[0]);
+    for (const Scope structure : data_.items(0x00082228, item))
+      segment.structures.push_back({codeIn(data_, structure), codeAt(data_, 0x00082230, structure)});
+    for (const Scope algorithm : data_.items(0x00620007, item))
+      segment.algorithms.push_back({codeAt(data_, 0x0066002f, algorithm),
+                                    codeAt(data_, 0x00660030, algorithm), data_.utf8(0x00660036, algorithm),
+                                    data_.utf8(0x00660031, algorithm), data_.utf8(0x00660032, algorithm),
+                                    data_.utf8(0x00240202, algorithm)});
   }
 
   Status readFrames() {

@@ -33,7 +33,7 @@ struct Export {
 using Exported = Result<ExportedSegments>;
 
 Exported asSegNrrd(const Export& e) {
-  if (Status s = writeSegNrrd(e.maps, e.path, e.cancel); !s) return s.error();
+  if (Status s = writeSegNrrd(e.maps, e.path, e.cancel, identityFields(e.series)); !s) return s.error();
   return ExportedSegments{{e.path}, {}};
 }
 
@@ -144,6 +144,7 @@ Status commitAll(std::vector<OutputFile>& files) {
 Exported asFileEach(const Export& e, const std::vector<std::string>& paths) {
   ExportedSegments done{paths, {}};
   std::vector<OutputFile> written;
+  const IdentityFields whose = identityFields(e.series);
   for (const Segmented& map : e.maps)
     for (const Segment& segment : map.segments) {
       const auto made = surfaceToWrite(map, segment, e.surfaces.reducedByMm, e.cancel);
@@ -152,7 +153,7 @@ Exported asFileEach(const Export& e, const std::vector<std::string>& paths) {
                         std::back_inserter(done.notes));
       if (made->surface.triangles.empty()) continue;
       const SurfacePart part{made->name, &made->surface};
-      auto file = surfacesAside({&part, 1}, paths[written.size()], e.cancel);
+      auto file = surfacesAside({&part, 1}, paths[written.size()], e.cancel, whose);
       if (!file) return file.error();
       written.push_back(std::move(*file));
     }
@@ -248,7 +249,7 @@ Result<ExportedSegments> exportSurfaces(std::span<const std::string> files,
   std::vector<OutputFile> written;
   for (std::size_t n = 0; n < files.size(); ++n) {
     const std::span all(parts);
-    auto file = surfacesAside(inOneFile ? all : all.subspan(n, 1), files[n], cancel);
+    auto file = surfacesAside(inOneFile ? all : all.subspan(n, 1), files[n], cancel, identityFields(series));
     if (!file) return file.error();
     written.push_back(std::move(*file));
   }

@@ -26,7 +26,7 @@ std::string colourText(const std::optional<glm::u8vec3>& colour) {
 
 // Field names: Slicer, Docs/developer_guide/modules/segmentations.md. Versions before 5.1 call the source
 // "master".
-NrrdKeyValues fieldsOf(std::span<const Segmented> maps) {
+NrrdKeyValues fieldsOf(std::span<const Segmented> maps, const IdentityFields& whose) {
   NrrdKeyValues fields;
   std::size_t n = 0;
   for (std::size_t layer = 0; layer < maps.size(); ++layer)
@@ -48,6 +48,7 @@ NrrdKeyValues fieldsOf(std::span<const Segmented> maps) {
                                {"Segmentation_SourceRepresentation", "Binary labelmap"},
                                {"Segmentation_MasterRepresentation", "Binary labelmap"},
                                {"Segmentation_ReferenceImageExtentOffset", "0 0 0"}});
+  for (const auto& [keyword, value] : whose) fields.emplace_back("DICOM_" + keyword, value);
   return fields;
 }
 
@@ -70,11 +71,12 @@ Status writeLabels(std::span<const Segmented> maps, OutputFile& out, const Cance
 
 }  // namespace
 
-Status writeSegNrrd(std::span<const Segmented> maps, const std::string& path, const CancelToken& cancel) {
+Status writeSegNrrd(std::span<const Segmented> maps, const std::string& path, const CancelToken& cancel,
+                    const IdentityFields& whose) {
   auto out = OutputFile::create(path);
   if (!out) return out.error();
   const std::string header =
-      nrrdHeader(maps.front().labels.geometry(), SampleType::uint8, fieldsOf(maps), maps.size());
+      nrrdHeader(maps.front().labels.geometry(), SampleType::uint8, fieldsOf(maps, whose), maps.size());
   if (Status s = out->write(header); !s) return s;
   if (Status s = out->startGzip(); !s) return s;
   if (Status s = writeLabels(maps, *out, cancel); !s) return s;

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "io/export/identity_fields.h"
 #include "io/export/segments_file.h"
 #include "io/study/progress.h"
 #include "viewer/volume/cancel.h"
@@ -15,8 +16,10 @@ namespace volumen {
 /// names it.
 Status writeSegNrrd(const LabelMap& map, std::span<const Segment> segments, const std::string& path,
                     const CancelToken& cancel = {});
-/// Writes several maps of one grid, one layer each; their segments may overlap.
-Status writeSegNrrd(std::span<const Segmented> maps, const std::string& path, const CancelToken& cancel = {});
+/// Writes several maps of one grid, one layer each; their segments may overlap. The fields of `whose` are
+/// named "DICOM_PatientID" etc.
+Status writeSegNrrd(std::span<const Segmented> maps, const std::string& path, const CancelToken& cancel = {},
+                    const IdentityFields& whose = {});
 
 /// Reads a segmentation of 3D Slicer, one map a layer. A NRRD label file without Slicer's fields gives one
 /// segment for each label. Labels above 255 become free ones. The Error names the file: it is not NRRD or

@@ -66,6 +66,33 @@ DicomElements codeSequence(std::uint32_t tag, const Code& code, int depth) {
   return all;
 }
 
+// PS3.3 10.16 and 10.5: structures and algorithms leave as they came.
+DicomElements structuresOf(const Segment& segment) {
+  DicomElements all;
+  for (const AnatomicStructure& structure : segment.structures) {
+    if (!isWhole(structure.code)) continue;
+    const DicomElements one = codeSequence(0x00082228, structure.code, 1);
+    all.insert(all.end(), all.empty() ? one.begin() : one.begin() + 1, one.end());
+    if (isWhole(structure.modifier)) append(all, codeSequence(0x00082230, structure.modifier, 2));
+  }
+  return all;
+}
+
+DicomElements algorithmsOf(const Segment& segment) {
+  DicomElements all;
+  for (const AlgorithmIdentity& algorithm : segment.algorithms) {
+    if (all.empty()) all.push_back({0x00620007, {}, 0, 1});
+    all.push_back({dicomItem, {}, 0, 2});
+    if (isWhole(algorithm.family)) append(all, codeSequence(0x0066002f, algorithm.family, 2));
+    if (isWhole(algorithm.nameCode)) append(all, codeSequence(0x00660030, algorithm.nameCode, 2));
+    append(all, {{0x00660036, inOneLine(algorithm.name), 0, 2},
+                 {0x00660031, inOneLine(algorithm.version), 0, 2},
+                 {0x00660032, algorithm.parameters, 0, 2},
+                 {0x00240202, inOneLine(algorithm.source), 0, 2}});
+  }
+  return all;
+}
+
 std::string nameOf(const Segment& segment, std::size_t n) {
   const std::string line = inOneLine(segment.label);
   const bool isBlank = line.find_first_not_of(' ') == std::string::npos;
@@ -115,9 +142,14 @@ std::set<std::string> framesOfReference(const DicomSource& source) {
 std::string saltOf(const SeriesIdentity& series, std::span<const Segment> segments,
                    const SegmentationTags& tags) {
   std::string salt = series.patientId + series.seriesUid + tags.description + tags.date + tags.time;
-  for (const Segment& s : segments)
+  for (const Segment& s : segments) {
+    for (const AnatomicStructure& structure : s.structures)
+      salt += structure.code.value + structure.modifier.value;
+    for (const AlgorithmIdentity& a : s.algorithms)
+      salt += a.family.value + a.name + a.version + a.parameters;
     salt += s.label + s.type.value + s.region.value + algorithmTypeOf(s) + s.algorithm + s.trackingId +
             s.trackingUid;
+  }
   return salt;
 }
 
@@ -227,6 +259,8 @@ DicomElements SegmentationElements::segmentItem(std::size_t n) const {
   if (isWhole(segment.region)) append(all, codeSequence(0x00082218, segment.region, 1));
   if (isWhole(segment.region) && isWhole(segment.regionModifier))
     append(all, codeSequence(0x00082220, segment.regionModifier, 2));
+  append(all, structuresOf(segment));
+  append(all, algorithmsOf(segment));
   append(all, codeSequence(0x00620003, category, 1));
   append(all, codeSequence(0x0062000f, coded ? segment.type : anyTissue().type, 1));
   if (coded && isWhole(segment.modifier)) append(all, codeSequence(0x00620011, segment.modifier, 2));

@@ -25,6 +25,19 @@ static_assert(std::endian::native == std::endian::little, "binary surfaces are w
 // Slicer reads the axes from this text; other programs assume them (vtkMRMLModelStorageNode.cxx).
 const std::string surfaceSpace = std::string("volumen ") + VOLUMEN_VERSION + " SPACE=LPS mm";
 
+// Other programs look for words such as "SPACE=" and "COLOR=" in these texts.
+std::string withoutEquals(std::string text) {
+  std::ranges::replace(text, '=', ':');
+  return text;
+}
+
+// Returns a comment line for each field.
+std::string commentsOf(const IdentityFields& whose, const std::string& begin) {
+  std::string lines;
+  for (const auto& [keyword, value] : whose) lines += begin + keyword + ": " + withoutEquals(value) + "\n";
+  return lines;
+}
+
 // Writes `count` items; all cores format parts, which are written in order.
 Status writeParts(OutputFile& file, std::size_t count, const CancelToken& cancel,
                   const std::function<void(std::size_t first, std::size_t end, std::string& bytes)>& make) {
@@ -55,6 +68,12 @@ void append(std::string& bytes, const T& value) {
 
 using SurfaceParts = std::span<const SurfacePart>;
 
+// The contents of a file.
+struct SurfaceContents {
+  SurfaceParts parts;
+  const IdentityFields& whose;
+};
+
 std::size_t pointsOf(SurfaceParts parts) {
   std::size_t count = 0;
   for (const SurfacePart& part : parts) count += part.surface->points.size();
@@ -83,9 +102,14 @@ Status writeStlTriangles(const Surface& surface, OutputFile& file, const CancelT
 }
 
 // Binary STL: an 80-byte header that does not begin with "solid", the triangle count, 50 bytes a triangle.
-Status writeStl(SurfaceParts parts, OutputFile& file, const CancelToken& cancel) {
+Status writeStl(const SurfaceContents& contents, OutputFile& file, const CancelToken& cancel) {
+  constexpr std::size_t headerBytes = 80;
+  const SurfaceParts parts = contents.parts;
   std::string header = surfaceSpace;
-  header.resize(80, ' ');
+  for (const auto& [keyword, value] : contents.whose)
+    if (const std::string next = ' ' + withoutEquals(value); header.size() + next.size() <= headerBytes)
+      header += next;
+  header.resize(headerBytes, ' ');
   append(header, std::uint32_t(trianglesOf(parts)));
   if (Status s = file.write(header); !s) return s;
   for (const SurfacePart& part : parts)
@@ -106,12 +130,13 @@ Status writePlyFaces(const Surface& surface, std::uint32_t before, OutputFile& f
                     });
 }
 
-Status writePly(SurfaceParts parts, OutputFile& file, const CancelToken& cancel) {
-  const std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + surfaceSpace +
-                             "\nelement vertex " + std::to_string(pointsOf(parts)) +
-                             "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-                             std::to_string(trianglesOf(parts)) +
-                             "\nproperty list uchar int vertex_indices\nend_header\n";
+Status writePly(const SurfaceContents& contents, OutputFile& file, const CancelToken& cancel) {
+  const SurfaceParts parts = contents.parts;
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\ncomment " + surfaceSpace + "\n" +
+      commentsOf(contents.whose, "comment ") + "element vertex " + std::to_string(pointsOf(parts)) +
+      "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+      std::to_string(trianglesOf(parts)) + "\nproperty list uchar int vertex_indices\nend_header\n";
   if (Status s = file.write(header); !s) return s;
   for (const SurfacePart& part : parts) {
     const auto& points = part.surface->points;
@@ -171,8 +196,9 @@ std::string groupLine(const std::string& name, std::set<std::string>& taken) {
   return "g " + groupNameOf(free) + "\n";
 }
 
-Status writeObj(SurfaceParts parts, OutputFile& file, const CancelToken& cancel) {
-  if (Status s = file.write("# " + surfaceSpace + "\n"); !s) return s;
+Status writeObj(const SurfaceContents& contents, OutputFile& file, const CancelToken& cancel) {
+  const SurfaceParts parts = contents.parts;
+  if (Status s = file.write("# " + surfaceSpace + "\n" + commentsOf(contents.whose, "# ")); !s) return s;
   for (const SurfacePart& part : parts)
     if (Status s = writeObjPoints(*part.surface, file, cancel); !s) return s;
   std::uint32_t before = 0;
@@ -188,7 +214,7 @@ Status writeObj(SurfaceParts parts, OutputFile& file, const CancelToken& cancel)
 
 struct SurfaceWriter {
   const char* ending;  // lower case, with the dot
-  Status (*write)(SurfaceParts parts, OutputFile& file, const CancelToken& cancel);
+  Status (*write)(const SurfaceContents& contents, OutputFile& file, const CancelToken& cancel);
 };
 constexpr std::array<SurfaceWriter, 3> surfaceWriters{
     {{".stl", writeStl}, {".ply", writePly}, {".obj", writeObj}}};
@@ -220,7 +246,7 @@ Status writeSurfaces(std::span<const SurfacePart> parts, const std::string& path
 }
 
 Result<OutputFile> surfacesAside(std::span<const SurfacePart> parts, const std::string& path,
-                                 const CancelToken& cancel) try {
+                                 const CancelToken& cancel, const IdentityFields& whose) try {
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();  // PLY indices are int32
   const SurfaceWriter* writer = surfaceWriterOf(path);
   if (!writer) return Error{"Cannot write " + path + ": surfaces are written as " + surfaceEndings() + "."};
@@ -229,7 +255,7 @@ Result<OutputFile> surfacesAside(std::span<const SurfacePart> parts, const std::
     return Error{"Cannot write " + path + ": these are too many triangles for one file."};
   Result<OutputFile> file = OutputFile::create(path);
   if (!file) return file.error();
-  if (Status s = writer->write(parts, *file, cancel); !s) return s.error();
+  if (Status s = writer->write({parts, whose}, *file, cancel); !s) return s.error();
   return file;
 } catch (const std::bad_alloc&) {
   return Error{"Cannot write " + path + ": there is not enough memory."};

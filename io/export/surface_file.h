@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "io/export/identity_fields.h"
 #include "io/files/output_file.h"
 #include "viewer/segment/surface.h"
 #include "viewer/volume/cancel.h"
@@ -30,8 +31,9 @@ struct SurfacePart {
 Status writeSurfaces(std::span<const SurfacePart> parts, const std::string& path,
                      const CancelToken& cancel = {});
 
-/// Writes several surfaces to a temporary file, which appears once it is committed.
+/// Writes several surfaces to a temporary file, which appears once it is committed. Comments of .ply and .obj
+/// hold the fields of `whose`; the header of .stl holds as many of their values as fit.
 Result<OutputFile> surfacesAside(std::span<const SurfacePart> parts, const std::string& path,
-                                 const CancelToken& cancel = {});
+                                 const CancelToken& cancel = {}, const IdentityFields& whose = {});
 
 }  // namespace volumen

@@ -83,9 +83,13 @@ inline void fields(Wire& w, RegionOfInterest& r) {
 }
 inline void fields(Wire& w, StructureSet& s) { w(s.label, s.name, s.description, s.regions, s.warnings); }
 
+inline void fields(Wire& w, AnatomicStructure& s) { w(s.code, s.modifier); }
+inline void fields(Wire& w, AlgorithmIdentity& a) {
+  w(a.family, a.nameCode, a.name, a.version, a.parameters, a.source);
+}
 inline void fields(Wire& w, Segment& s) {
   w(s.number, s.label, s.description, s.category, s.type, s.modifier, s.region, s.regionModifier,
-    s.algorithmType, s.algorithm, s.trackingId, s.trackingUid, s.colour);
+    s.structures, s.algorithmType, s.algorithm, s.algorithms, s.trackingId, s.trackingUid, s.colour);
 }
 inline void fields(Wire& w, SegmentFrame& f) { w(f.segment, f.origin); }
 inline void fields(Wire& w, Segmentation& s) {

@@ -157,7 +157,7 @@ const Thing things[] = {
        accept(dialog);
        w.saveTo("pictureFilesDialog", file);
      },
-     "patient id date number description sides clinical", "its pictures are too small to measure on"},
+     "patient id date number description sides scale clinical", "slices have no level"},
     {"key image pages", "pages.pdf",
      [](LeavingWindow& w, const QString& file) {
        w.press(w.pages(), "pagesPdf");
@@ -202,7 +202,7 @@ const Thing things[] = {
        w.chooseFrom("measurementSave", "saveShapes");
        w.saveTo("measurementSaveDialog", file);
      },
-     "", "places alone, for any series", false},
+     "patient id date number description", "places have no sides, and are mm", false},
     {"CSV of segments", "segments.csv",
      [](LeavingWindow& w, const QString& file) {
        openTable(w);
@@ -239,7 +239,7 @@ const Thing things[] = {
        w.child<QAction>("exportSegments")->trigger();
        w.saveTo("segmentDialog", file);
      },
-     "", "the format has no fields of patients", false},
+     "patient id date number description", "labels have no sides, and are mm", false},
     {"STL", "surface.stl",
      [](LeavingWindow& w, const QString& file) {
        w.child<QAction>("exportSegments")->trigger();
@@ -247,7 +247,7 @@ const Thing things[] = {
        const auto isMade = [&] { return w.button("surfaceSave") && w.button("surfaceSave")->isEnabled(); };
        if (QTest::qWaitFor(isMade, longest)) w.click("surfaceSave");
      },
-     "", "triangles alone", false}};
+     "patient id date number description", "triangles have no sides, and are mm", false}};
 
 DicomSeriesTags knownTags() {
   DicomSeriesTags tags;

@@ -1,10 +1,12 @@
 #include "ui/controller/segment_import.h"
 
 #include <QFileInfo>
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include "io/export/read_segments.h"
+#include "io/load.h"
 #include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
@@ -41,12 +43,24 @@ std::vector<SegmentMap> withSegmentsOf(const SegmentsFile& file, const QString& 
   told << (count == 1 ? tr("Added a segment of %1.").arg(name)
                       : tr("Added %1 segments of %2.").arg(count).arg(name));
   for (const std::string& note : file.notes) told << shownText(note);
+  if (std::ranges::any_of(file.maps, [](const Segmented& map) { return map.acquired != nullptr; }))
+    told << tr(
+        "The slices of the series are unevenly spaced: segments are drawn and measured on its even grid. "
+        "Those that you do not change leave as they came.");
   told << furtherText(all);
   if (count == 0) return std::move(all.maps);
   SegmentMap& first = all.maps[all.places.front().map];
   first.current = all.places.front().number;
   std::swap(all.maps.front(), first);
   return std::move(all.maps);
+}
+
+// Returns the slices as acquired if they are not those that are drawn.
+Result<AcquiredSlices> slicesOf(const Series& series, const CancelToken& cancel) {
+  if (!series.regular) return AcquiredSlices{};
+  const auto loaded = loadSeries(series, {}, cancel);
+  if (!loaded) return loaded.error();
+  return acquiredSlicesOf(*loaded);
 }
 
 }  // namespace
@@ -63,7 +77,9 @@ SegmentWork importOf(const QString& path, const Series& series, VolumePtr volume
   work.makeMaps = [path, name, series, grid = work.volume->geometry(), sentences](
                       const std::vector<SegmentMap>& maps,
                       const CancelToken& cancel) -> Result<std::vector<SegmentMap>> {
-    const Result<SegmentsFile> file = readSegments(path.toStdString(), series, grid, {}, cancel);
+    const Result<AcquiredSlices> slices = slicesOf(series, cancel);
+    if (!slices) return slices.error();
+    const Result<SegmentsFile> file = readSegments(path.toStdString(), series, grid, {}, cancel, *slices);
     if (!file) return file.error();
     sentences->clear();
     return withSegmentsOf(*file, name, maps, *sentences);

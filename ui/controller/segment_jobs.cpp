@@ -9,6 +9,7 @@
 #include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
+#include "ui/workspace/series_columns.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -205,18 +206,19 @@ void SegmentJobs::measure(const SegmentNumbers& wanted) {
 
 void SegmentJobs::save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path) {
   write(
-      [maps, series, path](const CancelToken& cancel) -> Result<ExportedSegments> {
+      [maps, series, path,
+       named = asNamedInFiles(series)](const CancelToken& cancel) -> Result<ExportedSegments> {
         const bool isDicom = path.endsWith(QLatin1String(".dcm"), Qt::CaseInsensitive);
         const auto segments = isDicom ? segmentedOnSlices(maps, series, cancel) : segmentedOf(maps);
         if (!segments) return segments.error();
-        return exportSegments(path.toStdString(), *segments, series, {}, cancel);
+        return exportSegments(path.toStdString(), *segments, isDicom ? series : named, {}, cancel);
       },
       maps);
 }
 
 void SegmentJobs::saveSurfaces(const std::shared_ptr<const std::vector<SurfaceToWrite>>& surfaces,
                                const Series& series, const std::vector<std::string>& files) {
-  write([surfaces, series,
+  write([surfaces, series = asNamedInFiles(series),
          files](const CancelToken& cancel) { return exportSurfaces(files, *surfaces, series, cancel); },
         {});
 }

@@ -7,6 +7,7 @@
 #include "io/load.h"
 #include "io/study/series.h"
 #include "ui/workspace/segment_record.h"
+#include "viewer/segment/labels_on.h"
 
 namespace volumen {
 
@@ -19,6 +20,14 @@ const Segment* madeAgain(const Segmented& made, const std::string& name, const B
   return maskOf(made.labels, std::uint8_t(found->number)) == mask ? &*found : nullptr;
 }
 
+// Returns whether a segment still has the voxels with which it was imported.
+bool isAsImported(const SegmentMap& map, std::uint8_t label, const BitMask& mask,
+                  const AcquiredSlices& slices) {
+  return map.imported && !mask.empty() &&
+         areSameVoxels(map.imported->onSlices.labels.geometry(), slices.volume->geometry()) &&
+         maskOf(map.imported->drawn, label) == mask;
+}
+
 std::shared_ptr<const AcquiredLabels> acquiredOf(const SegmentMap& map, const Volume& drawn,
                                                  const AcquiredSlices& slices, const CancelToken& cancel) {
   const Result<Segmented> made = follow(recordedRecipe(map, {}).recipe, drawn, cancel, slices);
@@ -27,6 +36,12 @@ std::shared_ptr<const AcquiredLabels> acquiredOf(const SegmentMap& map, const Vo
   for (const Segment& segment : map.segments) {
     const auto label = std::uint8_t(segment.number);
     const BitMask mask = maskOf(*map.labels, label);
+    if (isAsImported(map, label, mask, slices)) {
+      const AcquiredLabels& came = map.imported->onSlices;
+      all.labels = withLabel(all.labels, label, maskOf(came.labels, label));
+      if (came.interpolated.contains(segment.number)) all.interpolated.insert(segment.number);
+      continue;
+    }
     const Segment* again = made ? madeAgain(*made, names.at(segment.number), mask) : nullptr;
     const BitMask placed =
         again ? maskOf(made->acquired->labels, std::uint8_t(again->number)) : onAcquired(mask, slices);

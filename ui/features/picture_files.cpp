@@ -234,7 +234,8 @@ void PictureFiles::writeSheet(const Wanted& wanted, const QString& path) {
           made->first = picture;
         }
         made->sheet->add(picture.image, hasHead ? numberText(picture) : QString(),
-                         hasHead ? picture.overlays.left : QString());
+                         hasHead ? picture.overlays.left : QString(),
+                         hasHead ? picture.mmPerPixel.value_or(0) : 0);
         return Status();
       },
       [made, path] { return writeMade(made->first, made->sheet->image(), path); },

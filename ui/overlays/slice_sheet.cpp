@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "ui/overlays/overlays.h"
 #include "ui/overlays/picture_font.h"
 #include "ui/overlays/readable_text.h"
 
@@ -44,7 +45,7 @@ QRect SliceSheet::placeOf(int n) const {
           picture_};
 }
 
-void SliceSheet::add(const QImage& picture, const QString& caption, const QString& left) {
+void SliceSheet::add(const QImage& picture, const QString& caption, const QString& left, double mmPerPixel) {
   if (next_ >= rows_ * columns_) return;
   const QRect place = placeOf(next_++);
   {
@@ -54,6 +55,15 @@ void SliceSheet::add(const QImage& picture, const QString& caption, const QStrin
   const int height = QFontMetrics(sheetFont(textPixels_)).height();
   write(caption, {place.left() + sheetGap, place.bottom() - height - sheetGap}, place.width() - 2 * sheetGap);
   write(left, {place.left() + sheetGap, place.center().y() + 2 * sheetGap}, place.width() / 2);
+  if (!(mmPerPixel > 0)) return;
+  Overlays scale;
+  scale.mmPerPixel = mmPerPixel;
+  scale.taken.emplace_back(place.left(), place.bottom() - height - sheetGap,
+                           QFontMetrics(sheetFont(textPixels_)).horizontalAdvance(caption) + sheetGap,
+                           height);
+  QPainter painter(&image_);
+  painter.setFont(sheetFont(textPixels_));
+  paintOverlays(painter, scale, place);
 }
 
 void SliceSheet::write(const QString& text, QPoint at, int room) {

@@ -11,8 +11,9 @@ class SliceSheet {
  public:
   SliceSheet(int rows, int columns, QSize picture, const QStringList& head);
 
-  /// Adds the next image, with the letters of its left side at that edge; ignored if the sheet is full.
-  void add(const QImage& picture, const QString& caption, const QString& left = {});
+  /// Adds the next image, with the letters of its left side at that edge and a scale bar unless `mmPerPixel`
+  /// is 0; ignored if the sheet is full.
+  void add(const QImage& picture, const QString& caption, const QString& left = {}, double mmPerPixel = 0);
   const QImage& image() const { return image_; }
   /// Returns the rectangle of image `n` (from 0) in pixels.
   QRect placeOf(int n) const;

@@ -16,6 +16,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/measurements.h"
+#include "ui/workspace/series_columns.h"
 #include "ui/workspace/text.h"
 #include "viewer/measure/shape_json.h"
 
@@ -228,7 +229,14 @@ QString MeasurementsPanel::shapesText() const {
   std::vector<Shape> shapes;
   for (const Measurement& m : session_.workspace().measurements)
     if (m.series == seriesInFocus()) shapes.push_back(m.shape);
-  return QString::fromStdString(shapesToJson(shapes));
+  std::vector<std::pair<std::string, std::string>> whose;
+  if (const Series* series = seriesIn(session_.workspace(), session_.workspace().focus)) {
+    const QStringList fields = seriesFields(*series, stepText(session_.workspace(), seriesInFocus()));
+    for (std::size_t n = 0; n < seriesColumns().size(); ++n)
+      if (const QString& text = fields[qsizetype(n)]; !text.isEmpty())
+        whose.emplace_back(seriesColumns()[n].key, text.toStdString());
+  }
+  return QString::fromStdString(shapesToJson(shapes, whose));
 }
 
 void MeasurementsPanel::askWhere(const QString& title, const QString& suffix,

@@ -9,6 +9,7 @@
 #include "viewer/recipe/recipe.h"
 #include "viewer/segment/label_map.h"
 #include "viewer/segment/segment.h"
+#include "viewer/segment/segmented.h"
 #include "viewer/segment/tissue_shown.h"
 
 namespace volumen {
@@ -18,6 +19,12 @@ struct SavedLabels {
   std::string checksum;  ///< result of checksumOf()
   VoxelGeometry geometry;
   bool operator==(const SavedLabels&) const = default;
+};
+
+/// Imported segments on the slices as acquired, where these are not those of the drawn grid.
+struct ImportedLabels {
+  AcquiredLabels onSlices;  ///< as in their file, by the numbers in the map
+  LabelMap drawn;           ///< the same on the drawn grid; unchanged segments still have these voxels
 };
 
 /// Segments of a series that share no voxel: the label of each voxel of the drawn grid, and the segment of
@@ -31,7 +38,8 @@ struct SegmentMap {
   bool in3d = true;  ///< draws shown segments in 3D as well as in slices; the same in all maps of a series
   std::vector<Step> steps{};  ///< how the segments were made (segment_record.h)
   TissueShown tissue{};  ///< masking of the volume in 3D by shown segments; the same in all maps of a series
-  int number{};          ///< index among the maps of its series, from 0
+  std::shared_ptr<const ImportedLabels> imported{};  ///< null: none; not kept in sessions
+  int number{};                                      ///< index among the maps of its series, from 0
   bool operator==(const SegmentMap& other) const;
 };
 

@@ -55,10 +55,31 @@ SegmentMap withNamesApart(const SegmentMap& before, SegmentMap after,
   return after;
 }
 
+// Returns the imported labels with those of a layer, where label n becomes `numbers[n]`. Earlier segments of
+// these numbers are gone.
+std::shared_ptr<const ImportedLabels> withImported(const ImportedLabels* before, const Segmented& layer,
+                                                   const std::array<std::uint8_t, 256>& numbers) {
+  const LabelMap& onSlices = layer.acquired->labels;
+  ImportedLabels all{{LabelMap(onSlices.geometry())}, LabelMap(layer.labels.geometry())};
+  if (before) all = *before;
+  for (std::size_t label = 1; label < numbers.size(); ++label) {
+    const std::uint8_t number = numbers[label];
+    if (number == 0) continue;
+    all.onSlices.labels = withLabel(all.onSlices.labels, number, BitMask(onSlices.geometry()));
+    all.drawn = withLabel(all.drawn, number, BitMask(layer.labels.geometry()));
+    all.onSlices.interpolated.erase(number);
+    if (layer.acquired->interpolated.contains(int(label))) all.onSlices.interpolated.insert(number);
+  }
+  all.onSlices.labels = withLabelsAdded(all.onSlices.labels, onSlices, numbers);
+  all.drawn = withLabelsAdded(all.drawn, layer.labels, numbers);
+  return std::make_shared<const ImportedLabels>(std::move(all));
+}
+
 // Adds segments that take no voxel of the map at `index`, and returns the others. `there` are the maps before
 // anything was added.
-std::vector<Segment> addWhatFits(AddedSegments& all, std::size_t index, const LabelMap& labels,
+std::vector<Segment> addWhatFits(AddedSegments& all, std::size_t index, const Segmented& layer,
                                  const std::vector<Segment>& segments, const std::vector<SegmentMap>& there) {
+  const LabelMap& labels = layer.labels;
   SegmentMap& map = all.maps[index];
   const std::bitset<256> overlapping = labelsOverlapping(*map.labels, labels);
   std::array<std::uint8_t, 256> numbers{};
@@ -76,8 +97,9 @@ std::vector<Segment> addWhatFits(AddedSegments& all, std::size_t index, const La
     numbers[label] = std::uint8_t(map.current);
     all.places.push_back({index, map.current});
   }
-  if (left.size() < segments.size())
-    map.labels = std::make_shared<const LabelMap>(withLabelsAdded(*map.labels, labels, numbers));
+  if (left.size() == segments.size()) return left;
+  map.labels = std::make_shared<const LabelMap>(withLabelsAdded(*map.labels, labels, numbers));
+  if (layer.acquired) map.imported = withImported(map.imported.get(), layer, numbers);
   return left;
 }
 
@@ -182,7 +204,7 @@ AddedSegments withSegmentsAdded(std::vector<SegmentMap> maps, std::span<const Se
     for (std::size_t n = 0; !left.empty(); ++n) {
       if (n == except) continue;
       if (n == all.maps.size()) all.maps.push_back(furtherMap(all.maps));
-      left = addWhatFits(all, n, layer.labels, left, there);
+      left = addWhatFits(all, n, layer, left, there);
     }
   }
   return all;

@@ -31,6 +31,13 @@ QStringList seriesFields(const Series& series, const QString& timePoint) {
   return fields;
 }
 
+Series asNamedInFiles(Series series) {
+  if (!namesHidden()) return series;
+  for (std::string* text : {&series.patientName, &series.patientId, &series.studyDate, &series.seriesUid})
+    text->clear();
+  return series;
+}
+
 QString timePointOf(const Series& series) {
   QStringList words;
   for (const SplitBy& by : series.splitBy) words << shownText(by.words);

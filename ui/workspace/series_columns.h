@@ -21,6 +21,9 @@ const std::vector<SeriesColumn>& seriesColumns();
 /// while they are hidden (hideNames()). `timePoint` says in words which volume of its series it is.
 QStringList seriesFields(const Series& series, const QString& timePoint);
 
+/// Returns the series for files that name it: without patient, date and UIDs while names are hidden.
+Series asNamedInFiles(Series series);
+
 /// Returns the time point of a volume that stands alone: "phase 40 %"; mostly empty.
 QString timePointOf(const Series& series);
 

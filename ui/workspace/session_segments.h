@@ -54,6 +54,22 @@ void fields(Fields& f, Code& code) {
 }
 
 template <class Fields>
+void fields(Fields& f, AnatomicStructure& structure) {
+  f("code", structure.code);
+  f.unlessFirst("modifier", structure.modifier);
+}
+
+template <class Fields>
+void fields(Fields& f, AlgorithmIdentity& algorithm) {
+  f.unlessFirst("family", algorithm.family);
+  f.unlessFirst("nameCode", algorithm.nameCode);
+  f("name", algorithm.name);
+  f("version", algorithm.version);
+  f("parameters", algorithm.parameters);
+  f("source", algorithm.source);
+}
+
+template <class Fields>
 void fields(Fields& f, Segment& s) {
   bool coloured = s.colour.has_value();
   glm::dvec3 colour(s.colour.value_or(glm::u8vec3(0)));
@@ -65,8 +81,10 @@ void fields(Fields& f, Segment& s) {
   f.unlessFirst("modifier", s.modifier);
   f.unlessFirst("region", s.region);
   f.unlessFirst("regionModifier", s.regionModifier);
+  f.unlessFirst("structures", s.structures);
   f.unlessFirst("algorithmType", s.algorithmType, algorithmWords);
   f("algorithm", s.algorithm);
+  f.unlessFirst("algorithms", s.algorithms);
   f("trackingId", s.trackingId);
   f.unlessEmpty("trackingUid", s.trackingUid);
   f("coloured", coloured);

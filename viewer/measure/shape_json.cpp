@@ -214,11 +214,14 @@ ordered_json shapeToJson(const Shape& shape) {
   return out;
 }
 
-std::string shapesToJson(const std::vector<Shape>& shapes) {
+std::string shapesToJson(const std::vector<Shape>& shapes,
+                         const std::vector<std::pair<std::string, std::string>>& series) {
   std::string text;
-  for (const Shape& shape : shapes)
-    text += (text.empty() ? "[" : ",\n ") +
-            shapeToJson(shape).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  for (const Shape& shape : shapes) {
+    ordered_json out = shapeToJson(shape);
+    for (const auto& [name, value] : series) out["series"][name] = value;
+    text += (text.empty() ? "[" : ",\n ") + out.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  }
   return (text.empty() ? "[" : text) + "]\n";
 }
 
@@ -230,7 +233,9 @@ Result<std::vector<Shape>> shapesFromJson(const std::string& text) {
   for (const json& item : *parsed) {
     const std::string path = "[" + std::to_string(shapes.size()) + "]";
     std::string problem;
-    shapes.push_back(readShape(JsonFields(item, path, problem)));
+    json shape = item;
+    if (shape.is_object()) shape.erase("series");
+    shapes.push_back(readShape(JsonFields(shape, path, problem)));
     if (!problem.empty()) return Error{problem};
     if (const Status valid = checkShape(shapes.back()); !valid) return Error{path + "." + valid.message()};
   }

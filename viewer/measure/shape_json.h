@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "viewer/measure/measure.h"
@@ -20,8 +21,10 @@ Shape readShape(JsonFields fields);
 /// Returns a shape as readShape() reads it, without fields that have their default.
 nlohmann::ordered_json shapeToJson(const Shape& shape);
 
-/// Returns the list that shapesFromJson() reads; it restores the shapes exactly.
-std::string shapesToJson(const std::vector<Shape>& shapes);
+/// Returns the list that shapesFromJson() reads; it restores the shapes exactly. Each shape names its series
+/// by the names and texts of `series`, which no reader needs.
+std::string shapesToJson(const std::vector<Shape>& shapes,
+                         const std::vector<std::pair<std::string, std::string>>& series = {});
 
 /// Returns the shape's numbers with its kind and name, as listed on the same page.
 nlohmann::ordered_json measuredToJson(const Shape& shape, const Result<Measured>& measured);

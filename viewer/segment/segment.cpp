@@ -6,6 +6,7 @@ namespace volumen {
 
 void markEdited(Segment& segment) {
   constexpr std::string_view edited = ", edited";
+  segment.algorithms.clear();
   if (segment.algorithmType == SegmentAlgorithm::automatic)
     segment.algorithmType = SegmentAlgorithm::semiautomatic;
   if (segment.algorithmType == SegmentAlgorithm::semiautomatic && !segment.algorithm.empty() &&

@@ -88,6 +88,15 @@ inline Segment randomSegment(int number, Chance& chance) {
   if (chance.oneIn(2)) segment.algorithm = "Threshold";
   if (chance.oneIn(2))
     segment.region = {"39607008", "SCT", "Lung"}, segment.regionModifier = segment.modifier;
+  for (int more = chance.below(3); more > 0; --more)
+    segment.structures.push_back({{"10200004", "SCT", "Liver"}, more > 1 ? rightSide() : Code()});
+  if (chance.oneIn(2))
+    segment.algorithms.push_back({{"123109", "DCM", "Artificial Intelligence"},
+                                  chance.oneIn(2) ? Code{"1", "99A", "Net"} : Code(),
+                                  "NetSegmentor",
+                                  "2.1",
+                                  "-fast",
+                                  "A maker"});
   if (!segment.algorithm.empty()) segment.algorithmType = SegmentAlgorithm(2 + chance.below(2));
   if (chance.oneIn(2))
     segment.trackingId = "Lesion 1", segment.trackingUid = "1.2.3." + std::to_string(number);

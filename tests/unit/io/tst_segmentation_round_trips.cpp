@@ -29,7 +29,8 @@ namespace {
 bool sameSaid(const Segment& a, const Segment& b) {
   return a.label == b.label && a.category == b.category && a.type == b.type && a.modifier == b.modifier &&
          a.region == b.region && a.regionModifier == b.regionModifier && a.colour == b.colour &&
-         a.algorithm == b.algorithm && a.trackingId == b.trackingId && a.trackingUid == b.trackingUid &&
+         a.structures == b.structures && a.algorithms == b.algorithms && a.algorithm == b.algorithm &&
+         a.trackingId == b.trackingId && a.trackingUid == b.trackingUid &&
          std::max(a.algorithmType, SegmentAlgorithm::manual) ==
              std::max(b.algorithmType, SegmentAlgorithm::manual);
 }

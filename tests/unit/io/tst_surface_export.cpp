@@ -24,6 +24,8 @@ class TestSurfaceExport : public QObject {
   void eachFileIsItsSegments();
   void filesOfSegmentsDiffer_data();
   void filesOfSegmentsDiffer();
+  void filesSayWhoseTheyAre_data();
+  void filesSayWhoseTheyAre();
   void cancelledAtAnyMomentAllAreThereOrNone();
 };
 
@@ -83,6 +85,36 @@ void TestSurfaceExport::eachFileIsItsSegments() {
     QVERIFY(bytesOfFile(QString::fromStdString(path)) == written);
   }
   QVERIFY(done->notes == notes);
+}
+
+void TestSurfaceExport::filesSayWhoseTheyAre_data() {
+  QTest::addColumn<QByteArray>("patient");
+  QTest::addColumn<QByteArray>("said");  // parts, separated by bars
+  for (const char* ending : {".stl", ".ply", ".obj", ".seg.nrrd"})
+    QTest::newRow(ending) << QByteArray("Doe^Jane") << QByteArray("PAT4711|Doe^Jane|20260314|73165|Thorax");
+  QTest::newRow("uid.ply") << QByteArray("Doe^Jane") << QByteArray("1.2.3.4.5");
+  QTest::newRow("uid.seg.nrrd") << QByteArray("Doe^Jane") << QByteArray("SeriesInstanceUID:=1.2.3.4.5");
+  QTest::newRow("long.stl") << QByteArray(64, 'x') << QByteArray("PAT4711|20260314|73165");
+  QTest::newRow("hostile.obj") << QByteArray("A\nf 1 2 3 SPACE=RAS") << QByteArray("A f 1 2 3 SPACE:RAS");
+  QTest::newRow("hostile.seg.nrrd") << QByteArray("A\n\nB") << QByteArray("PatientName:=A  B");
+}
+
+void TestSurfaceExport::filesSayWhoseTheyAre() {
+  QFETCH(QByteArray, patient);
+  QFETCH(QByteArray, said);
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("a") + QLatin1String(QTest::currentDataTag()));
+  Series series;
+  series.patientName = patient.toStdString(), series.patientId = "PAT4711", series.studyDate = "20260314";
+  series.seriesNumber = "73165", series.description = "Thorax", series.seriesUid = "1.2.3.4.5";
+  const Segmented balls = ballsAndNothing(12);
+  SurfaceWriting inOneFile;
+  inOneFile.inOneFile = true;
+  const auto done = exportSegments(path.toStdString(), {&balls, 1}, series, {}, {}, inOneFile);
+  QVERIFY2(done, done ? "" : done.message().c_str());
+  const QByteArray bytes = bytesOfFile(path),
+                   header = path.endsWith(QStringLiteral(".stl")) ? bytes.left(80) : bytes;
+  for (const QByteArray& part : said.split('|')) QVERIFY2(header.contains(part), part);
 }
 
 void TestSurfaceExport::filesOfSegmentsDiffer_data() {

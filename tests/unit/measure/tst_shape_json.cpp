@@ -38,6 +38,11 @@ void TestShapeJson::whatIsWrittenIsRead() {
   QVERIFY2(read.ok(), read.ok() ? "" : read.message().c_str());
   QCOMPARE(read->size(), std::size_t(1));
   QVERIFY(read->front() == shape);
+  const std::string named = shapesToJson({shape}, {{"patient", "Doe, \"Jane\""}, {"series_uid", "1.2.3"}});
+  QVERIFY(named.find(R"("series_uid":"1.2.3")") != std::string::npos);
+  const auto again = shapesFromJson(named);
+  QVERIFY2(again.ok(), again.ok() ? "" : again.message().c_str());
+  QVERIFY(again->front() == shape);
 }
 
 void TestShapeJson::aListKeepsItsOrder() {

@@ -193,6 +193,10 @@ SegmentMap anySegments(Chance& chance, const SeriesKey& key) {
     if (chance.oneIn(2)) segment.region = anyCode(chance), segment.regionModifier = anyCode(chance);
     segment.algorithmType = SegmentAlgorithm(chance.below(4));
     segment.algorithm = anyText(chance);
+    for (int more = chance.below(3); more > 0; --more)
+      segment.structures.push_back({{anyText(chance), "SCT", anyText(chance)}, {}});
+    if (chance.oneIn(2))
+      segment.algorithms.push_back({{"1", "DCM", anyText(chance)}, {}, anyText(chance), anyText(chance)});
     if (chance.oneIn(2))
       segment.colour = glm::u8vec3(chance.below(256), chance.below(256), chance.below(256));
     if (chance.oneIn(2)) segment.range = ValueRange{anyNumber(chance), anyNumber(chance)};

@@ -35,6 +35,7 @@ class TestSegmentRecord : public QObject {
   void aRecipeSaysThatItMadeIt();
   void whatAFileSaysLeavesAsItCame();
   void stepsAreDoneAgainOnUnevenSlices();
+  void whatWasImportedOnUnevenSlicesLeavesAsItCame();
 };
 
 namespace {
@@ -267,20 +268,27 @@ void TestSegmentRecord::whatAFileSaysLeavesAsItCame() {
   QVERIFY(edited.region == came.region);
 }
 
+namespace {
+
+// Returns the acquired slices that a segment marks in a file, such as "0 2 4".
+QString slicesMarked(const SegmentMap& written, const Series& series, int number) {
+  const auto made = segmentedOnSlices({written}, series, CancelToken());
+  QStringList slices;
+  const BitMask mask = maskOf((*made)[0].acquired->labels, std::uint8_t(number));
+  for (int k = 0; k < mask.size().z; ++k)
+    if (mask.at({11, 19, k})) slices << QString::number(k);
+  return slices.join(QLatin1Char(' '));
+}
+
+}  // namespace
+
 // Slices 0, 2, 4 and 6 have 300 HU, the others 100. Those at 9, 23 and 30 mm are not on the drawn grid.
 void TestSegmentRecord::stepsAreDoneAgainOnUnevenSlices() {
   NEED_DATA(dataPath("segment-cases"));
   const Opened ct("segment-cases/uneven");
   SegmentMap map = withAnother(withAnother(emptyMap(*ct.loaded.drawn)));
   map = withRange(map, 1, 200, 3000, *ct.loaded.drawn);
-  const auto marked = [&](const SegmentMap& written) {
-    const auto made = segmentedOnSlices({written}, ct.series, CancelToken());
-    QStringList slices;
-    const BitMask mask = maskOf((*made)[0].acquired->labels, 1);
-    for (int k = 0; k < mask.size().z; ++k)
-      if (mask.at({11, 19, k})) slices << QString::number(k);
-    return slices.join(QLatin1Char(' '));
-  };
+  const auto marked = [&](const SegmentMap& written) { return slicesMarked(written, ct.series, 1); };
   QCOMPARE(marked(map), QStringLiteral("0 2 4 6"));
   QVERIFY((*segmentedOnSlices({map}, ct.series, CancelToken()))[0].acquired->interpolated.empty());
   // Painted voxels stay at their positions: 9 mm takes those of 8 mm.
@@ -288,6 +296,30 @@ void TestSegmentRecord::stepsAreDoneAgainOnUnevenSlices() {
       withHandMade(map, withMask(map, 1, inverted(BitMask(ct.loaded.drawn->geometry()))));
   QCOMPARE(marked(painted), QStringLiteral("0 1 2 3 4 5 6"));
   QVERIFY((*segmentedOnSlices({painted}, ct.series, CancelToken()))[0].acquired->interpolated.contains(1));
+}
+
+void TestSegmentRecord::whatWasImportedOnUnevenSlicesLeavesAsItCame() {
+  NEED_DATA(dataPath("segment-cases"));
+  const Opened ct("segment-cases/uneven");
+  const SegmentMap made = withRange(withAnother(emptyMap(*ct.loaded.drawn)), 1, 200, 3000, *ct.loaded.drawn);
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("a.dcm"));
+  QVERIFY(
+      exportSegments(path.toStdString(), *segmentedOnSlices({made}, ct.series, CancelToken()), ct.series));
+  QStringList told;
+  const SegmentWork work =
+      importOf(path, ct.series, ct.loaded.drawn, [&](const QStringList& sentences) { told = sentences; });
+  const auto imported = work.makeMaps({emptyMap(*ct.loaded.drawn)}, CancelToken());
+  QVERIFY2(imported, imported ? "" : imported.message().c_str());
+  work.done();
+  QCOMPARE(told.filter(QStringLiteral("unevenly spaced")).size(), 1);
+  const SegmentMap& map = imported->front();
+  const int number = map.segments.at(0).number;
+  QCOMPARE(slicesMarked(map, ct.series, number), QStringLiteral("0 2 4 6"));
+  QVERIFY((*segmentedOnSlices({map}, ct.series, CancelToken()))[0].acquired->interpolated.empty());
+  const SegmentMap painted =
+      withHandMade(map, withMask(map, number, inverted(BitMask(ct.loaded.drawn->geometry()))));
+  QCOMPARE(slicesMarked(painted, ct.series, number), QStringLiteral("0 1 2 3 4 5 6"));
 }
 
 VOLUMEN_TEST(TestSegmentRecord);
