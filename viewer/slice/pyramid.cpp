@@ -86,6 +86,13 @@ std::vector<float> blockMeans(const VoxelValues& stored, glm::ivec2 size, int ed
   return means;
 }
 
+std::optional<SmallPicture> smallPicture(const VoxelValues& stored, glm::ivec2 size, int edge) {
+  constexpr int pixelsForEach = 4;
+  const int block = std::max(size.x, size.y) / (pixelsForEach * edge);
+  if (block < 2) return {};
+  return SmallPicture{blocksOf(size, block), block, blockMeans(stored, size, block)};
+}
+
 Pyramid::Pyramid(VolumePtr whole) : whole_(std::move(whole)) {
   const std::int64_t pixels = whole_->geometry().voxelCount();
   if (pixels < leastPixels) return;
