@@ -36,12 +36,12 @@ std::uint64_t pixelsOf(const Series& series) {
 
 Result<PresentedFrame> presented(const std::string& path, std::uint64_t pixels,
                                  const std::string& sopInstanceUid, int frame,
-                                 const Presentation& presentation) {
+                                 const Presentation& presentation, const Progress& progress = {}) {
   if (!namesFrame(presentation.pictures, sopInstanceUid, frame))
     return Error{path + ": the presentation state refers to other pictures."};
   dicom::Shown shown{presentation.values, presentation.inverted, presentation.shutter, {}};
   if (const auto* greys = greysFor(presentation, sopInstanceUid, frame)) shown.greys = *greys;
-  Result<Frame> loaded = dicom::loadFrame(path, frame, pixels, shown);
+  Result<Frame> loaded = dicom::loadFrame(path, frame, pixels, shown, progress);
   if (!loaded) return loaded.error();
   FramePresentation how = presentationOf(presentation, sopInstanceUid, frame, loaded->size);
   if (const Status area = checkArea(how, loaded->size); !area)
@@ -55,10 +55,10 @@ Result<Frame> loadFrame(const Image& image, int index) {
   return dicom::loadFrame(image.path, index, pixelsOf(image));
 }
 
-Result<Frame> loadFrame(const Series& series, int index) {
+Result<Frame> loadFrame(const Series& series, int index, const Progress& progress) {
   if (const Status there = checkIndex(series, index); !there) return there.error();
   return dicom::loadFrame(series.files[std::size_t(index)], series.frames[std::size_t(index)],
-                          pixelsOf(series));
+                          pixelsOf(series), {}, progress);
 }
 
 Result<Frame> loadSmallFrame(const Image& image, int index, int edge) {
@@ -75,11 +75,12 @@ Result<PresentedFrame> loadFrame(const Image& image, int index, const Presentati
   return presented(image.path, pixelsOf(image), image.sopInstanceUid, index, presentation);
 }
 
-Result<PresentedFrame> loadFrame(const Series& series, int index, const Presentation& presentation) {
+Result<PresentedFrame> loadFrame(const Series& series, int index, const Presentation& presentation,
+                                 const Progress& progress) {
   if (const Status there = checkIndex(series, index); !there) return there.error();
   const auto n = std::size_t(index);
   return presented(series.files[n], pixelsOf(series), series.sopInstanceUids[n], series.frames[n],
-                   presentation);
+                   presentation, progress);
 }
 
 }  // namespace volumen

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/presentation.h"
+#include "io/study/progress.h"
 #include "viewer/slice/frame.h"
 
 namespace volumen {
@@ -14,8 +15,8 @@ struct Series;
 /// that cannot be shown (an overlay, a LUT, a shutter) are left out with a sentence in `warnings`.
 Result<Frame> loadFrame(const Image& image, int index);
 
-/// Reads the frame of slice `index` (from 0) of a DICOM series.
-Result<Frame> loadFrame(const Series& series, int index);
+/// Reads the frame of slice `index` (from 0) of a DICOM series. `progress` reports the bytes of its pixels.
+Result<Frame> loadFrame(const Series& series, int index, const Progress& progress = {});
 
 /// Reads a frame for a picture whose longer side has `edge` pixels. Large grey frames are reduced to means of
 /// blocks, no smaller than that picture needs, without overlays and shutter.
@@ -31,6 +32,7 @@ struct PresentedFrame {
 /// Reads a frame as a presentation state displays it. Also an Error: it refers only to other images, or
 /// displays no part of this one or too large an area (framePixelLimit()).
 Result<PresentedFrame> loadFrame(const Image& image, int index, const Presentation& presentation);
-Result<PresentedFrame> loadFrame(const Series& series, int index, const Presentation& presentation);
+Result<PresentedFrame> loadFrame(const Series& series, int index, const Presentation& presentation,
+                                 const Progress& progress = {});
 
 }  // namespace volumen

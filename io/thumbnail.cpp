@@ -72,8 +72,12 @@ Result<QImage> thumbnailOf(const Series& series, int edge, const CancelToken& ca
   }
   const Result<Frame> frame = loadSmallFrame(series, int(series.files.size() / 2), edge);
   if (!frame) return frame.error();
-  const QImage picture = imageOf(*frame);
-  return scaled(series.notVolume.empty() ? upright(picture, series.acquired) : picture, frame->pixel.mm,
+  return thumbnailOf(*frame, series, edge);
+}
+
+QImage thumbnailOf(const Frame& middle, const Series& series, int edge) {
+  const QImage picture = imageOf(middle);
+  return scaled(series.notVolume.empty() ? upright(picture, series.acquired) : picture, middle.pixel.mm,
                 edge);
 }
 

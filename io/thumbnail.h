@@ -8,6 +8,7 @@
 
 namespace volumen {
 
+struct Frame;
 struct Image;
 struct Series;
 
@@ -18,6 +19,9 @@ QImage thumbnailOf(const Volume& volume, const std::string& unit, int edge);
 /// Returns the thumbnail of a series. For DICOM it reads only one slice as acquired; for a series of frames
 /// the middle one. The Error: it cannot be read.
 Result<QImage> thumbnailOf(const Series& series, int edge, const CancelToken& cancel = {});
+
+/// Returns the thumbnail of a series from its middle frame, which may be reduced (loadSmallFrame()).
+QImage thumbnailOf(const Frame& middle, const Series& series, int edge);
 
 /// Returns the middle frame of an image as acquired, in its window.
 Result<QImage> thumbnailOf(const Image& image, int edge);

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -161,11 +162,19 @@ std::string windowText(const GreyMapping& grey) {
          width.dump();
 }
 
-QImage greyImage(const SliceValues& slice, const GreyMapping& grey) {
-  const std::vector<std::uint8_t> bytes = greyBytes(slice.values, grey);
-  QImage image(slice.size.x, slice.size.y, QImage::Format_Grayscale8);
-  for (int y = 0; y < slice.size.y; ++y)
-    std::memcpy(image.scanLine(y), bytes.data() + std::size_t(y) * slice.size.x, slice.size.x);
+// Resamples and maps rows as they come: all values at once would be twice a radiograph's memory.
+Result<QImage> greyImage(const Volume& volume, const SlicePlane& plane, const GreyMapping& grey,
+                         const CancelToken& cancel) {
+  QImage image(plane.size.x, plane.size.y, QImage::Format_Grayscale8);
+  if (image.isNull()) throw std::bad_alloc();
+  const auto width = std::size_t(plane.size.x);
+  int y = 0;
+  const auto use = [&](std::span<const float> rows) -> Status {
+    const std::vector<std::uint8_t> bytes = greyBytes(rows, grey);
+    for (std::size_t n = 0; n < bytes.size(); n += width) std::memcpy(image.scanLine(y++), &bytes[n], width);
+    return {};
+  };
+  if (Status s = resampleSliceByRows(volume, plane, use, cancel); !s) return s.error();
   return image;
 }
 
@@ -176,19 +185,30 @@ std::optional<PicturePlane> placeOf(const SlicePlane& plane, const VoxelGeometry
                       plane.down * plane.mmPerPixel};
 }
 
-Status writeSlice(const SliceValues& slice, const SlicePlane& plane, const Opened& opened,
-                  const SliceOptions& options, const Asked& asked) {
+Status writeValues(const Volume& volume, const SlicePlane& plane, const std::string& path,
+                   const CancelToken& cancel) {
+  auto out = createMapNrrd(plane.size, path, placeOf(plane, volume.geometry()));
+  if (!out) return out.error();
+  const auto use = [&](std::span<const float> rows) { return out->write(rows.data(), rows.size_bytes()); };
+  if (Status s = resampleSliceByRows(volume, plane, use, cancel); !s) return s;
+  return out->commit();
+}
+
+Status writeSlice(const SlicePlane& plane, const Opened& opened, const SliceOptions& options,
+                  const Asked& asked, const CancelToken& cancel) {
+  if (Status s = checkPlane(plane); !s) return s;  // before memory for its pixels is taken
   const Volume& volume = *opened.loaded.drawn;
-  if (isFloatPicture(options.output))
-    return writeMapNrrd(slice.size, slice.values, options.output, placeOf(plane, volume.geometry()));
+  if (isFloatPicture(options.output)) return writeValues(volume, plane, options.output, cancel);
   const GreyMapping grey = windowGrey(volume, opened.series.format == "DICOM",
                                       asked.window ? *asked.window : firstWindow(volume, opened.series.unit));
   const PictureText text{{"Software", "volumen " VOLUMEN_VERSION},
                          {"Comment", "Not for clinical use"},
                          {"volumen-plane", planeJson(plane).dump()},
                          {"volumen-window", windowText(grey)}};
-  return writePictureWithWarnings(greyImage(slice, grey), text, opened.loaded.warnings,
-                                  !options.noWarningLine, options.output);
+  Result<QImage> image = greyImage(volume, plane, grey, cancel);
+  if (!image) return image.error();
+  return writePictureWithWarnings(*std::move(image), text, opened.loaded.warnings, !options.noWarningLine,
+                                  options.output);
 }
 
 // Checks options that are invalid for any volume.
@@ -213,9 +233,7 @@ Status checkUsage(const SliceOptions& options, const Asked& asked) {
 int draw(const SliceOptions& options, const Asked& asked, const SlicePlane& plane, const Opened& opened,
          const CancelToken& cancel) {
   if (options.output.empty()) return exitDone;
-  const auto slice = resampleSlice(*opened.loaded.drawn, plane, 0, cancel);
-  if (!slice) return fail(slice.message(), cancel);
-  if (Status s = writeSlice(*slice, plane, opened, options, asked); !s) return fail(s.message());
+  if (Status s = writeSlice(plane, opened, options, asked, cancel); !s) return fail(s.message(), cancel);
   // With --print-plane, stdout holds only the plane.
   (options.printPlane ? std::cerr : std::cout) << printable(options.output) << '\n';
   return exitDone;

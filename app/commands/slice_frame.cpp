@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <utility>
@@ -134,10 +135,26 @@ Status writeImage(const QImage& image, const std::string& path) {
   return writePictureWithWarnings(image, text, {}, false, path);
 }
 
+// Writes a float picture row by row: all values at once would be twice the memory of the stored ones.
+Status writeRows(glm::ivec2 size, const std::string& path,
+                 const std::function<std::vector<float>(int y)>& rowAt) {
+  auto out = createMapNrrd(size, path);
+  if (!out) return out.error();
+  for (int y = 0; y < size.y; ++y) {
+    const std::vector<float> row = rowAt(y);
+    if (Status s = out->write(row.data(), row.size() * sizeof(float)); !s) return s;
+  }
+  return out->commit();
+}
+
 Status write(const Frame& frame, const FrameOptions& options) {
+  const auto rowAt = [&](int y) {
+    const auto width = std::size_t(frame.size.x);
+    return frame.values.floats(std::size_t(y) * width, width);
+  };
   if (isFloatPicture(options.output))
     return frame.colour() ? writeColourNrrd(frame.size, frame.rgb, options.output)
-                          : writeMapNrrd(frame.size, frame.values.floats(), options.output);
+                          : writeRows(frame.size, options.output, rowAt);
   return writeImage(imageOf(bytesOf(frame, options.window), frame.size, frame.colour()), options.output);
 }
 
@@ -145,11 +162,16 @@ Status write(const PresentedFrame& shown, const FrameOptions& options) {
   const Frame& frame = shown.frame;
   const PresentedGrid grid(shown.how, frame.size);
   const int channels = frame.colour() ? 3 : 1;
-  if (isFloatPicture(options.output) && !frame.colour())
-    return writeMapNrrd(
-        grid.size(),
-        presentPixels(grid, frame.values.floats(), frame.size, 1, std::numeric_limits<float>::quiet_NaN()),
-        options.output);
+  const auto rowAt = [&](int y) {
+    std::vector<float> row(std::size_t(grid.size().x), std::numeric_limits<float>::quiet_NaN());
+    for (int x = 0; x < grid.size().x; ++x) {
+      const glm::ivec2 p = grid.pixelAt({x, y});
+      if (p.x >= 0 && p.y >= 0 && p.x < frame.size.x && p.y < frame.size.y)
+        row[std::size_t(x)] = frame.values[std::size_t(p.y) * std::size_t(frame.size.x) + std::size_t(p.x)];
+    }
+    return row;
+  };
+  if (isFloatPicture(options.output) && !frame.colour()) return writeRows(grid.size(), options.output, rowAt);
   std::vector<std::uint8_t> bytes = bytesOf(frame, options.window);
   if (isFloatPicture(options.output))
     return writeColourNrrd(grid.size(), presentPixels(grid, bytes, frame.size, channels, std::uint8_t(0)),

@@ -5,6 +5,7 @@
 #include "io/dicom/mosaic.h"
 #include "io/worker/call.h"
 #include "io/worker/dicom_fields.h"
+#include "io/worker/progress.h"
 #include "viewer/segment/packed_bits.h"
 
 namespace volumen::dicom {
@@ -175,6 +176,7 @@ Result<DecodedFrame> readInPlace(const RegularFile& file, const PixelFormat& for
     if (*got < piece.size()) return Error{"the file became shorter while it was read"};
     unpackIntegers<std::make_unsigned_t<Value>>(
         format, piece, std::span(samples).subspan(done / sizeof(Value), piece.size() / sizeof(Value)));
+    worker::tellRead(done + piece.size(), range.length);
   }
   return DecodedFrame{std::move(samples), {}, isYbr(format)};
 }
@@ -306,7 +308,9 @@ Result<DecodedFrame> PixelSource::decoded(int n, const PixelFormat& format) cons
   if (file_ && isReadInPlace(format, header_.syntax, ranges)) return readInPlace(*file_, format, ranges[0]);
   const auto joinedBytes = joined(ranges, [&](Range r) { return bytes(r); });
   if (!joinedBytes) return joinedBytes.error();
-  return decodeFrame(format, header_.syntax, *joinedBytes, n);
+  auto frame = decodeFrame(format, header_.syntax, *joinedBytes, n);
+  worker::tellRead(format.frameBytes(), format.frameBytes());
+  return frame;
 }
 
 }  // namespace volumen::dicom

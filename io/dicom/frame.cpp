@@ -171,16 +171,15 @@ Result<Frame> loadFrameHere(const std::string& path, int n, const std::optional<
 
 /// Runs in the worker, so that only the means are sent.
 Result<Frame> loadSmallFrameHere(const std::string& path, int n, int edge) {
-  constexpr int pixelsForEach = 4;  // of the picture: enough to scale it smoothly
   Result<Frame> frame = loadFrameHere(path, n, {});
   if (!frame || frame->colour()) return frame;
-  const int block = std::max(frame->size.x, frame->size.y) / (pixelsForEach * edge);
-  if (block < 2) return frame;
-  std::vector<float> means = blockMeans(frame->values.stored, frame->size, block);
-  std::ranges::transform(means, means.begin(), [&](float v) { return frame->values.of(double(v)); });
-  frame->values = std::move(means);
-  frame->size = (frame->size + block - 1) / block;
-  frame->pixel.mm *= block;
+  std::optional<SmallPicture> small = smallPicture(frame->values.stored, frame->size, edge);
+  if (!small) return frame;
+  std::ranges::transform(small->means, small->means.begin(),
+                         [&](float v) { return frame->values.of(double(v)); });
+  frame->values = std::move(small->means);
+  frame->size = small->size;
+  frame->pixel.mm *= small->block;
   frame->overlays.clear();
   frame->shutter.clear();
   return frame;
@@ -193,8 +192,8 @@ Result<Frame> loadSmallFrame(const std::string& path, int n, std::uint64_t pixel
 }
 
 Result<Frame> loadFrame(const std::string& path, int n, std::uint64_t pixels,
-                        const std::optional<Shown>& shown) {
-  return isolatedFile<loadFrameHere>(path, pixels, n, shown);
+                        const std::optional<Shown>& shown, const Progress& progress) {
+  return isolatedPicture<loadFrameHere>(path, pixels, progress, n, shown);
 }
 
 }  // namespace dicom

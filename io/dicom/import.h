@@ -58,9 +58,10 @@ struct Shown {
 };
 
 /// Loads frame `n` (from 0) of a file as acquired (io/frames.h), or as a presentation state shows it.
-/// `pixels` is the size of a frame if known and sets how much memory a worker gets.
+/// `pixels` is the size of a frame if known and sets how much memory a worker gets. `progress` reports the
+/// bytes of its pixels.
 Result<Frame> loadFrame(const std::string& path, int n, std::uint64_t pixels,
-                        const std::optional<Shown>& shown = {});
+                        const std::optional<Shown>& shown = {}, const Progress& progress = {});
 
 /// Reads a frame as acquired for a picture whose longer side has `edge` pixels. Large grey frames are reduced
 /// to means of blocks, no smaller than that picture needs, without overlays and shutter.

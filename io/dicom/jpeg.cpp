@@ -85,6 +85,10 @@ std::vector<std::uint8_t> decodedBytes(DcmDataset& data, const PixelFormat& form
   if (bits == 16) data.findAndGetUint16Array(DCM_PixelData, wide, &count);
   const std::size_t samples = format.frameSamples(), width = std::size_t(format.bitsAllocated / 8);
   if ((!narrow && !wide) || count < samples || width > 2 || (wide && width < 2)) return {};
+  if (wide && !planar) {
+    const auto* first = reinterpret_cast<const std::uint8_t*>(wide);
+    return {first, first + samples * width};
+  }
   bytes.resize(samples * width);
   const std::size_t pixels = format.framePixels(), colours = std::size_t(format.samples);
   for (std::size_t n = 0; n < samples; ++n) {

@@ -1,6 +1,6 @@
 #include "io/files/picture_file.h"
 
-#include <QBuffer>
+#include <QIODevice>
 #include <QImage>
 #include <QImageWriter>
 
@@ -14,16 +14,37 @@ namespace {
 
 constexpr int jpegQuality = 95;
 
+// Passes what an image writer writes on to a file, so that it is never in memory as a whole.
+class OutputDevice : public QIODevice {
+ public:
+  explicit OutputDevice(OutputFile& file) : file_(file) { open(QIODevice::WriteOnly); }
+  bool isSequential() const override { return true; }
+  const Status& written() const { return written_; }
+
+ protected:
+  qint64 readData(char*, qint64) override { return -1; }
+  qint64 writeData(const char* data, qint64 count) override {
+    if (written_) written_ = file_.write(data, std::size_t(count));
+    return written_ ? count : -1;
+  }
+
+ private:
+  OutputFile& file_;
+  Status written_;
+};
+
 Status writeAs(const char* format, const QImage& image, const std::string& path, const PictureText& text) {
-  QBuffer bytes;
-  bytes.open(QIODevice::WriteOnly);
-  QImageWriter writer(&bytes, format);
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  OutputDevice device(*out);
+  QImageWriter writer(&device, format);
   if (qstrcmp(format, "jpeg") == 0) writer.setQuality(jpegQuality);
   for (const auto& [key, value] : text)
     writer.setText(QString::fromStdString(key), QString::fromStdString(value));
-  if (!writer.write(image))
-    return Error{"Cannot write " + path + ": " + writer.errorString().toStdString() + "."};
-  return writeWholeFile(path, {bytes.data().constData(), std::size_t(bytes.data().size())});
+  const bool isWritten = writer.write(image);
+  if (!device.written()) return device.written();
+  if (!isWritten) return Error{"Cannot write " + path + ": " + writer.errorString().toStdString() + "."};
+  return out->commit();
 }
 
 }  // namespace
@@ -64,11 +85,17 @@ PictureText warningText(const std::vector<Warning>& warnings) {
 namespace {
 
 template <class T>
-Status writeValues(const std::string& header, const std::vector<T>& values, const std::string& path) {
+Result<OutputFile> createNrrd(const std::string& header, const std::string& path) {
   auto out = OutputFile::create(path);
-  if (!out) return out.error();
+  if (!out) return out;
   const std::string type = std::is_same_v<T, float> ? "float" : "uint8";
-  if (Status s = out->write("NRRD0005\ntype: " + type + "\n" + header + "\n\n"); !s) return s;
+  if (Status s = out->write("NRRD0005\ntype: " + type + "\n" + header + "\n\n"); !s) return s.error();
+  return out;
+}
+
+template <class T>
+Status writeValues(Result<OutputFile> out, const std::vector<T>& values) {
+  if (!out) return out.error();
   if (Status s = out->write(values.data(), values.size() * sizeof(T)); !s) return s;
   return out->commit();
 }
@@ -78,14 +105,19 @@ std::string sizeText(glm::ivec2 size) { return std::to_string(size.x) + ' ' + st
 }  // namespace
 
 Status writePictureNrrd(const Picture& picture, const std::string& path) {
-  return writeValues("dimension: 3\nsizes: 4 " + sizeText(picture.size) +
-                         "\nkinds: RGBA-color domain domain\nendian: little\nencoding: raw\nbackground:=" +
-                         (picture.transparent ? "transparent" : "opaque"),
-                     picture.rgba, path);
+  const std::string header =
+      "dimension: 3\nsizes: 4 " + sizeText(picture.size) +
+      "\nkinds: RGBA-color domain domain\nendian: little\nencoding: raw\nbackground:=" +
+      (picture.transparent ? "transparent" : "opaque");
+  return writeValues(createNrrd<float>(header, path), picture.rgba);
 }
 
-Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path,
-                    const std::optional<PicturePlane>& plane) {
+Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path) {
+  return writeValues(createMapNrrd(size, path), values);
+}
+
+Result<OutputFile> createMapNrrd(glm::ivec2 size, const std::string& path,
+                                 const std::optional<PicturePlane>& plane) {
   const auto vector = [](glm::dvec3 v) {
     return '(' + exactText(v.x) + ',' + exactText(v.y) + ',' + exactText(v.z) + ')';
   };
@@ -95,13 +127,13 @@ Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std
   if (plane) header += "space directions: " + vector(plane->right) + ' ' + vector(plane->down) + "\n";
   header += "kinds: domain domain\nendian: little\nencoding: raw";
   if (plane) header += "\nspace origin: " + vector(plane->origin);
-  return writeValues(header, values, path);
+  return createNrrd<float>(header, path);
 }
 
 Status writeColourNrrd(glm::ivec2 size, const std::vector<std::uint8_t>& rgb, const std::string& path) {
-  return writeValues(
-      "dimension: 3\nsizes: 3 " + sizeText(size) + "\nkinds: RGB-color domain domain\nencoding: raw", rgb,
-      path);
+  const std::string header =
+      "dimension: 3\nsizes: 3 " + sizeText(size) + "\nkinds: RGB-color domain domain\nencoding: raw";
+  return writeValues(createNrrd<std::uint8_t>(header, path), rgb);
 }
 
 Result<Picture> readPictureNrrd(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/files/output_file.h"
 #include "io/study/warning.h"
 #include "viewer/volume/picture.h"
 #include "viewer/volume/result.h"
@@ -42,9 +43,13 @@ struct PicturePlane {
   glm::dvec3 origin{0}, right{1, 0, 0}, down{0, 1, 0};
 };
 
-/// Writes one float a pixel: sizes W H, first row on top; with its position in space if `plane` is given.
-Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path,
-                    const std::optional<PicturePlane>& plane = {});
+/// Writes one float a pixel: sizes W H, first row on top.
+Status writeMapNrrd(glm::ivec2 size, const std::vector<float>& values, const std::string& path);
+
+/// Creates such a file with its header alone, with its position in space if `plane` is given. The values
+/// follow, then commit().
+Result<OutputFile> createMapNrrd(glm::ivec2 size, const std::string& path,
+                                 const std::optional<PicturePlane>& plane = {});
 
 /// Writes three bytes a pixel (red, green, blue): sizes 3 W H, first row on top.
 Status writeColourNrrd(glm::ivec2 size, const std::vector<std::uint8_t>& rgb, const std::string& path);

@@ -167,6 +167,8 @@ bool Call::begin(Handler handler, const std::vector<std::uint8_t>& arguments) {
     order.files.push_back(inMemory(bytes));
   worker_->limitMemory(memoryBytes + 4 * request_.needBytes);
   worker_->buffer.steps().store(0, std::memory_order_relaxed);
+  worker_->buffer.readBytes().store(0, std::memory_order_relaxed);
+  worker_->buffer.pictureBytes().store(0, std::memory_order_relaxed);
   worker_->files += std::max<std::size_t>(1, request_.files.size());
   cpuAtStep_ = worker_->cpuSeconds();
   return sendMessage(worker_->socket.get(), order, false) == Transfer::done;
@@ -187,6 +189,7 @@ bool Call::nextPiece() {
   const std::uint64_t count = message.first;
   last_ = message.second == 1;
   received_ += count;
+  tellProgress();
   if (count > SharedBuffer::slotBytes || (!last_ && count < SharedBuffer::slotBytes) ||
       received_ > request_.mostBytes) {
     fail(Failure::wrong);
@@ -220,12 +223,22 @@ bool Call::await(Message& message) {
 // Each step has its own time limit. Otherwise the time saved by many quick steps would let a stopped worker
 // block for minutes.
 void Call::noteProgress() {
+  tellProgress();
   const std::uint32_t done =
       std::min(request_.steps, worker_->buffer.steps().load(std::memory_order_relaxed));
   if (done == request_.stepsDone) return;
   request_.stepsDone = done;
   waited_ = 0;
   cpuAtStep_ = worker_->cpuSeconds();
+}
+
+// Each byte counts twice: once it is read, and once it has arrived.
+void Call::tellProgress() const {
+  if (!request_.progress) return;
+  const std::uint64_t all =
+      std::min(request_.mostBytes, worker_->buffer.pictureBytes().load(std::memory_order_relaxed));
+  const std::uint64_t read = std::min(all, worker_->buffer.readBytes().load(std::memory_order_relaxed));
+  if (all > 0) request_.progress(readingPicture, read + std::min(all, received_), 2 * all);
 }
 
 bool Call::outOfPatience() const {

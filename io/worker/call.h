@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/worker/costly_files.h"
+#include "io/worker/progress.h"
 #include "io/worker/promised_memory.h"
 #include "io/worker/worker.h"
 #include "viewer/volume/cancel.h"
@@ -20,6 +21,7 @@ struct Request {
   std::uint64_t mostBytes = 64 << 20;  ///< largest size of its answer
   std::uint32_t steps = 0;  ///< number of steps it may report (finishStep); each one restarts its time limit
   const CancelToken* cancel = nullptr;
+  Progress progress = {};  ///< reports bytes of a picture (tellRead()) that are read and that have arrived
 
   std::vector<std::string> found = {};  ///< set by the call: files that headers refer to, resolved
   std::uint32_t stepsDone = 0;          ///< set by the call: number of finished steps
@@ -68,6 +70,7 @@ class Call : public Wire {
   bool await(Message& message);
   bool serveFiles(const Message& message);
   void noteProgress();
+  void tellProgress() const;
   bool outOfPatience() const;
 
   Request& request_;
@@ -147,7 +150,10 @@ auto isolated(Request& request, Failure& failure, const Arguments&... arguments)
     -> Result<typename Signature<decltype(function)>::Value> {
   using S = Signature<decltype(function)>;
   failure = Failure::none;
-  if (!isolating()) return function(arguments...);
+  if (!isolating()) {
+    const ReadListener listening(request.progress);
+    return function(arguments...);
+  }
   Outcome outcome = Outcome::unprepared;
   typename S::Value value{};
   std::string message;

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "io/worker/call.h"
+#include "io/worker/progress.h"
 #include "viewer/volume/available_memory.h"
 
 namespace volumen::worker {
@@ -43,6 +44,7 @@ class Server {
 };
 
 Server* server = nullptr;
+thread_local const Progress* listener = nullptr;  // of tellRead() outside of workers
 bool preparedForAll = false;
 
 /// Writes the answer to one request piece by piece through the slots.
@@ -160,5 +162,18 @@ void needAll() {
 void finishStep() {
   if (server) server->buffer().steps().fetch_add(1, std::memory_order_relaxed);
 }
+
+void tellRead(std::uint64_t done, std::uint64_t all) {
+  if (server) {
+    server->buffer().pictureBytes().store(all, std::memory_order_relaxed);
+    server->buffer().readBytes().store(done, std::memory_order_relaxed);
+  } else if (listener && *listener) {
+    (*listener)(readingPicture, done, all);
+  }
+}
+
+ReadListener::ReadListener(const Progress& progress) : before_(std::exchange(listener, &progress)) {}
+
+ReadListener::~ReadListener() { listener = before_; }
 
 }  // namespace volumen::worker

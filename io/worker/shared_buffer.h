@@ -9,9 +9,9 @@
 
 namespace volumen::worker {
 
-/// Memory shared by the program and one worker: two slots through which answers pass in turn, and the number
-/// of finished steps of a request. The worker may write to it at any time, so readers copy first and check
-/// the copy.
+/// Memory shared by the program and one worker: two slots through which answers pass in turn, the number of
+/// finished steps of a request, and how much of a picture is read. The worker may write to it at any time, so
+/// readers copy first and check the copy.
 class SharedBuffer {
  public:
   static constexpr std::size_t slotBytes = 512 << 10, slots = 2;
@@ -34,8 +34,15 @@ class SharedBuffer {
   std::atomic<std::uint32_t>& steps() const {
     return *reinterpret_cast<std::atomic<std::uint32_t>*>(memory_);
   }
+  /// Bytes of the requested picture: those read so far, and all of them (0: not known yet).
+  std::atomic<std::uint64_t>& readBytes() const { return bytesAt(8); }
+  std::atomic<std::uint64_t>& pictureBytes() const { return bytesAt(16); }
 
  private:
+  std::atomic<std::uint64_t>& bytesAt(std::size_t offset) const {
+    return *reinterpret_cast<std::atomic<std::uint64_t>*>(memory_ + offset);
+  }
+
   static constexpr std::size_t headBytes = 4096;
   static constexpr std::size_t allBytes = headBytes + slots * slotBytes;
   std::uint8_t* memory_ = nullptr;

@@ -12,10 +12,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "io/worker/worker.h"
 #include "tests/bench/scale_data.h"
 #include "tests/bench/scale_run.h"
 #include "tests/fixtures/program.h"
 #include "ui/british.h"
+#include "viewer/volume/clock.h"
 
 namespace {
 
@@ -111,6 +113,22 @@ Measured shown(const std::string& folder, int edge) {
   return m;
 }
 
+Measured mammograms(const std::string& folder, int megapixels, const char* transferSyntaxUid) {
+  apart([&] { writeMammograms(folder, megapixels, transferSyntaxUid); });
+  Measured m = runWindow("mammograms", folder);
+  std::ostringstream note;
+  note.precision(3);
+  note << m.mebibytes * (1 << 20) / (4 * 2e6 * megapixels) << " x their pixels";
+  m.note = note.str();
+  return m;
+}
+
+Row mammogramRow(const char* name, const char* what, const char* transferSyntaxUid) {
+  return {name, what, {6, 12, 23}, [transferSyntaxUid](const std::string& folder, int megapixels) {
+            return mammograms(folder, megapixels, transferSyntaxUid);
+          }};
+}
+
 Measured inTurn(const std::string&, int series) { return runWindow("turn", std::to_string(series)); }
 
 const std::vector<Row>& rows() {
@@ -130,6 +148,11 @@ const std::vector<Row>& rows() {
        [](const std::string& folder, int n) { return render(folder, "CT-Skin-and-Bone", n); }},
       {"radiograph", "`slice` of a radiograph of N x N pixels", {2500, 5000, 10000}, radiograph},
       {"shown", "a radiograph of N x N pixels in the window, until it is seen", {2500, 5000, 10000}, shown},
+      mammogramRow("mammograms", "four mammograms of N megapixels until all are seen, on the clock",
+                   "1.2.840.10008.1.2.1"),
+      mammogramRow("mammograms-jpeg", "the same, JPEG lossless", "1.2.840.10008.1.2.4.70"),
+      mammogramRow("mammograms-jpegls", "the same, JPEG-LS", "1.2.840.10008.1.2.4.80"),
+      mammogramRow("mammograms-jpeg2000", "the same, JPEG 2000 lossless", "1.2.840.10008.1.2.4.90"),
       {"turn", "N series of 256 x 256 x 104 in the window, one after the other", {5, 10, 20}, inTurn},
   };
   return all;
@@ -159,7 +182,8 @@ void print(const Row& row, const std::vector<int>& sizes) {
   std::printf("| %s | exponent | %.2f | | |\n", row.what, exponent(sizes, measured));
 }
 
-int runWindowRow(const std::string& what, const std::string& with) {
+int runWindowRow(const std::string& what, const std::string& with, double startMs) {
+  if (what == "mammograms") return showMammograms(with, startMs);
   if (what == "wheel") return turnTheWheel(std::stoi(with));
   if (what == "turn") return showInTurn(std::stoi(with));
   return showRadiograph(with);
@@ -168,15 +192,17 @@ int runWindowRow(const std::string& what, const std::string& with) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const double startMs = wallMs();
   self = argv[0];
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.size() == 3 && words[0] == "--window") {
+    if (words[1] == "mammograms" && !worker::start()) return 1;
     const QTemporaryDir own;
     for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"})
       qputenv(name, own.path().toLocal8Bit());
     QApplication app(argc, argv);
     speakBritish(app);
-    return runWindowRow(words[1], words[2]);
+    return runWindowRow(words[1], words[2], startMs);
   }
   std::vector<int> sizes;
   std::vector<std::string> wanted;

@@ -1,16 +1,20 @@
 #include "tests/bench/scale_data.h"
 
 #include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcpxitem.h>
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <stdexcept>
+#include <string_view>
 
 #include "io/load.h"
 #include "io/open.h"
+#include "tests/bench/encode_jpeg2000.h"
 #include "tests/unit/io/dicom_writer.h"
 
 namespace volumen::bench {
@@ -68,6 +72,36 @@ void replace(std::vector<std::uint8_t>& bytes, const std::string& from, const st
 std::string digits(int number, std::size_t digits) {
   const std::string text = std::to_string(number);
   return std::string(digits - text.size(), '0') + text;
+}
+
+// Returns half an ellipse of tissue, thinner towards the skin, with the noise of a detector.
+std::vector<std::uint16_t> breast(int columns, int rows) {
+  constexpr double skin = 1000, thick = 2000;
+  std::mt19937 random(20261129);
+  std::vector<std::uint16_t> pixels(std::size_t(columns) * std::size_t(rows));
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const double across = x / (0.7 * columns), down = (2.0 * y / rows - 1) / 0.9;
+      const double depth = 1 - across * across - down * down;
+      if (depth <= 0) continue;
+      const unsigned bits = random();
+      const auto noise = double((bits & 15) + (bits >> 8 & 15) + (bits >> 16 & 15));
+      pixels[std::size_t(y) * std::size_t(columns) + std::size_t(x)] =
+          std::uint16_t(skin + thick * std::sqrt(depth) + noise);
+    }
+  return pixels;
+}
+
+// Replaces the pixels of a data set by a JPEG 2000 codestream.
+void putJpeg2000(DcmDataset& data, const std::vector<std::uint8_t>& stream) {
+  auto* sequence = new DcmPixelSequence(DcmTag(DCM_PixelData, EVR_OB));
+  sequence->insert(new DcmPixelItem(DcmTag(DCM_Item, EVR_OB)));  // the offset table
+  auto* item = new DcmPixelItem(DcmTag(DCM_Item, EVR_OB));
+  item->putUint8Array(stream.data(), Uint32(stream.size()));
+  sequence->insert(item);
+  auto* pixels = new DcmPixelData(DCM_PixelData);
+  pixels->putOriginalRepresentation(EXS_JPEG2000LosslessOnly, nullptr, sequence);
+  data.insert(pixels, OFTrue);
 }
 
 // Writes a volume of voxels of 1 mm, int16.
@@ -140,6 +174,40 @@ void writeRadiograph(const std::string& path, int edge) {
     data.findAndDeleteElement(DCM_ImagePositionPatient);
   };
   tests::writeDicom(path, picture);
+}
+
+void writeMammograms(const std::string& folder, int megapixels, const char* transferSyntaxUid) {
+  constexpr int bits = 12;
+  constexpr double shape = 1.4;  // rows by columns
+  const int columns = 2 * int(std::sqrt(megapixels * 1e6 / shape) / 2), rows = int(shape * columns);
+  const std::vector<std::uint16_t> pixels = breast(columns, rows);
+  const bool isJpeg2000 = std::string_view(transferSyntaxUid) == UID_JPEG2000LosslessOnlyTransferSyntax;
+  const auto stream = isJpeg2000 ? encodeJpeg2000(pixels, columns, rows, bits) : std::vector<std::uint8_t>();
+  const char* const views[][3] = {
+      {"R", "CC", "P\\L"}, {"L", "CC", "A\\R"}, {"R", "MLO", "P\\F"}, {"L", "MLO", "A\\F"}};
+  for (int n = 0; n < 4; ++n) {
+    DicomPicture picture{.seriesUid = "1.2.3.4.60" + std::to_string(n),
+                         .instance = n + 1,
+                         .columns = columns,
+                         .rows = rows,
+                         .orientation = "",
+                         .spacing = "",
+                         .pixels = pixels,
+                         .bitsStored = bits};
+    picture.edit = [&](DcmDataset& data) {
+      data.putAndInsertString(DCM_SOPClassUID, UID_DigitalMammographyXRayImageStorageForPresentation);
+      data.putAndInsertString(DCM_Modality, "MG");
+      data.putAndInsertString(DCM_ImageLaterality, views[n][0]);
+      data.putAndInsertString(DCM_ViewPosition, views[n][1]);
+      data.putAndInsertString(DCM_PatientOrientation, views[n][2]);
+      data.putAndInsertString(DCM_ImagerPixelSpacing, "0.05\\0.05");
+      data.putAndInsertString(DCM_WindowCenter, "2000");
+      data.putAndInsertString(DCM_WindowWidth, "3000");
+      data.findAndDeleteElement(DCM_ImagePositionPatient);
+      if (isJpeg2000) putJpeg2000(data, stream);
+    };
+    tests::writeDicom(folder + "/mammogram" + std::to_string(n) + ".dcm", picture, transferSyntaxUid);
+  }
 }
 
 void writeHead(const std::string& path, int slices) {

@@ -18,6 +18,11 @@ void writeSlices(const std::string& folder, int files, int aSeries);
 /// Writes a radiograph of `edge` x `edge` pixels.
 void writeRadiograph(const std::string& path, int edge);
 
+/// Writes four mammograms of so many megapixels, 12 bits, each a series of its own: a breast with noise on a
+/// black background. They are coded by one of the transfer syntaxes of DCMTK's encoders or JPEG 2000
+/// lossless.
+void writeMammograms(const std::string& folder, int megapixels, const char* transferSyntaxUid);
+
 /// Writes a head of 512 x 512 x `slices` voxels as NRRD. Past the slices of the phantom `ct-head` those of
 /// the head return in turn, upwards and downwards.
 void writeHead(const std::string& path, int slices);

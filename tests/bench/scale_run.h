@@ -20,7 +20,7 @@ Taken runTimed(std::vector<std::string> words);
 /// Throws where it fails.
 void apart(const std::function<void()>& work);
 
-// Each in a process of its own, which prints the seconds of processor time.
+// Each in a process of its own, which prints the seconds of processor time if not said otherwise.
 
 /// Shows a head in planes and 3D, `measurements` lengths and ellipses in its series, and turns the wheel:
 /// seconds of a step.
@@ -28,6 +28,10 @@ int turnTheWheel(int measurements);
 
 /// Opens a radiograph until it is seen.
 int showRadiograph(const std::string& path);
+
+/// Opens a folder of mammograms until all four are seen: seconds on the clock since `startMs` (wallMs()), as
+/// a user waits.
+int showMammograms(const std::string& folder, double startMs);
 
 /// Shows `series` phantoms, one after the other.
 int showInTurn(int series);

@@ -4,6 +4,7 @@
 #include "tests/bench/scale_run.h"
 #include "tests/fixtures/cpu_timer.h"
 #include "tests/ui/measure_window.h"
+#include "viewer/volume/clock.h"
 
 namespace volumen::bench {
 
@@ -75,6 +76,22 @@ int showRadiograph(const std::string& path) {
   };
   if (!QTest::qWaitFor(isSeen, 5 * longest)) return 1;
   std::printf("%.6f\n", cpu.elapsed() / 1000);
+  return 0;
+}
+
+int showMammograms(const std::string& folder, double startMs) {
+  constexpr int four = 4;
+  Journey w;
+  w.window.resize(1440, 900);
+  w.window.open({QString::fromStdString(folder)});
+  const auto areSeen = [&] {
+    const auto views = w.window.findChildren<FrameView*>();
+    return four == std::ranges::count_if(views, [](const FrameView* view) {
+             return view->isVisible() && view->frame() && !view->picture().isNull();
+           });
+  };
+  if (!QTest::qWaitFor(areSeen, longest)) return 1;
+  std::printf("%.6f\n", (wallMs() - startMs) / 1000);
   return 0;
 }
 

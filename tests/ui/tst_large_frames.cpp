@@ -3,9 +3,11 @@
 #include <QLabel>
 
 #include "io/index/index_path.h"
+#include "io/thumbnail.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/hung_studies.h"
 #include "ui/controller/frame_picture.h"
+#include "ui/controller/thumbnails.h"
 #include "ui/data/frame_series.h"
 
 using namespace volumen;
@@ -19,6 +21,11 @@ class TestLargeFrames : public QObject {
   void framesAreReadOnceForARequest();
   void framesAndSeriesShareOneBudget();
   void aViewSaysThatItLoads();
+  void aViewSaysHowMuchIsRead();
+  void readingIsToldByPercents();
+  void aSeriesOfFourIsReadOnce();
+  void aFrameInMemoryIsNotReadForItsThumbnail();
+  void thumbnailsWaitForViews();
   void pixelsAreExact_data();
   void pixelsAreExact();
   void reducedPicturesAreRight_data();
@@ -36,7 +43,7 @@ int valueAt(int x, int y) { return x == mark.x() && y == mark.y() ? 3000 : x / 4
 struct LargeMammograms {
   QTemporaryDir folder;
 
-  bool write(int count) const {
+  bool write(int count, BreastSeries in = BreastSeries::ofEach) const {
     std::vector<Uint16> pixels(std::size_t(columns) * rows);
     for (int y = 0; y < rows; ++y)
       for (int x = 0; x < columns; ++x)
@@ -45,7 +52,7 @@ struct LargeMammograms {
       Breast breast = breasts[n];
       breast.columns = columns, breast.rows = rows;
       const QString path = folder.filePath(QString::number(n));
-      if (!writeBreast(breast, n + 1, path, BreastSeries::ofEach)) return false;
+      if (!writeBreast(breast, n + 1, path, in)) return false;
       DcmFileFormat file;
       if (file.loadFile(path.toStdString().c_str()).bad()) return false;
       file.getDataset()->putAndInsertUint16Array(DCM_PixelData, pixels.data(), pixels.size());
@@ -54,6 +61,14 @@ struct LargeMammograms {
     return true;
   }
 };
+
+std::vector<Series> seriesIn(const LargeMammograms& data) {
+  const Result<Study> study = openPath(data.folder.path().toStdString());
+  if (!study) return {};
+  std::vector<Series> all = study->volumes;
+  for (const Series& series : frameSeries(*study)) all.push_back(series);
+  return all;
+}
 
 struct LargeWindow : Frames {
   LargeWindow(const LargeMammograms& data, std::size_t budget) : Frames({}) {
@@ -161,6 +176,102 @@ void TestLargeFrames::aViewSaysThatItLoads() {
       },
       view->id()));
   QVERIFY(!loading->isVisible());
+}
+
+void TestLargeFrames::aViewSaysHowMuchIsRead() {
+  const LargeMammograms data;
+  QVERIFY(data.write(1));
+  LargeWindow w(data, 1 << 20);
+  w.service().blockSignals(true);  // so that the view goes on to wait
+  QTRY_COMPARE_WITH_TIMEOUT(w.framesSeen().size(), std::size_t(1), longest);
+  FrameView* view = w.framesSeen().front();
+  const auto* loading = view->findChild<QLabel*>(QStringLiteral("loadingMark"));
+  QTRY_VERIFY_WITH_TIMEOUT(loading->isVisible(), longest);
+  QCOMPARE(loading->text(), QStringLiteral("Loading"));
+  w.service().blockSignals(false);
+  Q_EMIT w.service().progressed({view->state().series, 7}, 90);
+  QCOMPARE(loading->text(), QStringLiteral("Loading"));
+  Q_EMIT w.service().progressed({view->state().series, 0}, 40);
+  QCOMPARE(loading->text(), QStringLiteral("Loading 40 %"));
+  QVERIFY(loading->width() >= loading->sizeHint().width() && view->rect().contains(loading->geometry()));
+  QTRY_VERIFY_WITH_TIMEOUT(w.service().find({view->state().series, 0}), longest);
+  QVERIFY(w.after(
+      [&] {
+        w.session().change({}, [&](Workspace& now) {
+          now.editView(view->id()).flats.editOrAdd(view->state().series).zoom = 1.5;
+        });
+      },
+      view->id()));
+  QVERIFY(!loading->isVisible());
+  QCOMPARE(loading->text(), QStringLiteral("Loading"));
+}
+
+void TestLargeFrames::readingIsToldByPercents() {
+  const LargeMammograms data;
+  QVERIFY(data.write(1));
+  const auto series = std::make_shared<const Series>(seriesIn(data).at(0));
+  FrameService frames(std::size_t(1) << 30);
+  QSignalSpy told(&frames, &FrameService::progressed), ready(&frames, &FrameService::ready);
+  frames.request(axialViewId, series, 0, 1);
+  QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, longest);
+  QVERIFY(told.count() > 5);
+  int last = 0;
+  for (const QList<QVariant>& one : told) {
+    QCOMPARE(one[0].value<FrameKey>().index, 0);
+    QVERIFY(one[1].toInt() > last && one[1].toInt() <= 100);
+    last = one[1].toInt();
+  }
+}
+
+// Of four views, whose window needs the middle frame.
+void TestLargeFrames::aSeriesOfFourIsReadOnce() {
+  const LargeMammograms data;
+  QVERIFY(data.write(4, BreastSeries::ofAll));
+  const auto series = std::make_shared<const Series>(seriesIn(data).at(0));
+  QCOMPARE(frameCount(*series), 4);
+  FrameService frames(std::size_t(1) << 30);
+  QSignalSpy read(&frames, &FrameService::held), ready(&frames, &FrameService::ready);
+  const ViewId views[] = {axialViewId, coronalViewId, sagittalViewId, sceneViewId};
+  for (int n = 0; n < 4; ++n) frames.request(views[n], series, n, 1);
+  QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 4, longest);
+  QTest::qWait(200);
+  QCOMPARE(read.count(), 4);
+}
+
+void TestLargeFrames::aFrameInMemoryIsNotReadForItsThumbnail() {
+  constexpr int edge = 44;
+  const LargeMammograms data;
+  QVERIFY(data.write(1));
+  const auto series = std::make_shared<const Series>(seriesIn(data).at(0));
+  const Result<QImage> fromFile = thumbnailOf(*series, edge);
+  QVERIFY(fromFile);
+  FrameService frames(std::size_t(1) << 30);
+  QSignalSpy ready(&frames, &FrameService::ready);
+  frames.request(axialViewId, series, 0, 1);
+  QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, longest);
+  QVERIFY(QFile::remove(QString::fromStdString(series->files.front())));
+  Thumbnails thumbnails(edge, frames);
+  QSignalSpy made(&thumbnails, &Thumbnails::made);
+  thumbnails.request(*series);
+  QTRY_COMPARE_WITH_TIMEOUT(made.count(), 1, longest);
+  QCOMPARE(made[0][1].value<QImage>(), squareThumbnail(*fromFile, edge));
+}
+
+void TestLargeFrames::thumbnailsWaitForViews() {
+  const LargeMammograms data;
+  QVERIFY(data.write(2));
+  const std::vector<Series> all = seriesIn(data);
+  QCOMPARE(all.size(), std::size_t(2));
+  FrameService frames(std::size_t(1) << 30);
+  Thumbnails thumbnails(44, frames);
+  QStringList order;
+  connect(&frames, &FrameService::ready, this, [&] { order << QStringLiteral("seen"); });
+  connect(&thumbnails, &Thumbnails::made, this, [&] { order << QStringLiteral("thumbnail"); });
+  for (const Series& series : all) thumbnails.request(series);
+  frames.request(axialViewId, std::make_shared<const Series>(all[0]), 0, 1);
+  frames.request(coronalViewId, std::make_shared<const Series>(all[1]), 0, 1);
+  QTRY_COMPARE_WITH_TIMEOUT(order.size(), 4, longest);
+  QCOMPARE(order.mid(0, 2), QStringList({QStringLiteral("seen"), QStringLiteral("seen")}));
 }
 
 void TestLargeFrames::pixelsAreExact_data() {

@@ -5,12 +5,22 @@
 #include "io/frames.h"
 #include "ui/data/frame_series.h"
 #include "ui/data/picture_index.h"
+#include "ui/document/no_memory.h"
+#include "viewer/volume/parallel.h"
 
 namespace volumen {
 
 namespace {
 
 constexpr int mostAhead = 32;
+constexpr int mostThreads = 4;  // views of mammograms
+
+bool isGrey(const Series& series) {
+  constexpr const char* colours[] = {"RGB", "YBR", "PALETTE"};
+  return std::ranges::none_of(colours, [&](const char* name) { return series.valueType.starts_with(name); });
+}
+
+FrameKey middleOf(const Series& series) { return {keyOf(series), frameCount(series) / 2}; }
 
 // Returns the first and last frame that share a window.
 std::pair<int, int> framesOfOneWindow(const Series& series, int index) {
@@ -31,8 +41,10 @@ std::size_t FrameService::defaultBudget() {
   return std::min(SeriesPool::partOfMemory(6), std::size_t(1) << 30);
 }
 
-FrameService::FrameService(std::size_t budget, QObject* parent)
-    : QObject(parent), pool_(budget), thread_([this] { run(); }) {}
+FrameService::FrameService(std::size_t budget, QObject* parent) : QObject(parent), pool_(budget) {
+  const int count = std::min(allowedThreads(), mostThreads);
+  for (int n = 0; n < count; ++n) threads_.emplace_back([this] { run(); });
+}
 
 FrameService::~FrameService() {
   if (shared_) shared_->leave(this);
@@ -40,8 +52,8 @@ FrameService::~FrameService() {
     const std::lock_guard lock(mutex_);
     closing_ = true;
   }
-  wake_.notify_one();
-  thread_.join();
+  wake_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
 }
 
 LoadedFramePtr FrameService::find(const FrameKey& key) {
@@ -86,6 +98,17 @@ void FrameService::shareBudgetOf(std::shared_ptr<SeriesPool> pool) {
   shared_ = std::move(pool);
 }
 
+void FrameService::waitForViews(const CancelToken& cancel) {
+  constexpr std::chrono::milliseconds lookEvery(50);
+  const auto waits = [this](const auto& each) {
+    const Wanted& wanted = each.second;
+    return !wanted.told && (wanted.passed == 0 || isUnderWay(wanted.key(0)));
+  };
+  std::unique_lock lock(mutex_);
+  while (!closing_ && !cancel.cancelled() && std::ranges::any_of(wanted_, waits))
+    wake_.wait_for(lock, lookEvery);
+}
+
 void FrameService::drop(ViewId view) {
   const std::lock_guard lock(mutex_);
   wanted_.erase(view);
@@ -118,17 +141,44 @@ int FrameService::reach() const {
   return int(std::min<std::size_t>(room, mostAhead));
 }
 
-// Returns each frame once per request, so that reading ends even if the pool has no room for all.
+bool FrameService::isUnderWay(const FrameKey& key) const {
+  return std::ranges::find(underWay_, key, &Reading::key) != underWay_.end();
+}
+
 std::optional<FrameService::Reading> FrameService::nextReading() {
-  const int most = reach();
+  if (std::optional<Reading> middle = nextMiddle()) return middle;
+  // Frames read ahead must not hold up those that views want, nor fill the memory.
+  const int most = std::ranges::any_of(underWay_, &Reading::isAhead) ? 0 : reach();
   for (int ahead = 0; ahead <= most; ++ahead)
-    for (auto& [view, wanted] : wanted_) {
-      if (ahead < wanted.passed) continue;
-      wanted.passed = ahead + 1;
-      const FrameKey key = wanted.key(ahead);
-      if (key.index < 0 || key.index >= frameCount(*wanted.series) || isKnown(key)) continue;
-      return Reading{wanted.series, key, ahead == 0 ? std::optional(view) : std::nullopt};
-    }
+    if (std::optional<Reading> next = nextOf(ahead)) return next;
+  return {};
+}
+
+// Returns the middle frame of a series if a view needs its greys for the frame that it wants.
+std::optional<FrameService::Reading> FrameService::nextMiddle() const {
+  for (const auto& [view, wanted] : wanted_) {
+    const bool needsGreys = wanted.presentation.empty() && frameCount(*wanted.series) > 1;
+    if (wanted.told || !needsGreys || !isGrey(*wanted.series)) continue;
+    const FrameKey middle = middleOf(*wanted.series);
+    if (!middleGreys_.contains(middle.series) && !isKnown(middle) && !isUnderWay(middle))
+      return Reading{wanted.series, middle};
+  }
+  return {};
+}
+
+// Returns each frame once per request, so that reading ends even if the pool has no room for all. A view that
+// moves on waits for the frame that is read for it, so that frames arrive in their order.
+std::optional<FrameService::Reading> FrameService::nextOf(int ahead) {
+  for (auto& [view, wanted] : wanted_) {
+    const bool isServed =
+        std::ranges::find(underWay_, std::optional(view), &Reading::view) != underWay_.end();
+    if (ahead < wanted.passed || isServed) continue;
+    wanted.passed = ahead + 1;
+    const FrameKey key = wanted.key(ahead);
+    const bool isThere = key.index >= 0 && key.index < frameCount(*wanted.series);
+    if (!isThere || isKnown(key) || isUnderWay(key)) continue;
+    return Reading{wanted.series, key, ahead == 0 ? std::optional(view) : std::nullopt, ahead > 0};
+  }
   return {};
 }
 
@@ -138,24 +188,33 @@ void FrameService::run() {
     std::optional<Reading> reading;
     wake_.wait(lock, [&] { return closing_ || (reading = nextReading()); });
     if (closing_) return;
+    underWay_.push_back(*reading);
     lock.unlock();
-    Result<LoadedFramePtr> frame = read(*reading);
+    const Result<LoadedFramePtr> frame = orNoMemory([&] { return read(*reading); });
     lock.lock();
-    if (frame) {
-      keep(*frame);
-      // A view that moves faster than frames are read sees at least this one.
-      if (reading->view && wanted_.contains(*reading->view) && wanted_[*reading->view].key(0) != reading->key)
-        tellReady(*reading->view, *frame);
-    } else {
-      failures_[reading->key] = {frame.message(), std::chrono::steady_clock::now()};
-    }
-    tellReady();
+    end(*reading, frame);
     // The shared pool calls back, so it is called without the lock.
     const std::shared_ptr<SeriesPool> shared = shared_;
     lock.unlock();
     if (shared) shared->fit();
     lock.lock();
   }
+}
+
+// Requires the lock.
+void FrameService::end(const Reading& reading, const Result<LoadedFramePtr>& frame) {
+  underWay_.erase(std::ranges::find(underWay_, reading.key, &Reading::key));
+  if (frame) {
+    keep(*frame);
+    if (reading.key == middleOf(*reading.series)) middleGreys_.try_emplace(reading.key.series);  // in colour
+    // A view that moves faster than frames are read sees at least this one.
+    if (reading.view && wanted_.contains(*reading.view) && wanted_[*reading.view].key(0) != reading.key)
+      tellReady(*reading.view, *frame);
+  } else {
+    failures_[reading.key] = {frame.message(), std::chrono::steady_clock::now()};
+  }
+  tellReady();
+  wake_.notify_all();
 }
 
 // Requires the lock.
@@ -167,10 +226,22 @@ void FrameService::keep(const LoadedFramePtr& frame) {
 }
 
 Result<Presentation> FrameService::presentationOf(const std::string& path) {
+  const std::lock_guard lock(sharedMutex_);
   if (const auto known = presentations_.find(path); known != presentations_.end()) return known->second;
   Result<Presentation> read = loadPresentation(path);
   if (read) presentations_.emplace(path, *read);
   return read;
+}
+
+Progress FrameService::progressOf(const Reading& reading) {
+  constexpr std::size_t small = std::size_t(8) << 20;  // bytes: read before a percentage could be seen
+  if (reading.isAhead) return {};
+  return [this, key = reading.key, last = 0](const char*, std::size_t done, std::size_t total) mutable {
+    const int percent = total < small ? 0 : int(100 * done / total);
+    if (percent == std::exchange(last, percent)) return;
+    QMetaObject::invokeMethod(
+        this, [this, key, percent] { Q_EMIT progressed(key, percent); }, Qt::QueuedConnection);
+  };
 }
 
 Result<LoadedFramePtr> FrameService::read(const Reading& reading) {
@@ -179,7 +250,8 @@ Result<LoadedFramePtr> FrameService::read(const Reading& reading) {
   if (!presentation) return readAcquired(reading, presentation.message());
   if (!namesPicture(presentation->pictures, *reading.series, reading.key.index))
     return readAcquired(reading, {});
-  Result<PresentedFrame> shown = loadFrame(*reading.series, reading.key.index, *presentation);
+  Result<PresentedFrame> shown =
+      loadFrame(*reading.series, reading.key.index, *presentation, progressOf(reading));
   if (!shown) return readAcquired(reading, shown.message());
   std::vector<std::string>& warnings = shown->frame.warnings;
   warnings.insert(warnings.end(), presentation->warnings.begin(), presentation->warnings.end());
@@ -188,7 +260,7 @@ Result<LoadedFramePtr> FrameService::read(const Reading& reading) {
 
 // `warning` says why the frame is not shown otherwise; it is empty if it should not be.
 Result<LoadedFramePtr> FrameService::readAcquired(const Reading& reading, const std::string& warning) {
-  Result<Frame> frame = loadFrame(*reading.series, reading.key.index);
+  Result<Frame> frame = loadFrame(*reading.series, reading.key.index, progressOf(reading));
   if (!frame) return frame.error();
   if (!warning.empty()) frame->warnings.push_back(warning);
   const Series& series = *reading.series;
@@ -196,7 +268,7 @@ Result<LoadedFramePtr> FrameService::readAcquired(const Reading& reading, const 
   if (frame->greys.empty() || frameCount(series) < 2)
     return shownFrame(series, reading.key, *std::move(frame));
   setOwnWindow(series, index, *frame);
-  std::vector<NamedGrey> greys = middleGreys(series, index, *frame);
+  std::vector<NamedGrey> greys = middleGreys(reading, *frame);
   return shownFrame(series, reading.key, *std::move(frame), {}, std::move(greys));
 }
 
@@ -205,27 +277,28 @@ void FrameService::setOwnWindow(const Series& series, int index, Frame& frame) {
     frame.greys.front().mapping.window = windowOf(series, index, frame);
 }
 
-// Returns none if the middle frame cannot be read or is in colour. `frame` is the one of `index`. A middle
-// frame that was read for this is kept: it may be requested next.
-std::vector<NamedGrey> FrameService::middleGreys(const Series& series, int index, const Frame& frame) {
-  const FrameKey key{keyOf(series), frameCount(series) / 2};
+// Returns none if the middle frame cannot be read or is in colour. Waits for another thread that reads it.
+std::vector<NamedGrey> FrameService::middleGreys(const Reading& reading, const Frame& frame) {
+  const FrameKey key = middleOf(*reading.series);
+  std::unique_lock lock(mutex_);
+  if (reading.key.index == key.index) return middleGreys_[key.series] = frame.greys;
+  wake_.wait(lock, [&] { return closing_ || !isUnderWay(key); });
   const auto known = middleGreys_.find(key.series);
   if (known != middleGreys_.end()) return known->second;
-  if (key.index == index) return middleGreys_[key.series] = frame.greys;
-  Result<Frame> middle = loadFrame(series, key.index);
-  if (!middle) return {};
-  setOwnWindow(series, key.index, *middle);
-  const std::vector<NamedGrey> greys = middle->greys;
-  if (const auto shown = shownFrame(series, key, *std::move(middle), {}, greys)) {
-    const std::lock_guard lock(mutex_);
-    keep(*shown);
-  }
-  return middleGreys_[key.series] = greys;
+  if (closing_) return {};
+  const Reading middle{reading.series, key};
+  underWay_.push_back(middle);
+  lock.unlock();
+  const Result<LoadedFramePtr> read = readAcquired(middle, {});
+  lock.lock();
+  end(middle, read);
+  return read ? middleGreys_[key.series] : std::vector<NamedGrey>();
 }
 
 Window FrameService::windowOf(const Series& series, int index, const Frame& frame) {
   const auto [first, last] = framesOfOneWindow(series, index);
   if (first == last) return frame.greys.front().mapping.window;
+  const std::lock_guard lock(sharedMutex_);
   const auto known = windows_.find({keyOf(series), first});
   if (known != windows_.end()) return known->second;
   const int sampled = std::min(last - first + 1, sampledFrames);

@@ -8,16 +8,19 @@
 #include <set>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "io/presentation.h"
+#include "io/study/progress.h"
 #include "ui/data/frame_pool.h"
 #include "ui/data/series_pool.h"
 #include "ui/workspace/view_id.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
 
-/// Reads and decodes frames on its own thread: first the frame each view wants, then the next ones in its
-/// direction. No call waits.
+/// Reads and decodes frames on threads of its own: first the frame each view wants, those of several views at
+/// once, then one by one the next ones in their directions. No call of a view waits.
 ///
 /// Frames of a series whose files have no window share one. Series that areMadeOneByOne() have one per file.
 /// It is P0.1 .. P99.9 of at most `sampledFrames` frames, evenly spaced.
@@ -41,6 +44,8 @@ class FrameService : public QObject {
   /// to, are shown as acquired.
   void request(ViewId view, std::shared_ptr<const Series> series, int index, int step,
                const std::string& presentation = {});
+  /// Waits until no view waits for a frame, or `cancel`. For threads whose reading is less urgent.
+  void waitForViews(const CancelToken& cancel);
   /// Stops reading ahead for a view.
   void drop(ViewId view);
 
@@ -55,6 +60,8 @@ class FrameService : public QObject {
   /// The frame that a view wants, or wanted when reading began.
   void ready(int view, const volumen::LoadedFramePtr& frame);
   void failed(int view, const volumen::FrameKey& key, const QString& sentence);
+  /// How much of a large frame is read. Sent once a percent for frames that are not read ahead.
+  void progressed(const volumen::FrameKey& key, int percent);
   /// Another frame of this series is in memory.
   void held(const volumen::SeriesKey& series);
 
@@ -75,27 +82,32 @@ class FrameService : public QObject {
   struct Reading {
     std::shared_ptr<const Series> series;
     FrameKey key;
-    std::optional<ViewId> view;  // the view that wants it; empty if it is read ahead
+    std::optional<ViewId> view = {};  // the view that wants it
+    bool isAhead = false;
   };
 
   void run();
+  void end(const Reading& reading, const Result<LoadedFramePtr>& frame);
   void tellReady();
   void tellReady(ViewId view, const LoadedFramePtr& frame);
   std::optional<Reading> nextReading();
+  std::optional<Reading> nextMiddle() const;
+  std::optional<Reading> nextOf(int ahead);
   int reach() const;
   bool isKnown(const FrameKey& key) const { return pool_.contains(key) || failures_.contains(key); }
+  bool isUnderWay(const FrameKey& key) const;
+  Progress progressOf(const Reading& reading);
   Result<LoadedFramePtr> read(const Reading& reading);
   Result<LoadedFramePtr> readAcquired(const Reading& reading, const std::string& warning);
   Result<Presentation> presentationOf(const std::string& path);
   void keep(const LoadedFramePtr& frame);
   Window windowOf(const Series& series, int index, const Frame& frame);
   void setOwnWindow(const Series& series, int index, Frame& frame);
-  std::vector<NamedGrey> middleGreys(const Series& series, int index, const Frame& frame);
+  std::vector<NamedGrey> middleGreys(const Reading& reading, const Frame& frame);
 
-  // Windows of frames without one, by the first frame that shares it. The next three members are used on the
-  // thread only.
+  std::mutex sharedMutex_;  // guards the next two, also while they are read; never taken within mutex_
+  // Windows of frames without one, by the first frame that shares it.
   std::map<std::pair<SeriesKey, int>, Window> windows_;
-  std::map<SeriesKey, std::vector<NamedGrey>> middleGreys_;
   std::map<std::string, Presentation> presentations_;  // by file
   std::mutex mutex_;                                   // guards from here ...
   std::condition_variable wake_;
@@ -103,9 +115,11 @@ class FrameService : public QObject {
   std::shared_ptr<SeriesPool> shared_;  // may be null
   std::map<ViewId, Wanted> wanted_;
   std::map<FrameKey, Failure> failures_;
+  std::map<SeriesKey, std::vector<NamedGrey>> middleGreys_;
+  std::vector<Reading> underWay_;
   std::size_t frameBytes_ = 1;  // size of the frame read last
   bool closing_ = false;        // ... to here
-  std::thread thread_;
+  std::vector<std::thread> threads_;
 };
 
 }  // namespace volumen

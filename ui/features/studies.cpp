@@ -30,7 +30,7 @@ class Studies : public Feature {
   StudiesPanel* panel_;
 };
 
-Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(open_)) {
+Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(open_, bench.document.frames)) {
   bench_.addDock({"studies", tr("Studies"), panel_, {Qt::LeftDockWidgetArea, 10}});
   bench_.menus.addMenu(makeOverlayMenu(
                            session_, [this] { return panel_->listedSeries(); }, &bench_.window),

@@ -93,12 +93,12 @@ void removeItem(QTreeWidgetItem* item) {
 
 }  // namespace
 
-StudiesPanel::StudiesPanel(OpenStudies& studies, QWidget* parent)
+StudiesPanel::StudiesPanel(OpenStudies& studies, FrameService& frames, QWidget* parent)
     : QWidget(parent),
       studies_(studies),
       search_(new QLineEdit),
       tree_(new StudyTree),
-      thumbnails_(thumbnailEdge) {
+      thumbnails_(thumbnailEdge, frames) {
   setMinimumWidth(leastWidth);
   search_->setObjectName(QStringLiteral("studySearch"));
   search_->setPlaceholderText(tr("Search"));

@@ -20,7 +20,7 @@ namespace volumen {
 class StudiesPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit StudiesPanel(OpenStudies& studies, QWidget* parent = nullptr);
+  StudiesPanel(OpenStudies& studies, FrameService& frames, QWidget* parent = nullptr);
 
   /// Returns the width that shows the number of slices of a series and their plane, pixels.
   int fittingWidth() const;

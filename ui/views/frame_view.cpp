@@ -76,6 +76,9 @@ FrameView::FrameView(const ViewParts& parts, ViewId id, QWidget* parent)
   setObjectName(QStringLiteral("frameView%1").arg(id));
   connect(&frames_, &FrameService::ready, this, &FrameView::takeFrame);
   connect(&frames_, &FrameService::failed, this, &FrameView::tellFailure);
+  connect(&frames_, &FrameService::progressed, this, [this](const FrameKey& key, int percent) {
+    if (isLoading() && key == frameKey()) setPercentRead(percent);
+  });
   connect(&frames_, &FrameService::held, this, [this](const SeriesKey& series) {
     if (isCurrent() && series == state().series) update();
   });
@@ -119,6 +122,7 @@ void FrameView::askForFrame() {
   if (frameCount(*seriesState().series) == 0) return;  // the session's files are missing
   const FrameKey key = frameKey();
   if (frame_ && frame_->key == key) return;
+  if (std::exchange(awaited_, key) != key) setPercentRead({});
   const bool isBackwards = isPlaying() ? cine_->isBackwards() : frame_ && frame_->key.index > key.index;
   frames_.request(id(), seriesState().series, key.index, isBackwards ? -1 : 1, key.presentation);
   if (const LoadedFramePtr held = frames_.find(key)) takeFrame(id(), held);

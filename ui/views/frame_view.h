@@ -72,7 +72,8 @@ class FrameView : public FlatView {
 
   FrameService& frames_;
   LoadedFramePtr frame_;
-  QString failure_;  // of the wanted frame
+  FrameKey awaited_;  // requested last
+  QString failure_;   // of the wanted frame
   // Frame that is due while a clip plays; it replaces the workspace's frame.
   std::optional<int> played_;
 };

@@ -106,7 +106,18 @@ void View::showWaiting() {
   }
   loadingSoon_.stop();
   loading_->hide();
+  setPercentRead({});
 }
+
+void View::setPercentRead(std::optional<int> percent) {
+  const QString text = percent ? tr("Loading %1 %").arg(*percent) : tr("Loading");
+  if (text == loading_->text()) return;
+  loading_->setText(text);
+  loading_->adjustSize();
+  placeLoading();
+}
+
+void View::placeLoading() { loading_->move((width() - loading_->width()) / 2, height() / 4); }
 
 Overlays View::waitingOverlays() const {
   const Series& series = *seriesIn(session_.workspace(), id_);
@@ -239,7 +250,7 @@ void View::hideEvent(QHideEvent*) {
 }
 
 void View::resizeEvent(QResizeEvent*) {
-  loading_->move((width() - loading_->width()) / 2, height() / 4);
+  placeLoading();
   dropMark_->setGeometry(rect());
   followPixels();
 }

@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "ui/overlays/overlays.h"
@@ -90,6 +91,8 @@ class View : public QWidget {
   virtual bool isLoading() const { return isWaiting(); }
   /// Shows or hides the loading mark. To be called where isLoading() may have changed.
   void showWaiting();
+  /// Sets how much of the awaited picture is read, for the loading mark; empty if that is not known.
+  void setPercentRead(std::optional<int> percent);
   /// Returns the texts over the last picture while isLoading(): its series and the awaited time point.
   Overlays waitingOverlays() const;
   /// Paints a thin frame if several views are on screen and this one has the focus. An empty view for
@@ -118,6 +121,7 @@ class View : public QWidget {
   bool followSeries();
   void followPixels();
   void showDropMark(bool on);
+  void placeLoading();
 
   const ViewId id_;
   LoadedSeriesPtr seen_;

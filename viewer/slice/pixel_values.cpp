@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace volumen {
 
@@ -52,14 +53,15 @@ float PixelValues::operator[](std::size_t n) const {
   return std::visit([&](const auto& v) { return of(double(v[n])); }, stored);
 }
 
-std::vector<float> PixelValues::floats() const {
+std::vector<float> PixelValues::floats(std::size_t first, std::size_t count) const {
   return std::visit(
       [&]<class T>(const std::vector<T>& v) {
+        const auto some = std::span(v).subspan(first, count);
         if constexpr (std::is_same_v<T, float>) {
-          return v;
+          return std::vector<float>(some.begin(), some.end());
         } else {
-          std::vector<float> values(v.size());
-          std::ranges::transform(v, values.begin(), [&](T each) { return of(double(each)); });
+          std::vector<float> values(count);
+          std::ranges::transform(some, values.begin(), [&](T each) { return of(double(each)); });
           return values;
         }
       },

@@ -23,7 +23,9 @@ struct PixelValues {
   bool empty() const { return size() == 0; }
   float of(double storedValue) const { return float(slope * storedValue + intercept); }
   float operator[](std::size_t n) const;
-  std::vector<float> floats() const;
+  std::vector<float> floats() const { return floats(0, size()); }
+  /// Returns `count` values from the one at `first` on.
+  std::vector<float> floats(std::size_t first, std::size_t count) const;
   bool anyNegative() const;
   /// Returns volumen::greyBytes() of all values.
   std::vector<std::uint8_t> greyBytes(const GreyMapping& mapping) const;

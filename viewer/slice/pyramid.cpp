@@ -68,8 +68,7 @@ VolumePtr reduced(const Volume& whole, int edge) {
   const glm::ivec2 size(whole.size());
   parts.geometry.size = {blocksOf(size, edge), 1};
   parts.geometry.origin = whole.geometry().patientFromVoxel({(edge - 1) / 2.0, (edge - 1) / 2.0, 0});
-  parts.geometry.patientFromVoxelStep[0] *= edge;
-  parts.geometry.patientFromVoxelStep[1] *= edge;
+  parts.geometry.patientFromVoxelStep *= edge;  // also its thickness: the smallest step sets the sub-samples
   parts.values = meansOnAllCores(whole.stored(), size, edge);
   parts.slope = whole.slope();
   parts.intercept = whole.intercept();
@@ -85,6 +84,13 @@ std::vector<float> blockMeans(const VoxelValues& stored, glm::ivec2 size, int ed
   std::visit([&](const auto& values) { takeMeans(values, size, edge, 0, blocksOf(size, edge).y, means); },
              stored);
   return means;
+}
+
+std::optional<SmallPicture> smallPicture(const VoxelValues& stored, glm::ivec2 size, int edge) {
+  constexpr int pixelsForEach = 4;
+  const int block = std::max(size.x, size.y) / (pixelsForEach * edge);
+  if (block < 2) return {};
+  return SmallPicture{blocksOf(size, block), block, blockMeans(stored, size, block)};
 }
 
 Pyramid::Pyramid(VolumePtr whole) : whole_(std::move(whole)) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "viewer/slice/plane.h"
 
 namespace volumen {
@@ -7,6 +9,17 @@ namespace volumen {
 /// Returns the means of blocks of `edge` x `edge` stored values of a picture, first row on top. Blocks at the
 /// right and bottom border have the pixels that are left. Runs on one thread.
 std::vector<float> blockMeans(const VoxelValues& stored, glm::ivec2 size, int edge);
+
+/// A picture reduced to the means of blocks of stored values.
+struct SmallPicture {
+  glm::ivec2 size{0};
+  int block = 1;  ///< edge of a block
+  std::vector<float> means;
+};
+
+/// Returns a picture reduced for one whose longer side has `edge` pixels, with enough pixels for each to
+/// scale it smoothly; nothing if it is too small for that.
+std::optional<SmallPicture> smallPicture(const VoxelValues& stored, glm::ivec2 size, int edge);
 
 /// A large picture and its reduced copies, whose pixels are means of blocks of pixels. Views that show the
 /// picture small are drawn from a copy, so that their cost follows the view, not the picture. Numbers are

@@ -117,6 +117,9 @@ class Resampler {
     samples_ = std::visit([](const auto& v) { return static_cast<const void*>(v.data()); }, volume.stored());
   }
 
+  // Tiles stand in rows of tilesAcross(), each tileRows() pixels high.
+  int tileRows() const { return tileRows_; }
+  int tilesAcross() const { return (size_.x + tileColumns_ - 1) / tileColumns_; }
   std::int64_t tiles() const { return std::int64_t(tilesAcross()) * ((size_.y + tileRows_ - 1) / tileRows_); }
 
   // Writes the pixels of tile n.
@@ -144,8 +147,6 @@ class Resampler {
   // Tile size in (sub-)samples. Voxels read at one depth must stay in the cache for the next, although voxels
   // above each other share few cache sets.
   static constexpr int columnsATile = 256, rowsATile = 16;
-
-  int tilesAcross() const { return (size_.x + tileColumns_ - 1) / tileColumns_; }
 
   void copy(const Tile& tile, const Slabs& slabs, float* values) const {
     const double* value = slabs.value.data();
@@ -307,18 +308,51 @@ class Resampler {
 
 }  // namespace
 
+namespace {
+
+// Draws tiles from `first` up to, not including, `last`. `values` is the first pixel of the picture.
+Status drawTiles(const Resampler& resampler, std::int64_t first, std::int64_t last, float* values,
+                 int threads, const CancelToken& cancel) {
+  parallelFor(last - first, threads, [&](std::int64_t begin, std::int64_t end) {
+    Slabs slabs;
+    for (std::int64_t n = begin; n < end && !cancel.cancelled(); ++n)
+      resampler.draw(first + n, slabs, values);
+  });
+  if (cancel.cancelled()) return Error{"cancelled"};
+  return {};
+}
+
+}  // namespace
+
 Result<SliceValues> resampleSlice(const Volume& volume, const SlicePlane& plane, int threads,
                                   const CancelToken& cancel) {
   if (Status s = checkPlane(plane); !s) return s.error();
   SliceValues out{plane.size, std::vector<float>(std::size_t(plane.size.x) * plane.size.y)};
   const Resampler resampler(volume, plane);
-  parallelFor(resampler.tiles(), threads, [&](std::int64_t begin, std::int64_t end) {
-    Slabs slabs;
-    for (std::int64_t n = begin; n < end && !cancel.cancelled(); ++n)
-      resampler.draw(n, slabs, out.values.data());
-  });
-  if (cancel.cancelled()) return Error{"cancelled"};
+  if (Status s = drawTiles(resampler, 0, resampler.tiles(), out.values.data(), threads, cancel); !s)
+    return s.error();
   return out;
+}
+
+Status resampleSliceByRows(const Volume& volume, const SlicePlane& plane,
+                           const std::function<Status(std::span<const float>)>& use,
+                           const CancelToken& cancel) {
+  constexpr std::int64_t pixelsAtOnce = 1 << 22;
+  if (Status s = checkPlane(plane); !s) return s.error();
+  const Resampler resampler(volume, plane);
+  const std::int64_t across = resampler.tilesAcross(),
+                     aRow = std::int64_t(plane.size.x) * resampler.tileRows(),
+                     rowsAtOnce = std::max<std::int64_t>(1, pixelsAtOnce / aRow);
+  std::vector<float> values(
+      std::size_t(std::min(rowsAtOnce * aRow, plane.size.x * std::int64_t(plane.size.y))));
+  for (std::int64_t row = 0; row * across < resampler.tiles(); row += rowsAtOnce) {
+    const std::int64_t last = std::min(resampler.tiles(), (row + rowsAtOnce) * across);
+    if (Status s = drawTiles(resampler, row * across, last, values.data() - row * aRow, 0, cancel); !s)
+      return s;
+    const std::int64_t left = std::int64_t(plane.size.x) * plane.size.y - row * aRow;
+    if (Status s = use(std::span(values).first(std::size_t(std::min(left, rowsAtOnce * aRow)))); !s) return s;
+  }
+  return {};
 }
 
 }  // namespace volumen

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "viewer/slice/plane.h"
@@ -18,5 +20,11 @@ struct SliceValues {
 /// value. Positions are rounded to 2^-24 voxels. The Error means: refused by checkPlane(), or cancelled.
 Result<SliceValues> resampleSlice(const Volume& volume, const SlicePlane& plane, int threads = 0,
                                   const CancelToken& cancel = {});
+
+/// Resamples the same values a few rows at a time, from the top, for pictures too large to be held as floats.
+/// Calls `use` with the values of whole rows. The Error can also be that of `use`.
+Status resampleSliceByRows(const Volume& volume, const SlicePlane& plane,
+                           const std::function<Status(std::span<const float>)>& use,
+                           const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -1,5 +1,10 @@
 // Guards slices.md 2 and 5: `volumen slice --plane frame` writes values, colours and grey of pictures as
 // acquired.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <QImage>
 #include <QTemporaryDir>
 #include <cstring>
@@ -9,6 +14,7 @@
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/fixtures/real_volume.h"
+#include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
@@ -20,6 +26,8 @@ class TestSliceFrame : public QObject {
   void picturesAreWrittenAsAcquired_data();
   void picturesAreWrittenAsAcquired();
   void aSliceOfASeriesIsItsFrame();
+  void largePicturesTakeTwiceTheirPixels_data();
+  void largePicturesTakeTwiceTheirPixels();
   void wrongUsageIsRefused_data();
   void wrongUsageIsRefused();
 
@@ -40,6 +48,22 @@ Result<Frame> frameOf(const std::string& path, int index) {
 QByteArray bytesBehindHeader(const QString& path) {
   const QByteArray all = contentsOf(path);
   return all.mid(all.indexOf("\n\n") + 2);
+}
+
+// Writes a radiograph in a process of its own: programs that are started count the memory of this one as
+// theirs.
+bool writeApart(const std::string& path, int edge) {
+  const pid_t pid = fork();
+  if (pid == 0) {
+    DicomPicture picture{.columns = edge, .rows = edge, .orientation = ""};
+    picture.pixels.resize(std::size_t(edge) * std::size_t(edge));
+    for (std::size_t n = 0; n < picture.pixels.size(); ++n) picture.pixels[n] = std::uint16_t(n / 100 % 4096);
+    picture.edit = [](DcmDataset& data) { data.findAndDeleteElement(DCM_ImagePositionPatient); };
+    writeDicom(path, picture);
+    _exit(0);
+  }
+  int status = -1;
+  return pid > 0 && waitpid(pid, &status, 0) == pid && status == 0;
 }
 
 template <class T>
@@ -106,6 +130,35 @@ void TestSliceFrame::aSliceOfASeriesIsItsFrame() {
   for (int j = 0; j < n.y; ++j)
     for (int i = 0; i < n.x; ++i) expected.push_back(chest->value(i, j, 7));
   QVERIFY(bytesBehindHeader(out) == bytesOf(expected));
+}
+
+void TestSliceFrame::largePicturesTakeTwiceTheirPixels_data() {
+  QTest::addColumn<QString>("plane");
+  QTest::addColumn<QString>("name");
+  for (const char* plane : {"frame", "axial"})
+    for (const char* name : {"out.nrrd", "out.png"})
+      QTest::addRow("%s, %s", plane, name) << QString::fromLatin1(plane) << QString::fromLatin1(name);
+}
+
+// Beside what a small picture takes.
+void TestSliceFrame::largePicturesTakeTwiceTheirPixels() {
+#ifdef __SANITIZE_ADDRESS__
+  QSKIP("AddressSanitizer keeps freed memory");
+#endif
+  QFETCH(QString, plane);
+  QFETCH(QString, name);
+  constexpr int edge = 7000;
+  const auto peakOf = [&](int size) {
+    const std::string path = folder_.filePath(QString::number(size)).toStdString();
+    if (!writeApart(path, size)) return -1.;
+    const MeasuredOutcome run = runMeasured(
+        {"slice", path, "--plane", plane.toStdString(), "-o", folder_.filePath(name).toStdString()});
+    return run.status == 0 ? run.peakMebibytes : -1.;
+  };
+  const double small = peakOf(100), large = peakOf(edge);
+  QVERIFY(small > 0 && large > 0);
+  const double pixels = 2. * edge * edge / (1 << 20);
+  QVERIFY2(large - small < 2 * pixels, qPrintable(QString::number((large - small) / pixels)));
 }
 
 void TestSliceFrame::wrongUsageIsRefused_data() {

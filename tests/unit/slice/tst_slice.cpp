@@ -28,6 +28,8 @@ class TestSlice : public QObject {
   void slabsOfARamp();
   void averagesHoldTheShareOfThinLines();
   void hugeSlabsAndPixelsEnd();
+  void rowsAreThoseOfTheWhole_data();
+  void rowsAreThoseOfTheWhole();
   void realStudiesShowTheirVoxels_data();
   void realStudiesShowTheirVoxels();
   void whatIsNoPlaneIsRefused_data();
@@ -285,6 +287,39 @@ void TestSlice::hugeSlabsAndPixelsEnd() {
   const SliceValues slice = sliceOf(*volume, plane);
   for (int n = 0; n < 9; ++n) QCOMPARE(std::isnan(slice.values[n]), n != 4);
   QCOMPARE(slice.values[4], 9.5f);
+}
+
+void TestSlice::rowsAreThoseOfTheWhole_data() {
+  QTest::addColumn<QSize>("size");
+  QTest::addColumn<double>("slabMm");
+  QTest::newRow("at once") << QSize(60, 50) << 0.;
+  QTest::newRow("in several parts, the last one smaller") << QSize(2100, 4503) << 0.;
+  QTest::newRow("few long rows") << QSize(300000, 37) << 0.;
+  QTest::newRow("a slab") << QSize(1100, 4001) << 3.;
+}
+
+void TestSlice::rowsAreThoseOfTheWhole() {
+  QFETCH(QSize, size);
+  QFETCH(double, slabMm);
+  const VolumePtr volume = someVolume(QStringLiteral("int16"));
+  SlicePlane plane = alongSlice(*volume, 4.3);
+  plane.size = {size.width(), size.height()};
+  plane.mmPerPixel = 40. / std::max(size.width(), size.height());
+  plane.slabMm = slabMm;
+  const SliceValues whole = sliceOf(*volume, plane);
+  std::size_t seen = 0;
+  const Status done = resampleSliceByRows(*volume, plane, [&](std::span<const float> rows) -> Status {
+    if (rows.size() % std::size_t(plane.size.x) != 0) return Error{"a row is cut"};
+    if (std::memcmp(rows.data(), whole.values.data() + seen, rows.size_bytes()) != 0)
+      return Error{"other values"};
+    seen += rows.size();
+    return {};
+  });
+  QVERIFY2(done, done ? "" : done.message().c_str());
+  QCOMPARE(seen, whole.values.size());
+  QCOMPARE(resampleSliceByRows(*volume, plane, [](std::span<const float>) { return Status(Error{"full"}); })
+               .message(),
+           std::string("full"));
 }
 
 void TestSlice::realStudiesShowTheirVoxels_data() {
