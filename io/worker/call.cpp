@@ -94,8 +94,7 @@ const char* reasonOf(Failure failure) {
 
 std::string reasonOf(Failure failure, const Request& request) {
   if (failure != Failure::scarce) return reasonOf(failure);
-  std::string sentence =
-      tooLittleMemory(whoNeedsMemory, PromisedMemory::bytesFor(request.needBytes)).message;
+  std::string sentence = tooLittleMemory(whoNeedsMemory, PromisedMemory::bytesFor(request.needBytes)).message;
   sentence.pop_back();  // the full stop
   return sentence;
 }

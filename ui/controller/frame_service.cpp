@@ -77,7 +77,7 @@ void FrameService::request(ViewId view, std::shared_ptr<const Series> series, in
       failures_.erase(failure);
     tellReady();
   }
-  wake_.notify_one();
+  wake_.notify_all();
 }
 
 void FrameService::setBudget(std::size_t bytes) {
@@ -289,7 +289,7 @@ std::vector<NamedGrey> FrameService::middleGreys(const Reading& reading, const F
   const Reading middle{reading.series, key};
   underWay_.push_back(middle);
   lock.unlock();
-  const Result<LoadedFramePtr> read = readAcquired(middle, {});
+  const Result<LoadedFramePtr> read = orNoMemory([&] { return readAcquired(middle, {}); });
   lock.lock();
   end(middle, read);
   return read ? middleGreys_[key.series] : std::vector<NamedGrey>();
