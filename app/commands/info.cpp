@@ -235,6 +235,8 @@ int run(const InfoOptions& options, const CancelToken& cancel) {
   else
     std::cout << infoText(*study, series, options.verbose);
   if (!series.empty() || !study->images.empty()) return exitDone;
+  // Volumes that are there, but whose values cannot be read.
+  if (!study->volumes.empty()) return fail(study->refused.back().reason);
   return fail("No images found in " + options.path + ".");
 }
 

@@ -94,6 +94,7 @@ void SeriesFinder::addPictures(Study& study) const {
   std::map<std::size_t, std::vector<Image>> images;
   for (const auto& [uid, numbers] : series_) {
     std::vector<FileHeader> files;
+    files.reserve(numbers.size());
     std::map<std::string, std::size_t> alone;
     for (const std::size_t n : numbers) {
       files.push_back(pictures_.at(n));

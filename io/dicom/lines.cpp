@@ -199,13 +199,13 @@ StackDirection stackDirection(std::span<const PlacedSlice> slices) {
   const Slice& first = slices[0].slice;
   const glm::dvec3 normal = glm::normalize(glm::cross(first.orientation->row, first.orientation->column));
   if (slices.size() < 2) return {normal, false};
-  const glm::dvec3 whole = *slices.back().slice.position - *first.position;
+  const glm::dvec3 whole = *slices.back().slice->position - *first.position;
   const double length = glm::dot(whole, normal);
   const glm::dvec3 sideways = whole - length * normal;
   if (!(length > 0)) return {normal, false};
   double worst = 0;
   for (const PlacedSlice& s : slices) {
-    const glm::dvec3 from = *s.slice.position - *first.position;
+    const glm::dvec3 from = *s.slice->position - *first.position;
     worst = std::max(worst, glm::length(from - glm::dot(from, normal) / length * whole));
   }
   const bool agreed = worst <= 0.1 * glm::length(sideways);

@@ -56,7 +56,11 @@ class Files {
     Incoming in;
     in.placed.path = path;
     in.again = file.again;
-    in.placed.slice.position = file.position;
+    if (file.position) {
+      Slice lost;
+      lost.position = file.position;
+      in.placed.slice = SharedSlice(std::move(lost));
+    }
     if (!file.header) {
       in.failure = file.failure;
       return in;
@@ -69,7 +73,7 @@ class Files {
     else if (header.format.columns != size_.x || header.format.rows != size_.y)
       in.failure = "its size is not that of the series.";
     else
-      in.file = &header, in.placed.slice = header.slices[std::size_t(frame)];
+      in.file = &header, in.placed.slice = SharedSlice::of(header.slices[std::size_t(frame)]);
     return in;
   }
 
@@ -160,7 +164,7 @@ class SliceDecoder {
 
   void decodeSlice(const PixelSource& source, std::size_t at, Incoming& in) {
     try {
-      const Result<DecodedFrame> frame = source.frame(in.placed.slice.frame);
+      const Result<DecodedFrame> frame = source.frame(in.placed.slice->frame);
       if (!frame) {
         fail(in, frame.message());
         return;
@@ -193,7 +197,7 @@ class SliceDecoder {
 void addFailures(const std::vector<Incoming>& slices, std::vector<Unread>& unread) {
   for (const Incoming& in : slices)
     if (!in.failure.empty())
-      unread.push_back({{in.placed.path, in.failure, in.again}, false, in.placed.slice.position});
+      unread.push_back({{in.placed.path, in.failure, in.again}, false, in.placed.slice->position});
 }
 
 /// Removes warnings about the layout of slices, which assumed that all could be read.
@@ -224,7 +228,7 @@ std::vector<const FileHeader*> headersOf(const std::vector<Incoming>& slices) {
 std::vector<Window> windowsOf(const std::vector<Incoming>& slices) {
   std::vector<const std::vector<Window>*> all;
   for (const Incoming& in : slices)
-    if (!in.placed.slice.windows.empty()) all.push_back(&in.placed.slice.windows);
+    if (!in.placed.slice->windows.empty()) all.push_back(&in.placed.slice->windows);
   if (all.empty()) return {};
   std::ranges::stable_sort(all, {}, [](const std::vector<Window>* windows) {
     return std::pair(windows->front().width, windows->front().centre);

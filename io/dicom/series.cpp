@@ -45,7 +45,7 @@ std::vector<Entries> groups(const std::vector<const FileHeader*>& files) {
   std::vector<Entries> known;
   for (const FileHeader* file : files) {
     for (const Slice& slice : file->slices) {
-      Entry entry{file, {slice, file->path, 0}};
+      Entry entry{file, {SharedSlice::of(slice), file->path, 0}};
       // Only the last groups are tried, or a file of a hundred thousand directions would take minutes.
       const auto first = known.end() - std::min<std::ptrdiff_t>(256, known.end() - known.begin());
       const auto it = std::find_if(first, known.end(), [&](const Entries& g) {
@@ -310,7 +310,8 @@ ValuePlan planValues(const std::vector<const FileHeader*>& files, std::span<cons
   for (std::size_t n = 0; n < slices.size(); ++n) {
     const Slice& slice = slices[n].slice;
     const VoxelValues type = typeOf(files[n]->format);
-    const bool isOther = slice.slope != slices[0].slice.slope || slice.intercept != slices[0].slice.intercept;
+    const bool isOther =
+        slice.slope != slices[0].slice->slope || slice.intercept != slices[0].slice->intercept;
     // Windows on mapped values are not LINEAR ones, unlike those on integers (slices.md 3).
     if (isOther || (slice.isMapped && slice.slope != 1))
       plan.type = std::vector<float>{};

@@ -306,7 +306,9 @@ std::vector<Split> splitStacks(const std::vector<Entries>& stacks) {
   for (const Entries& stack : stacks) {
     firsts.push_back(stack.front());
     firsts.back().placed.alongNormal = 0;
-    firsts.back().placed.slice.instance = firstNumber(stack);
+    Slice slice = stack.front().slice();
+    slice.instance = firstNumber(stack);
+    firsts.back().placed.slice = SharedSlice(std::move(slice));
   }
   const auto stackOf = [&](const Entry& e) {
     return *std::ranges::find_if(stacks, [&](const Entries& stack) {

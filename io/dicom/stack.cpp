@@ -36,10 +36,10 @@ std::string missingPlace(const Slice& slice) {
 /// Returns the distance of each slice from the first, mm along the line. Uses planes, so that it always
 /// increases.
 std::vector<double> alongLine(std::span<const PlacedSlice> slices) {
-  const glm::dvec3 normal = normalOf(slices[0].slice), first = *slices[0].slice.position;
+  const glm::dvec3 normal = normalOf(slices[0].slice), first = *slices[0].slice->position;
   const double cosine = glm::dot(stackDirection(slices).unit, normal);
   std::vector<double> along;
-  for (const PlacedSlice& s : slices) along.push_back(glm::dot(*s.slice.position - first, normal) / cosine);
+  for (const PlacedSlice& s : slices) along.push_back(glm::dot(*s.slice->position - first, normal) / cosine);
   return along;
 }
 
@@ -55,14 +55,14 @@ void warnOfShear(std::span<const PlacedSlice> slices, Stack& stack) {
 }
 
 void warnOffLine(std::span<const PlacedSlice> slices, const std::vector<double>& along, Stack& stack) {
-  const glm::dvec3 line = stackDirection(slices).unit, first = *slices[0].slice.position;
+  const glm::dvec3 line = stackDirection(slices).unit, first = *slices[0].slice->position;
   double worst = 0;
   std::size_t at = 0;
   for (std::size_t n = 0; n < slices.size(); ++n) {
-    const double off = glm::length(*slices[n].slice.position - first - along[n] * line);
+    const double off = glm::length(*slices[n].slice->position - first - along[n] * line);
     if (off > worst) worst = off, at = n;
   }
-  const double pixel = std::min(slices[0].slice.spacing->x, slices[0].slice.spacing->y);
+  const double pixel = std::min(slices[0].slice->spacing->x, slices[0].slice->spacing->y);
   if (worst > 0.1 * pixel)
     stack.warnings.push_back({"The slices do not lie on one line: " + fileName(slices[at].path) + " is " +
                                   millimetres(worst) + " mm beside it and was moved onto it.",
@@ -175,8 +175,8 @@ void addRegularGrid(std::span<const PlacedSlice> slices, const std::vector<doubl
 }
 
 void layOutSingle(const PlacedSlice& only, Stack& stack) {
-  const bool known = only.slice.thickness > 0;
-  stack.acquired.patientFromVoxelStep[2] = normalOf(only.slice) * (known ? only.slice.thickness : 1.0);
+  const bool known = only.slice->thickness > 0;
+  stack.acquired.patientFromVoxelStep[2] = normalOf(only.slice) * (known ? only.slice->thickness : 1.0);
   if (!known) stack.warnings.emplace_back("A single slice of unknown thickness: shown 1 mm thick.");
 }
 

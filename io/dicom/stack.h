@@ -1,15 +1,36 @@
 #pragma once
 
+#include <memory>
 #include <span>
+#include <utility>
 
 #include "io/dicom/header.h"
 #include "io/study/series.h"
 
 namespace volumen::dicom {
 
+/// A slice that all copies share: one that outlasts them, or an own one.
+class SharedSlice {
+ public:
+  SharedSlice() : SharedSlice(Slice()) {}
+  explicit SharedSlice(Slice own) : slice_(std::make_shared<const Slice>(std::move(own))) {}
+  static SharedSlice of(const Slice& lasting) {
+    return SharedSlice(std::shared_ptr<const Slice>(std::shared_ptr<void>(), &lasting));
+  }
+  static SharedSlice of(Slice&&) = delete;
+
+  operator const Slice&() const { return *slice_; }
+  const Slice* operator->() const { return slice_.get(); }
+
+ private:
+  explicit SharedSlice(std::shared_ptr<const Slice> slice) : slice_(std::move(slice)) {}
+
+  std::shared_ptr<const Slice> slice_;
+};
+
 /// A slice of a series and its file.
 struct PlacedSlice {
-  Slice slice;
+  SharedSlice slice;
   std::string path;
   double alongNormal = 0;  ///< mm; its number if position or orientation is unknown
 };

@@ -72,7 +72,7 @@ bool padAlike(const Slice& a, const Slice& b) {
 }  // namespace
 
 std::optional<Padding> paddingOf(std::span<const PlacedSlice> slices) {
-  const auto isPadded = [](const PlacedSlice& s) { return s.slice.padding.has_value(); };
+  const auto isPadded = [](const PlacedSlice& s) { return s.slice->padding.has_value(); };
   if (std::ranges::none_of(slices, isPadded)) return {};
   const Slice& first = slices[0].slice;
   if (std::ranges::all_of(slices, [&](const PlacedSlice& s) { return padAlike(s.slice, first); }))
@@ -82,7 +82,7 @@ std::optional<Padding> paddingOf(std::span<const PlacedSlice> slices) {
     if (!isPadded(s)) continue;
     const double low = realPadding(s.slice).low;
     if (lowest && lowest->values.low <= low) continue;
-    lowest = Padding{{low, low}, s.slice.slope < 0 ? s.slice.padding->high : s.slice.padding->low};
+    lowest = Padding{{low, low}, s.slice->slope < 0 ? s.slice->padding->high : s.slice->padding->low};
   }
   return lowest;
 }

@@ -59,7 +59,12 @@ Measured wheel(const std::string&, int measurements) {
 }
 
 Measured info(const std::string& folder, int files) {
-  apart([&] { writeSlices(folder, files); });
+  apart([&] { writeSlices(folder, files, 500); });
+  return run({"info", folder, "--json"});
+}
+
+Measured oneSeries(const std::string& folder, int files) {
+  apart([&] { writeSlices(folder, files, files); });
   return run({"info", folder, "--json"});
 }
 
@@ -113,6 +118,7 @@ const std::vector<Row>& rows() {
       {"nifti", "4-D NIfTI from one enhanced file, 64 x 64 x 40 x N", {125, 250, 500}, nifti},
       {"wheel", "a wheel step with N measurements in the series", {0, 500, 1000, 2000}, wheel},
       {"info", "`info --json` of N files", {5000, 15000, 50000}, info},
+      {"series", "`info --json` of one series of N files", {5000, 15000, 50000}, oneSeries},
       {"segments", "N segments of noise, 512 x 512 x 138, as .seg.nrrd", {5, 10, 20}, segments},
       {"bone",
        "`render` of 512 x 512 x N, bone",

@@ -100,8 +100,7 @@ void writeEnhanced(const std::string& path, int timePoints) {
   tests::writeDicom(path, picture);
 }
 
-void writeSlices(const std::string& folder, int files) {
-  constexpr int aSeries = 500;
+void writeSlices(const std::string& folder, int files, int aSeries) {
   const std::string series = "1.2.3.4.700000000", instance = "1.2.3.4.800000000", place = "10\\20\\900000";
   DicomPicture picture{.seriesUid = series, .columns = 8, .rows = 8, .position = {10, 20, 900000}};
   picture.edit = [&](DcmDataset& data) {
@@ -127,7 +126,7 @@ void writeSlices(const std::string& folder, int files) {
     replace(bytes, series, "1.2.3.4.7" + digits(n / aSeries, 8));
     replace(bytes, instance, "1.2.3.4.8" + digits(n, 8));
     replace(bytes, place, "10\\20\\" + digits(n % aSeries, 6));
-    tests::writeAll(in + "/slice" + digits(n % aSeries, 4) + ".dcm", bytes);
+    tests::writeAll(in + "/slice" + digits(n % aSeries, 6) + ".dcm", bytes);
   }
 }
 

@@ -12,8 +12,8 @@ namespace volumen::bench {
 inline constexpr const char* enhancedUid = "1.2.3.4.500";
 void writeEnhanced(const std::string& path, int timePoints);
 
-/// Writes CT slices of 8 x 8 pixels into `folder`, 500 a series.
-void writeSlices(const std::string& folder, int files);
+/// Writes CT slices of 8 x 8 pixels into `folder`, `aSeries` in each series.
+void writeSlices(const std::string& folder, int files, int aSeries);
 
 /// Writes a radiograph of `edge` x `edge` pixels.
 void writeRadiograph(const std::string& path, int edge);

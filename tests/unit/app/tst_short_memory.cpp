@@ -1,5 +1,8 @@
 // Guards that too little memory is told before anything is read, by both figures, and kills nobody: under
 // ulimit and in a control group, by the command line.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -13,6 +16,7 @@
 #include "io/worker/sandbox.h"
 #include "tests/fixtures/program.h"
 #include "tests/fixtures/scarce_memory.h"
+#include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -20,6 +24,7 @@ using namespace volumen::tests;
 namespace {
 
 constexpr quint64 mebi = 1 << 20;
+constexpr const char* outputs[] = {"out.png", "out.nrrd", "out.nii.gz", "out.seg.nrrd", "out.json"};
 
 }  // namespace
 
@@ -36,6 +41,7 @@ class TestShortMemory : public QObject {
   void whatFitsHasTheSameBytes();
   void anImportNeedsNoVolume_data();
   void anImportNeedsNoVolume();
+  void aSeriesOfManyFilesTakesLittle();
 
  private:
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
@@ -74,6 +80,17 @@ void TestShortMemory::initTestCase() {
   write("big", 256, all);
   write("thin", 256, {100});
   write("huge", 8192, {});
+  DicomPicture radiograph{.columns = 8000, .rows = 8000, .orientation = "", .pixels = {100}};
+  radiograph.edit = [](DcmDataset& data) {
+    data.putAndInsertString(DCM_SOPClassUID, UID_DigitalXRayImageStorageForPresentation);
+    data.putAndInsertString(DCM_Modality, "DX");
+    data.findAndDeleteElement(DCM_ImagePositionPatient);
+  };
+  writeDicom(at("radiograph.dcm").toStdString(), radiograph);
+  QFile recipe(at("recipe.json"));
+  QVERIFY(recipe.open(QIODevice::WriteOnly));
+  recipe.write(R"({"volumenRecipe": 1, "name": "Bone", "segments": [{"name": "Bone"}],
+      "steps": [{"step": "range", "segment": "Bone", "low": 500}]})");
   QFile scene(at("bone.json"));
   QVERIFY(scene.open(QIODevice::WriteOnly));
   scene.write(R"({"volumenScene": 1, "transferFunction": {"points": [
@@ -84,7 +101,7 @@ void TestShortMemory::initTestCase() {
 }
 
 void TestShortMemory::init() {
-  for (const char* name : {"out.png", "out.nrrd", "out.seg.nrrd", "out.json"}) QFile::remove(at(name));
+  for (const char* name : outputs) QFile::remove(at(name));
   QDir(at("out")).removeRecursively();
 }
 
@@ -125,11 +142,17 @@ void TestShortMemory::tooLittleIsTold_data() {
   };
   row("render", 120, "render IN/big.nhdr --preset CT-Bone --size 32x32 -o IN/out.png --stats IN/out.json");
   row("slice", 120, "slice IN/big.nhdr -o IN/out.png");
+  row("render, a turntable", 120,
+      "render IN/big.nhdr --preset CT-Bone --size 32x32 --turntable 3 -o IN/out.png --stats IN/out.json");
+  row("slice, a frame as acquired", 120, "slice IN/radiograph.dcm -o IN/out.png");
   row("measure", 120, "measure IN/big.nhdr --roi IN/shapes.json");
   row("convert", 120, "convert IN/big.nhdr -o IN/out.nrrd");
+  row("convert, compressed", 120, "convert IN/big.nhdr -o IN/out.nii.gz");
   row("convert to DICOM", 120, "convert IN/big.nhdr -o IN/out/");
   row("segment, not even read", 120, "segment IN/big.nhdr --range 500: -o IN/out.seg.nrrd");
   row("segment, the values alone fit", 250, "segment IN/big.nhdr --range 500: -o IN/out.seg.nrrd");
+  row("segment, a recipe", 120, "segment IN/big.nhdr --recipe IN/recipe.json -o IN/out.seg.nrrd");
+  row("info, values", 120, "info IN/big.nhdr --values");
   row("accuracy", 120, "accuracy IN/big.nhdr --preset CT-Bone --size 32x32 -o IN/out");
   row("bench", 120, "bench IN/big.nhdr --preset CT-Bone --size 32x32");
   row("bench, the values alone fit", 400, "bench IN/big.nhdr --preset CT-Bone --size 32x32");
@@ -144,9 +167,8 @@ void TestShortMemory::tooLittleIsTold() {
   QVERIFY2(a.status == 1, QByteArray::number(a.status) + a.err);
   const QRegularExpression figures(QStringLiteral(R"([\d.]+ [MG]iB.* and [\d.]+ [MG]iB are available)"));
   QVERIFY2(figures.match(QString::fromUtf8(a.err)).hasMatch(), a.err);
-  QVERIFY2(a.out.isEmpty(), a.out);
-  for (const char* name : {"out.png", "out.nrrd", "out.seg.nrrd", "out.json"})
-    QVERIFY2(!QFile::exists(at(name)), name);
+  QVERIFY2(a.out.isEmpty() || line.startsWith(QLatin1String("info")), a.out);
+  for (const char* name : outputs) QVERIFY2(!QFile::exists(at(name)), name);
   QVERIFY(QDir(at("out")).isEmpty());
 }
 
@@ -224,6 +246,20 @@ void TestShortMemory::anImportNeedsNoVolume() {
   QVERIFY2(a.status == 0 && a.out.contains("\"new\": 1"), a.out + a.err);
   const Outcome listed = runProgram(words(QStringLiteral("list --index IN/index")));
   QVERIFY2(listed.out.contains("huge.nhdr"), listed.out + listed.err);
+}
+
+// A header takes about 5 KiB while its series is sorted, nearly three times as much if each stage copies it.
+void TestShortMemory::aSeriesOfManyFilesTakesLittle() {
+  constexpr int files = 10'000;
+  QVERIFY(QDir().mkpath(at("series")));
+  DicomPicture picture{.pixels = {100}};
+  for (picture.instance = 1; picture.instance <= files; ++picture.instance) {
+    picture.position.z = picture.instance;
+    writeDicom(folder_.filePath(QStringLiteral("series/%1").arg(picture.instance)).toStdString(), picture);
+  }
+  const Outcome a = runWith(ScarceMemory::By::addressSpace, 130, QStringLiteral("info IN/series --json"));
+  QVERIFY2(a.status == 0 && a.err.isEmpty(), QByteArray::number(a.status) + a.err);
+  QCOMPARE(QJsonDocument::fromJson(a.out).object()[QLatin1String("volumes")].toArray().size(), 1);
 }
 
 VOLUMEN_TEST(TestShortMemory);
