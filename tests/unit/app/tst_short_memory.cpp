@@ -248,7 +248,7 @@ void TestShortMemory::anImportNeedsNoVolume() {
   QVERIFY2(listed.out.contains("huge.nhdr"), listed.out + listed.err);
 }
 
-// A header takes about 5 KiB while its series is sorted, four times as much if each stage copies it.
+// A header takes about 5 KiB while its series is sorted, nearly three times as much if each stage copies it.
 void TestShortMemory::aSeriesOfManyFilesTakesLittle() {
   constexpr int files = 10'000;
   QVERIFY(QDir().mkpath(at("series")));
