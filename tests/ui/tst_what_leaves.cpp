@@ -252,7 +252,7 @@ const Thing things[] = {
 DicomSeriesTags knownTags() {
   DicomSeriesTags tags;
   tags.patientName = "Doe^Jane", tags.patientId = "PAT4711", tags.studyDate = "20260314";
-  tags.studyUid = "1.2.3.4", tags.seriesUid = "1.2.3.4.5", tags.seriesNumber = "73165";
+  tags.studyUid = "1.2.3.4", tags.seriesUid = "1.2.3.4.5", tags.seriesNumber = "1731652894";
   tags.description = "Thorax", tags.modality = "CT";
   return tags;
 }
@@ -263,7 +263,7 @@ QStringList spellings(const QString& field) {
       {QStringLiteral("patient"), {QStringLiteral("Doe, Jane"), QStringLiteral("Doe^Jane")}},
       {QStringLiteral("id"), {QStringLiteral("PAT4711")}},
       {QStringLiteral("date"), {QStringLiteral("2026-03-14"), QStringLiteral("20260314")}},
-      {QStringLiteral("number"), {QStringLiteral("73165")}},
+      {QStringLiteral("number"), {QStringLiteral("1731652894")}},
       {QStringLiteral("description"), {QStringLiteral("Thorax")}},
       {QStringLiteral("level"), {QStringLiteral("PSNR")}},  // the promised value
       {QStringLiteral("clinical"), {QStringLiteral("Not for clinical use")}}};
@@ -277,7 +277,7 @@ DicomSeriesTags otherTags(const QString& field) {
   if (field == QStringLiteral("patient")) tags.patientName = "Roe^John";
   if (field == QStringLiteral("id")) tags.patientId = "PAT0815";
   if (field == QStringLiteral("date")) tags.studyDate = "20190807";
-  if (field == QStringLiteral("number")) tags.seriesNumber = "26841";
+  if (field == QStringLiteral("number")) tags.seriesNumber = "1268413975";
   if (field == QStringLiteral("description")) tags.description = "Becken";
   return tags;
 }
@@ -341,14 +341,30 @@ bool hasLetter(const QString& thing, const QImage& image) {
   return brightIn(image, {0, int(at * image.height()) - reach, image.width() / 12, 2 * reach}) > 5;
 }
 
-// Returns whether a line is near the bottom.
+// Returns whether a line with a tick at each end is near the bottom. A skull also has bright runs.
 bool hasScale(const QImage& image) {
   for (int y = image.height() * 85 / 100; y < image.height(); ++y)
     for (int x = 0, run = 0; x < image.width(); ++x) {
-      run = brightIn(image, {x, y, 1, 1}) ? run + 1 : 0;
-      if (run > 20) return true;
+      const bool isBright = brightIn(image, {x, y, 1, 1}) > 0;
+      if (!isBright && run > 20) {
+        const auto above = [&](int at, int width) { return brightIn(image, {at, y - 2, width, 1}); };
+        const int from = x - run;
+        if (above(from, 3) && above(x - 3, 3) && !above(from + run / 2, 1) && !above(from - 4, 2) &&
+            !above(x + 2, 2))
+          return true;
+      }
+      run = isBright ? run + 1 : 0;
     }
   return false;
+}
+
+// Returns the pictures' upper halves, where names are; of several views, the first. Below, 3D tells its time.
+QList<QImage> headsOf(const QString& thing, const QList<QImage>& pictures) {
+  QList<QImage> heads;
+  for (const QImage& image : pictures)
+    heads << image.copy(0, 0, image.width() / (thing == QStringLiteral("all views") ? 2 : 1),
+                        image.height() / 2);
+  return heads;
 }
 
 bool says(const QString& thing, const QString& field) {
@@ -359,7 +375,7 @@ bool says(const QString& thing, const QString& field) {
     return false;
   if (field == QStringLiteral("sides")) return hasLetter(thing, left.pictures.front());
   if (field == QStringLiteral("scale")) return hasScale(left.pictures.front());
-  return leftWith(field).at(thing).pictures != left.pictures;
+  return headsOf(thing, leftWith(field).at(thing).pictures) != headsOf(thing, left.pictures);
 }
 
 }  // namespace
