@@ -9,6 +9,7 @@
 #include "tests/ui/gestures.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
+#include "ui/controller/frame_service.h"
 #include "ui/panels/camera_panel.h"
 #include "ui/panels/clip_panel.h"
 #include "ui/panels/light_presets.h"
@@ -245,7 +246,8 @@ void TestPanels::studiesAreListedAndSearched() {
   study->volumes[1].warnings = {Warning("Slices 34-36 missing: 7.5 mm gap filled by interpolation.")};
   study->refused = {{"/data/broken.dcm", "cut off"}};
   OpenStudies studies;
-  StudiesPanel panel(studies);
+  FrameService frames;
+  StudiesPanel panel(studies, frames);
   studies.add(QStringLiteral("/data"), study);
   studies.add(QStringLiteral("/data"), study);  // opened again, but not listed twice
   const auto found = [&](const char* text) {

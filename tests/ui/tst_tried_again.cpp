@@ -8,8 +8,8 @@
 #include "ui/controller/derived_objects.h"
 #include "ui/controller/measure_jobs.h"
 #include "ui/data/frame_series.h"
+#include "ui/panels/regions_panel.h"
 #include "ui/workspace/measurements.h"
-#include "ui/workspace/regions_look.h"
 
 using namespace volumen;
 using namespace volumen::tests;
