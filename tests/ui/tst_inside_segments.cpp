@@ -48,7 +48,7 @@ struct TissueWindow : PaintWindow {
   VolumePtr whole() { return session().seriesNamed(series())->volume; }
   LoadedSeriesPtr left() {
     const auto& made = scenes().tissues().entries();
-    return made.empty() ? nullptr : made.front().value->left;
+    return made.empty() || !made.front().value ? nullptr : made.front().value->left;
   }
   /// Returns the voxels kept. Valid only while some are masked.
   const BitMask& voxelsLeft() { return *scenes().tissues().entries().front().value->voxels; }

@@ -90,7 +90,7 @@ void TestTimePointLoading::memoryWithoutRoomLoadsNothingAhead() {
   pool.setOnScreen({{{"a", "1"}, {}}});
   QVERIFY(pool.hasRoomFor(60));
   QVERIFY(!pool.hasRoomFor(61));
-  pool.setOnScreen({{{"a", "1"}, {}}}, 10);
+  pool.count(this, 10);
   QVERIFY2(pool.hasRoomFor(50) && !pool.hasRoomFor(51), "what is held elsewhere counts");
 }
 

@@ -79,13 +79,12 @@ std::shared_ptr<StoredVoxels> SeriesPool::voxelsOf(const VolumePtr& volume) {
   return first.computed;
 }
 
-void SeriesPool::setOnScreen(std::vector<PoolKey> keys, std::size_t elsewhere) {
+void SeriesPool::setOnScreen(std::vector<PoolKey> keys) {
   Garbage garbage;
   const std::lock_guard lock(mutex_);
   onScreen_ = std::move(keys);
   for (const PoolKey& key : onScreen_ | std::views::reverse)
     if (const auto shown = withKey(key); shown != held_.end()) held_.splice(held_.begin(), held_, shown);
-  elsewhere_[nullptr] = elsewhere;
   letGoBeyond(budget_, garbage);
 }
 

@@ -44,9 +44,8 @@ class SeriesPool {
   /// long as somebody else holds the volume. Counts as need.
   std::shared_ptr<StoredVoxels> voxelsOf(const VolumePtr& volume);
 
-  /// Sets what is on screen from now on, and how many bytes are held elsewhere for it. Lets go of what is
-  /// beyond the budget.
-  void setOnScreen(std::vector<PoolKey> keys, std::size_t elsewhere = 0);
+  /// Sets what is on screen from now on. Lets go of what is beyond the budget.
+  void setOnScreen(std::vector<PoolKey> keys);
   /// Counts the bytes that a holder keeps elsewhere; 0: nothing any more.
   void count(const void* holder, std::size_t bytes);
   void setBudget(std::size_t bytes);

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "ui/workspace/session_fields.h"
+#include "ui/workspace/session_words.h"
+#include "ui/workspace/workspace.h"
+
+namespace volumen {
+
+// Lists of the fields of views and their links in sessions (session_fields.h), used by session_json.cpp.
+
+template <class Fields>
+void directions(Fields& f, glm::dvec3& right, glm::dvec3& down) {
+  constexpr double within = 1e-6;
+  constexpr Limits cosines{-1 - within, 1 + within};
+  f("right", right, cosines);
+  f("down", down, cosines);
+  f.require("right",
+            std::abs(glm::length(right) - 1) < within && std::abs(glm::length(down) - 1) < within &&
+                std::abs(glm::dot(right, down)) < within,
+            "and down must be orthogonal unit vectors");
+}
+
+template <class Fields>
+void fields(Fields& f, PictureTurn& turn) {
+  f("quarters", turn.quarters, {0, 3});
+  f("mirrored", turn.mirrored);
+}
+
+template <class Fields>
+void fields(Fields& f, FlatLook& look) {
+  f("panMm", look.panMm, mmLimits);
+  f("zoom", look.zoom, {1e-3, 1e4});
+  f("turn", look.turn);
+  f("slabMm", look.slabMm, {0, 1e6});
+  f("slabMode", look.slabMode, slabWords);
+  f("nearest", look.nearest);
+  f("inverted", look.inverted);
+  f("frame", look.frame, {0, 1e9});
+  f("layers", look.layers);
+  f("overlay", look.overlay);
+  f("overlayColours", look.overlayColours, colourWords);
+  f("overlayOpacity", look.overlayOpacity, {0, 1});
+  f("presentation", look.presentation);
+  f.unlessNone("windowAlone", look.windowAlone);
+}
+
+template <class Fields>
+void fields(Fields& f, PlaneDirections& plane) {
+  directions(f, plane.right, plane.down);
+}
+
+template <class Fields>
+void fields(Fields& f, Crosshair& crosshair) {
+  f("at", crosshair.at, mmLimits);
+  f("axial", crosshair.axial);
+  f("coronal", crosshair.coronal);
+  f("sagittal", crosshair.sagittal);
+  f("byHand", crosshair.byHand);
+  crosshair.byHand = crosshair.byHand || crosshair.turned();  // older sessions lack this field
+}
+
+template <class Fields>
+void crosshairsField(Fields& f, SharedMap<std::string, Crosshair>& crosshairs) {
+  f.map("crosshairs", crosshairs, [](auto& item, std::string& frame, Crosshair& crosshair) {
+    item.frame("frame", frame);
+    fields(item, crosshair);
+  });
+}
+
+template <class Fields>
+void fields(Fields& f, Rigid& rigid) {
+  constexpr double within = 1e-6;
+  constexpr Limits parts{-1 - within, 1 + within};
+  f("right", rigid.rotation[0], parts);
+  f("back", rigid.rotation[1], parts);
+  f("up", rigid.rotation[2], parts);
+  f("shift", rigid.translation, mmLimits);
+  const glm::dmat3 unity = glm::transpose(rigid.rotation) * rigid.rotation;
+  double off = std::abs(glm::determinant(rigid.rotation) - 1);
+  for (int n = 0; n < 3; ++n) off = std::max(off, glm::length(unity[n] - glm::dmat3(1)[n]));
+  f.require("right", off < within, "with back and up must be a rotation");
+}
+
+template <class Fields>
+void fields(Fields& f, FrameLink& link) {
+  f.frame("from", link.from);
+  f.frame("to", link.to);
+  f("toFromFrom", link.toFromFrom);
+  f("registered", link.registered);
+}
+
+template <class Fields>
+void fields(Fields& f, Links& links) {
+  f("scroll", links.scroll);
+  f("zoom", links.zoom);
+  f("pan", links.pan);
+  f("window", links.window);
+}
+
+template <class Fields>
+void fields(Fields& f, ViewState& v) {
+  f("kind", v.kind, kindWords);
+  f("series", v.series);
+  f.map("scenes", v.scenes, [](auto& item, SeriesKey& series, SceneLook& look) {
+    item("series", series);
+    item("scene", look.scene);
+    item("preset", look.preset);
+  });
+  f.map("flats", v.flats, [](auto& item, SeriesKey& series, FlatLook& look) {
+    item("series", series);
+    fields(item, look);
+  });
+  crosshairsField(f, v.crosshairs);
+  f.unlessEmpty("wanted", v.wanted);
+}
+
+}  // namespace volumen
