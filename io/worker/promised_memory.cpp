@@ -31,7 +31,7 @@ std::optional<PromisedMemory> PromisedMemory::of(std::uint64_t needBytes, const 
   const auto longest = std::chrono::steady_clock::now() + 10s;
   Promises& all = promises();
   std::unique_lock lock(all.mutex);
-  // What running calls have taken of their promises counts twice, so that some may wait without need.
+  // Memory that running calls have already taken counts twice, so a call may wait longer than needed.
   while (all.bytes > 0 && !isAvailable(all.bytes + bytes) && std::chrono::steady_clock::now() < longest) {
     if (cancel && cancel->cancelled()) return {};
     all.freed.wait_for(lock, 20ms);

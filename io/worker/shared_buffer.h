@@ -34,7 +34,7 @@ class SharedBuffer {
   std::atomic<std::uint32_t>& steps() const {
     return *reinterpret_cast<std::atomic<std::uint32_t>*>(memory_);
   }
-  /// Bytes of the requested picture: those read so far, and all of them (0: not known yet).
+  /// Bytes of the requested picture that are read, and its size in bytes (0: unknown).
   std::atomic<std::uint64_t>& readBytes() const { return bytesAt(8); }
   std::atomic<std::uint64_t>& pictureBytes() const { return bytesAt(16); }
 

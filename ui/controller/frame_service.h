@@ -44,7 +44,7 @@ class FrameService : public QObject {
   /// to, are shown as acquired.
   void request(ViewId view, std::shared_ptr<const Series> series, int index, int step,
                const std::string& presentation = {});
-  /// Waits until no view waits for a frame, or `cancel`. For threads whose reading is less urgent.
+  /// Blocks until no view waits for a frame or `cancel` is set. Threads whose reading is less urgent call it.
   void waitForViews(const CancelToken& cancel);
   /// Stops reading ahead for a view.
   void drop(ViewId view);
@@ -53,14 +53,14 @@ class FrameService : public QObject {
   static std::size_t defaultBudget();
   /// Sets how many bytes of frames are kept, including those on screen.
   void setBudget(std::size_t bytes);
-  /// Makes frames give way to what else `pool` counts: its budget is for both.
+  /// Counts the frames in the budget of `pool`, which drops them after everything else.
   void shareBudgetOf(std::shared_ptr<SeriesPool> pool);
 
  Q_SIGNALS:
   /// The frame that a view wants, or wanted when reading began.
   void ready(int view, const volumen::LoadedFramePtr& frame);
   void failed(int view, const volumen::FrameKey& key, const QString& sentence);
-  /// How much of a large frame is read. Sent once a percent for frames that are not read ahead.
+  /// A percent more of a large frame was read. Not sent for frames that are read ahead.
   void progressed(const volumen::FrameKey& key, int percent);
   /// Another frame of this series is in memory.
   void held(const volumen::SeriesKey& series);

@@ -50,7 +50,7 @@ class Loader : public QObject {
  Q_SIGNALS:
   /// Something is being opened to replace what is shown, or in an empty window.
   void openBegan();
-  /// A series to be shown is about to be read, so that room can be made for it.
+  /// Sent before a series to be shown is read. Receivers make room in memory.
   void aboutToRead(const volumen::Series& series);
   /// A series to be shown is being loaded; this ends in seriesLoaded(), notLoaded() or loadGivenUp().
   void loadBegan(const volumen::Series& series);

@@ -8,8 +8,8 @@
 
 namespace volumen {
 
-/// What 3D views draw: scenes with the surfaces of segments, and series without the tissue that is left out.
-/// Surfaces and volumes follow from the session. Until a new one is ready, the one before is drawn.
+/// Combines what 3D views draw: scenes with surfaces of segments, and series without masked tissue. Surfaces
+/// and volumes are derived from the session. The old ones are drawn until the new ones are ready.
 class DrawnScenes : public QObject {
   Q_OBJECT
  public:
@@ -21,12 +21,12 @@ class DrawnScenes : public QObject {
   Scene scene(ViewId view) const;
   /// Returns the series of a 3D view with air where tissue is left out. Null if Session::seriesOf() is.
   LoadedSeriesPtr series(ViewId view) const;
-  /// Returns that volume with its inputs; null if Session::seriesOf() is drawn.
+  /// Returns the volume of series() with its inputs; null if Session::seriesOf() is drawn.
   const TissueLeft::Entry* tissue(ViewId view) const;
   /// Returns the segments drawn in a 3D view. They have a surface, of their present labels or of those before
   /// the last change.
   std::vector<SegmentInScene> segments(ViewId view) const;
-  /// Returns those of them whose surface could not be made of their present labels.
+  /// Returns the segments of a 3D view whose present labels have no surface, with the reasons.
   std::vector<SegmentNotDrawn> segmentsNotDrawn(ViewId view) const;
 
   const SurfaceFields& surfaces() const { return surfaces_; }
@@ -37,11 +37,11 @@ class DrawnScenes : public QObject {
   void noteDrawn(const SeriesKey& series);
 
  Q_SIGNALS:
-  /// Some view has something else to draw.
+  /// A surface or volume of a 3D view was replaced or dropped.
   void changed();
   /// A sentence; not sent for cancelled work.
   void failed(const QString& sentence);
-  /// The user cancelled: a sentence.
+  /// The user cancelled the surfaces. The sentence says how to get them.
   void cancelled(const QString& sentence);
 
  private:

@@ -24,12 +24,12 @@ struct ChartKey {
 
 using MeasurementCharts = Derivation<ChartKey, MeasuredChart>;
 
-/// Returns nothing if the measurement's series or frame is not in memory.
+/// Returns the inputs of a measurement's chart; nothing if its series or frame is not in memory.
 std::optional<ChartKey> chartKeyOf(const Session& session, FrameService& frames,
                                    const Measurement& measurement, ChartKind kind);
 
-/// The chart that `wanted` returns, if any. Time points that are not in memory are read for it one after
-/// another, as a job that can be cancelled.
+/// Returns the rule for the one chart that `wanted` names, if any. A job reads time points that are not in
+/// memory, one after another. The user can cancel it.
 MeasurementCharts::Rule measurementChartsRule(const Session& session,
                                               std::function<std::optional<ChartKey>()> wanted);
 

@@ -34,8 +34,8 @@ struct Before {
   FieldPtr field;  // null: there is none
 };
 
-// Returns the field before if no voxel of the segment has changed. `kept` is null for all voxels. An Error
-// means that the field would exceed `mostBytes`.
+// Returns the field of a segment, or that of `before` if no voxel has changed. `kept` restricts its voxels;
+// null keeps all. The Error says that the field would exceed `mostBytes`.
 Result<FieldPtr> fieldOf(const SurfaceKey& key, const Before& before, const BitMask* kept,
                          std::size_t mostBytes, const CancelToken& cancel = {}) {
   const auto number = std::uint8_t(key.number);

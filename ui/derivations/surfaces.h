@@ -24,11 +24,13 @@ using KeptVoxels = Derivation<KeptKey, BitMask>;
 /// Fields that draw segments in 3D.
 using SurfaceFields = Derivation<SurfaceKey, OccupancyField>;
 
-/// Kept voxels of masked series whose segments are in 3D views on screen. The whole series must be in memory.
+/// Returns the rule for the kept voxels of masked series whose segments are in 3D views on screen. Series
+/// that are not in memory as a whole have none.
 KeptVoxels::Rule keptVoxelsRule(const Session& session);
 
-/// Fields of the segments in 3D views on screen. A stroke is included once it ends. All fields together have
-/// at most `mostBytes`; those of hidden segments stay while there is room. `fields` are those of this rule.
+/// Returns the rule for the fields of segments in 3D views on screen. A stroke is included once it ends. All
+/// fields together have at most `mostBytes`. Fields of hidden segments stay while there is room. `fields` is
+/// the derivation that follows this rule.
 SurfaceFields::Rule surfaceFieldsRule(const Session& session, const SegmentPainter& painter,
                                       const KeptVoxels& kept, const SurfaceFields& fields,
                                       std::size_t mostBytes);

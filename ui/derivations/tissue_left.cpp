@@ -15,7 +15,8 @@ namespace volumen {
 
 namespace {
 
-// Reuses the parts of the tissue before, of the same series, that are unchanged.
+// Returns the volume of a key. It shares the patient's voxels and the volume with `before` if these are
+// equal.
 Result<std::shared_ptr<const TissueVolume>> tissueLeft(const TissueKey& key, const TissueLeft::Entry& before,
                                                        const CancelToken& cancel) {
   const Volume& volume = *key.of->volume;
@@ -48,7 +49,7 @@ Result<std::shared_ptr<const TissueVolume>> tissueLeft(const TissueKey& key, con
   return std::make_shared<const TissueVolume>(std::move(made));
 }
 
-// The second volume must have room in memory.
+// Returns whether the table of a CT is left out. Memory must have room for a second volume.
 bool leavesTableOut(const Session& session, const LoadedSeriesPtr& series, const std::set<SeriesKey>& drawn) {
   if (series->series.modality != "CT" || series->series.curved) return false;
   const SeriesKey key = keyOf(series->series);
@@ -68,7 +69,7 @@ std::vector<TissueKey> wantedOf(const Session& session, const std::set<SeriesKey
   return wanted;
 }
 
-// The table stays at hand while the user shows it.
+// Returns whether the user shows the table of this series now; the volume without it is kept meanwhile.
 bool isTableOnScreen(const Session& session, const TissueKey& key) {
   const std::vector<SeriesKey> shown = seriesIn3d(session.workspace());
   return key.segments.empty() && session.preferences().tableIn3d &&
@@ -79,30 +80,31 @@ bool isTableOnScreen(const Session& session, const TissueKey& key) {
 
 TissueLeft::Rule tissueLeftRule(const Session& session, const SegmentPainter& painter,
                                 const std::set<SeriesKey>& drawn, const TissueLeft& tissues) {
-  return {.wanted = [&session, &drawn] { return wantedOf(session, drawn); },
-          .work = [&session, &tissues](const TissueKey& key, std::size_t) -> TissueLeft::Work {
-            TissueLeft::Entry before;
-            for (const TissueLeft::Entry& entry : tissues.entries())
-              if (entry.key.of == key.of) before = entry;
-            return [key, before, pool = session.sharedPool()](const Job& job) {
-              auto made = tissueLeft(key, before, job.cancel());
-              if (made) pool->watch((*made)->left->volume);
-              return made;
-            };
+  return {
+      .wanted = [&session, &drawn] { return wantedOf(session, drawn); },
+      .work = [&session, &tissues](const TissueKey& key, std::size_t) -> TissueLeft::Work {
+        TissueLeft::Entry before;
+        for (const TissueLeft::Entry& entry : tissues.entries())
+          if (entry.key.of == key.of) before = entry;
+        return [key, before, pool = session.sharedPool()](const Job& job) {
+          auto made = tissueLeft(key, before, job.cancel());
+          if (made) pool->watch((*made)->left->volume);
+          return made;
+        };
+      },
+      .name =
+          [](const TissueKey& key) {
+            return JobName(key.segments.empty() ? tr("Looking for the table") : tr("Leaving tissue out"));
           },
-          .name =
-              [](const TissueKey& key) {
-                return JobName(key.segments.empty() ? tr("Looking for the table") : tr("Leaving tissue out"));
-              },
-          .bytes = bytesBesideVolumes,
-          // A series without its table is not shown until its segments are.
-          .areVersions =
-              [](const TissueKey& a, const TissueKey& b) {
-                return areOneSeries(a.of, b.of) && a.segments.empty() == b.segments.empty();
-              },
-          .isKept = [&session](const TissueKey& key) { return isTableOnScreen(session, key); },
-          .isPaused = [&painter] { return painter.isPainting(); },
-          .lacksMemory = "All of the volume is shown in 3D: there is not enough memory for a second one."};
+      .bytes = bytesBesideVolumes,
+      // A volume without the table is no substitute for one with tissue left out, nor the other way round.
+      .areVersions =
+          [](const TissueKey& a, const TissueKey& b) {
+            return areOneSeries(a.of, b.of) && a.segments.empty() == b.segments.empty();
+          },
+      .isKept = [&session](const TissueKey& key) { return isTableOnScreen(session, key); },
+      .isPaused = [&painter] { return painter.isPainting(); },
+      .lacksMemory = "All of the volume is shown in 3D: there is not enough memory for a second one."};
 }
 
 }  // namespace volumen

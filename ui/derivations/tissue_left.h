@@ -13,8 +13,9 @@ class SegmentPainter;
 /// Volumes that 3D views draw where tissue is left out, or the table of a CT.
 using TissueLeft = Derivation<TissueKey, TissueVolume>;
 
-/// Volumes for the 3D views on screen. A stroke is included once it ends. The table is left out of CTs in
-/// `drawn`, if memory has room for a second volume. `tissues` are those of this rule.
+/// Returns the rule for the volumes of 3D views on screen. A stroke is included once it ends. The table is
+/// left out of CTs in `drawn` if memory has room for a second volume. `tissues` is the derivation that
+/// follows this rule.
 TissueLeft::Rule tissueLeftRule(const Session& session, const SegmentPainter& painter,
                                 const std::set<SeriesKey>& drawn, const TissueLeft& tissues);
 

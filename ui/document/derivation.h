@@ -16,7 +16,7 @@
 
 namespace volumen {
 
-/// The part of a derivation that depends on no type.
+/// Declares the signals of derivations, as templates cannot have any.
 class DerivationSignals : public QObject {
   Q_OBJECT
  public:
@@ -25,7 +25,7 @@ class DerivationSignals : public QObject {
  Q_SIGNALS:
   /// A value is ready, could not be computed, or was dropped.
   void changed();
-  /// A sentence. Sent once while a value cannot be computed, even if its inputs change.
+  /// A value cannot be computed; the sentence says why. Sent once until a version of the value is ready.
   void failed(const QString& sentence);
   /// The user cancelled.
   void cancelled();
@@ -68,8 +68,8 @@ class Derivation : public DerivationSignals {
     /// Returns the sentence that reports a failure.
     std::function<QString(const Key&, const std::string& whyNot)> failure =
         [](const Key&, const std::string& whyNot) { return QString::fromStdString(whyNot); };
-    std::string lacksMemory;     ///< why a value is missing if memory ran out
-    std::string wasCancelled{};  ///< why it is if the user cancelled
+    std::string lacksMemory;     ///< the reason if memory ran out
+    std::string wasCancelled{};  ///< the reason if the user cancelled
     std::size_t mostBytes = std::size_t(-1);
   };
 
@@ -103,7 +103,7 @@ class Derivation : public DerivationSignals {
   }
 
  private:
-  static constexpr int restMs = 200;  // between reports of a series of values
+  static constexpr int restMs = 200;  // least time between two changed() while more values are computed
 
   bool isMissing(const Key& key) const {
     const Entry* entry = find(key);
@@ -144,7 +144,7 @@ class Derivation : public DerivationSignals {
         [this, key](const Result<ValuePtr>& made) { take(key, made); }, [this] { takeCancelled(); });
   }
 
-  // Drops values that are not needed before a failure counts.
+  // If a computation fails, values that are not needed are dropped and it is tried once more.
   void take(const Key& key, const Result<ValuePtr>& made) {
     if (!made) {
       const std::vector<Key> wanted = rule_.wanted();
@@ -159,7 +159,7 @@ class Derivation : public DerivationSignals {
     if (isNews) Q_EMIT failed(rule_.failure(key, made.message()));
   }
 
-  // One cancel holds for all values that are missing now.
+  // Marks all missing values as cancelled, so that one click cancels them all.
   void takeCancelled() {
     for (const Key& key : rule_.wanted())
       if (isMissing(key)) put({key, nullptr, rule_.wasCancelled, true});

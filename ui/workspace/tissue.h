@@ -35,8 +35,8 @@ std::size_t bytesBesideVolumes(const TissueVolume& tissue);
 std::vector<ChosenSegments> segmentsShownOf(const std::vector<const SegmentMap*>& maps,
                                             const VoxelGeometry& grid);
 
-/// Returns the inputs of the volume for 3D views of a series with these segment maps. Empty if all of it is
-/// drawn, or if all segments lie on another grid.
+/// Returns the inputs of the volume for 3D views of a series with these segment maps. Returns nothing if the
+/// whole series is drawn or all segments lie on another grid.
 std::optional<TissueKey> tissueWanted(const std::vector<const SegmentMap*>& maps,
                                       const LoadedSeriesPtr& series, bool withoutTable = false);
 
