@@ -5,6 +5,7 @@
 #include "io/presentation.h"
 #include "io/report.h"
 #include "io/segmentation.h"
+#include "io/study/iso_date.h"
 #include "io/zip_archive.h"
 #include "ui/workspace/code_json.h"
 
@@ -219,7 +220,7 @@ Json derivedToJson(const DerivedObject& object) {
           {"modality", object.modality},
           {"label", object.label},
           {"text", object.text},
-          {"date", object.date},
+          {"date", isoDate(object.date)},
           {"warnings", object.warnings},
           {"notHere", object.notHere},
           {"pictures", picturesJson(object.pictures)}};

@@ -13,6 +13,7 @@
 #include "app/usage.h"
 #include "io/index/index_path.h"
 #include "io/load.h"
+#include "io/study/iso_date.h"
 #include "io/study/study.h"
 #include "io/zip_archive.h"
 
@@ -98,10 +99,10 @@ void addIdentity(Json& out, const SeriesIdentity& s) {
   out["patient"] = {{"name", s.patientName},
                     {"id", s.patientId},
                     {"issuer", s.patientIdIssuer},
-                    {"birthDate", s.patientBirthDate},
+                    {"birthDate", isoDate(s.patientBirthDate)},
                     {"sex", s.patientSex}};
   out["study"] = {{"uid", s.studyUid},
-                  {"date", s.studyDate},
+                  {"date", isoDate(s.studyDate)},
                   {"time", s.studyTime},
                   {"accessionNumber", s.accessionNumber},
                   {"description", s.studyDescription}};

@@ -6,7 +6,7 @@
 #include "app/index_option.h"
 #include "app/text_table.h"
 #include "app/usage.h"
-#include "io/index/fold.h"
+#include "io/study/iso_date.h"
 
 namespace volumen {
 
@@ -38,7 +38,7 @@ Json toJson(const ListedSeries& s) {
           {"number", s.number},
           {"modality", s.modality},
           {"description", s.description},
-          {"date", s.date},
+          {"date", isoDate(s.date)},
           {"time", s.time},
           {"label", s.label},
           {"images", s.images},
@@ -53,9 +53,9 @@ Json toJson(const Listed& listed, bool withSeries) {
   const IndexedStudy& s = listed.study;
   Json out{
       {"number", s.id},
-      {"patient", {{"name", s.patientName}, {"id", s.patientId}, {"birthDate", s.birthDate}, {"sex", s.sex}}},
+      {"patient", {{"name", s.patientName}, {"id", s.patientId}, {"birthDate", isoDate(s.birthDate)}, {"sex", s.sex}}},
       {"studyUid", s.studyUid},
-      {"date", s.date},
+      {"date", isoDate(s.date)},
       {"time", s.time},
       {"description", s.description},
       {"accessionNumber", s.accessionNumber},
@@ -73,7 +73,7 @@ Json toJson(const Listed& listed, bool withSeries) {
   return out;
 }
 
-std::string dateOf(const std::string& dicom) { return printable(withDashes(dicom)); }
+std::string dateOf(const std::string& dicom) { return printable(isoDate(dicom)); }
 
 std::string marks(int warnings, bool offline) {
   std::string text = warnings == 0   ? ""

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "io/dicom/separators.h"
+#include "io/study/iso_date.h"
 
 namespace volumen::dicom {
 namespace {
@@ -18,7 +19,7 @@ std::string clockText(const std::vector<std::string>& times, std::size_t n) {
   const bool oneDay =
       std::ranges::all_of(times, [&](const std::string& other) { return dayOf(other) == day; });
   if (oneDay || day.empty()) return clock;
-  return day.substr(0, 4) + "-" + day.substr(4, 2) + "-" + day.substr(6) + " " + clock;
+  return isoDate(day) + " " + clock;
 }
 
 std::vector<std::string> components(const std::string& text) {

@@ -64,10 +64,6 @@ std::vector<std::string> foldedWords(const std::string& utf8) {
   return words;
 }
 
-std::string withDashes(const std::string& date) {
-  return date.size() == 8 ? date.substr(0, 4) + "-" + date.substr(4, 2) + "-" + date.substr(6) : date;
-}
-
 std::string likePattern(const std::string& text) {
   std::string pattern = "%";
   for (const char c : text) {

@@ -12,9 +12,6 @@ std::string folded(const std::string& utf8);
 /// Returns the words of a search in their search form.
 std::vector<std::string> foldedWords(const std::string& utf8);
 
-/// Returns a date as people write it, "2026-11-24" for "20261124". Other texts are returned unchanged.
-std::string withDashes(const std::string& date);
-
 /// Returns a LIKE pattern of SQL, with "\" as its escape, for texts that contain `text`.
 std::string likePattern(const std::string& text);
 

@@ -7,6 +7,7 @@
 
 #include "io/index/fold.h"
 #include "io/regular_file.h"
+#include "io/study/iso_date.h"
 
 namespace volumen {
 namespace {
@@ -258,7 +259,7 @@ void Writer::finishStudy(std::int64_t study) {
                           "study WHERE id = ?",
                           study);
       rows.next())
-    words = rows.text(0) + " " + rows.text(1) + " " + rows.text(2) + " " + withDashes(rows.text(2)) + " " +
+    words = rows.text(0) + " " + rows.text(1) + " " + rows.text(2) + " " + isoDate(rows.text(2)) + " " +
             rows.text(3) + " " + rows.text(4) + " " + rows.text(5);
   std::set<std::string> ofSeries;
   std::int64_t count = 0;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "io/frame_limit.h"
 #include "tests/bench/scale_run.h"
 #include "tests/fixtures/cpu_timer.h"
 #include "tests/ui/measure_window.h"
@@ -66,6 +67,7 @@ int turnTheWheel(int measurements) {
 }
 
 int showRadiograph(const std::string& path) {
+  setFramePixelLimit(1ull << 30);
   Journey w;
   w.window.resize(1440, 900);
   const CpuTimer cpu;

@@ -1,5 +1,7 @@
 #include "ui/overlays/readable_text.h"
 
+#include <QCache>
+#include <QPaintEngine>
 #include <QRegularExpression>
 #include <QStaticText>
 #include <QTextOption>
@@ -18,6 +20,11 @@ struct Ring {
   int copies, alpha;
 };
 constexpr Ring halo[] = {{3.5, 12, 20}, {2.3, 12, 60}, {1.1, 12, 230}};
+
+constexpr int lineMargin = 8;  // pixels about a line, for its halo and for glyphs that reach over
+
+// A line takes 37 drawings, so lines are kept as pictures, of a full screen and its neighbours in a stack.
+constexpr int keptLines = 400;
 
 // Returns the relative luminance of WCAG 2.1.
 double luminance(const QColor& colour) {
@@ -50,9 +57,7 @@ void drawWithHalo(QPainter& painter, const QColor& colour, std::span<const Ring>
   draw(QPointF());
 }
 
-}  // namespace
-
-void paintReadable(QPainter& painter, QPointF topLeft, const QString& text, const QColor& colour) {
+void paintLine(QPainter& painter, QPointF topLeft, const QString& text, const QColor& colour) {
   QStaticText line(text);
   line.setTextFormat(Qt::PlainText);
   QTextOption option;
@@ -61,6 +66,46 @@ void paintReadable(QPainter& painter, QPointF topLeft, const QString& text, cons
   line.setTextOption(option);
   line.prepare(painter.transform(), painter.font());
   drawWithHalo(painter, colour, halo, [&](QPointF by) { painter.drawStaticText(topLeft + by, line); });
+}
+
+int dotsPerMeterOf(const QPainter& painter) {
+  return int(std::lround(painter.device()->logicalDpiY() / 0.0254));
+}
+
+// Returns a line in the font of `like` on a transparent ground, `within` the pixel (`lineMargin`,
+// `lineMargin`).
+QImage pictureOfLine(const QPainter& like, QPointF within, const QString& text, const QColor& colour) {
+  const QSize size = QFontMetricsF(like.font(), like.device()).size(Qt::TextSingleLine, text).toSize();
+  QImage picture(size + QSize(2 * lineMargin + 2, 2 * lineMargin + 2), QImage::Format_ARGB32_Premultiplied);
+  picture.setDotsPerMeterX(dotsPerMeterOf(like));
+  picture.setDotsPerMeterY(dotsPerMeterOf(like));
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setFont(like.font());
+  paintLine(painter, QPointF(lineMargin, lineMargin) + within, text, colour);
+  return picture;
+}
+
+}  // namespace
+
+void paintReadable(QPainter& painter, QPointF topLeft, const QString& text, const QColor& colour) {
+  const QTransform& toDevice = painter.deviceTransform();
+  const bool isOnPixels =
+      painter.paintEngine()->type() == QPaintEngine::Raster && toDevice.type() <= QTransform::TxTranslate;
+  if (!isOnPixels) return paintLine(painter, topLeft, text, colour);
+  const QPointF at = toDevice.map(topLeft);
+  const QPointF pixel(std::floor(at.x()), std::floor(at.y()));
+  const QPointF within = at - pixel;
+  // Each position between pixels gives other grey values.
+  const QString key = QStringLiteral("%1 %2 %3 %4 %5 %6")
+                          .arg(within.x())
+                          .arg(within.y())
+                          .arg(colour.rgba())
+                          .arg(dotsPerMeterOf(painter))
+                          .arg(painter.font().key(), text);
+  thread_local QCache<QString, QImage> kept(keptLines);
+  if (!kept.contains(key)) kept.insert(key, new QImage(pictureOfLine(painter, within, text, colour)));
+  painter.drawImage(toDevice.inverted().map(pixel - QPointF(lineMargin, lineMargin)), *kept[key]);
 }
 
 void paintReadable(QPainter& painter, const QRectF& place, int flags, const QString& text,

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "io/study/iso_date.h"
 #include "io/study/study.h"
 #include "io/zip_archive.h"
 #include "ui/workspace/value_text.h"
@@ -138,9 +139,7 @@ QString pathText(const std::string& path) {
 
 QString dateText(const std::string& dicomDate) {
   if (hidden) return dicomDate.empty() ? QString() : tr("(date hidden)");
-  if (dicomDate.size() != 8) return shownText(dicomDate);
-  const QString d = QString::fromStdString(dicomDate);
-  return QStringLiteral("%1-%2-%3").arg(d.left(4), d.mid(4, 2), d.mid(6, 2));
+  return shownText(isoDate(dicomDate));
 }
 
 QString timeText(const std::string& dicomTime) {

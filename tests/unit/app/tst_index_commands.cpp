@@ -6,9 +6,12 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
+#include "io/export/dicom_series.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
+#include "viewer/phantoms/phantoms.h"
 
+using namespace volumen;
 using namespace volumen::tests;
 
 class TestIndexCommands : public QObject {
@@ -20,6 +23,8 @@ class TestIndexCommands : public QObject {
   void listShowsStudies();
   void listShowsSeries();
   void listIsJson();
+  void datesAreIso_data();
+  void datesAreIso();
   void listIsSafeForATerminal();
   void forgetAndUndo();
   void copiesAreManaged();
@@ -35,7 +40,8 @@ class TestIndexCommands : public QObject {
     QStringList words;
     for (const QString& word : QString::fromUtf8(line).split(QLatin1Char(' ')))
       words << (word.startsWith(QLatin1String("IN/")) ? at(qPrintable(word.mid(3))) : word);
-    return runProgram(words << QStringLiteral("--index") << at("index"));
+    if (words.front() != QStringLiteral("info")) words << QStringLiteral("--index") << at("index");
+    return runProgram(words);
   }
   std::unique_ptr<QTemporaryDir> folder_;
 };
@@ -108,6 +114,36 @@ void TestIndexCommands::listIsJson() {
   const QJsonObject series = study[QStringLiteral("series")].toArray()[0].toObject();
   QCOMPARE(series[QStringLiteral("frames")].toInt(), 8);
   QCOMPARE(series[QStringLiteral("isVolume")].toBool(), true);
+}
+
+void TestIndexCommands::datesAreIso_data() {
+  QTest::addColumn<QString>("command");
+  QTest::addColumn<QStringList>("field");
+  QTest::addColumn<QString>("date");
+  const auto row = [](const char* name, const char* command, const char* field, const char* date) {
+    QTest::newRow(name) << QString::fromLatin1(command) << QString::fromLatin1(field).split(QLatin1Char(' '))
+                        << QString::fromLatin1(date);
+  };
+  row("study of info", "info IN/dated --json", "volumes 0 study date", "2026-03-14");
+  row("birth of info", "info IN/dated --json", "volumes 0 patient birthDate", "1961-12-05");
+  row("study of list", "list --json", "studies 0 date", "2026-03-14");
+  row("series of list", "list --series --json", "studies 0 series 0 date", "2026-03-14");
+  row("birth of list", "list --json", "studies 0 patient birthDate", "1961-12-05");
+}
+
+void TestIndexCommands::datesAreIso() {
+  QFETCH(QString, command);
+  QFETCH(QStringList, field);
+  DicomSeriesTags tags;
+  tags.patientName = "Doe^Jane", tags.modality = "CT";
+  tags.patientBirthDate = "19611205", tags.studyDate = "20260314";
+  const Result<VolumePtr> volume = makePhantom("sphere:8");
+  QVERIFY(volume && writeDicomSeries(**volume, tags, at("dated").toStdString()));
+  QCOMPARE(run("import IN/dated").status, 0);
+  QJsonValue value = QJsonDocument::fromJson(run(qPrintable(command)).out).object();
+  for (const QString& step : field)
+    value = value.isArray() ? value.toArray()[step.toInt()] : value.toObject()[step];
+  QTEST(value.toString(), "date");
 }
 
 void TestIndexCommands::listIsSafeForATerminal() {

@@ -146,6 +146,7 @@ void TestSlicePresentation::aNumberMeansTheListOfInfo() {
     const bool isState = listed[n].toObject()[QStringLiteral("kind")] == QStringLiteral("presentation state");
     const Outcome done = slice({QStringLiteral("--presentation"), QString::number(n + 1)}, "numbered.png");
     QCOMPARE(done.status, isState ? 0 : 1);
+    QCOMPARE(listed[n].toObject()[QStringLiteral("date")].toString().count(QLatin1Char('-')), 2);
     if (!isState) QVERIFY2(done.err.contains("it holds no presentation state."), done.err.constData());
   }
 }

@@ -26,6 +26,8 @@ void TestStudyText::studyIsDateAndDescription_data() {
   };
   row("both", "20260314", "CHEST", "2026-03-14 CHEST");
   row("date alone", "20260314", "", "2026-03-14");
+  row("date of ACR-NEMA", "2026.03.14", "CHEST", "2026-03-14 CHEST");
+  row("date that is none", "14 March", "CHEST", "14 March CHEST");
   row("description alone", "", "CHEST", "(no date) CHEST");
   row("neither", "", "", "(no date)");
 }
