@@ -6,7 +6,6 @@
 #include <set>
 
 #include "io/open.h"
-#include "io/study/choose.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
@@ -16,6 +15,7 @@
 #include "ui/data/picture_stacks.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/corner_text.h"
+#include "ui/workspace/first_series.h"
 #include "ui/workspace/key_images.h"
 
 using namespace volumen;
@@ -70,12 +70,11 @@ QString firstView(const std::string& path) {
   Result<Study> study = openStudy(dataPath(path));
   if (!study) return QStringLiteral("nothing");
   *study = withPictureStacks(std::move(*study));
-  const Result<std::size_t> largest = chooseSeries(*study, {});
-  const bool isVolume = largest && !study->volumes.empty();
-  const std::vector<Series> frames = frameSeries(*study);
-  if (!isVolume && frames.empty()) return QStringLiteral("nothing");
-  const Series* larger = isVolume ? largerStack(study->volumes[*largest], frames) : nullptr;
-  const Series& series = larger ? *larger : isVolume ? study->volumes[*largest] : frames.front();
+  std::vector<const Series*> open;
+  for (const Series& volume : study->volumes) open.push_back(&volume);
+  const std::optional<Series> first = firstSeries({}, *study, open);
+  if (!first) return QStringLiteral("nothing");
+  const Series& series = *first;
   QStringList said{QString::fromStdString(series.modality.empty() ? "-" : series.modality)};
   if (opensAsPictures(series))
     return (said << QStringLiteral("pictures") << QStringLiteral("1 / %1").arg(frameCount(series)))

@@ -8,7 +8,7 @@
 #include "ui/controller/find_saved.h"
 #include "ui/data/frame_series.h"
 #include "ui/data/study_list.h"
-#include "ui/workspace/link_text.h"
+#include "ui/workspace/first_series.h"
 #include "ui/workspace/priors.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
@@ -61,14 +61,16 @@ void Opener::showFrames(const Series& series) {
   });
 }
 
+std::optional<Series> Opener::firstOf(const Study& study, const std::string& seriesUid) const {
+  return firstSeries(session_.workspace(), study, open_.volumes(), seriesUid);
+}
+
 void Opener::showFirst(const Study& study, const std::optional<Scene>& scene) {
-  if (const Result<std::size_t> largest = chooseSeries(study, {}); largest && !study.volumes.empty()) {
-    const Series& series = scene ? study.volumes[*largest] : petOver(study.volumes[*largest], study);
-    const std::vector<Series> frames = frameSeries(study);
-    if (const Series* stack = scene ? nullptr : largerStack(series, frames)) return showFrames(*stack);
-    return opensAsPictures(series) && !scene ? showFrames(series) : loader_.load(series, scene);
-  }
-  if (const std::vector<Series> frames = frameSeries(study); !frames.empty()) showFrames(frames.front());
+  if (const auto largest = chooseSeries(study, {}); scene && largest)
+    return loader_.load(study.volumes[*largest], scene);
+  const std::optional<Series> first = firstOf(study);
+  if (!first) return;
+  return opensAsPictures(*first) ? showFrames(*first) : loader_.load(*first);
 }
 
 void Opener::showFused(const Study& study) {
@@ -82,9 +84,10 @@ void Opener::showFused(const Study& study) {
   const std::vector<const Series*> open = open_.volumes();
   const auto first = std::ranges::find_if(open, [&](const Series* s) { return keyOf(*s) == key; });
   if (first == open.end()) return;
-  if (const Series& pet = petOver(**first, study); &pet != *first) return loader_.load(pet);
+  if (const Series* pet = petOver(workspace, **first, study, open)) return loader_.load(*pet);
   // A PET that is still loading will be fused when it arrives.
-  const Series* ct = (*first)->modality == "PT" && isShown && !loading ? ctUnder(**first) : nullptr;
+  const Series* ct =
+      (*first)->modality == "PT" && isShown && !loading ? ctUnder(workspace, **first, open) : nullptr;
   const auto isCt = [&](const Series& s) { return keyOf(s) == keyOf(*ct); };
   if (!ct || std::ranges::none_of(study.volumes, isCt)) return;
   session_.endGesture();
@@ -103,28 +106,6 @@ void Opener::chooseLayout(Layout layout) {
   if (!shown && layoutOfNext_) return;
   if (shown) layoutsChosen_[layoutKey(*shown)] = layout;
   session_.change(tr("Layout"), withLikelySecond(withLayout(workspace, layout), open_.pictures()));
-}
-
-// Returns the CT for a PET: of its study and frame of reference, the one with most voxels.
-const Series* Opener::ctUnder(const Series& pet) const {
-  const auto voxels = [](const Series& s) {
-    return std::int64_t(s.acquired.size.x) * s.acquired.size.y * s.acquired.size.z;
-  };
-  const Series* found = nullptr;
-  for (const Series* series : open_.volumes())
-    if (series->modality == "CT" && series->studyUid == pet.studyUid &&
-        whyNotOverlaid(session_.workspace(), *series, pet).isEmpty() &&
-        (!found || voxels(*series) > voxels(*found)))
-      found = series;
-  return found;
-}
-
-const Series& Opener::petOver(const Series& ct, const Study& study) const {
-  for (const Series& series : study.volumes) {
-    const Series* under = series.modality == "PT" && isUsefulVolume(series) ? ctUnder(series) : nullptr;
-    if (under && keyOf(*under) == keyOf(ct)) return series;
-  }
-  return ct;
 }
 
 std::optional<Layout> Opener::layoutChosenFor(const Series& series) const {
@@ -156,8 +137,9 @@ Workspace Opener::inLayoutOf(Workspace workspace, const Series& series, bool may
 
 Workspace Opener::arranged(Workspace workspace, const Series& series, bool isNew, bool isLayoutWanted) const {
   // Fuses first, so that a grid shows the fusion too.
-  const Series* ct =
-      isNew && series.modality == "PT" && workspace.focus < firstComparedId ? ctUnder(series) : nullptr;
+  const Series* ct = isNew && series.modality == "PT" && workspace.focus < firstComparedId
+                         ? ctUnder(session_.workspace(), series, open_.volumes())
+                         : nullptr;
   if (ct) workspace = fusedWith(std::move(workspace), *ct);
   if (!comparesSeries(workspace.layout)) workspace = inLayoutOf(std::move(workspace), series, isLayoutWanted);
   if (!isNew) return workspace;

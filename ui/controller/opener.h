@@ -22,8 +22,9 @@ class Opener : public QObject {
   void show(const Series& series);
   /// Shows the frames of a series in the view in focus.
   void showFrames(const Series& series);
-  /// Shows the largest volume of a study with this scene. Without a scene it may be a PET over that CT, or a
-  /// largerStack(). If there is no volume, shows the first pictures.
+  /// Returns the firstSeries() of an open study.
+  std::optional<Series> firstOf(const Study& study, const std::string& seriesUid = {}) const;
+  /// Reads the firstOf() a study and shows it, or its largest volume with this scene.
   void showFirst(const Study& study, const std::optional<Scene>& scene);
   /// Shows a study opened together with the one shown first: a PET over its CT, or the CT under its PET.
   void showFused(const Study& study);
@@ -50,8 +51,6 @@ class Opener : public QObject {
   Workspace arranged(Workspace workspace, const Series& series, bool isNew, bool isLayoutWanted) const;
   std::optional<Layout> layoutChosenFor(const Series& series) const;
   Workspace compared(Workspace workspace, Layout layout) const;
-  const Series* ctUnder(const Series& pet) const;
-  const Series& petOver(const Series& ct, const Study& study) const;
 
   Session& session_;
   Loader& loader_;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <deque>
 
-#include "ui/data/frame_series.h"
 #include "ui/features/feature.h"
 #include "ui/panels/study_browser.h"
 #include "ui/views/view_grid.h"
@@ -40,10 +39,6 @@ QString patientsText(const std::vector<const Series*>& patients) {
   return QObject::tr("The views show different patients: %1.").arg(joined(names));
 }
 
-std::int64_t voxels(const Series& s) {
-  return std::int64_t(s.acquired.size.x) * s.acquired.size.y * s.acquired.size.z;
-}
-
 // Shows the study browser above the views, or in their place while nothing is open. A line at the top warns
 // if views show different patients.
 class StudyListing : public Feature {
@@ -65,7 +60,8 @@ class StudyListing : public Feature {
   void showFound(const QString& place, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
   void showNext();
   void showChosen(const Study& study, const OpenIntent& intent);
-  void showOpened(const Series& series, OpenHow how);
+  void showObject(const std::string& seriesUid);
+  void closeOtherPatients(const Series& series);
   void leaveKeys();
   void giveWay();
   void comeBack();
@@ -288,39 +284,32 @@ void StudyListing::showNext() {
   }
 }
 
-// Shows the chosen series, else the largest volume, a larger stack of pictures, or the first pictures.
+// Shows the chosen or first series in place of other patients, beside the others, or in the view in focus.
 void StudyListing::showChosen(const Study& study, const OpenIntent& intent) {
-  const std::string& uid = intent.seriesUid;
-  const auto isChosen = [&](const SeriesIdentity& s) { return uid.empty() || s.seriesUid == uid; };
-  const Series* chosen = nullptr;
-  for (const Series& series : study.volumes)
-    if (isChosen(series) && (!chosen || voxels(series) > voxels(*chosen))) chosen = &series;
-  const std::vector<Series> frames = frameSeries(study);
-  if (!chosen) {
-    if (const auto found = std::ranges::find_if(frames, isChosen); found != frames.end()) chosen = &*found;
-  } else if (const Series* stack = uid.empty() ? largerStack(*chosen, frames) : nullptr) {
-    chosen = stack;
-  }
-  if (chosen) return showOpened(Series(*chosen), intent.how);
+  const auto first = [&] { return bench_.document.opener.firstOf(study, intent.seriesUid); };
+  const std::optional<Series> series = first();
+  if (!series) return showObject(intent.seriesUid);
+  if (intent.how == OpenHow::beside) focusNextView();
+  if (intent.how == OpenHow::instead) closeOtherPatients(*series);
+  bench_.document.opener.show(*first());  // chosen anew, as another view may be in focus
+  if (intent.how == OpenHow::instead) browser_->clearSearch();
+  if (intent.how == OpenHow::instead || !showsAnything(session_.workspace())) giveWay();
+}
+
+void StudyListing::showObject(const std::string& seriesUid) {
   for (const DerivedObjectPtr& object : open_.derived())
-    if (!uid.empty() && object->seriesUid == uid) return bench_.objectChosen(object);
+    if (!seriesUid.empty() && object->seriesUid == seriesUid) return bench_.objectChosen(object);
   bench_.banner.add(tr("There is nothing to show in this study."));
 }
 
-// Shows a series in place of other patients, beside the others, or in the view in focus.
-void StudyListing::showOpened(const Series& series, OpenHow how) {
-  if (how == OpenHow::beside) focusNextView();
+void StudyListing::closeOtherPatients(const Series& series) {
   const auto isOther = [&](const Series* other) { return !areOfOnePatient(*other, series); };
   const std::vector<const Series*> patients = patientsOnScreen(session_.workspace());
-  if (how == OpenHow::instead && std::ranges::any_of(patients, isOther)) {
-    session_.setFocus(mainFocusOf(session_.workspace()));
-    session_.makeRoom(
-        tr("Close %1").arg(patientText(*patients.front())),
-        bench_.document.opener.inLayoutOf(withoutOtherPatients(session_.workspace(), series), series));
-  }
-  bench_.document.opener.show(series);
-  if (how == OpenHow::instead) browser_->clearSearch();
-  if (how == OpenHow::instead || !showsAnything(session_.workspace())) giveWay();
+  if (std::ranges::none_of(patients, isOther)) return;
+  session_.setFocus(mainFocusOf(session_.workspace()));
+  session_.makeRoom(
+      tr("Close %1").arg(patientText(*patients.front())),
+      bench_.document.opener.inLayoutOf(withoutOtherPatients(session_.workspace(), series), series));
 }
 
 // Moves the keyboard focus from the search field, as keys are meant for the study being opened.
