@@ -26,6 +26,7 @@ class TestAdditions : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void aFeatureStandsInItsMenuAndActs();
+  void aDerivedValueFollowsTheSession();
   void aPanelIsATabThatFollowsTheSession();
   void aToolOfSlicesGetsTheDrag();
   void aToolOf3DGetsTheDrag();
@@ -42,6 +43,22 @@ void TestAdditions::aFeatureStandsInItsMenuAndActs() {
   QCOMPARE(help.front()->text(), QStringLiteral("Greet"));
   QTest::keyClick(&w.window, Qt::Key_G, Qt::ControlModifier);
   QCOMPARE(w.child<QLabel>("toldText")->text(), QStringLiteral("Good morning"));
+}
+
+void TestAdditions::aDerivedValueFollowsTheSession() {
+  const auto bright = [](const LoadedSeriesPtr& series) {
+    const auto& values = std::get<std::vector<std::int16_t>>(series->volume->stored());
+    return QString::number(std::ranges::count_if(values, [](int value) { return value > 0; }));
+  };
+  const LoadedSeriesPtr small = ballSeries(20, 6), large = ballSeries();
+  MeasureWindow w(small);
+  const auto* label = w.child<QLabel>("brightness");
+  QTRY_COMPARE_WITH_TIMEOUT(label->text(), bright(small), longest);
+  w.session().show(large);
+  QTRY_COMPARE_WITH_TIMEOUT(label->text(), bright(large), longest);
+  QVERIFY(bright(small) != bright(large));
+  w.session().show(nullptr);
+  QTRY_COMPARE_WITH_TIMEOUT(label->text(), QString(), longest);
 }
 
 void TestAdditions::aPanelIsATabThatFollowsTheSession() {
