@@ -26,6 +26,7 @@ class TestAdditions : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void aFeatureStandsInItsMenuAndActs();
+  void aSinkGetsThePicture();
   void aPanelIsATabThatFollowsTheSession();
   void aToolOfSlicesGetsTheDrag();
   void aToolOf3DGetsTheDrag();
@@ -42,6 +43,19 @@ void TestAdditions::aFeatureStandsInItsMenuAndActs() {
   QCOMPARE(help.front()->text(), QStringLiteral("Greet"));
   QTest::keyClick(&w.window, Qt::Key_G, Qt::ControlModifier);
   QCOMPARE(w.child<QLabel>("toldText")->text(), QStringLiteral("Good morning"));
+}
+
+void TestAdditions::aSinkGetsThePicture() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("view.bmp"));
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage seen = w.view()->capture();
+  w.child<QAction>("saveBitmap")->trigger();
+  w.view()->scroll(3);
+  answer(w, "bitmapDialog", path);
+  QTRY_COMPARE_WITH_TIMEOUT(w.child<QLabel>("toldText")->text(), QStringLiteral("Saved the bitmap"), longest);
+  QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32), seen);
 }
 
 void TestAdditions::aPanelIsATabThatFollowsTheSession() {
