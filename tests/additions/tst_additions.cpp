@@ -27,6 +27,7 @@ class TestAdditions : public QObject {
  private Q_SLOTS:
   void aFeatureStandsInItsMenuAndActs();
   void aDerivedValueFollowsTheSession();
+  void aSinkGetsThePicture();
   void aPanelIsATabThatFollowsTheSession();
   void aToolOfSlicesGetsTheDrag();
   void aToolOf3DGetsTheDrag();
@@ -59,6 +60,19 @@ void TestAdditions::aDerivedValueFollowsTheSession() {
   QVERIFY(bright(small) != bright(large));
   w.session().show(nullptr);
   QTRY_COMPARE_WITH_TIMEOUT(label->text(), QString(), longest);
+}
+
+void TestAdditions::aSinkGetsThePicture() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("view.bmp"));
+  MeasureWindow w;
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
+  const QImage seen = w.view()->capture();
+  w.child<QAction>("saveBitmap")->trigger();
+  w.view()->scroll(3);
+  answer(w, "bitmapDialog", path);
+  QTRY_COMPARE_WITH_TIMEOUT(w.child<QLabel>("toldText")->text(), QStringLiteral("Saved the bitmap"), longest);
+  QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32), seen);
 }
 
 void TestAdditions::aPanelIsATabThatFollowsTheSession() {

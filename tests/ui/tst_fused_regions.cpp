@@ -8,10 +8,11 @@
 #include <cmath>
 
 #include "tests/fixtures/small_volumes.h"
+#include "tests/ui/kept_pictures.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
-#include "ui/views/picture_run.h"
+#include "ui/exports/flat_pictures.h"
 #include "ui/workspace/text.h"
 #include "viewer/measure/scaled.h"
 
@@ -190,19 +191,17 @@ void TestFusedRegions::picturesWaitForNumbersThatTakeLong() {
   w.session().select(0);
   PictureLook look;
   look.seen = w.view()->size();
-  auto* run = new PictureRun(*w.window.views(), w.session(), w.window.jobs(), QStringLiteral("Saving"),
-                             {{w.session().workspace(), axialViewId}}, look);  // deletes itself
-  const auto kept = std::make_shared<QImage>();
-  QSignalSpy ended(run, &PictureRun::ended);
-  run->start([kept](std::size_t, const MadePicture& made) {
-    *kept = made.image;
-    return Status();
-  });
-  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
-  QCOMPARE(ended[0][0].toString(), QString());
+  const auto kept = std::make_shared<std::vector<MadePicture>>();
+  Exports exports(w.window.jobs());
+  QSignalSpy done(&exports, &Exports::done);
+  exports.run(
+      {QStringLiteral("Saving"),
+       flatPictures(*w.window.views(), {heldNow({w.session().workspace(), axialViewId}, w.session())}, look),
+       keptIn(kept)});
+  QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, longest);
   QTRY_VERIFY_WITH_TIMEOUT(w.view()->isMeasured(), longest);
   QVERIFY(w.drawn(w.last().id).text.join(u'\n').contains(QStringLiteral("SUVpeak")));
-  QCOMPARE(*kept, w.view()->capture());
+  QCOMPARE(kept->at(0).image, w.view()->capture());
 }
 
 VOLUMEN_TEST(TestFusedRegions);

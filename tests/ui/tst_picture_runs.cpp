@@ -8,11 +8,12 @@
 #include <QThread>
 #include <atomic>
 
+#include "tests/ui/kept_pictures.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/picture_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
-#include "ui/views/picture_run.h"
+#include "ui/exports/flat_pictures.h"
 #include "ui/widgets/banner.h"
 
 using namespace volumen;
@@ -36,9 +37,7 @@ bool isSavingStack(MeasureWindow& w, const QString& folder) {
 class TestPictureRuns : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void itIsWhatWasSeenThen();
   void itIsWhatWasSeenAsOneWasAsked();
-  void aSeriesThatIsClosedMeanwhileIsPictured();
   void numbersAreThoseOfThePicture();
   void whatIsCancelledLeavesNothing();
   void whatIsBeingWrittenIsWrittenToItsEnd();
@@ -49,18 +48,6 @@ class TestPictureRuns : public QObject {
   QString at(const char* name) const { return folder_.filePath(QLatin1String(name)); }
   QTemporaryDir folder_;
 };
-
-// Slices scrolled to while the file dialog is open are not saved.
-void TestPictureRuns::itIsWhatWasSeenThen() {
-  MeasureWindow w;
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  const QImage seen = w.view()->capture();
-  accept(ask(w, "saveSizedPicture"));
-  w.view()->scroll(5);
-  QVERIFY(w.view()->capture() != seen);
-  answer(w, "pictureFilesDialog", at("then.png"));
-  QCOMPARE(written(at("then.png")), seen);
-}
 
 // If the view changes while the dialog is open, the picture is neither the new slice nor empty.
 void TestPictureRuns::itIsWhatWasSeenAsOneWasAsked() {
@@ -79,19 +66,6 @@ void TestPictureRuns::itIsWhatWasSeenAsOneWasAsked() {
   });
   accept(dialog);
   QVERIFY2(w.child<QFileDialog>("pictureFilesDialog"), "it asks where to");
-}
-
-void TestPictureRuns::aSeriesThatIsClosedMeanwhileIsPictured() {
-  MeasureWindow w;
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  const QImage seen = plain(*w.view(), w.view()->pixels());
-  PictureDialog* dialog = ask(w, "saveSizedPicture");
-  tick(dialog, "pictureTexts", false);
-  accept(dialog);
-  w.session().close({w.view()->state().series});
-  QVERIFY(w.session().workspace().series.empty());
-  answer(w, "pictureFilesDialog", at("closed.png"));
-  QCOMPARE(written(at("closed.png")), seen);
 }
 
 // A region measures two series. The overlay is removed once the picture is made.
@@ -125,32 +99,32 @@ void TestPictureRuns::whatIsCancelledLeavesNothing() {
   QTRY_COMPARE_WITH_TIMEOUT(QDir(folder.path()).entryList(all), QStringList(), longest);
 }
 
-// The last act of a run cannot be cancelled, and says so.
+// The last act of an export cannot be cancelled, and says so.
 void TestPictureRuns::whatIsBeingWrittenIsWrittenToItsEnd() {
   MeasureWindow w;
   QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  Session& session = w.session();
-  auto* run = new PictureRun(*w.window.views(), session, w.window.jobs(), QStringLiteral("Saving pictures"),
-                             {{session.workspace(), axialViewId}}, {});  // deletes itself
   std::atomic<bool> isWriting = false, mayEnd = false;
-  QSignalSpy ended(run, &PictureRun::ended);
-  run->start([](std::size_t, const MadePicture&) { return Status(); },
-             [&] {
-               isWriting = true;
-               while (!mayEnd) QThread::msleep(1);
-               return Status();
-             });
+  PictureSink sink = keptIn(std::make_shared<std::vector<MadePicture>>());
+  sink.finish = [&](std::size_t) {
+    isWriting = true;
+    while (!mayEnd) QThread::msleep(1);
+    return Result(QString());
+  };
+  Exports exports(w.window.jobs());
+  QSignalSpy done(&exports, &Exports::done), failed(&exports, &Exports::failed);
+  exports.run(
+      {QStringLiteral("Saving pictures"),
+       flatPictures(*w.window.views(), {heldNow({w.session().workspace(), axialViewId}, w.session())}, {}),
+       sink});
   const auto rows = [&] { return w.window.jobs().rows(); };
   QCOMPARE(rows().size(), std::size_t(1));
   QVERIFY(rows()[0].canBeCancelled);
   QTRY_VERIFY_WITH_TIMEOUT(isWriting, longest);
   const bool isListed = rows().size() == 1 && !rows()[0].canBeCancelled;
   if (isListed) w.window.jobs().cancel(rows()[0].id);
-  const bool goesOn = !run->hasEnded();
   mayEnd = true;
-  QVERIFY(isListed && goesOn);
-  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
-  QCOMPARE(ended[0][0].toString(), QString());
+  QVERIFY(isListed && failed.isEmpty());
+  QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, longest);
 }
 
 void TestPictureRuns::theWindowAsksBeforePicturesAreLost() {

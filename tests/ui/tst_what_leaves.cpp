@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDirIterator>
+#include <QMenu>
 #include <QPrintDialog>
 #include <QTemporaryDir>
 #include <QToolButton>

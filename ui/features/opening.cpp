@@ -1,6 +1,5 @@
 #include <QDir>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 
@@ -9,6 +8,7 @@
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/path_dialog.h"
 #include "ui/workspace/dropped_files.h"
 
 namespace volumen {
@@ -94,11 +94,8 @@ void Opening::openFor(const QStringList& paths, OpenIntent intent) {
 }
 
 void Opening::ask(const QString& title, QFileDialog::FileMode mode) {
-  auto* dialog = new QFileDialog(bench_.dialogParent(), title);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(mode);
-  connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) { open(paths, {}); });
-  dialog->open();
+  connect(openPathDialog(bench_.dialogParent(), {"openDialog", title, {}, {}, mode}),
+          &QFileDialog::filesSelected, this, [this](const QStringList& paths) { open(paths, {}); });
 }
 
 void Opening::showRecent() {

@@ -1,9 +1,9 @@
-#include <QFileDialog>
 
 #include "ui/controller/file_jobs.h"
 #include "ui/controller/scene_files.h"
 #include "ui/features/feature.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/path_dialog.h"
 
 namespace volumen {
 
@@ -34,13 +34,13 @@ Scenes::Scenes(Workbench& bench) : Feature(bench), files_(bench.document.jobs) {
 
 void Scenes::askForScene() {
   if (!session_.series()) return warn(tr("Open a series first."));
-  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Open a scene"), {},
-                                 tr("Scenes and snapshots (*.json *.png *.jpg *.jpeg);;All files (*)"));
-  dialog->setObjectName(QStringLiteral("openSceneDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
+  const auto* dialog = openPathDialog(bench_.dialogParent(),
+                                      {"openSceneDialog",
+                                       tr("Open a scene"),
+                                       tr("Scenes and snapshots (*.json *.png *.jpg *.jpeg);;All files (*)"),
+                                       {},
+                                       QFileDialog::ExistingFile});
   connect(dialog, &QFileDialog::fileSelected, this, &Scenes::openScene);
-  dialog->open();
 }
 
 void Scenes::openScene(const QString& path) {
@@ -54,15 +54,11 @@ void Scenes::openScene(const QString& path) {
 
 void Scenes::askForSceneFile() {
   if (!session_.series()) return warn(tr("Open a series first."));
-  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Save the scene"), {}, tr("Scenes (*.json)"));
-  dialog->setObjectName(QStringLiteral("saveSceneDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("json"));
-  dialog->selectFile(QStringLiteral("scene.json"));
+  const auto* dialog = openPathDialog(
+      bench_.dialogParent(),
+      {"saveSceneDialog", tr("Save the scene"), tr("Scenes (*.json)"), QStringLiteral("scene.json")});
   connect(dialog, &QFileDialog::fileSelected, this,
           [this, scene = bench_.sceneInView()](const QString& path) { saveScene(scene, path); });
-  dialog->open();
 }
 
 void Scenes::saveScene(const Scene& scene, const QString& path) {

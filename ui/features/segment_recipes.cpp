@@ -1,4 +1,3 @@
-#include <QFileDialog>
 #include <QPointer>
 
 #include "ui/controller/file_jobs.h"
@@ -7,6 +6,7 @@
 #include "ui/controller/segment_target.h"
 #include "ui/features/feature.h"
 #include "ui/panels/steps_dialog.h"
+#include "ui/widgets/path_dialog.h"
 #include "ui/workspace/segment_maps.h"
 #include "ui/workspace/text.h"
 
@@ -75,13 +75,12 @@ void SegmentRecipes::runAgain(const Recipe& recipe, int map, StepsDialog* dialog
 
 void SegmentRecipes::askWhatToRun() {
   if (const QString why = whyNoSegments(session_); !why.isEmpty()) return warn(why);
-  auto* dialog =
-      new QFileDialog(bench_.dialogParent(), tr("Open a recipe"), {}, tr("Recipes (*.json);;All files (*)"));
-  dialog->setObjectName(QStringLiteral("openRecipeDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
+  const auto* dialog = openPathDialog(bench_.dialogParent(), {"openRecipeDialog",
+                                                              tr("Open a recipe"),
+                                                              tr("Recipes (*.json);;All files (*)"),
+                                                              {},
+                                                              QFileDialog::ExistingFile});
   connect(dialog, &QFileDialog::fileSelected, this, &SegmentRecipes::runFile);
-  dialog->open();
 }
 
 void SegmentRecipes::runFile(const QString& path) {
@@ -111,16 +110,11 @@ void SegmentRecipes::askWhereToSave() {
   const QString which = allSegmentsShown(session_).size() > 1
                             ? tr(" (the steps of %1 alone)").arg(mapName(map->number))
                             : QString();
-  auto* dialog =
-      new QFileDialog(bench_.dialogParent(), tr("Save the steps as a recipe"), {}, tr("Recipes (*.json)"));
-  dialog->setObjectName(QStringLiteral("saveRecipeDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("json"));
-  dialog->selectFile(QStringLiteral("recipe.json"));
+  const auto* dialog =
+      openPathDialog(bench_.dialogParent(), {"saveRecipeDialog", tr("Save the steps as a recipe"),
+                                             tr("Recipes (*.json)"), QStringLiteral("recipe.json")});
   connect(dialog, &QFileDialog::fileSelected, this,
           [this, made, which](const QString& path) { save(made, which, path); });
-  dialog->open();
 }
 
 void SegmentRecipes::save(const RecordedRecipe& made, const QString& which, const QString& path) {

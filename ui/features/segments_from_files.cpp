@@ -1,10 +1,10 @@
 #include "ui/features/segments_from_files.h"
 
 #include <QDropEvent>
-#include <QFileDialog>
 
 #include "ui/controller/segment_import.h"
 #include "ui/controller/segment_target.h"
+#include "ui/widgets/path_dialog.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/dropped_files.h"
 #include "ui/workspace/text.h"
@@ -51,12 +51,10 @@ void SegmentsFromFiles::take(const QStringList& paths) {
 }
 
 void SegmentsFromFiles::ask() {
-  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Import segments"));
-  dialog->setObjectName(QStringLiteral("segmentImportDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFiles);
+  const auto* dialog =
+      openPathDialog(bench_.dialogParent(),
+                     {"segmentImportDialog", tr("Import segments"), {}, {}, QFileDialog::ExistingFiles});
   connect(dialog, &QFileDialog::filesSelected, this, &SegmentsFromFiles::take);
-  dialog->open();
 }
 
 bool SegmentsFromFiles::eventFilter(QObject* panel, QEvent* event) {

@@ -1,6 +1,5 @@
 #include "ui/features/segments_to_files.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -10,6 +9,7 @@
 #include "ui/controller/segment_target.h"
 #include "ui/controller/segments_on_slices.h"
 #include "ui/panels/surface_dialog.h"
+#include "ui/widgets/path_dialog.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -54,17 +54,14 @@ SegmentsToFiles::SegmentsToFiles(Workbench& bench, SegmentJobs& segmenter)
 void SegmentsToFiles::ask() {
   const std::vector<SegmentMap> maps = copiesOf(allSegmentsShown(session_));
   if (maps.empty()) return;
-  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Export segments"), {}, exportFilters());
-  dialog->setObjectName(QStringLiteral("segmentDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
   const QString usual = QLatin1String(segmentFormats().front().ending + 1);
+  auto* dialog = openPathDialog(
+      bench_.dialogParent(),
+      {"segmentDialog", tr("Export segments"), exportFilters(), QStringLiteral("segmentation.") + usual});
   dialog->setDefaultSuffix(usual);
-  dialog->selectFile(QStringLiteral("segmentation.") + usual);
   connect(
       dialog, &QFileDialog::fileSelected, this,
       [this, maps, series = session_.series()->series](const QString& path) { save(maps, series, path); });
-  dialog->open();
 }
 
 void SegmentsToFiles::save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path) {

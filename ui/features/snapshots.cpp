@@ -1,5 +1,5 @@
-#include "ui/controller/snapshot.h"
-#include "ui/features/feature.h"
+#include "ui/exports/scene_pictures.h"
+#include "ui/features/exporting.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/text.h"
@@ -9,21 +9,22 @@ namespace volumen {
 namespace {
 
 // Saves or copies pictures of the 3D view at any size and quality.
-class Snapshots : public Feature {
+class Snapshots : public ExportFeature {
  public:
   explicit Snapshots(Workbench& bench);
 
  private:
   void connectViews();
   void tellSize();
-  std::optional<SnapshotSeen> seen();
+  void askForFile();
+  void askForFolder();
+  std::optional<SnapshotRequest> wanted();
+  void take(const SnapshotRequest& request, const PictureSink& sink);
 
-  Snapshot snapshot_;
   SnapshotPanel* panel_;
 };
 
-Snapshots::Snapshots(Workbench& bench)
-    : Feature(bench), snapshot_(bench.document.drawService, bench.document.jobs), panel_(new SnapshotPanel) {
+Snapshots::Snapshots(Workbench& bench) : ExportFeature(bench), panel_(new SnapshotPanel) {
   bench_.addDock({"snapshot",
                   tr("Snapshot"),
                   Workbench::scrolling(panel_),
@@ -33,25 +34,21 @@ Snapshots::Snapshots(Workbench& bench)
                     {tr("Ctrl+Shift+E")},
                     "",
                     false,
-                    [this](bool) { panel_->askWhere(); },
+                    [this](bool) { askForFile(); },
                     {{"fileMenu", 50, 50}}});
+  const auto copy = [this] {
+    if (const auto request = wanted()) take(*request, clipboard());
+  };
   bench_.addAction({"copySnapshot",
                     tr("Copy 3D snapshot"),
                     {},
                     "",
                     false,
-                    [this](bool) { panel_->copy(); },
+                    [copy](bool) { copy(); },
                     {{"fileMenu", 50, 50}}});
-  snapshot_.setMeasured(
-      [this](const Plan& plan) { return measuredError(bench_.document.meter.measured(), plan); });
-  panel_->setSeen([this] { return seen(); });
-  connect(panel_, &SnapshotPanel::requested, &snapshot_, &Snapshot::take);
-  connect(&snapshot_, &Snapshot::saved, this, [this](const QString& path, int pictures) {
-    tell(pictures == 1 ? tr("Saved %1").arg(path)
-                       : tr("Saved %1 pictures, the last as %2").arg(pictures).arg(path));
-  });
-  connect(&snapshot_, &Snapshot::copied, this, [this] { tell(tr("Copied to the clipboard")); });
-  connect(&snapshot_, &Snapshot::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
+  connect(panel_, &SnapshotPanel::saveWanted, this, &Snapshots::askForFile);
+  connect(panel_, &SnapshotPanel::copyWanted, this, copy);
+  connect(panel_, &SnapshotPanel::turntableWanted, this, &Snapshots::askForFolder);
   connectViews();
 }
 
@@ -70,7 +67,8 @@ void Snapshots::tellSize() {
   if (bench_.view()->isVisible()) panel_->setViewSize(bench_.view()->pixels());
 }
 
-std::optional<SnapshotSeen> Snapshots::seen() {
+// Returns nothing, after reporting why, if there is no scene.
+std::optional<SnapshotRequest> Snapshots::wanted() {
   if (!session_.series()) {
     warn(tr("Open a series first."));
     return {};
@@ -78,9 +76,39 @@ std::optional<SnapshotSeen> Snapshots::seen() {
   const ViewId view = sceneViewOf(session_.workspace());
   const DrawnScenes& drawn = bench_.document.drawn;
   const TissueLeft::Entry* tissue = drawn.tissue(view);
-  return SnapshotSeen{drawn.series(view), bench_.sceneInView(),
-                      segmentsInPicture(drawn.segments(view), tissue ? tissue->key.shown : TissueShown{}),
-                      namesHidden()};
+  return panel_->chosen({drawn.series(view), bench_.sceneInView(),
+                         segmentsInPicture(drawn.segments(view), tissue ? tissue->key.shown : TissueShown{}),
+                         namesHidden()});
+}
+
+// Uses the view and options at this moment, whatever happens while the file dialog is open.
+void Snapshots::askForFile() {
+  const auto request = wanted();
+  if (!request) return;
+  const QString suffix = panel_->suffix(), name = fileName(request->seen.series->series);
+  askForPath(
+      {"snapshotDialog", tr("Save a snapshot"),
+       suffix == QStringLiteral("png") ? tr("PNG pictures (*.png)") : tr("JPEG pictures (*.jpg *.jpeg)"),
+       name + QLatin1Char('.') + suffix},
+      [this, request = *request](const QString& path) { take(request, pictureFile(path)); });
+}
+
+void Snapshots::askForFolder() {
+  auto request = wanted();
+  if (!request) return;
+  request->pictures = panel_->turntablePictures();
+  const QString name = fileName(request->seen.series->series) + QLatin1Char('.') + panel_->suffix();
+  askForPath({"turntableDialog", tr("Save the turntable in a folder"), {}, {}, QFileDialog::Directory},
+             [this, request = *request, name](const QString& folder) {
+               take(request, numberedFiles(folder + QLatin1Char('/') + name, request.pictures));
+             });
+}
+
+void Snapshots::take(const SnapshotRequest& request, const PictureSink& sink) {
+  const auto measured = [this](const Plan& plan) {
+    return measuredError(bench_.document.meter.measured(), plan);
+  };
+  run({tr("Rendering snapshot"), scenePictures(bench_.document.drawService, request, measured), sink});
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include <QApplication>
-#include <QFileDialog>
 #include <QLabel>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -10,6 +9,7 @@
 #include "ui/panels/study_browser.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
+#include "ui/widgets/path_dialog.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/indexed_text.h"
 #include "ui/workspace/patients.h"
@@ -225,13 +225,11 @@ void StudyListing::showPatients() {
 void StudyListing::askForImport() {
   StudySource* importer = sources_.importer();
   if (!importer) return;
-  auto* dialog = new QFileDialog(bench_.dialogParent(), tr("Import a folder into the list of studies"));
-  dialog->setObjectName(QStringLiteral("importFolderDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
+  const auto* dialog = openPathDialog(
+      bench_.dialogParent(),
+      {"importFolderDialog", tr("Import a folder into the list of studies"), {}, {}, QFileDialog::Directory});
   connect(dialog, &QFileDialog::fileSelected, importer,
           [importer](const QString& path) { importer->import({path}); });
-  dialog->open();
 }
 
 void StudyListing::showImport(const ImportReport& report) {

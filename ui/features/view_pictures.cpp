@@ -1,15 +1,6 @@
-#include <QApplication>
-#include <QClipboard>
-#include <QFileDialog>
-#include <QStandardPaths>
-#include <memory>
-#include <optional>
-
-#include "io/files/picture_file.h"
-#include "ui/features/feature.h"
-#include "ui/features/once_drawn.h"
+#include "ui/exports/views_picture.h"
+#include "ui/features/exporting.h"
 #include "ui/views/view_grid.h"
-#include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -17,116 +8,58 @@ namespace volumen {
 namespace {
 
 // Copies or saves the view in focus or all views as they appear on screen.
-class ViewPictures : public Feature {
+class ViewPictures : public ExportFeature {
  public:
   explicit ViewPictures(Workbench& bench);
 
  private:
-  struct Seen {
-    QImage picture;
-    QStringList warnings;
-  };
-
-  void take(const std::vector<View*>& views, const std::function<void()>& picture);
-  void copy(const QImage& picture);
-  void save(const std::vector<View*>& views, const QString& title, const std::function<Seen()>& see);
-  void write(const Seen& seen, const QString& path);
-  QString nameOffered() const;
-
-  JobLane writing_{&bench_.document.jobs};
+  PictureMakerPtr viewSeen() const;
+  PictureMakerPtr allSeen() const;
+  void save(const PictureMakerPtr& seen, const QString& title);
+  void copy(const PictureMakerPtr& seen) { run({{}, seen, clipboard()}); }
 };
 
-ViewPictures::ViewPictures(Workbench& bench) : Feature(bench) {
-  writing_.keepToTheEnd();
+ViewPictures::ViewPictures(Workbench& bench) : ExportFeature(bench) {
   const auto add = [&](const char* name, const QString& text, const QList<QKeySequence>& keys,
-                       const char* icon, const std::function<void()>& run, std::vector<Place> places) {
+                       const char* icon, const std::function<void()>& act, std::vector<Place> places) {
     bench_.addAction({name, text, keys, icon, false,
-                      [this, run](bool) {
+                      [this, act](bool) {
                         if (session_.workspace().series.empty()) return warn(tr("Open a series first."));
-                        run();
+                        act();
                       },
                       std::move(places)});
   };
   add("savePicture", tr("Save picture..."), {tr("Ctrl+E")}, "snapshot",
-      [this] {
-        save({grid_.viewShown()}, tr("Save the picture of the view"), [view = grid_.viewShown()] {
-          return Seen{view->capture(), view->warningsShown()};
-        });
-      },
+      [this] { save(viewSeen(), tr("Save the picture of the view")); },
       {{"fileMenu", 50}, {"toolBar", 30, toolBarGap + 10}});
-  add("copyPicture", tr("Copy picture"), {QKeySequence::Copy}, "",
-      [this] { take({grid_.viewShown()}, [this, view = grid_.viewShown()] { copy(view->capture()); }); },
+  add("copyPicture", tr("Copy picture"), {QKeySequence::Copy}, "", [this] { copy(viewSeen()); },
       {{"fileMenu", 50}});
   add("saveAllPictures", tr("Save all views..."), {}, "",
-      [this] {
-        save(grid_.viewsSeen(), tr("Save the picture of all views"), [this] {
-          return Seen{grid_.capture(), grid_.warningsShown()};
-        });
-      },
+      [this] { save(allSeen(), tr("Save the picture of all views")); }, {{"fileMenu", 50, 10}});
+  add("copyAllPictures", tr("Copy all views"), {tr("Ctrl+Shift+C")}, "", [this] { copy(allSeen()); },
       {{"fileMenu", 50, 10}});
-  add("copyAllPictures", tr("Copy all views"), {tr("Ctrl+Shift+C")}, "",
-      [this] { take(grid_.viewsSeen(), [this] { copy(grid_.capture()); }); }, {{"fileMenu", 50, 10}});
 }
 
-// Waits until all views are drawn, so that texts and pictures match.
-void ViewPictures::take(const std::vector<View*>& views, const std::function<void()>& picture) {
-  onceDrawn(views, session_, this, picture,
-            [this] { warn(tr("The view changed before it was drawn: ask for its picture again.")); });
+PictureMakerPtr ViewPictures::viewSeen() const {
+  View* view = grid_.viewShown();
+  return viewsPicture({view}, session_, [view] {
+    return MadePicture{view->capture(), plainPictureText(view->warningsShown())};
+  });
 }
 
-void ViewPictures::copy(const QImage& picture) {
-  QGuiApplication::clipboard()->setImage(picture);
-  tell(tr("Copied to the clipboard"));
+PictureMakerPtr ViewPictures::allSeen() const {
+  return viewsPicture(grid_.viewsSeen(), session_, [this] {
+    return MadePicture{grid_.capture(), plainPictureText(grid_.warningsShown())};
+  });
 }
 
-QString ViewPictures::nameOffered() const {
+void ViewPictures::save(const PictureMakerPtr& seen, const QString& title) {
   const Series* series = seriesIn(session_.workspace(), session_.workspace().focus);
-  return series ? seriesText(*series).replace(QLatin1Char('/'), QLatin1Char('_')) : QStringLiteral("volumen");
-}
-
-// Saves the picture as it was at the request, once it is drawn and has a file name.
-void ViewPictures::save(const std::vector<View*>& views, const QString& title,
-                        const std::function<Seen()>& see) {
-  struct Asked {
-    std::optional<Seen> seen;
-    QString path;
-  };
-  const auto asked = std::make_shared<Asked>();
-  const auto look = [this, asked] {
-    if (asked->seen && !asked->path.isEmpty()) write(*asked->seen, asked->path);
-  };
-  take(views, [asked, see, look] {
-    asked->seen = see();
-    look();
-  });
-  auto* dialog = new QFileDialog(bench_.dialogParent(), title,
-                                 QStandardPaths::writableLocation(QStandardPaths::PicturesLocation),
-                                 tr("PNG pictures (*.png);;JPEG pictures (*.jpg *.jpeg)"));
-  dialog->setObjectName(QStringLiteral("pictureDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("png"));
-  dialog->selectFile(nameOffered() + QStringLiteral(".png"));
-  connect(dialog, &QFileDialog::fileSelected, this, [asked, look](const QString& path) {
-    asked->path = path;
-    look();
-  });
-  dialog->open();
-}
-
-void ViewPictures::write(const Seen& seen, const QString& path) {
-  PictureText text{{"Software", "volumen " VOLUMEN_VERSION}, {"Comment", "Not for clinical use"}};
-  if (!seen.warnings.isEmpty())
-    text.emplace_back("volumen-warnings", seen.warnings.join(QLatin1Char('\n')).toStdString());
-  writing_.run(
-      JobName(tr("Saving"), path),
-      [=](const Job&) {
-        return writeImage(seen.picture.convertToFormat(QImage::Format_RGB888), path.toStdString(), text);
-      },
-      [this, path](const Status& status) {
-        if (!status) return warnUntilDone(QString::fromStdString(status.message()));
-        tell(tr("Saved %1").arg(path));
-      });
+  const QString name = series ? fileName(*series) : QStringLiteral("volumen");
+  askForPath({"pictureDialog", title, pictureFilters(), name + QStringLiteral(".png")},
+             [this, seen](const QString& path) {
+               run({JobName(tr("Saving"), path), seen, pictureFile(path)});
+             });
 }
 
 }  // namespace

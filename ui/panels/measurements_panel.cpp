@@ -1,7 +1,6 @@
 #include "ui/panels/measurements_panel.h"
 
 #include <QClipboard>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -13,6 +12,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/widgets/path_dialog.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/measurements.h"
@@ -241,12 +241,9 @@ QString MeasurementsPanel::shapesText() const {
 
 void MeasurementsPanel::askWhere(const QString& title, const QString& suffix,
                                  const std::function<QString()>& text) {
-  auto* dialog = new QFileDialog(this, title, {}, QStringLiteral("*.%1").arg(suffix));
-  dialog->setObjectName(QStringLiteral("measurementSaveDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(suffix);
-  dialog->selectFile(QStringLiteral("measurements.%1").arg(suffix));
+  const auto* dialog =
+      openPathDialog(this, {"measurementSaveDialog", title, QStringLiteral("*.%1").arg(suffix),
+                            QStringLiteral("measurements.%1").arg(suffix)});
   connect(dialog, &QFileDialog::fileSelected, this, [this, bytes = text().toUtf8()](const QString& path) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
@@ -254,16 +251,13 @@ void MeasurementsPanel::askWhere(const QString& title, const QString& suffix,
     else
       Q_EMIT saved(path);
   });
-  dialog->open();
 }
 
 void MeasurementsPanel::askWhatToOpen() {
-  auto* dialog = new QFileDialog(this, tr("Open shapes"), {}, QStringLiteral("*.json"));
-  dialog->setObjectName(QStringLiteral("measurementOpenDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
+  const auto* dialog = openPathDialog(
+      this,
+      {"measurementOpenDialog", tr("Open shapes"), QStringLiteral("*.json"), {}, QFileDialog::ExistingFile});
   connect(dialog, &QFileDialog::fileSelected, this, &MeasurementsPanel::openShapes);
-  dialog->open();
 }
 
 void MeasurementsPanel::openShapes(const QString& path) {

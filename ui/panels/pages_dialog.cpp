@@ -55,6 +55,4 @@ PagesDialog::PagesDialog(int pictures, QWidget* parent)
   form->addRow(buttons);
 }
 
-int PagesDialog::perPage() const { return perPage_->currentData().toInt(); }
-
 }  // namespace volumen

@@ -4,6 +4,8 @@
 #include <QComboBox>
 #include <QDialog>
 
+#include "ui/overlays/picture_pages.h"
+
 namespace volumen {
 
 /// Asks how key images are laid out on pages, and whether to save or print them. Closes before its signals.
@@ -12,8 +14,7 @@ class PagesDialog : public QDialog {
  public:
   explicit PagesDialog(int pictures, QWidget* parent = nullptr);
 
-  int perPage() const;
-  bool inTrueSize() const { return trueSize_->isChecked(); }
+  PageLook look() const { return {perPage_->currentData().toInt(), trueSize_->isChecked()}; }
   bool namesHidden() const { return hideNames_->isChecked(); }
 
  Q_SIGNALS:

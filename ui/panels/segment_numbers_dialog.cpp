@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QClipboard>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QSaveFile>
@@ -16,6 +15,7 @@
 #include "ui/controller/segment_map_reports.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/frozen_column.h"
+#include "ui/widgets/path_dialog.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/csv.h"
@@ -318,12 +318,9 @@ void SegmentNumbersDialog::copy() const {
 }
 
 void SegmentNumbersDialog::askWhere(const QString& suffix, const std::function<QString()>& text) {
-  auto* dialog = new QFileDialog(this, tr("Save numbers"), {}, QStringLiteral("*.%1").arg(suffix));
-  dialog->setObjectName(QStringLiteral("segmentNumbersFileDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(suffix);
-  dialog->selectFile(QStringLiteral("segments.%1").arg(suffix));
+  const auto* dialog =
+      openPathDialog(this, {"segmentNumbersFileDialog", tr("Save numbers"),
+                            QStringLiteral("*.%1").arg(suffix), QStringLiteral("segments.%1").arg(suffix)});
   connect(dialog, &QFileDialog::fileSelected, this, [this, bytes = text().toUtf8()](const QString& path) {
     QSaveFile file(path);
     const bool isWritten =
@@ -331,7 +328,6 @@ void SegmentNumbersDialog::askWhere(const QString& suffix, const std::function<Q
     said_->setText(isWritten ? tr("Saved %1").arg(path)
                              : tr("Cannot write %1: %2.").arg(path, file.errorString()));
   });
-  dialog->open();
 }
 
 QString SegmentNumbersDialog::csvText() const {

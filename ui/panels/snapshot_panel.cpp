@@ -1,11 +1,9 @@
 #include "ui/panels/snapshot_panel.h"
 
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include "ui/widgets/colour_button.h"
@@ -25,11 +23,6 @@ Widget* named(Widget* widget, const char* name, const QString& label) {
   widget->setObjectName(QLatin1String(name));
   widget->setAccessibleName(label);
   return widget;
-}
-
-QString picturesFolder() {
-  const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  return QFileInfo(pictures).isDir() ? pictures : QString();
 }
 
 }  // namespace
@@ -140,9 +133,9 @@ void SnapshotPanel::addButtons(QVBoxLayout* column) {
   last->addWidget(pictures_, 1);
   last->addWidget(turntable, 1);
   column->addLayout(last);
-  connect(save, &QPushButton::clicked, this, &SnapshotPanel::askWhere);
-  connect(copyIt, &QPushButton::clicked, this, &SnapshotPanel::copy);
-  connect(turntable, &QPushButton::clicked, this, &SnapshotPanel::askForFolder);
+  connect(save, &QPushButton::clicked, this, &SnapshotPanel::saveWanted);
+  connect(copyIt, &QPushButton::clicked, this, &SnapshotPanel::copyWanted);
+  connect(turntable, &QPushButton::clicked, this, &SnapshotPanel::turntableWanted);
 }
 
 void SnapshotPanel::setViewSize(QSize pixels) {
@@ -172,15 +165,9 @@ std::optional<Background> SnapshotPanel::background() const {
   }
 }
 
-// Returns the default file name without extension.
-QString SnapshotPanel::name(const SnapshotSeen& seen) const {
-  return seriesText(seen.series->series).replace(QLatin1Char('/'), QLatin1Char('_'));
-}
-
-SnapshotRequest SnapshotPanel::chosen(const SnapshotSeen& seen, const QString& path) const {
+SnapshotRequest SnapshotPanel::chosen(const SnapshotSeen& seen) const {
   constexpr Quality levels[] = {Quality::standard, Quality::high, Quality::exact};
   return {.seen = seen,
-          .path = path,
           .size = {width_->value(), height_->value()},
           .quality = levels[quality_->currentIndex()],
           .background = background(),
@@ -188,46 +175,6 @@ SnapshotRequest SnapshotPanel::chosen(const SnapshotSeen& seen, const QString& p
                     .scaleBar = scaleBar_->isChecked(),
                     .patient = patient_->isChecked(),
                     .warnings = warnings_->isChecked()}};
-}
-
-void SnapshotPanel::copy() {
-  if (const auto seen = seen_()) Q_EMIT requested(chosen(*seen, {}));
-}
-
-// Uses the view and options at this moment, whatever happens while the file dialog is open.
-void SnapshotPanel::askWhere() {
-  const auto seen = seen_();
-  if (!seen) return;
-  const bool png = format_->currentIndex() == 0;
-  auto* dialog = new QFileDialog(this, tr("Save a snapshot"), picturesFolder(),
-                                 png ? tr("PNG pictures (*.png)") : tr("JPEG pictures (*.jpg *.jpeg)"));
-  dialog->setObjectName(QStringLiteral("snapshotDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(suffix());
-  dialog->selectFile(name(*seen) + QLatin1Char('.') + suffix());
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this, request = chosen(*seen, {})](const QString& path) mutable {
-            request.path = path;
-            Q_EMIT requested(request);
-          });
-  dialog->open();
-}
-
-void SnapshotPanel::askForFolder() {
-  const auto seen = seen_();
-  if (!seen) return;
-  SnapshotRequest request = chosen(*seen, name(*seen) + QLatin1Char('.') + suffix());
-  request.pictures = pictures_->value();
-  auto* dialog = new QFileDialog(this, tr("Save the turntable in a folder"), picturesFolder());
-  dialog->setObjectName(QStringLiteral("turntableDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this, [this, request](const QString& folder) mutable {
-    request.path = folder + QLatin1Char('/') + request.path;
-    Q_EMIT requested(request);
-  });
-  dialog->open();
 }
 
 }  // namespace volumen

@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QPushButton>
 #include <QSpinBox>
-#include <functional>
 
 #include "ui/workspace/snapshot_request.h"
 
@@ -22,16 +21,17 @@ class SnapshotPanel : public QWidget {
 
   /// Sets the size for "Match view size".
   void setViewSize(QSize pixels);
-  /// Sets the function that returns the visible scene. It returns nothing, after reporting why, if there is
-  /// none.
-  void setSeen(std::function<std::optional<SnapshotSeen>()> seen) { seen_ = std::move(seen); }
-  /// Asks for a file, then emits requested().
-  void askWhere();
-  /// Requests the snapshot as chosen for the clipboard.
-  void copy();
+  /// Returns the request for a snapshot as chosen.
+  SnapshotRequest chosen(const SnapshotSeen& seen) const;
+  /// Returns the number of pictures of a turntable.
+  int turntablePictures() const { return pictures_->value(); }
+  /// Returns the suffix of the chosen file format: "png" or "jpg".
+  QString suffix() const;
 
  Q_SIGNALS:
-  void requested(const volumen::SnapshotRequest& request);
+  void saveWanted();
+  void copyWanted();
+  void turntableWanted();
 
  private:
   void addSize(QVBoxLayout* column);
@@ -39,18 +39,13 @@ class SnapshotPanel : public QWidget {
   void addBackground(QVBoxLayout* column);
   void addAnnotations(QVBoxLayout* column);
   void addButtons(QVBoxLayout* column);
-  void askForFolder();
-  QString name(const SnapshotSeen& seen) const;
-  SnapshotRequest chosen(const SnapshotSeen& seen, const QString& path) const;
   std::optional<Background> background() const;
-  QString suffix() const;
 
   QSpinBox *width_, *height_, *pictures_;
   QComboBox *quality_, *format_, *background_;
   ColourButton* colour_;
   QCheckBox *letters_, *scaleBar_, *patient_, *warnings_;
   QSize viewSize_{512, 512};
-  std::function<std::optional<SnapshotSeen>()> seen_;
   bool sizeChosen_ = false;
 };
 

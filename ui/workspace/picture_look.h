@@ -1,8 +1,8 @@
 #pragma once
 
 #include <QSize>
+#include <QStringList>
 #include <map>
-#include <optional>
 
 #include "ui/data/loaded_series.h"
 #include "ui/workspace/preferences.h"
@@ -10,13 +10,22 @@
 
 namespace volumen {
 
+/// What pages and file names state of a picture.
+struct PictureLabel {
+  QStringList head = {};  ///< header lines of its page: patient and study
+  QString caption = {};   ///< the line below it
+  int group = 0;          ///< pictures of different groups are on different pages
+  int number = 0;         ///< number in the name of its file
+};
+
 /// A flat view, and the workspace that holds its state at one moment.
 struct PictureStop {
   Workspace workspace;
   ViewId view = 0;
   /// The series shown and measured in the view that are in memory; they stay there for it.
   std::map<SeriesKey, LoadedSeriesPtr> held = {};
-  std::optional<Preferences> preferences = {};  ///< empty: those of the session when the picture is made
+  Preferences preferences = {};
+  PictureLabel label = {};
 };
 
 /// The size of pictures of flat views, and what is written over them.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QSize>
-#include <QString>
 #include <optional>
 
 #include "ui/data/loaded_series.h"
@@ -28,12 +27,9 @@ struct SnapshotSeen {
   bool namesHidden = false;
 };
 
-/// A snapshot to be made.
+/// A snapshot or turntable to be made.
 struct SnapshotRequest {
   SnapshotSeen seen;
-  /// PNG or JPEG by its suffix; empty: the clipboard. Pictures of a turntable have a number before the
-  /// suffix, and a further number if files of such names exist.
-  QString path;
   QSize size;
   Quality quality = Quality::high;
   std::optional<Background> background;  ///< empty: the scene's

@@ -23,10 +23,10 @@ QString shownText(const std::string& utf8);
 void hideNames(bool hidden);
 bool namesHidden();
 
-/// Hides names during its lifetime if `hidden`, for output to others.
+/// Hides or shows names during its lifetime, for output as it was requested.
 class HidingNames {
  public:
-  explicit HidingNames(bool hidden) : before_(namesHidden()) { hideNames(before_ || hidden); }
+  explicit HidingNames(bool hidden) : before_(namesHidden()) { hideNames(hidden); }
   ~HidingNames() { hideNames(before_); }
   HidingNames(const HidingNames&) = delete;
   HidingNames& operator=(const HidingNames&) = delete;

@@ -1,7 +1,6 @@
-#include "ui/views/picture_run.h"
+#include "ui/exports/flat_pictures.h"
 
 #include <QCoreApplication>
-#include <QPainter>
 #include <QResizeEvent>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "ui/controller/measure_jobs.h"
 #include "ui/data/frame_series.h"
+#include "ui/views/view_grid.h"
 #include "ui/workspace/links.h"
 #include "ui/workspace/text.h"
 
@@ -45,98 +45,83 @@ std::set<SeriesKey> seriesSeen(const PictureStop& stop) {
   return seen;
 }
 
-// Returns PictureStop::held from the series in a session's memory.
-std::map<SeriesKey, LoadedSeriesPtr> seriesHeld(const PictureStop& stop, const Session& session) {
-  std::map<SeriesKey, LoadedSeriesPtr> held;
-  for (const SeriesKey& key : seriesSeen(stop)) {
-    const auto state = stop.workspace.series.find(key);
-    if (state == stop.workspace.series.end()) continue;
-    if (LoadedSeriesPtr series = session.seriesWith(key, state->second.mask)) held[key] = std::move(series);
-  }
-  return held;
-}
-
 // Returns a session with what the view of a stop needs.
-std::unique_ptr<Session> sessionOf(const PictureStop& stop, PictureLook::Size size, const Session& session) {
+std::unique_ptr<Session> sessionOf(const PictureStop& stop, PictureLook::Size size) {
   auto copy = std::make_unique<Session>();
-  copy->prefer(stop.preferences.value_or(session.preferences()));
+  copy->prefer(stop.preferences);
   copy->pool().setBudget(std::numeric_limits<std::size_t>::max());
-  for (const auto& [key, held] : stop.held.empty() ? seriesHeld(stop, session) : stop.held)
-    copy->pool().put({key, stop.workspace.series.at(key).mask}, held);
+  for (const auto& [key, held] : stop.held) copy->pool().put({key, stop.workspace.series.at(key).mask}, held);
   copy->open({}, workspaceOf(stop, size));
   return copy;
 }
 
-}  // namespace
+class FlatPictures : public QObject, public PictureMaker {
+ public:
+  FlatPictures(const ViewGrid& grid, std::vector<PictureStop> stops, const PictureLook& look);
 
-PictureStop heldNow(PictureStop stop, const Session& session) {
-  stop.held = seriesHeld(stop, session);
-  stop.preferences = session.preferences();
-  return stop;
-}
+  std::size_t count() const override { return stops_.size(); }
+  void make(std::size_t n, JobLane& lane, const Done& done) override;
 
-PictureRun::PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs, const QString& doing,
-                       std::vector<PictureStop> stops, const PictureLook& look, QObject* parent)
-    : QObject(parent),
-      grid_(grid),
-      shown_(grid.shown()),
-      session_(session),
-      jobs_(jobs),
-      job_(JobName(doing)),
-      stops_(std::move(stops)),
-      look_(look) {
+ private:
+  using Size = PictureLook::Size;
+
+  void prepare();
+  void waitForNumbers();
+  void draw();
+  MadePicture madeOf(QImage picture, double mmPerPixel) const;
+  void answer(const Result<MadePicture>& made);
+  QSize pixelsWanted() const;
+  void resizeView(QSize logical);
+  void layOutForPaper();
+
+  const ViewGrid& grid_;
+  const ViewGrid::Shown shown_;
+  const std::vector<PictureStop> stops_;
+  const PictureLook look_;
+  std::size_t at_ = 0;
+  JobLane* lane_ = nullptr;
+  Done done_;  // empty while no picture is being made
+  FrameService frames_;
+  std::unique_ptr<Session> copy_;  // with the workspace of the stop
+  std::unique_ptr<MeasureJobs> measurer_;
+  std::unique_ptr<FlatView> view_;  // over copy_ and measurer_
+  QTimer numbersSoon_;
+  bool isPrepared_ = false;  // whether the content of the stop is known
+};
+
+FlatPictures::FlatPictures(const ViewGrid& grid, std::vector<PictureStop> stops, const PictureLook& look)
+    : grid_(grid), shown_(grid.shown()), stops_(std::move(stops)), look_(look) {
   numbersSoon_.setSingleShot(true);
   numbersSoon_.setInterval(waitMs);
-  connect(&numbersSoon_, &QTimer::timeout, this, &PictureRun::waitForNumbers);
+  connect(&numbersSoon_, &QTimer::timeout, this, &FlatPictures::waitForNumbers);
   // Runs after the view has received the frame as well.
   connect(&frames_, &FrameService::ready, this,
-          [this] { QTimer::singleShot(0, this, &PictureRun::prepare); });
+          [this] { QTimer::singleShot(0, this, &FlatPictures::prepare); });
   connect(&frames_, &FrameService::failed, this, [this](int view, const FrameKey&, const QString& sentence) {
-    if (view != measuredId) end(shownText(sentence.toStdString()));
+    if (view != measuredId) answer(Error{shownText(sentence.toStdString()).toStdString()});
   });
 }
 
-PictureRun::~PictureRun() { jobs_.remove(job_); }
-
-void PictureRun::start(Keep keep, Finish finish) {
-  keep_ = std::move(keep);
-  finish_ = std::move(finish);
-  jobs_.add(job_, [this] { end(tr("Interrupted; nothing was written.")); });
-  job_.tell({}, 0);
-  QTimer::singleShot(0, this, &PictureRun::next);
+void FlatPictures::answer(const Result<MadePicture>& made) {
+  numbersSoon_.stop();
+  if (const Done done = std::exchange(done_, {})) done(made);
 }
 
-void PictureRun::next() {
-  if (hasEnded_) return;
-  if (at_ < stops_.size())
-    showStop();
-  else
-    finish();
-}
-
-void PictureRun::finish() {
-  jobs_.remove(job_);
-  jobs_.add(job_, {}, false);
-  lane_.run(
-      {}, [finish = finish_](const Job&) { return finish ? finish() : Status(); },
-      [this](const Status& finished) {
-        end(finished ? QString() : QString::fromStdString(finished.message()));
-      });
-}
-
-void PictureRun::showStop() {
+void FlatPictures::make(std::size_t n, JobLane& lane, const Done& done) {
+  at_ = n, lane_ = &lane, done_ = done;
   const PictureStop& stop = stops_[at_];
   view_.reset();
   measurer_.reset();
-  copy_ = sessionOf(stop, look_.size, session_);
+  copy_ = sessionOf(stop, look_.size);
   measurer_ = std::make_unique<MeasureJobs>(*copy_, frames_);
   view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view, shown_);
   isPrepared_ = false;
-  if (!view_) return end(tr("Only slices and frames can be made into such pictures."));
+  if (!view_)
+    return answer(Error{tr("Only slices and frames can be made into such pictures.").toStdString()});
   resizeView(look_.seen);
   const ViewState& state = view_->state();
   const Series* series = seriesIn(copy_->workspace(), stop.view);
-  if (!series) return end(tr("Open a series first."));
+  if (!series) return answer(Error{tr("Open a series first.").toStdString()});
   if (!showsFrames(state.kind)) return prepare();
   const FlatLook look = flatLookOf(state);
   const int last = std::max(0, frameCount(*series) - 1);
@@ -145,11 +130,11 @@ void PictureRun::showStop() {
 }
 
 // Sets the size of the picture once its content is known.
-void PictureRun::prepare() {
-  if (hasEnded_ || isPrepared_) return;
+void FlatPictures::prepare() {
+  if (!done_ || isPrepared_) return;
   if (!view_->shown()) {
     if (showsFrames(view_->state().kind)) return;  // waits for the frame
-    return end(tr("The series is still being loaded: try again once it is shown."));
+    return answer(Error{tr("The series is still being loaded: try again once it is shown.").toStdString()});
   }
   isPrepared_ = true;
   if (look_.size == Size::own || look_.size == Size::whole) {
@@ -164,7 +149,7 @@ void PictureRun::prepare() {
 }
 
 // A hidden widget learns its size only when it is shown.
-void PictureRun::resizeView(QSize logical) {
+void FlatPictures::resizeView(QSize logical) {
   const QSize before = view_->size();
   view_->resize(logical);
   QResizeEvent event(logical, before);
@@ -172,19 +157,19 @@ void PictureRun::resizeView(QSize logical) {
 }
 
 // Sizes texts as on a screen.
-void PictureRun::layOutForPaper() {
+void FlatPictures::layOutForPaper() {
   resizeView((look_.mm * textsPerMm).toSize().expandedTo({1, 1}));
   view_->zoomTo(look_.mm.width() / view_->pixels().width());
 }
 
 // Waits without a limit; the user may cancel.
-void PictureRun::waitForNumbers() {
-  if (hasEnded_) return;
+void FlatPictures::waitForNumbers() {
+  if (!done_) return;
   if (look_.withTexts && !view_->isMeasured()) return numbersSoon_.start();
   draw();
 }
 
-QSize PictureRun::pixelsWanted() const {
+QSize FlatPictures::pixelsWanted() const {
   if (look_.size == Size::asSeen) return view_->pixels();
   if (look_.size == Size::paper)  // no higher resolution than that
     return QSize(int(look_.mm.width() * dotsPerMm), int(look_.mm.height() * dotsPerMm)).expandedTo({1, 1});
@@ -193,10 +178,10 @@ QSize PictureRun::pixelsWanted() const {
   return (from * (look_.edge / edge)).toSize().expandedTo({1, 1});
 }
 
-void PictureRun::draw() {
+void FlatPictures::draw() {
   const std::optional<SliceRequest> request =
       look_.size == Size::own ? view_->requestForOwnPixels() : view_->requestFor(pixelsWanted());
-  lane_.run(
+  lane_->run(
       {},
       [request](const Job&) -> Result<QImage> {
         Result<QImage> drawn = drawSlice(*request);
@@ -204,41 +189,38 @@ void PictureRun::draw() {
         return (*std::move(drawn)).convertToFormat(QImage::Format_RGB32);
       },
       [this, mm = request->plane.mmPerPixel](Result<QImage> drawn) {
-        if (!drawn) return end(QString::fromStdString(drawn.message()));
-        keepPicture(*std::move(drawn), mm);
+        answer(drawn ? Result(madeOf(*std::move(drawn), mm)) : drawn.error());
       });
 }
 
-void PictureRun::keepPicture(QImage picture, double mmPerPixel) {
+MadePicture FlatPictures::madeOf(QImage picture, double mmPerPixel) const {
   const HidingNames hiding(look_.namesHidden);
   MadePicture made;
   made.image = look_.withTexts ? view_->captureWith(std::move(picture)) : std::move(picture);
   made.image.setDevicePixelRatio(1);
+  made.text = plainPictureText(static_cast<View&>(*view_).warningsShown());
+  made.label = stops_[at_].label;
   made.overlays = view_->overlays();
-  made.warnings = static_cast<View&>(*view_).warningsShown();
   made.lengthsWord = view_->lengthsWord();
   if (made.overlays.mmPerPixel > 0) made.mmPerPixel = mmPerPixel;
-  lane_.run(
-      {}, [keep = keep_, n = at_, made](const Job&) { return keep(n, made); },
-      [this](const Status& kept) { take(kept); });
+  return made;
 }
 
-void PictureRun::take(const Status& kept) {
-  if (!kept) return end(QString::fromStdString(kept.message()));
-  ++at_;
-  job_.tell(tr("%1: %2 of %3").arg(job_.name().doing).arg(at_).arg(stops_.size()),
-            double(at_) / double(stops_.size()));
-  next();
+}  // namespace
+
+PictureStop heldNow(PictureStop stop, const Session& session) {
+  stop.preferences = session.preferences();
+  for (const SeriesKey& key : seriesSeen(stop)) {
+    const auto state = stop.workspace.series.find(key);
+    if (state == stop.workspace.series.end()) continue;
+    if (LoadedSeriesPtr series = session.seriesWith(key, state->second.mask))
+      stop.held[key] = std::move(series);
+  }
+  return stop;
 }
 
-void PictureRun::end(const QString& failure) {
-  if (std::exchange(hasEnded_, true)) return;
-  numbersSoon_.stop();
-  lane_.giveUpAll();
-  jobs_.remove(job_);
-  Q_EMIT ended(failure);
-  lane_.run(
-      {}, [](const Job&) {}, [this] { deleteLater(); });  // after the current drawing
+PictureMakerPtr flatPictures(const ViewGrid& grid, std::vector<PictureStop> stops, const PictureLook& look) {
+  return std::make_shared<FlatPictures>(grid, std::move(stops), look);
 }
 
 }  // namespace volumen

@@ -1,0 +1,100 @@
+#include "ui/exports/scene_pictures.h"
+
+#include <QElapsedTimer>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/overlays/annotate.h"
+#include "ui/overlays/view_overlays.h"
+#include "ui/workspace/text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr double leastPart = 0.02;  // no estimate is made below this share
+
+QString leftText(double seconds) {
+  if (seconds < 60) return tr("%1 s left").arg(std::ceil(seconds));
+  return tr("%1 min left").arg(std::ceil(seconds / 60));
+}
+
+class ScenePictures : public QObject, public PictureMaker {
+ public:
+  ScenePictures(DrawService& drawService, const SnapshotRequest& request, const MeasuredErrorOf& measured)
+      : drawService_(drawService), request_(request), measured_(measured) {
+    connect(&drawService_, &DrawService::pictureReady, this,
+            [this](int number, const std::shared_ptr<Drawn>& drawn, const QString& failure) {
+              if (number != number_) return;
+              drawn ? finish(drawn) : std::exchange(done_, {})(Error{failure.toStdString()});
+            });
+  }
+
+  std::size_t count() const override { return std::size_t(request_.pictures); }
+  void make(std::size_t n, JobLane& lane, const Done& done) override {
+    if (n == 0) clock_.start();
+    lane_ = &lane, done_ = done;
+    Scene scene = request_.seen.scene;
+    if (request_.background) scene.background = *request_.background;
+    scene.camera = turned(*scene.camera, 360.0 * double(n) / request_.pictures);
+    RenderOptions options;
+    options.size = {request_.size.width(), request_.size.height()};
+    options.quality = request_.quality;
+    number_ = drawService_.requestPicture(request_.seen.series->volume, scene, options);
+  }
+  void giveUp() override { drawService_.cancelPictures(); }
+  void tellProgress(const Job& job, std::size_t made) const override {
+    const double now = (double(made) + (done_ ? drawService_.pictureDone() : 0)) / request_.pictures;
+    part_ = std::clamp(now, part_, 1.0);
+    QString text = tr("%1: %2 %").arg(job.name().text()).arg(std::floor(100 * part_));
+    const double seconds = clock_.isValid() ? double(clock_.elapsed()) / 1000 : 0;
+    if (part_ >= leastPart) text += tr(", %1").arg(leftText(seconds * (1 - part_) / part_));
+    job.tell(text, part_);
+  }
+  QString cancelledText() const override { return tr("Cancelled."); }
+  // The render thread draws one picture after another, and a turntable chooses its names after the one
+  // before.
+  bool isOneAtATime() const override { return true; }
+
+ private:
+  void finish(const std::shared_ptr<Drawn>& drawn) {
+    const SnapshotSeen& seen = request_.seen;
+    MadePicture made;
+    made.text = pictureText(drawn->plan, {estimateOf(drawn->plan, drawn->error), measured_(drawn->plan)});
+    std::vector<Warning> warnings = seen.series->warnings;
+    warnings.insert(warnings.end(), drawn->warnings.begin(), drawn->warnings.end());
+    for (const PictureText& more :
+         {textOfSegments(seen.segments, drawn->plan.segments), warningText(warnings)})
+      made.text.insert(made.text.end(), more.begin(), more.end());
+    const HidingNames hiding(seen.namesHidden);
+    made.overlays = chosenOverlays(viewOverlays(*seen.series, *drawn->plan.scene.camera, drawn->picture.size),
+                                   request_.shown, warnings);
+    lane_->run(
+        {},
+        [drawn, picture = made](const Job&) {
+          MadePicture whole = picture;
+          whole.image = imageForFile(drawn->picture);
+          if (!whole.overlays.empty()) annotate(whole.image, whole.overlays);
+          return Result<MadePicture>(std::move(whole));
+        },
+        [this](const Result<MadePicture>& finished) { std::exchange(done_, {})(finished); });
+  }
+
+  DrawService& drawService_;
+  const SnapshotRequest request_;
+  const MeasuredErrorOf measured_;
+  JobLane* lane_ = nullptr;
+  Done done_;       // set while a picture is being made
+  int number_ = 0;  // of the requested picture
+  QElapsedTimer clock_;
+  mutable double part_ = 0;  // reported last
+};
+
+}  // namespace
+
+PictureMakerPtr scenePictures(DrawService& drawService, const SnapshotRequest& request,
+                              const MeasuredErrorOf& measured) {
+  return std::make_shared<ScenePictures>(drawService, request, measured);
+}
+
+}  // namespace volumen
