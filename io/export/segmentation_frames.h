@@ -21,7 +21,7 @@ class SegmentationFrames {
   void add(const BitMask& mask, const BitMask* onSlices = nullptr);
 
   struct Frame {
-    int segment = 0;  ///< from 0, in the order of add()
+    int segment = 0;  ///< index from 0, in the order of add()
     int slice = 0;    ///< index in the source
   };
   const std::vector<Frame>& frames() const { return frames_; }
@@ -50,7 +50,7 @@ class SegmentationFrames {
   BitMask taken_;
   std::optional<BitMask> takenOnSlices_;
   bool overlap_ = false, areOfSlices_ = true;
-  std::vector<std::optional<int>> gridSlices_;  // for each slice of the source
+  std::vector<std::optional<int>> gridSlices_;  // one for each slice of the source
   std::vector<Frame> frames_;
   int segments_ = 0;
   BitPacker bits_;

@@ -25,7 +25,7 @@ namespace volumen::worker {
 namespace {
 
 constexpr std::size_t mostFiles = 500;
-constexpr std::uint64_t usualBytes = std::uint64_t(1) << 30;  // of address space, for workers that are reused
+constexpr std::uint64_t usualBytes = std::uint64_t(1) << 30;  // most address space of a worker that is reused
 
 /// The idle workers.
 struct Idle {

@@ -58,7 +58,7 @@ class BlocksAlongRay {
   }
 
  private:
-  /// Where each ray enters and leaves a block, in steps from the ray's start, and the block's bound.
+  /// Entry and exit of each ray in a block, in steps from the ray's start, and the block's bound.
   struct BlockPassage {
     VF most, from, to;
   };

@@ -207,7 +207,7 @@ HWY_INLINE VF PowerOpacity(VF opacity, VF unitDistances, MF others) {
   return hn::Neg(ExpMinus1(hn::Max(hn::Mul(log, unitDistances), Set(-80))));
 }
 
-/// As PowerOpacity, but faster where opacities are small.
+/// Returns the same as PowerOpacity() to within rounding, but faster if opacities are small.
 HWY_INLINE VF CorrectedOpacity(VF opacity, VF unitDistances) {
   const MF faint =
       hn::And(hn::Lt(opacity, Set(1.0f / 16)), hn::Lt(hn::Mul(opacity, unitDistances), Set(1.0f / 8)));

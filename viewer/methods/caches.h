@@ -21,15 +21,16 @@ struct RenderCaches::Impl {
   /// The inputs of block and cell skipping.
   struct SkipRequest {
     std::vector<CurvePoint> points;
-    int reachBlocks = 1;        ///< As EmptySpaceMap::reach.
+    int reachBlocks = 1;        ///< Same as EmptySpaceMap::reach.
     double rounding = 0;        ///< Bound on the difference of stored values from the volume's, real units.
     StoredDensities densities;  ///< The densities the kernels read, by which cells are classified.
     bool cells = false;         ///< True if Skip::cells is used.
     bool operator==(const SkipRequest&) const = default;
   };
   struct Skip {
-    SkipRequest made;       ///< The request with the last reach.
-    EmptySpaceMap maps[2];  ///< For the last two reaches, the latest first: those of a picture and its pilot.
+    SkipRequest made;  ///< The request with the last reach.
+    EmptySpaceMap
+        maps[2];  ///< Maps of the last two reaches, the latest first: those of a picture and its pilot.
     VisibleCells cells;
 
     const EmptySpaceMap& map() const { return maps[0]; }
@@ -46,7 +47,7 @@ struct RenderCaches::Impl {
   };
   std::optional<Map> map;
 
-  /// For the segments drawn last.
+  /// Cells of the segments drawn last.
   std::vector<std::shared_ptr<const SegmentCells>> segmentCells;
 
   GlContextFactory glFactory = makeEglContext;

@@ -8,7 +8,7 @@ namespace volumen::reference {
 
 namespace {
 
-// A piece is split until two estimates of its contribution differ by at most this share of it,
+// A piece is split until two estimates of its contribution differ by at most this fraction of it, or by at
 constexpr double relativeTolerance = 1e-5;
 // or by this much.
 constexpr double absoluteTolerance = 2e-8;

@@ -12,7 +12,7 @@ namespace volumen {
 struct BrickFace {
   glm::ivec3 step{1, 0, 0};  ///< Step to the other voxel
   glm::dvec3 normal{0};      ///< Unit vector, patient space
-  double area = 0;           ///< In mm^2
+  double area = 0;           ///< Area in mm^2
 };
 
 /// Returns the faces of a brick, one of each opposite pair. Bricks are rectangular on every grid: one edge
