@@ -32,9 +32,8 @@ std::string lastingPath(const std::string& path);
 /// The location of a path on disk.
 struct PathOnDisk {
   std::string path;
-  bool unpacked = false;  ///< an archive or a path into one
-  std::vector<std::pair<std::string, std::string>>
-      leftOut;  ///< entries that were left out of a whole archive, as in UnpackedArchive
+  bool unpacked = false;                                     ///< an archive or a path into one
+  std::vector<std::pair<std::string, std::string>> leftOut;  ///< entries left out (UnpackedArchive)
 };
 
 /// Unpacks an archive, or the archive of a path into one (lastingPath()), and returns the location on disk.

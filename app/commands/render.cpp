@@ -256,10 +256,10 @@ class Run {
     return {};
   }
 
-  // Where there is too little memory for the volume, a reduced copy takes its place and shows the same.
+  // If there is too little memory for the volume, draws a reduced copy of it instead.
   Status fitToMemory(Scene& scene, const RenderOptions& asked, std::optional<RenderCaches>& caches) {
     const auto plan = makePlan(scene, caches->facts(), asked);
-    if (!plan) return {};  // draw() tells
+    if (!plan) return {};  // draw() reports the reason
     auto copy = copyToDraw(*plan, *volume_, caches->facts(), options_.path, volume_->bytes());
     if (!copy) return copy.error();
     if (!*copy) return {};

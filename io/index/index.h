@@ -36,7 +36,7 @@ struct IndexedStudy {
   std::string institution;  ///< empty if an older program imported the study
   std::string modalities;   ///< "CT, PT": of its series, sorted
   int series = 0, images = 0;
-  int warnings = 0;        ///< number, of its series
+  int warnings = 0;        ///< number of warnings of its series
   bool offline = false;    ///< true if none of its files is available
   std::string importedAt;  ///< ISO 8601, UTC
   std::string openedAt;    ///< last time, ISO 8601, UTC; empty: never

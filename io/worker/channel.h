@@ -28,14 +28,15 @@ class Descriptor {
 
 /// The topic of a message, with the meaning of its two numbers and its text.
 enum class Topic : std::uint32_t {
-  /// Asks the zygote for a worker, with a socket and a buffer. First number: 1 if prepared for all. Answer:
+  /// Asks the zygote for a worker, with a socket and a buffer. First number: 1 if prepared for all.
+  /// Answer: process id.
   fork,
-  /// To the zygote: process id, and the ms in which it may end by itself. The answer comes once it is reaped:
-  /// its status as wait() gives it, and 1 if it ended by itself.
+  /// Asks the zygote to end a process: its id, and the ms in which it may end by itself. The answer comes
+  /// once it is reaped: its status as wait() gives it, and 1 if it ended by itself.
   end,
   ready,  ///< a worker or the zygote waits for its first order
-  /// To a worker: address of the handler, size of the request. Text: the request; a long one is the last
-  /// file.
+  /// Gives a worker a request: address of the handler, size of the request. Text: the request; a long one is
+  /// the last file.
   run,
   more,      ///< tells a worker that it may use one more slot
   opened,    ///< gives a worker the size and descriptor of a file, or in text the reason why it has none

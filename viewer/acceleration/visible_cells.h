@@ -60,8 +60,8 @@ class VisibleCells {
   static void takeIn(const RowRange& from, RowRange& to);
   Row rowOf(glm::ivec3 voxel) const;
   std::uint64_t cellsOf(glm::ivec3 block) const;
-  /// Examines a block unless done; waits if another thread is doing so. `states`: the word that holds the
-  /// block's state.
+  /// Examines a block unless that is done. Waits if another thread is examining it. `states` is the word that
+  /// holds the block's state.
   void lookInto(glm::ivec3 block, std::uint64_t& states) const;
   /// Returns the index of the block's row along i.
   std::size_t rowAt(glm::ivec3 block) const { return std::size_t(block.z) * count_.y + block.y; }

@@ -55,8 +55,7 @@ struct RayInputs {
   const float* gradients32 = nullptr;
   const std::uint8_t* density8 = nullptr;  ///< Density8::bytes.
   const std::uint32_t* voxels8 = nullptr;  ///< Voxels8::words.
-  /// Voxels from one row along i to the next: for densities alone, and for gradients with or without
-  /// densities.
+  /// Distance of rows along i, in voxels: for densities alone, and for gradients with or without densities.
   int densityRow = 1, gradientRow = 1;
   float gradientMatrix[9] = {};   ///< Row-major: stored gradient to gradientUnit per mm in patient space.
   float gradientUnit = 1;         ///< Unit of transformed gradients, as a real value per mm.

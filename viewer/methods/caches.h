@@ -36,8 +36,8 @@ struct RenderCaches::Impl {
     const EmptySpaceMap& map() const { return maps[0]; }
     std::size_t bytes() const { return maps[0].bytes() + maps[1].bytes() + cells.bytes(); }
   };
-  /// For the last two kinds of stored densities, the latest first. A moving picture may read other bits than
-  /// a still one.
+  /// Skipping for the last two kinds of stored densities, the latest first: a moving picture may read other
+  /// bits than a still one.
   Skip skips[2];
 
   struct Map {

@@ -58,8 +58,8 @@ struct PaperSize {
 struct PaperRival {
   std::string name, what;
   double medianMs = 0;
-  PictureError own;      ///< Against the reference of the picture that the method means to draw.
-  PictureError against;  ///< Against the reference of the lit, translucent picture.
+  PictureError own;      ///< Error against the reference of the picture that the method means to draw.
+  PictureError against;  ///< Error against the reference of the lit, translucent picture.
 };
 
 struct PaperBench {

@@ -24,7 +24,7 @@ struct Effect {
 
 /// Plain step lengths that a pilot may choose from, voxels.
 struct PilotSteps {
-  double shortest = 0;  ///< Shorter steps take longer than the plan without them
+  double shortest = 0;  ///< Length below which steps take longer than the plan without plain steps
   double first = 0;     ///< First length to try
   bool operator==(const PilotSteps&) const = default;
 };
