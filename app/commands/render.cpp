@@ -119,7 +119,7 @@ std::string numbered(const std::string& path, int n) {
   return path.substr(0, dot) + number + path.substr(dot);
 }
 
-// One scene is drawn: gradients of what it shows are enough.
+// One scene is drawn, so gradients of its visible bricks are enough.
 std::shared_ptr<StoredVoxels> sparing(const VolumePtr& volume) {
   auto voxels = std::make_shared<StoredVoxels>(volume);
   voxels->spareGradients(true);

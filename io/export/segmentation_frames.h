@@ -31,7 +31,7 @@ class SegmentationFrames {
   bool overlap() const { return overlap_; }
   /// True if all segments were known on the acquired slices.
   bool areOfSlices() const { return areOfSlices_; }
-  /// Returns the source slices that lie between grid slices: what is displayed there is interpolated.
+  /// Returns the source slices that lie between grid slices, where the display is interpolated.
   std::vector<int> slicesBetween() const;
   /// True if the pixels of all slices lie on voxels of the grid.
   bool areOnGrid() const;

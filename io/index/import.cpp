@@ -91,7 +91,7 @@ void Import::learn(const std::string& root) {
   }
 }
 
-// Sorts files by what the index knows: new and changed ones are read, moved ones only recorded.
+// Sorts files by their records in the index: new and changed ones are read, moved ones only recorded.
 Import::Compared Import::compare(const std::vector<FileOnDisk>& files) {
   Compared compared;
   for (const FileOnDisk& file : files) {

@@ -84,7 +84,8 @@ struct Series : SeriesIdentity {
 /// files agree.
 void setProjections(Series& series, std::vector<ProjectionView> ofEach);
 
-/// Returns side and view of an acquired frame (from 0), or what all frames share if there is no such frame.
+/// Returns side and view of an acquired frame (from 0), or those that all frames share if there is no such
+/// frame.
 ProjectionView projectionOf(const Series& series, int frame);
 
 }  // namespace volumen

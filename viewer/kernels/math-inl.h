@@ -176,8 +176,8 @@ HWY_INLINE Transparency TransparencyOf(VF opacity) {
   const VF one = Set(1);
   const VF o = hn::Min(opacity, Set(kMostOpacity));
   const VF left = hn::Sub(one, o);
-  // Adds what the subtraction rounded off, so that log1p(-o) keeps its relative accuracy. The exact term is
-  // lost / left. Where left is far from 1, nothing is lost or log is far larger.
+  // Adds the rounding error of the subtraction, so that log1p(-o) keeps its relative accuracy. The exact term
+  // is lost / left. Where left is far from 1, nothing is lost or log is far larger.
   const VF lost = hn::Sub(hn::Sub(one, left), o);
   return {left, hn::Add(Log(left), lost)};
 }

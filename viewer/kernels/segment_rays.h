@@ -28,7 +28,8 @@ class SegmentRays {
   struct Task {
     std::vector<FieldCrossing> crossings;
   };
-  /// Appends what the ray through a pixel (y * width + x) meets, in order, up to what hides the rest.
+  /// Appends the points where the ray through a pixel (y * width + x) meets surfaces, in order, up to the one
+  /// that hides the rest.
   void follow(int pixel, Task& task, std::vector<Met>& met) const;
   glm::vec3 colourAt(int pixel, const Met& met) const;
   float opacityOf(const Met& met) const { return float(segments_[std::size_t(met.segment)].opacity); }
@@ -65,7 +66,7 @@ class SegmentRays {
   double stopTransmittance_ = 0;
   Lighting lighting_;
   std::vector<Segment> segments_;
-  // Segments in order of search: opaque ones first, as they hide what need not be searched.
+  // Segments in order of search: opaque ones first, as nothing behind them need be searched.
   std::vector<int> searched_;
 };
 
