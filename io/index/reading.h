@@ -37,8 +37,7 @@ struct ReadSeries : FoundSeries {
 struct ReadFiles {
   std::vector<ReadSeries> series;
   std::vector<Refused> refused;  ///< files in no series, including images that series had to leave out
-  std::vector<Refused>
-      lacking;  ///< files that are no images but may belong to a series: named like its slices, ...
+  std::vector<Refused> lacking;  ///< no images, but named like slices of a series, ...
 };
 
 /// Opens files with openFiles(). The Error: only if cancelled.

@@ -36,12 +36,11 @@ struct Series : SeriesIdentity {
   std::string format;  ///< "DICOM", "phantom" or the format of the file: "NRRD", "NIfTI", "MetaImage", ...
   std::string unit;    ///< unit of the values: "HU", "Bq/ml", "SUV"; empty if they have none
   SuvFactors suv;      ///< factors to SUV (PET)
-  std::string
-      contrastAgent;      ///< agent named by the DICOM file (for a code its meaning); empty if it names none
-  std::string time;       ///< time of day as DICOM writes it: of the acquisition, else of the series
-  std::string echoTime;   ///< ms, as in the file; empty if not given
-  std::string bValue;     ///< diffusion weighting, s/mm^2, as in the file; empty if not given
-  std::string timePoint;  ///< time point of a series in time, as in the file; empty if not given
+  std::string contrastAgent;  ///< agent named by the file, or its code's meaning; may be empty
+  std::string time;           ///< time of day as DICOM writes it: of the acquisition, else of the series
+  std::string echoTime;       ///< ms, as in the file; empty if not given
+  std::string bValue;         ///< diffusion weighting, s/mm^2, as in the file; empty if not given
+  std::string timePoint;      ///< time point of a series in time, as in the file; empty if not given
   /// Words for other differences from the volumes of its series or file: "direction 12",
   /// "component x", "2 of 5"; may be empty.
   std::string label;
@@ -68,9 +67,8 @@ struct Series : SeriesIdentity {
   std::vector<int> frames;                   ///< frame (from 0) of each entry of `files` (DICOM)
   std::vector<std::string> sopInstanceUids;  ///< one for each entry of `files` (DICOM)
   std::vector<PictureOrder> orders;          ///< one for each entry of `files` (DICOM volumes)
-  std::vector<ProjectionView>
-      projections;             ///< one for each entry of `files` if they differ, else empty (DICOM)
-  std::vector<Unread> unread;  ///< files lost to the series (DICOM); `warnings` names them too
+  std::vector<ProjectionView> projections;   ///< one for each of `files`; empty if all are alike (DICOM)
+  std::vector<Unread> unread;                ///< files lost to the series (DICOM); `warnings` names them too
 
   std::string notVolume;  ///< why these are frames only: a sentence; empty for a volume
   Cine cine;              ///< timing of frames

@@ -28,9 +28,8 @@ struct RenderCaches::Impl {
     bool operator==(const SkipRequest&) const = default;
   };
   struct Skip {
-    SkipRequest made;  ///< The request with the last reach.
-    EmptySpaceMap
-        maps[2];  ///< Maps of the last two reaches, the latest first: those of a picture and its pilot.
+    SkipRequest made;       ///< The request with the last reach.
+    EmptySpaceMap maps[2];  ///< Maps of the last two reaches, latest first (a picture and its pilot).
     VisibleCells cells;
 
     const EmptySpaceMap& map() const { return maps[0]; }

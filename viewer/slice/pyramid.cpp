@@ -68,8 +68,7 @@ VolumePtr reduced(const Volume& whole, int edge) {
   const glm::ivec2 size(whole.size());
   parts.geometry.size = {blocksOf(size, edge), 1};
   parts.geometry.origin = whole.geometry().patientFromVoxel({(edge - 1) / 2.0, (edge - 1) / 2.0, 0});
-  parts.geometry.patientFromVoxelStep *=
-      edge;  // scales the thickness too, as the smallest step sets the sub-samples
+  parts.geometry.patientFromVoxelStep *= edge;  // the thickness too: the smallest step sets the sub-samples
   parts.values = meansOnAllCores(whole.stored(), size, edge);
   parts.slope = whole.slope();
   parts.intercept = whole.intercept();
