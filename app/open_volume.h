@@ -18,7 +18,7 @@ struct Opened {
   Series series;
   Loaded loaded;
   std::vector<std::string> notes;    ///< sentences for stderr
-  std::vector<Series> timePoints{};  ///< all time points of its series in order; empty: there is only one
+  std::vector<Series> timePoints{};  ///< all time points of its series in order; empty if there is only one
 
   /// Returns the exit status of a command that succeeded on this volume.
   int status() const;
@@ -32,7 +32,8 @@ void addUnread(std::vector<Unread>& all, const std::vector<Unread>& more);
 void refuseLosses();
 /// The Error: losses are refused and `unread` is not empty; `what` names the series.
 Status checkStrict(const std::string& what, const std::vector<Unread>& unread);
-/// Also an Error if the machine, not a file, caused a loss. For commands that work on the series.
+/// Does the same for commands that work on the series. The Error also: the machine, not a file, caused a
+/// loss.
 Status checkLosses(const std::string& what, const std::vector<Unread>& unread);
 /// Returns the sentences of warnings.
 std::vector<std::string> sentences(const std::vector<Warning>& warnings);
@@ -44,9 +45,9 @@ nlohmann::ordered_json unreadJson(const std::vector<Unread>& unread);
 /// Returns the reason why nothing in a study can be displayed: a sentence for the user.
 Error nothingToShow(const std::string& path, const Study& study);
 
-/// What a command does to a volume, and how much memory that takes beside it.
+/// The activity of a command on a volume, and the memory that it takes besides the volume.
 struct MemoryUse {
-  const char* doing = "reading";  ///< as in "there is too little memory for ... it"
+  const char* doing = "reading";  ///< verb in the message "there is too little memory for ... it"
   double bytesAVoxel = 0;
 };
 /// Segments: labels, sets of voxels and surfaces, measured.

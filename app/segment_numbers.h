@@ -28,7 +28,7 @@ Result<SegmentsFile> segmentsOfFile(const std::string& file, Opened& opened, con
 
 /// The requested numbers.
 struct NumbersWanted {
-  bool surfaces = true;  ///< else only numbers of voxels (voxelReports())
+  bool surfaces = true;  ///< false: only numbers of voxels (voxelReports())
   bool overTime = false;
 };
 

@@ -18,8 +18,8 @@ struct SessionView {
   Series series;
   Mask mask;
   Scene scene;
-  std::vector<SegmentMap> segments;  ///< all maps of the series; empty: the view shows none
-  std::optional<Quality> quality;    ///< none: the window chose it by time or error
+  std::vector<SegmentMap> segments;  ///< all maps of the series; empty if the view shows none
+  std::optional<Quality> quality;    ///< empty if the window chose it by time or error
 };
 
 /// Reads a session and finds the series of its focused 3D view. The Error names the file, and the series if

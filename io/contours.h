@@ -31,7 +31,7 @@ struct RegionOfInterest {
   std::string type;                          ///< RT ROI Interpreted Type: "GTV", "ORGAN"; may be empty
   std::optional<glm::u8vec3> colour;         ///< sRGB
   std::string frameOfReferenceUid;
-  std::vector<Contour> contours;  ///< in the file's order
+  std::vector<Contour> contours;  ///< contours in the file's order
 };
 
 /// An RT Structure Set (PS3.3 A.19). Contours are placed by their patient coordinates, whatever images they

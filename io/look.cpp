@@ -52,7 +52,7 @@ bool isGrid(const VoxelGeometry& g) {
   return std::min({g.size.x, g.size.y, g.size.z}) >= 1 && double(g.size.x) * g.size.y * g.size.z < mostVoxels;
 }
 
-// True if the headers of `path` can give such a volume.
+// True if the headers of `path` can describe this series.
 bool isConsistent(const Series& series, const std::string& path) {
   return series.path == path && series.files == std::vector{path} && series.format != "DICOM" &&
          series.format != "phantom" && isGrid(series.acquired) && !series.regular;

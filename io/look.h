@@ -9,11 +9,11 @@ namespace volumen {
 
 /// The headers of a file.
 struct LookedAt {
-  bool isImageFile = false;     ///< NRRD, NIfTI, ... (looksLikeImageFile()); then:
-  std::vector<Series> volumes;  ///< its contents
-  std::string problem;          ///< or the reason why it cannot be read: a sentence
-  bool gzippedDicom = false;    ///< an unreadable file is a gzipped DICOM file
-  dicom::Inspection dicom;      ///< for other files
+  bool isImageFile = false;     ///< true for NRRD, NIfTI, ... (looksLikeImageFile())
+  std::vector<Series> volumes;  ///< volumes of an image file
+  std::string problem;          ///< why an image file cannot be read: a sentence
+  bool gzippedDicom = false;    ///< true if an unreadable file is a gzipped DICOM file
+  dicom::Inspection dicom;      ///< result for all other files
 };
 
 /// Reads the headers of files, one entry each, on all cores, in workers if there are any (io/worker). Entries

@@ -42,7 +42,7 @@ struct Presentation {
   };
 
   std::string label, description, creator;  ///< UTF-8
-  std::string date;                         ///< in DICOM format
+  std::string date;                         ///< date in DICOM format
   std::vector<ReferencedPicture> pictures;
   ValueMapping values;
   std::vector<Greys> greys;

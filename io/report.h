@@ -22,7 +22,7 @@ struct ReportShape {
   bool inPatient = false;          ///< SCOORD3D: patient mm (LPS); else pixels of an image
   std::vector<glm::dvec3> points;  ///< pixels: z is 0; 0, 0 is the outer corner of the first pixel
   Code name;
-  std::string frameOfReferenceUid;          ///< of patient positions
+  std::string frameOfReferenceUid;          ///< frame of reference of patient positions
   std::vector<ReferencedPicture> pictures;  ///< the image of the pixels, or the source of the selection
 };
 

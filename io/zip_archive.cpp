@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t mostBytes = std::uint64_t(16) << 30, alwaysBytes = 16 << 20, mostRatio = 200;
 constexpr std::size_t mostFiles = 100'000, mostDepth = 64, mostNameBytes = 255;
-constexpr std::size_t leastEntryBytes = 46;  // in the central directory
+constexpr std::size_t leastEntryBytes = 46;  // smallest entry of the central directory
 constexpr const char* lockName = "lock";
 
 // A folder for the files of one archive, with a lock that marks it as in use.
@@ -156,7 +156,7 @@ class Unpacker {
 };
 
 struct Unpacked {
-  std::string path;  ///< of the archive, absolute
+  std::string path;  ///< absolute path of the archive
   PrivateFolder folder;
   UnpackedArchive archive;
 };

@@ -11,7 +11,7 @@ namespace volumen {
 
 /// An unpacked archive.
 struct UnpackedArchive {
-  std::string folder;  ///< of this program alone; deleted when the program ends
+  std::string folder;  ///< private folder, deleted when the program ends
   std::vector<std::pair<std::string, std::string>> leftOut;  ///< name in the archive, reason
 };
 
@@ -33,7 +33,7 @@ std::string lastingPath(const std::string& path);
 struct PathOnDisk {
   std::string path;
   bool unpacked = false;                                     ///< an archive or a path into one
-  std::vector<std::pair<std::string, std::string>> leftOut;  ///< of a whole archive, as in UnpackedArchive
+  std::vector<std::pair<std::string, std::string>> leftOut;  ///< entries left out (UnpackedArchive)
 };
 
 /// Unpacks an archive, or the archive of a path into one (lastingPath()), and returns the location on disk.

@@ -118,7 +118,7 @@ inline constexpr Step lastOf<Step> = Step::problem;
 
 namespace {
 
-constexpr std::uint64_t wrong = std::numeric_limits<std::uint64_t>::max();  // in place of a block's length
+constexpr std::uint64_t wrong = std::numeric_limits<std::uint64_t>::max();  // replaces a block's length
 
 // Writes the blocks of a file after their lengths; 0 at the end, or `wrong` and the reason.
 bool writeBlocks(worker::Wire& answer, LocalEntries& entries, std::vector<std::uint8_t>& block) {

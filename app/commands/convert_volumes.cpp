@@ -73,7 +73,7 @@ class FirstSlices {
   }
 
   const CancelToken& cancel_;
-  std::map<std::string, Result<DicomSource>> sources_;  // by file
+  std::map<std::string, Result<DicomSource>> sources_;  // keys: files
 };
 
 // Returns the step from one volume to the next if it is constant; 0 if it is not, or unknown.

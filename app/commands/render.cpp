@@ -119,7 +119,7 @@ std::string numbered(const std::string& path, int n) {
   return path.substr(0, dot) + number + path.substr(dot);
 }
 
-// One scene is drawn: gradients of what it shows are enough.
+// One scene is drawn, so gradients of its visible bricks are enough.
 std::shared_ptr<StoredVoxels> sparing(const VolumePtr& volume) {
   auto voxels = std::make_shared<StoredVoxels>(volume);
   voxels->spareGradients(true);
@@ -256,10 +256,10 @@ class Run {
     return {};
   }
 
-  // Where there is too little memory for the volume, a reduced copy takes its place and shows the same.
+  // If there is too little memory for the volume, draws a reduced copy of it instead.
   Status fitToMemory(Scene& scene, const RenderOptions& asked, std::optional<RenderCaches>& caches) {
     const auto plan = makePlan(scene, caches->facts(), asked);
-    if (!plan) return {};  // draw() tells
+    if (!plan) return {};  // draw() reports the reason
     auto copy = copyToDraw(*plan, *volume_, caches->facts(), options_.path, volume_->bytes());
     if (!copy) return copy.error();
     if (!*copy) return {};

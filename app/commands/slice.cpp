@@ -196,7 +196,7 @@ Status writeValues(const Volume& volume, const SlicePlane& plane, const std::str
 
 Status writeSlice(const SlicePlane& plane, const Opened& opened, const SliceOptions& options,
                   const Asked& asked, const CancelToken& cancel) {
-  if (Status s = checkPlane(plane); !s) return s;  // before memory for its pixels is taken
+  if (Status s = checkPlane(plane); !s) return s;  // checks before memory for its pixels is taken
   const Volume& volume = *opened.loaded.drawn;
   if (isFloatPicture(options.output)) return writeValues(volume, plane, options.output, cancel);
   const GreyMapping grey = windowGrey(volume, opened.series.format == "DICOM",

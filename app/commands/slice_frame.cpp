@@ -186,7 +186,7 @@ Status write(const PresentedFrame& shown, const FrameOptions& options) {
   return writeImage(image, options.output);
 }
 
-// Prints what is not displayed, and writes the picture.
+// Prints warnings about parts that are not displayed, and writes the picture.
 template <class Shown>
 Status finish(const Result<Shown>& shown, const std::vector<std::string>& warnings,
               const FrameOptions& options) {

@@ -11,8 +11,8 @@ namespace volumen {
 /// Options of `slice --plane frame`.
 struct FrameOptions {
   std::string path, series, output;
-  std::optional<int> index;  ///< none: the first frame, or the first that the presentation state references
-  std::optional<Window> window;  ///< none: the file's first window, or that of the presentation state
+  std::optional<int> index;      ///< if empty, the first frame (that the presentation state references)
+  std::optional<Window> window;  ///< if empty, that of the presentation state, else the file's first
   std::string presentation;      ///< file, or its number in `info`; empty: as acquired
   bool graphics = true;          ///< the presentation state's graphics, drawn into .png
 };

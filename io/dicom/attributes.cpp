@@ -131,7 +131,7 @@ bool isSignedWithoutSaying(const DataSet& data, const Element& pixels, Bytes beg
     warnings.push_back(told + "signed, as the bits above them are");
     return true;
   }
-  constexpr double lowestOffset = -8192;  // with a lower offset 32768 would still be possible
+  constexpr double lowestOffset = -8192;  // limit: with a lower offset 32768 would still be possible
   // Compressed pixels may have fewer bits if the file does not state BitsStored.
   const bool hasAllBits =
       format.bitsStored == 16 && (pixels.length != undefinedLength || data.has(storedBitsTag, data.root()));

@@ -144,7 +144,7 @@ std::size_t utf8Length(std::string_view text, std::size_t at) {
 /// The bytes above 7F of a text, read as UTF-8.
 struct Utf8 {
   int characters = 0;
-  bool whole = true;   ///< all of them are UTF-8
+  bool whole = true;   ///< true if all of them are UTF-8
   bool mixed = false;  ///< a non-Latin letter touches an ASCII letter, which only happens by chance
 };
 

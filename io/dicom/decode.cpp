@@ -152,7 +152,7 @@ Result<std::vector<std::uint8_t>> joined(const FrameRanges& ranges, const Read& 
   return all;
 }
 
-/// Whether samples stand in the file as they are, one behind the other, as wide as they will be.
+/// Returns whether the file holds samples contiguously, in the width of the result.
 bool isReadInPlace(const PixelFormat& format, const TransferSyntax& syntax, const FrameRanges& ranges) {
   const bool isPlain = syntax.coding == Coding::native && format.kind == PixelFormat::Kind::integer &&
                        !format.bytesInWords && !format.subsampled && !format.planar;

@@ -17,7 +17,7 @@ using Samples = std::variant<std::vector<std::uint8_t>, std::vector<std::int16_t
 struct DecodedFrame {
   Samples samples;
   std::string note;
-  bool ybr = false;  ///< its three samples are YBR_FULL, else RGB
+  bool ybr = false;  ///< true if its three samples are YBR_FULL, else RGB
 };
 
 /// Decodes one frame from its bytes (all fragments joined): bytes in, a value or a reason out. No other
@@ -50,7 +50,7 @@ class PixelSource {
   CancelToken cancel_;
   std::optional<RegularFile> file_;  // set if this process reads the bytes itself
   std::vector<std::uint8_t> inflated_;
-  std::optional<DecodedFrame> mosaic_;  // all tiles of a mosaic
+  std::optional<DecodedFrame> mosaic_;  // the decoded mosaic with all its tiles
 };
 
 /// Sets up DCMTK's decoders once. decodeJpeg calls it itself.

@@ -32,7 +32,7 @@ Result<ValueMapping> readValueMapping(const DataSet& data, const FileHeader& hea
   return mapping;
 }
 
-/// Whether a rescale alone makes values of integers.
+/// Returns whether a rescale alone maps stored integers to values.
 bool isRescale(const ValueMapping& mapping) {
   return mapping.table.empty() && mapping.slope != 0 && std::isfinite(mapping.slope) &&
          std::isfinite(mapping.intercept);

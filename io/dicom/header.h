@@ -55,7 +55,7 @@ struct Orientation {
 
 /// A picture of a file: its values and its position.
 struct Slice {
-  int frame = 0;                       ///< in its file, from 0
+  int frame = 0;                       ///< frame within its file, from 0
   std::optional<glm::dvec3> position;  ///< ImagePositionPatient: centre of its first voxel, mm
   std::optional<Orientation> orientation;
   /// Position and orientation are relative to an ultrasound transducer, not to the patient.
@@ -69,7 +69,7 @@ struct Slice {
   std::optional<ValueRange> padding;        ///< stored values that are padding
   std::vector<Window> windows;              ///< windows on its values, mapped or not
   long instance = 0;                        ///< InstanceNumber; orders slices without positions
-  std::string echoTime, bValue, timePoint;  ///< as Series has them
+  std::string echoTime, bValue, timePoint;  ///< same form as in Series
   std::uint32_t inStack = 0;                ///< InStackPositionNumber, from 1; 0 if not given
   /// Values that may separate pictures at one position, one for each of separators() (separators.h).
   std::vector<std::string> separators;
@@ -80,14 +80,14 @@ inline bool isPlaced(const Slice& s) { return s.position && s.orientation && s.s
 
 /// A Siemens mosaic, whose tiles are the slices of a volume, row by row from the upper left.
 struct Mosaic {
-  int columns = 0, rows = 0;  ///< of the whole picture
+  int columns = 0, rows = 0;  ///< size of the whole picture
   int tilesAcross = 0;
 };
 
 /// A multi-frame picture in several files (PS3.3 C.7.6.16.2.2.4).
 struct Concatenation {
   std::string uid;          ///< empty if the file is whole
-  int part = 0, parts = 0;  ///< from 1; 0 if not given
+  int part = 0, parts = 0;  ///< part number from 1, and number of parts; 0 if not given
   int firstFrame = 0;       ///< number of frames in the preceding parts
 };
 
@@ -95,7 +95,7 @@ struct Concatenation {
 struct FileHeader : SeriesIdentity {
   std::string path, sopInstanceUid;
   std::string unit;                 ///< Series::unit
-  std::string time, contrastAgent;  ///< as Series has them
+  std::string time, contrastAgent;  ///< same form as in Series
   TransferSyntax syntax{"", "", Coding::native, {}, false};
   PixelFormat format;
   std::optional<Mosaic> mosaic;  ///< the frames are tiles of it; `format` describes one tile

@@ -81,16 +81,16 @@ void SeriesFinder::addOthers(std::vector<LostFile>& lost, bool all, Study& study
       lost.push_back({{study.refused.back(), i.header.seriesUid.empty(), i.position}, i.header});
     }
   }
-  // What has no pixels by its class was not cut off in front of them.
+  // Objects of a class without pixels are complete. They were not cut off before their pixels.
   std::erase_if(withoutPixels, [&](const LostFile& file) {
     return !file.identity.sopClassUid.empty() && !classes_.contains(file.identity.sopClassUid);
   });
   lost.insert(lost.end(), withoutPixels.begin(), withoutPixels.end());
 }
 
-// Files without a SeriesInstanceUID are by themselves: what they make stands where each of them does.
+// Files without a SeriesInstanceUID are series of their own, in the order of the files.
 void SeriesFinder::addPictures(Study& study) const {
-  std::map<std::size_t, std::vector<Series>> volumes;  // by the first picture of each series
+  std::map<std::size_t, std::vector<Series>> volumes;  // keys: first picture of each series
   std::map<std::size_t, std::vector<Image>> images;
   for (const auto& [uid, numbers] : series_) {
     std::vector<FileHeader> files;

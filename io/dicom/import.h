@@ -40,7 +40,7 @@ class SeriesFinder {
   std::vector<Image> images_;                               ///< pictures that are not slices
   PackedHeaders pictures_;
   std::vector<std::pair<std::string, std::vector<std::size_t>>> series_;  ///< UID and numbers of pictures
-  std::map<std::string, std::size_t> seriesOf_;                           ///< by UID
+  std::map<std::string, std::size_t> seriesOf_;                           ///< index in `series_` by UID
   std::set<std::string> classes_;                                         ///< classes of pictures
 };
 

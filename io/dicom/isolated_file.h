@@ -22,9 +22,9 @@ auto isolatedPicture(const std::string& path, std::uint64_t pixels, const Progre
   return result;
 }
 
-/// Returns read(path, more...), run in a worker if there are any (io/worker). `read` reads what a DICOM file
-/// holds beside its pixels, or a frame of `pixels` pixels. An Error is read's own, or names the file and what
-/// became of the worker.
+/// Returns read(path, more...), run in a worker if there are any (io/worker). `read` reads a DICOM file
+/// without its pixels, or a frame of `pixels` pixels. An Error is read's own, or names the file and the fate
+/// of the worker.
 template <auto read, class... More>
 auto isolatedFile(const std::string& path, std::uint64_t pixels, const More&... more) {
   return isolatedPicture<read>(path, pixels, Progress(), more...);

@@ -26,7 +26,7 @@ std::vector<Place> placesOf(const Entries& entries) {
 
 /// Lines of one slope, and the slices on them.
 struct Lines {
-  std::vector<std::size_t> lineOf;     // of each slice
+  std::vector<std::size_t> lineOf;     // index of each slice's line
   std::vector<glm::dvec2> intercepts;  // mean intercept of each line
 };
 
@@ -92,7 +92,7 @@ glm::dvec2 fittedSlope(const std::vector<Place>& places, const Lines& lines) {
 
 /// Runs of slices between sideways jumps, and the slope within them.
 struct Runs {
-  std::vector<std::size_t> runOf;  // of each slice
+  std::vector<std::size_t> runOf;  // index of each slice's run
   std::size_t count = 1;
   glm::dvec2 slope{0};
 };

@@ -27,7 +27,7 @@ std::vector<double> numbersOf(const CsaFields& fields, const char* name, std::si
 /// The number of slices and the step between them.
 struct Tiles {
   int count = 0;
-  glm::dvec3 step{0};  ///< from each to the next, mm
+  glm::dvec3 step{0};  ///< step from each tile to the next, mm
 };
 
 /// Reads number and step of the tiles. An Error says what is missing.

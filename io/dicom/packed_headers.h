@@ -29,7 +29,7 @@ class PackedHeaders {
   };
 
   std::map<std::pair<std::string, std::size_t>, std::uint32_t>
-      baseOf_;  ///< by series UID and number of bytes
+      baseOf_;  ///< keys: series UID and number of bytes
   std::vector<OwnBytes> bases_;
   std::vector<Packed> packed_;
   std::size_t bytes_ = 0;

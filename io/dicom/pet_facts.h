@@ -9,8 +9,8 @@ namespace volumen::dicom {
 /// The attributes of a PET file about uptake, as written, each at most 64 bytes; empty if not given.
 struct PetFacts {
   std::string units, suvType, decayCorrection;
-  std::string weight, size;                       ///< of the patient: kg, m
-  std::string dose, halfLife;                     ///< of the tracer: Bq, s
+  std::string weight, size;                       ///< the patient's weight (kg) and size (m)
+  std::string dose, halfLife;                     ///< the tracer's dose (Bq) and half-life (s)
   std::string injectionDateTime, injectionTime;   ///< DT, TM
   std::string zone;                               ///< TimezoneOffsetFromUTC
   std::string decayedTo;                          ///< DecayCorrectionDateTime, DT
@@ -19,11 +19,11 @@ struct PetFacts {
   std::string geScanStart;                        ///< private attribute of GE, DT
   std::string philipsSuvFactor, philipsBqFactor;  ///< factors from counts to SUVbw and to Bq/ml
   int injections = 0;       ///< number of items of RadiopharmaceuticalInformationSequence
-  bool isEnhanced = false;  ///< its units and corrections are those of enhanced PET
+  bool isEnhanced = false;  ///< units and corrections are given as in enhanced PET
   bool attenuationCorrected = false, decayCorrected = false;
   /// SUVType of the values of a real world value mapping: "BW", "LBMJAMES128", "BSA".
   std::string mappedType;
-  double mappedFactor = 0;  ///< from the values of the file to those; 0 if there is no such mapping
+  double mappedFactor = 0;  ///< factor from the file's values to that SUV; 0 if there is no such mapping
   bool operator==(const PetFacts&) const = default;
 };
 

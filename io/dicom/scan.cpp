@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t depthLimit = 64, elementLimit = 1'000'000;
 constexpr std::uint64_t metaLimit = 1 << 20;
-constexpr std::uint64_t longestGuess = 64 << 10;  // of the value of an element of unknown VR
+constexpr std::uint64_t longestGuess = 64 << 10;  // longest value assumed for an element of unknown VR
 
 bool isLetter(std::uint8_t c) { return c >= 'A' && c <= 'Z'; }
 
@@ -143,7 +143,7 @@ class Pass {
     at_ += 8;
     const bool matches = endsItem == (open_.back().kind == Open::item);
     if (open_.back().end == undefinedLength && !matches) return fail("ends what was not begun");
-    if (open_.back().end == undefinedLength) close();  // else a harmless extra delimiter
+    if (open_.back().end == undefinedLength) close();  // other delimiters are extra and harmless
     return {};
   }
 

@@ -17,7 +17,7 @@ struct Separator {
   /// How a value is worded: `before`, the value and `after`, or in a special way. A size is a number that
   /// scanners round.
   enum class Words { plain, size, imageType, direction, clock, seconds };
-  /// When different values make separate volumes.
+  /// Condition under which different values make separate volumes.
   enum class Trust {
     always,   ///< wherever they differ
     certain,  ///< if they differ at one position
@@ -26,7 +26,7 @@ struct Separator {
   };
   /// How values run along the slices of one acquisition.
   enum class Along {
-    steady,  ///< all equal
+    steady,  ///< all values are equal
     varies,  ///< may differ from slice to slice
     counts   ///< may differ, and the n-th value at each position belongs to the n-th volume (trigger times)
   };

@@ -18,7 +18,8 @@ namespace {
 
 bool near(glm::dvec3 a, glm::dvec3 b, double tolerance) { return glm::length(a - b) <= tolerance; }
 
-/// Returns whether a slice of a CT lacks what its unit follows from; it may belong to slices that have it.
+/// Returns whether a slice of a CT lacks the attributes that give its unit. It may belong to slices that have
+/// them.
 bool lacksRescale(const Entry& e) {
   return e.file->modality == "CT" && e.file->unit.empty() && !e.slice().isRescaled && !e.slice().isMapped;
 }

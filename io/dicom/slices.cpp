@@ -101,7 +101,7 @@ bool isVolumeInOrder(const DataSet& data, const FrameScopes& at) {
 /// Stacks frames with position but without pixel size in order of position. Returns false if they are not
 /// parallel at distinct positions.
 bool stackByPlace(FileHeader& header) {
-  constexpr double alike = 1e-3, together = 1e-3;  // for unit vectors; in mm
+  constexpr double alike = 1e-3, together = 1e-3;  // tolerances of unit vectors, and of positions in mm
   const std::optional<Orientation> first = header.slices.front().orientation;
   std::vector<std::pair<double, Slice*>> places;
   for (Slice& slice : header.slices) {

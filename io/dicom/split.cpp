@@ -115,7 +115,7 @@ std::vector<Split> byCount(const Split& split, std::size_t n) {
   return splits;
 }
 
-/// Names parts that only their rank separates. `how` says by what they were separated.
+/// Names parts that only their rank separates. `how` says in words by which property.
 std::vector<Split> byRank(const Split& split, const std::vector<Entries>& ranks, const std::string& how) {
   std::vector<Split> splits;
   for (std::size_t r = 0; r < ranks.size(); ++r) {

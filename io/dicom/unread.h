@@ -8,7 +8,7 @@ namespace volumen::dicom {
 struct LostFile {
   Unread file;
   SeriesIdentity identity;
-  bool ifNamedAlike = false;  ///< it counts only if it is named like the files of a series beside it
+  bool ifNamedAlike = false;  ///< true if it counts only when named like the files of a series beside it
 };
 
 /// Adds lost files to each series and warns of them. A file belongs to a series that its header names. Files

@@ -26,7 +26,7 @@ bool isBehind(const Split& a, const Split& b) {
 }  // namespace
 
 void orderByNumbers(std::vector<Split>& splits) {
-  constexpr std::size_t most = 2000;  // else comparing all pairs would take minutes
+  constexpr std::size_t most = 2000;  // limit, as comparing all pairs would take minutes
   if (splits.size() > most) return;
   std::vector<std::pair<long, std::size_t>> order;
   for (std::size_t n = 0; n < splits.size(); ++n) order.emplace_back(firstNumber(splits[n].entries), n);

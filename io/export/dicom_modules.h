@@ -29,7 +29,7 @@ DicomElements frameOfReferenceModule(const std::string& uid);
 /// An image that another one is derived from.
 struct SourcePicture {
   std::string sopClassUid, sopInstanceUid;
-  int frame = 0;  ///< from 1; 0: single-frame image
+  int frame = 0;  ///< frame number from 1; 0 for a single-frame image
 };
 
 /// Returns the elements that mark an image as derived: how, in words, and from which sources.

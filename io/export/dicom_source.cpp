@@ -169,7 +169,7 @@ class Copier {
     out.push_back(std::move(e));
   }
 
-  // Enhanced MR splits what single-frame images say in ScanningSequence into three attributes.
+  // Enhanced MR splits ScanningSequence of single-frame images into three attributes.
   void addScanningSequence(DicomElements& out) const {
     const auto says = [&](std::uint32_t tag, const char* what) {
       return data_.text(tag, data_.root()) == what;

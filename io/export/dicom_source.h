@@ -23,7 +23,7 @@ struct DicomSourceFrame {
   };
   std::optional<Place> place;
   double slope = 1, intercept = 0;
-  DicomElements elements;  ///< from its functional groups, as in single-frame images
+  DicomElements elements;  ///< elements of its functional groups, in the form of single-frame images
 };
 
 /// Attributes of a DICOM file that also hold for a copy of it: patient, study, series, frame of reference,

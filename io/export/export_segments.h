@@ -31,7 +31,7 @@ struct SegmentFormat {
 /// Options for writing surfaces.
 struct SurfaceWriting {
   double reducedByMm = 0;  ///< largest deviation of reduced surfaces in mm (reduced()); 0: all triangles
-  bool inOneFile = false;  ///< all segments in one file; else one file a segment
+  bool inOneFile = false;  ///< true: all segments in one file; false: one file a segment
 };
 
 /// Returns all formats, the default one first.

@@ -16,9 +16,9 @@ Status writeLabelImage(const Segmented& segments, const std::string& path, const
                        const CancelToken& cancel = {});
 
 /// Reads a label image in any volume format, and the table beside it if there is one. A label without a row
-/// is named "Label 7". Labels above 255 become free ones. Problems of the table are in `notes`. The Error
-/// names the file: it cannot be read, or holds several volumes, values that are not labels, or more than 255
-/// labels.
+/// is named "Label 7". Labels above 255 become free ones. A table with an unreadable line is left out, with a
+/// note. The Error names the file: it cannot be read, or holds several volumes, values that are not labels,
+/// or more than 255 labels, or the table has two rows for one label.
 Result<SegmentsFile> readLabelImage(const std::string& path, const Progress& progress = {},
                                     const CancelToken& cancel = {});
 

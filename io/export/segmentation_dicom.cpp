@@ -27,7 +27,7 @@ namespace {
 struct WrittenMask {
   BitMask drawn;
   std::optional<BitMask> onSlices{};
-  bool isInterpolated = false;  // its voxels depend on resampled values
+  bool isInterpolated = false;  // true if its voxels depend on resampled values
 };
 using MaskOf = std::function<WrittenMask(std::size_t segment)>;
 

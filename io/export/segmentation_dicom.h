@@ -18,7 +18,7 @@ struct Series;
 struct SegmentationTags {
   std::string description = "Segmentation";  ///< SeriesDescription: shown in study lists
   std::string creator{};                     ///< name of the author in DICOM format
-  std::string date{}, time{};                ///< when it was made, in DICOM format; empty: now
+  std::string date{}, time{};                ///< creation date and time in DICOM format; if empty, now
 };
 
 /// A segment and its voxels; masks may overlap.

@@ -189,7 +189,7 @@ DicomElements SegmentationElements::identity() const {
                {0x00081090, "volumen"},
                {0x00181000, "none"},
                {0x0020000e, uids_.of("series")},
-               {0x00200011, "1000"},  // after those of scanners
+               {0x00200011, "1000"},  // a number above those of scanners
                {0x00201040, valueOf(first, 0x00201040)}});
   return all;
 }

@@ -21,7 +21,7 @@ class SegmentationFrames {
   void add(const BitMask& mask, const BitMask* onSlices = nullptr);
 
   struct Frame {
-    int segment = 0;  ///< from 0, in the order of add()
+    int segment = 0;  ///< index from 0, in the order of add()
     int slice = 0;    ///< index in the source
   };
   const std::vector<Frame>& frames() const { return frames_; }
@@ -31,7 +31,7 @@ class SegmentationFrames {
   bool overlap() const { return overlap_; }
   /// True if all segments were known on the acquired slices.
   bool areOfSlices() const { return areOfSlices_; }
-  /// Returns the source slices that lie between grid slices: what is displayed there is interpolated.
+  /// Returns the source slices that lie between grid slices, where the display is interpolated.
   std::vector<int> slicesBetween() const;
   /// True if the pixels of all slices lie on voxels of the grid.
   bool areOnGrid() const;
@@ -50,7 +50,7 @@ class SegmentationFrames {
   BitMask taken_;
   std::optional<BitMask> takenOnSlices_;
   bool overlap_ = false, areOfSlices_ = true;
-  std::vector<std::optional<int>> gridSlices_;  // for each slice of the source
+  std::vector<std::optional<int>> gridSlices_;  // one for each slice of the source
   std::vector<Frame> frames_;
   int segments_ = 0;
   BitPacker bits_;

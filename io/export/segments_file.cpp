@@ -65,9 +65,9 @@ std::int64_t pixelsOutside(const Segmentation& s, const VoxelGeometry& grid) {
 
 // Volumes of segments before and after resampling to another grid, in mm^3.
 struct Moved {
-  double before = 0;   // in the file
-  double after = 0;    // in the series
-  double outside = 0;  // in the file, outside the series
+  double before = 0;   // volume in the file
+  double after = 0;    // volume in the series
+  double outside = 0;  // volume in the file that lies outside the series
 };
 
 Status noteMoved(SegmentsFile& file, const std::string& from, const std::string& to, const Moved& moved) {

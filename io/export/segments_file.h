@@ -20,7 +20,7 @@ struct SegmentsFile {
   std::vector<std::string> notes{};  ///< notes for the user
   /// all files that were read, including the table of names and data files
   std::vector<std::string> files{};
-  std::string frameOfReferenceUid{};    ///< of a DICOM segmentation; may be empty
+  std::string frameOfReferenceUid{};    ///< frame of reference of a DICOM segmentation; may be empty
   std::vector<std::string> pictures{};  ///< SOP instance UIDs of the images it references
 };
 

@@ -15,7 +15,7 @@ class DataFile {
  public:
   static Result<DataFile> open(const std::string& path);
 
-  std::uint64_t size() const { return file_->size(); }  ///< in bytes, when it was opened
+  std::uint64_t size() const { return file_->size(); }  ///< size in bytes when it was opened
   const std::string& path() const { return path_; }
 
   /// Reads up to `count` bytes from byte `offset` on and returns their number; fewer only at the end of the

@@ -11,7 +11,7 @@ namespace {
 
 struct MetaHeader {
   std::map<std::string, std::string> fields;
-  std::string_view rest;         // after the line ElementDataFile
+  std::string_view rest;         // text after the line ElementDataFile
   std::uint64_t dataOffset = 0;  // position of `rest` in the file
 
   // Returns the first field present, or an empty string.

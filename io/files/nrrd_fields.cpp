@@ -67,7 +67,7 @@ std::string fieldName(std::string_view text) {
 }
 
 struct HeaderText {
-  std::string text;          // without the line that ends the header
+  std::string text;          // header without the line that ends it
   std::uint64_t dataOffset;  // start of attached data
   bool ended = false;        // ended by an empty line
 };

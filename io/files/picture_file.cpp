@@ -14,7 +14,7 @@ namespace {
 
 constexpr int jpegQuality = 95;
 
-// Passes what an image writer writes on to a file, so that it is never in memory as a whole.
+// Passes the output of an image writer on to a file, so that it is never in memory as a whole.
 class OutputDevice : public QIODevice {
  public:
   explicit OutputDevice(OutputFile& file) : file_(file) { open(QIODevice::WriteOnly); }

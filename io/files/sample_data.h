@@ -18,8 +18,8 @@ struct SampleData {
   bool bigEndian = false;
   bool text = false;  ///< decimal text; `encoding` is ignored
   Encoding encoding = Encoding::raw;
-  std::vector<std::string> files;  ///< each holds an equal part, in this order
-  std::uint64_t offset = 0;        ///< in each file: bytes before lineSkip counts
+  std::vector<std::string> files;  ///< data files in order, each with an equal part
+  std::uint64_t offset = 0;        ///< bytes to skip in each file before lineSkip counts
   int lineSkip = 0;                ///< lines to skip before encoded data
   std::int64_t byteSkip = 0;       ///< decoded bytes to skip; -1: the samples are the last bytes
 

@@ -8,7 +8,7 @@ namespace volumen {
 
 /// Attributes that distinguish one volume of a file from the others.
 struct VolumeName {
-  std::string timePoint, bValue, label;  ///< as in Series
+  std::string timePoint, bValue, label;  ///< same as in Series
 };
 
 /// An axis of a file that counts volumes.

@@ -7,7 +7,7 @@ namespace volumen {
 
 /// The files that were copied, and those that were not.
 struct Copies {
-  std::vector<std::string> files;  ///< in the managed folder, including those already there
+  std::vector<std::string> files;  ///< copies in the managed folder, including those already there
   std::vector<Refused> refused;
   std::vector<Refused> lacking;    ///< among `notImages`: files that series may lack
   int notImages = 0;               ///< number of other files, not copied

@@ -11,8 +11,8 @@ namespace volumen {
 
 /// Starting point of an import.
 struct ImportRoot {
-  std::string path;     ///< without symbolic links; for a DICOMDIR its folder
-  bool inside = false;  ///< links out of it are not followed
+  std::string path;     ///< path without symbolic links; for a DICOMDIR its folder
+  bool inside = false;  ///< true if links out of it are not followed
 };
 
 /// Returns the root for a path. The Error: the path does not exist, or is not a file or folder of its own (a
@@ -21,9 +21,9 @@ Result<ImportRoot> importRoot(const std::string& path);
 
 /// An entry that could not be read.
 struct UnreadableOnDisk {
-  FileOnDisk entry;  ///< without state
+  FileOnDisk entry;  ///< entry without its state
   std::string reason;
-  bool elsewhere = false;  ///< as in UnreadableEntry
+  bool elsewhere = false;  ///< same as UnreadableEntry::elsewhere
 };
 
 /// The files below a root at this moment, and unreadable entries.

@@ -13,7 +13,7 @@ struct Study;
 /// A file as a part of its series.
 struct FoundFile {
   std::string path, sopInstanceUid;
-  int volume = 0;  ///< its first volume in the series, from 1; 0: none
+  int volume = 0;  ///< number of its first volume in the series, from 1; 0 if it is in none
   int frames = 0;  ///< number of slices and frames
 };
 

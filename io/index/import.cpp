@@ -91,7 +91,7 @@ void Import::learn(const std::string& root) {
   }
 }
 
-// Sorts files by what the index knows: new and changed ones are read, moved ones only recorded.
+// Sorts files by their records in the index: new and changed ones are read, moved ones only recorded.
 Import::Compared Import::compare(const std::vector<FileOnDisk>& files) {
   Compared compared;
   for (const FileOnDisk& file : files) {
@@ -265,7 +265,7 @@ Status Import::readInstitutions() {
            db_.run("SELECT id FROM study WHERE institution IS NULL AND forgotten_at = '' AND empty_at = ''");
        rows.next();)
     studies.push_back(rows.number(0));
-  std::vector<std::pair<std::int64_t, std::string>> known;  // by study
+  std::vector<std::pair<std::int64_t, std::string>> known;  // study and institution
   for (std::size_t n = 0; n < studies.size() && !cancel_.cancelled(); ++n) {
     if (progress_) progress_(readingInstitutions, n, studies.size());
     if (std::optional<std::string> institution = institutionOf(studies[n]))

@@ -36,14 +36,14 @@ class Import {
   struct Known {
     std::int64_t id = 0, series = 0, study = 0, folderDevice = 0;
     FileState state;
-    std::string reason, program;  // of a refusal, or of an object that a series lacks
+    std::string reason, program;  // why a file was refused or a series lacks it, and the program that said so
     bool noImage = false, forgotten = false, seen = false;
     std::string folder;
   };
 
   struct Compared {
     std::vector<FileOnDisk> toRead;
-    std::vector<std::pair<std::int64_t, FileOnDisk>> moved;  // with the file's number
+    std::vector<std::pair<std::int64_t, FileOnDisk>> moved;  // number of the indexed file, and its new place
     std::set<std::int64_t> comeBack;                         // forgotten studies with files that exist
   };
 

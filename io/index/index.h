@@ -36,8 +36,8 @@ struct IndexedStudy {
   std::string institution;  ///< empty if an older program imported the study
   std::string modalities;   ///< "CT, PT": of its series, sorted
   int series = 0, images = 0;
-  int warnings = 0;        ///< number, of its series
-  bool offline = false;    ///< none of its files is available
+  int warnings = 0;        ///< number of warnings of its series
+  bool offline = false;    ///< true if none of its files is available
   std::string importedAt;  ///< ISO 8601, UTC
   std::string openedAt;    ///< last time, ISO 8601, UTC; empty: never
   bool operator==(const IndexedStudy&) const = default;
@@ -48,7 +48,7 @@ enum class StudyOrder { date, patient, modality, imported, opened };
 /// Query for `studies`: each word of `words` must occur in name, ID, date, accession number, institution,
 /// modality or a description. Case and accents are ignored, in any script.
 struct StudyQuery {
-  std::string words;  ///< as typed; empty: all
+  std::string words;  ///< words as typed; if empty, all studies match
   StudyOrder order = StudyOrder::date;
   bool ascending = false;
   int limit = 0;  ///< 0: all
@@ -59,8 +59,8 @@ struct ImportReport {
   int files = 0;      ///< found, including unreadable entries
   int added = 0;      ///< new instances
   int changed = 0;    ///< read again because they differ from the index
-  int unchanged = 0;  ///< not read again
-  int notImages = 0;  ///< in no series
+  int unchanged = 0;  ///< files not read again
+  int notImages = 0;  ///< files in no series
   int gone = 0;       ///< known below the path, but deleted
   std::vector<Refused> refused;
   std::vector<Refused> lacking;    ///< among `notImages`: files that series may lack

@@ -122,7 +122,7 @@ class Summary {
   }
 
   Folders folders_;
-  std::unordered_map<std::int64_t, Facts> facts_;  // by study
+  std::unordered_map<std::int64_t, Facts> facts_;  // keys: studies
 };
 
 // Returns the sort key of a study; the date breaks ties.

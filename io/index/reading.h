@@ -36,8 +36,8 @@ struct ReadSeries : FoundSeries {
 /// The contents of files for the index.
 struct ReadFiles {
   std::vector<ReadSeries> series;
-  std::vector<Refused> refused;  ///< in no series, including images that series had to leave out
-  std::vector<Refused> lacking;  ///< not images, but missing in a series: named like its slices, ...
+  std::vector<Refused> refused;  ///< files in no series, including images that series had to leave out
+  std::vector<Refused> lacking;  ///< no images, but named like slices of a series, ...
 };
 
 /// Opens files with openFiles(). The Error: only if cancelled.

@@ -42,9 +42,9 @@ class Writer {
   void finishStudy(std::int64_t study);
 
   Database& db_;
-  std::set<std::int64_t> series_, studies_;       // changed
+  std::set<std::int64_t> series_, studies_;       // changed series and studies
   std::set<std::int64_t> lost_;                   // series that lost files
-  std::map<std::int64_t, std::int64_t> written_;  // by series: number of files written together
+  std::map<std::int64_t, std::int64_t> written_;  // for each series, the number of files written together
   std::map<std::string, std::int64_t> folders_;
 };
 

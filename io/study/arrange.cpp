@@ -41,8 +41,8 @@ auto orderKey(const SeriesIdentity& s) {
                          numberOf(s.seriesNumber));
 }
 
-/// Sorts by orderKey() and series. Within a series it keeps the reader's order: position, then what separates
-/// its volumes.
+/// Sorts by orderKey() and series. Within a series it keeps the reader's order: position, then the values
+/// that separate its volumes.
 void sortVolumes(std::vector<Series>& volumes) {
   const auto key = [](const Series& s) {
     return std::make_tuple(orderKey(s), Natural{s.seriesUid.empty() ? s.path : s.seriesUid});

@@ -12,7 +12,7 @@ namespace volumen {
 struct ReferencedPicture {
   std::string sopInstanceUid;
   std::string seriesUid;      ///< empty if the object does not give it
-  std::vector<int> frames;    ///< from 0, in ascending order; empty means all frames
+  std::vector<int> frames;    ///< frame numbers from 0, ascending; empty means all frames
   std::vector<int> segments;  ///< segment numbers of a segmentation; empty means all segments
 };
 

@@ -18,13 +18,13 @@ struct PictureOrder {
 struct SeriesIdentity {
   std::string patientName, patientId;
   std::string patientIdIssuer;   ///< assigner of `patientId`; empty if not given
-  std::string patientBirthDate;  ///< as DICOM writes it, YYYYMMDD
+  std::string patientBirthDate;  ///< date as DICOM writes it, YYYYMMDD
   std::string patientSex;        ///< "F", "M", "O"
   std::string patientAge;        ///< age at the study as DICOM writes it: "045Y"
   std::string studyUid, studyDate, studyTime, studyId, accessionNumber, studyDescription;
   std::string seriesUid, seriesNumber, modality, description;
   std::string sopClassUid;  ///< SOP class of the pictures, of the first one if they differ; empty if unknown
-  std::string bodyPart, laterality;  ///< as in the file: "BREAST", "L"
+  std::string bodyPart, laterality;  ///< values of the file: "BREAST", "L"
   /// View of a projection, as in the file: "MLO", "PA", or the meaning of the view code. Empty if the
   /// pictures of a series differ (Series::projections).
   std::string viewPosition;

@@ -17,7 +17,7 @@ namespace volumen {
 /// An attribute that separates the volumes of one series, with its value in one volume.
 struct SplitBy {
   std::string attribute;  ///< DICOM keyword, "ConvolutionKernel"; "rank" if no attribute separates them
-  std::string value;      ///< as in the file
+  std::string value;      ///< value as in the file
   std::string words;      ///< value for people, with its unit: "kernel B70f", "phase 40 %"
   bool operator==(const SplitBy&) const = default;
 };
@@ -36,7 +36,7 @@ struct Series : SeriesIdentity {
   std::string format;  ///< "DICOM", "phantom" or the format of the file: "NRRD", "NIfTI", "MetaImage", ...
   std::string unit;    ///< unit of the values: "HU", "Bq/ml", "SUV"; empty if they have none
   SuvFactors suv;      ///< factors to SUV (PET)
-  std::string contrastAgent;  ///< as in the DICOM file, for codes their meanings; empty if it names none
+  std::string contrastAgent;  ///< agent named by the file, or its code's meaning; may be empty
   std::string time;           ///< time of day as DICOM writes it: of the acquisition, else of the series
   std::string echoTime;       ///< ms, as in the file; empty if not given
   std::string bValue;         ///< diffusion weighting, s/mm^2, as in the file; empty if not given
@@ -65,9 +65,9 @@ struct Series : SeriesIdentity {
 
   std::vector<std::string> files;            ///< files of the slices in their order; one file for NRRD etc.
   std::vector<int> frames;                   ///< frame (from 0) of each entry of `files` (DICOM)
-  std::vector<std::string> sopInstanceUids;  ///< of each entry of `files` (DICOM)
-  std::vector<PictureOrder> orders;          ///< of each entry of `files` (DICOM volumes)
-  std::vector<ProjectionView> projections;   ///< of each entry of `files` if they differ, else empty (DICOM)
+  std::vector<std::string> sopInstanceUids;  ///< one for each entry of `files` (DICOM)
+  std::vector<PictureOrder> orders;          ///< one for each entry of `files` (DICOM volumes)
+  std::vector<ProjectionView> projections;   ///< one for each of `files`; empty if all are alike (DICOM)
   std::vector<Unread> unread;                ///< files lost to the series (DICOM); `warnings` names them too
 
   std::string notVolume;  ///< why these are frames only: a sentence; empty for a volume
@@ -82,7 +82,8 @@ struct Series : SeriesIdentity {
 /// files agree.
 void setProjections(Series& series, std::vector<ProjectionView> ofEach);
 
-/// Returns side and view of an acquired frame (from 0), or what all frames share if there is no such frame.
+/// Returns side and view of an acquired frame (from 0), or those that all frames share if there is no such
+/// frame.
 ProjectionView projectionOf(const Series& series, int frame);
 
 }  // namespace volumen

@@ -23,7 +23,7 @@ struct Study {
   std::vector<Image> images;
   std::vector<Refused> refused;
   std::vector<Other> other;
-  std::vector<DerivedObject> derived;  ///< their files are in `other` too
+  std::vector<DerivedObject> derived;  ///< derived objects, whose files are in `other` too
 };
 
 }  // namespace volumen

@@ -19,7 +19,7 @@ namespace {
 constexpr double patienceSeconds = 5;
 constexpr double leastBytesPerSecond = 4e6;  // rate of an answer on a slow machine
 constexpr double busyMachine = 4;            // factor on the time limit while the worker gets little CPU time
-constexpr std::size_t mostQuestions = 50'000;  // by a worker for one request, and 4 more for each file
+constexpr std::size_t mostQuestions = 50'000;  // questions of a worker for one request, and 4 more a file
 constexpr std::uint64_t memoryBytes = std::uint64_t(512) << 20;
 
 /// Returns memory that holds a request too long for a message.

@@ -16,8 +16,8 @@ namespace volumen::worker {
 
 /// The files and limits that a worker gets for one request.
 struct Request {
-  std::vector<std::string> files;      ///< it may open these, and the files their headers refer to
-  std::uint64_t needBytes = 0;         ///< memory its result needs; the limit is 4 times that plus 512 MiB
+  std::vector<std::string> files;  ///< files that the worker may open, besides those their headers refer to
+  std::uint64_t needBytes = 0;     ///< memory its result needs; the limit is 4 times that plus 512 MiB
   std::uint64_t mostBytes = 64 << 20;  ///< largest size of its answer
   std::uint32_t steps = 0;  ///< number of steps it may report (finishStep); each one restarts its time limit
   const CancelToken* cancel = nullptr;

@@ -28,28 +28,29 @@ class Descriptor {
 
 /// The topic of a message, with the meaning of its two numbers and its text.
 enum class Topic : std::uint32_t {
-  /// To the zygote, with a socket and a buffer. First number: 1 if prepared for all. Answer: process id.
+  /// Asks the zygote for a worker, with a socket and a buffer. First number: 1 if prepared for all.
+  /// Answer: process id.
   fork,
-  /// To the zygote: process id, and the ms in which it may end by itself. The answer comes once it is reaped:
-  /// its status as wait() gives it, and 1 if it ended by itself.
+  /// Asks the zygote to end a process: its id, and the ms in which it may end by itself. The answer comes
+  /// once it is reaped: its status as wait() gives it, and 1 if it ended by itself.
   end,
-  ready,  ///< from a worker or the zygote: it waits for its first order
-  /// To a worker: address of the handler, size of the request. Text: the request; a long one is the last
-  /// file.
+  ready,  ///< a worker or the zygote waits for its first order
+  /// Gives a worker a request: address of the handler, size of the request. Text: the request; a long one is
+  /// the last file.
   run,
-  more,      ///< to a worker: it may use one more slot
-  opened,    ///< to a worker: size of a file, with its descriptor; without one, text is the reason
-  resolved,  ///< to a worker: 1 and a path, or 0 and the reason
-  piece,     ///< from a worker: number of bytes in the next slot; 1 if it is the last
-  open,      ///< from a worker: text is a path
-  resolve    ///< from a worker: text is the path of a header, NUL, and the name it refers to
+  more,      ///< tells a worker that it may use one more slot
+  opened,    ///< gives a worker the size and descriptor of a file, or in text the reason why it has none
+  resolved,  ///< gives a worker 1 and a path, or 0 and the reason
+  piece,     ///< a worker's answer: number of bytes in the next slot; 1 if it is the last
+  open,      ///< a worker asks for the file whose path is the text
+  resolve    ///< a worker asks for a path: text is a header's path, NUL, and the name it refers to
 };
 
 /// A message that goes through a socket as a whole or not at all.
 struct Message {
   Topic topic = Topic::fork;
   std::uint64_t first = 0, second = 0;
-  std::string text;  ///< at most mostText bytes
+  std::string text;  ///< text of at most mostText bytes
   std::vector<Descriptor> files;
 };
 

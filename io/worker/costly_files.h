@@ -19,7 +19,7 @@ enum class Failure {
   noOpening,  ///< the program may open no more files or descriptors
   stopped,    ///< stopped from outside
   killed,     ///< killed from outside
-  scarce      ///< there is not enough memory for it and its answer
+  scarce      ///< there is not enough memory for a worker and its answer
 };
 
 /// Returns whether a failure says nothing about the file, so that another try may read it.

@@ -25,7 +25,7 @@ namespace volumen::worker {
 namespace {
 
 constexpr std::size_t mostFiles = 500;
-constexpr std::uint64_t usualBytes = std::uint64_t(1) << 30;  // of address space, for workers that are reused
+constexpr std::uint64_t usualBytes = std::uint64_t(1) << 30;  // most address space of a worker that is reused
 
 /// The idle workers.
 struct Idle {
@@ -125,7 +125,7 @@ bool Process::isStopped() const { return stateOf(pid) == 'T'; }
 
 namespace {
 
-/// Records what a failure to make a worker means. The zygote has the same limit on descriptors. If it is
+/// Records the reason of a failure to make a worker. The zygote has the same limit on descriptors. If it is
 /// too low, the zygote cannot receive descriptors and closes.
 std::unique_ptr<Process> failed(int error) {
   constexpr rlim_t enough = 16;  // descriptors: those of a worker, its socket and buffer in both processes

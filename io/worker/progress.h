@@ -13,7 +13,7 @@ inline constexpr const char* readingPicture = "reading the picture";
 /// ReadListener of this thread.
 void tellRead(std::uint64_t done, std::uint64_t all);
 
-/// Passes what tellRead() reports on this thread to `progress` while it lives. `progress` may be empty.
+/// Passes the reports of tellRead() on this thread to `progress` while it lives. `progress` may be empty.
 class ReadListener {
  public:
   explicit ReadListener(const Progress& progress);

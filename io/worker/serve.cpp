@@ -39,12 +39,12 @@ class Server {
 
   int socket_;
   SharedBuffer buffer_;
-  std::map<std::string, Given> given_;  // files that came with the request
+  std::map<std::string, Given> given_;  // the request's files
   std::uint64_t piece_ = 0, free_ = 0;  // number of the current piece; number of slots that may be used
 };
 
 Server* server = nullptr;
-thread_local const Progress* listener = nullptr;  // of tellRead() outside of workers
+thread_local const Progress* listener = nullptr;  // receives tellRead() outside of workers
 bool preparedForAll = false;
 
 /// Writes the answer to one request piece by piece through the slots.

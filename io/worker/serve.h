@@ -11,8 +11,9 @@ namespace volumen::worker {
 /// A function that a worker runs: it reads its arguments, computes and writes its answer.
 using Handler = void (*)(Wire& arguments, Wire& answer);
 
-/// Initialises what libraries load on first use: tables, decoders, character sets. Without `all` it prepares
-/// only what most headers need. The zygote calls it once for each, as workers cannot open files.
+/// Initialises the tables, decoders and character sets that libraries load on first use. Without `all` it
+/// prepares only those that most headers need. The zygote calls it once for each, as workers cannot open
+/// files.
 void prepareToServe(bool all);
 
 /// Thrown by needAll(): a worker prepared for all must serve the request.

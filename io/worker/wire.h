@@ -41,7 +41,7 @@ class Wire {
   /// Reads or writes exactly `count` bytes at `data`.
   void bytes(void* data, std::size_t count);
 
-  /// Whether so many bytes may be reserved; they may once.
+  /// Returns whether `count` bytes may be reserved, and takes them from the allowance.
   bool reserves(std::uint64_t count) {
     if (count > reservable_) return false;
     reservable_ -= count;

@@ -79,7 +79,7 @@ void obey(Message& order, pid_t self, Prepared& prepared) {
   // These signals are for the program, and this process ends with it.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, SIG_IGN);
   clearenv();
-  setenv("TZ", "UTC0", 1);  // without it every time conversion looks at a file
+  setenv("TZ", "UTC0", 1);  // avoids that every time conversion looks at a file
   const pid_t self = getpid();
   Prepared prepared{};
   Message order;

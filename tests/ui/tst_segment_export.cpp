@@ -1,4 +1,5 @@
-// Guards resources/docs/segment.md, "Files", in the window: the questions asked before segments are written.
+// Guards resources/docs/segment.md, "Save and import files", in the window: the questions asked before
+// segments are written.
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>

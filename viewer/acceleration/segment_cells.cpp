@@ -37,7 +37,8 @@ void SegmentCells::findRowOfBlocks(int j, int k) {
       std::uint8_t* to = inside.data() + width * std::size_t(z * rows + y);
       for (std::size_t i = 0; i < width; ++i) to[i] = from[i] >= level;
     }
-  // For four voxels adjoining in j and k: whether any, or all, are inside. Then the same for cells.
+  // `any`, `all`: whether any or all of four voxels adjacent in j and k are inside. `crossed`: whether the
+  // surface passes through a cell.
   std::vector<std::uint8_t> any(width), all(width), crossed(width + 8);
   for (int z = 0; z + 1 < slices; ++z)
     for (int y = 0; y + 1 < rows; ++y) {

@@ -23,7 +23,7 @@ Buffer<T> converted(const std::vector<From>& stored, Convert convert) {
   return out;
 }
 
-// Voxels of a grid whose rows are padded as rowStride() does.
+// Returns the number of voxels of a grid with its rows padded to rowStride().
 std::size_t paddedVoxels(glm::ivec3 size, int voxelBytes) {
   return std::size_t(rowStride(size.x, voxelBytes)) * size.y * size.z;
 }

@@ -17,7 +17,7 @@ namespace volumen {
 /// Densities in 16 bits as the kernels read them: the volume's own samples if they fit, else a copy.
 struct Density16 {
   const std::int16_t* data = nullptr;
-  std::uint32_t flip = 0;  ///< As RayInputs::flip16.
+  std::uint32_t flip = 0;  ///< Same as RayInputs::flip16.
   DensityScale scale;
   Buffer<std::int16_t> copy;
 };
@@ -41,10 +41,10 @@ class StoredVoxels {
       : volume_(std::move(volume)), makeRoom_(std::move(makeRoom)) {}
 
   const VolumePtr& volume() const { return volume_; }
-  /// Returns the bytes of what was made of the volume and of what is being made. From any thread.
+  /// Returns the bytes of the data made of the volume, finished or not. Thread-safe.
   std::size_t bytes() const { return bytes_; }
   const VolumeFacts& facts();
-  const Density16& densities16();  ///< Only for integers with a positive slope.
+  const Density16& densities16();  ///< Available only for integers with a positive slope.
   const Density32& densities32();
   const Density8& densitiesIn8();
   const Gradients16& gradientsIn16(GradientOperator by);

@@ -88,7 +88,7 @@ void VisibleCells::begin(glm::ivec3 size, const StoredDensities& densities, cons
   densities_ = densities;
   spans_ = spansOf(curve);
   stateWords_ = (count_.x + statesAWord - 1) / statesAWord;
-  // Words beside, behind and above the last block can be read with it.
+  // Leaves room to read the words beside, behind and above the last block.
   words_.resize(visible.size() + std::size_t(count_.x) * count_.y + count_.x + 1);
   states_.resize(std::size_t(stateWords_) * count_.y * count_.z);
   parallelFor(std::int64_t(count_.y) * count_.z, 0, [&](std::int64_t first, std::int64_t last) {
@@ -142,9 +142,9 @@ void VisibleCells::lookInto(glm::ivec3 block, std::uint64_t& word) const {
 }
 
 std::uint64_t VisibleCells::cellsOf(glm::ivec3 block) const {
-  constexpr int voxels = edge + 1;  // Voxels along an edge of the block's cells.
+  constexpr int voxels = edge + 1;  // Number of voxels along an edge of a block of cells.
   const glm::ivec3 first = block * edge;
-  RowRange alongK[edge][voxels];  // For the cells k and the rows j of voxels.
+  RowRange alongK[edge][voxels];  // Indices: cells along k, rows of voxels along j.
   for (int j = 0; j < voxels; ++j) {
     RowRange rows[voxels];
     for (int k = 0; k < voxels; ++k) rows[k].low = rows[k].high = rowOf(first + glm::ivec3(0, j, k));

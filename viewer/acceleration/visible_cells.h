@@ -9,14 +9,14 @@
 
 namespace volumen {
 
-/// Densities as integers, i fastest. Either 16 bits, where `flip` is 0x8000 if they are stored unsigned (and
-/// so offset by 32768). Or 8 bits, one in every `stride8` bytes. Or none.
+/// Densities as integers, i fastest: `in16` with 16 bits, `in8` with 8 bits, one in every `stride8` bytes, or
+/// none. `flip` is 0x8000 if 16 bits are stored unsigned, and so offset by 32768.
 struct StoredDensities {
   const std::int16_t* in16 = nullptr;
   std::uint16_t flip = 0;
   const std::uint8_t* in8 = nullptr;
   int stride8 = 1;
-  int rowVoxels = 0;  ///< From the start of one row along i to the next.
+  int rowVoxels = 0;  ///< Distance of the starts of adjacent rows along i, in voxels.
 
   explicit operator bool() const { return in16 || in8; }
   bool operator==(const StoredDensities&) const = default;
@@ -60,8 +60,8 @@ class VisibleCells {
   static void takeIn(const RowRange& from, RowRange& to);
   Row rowOf(glm::ivec3 voxel) const;
   std::uint64_t cellsOf(glm::ivec3 block) const;
-  /// Examines a block unless done; waits if another thread is doing so. `states`: the word that holds the
-  /// block's state.
+  /// Examines a block unless that is done. Waits if another thread is examining it. `states` is the word that
+  /// holds the block's state.
   void lookInto(glm::ivec3 block, std::uint64_t& states) const;
   /// Returns the index of the block's row along i.
   std::size_t rowAt(glm::ivec3 block) const { return std::size_t(block.z) * count_.y + block.y; }
@@ -70,7 +70,7 @@ class VisibleCells {
   StoredDensities densities_;
   std::vector<Span> spans_;
   mutable std::vector<std::uint64_t> words_;
-  int stateWords_ = 0;                         ///< For a row along i.
+  int stateWords_ = 0;                         ///< Number of words in a row along i.
   mutable std::vector<std::uint64_t> states_;  ///< Two bits per block: not examined yet, and being examined.
 };
 

@@ -9,7 +9,7 @@ namespace volumen {
 /// Results of one setting.
 struct StudyRow {
   Setting setting;
-  std::string method;  ///< As methodName returns it.
+  std::string method;  ///< Result of methodName().
   double stepVoxels = 0;
   int bits = 0;  ///< Stored precision.
   glm::ivec2 size{0};

@@ -17,7 +17,7 @@ struct OrbitView {
 struct Orbit {
   Plan plan;                ///< Plan of the first view.
   double firstFrameMs = 0;  ///< Facts, blocks, gradients, plan and picture of a fresh volume.
-  double gradientsMs = 0;   ///< The part of it for the Sobel pass and copies.
+  double gradientsMs = 0;   ///< Part of firstFrameMs for the Sobel pass and copies.
   std::vector<OrbitView> views;
 };
 

@@ -10,7 +10,7 @@ namespace volumen {
 /// One way to draw a picture: all that a row of the study can vary.
 struct Setting {
   std::string knob;   ///< The knob that was turned: "step", "precision", ..., or "grid" for several.
-  std::string value;  ///< Its setting in words: "1/4", "8 bits".
+  std::string value;  ///< The knob's setting in words: "1/4", "8 bits".
   RenderOptions options;
   /// Scale of the picture's width and height. Smaller pictures are enlarged bilinearly.
   double resolution = 1;

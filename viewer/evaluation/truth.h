@@ -11,8 +11,8 @@ namespace volumen {
 /// reference casts rays one by one and is some thousand times slower than the other methods.
 struct Truth {
   glm::ivec2 size{0};              ///< Size of the picture.
-  glm::ivec2 grid{0};              ///< In cells; equals `size` if every pixel is used.
-  std::vector<glm::ivec2> pixels;  ///< One per cell, row by row.
+  glm::ivec2 grid{0};              ///< Size of the grid in cells; equals `size` if every pixel is used.
+  std::vector<glm::ivec2> pixels;  ///< One pixel per cell, row by row.
   Picture picture;                 ///< The reference at these pixels, in the grid's size.
   std::vector<std::uint8_t> well;  ///< Non-zero for well-conditioned pixels (design.md 2).
   double ms = 0;                   ///< Time taken.

@@ -21,7 +21,7 @@ struct Batch {
   static constexpr int lineLog2 = 10, line = 1 << lineLog2;  ///< Samples per line.
   static constexpr int mostRays = 1 << 14;  ///< Two texels per ray, of the 65536 that every OpenGL has.
   std::vector<Strip> strips;
-  int lines = 0, rays = 0;  ///< In all strips; rays include padding.
+  int lines = 0, rays = 0;  ///< Totals of all strips; rays include padding.
   bool empty() const { return strips.empty(); }
 };
 

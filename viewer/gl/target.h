@@ -17,7 +17,7 @@ class PictureTarget {
   /// Makes or replaces the picture in a format like GL_RGBA32F. Returns false if OpenGL runs out of memory.
   bool make(unsigned format, glm::ivec2 size);
   glm::ivec2 size() const { return size_; }      ///< 0 if nothing is made.
-  unsigned texture() const { return texture_; }  ///< For reading; 0 if nothing is made.
+  unsigned texture() const { return texture_; }  ///< Texture to read from; 0 if nothing is made.
   /// Makes the whole picture the current draw target.
   void use() const;
   /// Returns four floats per pixel, row by row, valid until the next call; empty if OpenGL failed.

@@ -80,7 +80,7 @@ class BatchTracer {
     Step steps[kMostSteps];
     int stepCount = 0;
     int noted = 0;  ///< Number of samples before invisible ones are removed.
-    /// Which of the `noted` samples can be seen: one vector per entry.
+    /// Mask of the visible ones among the `noted` samples, one vector per entry.
     std::uint32_t seen[kMost / kLanes + 1];
 
     /// Fills the last vector with samples of length 0.

@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
 /// The blocks along the rays of a packet, each with a bound on its density. A block is searched only if its
-/// bound exceeds what its ray has met.
+/// bound exceeds the extreme that its ray has met.
 template <Mode kMode>
 class BlocksAlongRay {
   using E = Extreme<kMode>;
@@ -58,7 +58,7 @@ class BlocksAlongRay {
   }
 
  private:
-  /// Where each ray enters and leaves a block, in steps from the ray's start, and the block's bound.
+  /// Entry and exit of each ray in a block, in steps from the ray's start, and the block's bound.
   struct BlockPassage {
     VF most, from, to;
   };
@@ -106,8 +106,8 @@ class BlocksAlongRay {
     hn::StoreU(values, DF(), to.data() + to.size() - kLanes);
   }
 
-  /// Queues, for each ray, those of the next few parts whose bound exceeds what the ray has met. The first
-  /// part of each ray has been taken already.
+  /// Queues, for each ray, those of the next few parts whose bound exceeds the extreme met by the ray. The
+  /// first part of each ray has been taken already.
   void List(VF met) {
     const DF df;
     const std::size_t end = std::min(most_.size(), listed_ + 16 * kLanes);

@@ -115,7 +115,7 @@ class CellWindows {
   std::int64_t nextRow_, nextSlice_;
   std::uint64_t fits_ = 0;                ///< Bit n: the packet is narrow enough at the n-th step.
   HWY_ALIGN std::int32_t block_[kSteps];  ///< First block of each step.
-  HWY_ALIGN std::int32_t odd_[kSteps];    ///< Which block indices are odd, as bits of `at`.
+  HWY_ALIGN std::int32_t odd_[kSteps];    ///< Bits of the axes with odd block indices, as in `at`.
 };
 #endif
 

@@ -47,7 +47,7 @@ struct Fragment {
   V3 colour;  ///< Colour of the curve.
   V3 normal;  ///< Unit vector.
   VF share;   ///< Weight of the normal: less than 1 where the gradient is below the floor of picture.md 5.
-  VI sides;   ///< As SidesOf returns it.
+  VI sides;   ///< Result of SidesOf().
 };
 
 HWY_INLINE Fragment Chosen(MF which, const Fragment& a, const Fragment& b) {

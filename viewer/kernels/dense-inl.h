@@ -40,7 +40,7 @@ class DenseTracer {
         out_(out),
         counts_(counts) {}
 
-  /// Prefetches what samples between `low` and `high` need (voxels, inside the grid).
+  /// Prefetches the voxels of samples between `low` and `high` (voxel positions inside the grid).
   HWY_INLINE void Prefetch(glm::vec3 low, glm::vec3 high) const {
     Store::template PrefetchBox<Material::kGradients>(grid_, low, high);
   }

@@ -168,9 +168,9 @@ class EmptySpaceSkipper {
 
   const EmptySpaceMap* map_;
   int stepsALook_;
-  int middleLayer_, lastLayer_;  ///< Their starts in the map.
+  int middleLayer_, lastLayer_;  ///< Offsets of the layers in the map.
   float start_[3] = {}, size_[3] = {}, move_[3] = {}, last_[3] = {};
-  float lookStart_[3] = {}, lookSize_[3] = {};  ///< For all steps of one look together.
+  float lookStart_[3] = {}, lookSize_[3] = {};  ///< Box of all steps of one look together.
 };
 
 }  // namespace volumen::HWY_NAMESPACE

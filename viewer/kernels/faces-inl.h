@@ -60,7 +60,7 @@ struct Faces {
 /// it meets is the same to the last bit either way.
 struct FaceWalk {
   Faces x, y, z;
-  VF at;  ///< In steps from each ray's start.
+  VF at;  ///< Position on each ray, in steps from its start.
 
   HWY_INLINE FaceWalk(const Packet& p, VF from, float edge)
       : x(p.start.x, p.move.x, from, edge),

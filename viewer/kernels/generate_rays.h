@@ -12,7 +12,7 @@ namespace volumen {
 /// Data shared by all rays of a picture (picture.md 6, 7, 9).
 struct ViewRays {
   struct Plane {
-    glm::dvec3 normal;  ///< In voxel space; inside is dot(normal, x) <= offset (mm).
+    glm::dvec3 normal;  ///< Normal in voxel space; inside is dot(normal, x) <= offset (mm).
     double offset;
   };
   glm::ivec2 size{1};  ///< Size in pixels.

@@ -89,11 +89,11 @@ class PassageIntegrator {
 
   /// The stretch between two cuts of a passage.
   struct Piece {
-    VF turn1 = Set(2), turn2 = Set(2);  ///< Where the density turns; 2: nowhere.
+    VF turn1 = Set(2), turn2 = Set(2);  ///< Extremes of the density along the passage; 2: none.
     VI index = SetI(0);                 ///< Segment of the curve.
     CurveSegment segment{};
     VF end = Set(1);
-    VI step = SetI(0);     ///< From this piece's segment to the next one's: -1, 0 or 1.
+    VI step = SetI(0);     ///< Index of the next piece's segment minus this one's: -1, 0 or 1.
     HWY_INLINE Piece() {}  // An implicit constructor is compiled for no target.
   };
 
@@ -101,10 +101,10 @@ class PassageIntegrator {
   struct PassageLanes {
     RayInCell r{};
     VF through = hn::Zero(DF());     ///< Light that reaches the passage.
-    VF left = hn::Zero(DF());        ///< Share of that light that is left at s.
+    VF left = hn::Zero(DF());        ///< Fraction of that light that reaches s.
     VF s = Set(1), length = Set(2);  ///< Current position; length of the part to try next.
     Piece piece;
-    Fragment front{};  ///< At s.
+    Fragment front{};  ///< Fragment at s.
     PassageSum sum{Zero3(), hn::Zero(DF()), hn::Zero(DF())};
     HWY_INLINE PassageLanes() {}
   };

@@ -263,7 +263,7 @@ class LevelTracer {
   }
 
   const RayInputs& f_;
-  const Grid grid_, gradientGrid_;  ///< For densities; for gradients.
+  const Grid grid_, gradientGrid_;  ///< Grids of densities and of gradients.
   const RayRow& rays_;
   const Material material_;
   const PassageIntegrator<Material> integrator_;

@@ -176,8 +176,8 @@ HWY_INLINE Transparency TransparencyOf(VF opacity) {
   const VF one = Set(1);
   const VF o = hn::Min(opacity, Set(kMostOpacity));
   const VF left = hn::Sub(one, o);
-  // Adds what the subtraction rounded off, so that log1p(-o) keeps its relative accuracy. The exact term is
-  // lost / left. Where left is far from 1, nothing is lost or log is far larger.
+  // Adds the rounding error of the subtraction, so that log1p(-o) keeps its relative accuracy. The exact term
+  // is lost / left. Where left is far from 1, nothing is lost or log is far larger.
   const VF lost = hn::Sub(hn::Sub(one, left), o);
   return {left, hn::Add(Log(left), lost)};
 }
@@ -207,7 +207,7 @@ HWY_INLINE VF PowerOpacity(VF opacity, VF unitDistances, MF others) {
   return hn::Neg(ExpMinus1(hn::Max(hn::Mul(log, unitDistances), Set(-80))));
 }
 
-/// As PowerOpacity, but faster where opacities are small.
+/// Returns the same as PowerOpacity() to within rounding, but faster if opacities are small.
 HWY_INLINE VF CorrectedOpacity(VF opacity, VF unitDistances) {
   const MF faint =
       hn::And(hn::Lt(opacity, Set(1.0f / 16)), hn::Lt(hn::Mul(opacity, unitDistances), Set(1.0f / 8)));

@@ -51,7 +51,7 @@ HWY_INLINE V3 Position(const Packet& p, VF n, MF last) {
   return Add(p.start, Scale(p.move, middle));
 }
 
-/// As Position, for samples that are not the last of their ray.
+/// Returns the same as Position(), for samples that are not the last of their ray.
 HWY_INLINE V3 PositionBefore(const Packet& p, VF n) {
   return Add(p.start, Scale(p.move, hn::Add(n, Set(0.5f))));
 }

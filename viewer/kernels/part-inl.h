@@ -112,8 +112,7 @@ class PartRule {
   struct PartOpacity {
     VF opacity, centroid;
   };
-  /// Where the light of a part comes from, 0..1 of its length: mean, variance, and bound on the error of the
-  /// mean.
+  /// Origin of the light of a part, 0..1 of its length: mean, variance, and bound on the error of the mean.
   struct Spread {
     VF mean, variance, bias;
   };

@@ -55,8 +55,8 @@ HWY_INLINE Passage PassageAt(const Grid& grid, const V3& place, const V3& half) 
   return {grid.CellAt(clamped), HalfInside(place, clamped, half)};
 }
 
-/// As PassageAt, in the cell with the lower corner `lower`. That may be a cell before the first or behind the
-/// last.
+/// Returns the same as PassageAt(), in the cell with the lower corner `lower`. That may be a cell before the
+/// first or behind the last.
 HWY_INLINE Passage PassageIn(const Grid& grid, const V3& lower, const V3& place, const V3& half) {
   const V3 clamped = grid.Clamped(place);
   return {grid.CellFrom(lower, clamped), HalfInside(place, clamped, half)};

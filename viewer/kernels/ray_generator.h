@@ -53,7 +53,7 @@ class RayGenerator {
   ViewRays view_;
   VoxelGeometry geometry_;
   glm::dvec3 target_;           ///< Patient space.
-  Ahead ahead_ = Ahead::whole;  ///< For tiles.
+  Ahead ahead_ = Ahead::whole;  ///< Value of RayRow::ahead in tiles.
   GenerateRays makeRays_ = chooseGenerateRays();
 };
 

@@ -21,7 +21,7 @@ struct RayRow {
   std::vector<float> ahead;
   std::vector<float> lastMiddle;  ///< -1 for rays without steps, so that they end before they begin.
   std::vector<float> stepMm, lastStepMm;
-  bool parallel = false;  ///< All rays with steps share the values below.
+  bool parallel = false;  ///< True if all rays with steps share the values below.
   glm::vec3 sharedMove{0};
   float sharedStepMm = 0;
 };

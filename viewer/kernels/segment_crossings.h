@@ -12,9 +12,9 @@ struct FieldLine {
   glm::dvec3 origin{0}, move{0};
 };
 
-/// Where a line crosses the surface of a segment.
+/// A crossing of a line with the surface of a segment.
 struct FieldCrossing {
-  double t = 0;  ///< In mm.
+  double t = 0;  ///< Distance along the line, mm.
   bool leaves = false;
 };
 

@@ -18,7 +18,7 @@ class SegmentRays {
   SegmentRays(const SegmentRays&) = delete;
   SegmentRays& operator=(const SegmentRays&) = delete;
 
-  /// Where a ray meets a surface.
+  /// A point where a ray meets a surface.
   struct Met {
     double t = 0;      ///< Distance from the picture in mm.
     double order = 0;  ///< Smaller values are in front.
@@ -28,7 +28,8 @@ class SegmentRays {
   struct Task {
     std::vector<FieldCrossing> crossings;
   };
-  /// Appends what the ray through a pixel (y * width + x) meets, in order, up to what hides the rest.
+  /// Appends the points where the ray through a pixel (y * width + x) meets surfaces, in order, up to the one
+  /// that hides the rest.
   void follow(int pixel, Task& task, std::vector<Met>& met) const;
   glm::vec3 colourAt(int pixel, const Met& met) const;
   float opacityOf(const Met& met) const { return float(segments_[std::size_t(met.segment)].opacity); }
@@ -43,13 +44,13 @@ class SegmentRays {
     glm::dvec3 target{0};                      // Target of the camera, in voxels of the field's box.
     glm::dvec3 right{0}, up{0}, direction{0};  // The camera's axes per mm, in voxels of the field's box.
     glm::dmat3 gradientMatrix{1};              // Converts value per voxel to value per mm in patient space.
-    int mostCrossings = 1;                     // Everything behind this many crossings is hidden.
+    int mostCrossings = 1;                     // Number of crossings behind which everything is hidden.
     glm::ivec2 lowPixel{0}, highPixel{-1};     // No ray outside these pixels meets the segment.
   };
   /// A ray in the camera's axes: its position in the picture, and its move per mm along each axis.
   struct Line {
     double rightMm = 0, upMm = 0, right = 0, up = 0, direction = 1;
-    double eyeMm = 0;  // Where t begins.
+    double eyeMm = 0;  // Start of t.
   };
   Line lineThrough(glm::ivec2 at) const;
   void findPixels(Segment& segment) const;
@@ -65,7 +66,7 @@ class SegmentRays {
   double stopTransmittance_ = 0;
   Lighting lighting_;
   std::vector<Segment> segments_;
-  // Segments in order of search: opaque ones first, as they hide what need not be searched.
+  // Segments in order of search: opaque ones first, as nothing behind them need be searched.
   std::vector<int> searched_;
 };
 

@@ -246,7 +246,7 @@ HWY_INLINE VI SidesOf(const Lighting& lighting, const V3& n, const V3& viewer) {
   return sides;
 }
 
-/// Where directions meet the cube of a reflectance map: face, and u, v in -1 .. 1.
+/// Points where directions meet the cube of a reflectance map: face, and u, v in -1 .. 1.
 struct CubePlace {
   VI face;
   VF u, v;

@@ -77,8 +77,8 @@ struct SampleRun {
 };
 
 /// Takes the samples that may change the extremes. First takes one sample of each run. Then takes runs by
-/// descending bound until no bound exceeds what all rays have met. The order does not change an extreme.
-/// Returns the number of samples taken.
+/// descending bound until no bound exceeds the extremes met by all rays. The order does not change an
+/// extreme. Returns the number of samples taken.
 template <class Store, Mode kMode>
 std::int64_t TakeExtremes(const RayInputs& f, const BlockValues& blocks, SampleProjection<Store, kMode>& rays,
                           std::vector<SampleRun>& runs) {

@@ -138,7 +138,7 @@ class SparseTracer {
   }
 
   const RayInputs& f_;
-  const Grid grid_, gradientGrid_;  ///< For densities; for gradients.
+  const Grid grid_, gradientGrid_;  ///< Grids of densities and of gradients.
   const RayRow& rays_;
   Material material_;
   const TraceRow& out_;

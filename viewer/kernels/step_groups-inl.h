@@ -43,7 +43,7 @@ HWY_INLINE bool IsPacketOpen(const RayInputs& f, const RayRow& rays, const Trace
 }
 
 /// Takes all packets of the row through groups of steps, from the front or from the back (RayInputs::slices).
-/// Packets share what one of them brings into the cache. A single packet marching across rows of 512 voxels
+/// Packets share the cache lines that one of them loads. A single packet marching across rows of 512 voxels
 /// evicts its own cache lines, which are a power of two apart. `ends` holds, for each packet, the step from
 /// which on nothing is sampled.
 template <class Tracer>

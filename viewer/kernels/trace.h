@@ -25,7 +25,7 @@ enum class LightModel { phong, localPhong, map, nearestInMap, table };
 /// its share. A part that contributes a share w of the ray's light may be off by most * max(w, leastShare).
 struct ErrorBudget {
   static constexpr float leastShare = 1.0f / 128;
-  float most = 1;  ///< For a whole ray.
+  float most = 1;  ///< Budget of a whole ray.
 };
 
 /// Total strength of the light, whatever the normal. It bounds how much light a part of a ray may miss
@@ -50,28 +50,27 @@ struct RayInputs {
   const std::int16_t* density16 = nullptr;
   std::uint32_t flip16 = 0;  ///< Xor mask for a pair of 16-bit values: 0x80008000 if they are unsigned.
   const float* density32 = nullptr;
-  const std::int16_t* voxels16 = nullptr;  ///< From Gradients16::xyzd, with `bricks` from GradientBricks16.
+  const std::int16_t* voxels16 = nullptr;  ///< Gradients16::xyzd, or bricks of GradientBricks16.
   const std::int32_t* bricks = nullptr;    ///< GradientBricks16::first; null if all gradients are there.
   const float* gradients32 = nullptr;
-  const std::uint8_t* density8 = nullptr;  ///< From Density8::bytes.
-  const std::uint32_t* voxels8 = nullptr;  ///< From Voxels8::words.
-  /// Voxels from one row along i to the next: for densities alone, and for gradients with or without
-  /// densities.
+  const std::uint8_t* density8 = nullptr;  ///< Density8::bytes.
+  const std::uint32_t* voxels8 = nullptr;  ///< Voxels8::words.
+  /// Distance of rows along i, in voxels: for densities alone, and for gradients with or without densities.
   int densityRow = 1, gradientRow = 1;
   float gradientMatrix[9] = {};   ///< Row-major: stored gradient to gradientUnit per mm in patient space.
   float gradientUnit = 1;         ///< Unit of transformed gradients, as a real value per mm.
   bool boundedGradients = false;  ///< True if squares of such gradients neither overflow nor vanish.
   float inverseFloor = 0;         ///< 1 / gradientFloor; 0: q = 0 everywhere.
   const CurveTable* curve = nullptr;
-  float inverseUnitMm = 1;               ///< 1 / unitDistance.
-  CorrectionSeries intervals;            ///< For whole steps of parallel rays, else empty.
+  float inverseUnitMm = 1;     ///< 1 / unitDistance.
+  CorrectionSeries intervals;  ///< Opacity correction of whole steps of parallel rays; empty for others.
   const EmptySpaceMap* skip = nullptr;   ///< Null: every packet is sampled everywhere.
   const VisibleCells* cells = nullptr;   ///< Null if the kernel does not test cells (KernelKey).
   LightModel light = LightModel::phong;  ///< Used if the kernel lights (KernelKey).
   const Lighting* lighting = nullptr;
   const ReflectanceMap* map = nullptr;
   const ShadeTable* table = nullptr;
-  const TransferFunction* transfer = nullptr;  ///< For its gradientOpacity.
+  const TransferFunction* transfer = nullptr;  ///< Source of gradientOpacity.
   float stopTransmittance = 0;  ///< Early ray termination; 0: no ray ends before its last sample.
   Slices slices;
   /// The largest gradient of gradientOpacity's points (value / mm), and the number of these per stored unit.

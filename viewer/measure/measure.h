@@ -54,7 +54,7 @@ struct OtherValues {
   std::string source;  ///< Name of the series; empty if unknown.
   std::string unit;    ///< Unit of its values.
   std::optional<ValueStatistics> values;
-  std::optional<ValuePeak> peak;  ///< As Measured::peak.
+  std::optional<ValuePeak> peak;  ///< Same as Measured::peak.
 };
 
 /// Results of measuring a shape (slices.md 4).

@@ -36,7 +36,7 @@ std::vector<BallVoxel> ballVoxels(const VoxelGeometry& geometry, double radius);
 /// (ballVoxels()), the volume is not calibrated, or it was cancelled.
 std::optional<ValuePeak> peakAbout(std::span<const glm::ivec3> voxels, const Volume& volume,
                                    const CancelToken& cancel = {});
-/// As peakAbout(), about the voxels of a region (forEachVoxelOf()).
+/// Returns the same as peakAbout(), about the voxels of a region (forEachVoxelOf()).
 std::optional<ValuePeak> regionPeak(const Shape& region, const Volume& volume,
                                     const CancelToken& cancel = {});
 

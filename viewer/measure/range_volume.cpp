@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-/// As a share of the volume; half of the 0.1 % that slices.md 4 allows.
+/// Largest error as a fraction of the volume: half of the 0.1 % that slices.md 4 allows.
 constexpr double largestError = 5e-4;
 
 // The values of slice k, clamped to the volume's slices, with a copy of each border voxel beside it.

@@ -50,13 +50,13 @@ struct ShapeFrame {
 struct Shape {
   ShapeKind kind = ShapeKind::length;
   std::string name;  ///< The user's own name; may be empty.
-  /// In patient mm, or on a frame in pixels with z = 0. ShapeRule says which points.
+  /// Points in patient mm, or on a frame in pixels with z = 0. ShapeRule says which.
   std::vector<glm::dvec3> points;
   std::optional<ShapePlane> plane;  ///< Required for regions. On a frame the plane of its rows and columns.
-  ValueRange range;  ///< For `volume`: the range of values, ends included; they may be infinite.
+  ValueRange range;                 ///< Range of values of a `volume`, ends included; they may be infinite.
   std::optional<ShapeFrame> frame;  ///< Empty if drawn in the patient.
-  /// For points picked in 3D: the softest lies in a surface whose middle half of opacity takes this many mm
-  /// of the line of sight.
+  /// Softness of the softest point picked in 3D: the length of the line of sight, mm, that holds the middle
+  /// half of the opacity.
   std::optional<double> softMm{};
   bool operator==(const Shape&) const = default;
 };
@@ -67,10 +67,10 @@ struct ShapeRule {
   const char* name;
   std::size_t fewest, most;  ///< Number of points.
   const char* points;        ///< The points in words.
-  bool region;               ///< An area on a plane.
+  bool region;               ///< True for areas on a plane.
   bool twoLines = false;    ///< The first two points are the ends of one line, the others those of the other.
-  bool numberless = false;  ///< It marks something and shows its name.
-  bool inScene = false;     ///< Also drawn and shown in 3D.
+  bool numberless = false;  ///< True for shapes that only mark something and show their name.
+  bool inScene = false;     ///< True if it can be drawn and shown in 3D too.
   bool acrossSlices = false;  ///< The points may lie on different planes, each of which shows its part.
 };
 

@@ -24,7 +24,7 @@ constexpr double samePlace = 1e-6;  // mm
 // A layer of space about a plane.
 struct Layer {
   dvec3 centre, normal;
-  double low, high;  // In mm along the normal.
+  double low, high;  // Distances along the normal, mm.
 
   double at(dvec3 p) const { return glm::dot(p - centre, normal); }
   bool holds(dvec3 p) const { return at(p) >= low && at(p) < high; }

@@ -21,7 +21,7 @@ struct RenderCaches::Impl {
   /// The inputs of block and cell skipping.
   struct SkipRequest {
     std::vector<CurvePoint> points;
-    int reachBlocks = 1;        ///< As EmptySpaceMap::reach.
+    int reachBlocks = 1;        ///< Same as EmptySpaceMap::reach.
     double rounding = 0;        ///< Bound on the difference of stored values from the volume's, real units.
     StoredDensities densities;  ///< The densities the kernels read, by which cells are classified.
     bool cells = false;         ///< True if Skip::cells is used.
@@ -29,14 +29,14 @@ struct RenderCaches::Impl {
   };
   struct Skip {
     SkipRequest made;       ///< The request with the last reach.
-    EmptySpaceMap maps[2];  ///< For the last two reaches, the latest first: those of a picture and its pilot.
+    EmptySpaceMap maps[2];  ///< Maps of the last two reaches, latest first (a picture and its pilot).
     VisibleCells cells;
 
     const EmptySpaceMap& map() const { return maps[0]; }
     std::size_t bytes() const { return maps[0].bytes() + maps[1].bytes() + cells.bytes(); }
   };
-  /// For the last two kinds of stored densities, the latest first. A moving picture may read other bits than
-  /// a still one.
+  /// Skipping for the last two kinds of stored densities, the latest first: a moving picture may read other
+  /// bits than a still one.
   Skip skips[2];
 
   struct Map {
@@ -46,7 +46,7 @@ struct RenderCaches::Impl {
   };
   std::optional<Map> map;
 
-  /// For the segments drawn last.
+  /// Cells of the segments drawn last.
   std::vector<std::shared_ptr<const SegmentCells>> segmentCells;
 
   GlContextFactory glFactory = makeEglContext;

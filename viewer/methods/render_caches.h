@@ -24,7 +24,7 @@ class RenderCaches {
 
   const VolumePtr& volume() const;
   const VolumeFacts& facts();
-  /// Returns the bytes of what is of these caches alone.
+  /// Returns the bytes of the data that only these caches hold.
   std::size_t bytes() const;
 
   /// Sets the source of the OpenGL context, which is made when a plan first needs one. That happens on the

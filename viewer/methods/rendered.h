@@ -16,7 +16,7 @@ struct RenderStats {
   double gradientsMs = 0;  ///< Sobel pass and copies made for this picture; 0 if they existed already.
   double resampleMs = 0, shadeMs = 0, totalMs = 0;
   double surfacesMs = 0;  ///< Finding and lighting surfaces of segments; averaged over threads likewise.
-  double pilotMs = 0;     ///< Finding what the plan left open.
+  double pilotMs = 0;     ///< Time of the pilot, for choices that the plan left open.
   double glMs = 0;        ///< Time of OpenGL itself. It overlaps with shadeMs if glMs + shadeMs > totalMs.
   std::int64_t resampled = 0, shaded = 0, composited = 0;  ///< Numbers of samples.
   std::size_t densityBytes = 0, gradientBytes = 0, blockBytes = 0, tableBytes = 0;

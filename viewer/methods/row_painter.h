@@ -34,8 +34,8 @@ class RowPainter {
   const RenderInputs& inputs_;
   Picture& picture_;
   std::vector<float>& error_;
-  TraceKernel trace_ = nullptr;      ///< For composites.
-  ProjectKernel project_ = nullptr;  ///< For the other modes.
+  TraceKernel trace_ = nullptr;      ///< Kernel of composite mode.
+  ProjectKernel project_ = nullptr;  ///< Kernel of the other modes.
 };
 
 /// Sums over all tasks. They are integers, so that the order of addition does not matter.

@@ -12,7 +12,7 @@ namespace volumen {
 /// another.
 class SurfaceStretches {
  public:
-  /// Finds what the rays meet. Returns false if no ray meets a surface.
+  /// Finds the surfaces that the rays meet. Returns false if no ray meets a surface.
   bool find(const SegmentRays& segments, const RayRow& rays);
   /// Traces the rays of find() stretch by stretch and adds them to `out`, which must be 0.
   void trace(const RenderInputs& inputs, TraceKernel kernel, const TraceRow& out, TraceCounts& counts);

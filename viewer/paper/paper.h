@@ -27,7 +27,7 @@ double paperSeconds(Method method, int picture, int volume);
 
 /// A volume to measure: the paper's own phantom, or a substitute for one of its scans.
 struct PaperVolume {
-  int column = 0;    ///< In the paper's tables.
+  int column = 0;    ///< Column in the paper's tables.
   std::string name;  ///< Name of the volume actually used.
   VolumePtr volume;
   Scene scene;
@@ -58,8 +58,8 @@ struct PaperSize {
 struct PaperRival {
   std::string name, what;
   double medianMs = 0;
-  PictureError own;      ///< Against the reference of the picture that the method means to draw.
-  PictureError against;  ///< Against the reference of the lit, translucent picture.
+  PictureError own;      ///< Error against the reference of the picture that the method means to draw.
+  PictureError against;  ///< Error against the reference of the lit, translucent picture.
 };
 
 struct PaperBench {
@@ -74,7 +74,7 @@ struct PaperBench {
 
 struct PaperOptions {
   int rounds = 5;   ///< Frames per figure, interleaved.
-  int threads = 0;  ///< For the tables; 0: all allowed.
+  int threads = 0;  ///< Threads for the tables; 0: all allowed.
 };
 
 /// Measures everything on `volumes` (the phantoms first). Returns an Error "cancelled" or the renderer's.

@@ -23,21 +23,21 @@ namespace {
 // cost of a visible voxel differs by up to a factor of 3. `bench_choices` checks them all against whole
 // frames.
 constexpr double sampleNs = 2.6;          // density interpolated at a plain step
-constexpr double sampleGradientNs = 1.8;  // its gradient in addition
+constexpr double sampleGradientNs = 1.8;  // gradient at a plain step, in addition
 constexpr double intervalNs = 9;          // 2 voxels of planes cell by cell: traversal and densities
-constexpr double seenNs = 45;             // those that can be seen: the curve, integrated
+constexpr double seenNs = 45;             // visible intervals: the curve, integrated
 constexpr double cutNs = 15;              // cuts at a budget of 1, growing with its inverse fourth root
-constexpr double litCutNs = 72;           // likewise, gradients and the cuts that follow the light
-constexpr double litPlaces = 13;          // lit places on them, likewise
+constexpr double litCutNs = 72;           // cuts of lit intervals: gradients, and cuts that follow the light
+constexpr double litPlaces = 13;          // lit places on such intervals
 constexpr double glSampleNs = 6;          // OpenGL without a GPU, including the transfer to the CPU
 constexpr double glGradientNs = 6;        // three more components
 constexpr double colourNs = 0.3;          // colour and opacity of a visible sample, composited
 constexpr double diffuseNs = 0.15;        // D of one light, directly
 constexpr double wholePowerNs = 0.32;     // S of one light with integer shininess: a few multiplications
-constexpr double powerNs = 1.3;           // with any other: logarithm and exponential
+constexpr double powerNs = 1.3;           // S of one light with another shininess: logarithm and exponential
 constexpr double colouredNs = 0.07;       // a light with its own green and blue
 constexpr double lookupNs = 4.8;          // bilinear look-up in a map, four nodes of two floats
-constexpr double colouredLookupNs = 11;   // with eight floats
+constexpr double colouredLookupNs = 11;   // bilinear look-up in a coloured map, four nodes of four floats
 constexpr double nodeNs = 3.5;            // node of a map, without its lights
 
 double pixelMm(const Camera& camera, glm::ivec2 size) {

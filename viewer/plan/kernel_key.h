@@ -13,7 +13,7 @@ enum class Store { int16, float32, byte1, byte4, plane };
 enum class Sampling {
   dense,         ///< Plain steps, density and gradient at each
   visibleCells,  ///< Plain steps, only in cells that can show something; the same bytes
-  passages       ///< From cell to cell, integrated to an ErrorBudget, or exactly in a projection
+  passages       ///< Cell by cell: integrated to an ErrorBudget, or exactly in a projection
 };
 
 /// The properties that CPU kernels of planes or slices are compiled for, chosen once per frame. Kernels check
@@ -21,7 +21,7 @@ enum class Sampling {
 struct KernelKey {
   Store store = Store::int16;
   Sampling sampling = Sampling::dense;
-  bool lit = false;  ///< By RayInputs::light
+  bool lit = false;  ///< True if samples are lit (RayInputs::light)
   bool gradientOpacity = false;
 };
 

@@ -24,7 +24,7 @@ enum class Blending { floats, bits16, bits8 };
 struct RenderOptions {
   glm::ivec2 size{512, 512};
   Quality quality = Quality::standard;
-  std::optional<double> step;  ///< In voxels: the plain midpoint rule of picture.md 9 instead of a level
+  std::optional<double> step;  ///< Step in voxels: the midpoint rule of picture.md 9 instead of a level
   Method method = Method::planes;
   std::optional<Resampler> resampler;  ///< If empty: gl with Method::gpu, else cpu
   Shader shader = Shader::automatic;

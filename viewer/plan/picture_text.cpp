@@ -56,7 +56,7 @@ std::string besides(const Plan& plan) {
 // True for projections that go from cell to cell.
 bool isExact(const Plan& plan) { return plan.cellByCell && plan.scene.mode != Mode::composite; }
 
-// Whether a picture of this plan keeps what its level promises.
+// Returns whether a picture of this plan keeps the promise of its level.
 bool keepsItsLevel(const Plan& plan) {
   return plan.method != Method::reference && !plan.options.step && keepsLevels(plan.options) &&
          besides(plan).empty();

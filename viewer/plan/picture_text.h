@@ -17,7 +17,7 @@ struct MeasuredError {
 
 /// Known errors of a picture, beside the promise of its plan.
 struct KnownError {
-  std::optional<PictureError> estimated{};  ///< by the picture itself (estimateOf())
+  std::optional<PictureError> estimated{};  ///< estimate by the picture itself (estimateOf())
   std::optional<MeasuredError> measured{};
 };
 

@@ -24,7 +24,7 @@ struct Effect {
 
 /// Plain step lengths that a pilot may choose from, voxels.
 struct PilotSteps {
-  double shortest = 0;  ///< Shorter steps take longer than the plan without them
+  double shortest = 0;  ///< Length below which steps take longer than the plan without plain steps
   double first = 0;     ///< First length to try
   bool operator==(const PilotSteps&) const = default;
 };
@@ -36,7 +36,7 @@ struct PilotFinding {
   bool kept = false;        ///< True if the steps keep the level's promise and are used
   int rays = 0;             ///< Rays that show anything
   double psnrDb = 0;        ///< Lower bound over everything shown, as in PictureError
-  double percentile99 = 0;  ///< Likewise, upper bound
+  double percentile99 = 0;  ///< Upper bound over everything shown
   bool operator==(const PilotFinding&) const = default;
 };
 
@@ -44,7 +44,7 @@ struct PilotFinding {
 /// it and decides only what the plan leaves to a pilot.
 struct Plan {
   Scene scene;            ///< Complete: camera, window and gradientFloor are set
-  RenderOptions options;  ///< As requested
+  RenderOptions options;  ///< Options as requested
 
   TransferFunction curve;  ///< The drawn curve: the scene's, unless an option changes it
   Method method = Method::planes;

@@ -12,7 +12,7 @@ namespace volumen {
 namespace {
 
 constexpr int finestWave = 20;         // finer ones are weaker than 1/400
-constexpr double samplesOfARay = 200;  // of a long ray: a deviation of one period over them averages out
+constexpr double samplesOfARay = 200;  // samples of a long ray; a drift of one period over it averages out
 
 // Above this, lattices violated levels whose steps keep their promise otherwise (tests/unit/promises,
 // TestEvenSteps::noDirectionResonates).

@@ -134,7 +134,7 @@ Effect emptyBlocks(const RuleInput& in, Plan& plan) {
 double stopTransmittance(const RuleInput& in) {
   const RenderOptions& o = in.options;
   const double most = 0.2 / 255 / std::max(1.0, brightest(in.scene));
-  // These levels promise far less than that.
+  // The promises of these levels are far coarser than this limit.
   if (!o.step && (o.quality == Quality::draft || o.quality == Quality::standard)) return most;
   // Steps above half a voxel have so much larger errors that a finer limit is not worth its time.
   const bool fine = o.quality == Quality::exact || o.step.value_or(1) <= 0.5;
@@ -251,7 +251,7 @@ Effect precision(const RuleInput& in, Plan& plan) {
 
 // Skips plain steps in cells that show nothing (VisibleCells).
 Effect emptyCells(const RuleInput& in, Plan& plan) {
-  // From this fraction on, testing takes longer than the samples it saves, as measured.
+  // Measured fraction above which testing takes longer than the samples it saves.
   constexpr double many = 0.6;
   // With floats only gradients are saved, as they are stored apart from densities: up to this fraction of
   // blocks.

@@ -6,7 +6,7 @@ namespace volumen {
 
 struct VolumeFacts;
 
-/// Bounds over all values of a volume on extinction and colour by a curve.
+/// Bounds on the extinction and colour of a curve over all values of a volume.
 struct Steepness {
   double perMm = 0;  ///< Largest extinction, 1/mm
   /// Largest change of extinction, or colour times extinction, from voxel to voxel, in 1/mm per voxel.

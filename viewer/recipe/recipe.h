@@ -58,8 +58,9 @@ Segment withRecipeNamed(Segment segment, const Recipe& recipe);
 Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel = {},
                          const AcquiredSlices& slices = {});
 
-/// Reads a recipe from JSON (resources/docs/segment.md). The Error names unknown steps, fields and words, and
-/// numbers out of range.
+/// Reads a recipe from JSON (resources/docs/segment.md). The Error names unknown steps, fields and words,
+/// numbers out of range, fractions of counts, reversed ranges, incomplete codes, and steps on a segment that
+/// no step made.
 Result<Recipe> readRecipe(const std::string& json);
 /// Writes a recipe with all fields that differ from their defaults.
 std::string recipeJson(const Recipe& recipe);

@@ -52,7 +52,7 @@ struct StepField {
   StepValue byDefault;
   ValueRange allowed{};              ///< Range of a number, ends included
   std::vector<const char*> words{};  ///< Allowed words; if empty, a text is a segment name
-  Need need = Need::no;              ///< Whether the field is required
+  Need need = Need::no;              ///< `yes` if the field is required
   Number number = Number::real;      ///< `whole` for counts
 };
 

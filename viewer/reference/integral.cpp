@@ -8,13 +8,13 @@ namespace volumen::reference {
 
 namespace {
 
-// A piece is split until two estimates of its contribution differ by at most this share of it,
+// A piece is split until two estimates of its contribution differ by at most this fraction of it, or by at
+// most absoluteTolerance.
 constexpr double relativeTolerance = 1e-5;
-// or by this much.
 constexpr double absoluteTolerance = 2e-8;
 // Below this weight (transmittance x opacity x brightness) the normals of a piece do not matter.
 constexpr double unseenTurn = 1e-6;
-// A ray ends where at most this much of the brightest light is left.
+// A ray ends where at most this fraction of the brightest light is left.
 constexpr double unseen = 1e-6;
 // The rule below cannot resolve a piece of a larger optical depth.
 constexpr double largestDepth = 2;

@@ -21,7 +21,7 @@ struct Classifier {
   double extinction(double opacity) const;
 
   Curve<glm::dvec4> colourOpacity;  ///< Red, green, blue and opacity over the value.
-  Curve<double> gradientFactor;     ///< Over |g_p|; empty: 1.
+  Curve<double> gradientFactor;     ///< Factor over |g_p|; if empty, 1.
   double unitDistanceMm, densestPerMm;
 };
 

@@ -40,8 +40,9 @@ class RayMaker {
 /// eye (picture.md 6).
 Interval visibleInterval(const Ray& ray, const VoxelGeometry& geometry, const Clip& clip);
 
-/// Returns the part of the ray where surfaces are visible (picture.md 10). As visibleInterval(), but without
-/// those sides of the clip box that are the volume's own. It may be infinite. Empty if the clip box is empty.
+/// Returns the part of the ray where surfaces are visible (picture.md 10). It is visibleInterval()
+/// without those sides of the clip box that are the volume's own, and may be infinite. Empty if the clip box
+/// is empty.
 Interval surfaceInterval(const Ray& ray, const VoxelGeometry& geometry, const Clip& clip);
 
 }  // namespace volumen::reference

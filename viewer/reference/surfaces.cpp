@@ -12,7 +12,7 @@ namespace volumen::reference {
 namespace {
 
 constexpr double surfaceLevel = 0.5;
-constexpr double leftLater = 1e-3, nextLater = 1e-6;  // In voxels.
+constexpr double leftLater = 1e-3, nextLater = 1e-6;  // Distances in voxels.
 
 // The field of a segment, in voxels of its box.
 class Field {

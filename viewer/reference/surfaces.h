@@ -7,9 +7,9 @@
 
 namespace volumen::reference {
 
-/// Where a ray meets the surface of a segment, and the surface's appearance there.
+/// A point where a ray meets the surface of a segment, and the surface's appearance there.
 struct SurfaceCrossing {
-  double t;  ///< In mm along the ray.
+  double t;  ///< Distance along the ray, mm.
   glm::dvec3 colour;
   double opacity;
 };

@@ -18,12 +18,12 @@ namespace volumen {
 namespace {
 
 constexpr double gridMm = 2;      // grid of the comparison
-constexpr int mostSamples = 160;  // along an axis
-constexpr int fewestSamples = 8;  // along an axis
-constexpr int bins = 50;          // of grey values, for each volume
-constexpr int iterations = 200;   // per level at most
+constexpr int mostSamples = 160;  // most samples along an axis
+constexpr int fewestSamples = 8;  // fewest samples along an axis
+constexpr int bins = 50;          // bins of grey values for each volume
+constexpr int iterations = 200;   // most iterations per level
 constexpr double firstStepMm = 2, lastStepMm = 0.002;
-constexpr double leastOverlap = 0.2;  // of the smaller volume
+constexpr double leastOverlap = 0.2;  // least overlap as a fraction of the smaller volume
 constexpr std::size_t levels = 3;
 constexpr std::array<unsigned, levels> shrink{4, 2, 1};
 constexpr std::array<double, levels> sigmaMm{4, 2, 0}, sampled{0.8, 0.4, 0.15};

@@ -20,8 +20,8 @@ namespace {
 constexpr double pixelsApart = 4.236;
 constexpr int tilesATask = 8;
 
-// After a success longer steps are tried once; after a failure shorter ones up to this often. Cell by cell
-// would take longer than the last try.
+// Limit of further tries with shorter steps after a failure. (After a success longer steps are tried once.)
+// Going cell by cell would take longer than the last try.
 constexpr int mostFurtherTries = 2;
 
 // Error budget of the fine rays as a fraction of the level's promise for 99 % of pixels. It costs little and

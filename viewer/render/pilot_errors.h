@@ -15,7 +15,7 @@ class PilotErrors {
   void add(double largest, double square);
 
   struct Bounds {
-    double rmse = 0, percentile99 = 0;  ///< In 1/255
+    double rmse = 0, percentile99 = 0;  ///< Errors in 1/255
   };
   Bounds likely() const;  ///< Estimate without a safety margin
   Bounds worst() const;

@@ -50,8 +50,8 @@ double waterOf(const Volume& volume) {
       },
       volume.stored());
   if (hasNegative) return 0;
-  // Fat and muscle, 1024 higher, are most of what is denser than foam. In Hounsfield units that would be
-  // bone.
+  // Fat and muscle, 1024 higher, are most of the matter denser than foam. In Hounsfield units that would
+  // be bone.
   return share(histogram(volume, fineBins), 850, 1200, 500) > 0.5 ? 1024 : 0;
 }
 

@@ -8,8 +8,8 @@ namespace volumen {
 /// values if these are equal.
 ValueRange usualRange(const Volume& volume);
 
-/// Returns whether values look like Hounsfield units: an air mode between -1100 and -900, nothing below what
-/// scanners write outside their circle, and matter above 0.
+/// Returns whether values look like Hounsfield units: an air mode between -1100 and -900, nothing below the
+/// values that scanners write outside their circle, and matter above 0.
 bool looksLikeHounsfield(const Histogram& histogram);
 
 /// Returns the value of water: 1024 for a CT that lacks the rescale to Hounsfield units (air is then at 0),
@@ -24,10 +24,10 @@ bool inHounsfield(const Volume& volume, const Histogram& histogram);
 /// again between 130 and 450 HU, where they otherwise only fall.
 bool hasContrast(const Histogram& histogram);
 
-/// Returns whether a CT shows the chest: more than a tenth of what is not air is lung (-900 .. -600 HU).
+/// Returns whether a CT shows the chest: more than a tenth of all voxels but air are lung (-900 .. -600 HU).
 bool isChest(const Histogram& histogram);
 
-/// Returns whether a CT shows a head or limb: above 9 % of what is neither air nor lung is bone over 300 HU.
+/// Returns whether a CT shows a head or limb: above 9 % of all voxels but air and lung are bone over 300 HU.
 bool isBony(const Histogram& histogram);
 
 }  // namespace volumen

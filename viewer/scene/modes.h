@@ -31,13 +31,13 @@ enum class Shows { surface, largest, smallest, wholeLine };
 
 /// A row of the table of modes. Modes without kernels are drawn by the slower, exact reference.
 struct ModeRow {
-  Mode mode;          ///< Its index in the table
+  Mode mode;          ///< Also the row's index in the table
   const char* name;   ///< Word in scenes and for --mode
   const char* title;  ///< Label in the window
   Shows shows;
   const char* ofLine;  ///< Picking's name for the value of a whole line: "mean"
   Window hounsfield;   ///< Initial window for CT; composite has none
-  bool hasKernels;     ///< For methods planes, blend and gpu
+  bool hasKernels;     ///< True if methods planes, blend and gpu can draw it
   /// Makes the projection of one ray; null for composite, which integrates rays.
   std::unique_ptr<RayProjection> (*project)();
 };

@@ -18,7 +18,7 @@ struct Preset {
 
 /// Returns the presets compiled in from resources/presets, in menu order.
 const std::vector<Preset>& builtInPresets();
-/// Returns their names, without "auto".
+/// Returns the names of the built-in presets, without "auto".
 const std::vector<std::string>& presetNames();
 
 /// Returns whether the preset exists ("auto" and the user's `own` included). The Error suggests a similar

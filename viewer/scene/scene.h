@@ -31,7 +31,7 @@ struct GradientOpacityPoint {
 };
 
 struct TransferFunction {
-  double unitDistance = 1.0;  ///< In mm
+  double unitDistance = 1.0;  ///< Unit distance in mm
   std::vector<CurvePoint> points{{150, {0.9, 0.8, 0.7}, 0.0}, {400, {1.0, 1.0, 0.9}, 0.8}};
   std::vector<GradientOpacityPoint> gradientOpacity;  ///< If empty, the factor is 1
   bool operator==(const TransferFunction&) const = default;
@@ -64,7 +64,7 @@ struct Camera {
   std::optional<glm::dvec3> target;  ///< Patient space, mm; if empty, the centre of the volume
   glm::dvec3 direction{0, 1, 0}, up{0, 0, 1};
   Projection projection = Projection::parallel;
-  double height = 300;    ///< In mm, for parallel
+  double height = 300;    ///< Height of the view in mm, for parallel
   double fov = 30;        ///< Vertical angle in degrees, for perspective
   double distance = 800;  ///< Distance from eye to target in mm, for perspective
   bool operator==(const Camera&) const = default;
@@ -97,7 +97,7 @@ struct SegmentSurface {
   /// Immutable and never null, on any grid; compared by identity.
   std::shared_ptr<const OccupancyField> field;
   glm::dvec3 colour{1};
-  double opacity = 1;  ///< Of each crossing of the surface; 0 is not drawn
+  double opacity = 1;  ///< Opacity of one crossing of the surface; at 0 it is not drawn
   bool operator==(const SegmentSurface&) const = default;
 };
 

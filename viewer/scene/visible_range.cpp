@@ -14,7 +14,7 @@ constexpr float largest = std::numeric_limits<float>::max();
 float above(float value) { return std::nextafter(value, infinity); }
 float below(float value) { return std::nextafter(value, -infinity); }
 
-// The smallest float32 >= value and the largest <= value, clamped to finite ones.
+// Return the smallest float32 >= value and the largest <= value, clamped to finite ones.
 float ceilFloat(double value) {
   const auto f = float(std::clamp(value, -double(largest), double(largest)));
   return double(f) < value && f < largest ? above(f) : f;

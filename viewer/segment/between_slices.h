@@ -13,7 +13,6 @@ namespace volumen {
 /// A connected component of one slice that overlaps none of the other becomes the nearest such component
 /// there. It is moved by the difference of the centroids, in whole voxels; the largest component goes first.
 /// Painted slices stay as they are. The result is incomplete if cancelled.
-/// cancelled one is returned half done.
 BitMask filledBetweenSlices(const BitMask& mask, int axis, const CancelToken& cancel = {});
 
 /// Returns the axis across which slices were painted: there are empty slices between painted ones, and

@@ -10,7 +10,7 @@
 
 namespace volumen {
 
-/// What filters assume beyond the grid of a mask: no voxels, or the nearest voxel of its border.
+/// Assumption of filters beyond the grid of a mask: no voxels, or copies of the nearest border voxel.
 enum class BeyondGrid { nothing, asAtBorder };
 
 /// Returns the box grown by `by` voxels on each side.

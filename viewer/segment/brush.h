@@ -36,7 +36,7 @@ VoxelSpans discStroke(const VoxelGeometry& grid, glm::dvec3 from, glm::dvec3 to,
 /// outline. Self-crossing outlines follow the non-zero winding rule.
 VoxelSpans insideOutline(const VoxelGeometry& grid, std::span<const glm::dvec3> outline, glm::dvec3 normal);
 
-/// What a brush changes.
+/// Rules for the voxels that a brush changes.
 struct PaintRules {
   std::uint8_t label = 1;            ///< Label to paint or erase
   bool erases = false;               ///< True if voxels of the label become background

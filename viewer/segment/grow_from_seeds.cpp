@@ -24,7 +24,7 @@ namespace {
 
 using Cost = GrowthCost;
 constexpr Cost unreached = GrowthTile::unreached;
-constexpr double mostPerStep = 1 << 19;  // so that no path overflows
+constexpr double mostPerStep = 1 << 19;  // limit that keeps every path from overflowing
 
 constexpr int tileEdge = LabelMap::edge;
 constexpr int tileVoxels = GrowthTile::voxels;

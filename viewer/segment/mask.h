@@ -28,7 +28,7 @@ struct Lasso {
   glm::dvec3 forward() const { return glm::cross(right, down); }
 };
 
-/// What to remove from a volume.
+/// The parts of a volume to remove.
 struct Mask {
   bool tableRemoved = false;                         ///< Removes everything outside patientMask()
   std::vector<std::shared_ptr<const Lasso>> lassos;  ///< In drawing order; none is null

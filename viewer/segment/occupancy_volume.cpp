@@ -18,7 +18,7 @@ float partInside(float first, float last) {
   return std::max(atFirst, atLast) / (std::max(atFirst, atLast) - std::min(atFirst, atLast));
 }
 
-using Corners = std::array<float, 8>;  // of a cell, x fastest
+using Corners = std::array<float, 8>;  // values at the corners of a cell, x fastest
 
 // Returns the axis along which the values of a cell differ most.
 std::size_t steepestAxis(const Corners& v) {

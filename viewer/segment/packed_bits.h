@@ -34,7 +34,7 @@ class BitPacker {
   /// Appends the first `count` bits of `words`.
   void add(std::span<const std::uint64_t> words, std::size_t count);
 
-  std::size_t size() const { return size_; }  ///< In bits
+  std::size_t size() const { return size_; }  ///< Size in bits
   /// Returns the packed bytes, padded to an even number.
   std::vector<std::uint8_t> bytes() const;
 

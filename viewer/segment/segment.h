@@ -37,14 +37,14 @@ struct AlgorithmIdentity {
 /// One segment of a segmentation (PS3.3 C.8.20.4). Its voxels are in a LabelMap or in Segmentation::bits.
 /// Texts are UTF-8.
 struct Segment {
-  int number = 0;                       ///< From 1: segment number of its file, or its label in a label map
-  std::string label{}, description{};   ///< Name and description
-  Code category{}, type{}, modifier{};  ///< For example "Tissue", "Bone", "Left"
-  Code region{}, regionModifier{};      ///< Anatomic region, for example "Lung", "Left"
+  int number = 0;  ///< Number from 1: segment number of its file, or its label in a label map
+  std::string label{}, description{};           ///< Name and description
+  Code category{}, type{}, modifier{};          ///< For example "Tissue", "Bone", "Left"
+  Code region{}, regionModifier{};              ///< Anatomic region, for example "Lung", "Left"
   std::vector<AnatomicStructure> structures{};  ///< Primary anatomic structures
   SegmentAlgorithm algorithmType = SegmentAlgorithm::unsaid;
   std::string algorithm{};                      ///< Name of the algorithm
-  std::vector<AlgorithmIdentity> algorithms{};  ///< As its file identifies it; empty once edited
+  std::vector<AlgorithmIdentity> algorithms{};  ///< Algorithms as its file identifies them; empty once edited
   std::string trackingId{}, trackingUid{};      ///< Identify the tracked object across segmentations
   std::optional<glm::u8vec3> colour{};          ///< Recommended display colour, sRGB
   std::optional<ValueRange> range{};            ///< Value range it was made from; empty if made otherwise

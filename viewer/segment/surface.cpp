@@ -35,7 +35,7 @@ class SurfaceMaker {
       : field_(field),
         cancel_(cancel),
         size_(field.size()),
-        words_(std::size_t(size_.x) / 64 + 1),  // so that each bit has a next one
+        words_(std::size_t(size_.x) / 64 + 1),  // one word more, so that each bit has a next one
         inside_(words_ * std::size_t(size_.y) * std::size_t(size_.z)),
         places_(std::size_t(size_.y) * std::size_t(size_.z)),
         mirrored_(glm::determinant(field.geometry.patientFromVoxelStep) < 0) {}
@@ -105,7 +105,7 @@ class SurfaceMaker {
   const OccupancyField& field_;
   const CancelToken& cancel_;
   glm::ivec3 size_;
-  std::size_t words_;  // of a row
+  std::size_t words_;  // number of words in a row
   std::vector<Word> inside_;
   std::vector<RowPlace> places_;
   bool mirrored_;
@@ -205,7 +205,7 @@ void SurfaceMaker::makePoints(int j, int k) {
 // Numbers the crossings of edges along one axis that start in one row, while cells are visited in order.
 struct CrossingRun {
   std::uint32_t first = 0;
-  Word crossed = 0;  // of the current word
+  Word crossed = 0;  // crossed edges of the current word, as bits
   std::uint32_t at(int bit) const {
     const Word before = bit < 64 ? (Word(1) << bit) - 1 : ~Word(0);
     return first + std::uint32_t(std::popcount(crossed & before));

@@ -18,7 +18,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr int rowsOfFaces = 48;    // of a block, along j and k
+constexpr int rowsOfFaces = 48;    // rows of faces in a block, along j and k
 constexpr int slopeReach = 2;      // voxels
 constexpr double sameWay = 0.985;  // cosine of 10 degrees
 

@@ -30,12 +30,12 @@ class TriangleTree {
   void search(Search& search, std::size_t level, std::size_t group) const;
 
   BoxTree tree_;
-  std::vector<Triangle> triangles_;  // in tree order
+  std::vector<Triangle> triangles_;  // triangles in tree order
 };
 
 /// Distances from one surface to another, mm.
 struct SurfaceDistances {
-  std::vector<double> ofTriangles;  ///< From the centre of each triangle, in tree order
+  std::vector<double> ofTriangles;  ///< Distances from the centre of each triangle, in tree order
   std::vector<double> areas;        ///< Areas of the triangles, mm^2
   double largest = 0;               ///< Over all centres and corners
 };

@@ -18,11 +18,11 @@ namespace {
 using glm::dvec3, glm::ivec3;
 
 constexpr double thinBelow = 0.5;      // quality below which triangles are mended
-constexpr int mostPasses = 6;          // only noise needs that many
+constexpr int mostPasses = 6;          // only noise needs as many passes
 constexpr double leastGain = 0.02;     // least gain in quality for which a point is moved
 constexpr double leastUpright = 0.35;  // cosine between a triangle and the surface at a moved point
 constexpr double farthestOff = 0.49;   // voxels from the border; segment.md promises 1/2
-constexpr double mostOffLevel = 0.03;  // in field values (0 to 1)
+constexpr double mostOffLevel = 0.03;  // largest change of the field (0 to 1) at a moved point
 
 double qualityOf(dvec3 a, dvec3 b, dvec3 c) {
   const dvec3 u = b - a, v = c - b, w = a - c;

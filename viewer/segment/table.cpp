@@ -72,7 +72,7 @@ BitMask patientMask(const Volume& volume, const CancelToken& cancel) {
 }
 
 std::optional<BitMask> patientBesideTable(const Volume& volume, const CancelToken& cancel) {
-  constexpr double leastTable = 0.005;  // of the voxels above notAirHu; a chest CT's table has ten times that
+  constexpr double leastTable = 0.005;  // share of voxels above notAirHu; a chest CT's is ten times that
   const BitMask notAir = notAirIn(volume);
   const Parts parts(notAir, Neighbours::faces, cancel);
   if (parts.count() < 2) return {};

@@ -10,7 +10,7 @@
 
 namespace volumen {
 
-/// Where the tissue of a volume is shown: everywhere, only inside segments, or only outside them.
+/// The region where tissue of a volume is shown: everywhere, only inside segments, or only outside them.
 struct TissueShown {
   enum class Where { everywhere, inside, outside };
 

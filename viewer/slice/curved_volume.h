@@ -23,7 +23,7 @@ enum class CurvedKind {
 struct CurvedRecipe {
   CurvedKind kind = CurvedKind::straightened;
   std::vector<glm::dvec3> points;  ///< Points on the curve
-  glm::dvec3 ruled{0, 0, 1};       ///< For `stretched`: direction of the ruled lines, unit vector
+  glm::dvec3 ruled{0, 0, 1};       ///< Direction of the ruled lines of `stretched`, unit vector
   double halfWidth = 25;           ///< Extent across the curve to each side
   bool operator==(const CurvedRecipe&) const = default;
 };
@@ -49,7 +49,7 @@ class CurvedGrid {
   static Result<CurvedGrid> make(const CurvedRecipe& recipe, const VoxelGeometry& source);
   static constexpr double mostVoxels = 1 << 26, mostSections = 1 << 15;
   static constexpr std::size_t mostPoints = 2000;
-  static constexpr double longest = 10000, mostAlongRuled = 100;  ///< In mm
+  static constexpr double longest = 10000, mostAlongRuled = 100;  ///< Limits in mm
 
   /// Slices k are the cross-sections, from the start of the curve on.
   const VoxelGeometry& geometry() const { return geometry_; }

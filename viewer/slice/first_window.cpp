@@ -12,7 +12,7 @@ namespace {
 // Returns 0 .. P99 above a background of exactly 0, as in diffusion and its maps. There P99.9 would leave
 // nearly everything black. Empty for other volumes.
 std::optional<ValueRange> aboveBackground(const Volume& volume) {
-  constexpr double least = 0.25;  // of the values
+  constexpr double least = 0.25;  // least fraction of values that makes a background
   if (valueRange(volume).low != 0) return {};
   Histogram values = histogram(volume, 1 << 16);
   if (values.counts.empty() || values.high <= 0) return {};

@@ -4,7 +4,7 @@
 
 namespace volumen {
 
-/// For HU if the file has no window.
+/// The window of HU if the file has none.
 inline constexpr Window softTissueWindow{.centre = 40, .width = 400};
 
 /// Returns the initial window for slices: the file's first. Otherwise softTissueWindow for HU (`unit` of the

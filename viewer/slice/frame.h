@@ -68,7 +68,7 @@ struct Frame {
   std::vector<NamedGrey> greys;   ///< The file's windows and VOI LUTs, default first; never empty for grey
   std::optional<ValueRange> padding;  ///< Values that mean no value
   PixelSize pixel;
-  std::optional<FramePlace> place;  ///< For slices whose file states it
+  std::optional<FramePlace> place;  ///< Set for slices whose file states it
   /// Patient directions of rows and columns as letters of L R A P S I, such as "L" or "PI". Empty if the file
   /// does not say (PatientOrientation, PS3.3 C.7.6.1.1.1).
   std::string rowSide, columnSide;

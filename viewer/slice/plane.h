@@ -19,8 +19,8 @@ enum class SlabMode { max, min, mean };
 struct SlicePlane {
   glm::dvec3 centre{0};                      ///< Centre of the view, mm
   glm::dvec3 right{1, 0, 0}, down{0, 1, 0};  ///< Orthogonal unit vectors
-  double mmPerPixel = 1;                     ///< In both directions
-  glm::ivec2 size{1};                        ///< In pixels
+  double mmPerPixel = 1;                     ///< Pixel size in both directions
+  glm::ivec2 size{1};                        ///< Size in pixels
   double slabMm = 0;                         ///< Slab thickness, centred on the plane; 0 takes one sample
   SlabMode slabMode = SlabMode::max;
   Interpolation interpolation = Interpolation::linear;

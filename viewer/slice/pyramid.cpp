@@ -9,7 +9,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int step = 4;  // from the edge of a block to that of the next copy's
+constexpr int step = 4;  // factor between the block edges of successive copies
 
 constexpr std::int64_t fewest = 1 << 16;  // pixels of a copy
 
@@ -68,11 +68,11 @@ VolumePtr reduced(const Volume& whole, int edge) {
   const glm::ivec2 size(whole.size());
   parts.geometry.size = {blocksOf(size, edge), 1};
   parts.geometry.origin = whole.geometry().patientFromVoxel({(edge - 1) / 2.0, (edge - 1) / 2.0, 0});
-  parts.geometry.patientFromVoxelStep *= edge;  // also its thickness: the smallest step sets the sub-samples
+  parts.geometry.patientFromVoxelStep *= edge;  // the thickness too: the smallest step sets the sub-samples
   parts.values = meansOnAllCores(whole.stored(), size, edge);
   parts.slope = whole.slope();
   parts.intercept = whole.intercept();
-  std::vector<std::string> warnings;  // those of the whole
+  std::vector<std::string> warnings;  // unused: the whole volume has reported its own
   const Result<VolumePtr> made = Volume::make(std::move(parts), warnings);
   return made ? *made : nullptr;
 }

@@ -84,7 +84,7 @@ SlabMode storedMode(SlabMode mode, double slope) {
   return mode == SlabMode::max ? SlabMode::min : SlabMode::max;
 }
 
-// Of a single slice every point lies on its layer.
+// In a volume of one slice every point lies on that slice.
 LineKernel kernelFor(const Volume& volume, Interpolation interpolation) {
   const bool isFlat = volume.size().z == 1 && interpolation == Interpolation::linear;
   return isFlat ? chooseLayerKernel(volume.stored(), 2) : chooseLineKernel(volume.stored(), interpolation);

@@ -22,7 +22,7 @@ class SmoothCurve {
   double length() const { return lengths_.back(); }
   /// Returns the point at this arc length, clamped to the ends.
   glm::dvec3 at(double length) const;
-  /// Returns the unit tangent there.
+  /// Returns the unit tangent at this arc length, clamped to the ends.
   glm::dvec3 tangent(double length) const;
   /// Returns the arc length at each of the curve's points.
   std::vector<double> knots() const;

@@ -24,10 +24,10 @@ struct CurveTable {
   float low = 0, perBucket = 0;  ///< bucket = clamp(int((density - low) * perBucket), 0, buckets - 1).
   int hops = 0;
   int segments = 0;
-  std::vector<std::int32_t> first;          ///< For each bucket.
+  std::vector<std::int32_t> first;          ///< First segment of each bucket.
   std::vector<float> node;                  ///< node[s]: end of segment s; infinity behind the last.
   std::vector<float> start;                 ///< Density from which segment s is counted.
-  std::vector<float> opacity, opacityRise;  ///< At `start`, and per unit of density.
+  std::vector<float> opacity, opacityRise;  ///< Opacity at `start`, and its rise per unit of density.
   /// Number of segments with any opacity before segment s, and up to and including it. If `shownBefore` of
   /// the first and `shownUpTo` of the last of several neighbours are equal, none of them has opacity.
   std::vector<float> shownBefore, shownUpTo;

@@ -13,7 +13,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 void ToArgb(const float* rgba, std::size_t count, std::uint32_t* argb) {
   std::size_t n = 0;
-#if HWY_TARGET != HWY_SCALAR  // it has no interleaving
+#if HWY_TARGET != HWY_SCALAR  // the scalar target has no interleaving
   const hn::ScalableTag<float> df;
   const hn::RebindToSigned<decltype(df)> di;
   using VF = hn::Vec<decltype(df)>;

@@ -93,7 +93,7 @@ namespace {
 
 constexpr std::uint64_t mebibyte = 1 << 20;
 
-// Stacks, tables and what else is too small to be counted.
+// Room for stacks, tables and other data too small to be counted.
 constexpr std::uint64_t besides = 32 * mebibyte;
 
 struct BoundWords {

@@ -14,7 +14,7 @@ namespace volumen {
 /// % of the memory of 16-bit densities.
 struct BlockRanges {
   static constexpr int mostLevels = 256;
-  int edge = 4;  ///< In cells; a power of two
+  int edge = 4;  ///< Edge of a block in cells; a power of two
   glm::ivec3 count{0};
   std::vector<float> levels;                  ///< Real values, ascending
   std::vector<std::uint8_t> lowest, highest;  ///< Levels that bound each block's values; i fastest

@@ -19,7 +19,8 @@ void wantHugePages(void* memory, std::size_t bytes);
 void* allocateLarge(std::size_t bytes);
 void freeLarge(void* memory) noexcept;
 
-/// Returns `count` zeros for the values of a volume, with huge pages if they are many. Throws likewise.
+/// Returns `count` zeros for the values of a volume, with huge pages if they are many. Throws
+/// std::bad_alloc too.
 template <class T>
 std::vector<T> zeros(std::size_t count) {
   std::vector<T> values;

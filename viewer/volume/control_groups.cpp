@@ -50,7 +50,7 @@ std::string groupOfProcess(const fs::path& root, const std::string& controller, 
 
 constexpr int noQuota = 1 << 20;
 
-// Both in microseconds. Version 1 gives -1 for no quota, version 2 the word "max".
+// Quota and period are in microseconds. Version 1 gives -1 for no quota, version 2 the word "max".
 int threadsOf(double quota, double period) {
   return quota > 0 && period > 0 ? std::max(1, int(std::ceil(std::min(quota / period, double(noQuota)))))
                                  : noQuota;

@@ -6,8 +6,8 @@ namespace volumen {
 
 FloatUnits floatUnits(ValueRange range) {
   const double width = range.high - range.low, most = std::max(std::abs(range.low), std::abs(range.high));
-  // Far from 0, sums and interpolation would round off what narrow curves show. Differences of floats this
-  // close together are exact.
+  // Far from 0, sums and interpolation would round off differences that narrow curves show. Differences of
+  // floats this close together are exact.
   const bool isFar = most > 16 * width;
   const double size = width > 0 && isFar ? width : most;
   if (size == 0) return {};

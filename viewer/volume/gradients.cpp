@@ -177,7 +177,7 @@ class RowFiller {
 
  private:
   static constexpr std::size_t longestVector =
-      64;  // of any CPU target; HWY_MAX_BYTES here is only the baseline's
+      64;  // bytes of any CPU target; HWY_MAX_BYTES here is only the baseline's
   const std::vector<T>& stored_;
   const glm::ivec3 size_;
   const Factor factor_;

@@ -48,9 +48,9 @@ bool gradients16AreRounded(ValueRange range, double slope);
 /// Allocates gradients for a grid of this size.
 Gradients16 makeGradients16(glm::ivec3 size, double scale);
 
-/// Computed with SIMD on all cores; `volume` must hold 8- or 16-bit integers.
+/// Returns Sobel gradients, computed with SIMD on all cores. `volume` must hold 8- or 16-bit integers.
 Gradients16 sobel16(const Volume& volume);
-/// Computed likewise, for any volume.
+/// Returns the same for any volume, as floats.
 Gradients32 sobel32(const Volume& volume);
 
 /// Callback for a row of voxels along i. `first` is the index of its first voxel, `xyz0` its gradients as in

@@ -21,7 +21,7 @@ Histogram histogram(const Volume& volume, int bins = 1024);
 /// Counts of values in bins of equal width.
 struct ValueCounts {
   double low = 0,
-         width = 1;  ///< Of the first bin, low <= v < low + width; the last bin includes its end
+         width = 1;  ///< The first bin is low <= v < low + width; the last bin includes its end
   std::vector<std::int64_t> counts;  ///< Empty if there are no values
 
   /// Adds a value, which must be in the range of the bins, `times` times.

@@ -12,7 +12,7 @@ namespace volumen {
 /// the grid, so that the surface is closed. Outside the box the field is 0.
 struct OccupancyField {
   VoxelGeometry geometry;     ///< Geometry of the whole grid
-  VoxelBox box;               ///< In voxels of the grid; may reach one voxel or more beyond it
+  VoxelBox box;               ///< Box in voxels of the grid; may reach one voxel or more beyond it
   std::vector<float> values;  ///< Values of the box, i fastest
   glm::ivec3 size() const { return box.high - box.low + 1; }
 };

@@ -9,7 +9,7 @@ namespace volumen {
 /// A rigid motion from one patient space to another (mm): to = rotation * from + translation.
 struct Rigid {
   glm::dmat3 rotation{1};
-  glm::dvec3 translation{0};  ///< In mm
+  glm::dvec3 translation{0};  ///< Translation in mm
   bool operator==(const Rigid&) const = default;
 
   glm::dvec3 operator()(glm::dvec3 p) const { return rotation * p + translation; }

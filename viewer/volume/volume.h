@@ -75,7 +75,7 @@ struct Window {
   bool operator==(const Window&) const = default;
 };
 
-/// What was cut away from a volume (masked) before drawing or measuring.
+/// The parts cut away from a volume (masked()) before drawing or measuring.
 struct Cut {
   bool table = false;  ///< True if everything outside the patient was made air
   int outlines = 0;    ///< Number of outlines cut

@@ -1,5 +1,5 @@
-// Guards segment.md, "Numbers": segments of two files are compared by name on the grid of the first. The
-// numbers of `segment --csv` equal those of its JSON.
+// Guards segment.md, "Read the numbers": segments of two files are compared by name on the grid of the first.
+// The numbers of `segment --csv` equal those of its JSON.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 

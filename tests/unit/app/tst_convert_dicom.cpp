@@ -1,4 +1,4 @@
-// Guards import.md, "Written as DICOM", through the command line. A copy keeps patient, position and
+// Guards import.md, "Write a volume as DICOM", through the command line. A copy keeps patient, position and
 // acquisition of its source. Derived data are marked, and values stay the same.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

@@ -1,5 +1,5 @@
-// Guards segment.md, "Numbers": `volumen measure --segments` and `volumen segment` report the same numbers
-// for the segments of a file, over time too and in the requested unit of PET. Segments that cannot be
+// Guards segment.md, "Read the numbers": `volumen measure --segments` and `volumen segment` report the same
+// numbers for the segments of a file, over time too and in the requested unit of PET. Segments that cannot be
 // measured are named.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

@@ -1,6 +1,6 @@
-// Guards segment.md, "Surfaces", for phantoms and real segments on every kind of grid. Written surfaces are
-// closed, lie at most half a voxel from the border of the voxels, and enclose what pictures draw. Random
-// masks: VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S.
+// Guards segment.md, "See segments in 3D", for phantoms and real segments on every kind of grid. Written
+// surfaces are closed, lie at most half a voxel from the border of the voxels, and enclose what pictures
+// draw. Random masks: VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S.
 #include <cmath>
 
 #include "tests/fixtures/grids.h"

@@ -1,5 +1,5 @@
-// Guards segment.md, "Numbers": table, JSON and CSV have the same columns, in the displayed unit. CSV is read
-// back exactly for any segment name, and no name becomes a formula.
+// Guards segment.md, "Read the numbers": table, JSON and CSV have the same columns, in the displayed unit.
+// CSV is read back exactly for any segment name, and no name becomes a formula.
 #include <QStringList>
 #include <algorithm>
 #include <cmath>

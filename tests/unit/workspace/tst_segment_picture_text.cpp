@@ -1,4 +1,4 @@
-// Guards segment.md, "Surfaces": the text of a PNG about segments.
+// Guards segment.md, "See segments in 3D": the text of a PNG about segments.
 #include "tests/unit/suite.h"
 #include "ui/workspace/segment_picture_text.h"
 #include "viewer/segment/occupancy.h"

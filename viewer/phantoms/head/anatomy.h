@@ -29,9 +29,9 @@ float ventricles(Vec p);  ///< Inner spaces of the brain.
 
 /// Signed distances to the nearest tooth.
 struct Tooth {
-  float distance;  ///< To the tooth.
-  float crown;     ///< To its crown.
-  float pulp;      ///< To its pulp.
+  float distance;  ///< Distance to the tooth.
+  float crown;     ///< Distance to its crown.
+  float pulp;      ///< Distance to its pulp.
 };
 Tooth teeth(Vec p);
 

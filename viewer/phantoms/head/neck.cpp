@@ -4,7 +4,7 @@ namespace volumen::head {
 
 namespace {
 
-constexpr float pitch = 17;  // From one vertebra to the next, mm.
+constexpr float pitch = 17;  // Distance of adjacent vertebrae, mm.
 
 float vertebra(Vec p, float z, bool axis) {
   const Vec q = p - Vec(0, 0, z);

@@ -29,7 +29,7 @@ float neck(Vec p) {
 }
 
 float nose(Vec p) {
-  float d = tube(p, {0, -82, 14}, {0, -86, -32}, 7, 14);        // where it rises from the face
+  float d = tube(p, {0, -82, 14}, {0, -86, -32}, 7, 14);        // base, where it rises from the face
   d = join(d, tube(p, {0, -86, 16}, {0, -103, -32}, 5, 7), 8);  // bridge
   d = join(d, ellipsoid(p, {0, -104, -35}, {9, 8, 8}), 6);      // tip
   d = join(d, ellipsoid(p, {11, -95, -39}, {7, 10, 7}), 5);     // wings
