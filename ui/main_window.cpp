@@ -35,8 +35,8 @@ MainWindow::~MainWindow() {
 }
 
 WindowParts MainWindow::makeParts() {
-  auto* grid = new ViewGrid(document_.session, document_.drawn, document_.drawService, document_.slices,
-                            document_.frames, document_.measurer, document_.derived);
+  auto* grid = new ViewGrid({document_.session, document_.drawn, document_.drawService, document_.slices,
+                             document_.frames, document_.measurer, document_.derived, &document_.segments});
   auto* pages = new QStackedWidget;
   pages->addWidget(grid);
   auto* split = new QSplitter(Qt::Vertical);

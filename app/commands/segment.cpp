@@ -28,7 +28,7 @@ namespace {
 
 constexpr glm::u8vec3 boneIvory{240, 219, 163};
 
-struct SegmentOptions {
+struct SegmentCommandOptions {
   std::string path, range, recipe, from, output, series, csv;
   bool json = false, removeTable = false, largestPart = false;
   SurfaceWriting surfaces;
@@ -61,7 +61,7 @@ std::optional<ValueRange> readRange(const std::string& text) {
 }
 
 // Returns a recipe of one range of values.
-Result<Recipe> recipeOfRange(const SegmentOptions& options) {
+Result<Recipe> recipeOfRange(const SegmentCommandOptions& options) {
   const auto range = readRange(options.range);
   if (!range)
     return Error{"--range: \"" + options.range +
@@ -148,7 +148,7 @@ Result<SegmentsFile> segmentsOf(const SegmentSource& source, Opened& opened, con
 }
 
 // Protects all files that are read or written by the command. Only a file of segments may replace itself.
-Status checkNames(const SegmentOptions& options, const SegmentsFile& segments, const Series& series) {
+Status checkNames(const SegmentCommandOptions& options, const SegmentsFile& segments, const Series& series) {
   auto written = options.output.empty() ? std::vector<std::string>()
                                         : filesOfExport(options.output, segments.maps, options.surfaces);
   if (!written) return written.error();
@@ -162,7 +162,7 @@ Status checkNames(const SegmentOptions& options, const SegmentsFile& segments, c
 }
 
 // Writes nothing if only numbers are requested.
-Result<ExportedSegments> exportedOf(const SegmentOptions& options, const SegmentsFile& segments,
+Result<ExportedSegments> exportedOf(const SegmentCommandOptions& options, const SegmentsFile& segments,
                                     const Series& series, const CancelToken& cancel) {
   if (options.output.empty()) return ExportedSegments();
   std::vector<Segmented> maps = segments.maps;
@@ -172,7 +172,7 @@ Result<ExportedSegments> exportedOf(const SegmentOptions& options, const Segment
 }
 
 // Checks that the output format exists, and that it has surfaces if an option requires them.
-Status checkFormat(const SegmentOptions& options) {
+Status checkFormat(const SegmentCommandOptions& options) {
   const SegmentFormat* format = nullptr;
   if (!options.output.empty()) {
     const auto found = segmentFormatOf(options.output);
@@ -187,7 +187,7 @@ Status checkFormat(const SegmentOptions& options) {
   return {};
 }
 
-int work(const SegmentOptions& options, SegmentSource source, const CancelToken& cancel) {
+int work(const SegmentCommandOptions& options, SegmentSource source, const CancelToken& cancel) {
   for (const std::string& path : {options.output, options.csv})
     if (auto file = OutputFile::create(path); !path.empty() && !file) return fail(file.message());
   Result<Opened> opened = openVolume(options.path, options.series, cancel, segmenting);
@@ -226,7 +226,7 @@ int work(const SegmentOptions& options, SegmentSource source, const CancelToken&
   return opened->status();
 }
 
-int run(const SegmentOptions& options, const CancelToken& cancel) {
+int run(const SegmentCommandOptions& options, const CancelToken& cancel) {
   const int given = !options.range.empty() + !options.recipe.empty() + !options.from.empty();
   if (given != 1) return failUsage("Give one of --range LOW:HIGH, --recipe NAME and --from FILE.");
   if (Status s = checkFormat(options); !s) return failUsage(s.message());
@@ -251,7 +251,7 @@ void addListRecipes(CLI::App& app) {
 }  // namespace
 
 std::function<int()> makeSegment(CLI::App& app, const CancelToken& cancel) {
-  auto options = std::make_shared<SegmentOptions>();
+  auto options = std::make_shared<SegmentCommandOptions>();
   addPath(app, options->path)->required();
   app.add_option(
          "--range", options->range,

@@ -13,7 +13,7 @@
 #include "io/files/image_file.h"
 #include "io/files/write_volume.h"
 #include "tests/fixtures/small_volumes.h"
-#include "tests/ui/measure_window.h"
+#include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/session_json.h"
 #include "viewer/render/render.h"
@@ -30,6 +30,7 @@ class TestAdditions : public QObject {
   void aSinkGetsThePicture();
   void aPanelIsATabThatFollowsTheSession();
   void aToolOfSlicesGetsTheDrag();
+  void aToolOfSegmentsEditsThem();
   void aToolOf3DGetsTheDrag();
   void aFormatIsReadAndWritten();
   void aKindOfViewIsShownAndSaved();
@@ -94,6 +95,30 @@ void TestAdditions::aToolOfSlicesGetsTheDrag() {
   const double before = window()->centre;
   drag(view, {90, 90}, {90, 70});
   QCOMPARE(window()->centre, before + 20);
+}
+
+// The segment is previewed while the button is held, and made on release. Esc makes none.
+void TestAdditions::aToolOfSegmentsEditsThem() {
+  SegmentWindow w;
+  QAction* tool = w.child<QAction>("stampTool");
+  QVERIFY(w.child<QMenu>("segmentsMenu")->actions().contains(tool));
+  tool->trigger();
+  const QPoint at = w.showPlace(inSmallBall);
+  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull() && w.coloured() == 0, longest);
+  const Workspace before = w.workspace();
+  QTest::mousePress(w.view(), Qt::LeftButton, {}, at);
+  QVERIFY(w.idle());
+  QTRY_VERIFY_WITH_TIMEOUT(w.coloured() > 0, longest);
+  QTest::keyClick(w.view(), Qt::Key_Escape);
+  QTRY_VERIFY_WITH_TIMEOUT(w.coloured() == 0, longest);
+  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, at);
+  QVERIFY(w.idle() && w.isAs(before));
+  const glm::dvec3 middle = w.view()->plane()->patientFromPixel({double(at.x()), double(at.y())});
+  QTest::mouseClick(w.view(), Qt::LeftButton, {}, at);
+  QVERIFY(w.idle());
+  QCOMPARE(w.session().undoStack().undoText(), QStringLiteral("Stamp"));
+  QCOMPARE(w.voxels(1), voxelsWhere([&](glm::dvec3 p) { return glm::distance(p, middle) <= 4; }));
+  QVERIFY(w.segment(0).label == "Stamp");
 }
 
 void TestAdditions::aToolOf3DGetsTheDrag() {

@@ -31,8 +31,8 @@ inline double fromOutline(const std::vector<QPoint>& corners, glm::dvec2 at) {
 /// The part of a segment seen inside an outline. Rounding may put what lies on the line on either side.
 struct SeenPart {
   BitMask inside, onLine;
-  bool leaves(const BitMask& left, const BitMask& expected) const {
-    return subtracted(left, onLine) == subtracted(expected, onLine);
+  bool leaves(const BitMask& made, const BitMask& expected) const {
+    return subtracted(made, onLine) == subtracted(expected, onLine);
   }
 };
 

@@ -14,13 +14,6 @@
 
 namespace volumen::tests {
 
-/// Returns a separate series with these voxels.
-inline LoadedSeriesPtr seriesOf(VolumePtr volume) {
-  auto series = std::make_shared<LoadedSeries>(*ballSeries(2, 1));
-  series->volume = std::move(volume);
-  return series;
-}
-
 /// Returns the points at which each kind is drawn, pixels of the view.
 inline std::vector<QPointF> placesOf(ShapeKind kind) {
   switch (kind) {

@@ -38,4 +38,11 @@ inline LoadedSeriesPtr ballSeries(int n = 32, double radius = 10, glm::dvec3 cen
   return series;
 }
 
+/// Returns a separate series with these voxels.
+inline LoadedSeriesPtr seriesOf(VolumePtr volume) {
+  auto series = std::make_shared<LoadedSeries>(*ballSeries(2, 1));
+  series->volume = std::move(volume);
+  return series;
+}
+
 }  // namespace volumen::tests

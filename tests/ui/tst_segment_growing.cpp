@@ -17,7 +17,6 @@ class TestSegmentGrowing : public QObject {
  private Q_SLOTS:
   void twoTissuesAreGrown_data();
   void twoTissuesAreGrown();
-  void onlyAboutTheSeeds();
   void itIsAStepOfTheRecord_data();
   void itIsAStepOfTheRecord();
   void fewerThanTwoSeedsAreNotOffered();
@@ -25,7 +24,6 @@ class TestSegmentGrowing : public QObject {
   void thePreviewFollowsTheSeeds();
   void thePreviewEndsWithItsSeries();
   void aJobThatIsCancelledChangesNothing();
-  void aSeriesThatIsClosedMeanwhileIsLeftAlone();
 };
 
 namespace {
@@ -103,19 +101,6 @@ void TestSegmentGrowing::twoTissuesAreGrown() {
   QVERIFY(w.workspace() == before);
   w.redo();
   QVERIFY(w.workspace() == after);
-}
-
-// The margin is a tenth of the longest edge of the seeds' box (22 voxels with margins of 1), at least 3
-// voxels: 3.
-void TestSegmentGrowing::onlyAboutTheSeeds() {
-  GrowWindow w;
-  QVERIFY(w.makeSeeds());
-  const std::optional<VoxelBox> box = united(w.mask(1), w.mask(2)).box();
-  QVERIFY(w.grow());
-  const BitMask grown = united(w.mask(1), w.mask(2));
-  QVERIFY(grown.box() == (VoxelBox{box->low - 3, box->high + 3}));
-  const glm::ivec3 size = box->high - box->low + 7;
-  QCOMPARE(grown.count(), std::int64_t(size.x) * size.y * size.z);
 }
 
 void TestSegmentGrowing::itIsAStepOfTheRecord_data() {
@@ -266,20 +251,6 @@ void TestSegmentGrowing::aJobThatIsCancelledChangesNothing() {
   }
   QVERIFY(w.grow());
   QCOMPARE(w.voxels(1), voxelsWhere(isInBall));
-}
-
-void TestSegmentGrowing::aSeriesThatIsClosedMeanwhileIsLeftAlone() {
-  GrowWindow w;
-  QVERIFY(w.makeSeeds());
-  const Workspace before = w.workspace();
-  w.setPreview(true);
-  w.click("segmentGrow");
-  w.session().close({w.series()});
-  QVERIFY(w.idle());
-  QTest::qWait(50);
-  QVERIFY(w.workspace().segmentMaps.empty());
-  w.undo();
-  QVERIFY(w.workspace() == before);
 }
 
 VOLUMEN_TEST(TestSegmentGrowing);

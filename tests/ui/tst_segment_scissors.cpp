@@ -167,11 +167,11 @@ void TestSegmentScissors::twoInARowAreTwoSteps() {
   w.drawIn(w.scene(), other);
   QVERIFY(w.idle());
   QCOMPARE(w.steps(), steps + 2);
-  const BitMask onLine = united(first.onLine, second.onLine), left = subtracted(own, first.inside);
-  QVERIFY(left != own && subtracted(left, second.inside) != left);
-  QVERIFY(subtracted(w.mask(1), onLine) == subtracted(subtracted(left, second.inside), onLine));
+  const BitMask onLine = united(first.onLine, second.onLine), uncut = subtracted(own, first.inside);
+  QVERIFY(uncut != own && subtracted(uncut, second.inside) != uncut);
+  QVERIFY(subtracted(w.mask(1), onLine) == subtracted(subtracted(uncut, second.inside), onLine));
   w.undo();
-  QVERIFY(first.leaves(w.mask(1), left));
+  QVERIFY(first.leaves(w.mask(1), uncut));
 }
 
 void TestSegmentScissors::whatCannotBeCutIsSaid_data() {
@@ -184,16 +184,6 @@ void TestSegmentScissors::whatCannotBeCutIsSaid_data() {
   };
   rows(
       "locked", [](CutWindow& w) { w.tick(0, 1); }, "is locked: unlock it first");
-  rows(
-      "no segment",
-      [](CutWindow& w) {
-        for (int n = 0; n < 2; ++n) {
-          w.click("segmentRemove");
-          QVERIFY(w.idle());
-        }
-        QCOMPARE(w.count(), std::size_t(0));
-      },
-      "Make or add a segment first");
   rows(
       "none of it there",
       [](CutWindow& w) {

@@ -1,7 +1,6 @@
 // Guards changes of a segment's voxels: each recipe step of the panel is one job and one undo step. Covers
 // locks, cancelling and series closed meanwhile. Long random sequences are undone and redone.
 #include <QComboBox>
-#include <functional>
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
@@ -9,7 +8,6 @@
 #include "tests/unit/suite.h"
 #include "ui/controller/offered_steps.h"
 #include "ui/widgets/banner.h"
-#include "viewer/segment/holes.h"
 #include "viewer/segment/morphology.h"
 #include "viewer/segment/parts.h"
 #include "viewer/segment/smoothing.h"
@@ -17,18 +15,9 @@
 using namespace volumen;
 using namespace volumen::tests;
 
-namespace {
-
-// Expected result of a recipe step from the segment and the other one.
-using Expected = std::function<BitMask(const BitMask& own, const BitMask& other)>;
-
-}  // namespace
-
 class TestSegmentSteps : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void aStepIsAJobAndAnUndoStep_data();
-  void aStepIsAJobAndAnUndoStep();
   void theUsualOnesAreAClick();
   void aWordOfAnotherKindIsNotTaken();
   void aReversedRangeIsNotTaken();
@@ -45,57 +34,6 @@ class TestSegmentSteps : public QObject {
   void sequencesAreUndoneAndDoneAgain_data();
   void sequencesAreUndoneAndDoneAgain();
 };
-
-void TestSegmentSteps::aStepIsAJobAndAnUndoStep_data() {
-  QTest::addColumn<Expected>("expected");
-  const auto row = [](const char* name, const Expected& expected) { QTest::newRow(name) << expected; };
-  using M = const BitMask&;
-  row("largest", [](M own, M) { return Parts(own, Neighbours::faces).largest(); });
-  row("fill", [](M own, M) { return holesFilled(own); });
-  row("invert", [](M own, M) { return inverted(own); });
-  row("islands", [](M own, M) { return Parts(own, Neighbours::faces).atLeast(1000); });
-  row("grow", [](M own, M) { return grown(own, 3); });
-  row("shrink", [](M own, M) { return shrunk(own, 3); });
-  row("close", [](M own, M) { return closed(own, 3); });
-  row("open", [](M own, M) { return opened(own, 3); });
-  row("shell", [](M own, M) { return shell(own, 3); });
-  row("median", [](M own, M) { return medianSmoothed(own, 3); });
-  row("gaussian", [](M own, M) { return gaussianSmoothed(own, 3); });
-  row("add", [](M own, M other) { return united(own, other); });
-  row("copy", [](M, M other) { return other; });
-  row("subtract", [](M own, M other) { return subtracted(own, grown(other, 3)); });
-  row("intersect", [](M own, M other) { return intersected(own, grown(other, 3)); });
-  row("empty", [](M own, M) { return BitMask(own.geometry()); });
-}
-
-// The result is that of the kernel, for 3 mm and 1 ml. The unlocked core loses the voxels that the step
-// takes.
-void TestSegmentSteps::aStepIsAJobAndAnUndoStep() {
-  QFETCH(Expected, expected);
-  SegmentWindow w;
-  QVERIFY(w.makeBoth());
-  const Workspace before = w.workspace();
-  const BitMask own = w.mask(1), core = w.mask(2);
-  const int steps = w.steps();
-  w.chooseStep(QTest::currentDataTag());
-  for (const char* field : {"stepField-radiusMm", "stepField-marginMm", "stepField-sigmaMm"})
-    if (auto* spin = w.child<QDoubleSpinBox>(field)) spin->setValue(3);
-  w.click("segmentApply");
-  QCOMPARE(w.window.jobs().rows().size(), std::size_t(1));
-  QVERIFY(w.idle());
-  QCOMPARE(w.steps(), steps + 1);
-  const BitMask made = expected(own, core);
-  QVERIFY(w.mask(1) == made);
-  QVERIFY(w.mask(2) == subtracted(core, made));
-  // Smoothing, opening, closing or making a shell may leave balls unchanged.
-  const QByteArray name = QTest::currentDataTag();
-  QVERIFY(made != own || QByteArrayList({"gaussian", "median", "open", "close", "shell"}).contains(name));
-  const Workspace after = w.workspace();
-  w.undo();
-  QVERIFY(w.workspace() == before);
-  w.redo();
-  QVERIFY(w.workspace() == after);
-}
 
 // The buttons use the numbers in their texts, which are those of the list.
 void TestSegmentSteps::theUsualOnesAreAClick() {

@@ -17,8 +17,6 @@ void TestSmartBrushTool::onlyWhatIsAlikeIsPainted_data() {
   QTest::addColumn<bool>("isBall");
   QTest::addColumn<bool>("isOblique");
   QTest::newRow("a disc") << false << false;
-  QTest::newRow("a ball") << true << false;
-  QTest::newRow("a disc, oblique") << false << true;
   QTest::newRow("a ball, oblique") << true << true;
 }
 

@@ -119,7 +119,8 @@ void CurveFollower::take(const Made& made) {
   const bool isOfNow = session_.scene().transferFunction == curve_ && isEnd;
   const bool isWanted = pulledAgain_ ? isLastStep : isOfNow;
   const bool isSame = maps() == started_;
-  if (!made.maps && !pulledAgain_) Q_EMIT failed(QString::fromStdString(made.maps.message()));
+  if (!made.maps && !pulledAgain_)
+    Q_EMIT answered({SegmentAnswer::Kind::failed, QString::fromStdString(made.maps.message())});
   if (made.maps && isWanted && isSame) {
     session_.playOn(isLastStep ? step_ - 1 : step_, [&] {
       Workspace after = session_.workspace();
@@ -127,7 +128,7 @@ void CurveFollower::take(const Made& made) {
       session_.change(tr("Segment follows the curve"), after);
     });
     made_ = maps();
-    if (!made.said.isEmpty()) Q_EMIT told(made.said.join(QLatin1Char(' ')));
+    if (!made.said.isEmpty()) Q_EMIT answered({SegmentAnswer::Kind::done, made.said.join(QLatin1Char(' '))});
   }
   if (std::exchange(pulledAgain_, false) || (isOfNow && !isSame)) follow();
 }

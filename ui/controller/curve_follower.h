@@ -23,10 +23,8 @@ class CurveFollower : public QObject {
   void follow();
 
  Q_SIGNALS:
-  /// A sentence about the voxels that updated segments took from others.
-  void told(const QString& sentence);
-  /// A sentence; not sent for cancelled work.
-  void failed(const QString& sentence);
+  /// Updated segments took voxels from others, or the update failed. Not sent for cancelled work.
+  void answered(const volumen::SegmentAnswer& answer);
 
  private:
   void begin(bool overUndone);

@@ -140,12 +140,8 @@ bool isChosen(const StepField& field) {
 }
 
 SegmentWork workOf(const StepKind& kind, const ChosenFields& fields, const Session& session) {
-  SegmentWork work;
-  work.series = keyOf(session.series()->series);
-  work.volume = wholeVolume(session);
+  SegmentWork work = workShown(session, tr(kind.title), tr(kind.title));
   work.number = segmentShown(session)->number;
-  work.text = tr(kind.title);
-  work.doing = work.text;
   const VolumePtr volume = work.volume;
   const std::string name = kind.name;
   if (name == "merge")

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "ui/controller/segment_target.h"
 #include "ui/controller/segments_on_slices.h"
 #include "ui/workspace/segment_change_text.h"
 #include "ui/workspace/segment_maps.h"
@@ -23,14 +24,9 @@ Result<SegmentMap> workDone(const SegmentWork& work, const SegmentMap& map, int 
     Result<SegmentMap> made = work.makeAll(map, cancel);
     return made ? withHandMade(map, std::move(*made)) : made;
   }
-  if (work.steps) {
-    const Result<StepsWanted> wanted = work.steps(map, number, cancel);
-    return wanted ? withStepsDone(map, *wanted, *work.volume, cancel) : Result<SegmentMap>(wanted.error());
-  }
-  if (!work.make) return withoutSegment(map, number);
-  const Result<BitMask> mask = work.make(map, number, cancel);
-  if (!mask) return mask.error();
-  return withHandMade(map, withMask(map, number, *mask));
+  if (!work.steps) return withoutSegment(map, number);
+  const Result<StepsWanted> wanted = work.steps(map, number, cancel);
+  return wanted ? withStepsDone(map, *wanted, *work.volume, cancel) : Result<SegmentMap>(wanted.error());
 }
 
 // Returns the maps that the work starts from.
@@ -69,6 +65,15 @@ SegmentNumbers segmentNumbersOf(SegmentNumbers wanted, const SegmentNumbers& kno
 }
 
 }  // namespace
+
+SegmentWork workShown(const Session& session, const QString& text, const QString& doing) {
+  SegmentWork work;
+  work.series = keyOf(session.series()->series);
+  work.volume = wholeVolume(session);
+  work.text = text;
+  work.doing = doing;
+  return work;
+}
 
 bool SegmentNumbers::areOf(const SegmentNumbers& other) const {
   return volume == other.volume && number == other.number &&
@@ -172,7 +177,7 @@ void SegmentJobs::take(const std::vector<SegmentMap>& bases, const Made& made) {
     session_.endGesture();
     session_.change(work.text, withMade(workspace, work, bases, *made.maps));
     session_.endGesture();
-    Q_EMIT changed(made.said);
+    if (!made.said.isEmpty()) Q_EMIT answered({SegmentAnswer::Kind::done, made.said});
     if (work.done) work.done();
   }
   next();
@@ -180,7 +185,7 @@ void SegmentJobs::take(const std::vector<SegmentMap>& bases, const Made& made) {
 
 void SegmentJobs::refuse(const SegmentWork& work, const QString& why) {
   if (work.refused) work.refused(why);
-  Q_EMIT failed(why);
+  Q_EMIT answered({SegmentAnswer::Kind::failed, why});
 }
 
 // Drops the work in progress. The next one starts from the event loop, because the workspace may be reporting
@@ -227,7 +232,8 @@ void SegmentJobs::write(const Writing& writing, const std::vector<SegmentMap>& m
   save_.run(
       tr("Exporting segments"), [writing](const Job& job) { return writing(job.cancel()); },
       [this, maps](const Result<ExportedSegments>& done) {
-        if (!done) return Q_EMIT failed(QString::fromStdString(done.message()));
+        if (!done)
+          return Q_EMIT answered({SegmentAnswer::Kind::failed, QString::fromStdString(done.message())});
         const auto texts = [](const std::vector<std::string>& all) {
           QStringList list;
           for (const std::string& text : all) list << shownText(text);

@@ -11,7 +11,6 @@
 #include "ui/controller/step_work.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
-#include "viewer/segment/bit_mask.h"
 #include "viewer/segment/numbers.h"
 
 namespace volumen {
@@ -25,13 +24,11 @@ struct SegmentWork {
   QString doing;     ///< name of the job
   /// Other changes of the segment. A new one gets a missing name and colour.
   std::function<void(Segment&)> change{};
-  /// Returns its voxels from the current map, on the job's thread. If null, the segment is removed.
-  std::function<Result<BitMask>(const SegmentMap& map, int number, const CancelToken& cancel)> make{};
-  /// Replaces `make` and is recorded: returns the steps to run on that map.
+  /// Returns the steps to run on the current map, on the job's thread. If null, the segment is removed.
   std::function<Result<StepsWanted>(const SegmentMap& map, int number, const CancelToken& cancel)> steps{};
-  /// Replaces `make` and `steps`: returns the changed map, on the job's thread.
+  /// Replaces `steps`: returns the changed map.
   std::function<Result<SegmentMap>(const SegmentMap& map, const CancelToken& cancel)> makeAll{};
-  /// Replaces all of the above: returns the changed maps of the series. As in the argument, the current map
+  /// Replaces both: returns the changed maps of the series. As in the argument, the current map
   /// comes first, the others in order of their numbers.
   std::function<Result<std::vector<SegmentMap>>(const std::vector<SegmentMap>& maps,
                                                 const CancelToken& cancel)>
@@ -41,6 +38,9 @@ struct SegmentWork {
   std::function<void(const QString& why)> refused{};
   std::optional<int> map{};  ///< the map to change; empty for the current one at the time of the request
 };
+
+/// Returns work on the series of the Segments panel, which must have one.
+SegmentWork workShown(const Session& session, const QString& text, const QString& doing);
 
 /// The number of voxels of each segment of a map.
 struct MapVoxels {
@@ -71,13 +71,13 @@ class SegmentJobs : public QObject {
   /// Waits until pending files are written.
   ~SegmentJobs() override;
 
-  /// Requests a change. Ends in an undo step and ended(), or in failed() and ended(). Does nothing if the
-  /// series was closed or the segment removed meanwhile.
+  /// Requests a change. Ends in an undo step or a failure, and in ended(). Does nothing if the series was
+  /// closed or the segment removed meanwhile.
   void change(const SegmentWork& work);
   /// Requests the measurement of `wanted`, whose maps share one grid, and cancels the one before. Ends in
   /// measured().
   void measure(const SegmentNumbers& wanted);
-  /// Writes the segments of a series in the format of the extension of `path`. Ends in saved() or failed().
+  /// Writes the segments of a series in the format of the extension of `path`. Ends in saved() or a failure.
   /// The maps have labels, and there is at least one.
   void save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path);
   /// Writes finished surfaces to the files of exportSurfaces(). saved() then names no maps.
@@ -87,14 +87,12 @@ class SegmentJobs : public QObject {
  Q_SIGNALS:
   /// No change is in progress any more.
   void ended();
-  /// A change became an undo step. `said` is its changeText().
-  void changed(const QString& said);
+  /// A change took voxels from other segments, or something failed. Not sent for cancelled work.
+  void answered(const volumen::SegmentAnswer& answer);
   void measured(const volumen::SegmentNumbers& numbers);
   /// Files were written; `notes` are sentences about them.
   void saved(const QStringList& files, const QStringList& notes,
              const std::vector<volumen::SegmentMap>& maps);
-  /// A sentence; not sent for cancelled work.
-  void failed(const QString& sentence);
 
  private:
   using Writing = std::function<Result<ExportedSegments>(const CancelToken& cancel)>;

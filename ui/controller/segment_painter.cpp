@@ -11,12 +11,14 @@ namespace volumen {
 
 namespace {
 
-PaintRules rulesOf(const SegmentMap& map, int number, bool erases, const PaintLimits& limits,
+PaintRules rulesOf(const SegmentMap& map, int number, bool erases, const SegmentOptions& limits,
                    const VolumePtr& volume) {
-  using enum PaintLimits::Beside;
-  PaintRules rules{.label = std::uint8_t(number), .erases = erases, .range = limits.range, .volume = volume};
+  using enum PaintBeside;
+  PaintRules rules{.label = std::uint8_t(number), .erases = erases, .volume = volume};
+  if (limits.paintsInRange) rules.range = limits.range;
   if (erases) return rules;  // erased voxels belong to the segment and to no other
   rules.kept = lockedNumbers(map);
+  if (limits.other == 0) return rules;
   const auto other = std::uint8_t(limits.other);
   if (limits.beside == outside) rules.kept.push_back(other);
   if (limits.beside != inside) return rules;
@@ -29,27 +31,26 @@ PaintRules rulesOf(const SegmentMap& map, int number, bool erases, const PaintLi
 
 QString SegmentPainter::whyNot(const SegmentStroke& stroke) const {
   if (stroke.onFrame) return tr("Frames cannot be painted on: show the series as slices.");
-  const QString why = whyNoSegments(session_);
-  if (!why.isEmpty()) return why;
-  if (stroke.series != keyOf(session_.series()->series))
-    return tr("The panel Segments is about another series: click into a view of that one.");
+  if (const QString why = whyNotIn(session_, stroke.series); !why.isEmpty()) return why;
   const Segment* segment = segmentShown(session_);
   if (segment && !segment->visible && !segment->locked)
     return tr("%1 is hidden: tick it in the list of segments first.").arg(shownText(segment->label));
   return stroke.erases || segment ? whyNotChanged(session_) : QString();
 }
 
-void SegmentPainter::paint(const SegmentStroke& stroke, const PaintLimits& limits) {
+void SegmentPainter::paint(const SegmentStroke& stroke, const SegmentOptions& options) {
   using enum SegmentStroke::Phase;
   if (stroke.phase == ends) return end();
   if (stroke.phase == begins) {
     end();  // in case the end of the last stroke was not reported
     const QString why = whyNot(stroke);
-    if (!why.isEmpty()) return Q_EMIT failed(why);
+    if (!why.isEmpty()) return Q_EMIT answered({SegmentAnswer::Kind::refused, why});
     const Segment* segment = segmentShown(session_);
     const VolumePtr& volume = session_.series()->volume;
     const SegmentMap map = segmentMapOn(session_.workspace(), stroke.series, volume->geometry());
-    target_ = Target{volume, map.number, segment ? segment->number : 0, limits, map};
+    target_ = Target{volume, map.number, segment ? segment->number : 0, options, map};
+    const Segment* other = otherSegmentShown(session_, options.other);
+    target_->limits.other = other ? other->number : 0;
     session_.endGesture();
   }
   if (target_ && !stroke.spans.empty()) add(stroke);
@@ -60,7 +61,9 @@ void SegmentPainter::end() {
   const SegmentMap before = std::exchange(target_, {})->before;
   const SegmentMap* after = segmentMapOf(session_.workspace(), before.series, before.number);
   session_.endGesture();
-  Q_EMIT ended(after && after->labels ? changeText(before, *after) : QString());
+  const QString said = after && after->labels ? changeText(before, *after) : QString();
+  if (!said.isEmpty()) Q_EMIT answered({SegmentAnswer::Kind::done, said});
+  Q_EMIT ended();
 }
 
 void SegmentPainter::add(const SegmentStroke& stroke) {

@@ -1,5 +1,7 @@
 #include "ui/controller/segment_target.h"
 
+#include <algorithm>
+
 #include "ui/workspace/segment_maps.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
@@ -40,6 +42,26 @@ std::vector<SegmentMap> copiesOf(const std::vector<const SegmentMap*>& maps) {
 const Segment* segmentShown(const Session& session) {
   const SegmentMap* map = segmentsShown(session);
   return map ? currentSegment(*map) : nullptr;
+}
+
+const Segment* otherSegmentShown(const Session& session, int number) {
+  const SegmentMap* map = segmentsShown(session);
+  if (!map) return nullptr;
+  const auto isOther = [current = currentSegment(*map)](const Segment& segment) {
+    return &segment != current;
+  };
+  auto found = std::ranges::find(map->segments, number, &Segment::number);
+  if (found == map->segments.end() || !isOther(*found)) found = std::ranges::find_if(map->segments, isOther);
+  return found == map->segments.end() ? nullptr : &*found;
+}
+
+QString isOfOtherSeries() {
+  return tr("The panel Segments is about another series: click into a view of that one.");
+}
+
+QString whyNotIn(const Session& session, const SeriesKey& series) {
+  const QString why = whyNoSegments(session);
+  return why.isEmpty() && series != keyOf(session.series()->series) ? isOfOtherSeries() : why;
 }
 
 QString noOtherSegment(const Session& session) {

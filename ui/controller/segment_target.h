@@ -19,6 +19,13 @@ std::vector<const SegmentMap*> allSegmentsShown(const Session& session);
 std::vector<SegmentMap> copiesOf(const std::vector<const SegmentMap*>& maps);
 /// Returns the current segment of segmentsShown(), or null.
 const Segment* segmentShown(const Session& session);
+/// Returns the segment of segmentsShown() with this number; if that is the current one or none, the first
+/// other one. Null if there is no other one.
+const Segment* otherSegmentShown(const Session& session, int number);
+/// Returns a sentence that the Segments panel belongs to another series than the one clicked.
+QString isOfOtherSeries();
+/// Returns a sentence why a view of this series cannot edit the segments of the panel; empty if it can.
+QString whyNotIn(const Session& session, const SeriesKey& series);
 /// Returns a sentence that there is no other segment to work with. With several maps it names the map.
 QString noOtherSegment(const Session& session);
 /// Returns a sentence why the current segment cannot be changed; empty if it can.

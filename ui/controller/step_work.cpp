@@ -116,6 +116,8 @@ Result<SegmentMap> withStepsDone(SegmentMap map, const StepsWanted& wanted, cons
   return withRecorded(std::move(map), done);
 }
 
+std::string withoutStepName(const std::string& why) { return why.substr(why.find(": ") + 2); }
+
 std::string keptName(StepsWanted& wanted, const Volume& volume, const Mask& mask, const CancelToken& cancel) {
   if (mask.empty()) return {};
   const std::string kept = freeHelper(wanted.steps, "Kept");

@@ -21,6 +21,9 @@ struct StepsWanted {
 Result<SegmentMap> withStepsDone(SegmentMap map, const StepsWanted& wanted, const Volume& volume,
                                  const CancelToken& cancel);
 
+/// Returns an Error of withStepsDone() without the name of the step, which the user did not choose.
+std::string withoutStepName(const std::string& why);
+
 /// Adds the steps that make the voxels the mask leaves. Returns their name for later steps, or an empty
 /// string if the mask removes nothing.
 std::string keptName(StepsWanted& wanted, const Volume& volume, const Mask& mask, const CancelToken& cancel);

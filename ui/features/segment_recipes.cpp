@@ -54,7 +54,7 @@ void SegmentRecipes::run(const Recipe& recipe) {
   QStringList notes;
   for (const std::string& note : notesOf(recipe, series)) notes << shownText(note);
   if (!notes.isEmpty()) work.done = [this, notes] { warnUntilDone(notes.join(QLatin1Char(' '))); };
-  Q_EMIT bench_.segmentWorkWanted(work);
+  bench_.document.segments.change(work);
 }
 
 // Recorded steps state themselves what they omit. The panel may show another map by now.
@@ -70,7 +70,7 @@ void SegmentRecipes::runAgain(const Recipe& recipe, int map, StepsDialog* dialog
   work.refused = [shown = QPointer(dialog)](const QString& sentence) {
     if (shown) shown->showRefused(sentence);
   };
-  Q_EMIT bench_.segmentWorkWanted(work);
+  bench_.document.segments.change(work);
 }
 
 void SegmentRecipes::askWhatToRun() {

@@ -6,8 +6,6 @@
 #include "io/export/export_segments.h"
 #include "ui/controller/curve_follower.h"
 #include "ui/controller/mask_jobs.h"
-#include "ui/controller/segment_cutting.h"
-#include "ui/controller/segment_preview.h"
 #include "ui/controller/segment_target.h"
 #include "ui/features/segments_from_files.h"
 #include "ui/features/segments_to_files.h"
@@ -32,25 +30,19 @@ class Segmenting : public Feature {
   ~Segmenting() override { delete numbers_; }  // refers to the painter
 
  private:
+  void connectMasks();
   void makeExport();
-  void connectSegmenter();
+  void connectPanel();
   void connectAxis();
-  void connectGrowth();
   void showExport();
-  void takePart(const PartClick& click);
-  void connectPainter();
-  void paint(const SegmentStroke& stroke);
-  void cutSegment(const SegmentCut& cut);
+  void show(const SegmentAnswer& answer);
   void measure(const SegmentNumbers& wanted);
   void showNumbers();
-  void tellIfAny(const QString& sentence);
   void tellSaved(const QStringList& files, const QStringList& notes, const std::vector<SegmentMap>& maps);
 
-  SegmentPainter& painter_;
-  SegmentJobs segmenter_;
+  SegmentEditing& editing_;
   CurveFollower follower_;
   std::function<void()> measureLater_;  // measures the result of the stroke being drawn
-  SegmentPreview preview_;
   MaskJobs masker_;
   SegmentsPanel* panel_;
   SegmentsFromFiles fromFiles_;
@@ -61,18 +53,28 @@ class Segmenting : public Feature {
 
 Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
-      painter_(bench.document.painter),
-      segmenter_(session_, painter_, bench.document.jobs),
-      follower_(session_, painter_, bench.document.jobs),
-      preview_(session_, bench.document.jobs),
+      editing_(bench.document.segments),
+      follower_(session_, editing_.painter(), bench.document.jobs),
       masker_(session_, bench.document.jobs),
-      panel_(new SegmentsPanel(session_)),
-      fromFiles_(bench, segmenter_, *panel_),
-      toFiles_(bench, segmenter_) {
+      panel_(new SegmentsPanel(editing_)),
+      fromFiles_(bench, *panel_),
+      toFiles_(bench) {
   bench_.addDock({"segment",
                   tr("Segments"),
                   bench_.ofScene(Workbench::scrolling(panel_)),
                   {Qt::RightDockWidgetArea, 30}});
+  connectMasks();
+  makeExport();
+  connectPanel();
+  connectAxis();
+  connect(&bench_, &Workbench::made, this, [this] {
+    panel_->setToolActions([this](const QString& name) { return bench_.actions.at(name); });
+    panel_->setRecipeActions(
+        {bench_.action("openRecipe"), bench_.action("saveRecipe"), bench_.action("recipeSteps")});
+  });
+}
+
+void Segmenting::connectMasks() {
   for (QAction* action : {masker_.tableAction(), masker_.resetAction()}) {
     action->setParent(&bench_.window);
     bench_.addAction(action, {{"editMenu", 20}, {"sceneMenu", 30}});
@@ -87,21 +89,6 @@ Segmenting::Segmenting(Workbench& bench)
     connect(view, &VolumeView::drawn, &drawn, [view, &drawn](const ScreenPicture& picture) {
       if (picture.atRest && view->series()) drawn.noteDrawn(keyOf(view->series()->series));
     });
-  });
-  makeExport();
-  connectSegmenter();
-  connectAxis();
-  connectPainter();
-  connectGrowth();
-  connect(&grid_, &ViewGrid::partClicked, this, &Segmenting::takePart);
-  connect(&bench_, &Workbench::made, this, [this] {
-    panel_->setPartAction(bench_.action("partTool"));
-    panel_->setPaintActions(bench_.action("paintTool"), bench_.action("outlineTool"),
-                            bench_.action("segmentScissorsTool"));
-    panel_->growPage().setToolActions(bench_.action("lesionTool"), bench_.action("levelTraceTool"),
-                                      bench_.action("smartBrushTool"));
-    panel_->setRecipeActions(
-        {bench_.action("openRecipe"), bench_.action("saveRecipe"), bench_.action("recipeSteps")});
   });
 }
 
@@ -128,20 +115,16 @@ void Segmenting::showExport() {
                                                  : tr("There is no segment yet.")));
 }
 
-void Segmenting::connectSegmenter() {
-  connect(panel_, &SegmentsPanel::workWanted, &segmenter_, &SegmentJobs::change);
-  connect(panel_, &SegmentsPanel::told, this, [this](const QString& sentence) { warnUntilDone(sentence); });
+void Segmenting::connectPanel() {
   connect(panel_, &SegmentsPanel::numbersWanted, this, &Segmenting::showNumbers);
-  connect(&bench_, &Workbench::segmentWorkWanted, &segmenter_, &SegmentJobs::change);
   connect(panel_, &SegmentsPanel::recipeChosen, &bench_, &Workbench::recipeWanted);
   connect(panel_, &SegmentsPanel::previewChanged, &grid_, &ViewGrid::showSegment);
   connect(panel_, &SegmentsPanel::measureRequested, this, &Segmenting::measure);
-  connect(&segmenter_, &SegmentJobs::ended, panel_, &SegmentsPanel::showSegments);
-  connect(&segmenter_, &SegmentJobs::measured, panel_, &SegmentsPanel::showMeasured);
-  connect(&segmenter_, &SegmentJobs::changed, this, &Segmenting::tellIfAny);
-  connect(&segmenter_, &SegmentJobs::saved, this, &Segmenting::tellSaved);
-  connect(&segmenter_, &SegmentJobs::failed, this,
-          [this](const QString& sentence) { warnUntilDone(sentence); });
+  connect(&editing_, &SegmentEditing::answered, this, &Segmenting::show);
+  connect(&editing_.jobs(), &SegmentJobs::saved, this, &Segmenting::tellSaved);
+  connect(&editing_.painter(), &SegmentPainter::ended, this, [this] {
+    if (const auto measureNow = std::exchange(measureLater_, nullptr)) measureNow();
+  });
   // Messages about segments or cuts no longer hold once these have changed.
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
@@ -150,115 +133,49 @@ void Segmenting::connectSegmenter() {
   panel_->showSegments();
 }
 
-void Segmenting::tellIfAny(const QString& sentence) {
-  if (!sentence.isEmpty()) tell(sentence);
+void Segmenting::show(const SegmentAnswer& answer) {
+  switch (answer.kind) {
+    case SegmentAnswer::Kind::done:
+      return tell(answer.sentence);
+    case SegmentAnswer::Kind::refused:
+      return warn(answer.sentence);
+    case SegmentAnswer::Kind::noted:
+    case SegmentAnswer::Kind::failed:
+      return warnUntilDone(answer.sentence);
+  }
 }
 
 // Shows the range's ends on the axis of the curve. While one is dragged, 3D shows only values in the range.
 void Segmenting::connectAxis() {
-  SegmentRange* page = &panel_->rangePage();
-  connect(page, &SegmentRange::rangeShown, this, [this](const std::optional<ValueRange>& range) {
+  connect(panel_, &SegmentsPanel::rangeShown, this, [this](const std::optional<ValueRange>& range) {
     Q_EMIT bench_.rangeShown(range);
     if (!range) grid_.showOnly({});
   });
-  connect(&bench_, &Workbench::rangeDragged, this, [this, page](const ValueRange& range, bool ended) {
-    page->takeDragged(range);
+  connect(&bench_, &Workbench::rangeDragged, this, [this](const ValueRange& range, bool ended) {
+    editing_.choose([&](SegmentOptions& options) { options.range = range; });
     grid_.showOnly(ended ? std::nullopt
-                         : std::optional(VolumeRange{session_.series()->volume, page->range()}));
+                         : std::optional(VolumeRange{session_.series()->volume, editing_.options().range}));
   });
   connect(&bench_, &Workbench::curvePulled, &follower_, &CurveFollower::follow);
-  connect(&follower_, &CurveFollower::told, this, &Segmenting::tellIfAny);
-  connect(&follower_, &CurveFollower::failed, this,
-          [this](const QString& sentence) { warnUntilDone(sentence); });
-}
-
-void Segmenting::connectPainter() {
-  connect(&grid_, &ViewGrid::strokePainted, this, &Segmenting::paint);
-  connect(&grid_, &ViewGrid::segmentCut, this, &Segmenting::cutSegment);
-  connect(&painter_, &SegmentPainter::failed, this,
-          [this](const QString& sentence) { warnUntilDone(sentence); });
-  connect(&painter_, &SegmentPainter::ended, this, [this](const QString& said) {
-    tellIfAny(said);
-    if (const auto measureNow = std::exchange(measureLater_, nullptr)) measureNow();
-  });
-}
-
-void Segmenting::paint(const SegmentStroke& stroke) {
-  SegmentStroke wanted = stroke;
-  wanted.erases = stroke.erases || panel_->painting().erases();
-  painter_.paint(wanted, panel_->painting().limits(panel_->range().range()));
-}
-
-void Segmenting::cutSegment(const SegmentCut& cut) {
-  const QString why = whyNotCut(session_, cut);
-  if (!why.isEmpty()) return warn(why);
-  segmenter_.change(workOf(cut, panel_->painting().cutWithinMm(), session_));
+  connect(&follower_, &CurveFollower::answered, this, &Segmenting::show);
 }
 
 // Measures a segment after the current stroke has ended, as numbers take longer than a picture.
 void Segmenting::measure(const SegmentNumbers& wanted) {
   measureLater_ = nullptr;
-  if (painter_.isPainting())
-    measureLater_ = [this, wanted] { segmenter_.measure(wanted); };
+  if (editing_.painter().isPainting())
+    measureLater_ = [this, wanted] { editing_.jobs().measure(wanted); };
   else
-    segmenter_.measure(wanted);
-}
-
-void Segmenting::connectGrowth() {
-  SegmentGrowPage* page = &panel_->growPage();
-  connect(page, &SegmentGrowPage::growthWanted, this,
-          [this](const SegmentWork& work) { segmenter_.change(preview_.withMade(work)); });
-  connect(page, &SegmentGrowPage::previewWanted, &preview_, &SegmentPreview::show);
-  connect(page, &SegmentGrowPage::previewEnded, &preview_, &SegmentPreview::clear);
-  connect(page, &SegmentGrowPage::refused, this,
-          [this](const QString& sentence) { warnUntilDone(sentence); });
-  connect(&preview_, &SegmentPreview::changed, &grid_, &ViewGrid::showPreview);
-  connect(&preview_, &SegmentPreview::failed, page, &SegmentGrowPage::previewFailed);
-  connect(&grid_, &ViewGrid::ballDrawn, page, &SegmentGrowPage::takeBall);
+    editing_.jobs().measure(wanted);
 }
 
 void Segmenting::showNumbers() {
   if (!numbers_)
-    numbers_ = new SegmentNumbersDialog(session_, bench_.document.jobs, painter_, bench_.dialogParent());
+    numbers_ =
+        new SegmentNumbersDialog(session_, bench_.document.jobs, editing_.painter(), bench_.dialogParent());
   numbers_->show();
   numbers_->raise();
   numbers_->activateWindow();
-}
-
-// Takes a part of the series that the panel shows. The first part creates a segment.
-void Segmenting::takePart(const PartClick& click) {
-  if (click.onFrame) return warn(tr("Frames have no connected parts: show the series as slices."));
-  const QString why = whyNoSegments(session_);
-  if (!why.isEmpty()) return warn(why);
-  if (click.series != keyOf(session_.series()->series))
-    return warn(tr("The panel Segments is about another series: click into a view of that one."));
-  const Segment* segment = segmentShown(session_);
-  const PartUse use = panel_->range().partUse(click.keys);
-  if (!segment && use != PartUse::add) return warn(whyNotChanged(session_));
-  const ValueRange range = panel_->range().range();
-  SegmentWork work;
-  work.series = click.series;
-  work.volume = wholeVolume(session_);
-  work.text = use == PartUse::add    ? tr("Add connected part")
-              : use == PartUse::keep ? tr("Keep connected part")
-                                     : tr("Remove connected part");
-  work.doing = tr("Finding the connected part");
-  if (segment)
-    work.number = segment->number;
-  else
-    work.change = [made = panel_->range().segmentOf(range)](Segment& s) { s = made; };
-  const PartWanted wanted{work.volume,
-                          session_.maskOf(click.series),
-                          range,
-                          click.pPatient,
-                          click.onSurface,
-                          use,
-                          panel_->range().leakGuardMm(),
-                          panel_->range().partNeighbours()};
-  work.steps = [wanted](const SegmentMap& map, int number, const CancelToken& cancel) {
-    return stepsOfPart(wanted, map, number, cancel);
-  };
-  segmenter_.change(work);
 }
 
 // A surface is no segment, so saving it does not count as saving manual work.

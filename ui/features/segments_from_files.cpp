@@ -11,8 +11,7 @@
 
 namespace volumen {
 
-SegmentsFromFiles::SegmentsFromFiles(Workbench& bench, SegmentJobs& segmenter, QWidget& panel)
-    : Feature(bench), segmenter_(segmenter) {
+SegmentsFromFiles::SegmentsFromFiles(Workbench& bench, QWidget& panel) : Feature(bench) {
   import_ = bench_.addAction({"importSegments",
                               tr("Import segments..."),
                               {},
@@ -40,14 +39,14 @@ void SegmentsFromFiles::showAction() {
 void SegmentsFromFiles::take(const QStringList& paths) {
   const QString why = whyNoSegments(session_);
   if (!why.isEmpty()) return warn(why);
-  if (!sceneIsOfFocus(session_.workspace()))
-    return warn(tr("The panel Segments is about another series: click into a view of that one."));
+  if (!sceneIsOfFocus(session_.workspace())) return warn(isOfOtherSeries());
   for (const QString& path : paths)
-    segmenter_.change(importOf(path, session_.series()->series, wholeVolume(session_),
-                               [this](const QStringList& sentences) {
-                                 tell(sentences.front());
-                                 if (sentences.size() > 1) warnUntilDone(sentences.join(QLatin1Char(' ')));
-                               }));
+    bench_.document.segments.change(importOf(path, session_.series()->series, wholeVolume(session_),
+                                             [this](const QStringList& sentences) {
+                                               tell(sentences.front());
+                                               if (sentences.size() > 1)
+                                                 warnUntilDone(sentences.join(QLatin1Char(' ')));
+                                             }));
 }
 
 void SegmentsFromFiles::ask() {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ui/controller/segment_jobs.h"
 #include "ui/features/feature.h"
 
 namespace volumen {
@@ -9,7 +8,7 @@ namespace volumen {
 /// panel, or on request of the workbench.
 class SegmentsFromFiles : public Feature {
  public:
-  SegmentsFromFiles(Workbench& bench, SegmentJobs& segmenter, QWidget& panel);
+  SegmentsFromFiles(Workbench& bench, QWidget& panel);
 
   bool eventFilter(QObject* panel, QEvent* event) override;
 
@@ -18,7 +17,6 @@ class SegmentsFromFiles : public Feature {
   void ask();
   void showAction();
 
-  SegmentJobs& segmenter_;
   QAction* import_;
 };
 

@@ -47,8 +47,7 @@ QString namesText(const QStringList& files) {
 
 }  // namespace
 
-SegmentsToFiles::SegmentsToFiles(Workbench& bench, SegmentJobs& segmenter)
-    : Feature(bench), segmenter_(segmenter) {}
+SegmentsToFiles::SegmentsToFiles(Workbench& bench) : Feature(bench) {}
 
 // Exports the segments as they are now, whatever happens while dialogs are open.
 void SegmentsToFiles::ask() {
@@ -67,9 +66,10 @@ void SegmentsToFiles::ask() {
 void SegmentsToFiles::save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path) {
   const auto format = segmentFormatOf(path.toStdString());
   if (format && (*format)->isSurface) return chooseSurfaces(maps, series, path);
-  writeTo(
-      path, filesOfExport(path.toStdString(), segmentedOf(maps)),
-      [this, maps, series, path](const std::vector<std::string>&) { segmenter_.save(maps, series, path); });
+  writeTo(path, filesOfExport(path.toStdString(), segmentedOf(maps)),
+          [this, maps, series, path](const std::vector<std::string>&) {
+            bench_.document.segments.jobs().save(maps, series, path);
+          });
 }
 
 void SegmentsToFiles::chooseSurfaces(const std::vector<SegmentMap>& maps, const Series& series,
@@ -78,7 +78,7 @@ void SegmentsToFiles::chooseSurfaces(const std::vector<SegmentMap>& maps, const 
   connect(dialog, &QDialog::accepted, this, [this, dialog, maps, series, path] {
     writeTo(path, filesOfExport(path.toStdString(), segmentedOf(maps), dialog->writing()),
             [this, surfaces = dialog->surfaces(), series](const std::vector<std::string>& files) {
-              segmenter_.saveSurfaces(surfaces, series, files);
+              bench_.document.segments.jobs().saveSurfaces(surfaces, series, files);
             });
   });
   dialog->open();

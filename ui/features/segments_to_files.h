@@ -3,7 +3,6 @@
 #include <functional>
 #include <string>
 
-#include "ui/controller/segment_jobs.h"
 #include "ui/features/feature.h"
 
 namespace volumen {
@@ -12,7 +11,7 @@ namespace volumen {
 /// before replacing files that the file dialog did not ask about.
 class SegmentsToFiles : public Feature {
  public:
-  SegmentsToFiles(Workbench& bench, SegmentJobs& segmenter);
+  explicit SegmentsToFiles(Workbench& bench);
 
   /// Requires at least one segment.
   void ask();
@@ -24,8 +23,6 @@ class SegmentsToFiles : public Feature {
   void writeTo(const QString& path, const Result<std::vector<std::string>>& files,
                const std::function<void(const std::vector<std::string>& files)>& write);
   void askBeforeReplacing(const QStringList& files, const std::function<void()>& replace);
-
-  SegmentJobs& segmenter_;
 };
 
 }  // namespace volumen

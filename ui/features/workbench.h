@@ -13,10 +13,9 @@
 #include "ui/controller/measure_jobs.h"
 #include "ui/controller/opener.h"
 #include "ui/controller/recent_files.h"
-#include "ui/controller/segment_jobs.h"
+#include "ui/controller/segment_editing.h"
 #include "ui/controller/session_files.h"
 #include "ui/controller/slice_service.h"
-#include "ui/controller/segment_painter.h"
 #include "ui/controller/study_sources.h"
 #include "ui/derivations/drawn_scenes.h"
 #include "ui/document/jobs.h"
@@ -58,8 +57,8 @@ struct Document {
 
   Session session;
   Jobs jobs;
-  SegmentPainter painter{session};
-  DrawnScenes drawn{session, painter, jobs};
+  SegmentEditing segments{session, jobs};
+  DrawnScenes drawn{session, segments.painter(), jobs};
   OpenStudies open;
   StudySources sources;
   DrawService drawService;
@@ -197,8 +196,6 @@ class Workbench : public QObject, public WindowParts {
   void rangeDragged(const volumen::ValueRange& range, bool ended);
   /// The user dragged the curve of the 3D view in focus.
   void curvePulled();
-  /// Requests a change of segments.
-  void segmentWorkWanted(const volumen::SegmentWork& work);
   /// Requests to run a recipe on the series of the Segments panel.
   void recipeWanted(const volumen::Recipe& recipe);
 };

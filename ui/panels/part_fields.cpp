@@ -16,7 +16,49 @@ const StepField& fieldOfConnected(std::string_view name) {
   return *std::ranges::find(stepKind("connected")->fields, name, &StepField::name);
 }
 
+constexpr const char* actionProperty = "action";
+
 }  // namespace
+
+void bindOption(QCheckBox* box, SegmentEditing& editing, bool SegmentOptions::*option) {
+  QObject::connect(box, &QCheckBox::toggled, box, [&editing, option](bool on) {
+    editing.choose([&](SegmentOptions& options) { options.*option = on; });
+  });
+  const auto show = [box, &editing, option] { box->setChecked(editing.options().*option); };
+  QObject::connect(&editing, &SegmentEditing::optionsChanged, box, show);
+  show();
+}
+
+// A value being typed keeps its text.
+void bindOption(QDoubleSpinBox* field, SegmentEditing& editing, double SegmentOptions::*option) {
+  QObject::connect(field, &QDoubleSpinBox::valueChanged, field, [&editing, option](double value) {
+    editing.choose([&](SegmentOptions& options) { options.*option = value; });
+  });
+  const auto show = [field, &editing, option] {
+    if (field->value() != editing.options().*option) field->setValue(editing.options().*option);
+  };
+  QObject::connect(&editing, &SegmentEditing::optionsChanged, field, show);
+  show();
+}
+
+QToolButton* toolButton(const char* name, const char* action) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(name));
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setProperty(actionProperty, QLatin1String(action));
+  return button;
+}
+
+QString actionOf(const QToolButton* button) { return button->property(actionProperty).toString(); }
+
+QComboBox* narrowChoice(const char* name, const QString& label) {
+  auto* choice = new QComboBox;
+  choice->setObjectName(QLatin1String(name));
+  choice->setAccessibleName(label);
+  choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  choice->setMinimumContentsLength(6);
+  return choice;
+}
 
 QDoubleSpinBox* leakGuardField() {
   const ValueRange allowed = fieldOfConnected("leakGuardMm").allowed;

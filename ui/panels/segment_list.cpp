@@ -13,7 +13,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "ui/controller/segment_moving.h"
+#include "ui/controller/segment_edits.h"
 #include "ui/controller/segment_target.h"
 #include "ui/panels/segment_tree.h"
 #include "ui/widgets/colours.h"
@@ -72,9 +72,10 @@ void offerControl(QWidget* control, const QString& says, const QString& whyNot) 
 
 }  // namespace
 
-SegmentList::SegmentList(Session& session, QWidget* parent)
+SegmentList::SegmentList(SegmentEditing& editing, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      editing_(editing),
+      session_(editing.session()),
       list_(new SegmentTree),
       worked_(plainLabel()),
       add_(listButton("segmentAdd", tr("Add"))),
@@ -313,17 +314,14 @@ void SegmentList::add() {
 void SegmentList::duplicate() {
   const SegmentMap& map = *segmentsShown(session_);
   const Segment& segment = *segmentShown(session_);
-  SegmentWork work;
-  work.series = map.series;
-  work.volume = wholeVolume(session_);
-  work.text = tr("Duplicate %1").arg(shownText(segment.label));
-  work.doing = tr("Copying a segment");
+  SegmentWork work =
+      workShown(session_, tr("Duplicate %1").arg(shownText(segment.label)), tr("Copying a segment"));
   work.makeMaps = [from = map.number, number = segment.number](
                       const std::vector<SegmentMap>& maps,
                       const CancelToken&) -> Result<std::vector<SegmentMap>> {
     return withSegmentCopied(maps, from, number);
   };
-  Q_EMIT workWanted(work);
+  editing_.change(work);
 }
 
 // Opens a menu with the buttons' actions and the maps that can take the segment.
@@ -338,7 +336,8 @@ void SegmentList::showMenu(QPoint at) {
   const auto offerMove = [&](const QString& text, std::optional<int> to) {
     const QString why = whyNotChanged(session_);
     const auto move = [this, to] {
-      Q_EMIT workWanted(moveOf(session_, to, [this](const QString& sentence) { Q_EMIT told(sentence); }));
+      editing_.change(
+          moveOf(session_, to, [editing = &editing_](const QString& sentence) { editing->note(sentence); }));
     };
     QAction* action = menu->addAction(text, this, move);
     action->setEnabled(why.isEmpty());
@@ -357,13 +356,10 @@ void SegmentList::showMenu(QPoint at) {
 
 void SegmentList::remove() {
   const Segment* segment = segmentShown(session_);
-  Q_EMIT workWanted({keyOf(session_.series()->series),
-                     wholeVolume(session_),
-                     segment->number,
-                     tr("Remove %1").arg(shownText(segment->label)),
-                     tr("Removing a segment"),
-                     {},
-                     {}});
+  SegmentWork work =
+      workShown(session_, tr("Remove %1").arg(shownText(segment->label)), tr("Removing a segment"));
+  work.number = segment->number;
+  editing_.change(work);
 }
 
 }  // namespace volumen

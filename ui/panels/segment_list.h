@@ -6,7 +6,7 @@
 #include <QTreeWidget>
 #include <optional>
 
-#include "ui/controller/segment_jobs.h"
+#include "ui/controller/segment_editing.h"
 #include "ui/widgets/colour_button.h"
 
 namespace volumen {
@@ -17,15 +17,10 @@ namespace volumen {
 class SegmentList : public QWidget {
   Q_OBJECT
  public:
-  explicit SegmentList(Session& session, QWidget* parent = nullptr);
+  explicit SegmentList(SegmentEditing& editing, QWidget* parent = nullptr);
 
   void showSegments();
   void showMeasured(const SegmentNumbers& numbers);
-
- Q_SIGNALS:
-  void workWanted(const volumen::SegmentWork& work);
-  /// Reports the result of work in a sentence.
-  void told(const QString& sentence);
 
  protected:
   void resizeEvent(QResizeEvent*) override { showRoom(); }
@@ -48,6 +43,7 @@ class SegmentList : public QWidget {
   void duplicate();
   void remove();
 
+  SegmentEditing& editing_;
   Session& session_;
   QTreeWidget* list_;
   QLabel* worked_;  // names the current map if there are several

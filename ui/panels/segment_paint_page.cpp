@@ -3,9 +3,9 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <limits>
 
 #include "ui/controller/segment_target.h"
+#include "ui/panels/part_fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
@@ -18,15 +18,6 @@ namespace {
 
 constexpr double mostCutMm = 1000;
 
-QComboBox* narrowChoice(const char* name, const QString& label) {
-  auto* choice = new QComboBox;
-  choice->setObjectName(QLatin1String(name));
-  choice->setAccessibleName(label);
-  choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // names may be long
-  choice->setMinimumContentsLength(6);
-  return choice;
-}
-
 Result<StepsWanted> stepsBetween(const SegmentMap& map, int number, const CancelToken&) {
   const std::optional<int> axis = axisOfPaintedSlices(maskOf(*map.labels, std::uint8_t(number)));
   if (!axis) return Error{"The current segment has no empty slices between painted ones."};
@@ -36,22 +27,18 @@ Result<StepsWanted> stepsBetween(const SegmentMap& map, int number, const Cancel
 
 }  // namespace
 
-SegmentPaintPage::SegmentPaintPage(Session& session, QWidget* parent)
+SegmentPaintPage::SegmentPaintPage(SegmentEditing& editing, QWidget* parent)
     : QWidget(parent),
-      session_(session),
-      brush_(new QToolButton),
-      outline_(new QToolButton),
+      editing_(editing),
+      session_(editing.session()),
       erases_(new QCheckBox(tr("Erase"))),
       shape_(narrowChoice("brushShape", tr("Brush"))),
       mm_(new QDoubleSpinBox),
       inRange_(new QCheckBox(tr("Only values from the curve"))),
       beside_(narrowChoice("paintBeside", tr("Where to paint"))),
       other_(narrowChoice("paintOther", tr("Other segment"))),
-      cut_(new QToolButton),
       cutMm_(new QDoubleSpinBox),
       fill_(new QToolButton) {
-  brush_->setObjectName(QStringLiteral("segmentBrush"));
-  outline_->setObjectName(QStringLiteral("segmentOutline"));
   erases_->setObjectName(QStringLiteral("paintErases"));
   erases_->setToolTip(toolTipOf(tr("What is painted is erased; with Ctrl held too.")));
   shape_->addItems({tr("Disc"), tr("Ball")});
@@ -79,8 +66,8 @@ SegmentPaintPage::SegmentPaintPage(Session& session, QWidget* parent)
 
 void SegmentPaintPage::makeLayout() {
   auto* tools = new QHBoxLayout;
-  tools->addWidget(brush_);
-  tools->addWidget(outline_);
+  tools->addWidget(toolButton("segmentBrush", "paintTool"));
+  tools->addWidget(toolButton("segmentOutline", "outlineTool"));
   tools->addWidget(erases_);
   tools->addStretch();
   auto* size = new QHBoxLayout;
@@ -101,7 +88,6 @@ void SegmentPaintPage::makeLayout() {
 }
 
 QHBoxLayout* SegmentPaintPage::lastRow() {
-  cut_->setObjectName(QStringLiteral("segmentCut"));
   cutMm_->setObjectName(QStringLiteral("cutMm"));
   cutMm_->setAccessibleName(tr("Depth of a cut in a slice"));
   cutMm_->setToolTip(
@@ -115,7 +101,7 @@ QHBoxLayout* SegmentPaintPage::lastRow() {
   cutMm_->setMinimumWidth(70);
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
-  row->addWidget(cut_);
+  row->addWidget(toolButton("segmentCut", "segmentScissorsTool"));
   row->addWidget(cutMm_, 1);
   row->addWidget(fill_);
   return row;
@@ -132,16 +118,15 @@ void SegmentPaintPage::connectFields() {
           [this](const Preferences& before, const Preferences& after) {
             if (before.brush != after.brush) showBrush();
           });
-  connect(beside_, &QComboBox::currentIndexChanged, this, &SegmentPaintPage::showOthers);
+  bindOption(erases_, editing_, &SegmentOptions::erases);
+  bindOption(inRange_, editing_, &SegmentOptions::paintsInRange);
+  bindOption(beside_, editing_, &SegmentOptions::beside);
+  bindOption(cutMm_, editing_, &SegmentOptions::cutWithinMm);
+  connect(other_, &QComboBox::currentIndexChanged, this, [this] {
+    editing_.choose([this](SegmentOptions& o) { o.other = other_->currentData().toInt(); });
+  });
+  connect(&editing_, &SegmentEditing::optionsChanged, this, &SegmentPaintPage::showOther);
   connect(fill_, &QToolButton::clicked, this, &SegmentPaintPage::fillBetween);
-}
-
-void SegmentPaintPage::setToolActions(QAction* brush, QAction* outline, QAction* cut) {
-  for (const auto& [button, action] :
-       {std::pair(brush_, brush), std::pair(outline_, outline), std::pair(cut_, cut)}) {
-    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    button->setDefaultAction(action);
-  }
 }
 
 // Shows a rounded diameter, while painting uses the exact one.
@@ -152,6 +137,14 @@ void SegmentPaintPage::showBrush() {
   mm_->setValue(brush.diameterMm);
 }
 
+void SegmentPaintPage::showOther() {
+  const QSignalBlocker quiet(other_);
+  const SegmentOptions& options = editing_.options();
+  const Segment* other = otherSegmentShown(session_, options.other);
+  other_->setCurrentIndex(other ? other_->findData(other->number) : -1);
+  other_->setEnabled(other && options.beside != PaintBeside::anywhere);
+}
+
 void SegmentPaintPage::showSegments() {
   showOthers();
   const QString why = whyNotChanged(session_);
@@ -160,44 +153,24 @@ void SegmentPaintPage::showSegments() {
       toolTipOf(QStringList{tr("Fills the slices between painted ones, by signed distances."), why}));
 }
 
-// Keeps the choice.
 void SegmentPaintPage::showOthers() {
   const QSignalBlocker quiet(other_);
-  const int chosen = other_->currentData().toInt();
   const SegmentMap* map = segmentsShown(session_);
   const Segment* current = segmentShown(session_);
   other_->clear();
   if (map)
     for (const Segment& segment : map->segments)
       if (&segment != current) other_->addItem(shownText(segment.label), segment.number);
-  other_->setCurrentIndex(std::max(0, other_->findData(chosen)));
-  other_->setEnabled(other_->count() > 0 && beside_->currentIndex() > 0);
   other_->setToolTip(toolTipOf(other_->count() > 0 ? tr("The segment to paint inside or outside")
                                                    : noOtherSegment(session_)));
-}
-
-PaintLimits SegmentPaintPage::limits(const ValueRange& range) const {
-  PaintLimits limits;
-  if (inRange_->isChecked()) limits.range = range;
-  if (other_->count() == 0) return limits;
-  limits.beside = PaintLimits::Beside(beside_->currentIndex());
-  limits.other = other_->currentData().toInt();
-  return limits;
-}
-
-double SegmentPaintPage::cutWithinMm() const {
-  return cutMm_->value() > 0 ? cutMm_->value() : std::numeric_limits<double>::infinity();
+  showOther();
 }
 
 void SegmentPaintPage::fillBetween() {
-  SegmentWork work;
-  work.series = keyOf(session_.series()->series);
-  work.volume = wholeVolume(session_);
+  SegmentWork work = workShown(session_, tr("Fill between slices"), tr("Filling between slices"));
   work.number = segmentShown(session_)->number;
-  work.text = tr("Fill between slices");
-  work.doing = tr("Filling between slices");
   work.steps = stepsBetween;
-  Q_EMIT workWanted(work);
+  editing_.change(work);
 }
 
 }  // namespace volumen

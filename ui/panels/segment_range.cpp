@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/controller/segment_parts.h"
 #include "ui/controller/segment_target.h"
 #include "ui/panels/part_fields.h"
 #include "ui/widgets/plain_text.h"
@@ -47,9 +48,10 @@ QString spanText(const ValueRange& span, int decimals, const QString& unit) {
 
 }  // namespace
 
-SegmentRange::SegmentRange(Session& session, QWidget* parent)
+SegmentRange::SegmentRange(SegmentEditing& editing, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      editing_(editing),
+      session_(editing.session()),
       table_(new QCheckBox),
       spans_(new QComboBox),
       low_(valueField("segmentLow", tr("Lowest value"))),
@@ -58,8 +60,7 @@ SegmentRange::SegmentRange(Session& session, QWidget* parent)
       replace_(new QPushButton(tr("Replace"))),
       follows_(new QCheckBox(tr("Follows the curve"))),
       only_(new QCheckBox(tr("Only the segment"))),
-      part_(new QToolButton),
-      use_(new QComboBox),
+      use_(narrowChoice("segmentPartUse", tr("What becomes of a connected part"))),
       guard_(leakGuardField()),
       neighbours_(partNeighboursField()) {
   makeLayout();
@@ -75,15 +76,10 @@ void SegmentRange::makeLayout() {
                                                                {make_, "segment"},
                                                                {replace_, "segmentReplace"},
                                                                {follows_, "segmentFollows"},
-                                                               {only_, "segmentOnly"},
-                                                               {part_, "segmentPart"},
-                                                               {use_, "segmentPartUse"}})
+                                                               {only_, "segmentOnly"}})
     widget->setObjectName(QLatin1String(name));
   spans_->setAccessibleName(tr("Visible value range"));
-  use_->setAccessibleName(tr("What becomes of a connected part"));
   use_->addItems({tr("adds it, of the range"), tr("keeps only it"), tr("removes it")});
-  use_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  use_->setMinimumContentsLength(6);
   use_->setToolTip(toolTipOf(tr("What a click does. Ctrl+click keeps only the part, Alt+click removes it.")));
   spans_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   spans_->setMinimumContentsLength(12);
@@ -103,7 +99,7 @@ void SegmentRange::makeLayout() {
   checks->addWidget(only_);
   checks->addStretch();
   auto* part = new QHBoxLayout;
-  part->addWidget(part_);
+  part->addWidget(toolButton("segmentPart", "partTool"));
   part->addWidget(use_, 1);
   auto* guard = new QHBoxLayout;
   guard->addWidget(plainLabel(tr("Leak guard")));
@@ -129,6 +125,7 @@ void SegmentRange::connectFields() {
   });
   for (QDoubleSpinBox* field : {low_, high_}) {
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, field] {
+      takeTyped();
       if (field->hasFocus()) setPreviewing(true);
       showOnAxis();
     });
@@ -139,6 +136,12 @@ void SegmentRange::connectFields() {
       });
     });
   }
+  bindOption(use_, editing_, &SegmentOptions::partUse);
+  bindOption(guard_, editing_, &SegmentOptions::leakGuardMm);
+  connect(neighbours_, &QComboBox::currentTextChanged, this, [this](const QString& word) {
+    editing_.choose([&word](SegmentOptions& o) { o.neighbours = word.toStdString(); });
+  });
+  connect(&editing_, &SegmentEditing::optionsChanged, this, &SegmentRange::takeRange);
   connect(follows_, &QCheckBox::clicked, this, &SegmentRange::bind);
   connect(only_, &QCheckBox::clicked, this, &SegmentRange::showOnly);
   connect(only_, &QCheckBox::toggled, this, &SegmentRange::tellPreview);
@@ -162,15 +165,18 @@ void SegmentRange::connectFields() {
 
 // Keeps typed values in another unit.
 void SegmentRange::showInOtherUnit() {
-  const ValueRange typed = range();
+  const ValueRange before = editing_.options().range;
   showSpans();
-  low_->setValue(typed.low * factor_);
-  high_->setValue(typed.high * factor_);
+  low_->setValue(before.low * factor_);
+  high_->setValue(before.high * factor_);
 }
 
-void SegmentRange::takeDragged(const ValueRange& dragged) {
+// Puts a range dragged on the axis of the curve into the fields, which round it.
+void SegmentRange::takeRange() {
+  const ValueRange range = editing_.options().range;
+  if (range == typed()) return;
   bool moved = false;
-  for (const auto& [field, value] : {std::pair(low_, dragged.low), std::pair(high_, dragged.high)}) {
+  for (const auto& [field, value] : {std::pair(low_, range.low), std::pair(high_, range.high)}) {
     const QSignalBlocker quiet(field);
     const double before = field->value();
     field->setValue(value * factor_);
@@ -178,6 +184,7 @@ void SegmentRange::takeDragged(const ValueRange& dragged) {
     moved = true;
     field->setFocus();  // the tint lasts while a field has the focus
   }
+  takeTyped();
   if (!moved) return;
   setPreviewing(true);
   showOnAxis();
@@ -185,7 +192,7 @@ void SegmentRange::takeDragged(const ValueRange& dragged) {
 
 void SegmentRange::showOnAxis() {
   const bool isSeen = isVisible() && whyNoSegments(session_).isEmpty();
-  Q_EMIT rangeShown(isSeen ? std::optional(range()) : std::nullopt);
+  Q_EMIT rangeShown(isSeen ? std::optional(typed()) : std::nullopt);
 }
 
 void SegmentRange::setTableAction(QAction* action) {
@@ -200,35 +207,19 @@ void SegmentRange::setTableAction(QAction* action) {
   show();
 }
 
-void SegmentRange::setPartAction(QAction* action) {
-  part_->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  part_->setDefaultAction(action);
-}
-
-ValueRange SegmentRange::range() const {
+// Returns the range in the fields, in stored values.
+ValueRange SegmentRange::typed() const {
   return {std::min(low_->value(), high_->value()) / factor_,
           std::max(low_->value(), high_->value()) / factor_};
 }
 
-PartUse SegmentRange::partUse(Qt::KeyboardModifiers keys) const {
-  if (keys & Qt::ControlModifier) return PartUse::keep;
-  if (keys & Qt::AltModifier) return PartUse::remove;
-  return PartUse(use_->currentIndex());
+void SegmentRange::takeTyped() {
+  editing_.choose([this](SegmentOptions& options) { options.range = typed(); });
 }
 
-Segment SegmentRange::segmentOf(const ValueRange& range) const {
-  Segment segment;
-  segment.label = nameOfRange(range, session_.series()->series);
-  segment.range = range;
-  return segment;
-}
-
-SegmentWork SegmentRange::workOf(const ValueRange& range) const {
-  SegmentWork work;
-  work.series = keyOf(session_.series()->series);
-  work.volume = wholeVolume(session_);
-  work.doing = tr("Segmenting");
-  work.steps = [volume = work.volume, mask = session_.maskOf(work.series), range](
+SegmentWork SegmentRange::workOfRange(const QString& text) const {
+  SegmentWork work = workShown(session_, text, tr("Segmenting"));
+  work.steps = [volume = work.volume, mask = session_.maskOf(work.series), range = editing_.options().range](
                    const SegmentMap&, int number, const CancelToken& cancel) -> Result<StepsWanted> {
     const std::string name = stepNameOf(number);
     return keptIn({{{"range", name, {{"low", range.low}, {"high", range.high}}}}, {number}}, {name}, *volume,
@@ -239,10 +230,11 @@ SegmentWork SegmentRange::workOf(const ValueRange& range) const {
 
 void SegmentRange::make() {
   setPreviewing(false);
-  SegmentWork work = workOf(range());
-  work.text = tr("Make segment");
-  work.change = [made = segmentOf(range())](Segment& segment) { segment = made; };
-  Q_EMIT workWanted(work);
+  SegmentWork work = workOfRange(tr("Make segment"));
+  work.change = [made = segmentOfRange(editing_.options().range, session_.series()->series)](
+                    Segment& segment) { segment = made; };
+  Q_EMIT making();
+  editing_.change(work);
 }
 
 void SegmentRange::replace() { replaceBy(tr("Replace segment"), {}); }
@@ -265,16 +257,18 @@ void SegmentRange::bind(bool on) {
 void SegmentRange::replaceBy(const QString& text, const std::optional<CurveSpan>& span) {
   setPreviewing(false);
   const Segment* segment = segmentShown(session_);
-  const bool isNamedByRange = segment->range && segment->label == segmentOf(*segment->range).label;
-  SegmentWork work = workOf(range());
+  const bool isNamedByRange =
+      segment->range && segment->label == nameOfRange(*segment->range, session_.series()->series);
+  SegmentWork work = workOfRange(text);
   work.number = segment->number;
-  work.text = text;
-  work.change = [made = segmentOf(range()), isNamedByRange, span](Segment& s) {
+  work.change = [made = segmentOfRange(editing_.options().range, session_.series()->series), isNamedByRange,
+                 span](Segment& s) {
     s.range = made.range;
     s.span = span;
     if (isNamedByRange) s.label = made.label;
   };
-  Q_EMIT workWanted(work);
+  Q_EMIT making();
+  editing_.change(work);
 }
 
 void SegmentRange::showSpans() {
@@ -293,6 +287,7 @@ void SegmentRange::showSpans() {
   // Keeps numbers typed for the series. Otherwise offers the first span.
   const bool isAnother = std::exchange(offeredFor_, keyOf(series->series)) != keyOf(series->series);
   if (isAnother || (!segmentsShown(session_) && !low_->hasFocus() && !high_->hasFocus())) takeSpan(0);
+  takeTyped();  // the same numbers may be other values
 }
 
 void SegmentRange::takeSpan(int n) {
@@ -340,7 +335,7 @@ void SegmentRange::setPreviewing(bool on) {
 
 void SegmentRange::tellPreview() {
   if (isPreviewing_)
-    Q_EMIT previewChanged(VolumeRange{session_.series()->volume, range()});
+    Q_EMIT previewChanged(VolumeRange{session_.series()->volume, typed()});
   else if (only_->isChecked() && ranged())
     Q_EMIT previewChanged(VolumeRange{session_.series()->volume, *ranged()->range});
   else

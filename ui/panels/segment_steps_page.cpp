@@ -28,11 +28,11 @@ QString usualText(const StepKind& kind, const std::map<std::string, StepValue>& 
 
 }  // namespace
 
-SegmentStepsPage::SegmentStepsPage(Session& session, QWidget* parent)
+SegmentStepsPage::SegmentStepsPage(SegmentEditing& editing, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      editing_(editing),
       kinds_(new QComboBox),
-      fields_(new StepFields(session)),
+      fields_(new StepFields(editing.session())),
       apply_(new QPushButton(tr("Apply"))) {
   kinds_->setObjectName(QStringLiteral("segmentStepKind"));
   kinds_->setAccessibleName(tr("Step on the current segment"));
@@ -49,7 +49,8 @@ SegmentStepsPage::SegmentStepsPage(Session& session, QWidget* parent)
   connect(kinds_, &QComboBox::currentIndexChanged, this, &SegmentStepsPage::showSegments);
   connect(apply_, &QPushButton::clicked, this, [this] { apply(chosen()); });
   connect(fields_, &StepFields::changed, this, &SegmentStepsPage::showWhatCanBeDone);
-  connect(&session_, &Session::preferencesChanged, this, &SegmentStepsPage::showSegments);  // to update units
+  connect(&editing_.session(), &Session::preferencesChanged, this,
+          &SegmentStepsPage::showSegments);  // to update units
   showSegments();
 }
 
@@ -110,7 +111,7 @@ void SegmentStepsPage::showWhatCanBeDone() {
 // Selects the kind, so that the fields show the values used.
 void SegmentStepsPage::apply(const StepKind& kind) {
   kinds_->setCurrentIndex(kinds_->findData(QLatin1String(kind.name)));
-  Q_EMIT workWanted(workOf(kind, fields_->valuesFor(kind), session_));
+  editing_.change(workOf(kind, fields_->valuesFor(kind), editing_.session()));
 }
 
 }  // namespace volumen

@@ -4,6 +4,7 @@
 #include <QToolButton>
 #include <vector>
 
+#include "ui/controller/segment_editing.h"
 #include "ui/panels/step_fields.h"
 
 namespace volumen {
@@ -13,13 +14,10 @@ namespace volumen {
 class SegmentStepsPage : public QWidget {
   Q_OBJECT
  public:
-  explicit SegmentStepsPage(Session& session, QWidget* parent = nullptr);
+  explicit SegmentStepsPage(SegmentEditing& editing, QWidget* parent = nullptr);
 
   /// Updates the page for the current segment.
   void showSegments();
-
- Q_SIGNALS:
-  void workWanted(const volumen::SegmentWork& work);
 
  private:
   void fillKinds();
@@ -28,7 +26,7 @@ class SegmentStepsPage : public QWidget {
   void showWhatCanBeDone();
   void apply(const StepKind& kind);
 
-  Session& session_;
+  SegmentEditing& editing_;
   QComboBox* kinds_;
   StepFields* fields_;
   QPushButton* apply_;

@@ -9,6 +9,7 @@
 
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_target.h"
+#include "ui/panels/part_fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
@@ -16,20 +17,20 @@
 
 namespace volumen {
 
-SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
+SegmentsPanel::SegmentsPanel(SegmentEditing& editing, QWidget* parent)
     : QWidget(parent),
-      session_(session),
-      list_(new SegmentList(session)),
+      session_(editing.session()),
+      list_(new SegmentList(editing)),
       result_(plainLabel()),
       in3d_(new QCheckBox(tr("In 3D"))),
-      tissue_(new SegmentTissue(session)),
+      tissue_(new SegmentTissue(session_)),
       export_(new QPushButton(tr("Export..."))),
       numbersButton_(new QToolButton),
       recipes_(new QToolButton),
-      range_(new SegmentRange(session)),
-      paint_(new SegmentPaintPage(session)),
-      steps_(new SegmentStepsPage(session)),
-      growth_(new SegmentGrowPage(session)),
+      range_(new SegmentRange(editing)),
+      paint_(new SegmentPaintPage(editing)),
+      steps_(new SegmentStepsPage(editing)),
+      growth_(new SegmentGrowPage(editing)),
       pages_(new QStackedWidget) {
   result_->setObjectName(QStringLiteral("segmentResult"));
   result_->setWordWrap(true);
@@ -44,20 +45,15 @@ SegmentsPanel::SegmentsPanel(Session& session, QWidget* parent)
   recipes_->setPopupMode(QToolButton::InstantPopup);
   recipes_->setMenu(new QMenu(recipes_));
   makeLayout();
-  connect(list_, &SegmentList::workWanted, this, &SegmentsPanel::workWanted);
-  connect(list_, &SegmentList::told, this, &SegmentsPanel::told);
-  connect(range_, &SegmentRange::workWanted, this, [this](const SegmentWork& work) {
-    result_->setText(tr("Segmenting..."));
-    Q_EMIT workWanted(work);
-  });
-  connect(steps_, &SegmentStepsPage::workWanted, this, &SegmentsPanel::workWanted);
-  connect(paint_, &SegmentPaintPage::workWanted, this, &SegmentsPanel::workWanted);
+  connect(range_, &SegmentRange::making, this, [this] { result_->setText(tr("Segmenting...")); });
+  connect(range_, &SegmentRange::rangeShown, this, &SegmentsPanel::rangeShown);
   connect(in3d_, &QCheckBox::clicked, this, [this](bool on) {
     session_.endGesture();
     session_.change(on ? tr("Segments in 3D") : tr("Segments in slices alone"),
                     withSegmentsIn3d(session_.workspace(), keyOf(session_.series()->series), on));
   });
-  connect(growth_, &SegmentGrowPage::workWanted, this, &SegmentsPanel::workWanted);
+  connect(&editing.jobs(), &SegmentJobs::ended, this, &SegmentsPanel::showSegments);
+  connect(&editing.jobs(), &SegmentJobs::measured, this, &SegmentsPanel::showMeasured);
   connect(range_, &SegmentRange::previewChanged, this, &SegmentsPanel::previewChanged);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series == after.series) return;
@@ -145,6 +141,11 @@ void SegmentsPanel::fillRecipes() {
   recipes_->setToolTip(
       toolTipOf(QStringList{tr("Segments by a list of steps, by one click."),
                             offered.empty() ? tr("Built-in ones are for CT and MR.") : QString()}));
+}
+
+void SegmentsPanel::setToolActions(const std::function<QAction*(const QString& name)>& find) {
+  for (QToolButton* button : findChildren<QToolButton*>())
+    if (const QString name = actionOf(button); !name.isEmpty()) button->setDefaultAction(find(name));
 }
 
 void SegmentsPanel::setExportAction(QAction* action) {

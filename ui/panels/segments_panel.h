@@ -21,36 +21,28 @@ namespace volumen {
 class SegmentsPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit SegmentsPanel(Session& session, QWidget* parent = nullptr);
+  explicit SegmentsPanel(SegmentEditing& editing, QWidget* parent = nullptr);
 
   /// Shows the segments of the series in view and requests their numbers.
   void showSegments();
   /// Shows the result of measureRequested().
   void showMeasured(const SegmentNumbers& numbers);
-  /// Set actions of the panel: table removal, connected components, painting and export.
+  /// Set actions of the panel: tools by name, table removal and export.
+  void setToolActions(const std::function<QAction*(const QString& name)>& find);
   void setTableAction(QAction* action) { range_->setTableAction(action); }
-  void setPartAction(QAction* action) { range_->setPartAction(action); }
-  void setPaintActions(QAction* brush, QAction* outline, QAction* cut) {
-    paint_->setToolActions(brush, outline, cut);
-  }
   void setExportAction(QAction* action);
   /// Sets the actions listed after the built-in recipes.
   void setRecipeActions(const QList<QAction*>& actions);
-  const SegmentRange& range() const { return *range_; }
-  SegmentRange& rangePage() { return *range_; }
-  const SegmentPaintPage& painting() const { return *paint_; }
-  SegmentGrowPage& growPage() { return *growth_; }
 
  Q_SIGNALS:
-  void workWanted(const volumen::SegmentWork& work);
-  /// Reports the result of work in a sentence.
-  void told(const QString& sentence);
   void numbersWanted();
   void recipeChosen(const volumen::Recipe& recipe);
   /// Requests numbers. `wanted` names the segment only.
   void measureRequested(const volumen::SegmentNumbers& wanted);
   /// The previewed range of a volume changed; empty ends the preview.
   void previewChanged(const std::optional<volumen::VolumeRange>& range);
+  /// The axis of the curve is to show this range; empty for none.
+  void rangeShown(const std::optional<volumen::ValueRange>& range);
 
  private:
   void makeLayout();

@@ -11,6 +11,7 @@ namespace volumen {
 struct Measurement;
 struct SeriesKey;
 struct SlicePlane;
+struct SlicePress;
 
 /// The lens of the magnifier.
 struct Enlarged {
@@ -41,6 +42,10 @@ class Drag {
   /// size of the image in logical pixels.
   virtual bool drawsOver() const { return false; }
   virtual void paint(QPainter&, QSizeF /*size*/) const {}
+  /// Returns whether paintIn() draws something over the images of all flat views.
+  virtual bool drawsInAll() const { return false; }
+  /// Paints in a flat view, this one included, which shows the series and plane of `shown`.
+  virtual void paintIn(QPainter&, const SlicePress& /*shown*/) const {}
   /// Cancels the gesture. A view calls it.
   virtual void giveUp() {}
   /// Returns the lens, or nothing if the gesture has none.

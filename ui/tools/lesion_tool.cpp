@@ -3,7 +3,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ui/controller/lesion.h"
+#include "ui/controller/segment_editing.h"
 #include "ui/tools/tool.h"
+#include "ui/workspace/links.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -13,47 +16,8 @@ namespace {
 constexpr double leastBallPixels = 3;  // logical; a smaller sphere is a click
 const QColor ballColour(0xff, 0xd5, 0x4f);
 
-// The surface of the sphere passes through the pointer, in any slice.
-class LesionDrag : public Drag {
- public:
-  explicit LesionDrag(const SlicePress& press)
-      : press_(press), plane_(press.plane), pMiddle_(press.patientAt(press.at)) {}
-
-  void moveTo(QPointF p, Qt::KeyboardModifiers) override {
-    reach(p);
-    tell(isBall() ? DrawnBall::State::drawing : DrawnBall::State::givenUp);
-  }
-
-  bool release(QPointF p, Qt::KeyboardModifiers) override {
-    reach(p);
-    tell(isBall() ? DrawnBall::State::done : DrawnBall::State::givenUp);
-    return true;
-  }
-
-  void giveUp() override { tell(DrawnBall::State::givenUp); }
-  bool scrolls() const override { return true; }
-  void planeChanged(const SlicePlane& plane) override { plane_ = plane; }
-  bool drawsOver() const override { return true; }
-
- private:
-  bool isBall() const { return radiusMm_ >= leastBallPixels * press_.pixelRatio * plane_.mmPerPixel; }
-  void reach(QPointF p) {
-    const glm::dvec2 pixel = glm::dvec2(p.x(), p.y()) * press_.pixelRatio;
-    radiusMm_ = glm::distance(pMiddle_, plane_.patientFromPixel(pixel));
-  }
-  void tell(DrawnBall::State state) const {
-    if (press_.takeBall)
-      press_.takeBall({keyOf(press_.series->series), pMiddle_, radiusMm_, state, press_.frame.has_value()});
-  }
-
-  const SlicePress press_;
-  SlicePlane plane_;  // the plane shown, in device pixels
-  const glm::dvec3 pMiddle_;
-  double radiusMm_ = 0;
-};
-
-}  // namespace
-
+// Paints the intersection of a slice with a sphere, and its radius. `pMiddle` is in mm of the slice's patient
+// space.
 void paintBall(QPainter& painter, const SlicePlane& plane, double pixelRatio, glm::dvec3 pMiddle,
                double radiusMm) {
   const double away = glm::dot(pMiddle - plane.centre, plane.normal());
@@ -72,6 +36,66 @@ void paintBall(QPainter& painter, const SlicePlane& plane, double pixelRatio, gl
   painter.restore();
 }
 
-std::unique_ptr<Drag> beginLesion(const SlicePress& press) { return std::make_unique<LesionDrag>(press); }
+// Draws a sphere in which a lesion is searched, in all slices. Its surface passes through the pointer, in any
+// slice.
+class LesionDrag : public Drag {
+ public:
+  explicit LesionDrag(const SlicePress& press)
+      : press_(press),
+        plane_(press.plane),
+        ball_{keyOf(press.series->series), press.patientAt(press.at), 0, press.frame.has_value()} {}
+
+  void moveTo(QPointF p, Qt::KeyboardModifiers) override {
+    reach(p);
+    if (isBall())
+      press_.segments->preview(lesion());
+    else
+      press_.segments->endPreview();
+  }
+
+  bool release(QPointF p, Qt::KeyboardModifiers) override {
+    reach(p);
+    if (isBall())
+      press_.segments->change(lesion());
+    else
+      press_.segments->endPreview();
+    return true;
+  }
+
+  void giveUp() override { press_.segments->endPreview(); }
+  bool scrolls() const override { return true; }
+  void planeChanged(const SlicePlane& plane) override { plane_ = plane; }
+  bool drawsOver() const override { return true; }
+  bool drawsInAll() const override { return true; }
+
+  // In another frame of reference the sphere is drawn where the registration puts it.
+  void paintIn(QPainter& painter, const SlicePress& shown) const override {
+    if (!isBall() || shown.frame) return;
+    const auto relation = relationOf(press_.session.workspace(), frameOfReference(press_.series->series),
+                                     frameOfReference(shown.series->series));
+    if (relation)
+      paintBall(painter, shown.plane, shown.pixelRatio, relation->toFromFrom(ball_.pPatient), ball_.radiusMm);
+  }
+
+ private:
+  bool isBall() const { return ball_.radiusMm >= leastBallPixels * press_.pixelRatio * plane_.mmPerPixel; }
+  void reach(QPointF p) {
+    const glm::dvec2 pixel = glm::dvec2(p.x(), p.y()) * press_.pixelRatio;
+    ball_.radiusMm = glm::distance(ball_.pPatient, plane_.patientFromPixel(pixel));
+  }
+  Result<SegmentWork> lesion() const {
+    return lesionOf(press_.session, press_.segments->options().lesionThreshold, ball_);
+  }
+
+  const SlicePress press_;
+  SlicePlane plane_;  // the plane shown, in device pixels
+  LesionBall ball_;
+};
+
+}  // namespace
+
+std::unique_ptr<Drag> beginLesion(const SlicePress& press) {
+  return press.segments ? std::make_unique<LesionDrag>(press) : nullptr;
+}
 
 }  // namespace volumen

@@ -1,6 +1,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "ui/controller/segment_editing.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/text.h"
 #include "viewer/slice/level_trace.h"
@@ -48,21 +49,16 @@ void paintLevelTrace(QPainter& painter, const SlicePress& shown) {
 
 // The click does it all. With Ctrl the inside is erased.
 std::unique_ptr<Drag> beginLevelTrace(const SlicePress& pressed) {
-  if (!pressed.paint) return nullptr;
+  if (!pressed.segments) return nullptr;
   const SlicePress press = ofPainted(pressed);
-  SegmentStroke stroke;
-  stroke.series = keyOf(press.series->series);
-  stroke.erases = press.keys & Qt::ControlModifier;
-  stroke.onFrame = press.frame.has_value();
+  SegmentStroke stroke = strokeOf(press);
   if (!stroke.onFrame) {
     std::vector<glm::dvec3> outline;
     for (const glm::dvec2 p : traceAt(press)) outline.push_back(press.plane.patientFromPixel(p));
     if (outline.empty()) return nullptr;
     stroke.spans = insideOutline(press.series->volume->geometry(), outline, press.plane.normal());
   }
-  press.paint(stroke);
-  stroke.phase = SegmentStroke::Phase::ends;
-  press.paint(stroke);
+  press.segments->paintAll(stroke);
   return nullptr;
 }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/controller/segment_editing.h"
 #include "ui/tools/tool.h"
 
 namespace volumen {
@@ -87,17 +88,12 @@ class OutlineDrag : public Drag {
 // Ctrl at the start of the outline erases.
 void paintInside(const SlicePress& drawnIn, OutlinePoints points) {
   const SlicePress press = ofPainted(drawnIn);
-  SegmentStroke stroke;
-  stroke.series = keyOf(press.series->series);
-  stroke.erases = press.keys & Qt::ControlModifier;
-  stroke.onFrame = press.frame.has_value();
+  SegmentStroke stroke = strokeOf(press);
   if (!stroke.onFrame) {
     for (glm::dvec3& p : points) p = press.plane.patientFromPixel(drawnIn.plane.pixelFromPatient(p));
     stroke.spans = insideOutline(press.series->volume->geometry(), points, press.plane.normal());
   }
-  press.paint(stroke);
-  stroke.phase = SegmentStroke::Phase::ends;
-  press.paint(stroke);
+  press.segments->paintAll(stroke);
 }
 
 }  // namespace
@@ -108,7 +104,7 @@ std::unique_ptr<Drag> drawOutline(const SlicePress& press,
 }
 
 std::unique_ptr<Drag> beginOutline(const SlicePress& press) {
-  if (!press.paint) return nullptr;
+  if (!press.segments) return nullptr;
   return drawOutline(press, [press](const OutlinePoints& points) { paintInside(press, points); });
 }
 

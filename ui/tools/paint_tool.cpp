@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/controller/segment_editing.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/links.h"
@@ -19,18 +20,15 @@ constexpr double smartDeviations = 2.5;
 class PaintDrag : public Drag {
  public:
   PaintDrag(const SlicePress& press, bool isSmart)
-      : press_(press), isSmart_(isSmart), last_(press.patientAt(press.at)) {
+      : press_(press), isSmart_(isSmart), last_(press.patientAt(press.at)), stroke_(strokeOf(press)) {
     if (isSmart_) range_ = valuesUnder(under(last_), *press.series->volume, smartDeviations);
-    stroke_.series = keyOf(press.series->series);
-    stroke_.erases = press.keys & Qt::ControlModifier;
-    stroke_.onFrame = press.frame.has_value();
     goTo(press.at);
     stroke_.phase = SegmentStroke::Phase::goesOn;
   }
   ~PaintDrag() override {
     stroke_.phase = SegmentStroke::Phase::ends;
     stroke_.spans.clear();
-    press_.paint(stroke_);
+    press_.segments->paint(stroke_);
   }
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override { goTo(p); }
@@ -47,7 +45,7 @@ class PaintDrag : public Drag {
       stroke_.spans = range_ ? connectedUnder(stroke_.spans, volume, *range_, voxel) : VoxelSpans();
     }
     last_ = at;
-    press_.paint(stroke_);
+    press_.segments->paint(stroke_);
   }
   // Returns the voxels the brush covers on the way from the last position to `at`.
   VoxelSpans under(glm::dvec3 at) const {
@@ -80,13 +78,21 @@ SlicePress ofPainted(SlicePress press) {
   return press;
 }
 
+SegmentStroke strokeOf(const SlicePress& press) {
+  SegmentStroke stroke;
+  stroke.series = keyOf(press.series->series);
+  stroke.erases = press.keys & Qt::ControlModifier;
+  stroke.onFrame = press.frame.has_value();
+  return stroke;
+}
+
 std::unique_ptr<Drag> beginPaint(const SlicePress& press) {
-  if (!press.paint) return nullptr;
+  if (!press.segments) return nullptr;
   return std::make_unique<PaintDrag>(ofPainted(press), false);
 }
 
 std::unique_ptr<Drag> beginSmartBrush(const SlicePress& press) {
-  if (!press.paint) return nullptr;
+  if (!press.segments) return nullptr;
   return std::make_unique<PaintDrag>(ofPainted(press), true);
 }
 

@@ -1,14 +1,24 @@
+#include "ui/controller/segment_editing.h"
+#include "ui/controller/segment_parts.h"
 #include "ui/tools/tool.h"
 
 namespace volumen {
 
-// The click does it all; the panel decides what happens to the component.
+namespace {
+
+void take(SegmentEditing& segments, const PartClick& click) {
+  segments.change(partOf(segments.session(), segments.options(), click));
+}
+
+}  // namespace
+
+// The click does it all.
 
 std::unique_ptr<Drag> beginPart(const SlicePress& pressed) {
   const SlicePress press = ofPainted(pressed);
-  if (press.takePart)
-    press.takePart(
-        {keyOf(press.series->series), press.patientAt(press.at), false, press.keys, press.frame.has_value()});
+  if (press.segments)
+    take(*press.segments, {keyOf(press.series->series), press.patientAt(press.at), false, press.keys,
+                           press.frame.has_value()});
   return nullptr;
 }
 
@@ -16,8 +26,8 @@ std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press) {
   const std::optional<SurfacePoint> seen = press.surfaceAt(press.at);
   if (!seen)
     press.missed(press.at);
-  else if (press.takePart)
-    press.takePart({keyOf(press.series->series), seen->pPatient, true, press.keys});
+  else if (press.segments)
+    take(*press.segments, {keyOf(press.series->series), seen->pPatient, true, press.keys});
   return nullptr;
 }
 

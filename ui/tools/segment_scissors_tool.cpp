@@ -1,5 +1,7 @@
 #include <glm/geometric.hpp>
 
+#include "ui/controller/segment_editing.h"
+#include "ui/controller/segment_edits.h"
 #include "ui/tools/tool.h"
 
 namespace volumen {
@@ -24,18 +26,23 @@ SegmentCut cutInSlice(const SlicePress& drawnIn, const std::vector<glm::dvec3>& 
   return cut;
 }
 
+void make(SegmentEditing& segments, const SegmentCut& cut) {
+  segments.change(cutOf(segments.session(), segments.options(), cut));
+}
+
 }  // namespace
 
 std::unique_ptr<Drag> beginSegmentScissors(const SlicePress& press) {
-  if (!press.cutSegment) return nullptr;
+  if (!press.segments) return nullptr;
   return drawOutline(press, [press](const std::vector<glm::dvec3>& outline) {
-    press.cutSegment(cutInSlice(press, outline));
+    make(*press.segments, cutInSlice(press, outline));
   });
 }
 
 std::unique_ptr<SceneDrag> beginSceneSegmentScissors(const ScenePress& press) {
+  if (!press.segments) return nullptr;
   return drawLasso(press, [press](const Lasso& lasso) {
-    press.cutSegment({keyOf(press.series->series), lasso});
+    make(*press.segments, {keyOf(press.series->series), lasso});
   });
 }
 

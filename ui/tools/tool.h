@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "ui/tools/drag.h"
-#include "ui/workspace/segment_cut.h"
-#include "ui/workspace/segment_stroke.h"
 #include "ui/workspace/session.h"
 #include "viewer/measure/shape.h"
 #include "viewer/segment/mask.h"
@@ -16,24 +14,8 @@
 
 namespace volumen {
 
-/// A click that selects a connected component.
-struct PartClick {
-  SeriesKey series;
-  glm::dvec3 pPatient;     ///< mm
-  bool onSurface = false;  ///< on a surface in a 3D view, which lies between voxels
-  Qt::KeyboardModifiers keys{};
-  bool onFrame = false;  ///< on a frame that is not a slice of a volume
-};
-
-/// A sphere drawn about a point of a slice.
-struct DrawnBall {
-  enum class State { drawing, done, givenUp };
-  SeriesKey series;
-  glm::dvec3 pPatient;  ///< centre, mm
-  double radiusMm = 0;
-  State state = State::drawing;
-  bool onFrame = false;  ///< on a frame that is not a slice of a volume
-};
+class SegmentEditing;
+struct SegmentStroke;
 
 /// The state of a view of slices or frames at the press of a button, as tools need it.
 struct SlicePress {
@@ -46,14 +28,7 @@ struct SlicePress {
   Window window{};                    ///< the one in use
   std::optional<ShapeFrame> frame{};  ///< the frame shapes are drawn on, if the view shows frames
   Qt::KeyboardModifiers keys{};
-  /// Selects the connected component at a point; empty if no mouse button was pressed.
-  std::function<void(const PartClick& click)> takePart{};
-  /// Paints a part of a stroke into the current segment; empty if no mouse button was pressed.
-  std::function<void(const SegmentStroke& stroke)> paint{};
-  /// Receives the sphere while it is drawn; empty if no mouse button was pressed.
-  std::function<void(const DrawnBall& ball)> takeBall{};
-  /// Cuts the current segment; empty if no mouse button was pressed.
-  std::function<void(const SegmentCut& cut)> cutSegment{};
+  SegmentEditing* segments{};  ///< edits segments; null if no mouse button was pressed
 
   glm::dvec3 patientAt(QPointF p) const {
     return plane.patientFromPixel({p.x() * pixelRatio, p.y() * pixelRatio});
@@ -95,10 +70,7 @@ struct ScenePress {
   std::function<std::optional<SurfacePoint>(QPointF p)> surfaceAt{};
   /// Reports that there is nothing to measure on at this point.
   std::function<void(QPointF p)> missed{};
-  /// Selects the connected component at a point.
-  std::function<void(const PartClick& click)> takePart{};
-  /// Cuts the current segment.
-  std::function<void(const SegmentCut& cut)> cutSegment{};
+  SegmentEditing* segments{};  ///< edits segments; null if nothing was pressed for a tool
 
   const Camera& camera() const { return *scene.camera; }
   /// Returns the point that rotations and pans refer to.
@@ -143,7 +115,7 @@ struct MeasurementHit {
   bool movable = true;       ///< false if the plane only cuts it
 };
 
-/// Returns all tools. Each has a file in this folder; measuring tools share one.
+/// Returns all tools. Each has a file in this folder, which tools.cpp declares; measuring tools share one.
 const std::vector<Tool>& tools();
 /// Returns the tool with this name, which must exist.
 const Tool& toolNamed(std::string_view name);
@@ -152,9 +124,6 @@ const Tool* sliceToolOfKey(int key);
 /// Returns the 3D tools that have a key and draw nothing, which can be bound to the left button.
 std::vector<const Tool*> chosenSceneTools();
 
-std::unique_ptr<SceneDrag> beginRotate(const ScenePress& press);
-std::unique_ptr<SceneDrag> beginCurve(const ScenePress& press);
-std::unique_ptr<SceneDrag> beginScissors(const ScenePress& press);
 /// Draws a lasso. `done` receives it at the end; with Ctrl held it selects the outside.
 std::unique_ptr<SceneDrag> drawLasso(const ScenePress& press, std::function<void(const Lasso& lasso)> done);
 /// Draws a measurement on the surface seen. Calls missed() and returns null if there is none.
@@ -164,45 +133,16 @@ std::unique_ptr<SceneDrag> beginSurfaceShape(const ScenePress& press, ShapeKind 
 std::unique_ptr<SceneDrag> beginSurfacePoint(const ScenePress& press, int measurement, std::size_t point,
                                              QPointF seenAt);
 std::unique_ptr<SceneDrag> beginScenePan(const ScenePress& press);
-std::unique_ptr<SceneDrag> beginSceneZoom(const ScenePress& press);
-std::unique_ptr<Drag> beginWindow(const SlicePress& press);
 std::unique_ptr<Drag> beginSlicePan(const SlicePress& press);
-std::unique_ptr<Drag> beginSliceZoom(const SlicePress& press);
-std::unique_ptr<Drag> beginScroll(const SlicePress& press);
-std::unique_ptr<Drag> beginRegionWindow(const SlicePress& press);
-/// Selects the connected component at a voxel, or at the surface seen in 3D.
-std::unique_ptr<Drag> beginPart(const SlicePress& press);
-std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press);
 /// Returns the press for tools that edit segments. If the Segments panel belongs to the overlaid series, the
 /// result has that series and the plane in its patient space.
 SlicePress ofPainted(SlicePress press);
-/// Paints or erases in the current segment with a brush: a disc in the slice, or a sphere.
-std::unique_ptr<Drag> beginPaint(const SlicePress& press);
-/// Paints with the brush only voxels that are connected to the pointer and similar to those under the brush
-/// at the press.
-std::unique_ptr<Drag> beginSmartBrush(const SlicePress& press);
-/// Draws the outline of the brush at its size in the patient.
-void paintBrushAt(QPainter& painter, const SlicePress& pointer);
-/// Changes the brush diameter by 20 % on + and -.
-bool resizeBrush(Session& session, int key);
-/// Paints or erases the inside of an outline.
-std::unique_ptr<Drag> beginOutline(const SlicePress& press);
+/// Returns the beginning of a stroke, without voxels. Ctrl erases.
+SegmentStroke strokeOf(const SlicePress& press);
 /// Draws an outline by one drag, or point by point. `done` receives its points once it is closed.
 std::unique_ptr<Drag> drawOutline(const SlicePress& press,
                                   std::function<void(const std::vector<glm::dvec3>& points)> done);
-/// Removes the inside or the outside of an outline from the current segment, through the whole segment or to
-/// the chosen depth.
-std::unique_ptr<Drag> beginSegmentScissors(const SlicePress& press);
-/// Does the same along the lines of sight, through the whole segment.
-std::unique_ptr<SceneDrag> beginSceneSegmentScissors(const ScenePress& press);
-/// Draws a sphere about the pressed point in which a lesion is searched.
-std::unique_ptr<Drag> beginLesion(const SlicePress& press);
-/// Paints or erases the inside of the closed contour at the pressed value.
-std::unique_ptr<Drag> beginLevelTrace(const SlicePress& press);
-/// Draws the contour that a press would fill.
-void paintLevelTrace(QPainter& painter, const SlicePress& pointer);
 std::unique_ptr<Drag> beginCrosshair(const SlicePress& press);
-std::unique_ptr<Drag> beginMagnifier(const SlicePress& press);
 /// Limits of Enlarged::factor.
 inline constexpr double leastEnlarged = 1.5, mostEnlarged = 8;
 
@@ -210,15 +150,8 @@ inline constexpr double leastEnlarged = 1.5, mostEnlarged = 8;
 std::unique_ptr<Drag> beginTurn(const SlicePress& press);
 /// Moves a plane perpendicular to its line. `across` is a unit vector in logical pixels.
 std::unique_ptr<Drag> beginMovePlane(const SlicePress& press, QPointF across);
-/// Returns the measuring tools, one for each shape that can be drawn.
-std::vector<Tool> measuringTools();
 /// Moves the pressed part of a measurement.
 std::unique_ptr<Drag> beginMeasurementEdit(const SlicePress& press, const MeasurementHit& hit);
-
-/// Paints the intersection of a slice with a sphere, and its radius. `pMiddle` is in mm of the slice's
-/// patient space.
-void paintBall(QPainter& painter, const SlicePlane& plane, double pixelRatio, glm::dvec3 pMiddle,
-               double radiusMm);
 
 /// Returns the speed of window drags relative to the pointer: Shift is fine, Ctrl fast.
 double windowDragSpeed(Qt::KeyboardModifiers keys);

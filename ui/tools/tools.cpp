@@ -9,6 +9,29 @@
 
 namespace volumen {
 
+std::unique_ptr<SceneDrag> beginRotate(const ScenePress& press);
+std::unique_ptr<SceneDrag> beginCurve(const ScenePress& press);
+std::unique_ptr<SceneDrag> beginScissors(const ScenePress& press);
+std::unique_ptr<SceneDrag> beginSceneZoom(const ScenePress& press);
+std::unique_ptr<Drag> beginWindow(const SlicePress& press);
+std::unique_ptr<Drag> beginSliceZoom(const SlicePress& press);
+std::unique_ptr<Drag> beginScroll(const SlicePress& press);
+std::unique_ptr<Drag> beginRegionWindow(const SlicePress& press);
+std::unique_ptr<Drag> beginPart(const SlicePress& press);
+std::unique_ptr<SceneDrag> beginScenePart(const ScenePress& press);
+std::unique_ptr<Drag> beginPaint(const SlicePress& press);
+std::unique_ptr<Drag> beginSmartBrush(const SlicePress& press);
+void paintBrushAt(QPainter& painter, const SlicePress& pointer);
+bool resizeBrush(Session& session, int key);
+std::unique_ptr<Drag> beginOutline(const SlicePress& press);
+std::unique_ptr<Drag> beginSegmentScissors(const SlicePress& press);
+std::unique_ptr<SceneDrag> beginSceneSegmentScissors(const ScenePress& press);
+std::unique_ptr<Drag> beginLesion(const SlicePress& press);
+std::unique_ptr<Drag> beginLevelTrace(const SlicePress& press);
+void paintLevelTrace(QPainter& painter, const SlicePress& pointer);
+std::unique_ptr<Drag> beginMagnifier(const SlicePress& press);
+std::vector<Tool> measuringTools();
+
 const std::vector<Tool>& tools() {
   static const std::vector<Tool> table = [] {
     std::vector<Tool> all{

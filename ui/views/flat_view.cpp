@@ -5,6 +5,7 @@
 
 #include "ui/controller/derived_objects.h"
 #include "ui/controller/measure_jobs.h"
+#include "ui/controller/segment_editing.h"
 #include "ui/views/cine_bar.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/text.h"
@@ -19,6 +20,7 @@ FlatView::FlatView(const ViewParts& parts, ViewId id, QWidget* parent)
       cine_(new CineBar(
           parts.session, id, [this] { return isAtRest(); }, this)),
       measurer_(parts.measurer),
+      segments_(parts.segments),
       showed_(state().series, state().kind),
       badge_(new WarningBadge(this)),
       tool_(&toolNamed("window")) {
@@ -36,6 +38,7 @@ FlatView::FlatView(const ViewParts& parts, ViewId id, QWidget* parent)
     askForPicture();
     update();
   });
+  if (segments_) connect(segments_, &SegmentEditing::previewChanged, this, &FlatView::askForPicture);
   connect(this, &View::pixelsChanged, this, &FlatView::askForPicture);
   connect(cine_, &CineBar::shownChanged, this, [this] {
     placeCineBar();
@@ -189,8 +192,20 @@ bool FlatView::letGo() {
 // Returns whether something is drawn that is not yet in the workspace.
 bool FlatView::isDrawing() const { return drag_ && (drag_->drawing() || drag_->drawsOver()); }
 
+void FlatView::showDrawing() {
+  if (!isDrawing()) return;
+  update();
+  if (drag_->drawsInAll()) Q_EMIT drewInAll();
+}
+
+std::unique_ptr<Drag> FlatView::takeDrag() {
+  std::unique_ptr<Drag> taken = std::move(drag_);
+  if (taken && taken->drawsInAll()) Q_EMIT drewInAll();
+  return taken;
+}
+
 void FlatView::giveUpDrag() {
-  if (const auto given = std::exchange(drag_, nullptr)) given->giveUp();
+  if (const auto given = takeDrag()) given->giveUp();
 }
 
 void FlatView::turnPicture(const QString& text, PictureTurn by) {

@@ -50,10 +50,6 @@ class FlatView : public View {
   /// Returns whether the results of all measurements in it are ready. Requests those that are missing.
   bool isMeasured() const;
   void setTool(const Tool& tool);
-  /// Shows proposed segments of a series below its own segments; nothing hides them.
-  void showPreview(const std::optional<SegmentMap>& segments);
-  /// Shows the intersection with a sphere that is being drawn in some view; nothing hides it.
-  void showBall(const std::optional<DrawnBall>& ball);
   /// Scrolls down by `steps`.
   virtual void scroll(int steps) = 0;
   /// Scrolls to a position of the stack, from 0. A clip stops playing.
@@ -128,6 +124,8 @@ class FlatView : public View {
   void toolWanted(const volumen::Tool& tool);
   /// A measurement was drawn and no further one is expected.
   void toolDone();
+  /// What its drag draws in all flat views changed.
+  void drewInAll();
 
  protected:
   /// Text of the badge: short words, and whole sentences for details.
@@ -219,7 +217,7 @@ class FlatView : public View {
   void paintShown(QPainter& painter) const override;
   void paintWith(QPainter& painter, const QImage& picture) const;
   void paintOver(QPainter& painter) const;
-  void paintDrawnBall(QPainter& painter) const;
+  void paintDrags(QPainter& painter) const;
   std::vector<QWidget*> badges() const override;
   QStringList warningsShown() const override { return warnings().sentences; }
   void paintEvent(QPaintEvent*) override;
@@ -271,6 +269,8 @@ class FlatView : public View {
   void seeDrag();
   bool letGo();
   bool isDrawing() const;
+  void showDrawing();
+  std::unique_ptr<Drag> takeDrag();
   void giveUpDrag();
   bool liesAsDrawn() const;
   void askForName(int id);
@@ -285,6 +285,7 @@ class FlatView : public View {
   void paintTool(QPainter& painter) const;
 
   MeasureJobs& measurer_;
+  SegmentEditing* const segments_;
   std::function<const FlatView*(ViewId)> find_ = [](ViewId) { return nullptr; };
   std::pair<SeriesKey, ViewKind> showed_;
   WarningBadge* badge_;
@@ -293,8 +294,6 @@ class FlatView : public View {
   std::optional<SliceRequest> asked_;  // the last request
   std::optional<SliceRequest> drawn_;  // the request of picture_
   std::unique_ptr<Drag> drag_;
-  std::optional<DrawnBall> ball_;
-  std::optional<SegmentMap> preview_;      // below the segments of its series
   std::optional<SliceRequest> lensAsked_;  // the last lens request of drag_
   std::optional<SlicePicture> lens_;
   bool isBarThick_ = false;

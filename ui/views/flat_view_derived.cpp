@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ui/controller/derived_objects.h"
+#include "ui/controller/segment_editing.h"
 #include "ui/views/contour_lines.h"
 #include "ui/views/flat_view.h"
 #include "ui/workspace/key_images.h"
@@ -73,14 +74,10 @@ void FlatView::addSegmentsOf(const SeriesKey& series, const Rigid& fromPlane,
   const SegmentMap* worked = segmentMapOf(session_.workspace(), series);
   std::vector<const SegmentMap*> maps = segmentMapsOf(session_.workspace(), series);
   std::ranges::stable_partition(maps, [&](const SegmentMap* map) { return map != worked; });
-  if (preview_ && preview_->series == series) maps.insert(maps.begin(), &*preview_);
+  const SegmentMap* preview = segments_ ? segments_->previewed() : nullptr;
+  if (preview && preview->series == series) maps.insert(maps.begin(), preview);
   for (const SegmentMap* map : maps)
     if (auto layer = layerOf(*map, fromPlane)) layers.push_back(std::move(*layer));
-}
-
-void FlatView::showPreview(const std::optional<SegmentMap>& segments) {
-  preview_ = segments;
-  askForPicture();
 }
 
 // Adds the segments of the series and of the overlaid series. A frame without a position in the patient has

@@ -93,7 +93,7 @@ std::unique_ptr<Drag> FlatView::pressMeasurement(const SlicePress& press) {
 void FlatView::endDrag(Qt::KeyboardModifiers keys) {
   const bool drew = isDrawing();
   const bool kept = drew && session_.undoStack().index() > stepsAtPress_;
-  drag_.reset();
+  takeDrag().reset();
   askForLens();
   session_.endGesture();
   tellPointed();

@@ -42,10 +42,7 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   if (drag_ && event->button() == dragButton_) drag_->press(event->position());
   if (!press || drag_) return;
   press->keys = event->modifiers();
-  press->takePart = [this](const PartClick& click) { Q_EMIT partClicked(click); };
-  press->paint = [this](const SegmentStroke& stroke) { Q_EMIT strokePainted(stroke); };
-  press->takeBall = [this](const DrawnBall& ball) { Q_EMIT ballDrawn(ball); };
-  press->cutSegment = [this](const SegmentCut& cut) { Q_EMIT segmentCut(cut); };
+  press->segments = segments_;
   dragButton_ = event->button();
   session_.endGesture();
   stepsAtPress_ = session_.undoStack().index();
@@ -56,7 +53,7 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   if (!drag_ && isHand && !tool->draws()) drag_ = pressLine(*press);
   if (!drag_ && !hasWindow() && (tool == &toolNamed("window") || tool == &toolNamed("regionWindow"))) return;
   if (!drag_) drag_ = tool->inSlices(*press);
-  if (isDrawing()) update();
+  showDrawing();
   askForLens();
 }
 
@@ -65,7 +62,7 @@ void FlatView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_) {
     seeDrag();
     drag_->moveTo(event->position(), event->modifiers());
-    if (isDrawing()) update();
+    showDrawing();
     askForLens();
     return pointAt(event->position());
   }
@@ -142,7 +139,7 @@ void FlatView::wheelEvent(QWheelEvent* event) {
   if (!drag_) return;
   seeDrag();
   drag_->moveTo(event->position(), event->modifiers());
-  update();
+  showDrawing();
 }
 
 double FlatView::wheelSign() const { return session_.preferences().wheelInverted ? -1 : 1; }

@@ -60,21 +60,14 @@ void FlatView::paintWith(QPainter& painter, const QImage& picture) const {
   }
 }
 
-void FlatView::showBall(const std::optional<DrawnBall>& ball) {
-  ball_ = ball;
-  update();
-}
-
-// A sphere of another frame of reference is drawn where the registration puts it.
-void FlatView::paintDrawnBall(QPainter& painter) const {
-  if (!ball_ || shapeFrame()) return;
-  const Workspace& workspace = session_.workspace();
-  const auto of = workspace.series.find(ball_->series);
-  if (of == workspace.series.end()) return;
-  const auto relation =
-      relationOf(workspace, frameOfReference(*of->second.series), frameOfReference(shown()->series));
-  if (!relation) return;
-  paintBall(painter, *plane(), devicePixelRatioF(), relation->toFromFrom(ball_->pPatient), ball_->radiusMm);
+// Hidden copies, which draw pictures for files, show no drags of other views.
+void FlatView::paintDrags(QPainter& painter) const {
+  if (drag_) drag_->paint(painter, size());
+  if (!isVisible()) return;
+  for (const ViewId id : viewsOnScreen(session_.workspace())) {
+    const FlatView* view = find_(id);
+    if (view && view->drag_ && view->drag_->drawsInAll()) view->drag_->paintIn(painter, *pressAt({}));
+  }
 }
 
 // Paints everything that lies over the picture.
@@ -82,8 +75,7 @@ void FlatView::paintOver(QPainter& painter) const {
   paintLines(painter);
   paintReferenceLines(painter, referenceLines(), rect());
   paintMeasurements(painter, drawnMeasurements());
-  paintDrawnBall(painter);
-  if (drag_) drag_->paint(painter, size());
+  paintDrags(painter);
   paintOverlays(painter, overlays(), overlayArea());
   paintColours(painter);
 }

@@ -50,14 +50,6 @@ class View : public QWidget {
   void menuRequested(QPoint global);
   /// A series was dropped.
   void dropped(const QMimeData& data);
-  /// The connected component at a point is to be selected.
-  void partClicked(const volumen::PartClick& click);
-  /// A part of a stroke is to be painted.
-  void strokePainted(const volumen::SegmentStroke& stroke);
-  /// A sphere is being drawn, was finished or was cancelled.
-  void ballDrawn(const volumen::DrawnBall& ball);
-  /// The current segment is to be cut.
-  void segmentCut(const volumen::SegmentCut& cut);
   /// Text about the point under the cursor; empty if there is nothing.
   void hovered(const QString& text);
 

@@ -38,11 +38,10 @@ std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
 
 }  // namespace
 
-ViewGrid::ViewGrid(Session& session, const DrawnScenes& drawn, DrawService& drawService, SliceService& slices,
-                   FrameService& frames, MeasureJobs& measurer, DerivedObjects& derived, QWidget* parent)
+ViewGrid::ViewGrid(const ViewParts& parts, QWidget* parent)
     : QWidget(parent),
-      session_(session),
-      parts_{session, drawn, drawService, slices, frames, measurer, derived},
+      session_(parts.session),
+      parts_(parts),
       tool_(&toolNamed("window")),
       toolBefore_(tool_),
       second_(std::make_unique<WindowBeside>([this](bool next) { return goToNext(true, next); })) {
@@ -93,10 +92,11 @@ View* ViewGrid::viewOf(ViewId id, ViewFamily family) {
 
 void ViewGrid::connectFlat(FlatView* flat, ViewFamily family) {
   flat->setTool(*tool_);
-  flat->showPreview(preview_);
   flat->setFinder([this](ViewId id) { return viewAs<FlatView>(id); });
   connect(flat, &FlatView::toolWanted, this, &ViewGrid::setTool);
   connect(flat, &FlatView::toolDone, this, &ViewGrid::restoreTool);
+  connect(flat, &FlatView::drewInAll, this,
+          [this] { each<FlatView>([](FlatView& view) { view.update(); }); });
   // The position of a frame is known once it is read.
   if (family == ViewFamily::frames)
     connect(flat, &FlatView::settled, this, [this, flat, last = std::optional<SlicePlane>()]() mutable {
@@ -147,11 +147,6 @@ void ViewGrid::showOnly(const std::optional<VolumeRange>& range) {
   each<VolumeView>([&](VolumeView& view) { view.showOnly(range); });
 }
 
-void ViewGrid::showPreview(const std::optional<SegmentMap>& segments) {
-  preview_ = segments;
-  each<FlatView>([&](FlatView& view) { view.showPreview(segments); });
-}
-
 void ViewGrid::giveUpWaiting(const SeriesKey& series) {
   each<View>([&](View& view) { view.giveUpWaiting(series); });
 }
@@ -160,14 +155,6 @@ void ViewGrid::connectView(View* view) {
   connect(view, &View::maximiseRequested, this, &ViewGrid::maximiseRequested);
   connect(view, &View::hovered, this, &ViewGrid::hovered);
   connect(view, &View::dropped, this, &ViewGrid::dropped);
-  connect(view, &View::partClicked, this, &ViewGrid::partClicked);
-  connect(view, &View::strokePainted, this, &ViewGrid::strokePainted);
-  connect(view, &View::ballDrawn, this, [this](const DrawnBall& ball) {
-    const auto seen = ball.state == DrawnBall::State::drawing ? std::optional(ball) : std::nullopt;
-    each<FlatView>([&](FlatView& flat) { flat.showBall(seen); });
-    Q_EMIT ballDrawn(ball);
-  });
-  connect(view, &View::segmentCut, this, &ViewGrid::segmentCut);
   connect(view, &View::menuRequested, this,
           [this, view](QPoint global) { Q_EMIT menuRequested(view, global); });
   view->installEventFilter(this);

@@ -18,8 +18,7 @@ namespace volumen {
 class ViewGrid : public QWidget {
   Q_OBJECT
  public:
-  ViewGrid(Session& session, const DrawnScenes& drawn, DrawService& drawService, SliceService& slices,
-           FrameService& frames, MeasureJobs& measurer, DerivedObjects& derived, QWidget* parent = nullptr);
+  explicit ViewGrid(const ViewParts& parts, QWidget* parent = nullptr);
 
   /// Returns the 3D view of this id. It is hidden if the workspace shows something else there.
   VolumeView* volumeView(ViewId id);
@@ -78,8 +77,6 @@ class ViewGrid : public QWidget {
   void showSegment(const std::optional<VolumeRange>& segment);
   /// Restricts 3D to the values of `range`; nothing shows the scenes unchanged.
   void showOnly(const std::optional<VolumeRange>& range);
-  /// Shows proposed segments of a series below its own segments; nothing hides them.
-  void showPreview(const std::optional<SegmentMap>& segments);
   /// Stops views from waiting for a series that will not be loaded.
   void giveUpWaiting(const SeriesKey& series);
   /// Selects the tool used before the last drawing tool.
@@ -91,11 +88,6 @@ class ViewGrid : public QWidget {
   void dropped(const QMimeData& data);
   void menuRequested(volumen::View* view, QPoint global);
   void toolChanged();
-  /// The connected component at a point is to be selected.
-  void partClicked(const volumen::PartClick& click);
-  void strokePainted(const volumen::SegmentStroke& stroke);
-  void ballDrawn(const volumen::DrawnBall& ball);
-  void segmentCut(const volumen::SegmentCut& cut);
   /// Views were placed, shown or hidden.
   void arranged();
   /// A 3D view was made and needs a picture.
@@ -135,7 +127,6 @@ class ViewGrid : public QWidget {
   const Tool *tool_, *toolBefore_;
   std::map<std::pair<ViewId, ViewFamily>, View*> views_;
   Shown shown_;
-  std::optional<SegmentMap> preview_;
   std::set<ViewId> alone_;  // at most one per window
   View* secondKeys_ = nullptr;
   std::unique_ptr<WindowBeside> second_;  // with its views

@@ -12,7 +12,7 @@ namespace volumen {
 namespace {
 
 View* makeVolumeView(const ViewParts& parts, ViewId id, QWidget* parent) {
-  return new VolumeView(parts.session, parts.drawn, parts.drawService, id, parent);
+  return new VolumeView(parts.session, parts.drawn, parts.drawService, parts.segments, id, parent);
 }
 
 template <class V>

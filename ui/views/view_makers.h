@@ -10,6 +10,7 @@ class DrawnScenes;
 class FrameService;
 class MeasureJobs;
 class DerivedObjects;
+class SegmentEditing;
 class SliceService;
 class View;
 
@@ -22,6 +23,7 @@ struct ViewParts {
   FrameService& frames;
   MeasureJobs& measurer;
   DerivedObjects& derived;
+  SegmentEditing* segments = nullptr;  ///< null for views that are not on screen
 };
 
 /// Makes a hidden view of this id for the kinds of a family. A table maps families to classes.

@@ -45,11 +45,12 @@ QToolButton* makeTableButton(QWidget* parent) {
 }
 }  // namespace
 
-VolumeView::VolumeView(Session& session, const DrawnScenes& scenes, DrawService& drawService, ViewId id,
-                       QWidget* parent)
+VolumeView::VolumeView(Session& session, const DrawnScenes& scenes, DrawService& drawService,
+                       SegmentEditing* segments, ViewId id, QWidget* parent)
     : View(session, id, parent),
       scenes_(scenes),
       drawService_(drawService),
+      segments_(segments),
       canvas_(makeCanvas([this](QPainter& p) { paintCanvas(p); }, [this] { replaceCanvas(); }, this)),
       cube_(new OrientationCube(this)),
       badge_(new WarningBadge(this)),

@@ -28,8 +28,9 @@ class WarningBadge;
 class VolumeView : public View {
   Q_OBJECT
  public:
-  VolumeView(Session& session, const DrawnScenes& scenes, DrawService& drawService, ViewId id = sceneViewId,
-             QWidget* parent = nullptr);
+  /// Without `segments`, tools change no segments.
+  VolumeView(Session& session, const DrawnScenes& scenes, DrawService& drawService,
+             SegmentEditing* segments = nullptr, ViewId id = sceneViewId, QWidget* parent = nullptr);
 
   /// Requests the picture again with the current settings of the service; cancels the request if hidden.
   void requestPicture();
@@ -156,6 +157,7 @@ class VolumeView : public View {
 
   const DrawnScenes& scenes_;
   DrawService& drawService_;
+  SegmentEditing* const segments_;
   QWidget* canvas_;
   OrientationCube* cube_;
   WarningBadge* badge_;

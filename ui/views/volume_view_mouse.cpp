@@ -48,8 +48,7 @@ ScenePress VolumeView::pressAt(QPointF position, Qt::KeyboardModifiers keys) {
                      return SurfacePoint{*at->pPatient, *at->softMm};
                    },
                    [this](QPointF p) { tellMissed(p); },
-                   [this](const PartClick& click) { Q_EMIT partClicked(click); },
-                   [this](const SegmentCut& cut) { Q_EMIT segmentCut(cut); }};
+                   segments_};
   press.scene.camera = camera();
   return press;
 }

@@ -10,8 +10,8 @@
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
 #include "tests/unit/workspace/recorded_maps.h"
-#include "ui/controller/segment_growing.h"
-#include "ui/controller/segment_voxels.h"
+#include "ui/controller/segment_edits.h"
+#include "ui/controller/segment_parts.h"
 #include "ui/workspace/segment_maps.h"
 #include "viewer/recipe/step_kinds.h"
 #include "viewer/recipe/step_names.h"
@@ -129,7 +129,10 @@ SegmentMap act(SegmentMap map, const VolumePtr& volume, Chance& chance, bool byH
       const PartUse use = PartUse(chance.below(3));
       const double guard = chance.oneIn(2) ? chance.between(0, 1.5) : 0;
       const char* touching = std::array{"faces", "edges", "corners"}[std::size_t(chance.below(3))];
-      const PartWanted part{volume, {}, {2, 4}, 3.0 * chance.vector(), true, use, guard, touching};
+      const PartWanted part{volume,
+                            {},
+                            {{}, 3.0 * chance.vector(), true},
+                            {.range = {2, 4}, .partUse = use, .leakGuardMm = guard, .neighbours = touching}};
       return done(stepsOfPart(part, map, number, cancel));
     }
     case 4: {
