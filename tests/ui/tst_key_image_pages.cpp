@@ -96,7 +96,6 @@ class TestKeyImagePages : public QObject {
   void whatDoesNotFitIsAsLargeAsItsPlace();
   void eachStudyHasPagesOfItsOwn();
   void picturesOfDocumentsAreThere();
-  void thePageIsWhatWasMarkedThen();
   void whatCannotBeWrittenIsTold();
   void withoutKeyImagesThereIsASentence();
 
@@ -347,17 +346,6 @@ void TestKeyImagePages::namesAreHiddenOnPages() {
   QCOMPARE(one("hidden on screen"), one("hidden"));
   const QRect middle(400, 400, 600, 600);
   QCOMPARE(one("hidden").copy(middle), one("named").copy(middle));
-}
-
-// Marks made while the file dialog is open are not included.
-void TestKeyImagePages::thePageIsWhatWasMarkedThen() {
-  MeasureWindow w(dicomBall());
-  mark(w, 2);
-  press(ask(w, 6, false), "pagesPdf");
-  w.session().change(QStringLiteral("test"),
-                     [](Workspace& all) { all.keyImages.eraseIf([](const KeyImage&) { return true; }); });
-  answer(w, "pagesFileDialog", at("then"));
-  QTRY_COMPARE_WITH_TIMEOUT(imagesIn(at("then")).size(), std::size_t(2), longest);
 }
 
 void TestKeyImagePages::whatCannotBeWrittenIsTold() {

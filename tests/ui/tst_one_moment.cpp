@@ -3,19 +3,14 @@
 // patient is shown. Then the export is what was seen, or there is a sentence: never a mixture.
 #include <QApplication>
 #include <QCheckBox>
-#include <QClipboard>
-#include <QComboBox>
 #include <QDirIterator>
-#include <QPrintDialog>
-#include <QSpinBox>
 #include <QTemporaryDir>
 #include <map>
 
+#include "tests/ui/leaving.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/pdf_images.h"
-#include "tests/ui/picture_window.h"
 #include "tests/unit/suite.h"
-#include "ui/panels/pages_dialog.h"
 #include "ui/widgets/banner.h"
 
 using namespace volumen;
@@ -87,11 +82,10 @@ struct MomentWindow : MeasureWindow {
     session().select(0);
     view()->setFocus();
     QTest::keyClick(&window, Qt::Key_K);
-    for (const char* box : {"snapshotLetters", "snapshotPatient"}) child<QCheckBox>(box)->setChecked(true);
+    child<QCheckBox>("snapshotLetters")->setChecked(true);
     child<QSpinBox>("snapshotWidth")->setValue(120);
     child<QSpinBox>("snapshotHeight")->setValue(100);
     child<QComboBox>("snapshotQuality")->setCurrentIndex(0);
-    child<QSpinBox>("turntablePictures")->setValue(2);
     return !session().workspace().keyImages.empty() && isDrawn();
   }
   bool restore(const Workspace& before) {
@@ -99,88 +93,13 @@ struct MomentWindow : MeasureWindow {
     session().keep(series);
     session().change(QStringLiteral("test"), before);
     session().endGesture();
+    child<QCheckBox>("snapshotPatient")->setChecked(true);
     child<Banner>("banner")->hide();
     QApplication::clipboard()->clear();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     return isDrawn();
   }
-  void run(const char* action) { child<QAction>(action)->trigger(); }
-  void askFor3D(const char* action) {
-    session().setFocus(sceneViewId);
-    run(action);
-  }
-  // The 3D picture is still being drawn at the request.
-  void askForTurned(const char* action) {
-    run("viewLeft");
-    askFor3D(action);
-  }
-  void askForKeyImages(const char* button) {
-    run("keyImagePages");
-    for (auto* dialog : window.findChildren<PagesDialog*>())
-      if (dialog->isVisible())
-        QTest::mouseClick(dialog->findChild<QWidget*>(QLatin1String(button)), Qt::LeftButton);
-  }
 };
-
-// One kind of export: its request, and the last dialog that asks where to.
-struct Leaving {
-  void (*ask)(MomentWindow& w);
-  const char* dialog = "";  // none: to the clipboard
-  const char* file = "";
-  QRectF part{0, 0, 1, 1};  // compared; in the lower half 3D states the time it took
-};
-
-constexpr QRectF upperHalf(0, 0, 1, 0.5), firstView(0, 0, 0.5, 0.5);
-
-const std::map<const char*, Leaving> leaving{
-    {"slice to a file", {[](MomentWindow& w) { w.run("savePicture"); }, "pictureDialog", "a.png"}},
-    {"slice to the clipboard", {[](MomentWindow& w) { w.run("copyPicture"); }}},
-    {"slice to paper", {[](MomentWindow& w) { w.run("printPicture"); }, "printDialog", "a.pdf"}},
-    {"slice to paper in true size",
-     {[](MomentWindow& w) {
-        w.run("printPicture");
-        w.child<QCheckBox>("printTrueSize")->setChecked(true);
-      },
-      "printDialog", "a.pdf"}},
-    {"slice of any size to a file",
-     {[](MomentWindow& w) { accept(ask(w, "saveSizedPicture")); }, "pictureFilesDialog", "a.png"}},
-    {"stack to a folder",
-     {[](MomentWindow& w) {
-        PictureDialog* dialog = ask(w, "saveStack");
-        set(dialog, "pictureLast", 2);
-        accept(dialog);
-      },
-      "pictureFilesDialog", ""}},
-    {"contact sheet to a file",
-     {[](MomentWindow& w) {
-        PictureDialog* dialog = ask(w, "saveSheet");
-        set(dialog, "sheetRows", 1);
-        set(dialog, "sheetColumns", 2);
-        accept(dialog);
-      },
-      "pictureFilesDialog", "a.png"}},
-    {"key images to a PDF",
-     {[](MomentWindow& w) { w.askForKeyImages("pagesPdf"); }, "pagesFileDialog", "a.pdf"}},
-    {"key images to paper",
-     {[](MomentWindow& w) { w.askForKeyImages("pagesPrint"); }, "pagesPrintDialog", "a.pdf"}},
-    {"3D to a file",
-     {[](MomentWindow& w) { w.askFor3D("savePicture"); }, "pictureDialog", "a.png", upperHalf}},
-    {"3D to the clipboard", {[](MomentWindow& w) { w.askFor3D("copyPicture"); }, "", "", upperHalf}},
-    {"3D to paper", {[](MomentWindow& w) { w.askFor3D("printPicture"); }, "printDialog", "a.pdf", upperHalf}},
-    {"3D that is drawn to a file",
-     {[](MomentWindow& w) { w.askForTurned("savePicture"); }, "pictureDialog", "a.png", upperHalf}},
-    {"3D that is drawn to the clipboard",
-     {[](MomentWindow& w) { w.askForTurned("copyPicture"); }, "", "", upperHalf}},
-    {"3D that is drawn to paper",
-     {[](MomentWindow& w) { w.askForTurned("printPicture"); }, "printDialog", "a.pdf", upperHalf}},
-    {"all views to a file",
-     {[](MomentWindow& w) { w.run("saveAllPictures"); }, "pictureDialog", "a.png", firstView}},
-    {"all views to the clipboard", {[](MomentWindow& w) { w.run("copyAllPictures"); }, "", "", firstView}},
-    {"snapshot to a file", {[](MomentWindow& w) { w.run("snapshot"); }, "snapshotDialog", "a.png"}},
-    {"snapshot to the clipboard", {[](MomentWindow& w) { w.run("copySnapshot"); }}},
-    {"turntable to a folder",
-     {[](MomentWindow& w) { QTest::mouseClick(w.child<QWidget>("turntableSave"), Qt::LeftButton); },
-      "turntableDialog", ""}}};
 
 using Act = std::function<void(MomentWindow& w)>;
 
@@ -195,7 +114,8 @@ const std::map<const char*, Act> acts{
          after.series.edit(keyOf(w.series->series)).window = Window{100, 50};
        });
        w.session().endGesture();
-       w.run("viewRight");
+       run(w, "viewRight");
+       w.child<QCheckBox>("snapshotPatient")->toggle();
      }},
     {"names hidden",
      [](MomentWindow& w) { w.session().prefer([](Preferences& all) { all.hideNames = true; }); }},
@@ -204,30 +124,23 @@ const std::map<const char*, Act> acts{
 
 // Exports with an act while dialogs are open, and one after them. Returns nothing if there is a sentence
 // instead.
-std::optional<Content> left(MomentWindow& w, const Leaving& how, const Act& whileAsked, const Act& then) {
-  const QString place = w.folder.filePath(QString::number(w.exports++));
-  QDir().mkdir(place);
-  const QString path = QLatin1String(how.file).isEmpty() ? place : place + u'/' + QLatin1String(how.file);
-  const bool isCopied = QLatin1String(how.dialog).isEmpty();
-  how.ask(w);
+std::optional<Content> exported(MomentWindow& w, const Leaving& way, const Act& whileAsked, const Act& then) {
+  const QString path = w.folder.filePath(QString::number(w.exports++) + QLatin1String(way.ending));
+  way.ask(w);
   if (whileAsked) whileAsked(w);
-  if (auto* dialog = w.window.findChild<QPrintDialog*>(QLatin1String(how.dialog))) {
-    dialog->findChild<QLineEdit*>(QStringLiteral("filename"))->setText(path);
-    dialog->accept();
-  } else if (!isCopied) {
-    answer(w, how.dialog, path);
-  }
+  answerWhere(w, way, path);
   if (then) then(w);
+  const auto copied = [] { return QApplication::clipboard()->image(); };
   const auto isThere = [&] {
-    if (isCopied) return !QApplication::clipboard()->image().isNull();
-    return QFileInfo(path).isDir() ? !QDir(path).isEmpty() : QFileInfo(path).size() > 0;
+    if (!*way.dialog) return !copied().isNull();
+    return !*way.ending ? !QDir(path).isEmpty() : QFileInfo(path).size() > 0;
   };
   const auto isOver = [&] {
     return w.window.jobs().rows().empty() && (isThere() || w.child<Banner>("banner")->isVisible());
   };
   if (!QTest::qWaitFor(isOver, longest) || !isThere()) return {};
-  if (isCopied) QApplication::clipboard()->image().save(place + QStringLiteral("/copied.png"));
-  return contentIn(isCopied ? place : path, how.part);
+  if (!*way.dialog) copied().save(path);
+  return contentIn(path, way.part);
 }
 
 }  // namespace
@@ -241,26 +154,25 @@ class TestOneMoment : public QObject {
 
 void TestOneMoment::whatLeavesIsOfTheRequest_data() {
   QTest::addColumn<QString>("name");
-  for (const auto& [name, how] : leaving) QTest::newRow(name) << QString::fromLatin1(name);
+  for (const Leaving& way : waysOut()) QTest::newRow(way.name) << QString::fromLatin1(way.name);
 }
 
 void TestOneMoment::whatLeavesIsOfTheRequest() {
   QFETCH(QString, name);
-  const Leaving& how = std::ranges::find_if(leaving, [&](const auto& row) {
-                         return name == QLatin1String(row.first);
-                       })->second;
+  const Leaving& way = wayOut(name);
   MomentWindow w;
   QVERIFY(w.prepare());
   const Workspace before = w.session().workspace();
   QVERIFY(w.restore(before));
-  const std::optional<Content> seen = left(w, how, {}, {});
+  const std::optional<Content> seen = exported(w, way, {}, {});
   QVERIFY(seen && !seen->first.isEmpty());
   for (const auto& [did, act] : acts)
     for (const bool isAsked : {true, false}) {
-      const QString when = QStringLiteral("%1 %2").arg(
-          QLatin1String(did), isAsked ? QStringLiteral("while asked") : QStringLiteral("while drawn"));
+      const QString when =
+          QStringLiteral("%1 while %2")
+              .arg(QLatin1String(did), isAsked ? QStringLiteral("asked") : QStringLiteral("drawn"));
       QVERIFY2(w.restore(before), qPrintable(when));
-      const std::optional<Content> then = left(w, how, isAsked ? act : Act(), isAsked ? Act() : act);
+      const std::optional<Content> then = exported(w, way, isAsked ? act : Act(), isAsked ? Act() : act);
       const bool isTold = !w.child<Banner>("banner")->sentence().isEmpty();
       QVERIFY2(then ? then == seen : isTold, qPrintable(when));
     }

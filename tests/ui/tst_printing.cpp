@@ -47,11 +47,6 @@ bool isPrinted(const QString& path) {
   return isThere;
 }
 
-// Returns the pictures and texts of a PDF.
-std::pair<std::vector<QImage>, QStringList> contentsOf(const QString& path) {
-  return {pixelsIn(path), textsIn(path)};
-}
-
 bool isBright(QRgb pixel) { return qRed(pixel) > 200 && qGreen(pixel) > 200 && qBlue(pixel) > 200; }
 
 // Counts the bright pixels within a part of a picture, given in fractions.
@@ -86,8 +81,6 @@ class TestPrinting : public QObject {
   void aPageSaysWhoseItIs();
   void whatIsCroppedIsToldBefore();
   void textsAndScaleStandInWhatIsPrinted();
-  void itIsWhatWasSeenThen_data();
-  void itIsWhatWasSeenThen();
   void trueSizeStandsBesideThePrinter();
   void onlyWhatHasASizeHasATrueOne();
   void mmAtTheDetectorAreNotThePatients();
@@ -210,42 +203,6 @@ void TestPrinting::textsAndScaleStandInWhatIsPrinted() {
       std::ranges::any_of(std::array{1, 2, 5},
                           [&](int of) { return std::abs(scaleMm - endsMm / 2 - of * power) < endsMm / 2; }),
       qPrintable(QString::number(scaleMm)));
-}
-
-void TestPrinting::itIsWhatWasSeenThen_data() {
-  QTest::addColumn<QString>("act");
-  QTest::addColumn<bool>("whileAsked");
-  QTest::addColumn<bool>("inTrueSize");
-  for (const char* act : {"scrolled", "another patient", "closed"})
-    for (const bool whileAsked : {true, false})
-      QTest::addRow("%s %s", act, whileAsked ? "while the dialog is open" : "while it is drawn")
-          << QString::fromLatin1(act) << whileAsked << whileAsked;
-}
-
-void TestPrinting::itIsWhatWasSeenThen() {
-  QFETCH(QString, act);
-  QFETCH(bool, whileAsked);
-  QFETCH(bool, inTrueSize);
-  const QTemporaryDir folder;
-  const QString before = folder.filePath(QStringLiteral("before.pdf")),
-                path = folder.filePath(QStringLiteral("page.pdf"));
-  MeasureWindow w(knownBall("Doe^Jane"));
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  w.draw(ShapeKind::length, {{60, 60}, {120, 90}});
-  w.session().select(0);
-  askToPrint(w, before, inTrueSize)->accept();
-  QVERIFY(isPrinted(before));
-  QPrintDialog* dialog = askToPrint(w, path, inTrueSize);
-  if (!whileAsked) dialog->accept();
-  if (act == QStringLiteral("scrolled"))
-    QTest::keyClick(w.view(), Qt::Key_PageDown);
-  else if (act == QStringLiteral("closed"))
-    w.session().close({w.view()->state().series});
-  else
-    w.session().show(knownBall("Roe^John"));
-  if (whileAsked) dialog->accept();
-  QVERIFY(isPrinted(path));
-  QVERIFY(contentsOf(path) == contentsOf(before));
 }
 
 // The check box is visible, not among the folded options.

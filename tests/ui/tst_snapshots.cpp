@@ -70,7 +70,6 @@ class TestSnapshots : public QObject {
   void aTurntableIsPicturesOfAFullTurn();
   void howFarItIsIsToldAndItCanBeCancelled();
   void itIsOfTheSeriesItWasAskedOf();
-  void itIsWhatWasSeenAsItWasAskedFor();
   void noTurntableReplacesAnother();
   void withoutASeriesThereIsASentence();
 
@@ -244,26 +243,6 @@ void TestSnapshots::itIsOfTheSeriesItWasAskedOf() {
   }
   const QImage after = taken(w, at(QStringLiteral("sphere.png")));
   QVERIFY(!after.isNull() && after != before);
-}
-
-// Views turned, shown or hidden while the file dialog is open do not matter.
-void TestSnapshots::itIsWhatWasSeenAsItWasAskedFor() {
-  Journey w(head);
-  QVERIFY(w.settle());
-  w.after([&] { w.window.session().show(tests::ballSeries()); });
-  setSize(w, 200, 200);
-  w.child<QCheckBox>("snapshotPatient")->setChecked(true);
-  w.child<QCheckBox>("snapshotLetters")->setChecked(true);
-  const QImage before = taken(w, at(QStringLiteral("seen.png")));
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-  w.child<QAction>("snapshot")->trigger();
-  w.child<QAction>("viewRight")->trigger();
-  w.window.session().show(tests::ballSeries(16, 5));
-  w.child<QCheckBox>("snapshotPatient")->setChecked(false);
-  answer(w, "snapshotDialog", at(QStringLiteral("then.png")));
-  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(at(QStringLiteral("then.png"))), longest);
-  QVERIFY(!before.isNull());
-  QCOMPARE(QImage(at(QStringLiteral("then.png"))), before);
 }
 
 // File names are those of series, which another patient's may share. The second of two simultaneous requests

@@ -43,6 +43,7 @@ class TestViewPictures : public QObject {
  private Q_SLOTS:
   void aSliceIsCopiedWithWhatIsMeasuredInIt();
   void aFrameIsCopiedAsItIsSeen();
+  void aFrameThatIsReadIsAwaited();
   void a3DPictureIsCopiedAsItIsSeen();
   void textsIn3DAreOfThePictureUnderThem();
   void whatChangedBeforeItWasDrawnIsTold();
@@ -75,6 +76,19 @@ void TestViewPictures::aFrameIsCopiedAsItIsSeen() {
   const QImage picture = copied(w);
   QCOMPARE(picture.size(), w.view()->pixels());
   QTRY_COMPARE_WITH_TIMEOUT(inner(onScreen(w.view()), timeBarPixels), inner(picture, timeBarPixels), longest);
+}
+
+void TestViewPictures::aFrameThatIsReadIsAwaited() {
+  NEED_DATA(dataPath("dicom-2d"));
+  Frames w({clipFile});
+  QVERIFY(w.shows());
+  w.session().setFocus(axialViewId);
+  w.view()->scroll(w.view()->place().count / 2);
+  copied(w);
+  QVERIFY(w.shows());
+  const auto clipboard = [] { return QApplication::clipboard()->image(); };
+  QTRY_VERIFY_WITH_TIMEOUT(!clipboard().isNull(), longest);
+  QCOMPARE(clipboard().convertToFormat(QImage::Format_RGB32), w.view()->capture());
 }
 
 void TestViewPictures::a3DPictureIsCopiedAsItIsSeen() {

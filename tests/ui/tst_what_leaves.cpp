@@ -2,21 +2,18 @@
 // series, sides, scale and quality, or why it does not. A picture states a field if it differs when only that
 // field differs.
 #include <QCheckBox>
-#include <QClipboard>
 #include <QDirIterator>
 #include <QMenu>
-#include <QPrintDialog>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <map>
 
 #include "io/export/dicom_series.h"
+#include "tests/ui/leaving.h"
 #include "tests/ui/numbers_table.h"
 #include "tests/ui/pdf_images.h"
-#include "tests/ui/picture_window.h"
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
-#include "ui/panels/pages_dialog.h"
 #include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;
@@ -83,22 +80,11 @@ struct LeavingWindow : SegmentWindow {
     for (QAction* action : child<QToolButton>(button)->menu()->actions())
       if (action->objectName() == QLatin1String(entry)) action->trigger();
   }
-  QString press(QDialog* dialog, const char* button) {
-    QTest::mouseClick(dialog->findChild<QPushButton*>(QLatin1String(button)), Qt::LeftButton);
-    return {};
-  }
-  PagesDialog* pages() {
-    child<QAction>("keyImagePages")->trigger();
-    return window.findChild<PagesDialog*>();
-  }
   // Saves to a file name by the dialog that asks for it.
   void saveTo(const char* dialog, const QString& name) { answer(*this, dialog, at(name)); }
-  void print(ViewId view, const QString& name) {
-    session().setFocus(view);
-    child<QAction>("printPicture")->trigger();
-    auto* dialog = child<QPrintDialog>("printDialog");
-    dialog->findChild<QLineEdit*>(QStringLiteral("filename"))->setText(at(name));
-    dialog->accept();
+  void leave(const char* way, const QString& name) {
+    wayOut(QLatin1String(way)).ask(*this);
+    answerWhere(*this, wayOut(QLatin1String(way)), at(name));
     session().setFocus(axialViewId);
   }
 };
@@ -118,78 +104,50 @@ constexpr const char* fieldNames[] = {"patient", "id",    "date",  "number",  "d
 
 const Thing things[] = {
     {"picture", "picture.png",
-     [](LeavingWindow& w, const QString& file) {
-       w.child<QAction>("savePicture")->trigger();
-       w.saveTo("pictureDialog", file);
-     },
+     [](LeavingWindow& w, const QString& file) { w.leave("slice to a file", file); },
      "patient id date number description sides scale clinical", "slices have no level"},
     {"clipboard", "clipboard.png",
      [](LeavingWindow& w, const QString& file) {
        QApplication::clipboard()->clear();
-       w.child<QAction>("copyPicture")->trigger();
+       w.leave("slice to the clipboard", file);
        QApplication::clipboard()->image().save(w.at(file));
      },
      "patient id date number description sides scale", "a clipboard holds pixels alone"},
     {"all views", "views.png",
-     [](LeavingWindow& w, const QString& file) {
-       w.child<QAction>("saveAllPictures")->trigger();
-       w.saveTo("pictureDialog", file);
-     },
+     [](LeavingWindow& w, const QString& file) { w.leave("all views to a file", file); },
      "patient id date number description sides scale clinical", "the level stands in the corner of 3D alone"},
     {"picture of any size", "sized.png",
-     [](LeavingWindow& w, const QString& file) {
-       accept(ask(w, "saveSizedPicture"));
-       w.saveTo("pictureFilesDialog", file);
-     },
+     [](LeavingWindow& w, const QString& file) { w.leave("slice of any size to a file", file); },
      "patient id date number description sides scale clinical", "slices have no level"},
-    {"stack", "stack",
-     [](LeavingWindow& w, const QString& file) {
-       PictureDialog* dialog = ask(w, "saveStack");
-       set(dialog, "pictureLast", 2);
-       accept(dialog);
-       QDir().mkdir(w.at(file));
-       w.saveTo("pictureFilesDialog", file);
-     },
+    {"stack", "stack", [](LeavingWindow& w, const QString& file) { w.leave("stack to a folder", file); },
      "patient id date number description sides scale clinical", "slices have no level"},
     {"contact sheet", "sheet.png",
-     [](LeavingWindow& w, const QString& file) {
-       PictureDialog* dialog = ask(w, "saveSheet");
-       for (const char* edge : {"sheetRows", "sheetColumns"}) set(dialog, edge, 1);
-       accept(dialog);
-       w.saveTo("pictureFilesDialog", file);
-     },
+     [](LeavingWindow& w, const QString& file) { w.leave("contact sheet to a file", file); },
      "patient id date number description sides scale clinical", "slices have no level"},
     {"key image pages", "pages.pdf",
-     [](LeavingWindow& w, const QString& file) {
-       w.press(w.pages(), "pagesPdf");
-       w.saveTo("pagesFileDialog", file);
-     },
+     [](LeavingWindow& w, const QString& file) { w.leave("key images to a PDF", file); },
      "patient id date number description sides scale clinical", "slices have no level"},
-    {"print", "print.pdf", [](LeavingWindow& w, const QString& file) { w.print(axialViewId, file); },
+    {"print", "print.pdf", [](LeavingWindow& w, const QString& file) { w.leave("slice to paper", file); },
      "patient id date number description sides scale clinical", "slices have no level"},
-    {"print of 3D", "print3d.pdf", [](LeavingWindow& w, const QString& file) { w.print(sceneViewId, file); },
+    {"print of 3D", "print3d.pdf",
+     [](LeavingWindow& w, const QString& file) { w.leave("3D to paper", file); },
      "patient id date number description sides scale clinical", "the level stands in its corner"},
     {"snapshot", "snapshot.png",
      [](LeavingWindow& w, const QString& file) {
        w.tickSnapshot(true);
-       w.child<QAction>("snapshot")->trigger();
-       w.saveTo("snapshotDialog", file);
+       w.leave("snapshot to a file", file);
      },
      "patient id date number description sides scale level clinical", ""},
     {"snapshot as offered", "bare.png",
      [](LeavingWindow& w, const QString& file) {
        w.tickSnapshot(false);
-       w.child<QAction>("snapshot")->trigger();
-       w.saveTo("snapshotDialog", file);
+       w.leave("snapshot to a file", file);
      },
      "level clinical", "what is written over it is chosen in the panel"},
     {"turntable", "turn",
      [](LeavingWindow& w, const QString& file) {
        w.tickSnapshot(true);
-       w.child<QSpinBox>("turntablePictures")->setValue(2);
-       QTest::mouseClick(w.child<QWidget>("turntableSave"), Qt::LeftButton);
-       QDir().mkdir(w.at(file));
-       w.saveTo("turntableDialog", file);
+       w.leave("turntable to a folder", file);
      },
      "patient id date number description sides scale level clinical", ""},
     {"CSV of measurements", "measured.csv",

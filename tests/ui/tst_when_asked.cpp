@@ -6,31 +6,25 @@
 
 #include "tests/fixtures/program.h"
 #include "tests/ui/numbers_table.h"
-#include "tests/ui/pdf_images.h"
 #include "tests/ui/segment_window.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/session_files.h"
-#include "ui/panels/pages_dialog.h"
 
 using namespace volumen;
 using namespace volumen::tests;
 
 namespace {
 
-// Returns hollowBalls() as a DICOM series of a patient, so that its slices can be key images.
+// Returns hollowBalls() of a patient.
 LoadedSeriesPtr ballsOf(const char* patient) {
   auto series = std::make_shared<LoadedSeries>(*hollowBalls());
   series->series.patientName = patient;
   series->series.id += patient;
-  for (int n = 0; n < 40; ++n) {
-    series->series.sopInstanceUids.push_back(series->series.id + "." + std::to_string(n));
-    series->series.frames.push_back(0);
-  }
   return series;
 }
 
-// A patient's planes with a segment, a length and a key image.
+// A patient's planes with a segment and a length.
 struct AskedWindow : SegmentWindow {
   QTemporaryDir folder;
 
@@ -40,10 +34,7 @@ struct AskedWindow : SegmentWindow {
     if (!make(800, 1200)) return false;
     draw(ShapeKind::length, {{100, 100}, {160, 120}});
     session().select(0);
-    view()->setFocus();
-    QTest::keyClick(&window, Qt::Key_K);
-    return !workspace().keyImages.empty() && openTable(*this) &&
-           QTest::qWaitFor([this] { return view()->isMeasured(); }, longest);
+    return openTable(*this) && QTest::qWaitFor([this] { return view()->isMeasured(); }, longest);
   }
   void chooseFrom(const char* button, const char* entry) {
     for (QAction* action : child<QToolButton>(button)->menu()->actions())
@@ -58,7 +49,6 @@ struct AskedWindow : SegmentWindow {
         map.steps.clear();
       });
       after.measurements.editIf(all, [](Measurement& m) { m.shape.points[1].x += 3; });
-      after.keyImages.editIf(all, [](KeyImage& image) { image.window = ChosenWindow{Window{100, 50}, {}}; });
       after.series.edit(series()).window = Window{100, 50};
     });
     session().endGesture();
@@ -91,24 +81,7 @@ const std::map<QString, Export> exports{
     {QStringLiteral("CSV of segments"),
      {[](AskedWindow& w) { w.click("segmentNumbersCsv"); }, "segmentNumbersFileDialog", "a.csv"}},
     {QStringLiteral("JSON of segments"),
-     {[](AskedWindow& w) { w.click("segmentNumbersJson"); }, "segmentNumbersFileDialog", "a.json"}},
-    {QStringLiteral("key image pages"),
-     {[](AskedWindow& w) {
-        w.child<QAction>("keyImagePages")->trigger();
-        for (auto* dialog : w.window.findChildren<PagesDialog*>())
-          if (dialog->isVisible())
-            QTest::mouseClick(dialog->findChild<QWidget*>(QStringLiteral("pagesPdf")), Qt::LeftButton);
-      },
-      "pagesFileDialog", "a.pdf"}}};
-
-// Returns what a file says. The bytes of a PDF hold the time of day.
-QByteArray contentOf(const QString& path) {
-  if (!path.endsWith(QStringLiteral(".pdf"))) return contentsOf(path);
-  QByteArray content = textsIn(path).join(QLatin1Char('\n')).toUtf8();
-  for (const QImage& image : pixelsIn(path))
-    content.append(reinterpret_cast<const char*>(image.constBits()), image.sizeInBytes());
-  return content;
-}
+     {[](AskedWindow& w) { w.click("segmentNumbersJson"); }, "segmentNumbersFileDialog", "a.json"}}};
 
 }  // namespace
 
@@ -137,7 +110,7 @@ void TestWhenAsked::filesAreOfTheMomentOfAsking() {
     const bool isThere = QTest::qWaitFor(
         [&] { return QFileInfo(file).size() > 0 && w.window.jobs().rows().empty(); }, longest);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    return isThere ? contentOf(file) : QByteArray();
+    return isThere ? contentsOf(file) : QByteArray();
   };
   const QString file = QString::fromLatin1(how.file);
   const QByteArray undisturbed = save(w.at(QStringLiteral("first-") + file), false);

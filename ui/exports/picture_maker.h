@@ -28,10 +28,7 @@ class PictureMaker {
  public:
   using Done = std::function<void(const Result<MadePicture>&)>;
 
-  PictureMaker() = default;
   virtual ~PictureMaker() = default;
-  PictureMaker(const PictureMaker&) = delete;
-  PictureMaker& operator=(const PictureMaker&) = delete;
 
   virtual std::size_t count() const { return 1; }
   /// Makes picture `n`, from 0 in order, and calls `done` once, at once or later. Slow work runs on `lane`.

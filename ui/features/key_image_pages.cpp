@@ -29,7 +29,7 @@ class KeyImagePages : public ExportFeature {
   void ask();
   std::vector<MarkedImage> marked() const;
   PictureMakerPtr pictures(const std::vector<MarkedImage>& marked, bool namesHidden) const;
-  void make(const PictureMakerPtr& pictures, const PictureSink& sink);
+  void askWhere(const PictureMakerPtr& pictures, const PageLook& look, bool isForPaper);
 };
 
 // Returns whether two series belong to one study and share a page head.
@@ -52,17 +52,8 @@ void KeyImagePages::ask() {
   const std::vector<MarkedImage> marked = this->marked();
   if (marked.empty()) return warn(tr("There are no key images: K marks the picture that is shown."));
   auto* dialog = new PagesDialog(int(marked.size()), bench_.dialogParent());
-  connect(dialog, &PagesDialog::pdfWanted, this, [this, dialog, marked] {
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    askForPath({"pagesFileDialog", tr("Save the pages"), tr("PDF documents (*.pdf)"), tr("key images.pdf"),
-                QFileDialog::AnyFile, documents},
-               [this, pictures = pictures(marked, dialog->namesHidden()), look = dialog->look()](
-                   const QString& path) { make(pictures, pdfPages(path, tr("Key images"), look)); });
-  });
-  connect(dialog, &PagesDialog::paperWanted, this, [this, dialog, marked] {
-    askForPrinter("pagesPrintDialog", nullptr,
-                  [this, pictures = pictures(marked, dialog->namesHidden()), look = dialog->look()](
-                      const auto& printer) { make(pictures, printedPages(printer, look)); });
+  connect(dialog, &QDialog::accepted, this, [this, dialog, marked] {
+    askWhere(pictures(marked, dialog->namesHidden()), dialog->look(), dialog->isForPaper());
   });
   dialog->open();
 }
@@ -100,8 +91,14 @@ PictureMakerPtr KeyImagePages::pictures(const std::vector<MarkedImage>& marked, 
   return flatPictures(grid_, std::move(stops), look);
 }
 
-void KeyImagePages::make(const PictureMakerPtr& pictures, const PictureSink& sink) {
-  run({tr("Making pages"), pictures, sink});
+void KeyImagePages::askWhere(const PictureMakerPtr& pictures, const PageLook& look, bool isForPaper) {
+  const auto make = [this, pictures](const PictureSink& sink) { run({tr("Making pages"), pictures, sink}); };
+  if (isForPaper)
+    return askForPrinter("pagesPrintDialog", nullptr,
+                         [=](const auto& printer) { make(printedPages(printer, look)); });
+  askForPath({"pagesFileDialog", tr("Save the pages"), tr("PDF documents (*.pdf)"), tr("key images.pdf"),
+              QFileDialog::AnyFile, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)},
+             [=](const QString& path) { make(pdfPages(path, tr("Key images"), look)); });
 }
 
 }  // namespace

@@ -13,43 +13,32 @@ class ViewPictures : public ExportFeature {
   explicit ViewPictures(Workbench& bench);
 
  private:
-  PictureMakerPtr viewSeen() const;
-  PictureMakerPtr allSeen() const;
+  PictureMakerPtr seen(bool isAll) const;
   void save(const PictureMakerPtr& seen, const QString& title);
-  void copy(const PictureMakerPtr& seen) { run({{}, seen, clipboard()}); }
 };
 
 ViewPictures::ViewPictures(Workbench& bench) : ExportFeature(bench) {
   const auto add = [&](const char* name, const QString& text, const QList<QKeySequence>& keys,
-                       const char* icon, const std::function<void()>& act, std::vector<Place> places) {
-    bench_.addAction({name, text, keys, icon, false,
-                      [this, act](bool) {
-                        if (session_.workspace().series.empty()) return warn(tr("Open a series first."));
-                        act();
-                      },
-                      std::move(places)});
+                       const char* icon, bool isAll, const QString& title, std::vector<Place> places) {
+    const auto act = [this, isAll, title](bool) {
+      if (session_.workspace().series.empty()) return warn(tr("Open a series first."));
+      title.isEmpty() ? run({{}, seen(isAll), clipboard()}) : save(seen(isAll), title);
+    };
+    bench_.addAction({name, text, keys, icon, false, act, std::move(places)});
   };
-  add("savePicture", tr("Save picture..."), {tr("Ctrl+E")}, "snapshot",
-      [this] { save(viewSeen(), tr("Save the picture of the view")); },
-      {{"fileMenu", 50}, {"toolBar", 30, toolBarGap + 10}});
-  add("copyPicture", tr("Copy picture"), {QKeySequence::Copy}, "", [this] { copy(viewSeen()); },
-      {{"fileMenu", 50}});
-  add("saveAllPictures", tr("Save all views..."), {}, "",
-      [this] { save(allSeen(), tr("Save the picture of all views")); }, {{"fileMenu", 50, 10}});
-  add("copyAllPictures", tr("Copy all views"), {tr("Ctrl+Shift+C")}, "", [this] { copy(allSeen()); },
+  add("savePicture", tr("Save picture..."), {tr("Ctrl+E")}, "snapshot", false,
+      tr("Save the picture of the view"), {{"fileMenu", 50}, {"toolBar", 30, toolBarGap + 10}});
+  add("copyPicture", tr("Copy picture"), {QKeySequence::Copy}, "", false, {}, {{"fileMenu", 50}});
+  add("saveAllPictures", tr("Save all views..."), {}, "", true, tr("Save the picture of all views"),
       {{"fileMenu", 50, 10}});
+  add("copyAllPictures", tr("Copy all views"), {tr("Ctrl+Shift+C")}, "", true, {}, {{"fileMenu", 50, 10}});
 }
 
-PictureMakerPtr ViewPictures::viewSeen() const {
+PictureMakerPtr ViewPictures::seen(bool isAll) const {
   View* view = grid_.viewShown();
-  return viewsPicture({view}, session_, [view] {
-    return MadePicture{view->capture(), plainPictureText(view->warningsShown())};
-  });
-}
-
-PictureMakerPtr ViewPictures::allSeen() const {
-  return viewsPicture(grid_.viewsSeen(), session_, [this] {
-    return MadePicture{grid_.capture(), plainPictureText(grid_.warningsShown())};
+  return viewsPicture(isAll ? grid_.viewsSeen() : std::vector{view}, session_, [this, isAll, view] {
+    return isAll ? MadePicture{grid_.capture(), plainPictureText(grid_.warningsShown())}
+                 : MadePicture{view->capture(), plainPictureText(view->warningsShown())};
   });
 }
 

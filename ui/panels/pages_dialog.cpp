@@ -40,17 +40,17 @@ PagesDialog::PagesDialog(int pictures, QWidget* parent)
   form->addRow(trueSize_);
   form->addRow(hideNames_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-  const auto add = [&](const char* name, const QString& text, void (PagesDialog::*wanted)()) {
+  const auto add = [&](const char* name, const QString& text, bool isForPaper) {
     QPushButton* button = buttons->addButton(text, QDialogButtonBox::ActionRole);
     button->setObjectName(QLatin1String(name));
-    connect(button, &QPushButton::clicked, this, [this, wanted] {
+    connect(button, &QPushButton::clicked, this, [this, isForPaper] {
+      isForPaper_ = isForPaper;
       accept();
-      Q_EMIT(this->*wanted)();
     });
     return button;
   };
-  add("pagesPdf", tr("Save as PDF..."), &PagesDialog::pdfWanted)->setDefault(true);
-  add("pagesPrint", tr("Print..."), &PagesDialog::paperWanted);
+  add("pagesPdf", tr("Save as PDF..."), false)->setDefault(true);
+  add("pagesPrint", tr("Print..."), true);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   form->addRow(buttons);
 }

@@ -8,7 +8,7 @@
 
 namespace volumen {
 
-/// Asks how key images are laid out on pages, and whether to save or print them. Closes before its signals.
+/// Asks how key images are laid out on pages, and whether to save or print them.
 class PagesDialog : public QDialog {
   Q_OBJECT
  public:
@@ -16,14 +16,12 @@ class PagesDialog : public QDialog {
 
   PageLook look() const { return {perPage_->currentData().toInt(), trueSize_->isChecked()}; }
   bool namesHidden() const { return hideNames_->isChecked(); }
-
- Q_SIGNALS:
-  void pdfWanted();
-  void paperWanted();
+  bool isForPaper() const { return isForPaper_; }
 
  private:
   QComboBox* perPage_;
   QCheckBox *trueSize_, *hideNames_;
+  bool isForPaper_ = false;
 };
 
 }  // namespace volumen

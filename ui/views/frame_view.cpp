@@ -149,6 +149,7 @@ void FrameView::tellFailure(int view, const FrameKey& key, const QString& senten
   showWaiting();
   update();
   tellPointed();
+  Q_EMIT settled();
 }
 
 bool FrameView::mayShow(const SliceRequest& request) const {

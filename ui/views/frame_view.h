@@ -24,6 +24,7 @@ class FrameView : public FlatView {
     return frame_ ? QLatin1String(pixelSizeWord(frame_->pixel.kind)) : QString();
   }
   LoadedSeriesPtr shown() const override { return isCurrent() && frame_ ? frame_->slice : nullptr; }
+  bool hasItsPicture() const override { return !isLoading(); }
   QString failure() const override { return failure_; }
   Overlays overlays() const override;
   std::vector<WindowChoice> windows() const override;
