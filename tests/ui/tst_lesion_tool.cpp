@@ -22,6 +22,7 @@ class TestLesionTool : public QObject {
   void itIsSeenWhileItIsDrawn();
   void theSphereGoesThroughThePointerInOtherSlices();
   void escGivesItUp();
+  void enterMakesIt();
   void refusedInASentence();
   void aClickIsNone();
 };
@@ -227,6 +228,19 @@ void TestLesionTool::escGivesItUp() {
   QTest::mouseRelease(w.view(), Qt::LeftButton, {}, w.away(at, 12.5));
   QVERIFY(w.idle());
   QVERIFY(w.workspace() == before);
+}
+
+void TestLesionTool::enterMakesIt() {
+  LesionWindow w;
+  const QPoint at = w.showPlace(inLesion);
+  QVERIFY(w.press(inLesion, 12.5));
+  QTest::keyClick(w.view(), Qt::Key_Return);
+  QVERIFY(w.idle());
+  QCOMPARE(w.count(), std::size_t(1));
+  for (const ViewId view : {axialViewId, coronalViewId}) QVERIFY(!w.hasCircle(12.5, view));
+  QTest::mouseRelease(w.view(), Qt::LeftButton, {}, w.away(at, 12.5));
+  QVERIFY(w.idle());
+  QCOMPARE(w.count(), std::size_t(1));
 }
 
 void TestLesionTool::refusedInASentence() {

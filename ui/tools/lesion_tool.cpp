@@ -55,6 +55,10 @@ class LesionDrag : public Drag {
 
   bool release(QPointF p, Qt::KeyboardModifiers) override {
     reach(p);
+    return finish();
+  }
+
+  bool finish() override {
     if (isBall())
       press_.segments->change(lesion());
     else
