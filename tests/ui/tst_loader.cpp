@@ -22,10 +22,14 @@ Series phantom(const char* name) {
 }
 
 struct Watched {
+  Session session;
   Jobs jobs;
-  Loader loader{jobs, realServices().makeScene};
-  QSignalSpy loaded{&loader, &Loader::seriesLoaded}, failed{&loader, &Loader::failed};
+  Loader loader{session, jobs, realServices().makeScene};
+  QSignalSpy loaded{&loader, &Loader::requestLoaded}, failed{&loader, &Loader::failed};
 
+  void load(const Series& series) {
+    session.request([&](Requests& r) { r.show = {std::make_shared<const Series>(series)}; });
+  }
   bool finish() {
     return QTest::qWaitFor([this] { return !loader.isBusy(); }, longest);
   }
@@ -54,7 +58,7 @@ class TestLoader : public QObject {
 
 void TestLoader::aSeriesComesWithWhatThePanelsNeed() {
   Watched w;
-  w.loader.load(phantom("sphere:32"));
+  w.load(phantom("sphere:32"));
   QVERIFY(w.loader.isBusy());
   QVERIFY(w.finish());
   QCOMPARE(w.loaded.count(), 1);
@@ -68,8 +72,8 @@ void TestLoader::aSeriesComesWithWhatThePanelsNeed() {
 
 void TestLoader::theLaterLoadWins() {
   Watched w;
-  w.loader.load(phantom("ct-head:96"));
-  w.loader.load(phantom("sphere:32"));
+  w.load(phantom("ct-head:96"));
+  w.load(phantom("sphere:32"));
   QVERIFY(w.finish());
   QCOMPARE(w.loaded.count(), 1);
   QCOMPARE(w.loaded[0][0].value<LoadedSeriesPtr>()->volume->size().x, 32);
@@ -77,7 +81,7 @@ void TestLoader::theLaterLoadWins() {
 
 void TestLoader::whatIsCancelledIsNotTold() {
   Watched w;
-  w.loader.load(phantom("ct-head:64"));
+  w.load(phantom("ct-head:64"));
   w.loader.cancel();
   QVERIFY(w.finish());
   QCOMPARE(w.loaded.count(), 0);
@@ -165,14 +169,14 @@ void TestLoader::aBadPathIsASentence() {
 
 void TestLoader::closingWhileLoadingIsClean() {
   Watched w;
-  w.loader.load(phantom("ct-head:64"));
+  w.load(phantom("ct-head:64"));
   w.loader.open(QStringLiteral("phantom:sphere"));
 }
 
 void TestLoader::aLoadThatTheUserCancelsIsTold() {
   Watched w;
   QSignalSpy notLoaded(&w.loader, &Loader::notLoaded);
-  w.loader.load(phantom("ct-head:64"));
+  w.load(phantom("ct-head:64"));
   w.loader.open(QStringLiteral("phantom:sphere:16"));
   QSignalSpy opened(&w.loader, &Loader::studyOpened);
   QCOMPARE(w.jobs.rows().size(), std::size_t(2));

@@ -32,7 +32,9 @@ struct StepAwaited : Perfusion {
     if (!opened() || !QTest::qWaitFor([&] { return next() && middleOf(view()) > 100; }, longest))
       return false;
     second = next();
-    QObject::disconnect(&session(), &Session::seriesNeeded, nullptr, nullptr);
+    if (!QTest::qWaitFor([&] { return !window.document().loader.isBusy(); }, longest)) return false;
+    QCoreApplication::processEvents();  // the loader looks once more
+    QObject::disconnect(&session(), &Session::needsChanged, nullptr, nullptr);
     session().pool().forget(keyOf(second->series));
     key(Qt::Key_Right);
     return !session().seriesOf(axialViewId);

@@ -1,11 +1,12 @@
-// Guards files that could not be read for a moment, as if a disk was offline. Frames, numbers on them and
-// regions appear once the files can be read again.
+// Guards files that could not be read for a moment, as if a disk was offline. Frames, numbers on them,
+// regions and series appear once the files can be read again.
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
 #include "io/index/index_path.h"
 #include "tests/ui/frames_window.h"
 #include "ui/controller/derived_objects.h"
+#include "ui/controller/loader.h"
 #include "ui/controller/measure_jobs.h"
 #include "ui/data/frame_series.h"
 #include "ui/panels/regions_panel.h"
@@ -19,6 +20,8 @@ class TestTriedAgain : public QObject {
  private Q_SLOTS:
   void framesAndNumbers();
   void regions();
+  void series_data();
+  void series();
 };
 
 namespace {
@@ -97,6 +100,40 @@ void TestTriedAgain::regions() {
   show(false);
   show(true);
   QTRY_VERIFY_WITH_TIMEOUT(derived.regions(keyOf(*object)), longest);
+  QCOMPARE(failed.count(), 1);
+}
+
+void TestTriedAgain::series_data() {
+  QTest::addColumn<bool>("isRequested");
+  QTest::newRow("after a while") << false;
+  QTest::newRow("at once where it is requested") << true;
+}
+
+void TestTriedAgain::series() {
+  QFETCH(bool, isRequested);
+  NEED_DATA(dataPath("dicom-geometry/mr-mosaic-siemens/axasc35.dcm"));
+  const Away file(QString::fromStdString(dataPath("dicom-geometry/mr-mosaic-siemens/axasc35.dcm")));
+  const Result<Study> study = openPath(file.path.toStdString());
+  QVERIFY(study && !study->volumes.empty());
+  const Series& series = study->volumes[0];
+  Session session;
+  Jobs jobs;
+  Loader loader(session, jobs, realServices().makeScene);
+  QSignalSpy failed(&loader, &Loader::failed), requested(&loader, &Loader::requestLoaded);
+  QVERIFY(file.go());
+  session.open(QStringLiteral("test"), withSeries({}, sceneViewId, series, {}));
+  QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, longest);
+  QVERIFY(file.comeBack());
+  session.setFocus(axialViewId);
+  QVERIFY2(!loader.isBusy(), "not at every change");
+  if (isRequested) {
+    session.request([&](Requests& r) { r.show = {std::make_shared<const Series>(series)}; });
+    QTRY_COMPARE_WITH_TIMEOUT(requested.count(), 1, longest);
+  } else {
+    QTest::qWait(Loader::tryAgainMs + 100);
+    session.setFocus(sceneViewId);
+    QTRY_VERIFY_WITH_TIMEOUT(session.seriesNamed(keyOf(series)), longest);
+  }
   QCOMPARE(failed.count(), 1);
 }
 

@@ -18,7 +18,7 @@ using namespace volumen::tests;
 namespace {
 
 // A study in a folder, and an index that knows it.
-struct Given {
+struct GivenStudy {
   QTemporaryDir dir;
   QString folder = dir.filePath(QStringLiteral("study")), home = dir.filePath(QStringLiteral("home"));
 
@@ -78,7 +78,7 @@ void dropOn(Journey& w, const QStringList& paths) {
   QVERIFY(tests::drop(data, &w.window));
 }
 
-void openListed(const Given& given, Qt::KeyboardModifiers modifiers, Journey& w) {
+void openListed(const GivenStudy& given, Qt::KeyboardModifiers modifiers, Journey& w) {
   const Result<Index> index = Index::open(given.home.toStdString());
   QVERIFY(index);
   auto* tree = w.child<QTreeView>("browserTree");
@@ -117,7 +117,7 @@ void TestWaysIn::aStudyIsShownAlike() {
   QFETCH(QStringList, files);
   QFETCH(QString, layout);
   const UsualLayouts usual;
-  Given given;
+  GivenStudy given;
   if (files.isEmpty()) {
     QDir().mkpath(given.folder);
     for (int n = 0; n < 4; ++n)

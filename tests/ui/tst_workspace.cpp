@@ -6,6 +6,7 @@
 
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
+#include "ui/workspace/needed_series.h"
 #include "ui/workspace/session.h"
 #include "ui/workspace/session_json.h"
 
@@ -260,16 +261,16 @@ void TestWorkspace::aSeriesThatWentIsAskedForAgain() {
   Session session;
   const LoadedSeriesPtr a = tests::ballSeries(), b = tests::ballSeries();
   session.pool().setBudget(1);
-  QSignalSpy needed(&session, &Session::seriesNeeded);
   session.show(a);
   brighten(session, 0.25);
   session.show(b);
   QVERIFY(!session.pool().find({keyOf(a->series), {}}));
   session.undoStack().undo();
-  QCOMPARE(needed.count(), 1);
-  QCOMPARE(needed[0][0].value<Series>().id, a->series.id);
+  const std::vector<NeededSeries> needed = neededSeries(session.workspace(), {}, session.pool());
+  QCOMPARE(needed.size(), std::size_t(1));
+  QCOMPARE(needed[0].series->id, a->series.id);
   QVERIFY(!session.series());
-  session.take(a);
+  session.keep(a);
   QVERIFY(session.series() == a);
   QCOMPARE(brightness(session), 0.25);
   QVERIFY2(session.undoStack().canRedo(), "what came back is no step");

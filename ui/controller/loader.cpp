@@ -63,10 +63,12 @@ Result<LoadedSeriesPtr> loadShown(const Series& series, const VolumePtr& source,
 
 }  // namespace
 
-Loader::Loader(Jobs& jobs, MakeScene makeScene, QObject* parent)
-    : QObject(parent), makeScene_(std::move(makeScene)), open_(&jobs), load_(&jobs) {
+Loader::Loader(Session& session, Jobs& jobs, MakeScene makeScene, QObject* parent)
+    : QObject(parent), session_(session), makeScene_(std::move(makeScene)), open_(&jobs), load_(&jobs) {
+  connect(&session_, &Session::needsChanged, this, &Loader::update);
   for (JobLane* lane : {&open_, &load_})
     lane->whenIdle([this] {
+      update();
       if (!isBusy()) Q_EMIT idle();
     });
 }
@@ -74,12 +76,7 @@ Loader::Loader(Jobs& jobs, MakeScene makeScene, QObject* parent)
 void Loader::cancel() {
   open_.giveUpAll();
   load_.giveUpAll();
-  cancelled();
-}
-
-void Loader::cancelled() {
-  scene_.reset();
-  if (const auto given = std::exchange(loading_, {})) Q_EMIT notLoaded(*given);
+  end({});
 }
 
 // Passes the result of a job to `tell`, or reports its failure.
@@ -129,48 +126,97 @@ void Loader::locate(const MissingObjects& missing, const QString& folder) {
       orFailed([this](const Located& found) { Q_EMIT located(found); }));
 }
 
-void Loader::cancelLoad() {
-  load_.giveUp(loadJob_);
-  scene_.reset();
-  if (std::exchange(loading_, {})) Q_EMIT loadGivenUp();
+// Returns the most needed series that may be read now. A failure holds as long as the series is needed,
+// unless it is requested anew or some time has passed.
+std::optional<NeededSeries> Loader::next() {
+  const std::vector<NeededSeries> needed =
+      neededSeries(session_.workspace(), session_.requests(), session_.pool());
+  const auto find = [&](const SeriesKey& key) {
+    return std::ranges::find(needed, key, [](const NeededSeries& n) { return keyOf(*n.series); });
+  };
+  std::erase_if(failures_, [&](const Failure& failure) {
+    return find(failure.series) == needed.end() || session_.requests().shows(failure.series);
+  });
+  const auto hasFailed = [&](const NeededSeries& n) {
+    const auto failure = std::ranges::find(failures_, keyOf(*n.series), &Failure::series);
+    return failure != failures_.end() &&
+           (!failure->since.isValid() || !failure->since.hasExpired(tryAgainMs));
+  };
+  const auto mayBegin = [&](const NeededSeries& n) {
+    return !hasFailed(n) && (n.reason != NeededFor::later || !open_.isBusy());
+  };
+  const auto first = std::ranges::find_if(needed, mayBegin);
+  const auto now = loading_ ? find(keyOf(*loading_->series)) : needed.end();
+  if (first == needed.end() && now == needed.end()) return {};
+  // The load in progress goes on unless another series is more urgent.
+  const bool goesOn = now != needed.end() && (first == needed.end() || now->reason <= first->reason);
+  return goesOn ? *now : *first;
 }
 
-void Loader::load(const Series& series, const std::optional<Scene>& scene) {
-  begin(series, false);
-  if (scene) scene_ = scene;
+// Reads the most needed series, and no other.
+void Loader::update() {
+  if (isTaking_) return;
+  const std::optional<NeededSeries> wanted = next();
+  const bool goesOn = wanted && loading_ && keyOf(*wanted->series) == keyOf(*loading_->series);
+  if (!goesOn && loading_) load_.giveUp(loadJob_);
+  loading_ = wanted;
+  if (!goesOn && wanted) begin(*wanted->series);
+  tellLoading();
 }
 
-void Loader::loadAhead(const Series& series) { begin(series, true); }
+void Loader::tellLoading() {
+  const std::shared_ptr<const Series> now = loading(), before = std::exchange(told_, now);
+  const bool isSame = now && before ? keyOf(*now) == keyOf(*before) : now == before;
+  if (!isSame) Q_EMIT loadingChanged();
+}
 
-void Loader::begin(const Series& series, bool isAhead) {
-  if (loading_ == keyOf(series)) {
-    if (isAhead_ && !isAhead) Q_EMIT loadBegan(series);
-    isAhead_ = isAhead_ && isAhead;
-    return;
-  }
-  cancelLoad();
-  loading_ = keyOf(series);
-  isAhead_ = isAhead;
-  if (!isAhead) Q_EMIT aboutToRead(series);
+void Loader::begin(const Series& series) {
+  if (isLoading()) session_.pool().makeRoomFor(bytesToLoad(series));
+  const LoadedSeriesPtr source =
+      series.curved ? session_.pool().find({keyOf(sourceOf(series)), {}}) : nullptr;
   loadJob_ = load_.run(
       {tr("Opening"), seriesText(series)},
-      [series, source = series.curved ? held_(keyOf(sourceOf(series))) : nullptr,
-       makeScene = makeScene_](const Job& job) { return loadShown(series, source, makeScene, job); },
-      [this, key = keyOf(series)](const Result<LoadedSeriesPtr>& shown) { take(key, shown); },
-      [this] { cancelled(); });
-  if (!isAhead) Q_EMIT loadBegan(series);
+      [series, volume = source ? source->volume : nullptr, makeScene = makeScene_](const Job& job) {
+        return loadShown(series, volume, makeScene, job);
+      },
+      [this](const Result<LoadedSeriesPtr>& shown) { take(shown); }, [this] { end({}); });
 }
 
-void Loader::take(const SeriesKey& series, const Result<LoadedSeriesPtr>& shown) {
+void Loader::take(const Result<LoadedSeriesPtr>& shown) {
+  if (!shown) return end(QString::fromStdString(shown.message()));
+  const SeriesKey key = keyOf((*shown)->series);
+  std::erase_if(failures_, [&](const Failure& failure) { return failure.series == key; });
   loading_.reset();
-  if (!shown) {
-    Q_EMIT notLoaded(series);
-    Q_EMIT failed(QString::fromStdString(shown.message()));
-  } else if (isAhead_) {
-    Q_EMIT loadedAhead(*shown);
+  isTaking_ = true;
+  if (session_.requests().shows(key)) {
+    std::optional<Scene> scene;
+    session_.request([&](Requests& r) { scene = std::exchange(r.show, {})->scene; });
+    Q_EMIT requestLoaded(*shown, scene);
   } else {
-    Q_EMIT seriesLoaded(*shown, std::exchange(scene_, {}));
+    session_.keep(*shown);
+    if (!session_.pool().peek({key, {}})) failures_.push_back({key, {}});  // it had no room
   }
+  isTaking_ = false;
+  update();
+}
+
+// Ends the load in progress without a series. If `whyNot` is empty, the user cancelled it.
+void Loader::end(const QString& whyNot) {
+  if (!loading_) return;
+  const SeriesKey key = keyOf(*std::exchange(loading_, {})->series);
+  const auto isIts = [&](const Failure& failure) { return failure.series == key; };
+  const bool isNews = std::erase_if(failures_, isIts) == 0;
+  failures_.push_back({key, {}});
+  if (!whyNot.isEmpty()) failures_.back().since.start();
+  isTaking_ = true;
+  session_.request([&](Requests& r) {
+    if (r.shows(key)) r.show.reset();
+  });
+  tellLoading();
+  Q_EMIT notLoaded(key);
+  if (isNews && !whyNot.isEmpty()) Q_EMIT failed(whyNot);
+  isTaking_ = false;
+  QMetaObject::invokeMethod(this, &Loader::update, Qt::QueuedConnection);
 }
 
 void Loader::makePreset(const QString& name, const LoadedSeriesPtr& series) {

@@ -27,7 +27,12 @@ QString layoutKey(const Series& series) {
 
 Opener::Opener(Session& session, Loader& loader, OpenStudies& open)
     : session_(session), loader_(loader), open_(open) {
-  connect(&loader_, &Loader::idle, this, [this] { layoutOfNext_.reset(); });
+  connect(&loader_, &Loader::requestLoaded, this,
+          [this](const LoadedSeriesPtr& series, const std::optional<Scene>& scene) {
+            session_.show(series, session_.workspace().focus, arrangedFor(series->series));
+            if (scene) session_.edit(tr("Open scene"), *scene);
+          });
+  connect(&loader_, &Loader::idle, this, [this] { session_.request([](Requests& r) { r.layout.reset(); }); });
 }
 
 void Opener::list(const QString& path, const std::shared_ptr<const Study>& study) {
@@ -48,14 +53,21 @@ void Opener::show(const Series& series) {
     session_.endGesture();
     return session_.change(tr("Time point"), withTimePoint(workspace, workspace.focus, keyOf(series)));
   }
-  const Session::Arrange arrange = arrangedFor(series);
-  // A series that is still loading would replace it.
-  if (session_.pool().find({keyOf(series), {}})) loader_.cancelLoad();
-  if (!session_.showAgain(series, session_.workspace().focus, arrange)) loader_.load(series);
+  if (!session_.pool().find({keyOf(series), {}})) return read(series);
+  session_.request([](Requests& r) { r.show.reset(); });  // which would replace it
+  session_.showAgain(series, session_.workspace().focus, arrangedFor(series));
+}
+
+// A scene requested for the series before stays.
+void Opener::read(const Series& series, const std::optional<Scene>& scene) {
+  session_.request([&](Requests& r) {
+    const std::optional<Scene> before = r.shows(keyOf(series)) ? r.show->scene : std::nullopt;
+    r.show = {std::make_shared<const Series>(series), scene ? scene : before};
+  });
 }
 
 void Opener::showFrames(const Series& series) {
-  loader_.cancelLoad();
+  session_.request([](Requests& r) { r.show.reset(); });
   session_.showFrames(series, session_.workspace().focus, [&](Workspace w, bool isNew) {
     return isNew ? withTimePointsOf(std::move(w), series, open_.volumes()) : std::move(w);
   });
@@ -67,27 +79,27 @@ std::optional<Series> Opener::firstOf(const Study& study, const std::string& ser
 
 void Opener::showFirst(const Study& study, const std::optional<Scene>& scene) {
   if (const auto largest = chooseSeries(study, {}); scene && largest)
-    return loader_.load(study.volumes[*largest], scene);
+    return read(study.volumes[*largest], scene);
   const std::optional<Series> first = firstOf(study);
   if (!first) return;
-  return opensAsPictures(*first) ? showFrames(*first) : loader_.load(*first);
+  return opensAsPictures(*first) ? showFrames(*first) : read(*first);
 }
 
 void Opener::showFused(const Study& study) {
   const Workspace& workspace = session_.workspace();
   if (workspace.focus >= firstComparedId) return;
-  const std::optional<SeriesKey> loading = loader_.loadingToShow();
-  const SeriesKey key = loading.value_or(workspace.view(sceneViewId).series);
+  const std::optional<Requests::Show>& asked = session_.requests().show;
+  const SeriesKey key = asked ? keyOf(*asked->series) : workspace.view(sceneViewId).series;
   const ViewState& planes = workspace.view(axialViewId);
   const bool isShown = planes.series == key && !showsFrames(planes.kind);
   if (isShown && !flatLookOf(planes).overlay.empty()) return;
   const std::vector<const Series*> open = open_.volumes();
   const auto first = std::ranges::find_if(open, [&](const Series* s) { return keyOf(*s) == key; });
   if (first == open.end()) return;
-  if (const Series* pet = petOver(workspace, **first, study, open)) return loader_.load(*pet);
+  if (const Series* pet = petOver(workspace, **first, study, open)) return read(*pet);
   // A PET that is still loading will be fused when it arrives.
   const Series* ct =
-      (*first)->modality == "PT" && isShown && !loading ? ctUnder(workspace, **first, open) : nullptr;
+      (*first)->modality == "PT" && isShown && !asked ? ctUnder(workspace, **first, open) : nullptr;
   const auto isCt = [&](const Series& s) { return keyOf(s) == keyOf(*ct); };
   if (!ct || std::ranges::none_of(study.volumes, isCt)) return;
   session_.endGesture();
@@ -97,13 +109,13 @@ void Opener::showFused(const Study& study) {
 void Opener::chooseLayout(Layout layout) {
   const Workspace& workspace = session_.workspace();
   if (isInSecond(workspace.focus)) return session_.change(tr("Layout"), withSecondLayout(workspace, layout));
-  if (loader_.isOpening()) layoutOfNext_ = layout;
+  if (loader_.isOpening()) session_.request([&](Requests& r) { r.layout = layout; });
   // Fused views count as the series on top, which is the one opened.
   const SeriesKey over = flatLookOf(workspace.view(workspace.focus)).overlay;
   const Series* shown = seriesIn(workspace, workspace.focus);
   if (const auto top = workspace.series.find(over); !over.empty() && top != workspace.series.end())
     shown = top->second.series.get();
-  if (!shown && layoutOfNext_) return;
+  if (!shown && session_.requests().layout) return;
   if (shown) layoutsChosen_[layoutKey(*shown)] = layout;
   session_.change(tr("Layout"), withLikelySecond(withLayout(workspace, layout), open_.pictures()));
 }
@@ -147,9 +159,13 @@ Workspace Opener::arranged(Workspace workspace, const Series& series, bool isNew
   return withTimePointsOf(std::move(workspace), series, open_.volumes());
 }
 
+// Returns the arrangement for a series: the layout of its modality, unless series are being compared. A
+// series shown for the first time also gets its time points, and a PET its CT. A layout chosen while the
+// series was loading becomes the layout of its modality.
 Session::Arrange Opener::arrangedFor(const Series& series) {
-  const bool isLayoutWanted = layoutOfNext_.has_value();
-  if (isLayoutWanted) layoutsChosen_[layoutKey(series)] = *std::exchange(layoutOfNext_, {});
+  const bool isLayoutWanted = session_.requests().layout.has_value();
+  if (isLayoutWanted) layoutsChosen_[layoutKey(series)] = *session_.requests().layout;
+  session_.request([](Requests& r) { r.layout.reset(); });
   return [this, series, isLayoutWanted](Workspace w, bool isNew) {
     return arranged(std::move(w), series, isNew, isLayoutWanted);
   };

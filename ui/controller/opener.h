@@ -24,15 +24,13 @@ class Opener : public QObject {
   void showFrames(const Series& series);
   /// Returns the firstSeries() of an open study.
   std::optional<Series> firstOf(const Study& study, const std::string& seriesUid = {}) const;
+  /// Reads a series and then shows it with `scene` in the view in focus, as its volume.
+  void read(const Series& series, const std::optional<Scene>& scene = {});
   /// Reads the firstOf() a study and shows it, or its largest volume with this scene.
   void showFirst(const Study& study, const std::optional<Scene>& scene);
   /// Shows a study opened together with the one shown first: a PET over its CT, or the CT under its PET.
   void showFused(const Study& study);
 
-  /// Returns the arrangement for a series: the layout of its modality, unless series are being compared. A
-  /// series shown for the first time also gets its time points, and a PET its CT. A layout chosen while the
-  /// series was loading becomes the layout of its modality.
-  Session::Arrange arrangedFor(const Series& series);
   /// Returns the main window in the layout last chosen for the modality. If there is none, or comparison
   /// views would stay empty, uses the usual layout. If the series comes into the second window, the main
   /// window stays unchanged.
@@ -49,6 +47,7 @@ class Opener : public QObject {
  private:
   Workspace inLayoutOf(Workspace workspace, const Series& series, bool mayBeEmpty) const;
   Workspace arranged(Workspace workspace, const Series& series, bool isNew, bool isLayoutWanted) const;
+  Session::Arrange arrangedFor(const Series& series);
   std::optional<Layout> layoutChosenFor(const Series& series) const;
   Workspace compared(Workspace workspace, Layout layout) const;
 
@@ -56,7 +55,6 @@ class Opener : public QObject {
   Loader& loader_;
   OpenStudies& open_;
   std::map<QString, Layout> layoutsChosen_;  // by modality, since the program began
-  std::optional<Layout> layoutOfNext_;       // chosen while a series is loading
 };
 
 }  // namespace volumen

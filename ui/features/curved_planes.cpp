@@ -18,9 +18,6 @@ class CurvedPlanes : public Feature {
  private:
   void show(double halfWidth);
   glm::dvec3 towards(const Measurement& curve) const;
-  void giveUpUndone(const Workspace& now);
-
-  std::optional<SeriesKey> loading_;  // the series being loaded to be shown along a curve
 };
 
 CurvedPlanes::CurvedPlanes(Workbench& bench) : Feature(bench) {
@@ -34,19 +31,6 @@ CurvedPlanes::CurvedPlanes(Workbench& bench) : Feature(bench) {
   connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* menu) {
     if (curveMeant(session_.workspace())) menu->addAction(bench_.action("showCurvedPlane"));
   });
-  connect(&bench_.document.loader, &Loader::loadBegan, this, [this](const Series& series) {
-    loading_ = series.curved ? std::optional(keyOf(series)) : std::nullopt;
-  });
-  // The next load may have begun already.
-  const auto ended = [this](const SeriesKey& series) {
-    if (loading_ == series) loading_.reset();
-  };
-  connect(&bench_.document.loader, &Loader::seriesLoaded, this,
-          [ended](const LoadedSeriesPtr& series) { ended(keyOf(series->series)); });
-  connect(&bench_.document.loader, &Loader::notLoaded, this, ended);
-  connect(&bench_.document.loader, &Loader::loadGivenUp, this, [this] { loading_.reset(); });
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace&, const Workspace& now) { giveUpUndone(now); });
 }
 
 void CurvedPlanes::show(double halfWidth) {
@@ -67,13 +51,6 @@ glm::dvec3 CurvedPlanes::towards(const Measurement& curve) const {
   const bool isOfIt = view && view->shown() && keyOf(view->shown()->series) == curve.series;
   const std::optional<SlicePlane> plane = isOfIt ? view->plane() : std::nullopt;
   return plane ? plane->normal() : usualTowards(session_.workspace(), curve);
-}
-
-// Cancels the load for an undone step, which would be shown all the same.
-void CurvedPlanes::giveUpUndone(const Workspace& now) {
-  if (!loading_ || now.series.contains(*loading_)) return;
-  loading_.reset();
-  bench_.document.loader.cancelLoad();
 }
 
 }  // namespace

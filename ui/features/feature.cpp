@@ -15,7 +15,6 @@ const std::vector<FeatureEntry>& features() {
       {"preferences", makePreferences},
       {"pages", makePages},
       {"status", makeStatus},
-      {"loading", makeLoading},
       {"first images", makeFirstImages},
       {"drawing", makeDrawing},
       {"keys", makeKeys},

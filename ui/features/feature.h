@@ -64,7 +64,6 @@ std::unique_ptr<Feature> makeKeyImages(Workbench& bench);
 std::unique_ptr<Feature> makeKeyImagePages(Workbench& bench);
 std::unique_ptr<Feature> makeKeys(Workbench& bench);
 std::unique_ptr<Feature> makeKeysAhead(Workbench& bench);
-std::unique_ptr<Feature> makeLoading(Workbench& bench);
 std::unique_ptr<Feature> makeMeasuring(Workbench& bench);
 std::unique_ptr<Feature> makeMeasurementCharts(Workbench& bench);
 std::unique_ptr<Feature> makeOpening(Workbench& bench);

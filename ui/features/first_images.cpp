@@ -25,7 +25,7 @@ class FirstImages : public Feature {
  private:
   void begin(const Series& series);
   void end();
-  void endOf(const SeriesKey& series);
+  void followLoad();
   void look();
   void lookSoon();
   SeriesState stateOfIt() const;
@@ -52,16 +52,7 @@ FirstImages::FirstImages(Workbench& bench)
   });
   connect(&soon_, &QTimer::timeout, this, &FirstImages::look);
   connect(image_, &FirstImage::appears, this, &FirstImages::look);
-  Loader& loader = bench_.document.loader;
-  connect(&loader, &Loader::loadBegan, this, &FirstImages::begin);
-  connect(&loader, &Loader::loadGivenUp, this, &FirstImages::end);
-  connect(&loader, &Loader::notLoaded, this, &FirstImages::endOf);
-  connect(&loader, &Loader::seriesLoaded, this, [this](const LoadedSeriesPtr& loaded) {
-    if (!series_ || keyOf(*series_) != keyOf(loaded->series)) return;
-    isLoaded_ = true;
-    if (image_->isHidden()) return end();
-    lookSoon();
-  });
+  connect(&bench_.document.loader, &Loader::loadingChanged, this, &FirstImages::followLoad);
   connect(&bench_.document.slices, &SliceService::failed, this, [this](int view) {
     const View* shown = series_ ? viewOfIt() : nullptr;
     if (view == firstImageId || (shown && shown->id() == view)) end();
@@ -88,8 +79,12 @@ void FirstImages::end() {
   image_->end();
 }
 
-void FirstImages::endOf(const SeriesKey& series) {
-  if (series_ && keyOf(*series_) == series) end();
+void FirstImages::followLoad() {
+  if (const auto loading = bench_.document.loader.loading()) return begin(*loading);
+  if (!series_) return;
+  isLoaded_ = session_.pool().peek({keyOf(*series_), {}}) != nullptr;
+  if (!isLoaded_ || image_->isHidden()) return end();
+  lookSoon();
 }
 
 // Waits until all views have handled the change.

@@ -103,7 +103,7 @@ void FrameActions::setShowAsFrames(bool asFrames) {
   if (!shown) return;
   const Series series = *shown;
   if (asFrames) return bench_.document.opener.showFrames(series);
-  if (!session_.showAgain(series, focus)) bench_.document.loader.load(series);
+  if (!session_.showAgain(series, focus)) bench_.document.opener.read(series);
 }
 
 // Updates the actions for the view in focus.

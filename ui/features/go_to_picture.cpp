@@ -56,7 +56,7 @@ void showPicture(Workbench& bench, const Series& shown, int index) {
 void showAsFrame(Workbench& bench, const QString& text, const Series& series, int index,
                  const DerivedKey& presentation) {
   Session& session = bench.document.session;
-  bench.document.loader.cancelLoad();
+  session.request([](Requests& r) { r.show.reset(); });
   const ViewId view = framesViewOf(session.workspace().focus);
   if (session.workspace().series.empty()) session.showFrames(series, view);
   Workspace after = withFrames(session.workspace(), view, series);

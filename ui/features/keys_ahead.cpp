@@ -27,7 +27,6 @@ class KeysAhead : public Feature {
   bool isAwaited() const;
   void give();
 
-  std::shared_ptr<const Series> series_;       // the series being loaded, or null
   std::optional<Qt::KeyboardModifiers> ctrl_;  // modifiers of the digit; empty if none was pressed
   int digit_ = 0;                              // the last digit pressed, valid if ctrl_ is set
   bool isListening_ = false;
@@ -36,11 +35,10 @@ class KeysAhead : public Feature {
 KeysAhead::KeysAhead(Workbench& bench) : Feature(bench) {
   Loader& loader = bench_.document.loader;
   connect(&loader, &Loader::openBegan, this, &KeysAhead::begin);
-  connect(&loader, &Loader::loadBegan, this, [this](const Series& series) {
-    series_ = std::make_shared<const Series>(series);
-    begin();
+  connect(&loader, &Loader::loadingChanged, this, [this] {
+    if (bench_.document.loader.isLoading()) begin();
   });
-  for (const auto ended : {&Loader::idle, &Loader::loadGivenUp})
+  for (const auto ended : {&Loader::idle, &Loader::loadingChanged})
     connect(&loader, ended, this, &KeysAhead::end, Qt::QueuedConnection);
   connect(&session_, &Session::workspaceChanged, this, &KeysAhead::give, Qt::QueuedConnection);
   bench_.window.setFocus();  // otherwise the first input field would get the focus
@@ -63,7 +61,6 @@ void KeysAhead::begin() {
 void KeysAhead::end() {
   if (bench_.document.loader.isOpening()) return;
   isListening_ = false;
-  series_.reset();
   qApp->removeEventFilter(this);
   give();
 }
@@ -75,10 +72,11 @@ bool KeysAhead::isAwaited() const {
   const std::vector<ViewId> views = viewsOnScreen(workspace);
   const auto isEmpty = [&](ViewId id) { return workspace.view(id).series.empty(); };
   if (std::ranges::all_of(views, isEmpty)) return bench_.document.loader.isOpening();
-  if (!series_ || !bench_.document.loader.isLoading()) return false;
-  const auto isOver = [&](ViewId id) { return flatLookOf(workspace.view(id)).overlay == keyOf(*series_); };
+  const std::shared_ptr<const Series> series = bench_.document.loader.loading();
+  if (!series) return false;
+  const auto isOver = [&](ViewId id) { return flatLookOf(workspace.view(id)).overlay == keyOf(*series); };
   const Series* shown = seriesIn(workspace, workspace.focus);
-  return std::ranges::none_of(views, isOver) && !(shown && areTimePoints(*shown, *series_));
+  return std::ranges::none_of(views, isOver) && !(shown && areTimePoints(*shown, *series));
 }
 
 // Ignores windows, as they receive each key before their widgets do.

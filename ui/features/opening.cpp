@@ -10,12 +10,14 @@
 #include "ui/widgets/banner.h"
 #include "ui/widgets/path_dialog.h"
 #include "ui/workspace/dropped_files.h"
+#include "ui/workspace/text.h"
 
 namespace volumen {
 
 namespace {
 
-// Opens files and folders by dialog, drop and the list of recent files.
+// Opens files and folders by dialog, drop and the list of recent files. Puts what was read into the list and
+// the views, and reports failures.
 class Opening : public Feature {
  public:
   explicit Opening(Workbench& bench);
@@ -29,6 +31,7 @@ class Opening : public Feature {
   void takeDropped(const QStringList& paths, const QWidget* under);
   void ask(const QString& title, QFileDialog::FileMode mode);
   void showRecent();
+  void showStudy(const QString& path, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
 
   QMenu* recentMenu_;
 };
@@ -42,6 +45,10 @@ Opening::Opening(Workbench& bench) : Feature(bench) {
   connect(&recent, &RecentFiles::changed, this, &Opening::showRecent);
   showRecent();
   connect(&bench_, &Workbench::openRequested, this, &Opening::open);
+  const Loader* loader = &bench_.document.loader;
+  connect(loader, &Loader::studyOpened, this, &Opening::showStudy);
+  connect(loader, &Loader::failed, this, [this](const QString& sentence) { bench_.banner.add(sentence); });
+  connect(loader, &Loader::notLoaded, &grid_, &ViewGrid::giveUpWaiting);
   for (QWidget* window :
        {static_cast<QWidget*>(&bench_.window), static_cast<QWidget*>(&grid_.secondWindow())}) {
     window->setAcceptDrops(true);
@@ -110,6 +117,25 @@ void Opening::showRecent() {
   auto* clear = recentMenu_->addAction(tr("Clear list"));
   clear->setObjectName(QStringLiteral("clearRecentMenu"));
   connect(clear, &QAction::triggered, &recent, &RecentFiles::clear, Qt::QueuedConnection);
+}
+
+void Opening::showStudy(const QString& path, const std::shared_ptr<const Study>& study,
+                        const OpenIntent& intent) {
+  bench_.document.opener.list(path, study);
+  QStringList details = refusedTexts(study->refused);
+  for (const Other& other : study->other)
+    details << pathText(other.path) + QStringLiteral(": ") + shownText(other.kind);
+  const bool hasPictures = !study->volumes.empty() || !study->images.empty();
+  if (!hasPictures && !study->derived.empty()) return;  // the list shows them
+  if (!hasPictures)
+    return bench_.banner.add(tr("No images found in %1.").arg(pathText(path.toStdString())), details);
+  if (!study->refused.empty()) bench_.banner.add(unreadText(*study), details);
+  bench_.document.recent.add(path);
+  if (!intent.isShown) return;
+  if (!std::exchange(*intent.isShown, true))
+    bench_.document.opener.showFirst(*study, intent.scene);
+  else if (!intent.scene)
+    bench_.document.opener.showFused(*study);
 }
 
 // Imports files whose name marks them as segments into the series of the view under the pointer. Opens all

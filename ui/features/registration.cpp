@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ui/controller/registration_jobs.h"
-#include "ui/controller/time_points_ahead.h"
 #include "ui/features/feature.h"
 #include "ui/panels/link_menu.h"
 #include "ui/workspace/links.h"
@@ -30,7 +29,6 @@ class Registration : public Feature {
 };
 
 Registration::Registration(Workbench& bench) : Feature(bench), registrar_(bench.document.jobs, this) {
-  new TimePointsAhead(session_, bench_.document.loader, this);
   QMenu* menu = makeLinkMenu(
       session_, [this] { registerViews(); }, &bench_.window);
   bench_.menus.addMenu(menu, {{"viewMenu", 60, 70}});

@@ -106,9 +106,9 @@ void Studies::showAttributesInFocus() {
 }
 
 void Studies::closeAll(const Unlisted& listed) {
-  bench_.document.loader.cancel();
   bench_.banner.hide();
   session_.closeAll(listed);
+  bench_.document.loader.cancel();
 }
 
 }  // namespace

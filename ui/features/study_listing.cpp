@@ -94,16 +94,13 @@ StudyListing::StudyListing(Workbench& bench)
   for (const auto& source : sources_.all()) connectSource(*source);
   const Loader* loader = &bench_.document.loader;
   connect(loader, &Loader::filesOpened, this, &StudyListing::showFound);
-  // Queued, so that the session takes the loaded series first.
-  connect(loader, &Loader::idle, this, &StudyListing::showNext, Qt::QueuedConnection);
-  connect(loader, &Loader::seriesLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
-  connect(loader, &Loader::notLoaded, this, &StudyListing::showNext, Qt::QueuedConnection);
   connect(loader, &Loader::openBegan, this, &StudyListing::leaveKeys);
-  connect(loader, &Loader::loadBegan, this, [this] {
-    if (!showsAnything(session_.workspace())) giveWay();
+  connect(loader, &Loader::loadingChanged, this, [this] {
+    if (bench_.document.loader.isLoading() && !showsAnything(session_.workspace())) giveWay();
   });
-  for (const auto ended : {&Loader::idle, &Loader::loadGivenUp})
-    connect(loader, ended, this, &StudyListing::comeBack, Qt::QueuedConnection);
+  // Queued, because another load may begin at once.
+  for (const auto ended : {&Loader::idle, &Loader::loadingChanged})
+    connect(loader, ended, this, &StudyListing::showNext, Qt::QueuedConnection);
   browser_->refresh();
 }
 
@@ -272,14 +269,15 @@ void StudyListing::showFound(const QString& place, const std::shared_ptr<const S
   showNext();
 }
 
-// Shows waiting studies one by one, as the next load would replace the running one. Skips studies closed
-// meanwhile.
+// Shows waiting studies one by one, as the next request would replace the one before. Skips studies closed
+// meanwhile. Comes back if nothing is shown.
 void StudyListing::showNext() {
   while (!waiting_.empty() && !bench_.document.loader.isLoading()) {
     const Waiting next = std::move(waiting_.front());
     waiting_.pop_front();
     if (open_.studyOf(next.place) == next.study) showChosen(*next.study, next.intent);
   }
+  comeBack();
 }
 
 // Shows the chosen or first series in place of other patients, beside the others, or in the view in focus.

@@ -55,12 +55,8 @@ bool areSeriesOf(const Workspace& a, const Workspace& b) {
 Document::Document(const Services& services)
     : sources(services.makeSources(services.indexFolder, jobs)),
       drawService(services.makeDraw, session.sharedPool()),
-      loader(jobs, services.makeScene) {
+      loader(session, jobs, services.makeScene) {
   frames.shareBudgetOf(session.sharedPool());
-  loader.useHeld([this](const SeriesKey& key) {
-    const LoadedSeriesPtr held = session.pool().find({key, {}});
-    return held ? held->volume : nullptr;
-  });
 }
 
 Workbench::Workbench(const Services& theServices, Document& theDocument, const WindowParts& parts)

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "io/curved.h"
 #include "ui/workspace/curved_planes.h"
 #include "ui/workspace/edit_workspace.h"
+#include "ui/workspace/needed_series.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
@@ -95,18 +95,6 @@ bool Session::showAgain(const Series& series, ViewId view, const Arrange& arrang
   return held != nullptr;
 }
 
-void Session::take(LoadedSeriesPtr series, const Arrange& arrange) {
-  const SeriesKey key = keyOf(series->series);
-  const auto waits = [&](ViewId id) {
-    const ViewState& view = workspace_.view(id);
-    const bool shows = view.series == key && !showsFrames(view.kind);
-    return (shows || flatLookOf(view).overlay == key) && !seriesNamed(key);
-  };
-  if (std::ranges::none_of(viewsOnScreen(workspace_), waits))
-    return show(std::move(series), workspace_.focus, arrange);
-  keep(std::move(series));
-}
-
 void Session::keep(LoadedSeriesPtr series) {
   pool_->put({keyOf(series->series), {}}, series);
   setWorkspace(withFound(workspace_, series->series));
@@ -121,6 +109,7 @@ void Session::takeMasked(const Mask& mask, LoadedSeriesPtr masked) {
 
 void Session::open(const QString& text, const Workspace& workspace) {
   endGesture();
+  requests_.show.reset();
   const Workspace after = replacedBy(workspace_, workspace);
   if (isFresh()) return setWorkspace(after);
   if (after != workspace_) push(text, after, {});
@@ -138,6 +127,7 @@ void Session::close(const std::vector<SeriesKey>& series, const std::vector<Deri
   unlisted.derived.insert(derived.begin(), derived.end());
   if (after == workspace_) return;
   endGesture();
+  if (requests_.show && std::ranges::count(gone, keyOf(*requests_.show->series)) > 0) requests_.show.reset();
   for (const SeriesKey& key : gone) pool_->forget(key);
   push(tr("Remove from list"), after, {});
 }
@@ -283,72 +273,30 @@ SessionState Session::stateInFocus() const {
   return state;
 }
 
-// Returns the series on screen with their masks, the view in focus first.
-std::vector<PoolKey> Session::wantedOnScreen() const {
-  std::vector<ViewId> views = viewsOnScreen(workspace_);
-  std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace_.focus; });
-  std::vector<PoolKey> wanted;
-  for (const ViewId id : views) {
-    const ViewState& view = workspace_.view(id);
-    if (volumen::showsFrames(view.kind)) continue;
-    const SeriesKey overlay = showsScene(view.kind) ? SeriesKey{} : flatLookOf(view).overlay;
-    for (const SeriesKey& key : {view.series, overlay})
-      if (!key.empty() && std::ranges::find(wanted, key, &PoolKey::series) == wanted.end())
-        wanted.push_back(poolKeyOf(key));
-  }
-  return wanted;
+void Session::request(const std::function<void(Requests&)>& change) {
+  const Requests before = requests_;
+  change(requests_);
+  if (requests_ != before) Q_EMIT needsChanged();
 }
 
-void Session::setLoading(const std::optional<SeriesKey>& series) { loading_ = series; }
-
-void Session::setNotLoaded(const SeriesKey& series) {
-  if (loading_ == series) loading_.reset();
-  notLoaded_.insert(series);
-}
-
-// Returns whether a series is not in memory but can be loaded.
-bool Session::isMissing(const SeriesKey& series) const {
-  const auto known = workspace_.series.find(series);
-  return known != workspace_.series.end() && !known->second.missing && !pool_->peek(poolKeyOf(series));
-}
-
-void Session::askForMissing() {
-  const std::vector<PoolKey> wanted = wantedOnScreen();
-  const auto isWanted = [&](const SeriesKey& key) {
-    return std::ranges::find(wanted, key, &PoolKey::series) != wanted.end();
-  };
-  std::erase_if(notLoaded_, [&](const SeriesKey& key) { return !isWanted(key); });
-  const bool canAsk = !loading_ || (loading_ == askedFor_ && !isWanted(*loading_));
-  std::optional<SeriesKey> next;
-  for (const auto& [key, mask] : wanted) {
-    if (!isMissing(key)) continue;
-    if (!mask.empty() && pool_->peek({key, {}}))
-      Q_EMIT maskedNeeded(key);
-    else if (!next && !notLoaded_.contains(key))
-      next = key;
-  }
-  // A curved reformat is made from its source in memory.
-  if (next && isMissing(*next))
-    if (const SeriesKey source = keyOf(sourceOf(*workspace_.series.at(*next).series));
-        isWanted(source) && isMissing(source) && !pool_->peek({source, {}}) && !notLoaded_.contains(source))
-      next = source;
-  // A receiver of maskedNeeded() may have changed the workspace.
-  if (!next || !canAsk || !isMissing(*next)) return;
-  askedFor_ = next;
-  Q_EMIT seriesNeeded(Series(*workspace_.series.at(*next).series));
+void Session::tellMasksNeeded() {
+  for (const PoolKey& key : seriesOnScreen(workspace_))
+    if (!key.mask.empty() && !pool_->peek(key) && pool_->peek({key.series, {}}))
+      Q_EMIT maskedNeeded(key.series);
 }
 
 void Session::setWorkspace(const Workspace& workspace) {
   Workspace after = workspace;  // a copy, because it may be the present one
   const Workspace before = std::exchange(workspace_, std::move(after));
-  std::vector<PoolKey> onScreen = wantedOnScreen();
+  std::vector<PoolKey> onScreen = seriesOnScreen(workspace_);
   for (std::size_t n = 0, count = onScreen.size(); n < count; ++n)
     onScreen.push_back({onScreen[n].series, {}});  // unmasked, for the next mask
   pool_->setOnScreen(std::move(onScreen));
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);
   if (stateBefore != state_) Q_EMIT changed(stateBefore, state_);
-  askForMissing();
+  tellMasksNeeded();
+  Q_EMIT needsChanged();
 }
 
 }  // namespace volumen

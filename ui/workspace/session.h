@@ -4,12 +4,12 @@
 #include <QUndoStack>
 #include <functional>
 #include <optional>
-#include <set>
 
 #include "ui/data/series_pool.h"
-#include "ui/workspace/packed_labels.h"
 #include "ui/workspace/links.h"
+#include "ui/workspace/packed_labels.h"
 #include "ui/workspace/preferences.h"
+#include "ui/workspace/requests.h"
 #include "ui/workspace/workspace.h"
 
 namespace volumen {
@@ -63,15 +63,6 @@ class Session : public QObject {
   /// Makes `after` the workspace, whose views are empty for a series to be shown next. It is one undo step
   /// together with showing that.
   void makeRoom(const QString& text, const Workspace& after);
-  /// Keeps a series that views on screen wait for; shows any other.
-  void take(LoadedSeriesPtr series, const Arrange& arrange = {});
-  /// Sets the series being loaded. After an empty one, the next change or askForMissing() requests the next
-  /// missing series by seriesNeeded().
-  void setLoading(const std::optional<SeriesKey>& series);
-  /// Marks a series as not loadable. It is requested again when a view shows it anew.
-  void setNotLoaded(const SeriesKey& series);
-  /// Requests a series that views on screen lack, unless one is being loaded.
-  void askForMissing();
   /// Keeps a series in memory for views that wait for it now or later.
   void keep(LoadedSeriesPtr series);
   /// Keeps a series with a mask applied.
@@ -135,6 +126,11 @@ class Session : public QObject {
   /// Changes the present preferences.
   void prefer(const std::function<void(Preferences&)>& change);
 
+  /// Returns what was asked for and is not there yet.
+  const Requests& requests() const { return requests_; }
+  /// Changes the requests.
+  void request(const std::function<void(Requests&)>& change);
+
   SeriesPool& pool() { return *pool_; }
   /// Returns the same for holders that live longer or on other threads.
   const std::shared_ptr<SeriesPool>& sharedPool() const { return pool_; }
@@ -147,9 +143,8 @@ class Session : public QObject {
   void changed(const volumen::SessionState& before, const volumen::SessionState& after);
   /// Anything changed, or a series came into memory.
   void workspaceChanged(const volumen::Workspace& before, const volumen::Workspace& after);
-  /// A view shows a series that is not in memory: take() it. Requests one at a time, the one of the view in
-  /// focus first, but the source of a curved reformat before it.
-  void seriesNeeded(const volumen::Series& series);
+  /// neededSeries() may have changed. Sent after the signals about the workspace.
+  void needsChanged();
   /// A view shows this series with its mask, and that volume is not in memory: takeMasked() it.
   void maskedNeeded(const volumen::SeriesKey& series);
 
@@ -168,23 +163,20 @@ class Session : public QObject {
   void push(const QString& text, Workspace after, const QString& mergeKey);
   void fitUndo();
   SessionState stateInFocus() const;
-  std::vector<PoolKey> wantedOnScreen() const;
-  bool isMissing(const SeriesKey& series) const;
+  void tellMasksNeeded();
   void setWorkspace(const Workspace& workspace);
 
   Workspace workspace_;
   const std::shared_ptr<SeriesPool> pool_ = std::make_shared<SeriesPool>();
   SessionState state_;  // state of the 3D view in focus
   Preferences preferences_;
+  Requests requests_;
   LabelPacker packer_;  // of the undo steps' labels
   QUndoStack undoStack_;
   ViewSizes viewSizes_;
   int gesture_ = 0;
   bool playsNow_ = false;  // inside playOn()
   bool playsOn_ = false;   // a change belongs to the last step
-  std::optional<SeriesKey> loading_,
-      askedFor_;                   // the one being loaded, by whomever; the last of seriesNeeded()
-  std::set<SeriesKey> notLoaded_;  // series on screen that could not be loaded
 };
 
 }  // namespace volumen

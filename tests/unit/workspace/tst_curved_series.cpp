@@ -12,6 +12,7 @@
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/links.h"
 #include "ui/workspace/measurements.h"
+#include "ui/workspace/needed_series.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/session.h"
 #include "ui/workspace/session_json.h"
@@ -317,18 +318,10 @@ void TestCurvedSeries::theirSourceIsAskedForFirst() {
   const Workspace workspace = shownIn(withCurve());
   const SeriesKey straightened = keyOf(pairIn(workspace).straightened);
   QVERIFY2(workspace.view(workspace.focus).series == straightened, "which would be the first");
-  Session session;
-  std::vector<SeriesKey> asked;
-  QObject::connect(&session, &Session::seriesNeeded, &session,
-                   [&](const Series& series) { asked.push_back(keyOf(series)); });
-  session.open(QStringLiteral("Open"), workspace);
-  QCOMPARE(asked.size(), std::size_t(1));
-  QVERIFY(asked[0] == keyOf(head()));
-  // Loading does not wait for a source that is not available.
-  session.setNotLoaded(keyOf(head()));
-  session.askForMissing();
-  QCOMPARE(asked.size(), std::size_t(2));
-  QVERIFY(asked[1] == straightened);
+  const std::vector<NeededSeries> needed = neededSeries(workspace, {}, SeriesPool());
+  QVERIFY(needed.size() > 1);
+  QVERIFY(keyOf(*needed[0].series) == keyOf(head()));
+  QVERIFY2(keyOf(*needed[1].series) == straightened, "which does not wait for a source that cannot be read");
 }
 
 VOLUMEN_TEST(TestCurvedSeries);
