@@ -8,8 +8,8 @@
 #include <limits>
 #include <set>
 
-#include "ui/controller/measure_jobs.h"
 #include "ui/data/frame_series.h"
+#include "ui/derivations/measured_numbers.h"
 #include "ui/workspace/links.h"
 #include "ui/workspace/text.h"
 
@@ -91,9 +91,8 @@ PictureRun::PictureRun(const ViewGrid& grid, const Session& session, Jobs& jobs,
   // Runs after the view has received the frame as well.
   connect(&frames_, &FrameService::ready, this,
           [this] { QTimer::singleShot(0, this, &PictureRun::prepare); });
-  connect(&frames_, &FrameService::failed, this, [this](int view, const FrameKey&, const QString& sentence) {
-    if (view != measuredId) end(shownText(sentence.toStdString()));
-  });
+  connect(&frames_, &FrameService::failed, this,
+          [this](int, const FrameKey&, const QString& sentence) { end(shownText(sentence.toStdString())); });
 }
 
 PictureRun::~PictureRun() { jobs_.remove(job_); }
@@ -129,7 +128,7 @@ void PictureRun::showStop() {
   view_.reset();
   measurer_.reset();
   copy_ = sessionOf(stop, look_.size, session_);
-  measurer_ = std::make_unique<MeasureJobs>(*copy_, frames_);
+  measurer_ = std::make_unique<MeasuredNumbers>(*copy_, frames_);
   view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view, shown_);
   isPrepared_ = false;
   if (!view_) return end(tr("Only slices and frames can be made into such pictures."));

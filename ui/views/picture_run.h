@@ -16,7 +16,7 @@
 
 namespace volumen {
 
-class MeasureJobs;
+class MeasuredNumbers;
 
 /// A finished picture of a flat view.
 struct MadePicture {
@@ -82,7 +82,7 @@ class PictureRun : public QObject {
   std::size_t at_ = 0;
   FrameService frames_;
   std::unique_ptr<Session> copy_;  // with the workspace of the stop
-  std::unique_ptr<MeasureJobs> measurer_;
+  std::unique_ptr<MeasuredNumbers> measurer_;
   std::unique_ptr<FlatView> view_;  // over copy_ and measurer_
   QTimer numbersSoon_;
   bool isPrepared_ = false;  // whether the content of the stop is known

@@ -39,7 +39,7 @@ std::vector<QRect> placesOf(Layout layout, std::size_t count, QSize area) {
 }  // namespace
 
 ViewGrid::ViewGrid(Session& session, const DrawnScenes& drawn, DrawService& drawService, SliceService& slices,
-                   FrameService& frames, MeasureJobs& measurer, DerivedObjects& derived, QWidget* parent)
+                   FrameService& frames, MeasuredNumbers& measurer, DerivedObjects& derived, QWidget* parent)
     : QWidget(parent),
       session_(session),
       parts_{session, drawn, drawService, slices, frames, measurer, derived},
@@ -237,8 +237,9 @@ QImage ViewGrid::capture() const {
   return image;
 }
 
-std::unique_ptr<FlatView> ViewGrid::unseenView(Session& session, FrameService& frames, MeasureJobs& measurer,
-                                               ViewId id, const Shown& shown) const {
+std::unique_ptr<FlatView> ViewGrid::unseenView(Session& session, FrameService& frames,
+                                               MeasuredNumbers& measurer, ViewId id,
+                                               const Shown& shown) const {
   const ViewFamily family = rowOf(session.workspace().view(id).kind).family;
   if (family == ViewFamily::scene) return nullptr;
   ViewParts parts{session, parts_.drawn, parts_.drawService, parts_.slices, frames, measurer, parts_.derived};

@@ -8,7 +8,7 @@ namespace volumen {
 class DrawService;
 class DrawnScenes;
 class FrameService;
-class MeasureJobs;
+class MeasuredNumbers;
 class DerivedObjects;
 class SliceService;
 class View;
@@ -20,7 +20,7 @@ struct ViewParts {
   DrawService& drawService;
   SliceService& slices;
   FrameService& frames;
-  MeasureJobs& measurer;
+  MeasuredNumbers& measurer;
   DerivedObjects& derived;
 };
 
