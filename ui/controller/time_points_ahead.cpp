@@ -26,7 +26,8 @@ TimePointsAhead::TimePointsAhead(Session& session, Loader& loader, QObject* pare
   // Runs later, because a change may request another series.
   connect(&session_, &Session::workspaceChanged, this,
           [this] { QMetaObject::invokeMethod(this, &TimePointsAhead::look, Qt::QueuedConnection); });
-  connect(&loader_, &Loader::loadedAhead, &session_, &Session::keep);
+  connect(&loader_, &Loader::loadedAhead, &session_,
+          [this](const LoadedSeriesPtr& series) { session_.keep(series); });
   connect(&loader_, &Loader::idle, this, &TimePointsAhead::look);
 }
 

@@ -5,10 +5,10 @@
 
 #include "io/export/export_segments.h"
 #include "ui/controller/curve_follower.h"
-#include "ui/controller/mask_jobs.h"
 #include "ui/controller/segment_cutting.h"
 #include "ui/controller/segment_preview.h"
 #include "ui/controller/segment_target.h"
+#include "ui/derivations/masking.h"
 #include "ui/features/segments_from_files.h"
 #include "ui/features/segments_to_files.h"
 #include "ui/panels/segment_numbers_dialog.h"
@@ -51,7 +51,7 @@ class Segmenting : public Feature {
   CurveFollower follower_;
   std::function<void()> measureLater_;  // measures the result of the stroke being drawn
   SegmentPreview preview_;
-  MaskJobs masker_;
+  Masking masker_;
   SegmentsPanel* panel_;
   SegmentsFromFiles fromFiles_;
   SegmentsToFiles toFiles_;
@@ -78,12 +78,12 @@ Segmenting::Segmenting(Workbench& bench)
     bench_.addAction(action, {{"editMenu", 20}, {"sceneMenu", 30}});
   }
   panel_->setTableAction(masker_.tableAction());
-  connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
+  connect(&masker_, &Masking::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   DrawnScenes& drawn = bench_.document.drawn;
   connect(&drawn, &DrawnScenes::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   connect(&drawn, &DrawnScenes::cancelled, this, [this](const QString& sentence) { tell(sentence); });
   bench_.forEachVolumeView([this, &drawn](VolumeView* view) {
-    connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut);
+    connect(view, &VolumeView::lassoDrawn, &masker_, &Masking::cut);
     connect(view, &VolumeView::drawn, &drawn, [view, &drawn](const ScreenPicture& picture) {
       if (picture.atRest && view->series()) drawn.noteDrawn(keyOf(view->series()->series));
     });

@@ -107,16 +107,9 @@ void Session::take(LoadedSeriesPtr series, const Arrange& arrange) {
   keep(std::move(series));
 }
 
-void Session::keep(LoadedSeriesPtr series) {
-  pool_->put({keyOf(series->series), {}}, series);
+void Session::keep(LoadedSeriesPtr series, const Mask& mask) {
+  pool_->put({keyOf(series->series), mask}, series);
   setWorkspace(withFound(workspace_, series->series));
-}
-
-void Session::takeMasked(const Mask& mask, LoadedSeriesPtr masked) {
-  const SeriesKey key = keyOf(masked->series);
-  if (!workspace_.series.contains(key)) return;
-  pool_->put({key, mask}, std::move(masked));
-  setWorkspace(workspace_);
 }
 
 void Session::open(const QString& text, const Workspace& workspace) {
@@ -283,8 +276,7 @@ SessionState Session::stateInFocus() const {
   return state;
 }
 
-// Returns the series on screen with their masks, the view in focus first.
-std::vector<PoolKey> Session::wantedOnScreen() const {
+std::vector<PoolKey> Session::neededOnScreen() const {
   std::vector<ViewId> views = viewsOnScreen(workspace_);
   std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace_.focus; });
   std::vector<PoolKey> wanted;
@@ -313,7 +305,7 @@ bool Session::isMissing(const SeriesKey& series) const {
 }
 
 void Session::askForMissing() {
-  const std::vector<PoolKey> wanted = wantedOnScreen();
+  const std::vector<PoolKey> wanted = neededOnScreen();
   const auto isWanted = [&](const SeriesKey& key) {
     return std::ranges::find(wanted, key, &PoolKey::series) != wanted.end();
   };
@@ -321,19 +313,15 @@ void Session::askForMissing() {
   const bool canAsk = !loading_ || (loading_ == askedFor_ && !isWanted(*loading_));
   std::optional<SeriesKey> next;
   for (const auto& [key, mask] : wanted) {
-    if (!isMissing(key)) continue;
-    if (!mask.empty() && pool_->peek({key, {}}))
-      Q_EMIT maskedNeeded(key);
-    else if (!next && !notLoaded_.contains(key))
-      next = key;
+    const bool isOnlyMasked = !mask.empty() && pool_->peek({key, {}});
+    if (!next && isMissing(key) && !isOnlyMasked && !notLoaded_.contains(key)) next = key;
   }
   // A curved reformat is made from its source in memory.
   if (next && isMissing(*next))
     if (const SeriesKey source = keyOf(sourceOf(*workspace_.series.at(*next).series));
         isWanted(source) && isMissing(source) && !pool_->peek({source, {}}) && !notLoaded_.contains(source))
       next = source;
-  // A receiver of maskedNeeded() may have changed the workspace.
-  if (!next || !canAsk || !isMissing(*next)) return;
+  if (!next || !canAsk) return;
   askedFor_ = next;
   Q_EMIT seriesNeeded(Series(*workspace_.series.at(*next).series));
 }
@@ -341,7 +329,7 @@ void Session::askForMissing() {
 void Session::setWorkspace(const Workspace& workspace) {
   Workspace after = workspace;  // a copy, because it may be the present one
   const Workspace before = std::exchange(workspace_, std::move(after));
-  std::vector<PoolKey> onScreen = wantedOnScreen();
+  std::vector<PoolKey> onScreen = neededOnScreen();
   for (std::size_t n = 0, count = onScreen.size(); n < count; ++n)
     onScreen.push_back({onScreen[n].series, {}});  // unmasked, for the next mask
   pool_->setOnScreen(std::move(onScreen));

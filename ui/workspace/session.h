@@ -7,8 +7,8 @@
 #include <set>
 
 #include "ui/data/series_pool.h"
-#include "ui/workspace/packed_labels.h"
 #include "ui/workspace/links.h"
+#include "ui/workspace/packed_labels.h"
 #include "ui/workspace/preferences.h"
 #include "ui/workspace/workspace.h"
 
@@ -43,6 +43,8 @@ class Session : public QObject {
   const Scene& sceneOf(ViewId view) const;
   /// Returns a series of the workspace; null if it is not in memory.
   LoadedSeriesPtr seriesNamed(const SeriesKey& key) const;
+  /// Returns the series on screen with their masks, those of the view in focus first.
+  std::vector<PoolKey> neededOnScreen() const;
   /// Returns the series of a view; null if there is none or it is not in memory.
   LoadedSeriesPtr seriesOf(ViewId view) const;
 
@@ -72,10 +74,8 @@ class Session : public QObject {
   void setNotLoaded(const SeriesKey& series);
   /// Requests a series that views on screen lack, unless one is being loaded.
   void askForMissing();
-  /// Keeps a series in memory for views that wait for it now or later.
-  void keep(LoadedSeriesPtr series);
-  /// Keeps a series with a mask applied.
-  void takeMasked(const Mask& mask, LoadedSeriesPtr masked);
+  /// Keeps a series in memory, with a mask applied if given, for views that wait for it now or later.
+  void keep(LoadedSeriesPtr series, const Mask& mask = {});
   /// Makes a workspace that was read the present one, in one undo step, except for the first of a window.
   /// Work on series that it does not know comes back with them.
   void open(const QString& text, const Workspace& workspace);
@@ -150,8 +150,6 @@ class Session : public QObject {
   /// A view shows a series that is not in memory: take() it. Requests one at a time, the one of the view in
   /// focus first, but the source of a curved reformat before it.
   void seriesNeeded(const volumen::Series& series);
-  /// A view shows this series with its mask, and that volume is not in memory: takeMasked() it.
-  void maskedNeeded(const volumen::SeriesKey& series);
 
   void preferencesChanged(const volumen::Preferences& before, const volumen::Preferences& after);
 
@@ -168,7 +166,6 @@ class Session : public QObject {
   void push(const QString& text, Workspace after, const QString& mergeKey);
   void fitUndo();
   SessionState stateInFocus() const;
-  std::vector<PoolKey> wantedOnScreen() const;
   bool isMissing(const SeriesKey& series) const;
   void setWorkspace(const Workspace& workspace);
 
