@@ -1,6 +1,5 @@
 #include <QPointer>
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "io/export/export_segments.h"
@@ -29,7 +28,7 @@ bool areCutAlike(const Workspace& a, const Workspace& b) {
 class Segmenting : public Feature {
  public:
   explicit Segmenting(Workbench& bench);
-  ~Segmenting() override { delete numbers_; }  // refers to the painter
+  ~Segmenting() override { delete numbersDialog_; }  // refers to the painter
 
  private:
   void makeExport();
@@ -41,7 +40,6 @@ class Segmenting : public Feature {
   void connectPainter();
   void paint(const SegmentStroke& stroke);
   void cutSegment(const SegmentCut& cut);
-  void measure(const SegmentNumbers& wanted);
   void showNumbers();
   void tellIfAny(const QString& sentence);
   void tellSaved(const QStringList& files, const QStringList& notes, const std::vector<SegmentMap>& maps);
@@ -49,14 +47,14 @@ class Segmenting : public Feature {
   SegmentPainter& painter_;
   SegmentJobs segmenter_;
   CurveFollower follower_;
-  std::function<void()> measureLater_;  // measures the result of the stroke being drawn
+  SegmentNumbers numbers_;
   SegmentPreview preview_;
   Masking masker_;
   SegmentsPanel* panel_;
   SegmentsFromFiles fromFiles_;
   SegmentsToFiles toFiles_;
   QAction* export_;
-  QPointer<SegmentNumbersDialog> numbers_;
+  QPointer<SegmentNumbersDialog> numbersDialog_;
 };
 
 Segmenting::Segmenting(Workbench& bench)
@@ -64,9 +62,10 @@ Segmenting::Segmenting(Workbench& bench)
       painter_(bench.document.painter),
       segmenter_(session_, painter_, bench.document.jobs),
       follower_(session_, painter_, bench.document.jobs),
+      numbers_(segmentNumbersRule(session_, painter_), &bench.document.jobs, session_.sharedPool()),
       preview_(session_, bench.document.jobs),
       masker_(session_, bench.document.jobs),
-      panel_(new SegmentsPanel(session_)),
+      panel_(new SegmentsPanel(session_, numbers_)),
       fromFiles_(bench, segmenter_, *panel_),
       toFiles_(bench, segmenter_) {
   bench_.addDock({"segment",
@@ -114,8 +113,6 @@ void Segmenting::makeExport() {
                               [this](bool) { toFiles_.ask(); },
                               {{"fileMenu", 40, 20}, {"segmentsMenu", 30}}});
   panel_->setExportAction(export_);
-  connect(&session_, &Session::workspaceChanged, this, &Segmenting::showExport);
-  connect(&session_, &Session::changed, this, &Segmenting::showExport);
   showExport();
 }
 
@@ -135,9 +132,7 @@ void Segmenting::connectSegmenter() {
   connect(&bench_, &Workbench::segmentWorkWanted, &segmenter_, &SegmentJobs::change);
   connect(panel_, &SegmentsPanel::recipeChosen, &bench_, &Workbench::recipeWanted);
   connect(panel_, &SegmentsPanel::previewChanged, &grid_, &ViewGrid::showSegment);
-  connect(panel_, &SegmentsPanel::measureRequested, this, &Segmenting::measure);
   connect(&segmenter_, &SegmentJobs::ended, panel_, &SegmentsPanel::showSegments);
-  connect(&segmenter_, &SegmentJobs::measured, panel_, &SegmentsPanel::showMeasured);
   connect(&segmenter_, &SegmentJobs::changed, this, &Segmenting::tellIfAny);
   connect(&segmenter_, &SegmentJobs::saved, this, &Segmenting::tellSaved);
   connect(&segmenter_, &SegmentJobs::failed, this,
@@ -146,7 +141,12 @@ void Segmenting::connectSegmenter() {
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
             if (before.segmentMaps != after.segmentMaps || !areCutAlike(before, after)) takeBack();
+            numbers_.update();
+            showExport();
           });
+  // From the event loop, because Esc undoes the steps since the press once the stroke has ended.
+  connect(
+      &painter_, &SegmentPainter::ended, this, [this] { numbers_.update(); }, Qt::QueuedConnection);
   panel_->showSegments();
 }
 
@@ -177,10 +177,7 @@ void Segmenting::connectPainter() {
   connect(&grid_, &ViewGrid::segmentCut, this, &Segmenting::cutSegment);
   connect(&painter_, &SegmentPainter::failed, this,
           [this](const QString& sentence) { warnUntilDone(sentence); });
-  connect(&painter_, &SegmentPainter::ended, this, [this](const QString& said) {
-    tellIfAny(said);
-    if (const auto measureNow = std::exchange(measureLater_, nullptr)) measureNow();
-  });
+  connect(&painter_, &SegmentPainter::ended, this, &Segmenting::tellIfAny);
 }
 
 void Segmenting::paint(const SegmentStroke& stroke) {
@@ -193,15 +190,6 @@ void Segmenting::cutSegment(const SegmentCut& cut) {
   const QString why = whyNotCut(session_, cut);
   if (!why.isEmpty()) return warn(why);
   segmenter_.change(workOf(cut, panel_->painting().cutWithinMm(), session_));
-}
-
-// Measures a segment after the current stroke has ended, as numbers take longer than a picture.
-void Segmenting::measure(const SegmentNumbers& wanted) {
-  measureLater_ = nullptr;
-  if (painter_.isPainting())
-    measureLater_ = [this, wanted] { segmenter_.measure(wanted); };
-  else
-    segmenter_.measure(wanted);
 }
 
 void Segmenting::connectGrowth() {
@@ -218,11 +206,12 @@ void Segmenting::connectGrowth() {
 }
 
 void Segmenting::showNumbers() {
-  if (!numbers_)
-    numbers_ = new SegmentNumbersDialog(session_, bench_.document.jobs, painter_, bench_.dialogParent());
-  numbers_->show();
-  numbers_->raise();
-  numbers_->activateWindow();
+  if (!numbersDialog_)
+    numbersDialog_ =
+        new SegmentNumbersDialog(session_, bench_.document.jobs, painter_, bench_.dialogParent());
+  numbersDialog_->show();
+  numbersDialog_->raise();
+  numbersDialog_->activateWindow();
 }
 
 // Takes a part of the series that the panel shows. The first part creates a segment.

@@ -17,16 +17,15 @@
 namespace volumen {
 
 /// The segments of the series in view: the list and the numbers of the current one. Pages below make segments
-/// from the curve, paint, grow and change them. Requests everything that takes time.
+/// from the curve, paint, grow and change them. Requests changes that take time.
 class SegmentsPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit SegmentsPanel(Session& session, QWidget* parent = nullptr);
+  /// `numbers` follow segmentNumbersRule().
+  SegmentsPanel(Session& session, const SegmentNumbers& numbers, QWidget* parent = nullptr);
 
-  /// Shows the segments of the series in view and requests their numbers.
+  /// Shows the segments of the series in view.
   void showSegments();
-  /// Shows the result of measureRequested().
-  void showMeasured(const SegmentNumbers& numbers);
   /// Set actions of the panel: table removal, connected components, painting and export.
   void setTableAction(QAction* action) { range_->setTableAction(action); }
   void setPartAction(QAction* action) { range_->setPartAction(action); }
@@ -47,8 +46,6 @@ class SegmentsPanel : public QWidget {
   void told(const QString& sentence);
   void numbersWanted();
   void recipeChosen(const volumen::Recipe& recipe);
-  /// Requests numbers. `wanted` names the segment only.
-  void measureRequested(const volumen::SegmentNumbers& wanted);
   /// The previewed range of a volume changed; empty ends the preview.
   void previewChanged(const std::optional<volumen::VolumeRange>& range);
 
@@ -58,10 +55,10 @@ class SegmentsPanel : public QWidget {
   void showPage(QWidget* page);
   void fillRecipes();
   void showIn3d();
-  void askForNumbers();
   void showResult();
 
   Session& session_;
+  const SegmentNumbers& numbers_;
   SegmentList* list_;
   QLabel* result_;
   QCheckBox* in3d_;
@@ -75,8 +72,6 @@ class SegmentsPanel : public QWidget {
   SegmentStepsPage* steps_;
   SegmentGrowPage* growth_;
   QStackedWidget* pages_;
-  std::optional<SegmentNumbers> asked_;    // the last request
-  std::optional<SegmentNumbers> numbers_;  // numbers on screen
 };
 
 }  // namespace volumen
