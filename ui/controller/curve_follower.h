@@ -29,6 +29,7 @@ class CurveFollower : public QObject {
   void failed(const QString& sentence);
 
  private:
+  void release();
   void begin(bool overUndone);
   // The result, with sentences for the user.
   struct Made {
