@@ -51,7 +51,7 @@ struct SurfaceSession {
     if (!left) return false;
     auto without = std::make_shared<LoadedSeries>(*series);
     without->volume = *left;
-    session.takeMasked(mask, without);
+    session.keep(without, mask);
     session.setMask(QStringLiteral("test"), key, mask);
     return true;
   }

@@ -4,7 +4,7 @@
 #include "tests/ui/frames_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/measure_jobs.h"
+#include "ui/derivations/measured_numbers.h"
 #include "ui/views/reference_lines.h"
 
 using namespace volumen;
@@ -212,7 +212,7 @@ void TestReferenceLines::picturesHaveThoseOfTheirWorkspace() {
   }
   copy.open({}, w.workspace());
   FrameService frames;
-  MeasureJobs measurer(copy, frames);
+  MeasuredNumbers measurer(copy, frames);
   const std::unique_ptr<FlatView> unseen =
       w.window.views()->unseenView(copy, frames, measurer, left, w.window.views()->shown());
   unseen->resize(w.view(left)->size());

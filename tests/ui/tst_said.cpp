@@ -16,7 +16,7 @@
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/measure_jobs.h"
+#include "ui/derivations/measured_numbers.h"
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/view_grid.h"

@@ -307,7 +307,7 @@ void TestWorkspace::theTableComesBackWithUndo() {
   session.show(a);
   const SeriesKey key = keyOf(a->series);
   const Mask mask{true, {}};
-  session.takeMasked(mask, masked);
+  session.keep(masked, mask);
   QVERIFY(session.series() == a);
   session.setMask(QStringLiteral("Remove table"), key, mask);
   QVERIFY(session.series() == masked && session.maskOf(key) == mask);

@@ -64,6 +64,7 @@ bool followsCurve(const SegmentMap* map) {
 
 CurveFollower::CurveFollower(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent)
     : QObject(parent), session_(session), painter_(painter), lane_(&jobs) {
+  connect(&session_.undoStack(), &QUndoStack::indexChanged, this, &CurveFollower::release);
   // From the event loop, because Esc undoes the steps since the press once the stroke has ended.
   connect(
       &painter_, &SegmentPainter::ended, this,
@@ -74,6 +75,12 @@ CurveFollower::CurveFollower(Session& session, const SegmentPainter& painter, Jo
 }
 
 void CurveFollower::follow() { begin(false); }
+
+// Releases the segments of a drag once its undo step is not the last one. A stroke may still be undone.
+void CurveFollower::release() {
+  const bool isUsed = lane_.isBusy() || waitsForStroke_ || painter_.isPainting();
+  if (!isUsed && session_.undoStack().index() != step_) base_ = made_ = started_ = {};
+}
 
 void CurveFollower::begin(bool overUndone) {
   pulledAgain_ = lane_.isBusy();
@@ -100,7 +107,11 @@ void CurveFollower::begin(bool overUndone) {
         made.said.removeAll(QString());
         return made;
       },
-      [this](const Made& made) { take(made); }, [this] { pulledAgain_ = false; });
+      [this](const Made& made) { take(made); },
+      [this] {
+        pulledAgain_ = false;
+        release();
+      });
 }
 
 // Merges the result into the undo step of the drag if that is still the last one. Repeats the job if segments
@@ -131,6 +142,7 @@ void CurveFollower::take(const Made& made) {
     if (!made.said.isEmpty()) Q_EMIT answered({SegmentAnswer::Kind::done, made.said.join(QLatin1Char(' '))});
   }
   if (std::exchange(pulledAgain_, false) || (isOfNow && !isSame)) follow();
+  release();
 }
 
 }  // namespace volumen

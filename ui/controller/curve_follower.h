@@ -27,6 +27,7 @@ class CurveFollower : public QObject {
   void answered(const volumen::SegmentAnswer& answer);
 
  private:
+  void release();
   void begin(bool overUndone);
   // The result, with sentences for the user.
   struct Made {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/segmentation.h"
+#include "ui/controller/frame_service.h"
 #include "ui/data/picture_index.h"
 
 namespace volumen {
@@ -59,6 +60,7 @@ DerivedObjects::Regions::Rule DerivedObjects::regionsRule(const Session& session
           .name = [](const DerivedKey&) { return JobName(tr("Reading regions")); },
           .bytes = bytesOf,
           .isKept = [this](const DerivedKey& key) { return find(key) != nullptr; },
+          .tryAgainMs = FrameService::tryAgainMs,
           .lacksMemory = "There is not enough memory for the regions."};
 }
 

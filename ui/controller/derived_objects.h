@@ -32,7 +32,7 @@ class DerivedObjects : public QObject {
   std::vector<DerivedObjectPtr> naming(DerivedKind kind, const Series& series, int index) const;
 
   /// Returns the regions, or null if the object is not shown, not read yet (changed() follows) or unreadable
-  /// (failed() has reported it). A failure holds until the object is shown anew.
+  /// (failed() has reported it). An unreadable file is tried again, the first time after a second.
   std::shared_ptr<const LoadedRegions> regions(const DerivedKey& key) const;
   /// Reads a report; ends in reportRead() or failed().
   void readReport(const DerivedObjectPtr& report);

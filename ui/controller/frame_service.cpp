@@ -188,17 +188,34 @@ void FrameService::run() {
     std::optional<Reading> reading;
     wake_.wait(lock, [&] { return closing_ || (reading = nextReading()); });
     if (closing_) return;
-    underWay_.push_back(*reading);
-    lock.unlock();
-    const Result<LoadedFramePtr> frame = orNoMemory([&] { return read(*reading); });
-    lock.lock();
-    end(*reading, frame);
-    // The shared pool calls back, so it is called without the lock.
-    const std::shared_ptr<SeriesPool> shared = shared_;
-    lock.unlock();
-    if (shared) shared->fit();
-    lock.lock();
+    (void)readHere(lock, *reading);
   }
+}
+
+// Releases the lock while the frame is read.
+Result<LoadedFramePtr> FrameService::readHere(std::unique_lock<std::mutex>& lock, const Reading& reading) {
+  underWay_.push_back(reading);
+  lock.unlock();
+  Result<LoadedFramePtr> frame = orNoMemory([&] { return read(reading); });
+  lock.lock();
+  end(reading, frame);
+  // The shared pool calls back, so it is called without the lock.
+  const std::shared_ptr<SeriesPool> shared = shared_;
+  lock.unlock();
+  if (shared) shared->fit();
+  lock.lock();
+  return frame;
+}
+
+Result<LoadedFramePtr> FrameService::readNow(const std::shared_ptr<const Series>& series, int index,
+                                             const CancelToken& cancel) {
+  const Reading reading{series, {keyOf(*series), index}};
+  waitForViews(cancel);
+  if (cancel.cancelled()) return Error{};
+  std::unique_lock lock(mutex_);
+  wake_.wait(lock, [&] { return closing_ || !isUnderWay(reading.key); });
+  if (LoadedFramePtr held = pool_.find(reading.key)) return held;
+  return readHere(lock, reading);
 }
 
 // Requires the lock.
@@ -287,11 +304,7 @@ std::vector<NamedGrey> FrameService::middleGreys(const Reading& reading, const F
   if (known != middleGreys_.end()) return known->second;
   if (closing_) return {};
   const Reading middle{reading.series, key};
-  underWay_.push_back(middle);
-  lock.unlock();
-  const Result<LoadedFramePtr> read = orNoMemory([&] { return readAcquired(middle, {}); });
-  lock.lock();
-  end(middle, read);
+  const Result<LoadedFramePtr> read = readHere(lock, middle);
   return read ? middleGreys_[key.series] : std::vector<NamedGrey>();
 }
 

@@ -44,6 +44,9 @@ class FrameService : public QObject {
   /// to, are shown as acquired.
   void request(ViewId view, std::shared_ptr<const Series> series, int index, int step,
                const std::string& presentation = {});
+  /// Returns a frame, read on the calling thread if it is not in memory, after those that views wait for.
+  Result<LoadedFramePtr> readNow(const std::shared_ptr<const Series>& series, int index,
+                                 const CancelToken& cancel);
   /// Blocks until no view waits for a frame or `cancel` is set. Threads whose reading is less urgent call it.
   void waitForViews(const CancelToken& cancel);
   /// Stops reading ahead for a view.
@@ -97,6 +100,7 @@ class FrameService : public QObject {
   bool isKnown(const FrameKey& key) const { return pool_.contains(key) || failures_.contains(key); }
   bool isUnderWay(const FrameKey& key) const;
   Progress progressOf(const Reading& reading);
+  Result<LoadedFramePtr> readHere(std::unique_lock<std::mutex>& lock, const Reading& reading);
   Result<LoadedFramePtr> read(const Reading& reading);
   Result<LoadedFramePtr> readAcquired(const Reading& reading, const std::string& warning);
   Result<Presentation> presentationOf(const std::string& path);

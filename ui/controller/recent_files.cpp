@@ -7,12 +7,12 @@
 namespace volumen {
 
 namespace {
-constexpr int most = 10;
+constexpr int mostFiles = 10;
 QString key() { return QStringLiteral("recent"); }
 }  // namespace
 
 RecentFiles::RecentFiles(QObject* parent)
-    : QObject(parent), paths_(QSettings().value(key()).toStringList().mid(0, most)) {}
+    : QObject(parent), paths_(QSettings().value(key()).toStringList().mid(0, mostFiles)) {}
 
 void RecentFiles::add(const QString& path) {
   const QString whole = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
@@ -21,7 +21,7 @@ void RecentFiles::add(const QString& path) {
   paths.removeAll(whole);
   paths.prepend(whole);
   gone_.remove(whole);
-  setPaths(paths.mid(0, most));
+  setPaths(paths.mid(0, mostFiles));
 }
 
 void RecentFiles::clear() { setPaths({}); }

@@ -53,17 +53,6 @@ Workspace withMade(const Workspace& workspace, const SegmentWork& work, const st
   return withSegmentMap(workspace, withNewOnesApart(bases.front(), made.front(), all));
 }
 
-SegmentNumbers segmentNumbersOf(SegmentNumbers wanted, const SegmentNumbers& known) {
-  for (MapVoxels& map : wanted.maps) {
-    const MapVoxels* counted = known.of(map.labels);
-    map.voxels = counted ? counted->voxels : labelCounts(*map.labels);
-  }
-  const LabelMap& worked = *wanted.maps.front().labels;
-  if (wanted.number > 0)
-    wanted.values = valuesIn(maskOf(worked, std::uint8_t(wanted.number)), *wanted.volume);
-  return wanted;
-}
-
 }  // namespace
 
 SegmentWork workShown(const Session& session, const QString& text, const QString& doing) {
@@ -75,18 +64,8 @@ SegmentWork workShown(const Session& session, const QString& text, const QString
   return work;
 }
 
-bool SegmentNumbers::areOf(const SegmentNumbers& other) const {
-  return volume == other.volume && number == other.number &&
-         std::ranges::equal(maps, other.maps, {}, &MapVoxels::labels, &MapVoxels::labels);
-}
-
-const MapVoxels* SegmentNumbers::of(const std::shared_ptr<const LabelMap>& labels) const {
-  const auto found = std::ranges::find(maps, labels, &MapVoxels::labels);
-  return found == maps.end() ? nullptr : &*found;
-}
-
 SegmentJobs::SegmentJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent)
-    : QObject(parent), session_(session), painter_(painter), change_(&jobs), measure_(&jobs), save_(&jobs) {
+    : QObject(parent), session_(session), painter_(painter), change_(&jobs), save_(&jobs) {
   save_.keepToTheEnd();
   connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
     if (isMaking() && !after.series.contains(waiting_.front().series)) drop();
@@ -196,17 +175,6 @@ void SegmentJobs::drop() {
   waiting_.pop_front();
   QMetaObject::invokeMethod(
       this, [this] { next(); }, Qt::QueuedConnection);
-}
-
-void SegmentJobs::measure(const SegmentNumbers& wanted) {
-  measure_.giveUpAll();
-  measure_.run(
-      tr("Measuring segments"),
-      [wanted, known = counted_](const Job&) { return segmentNumbersOf(wanted, known); },
-      [this](const SegmentNumbers& numbers) {
-        counted_.maps = numbers.maps;
-        Q_EMIT measured(numbers);
-      });
 }
 
 void SegmentJobs::save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path) {

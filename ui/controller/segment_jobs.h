@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QStringList>
-#include <array>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -11,7 +10,7 @@
 #include "ui/controller/step_work.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
-#include "viewer/segment/numbers.h"
+#include "viewer/segment/bit_mask.h"
 
 namespace volumen {
 
@@ -42,26 +41,7 @@ struct SegmentWork {
 /// Returns work on the series of the Segments panel, which must have one.
 SegmentWork workShown(const Session& session, const QString& text, const QString& doing);
 
-/// The number of voxels of each segment of a map.
-struct MapVoxels {
-  std::shared_ptr<const LabelMap> labels;
-  std::array<std::int64_t, 256> voxels{};  ///< by number
-};
-
-/// The voxel counts and values of the segments of a series.
-struct SegmentNumbers {
-  std::vector<MapVoxels> maps;  ///< the current map comes first
-  VolumePtr volume;
-  int number = 0;  ///< segment of the first map that `values` belongs to; 0 for none
-  SegmentValues values{};
-
-  /// Returns whether both describe the same segments.
-  bool areOf(const SegmentNumbers& other) const;
-  /// Returns the counts of a map; null if it was not counted.
-  const MapVoxels* of(const std::shared_ptr<const LabelMap>& labels) const;
-};
-
-/// Changes, measures and exports segments, each as a job. Each change is one undo step. Later changes wait
+/// Changes and exports segments, each as a job. Each change is one undo step. Later changes wait
 /// for their turn and work on the result. No change becomes an undo step during a stroke; it follows the
 /// stroke.
 class SegmentJobs : public QObject {
@@ -74,9 +54,6 @@ class SegmentJobs : public QObject {
   /// Requests a change. Ends in an undo step or a failure, and in ended(). Does nothing if the series was
   /// closed or the segment removed meanwhile.
   void change(const SegmentWork& work);
-  /// Requests the measurement of `wanted`, whose maps share one grid, and cancels the one before. Ends in
-  /// measured().
-  void measure(const SegmentNumbers& wanted);
   /// Writes the segments of a series in the format of the extension of `path`. Ends in saved() or a failure.
   /// The maps have labels, and there is at least one.
   void save(const std::vector<SegmentMap>& maps, const Series& series, const QString& path);
@@ -89,7 +66,6 @@ class SegmentJobs : public QObject {
   void ended();
   /// A change took voxels from other segments, or something failed. Not sent for cancelled work.
   void answered(const volumen::SegmentAnswer& answer);
-  void measured(const volumen::SegmentNumbers& numbers);
   /// Files were written; `notes` are sentences about them.
   void saved(const QStringList& files, const QStringList& notes,
              const std::vector<volumen::SegmentMap>& maps);
@@ -112,10 +88,9 @@ class SegmentJobs : public QObject {
 
   Session& session_;
   const SegmentPainter& painter_;
-  SegmentNumbers counted_;           // latest counts of each map, valid for unchanged segments
   std::deque<SegmentWork> waiting_;  // while isMaking(), the first is in progress
   std::function<void()> takeLater_;  // applies the first result after the stroke; null for none
-  JobLane change_, measure_, save_;
+  JobLane change_, save_;
 };
 
 }  // namespace volumen

@@ -2,8 +2,8 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -34,7 +34,8 @@ class DerivationSignals : public QObject {
 /// Values of one kind that follow from the document. `Key` holds all inputs of a value. Whenever the document
 /// changes, update() compares the keys that it needs with what is there. It computes missing values on a
 /// lane, one at a time and the most needed first, and cancels what is no longer needed. Readers find values
-/// by key and hold none. A failure, lack of memory included, holds until the key changes or tryAgain().
+/// by key and hold none. A failure, lack of memory included, holds until the key changes, tryAgain(), or the
+/// rule's time to try again.
 template <class Key, class Value>
 class Derivation : public DerivationSignals {
  public:
@@ -48,6 +49,7 @@ class Derivation : public DerivationSignals {
     std::string whyNot{};
     bool isCancelled = false;   ///< whether the user cancelled it
     bool isTriedAgain = false;  ///< whether a failure no longer holds
+    int failures = 0;           ///< number of failures in a row
   };
 
   struct Rule {
@@ -61,10 +63,18 @@ class Derivation : public DerivationSignals {
     /// Returns whether two keys are versions of the same value. The old version stays until the new one is
     /// ready.
     std::function<bool(const Key&, const Key&)> areVersions = std::equal_to<Key>();
+    /// Whether a version under way is finished although a newer one is needed, as for values that follow a
+    /// drag.
+    bool finishesVersions = false;
+    /// Returns whether a value is computed within update(), as it takes less time than a picture. failed()
+    /// does not report its failure.
+    std::function<bool(const Key&)> isQuick = [](const Key&) { return false; };
     /// Returns whether a value that is not wanted stays while there is room.
     std::function<bool(const Key&)> isKept = [](const Key&) { return false; };
     /// Returns true while nothing may begin or end, as during a stroke.
     std::function<bool()> isPaused = [] { return false; };
+    /// Time before a failure is tried again, ms, doubled each time; 0: it holds. For values read from files.
+    int tryAgainMs = 0;
     /// Returns the sentence that reports a failure.
     std::function<QString(const Key&, const std::string& whyNot)> failure =
         [](const Key&, const std::string& whyNot) { return QString::fromStdString(whyNot); };
@@ -74,7 +84,10 @@ class Derivation : public DerivationSignals {
   };
 
   Derivation(Rule rule, Jobs* list, std::shared_ptr<SeriesPool> pool)
-      : rule_(std::move(rule)), pool_(std::move(pool)), lane_(list) {}
+      : rule_(std::move(rule)), pool_(std::move(pool)), lane_(list) {
+    rest_.setSingleShot(true);
+    connect(&rest_, &QTimer::timeout, this, [this] { tellChanged(); });
+  }
   ~Derivation() override { pool_->count(this, 0); }
 
   const std::vector<Entry>& entries() const { return entries_; }
@@ -83,17 +96,21 @@ class Derivation : public DerivationSignals {
     const auto at = std::ranges::find(entries_, key, &Entry::key);
     return at == entries_.end() ? nullptr : &*at;
   }
-  bool isBusy() const { return lane_.isBusy(); }
+  bool isBusy() const { return underWay_.has_value(); }
 
   /// Compares what is needed with what is there. To be called whenever an input may have changed.
   void update() {
     if (rule_.isPaused()) return;
     const std::vector<Key> wanted = rule_.wanted();
-    if (lane_.isBusy() && std::ranges::find(wanted, *underWay_) == wanted.end()) lane_.giveUpAll();
+    const bool isAnyNew = computeQuick(wanted);
+    if (underWay_ && !isUseful(*underWay_, wanted)) {
+      lane_.giveUpAll();
+      underWay_.reset();
+    }
     drop([&](const Entry& entry) { return !isNeeded(entry, wanted) && !rule_.isKept(entry.key); });
-    if (lane_.isBusy()) return;
     const auto next = std::ranges::find_if(wanted, [&](const Key& key) { return isMissing(key); });
-    if (next != wanted.end()) begin(*next);
+    if (!underWay_ && next != wanted.end()) begin(*next);
+    if (isAnyNew) tellChanged();
   }
 
   /// Lets the failures of these keys be tried again at the next update().
@@ -103,7 +120,8 @@ class Derivation : public DerivationSignals {
   }
 
  private:
-  static constexpr int restMs = 200;  // least time between two changed() while more values are computed
+  static constexpr int restMs = 200;     // least time between two changed() while more values are computed
+  static constexpr int mostDoubled = 6;  // of the time before a further try
 
   bool isMissing(const Key& key) const {
     const Entry* entry = find(key);
@@ -111,6 +129,13 @@ class Derivation : public DerivationSignals {
   }
   bool isNeeded(const Entry& entry, const std::vector<Key>& wanted) const {
     return std::ranges::any_of(wanted, [&](const Key& key) { return rule_.areVersions(key, entry.key); });
+  }
+
+  // Returns whether the result of a computation is worth waiting for.
+  bool isUseful(const Key& key, const std::vector<Key>& wanted) const {
+    return std::ranges::any_of(wanted, [&](const Key& one) {
+      return one == key || (rule_.finishesVersions && isMissing(one) && rule_.areVersions(one, key));
+    });
   }
 
   std::size_t bytesBeside(const Key* key) const {
@@ -127,44 +152,78 @@ class Derivation : public DerivationSignals {
   }
 
   void tellChanged() {
+    rest_.stop();
     told_.start();
     pool_->count(this, bytesBeside(nullptr));
     Q_EMIT changed();
   }
 
+  // Returns the computation of a value in the room that is left. Lack of memory is an Error.
+  Work workOf(const Key& key) const {
+    const std::size_t beside = std::min(rule_.mostBytes, bytesBeside(&key));
+    return [work = rule_.work(key, rule_.mostBytes - beside), lacksMemory = rule_.lacksMemory](
+               const Job& job) { return orNoMemory([&] { return work(job); }, lacksMemory); };
+  }
+
+  bool computeQuick(const std::vector<Key>& wanted) {
+    bool isAny = false;
+    for (const Key& key : wanted) {
+      if (!isMissing(key) || !rule_.isQuick(key)) continue;
+      isAny = true;
+      put(key, workOf(key)(Job(JobName())));
+    }
+    return isAny;
+  }
+
   void begin(const Key& key) {
     underWay_ = key;
-    const std::size_t beside = bytesBeside(&key);
     lane_.run(
-        rule_.name(key),
-        [work = rule_.work(key, rule_.mostBytes - std::min(rule_.mostBytes, beside)),
-         lacksMemory = rule_.lacksMemory](const Job& job) {
-          return orNoMemory([&] { return work(job); }, lacksMemory);
-        },
-        [this, key](const Result<ValuePtr>& made) { take(key, made); }, [this] { takeCancelled(); });
+        rule_.name(key), workOf(key), [this, key](const Result<ValuePtr>& made) { take(key, made); },
+        [this] { takeCancelled(); });
   }
 
   // If a computation fails, values that are not needed are dropped and it is tried once more.
   void take(const Key& key, const Result<ValuePtr>& made) {
+    underWay_.reset();
     if (!made) {
       const std::vector<Key> wanted = rule_.wanted();
       if (drop([&](const Entry& entry) { return entry.value && !isNeeded(entry, wanted); })) return update();
     }
-    const bool isNews = !made && std::ranges::none_of(entries_, [&](const Entry& entry) {
-      return !entry.value && !entry.isCancelled && rule_.areVersions(entry.key, key);
-    });
-    put(made ? Entry{key, *made} : Entry{key, nullptr, made.message()});
+    const bool isNews = put(key, made) == 1;
     update();
-    if (!lane_.isBusy() || !told_.isValid() || told_.elapsed() > restMs) tellChanged();
+    if (!underWay_ || !told_.isValid() || told_.elapsed() > restMs)
+      tellChanged();
+    else
+      rest_.start(restMs);
     if (isNews) Q_EMIT failed(rule_.failure(key, made.message()));
   }
 
   // Marks all missing values as cancelled, so that one click cancels them all.
   void takeCancelled() {
+    underWay_.reset();
     for (const Key& key : rule_.wanted())
       if (isMissing(key)) put({key, nullptr, rule_.wasCancelled, true});
     tellChanged();
     Q_EMIT cancelled();
+  }
+
+  // Returns the number of failures in a row; 0 for a value.
+  int put(const Key& key, const Result<ValuePtr>& made) {
+    if (made) {
+      put({key, *made});
+      return 0;
+    }
+    Entry entry{key, nullptr, made.message()};
+    for (const Entry& old : entries_)
+      if (rule_.areVersions(old.key, key)) entry.failures = std::max(entry.failures, old.failures);
+    const int failures = ++entry.failures;
+    put(std::move(entry));
+    if (rule_.tryAgainMs > 0)
+      QTimer::singleShot(rule_.tryAgainMs << std::min(failures - 1, mostDoubled), this, [this, key] {
+        tryAgain([&](const Key& one) { return one == key; });
+        update();
+      });
+    return failures;
   }
 
   void put(Entry entry) {
@@ -175,8 +234,9 @@ class Derivation : public DerivationSignals {
   const Rule rule_;
   const std::shared_ptr<SeriesPool> pool_;
   std::vector<Entry> entries_;
-  std::optional<Key> underWay_;  // the last one begun
-  QElapsedTimer told_;           // since changed()
+  std::optional<Key> underWay_;
+  QElapsedTimer told_;  // since changed()
+  QTimer rest_;         // until the next one, if there is news
   JobLane lane_;
 };
 

@@ -32,14 +32,16 @@ class JobLane {
     const Job job = begin(name, cancelled);
     pool_.start([this, job, work = std::move(work), done = std::move(done), cancelled] {
       if (!job.begin()) return;
-      if constexpr (std::is_void_v<Result>) {
-        work(job);
-        tell([this, job, done] { end(job, done); });
-      } else if constexpr (std::constructible_from<Result, Error>) {
+      if constexpr (std::constructible_from<Result, Error>) {
         deliver(job, done, orNoMemory([&] { return work(job); }));
       } else {
         try {
-          deliver(job, done, work(job));
+          if constexpr (std::is_void_v<Result>) {
+            work(job);
+            tell([this, job, done] { end(job, done); });
+          } else {
+            deliver(job, done, work(job));
+          }
         } catch (const std::bad_alloc&) {
           tell([this, job, cancelled] {
             end(

@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "ui/controller/measure_jobs.h"
 #include "ui/data/frame_series.h"
+#include "ui/derivations/measured_numbers.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/links.h"
 #include "ui/workspace/text.h"
@@ -83,7 +83,7 @@ class FlatPictures : public QObject, public PictureMaker {
   Done done_;  // empty while no picture is being made
   FrameService frames_;
   std::unique_ptr<Session> copy_;  // with the workspace of the stop
-  std::unique_ptr<MeasureJobs> measurer_;
+  std::unique_ptr<MeasuredNumbers> measurer_;
   std::unique_ptr<FlatView> view_;  // over copy_ and measurer_
   QTimer numbersSoon_;
   bool isPrepared_ = false;  // whether the content of the stop is known
@@ -97,8 +97,8 @@ FlatPictures::FlatPictures(const ViewGrid& grid, std::vector<PictureStop> stops,
   // Runs after the view has received the frame as well.
   connect(&frames_, &FrameService::ready, this,
           [this] { QTimer::singleShot(0, this, &FlatPictures::prepare); });
-  connect(&frames_, &FrameService::failed, this, [this](int view, const FrameKey&, const QString& sentence) {
-    if (view != measuredId) answer(Error{shownText(sentence.toStdString()).toStdString()});
+  connect(&frames_, &FrameService::failed, this, [this](int, const FrameKey&, const QString& sentence) {
+    answer(Error{shownText(sentence.toStdString()).toStdString()});
   });
 }
 
@@ -113,7 +113,7 @@ void FlatPictures::make(std::size_t n, JobLane& lane, const Done& done) {
   view_.reset();
   measurer_.reset();
   copy_ = sessionOf(stop, look_.size);
-  measurer_ = std::make_unique<MeasureJobs>(*copy_, frames_);
+  measurer_ = std::make_unique<MeasuredNumbers>(*copy_, frames_);
   view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view, shown_);
   isPrepared_ = false;
   if (!view_)

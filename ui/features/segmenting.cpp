@@ -1,12 +1,11 @@
 #include <QPointer>
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "io/export/export_segments.h"
 #include "ui/controller/curve_follower.h"
-#include "ui/controller/mask_jobs.h"
 #include "ui/controller/segment_target.h"
+#include "ui/derivations/masking.h"
 #include "ui/features/segments_from_files.h"
 #include "ui/features/segments_to_files.h"
 #include "ui/panels/segment_numbers_dialog.h"
@@ -27,7 +26,7 @@ bool areCutAlike(const Workspace& a, const Workspace& b) {
 class Segmenting : public Feature {
  public:
   explicit Segmenting(Workbench& bench);
-  ~Segmenting() override { delete numbers_; }  // refers to the painter
+  ~Segmenting() override { delete numbersDialog_; }  // refers to the painter
 
  private:
   void connectMasks();
@@ -36,27 +35,27 @@ class Segmenting : public Feature {
   void connectAxis();
   void showExport();
   void show(const SegmentAnswer& answer);
-  void measure(const SegmentNumbers& wanted);
   void showNumbers();
   void tellSaved(const QStringList& files, const QStringList& notes, const std::vector<SegmentMap>& maps);
 
   SegmentEditing& editing_;
   CurveFollower follower_;
-  std::function<void()> measureLater_;  // measures the result of the stroke being drawn
-  MaskJobs masker_;
+  SegmentNumbers numbers_;
+  Masking masker_;
   SegmentsPanel* panel_;
   SegmentsFromFiles fromFiles_;
   SegmentsToFiles toFiles_;
   QAction* export_;
-  QPointer<SegmentNumbersDialog> numbers_;
+  QPointer<SegmentNumbersDialog> numbersDialog_;
 };
 
 Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
       editing_(bench.document.segments),
       follower_(session_, editing_.painter(), bench.document.jobs),
+      numbers_(segmentNumbersRule(session_, editing_.painter()), &bench.document.jobs, session_.sharedPool()),
       masker_(session_, bench.document.jobs),
-      panel_(new SegmentsPanel(editing_)),
+      panel_(new SegmentsPanel(editing_, numbers_)),
       fromFiles_(bench, *panel_),
       toFiles_(bench) {
   bench_.addDock({"segment",
@@ -80,12 +79,12 @@ void Segmenting::connectMasks() {
     bench_.addAction(action, {{"editMenu", 20}, {"sceneMenu", 30}});
   }
   panel_->setTableAction(masker_.tableAction());
-  connect(&masker_, &MaskJobs::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
+  connect(&masker_, &Masking::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   DrawnScenes& drawn = bench_.document.drawn;
   connect(&drawn, &DrawnScenes::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   connect(&drawn, &DrawnScenes::cancelled, this, [this](const QString& sentence) { tell(sentence); });
   bench_.forEachVolumeView([this, &drawn](VolumeView* view) {
-    connect(view, &VolumeView::lassoDrawn, &masker_, &MaskJobs::cut);
+    connect(view, &VolumeView::lassoDrawn, &masker_, &Masking::cut);
     connect(view, &VolumeView::drawn, &drawn, [view, &drawn](const ScreenPicture& picture) {
       if (picture.atRest && view->series()) drawn.noteDrawn(keyOf(view->series()->series));
     });
@@ -101,8 +100,6 @@ void Segmenting::makeExport() {
                               [this](bool) { toFiles_.ask(); },
                               {{"fileMenu", 40, 20}, {"segmentsMenu", 30}}});
   panel_->setExportAction(export_);
-  connect(&session_, &Session::workspaceChanged, this, &Segmenting::showExport);
-  connect(&session_, &Session::changed, this, &Segmenting::showExport);
   showExport();
 }
 
@@ -119,17 +116,18 @@ void Segmenting::connectPanel() {
   connect(panel_, &SegmentsPanel::numbersWanted, this, &Segmenting::showNumbers);
   connect(panel_, &SegmentsPanel::recipeChosen, &bench_, &Workbench::recipeWanted);
   connect(panel_, &SegmentsPanel::previewChanged, &grid_, &ViewGrid::showSegment);
-  connect(panel_, &SegmentsPanel::measureRequested, this, &Segmenting::measure);
   connect(&editing_, &SegmentEditing::answered, this, &Segmenting::show);
   connect(&editing_.jobs(), &SegmentJobs::saved, this, &Segmenting::tellSaved);
-  connect(&editing_.painter(), &SegmentPainter::ended, this, [this] {
-    if (const auto measureNow = std::exchange(measureLater_, nullptr)) measureNow();
-  });
   // Messages about segments or cuts no longer hold once these have changed.
   connect(&session_, &Session::workspaceChanged, this,
           [this](const Workspace& before, const Workspace& after) {
             if (before.segmentMaps != after.segmentMaps || !areCutAlike(before, after)) takeBack();
+            numbers_.update();
+            showExport();
           });
+  // From the event loop, because Esc undoes the steps since the press once the stroke has ended.
+  connect(
+      &editing_.painter(), &SegmentPainter::ended, this, [this] { numbers_.update(); }, Qt::QueuedConnection);
   panel_->showSegments();
 }
 
@@ -160,22 +158,13 @@ void Segmenting::connectAxis() {
   connect(&follower_, &CurveFollower::answered, this, &Segmenting::show);
 }
 
-// Measures a segment after the current stroke has ended, as numbers take longer than a picture.
-void Segmenting::measure(const SegmentNumbers& wanted) {
-  measureLater_ = nullptr;
-  if (editing_.painter().isPainting())
-    measureLater_ = [this, wanted] { editing_.jobs().measure(wanted); };
-  else
-    editing_.jobs().measure(wanted);
-}
-
 void Segmenting::showNumbers() {
-  if (!numbers_)
-    numbers_ =
+  if (!numbersDialog_)
+    numbersDialog_ =
         new SegmentNumbersDialog(session_, bench_.document.jobs, editing_.painter(), bench_.dialogParent());
-  numbers_->show();
-  numbers_->raise();
-  numbers_->activateWindow();
+  numbersDialog_->show();
+  numbersDialog_->raise();
+  numbersDialog_->activateWindow();
 }
 
 // A surface is no segment, so saving it does not count as saving manual work.

@@ -10,7 +10,7 @@
 #include "ui/controller/draw_service.h"
 #include "ui/controller/frame_service.h"
 #include "ui/controller/loader.h"
-#include "ui/controller/measure_jobs.h"
+#include "ui/derivations/measured_numbers.h"
 #include "ui/controller/opener.h"
 #include "ui/controller/recent_files.h"
 #include "ui/controller/segment_editing.h"
@@ -65,7 +65,7 @@ struct Document {
   SliceService slices;
   FrameService frames;
   DerivedObjects derived{session, jobs};
-  MeasureJobs measurer{session, frames};
+  MeasuredNumbers measurer{session, frames};
   Loader loader;
   Opener opener{session, loader, open};
   AccuracyMeter meter{drawService};

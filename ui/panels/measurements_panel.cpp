@@ -36,7 +36,7 @@ QToolButton* button(const char* name, const QString& text) {
 
 }  // namespace
 
-MeasurementsPanel::MeasurementsPanel(Session& session, MeasureJobs& measurer, QWidget* parent)
+MeasurementsPanel::MeasurementsPanel(Session& session, MeasuredNumbers& measurer, QWidget* parent)
     : QWidget(parent),
       session_(session),
       measurer_(measurer),
@@ -60,7 +60,7 @@ MeasurementsPanel::MeasurementsPanel(Session& session, MeasureJobs& measurer, QW
               showAll();
           });
   connect(&session_, &Session::preferencesChanged, this, &MeasurementsPanel::showAll);
-  connect(&measurer_, &MeasureJobs::measured, this, &MeasurementsPanel::showAll);
+  connect(&measurer_, &MeasuredNumbers::changed, this, &MeasurementsPanel::showAll);
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (item) session_.select(item->data(nameColumn, Qt::UserRole).toInt());
   });

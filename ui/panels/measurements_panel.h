@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
-#include "ui/controller/measure_jobs.h"
+#include "ui/derivations/measured_numbers.h"
 #include "ui/workspace/measurement_text.h"
 
 namespace volumen {
@@ -14,7 +14,7 @@ namespace volumen {
 class MeasurementsPanel : public QWidget {
   Q_OBJECT
  public:
-  MeasurementsPanel(Session& session, MeasureJobs& measurer, QWidget* parent = nullptr);
+  MeasurementsPanel(Session& session, MeasuredNumbers& measurer, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   /// Requests to show a measurement.
@@ -39,7 +39,7 @@ class MeasurementsPanel : public QWidget {
   void openShapes(const QString& path);
 
   Session& session_;
-  MeasureJobs& measurer_;
+  MeasuredNumbers& measurer_;
   QLabel* empty_;
   QTreeWidget* list_;
   QCheckBox* shown_;

@@ -72,10 +72,11 @@ void offerControl(QWidget* control, const QString& says, const QString& whyNot) 
 
 }  // namespace
 
-SegmentList::SegmentList(SegmentEditing& editing, QWidget* parent)
+SegmentList::SegmentList(SegmentEditing& editing, const SegmentNumbers& numbers, QWidget* parent)
     : QWidget(parent),
       editing_(editing),
       session_(editing.session()),
+      numbers_(numbers),
       list_(new SegmentTree),
       worked_(plainLabel()),
       add_(listButton("segmentAdd", tr("Add"))),
@@ -218,9 +219,9 @@ void SegmentList::showRow(QTreeWidgetItem* item, const SegmentMap& map, const Se
 }
 
 QString SegmentList::amountText(const SegmentMap& map, int number) const {
-  const MapVoxels* counted = numbers_ ? numbers_->of(map.labels) : nullptr;
-  if (!counted) return QStringLiteral("\u2026");
-  const std::int64_t voxels = counted->voxels[std::size_t(number)];
+  const auto* counted = numbers_.find({map.labels});
+  if (!counted || !counted->value) return QStringLiteral("\u2026");
+  const std::int64_t voxels = counted->value->voxels[std::size_t(number)];
   const VoxelGeometry& grid = map.labels->geometry();
   if (!grid.calibrated) return tr("%1 voxels").arg(QLocale().toString(qlonglong(voxels)));
   const double ml = double(voxels) * grid.voxelVolume() / 1000;
@@ -245,11 +246,6 @@ void SegmentList::showButtons() {
                whyNoCurrent.isEmpty() ? whyNotChanged(session_) : whyNoCurrent);
   offerControl(colour_, tr("Colour of the segment"), whyNoCurrent);
   offerControl(opacity_, tr("Opacity of the segment"), whyNoCurrent);
-}
-
-void SegmentList::showMeasured(const SegmentNumbers& numbers) {
-  numbers_ = numbers;
-  showSegments();
 }
 
 // Ignores an empty name. Makes the edited map current, except for changes of visibility.

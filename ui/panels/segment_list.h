@@ -4,9 +4,9 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QTreeWidget>
-#include <optional>
 
 #include "ui/controller/segment_editing.h"
+#include "ui/derivations/segment_numbers.h"
 #include "ui/widgets/colour_button.h"
 
 namespace volumen {
@@ -17,10 +17,9 @@ namespace volumen {
 class SegmentList : public QWidget {
   Q_OBJECT
  public:
-  explicit SegmentList(SegmentEditing& editing, QWidget* parent = nullptr);
+  SegmentList(SegmentEditing& editing, const SegmentNumbers& numbers, QWidget* parent = nullptr);
 
   void showSegments();
-  void showMeasured(const SegmentNumbers& numbers);
 
  protected:
   void resizeEvent(QResizeEvent*) override { showRoom(); }
@@ -45,12 +44,12 @@ class SegmentList : public QWidget {
 
   SegmentEditing& editing_;
   Session& session_;
+  const SegmentNumbers& numbers_;
   QTreeWidget* list_;
   QLabel* worked_;  // names the current map if there are several
   QToolButton *add_, *duplicate_, *remove_;
   ColourButton* colour_;
   QSlider* opacity_;
-  std::optional<SegmentNumbers> numbers_;
 };
 
 }  // namespace volumen

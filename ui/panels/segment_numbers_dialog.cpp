@@ -11,8 +11,8 @@
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
-#include "ui/controller/segment_map_reports.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/frozen_column.h"
 #include "ui/widgets/path_dialog.h"
@@ -79,12 +79,6 @@ QPushButton* dialogButton(QDialogButtonBox* box, const char* name, const QString
   return button;
 }
 
-// Returns whether both maps have the same voxels and segments, so that their numbers are equal.
-bool holdTheSame(const SegmentMap& a, const SegmentMap& b) {
-  return a.labels == b.labels &&
-         std::ranges::equal(a.segments, b.segments, {}, &Segment::number, &Segment::number);
-}
-
 }  // namespace
 
 SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const SegmentPainter& painter,
@@ -95,6 +89,8 @@ SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const S
       table_(new QTableWidget),
       charts_(new SegmentChartBox(session, jobs)),
       said_(plainLabel()),
+      reports_(segmentReportsRule(session, painter, reports_, [this] { return isOpen_; }), &jobs,
+               session.sharedPool()),
       lane_(&jobs) {
   setObjectName(QStringLiteral("segmentNumbersDialog"));
   setWindowTitle(tr("Numbers of segments"));
@@ -102,29 +98,25 @@ SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const S
   resize(1000, 640);
   makeLayout();
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SegmentNumbersDialog::showChoice);
-  connect(&session_, &Session::changed, this, &SegmentNumbersDialog::follow);
   connect(&session_, &Session::workspaceChanged, this, &SegmentNumbersDialog::follow);
+  connect(&session_, &Session::preferencesChanged, this, &SegmentNumbersDialog::follow);
   // Queued, because after the stroke Esc still undoes the changes made since the press.
   connect(&painter_, &SegmentPainter::ended, this, &SegmentNumbersDialog::follow, Qt::QueuedConnection);
-  connect(&session_, &Session::preferencesChanged, this,
-          [this](const Preferences& before, const Preferences& after) {
-            if (before.petUnit == after.petUnit) return;
-            if (measured_ && measured_->isDone) showMeasured();
-          });
-  connect(this, &QDialog::finished, this, &SegmentNumbersDialog::giveUp);
+  connect(&reports_, &SegmentReports::changed, this, &SegmentNumbersDialog::follow);
+  connect(this, &QDialog::finished, this, &SegmentNumbersDialog::end);
+  fillTable();
   follow();
 }
 
 // Stops now, as a closed dialog is deleted only later by the event loop.
-void SegmentNumbersDialog::giveUp() {
+void SegmentNumbersDialog::end() {
   session_.disconnect(this);
   painter_.disconnect(this);
-  forget();
-}
-
-void SegmentNumbersDialog::forget() {
+  reports_.disconnect(this);
+  isOpen_ = false;
+  reports_.update();
   lane_.giveUpAll();
-  measured_.reset();
+  measured_ = {};
   fillTable();
 }
 
@@ -165,82 +157,50 @@ void SegmentNumbersDialog::makeLayout() {
   column->addWidget(buttons);
 }
 
-// Measures again unless only names or colours have changed.
 void SegmentNumbersDialog::follow() {
-  const std::vector<const SegmentMap*> shown = allSegmentsShown(session_);
-  if (shown.empty()) {
-    forget();
-    const QString why = whyNoSegments(session_);
-    return said_->setText(why.isEmpty() ? tr("There is no segment yet.") : why);
-  }
   if (painter_.isPainting()) return;
-  const VolumePtr volume = wholeVolume(session_);
-  const bool isOfIt = measured_ && measured_->volume == volume;
-  const auto areMeasured = [&](const auto& alike) {
-    const auto itself = [](const SegmentMap* map) -> const SegmentMap& { return *map; };
-    return isOfIt && std::ranges::equal(measured_->maps, shown, alike, {}, itself);
-  };
-  if (areMeasured(std::equal_to<>())) return;
-  std::vector<SegmentMap> maps = copiesOf(shown);
-  if (!measured_ || !measured_->isDone || !areMeasured(holdTheSame)) {
-    measured_ = Measured{std::move(maps), volume};
-    return measure();
+  reports_.update();
+  const Measured before = std::exchange(measured_, measuredNow());
+  if (before.said != measured_.said) said_->setText(measured_.said);
+  if (before.source != measured_.source) lane_.giveUpAll();
+  if (before.source != measured_.source || before.isDone != measured_.isDone ||
+      before.maps != measured_.maps || before.scale != measured_.scale)
+    fillTable();
+}
+
+SegmentNumbersDialog::Measured SegmentNumbersDialog::measuredNow() const {
+  Measured now{copiesOf(allSegmentsShown(session_)), scale()};
+  if (now.maps.empty()) {
+    const QString why = whyNoSegments(session_);
+    now.said = why.isEmpty() ? tr("There is no segment yet.") : why;
+    return now;
   }
-  measured_->maps = std::move(maps);
+  const auto* voxels = reports_.find(segmentReportsKey(session_, false));
+  const auto* surfaces = reports_.find(segmentReportsKey(session_, true));
+  now.isDone = surfaces && surfaces->value;
+  if (now.isDone || voxels) now.source = now.isDone ? surfaces->value : voxels->value;
+  if (now.source) now.reports = *now.source;
   std::size_t n = 0;
-  for (const SegmentMap& map : measured_->maps)
-    for (const Segment& segment : map.segments) measured_->reports[n++].segment = segment;
-  fillTable();
-}
-
-// Measures voxels first, as surfaces take longer.
-void SegmentNumbersDialog::measure() {
-  lane_.giveUpAll();
-  fillTable();
-  said_->setText(tr("Measuring..."));
-  lane_.run(
-      tr("Measuring segments"),
-      [maps = measured_->maps, volume = measured_->volume](const Job& job) {
-        return voxelReportsOf(maps, *volume, job.cancel());
-      },
-      [this](const Result<std::vector<SegmentReport>>& reports) {
-        if (take(reports)) measureSurfaces();
-      },
-      [this] { said_->setText(tr("Cancelled: nothing was measured.")); });
-}
-
-void SegmentNumbersDialog::measureSurfaces() {
-  fillTable();
-  said_->setText(tr("Measuring surfaces..."));
-  lane_.run(
-      tr("Measuring surfaces of segments"),
-      [all = *measured_, withPeaks = hasPeaks(session_.series()->series.modality)](const Job& job) {
-        return withSurfaces(all.reports, all.maps, *all.volume, withPeaks, job);
-      },
-      [this](const Result<std::vector<SegmentReport>>& reports) {
-        if (!take(reports)) return;
-        measured_->isDone = true;
-        showMeasured();
-      },
-      [this] { said_->setText(tr("Cancelled: surfaces were not measured.")); });
-}
-
-bool SegmentNumbersDialog::take(const Result<std::vector<SegmentReport>>& reports) {
-  if (reports)
-    measured_->reports = *reports;
-  else
-    said_->setText(QString::fromStdString(reports.message()));
-  return reports.ok();
-}
-
-void SegmentNumbersDialog::showMeasured() {
-  fillTable();
-  const Series& series = session_.series()->series;
-  said_->setText(seriesText(series) + unitNote(series));
+  for (const SegmentMap& map : now.maps)
+    for (const Segment& segment : map.segments)
+      if (now.source) now.reports[n++].segment = segment;
+  const auto* underWay = now.source ? surfaces : voxels;
+  if (now.isDone) {
+    const Series& series = session_.series()->series;
+    now.said = seriesText(series) + unitNote(series);
+  } else if (!underWay) {
+    now.said = now.source ? tr("Measuring surfaces...") : tr("Measuring...");
+  } else if (underWay->isCancelled) {
+    now.said =
+        now.source ? tr("Cancelled: surfaces were not measured.") : tr("Cancelled: nothing was measured.");
+  } else {
+    now.said = QString::fromStdString(underWay->whyNot);
+  }
+  return now;
 }
 
 void SegmentNumbersDialog::fillTable() {
-  const ValueScale shown = scale();
+  const ValueScale& shown = measured_.scale;
   table_->setSortingEnabled(false);  // otherwise rows would move while being filled
   table_->clear();
   QStringList heads{tr("Name")};
@@ -248,13 +208,13 @@ void SegmentNumbersDialog::fillTable() {
     heads << columnHead(column, shown).replace(QStringLiteral("mm^2"), QStringLiteral("mm\u00b2"));
   table_->setColumnCount(int(heads.size()));
   table_->setHorizontalHeaderLabels(heads);
-  table_->setRowCount(measured_ ? int(measured_->reports.size()) : 0);
+  table_->setRowCount(int(measured_.reports.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const SegmentReport& report = measured_->reports[std::size_t(row)];
+    const SegmentReport& report = measured_.reports[std::size_t(row)];
     table_->setItem(row, 0, nameItem(report.segment, row));
     int place = 1;
     for (const SegmentColumn& column : segmentColumns())
-      table_->setItem(row, place++, numberItem(column, report, shown.factor, !measured_->isDone));
+      table_->setItem(row, place++, numberItem(column, report, shown.factor, !measured_.isDone));
   }
   table_->setSortingEnabled(true);
   table_->resizeColumnsToContents();
@@ -262,21 +222,21 @@ void SegmentNumbersDialog::fillTable() {
 }
 
 void SegmentNumbersDialog::showChoice() {
-  const bool isThere = measured_ && measured_->isDone;
+  const bool isThere = measured_.isDone;
   for (QPushButton* button : {copy_, saveCsv_, saveJson_}) button->setEnabled(isThere);
   compare_->setEnabled(isThere && chosenReports().size() == 2);
   compare_->setToolTip(toolTipOf(compare_->isEnabled()
                                      ? tr("Dice, difference of volumes and distances of the two surfaces")
                                      : tr("Choose two rows first (Ctrl+click).")));
   if (isThere)
-    charts_->setMeasured(measured_->maps, measured_->reports, chosenReports());
+    charts_->setMeasured(measured_.maps, measured_.reports, chosenReports());
   else
     charts_->setMeasured({}, {}, {});
 }
 
 void SegmentNumbersDialog::compare() {
   const std::vector<std::size_t> chosen = chosenReports();
-  const SegmentReport &a = measured_->reports[chosen[0]], &b = measured_->reports[chosen[1]];
+  const SegmentReport &a = measured_.reports[chosen[0]], &b = measured_.reports[chosen[1]];
   const QString names = tr("%1 and %2").arg(shownText(a.segment.label), shownText(b.segment.label));
   lane_.giveUpAll();
   said_->setText(tr("Comparing..."));
@@ -331,13 +291,12 @@ void SegmentNumbersDialog::askWhere(const QString& suffix, const std::function<Q
 }
 
 QString SegmentNumbersDialog::csvText() const {
-  return measured_ ? segmentsAsCsv(measured_->reports, scale(), ofSeries()) : QString();
+  return segmentsAsCsv(measured_.reports, measured_.scale, ofSeries());
 }
 
 QString SegmentNumbersDialog::jsonText() const {
-  if (!measured_) return {};
-  nlohmann::ordered_json all{{"segments", segmentsJson(measured_->reports, scale().factor)},
-                             {"unit", scale().unit},
+  nlohmann::ordered_json all{{"segments", segmentsJson(measured_.reports, measured_.scale.factor)},
+                             {"unit", measured_.scale.unit},
                              {"of", identityJson(ofSeries())}};
   if (const SegmentsOverTime* values = charts_->overTime()) addTimePoints(all, *values);
   return QString::fromStdString(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
@@ -357,9 +316,9 @@ std::vector<std::size_t> SegmentNumbersDialog::chosenReports() const {
 
 SegmentNumbersDialog::Part SegmentNumbersDialog::partOf(std::size_t report) const {
   std::size_t behind = 0;
-  for (const SegmentMap& map : measured_->maps) {
+  for (const SegmentMap& map : measured_.maps) {
     behind += map.segments.size();
-    if (report < behind) return {map.labels, measured_->reports[report].segment.number};
+    if (report < behind) return {map.labels, measured_.reports[report].segment.number};
   }
   return {};
 }

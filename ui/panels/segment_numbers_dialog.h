@@ -5,12 +5,10 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <functional>
-#include <optional>
 
 #include "ui/controller/segment_painter.h"
-#include "ui/document/job_lane.h"
+#include "ui/derivations/segment_reports.h"
 #include "ui/panels/segment_chart_box.h"
-#include "ui/workspace/segment_report.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {
@@ -26,12 +24,14 @@ class SegmentNumbersDialog : public QDialog {
                        QWidget* parent = nullptr);
 
  private:
-  /// Measured segments and their numbers.
+  /// Segments and their numbers as they are shown.
   struct Measured {
-    std::vector<SegmentMap> maps;  // numbered as in the session
-    VolumePtr volume;
-    std::vector<SegmentReport> reports{};  // map after map
-    bool isDone = false;
+    std::vector<SegmentMap> maps;          // numbered as in the session
+    ValueScale scale;                      // of the series
+    SegmentReports::ValuePtr source{};     // null: none yet
+    std::vector<SegmentReport> reports{};  // of `source`, with the present names
+    bool isDone = false;                   // surfaces included
+    QString said{};                        // about the series, or why numbers are missing
   };
 
   /// The voxels of one segment.
@@ -43,13 +43,8 @@ class SegmentNumbersDialog : public QDialog {
 
   void makeLayout();
   void follow();
-  void giveUp();
-  void forget();
-  void measure();
-  void measureSurfaces();
-  /// Returns false and reports the reason if measuring failed.
-  bool take(const Result<std::vector<SegmentReport>>& reports);
-  void showMeasured();
+  void end();
+  Measured measuredNow() const;
   void fillTable();
   void showChoice();
   void compare();
@@ -68,8 +63,10 @@ class SegmentNumbersDialog : public QDialog {
   SegmentChartBox* charts_;
   QLabel* said_;
   QPushButton *compare_, *copy_, *saveCsv_, *saveJson_;
-  std::optional<Measured> measured_;
-  JobLane lane_;
+  Measured measured_;
+  bool isOpen_ = true;
+  SegmentReports reports_;
+  JobLane lane_;  // compares
 };
 
 }  // namespace volumen

@@ -17,10 +17,11 @@
 
 namespace volumen {
 
-SegmentsPanel::SegmentsPanel(SegmentEditing& editing, QWidget* parent)
+SegmentsPanel::SegmentsPanel(SegmentEditing& editing, const SegmentNumbers& numbers, QWidget* parent)
     : QWidget(parent),
       session_(editing.session()),
-      list_(new SegmentList(editing)),
+      numbers_(numbers),
+      list_(new SegmentList(editing, numbers)),
       result_(plainLabel()),
       in3d_(new QCheckBox(tr("In 3D"))),
       tissue_(new SegmentTissue(session_)),
@@ -53,8 +54,11 @@ SegmentsPanel::SegmentsPanel(SegmentEditing& editing, QWidget* parent)
                     withSegmentsIn3d(session_.workspace(), keyOf(session_.series()->series), on));
   });
   connect(&editing.jobs(), &SegmentJobs::ended, this, &SegmentsPanel::showSegments);
-  connect(&editing.jobs(), &SegmentJobs::measured, this, &SegmentsPanel::showMeasured);
   connect(range_, &SegmentRange::previewChanged, this, &SegmentsPanel::previewChanged);
+  connect(&numbers_, &SegmentNumbers::changed, this, [this] {
+    list_->showSegments();
+    showResult();
+  });
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series == after.series) return;
     fillRecipes();
@@ -177,7 +181,6 @@ void SegmentsPanel::showSegments() {
       numbersButton_->isEnabled()
           ? tr("A table of all segments of the series: volumes, area, values, axes; two are compared.")
           : tr("There is no segment yet.")));
-  askForNumbers();
   showResult();
 }
 
@@ -190,36 +193,15 @@ void SegmentsPanel::showIn3d() {
                                   : tr("There is no segment yet.")));
 }
 
-// Measures in the whole volume, as tissue cut away later still belongs to the segment.
-void SegmentsPanel::askForNumbers() {
-  const SegmentMap* map = segmentsShown(session_);
-  if (!map) {
-    asked_.reset();
-    numbers_.reset();
-    return;
-  }
-  SegmentNumbers wanted{{{map->labels}}, wholeVolume(session_), segmentShown(session_)->number};
-  for (const SegmentMap* other : allSegmentsShown(session_))
-    if (other != map) wanted.maps.push_back({other->labels});
-  if (asked_ && asked_->areOf(wanted)) return;
-  asked_ = wanted;
-  numbers_.reset();
-  Q_EMIT measureRequested(wanted);
-}
-
-void SegmentsPanel::showMeasured(const SegmentNumbers& numbers) {
-  if (!asked_ || !asked_->areOf(numbers)) return;
-  numbers_ = numbers;
-  list_->showMeasured(numbers);
-  showResult();
-}
-
 void SegmentsPanel::showResult() {
-  if (!numbers_) return result_->setText(session_.series() ? whyNoSegments(session_) : QString());
-  const SegmentValues& s = numbers_->values;
-  const MapVoxels& worked = numbers_->maps.front();
-  const std::int64_t voxels = worked.voxels[std::size_t(numbers_->number)];
-  const VoxelGeometry& grid = worked.labels->geometry();
+  const bool isThere = segmentShown(session_) != nullptr;
+  const SegmentNumbersKey key = isThere ? currentValuesKey(session_) : SegmentNumbersKey{};
+  const auto *counted = numbers_.find({key.labels}), *measured = numbers_.find(key);
+  if (!isThere || !counted || !counted->value || !measured || !measured->value)
+    return result_->setText(session_.series() ? whyNoSegments(session_) : QString());
+  const SegmentValues& s = measured->value->values;
+  const std::int64_t voxels = counted->value->voxels[std::size_t(key.number)];
+  const VoxelGeometry& grid = key.labels->geometry();
   const ValueScale scale = shownScale(session_.series()->series);
   const QString unit = shownText(scale.unit);
   const int decimals = valueDecimals(*session_.series()) - 1;

@@ -17,16 +17,15 @@
 namespace volumen {
 
 /// The segments of the series in view: the list and the numbers of the current one. Pages below make segments
-/// from the curve, paint, grow and change them. Requests everything that takes time.
+/// from the curve, paint, grow and change them. Requests changes that take time.
 class SegmentsPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit SegmentsPanel(SegmentEditing& editing, QWidget* parent = nullptr);
+  /// `numbers` follow segmentNumbersRule().
+  SegmentsPanel(SegmentEditing& editing, const SegmentNumbers& numbers, QWidget* parent = nullptr);
 
-  /// Shows the segments of the series in view and requests their numbers.
+  /// Shows the segments of the series in view.
   void showSegments();
-  /// Shows the result of measureRequested().
-  void showMeasured(const SegmentNumbers& numbers);
   /// Set actions of the panel: tools by name, table removal and export.
   void setToolActions(const std::function<QAction*(const QString& name)>& find);
   void setTableAction(QAction* action) { range_->setTableAction(action); }
@@ -37,8 +36,6 @@ class SegmentsPanel : public QWidget {
  Q_SIGNALS:
   void numbersWanted();
   void recipeChosen(const volumen::Recipe& recipe);
-  /// Requests numbers. `wanted` names the segment only.
-  void measureRequested(const volumen::SegmentNumbers& wanted);
   /// The previewed range of a volume changed; empty ends the preview.
   void previewChanged(const std::optional<volumen::VolumeRange>& range);
   /// The axis of the curve is to show this range; empty for none.
@@ -50,10 +47,10 @@ class SegmentsPanel : public QWidget {
   void showPage(QWidget* page);
   void fillRecipes();
   void showIn3d();
-  void askForNumbers();
   void showResult();
 
   Session& session_;
+  const SegmentNumbers& numbers_;
   SegmentList* list_;
   QLabel* result_;
   QCheckBox* in3d_;
@@ -67,8 +64,6 @@ class SegmentsPanel : public QWidget {
   SegmentStepsPage* steps_;
   SegmentGrowPage* growth_;
   QStackedWidget* pages_;
-  std::optional<SegmentNumbers> asked_;    // the last request
-  std::optional<SegmentNumbers> numbers_;  // numbers on screen
 };
 
 }  // namespace volumen

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ui/controller/derived_objects.h"
-#include "ui/controller/measure_jobs.h"
 #include "ui/controller/segment_editing.h"
+#include "ui/derivations/measured_numbers.h"
 #include "ui/views/cine_bar.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/text.h"
@@ -30,7 +30,7 @@ FlatView::FlatView(const ViewParts& parts, ViewId id, QWidget* parent)
   wheelEnd_.setInterval(500);
   connect(&wheelEnd_, &QTimer::timeout, this, [this] { session_.endGesture(); });
   connect(&service_, &SliceService::ready, this, &FlatView::showPicture);
-  connect(&measurer_, &MeasureJobs::measured, this, [this] {
+  connect(&measurer_, &MeasuredNumbers::changed, this, [this] {
     update();
     tellPointed();
   });

@@ -284,7 +284,7 @@ class FlatView : public View {
   bool pressWindowKey(const QKeyEvent& event);
   void paintTool(QPainter& painter) const;
 
-  MeasureJobs& measurer_;
+  MeasuredNumbers& measurer_;
   SegmentEditing* const segments_;
   std::function<const FlatView*(ViewId)> find_ = [](ViewId) { return nullptr; };
   std::pair<SeriesKey, ViewKind> showed_;

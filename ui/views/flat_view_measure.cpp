@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "ui/controller/measure_jobs.h"
+#include "ui/derivations/measured_numbers.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/latin_key.h"
@@ -22,7 +22,7 @@ constexpr int nameFieldWidth = 180;
 
 // Returns the name and the results of a measurement. Values of another series than `shown` name that series;
 // results of two series already do.
-QStringList textOf(const Measurement& m, MeasureJobs& measurer, const Workspace& workspace,
+QStringList textOf(const Measurement& m, MeasuredNumbers& measurer, const Workspace& workspace,
                    const SeriesKey& shown) {
   QStringList text;
   if (!m.shape.name.empty()) text << nameText(m);

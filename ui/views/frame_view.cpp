@@ -76,6 +76,8 @@ FrameView::FrameView(const ViewParts& parts, ViewId id, QWidget* parent)
   setObjectName(QStringLiteral("frameView%1").arg(id));
   connect(&frames_, &FrameService::ready, this, &FrameView::takeFrame);
   connect(&frames_, &FrameService::failed, this, &FrameView::tellFailure);
+  retry_.setSingleShot(true);
+  connect(&retry_, &QTimer::timeout, this, &FrameView::askForFrame);
   connect(&frames_, &FrameService::progressed, this, [this](const FrameKey& key, int percent) {
     if (isLoading() && key == frameKey()) setPercentRead(percent);
   });
@@ -144,6 +146,9 @@ void FrameView::takeFrame(int view, const LoadedFramePtr& frame) {
 void FrameView::tellFailure(int view, const FrameKey& key, const QString& sentence) {
   // A clip continues with the next frame.
   if (view != id() || !isCurrent() || isPlaying() || key != frameKey()) return;
+  // Twice as long after each further failure.
+  retry_.start(failure_.isEmpty() ? FrameService::tryAgainMs
+                                  : std::min(2 * retry_.interval(), 64 * FrameService::tryAgainMs));
   forget();
   failure_ = shownText(sentence.toStdString());
   showWaiting();

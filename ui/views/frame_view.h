@@ -75,6 +75,7 @@ class FrameView : public FlatView {
   LoadedFramePtr frame_;
   FrameKey awaited_;  // requested last
   QString failure_;   // of the wanted frame
+  QTimer retry_;      // until it is read again
   // Frame that is due while a clip plays; it replaces the workspace's frame.
   std::optional<int> played_;
 };

@@ -224,8 +224,9 @@ QImage ViewGrid::capture() const {
   return image;
 }
 
-std::unique_ptr<FlatView> ViewGrid::unseenView(Session& session, FrameService& frames, MeasureJobs& measurer,
-                                               ViewId id, const Shown& shown) const {
+std::unique_ptr<FlatView> ViewGrid::unseenView(Session& session, FrameService& frames,
+                                               MeasuredNumbers& measurer, ViewId id,
+                                               const Shown& shown) const {
   const ViewFamily family = rowOf(session.workspace().view(id).kind).family;
   if (family == ViewFamily::scene) return nullptr;
   ViewParts parts{session, parts_.drawn, parts_.drawService, parts_.slices, frames, measurer, parts_.derived};

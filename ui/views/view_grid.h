@@ -55,7 +55,7 @@ class ViewGrid : public QWidget {
   const Shown& shown() const { return shown_; }
   /// Makes a hidden view of this id over another session, with results from `measurer`. It shares what the
   /// views here share, or shared when `shown` was stored. Returns null for 3D.
-  std::unique_ptr<FlatView> unseenView(Session& session, FrameService& frames, MeasureJobs& measurer,
+  std::unique_ptr<FlatView> unseenView(Session& session, FrameService& frames, MeasuredNumbers& measurer,
                                        ViewId id, const Shown& shown) const;
   /// Returns the warnings about all pictures, each sentence once.
   QStringList warningsShown() const;

@@ -8,7 +8,7 @@ namespace volumen {
 class DrawService;
 class DrawnScenes;
 class FrameService;
-class MeasureJobs;
+class MeasuredNumbers;
 class DerivedObjects;
 class SegmentEditing;
 class SliceService;
@@ -21,7 +21,7 @@ struct ViewParts {
   DrawService& drawService;
   SliceService& slices;
   FrameService& frames;
-  MeasureJobs& measurer;
+  MeasuredNumbers& measurer;
   DerivedObjects& derived;
   SegmentEditing* segments = nullptr;  ///< null for views that are not on screen
 };

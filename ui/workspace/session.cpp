@@ -95,16 +95,9 @@ bool Session::showAgain(const Series& series, ViewId view, const Arrange& arrang
   return held != nullptr;
 }
 
-void Session::keep(LoadedSeriesPtr series) {
-  pool_->put({keyOf(series->series), {}}, series);
+void Session::keep(LoadedSeriesPtr series, const Mask& mask) {
+  pool_->put({keyOf(series->series), mask}, series);
   setWorkspace(withFound(workspace_, series->series));
-}
-
-void Session::takeMasked(const Mask& mask, LoadedSeriesPtr masked) {
-  const SeriesKey key = keyOf(masked->series);
-  if (!workspace_.series.contains(key)) return;
-  pool_->put({key, mask}, std::move(masked));
-  setWorkspace(workspace_);
 }
 
 void Session::open(const QString& text, const Workspace& workspace) {
@@ -279,12 +272,6 @@ void Session::request(const std::function<void(Requests&)>& change) {
   if (requests_ != before) Q_EMIT needsChanged();
 }
 
-void Session::tellMasksNeeded() {
-  for (const PoolKey& key : seriesOnScreen(workspace_))
-    if (!key.mask.empty() && !pool_->peek(key) && pool_->peek({key.series, {}}))
-      Q_EMIT maskedNeeded(key.series);
-}
-
 void Session::setWorkspace(const Workspace& workspace) {
   Workspace after = workspace;  // a copy, because it may be the present one
   const Workspace before = std::exchange(workspace_, std::move(after));
@@ -295,7 +282,6 @@ void Session::setWorkspace(const Workspace& workspace) {
   const SessionState stateBefore = std::exchange(state_, stateInFocus());
   Q_EMIT workspaceChanged(before, workspace_);
   if (stateBefore != state_) Q_EMIT changed(stateBefore, state_);
-  tellMasksNeeded();
   Q_EMIT needsChanged();
 }
 

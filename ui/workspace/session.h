@@ -63,10 +63,8 @@ class Session : public QObject {
   /// Makes `after` the workspace, whose views are empty for a series to be shown next. It is one undo step
   /// together with showing that.
   void makeRoom(const QString& text, const Workspace& after);
-  /// Keeps a series in memory for views that wait for it now or later.
-  void keep(LoadedSeriesPtr series);
-  /// Keeps a series with a mask applied.
-  void takeMasked(const Mask& mask, LoadedSeriesPtr masked);
+  /// Keeps a series in memory, with a mask applied if given, for views that wait for it now or later.
+  void keep(LoadedSeriesPtr series, const Mask& mask = {});
   /// Makes a workspace that was read the present one, in one undo step, except for the first of a window.
   /// Work on series that it does not know comes back with them.
   void open(const QString& text, const Workspace& workspace);
@@ -145,8 +143,6 @@ class Session : public QObject {
   void workspaceChanged(const volumen::Workspace& before, const volumen::Workspace& after);
   /// neededSeries() may have changed. Sent after the signals about the workspace.
   void needsChanged();
-  /// A view shows this series with its mask, and that volume is not in memory: takeMasked() it.
-  void maskedNeeded(const volumen::SeriesKey& series);
 
   void preferencesChanged(const volumen::Preferences& before, const volumen::Preferences& after);
 
@@ -163,7 +159,6 @@ class Session : public QObject {
   void push(const QString& text, Workspace after, const QString& mergeKey);
   void fitUndo();
   SessionState stateInFocus() const;
-  void tellMasksNeeded();
   void setWorkspace(const Workspace& workspace);
 
   Workspace workspace_;

@@ -5,7 +5,7 @@ namespace volumen {
 /// The unique number of a view of the window.
 using ViewId = int;
 
-/// Ids for requests of frames and slices that no view shows: to measure them, and while a series is loaded.
-inline constexpr ViewId measuredId = -1, firstImageId = -2;
+/// The id for requests of frames and slices that no view shows, while a series is loaded.
+inline constexpr ViewId firstImageId = -2;
 
 }  // namespace volumen

@@ -23,7 +23,9 @@ using Texts = Derivation<Key, std::string>;
 struct Toy {
   std::vector<Key> wanted;
   std::vector<Key> refused, large;
-  bool isPaused = false, isHiddenKept = false;
+  bool isPaused = false, isHiddenKept = false, areVersionsFinished = false;
+  int quick = -1;  // of keys computed at once
+  int tryAgainMs = 0;
   std::atomic<bool> isHeld = false;  // the work waits until it is cancelled or released
   std::atomic<int> begun = 0;
   std::size_t mostBytes = 100;
@@ -39,8 +41,11 @@ struct Toy {
             .name = [](const Key&) { return JobName(QStringLiteral("Writing")); },
             .bytes = [](const std::string& text) { return text.size(); },
             .areVersions = [](const Key& a, const Key& b) { return a.of == b.of; },
+            .finishesVersions = areVersionsFinished,
+            .isQuick = [this](const Key& key) { return key.of == quick; },
             .isKept = [this](const Key&) { return isHiddenKept; },
             .isPaused = [this] { return isPaused; },
+            .tryAgainMs = tryAgainMs,
             .lacksMemory = "There is not enough memory.",
             .wasCancelled = "It was cancelled.",
             .mostBytes = mostBytes};
@@ -84,14 +89,20 @@ class TestDerivation : public QObject {
  private Q_SLOTS:
   void theMostNeededComeFirstAndOnce();
   void theLatestAloneIsComputed();
+  void aVersionIsFinishedWhileItIsDragged();
+  void quickOnesAreThereAtOnce();
   void theVersionBeforeStaysUntilTheNextIsReady();
   void nothingBeginsOrEndsDuringAPause();
   void whatIsNotWantedIsDroppedUnlessKept();
   void aFailureIsToldOnceAndHolds();
+  void aFailureIsTriedAgainLater();
+  void lackOfMemoryIsASentence_data();
   void lackOfMemoryIsASentence();
   void aCancelHoldsForAllThatIsMissing();
   void unneededValuesMakeRoom();
   void whatIsHeldIsCounted();
+  void inputsAreReleased_data();
+  void inputsAreReleased();
 };
 
 void TestDerivation::theMostNeededComeFirstAndOnce() {
@@ -116,6 +127,50 @@ void TestDerivation::theLatestAloneIsComputed() {
   QVERIFY(toy.idle());
   QCOMPARE(toy.at({1, 2}), std::string("1.2"));
   QCOMPARE(toy.at({1, 0}) + toy.at({1, 1}), std::string("nothingnothing"));
+}
+
+// The second of four is skipped, as the first ends only after the last is wanted.
+void TestDerivation::aVersionIsFinishedWhileItIsDragged() {
+  Toy toy;
+  toy.areVersionsFinished = true;
+  Texts texts(toy.rule(), &toy.jobs, toy.pool);
+  const auto want = [&](int version) {
+    toy.wanted = {{1, version}};
+    texts.update();
+  };
+  const auto is = [&](int version) { return texts.find({1, version}) != nullptr; };
+  toy.isHeld = true;
+  want(0);
+  QVERIFY(toy.waitsForWork(1));
+  want(1);
+  want(2);
+  toy.isHeld = false;
+  QTRY_VERIFY_WITH_TIMEOUT(is(2), 20000);
+  QCOMPARE(toy.order, (std::vector<std::string>{"1.0", "1.2"}));
+  // A newer value that is there at once is not replaced by an older one.
+  toy.isHeld = true;
+  want(3);
+  QVERIFY(toy.waitsForWork(3));
+  toy.isHeld = false;
+  toy.quick = 1;
+  want(4);
+  QVERIFY(!texts.isBusy());
+  QTest::qWait(50);
+  QVERIFY(is(4) && !is(3));
+}
+
+void TestDerivation::quickOnesAreThereAtOnce() {
+  Toy toy;
+  toy.quick = 2;
+  const QSignalSpy changed(&toy.texts, &Texts::changed);
+  toy.want({{1, 0}, {2, 0}});
+  QCOMPARE(toy.at({2, 0}), std::string("2.0"));
+  QVERIFY(toy.texts.isBusy());
+  QCOMPARE(changed.size(), 1);
+  toy.want({{1, 0}, {2, 1}});
+  QCOMPARE(toy.at({2, 1}) + toy.at({2, 0}), std::string("2.1nothing"));
+  QVERIFY(toy.idle());
+  QCOMPARE(toy.at({1, 0}), std::string("1.0"));
 }
 
 void TestDerivation::theVersionBeforeStaysUntilTheNextIsReady() {
@@ -190,13 +245,35 @@ void TestDerivation::aFailureIsToldOnceAndHolds() {
   QCOMPARE(toy.failed.size(), 2);
 }
 
-void TestDerivation::lackOfMemoryIsASentence() {
+// As a file that cannot be read for a moment. It is told once.
+void TestDerivation::aFailureIsTriedAgainLater() {
   Toy toy;
+  toy.tryAgainMs = 20;
+  Texts texts(toy.rule(), &toy.jobs, toy.pool);
+  const QSignalSpy failed(&texts, &Texts::failed);
+  toy.refused = toy.wanted = {{1, 0}};
+  texts.update();
+  QTRY_VERIFY_WITH_TIMEOUT(toy.order.size() == 3, 20000);
+  toy.refused.clear();
+  QTRY_VERIFY_WITH_TIMEOUT(texts.find({1, 0})->value, 20000);
+  QCOMPARE(failed.size(), 1);
+}
+
+void TestDerivation::lackOfMemoryIsASentence_data() {
+  QTest::addColumn<bool>("isQuick");
+  QTest::newRow("on the lane") << false;
+  QTest::newRow("at once") << true;
+}
+
+void TestDerivation::lackOfMemoryIsASentence() {
+  QFETCH(bool, isQuick);
+  Toy toy;
+  toy.quick = isQuick ? 1 : -1;
   toy.large = {{1, 0}};
   toy.want({{1, 0}});
   QVERIFY(toy.idle());
   QCOMPARE(toy.at({1, 0}), std::string("There is not enough memory."));
-  QCOMPARE(toy.failed.size(), 1);
+  QCOMPARE(toy.failed.size(), isQuick ? 0 : 1);
 }
 
 void TestDerivation::aCancelHoldsForAllThatIsMissing() {
@@ -257,6 +334,35 @@ void TestDerivation::whatIsHeldIsCounted() {
     QCOMPARE(toy.pool->counted(), before + 6);
   }
   QCOMPARE(toy.pool->counted(), before + 3);
+}
+
+void TestDerivation::inputsAreReleased_data() {
+  QTest::addColumn<bool>("isDone");
+  QTest::newRow("of a value no longer wanted") << true;
+  QTest::newRow("of a computation no longer wanted") << false;
+}
+
+// Keys may hold label maps and volumes.
+void TestDerivation::inputsAreReleased() {
+  QFETCH(bool, isDone);
+  using Input = std::shared_ptr<int>;
+  std::vector<Input> wanted{std::make_shared<int>(7)};
+  const std::weak_ptr<int> input = wanted.front();
+  const auto copy = [](const Input& key, std::size_t) {
+    return
+        [key](const Job&) -> Result<std::shared_ptr<const int>> { return std::make_shared<const int>(*key); };
+  };
+  Derivation<Input, int> copies({.wanted = [&] { return wanted; },
+                                 .work = copy,
+                                 .name = [](const Input&) { return JobName(); },
+                                 .bytes = [](int) { return std::size_t(4); },
+                                 .lacksMemory = {}},
+                                nullptr, std::make_shared<SeriesPool>());
+  copies.update();
+  if (isDone) QVERIFY(QTest::qWaitFor([&] { return !copies.isBusy(); }, 20000));
+  wanted.clear();
+  copies.update();
+  QVERIFY(QTest::qWaitFor([&] { return input.expired(); }, 20000));
 }
 
 VOLUMEN_TEST(TestDerivation);

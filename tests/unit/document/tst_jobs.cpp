@@ -50,6 +50,7 @@ class TestJobs : public QObject {
   void aLaneThatGoesWaitsAndSaysNothing();
   void whatMayBeTellsWhileItRuns();
   void lackOfMemoryIsAnError();
+  void lackOfMemoryCancelsWhatCannotFail_data();
   void lackOfMemoryCancelsWhatCannotFail();
   void eachEndsOnce_data();
   void eachEndsOnce();
@@ -299,13 +300,24 @@ void TestJobs::lackOfMemoryIsAnError() {
   QVERIFY2(result->message().find("not enough memory") != std::string::npos, result->message().c_str());
 }
 
+void TestJobs::lackOfMemoryCancelsWhatCannotFail_data() {
+  QTest::addColumn<bool>("hasResult");
+  QTest::newRow("with a result") << true;
+  QTest::newRow("without one") << false;
+}
+
 void TestJobs::lackOfMemoryCancelsWhatCannotFail() {
+  QFETCH(bool, hasResult);
   Jobs jobs;
   JobLane lane(&jobs);
   int done = 0, cancelled = 0;
-  lane.run(
-      JobName(QStringLiteral("Counting")), [](const Job&) -> int { throw std::bad_alloc(); },
-      [&](int) { ++done; }, [&] { ++cancelled; });
+  const JobName name(QStringLiteral("Counting"));
+  if (hasResult)
+    lane.run(
+        name, [](const Job&) -> int { throw std::bad_alloc(); }, [&](int) { ++done; }, [&] { ++cancelled; });
+  else
+    lane.run(
+        name, [](const Job&) { throw std::bad_alloc(); }, [&] { ++done; }, [&] { ++cancelled; });
   lane.run(
       {}, [](const Job&) { return 1; }, [&](int) { ++done; });
   QTRY_COMPARE_WITH_TIMEOUT(done, 1, longest);
