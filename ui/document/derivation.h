@@ -107,8 +107,11 @@ class Derivation : public DerivationSignals {
       lane_.giveUpAll();
       underWay_.reset();
     }
-    drop([&](const Entry& entry) { return !isNeeded(entry, wanted) && !rule_.isKept(entry.key); });
-    const auto next = std::ranges::find_if(wanted, [&](const Key& key) { return isMissing(key); });
+    drop([&, at = std::size_t(0)](const Entry& entry) mutable {
+      return !isNeeded(entry, wanted, at) && !rule_.isKept(entry.key);
+    });
+    const auto next = std::ranges::find_if(
+        wanted, [&, at = std::size_t(0)](const Key& key) mutable { return isMissing(key, at); });
     if (!underWay_ && next != wanted.end()) begin(*next);
     if (isAnyNew) tellChanged();
   }
@@ -123,12 +126,27 @@ class Derivation : public DerivationSignals {
   static constexpr int restMs = 200;     // least time between two changed() while more values are computed
   static constexpr int mostDoubled = 6;  // of the time before a further try
 
-  bool isMissing(const Key& key) const {
-    const Entry* entry = find(key);
+  // Returns the first element from `at` on that is the one, or from the beginning; moves `at` behind it.
+  // Thousands of keys and entries, which have the same order, are thus compared in linear time.
+  template <class Element, class IsIt>
+  static const Element* findFrom(std::size_t& at, const std::vector<Element>& all, const IsIt& isIt) {
+    const auto begin = all.begin() + std::ptrdiff_t(std::min(at, all.size()));
+    auto found = std::find_if(begin, all.end(), isIt);
+    if (found == all.end() && (found = std::find_if(all.begin(), begin, isIt)) == begin) return nullptr;
+    at = std::size_t(found - all.begin()) + 1;
+    return &*found;
+  }
+
+  bool isMissing(const Key& key, std::size_t& at) const {
+    const Entry* entry = findFrom(at, entries_, [&](const Entry& one) { return one.key == key; });
     return !entry || entry->isTriedAgain;
   }
-  bool isNeeded(const Entry& entry, const std::vector<Key>& wanted) const {
-    return std::ranges::any_of(wanted, [&](const Key& key) { return rule_.areVersions(key, entry.key); });
+  bool isMissing(const Key& key) const {
+    std::size_t at = 0;
+    return isMissing(key, at);
+  }
+  bool isNeeded(const Entry& entry, const std::vector<Key>& wanted, std::size_t& at) const {
+    return findFrom(at, wanted, [&](const Key& key) { return rule_.areVersions(key, entry.key); }) != nullptr;
   }
 
   // Returns whether the result of a computation is worth waiting for.
@@ -167,8 +185,9 @@ class Derivation : public DerivationSignals {
 
   bool computeQuick(const std::vector<Key>& wanted) {
     bool isAny = false;
+    std::size_t at = 0;
     for (const Key& key : wanted) {
-      if (!isMissing(key) || !rule_.isQuick(key)) continue;
+      if (!isMissing(key, at) || !rule_.isQuick(key)) continue;
       isAny = true;
       put(key, workOf(key)(Job(JobName())));
     }
@@ -187,7 +206,10 @@ class Derivation : public DerivationSignals {
     underWay_.reset();
     if (!made) {
       const std::vector<Key> wanted = rule_.wanted();
-      if (drop([&](const Entry& entry) { return entry.value && !isNeeded(entry, wanted); })) return update();
+      const auto isSpare = [&, at = std::size_t(0)](const Entry& entry) mutable {
+        return entry.value && !isNeeded(entry, wanted, at);
+      };
+      if (drop(isSpare)) return update();
     }
     const bool isNews = put(key, made) == 1;
     update();
@@ -226,9 +248,13 @@ class Derivation : public DerivationSignals {
     return failures;
   }
 
+  // Keeps the place of an older version.
   void put(Entry entry) {
-    std::erase_if(entries_, [&](const Entry& old) { return rule_.areVersions(old.key, entry.key); });
-    entries_.push_back(std::move(entry));
+    const auto isOlder = [&](const Entry& old) { return rule_.areVersions(old.key, entry.key); };
+    const auto place = std::ranges::find_if(entries_, isOlder);
+    if (place == entries_.end()) return entries_.push_back(std::move(entry));
+    entries_.erase(std::remove_if(place + 1, entries_.end(), isOlder), entries_.end());
+    *place = std::move(entry);
   }
 
   const Rule rule_;
