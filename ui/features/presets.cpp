@@ -74,8 +74,8 @@ void Presets::connectThumbnails() {
 }
 
 void Presets::drawThumbnails() {
-  const VolumePtr& volume = session_.series()->volume;
-  if (std::exchange(thumbnailsOf_, volume) == volume) return;
+  const VolumePtr volume = session_.series() ? session_.series()->volume : nullptr;
+  if (!volume || std::exchange(thumbnailsOf_, volume) == volume) return;
   thumbnails_.start(volume, bar_->names(), int(PresetBar::thumbnailEdge * bar_->devicePixelRatioF()));
 }
 
