@@ -3,6 +3,7 @@
 #include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QDockWidget>
+#include <QMenu>
 #include <QPointer>
 #include <QUndoStack>
 
