@@ -197,7 +197,11 @@ void TestDerivedKeys::labelsAreReleased() {
   if (!isUnderWay) QVERIFY(d.idle());
   SegmentWork work;
   work.series = d.key, work.volume = d.series->volume, work.number = 2;
-  work.make = [](const SegmentMap& map, int, const CancelToken&) { return maskOf(*map.labels, 1); };
+  work.makeAll = [](const SegmentMap& map, const CancelToken&) -> Result<SegmentMap> {
+    SegmentMap changed = map;
+    changed.labels = std::make_shared<LabelMap>(withLabel(*map.labels, 2, maskOf(*map.labels, 1)));
+    return changed;
+  };
   segmenter.change(work);
   if (!isUnderWay) QVERIFY(d.idle());
   labels.push_back(d.map().labels);
