@@ -101,8 +101,8 @@ std::string ofPixels(double mebibytes, int edge) {
 
 Measured radiograph(const std::string& folder, int edge) {
   apart([&] { writeRadiograph(folder + "/radiograph.dcm", edge); });
-  Measured m =
-      run({"slice", folder + "/radiograph.dcm", "--largest-frame", "1000", "-o", folder + "/radiograph.png"});
+  Measured m = run({"slice", folder + "/radiograph.dcm", "--plane", "frame", "--largest-frame", "1000", "-o",
+                    folder + "/radiograph.png"});
   m.note = ofPixels(m.mebibytes, edge);
   return m;
 }
