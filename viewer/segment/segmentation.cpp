@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <ranges>
 
 #include "viewer/volume/parallel.h"
 
@@ -34,8 +33,9 @@ struct TwoMasks {
 
 bool shareVoxel(const BitMask& one, const BitMask& other) {
   const auto a = one.words(), b = other.words();
-  return std::ranges::any_of(std::views::iota(std::size_t(0), a.size()),
-                             [&](std::size_t n) { return a[n] & b[n]; });
+  for (std::size_t n = 0; n < a.size(); ++n)
+    if (a[n] & b[n]) return true;
+  return false;
 }
 
 /// A label map that segments are added to one by one.
