@@ -79,8 +79,9 @@ std::vector<Entries> byOrder(const Entries& entries, Before before) {
   return ranks;
 }
 
-/// Returns whether every position has the same number of pictures, each with its own number. A number must
-/// occur once or at all positions, always with the same rank. Otherwise pictures are missing.
+/// Returns whether every position has the same number of pictures, each with its own number. Either all
+/// numbers are the same at all positions, or at most one is, such as time 0, and all others occur once.
+/// Otherwise pictures are missing.
 bool countsEverywhere(const Entries& entries, std::size_t separator) {
   const std::vector<Entries> places = byPlace(entries);
   const std::size_t most = mostAtOnePlace(entries);
@@ -98,8 +99,11 @@ bool countsEverywhere(const Entries& entries, std::size_t separator) {
       ++it->second.second;
     }
   }
-  return std::ranges::all_of(
-      ranks, [&](const auto& of) { return of.second.second == 1 || of.second.second == places.size(); });
+  const auto shared =
+      std::ranges::count_if(ranks, [&](const auto& of) { return of.second.second == places.size(); });
+  const auto single = std::ranges::count_if(ranks, [](const auto& of) { return of.second.second == 1; });
+  if (shared == std::ptrdiff_t(ranks.size())) return true;
+  return shared <= 1 && shared + single == std::ptrdiff_t(ranks.size());
 }
 
 std::vector<Split> byCount(const Split& split, std::size_t n) {

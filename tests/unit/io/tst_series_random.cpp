@@ -146,6 +146,7 @@ void TestSeriesRandom::volumesArePure_data() {
   QTest::addColumn<unsigned>("seed");
   const Seeds seeds = seedsOf(150, 1000);
   for (int n = seeds.first; n < seeds.behindLast(); ++n) QTest::addRow("seed %d", n) << unsigned(n);
+  QTest::newRow("found: two positions that lack different times") << 4242284u;
 }
 
 void TestSeriesRandom::volumesArePure() {
