@@ -100,7 +100,9 @@ void SeriesFinder::addPictures(Study& study) const {
       files.push_back(pictures_.at(n));
       if (uid.empty()) alone.emplace(files.back().path, n);
     }
-    const auto placeOf = [&](const std::string& path) { return uid.empty() ? alone.at(path) : numbers[0]; };
+    const auto placeOf = [&alone, first = numbers[0]](const std::string& path) {
+      return alone.empty() ? first : alone.at(path);
+    };
     Sorted sorted = sortIntoSeries(files);
     addSuvFactors(files, sorted.volumes);
     for (Series& volume : sorted.volumes) volumes[placeOf(volume.files[0])].push_back(std::move(volume));
