@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QClipboard>
+#include <QDirIterator>
 #include <QPrintDialog>
 #include <vector>
 
@@ -17,6 +18,16 @@ struct Leaving {
   const char* ending = ".png";  ///< of the file; empty: a folder
   QRectF part{0, 0, 1, 1};      ///< the part of a picture without the time that 3D took
 };
+
+/// Returns this file, or all files in and below this folder.
+inline QStringList filesAt(const QString& path) {
+  if (!QFileInfo(path).isDir()) return {path};
+  QStringList files;
+  for (QDirIterator each(path, QDir::Files, QDirIterator::Subdirectories); each.hasNext();)
+    files << each.next();
+  files.sort();
+  return files;
+}
 
 inline void run(Journey& w, const char* action) { w.child<QAction>(action)->trigger(); }
 

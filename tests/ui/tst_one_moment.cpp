@@ -3,7 +3,6 @@
 // patient is shown. Then the export is what was seen, or there is a sentence: never a mixture.
 #include <QApplication>
 #include <QCheckBox>
-#include <QDirIterator>
 #include <QTemporaryDir>
 #include <map>
 
@@ -35,15 +34,8 @@ using Content = std::pair<QList<QImage>, QStringList>;
 
 // Returns the content of a file or of all files in a folder, of each picture only a part given in fractions.
 Content contentIn(const QString& path, const QRectF& part) {
-  QStringList files{path};
-  if (QFileInfo(path).isDir()) {
-    files.clear();
-    for (QDirIterator each(path, QDir::Files, QDirIterator::Subdirectories); each.hasNext();)
-      files << each.next();
-    files.sort();
-  }
   Content content;
-  for (const QString& file : files) {
+  for (const QString& file : filesAt(path)) {
     content.second << file.mid(path.size());
     if (!file.endsWith(QStringLiteral(".pdf"))) {
       content.first << rgb(QImage(file));

@@ -2,7 +2,6 @@
 // series, sides, scale and quality, or why it does not. A picture states a field if it differs when only that
 // field differs.
 #include <QCheckBox>
-#include <QDirIterator>
 #include <QMenu>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -30,14 +29,7 @@ struct Left {
 // Returns the result in the files.
 Left leftIn(const QString& path) {
   Left left;
-  QStringList files{path};
-  if (QFileInfo(path).isDir()) {
-    files.clear();
-    for (QDirIterator each(path, QDir::Files, QDirIterator::Subdirectories); each.hasNext();)
-      files << each.next();
-    files.sort();
-  }
-  for (const QString& name : files) {
+  for (const QString& name : filesAt(path)) {
     QFile file(name);
     if (name.endsWith(QStringLiteral(".pdf"))) {
       left.text += textsIn(name).join(QLatin1Char('\n'));

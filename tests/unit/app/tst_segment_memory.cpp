@@ -64,8 +64,7 @@ void TestSegmentMemory::bytesOfAVoxel_data() {
   QTest::addColumn<int>("segments");
   QTest::addColumn<bool>("grows");
   QTest::addColumn<double>("most");  // beyond two segments of one grey value each
-  // Measured: 3, and 11 to 14, as tiles end in another order with each run. A cost and a place in a queue for
-  // each voxel at once would be 20.
+  // Measured: 3, and 11 to 14 from run to run.
   QTest::newRow("twenty segments of all voxels") << 20 << false << 6.;
   QTest::newRow("two segments grown everywhere") << 2 << true << 18.;
 }
