@@ -58,7 +58,7 @@ void Opener::show(const Series& series) {
   session_.showAgain(series, session_.workspace().focus, arrangedFor(series));
 }
 
-// A scene requested for the series before stays.
+// Without a scene, keeps the one of an earlier request for this series.
 void Opener::read(const Series& series, const std::optional<Scene>& scene) {
   session_.request([&](Requests& r) {
     const std::optional<Scene> before = r.shows(keyOf(series)) ? r.show->scene : std::nullopt;

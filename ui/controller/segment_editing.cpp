@@ -113,7 +113,7 @@ void SegmentEditing::showGrowth() {
   show(*work);
 }
 
-// Does not end the preview itself.
+// Takes back the option that growth is previewed. The preview on screen stays until clear().
 void SegmentEditing::stopGrowthPreview() {
   if (std::exchange(options_.previewsGrowth, false)) Q_EMIT optionsChanged();
 }

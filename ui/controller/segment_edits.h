@@ -27,7 +27,8 @@ Result<SegmentWork> cutOf(const Session& session, const SegmentOptions& options,
 /// "growFromSeeds". Seeds are the segments that are visible and not locked. Other segments and masked voxels
 /// stay unchanged. The margin of `aboutSeeds` is marginAboutSeeds().
 SegmentWork growthOf(const SeriesKey& series, VolumePtr volume, const Mask& mask, GrowthRegion region);
-/// Returns that work for the series of the Segments panel. The Error says why nothing can be grown.
+/// Returns the work that grows the seeds of the series in the Segments panel. The Error says why nothing can
+/// be grown.
 Result<SegmentWork> growthOf(const Session& session, GrowthRegion region);
 
 /// Returns the work that moves the current segment, which must exist, into map number `map` of its series, or

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <new>
-#include <ranges>
 
 #include "viewer/acceleration/stored_voxels.h"
 #include "viewer/volume/available_memory.h"
@@ -83,8 +82,8 @@ void SeriesPool::setOnScreen(std::vector<PoolKey> keys) {
   Garbage garbage;
   const std::lock_guard lock(mutex_);
   onScreen_ = std::move(keys);
-  for (const PoolKey& key : onScreen_ | std::views::reverse)
-    if (const auto shown = withKey(key); shown != held_.end()) held_.splice(held_.begin(), held_, shown);
+  for (auto key = onScreen_.rbegin(); key != onScreen_.rend(); ++key)
+    if (const auto shown = withKey(*key); shown != held_.end()) held_.splice(held_.begin(), held_, shown);
   letGoBeyond(budget_, garbage);
 }
 
@@ -208,18 +207,18 @@ std::size_t SeriesPool::inMemory() const {
 // Returns what is left in memory, as if nobody else held what goes.
 std::size_t SeriesPool::letGoBeyond(std::size_t most, Garbage& garbage) {
   std::size_t left = inMemory();
-  for (Held& h : held_ | std::views::reverse) {
+  for (auto h = held_.rbegin(); h != held_.rend(); ++h) {
     if (left <= most) return left;
-    if (!h.computed || h.isInUse()) continue;
-    left -= h.computed->bytes();
-    garbage.push_back(std::move(h.computed));
+    if (!h->computed || h->isInUse()) continue;
+    left -= h->computed->bytes();
+    garbage.push_back(std::move(h->computed));
   }
-  // The first was asked for just now.
-  for (Held& h : held_ | std::views::drop(1) | std::views::reverse) {
+  for (auto h = held_.rbegin(); h != held_.rend(); ++h) {
     if (left <= most) return left;
-    if (!h.series || isOnScreen(h)) continue;
-    left -= h.volumeBytes;
-    garbage.push_back(std::move(h.series));
+    const bool isLatest = &*h == &held_.front();  // it was asked for just now
+    if (isLatest || !h->series || isOnScreen(*h)) continue;
+    left -= h->volumeBytes;
+    garbage.push_back(std::move(h->series));
   }
   return letGuestsDropBeyond(most, left);
 }

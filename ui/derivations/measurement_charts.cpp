@@ -19,8 +19,7 @@ Made made(MeasuredChart chart) { return std::make_shared<const MeasuredChart>(st
 
 // Returns the interpolation of the view in focus if it shows the series, else of another view that does.
 Interpolation interpolationOf(const Workspace& workspace, const SeriesKey& series) {
-  std::vector<ViewId> views = viewsOnScreen(workspace);
-  std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace.focus; });
+  const std::vector<ViewId> views = focusFirst(workspace, viewsOnScreen(workspace));
   const auto found = std::ranges::find_if(views, [&](ViewId id) {
     return workspace.view(id).series == series && isFlat(workspace.view(id).kind);
   });

@@ -126,8 +126,8 @@ class Derivation : public DerivationSignals {
   static constexpr int restMs = 200;     // least time between two changed() while more values are computed
   static constexpr int mostDoubled = 6;  // of the time before a further try
 
-  // Returns the first element from `at` on that is the one, or from the beginning; moves `at` behind it.
-  // Thousands of keys and entries, which have the same order, are thus compared in linear time.
+  // Returns the element that `isIt` accepts, or null. The search begins at `at`, which is set behind the
+  // element. Keys and entries mostly have the same order, so that thousands are compared in linear time.
   template <class Element, class IsIt>
   static const Element* findFrom(std::size_t& at, const std::vector<Element>& all, const IsIt& isIt) {
     const auto begin = all.begin() + std::ptrdiff_t(std::min(at, all.size()));
@@ -248,7 +248,7 @@ class Derivation : public DerivationSignals {
     return failures;
   }
 
-  // Keeps the place of an older version.
+  // Puts the entry in the place of an older version, if there is one.
   void put(Entry entry) {
     const auto isOlder = [&](const Entry& old) { return rule_.areVersions(old.key, entry.key); };
     const auto place = std::ranges::find_if(entries_, isOlder);

@@ -27,7 +27,7 @@ void ExportFeature::askForPrinter(const char* name, QWidget* option,
   auto* dialog = new QPrintDialog(printer.get(), bench_.dialogParent());
   dialog->setObjectName(QLatin1String(name));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  // Beside the printer, not among the collapsed options.
+  // The option stands beside the printer, as the options below are collapsed.
   if (option) qobject_cast<QBoxLayout*>(dialog->layout())->insertWidget(1, option);
   connect(dialog, &QDialog::accepted, this, [printer, then] { then(printer); });
   connect(dialog, &QObject::destroyed, this, [printer] {});  // the dialog uses the printer until then

@@ -270,7 +270,7 @@ void StudyListing::showFound(const QString& place, const std::shared_ptr<const S
 }
 
 // Shows waiting studies one by one, as the next request would replace the one before. Skips studies closed
-// meanwhile. Comes back if nothing is shown.
+// meanwhile. The study list comes back if nothing is shown.
 void StudyListing::showNext() {
   while (!waiting_.empty() && !bench_.document.loader.isLoading()) {
     const Waiting next = std::move(waiting_.front());

@@ -47,7 +47,7 @@ void paintLevelTrace(QPainter& painter, const SlicePress& shown) {
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
-// The click does it all. With Ctrl the inside is erased.
+// Paints the inside at the press, so that there is no drag. Ctrl erases it.
 std::unique_ptr<Drag> beginLevelTrace(const SlicePress& pressed) {
   if (!pressed.segments) return nullptr;
   const SlicePress press = ofPainted(pressed);

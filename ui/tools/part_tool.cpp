@@ -12,7 +12,7 @@ void take(SegmentEditing& segments, const PartClick& click) {
 
 }  // namespace
 
-// The click does it all.
+// A component is selected at the press, so that there is no drag.
 
 std::unique_ptr<Drag> beginPart(const SlicePress& pressed) {
   const SlicePress press = ofPainted(pressed);

@@ -33,9 +33,7 @@ void addSeries(Workspace& workspace, const Series& series) {
 
 // Returns a view on screen with slices of a series, the one in focus first; null if there is none.
 const ViewState* slicesOf(const Workspace& workspace, const SeriesKey& series) {
-  std::vector<ViewId> views = viewsOnScreen(workspace);
-  std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace.focus; });
-  for (const ViewId id : views)
+  for (const ViewId id : focusFirst(workspace, viewsOnScreen(workspace)))
     if (const ViewState& view = workspace.view(id); view.series == series && showsSlices(view.kind))
       return &view;
   return nullptr;

@@ -102,6 +102,11 @@ std::vector<ViewId> viewsOnScreen(const Workspace& workspace) {
   return views;
 }
 
+std::vector<ViewId> focusFirst(const Workspace& workspace, std::vector<ViewId> views) {
+  std::stable_partition(views.begin(), views.end(), [&](ViewId id) { return id == workspace.focus; });
+  return views;
+}
+
 Layout layoutOf(const Workspace& workspace, ViewId view) {
   return isInSecond(view) ? workspace.second.layout : workspace.layout;
 }

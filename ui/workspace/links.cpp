@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <ranges>
 #include <set>
 
 #include "ui/workspace/curved_links.h"
@@ -59,9 +58,7 @@ Workspace withPositionFollowed(Workspace workspace, const std::string& to, const
 
 // Returns the crosshair of a frame of reference as its series on screen has it, the one in focus first.
 Crosshair crosshairSeen(const Workspace& workspace, const std::string& frame) {
-  std::vector<ViewId> views = slicesOnScreen(workspace);
-  std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace.focus; });
-  for (const ViewId id : views)
+  for (const ViewId id : focusFirst(workspace, slicesOnScreen(workspace)))
     if (frameIn(workspace, id) == frame) return crosshairOf(workspace, id, *seriesIn(workspace, id));
   return workspace.crosshairs.at(frame);
 }
@@ -197,9 +194,7 @@ std::optional<FrameRelation> relationOf(const Workspace& workspace, const std::s
 }
 
 std::optional<SeriesOver> seriesOver(const Workspace& workspace, const SeriesKey& under) {
-  std::vector<ViewId> views = viewsOnScreen(workspace);
-  std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace.focus; });
-  for (const ViewId id : views) {
+  for (const ViewId id : focusFirst(workspace, viewsOnScreen(workspace))) {
     const ViewState& view = workspace.view(id);
     const auto over = workspace.series.find(flatLookOf(view).overlay);
     if (view.series != under || !showsSlices(view.kind) || over == workspace.series.end()) continue;
@@ -232,8 +227,8 @@ Workspace withScrollLinked(Workspace workspace, bool linked) {
     workspace = withCrosshair(std::move(workspace), id, frameIn(workspace, id), now[id], now[id]);
   if (!linked) return workspace;
   std::set<std::string> placed;
-  for (const ViewId id : std::views::reverse(views))
-    workspace = withFrameFollowed(std::move(workspace), frameIn(workspace, id), placed);
+  for (auto id = views.rbegin(); id != views.rend(); ++id)
+    workspace = withFrameFollowed(std::move(workspace), frameIn(workspace, *id), placed);
   return workspace;
 }
 

@@ -55,10 +55,8 @@ std::vector<SeriesKey> neededLater(const Workspace& workspace, const SeriesPool&
 }  // namespace
 
 std::vector<PoolKey> seriesOnScreen(const Workspace& workspace) {
-  std::vector<ViewId> views = viewsOnScreen(workspace);
-  std::ranges::stable_partition(views, [&](ViewId id) { return id == workspace.focus; });
   std::vector<PoolKey> wanted;
-  for (const ViewId id : views) {
+  for (const ViewId id : focusFirst(workspace, viewsOnScreen(workspace))) {
     const ViewState& view = workspace.view(id);
     if (showsFrames(view.kind)) continue;
     add(wanted, workspace, view.series);

@@ -259,6 +259,8 @@ std::vector<ViewId> viewsInSecond(const Workspace& workspace);
 std::vector<ViewId> viewsBeside(const Workspace& workspace, ViewId view);
 /// Returns the views on screen in both windows, those of the main one first.
 std::vector<ViewId> viewsOnScreen(const Workspace& workspace);
+/// Returns these views, the one in focus before the others.
+std::vector<ViewId> focusFirst(const Workspace& workspace, std::vector<ViewId> views);
 
 /// Returns the layout of the window that holds `view`.
 Layout layoutOf(const Workspace& workspace, ViewId view);
