@@ -41,11 +41,10 @@ BrightVoxels::Rule brightVoxelsRule(const Session& session) {
 class Brightness : public Feature {
  public:
   explicit Brightness(Workbench& bench)
-      : Feature(bench), bright_(brightVoxelsRule(session_), &bench_.document.jobs, session_.sharedPool()) {
+      : Feature(bench), bright_(brightVoxelsRule(session_), session_, &bench_.document.jobs) {
     auto* label = plainLabel();
     label->setObjectName(QStringLiteral("brightness"));
     bench_.addAboveViews(label);
-    connect(&session_, &Session::workspaceChanged, this, [this] { bright_.update(); });
     connect(&bright_, &BrightVoxels::changed, label, [this, label] {
       const auto& all = bright_.entries();
       label->setText(all.empty() ? QString() : QString::number(*all.front().value));

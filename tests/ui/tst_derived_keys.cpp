@@ -25,9 +25,8 @@ Mask cutBehind(double y) {
 
 // Also derives the numbers and reports of its segments.
 struct Derived : SurfaceSession {
-  SegmentNumbers numbers{segmentNumbersRule(session, painter), &jobs, session.sharedPool()};
-  SegmentReports reports{segmentReportsRule(session, painter, reports, [] { return true; }), &jobs,
-                         session.sharedPool()};
+  SegmentNumbers numbers{segmentNumbersRule(session, painter), session, &jobs};
+  SegmentReports reports{segmentReportsRule(session, painter, reports, [] { return true; }), session, &jobs};
   void update() {
     numbers.update();
     reports.update();

@@ -35,13 +35,7 @@ std::size_t bytesOf(const LoadedRegions& regions) {
 }  // namespace
 
 DerivedObjects::DerivedObjects(const Session& session, Jobs& jobs)
-    : regions_(regionsRule(session), &jobs, session.sharedPool()), reports_(&jobs) {
-  connect(&session, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.regions == after.regions) return;
-            regions_.tryAgain([&](const DerivedKey& key) { return !before.regions.contains(key); });
-            regions_.update();
-          });
+    : regions_(regionsRule(session), session, &jobs), reports_(&jobs) {
   connect(&regions_, &Regions::changed, this, &DerivedObjects::changed);
   connect(&regions_, &Regions::failed, this, &DerivedObjects::failed);
 }
@@ -60,6 +54,8 @@ DerivedObjects::Regions::Rule DerivedObjects::regionsRule(const Session& session
           .name = [](const DerivedKey&) { return JobName(tr("Reading regions")); },
           .bytes = bytesOf,
           .isKept = [this](const DerivedKey& key) { return find(key) != nullptr; },
+          .isTriedAgain = [](const Regions::Entry& entry, const Workspace& before,
+                             const Workspace&) { return !before.regions.contains(entry.key); },
           .tryAgainMs = FrameService::tryAgainMs,
           .lacksMemory = "There is not enough memory for the regions."};
 }

@@ -6,6 +6,7 @@
 #include "ui/controller/segment_target.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -33,10 +34,7 @@ SegmentEditing::SegmentEditing(Session& session, Jobs& jobs)
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series) follow();
   });
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.segmentMaps != after.segmentMaps) follow();
-          });
+  whenChanged(session_, this, &SegmentEditing::follow, &Workspace::segmentMaps);
 }
 
 void SegmentEditing::choose(const std::function<void(SegmentOptions&)>& change) {

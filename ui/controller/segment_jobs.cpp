@@ -12,6 +12,7 @@
 #include "ui/workspace/segments.h"
 #include "ui/workspace/series_columns.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -67,9 +68,10 @@ SegmentWork workShown(const Session& session, const QString& text, const QString
 SegmentJobs::SegmentJobs(Session& session, const SegmentPainter& painter, Jobs& jobs, QObject* parent)
     : QObject(parent), session_(session), painter_(painter), change_(&jobs), save_(&jobs) {
   save_.keepToTheEnd();
-  connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
-    if (isMaking() && !after.series.contains(waiting_.front().series)) drop();
-  });
+  const auto dropIfClosed = [this] {
+    if (isMaking() && !session_.workspace().series.contains(waiting_.front().series)) drop();
+  };
+  whenChanged(session_, this, dropIfClosed, &Workspace::series);
   // From the event loop, because Esc undoes the steps since the press once the stroke has ended.
   connect(
       &painter_, &SegmentPainter::ended, this,

@@ -8,32 +8,12 @@
 
 namespace volumen {
 
-namespace {
-
-// Returns whether the segments of a series differ. A change of one map may free memory for the surfaces of
-// another.
-bool areSegmentsChanged(const Workspace& before, const Workspace& after, const SeriesKey& series) {
-  return !std::ranges::equal(segmentMapsOf(before, series), segmentMapsOf(after, series),
-                             [](const SegmentMap* a, const SegmentMap* b) { return a == b || *a == *b; });
-}
-
-}  // namespace
-
 DrawnScenes::DrawnScenes(const Session& session, const SegmentPainter& painter, Jobs& jobs,
                          std::size_t mostBytes)
     : session_(session),
-      kept_(keptVoxelsRule(session), &jobs, session.sharedPool()),
-      surfaces_(surfaceFieldsRule(session, painter, kept_, surfaces_, mostBytes), &jobs,
-                session.sharedPool()),
-      tissues_(tissueLeftRule(session, painter, drawn_, tissues_), &jobs, session.sharedPool()) {
-  connect(&session, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.segmentMaps != after.segmentMaps)
-              surfaces_.tryAgain(
-                  [&](const SurfaceKey& key) { return areSegmentsChanged(before, after, key.series); });
-            update();
-          });
-  connect(&session, &Session::preferencesChanged, this, &DrawnScenes::update);
+      kept_(keptVoxelsRule(session), session, &jobs),
+      surfaces_(surfaceFieldsRule(session, painter, kept_, surfaces_, mostBytes), session, &jobs),
+      tissues_(tissueLeftRule(session, painter, drawn_, tissues_), session, &jobs) {
   // From the event loop, because Esc undoes the steps since the press once the stroke has ended.
   connect(&painter, &SegmentPainter::ended, this, &DrawnScenes::update, Qt::QueuedConnection);
   connect(&kept_, &KeptVoxels::changed, this, [this] { surfaces_.update(); });

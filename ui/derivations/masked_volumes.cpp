@@ -50,7 +50,8 @@ bool canBeMade(const Session& session, const PoolKey& key) {
 
 }  // namespace
 
-MaskedVolumes::Rule maskedVolumesRule(const Session& session, std::function<std::optional<PoolKey>()> next) {
+MaskedVolumes::Rule maskedVolumesRule(const Session& session, std::function<std::optional<PoolKey>()> next,
+                                      std::function<bool()> isPaused) {
   return {.wanted =
               [&session, next = std::move(next)] {
                 std::vector<PoolKey> wanted = seriesOnScreen(session.workspace());
@@ -69,6 +70,9 @@ MaskedVolumes::Rule maskedVolumesRule(const Session& session, std::function<std:
                 return JobName(key.mask.lassos.empty() ? tr("Removing table") : tr("Cutting"));
               },
           .bytes = [](const LoadedSeries&) { return std::size_t(0); },
+          .isPaused = std::move(isPaused),
+          .isTriedAgain = [](const MaskedVolumes::Entry& entry, const Workspace&,
+                             const Workspace&) { return entry.isCancelled; },
           .lacksMemory = outOfMemory};
 }
 

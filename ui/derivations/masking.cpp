@@ -12,7 +12,9 @@ Masking::Masking(Session& session, Jobs& jobs)
     : session_(session),
       table_(new QAction(tr("Remove table"), this)),
       reset_(new QAction(tr("Reset scissors"), this)),
-      volumes_(maskedVolumesRule(session, [this] { return nextKey(); }), &jobs, session.sharedPool()) {
+      volumes_(maskedVolumesRule(
+                   session, [this] { return nextKey(); }, [this] { return isMaking_; }),
+               session, &jobs) {
   table_->setObjectName(QStringLiteral("removeTable"));
   table_->setCheckable(true);
   reset_->setObjectName(QStringLiteral("resetScissors"));
@@ -27,8 +29,6 @@ Masking::Masking(Session& session, Jobs& jobs)
   });
   connect(&session_, &Session::workspaceChanged, this, [this] {
     if (isMaking_) return;
-    volumes_.tryAgain([this](const PoolKey& key) { return volumes_.find(key)->isCancelled; });
-    volumes_.update();
     showState();
     // From the event loop, because the workspace is reporting a change.
     if (!steps_.empty()) QMetaObject::invokeMethod(this, &Masking::next, Qt::QueuedConnection);

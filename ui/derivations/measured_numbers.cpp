@@ -7,6 +7,7 @@
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "ui/workspace/when_changed.h"
 #include "viewer/measure/outline.h"
 #include "viewer/measure/scaled.h"
 
@@ -88,13 +89,14 @@ std::optional<NumbersKey> numbersKeyOf(const Session& session, const Measurement
 }
 
 MeasuredNumbers::MeasuredNumbers(const Session& session, FrameService& frames)
-    : session_(session), frames_(frames), numbers_(rule(), nullptr, session.sharedPool()) {
-  connect(&session, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.measurements != after.measurements) drawn_.reset();
-            numbers_.update();
-          });
-  connect(&session, &Session::preferencesChanged, this, [this] { numbers_.update(); });
+    : session_(session), frames_(frames), numbers_(rule(), session, nullptr) {
+  whenChanged(
+      session, this,
+      [this] {
+        drawn_.reset();
+        numbers_.update();
+      },
+      &Workspace::measurements);
   connect(&numbers_, &Numbers::changed, this, &MeasuredNumbers::changed);
   numbers_.update();
 }

@@ -71,6 +71,13 @@ bool isOnScreen(const SurfaceKey& key, const Workspace& workspace) {
   return map && findSegment(*map, key.number) && std::ranges::find(shown, key.series) != shown.end();
 }
 
+// Returns whether the segments of a series differ. A change of one map may free memory for the surfaces of
+// another.
+bool areSegmentsChanged(const Workspace& before, const Workspace& after, const SeriesKey& series) {
+  return !std::ranges::equal(segmentMapsOf(before, series), segmentMapsOf(after, series),
+                             [](const SegmentMap* a, const SegmentMap* b) { return a == b || *a == *b; });
+}
+
 }  // namespace
 
 KeptVoxels::Rule keptVoxelsRule(const Session& session) {
@@ -128,6 +135,10 @@ SurfaceFields::Rule surfaceFieldsRule(const Session& session, const SegmentPaint
           .areVersions = [](const SurfaceKey& a, const SurfaceKey& b) { return a.isOfSame(b); },
           .isKept = [&session](const SurfaceKey& key) { return isOnScreen(key, session.workspace()); },
           .isPaused = [&painter] { return painter.isPainting(); },
+          .isTriedAgain =
+              [](const SurfaceFields::Entry& entry, const Workspace& before, const Workspace& after) {
+                return areSegmentsChanged(before, after, entry.key.series);
+              },
           .failure =
               [&session](const SurfaceKey& key, const std::string& whyNot) {
                 const SegmentMap* map = segmentMapOf(session.workspace(), key.series, key.map);

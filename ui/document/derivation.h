@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/data/series_pool.h"
 #include "ui/document/job_lane.h"
+#include "ui/workspace/session.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {
@@ -32,10 +32,10 @@ class DerivationSignals : public QObject {
 };
 
 /// Values of one kind that follow from the document. `Key` holds all inputs of a value. Whenever the document
-/// changes, update() compares the keys that it needs with what is there. It computes missing values on a
-/// lane, one at a time and the most needed first, and cancels what is no longer needed. Readers find values
-/// by key and hold none. A failure, lack of memory included, holds until the key changes, tryAgain(), or the
-/// rule's time to try again.
+/// changes, it compares the keys that it needs with what is there. It computes missing values on a lane, one
+/// at a time and the most needed first, and cancels what is no longer needed. Readers find values by key and
+/// hold none. A failure, lack of memory included, holds until the key changes, tryAgain(), or the rule's time
+/// to try again.
 template <class Key, class Value>
 class Derivation : public DerivationSignals {
  public:
@@ -73,6 +73,9 @@ class Derivation : public DerivationSignals {
     std::function<bool(const Key&)> isKept = [](const Key&) { return false; };
     /// Returns true while nothing may begin or end, as during a stroke.
     std::function<bool()> isPaused = [] { return false; };
+    /// Returns whether this change of the workspace lets a failure be tried again.
+    std::function<bool(const Entry&, const Workspace& before, const Workspace& after)> isTriedAgain =
+        [](const Entry&, const Workspace&, const Workspace&) { return false; };
     /// Time before a failure is tried again, ms, doubled each time; 0: it holds. For values read from files.
     int tryAgainMs = 0;
     /// Returns the sentence that reports a failure.
@@ -83,10 +86,17 @@ class Derivation : public DerivationSignals {
     std::size_t mostBytes = std::size_t(-1);
   };
 
-  Derivation(Rule rule, Jobs* list, std::shared_ptr<SeriesPool> pool)
-      : rule_(std::move(rule)), pool_(std::move(pool)), lane_(list) {
+  Derivation(Rule rule, const Session& session, Jobs* list)
+      : rule_(std::move(rule)), pool_(session.sharedPool()), lane_(list) {
     rest_.setSingleShot(true);
     connect(&rest_, &QTimer::timeout, this, [this] { tellChanged(); });
+    connect(&session, &Session::workspaceChanged, this,
+            [this](const Workspace& before, const Workspace& after) {
+              for (Entry& entry : entries_)
+                if (!entry.value && rule_.isTriedAgain(entry, before, after)) entry.isTriedAgain = true;
+              update();
+            });
+    connect(&session, &Session::preferencesChanged, this, [this] { update(); });
   }
   ~Derivation() override { pool_->count(this, 0); }
 
@@ -98,7 +108,7 @@ class Derivation : public DerivationSignals {
   }
   bool isBusy() const { return underWay_.has_value(); }
 
-  /// Compares what is needed with what is there. To be called whenever an input may have changed.
+  /// Compares what is needed with what is there. To be called when an input outside the session has changed.
   void update() {
     if (rule_.isPaused()) return;
     const std::vector<Key> wanted = rule_.wanted();

@@ -4,6 +4,7 @@
 
 #include "ui/views/flat_view.h"
 #include "ui/views/volume_view.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -20,10 +21,7 @@ class ViewsPicture : public QObject, public PictureMaker {
       else if (auto* scene = qobject_cast<VolumeView*>(view))
         connect(scene, &VolumeView::drawn, this, &ViewsPicture::look);
     }
-    connect(&session, &Session::workspaceChanged, this,
-            [this](const Workspace& before, const Workspace& after) {
-              if (!(before == after)) miss();
-            });
+    whenChanged(session, this, &ViewsPicture::miss, std::not_equal_to<Workspace>());
     connect(&session, &Session::preferencesChanged, this, &ViewsPicture::miss);
     look();
   }

@@ -6,6 +6,7 @@
 #include "ui/panels/accuracy_panel.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/views/view_grid.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -66,7 +67,7 @@ Accuracy::Accuracy(Workbench& bench)
   const auto showNotDrawn = [this, &drawn] {
     effects_->showNotDrawn(notDrawnText(drawn.segmentsNotDrawn(sceneViewOf(session_.workspace()))));
   };
-  connect(&session_, &Session::workspaceChanged, effects_, showNotDrawn);
+  whenChanged(session_, effects_, showNotDrawn, showsOther, &Workspace::segmentMaps);
   connect(&drawn, &DrawnScenes::changed, effects_, showNotDrawn);
   connect(&bench_, &Workbench::commandsOpen, this, &Accuracy::addCommands);
   connectMeter();

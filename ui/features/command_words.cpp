@@ -3,6 +3,8 @@
 #include <QObject>
 #include <map>
 
+#include "ui/tools/tool.h"
+
 namespace volumen {
 
 namespace {
@@ -34,17 +36,7 @@ const std::map<QString, QString>& table() {
       {QStringLiteral("layoutTwo"), QObject::tr("compare side by side split tile")},
       {QStringLiteral("comparePrior"), QObject::tr("previous earlier old study follow-up")},
       {QStringLiteral("secondWindow"), QObject::tr("monitor screen")},
-      {QStringLiteral("lengthTool"), QObject::tr("distance ruler caliper measure line")},
-      {QStringLiteral("bidirectionalTool"), QObject::tr("RECIST diameter bidimensional")},
-      {QStringLiteral("ellipseTool"), QObject::tr("ROI region of interest mean SUV HU")},
-      {QStringLiteral("arrowTool"), QObject::tr("annotate annotation text note")},
-      {QStringLiteral("probeTool"), QObject::tr("value point HU SUV")},
-      {QStringLiteral("windowTool"), QObject::tr("brightness contrast level WL")},
-      {QStringLiteral("magnifierTool"), QObject::tr("loupe lens zoom")},
-      {QStringLiteral("scissorsTool"), QObject::tr("cut crop sculpt remove")},
       {QStringLiteral("removeTable"), QObject::tr("bed couch cushion")},
-      {QStringLiteral("paintTool"), QObject::tr("brush draw segment contour")},
-      {QStringLiteral("lesionTool"), QObject::tr("tumour tumor metastasis MTV TLG")},
       {QStringLiteral("clipDock"), QObject::tr("crop box cut")},
       {QStringLiteral("transferDock"), QObject::tr("transfer function volume rendering")},
       {QStringLiteral("keyImage"), QObject::tr("bookmark mark star favourite favorite")},
@@ -59,6 +51,8 @@ const std::map<QString, QString>& table() {
 }  // namespace
 
 QString otherWordsFor(const QString& name) {
+  for (const Tool& tool : tools())
+    if (name == QLatin1String(tool.name) + QStringLiteral("Tool")) return tool.otherWords;
   const auto found = table().find(name);
   return found == table().end() ? QString() : found->second;
 }

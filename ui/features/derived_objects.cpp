@@ -15,6 +15,7 @@
 #include "ui/views/frame_view.h"
 #include "ui/workspace/derived_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -51,10 +52,7 @@ DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
   connect(regions, &RegionsPanel::segmentsRequested, &bench_, &Workbench::segmentsRequested);
   const auto setOpen = [this] { bench_.document.derived.setOpen(open_.derived()); };
   connect(&open_, &OpenStudies::changed, this, setOpen);
-  connect(&session_, &Session::preferencesChanged, this,
-          [setOpen](const Preferences& before, const Preferences& after) {
-            if (before.hideNames != after.hideNames) setOpen();
-          });
+  whenChanged(session_, this, setOpen, &Preferences::hideNames);
   connect(&derived, &DerivedObjects::failed, this,
           [this](const QString& sentence) { warnUntilDone(shownText(sentence.toStdString())); });
   connect(&derived, &DerivedObjects::reportRead, this, &DerivedObjectFiles::showReport);

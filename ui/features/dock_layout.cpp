@@ -13,6 +13,7 @@
 #include "ui/views/view_grid.h"
 #include "ui/widgets/fold_title.h"
 #include "ui/widgets/on_screen.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -87,12 +88,13 @@ DockLayout::DockLayout(Workbench& bench) : Feature(bench), window_(bench.window)
     restore();
   });
   connect(&grid_, &ViewGrid::maximiseRequested, bench_.action("maximise"), &QAction::toggle);
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (!showsOther(before, after)) return;
-            showStates();
-            followFocus();
-          });
+  whenChanged(
+      session_, this,
+      [this] {
+        showStates();
+        followFocus();
+      },
+      showsOther);
   window_.installEventFilter(this);
 }
 

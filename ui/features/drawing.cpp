@@ -1,5 +1,6 @@
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -21,13 +22,12 @@ Drawing::Drawing(Workbench& bench) : Feature(bench) {
           [this](int, const QString& sentence) { warnUntilDone(sentence); });
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &VolumeView::drawn, this, &Drawing::tellDrawn); });
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.focus == after.focus) return;
-            bench_.document.drawService.setGestureView(after.focus);
-            // Requests a picture because the panels need its data.
-            if (sceneViewOf(before) != sceneViewOf(after)) bench_.view()->requestPicture();
-          });
+  whenChanged(
+      session_, this, [this] { bench_.document.drawService.setGestureView(session_.workspace().focus); },
+      &Workspace::focus);
+  // Requests a picture because the panels need its data.
+  whenChanged(
+      session_, this, [this] { bench_.view()->requestPicture(); }, sceneViewOf);
 }
 
 void Drawing::tellDrawn(const ScreenPicture& drawn) {

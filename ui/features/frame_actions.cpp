@@ -12,6 +12,7 @@
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 #include "ui/workspace/view_window.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -27,6 +28,7 @@ class FrameActions : public Feature {
   void connectFrames();
   void setShowAsFrames(bool asFrames);
   void showFrameActions();
+  void tellWhyFrames();
   void showSliceMenu(FlatView* view, QPoint global);
 };
 
@@ -82,19 +84,8 @@ void FrameActions::connectFrames() {
   connect(&grid_, &ViewGrid::menuRequested, this, [this](View* view, QPoint global) {
     if (auto* flat = qobject_cast<FlatView*>(view)) showSliceMenu(flat, global);
   });
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (!showsOther(before, after)) return;
-            showFrameActions();
-            const std::vector<ViewId> views = viewsInMain(after);
-            const bool isAlone = views.size() == 1 && showsFrames(after, views.front());
-            if (before.layout == after.layout || !isAlone || after.layout == Layout::one) return;
-            const Series* series = seriesIn(after, views.front());
-            if (!series) return;
-            const QString why =
-                series->notVolume.empty() ? tr("View > Show as frames is on") : shownText(series->notVolume);
-            tell(tr("Shown as frames alone: %1").arg(why));
-          });
+  whenChanged(session_, this, &FrameActions::showFrameActions, showsOther);
+  whenChanged(session_, this, &FrameActions::tellWhyFrames, &Workspace::layout);
 }
 
 void FrameActions::setShowAsFrames(bool asFrames) {
@@ -104,6 +95,18 @@ void FrameActions::setShowAsFrames(bool asFrames) {
   const Series series = *shown;
   if (asFrames) return bench_.document.opener.showFrames(series);
   if (!session_.showAgain(series, focus)) bench_.document.opener.read(series);
+}
+
+// Tells why a new layout has only frames on screen.
+void FrameActions::tellWhyFrames() {
+  const Workspace& workspace = session_.workspace();
+  const std::vector<ViewId> views = viewsInMain(workspace);
+  if (views.size() != 1 || !showsFrames(workspace, views.front()) || workspace.layout == Layout::one) return;
+  const Series* series = seriesIn(workspace, views.front());
+  if (!series) return;
+  tell(
+      tr("Shown as frames alone: %1")
+          .arg(series->notVolume.empty() ? tr("View > Show as frames is on") : shownText(series->notVolume)));
 }
 
 // Updates the actions for the view in focus.

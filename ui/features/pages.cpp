@@ -4,6 +4,7 @@
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/start_page.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -34,10 +35,7 @@ Pages::Pages(Workbench& bench) : Feature(bench), start_(new StartPage) {
   connect(&recent, &RecentFiles::changed, this, &Pages::showRecent);
   showRecent();
   recent.look();
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (showsOther(before, after)) choose();
-          });
+  whenChanged(session_, this, &Pages::choose, showsOther);
   connect(&bench_, &Workbench::otherShown, this, [this] {
     choose();
     if (bench_.pages.currentWidget() == &grid_ && !grid_.hasKeys()) grid_.takeKeys();

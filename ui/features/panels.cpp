@@ -11,6 +11,7 @@
 #include "ui/panels/transfer_panel.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/explained.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -98,10 +99,7 @@ QWidget* Panels::flatPanel() {
     // Refreshes when the frame has been read.
     if (view) connect(view, &FlatView::settled, flat_, &FlatPanel::refresh, Qt::UniqueConnection);
   };
-  connect(&session_, &Session::workspaceChanged, explained,
-          [follow](const Workspace& before, const Workspace& after) {
-            if (showsOther(before, after)) follow();
-          });
+  whenChanged(session_, explained, follow, showsOther);
   connect(&bench_, &Workbench::made, explained, [this, explained, follow] {
     connect(bench_.action("maximise"), &QAction::toggled, explained, follow);
   });

@@ -6,6 +6,7 @@
 #include "ui/features/feature.h"
 #include "ui/panels/link_menu.h"
 #include "ui/workspace/links.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -44,10 +45,13 @@ Registration::Registration(Workbench& bench) : Feature(bench), registrar_(bench.
             session_.endGesture();
             session_.change(tr("Register"), withRegistration(session_.workspace(), from, to, toFromFrom));
           });
-  connect(&session_, &Session::workspaceChanged, this, [this](const Workspace&, const Workspace& after) {
+  const auto cancelIfClosed = [this] {
+    const Workspace& workspace = session_.workspace();
     const auto pair = registrar_.pair();
-    if (pair && !(holdsFrame(after, pair->first) && holdsFrame(after, pair->second))) registrar_.cancel();
-  });
+    if (pair && !(holdsFrame(workspace, pair->first) && holdsFrame(workspace, pair->second)))
+      registrar_.cancel();
+  };
+  whenChanged(session_, this, cancelIfClosed, &Workspace::series);
 }
 
 // Registers the view in focus with the first one in another frame of reference.

@@ -10,6 +10,7 @@
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/on_screen.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -50,10 +51,8 @@ SecondWindowFeature::SecondWindowFeature(Workbench& bench)
   connect(action_, &QAction::triggered, this, &SecondWindowFeature::setOpen);
   connect(&window_, &WindowBeside::closed, this, [this] { setOpen(false); });
   connect(&bench_, &Workbench::made, this, &SecondWindowFeature::begin);
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.second.shown != after.second.shown) follow();
-          });
+  whenChanged(session_, this, &SecondWindowFeature::follow,
+              [](const Workspace& w) { return w.second.shown; });
   bench_.window.installEventFilter(this);
 }
 

@@ -12,6 +12,7 @@
 #include "ui/panels/segments_panel.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -53,7 +54,7 @@ Segmenting::Segmenting(Workbench& bench)
     : Feature(bench),
       editing_(bench.document.segments),
       follower_(session_, editing_.painter(), bench.document.jobs),
-      numbers_(segmentNumbersRule(session_, editing_.painter()), &bench.document.jobs, session_.sharedPool()),
+      numbers_(segmentNumbersRule(session_, editing_.painter()), session_, &bench.document.jobs),
       masker_(session_, bench.document.jobs),
       panel_(new SegmentsPanel(editing_, numbers_)),
       fromFiles_(bench, *panel_),
@@ -119,12 +120,9 @@ void Segmenting::connectPanel() {
   connect(&editing_, &SegmentEditing::answered, this, &Segmenting::show);
   connect(&editing_.jobs(), &SegmentJobs::saved, this, &Segmenting::tellSaved);
   // Messages about segments or cuts no longer hold once these have changed.
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.segmentMaps != after.segmentMaps || !areCutAlike(before, after)) takeBack();
-            numbers_.update();
-            showExport();
-          });
+  whenChanged(session_, this, &Segmenting::takeBack, &Workspace::segmentMaps, std::not_fn(areCutAlike));
+  whenChanged(session_, this, &Segmenting::showExport, &Workspace::series, &Workspace::segmentMaps);
+  connect(&session_, &Session::changed, this, &Segmenting::showExport);
   // From the event loop, because Esc undoes the steps since the press once the stroke has ended.
   connect(
       &editing_.painter(), &SegmentPainter::ended, this, [this] { numbers_.update(); }, Qt::QueuedConnection);

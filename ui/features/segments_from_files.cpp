@@ -8,6 +8,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/dropped_files.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -22,7 +23,7 @@ SegmentsFromFiles::SegmentsFromFiles(Workbench& bench, QWidget& panel) : Feature
   panel.setAcceptDrops(true);
   panel.installEventFilter(this);
   connect(&bench_, &Workbench::segmentsRequested, this, &SegmentsFromFiles::take);
-  connect(&session_, &Session::workspaceChanged, this, &SegmentsFromFiles::showAction);
+  whenChanged(session_, this, &SegmentsFromFiles::showAction, &Workspace::series, &Workspace::segmentMaps);
   connect(&session_, &Session::changed, this, &SegmentsFromFiles::showAction);
   showAction();
 }

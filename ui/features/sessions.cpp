@@ -14,6 +14,7 @@
 #include "ui/widgets/offer_bar.h"
 #include "ui/workspace/series_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -103,16 +104,9 @@ Sessions::Sessions(Workbench& bench)
   makeActions();
   connectFiles();
   connectAutosave();
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (showsOther(before, after)) showTitle();
-          });
-  connect(&session_, &Session::preferencesChanged, this,
-          [this](const Preferences& before, const Preferences& after) {
-            if (before.hideNames == after.hideNames) return;
-            showEarlier(std::vector(earlier_));
-            showTitle();
-          });
+  whenChanged(session_, this, &Sessions::showTitle, showsOther, &Preferences::hideNames);
+  whenChanged(
+      session_, this, [this] { showEarlier(std::vector(earlier_)); }, &Preferences::hideNames);
   showEarlier({});
   autosave_.look();
 }

@@ -3,6 +3,7 @@
 #include "ui/panels/snapshot_panel.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -57,10 +58,7 @@ void Snapshots::connectViews() {
   bench_.forEachVolumeView(
       [this](VolumeView* view) { connect(view, &View::pixelsChanged, panel_, [this] { tellSize(); }); });
   connect(&bench_, &Workbench::drawn, panel_, [this] { tellSize(); });
-  connect(&session_, &Session::workspaceChanged, panel_,
-          [this](const Workspace& before, const Workspace& after) {
-            if (sceneViewOf(before) != sceneViewOf(after)) tellSize();
-          });
+  whenChanged(session_, this, &Snapshots::tellSize, sceneViewOf);
 }
 
 void Snapshots::tellSize() {

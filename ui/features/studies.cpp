@@ -8,6 +8,7 @@
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -57,16 +58,15 @@ Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(ope
 
 void Studies::connectSession() {
   connect(&bench_, &Workbench::otherShown, this, &Studies::markShown);
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.unlisted != after.unlisted) open_.setUnlisted(*after.unlisted);
-          });
-  connect(&session_, &Session::preferencesChanged, this,
-          [this](const Preferences& before, const Preferences& after) {
-            if (before.hideNames == after.hideNames) return;
-            panel_->showNames();
-            markShown();
-          });
+  whenChanged(
+      session_, this, [this] { open_.setUnlisted(*session_.workspace().unlisted); }, &Workspace::unlisted);
+  whenChanged(
+      session_, this,
+      [this] {
+        panel_->showNames();
+        markShown();
+      },
+      &Preferences::hideNames);
 }
 
 void Studies::markShown() {

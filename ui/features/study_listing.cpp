@@ -14,6 +14,7 @@
 #include "ui/workspace/indexed_text.h"
 #include "ui/workspace/patients.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -156,19 +157,11 @@ void StudyListing::connectBrowser() {
   });
   connect(bench_.actions.at(QStringLiteral("maximise")), &QAction::toggled, this,
           &StudyListing::arrangeBrowser);
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (!showsOther(before, after)) return;
-            showPatients();
-            if (showsAnything(before) != showsAnything(after))
-              showBrowser(!showsAnything(after) && !browser_->isEmpty());
-          });
-  connect(&session_, &Session::preferencesChanged, this,
-          [this](const Preferences& before, const Preferences& after) {
-            if (before.hideNames == after.hideNames) return;
-            browser_->showNames();
-            showPatients();
-          });
+  whenChanged(session_, this, &StudyListing::showPatients, showsOther, &Preferences::hideNames);
+  whenChanged(
+      session_, this, [this] { showBrowser(!showsAnything(session_.workspace()) && !browser_->isEmpty()); },
+      showsAnything);
+  whenChanged(session_, browser_, &StudyBrowser::showNames, &Preferences::hideNames);
   // Other programs may have changed the list meanwhile.
   connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
     if (state == Qt::ApplicationActive) browser_->refresh();

@@ -6,6 +6,7 @@
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -34,10 +35,7 @@ ToolsInFocus::ToolsInFocus(Workbench& bench) : Feature(bench) {
       if (!keysOf(*action).isEmpty()) action->setToolTip(toolTipOf(tipOf(*action)));
     show();
   });
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (showsOther(before, after) || before.focus != after.focus) show();
-          });
+  whenChanged(session_, this, &ToolsInFocus::show, showsOther);
   connect(&grid_, &ViewGrid::toolChanged, this,
           [this] { tell(tr("Left button: %1").arg(grid_.tool().text)); });
 }

@@ -10,6 +10,7 @@
 #include "ui/widgets/grid_chooser.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/layout_text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -56,10 +57,7 @@ ViewActions::ViewActions(Workbench& bench)
     if (qobject_cast<VolumeView*>(view)) showVolumeMenu(global);
   });
   connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* menu) { addKinds(menu); });
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (showsOther(before, after)) showKinds();
-          });
+  whenChanged(session_, this, &ViewActions::showKinds, showsOther);
 }
 
 void ViewActions::makeDirections() {
@@ -98,15 +96,16 @@ void ViewActions::makeLayouts() {
   for (const auto& [layout, name, text, key] : table) {
     QAction* action =
         group->addAction(bench_.addAction({name, text, {key}, "", true, {}, {{"layoutMenu", 10}}}));
-    action->setChecked(layout == layoutInFocus(session_.workspace()));
     connect(action, &QAction::triggered, this,
             [this, layout = layout] { bench_.document.opener.chooseLayout(layout); });
-    connect(&session_, &Session::workspaceChanged, action,
-            [action, layout = layout](const Workspace&, const Workspace& after) {
-              action->setChecked(layoutInFocus(after) == layout);
-              // Layouts of planes are not available in the second window.
-              action->setEnabled(!isInSecond(after.focus) || layout == Layout::one || comparesSeries(layout));
-            });
+    const auto show = [this, action, layout = layout] {
+      const Workspace& workspace = session_.workspace();
+      action->setChecked(layoutInFocus(workspace) == layout);
+      // Layouts of planes are not available in the second window.
+      action->setEnabled(!isInSecond(workspace.focus) || layout == Layout::one || comparesSeries(layout));
+    };
+    show();
+    whenChanged(session_, action, show, layoutInFocus, &Workspace::focus);
   }
   makeGridChooser(menu, button);
 }

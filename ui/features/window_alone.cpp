@@ -3,6 +3,7 @@
 #include "ui/features/feature.h"
 #include "ui/views/flat_view.h"
 #include "ui/workspace/view_window.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -25,10 +26,7 @@ WindowAlone::WindowAlone(Workbench& bench)
       action_(bench.addAction(
           {"windowAlone", tr("Window of this view alone"), {}, "", true, {}, {{"viewMenu", 60, 86}}})) {
   connect(action_, &QAction::triggered, this, &WindowAlone::setAlone);
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (showsOther(before, after)) follow();
-          });
+  whenChanged(session_, this, &WindowAlone::follow, showsOther);
   connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* menu) { menu->addAction(action_); });
   follow();
 }

@@ -14,6 +14,7 @@
 #include "ui/widgets/banner.h"
 #include "ui/widgets/explained.h"
 #include "ui/widgets/fold_title.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -66,14 +67,12 @@ Workbench::Workbench(const Services& theServices, Document& theDocument, const W
     const bool isSame = before.series && areOneSeries(before.series, after.series);
     if (before.series != after.series && !isSame) Q_EMIT otherShown();
   });
-  connect(&session, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            const auto shown = [](const Workspace& w) {
-              return std::pair(w.view(w.focus).series, showsFrames(w, w.focus));
-            };
-            if (showsOther(before, after) && shown(before) != shown(after)) Q_EMIT otherShown();
-            if (before.focus != after.focus || !areSeriesOf(before, after)) banner.takeBackOfFocus();
-          });
+  const auto shown = [](const Workspace& w) {
+    return std::pair(w.view(w.focus).series, showsFrames(w, w.focus));
+  };
+  whenChanged(session, this, &Workbench::otherShown, shown);
+  whenChanged(
+      session, this, [this] { banner.takeBackOfFocus(); }, &Workspace::focus, std::not_fn(areSeriesOf));
 }
 
 QWidget* Workbench::dialogParent() const {
@@ -138,7 +137,8 @@ QWidget* Workbench::scrolling(QWidget* panel, int leastHeight) { return new Scro
 QWidget* Workbench::ofScene(QWidget* panel) {
   auto* explained = new Explained(panel);
   const auto show = [this, explained] { explained->explain(whyNoScene()); };
-  connect(&document.session, &Session::workspaceChanged, explained, show);
+  connect(&document.session, &Session::changed, explained, show);
+  whenChanged(document.session, explained, show, showsOther);
   show();
   return explained;
 }

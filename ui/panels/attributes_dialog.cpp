@@ -19,6 +19,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/picture_in_focus.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -107,11 +108,9 @@ AttributesDialog::AttributesDialog(Session& session, const Series& series, QWidg
     read();
   });
   connect(follow_, &QCheckBox::toggled, this, &AttributesDialog::follow);
-  connect(&session_, &Session::workspaceChanged, this, &AttributesDialog::follow);
-  connect(&session_, &Session::preferencesChanged, this,
-          [this](const Preferences& before, const Preferences& after) {
-            if (before.hideNames != after.hideNames) showNamesOrNot();
-          });
+  whenChanged(session_, this, &AttributesDialog::follow,
+              [](const Workspace& w) { return std::pair(w.view(w.focus).series, pictureOf(w, w.focus)); });
+  whenChanged(session_, this, &AttributesDialog::showNamesOrNot, &Preferences::hideNames);
   connect(search_, &QLineEdit::textChanged, this, &AttributesDialog::filter);
   search_->setFocus();
 }

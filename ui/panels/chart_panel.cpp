@@ -27,7 +27,7 @@ ChartPanel::ChartPanel(Session& session, FrameService& frames, Jobs& jobs, QWidg
       kind_(new QComboBox),
       copy_(new QToolButton),
       view_(new ChartView),
-      charts_(measurementChartsRule(session, [this] { return wanted_; }), &jobs, session.sharedPool()) {
+      charts_(measurementChartsRule(session, [this] { return wanted_; }), session, &jobs) {
   makeLayout();
   atRest_.setSingleShot(true);
   atRest_.setInterval(restMs);

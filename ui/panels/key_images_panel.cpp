@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -54,10 +55,7 @@ KeyImagesPanel::KeyImagesPanel(Session& session, DerivedObjects& derived, OpenPi
   column->addWidget(empty_);
   column->addWidget(list_, 1);
   column->addLayout(row);
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.keyImages != after.keyImages || before.series != after.series) showAll();
-          });
+  whenChanged(session_, this, &KeyImagesPanel::showAll, &Workspace::keyImages, &Workspace::series);
   connect(&session_, &Session::preferencesChanged, this, &KeyImagesPanel::showAll);
   connect(&derived_, &DerivedObjects::changed, this, &KeyImagesPanel::showAll);
   connect(list_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {

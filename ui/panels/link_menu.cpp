@@ -3,6 +3,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/link_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -10,11 +11,7 @@ namespace {
 
 // Calls `show` when links, or series that could be linked, may have changed.
 void connectLinks(Session& session, QAction* action, const std::function<void()>& show) {
-  QObject::connect(
-      &session, &Session::workspaceChanged, action, [show](const Workspace& before, const Workspace& after) {
-        if (showsOther(before, after) || before.links != after.links || before.frameLinks != after.frameLinks)
-          show();
-      });
+  whenChanged(session, action, show, showsOther, &Workspace::links, &Workspace::frameLinks);
 }
 
 void addLink(QMenu* menu, Session& session, const char* name, const QString& text, bool Links::*link) {

@@ -13,6 +13,7 @@
 #include "ui/workspace/derived_text.h"
 #include "ui/workspace/region_colours.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -99,10 +100,7 @@ RegionsPanel::RegionsPanel(Session& session, DerivedObjects& derived, QWidget* p
   connect(opacity_, &QSlider::valueChanged, this, &RegionsPanel::setOpacity);
   connect(opacity_, &QSlider::sliderReleased, &session_, &Session::endGesture);
   connect(&derived_, &DerivedObjects::changed, this, &RegionsPanel::showAll);
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.regions != after.regions) showAll();
-          });
+  whenChanged(session_, this, &RegionsPanel::showAll, &Workspace::regions);
   showAll();
 }
 

@@ -9,6 +9,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/patients.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -36,10 +37,7 @@ ReportDialog::ReportDialog(const Session& session, const DerivedObjectPtr& objec
     const auto n = std::size_t(link.path().toULongLong());
     if (n < pictures.size()) Q_EMIT pictureChosen(pictures[n]);
   });
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (showsOther(before, after) || before.focus != after.focus) showPatient();
-          });
+  whenChanged(session_, this, &ReportDialog::showPatient, showsOther);
   connect(&session_, &Session::preferencesChanged, this, &ReportDialog::showPatient);
   showPatient();
 }

@@ -29,7 +29,7 @@ SegmentChartBox::SegmentChartBox(const Session& session, Jobs& jobs, QWidget* pa
       said_(plainLabel()),
       copy_(new QToolButton),
       view_(new ChartView),
-      overTime_(overTimeRule(), &jobs, session.sharedPool()) {
+      overTime_(overTimeRule(), session, &jobs) {
   makeLayout();
   connect(copy_, &QToolButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(chartAsCsv(view_->chart())); });

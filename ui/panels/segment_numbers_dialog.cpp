@@ -89,8 +89,7 @@ SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const S
       table_(new QTableWidget),
       charts_(new SegmentChartBox(session, jobs)),
       said_(plainLabel()),
-      reports_(segmentReportsRule(session, painter, reports_, [this] { return isOpen_; }), &jobs,
-               session.sharedPool()),
+      reports_(segmentReportsRule(session, painter, reports_, [this] { return isOpen_; }), session, &jobs),
       lane_(&jobs) {
   setObjectName(QStringLiteral("segmentNumbersDialog"));
   setWindowTitle(tr("Numbers of segments"));

@@ -10,6 +10,7 @@
 #include "ui/workspace/segment_record.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 #include "viewer/segment/between_slices.h"
 
 namespace volumen {
@@ -114,10 +115,7 @@ void SegmentPaintPage::connectFields() {
   connect(mm_, &QDoubleSpinBox::valueChanged, this, [this](double mm) {
     session_.prefer([mm](Preferences& preferences) { preferences.brush.diameterMm = mm; });
   });
-  connect(&session_, &Session::preferencesChanged, this,
-          [this](const Preferences& before, const Preferences& after) {
-            if (before.brush != after.brush) showBrush();
-          });
+  whenChanged(session_, this, &SegmentPaintPage::showBrush, &Preferences::brush);
   bindOption(erases_, editing_, &SegmentOptions::erases);
   bindOption(inRange_, editing_, &SegmentOptions::paintsInRange);
   bindOption(beside_, editing_, &SegmentOptions::beside);

@@ -18,6 +18,7 @@
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "ui/workspace/when_changed.h"
 #include "viewer/scene/visible_range.h"
 #include "viewer/segment/mask.h"
 
@@ -157,10 +158,7 @@ void SegmentRange::connectFields() {
     only_->setChecked(only_->isChecked() && after.scene.transferFunction == alone_);
     showSegments();
   });
-  connect(&session_, &Session::preferencesChanged, this,
-          [this](const Preferences& before, const Preferences& after) {
-            if (before.petUnit != after.petUnit) showInOtherUnit();
-          });
+  whenChanged(session_, this, &SegmentRange::showInOtherUnit, &Preferences::petUnit);
 }
 
 // Keeps typed values in another unit.

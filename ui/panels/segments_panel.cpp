@@ -14,6 +14,7 @@
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -64,14 +65,8 @@ SegmentsPanel::SegmentsPanel(SegmentEditing& editing, const SegmentNumbers& numb
     fillRecipes();
     showSegments();
   });
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            if (before.segmentMaps != after.segmentMaps) showSegments();
-          });
-  connect(&session_, &Session::preferencesChanged, this,
-          [this](const Preferences& before, const Preferences& after) {
-            if (before.petUnit != after.petUnit) showResult();
-          });
+  whenChanged(session_, this, &SegmentsPanel::showSegments, &Workspace::segmentMaps);
+  whenChanged(session_, this, &SegmentsPanel::showResult, &Preferences::petUnit);
   fillRecipes();
   showSegments();
 }

@@ -10,6 +10,7 @@
 #include "ui/tools/tool.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -112,10 +113,7 @@ QAction* makeInterpolationAction(Session& session, QObject* parent) {
     action->setEnabled(!view.series.empty() && isFlat(view.kind));
     action->setChecked(!flatLookOf(view).nearest);
   };
-  QObject::connect(&session, &Session::workspaceChanged, action,
-                   [show](const Workspace& before, const Workspace& after) {
-                     if (showsOther(before, after)) show();
-                   });
+  whenChanged(session, action, show, showsOther);
   QObject::connect(action, &QAction::triggered, action,
                    [&session](bool on) { setInterpolated(session, on); });
   show();

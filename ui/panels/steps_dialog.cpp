@@ -8,6 +8,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/segment_maps.h"
 #include "ui/workspace/text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -43,10 +44,7 @@ StepsDialog::StepsDialog(Session& session, QWidget* parent)
   const auto follow = [this] {
     if (!text_->document()->isModified()) showSteps();
   };
-  connect(&session_, &Session::workspaceChanged, this,
-          [follow](const Workspace& before, const Workspace& after) {
-            if (before.segmentMaps != after.segmentMaps) follow();
-          });
+  whenChanged(session_, this, follow, &Workspace::segmentMaps);
   connect(&session_, &Session::changed, this,
           [follow](const SessionState& before, const SessionState& after) {
             if (before.series != after.series) follow();

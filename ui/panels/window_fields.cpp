@@ -8,6 +8,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "ui/workspace/when_changed.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {
@@ -60,12 +61,13 @@ WindowFields::WindowFields(Session& session, QWidget* parent)
         before.preset != after.preset)
       showWindow();
   });
-  connect(&session_, &Session::preferencesChanged, this,
-          [this](const Preferences& before, const Preferences& after) {
-            if (before.petUnit == after.petUnit && before.windows == after.windows) return;
-            fillChoices();
-            showWindow();
-          });
+  whenChanged(
+      session_, this,
+      [this] {
+        fillChoices();
+        showWindow();
+      },
+      &Preferences::petUnit, &Preferences::windows);
   fillChoices();
   showWindow();
 }

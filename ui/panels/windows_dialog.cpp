@@ -9,6 +9,7 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
+#include "ui/workspace/when_changed.h"
 
 namespace volumen {
 
@@ -60,10 +61,7 @@ WindowsDialog::WindowsDialog(Session& session, InUse inUse, QWidget* parent)
   column->addWidget(makeButtons());
   resize(460, 320);
   connect(table_, &QTableWidget::cellChanged, this, &WindowsDialog::edit);
-  connect(&session_, &Session::preferencesChanged, this,
-          [this](const Preferences& before, const Preferences& after) {
-            if (before.windows != after.windows) showWindows();
-          });
+  whenChanged(session_, this, &WindowsDialog::showWindows, &Preferences::windows);
   showWindows();
 }
 

@@ -125,9 +125,15 @@ std::unique_ptr<SceneDrag> beginShapeInScene(const ScenePress& press) {
 }
 
 template <ShapeKind kind>
-Tool measuringTool(int key) {
-  const auto inScene = ruleOf(kind).inScene ? beginShapeInScene<kind> : nullptr;
-  return {ruleOf(kind).name, kindText(kind), Qt::CrossCursor, beginShape<kind>, inScene, key, true};
+Tool measuringTool(int key, const QString& otherWords = {}) {
+  return {.name = ruleOf(kind).name,
+          .text = kindText(kind),
+          .cursor = Qt::CrossCursor,
+          .inSlices = beginShape<kind>,
+          .inScene = ruleOf(kind).inScene ? beginShapeInScene<kind> : nullptr,
+          .key = key,
+          .measuring = true,
+          .otherWords = otherWords};
 }
 
 Tool labelTool() {
@@ -141,13 +147,20 @@ Tool labelTool() {
 
 std::vector<Tool> measuringTools() {
   using enum ShapeKind;
-  return {measuringTool<length>(Qt::Key_D),  measuringTool<polyline>(0),
-          measuringTool<openCurve>(0),       measuringTool<bidirectional>(0),
-          measuringTool<angle>(Qt::Key_A),   measuringTool<cobb>(0),
-          measuringTool<legAxis>(0),         measuringTool<cardiothoracic>(0),
-          measuringTool<ellipse>(Qt::Key_E), measuringTool<rectangle>(0),
-          measuringTool<freehand>(0),        measuringTool<probe>(Qt::Key_P),
-          measuringTool<arrow>(Qt::Key_T),   labelTool()};
+  return {measuringTool<length>(Qt::Key_D, tr("distance ruler caliper measure line")),
+          measuringTool<polyline>(0),
+          measuringTool<openCurve>(0),
+          measuringTool<bidirectional>(0, tr("RECIST diameter bidimensional")),
+          measuringTool<angle>(Qt::Key_A),
+          measuringTool<cobb>(0),
+          measuringTool<legAxis>(0),
+          measuringTool<cardiothoracic>(0),
+          measuringTool<ellipse>(Qt::Key_E, tr("ROI region of interest mean SUV HU")),
+          measuringTool<rectangle>(0),
+          measuringTool<freehand>(0),
+          measuringTool<probe>(Qt::Key_P, tr("value point HU SUV")),
+          measuringTool<arrow>(Qt::Key_T, tr("annotate annotation text note")),
+          labelTool()};
 }
 
 }  // namespace volumen

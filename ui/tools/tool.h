@@ -99,6 +99,7 @@ struct Tool {
                   const SlicePress& pointer) = nullptr;  ///< drawn in slices at the pointer
   /// Handles a key in slices. Returns true if the key is consumed.
   bool (*takesKey)(Session& session, int key) = nullptr;
+  QString otherWords{};  ///< words by which other programs call it, for the search of commands
 
   /// Returns whether the tool takes the left button in all views where it works. When it ends, or after Esc,
   /// the tool selected before is active again.

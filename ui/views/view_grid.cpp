@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "ui/workspace/when_changed.h"
+
 namespace volumen {
 
 namespace {
@@ -48,19 +50,20 @@ ViewGrid::ViewGrid(const ViewParts& parts, QWidget* parent)
   setObjectName(QStringLiteral("viewGrid"));
   setMinimumSize(200, 200);
   volumeView(sceneViewId);
-  connect(&session_, &Session::workspaceChanged, this,
-          [this](const Workspace& before, const Workspace& after) {
-            const auto families = [](const Workspace& w) {
-              std::vector<std::pair<ViewId, ViewFamily>> all;
-              for (const ViewId id : viewsOnScreen(w)) all.emplace_back(id, rowOf(w.view(id).kind).family);
-              return all;
-            };
-            if (!after.second.shown) std::erase_if(alone_, isInSecond);
-            if (families(before) != families(after) || before.layout != after.layout ||
-                before.second != after.second || before.focus != after.focus)
-              arrange();
-            if (isInSecond(before.focus) != isInSecond(after.focus) && isOtherActive()) takeKeys();
-          });
+  const auto families = [](const Workspace& w) {
+    std::vector<std::pair<ViewId, ViewFamily>> all;
+    for (const ViewId id : viewsOnScreen(w)) all.emplace_back(id, rowOf(w.view(id).kind).family);
+    return all;
+  };
+  const auto isFocusInSecond = [](const Workspace& w) { return isInSecond(w.focus); };
+  whenChanged(session_, this, qOverload<>(&ViewGrid::arrange), families, &Workspace::layout,
+              &Workspace::second, &Workspace::focus);
+  whenChanged(
+      session_, this,
+      [this] {
+        if (isOtherActive()) takeKeys();
+      },
+      isFocusInSecond);
   connect(second_.get(), &WindowBeside::resized, this, qOverload<>(&ViewGrid::arrange));
   arrange();
 }
@@ -288,8 +291,10 @@ void ViewGrid::arrange() {
   arrange(*this, idsShown(false), workspace.layout);
   if (workspace.second.shown)
     arrange(*second_, idsShown(true), workspace.second.layout);
-  else
+  else {
     secondKeys_ = nullptr;
+    std::erase_if(alone_, isInSecond);
+  }
   Q_EMIT arranged();
 }
 

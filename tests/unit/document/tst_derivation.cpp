@@ -29,10 +29,11 @@ struct Toy {
   std::atomic<bool> isHeld = false;  // the work waits until it is cancelled or released
   std::atomic<int> begun = 0;
   std::size_t mostBytes = 100;
-  std::shared_ptr<SeriesPool> pool = std::make_shared<SeriesPool>();
+  Session session;
+  std::shared_ptr<SeriesPool> pool = session.sharedPool();
   Jobs jobs;
   std::vector<std::string> order;
-  Texts texts{rule(), &jobs, pool};
+  Texts texts{rule(), session, &jobs};
   QSignalSpy failed{&texts, &Texts::failed}, cancelled{&texts, &Texts::cancelled};
 
   Texts::Rule rule() {
@@ -45,6 +46,8 @@ struct Toy {
             .isQuick = [this](const Key& key) { return key.of == quick; },
             .isKept = [this](const Key&) { return isHiddenKept; },
             .isPaused = [this] { return isPaused; },
+            .isTriedAgain = [](const Texts::Entry&, const Workspace& before,
+                               const Workspace& after) { return before.links != after.links; },
             .tryAgainMs = tryAgainMs,
             .lacksMemory = "There is not enough memory.",
             .wasCancelled = "It was cancelled.",
@@ -96,6 +99,7 @@ class TestDerivation : public QObject {
   void whatIsNotWantedIsDroppedUnlessKept();
   void aFailureIsToldOnceAndHolds();
   void aFailureIsTriedAgainLater();
+  void changesOfTheDocumentAreFollowed();
   void lackOfMemoryIsASentence_data();
   void lackOfMemoryIsASentence();
   void aCancelHoldsForAllThatIsMissing();
@@ -133,7 +137,7 @@ void TestDerivation::theLatestAloneIsComputed() {
 void TestDerivation::aVersionIsFinishedWhileItIsDragged() {
   Toy toy;
   toy.areVersionsFinished = true;
-  Texts texts(toy.rule(), &toy.jobs, toy.pool);
+  Texts texts(toy.rule(), toy.session, &toy.jobs);
   const auto want = [&](int version) {
     toy.wanted = {{1, version}};
     texts.update();
@@ -249,7 +253,7 @@ void TestDerivation::aFailureIsToldOnceAndHolds() {
 void TestDerivation::aFailureIsTriedAgainLater() {
   Toy toy;
   toy.tryAgainMs = 20;
-  Texts texts(toy.rule(), &toy.jobs, toy.pool);
+  Texts texts(toy.rule(), toy.session, &toy.jobs);
   const QSignalSpy failed(&texts, &Texts::failed);
   toy.refused = toy.wanted = {{1, 0}};
   texts.update();
@@ -257,6 +261,21 @@ void TestDerivation::aFailureIsTriedAgainLater() {
   toy.refused.clear();
   QTRY_VERIFY_WITH_TIMEOUT(texts.find({1, 0})->value, 20000);
   QCOMPARE(failed.size(), 1);
+}
+
+void TestDerivation::changesOfTheDocumentAreFollowed() {
+  Toy toy;
+  toy.refused = toy.wanted = {{1, 0}};
+  toy.session.prefer([](Preferences& p) { p.hideNames = !p.hideNames; });
+  QVERIFY(toy.idle());
+  QCOMPARE(toy.at({1, 0}), std::string("1.0 cannot be written."));
+  toy.refused.clear();
+  toy.session.change({}, [](Workspace& w) { w.measurementsShown = !w.measurementsShown; });
+  QVERIFY(toy.idle());
+  QCOMPARE(toy.at({1, 0}), std::string("1.0 cannot be written."));
+  toy.session.change({}, [](Workspace& w) { w.links.scroll = !w.links.scroll; });
+  QVERIFY(toy.idle());
+  QCOMPARE(toy.at({1, 0}), std::string("1.0"));
 }
 
 void TestDerivation::lackOfMemoryIsASentence_data() {
@@ -299,7 +318,7 @@ void TestDerivation::aCancelHoldsForAllThatIsMissing() {
 void TestDerivation::unneededValuesMakeRoom() {
   Toy toy;
   toy.mostBytes = 5;
-  Texts texts(toy.rule(), &toy.jobs, toy.pool);
+  Texts texts(toy.rule(), toy.session, &toy.jobs);
   const QSignalSpy failed(&texts, &Texts::failed);
   const auto isIdle = [&] { return QTest::qWaitFor([&] { return !texts.isBusy(); }, 20000); };
   toy.isHiddenKept = true;
@@ -328,7 +347,7 @@ void TestDerivation::whatIsHeldIsCounted() {
   toy.want({{2, 0}});
   QCOMPARE(toy.pool->counted(), before + 3);
   {
-    Texts more(toy.rule(), &toy.jobs, toy.pool);
+    Texts more(toy.rule(), toy.session, &toy.jobs);
     more.update();
     QVERIFY(QTest::qWaitFor([&] { return !more.isBusy(); }, 20000));
     QCOMPARE(toy.pool->counted(), before + 6);
@@ -352,12 +371,13 @@ void TestDerivation::inputsAreReleased() {
     return
         [key](const Job&) -> Result<std::shared_ptr<const int>> { return std::make_shared<const int>(*key); };
   };
+  const Session session;
   Derivation<Input, int> copies({.wanted = [&] { return wanted; },
                                  .work = copy,
                                  .name = [](const Input&) { return JobName(); },
                                  .bytes = [](int) { return std::size_t(4); },
                                  .lacksMemory = {}},
-                                nullptr, std::make_shared<SeriesPool>());
+                                session, nullptr);
   copies.update();
   if (isDone) QVERIFY(QTest::qWaitFor([&] { return !copies.isBusy(); }, 20000));
   wanted.clear();
