@@ -127,7 +127,7 @@ const std::vector<NotDone> refusals{
     {"an eraser, no segment", {}, {.erases = true}, noAct, strokeSmall, refused, "add a segment first"},
     {"a cut, no segment", {}, {}, noAct, cutAll, refused, "Make or add a segment first"},
     {"a stroke, locked", {bright}, {}, lock, strokeSmall, refused, "is locked"},
-    {"a cut, locked", {bright}, {}, lock, cutAll, refused, "is locked"},
+    {"a cut, locked", {bright}, {}, lock, cutAll, refused, "is locked: unlock it first"},
     {"a stroke, hidden", {bright}, {}, hide, strokeSmall, refused, "is hidden"},
     {"no SUV", {}, {.lesionThreshold = {2.5, false}}, noAct, lesion, refused, "The series has no SUV"},
     {"unknown size", {}, {}, unsize, lesion, refused, "how large its voxels are"},
